@@ -15,7 +15,7 @@ use tpg_generated::widowx_sac::{DECISION, NETWORK};
 use tpg_problems::arm::targets::{Set, Start, tasks};
 use tpg_runtime::net::Kind;
 use tpg_runtime::policy::Policy;
-use tpg_train::hybrid::arm::setting::HybridFile;
+use tpg_train::hybrid::setting::read_file;
 use tpg_train::quantise::{QuantiseArgs, quantise as quantise_file};
 use tpg_train::sac::motors::MotorNetwork;
 use tpg_train::sac::network::Network;
@@ -125,7 +125,7 @@ fn hybrids_are_made_of_what_is_there_and_their_constants_are_fresh() {
         let folder: PathBuf = [env!("CARGO_MANIFEST_DIR"), "../generated", name]
             .iter()
             .collect();
-        let file = HybridFile::read(&folder.join("hybrid.toml")).expect("a good file");
+        let file = read_file(&folder.join("hybrid.toml")).expect("a good file");
         for part in [&file.graph, &file.actor] {
             assert!(folder.join(part).is_file(), "{name}: {part}");
         }

@@ -7,11 +7,13 @@ use pyo3::prelude::*;
 use serde_json::json;
 use std::sync::Mutex;
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Act, ActionSpace, AnyEnvironment, AnyEpisode, AnyTask, End, SourceSet};
+use tpg_engine::{Act, ActionSpace, AnyEnvironment, AnyEpisode, AnyTask, End, SourceSet, TaskSet};
 use tpg_problems::{ContinuousProblem, Problem, ProblemName};
 use tpg_runtime::policy::ActionId;
-use tpg_train::evaluate::graph::on_problem;
+use tpg_train::evaluate::evaluate;
 use tpg_train::evolution::presets::Preset;
+use tpg_train::hybrid::shared::Episodes;
+use tpg_train::hybrid::trial::Acting;
 
 /// Finds a built-in problem with its usual settings.
 pub(crate) fn problem(name: &str) -> PyResult<Problem> {
@@ -39,7 +41,9 @@ pub(crate) fn evaluate_native(
     seed: u64,
 ) -> PyResult<String> {
     let problem = problem(problem_name)?;
-    let report = py.detach(|| on_problem(&problem, "<graph>", &graph.0, episodes, seed));
+    let graph = ("<graph>".to_owned(), graph.0.clone());
+    let episodes = Episodes { set: TaskSet::Test, count: episodes, seed, file: None };
+    let report = py.detach(|| evaluate(&problem, &graph.0, Acting::Graph(&graph), episodes));
     let report = report.map_err(error::input)?;
     serde_json::to_string(&report).map_err(error::input)
 }

@@ -5,12 +5,13 @@
 use std::ops::ControlFlow;
 use std::path::Path;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, Choices, End, EngineOptions, Environment, LocalThreads, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, Choices, End, EngineOptions, Environment, LocalThreads, SourceSet, Step, TaskSet};
 use tpg_graph::{Graph, SourceDocument};
 use tpg_runtime::ops::Own;
-use tpg_train::evaluate::graph::on_environment;
+use tpg_train::evaluate::evaluate;
 use tpg_train::evolution::{generation::Goal, presets::Preset, run::RunOptions, run::run};
-use tpg_train::hybrid::shared::OwnProblem;
+use tpg_train::hybrid::shared::{Episodes, OwnProblem};
+use tpg_train::hybrid::trial::Acting;
 use tpg_train::report::{ReportArgs, report_with};
 
 pub(crate) struct Cart;
@@ -55,10 +56,12 @@ pub(crate) fn train(folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
     run(&config, 1, &Cart, &evaluator, &options, |_progress| ControlFlow::Continue(()))?;
 
     let file = folder.join("graph.json").display().to_string();
-    let graph = Graph::from_json(&file, &std::fs::read_to_string(&file)?)?;
-    print!("{}", on_environment::<_, Own>("cart", &file, &graph, &Cart, 1000, 1)?.to_table());
+    let graph = (file.clone(), Graph::from_json(&file, &std::fs::read_to_string(&file)?)?);
+    let problem = OwnProblem::<f32, Own, _>::new("cart", Choices::new(&Cart, None)?);
+    let episodes = Episodes { set: TaskSet::Test, count: 1000, seed: 1, file: None };
+    print!("{}", evaluate(&problem, &file, Acting::Graph(&graph), episodes)?.to_table());
     let args = ReportArgs { runs: vec![folder.to_owned()], out: folder.join("report.html"), episodes: 1000, seed: 1 };
-    report_with(&args, Some(&OwnProblem::<f32, Own, _>::new("cart", Choices::new(&Cart, None)?)))?;
+    report_with(&args, Some(&problem))?;
     Ok(())
 }
 

@@ -12,7 +12,6 @@
 //! | [`targets`] | tasks over the reachable space |
 //! | [`evaluate`] | test episodes of a policy |
 //! | [`hybrid`] | a graph and a network that share a problem: settings and study |
-//! | [`course`] | one episode, action by action |
 //! | [`interrupt`] | Ctrl-C |
 //! | [`picture`] | SVG, plots and the HTML page that contains them: the crate `tpg-picture` |
 //! | [`configuration`] | the configuration and problem that a run's arguments ask for |
@@ -24,10 +23,8 @@
 //! | [`report`] | runs in one HTML file |
 
 pub mod arm_import;
-pub mod arm_of;
 pub mod cli;
 pub mod configuration;
-pub mod course;
 pub mod csv_text;
 pub mod evaluate;
 pub mod evolution;

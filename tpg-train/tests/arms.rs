@@ -93,7 +93,8 @@ fn a_network_is_trained_quantised_and_joined_to_a_graph_on_its_own_arm() {
     let graph = generated("widowx-rs/graph.json").display().to_string();
     let study = |config: Option<&Path>| {
         let mut command = tpg_train();
-        command.args(["hybrid", "--problem", "rs", "--episodes", "2", "--guard", "none", "--tpg", &graph, "--policy"]);
+        command.args(["hybrid", "--problem", "rs", "--episodes", "2", "--guard", "none", "--separation", "20,inf"]);
+        command.args(["--hand-back-after", "10", "--patience", "never", "--tpg", &graph, "--policy"]);
         command.arg(&network).arg("--out").arg(place("study"));
         if let Some(config) = config {
             command.arg("--config").arg(config);
@@ -105,7 +106,7 @@ fn a_network_is_trained_quantised_and_joined_to_a_graph_on_its_own_arm() {
     assert!(error.contains("policy.safetensors: a network for another arm"), "{error}");
     study(Some(&rules)).success();
     let asked = fs::read_to_string(place("study/study.toml")).expect("a study");
-    assert!(asked.contains("[settings.arm]") && asked.contains("tolerance = 10.0"), "{asked}");
+    assert!(asked.contains("[problem.arm]") && asked.contains("tolerance = 10.0"), "{asked}");
     let both = ["--tpg", &graph, "--policy", &network, "--hand-back-after", "10"];
     assert!(evaluated(&both, Some(&rules))["hand_overs"].is_object());
 }

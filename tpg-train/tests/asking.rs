@@ -7,14 +7,15 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 use tpg_codegen::policy::QuantisedPolicy;
-use tpg_engine::Choices;
+use tpg_engine::{Choices, TaskSet};
 use tpg_graph::Graph;
 use tpg_problems::{Pendulum, Problem, ProblemName};
 use tpg_runtime::ops::Own;
-use tpg_train::evaluate::graph::endings;
 use tpg_train::evolution::config::{AskConfig, EvolutionConfig};
 use tpg_train::evolution::presets::Preset;
 use tpg_train::hybrid::asking::Asking;
+use tpg_train::hybrid::shared::{Episodes, OwnProblem, Shared as _};
+use tpg_train::hybrid::trial::Acting;
 use tpg_train::sac::network::decided;
 
 /// Asks where the angular velocity is negative, else pushes with the highest torque.
@@ -135,7 +136,9 @@ fn evaluation_counts_the_asks_that_training_pays_for() {
     let choices = Choices::new(Pendulum, Some(3)).expect("few actions");
     let asking = Asking::new(choices, |state: &[f32]| decided(&network, state), 2.0);
     let graph = Graph::from_json("asks.json", ASKS).expect("a graph");
-    let paid = endings::<f32, Own>("asks.json", &graph, &asking, 50, 1).expect("they run");
+    let problem = OwnProblem::<f32, Own, _>::new("pendulum", Choices::new(asking, None).expect("named actions"));
+    let episodes = Episodes { set: TaskSet::Test, count: 50, seed: 1, file: None };
+    let paid = problem.trial(Acting::Graph(&("asks.json".to_owned(), graph)), episodes).expect("they run").endings;
     let paid = paid.iter().map(|ending| ending.score).sum::<f64>() / 50.0;
     assert!((paid - (number("mean_score") - 2.0 * asks)).abs() < 1e-9, "{paid} {report}");
 

@@ -3,20 +3,20 @@
 
 use assert_cmd::Command;
 use serde_json::Value;
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Act, ActionSpace, Choices, End, Environment, SourceSet, Step};
+use tpg_engine::random::Stream;
+use tpg_engine::{Act, ActionSpace, Choices, End, Environment, SourceSet, Step, Summary, TaskSet};
 use tpg_graph::{Graph, SourceDocument};
 use tpg_runtime::ops::Own;
-use tpg_train::evaluate::hybrid::on_problem;
 use tpg_train::folder::{Trainer, frame::seal};
 use tpg_train::hybrid::command::{StudyArgs, study_on};
 use tpg_train::hybrid::setting::{Detector, Hybrid, Setting};
 use tpg_train::hybrid::shared::{Episodes, OwnProblem, Shared};
 use tpg_train::hybrid::span::Span;
 use tpg_train::hybrid::study::VERSION;
-use tpg_train::hybrid::trial::Acting;
+use tpg_train::hybrid::trial::{Acting, TRIGGERS};
 use tpg_train::ranks::workplace::ThisProcess;
 use tpg_train::report::{ReportArgs, report_with};
 use tpg_train::sac::network::Network;
@@ -154,7 +154,7 @@ fn what_a_problem_does_not_have_is_refused() {
     };
     for (more, says) in [
         (&["--cycle-detector", "brent"][..], &["has no keys to detect cycles by", "accepted: none"][..]),
-        (&["--guard", "both"], &["only the arm has guards"]),
+        (&["--guard", "both"], &["guard both for pendulum", "accepted: none"]),
         (&["--separation", "inf", "--patience", "never"], &["never hands over", "--patience in actions"]),
         (&["--separation=-1"], &["--separation -1", "distances from 0"]),
         (&["--patience", "0"], &["neither a number of actions"]),
@@ -176,14 +176,17 @@ fn what_a_problem_does_not_have_is_refused() {
         &mut eval("pendulum", &["--tpg", graph, "--policy", NETWORK, "--cycle-detector", "visited"]),
         &["has no keys"],
     );
-    refused(&mut eval("pendulum", &["--tpg", graph, "--policy", NETWORK, "--guard", "both"]), &["option of the arm's"]);
+    refused(
+        &mut eval("pendulum", &["--tpg", graph, "--policy", NETWORK, "--guard", "both"]),
+        &["guard both for pendulum"],
+    );
     refused(&mut eval("cartpole", &["--policy", NETWORK]), &["cos_theta", "accepted: x v theta omega"]);
     let file = folder.path().join("hybrid.toml");
     let of_the_arm = "graph = \"weak.json\"\nactor = \"p.q.json\"\nhand_back_after = 5\nseparation_mm = inf\n\
                       guard = \"both\"\ncycle_detector = \"brent\"\n";
     fs::write(&file, of_the_arm).expect("a file");
     let file = file.to_str().expect("a path");
-    refused(&mut eval("pendulum", &["--hybrid", file]), &["line 5", "unknown field `guard`", "patience"]);
+    refused(&mut eval("pendulum", &["--hybrid", file]), &["guard both for pendulum", "accepted: none"]);
 }
 
 /// A walk along a line to 10, in steps of −1 to 1. Every place has a key.
@@ -252,6 +255,9 @@ const UPWARDS: &str = r#"{"format": "tpg network in integers", "version": 2,
     "output": {"values": [{"name": "step", "min": -1.0, "max": 1.0, "squash": "clamp", "exponent": 10}]},
     "layers": [{"inputs": 1, "outputs": 1, "weights": [0], "bias": [1000000], "factor": [16384], "shift": [20]}]}"#;
 
+/// Test episodes.
+const EPISODES: Episodes<'static> = Episodes { set: TaskSet::Test, count: 50, seed: 1, file: None };
+
 fn line(folder: &Path) -> (OwnProblem<f64, Own, Line>, Hybrid) {
     let problem = OwnProblem::new("line", Choices::new(Line, Some(3)).expect("few actions"));
     let network = folder.join("upwards.q.json");
@@ -262,9 +268,10 @@ fn line(folder: &Path) -> (OwnProblem<f64, Own, Line>, Hybrid) {
         separation: f64::INFINITY,
         patience: Span::NEVER,
         detector: Detector::Visited,
+        guard: "none".to_owned(),
     };
     let network = ("upwards.q.json".to_owned(), Network::read(&network).expect("a good network"));
-    (problem, Hybrid { problem: "line".to_owned(), graph: ("up.json".to_owned(), graph), network, setting })
+    (problem, Hybrid { problem: Some("line".to_owned()), graph: ("up.json".to_owned(), graph), network, setting })
 }
 
 #[test]
@@ -272,22 +279,21 @@ fn every_trigger_hands_over_in_an_environment_of_ones_own() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let (problem, hybrid) = line(folder.path());
     let report = |setting: Setting| {
-        let report = on_problem(&problem, "hybrid", &Hybrid { setting, ..hybrid.clone() }, 50, 1).expect("it runs");
-        let figures = report.hybrid.expect("a hybrid's figures");
-        (report.success_rate, figures.hand_overs)
+        let done = problem.trial(Acting::Both(&hybrid.graph, &hybrid.network, &setting), EPISODES).expect("it runs");
+        let causes = TRIGGERS.iter().zip(done.hand_overs).map(|((name, _), count)| (*name, count));
+        (Summary::of(&done.endings).success, causes.collect::<BTreeMap<_, _>>())
     };
-    let episodes = Episodes { purpose: Purpose::Evaluation, count: 50, seed: 1 };
-    let alone = problem.trial(Acting::Graph(&hybrid.graph), episodes).expect("it runs");
+    let alone = problem.trial(Acting::Graph(&hybrid.graph), EPISODES).expect("it runs");
     assert!(alone.endings.iter().all(|ending| ending.success == Some(false)), "the graph alone never arrives");
 
-    let none = Setting { detector: Detector::None, hand_back_after: Span::NEVER, ..hybrid.setting };
+    let none = Setting { detector: Detector::None, hand_back_after: Span::NEVER, ..hybrid.setting.clone() };
     for (setting, trigger) in [
-        (Setting { detector: Detector::Visited, ..none }, "cycle"),
-        (Setting { detector: Detector::Brent, ..none }, "cycle"),
-        (Setting { separation: 0.5, ..none }, "drift"),
-        (Setting { patience: Span(4), ..none }, "stall"),
+        (Setting { detector: Detector::Visited, ..none.clone() }, "cycle"),
+        (Setting { detector: Detector::Brent, ..none.clone() }, "cycle"),
+        (Setting { separation: 0.5, ..none.clone() }, "drift"),
+        (Setting { patience: Span(4), ..none.clone() }, "stall"),
     ] {
-        let (success, hand_overs) = report(setting);
+        let (success, hand_overs) = report(setting.clone());
         assert_eq!(success, Some(1.0), "{setting:?}");
         assert_eq!(hand_overs[trigger], 1.0, "once an episode, for good: {setting:?} {hand_overs:?}");
         assert_eq!(hand_overs.values().sum::<f64>(), 1.0, "{setting:?} {hand_overs:?}");
@@ -315,13 +321,14 @@ fn an_environment_of_ones_own_has_studies_and_reports() {
         hand_back_after: Vec::new(),
         separation: Vec::new(),
         patience: Vec::new(),
+        guard: Vec::new(),
         threads: 1,
     };
     study_on(&problem, &args, &ThisProcess).expect("it runs");
     let chosen = Hybrid::read(&out.join("hybrid.toml")).expect("a good file");
-    assert_eq!((chosen.problem.as_str(), chosen.setting.detector), ("line", Detector::Visited), "the line has keys");
-    let report = on_problem(&problem, "hybrid.toml", &chosen, 50, 1).expect("it runs");
-    assert_eq!((report.problem.as_str(), report.success_rate), ("line", Some(1.0)));
+    assert_eq!((chosen.problem.as_deref(), chosen.setting.detector), (Some("line"), Detector::Visited), "it has keys");
+    let done = problem.trial(Acting::Both(&chosen.graph, &chosen.network, &chosen.setting), EPISODES).expect("it runs");
+    assert_eq!(Summary::of(&done.endings).success, Some(1.0));
 
     let page = folder.path().join("report.html");
     let args = ReportArgs { runs: vec![out], out: page.clone(), episodes: 30, seed: 1 };

@@ -10,7 +10,20 @@ use tpg_train::hybrid::study::VERSION;
 fn study(out: &Path, more: &[&str]) -> assert_cmd::assert::Assert {
     let generated = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("../generated").join(name);
     let mut command = Command::cargo_bin("tpg-train").expect("the program");
-    command.args(["hybrid", "--problem", "fs", "--episodes", "4", "--guard", "collisions", "--out"]).arg(out);
+    command.args([
+        "hybrid",
+        "--problem",
+        "fs",
+        "--episodes",
+        "4",
+        "--guard",
+        "collisions",
+        "--cycle-detector",
+        "visited",
+    ]);
+    command
+        .args(["--hand-back-after", "1,100,never", "--separation", "3,inf", "--patience", "20,never", "--out"])
+        .arg(out);
     command.arg("--tpg").arg(generated("widowx-fs/graph.json")).arg(generated("widowx-rs/graph.json"));
     command.arg("--policy").arg(generated("widowx-sac/policy.q.json"));
     command.args(more).assert()
@@ -27,7 +40,7 @@ fn threads_and_interruptions_do_not_matter() {
     study(&one, &["--threads", "1"]).success();
     study(&two, &["--threads", "2"]).success();
     let cells = text(&one, "cells.csv");
-    assert_eq!(cells.lines().count(), 1 + 2 * 42, "two pairs, 42 settings");
+    assert_eq!(cells.lines().count(), 1 + 2 * 12, "two pairs, 12 settings");
     assert_eq!(text(&two, "cells.csv"), cells);
 
     // Simulates a run that was killed after every third cell.
@@ -43,7 +56,6 @@ fn threads_and_interruptions_do_not_matter() {
     let output = report.arg("report").arg(&two).args(["--episodes", "3", "--out", "-"]).assert().success();
     let html = String::from_utf8(output.get_output().stdout.clone()).expect("text");
     assert!(html.contains("guard collisions") && html.contains("mean distance mm"), "{html}");
-    assert!(text(&two, "report.html").contains("figure 7"));
     let mut eval = Command::cargo_bin("tpg-train").expect("the program");
     let eval = eval.args(["eval", "--problem", "fs", "--episodes", "3", "--json", "--hybrid"]);
     let output = eval.arg(two.join("hybrid.toml")).assert().success().get_output().stdout.clone();

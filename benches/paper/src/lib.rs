@@ -17,6 +17,7 @@
 //! | [`actor`] | recorded actors: files and outputs |
 //! | [`hybrid`] | recorded graphs and actors together |
 //! | [`torch_random`] | PyTorch's random numbers |
+//! | [`policies`] | graphs as policies of the arm's observations |
 //! | [`limits`] | action limits of the recorded episodes |
 //! | [`replay`] | all rows of a file in lockstep, compared with the recording |
 //! | [`fk`] | forward kinematics and collisions against recorded values, including the runtime's fast paths |
@@ -36,6 +37,7 @@ pub mod fk;
 pub mod hybrid;
 pub mod limits;
 pub mod plane;
+pub mod policies;
 pub mod replay;
 pub mod replay_command;
 pub mod sac;

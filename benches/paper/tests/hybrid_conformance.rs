@@ -15,10 +15,10 @@ use tpg_paper::data::{self, ByRow, HybridEnd, Task};
 use tpg_paper::episode::Rules;
 use tpg_paper::hybrid::{Determined, HybridDone, Sampled, determined, episode};
 use tpg_paper::limits::max_actions;
+use tpg_paper::policies::GraphPolicy;
 use tpg_problems::arm::targets::Start;
 use tpg_runtime::ops::System;
 use tpg_runtime::policy::Policy;
-use tpg_train::hybrid::arm::graph::GraphPolicy;
 
 const TPG_SEEDS: u32 = 5;
 const SAC_SEEDS: u32 = 3;

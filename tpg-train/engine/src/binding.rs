@@ -86,9 +86,13 @@ pub fn bind_to(
     Ok(renumbered(PolicyGraph::from(graph), &places, &actions))
 }
 
-/// Compares a graph's action with an environment's: by what it asks, or else by name.
+/// Compares a graph's action with an environment's: by what it asks, by its effect, or else by name.
 fn is_same(action: &Action, other: &ActionDocument) -> bool {
-    action.ask == other.ask && (action.ask.is_some() || action.name == other.name)
+    match (&action.ask, &action.effect, &other.effect) {
+        (Some(_), ..) => action.ask == other.ask,
+        (None, Some(effect), Some(known)) => other.ask.is_none() && effect == known,
+        (None, ..) => other.ask.is_none() && action.name == other.name,
+    }
 }
 
 /// Returns the place in the graph of each output that the environment expects.

@@ -190,6 +190,11 @@ impl<S: Scalar> Plan<S> {
         Self { nodes: arena.into_nodes(), teams, roots, actions, leaves, limits, places, wanted }
     }
 
+    /// Returns the sources that a policy reads.
+    pub fn wanted(&self) -> SourceSet {
+        self.wanted
+    }
+
     /// Returns the number of values in the flat state.
     pub fn state_length(&self) -> usize {
         self.places.len()

@@ -38,9 +38,11 @@ pub mod mountain_car_continuous;
 pub mod pendulum;
 pub mod physics;
 pub mod registry;
+mod tested;
 pub mod varied;
 
 pub use acrobot::Acrobot;
+pub use arm::config::guarded_constants;
 pub use cartpole::CartPole;
 pub use continuous::ContinuousProblem;
 pub use mountain_car::MountainCar;

@@ -1,34 +1,24 @@
 //! `tpg-train eval`: lets a policy act on test episodes and reports how they end.
-//!
-//! | module | subject |
-//! | --- | --- |
-//! | [`arm`] | graphs, networks, hybrids and planners on the arm |
-//! | [`graph`] | a graph on any environment |
-//! | [`network`] | a network on any built-in problem |
-//! | [`hybrid`] | a hybrid on any problem but the arm's |
-//! | [`EvaluationReport`] | the figures |
 
-pub mod arm;
-pub mod graph;
-pub mod hybrid;
-pub mod network;
 mod report;
 
 pub(crate) use report::mean_with_confidence;
-pub use report::{ArmFigures, Asks, EvaluationReport, HybridFigures, confidence};
+pub use report::{Asks, EvaluationReport, HybridFigures, confidence};
 
 use crate::files::{read_graph, read_text};
-use crate::hybrid::command::setting_of;
-use crate::hybrid::setting::{Detector, Hybrid};
+use crate::hybrid::setting::{Detector, Hybrid, Setting, UNGUARDED};
+use crate::hybrid::shared::{Episodes, Facts, Shared};
 use crate::hybrid::span::Span;
+use crate::hybrid::trial::{Acting, HybridTrial};
 use crate::run_args::command_line;
 use crate::sac::network::Network;
 use clap::Args;
 use std::path::{Path, PathBuf};
-use tpg_arm::hybrid::Guard;
-use tpg_graph::error::{InputError, Place};
-use tpg_problems::arm::Shield;
-use tpg_problems::{ContinuousProblem, Problem, ProblemName};
+use std::time::Instant;
+use tpg_engine::TaskSet;
+use tpg_graph::Graph;
+use tpg_graph::error::{Finding, InputError, Place};
+use tpg_problems::{Problem, ProblemName};
 
 /// Let a policy act and count how its episodes end.
 #[derive(Clone, Debug, Args)]
@@ -39,11 +29,11 @@ pub struct EvalArgs {
     /// A graph; with --policy too, the graph hands over to the network, or asks it
     #[arg(long, value_name = "GRAPH", required_unless_present_any = ["policy", "hybrid"])]
     pub tpg: Option<PathBuf>,
-    /// The problem's settings of this configuration. Default: those of the problem; for the arm, the arm that the policy was
-    /// trained for (the WidowX where it does not say), and for a network its tests' settings
+    /// The problem's settings of this configuration. Default: those of the problem, and what the policy says of its training
     #[arg(long, value_name = "FILE")]
     pub config: Option<PathBuf>,
-    /// A policy.safetensors or policy.q.json; on the arm also the classical `planner`, `nearest-goal` or `closed-form`
+    /// A policy.safetensors or policy.q.json, or a controller that the problem brings: on the arm `planner`, `nearest-goal` or
+    /// `closed-form`
     #[arg(long, value_name = "FILE")]
     pub policy: Option<String>,
     /// A hybrid.toml: graph, network, and when they take turns
@@ -52,25 +42,20 @@ pub struct EvalArgs {
     /// With --tpg and --policy: actions of the network before the graph takes over again, or `never`
     #[arg(long, value_name = "N", default_value = "100")]
     pub hand_back_after: Span,
-    /// With --tpg and --policy, not on the arm: the network takes over when the distance to the goal exceeds its least by
-    /// this, in the problem's own unit [default: inf]
-    #[arg(long, value_name = "D")]
-    pub separation: Option<f64>,
-    /// With --tpg and --policy, not on the arm: the network takes over after that many actions without progress [default:
-    /// never]
-    #[arg(long, value_name = "N")]
-    pub patience: Option<Span>,
-    /// With --tpg and --policy, on the arm: the network takes over when the hand is further away than its best by this;
-    /// `inf` [default: 20]
-    #[arg(long, value_name = "D")]
-    pub separation_mm: Option<f64>,
-    /// With --tpg and --policy, on the arm: none, joint-limits, collisions or both [default: none]
-    #[arg(long, value_name = "GUARD", value_parser = crate::hybrid::command::guard)]
-    pub guard: Option<Guard>,
-    /// With --tpg and --policy: method of detecting that the graph cycles [default: visited on the arm, else none]
+    /// With --tpg and --policy: the network takes over when the distance to the goal exceeds its least by this, in the problem's
+    /// own unit
+    #[arg(long, value_name = "D", alias = "separation-mm", default_value_t = f64::INFINITY)]
+    pub separation: f64,
+    /// With --tpg and --policy: the network takes over after that many actions without progress, or `never`
+    #[arg(long, value_name = "N", default_value = "never")]
+    pub patience: Span,
+    /// With --tpg and --policy, where the problem has guards: the one that holds [default: the last]
+    #[arg(long, value_name = "GUARD")]
+    pub guard: Option<String>,
+    /// With --tpg and --policy: method of detecting that the graph cycles [default: visited where states have keys, else none]
     #[arg(long, value_enum)]
     pub cycle_detector: Option<Detector>,
-    /// The arm's episodes from a file, as `tpg-train targets` prints them
+    /// Episodes from a file, as `tpg-train targets` prints them for some problems
     #[arg(long, value_name = "CSV", conflicts_with = "episodes")]
     pub targets: Option<PathBuf>,
     /// The number of test episodes
@@ -80,11 +65,20 @@ pub struct EvalArgs {
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
     /// Add a shield to a graph that has none: actions that would be refused cannot be chosen
-    #[arg(long, value_enum, default_value_t = Shield::None, conflicts_with_all = ["policy", "hybrid"])]
-    pub shield: Shield,
+    #[arg(long, value_name = "SHIELD", conflicts_with_all = ["policy", "hybrid"])]
+    pub shield: Option<String>,
     /// One JSON object instead of a table
     #[arg(long)]
     pub json: bool,
+}
+
+/// A policy that is asked for, with the name that the report shows.
+enum Policy {
+    Graph((String, Graph)),
+    Network((String, Network)),
+    Hybrid(String, Box<Hybrid>),
+    /// A controller that the problem brings.
+    Controller(String),
 }
 
 /// Does what the arguments ask, and prints it.
@@ -92,10 +86,29 @@ pub struct EvalArgs {
 /// # Errors
 /// If the policy or the episodes cannot be read, or do not go with the problem.
 pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
-    let report = match args.problem.start() {
-        Some(start) => arm::evaluate(args, start)?,
-        None => on_a_problem(args)?,
+    let (policy, problem) = asked(args)?;
+    let episodes =
+        Episodes { set: TaskSet::Test, count: args.episodes, seed: args.seed, file: args.targets.as_deref() };
+    let mut report = match &policy {
+        Policy::Graph(graph) => {
+            let acting = match args.shield.as_deref().filter(|shield| *shield != UNSHIELDED) {
+                Some(shield) => Acting::Shielded(graph, shield_source(&problem, graph, shield)?),
+                None => Acting::Graph(graph),
+            };
+            evaluate(&problem, &graph.0, acting, episodes)?
+        }
+        Policy::Network(network) => evaluate(&problem, &network.0, Acting::Network(network), episodes)?,
+        Policy::Hybrid(name, hybrid) => {
+            evaluate(&problem, name, Acting::Both(&hybrid.graph, &hybrid.network, &hybrid.setting), episodes)?
+        }
+        Policy::Controller(name) => {
+            let began = Instant::now();
+            let endings = problem.controlled(name, &episodes.of_problem(&problem)?).unwrap_or_default();
+            let done = HybridTrial::alone(endings);
+            EvaluationReport::new(&problem, name, episodes, &done, None, began.elapsed().as_secs_f64())
+        }
     };
+    report.shield = shield_of(&problem, &policy, args.shield.as_deref());
     let text = if args.json {
         serde_json::to_string(&report).expect("a report is plain data") + "\n"
     } else {
@@ -105,76 +118,176 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
 }
 
-/// A graph, a network or a hybrid on a problem that is not the arm's.
-fn on_a_problem(args: &EvalArgs) -> Result<EvaluationReport, InputError> {
-    let name = args.problem.name();
-    let of_the_arm = (args.targets.is_some() && args.problem != ProblemName::Dodge)
-        || args.separation_mm.is_some()
-        || args.guard.is_some();
-    if of_the_arm || args.shield != Shield::None {
-        let found = format!("an option of the arm's with --problem {name}");
-        let accepted = "--tpg GRAPH, --policy FILE, both, or --hybrid FILE; --config, --episodes, --seed; with both --separation, \
-                        --patience, --cycle-detector and --hand-back-after";
-        return Err(command_line(found, accepted));
-    }
-    let config = args.config.as_deref();
-    if args.targets.is_some() && (args.tpg.is_none() || args.policy.is_some()) {
-        return Err(command_line("--targets without a graph alone", "--tpg GRAPH with --targets CSV"));
-    }
+/// Reads the policies that the arguments name, and the problem that they are tested on.
+fn asked(args: &EvalArgs) -> Result<(Policy, Problem), InputError> {
+    let (config, from_file) = (args.config.as_deref(), args.config.is_none());
+    let problem_for = |graph: Option<&(String, Graph)>| {
+        problem_for(args.problem, config, graph.map(|(file, graph)| (file.as_str(), graph)))
+    };
+    let joined = |graph: Option<&(String, Graph)>, (file, network): &(String, Network)| {
+        let settings = network.settings();
+        same_problem(args.problem.name(), file, network)?;
+        problem_for(graph)?.joined(file, &settings, from_file, graph.is_some())
+    };
     match (&args.hybrid, &args.tpg, &args.policy) {
         (Some(path), ..) => {
             let hybrid = Hybrid::read(path)?;
-            same_problem(name, &hybrid.network.0, &hybrid.network.1)?;
-            let problem = graph_problem(args.problem, config)?;
-            hybrid::on_problem(&problem, &path.display().to_string(), &hybrid, args.episodes, args.seed)
+            let (asked, named) = (args.problem.name(), hybrid.problem.as_deref());
+            if let Some(other) = named.filter(|name| *name != asked) {
+                let found = format!("a hybrid for {other} with --problem {asked}");
+                return Err(command_line(found, "the same problem twice"));
+            }
+            let problem = joined(Some(&hybrid.graph), &hybrid.network)?;
+            Ok((Policy::Hybrid(path.display().to_string(), Box::new(hybrid)), problem))
         }
         (None, Some(graph), Some(actor)) => {
-            let (separation, patience) =
-                (args.separation.unwrap_or(f64::INFINITY), args.patience.unwrap_or(Span::NEVER));
-            let detector = args.cycle_detector.unwrap_or_default();
-            let (place, graph) = (graph.display().to_string(), read_graph(graph)?);
-            let setting = setting_of(&graph, args.hand_back_after, separation, patience, detector)?;
-            let file = format!("{place} with {actor}: {}", setting.sentence());
+            let graph = (graph.display().to_string(), read_graph(graph)?);
             let network = (actor.clone(), Network::read(Path::new(actor))?);
-            let hybrid = Hybrid { problem: name.to_owned(), graph: (place, graph), network, setting };
-            same_problem(name, actor, &hybrid.network.1)?;
-            hybrid::on_problem(&graph_problem(args.problem, config)?, &file, &hybrid, args.episodes, args.seed)
+            let problem = joined(Some(&graph), &network)?;
+            let setting = setting(args, &problem.facts());
+            let refuse = |Finding { key, found, accepted }: Finding| command_line(format!("{key} = {found}"), accepted);
+            setting.check_for(&graph.1).map_err(refuse)?;
+            let name = format!("{} with {actor}: {}", graph.0, setting.sentence());
+            Ok((Policy::Hybrid(name, Box::new(Hybrid { problem: None, graph, network, setting })), problem))
         }
         (None, Some(path), None) => {
-            let problem = graph_problem(args.problem, config)?;
-            let (file, graph) = (path.display().to_string(), read_graph(path)?);
-            match (&args.targets, &problem) {
-                (Some(scenes), Problem::Dodge(config)) => graph::on_scenes(config, &file, &graph, scenes),
-                _ => graph::on_problem(&problem, &file, &graph, args.episodes, args.seed),
-            }
+            let graph = (path.display().to_string(), read_graph(path)?);
+            let problem = problem_for(Some(&graph))?;
+            Ok((Policy::Graph(graph), problem))
         }
         (None, None, Some(file)) => {
-            let network = Network::read(Path::new(file))?;
-            let problem = match (config, network.problem()) {
-                (Some(path), _) => {
-                    let text = read_text(path, "a configuration as `tpg-train config --sac` prints")?;
-                    ContinuousProblem::from_toml(&path.display().to_string(), &text)?
-                }
-                (None, Some(table)) => ContinuousProblem::from_table(file, table)?,
-                (None, None) => ContinuousProblem::usual(args.problem),
-            };
-            same_name(name, problem.name().name())?;
-            network::on_problem(&problem, file, &network, args.episodes, args.seed)
+            let problem = problem_for(None)?;
+            if problem.controllers().contains(&file.as_str()) {
+                return Ok((Policy::Controller(file.clone()), problem));
+            }
+            let network = (file.clone(), Network::read(Path::new(file))?);
+            let problem = joined(None, &network)?;
+            Ok((Policy::Network(network), problem))
         }
         (None, None, None) => Err(command_line("no policy", "--tpg GRAPH, --policy FILE or --hybrid FILE")),
     }
 }
 
-/// Returns a problem with the settings of a configuration, or its usual ones.
+/// Returns the setting that the arguments ask for.
+fn setting(args: &EvalArgs, facts: &Facts) -> Setting {
+    let detector = if facts.has_key { Detector::Visited } else { Detector::None };
+    let guard = facts.guards.last().copied().unwrap_or(UNGUARDED);
+    Setting {
+        hand_back_after: args.hand_back_after,
+        separation: args.separation,
+        patience: args.patience,
+        detector: args.cycle_detector.unwrap_or(detector),
+        guard: args.guard.clone().unwrap_or_else(|| guard.to_owned()),
+    }
+}
+
+/// Lets policies do episodes of a problem, such as [an environment of your own](crate::hybrid::shared::OwnProblem), and reports
+/// how they end; `name` is the policy's in the report.
+///
+/// ```
+/// use tpg_engine::{Choices, TaskSet};
+/// use tpg_graph::Graph;
+/// use tpg_problems::CartPole;
+/// use tpg_runtime::ops::Own;
+/// use tpg_train::evaluate::evaluate;
+/// use tpg_train::hybrid::shared::{Episodes, OwnProblem};
+/// use tpg_train::hybrid::trial::Acting;
+///
+/// // Pushes to the side to which the pole is falling: `right` is bid theta + omega, `left` is bid 0.
+/// let text = r#"{
+///     "format": "tpg-graph", "version": 1, "scalar": "f32", "maths": "own", "registers": 1,
+///     "sources": [
+///         { "name": "theta", "length": 1, "unit": "rad", "ranges": [[-1, 1]] },
+///         { "name": "omega", "length": 1, "unit": "rad/s", "ranges": [[-9, 9]] }
+///     ],
+///     "instructions": ["add"],
+///     "actions": [{ "id": 0, "name": "left" }, { "id": 1, "name": "right" }],
+///     "root": 0,
+///     "teams": [{ "id": 0, "edges": [{ "program": 0, "action": 0 }, { "program": 1, "action": 1 }] }],
+///     "programs": [
+///         { "id": 0, "lines": [] },
+///         { "id": 1, "lines": [{ "to": 0, "op": "add", "args": ["theta[0]", "omega[0]"] }] }
+///     ]
+/// }"#;
+/// let graph = ("falling.json".to_owned(), Graph::from_json("falling.json", text)?);
+/// let pole = OwnProblem::<f32, Own, _>::new("pole", Choices::new(CartPole, None).expect("two actions"));
+/// let episodes = Episodes { set: TaskSet::Test, count: 10, seed: 1, file: None };
+/// let report = evaluate(&pole, &graph.0, Acting::Graph(&graph), episodes)?;
+/// assert!(report.mean_score > 100.0, "{}", report.mean_score);
+/// # Ok::<(), tpg_graph::error::InputError>(())
+/// ```
+///
+/// # Errors
+/// If a policy or its setting does not fit the problem.
+pub fn evaluate(
+    problem: &dyn Shared,
+    name: &str,
+    acting: Acting<'_>,
+    episodes: Episodes<'_>,
+) -> Result<EvaluationReport, InputError> {
+    let hybrid = match acting {
+        Acting::Both((_, graph), _, setting) => {
+            let facts = problem.facts();
+            setting.check_on(&problem.name(), facts.guards, facts.has_key)?;
+            Some(graph)
+        }
+        _ => None,
+    };
+    let began = Instant::now();
+    let done = problem.trial(acting, episodes)?;
+    Ok(EvaluationReport::new(problem, name, episodes, &done, hybrid, began.elapsed().as_secs_f64()))
+}
+
+/// The name for no shield.
+const UNSHIELDED: &str = "none";
+
+/// Returns the source that bounds the bids of a graph under a shield that it does not have itself.
+fn shield_source<'p>(
+    problem: &'p Problem,
+    (file, graph): &(String, Graph),
+    shield: &str,
+) -> Result<&'p str, InputError> {
+    let shields = problem.shields();
+    if let Some((own, _)) = shields.iter().find(|(_, source)| reads(graph, source)) {
+        let found = format!("--shield for a graph that has the shield {own:?}");
+        return Err(InputError::new(file, Place::Whole, found, "a graph without a shield"));
+    }
+    let known = shields.iter().find(|(name, _)| *name == shield);
+    known.map(|&(_, source)| source).ok_or_else(|| {
+        let names: Vec<&str> = shields.iter().map(|&(name, _)| name).chain([UNSHIELDED]).collect();
+        command_line(format!("--shield {shield} with --problem {}", problem.name().name()), names.join(", "))
+    })
+}
+
+/// Returns the shield of a policy on a problem that has shields: the graph's own, or the one that was added.
+fn shield_of(problem: &Problem, policy: &Policy, added: Option<&str>) -> Option<String> {
+    let shields = problem.shields();
+    let own = |graph: &Graph| shields.iter().find(|(_, source)| reads(graph, source)).map(|&(name, _)| name);
+    let own = if let Policy::Graph((_, graph)) = policy { own(graph) } else { None };
+    (!shields.is_empty()).then(|| own.or(added).unwrap_or(UNSHIELDED).to_owned())
+}
+
+fn reads(graph: &Graph, source: &str) -> bool {
+    graph.sources().iter().any(|other| other.name == source)
+}
+
+/// Returns a problem with the settings of a configuration, or the one that a graph is tested on without.
 ///
 /// # Errors
 /// If the configuration cannot be read, or is for another problem.
-pub fn graph_problem(name: ProblemName, config: Option<&Path>) -> Result<Problem, InputError> {
-    let Some(path) = config else { return Ok(Problem::usual(name)) };
+pub fn problem_for(
+    name: ProblemName,
+    config: Option<&Path>,
+    graph: Option<(&str, &Graph)>,
+) -> Result<Problem, InputError> {
+    let Some(path) = config else { return Problem::tested(name, graph) };
     let text = read_text(path, "a configuration as `tpg-train config` prints")?;
     let problem = Problem::from_toml(&path.display().to_string(), &text)?;
-    same_name(name.name(), problem.name().name())?;
-    Ok(problem)
+    if problem.name() == name {
+        return Ok(problem.for_tests());
+    }
+    let found = format!("--problem {} with a configuration for {}", name.name(), problem.name().name());
+    Err(command_line(found, "the same problem twice"))
 }
 
 /// Refuses a network that names another problem than the one asked for; `file` is the network's.
@@ -182,20 +295,11 @@ pub fn graph_problem(name: ProblemName, config: Option<&Path>) -> Result<Problem
 /// # Errors
 /// If it does.
 pub fn same_problem(asked: &str, file: &str, network: &Network) -> Result<(), InputError> {
-    let Some(table) = network.problem() else { return Ok(()) };
-    match table.get("name").and_then(toml::Value::as_str) {
-        Some(name) if name != asked => {
+    match network.settings().get("name").and_then(toml::Value::as_str) {
+        Some(name) if !Problem::share_policies(name, asked) => {
             let found = format!("a policy for {name}");
             Err(InputError::new(file, Place::Whole, found, format!("one for {asked}")))
         }
         _ => Ok(()),
     }
-}
-
-fn same_name(asked: &str, found: &str) -> Result<(), InputError> {
-    if found == asked {
-        return Ok(());
-    }
-    let found = format!("--problem {asked} with a configuration or a policy for {found}");
-    Err(command_line(found, "the same problem twice"))
 }

@@ -1,17 +1,14 @@
 //! The figures that `tpg-train eval` prints.
 
-use crate::hybrid::arm::trial::HybridTrial;
-use crate::hybrid::trial;
+use crate::hybrid::shared::{Episodes, Facts, Shared};
+use crate::hybrid::trial::{HybridTrial, TRIGGERS};
+use crate::picture::FiveNumbers;
 use serde::Serialize;
+use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use tpg_arm::hybrid::Cause;
-use tpg_engine::{Ending, Measure, Summary, finite};
+use tpg_engine::{Measure, Summary, finite};
 use tpg_graph::Graph;
-use tpg_problems::ProblemName;
-use tpg_problems::arm::Shield;
-use tpg_problems::arm::environment::{DISTANCE, OUTCOMES};
-use tpg_problems::arm::trial::Trial;
 
 /// The result of a policy on test episodes. Rates are between 0 and 1; scores have the problem's unit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -40,49 +37,28 @@ pub struct EvaluationReport {
     pub outcomes: BTreeMap<String, usize>,
     /// The time of one action on this machine, ns: policy and environment, all lanes together.
     pub ns_per_action: f64,
-    /// The arm's own figures.
-    #[serde(flatten)]
-    pub arm: Option<ArmFigures>,
-    /// The figures of a hybrid; the arm's are among its own figures.
+    /// The fraction of actions that a graph chose.
+    pub tpg_action_ratio: f64,
+    /// The actions that a graph cannot choose; absent where the problem has no shields.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shield: Option<String>,
+    /// The figures of a hybrid.
     #[serde(flatten)]
     pub hybrid: Option<HybridFigures>,
-    /// The name and unit of the problem's measure, and its mean; the arm's are among its own figures.
+    /// The problem's own figures.
+    #[serde(flatten)]
+    pub figures: Map<String, Value>,
+    /// The name and unit of the problem's measure, its mean and its median.
     #[serde(skip)]
-    pub measure: Option<(Measure, f64)>,
-}
-
-/// Figures that only the arm has.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct ArmFigures {
-    /// `none`, `limits` or `limits-and-collision`: the actions that the policy cannot choose.
-    pub shield: String,
-    /// The fraction of episodes that an invalid action ended.
-    pub collision_rate: f64,
-    /// The mean distance at the end.
-    pub mean_distance_mm: f64,
-    /// The median distance at the end.
-    pub median_distance_mm: f64,
-    /// The mean number of actions.
-    pub mean_actions: f64,
-    /// The mean number of actions of the episodes that reached their target.
-    pub mean_actions_on_success: f64,
-    /// The fraction of actions that the TPG chose: 1 but for a hybrid.
-    pub tpg_action_ratio: f64,
-    /// The number of episodes for each way to fail.
-    pub failures: BTreeMap<String, usize>,
-    /// Hand-overs to a hybrid's network in an episode, by cause; absent for other policies.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub hand_overs: Option<BTreeMap<String, f64>>,
+    pub measure: Option<(Measure, [f64; 2])>,
 }
 
 /// Figures that only a hybrid has.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct HybridFigures {
-    /// The fraction of all actions that the graph chose.
-    pub tpg_action_ratio: f64,
     /// The actions per episode that the network chose.
     pub network_actions: f64,
-    /// Hand-overs to the network per episode, by cause: drift, stall, cycle.
+    /// Hand-overs to the network per episode, by cause: guard, drift, stall, cycle.
     pub hand_overs: BTreeMap<String, f64>,
     /// The number of times per episode that the network handed back.
     pub hand_backs: f64,
@@ -104,7 +80,7 @@ pub struct Asks {
 
 impl Asks {
     /// The figures of a trial; none if the graph does not ask.
-    pub fn of(graph: &Graph, done: &trial::HybridTrial) -> Option<Self> {
+    fn of(graph: &Graph, done: &HybridTrial) -> Option<Self> {
         graph.asks().next()?;
         let (asks, asks_ci95) = mean_with_confidence(done.asks.iter().map(|&asks| asks.into()));
         let (_, mean_score_ci95) = mean_with_confidence(done.endings.iter().map(|ending| finite(ending.score)));
@@ -128,25 +104,28 @@ fn listed(ratio: f64, hand_overs: &BTreeMap<String, f64>) -> String {
 }
 
 impl EvaluationReport {
-    /// The report of episodes; `seconds` is the time they took.
+    /// Creates the report of episodes; `seconds` is the time they took, `hybrid` the graph of a hybrid.
     pub fn new(
-        problem: &str,
+        problem: &dyn Shared,
         policy: &str,
-        seed: Option<u64>,
-        endings: &[Ending],
-        outcomes: &[&str],
-        measure: Option<Measure>,
+        episodes: Episodes<'_>,
+        done: &HybridTrial,
+        hybrid: Option<&Graph>,
         seconds: f64,
     ) -> Self {
+        let (endings, Facts { outcomes, measure, .. }) = (&done.endings, problem.facts());
         let summary = Summary::of(endings);
-        let Summary { score: mean, success, actions, measure: mean_measure, .. } = summary;
+        let Summary { score: mean, success, actions, .. } = summary;
         let of = |place: usize| endings.iter().filter(|ending| usize::from(ending.outcome) == place).count();
         let judged = endings.iter().filter(|ending| ending.success.is_some()).count();
+        let measures: Vec<f64> = endings.iter().map(|ending| ending.measure).collect();
+        let median = FiveNumbers::of(&measures).map_or(0.0, |five| five.median);
+        let hand_overs = TRIGGERS.iter().zip(done.hand_overs).map(|((name, _), count)| ((*name).to_owned(), count));
         Self {
-            problem: problem.to_owned(),
+            problem: problem.name(),
             policy: policy.to_owned(),
             episodes: endings.len(),
-            seed,
+            seed: episodes.file.is_none().then_some(episodes.seed),
             mean_score: mean,
             std_score: summary.score_deviation(endings),
             min_score: endings.iter().map(|ending| ending.score).fold(f64::INFINITY, f64::min),
@@ -155,46 +134,17 @@ impl EvaluationReport {
             success_ci95: success.map(|rate| confidence(rate, judged)),
             outcomes: outcomes.iter().enumerate().map(|(place, &name)| (name.to_owned(), of(place))).collect(),
             ns_per_action: seconds * 1e9 / (actions * endings.len() as f64).max(1.0),
-            arm: None,
-            hybrid: None,
-            measure: measure.map(|measure| (measure, mean_measure)),
+            tpg_action_ratio: done.tpg_action_ratio,
+            shield: None,
+            hybrid: hybrid.map(|graph| HybridFigures {
+                network_actions: done.network_actions,
+                hand_overs: hand_overs.collect(),
+                hand_backs: done.hand_backs,
+                asks: Asks::of(graph, done),
+            }),
+            figures: problem.figures(endings),
+            measure: measure.map(|measure| (measure, [summary.measure, median])),
         }
-    }
-
-    /// The report of a policy on the arm; `tpg_action_ratio` is the share of the actions that a graph chose.
-    pub fn of_trial(
-        trial: &Trial,
-        policy: &str,
-        shield: Shield,
-        tpg_action_ratio: f64,
-        seed: Option<u64>,
-        seconds: f64,
-    ) -> Self {
-        let problem = ProblemName::from(trial.problem).name();
-        let general = Self::new(problem, policy, seed, &trial.endings, &OUTCOMES, Some(DISTANCE), seconds);
-        let failures = general.outcomes.iter().filter(|(name, _)| *name != "reached");
-        let arm = ArmFigures {
-            shield: shield.name().to_owned(),
-            collision_rate: trial.collision_rate,
-            mean_distance_mm: trial.mean_distance_mm,
-            median_distance_mm: trial.median_distance_mm,
-            mean_actions: trial.mean_actions,
-            mean_actions_on_success: trial.mean_actions_on_success,
-            tpg_action_ratio,
-            failures: failures.map(|(name, count)| (name.clone(), *count)).collect(),
-            hand_overs: None,
-        };
-        Self { arm: Some(arm), ..general }
-    }
-
-    /// The report of a graph and a network that share the arm.
-    pub fn of_hybrid(done: &HybridTrial, policy: &str, seed: Option<u64>, seconds: f64) -> Self {
-        let causes = Cause::ALL.map(|cause| cause.name().to_owned());
-        let mut report = Self::of_trial(&done.trial, policy, Shield::None, done.tpg_action_ratio, seed, seconds);
-        if let Some(arm) = &mut report.arm {
-            arm.hand_overs = Some(causes.into_iter().zip(done.hand_overs).collect());
-        }
-        report
     }
 
     /// The report as a table for people.
@@ -207,30 +157,18 @@ impl EvaluationReport {
         if let (Some(rate), Some([low, high])) = (self.success_rate, self.success_ci95) {
             row("success", format!("{:.1} % (95 %: {:.1} to {:.1})", 100.0 * rate, 100.0 * low, 100.0 * high));
         }
-        match (&self.arm, &self.measure) {
-            (Some(arm), _) => {
-                row("shield", arm.shield.clone());
-                row("collision", format!("{:.1} %", 100.0 * arm.collision_rate));
-                let (mean, median) = (arm.mean_distance_mm, arm.median_distance_mm);
-                row("distance", format!("{mean:.2} mm mean, {median:.2} mm median"));
-                let (all, good) = (arm.mean_actions, arm.mean_actions_on_success);
-                row("actions", format!("{all:.0} mean, {good:.0} mean on success"));
-                if let Some(causes) = &arm.hand_overs {
-                    row("by the graph", listed(arm.tpg_action_ratio, causes));
-                }
-            }
-            (None, measure) => {
-                if let Some((measure, mean)) = measure {
-                    row(measure.name, format!("{mean:.3} {} mean", measure.unit));
-                }
-                row("actions", format!("{:.1} mean", self.mean_steps));
-                if let Some(hybrid) = &self.hybrid {
-                    row("by the graph", listed(hybrid.tpg_action_ratio, &hybrid.hand_overs));
-                    if let Some(Asks { asks, asks_ci95: [few, many], mean_score_ci95: [low, high] }) = hybrid.asks {
-                        row("asks", format!("{asks:.2} an episode (95 %: {few:.2} to {many:.2})"));
-                        row("mean score", format!("95 %: {low:.2} to {high:.2}"));
-                    }
-                }
+        if let Some(shield) = &self.shield {
+            row("shield", shield.clone());
+        }
+        if let Some((Measure { name, unit }, [mean, median])) = &self.measure {
+            row(name, format!("{mean:.2} {unit} mean, {median:.2} {unit} median"));
+        }
+        row("actions", format!("{:.1} mean", self.mean_steps));
+        if let Some(hybrid) = &self.hybrid {
+            row("by the graph", listed(self.tpg_action_ratio, &hybrid.hand_overs));
+            if let Some(Asks { asks, asks_ci95: [few, many], mean_score_ci95: [low, high] }) = hybrid.asks {
+                row("asks", format!("{asks:.2} an episode (95 %: {few:.2} to {many:.2})"));
+                row("mean score", format!("95 %: {low:.2} to {high:.2}"));
             }
         }
         let ends = self.outcomes.iter().filter(|(_, count)| **count > 0);
@@ -253,8 +191,9 @@ pub fn confidence(rate: f64, count: usize) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::{EvaluationReport, confidence};
-    use tpg_engine::Ending;
+    use super::{Episodes, EvaluationReport, HybridTrial, confidence};
+    use tpg_engine::{Ending, TaskSet};
+    use tpg_problems::{Problem, ProblemName};
 
     #[test]
     fn the_interval_is_wilsons() {
@@ -267,13 +206,14 @@ mod tests {
     #[test]
     fn undefined_figures_are_null() {
         let ending = Ending { outcome: 0, success: None, score: 2.0, measure: 0.0, actions: 3 };
-        let endings = [ending, Ending { score: 4.0, ..ending }];
-        let report = EvaluationReport::new("pole", "graph.json", Some(1), &endings, &["fallen"], None, 0.0);
+        let done = HybridTrial::alone(vec![ending, Ending { score: 4.0, ..ending }]);
+        let problem = Problem::usual(ProblemName::Pendulum);
+        let episodes = Episodes { set: TaskSet::Test, count: 2, seed: 1, file: None };
+        let report = EvaluationReport::new(&problem, "graph.json", episodes, &done, None, 0.0);
         let json = serde_json::to_value(&report).expect("plain data");
-        assert_eq!(json["mean_score"], 3.0);
-        assert_eq!(json["min_score"], 2.0);
+        assert_eq!((&json["mean_score"], &json["min_score"]), (&3.0.into(), &2.0.into()));
         assert!((json["std_score"].as_f64().expect("a number") - 2f64.sqrt()).abs() < 1e-12);
         assert!(json["success_rate"].is_null() && json["success_ci95"].is_null());
-        assert!(json.get("mean_distance_mm").is_none());
+        assert!(json.get("mean_distance_mm").is_none() && json.get("shield").is_none());
     }
 }

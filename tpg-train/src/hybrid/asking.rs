@@ -5,13 +5,12 @@
 
 use super::study::Input;
 use super::trial::NETWORK;
-use crate::course::Decision;
 use crate::evolution::config::AskConfig;
 use crate::evolution::run::RunError;
 use crate::sac::network::Network;
 use std::path::Path;
 use tpg_codegen::policy::QuantisedPolicy;
-use tpg_engine::{Act, ActionSpace, Environment, Preference, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, Decision, Environment, Preference, SourceSet, Step};
 use tpg_graph::error::{Finding, InputError, Place};
 use tpg_problems::Problem;
 use tpg_runtime::scalar::Scalar;
@@ -50,10 +49,9 @@ pub fn read(ask: &mut AskConfig, problem: &Problem) -> Result<QuantisedPolicy, R
 /// cut short by one.
 ///
 /// ```
-/// use tpg_engine::{Act, Environment};
+/// use tpg_engine::{Act, Decision, Environment};
 /// use tpg_problems::CartPole;
 /// use tpg_runtime::policy::ActionId;
-/// use tpg_train::course::Decision;
 /// use tpg_train::hybrid::asking::Asking;
 ///
 /// // A network that pushes where the pole is falling; inputs are x, v, theta and omega.

@@ -1,4 +1,4 @@
-//! The cells of a study on any problem but the arm's.
+//! The cells of a study.
 
 use super::setting::{Detector, Setting};
 use super::shared::{Episodes, Shared};
@@ -26,6 +26,8 @@ pub struct Cell {
     pub separation: f64,
     /// The patience, in actions of the graph.
     pub patience: Span,
+    /// The guard's name.
+    pub guard: String,
     /// Number of episodes.
     pub episodes: usize,
     /// Mean score.
@@ -34,12 +36,16 @@ pub struct Cell {
     pub std_score: f64,
     /// Fraction of successes, 0 to 1; empty if the problem does not define success.
     pub success: Option<f64>,
+    /// Mean of the problem's measure; 0 if it has none.
+    pub mean_measure: f64,
     /// Mean number of actions.
     pub mean_steps: f64,
     /// Fraction of all actions that the graph chose.
     pub tpg_action_ratio: f64,
     /// Actions per episode that the network chose.
     pub network_actions: f64,
+    /// Hand-overs per episode because the guard refused.
+    pub hand_overs_guard: f64,
     /// Hand-overs per episode because the distance grew.
     pub hand_overs_drift: f64,
     /// Hand-overs per episode because the graph made no progress.
@@ -54,7 +60,7 @@ impl Cell {
     /// Returns the setting.
     pub fn setting(&self) -> Setting {
         let Self { hand_back_after, separation, patience, cycle_detector: detector, .. } = *self;
-        Setting { hand_back_after, separation, patience, detector }
+        Setting { hand_back_after, separation, patience, detector, guard: self.guard.clone() }
     }
 }
 
@@ -69,7 +75,7 @@ pub struct Subject<'a> {
     /// The settings.
     pub settings: Vec<Setting>,
     /// The episodes of each cell.
-    pub episodes: Episodes,
+    pub episodes: Episodes<'a>,
 }
 
 impl Subject<'_> {
@@ -83,12 +89,12 @@ impl Subject<'_> {
 }
 
 /// Identity of a cell, in the order of `cells.csv`.
-pub type Key = (usize, usize, Detector, Span, u64, Span);
+pub type Key = (usize, usize, String, Detector, Span, u64, Span);
 
 fn key(tpg: usize, sac: usize, setting: &Setting) -> Key {
-    let Setting { hand_back_after, separation, patience, detector } = *setting;
+    let Setting { hand_back_after, separation, patience, detector, .. } = *setting;
     // No separation is negative, so their bits are in the order of their values.
-    (tpg, sac, detector, hand_back_after, separation.to_bits(), patience)
+    (tpg, sac, setting.guard.clone(), detector, hand_back_after, separation.to_bits(), patience)
 }
 
 impl Study for Subject<'_> {
@@ -115,7 +121,7 @@ impl Study for Subject<'_> {
     fn cell(&self, tpg: usize, sac: usize, setting: &Setting) -> Result<Cell, InputError> {
         let done = self.trial(Acting::Both(&self.graphs[tpg], &self.networks[sac], setting))?;
         let summary = Summary::of(&done.endings);
-        let [hand_overs_drift, hand_overs_stall, hand_overs_cycle] = done.hand_overs;
+        let [hand_overs_guard, hand_overs_drift, hand_overs_stall, hand_overs_cycle] = done.hand_overs;
         Ok(Cell {
             tpg,
             sac,
@@ -123,13 +129,16 @@ impl Study for Subject<'_> {
             hand_back_after: setting.hand_back_after,
             separation: setting.separation,
             patience: setting.patience,
+            guard: setting.guard.clone(),
             episodes: summary.episodes,
             mean_score: summary.score,
             std_score: summary.score_deviation(&done.endings),
             success: summary.success,
+            mean_measure: summary.measure,
             mean_steps: summary.actions,
             tpg_action_ratio: done.tpg_action_ratio,
             network_actions: done.network_actions,
+            hand_overs_guard,
             hand_overs_drift,
             hand_overs_stall,
             hand_overs_cycle,
@@ -139,17 +148,23 @@ impl Study for Subject<'_> {
 }
 
 /// Returns the settings of a grid that can hand over, in the order of `cells.csv`.
-pub fn grid(detectors: &[Detector], hand_backs: &[Span], separations: &[f64], patiences: &[Span]) -> Vec<Setting> {
+pub fn grid(
+    guards: &[String],
+    detectors: &[Detector],
+    hand_backs: &[Span],
+    separations: &[f64],
+    patiences: &[Span],
+) -> Vec<Setting> {
     let mut all = Vec::new();
-    for &detector in detectors {
-        for &hand_back_after in hand_backs {
-            for &separation in separations {
-                all.extend(patiences.iter().map(|&patience| Setting {
-                    hand_back_after,
-                    separation,
-                    patience,
-                    detector,
-                }));
+    for guard in guards {
+        for &detector in detectors {
+            for &hand_back_after in hand_backs {
+                for &separation in separations {
+                    all.extend(patiences.iter().map(|&patience| {
+                        let guard = guard.clone();
+                        Setting { hand_back_after, separation, patience, detector, guard }
+                    }));
+                }
             }
         }
     }

@@ -18,12 +18,16 @@ pub struct Summary {
     pub separation: f64,
     /// The patience, in actions of the graph.
     pub patience: Span,
+    /// The guard's name.
+    pub guard: String,
     /// Mean score over pairs.
     pub score: f64,
     /// Its standard deviation over pairs.
     pub score_sd: f64,
     /// Mean success rate over pairs; empty if the problem does not define success.
     pub success: Option<f64>,
+    /// Mean of the problem's measure over pairs; 0 if it has none.
+    pub measure: f64,
     /// Mean number of actions over pairs.
     pub steps: f64,
     /// Mean over pairs of the fraction of actions that the graph chose.
@@ -48,9 +52,11 @@ impl Summary {
             hand_back_after: setting.hand_back_after,
             separation: setting.separation,
             patience: setting.patience,
+            guard: setting.guard.clone(),
             score: score.mean,
             score_sd: score.sd,
             success: success.then(|| spread(&|cell| cell.success.unwrap_or(0.0)).mean),
+            measure: spread(&|cell| cell.mean_measure).mean,
             steps: spread(&|cell| cell.mean_steps).mean,
             tpg_action_ratio: spread(&|cell| cell.tpg_action_ratio).mean,
             network_actions: spread(&|cell| cell.network_actions).mean,
@@ -62,7 +68,7 @@ impl Summary {
     /// Returns the setting.
     pub fn setting(&self) -> Setting {
         let Self { hand_back_after, separation, patience, cycle_detector: detector, .. } = *self;
-        Setting { hand_back_after, separation, patience, detector }
+        Setting { hand_back_after, separation, patience, detector, guard: self.guard.clone() }
     }
 
     /// Returns the quantity that is preferred: the score, or the success rate.
@@ -129,13 +135,16 @@ mod tests {
             hand_back_after: Span(10),
             separation: 2.0,
             patience: Span(patience),
+            guard: "none".to_owned(),
             episodes: 100,
             mean_score: score,
             std_score: 20.0,
             success: Some(0.5),
+            mean_measure: 0.0,
             mean_steps: 200.0,
             tpg_action_ratio: 1.0 - network_actions / 200.0,
             network_actions,
+            hand_overs_guard: 0.0,
             hand_overs_drift: 0.0,
             hand_overs_stall: 1.0,
             hand_overs_cycle: 0.0,

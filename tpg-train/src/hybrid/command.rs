@@ -2,13 +2,12 @@
 //!
 //! The folder of a study contains `study.toml` (the request), `cells.csv` (a row for each pair and setting),
 //! `settings.csv` (means over pairs, front, choice), `alone.csv`, `hybrid.toml` (the chosen setting with the best pair)
-//! and `report.html`; for the arm also `timing.csv`. All but the arm's times are the same bytes for equal runs.
+//! and `report.html`: the same bytes for equal runs.
 
-use super::arm::command as arm;
 use super::cells::{Cell, Subject, grid};
 use super::choice;
 use super::report;
-use super::setting::{Detector, HybridFile, Setting};
+use super::setting::{Detector, HybridFile, Setting, UNGUARDED};
 use super::shared::{Episodes, Facts, Shared};
 use super::span::Span;
 use super::study::{self, Input, absolute, to_csv};
@@ -21,13 +20,11 @@ use clap::Args;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
-use tpg_arm::hybrid::Guard;
-use tpg_engine::Summary;
-use tpg_engine::random::Purpose;
+use tpg_engine::{Summary, TaskSet};
 use tpg_graph::Graph;
 use tpg_graph::command::Verdict;
-use tpg_graph::error::{Finding, InputError};
-use tpg_problems::ProblemName;
+use tpg_graph::error::{InputError, Place};
+use tpg_problems::{Problem, ProblemName};
 
 /// Study how graphs and networks share a problem, on validation episodes.
 #[derive(Clone, Debug, Args)]
@@ -38,13 +35,9 @@ pub struct HybridArgs {
     /// The arguments of a study on any problem
     #[command(flatten)]
     pub study: StudyArgs,
-    /// The problem's settings of this configuration. Default: those of the problem; on the arm those of the network's tests, and
-    /// the arm that the graphs were trained for
+    /// The problem's settings of this configuration. Default: those of the problem, and what the policies say of their training
     #[arg(long, value_name = "FILE")]
     pub config: Option<PathBuf>,
-    /// The arm only: guards, none, joint-limits, collisions or both [default: every one]
-    #[arg(long, value_name = "GUARD", value_delimiter = ',', value_parser = guard)]
-    pub guard: Vec<Guard>,
 }
 
 /// The arguments of a study on any problem.
@@ -68,32 +61,26 @@ pub struct StudyArgs {
     /// The seed of the validation episodes
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
+    /// Guards, for problems that have some: on the arm none, joint-limits, collisions or both [default: the last]
+    #[arg(long, value_name = "GUARD", value_delimiter = ',')]
+    pub guard: Vec<String>,
     /// Methods of detecting cycles [default: visited; none where the problem has no keys]
     #[arg(long, value_enum, value_name = "DETECTOR", value_delimiter = ',')]
     pub cycle_detector: Vec<Detector>,
-    /// Actions of the network before the graph takes over again, or `never` [default: 1, 5, 20, 50, 100 and never; the
-    /// paper's on the arm]
+    /// Actions of the network before the graph takes over again, or `never` [default: 1, 5, 20, 50, 100 and never]
     #[arg(long, value_name = "N", value_delimiter = ',')]
     pub hand_back_after: Vec<Span>,
     /// The network takes over when the distance to the goal exceeds its least by this, in the problem's own unit, or `inf`
-    /// [default: quantiles of what the graphs alone do, and inf; the paper's on the arm]
+    /// [default: quantiles of what the graphs alone do, and inf]
     #[arg(long, value_name = "D", value_delimiter = ',')]
     pub separation: Vec<f64>,
     /// The network takes over after that many actions of the graph without progress, or `never` [default: 5, 10, 20, 50
-    /// and never]. Not on the arm
+    /// and never]
     #[arg(long, value_name = "N", value_delimiter = ',')]
     pub patience: Vec<Span>,
     /// Threads; 0 for one per core
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub threads: usize,
-}
-
-/// Finds a guard by name.
-///
-/// # Errors
-/// If there is no guard with that name.
-pub fn guard(name: &str) -> Result<Guard, String> {
-    Guard::from_name(name).ok_or_else(|| format!("accepted: {}", Guard::ALL.map(Guard::name).join(", ")))
 }
 
 /// One row of `alone.csv`: a policy acting alone.
@@ -120,6 +107,7 @@ pub struct Alone {
 struct Asked {
     episodes: usize,
     seed: u64,
+    guards: Vec<String>,
     cycle_detectors: Vec<Detector>,
     hand_back_after: Vec<Span>,
     separation: Vec<f64>,
@@ -135,15 +123,7 @@ struct Asked {
 /// Files that are not policies of the problem, settings that it does not have, a folder with another study, files that
 /// cannot be written.
 pub fn execute(args: &HybridArgs, place: &impl Workplace) -> Result<Verdict, InputError> {
-    if let Some(start) = args.problem.start() {
-        return arm::execute(args, start, place);
-    }
-    if !args.guard.is_empty() {
-        let found = format!("--guard with --problem {}", args.problem.name());
-        return Err(command_line(found, "--guard with fs or rs: only the arm has guards"));
-    }
-    let problem = crate::evaluate::graph_problem(args.problem, args.config.as_deref())?;
-    study_on(&problem, &args.study, place)
+    study_on(&shared_problem(args)?, &args.study, place)
 }
 
 /// Runs a study on a problem, such as [an environment of your own](super::shared::OwnProblem).
@@ -158,7 +138,7 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs, place: &impl Workplace) 
         graphs: args.tpg.iter().map(|p| Ok((p.display().to_string(), read_graph(p)?))).collect::<Result<_, _>>()?,
         networks: read_networks.collect::<Result<_, InputError>>()?,
         settings: Vec::new(),
-        episodes: Episodes { purpose: Purpose::Selection, count: args.episodes, seed: args.seed },
+        episodes: Episodes { set: TaskSet::Study, count: args.episodes, seed: args.seed, file: None },
     };
     for (file, network) in &subject.networks {
         crate::evaluate::same_problem(&problem.name(), file, network)?;
@@ -166,7 +146,8 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs, place: &impl Workplace) 
     let asked = Asked {
         episodes: args.episodes,
         seed: args.seed,
-        cycle_detectors: detectors(args, &facts, &problem.name())?,
+        guards: guards(args, &facts),
+        cycle_detectors: detectors(args, &facts),
         hand_back_after: or_spans(&args.hand_back_after, &[1, 5, 20, 50, 100], &facts),
         separation: separations(args, &subject)?,
         patience: or_spans(&args.patience, &[5, 10, 20, 50], &facts),
@@ -174,9 +155,12 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs, place: &impl Workplace) 
         tpg: Input::of(&args.tpg)?,
         policy: Input::of(&args.policy)?,
     };
-    subject.settings = grid(&asked.cycle_detectors, &asked.hand_back_after, &asked.separation, &asked.patience);
+    let Asked { guards, cycle_detectors, hand_back_after, separation, patience, .. } = &asked;
+    subject.settings = grid(guards, cycle_detectors, hand_back_after, separation, patience);
+    let refused = |setting: &Setting| setting.check_on(&problem.name(), facts.guards, facts.has_key);
+    subject.settings.iter().try_for_each(refused)?;
     if subject.graphs.iter().any(|(_, graph)| asks(graph)) {
-        subject.settings.push(Setting::ONLY_ASKS);
+        subject.settings.push(Setting::only_asks());
     }
     if subject.settings.is_empty() {
         let accepted = "a finite --separation, a --patience in actions, or --cycle-detector visited or brent";
@@ -209,13 +193,14 @@ fn finish(
     let Some(chosen) = summaries.iter().find(|summary| summary.chosen) else { return Ok(Verdict::Good) };
     let Some(best) = choice::best_pair(cells, &chosen.setting(), facts.preference) else { return Ok(Verdict::Good) };
     let hybrid = HybridFile {
-        problem: problem.name(),
+        problem: Some(problem.name()),
         graph: absolute(&args.tpg[best.tpg]),
         actor: absolute(&args.policy[best.sac]),
         hand_back_after: chosen.hand_back_after,
         separation: chosen.separation,
         patience: chosen.patience,
         cycle_detector: chosen.cycle_detector,
+        guard: (!facts.guards.is_empty()).then(|| chosen.guard.clone()),
     };
     write_atomically(&file("hybrid.toml"), toml::to_string(&hybrid).expect("plain data").as_bytes())?;
     tpg_graph::command::note(format_args!(
@@ -234,25 +219,47 @@ fn finish(
     Ok(Verdict::Good)
 }
 
-/// Returns the detectors asked for, or the usual one.
-fn detectors(args: &StudyArgs, facts: &Facts, problem: &str) -> Result<Vec<Detector>, InputError> {
-    if args.cycle_detector.is_empty() {
-        return Ok(vec![if facts.has_key { Detector::Visited } else { Detector::None }]);
+/// Returns the problem of the arguments with what the policies say of their training.
+fn shared_problem(args: &HybridArgs) -> Result<Problem, InputError> {
+    let mut problem: Option<Problem> = None;
+    for path in &args.study.tpg {
+        let (file, graph) = (path.display().to_string(), read_graph(path)?);
+        let own = crate::evaluate::problem_for(args.problem, args.config.as_deref(), Some((&file, &graph)))?;
+        match &problem {
+            Some(first) if *first != own => {
+                return Err(InputError::new(
+                    file,
+                    Place::Whole,
+                    "a graph for another arm",
+                    "one as the first, or --config",
+                ));
+            }
+            _ => problem = Some(own),
+        }
     }
-    args.cycle_detector.iter().try_for_each(|&detector| check_detector(detector, facts.has_key, problem))?;
-    Ok(args.cycle_detector.clone())
+    let mut problem = problem.unwrap_or_else(|| Problem::usual(args.problem));
+    // The first network's rules of tests hold for all.
+    for (place, path) in args.study.policy.iter().enumerate().rev() {
+        let rules = place == 0 && args.config.is_none();
+        problem = problem.joined(&path.display().to_string(), &Network::read(path)?.settings(), rules, true)?;
+    }
+    Ok(problem)
 }
 
-/// Refuses to detect cycles on a problem without keys.
-///
-/// # Errors
-/// If it has none and the detector needs them.
-pub fn check_detector(detector: Detector, has_key: bool, problem: &str) -> Result<(), InputError> {
-    if has_key || detector == Detector::None {
-        return Ok(());
+/// Returns the guards asked for, or the last one of the problem's.
+fn guards(args: &StudyArgs, facts: &Facts) -> Vec<String> {
+    match args.guard.is_empty() {
+        true => vec![facts.guards.last().copied().unwrap_or(UNGUARDED).to_owned()],
+        false => args.guard.clone(),
     }
-    let found = format!("cycle detector {} for {problem}, which has no keys to detect cycles by", detector.name());
-    Err(command_line(found, "none, with a separation or a patience; or an Environment with `key`"))
+}
+
+/// Returns the detectors asked for, or the default one.
+fn detectors(args: &StudyArgs, facts: &Facts) -> Vec<Detector> {
+    match args.cycle_detector.is_empty() {
+        true => vec![if facts.has_key { Detector::Visited } else { Detector::None }],
+        false => args.cycle_detector.clone(),
+    }
 }
 
 /// Returns the numbers asked for, or the usual ones that an episode can reach, and never.
@@ -327,21 +334,4 @@ fn alone(subject: &Subject<'_>) -> Result<Vec<Alone>, InputError> {
             })
         })
         .collect()
-}
-
-/// Returns the setting of a graph and a network that were named on the command line.
-///
-/// # Errors
-/// If it has no trigger and the graph asks nobody, or if its separation is no distance.
-pub fn setting_of(
-    graph: &Graph,
-    hand_back_after: Span,
-    separation: f64,
-    patience: Span,
-    detector: Detector,
-) -> Result<Setting, InputError> {
-    let setting = Setting { hand_back_after, separation, patience, detector };
-    let refuse = |Finding { key, found, accepted }: Finding| command_line(format!("{key} = {found}"), accepted);
-    setting.check_for(graph).map_err(refuse)?;
-    Ok(setting)
 }

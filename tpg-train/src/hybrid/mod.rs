@@ -15,9 +15,7 @@
 //! | [`report`] | the study as a page |
 //! | [`command`] | `tpg-train hybrid` |
 //! | [`constants`](mod@constants) | `tpg-train constants` |
-//! | [`arm`] | the arm's part: guards, and the paper's parameters |
 
-pub mod arm;
 pub mod asking;
 pub mod cells;
 pub mod choice;

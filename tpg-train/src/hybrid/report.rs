@@ -25,6 +25,7 @@ pub fn page(problem: &str, cells: &[Cell], summaries: &[Summary], alone: &[Alone
 
 fn front(summaries: &[Summary]) -> Section {
     let header = [
+        "guard",
         "cycles",
         "hands back after",
         "separation",
@@ -38,6 +39,7 @@ fn front(summaries: &[Summary]) -> Section {
     ];
     let row = |summary: &Summary| {
         vec![
+            summary.guard.clone(),
             summary.cycle_detector.name().to_owned(),
             summary.hand_back_after.to_string(),
             shown(summary.separation),

@@ -2,6 +2,7 @@
 
 use super::span::Span;
 use crate::files::{read_graph, read_text};
+use crate::run_args::command_line;
 use crate::sac::network::Network;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -39,7 +40,7 @@ impl Detector {
 ///
 /// A graph that asks needs no trigger. All triggers judge the distance to the goal, in the problem's own unit: see
 /// [`Environment::distance`](tpg_engine::Environment::distance).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
     /// Number of actions of the network before the graph takes over again.
     pub hand_back_after: Span,
@@ -50,16 +51,24 @@ pub struct Setting {
     pub patience: Span,
     /// Method of detecting cycles, after which the network takes over too.
     pub detector: Detector,
+    /// The problem's guard of that name: the network takes over where it refuses an action of the graph.
+    pub guard: String,
 }
 
+/// The name of the guard of problems without guards.
+pub const UNGUARDED: &str = "none";
+
 impl Setting {
-    /// No trigger: the graph only asks.
-    pub const ONLY_ASKS: Self = Self {
-        hand_back_after: Span::NEVER,
-        separation: f64::INFINITY,
-        patience: Span::NEVER,
-        detector: Detector::None,
-    };
+    /// Returns the setting without a trigger: the graph only asks.
+    pub fn only_asks() -> Self {
+        Self {
+            hand_back_after: Span::NEVER,
+            separation: f64::INFINITY,
+            patience: Span::NEVER,
+            detector: Detector::None,
+            guard: UNGUARDED.to_owned(),
+        }
+    }
 
     /// Converts the setting for the runtime.
     pub fn settings<S: Scalar>(&self) -> Settings<S> {
@@ -68,7 +77,8 @@ impl Setting {
 
     /// True if the graph can ever hand over.
     pub fn has_trigger(&self) -> bool {
-        self.separation.is_finite() || self.patience != Span::NEVER || self.detector != Detector::None
+        let has_rule = self.separation.is_finite() || self.patience != Span::NEVER || self.detector != Detector::None;
+        has_rule || self.guard != UNGUARDED
     }
 
     /// Describes the setting: `hands back after 20, separation 3.5, patience never, cycles none`, or `only asks` without a
@@ -77,11 +87,12 @@ impl Setting {
         if !self.has_trigger() {
             return "only asks".to_owned();
         }
-        let Self { hand_back_after, separation, patience, detector } = self;
+        let Self { hand_back_after, separation, patience, detector, guard } = self;
         let cycles = detector.name();
+        let guard = if guard == UNGUARDED { String::new() } else { format!(", guard {guard}") };
+        let separation = shown(*separation);
         format!(
-            "hands back after {hand_back_after}, separation {}, patience {patience}, cycles {cycles}",
-            shown(*separation)
+            "hands back after {hand_back_after}, separation {separation}, patience {patience}, cycles {cycles}{guard}"
         )
     }
 
@@ -94,6 +105,23 @@ impl Setting {
             return Ok(());
         }
         Err(Finding::new("separation", self.separation, "a distance from 0, or inf"))
+    }
+
+    /// Checks the setting for a problem of that name with these guards, whose states have keys or not.
+    ///
+    /// # Errors
+    /// A guard that the problem does not have, or cycles of states without keys.
+    pub fn check_on(&self, problem: &str, guards: &[&str], has_key: bool) -> Result<(), InputError> {
+        if self.guard != UNGUARDED && !guards.contains(&self.guard.as_str()) {
+            let accepted = if guards.is_empty() { UNGUARDED.to_owned() } else { guards.join(", ") };
+            return Err(command_line(format!("guard {} for {problem}", self.guard), accepted));
+        }
+        if has_key || self.detector == Detector::None {
+            return Ok(());
+        }
+        let cycles = self.detector.name();
+        let found = format!("cycle detector {cycles} for {problem}, which has no keys to detect cycles by");
+        Err(command_line(found, "none, with a separation or a patience; or an Environment with `key`"))
     }
 
     /// Checks the setting for a graph.
@@ -125,8 +153,9 @@ pub fn shown(distance: f64) -> String {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HybridFile {
-    /// The problem's name.
-    pub problem: String,
+    /// The problem's name; files of earlier versions leave it out for the arm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub problem: Option<String>,
     /// The graph.
     pub graph: String,
     /// The network: policy.safetensors or policy.q.json.
@@ -135,7 +164,7 @@ pub struct HybridFile {
     #[serde(default)]
     pub hand_back_after: Span,
     /// The network takes over when the distance is this much greater than at its least; `inf` for never.
-    #[serde(default = "infinity")]
+    #[serde(default = "infinity", alias = "separation_mm")]
     pub separation: f64,
     /// The network takes over after that many actions without progress, or "never".
     #[serde(default)]
@@ -143,13 +172,16 @@ pub struct HybridFile {
     /// "none", "visited" or "brent".
     #[serde(default)]
     pub cycle_detector: Detector,
+    /// The problem's guard of that name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub guard: Option<String>,
 }
 
 /// A hybrid with its policies.
 #[derive(Clone, Debug)]
 pub struct Hybrid {
-    /// The problem's name.
-    pub problem: String,
+    /// The problem's name, if the file says it.
+    pub problem: Option<String>,
     /// The graph, and its file.
     pub graph: (String, Graph),
     /// The network, and its file.
@@ -162,15 +194,23 @@ impl HybridFile {
     /// Returns the setting.
     pub fn setting(&self) -> Setting {
         let Self { hand_back_after, separation, patience, cycle_detector: detector, .. } = *self;
-        Setting { hand_back_after, separation, patience, detector }
+        let guard = self.guard.clone().unwrap_or_else(|| UNGUARDED.to_owned());
+        Setting { hand_back_after, separation, patience, detector, guard }
     }
 
     /// Returns the settings as constants of a Rust crate that uses `tpg_runtime`; patience only where it is not
     /// "never". The unit of the distances is the problem's.
-    pub fn to_rust(&self) -> String {
-        let Setting { hand_back_after, separation, patience, detector } = self.setting();
+    ///
+    /// # Errors
+    /// A guard that no problem has.
+    pub fn to_rust(&self) -> Result<String, Finding> {
+        let Setting { hand_back_after, separation, patience, detector, guard } = self.setting();
+        if self.guard.is_some() {
+            return tpg_problems::guarded_constants(&guard, hand_back_after.0, separation, detector.name());
+        }
         let import = if hand_back_after == Span::NEVER { "{NEVER, Settings}" } else { "Settings" };
-        let (back, separation) = (hand_back_after.to_rust(), rust_distance(separation));
+        let back = if hand_back_after == Span::NEVER { "NEVER".to_owned() } else { hand_back_after.to_string() };
+        let separation = if separation.is_finite() { format!("{separation:?}") } else { "f32::INFINITY".to_owned() };
         let mut text = format!(
             "//! Settings for sharing the problem between this folder's graph and network: made from `hybrid.toml` by\n\
              //! `tpg-train constants`; do not edit.\n\
@@ -187,20 +227,15 @@ impl HybridFile {
             );
         }
         let detector = match detector {
-            Detector::None => return text,
+            Detector::None => return Ok(text),
             Detector::Visited => "Visited<u64, 4096>",
             Detector::Brent => "Brent<u64>",
         };
         text += &format!(
             "\n/// The detector of cycles, over the problem's keys.\npub type Detector = tpg_runtime::cycle::{detector};\n"
         );
-        text
+        Ok(text)
     }
-}
-
-/// Returns a distance in Rust.
-pub(super) fn rust_distance(distance: f64) -> String {
-    if distance.is_finite() { format!("{distance:?}") } else { "f32::INFINITY".to_owned() }
 }
 
 impl Hybrid {
@@ -224,7 +259,7 @@ impl Hybrid {
 /// The file, for messages.
 const ACCEPTED: &str = "a hybrid.toml";
 
-/// Reads a `hybrid.toml` of any problem but the arm's, without its policies.
+/// Reads a `hybrid.toml` without its policies.
 ///
 /// # Errors
 /// If it cannot be read or contains a setting that no graph can have.
@@ -237,7 +272,7 @@ pub fn read_file(path: &Path) -> Result<HybridFile, InputError> {
 /// # Errors
 /// As [`read_file`].
 pub fn parse_file(name: &str, text: &str) -> Result<HybridFile, InputError> {
-    let accepted = "problem, graph, actor, hand_back_after, separation, patience, cycle_detector";
+    let accepted = "problem, graph, actor, hand_back_after, separation, patience, cycle_detector, guard";
     let file: HybridFile = settings::from_toml(name, text, accepted)?;
     file.setting().check().map_err(|finding| settings::place(name, text, finding))?;
     Ok(file)
@@ -254,7 +289,7 @@ mod tests {
     fn a_file_comes_back_as_it_was_and_as_rust() {
         let file: HybridFile = toml::from_str(TEXT).expect("a good file");
         assert_eq!(toml::to_string(&file).expect("plain data"), TEXT);
-        let rust = file.to_rust();
+        let rust = file.to_rust().expect("no guard");
         assert!(rust.contains("use tpg_runtime::switch::Settings;"), "{rust}");
         assert!(rust.contains("Settings { hand_back_after: 20, separation: 2.5 };"), "{rust}");
         assert!(!rust.contains("PATIENCE") && !rust.contains("Detector"), "{rust}");
@@ -265,7 +300,7 @@ mod tests {
             cycle_detector: Detector::Brent,
             ..file
         };
-        let rust = other.to_rust();
+        let rust = other.to_rust().expect("no guard");
         for part in ["{NEVER, Settings}", "separation: f32::INFINITY", "PATIENCE: u32 = 7;", "cycle::Brent<u64>;"] {
             assert!(rust.contains(part), "{part} in {rust}");
         }
@@ -275,7 +310,7 @@ mod tests {
     fn rules_that_are_left_out_are_off() {
         let text: String = TEXT.lines().take(3).map(|line| format!("{line}\n")).collect();
         let file = parse_file("hybrid.toml", &text).expect("a good file");
-        assert_eq!(file.setting(), Setting::ONLY_ASKS);
+        assert_eq!(file.setting(), Setting::only_asks());
         assert_eq!(parse_file("hybrid.toml", &toml::to_string(&file).expect("plain data")), Ok(file));
     }
 
@@ -289,7 +324,7 @@ mod tests {
             ("20", "0", 4, "\"0\": neither a number"),
             ("\"never\"", "\"soon\"", 6, "\"soon\": neither a number"),
             ("\"none\"", "\"floyd\"", 7, "unknown variant"),
-            ("patience", "guard", 6, "unknown field `guard`"),
+            ("patience", "guards", 6, "unknown field `guards`"),
         ] {
             std::fs::write(&path, TEXT.replace(from, to)).expect("a file");
             let error = read_file(&path).expect_err(to);

@@ -2,31 +2,45 @@
 
 use super::trial::{Acting, HybridTrial, rises, run};
 use crate::sac::network::Network;
+use serde_json::{Map, Value};
 use std::marker::PhantomData;
+use std::path::Path;
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Choices, Environment, Measure, Preference};
+use tpg_engine::{AnyEpisode, AnyTask, Choices, Ending, Environment, Measure, Preference, TaskSet, tasks};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::in_arithmetic_of;
 use tpg_problems::{Number, Problem};
-use tpg_runtime::ops::{Maths, Own};
+use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
 
-/// Episodes drawn from a stream of their own.
+/// A list of episodes.
 #[derive(Clone, Copy, Debug)]
-pub struct Episodes {
-    /// [`Purpose::Selection`] for validation, [`Purpose::Evaluation`] for tests.
-    pub purpose: Purpose,
+pub struct Episodes<'a> {
+    /// Their purpose.
+    pub set: TaskSet,
     /// Number of episodes.
     pub count: usize,
     /// Their seed.
     pub seed: u64,
+    /// A file of a built-in problem that lists them, instead.
+    pub file: Option<&'a Path>,
 }
 
-impl Episodes {
-    fn tasks<S: Scalar, E: Environment<S>>(&self, environment: &E) -> Vec<E::Task> {
-        let draw = |index| environment.draw(&mut Stream::new(self.seed, 0, self.purpose, index));
-        (0..self.count as u64).map(draw).collect()
+impl Episodes<'_> {
+    fn draw<S: Scalar, E: Environment<S>>(&self, environment: &E) -> Vec<E::Task> {
+        tasks(environment, self.set, self.seed, self.count)
+    }
+
+    /// Returns the episodes on a built-in problem.
+    ///
+    /// # Errors
+    /// If the file cannot be read.
+    pub fn of_problem(&self, problem: &Problem) -> Result<Vec<AnyTask>, InputError> {
+        match self.file {
+            Some(path) => problem.read_tasks(path, false),
+            None => Ok(self.draw(&&*problem.environment::<f32>())),
+        }
     }
 }
 
@@ -43,6 +57,8 @@ pub struct Facts {
     pub measure: Option<Measure>,
     /// The criterion by which policies are ranked.
     pub preference: Preference,
+    /// The names of the guards; none for most problems.
+    pub guards: &'static [&'static str],
 }
 
 impl Facts {
@@ -54,6 +70,7 @@ impl Facts {
             outcomes: environment.outcomes(),
             measure: environment.measure(),
             preference: environment.preference(),
+            guards: environment.guarded().map_or(&[], |guarded| guarded.guards()),
         }
     }
 }
@@ -70,7 +87,7 @@ pub trait Shared: Sync {
     ///
     /// # Errors
     /// If a policy is not one for this problem.
-    fn trial(&self, acting: Acting<'_>, episodes: Episodes) -> Result<HybridTrial, InputError>;
+    fn trial(&self, acting: Acting<'_>, episodes: Episodes<'_>) -> Result<HybridTrial, InputError>;
 
     /// Returns the [`rises`] of a graph's episodes; the network is there for a graph that asks.
     ///
@@ -80,8 +97,13 @@ pub trait Shared: Sync {
         &self,
         graph: &(String, Graph),
         network: &(String, Network),
-        episodes: Episodes,
+        episodes: Episodes<'_>,
     ) -> Result<Vec<f64>, InputError>;
+
+    /// Returns the problem's own figures of some episodes.
+    fn figures(&self, _endings: &[Ending]) -> Map<String, Value> {
+        Map::new()
+    }
 
     /// Returns the problem's name.
     fn name(&self) -> String {
@@ -98,11 +120,24 @@ impl Shared for Problem {
         Facts::of(&&*self.environment::<f32>())
     }
 
-    fn trial(&self, acting: Acting<'_>, episodes: Episodes) -> Result<HybridTrial, InputError> {
-        let trial = Trial { acting, episodes };
-        match acting.graph() {
-            Some(graph) => in_arithmetic_of!(graph, trial.opened(self)),
-            None => trial.opened::<f32, Own>(self),
+    fn trial(&self, acting: Acting<'_>, episodes: Episodes<'_>) -> Result<HybridTrial, InputError> {
+        match acting {
+            Acting::Network((file, network)) => {
+                let problem = self.clone().joined(file, &network.settings(), false, true)?;
+                let environment = problem.network_environment();
+                let tasks = match episodes.file {
+                    Some(path) => problem.read_tasks(path, true)?,
+                    None => episodes.draw(&&*environment),
+                };
+                network.endings(file, &&*environment, &tasks).map(HybridTrial::alone)
+            }
+            Acting::Both((_, graph), (file, network), _) => {
+                let problem = self.clone().joined(file, &network.settings(), false, true)?;
+                in_arithmetic_of!(graph, trial(&problem, graph, acting, episodes))
+            }
+            Acting::Graph((_, graph)) | Acting::Shielded((_, graph), _) => {
+                in_arithmetic_of!(graph, trial(self, graph, acting, episodes))
+            }
         }
     }
 
@@ -110,74 +145,52 @@ impl Shared for Problem {
         &self,
         graph: &(String, Graph),
         network: &(String, Network),
-        episodes: Episodes,
+        episodes: Episodes<'_>,
     ) -> Result<Vec<f64>, InputError> {
-        let rises = Rises { graph, network, episodes };
-        in_arithmetic_of!(graph.1, rises.opened(self))
+        in_arithmetic_of!(graph.1, opened_rises(self, graph, network, episodes))
+    }
+
+    fn figures(&self, endings: &[Ending]) -> Map<String, Value> {
+        self.environment::<f32>().drawn().map(|drawn| drawn.figures(endings)).unwrap_or_default()
     }
 }
 
-/// A job on an environment with named actions, in any arithmetic.
-trait Job {
-    type Output;
-
-    /// Returns the graph that acts, if one does.
-    fn graph(&self) -> Option<&Graph>;
-
-    fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
-        self,
-        choices: &Choices<S, E>,
-    ) -> Result<Self::Output, InputError>;
-
-    /// Runs the job on a built-in problem.
-    fn opened<S: Number, M: Maths<S>>(self, problem: &Problem) -> Result<Self::Output, InputError>
-    where
-        Self: Sized,
-    {
-        let levels = self.graph().and_then(|graph| problem.levels_for(graph));
-        let environment = problem.environment::<S>();
-        let choices = Choices::new(&*environment, levels)
-            .map_err(|error| InputError::new("problem", Place::Whole, error.to_string(), "fewer problem.levels"))?;
-        self.run::<S, M, _>(&choices)
-    }
+/// Opens a problem for a graph, whose actions are levels of outputs where it computes none, and passes it to `job`.
+///
+/// # Errors
+/// Those of `job`, or too many levels.
+pub(crate) fn opened<S: Number, T>(
+    problem: &Problem,
+    graph: &Graph,
+    job: impl FnOnce(&Choices<S, &Erased<S>>) -> Result<T, InputError>,
+) -> Result<T, InputError> {
+    let environment = problem.environment::<S>();
+    let choices = Choices::new(&*environment, problem.levels_for(graph))
+        .map_err(|error| InputError::new("problem", Place::Whole, error.to_string(), "fewer problem.levels"))?;
+    job(&choices)
 }
 
-struct Trial<'a> {
-    acting: Acting<'a>,
-    episodes: Episodes,
+/// A built-in problem's environment.
+pub(crate) type Erased<S> = dyn Environment<S, Task = AnyTask, Episode = AnyEpisode> + Send;
+
+fn trial<S: Number, M: Maths<S>>(
+    problem: &Problem,
+    graph: &Graph,
+    acting: Acting<'_>,
+    episodes: Episodes<'_>,
+) -> Result<HybridTrial, InputError> {
+    let tasks = episodes.of_problem(problem)?;
+    opened::<S, _>(problem, graph, |choices| run::<S, M, _>(choices, acting, &tasks))
 }
 
-impl Job for Trial<'_> {
-    type Output = HybridTrial;
-
-    fn graph(&self) -> Option<&Graph> {
-        self.acting.graph()
-    }
-
-    fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
-        self,
-        choices: &Choices<S, E>,
-    ) -> Result<HybridTrial, InputError> {
-        run::<S, M, _>(choices, self.acting, &self.episodes.tasks(choices))
-    }
-}
-
-struct Rises<'a> {
-    graph: &'a (String, Graph),
-    network: &'a (String, Network),
-    episodes: Episodes,
-}
-
-impl Job for Rises<'_> {
-    type Output = Vec<f64>;
-
-    fn graph(&self) -> Option<&Graph> {
-        Some(&self.graph.1)
-    }
-
-    fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(self, choices: &Choices<S, E>) -> Result<Vec<f64>, InputError> {
-        rises::<S, M, _>(choices, self.graph, self.network, &self.episodes.tasks(choices))
-    }
+fn opened_rises<S: Number, M: Maths<S>>(
+    problem: &Problem,
+    graph: &(String, Graph),
+    network: &(String, Network),
+    episodes: Episodes<'_>,
+) -> Result<Vec<f64>, InputError> {
+    let tasks = episodes.of_problem(problem)?;
+    opened::<S, _>(problem, &graph.1, |choices| rises::<S, M, _>(choices, graph, network, &tasks))
 }
 
 /// An environment of your own, in one arithmetic. Graphs with outputs need `Choices` without levels.
@@ -216,16 +229,16 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> Shared for OwnProblem<S, M, E> {
         Facts::of(&self.choices)
     }
 
-    fn trial(&self, acting: Acting<'_>, episodes: Episodes) -> Result<HybridTrial, InputError> {
-        Trial { acting, episodes }.run::<S, M, _>(&self.choices)
+    fn trial(&self, acting: Acting<'_>, episodes: Episodes<'_>) -> Result<HybridTrial, InputError> {
+        run::<S, M, _>(&self.choices, acting, &episodes.draw(&self.choices))
     }
 
     fn rises(
         &self,
         graph: &(String, Graph),
         network: &(String, Network),
-        episodes: Episodes,
+        episodes: Episodes<'_>,
     ) -> Result<Vec<f64>, InputError> {
-        Rises { graph, network, episodes }.run::<S, M, _>(&self.choices)
+        rises::<S, M, _>(&self.choices, graph, network, &episodes.draw(&self.choices))
     }
 }

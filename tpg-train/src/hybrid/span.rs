@@ -18,11 +18,6 @@ pub struct Span(pub u32);
 impl Span {
     /// The number of actions that no episode reaches.
     pub const NEVER: Self = Self(NEVER);
-
-    /// Returns the number in Rust.
-    pub(super) fn to_rust(self) -> String {
-        if self == Self::NEVER { "NEVER".to_owned() } else { self.0.to_string() }
-    }
 }
 
 impl Default for Span {

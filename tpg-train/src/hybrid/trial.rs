@@ -1,21 +1,23 @@
 //! Trials of a graph, a network, or both together, on any environment.
 
 use super::setting::{Detector, Setting};
-use crate::course::{Course, Decision};
-use crate::evaluate::graph::endings_on;
 use crate::sac::network::Network;
 use std::cell::RefCell;
 use std::marker::PhantomData;
-use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{ActionSpace, Choices, Ending, EngineOptions, Environment, Plan, Single, SourceDocument, bind_to};
+use tpg_engine::{
+    ActionSpace, Choices, Decision, Drawn, Ending, EngineOptions, Environment, Lanes, Plan, Remembered, Remembering,
+    Rollout, Single, SourceDocument, SourceSet, bind, bind_to,
+};
 use tpg_graph::Graph;
-use tpg_graph::error::InputError;
+use tpg_graph::error::{InputError, Place};
 use tpg_graph::interpret;
 use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
 use tpg_runtime::ops::Maths;
-use tpg_runtime::policy::{ActionId, Policy};
+use tpg_runtime::policy::Policy;
 use tpg_runtime::scalar::Scalar;
-use tpg_runtime::switch::{Answer, AskSwitch, CAUSES, Cause, Counts, Hybrid, Patience, Switch, Unguarded};
+use tpg_runtime::switch::{
+    Answer, AskSwitch, CAUSES, Cause, Chosen, Counts, Driver, Guard, Hybrid, NEVER, Patience, Switch,
+};
 
 /// The name by which a graph asks the network beside it.
 pub const NETWORK: &str = "network";
@@ -25,27 +27,27 @@ pub const NETWORK: &str = "network";
 pub enum Acting<'a> {
     /// A graph alone.
     Graph(&'a (String, Graph)),
+    /// A graph alone whose bids a source of that name bounds, in the order of the actions.
+    Shielded(&'a (String, Graph), &'a str),
     /// A network alone.
     Network(&'a (String, Network)),
     /// A graph that hands over to a network, or asks it.
     Both(&'a (String, Graph), &'a (String, Network), &'a Setting),
-    /// A graph, and a network in a share of the actions, 0 to 1, that are drawn: what every switch must beat.
-    Mixture(&'a (String, Graph), &'a (String, Network), f64),
 }
 
 impl<'a> Acting<'a> {
     /// Returns the graph, if one acts.
     pub fn graph(self) -> Option<&'a Graph> {
         match self {
-            Self::Graph((_, graph)) | Self::Both((_, graph), ..) | Self::Mixture((_, graph), ..) => Some(graph),
+            Self::Graph((_, graph)) | Self::Shielded((_, graph), _) | Self::Both((_, graph), ..) => Some(graph),
             Self::Network(_) => None,
         }
     }
 }
 
-/// The causes of a hand-over, with their names in tables: no guard refuses and no action rests outside of the arm, so that
-/// [`Cause::Stop`] always is a [`Patience`] at its end.
-pub const TRIGGERS: [(&str, Cause); 3] = [("drift", Cause::Drift), ("stall", Cause::Stop), ("cycle", Cause::Cycle)];
+/// The causes of a hand-over, with their names in tables. [`Cause::Stop`] is a [`Patience`] at its end.
+pub const TRIGGERS: [(&str, Cause); 4] =
+    [("guard", Cause::Guard), ("drift", Cause::Drift), ("stall", Cause::Stop), ("cycle", Cause::Cycle)];
 
 /// Results of many episodes.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -73,43 +75,72 @@ pub fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
     acting: Acting<'_>,
     tasks: &[E::Task],
 ) -> Result<HybridTrial, InputError> {
-    let fit =
-        |(file, network): &(String, Network)| network.fit(file, &environment.sources(), &environment.inner().actions());
     let episodes: Vec<Episode> = match acting {
-        Acting::Graph((file, graph)) => {
-            let endings = endings_on::<S, M, _>(file, graph, environment, tasks)?;
+        Acting::Graph(graph) | Acting::Shielded(graph, _) => {
+            let shield = if let Acting::Shielded(_, source) = acting { Some(source) } else { None };
+            let endings = match graph.1.memory() {
+                0 => alone::<S, M, _>(environment, graph, shield, tasks)?,
+                _ => alone::<S, M, _>(&Remembering::new(environment, Remembered::of(&graph.1)), graph, shield, tasks)?,
+            };
             let counts = |tpg_actions| Counts { tpg_actions, ..Counts::default() };
             endings.into_iter().map(|ending| (ending, counts(ending.actions), 0)).collect()
         }
         Acting::Network(network) => {
-            fit(network)?;
-            let counts = |sac_actions| Counts { sac_actions, ..Counts::default() };
+            fit(network, environment)?;
             network.1.deciding(|decide| {
-                let network = NetworkPolicy::of(environment, decide);
-                let ending = |task| Course::new(environment, task).run(|state| network.decide(state));
-                tasks.iter().map(ending).map(|ending| (ending, counts(ending.actions), 0)).collect()
+                let network = network_policy(environment, decide);
+                let episode = |task| {
+                    let rollout = RefCell::new(Rollout::new(environment, task));
+                    loop {
+                        let decision = network.decide(&rollout);
+                        if let Some(ending) = rollout.borrow_mut().act(decision.act()) {
+                            return (ending, Counts { sac_actions: ending.actions, ..Counts::default() }, 0);
+                        }
+                    }
+                };
+                tasks.iter().map(episode).collect()
             })
         }
         Acting::Both(graph, network, setting) => {
-            fit(network)?;
-            let tpg = GraphPolicy::<S, M>::asking(graph, environment)?;
+            fit(network, environment)?;
+            let tpg = graph_policy::<S, M, _>(graph, environment)?;
             network.1.deciding(|decide| {
-                let hybrid = Hybrid { tpg, sac: NetworkPolicy::of(environment, decide) };
+                let hybrid = Hybrid { tpg, sac: network_policy(environment, decide) };
                 tasks.iter().map(|task| together(environment, task, &hybrid, setting)).collect()
-            })
-        }
-        Acting::Mixture(graph, network, share) => {
-            fit(network)?;
-            let graph = GraphPolicy::<S, M>::alone(graph, environment)?;
-            network.1.deciding(|decide| {
-                let network = NetworkPolicy::of(environment, decide);
-                let drawn = |index| Stream::new(0, 0, Purpose::Mixture, index);
-                let episode = |(index, task)| mixed(environment, task, &graph, &network, share, drawn(index));
-                (0..).zip(tasks).map(episode).collect()
             })
         }
     };
     Ok(HybridTrial::of(&episodes))
+}
+
+fn alone<S: Scalar, M: Maths<S>, E: Environment<S>>(
+    environment: &E,
+    (file, graph): &(String, Graph),
+    shield: Option<&str>,
+    tasks: &[E::Task],
+) -> Result<Vec<Ending>, InputError> {
+    let (mut policy, sources) = (bind(file, graph, environment)?, environment.sources());
+    if let Some(shield) = shield {
+        let length = |source: &SourceDocument| source.length as u16;
+        let first: u16 = sources.iter().take_while(|source| source.name != shield).map(length).sum();
+        let bounds = sources.iter().find(|source| source.name == shield).map_or(0, length);
+        policy = policy.shielded(|action| (action < bounds).then_some(first + action));
+    }
+    let plan = Plan::new::<M>(&policy, &sources, EngineOptions::default());
+    Lanes::<S, M, _>::new(environment, EngineOptions::default())
+        .run(&plan, tasks)
+        .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "episodes that can be run"))
+}
+
+fn fit<S: Scalar, E: Environment<S>>(
+    (file, network): &(String, Network),
+    environment: &Choices<S, E>,
+) -> Result<(), InputError> {
+    let (sources, actions) = match environment.guarded() {
+        Some(guarded) => (guarded.network_sources(), ActionSpace::Box(guarded.network_outputs())),
+        None => (environment.sources(), environment.inner().actions()),
+    };
+    network.fit(file, &sources, &actions)
 }
 
 /// Lets a graph do every task, by itself or with a network that it asks; how far the distance lies above the least one so
@@ -123,13 +154,13 @@ pub fn rises<S: Scalar, M: Maths<S>, E: Environment<S>>(
     network: &(String, Network),
     tasks: &[E::Task],
 ) -> Result<Vec<f64>, InputError> {
-    let graph = GraphPolicy::<S, M>::asking(graph, environment)?;
+    let graph = graph_policy::<S, M, _>(graph, environment)?;
     Ok(network.1.deciding(|decide| {
-        let hybrid = Hybrid { tpg: graph, sac: NetworkPolicy::of(environment, decide) };
+        let hybrid = Hybrid { tpg: graph, sac: network_policy(environment, decide) };
         let mut rises = Vec::new();
         for task in tasks {
             let mut least: Option<f64> = None;
-            watched(environment, task, &hybrid, &Setting::ONLY_ASKS, Blind, |distance| {
+            watched(environment, task, &hybrid, &Setting::only_asks(), Blind, |distance| {
                 let known = least.map(|least| least.min(distance));
                 rises.extend(known.map(|least| distance - least));
                 least = known.or(Some(distance));
@@ -139,19 +170,45 @@ pub fn rises<S: Scalar, M: Maths<S>, E: Environment<S>>(
     }))
 }
 
+/// Lets a graph do a task alone; returns what a picture needs to know of each moment, from the start on.
+///
+/// # Errors
+/// As [`run`].
+pub fn moments<S: Scalar, M: Maths<S>, E: Environment<S>>(
+    environment: &E,
+    graph: &(String, Graph),
+    task: &E::Task,
+    drawn: &dyn Drawn<E::Episode>,
+) -> Result<Vec<Vec<f64>>, InputError> {
+    let policy = graph_policy::<S, M, E>(graph, environment)?;
+    let state = RefCell::new(Rollout::new(environment, task));
+    let mut moments = vec![drawn.moment(state.borrow().episode())];
+    while let Answer::Act(decision) = policy.decide(&state) {
+        let ending = state.borrow_mut().act(decision.act());
+        moments.push(drawn.moment(state.borrow().episode()));
+        if ending.is_some() {
+            break;
+        }
+    }
+    Ok(moments)
+}
+
 /// An ending, the counts of the rules, and the number of asks.
 type Episode = (Ending, Counts, u32);
 
+/// An episode that two policies look at.
+type State<'e, S, E> = RefCell<Rollout<'e, S, E>>;
+
 /// One episode of both policies.
-fn together<S: Scalar, E: Environment<S>, T, P>(
-    environment: &E,
+fn together<'e, S: Scalar, E: Environment<S>, T, P>(
+    environment: &'e E,
     task: &E::Task,
     hybrid: &Hybrid<T, P>,
     setting: &Setting,
 ) -> Episode
 where
-    T: Policy<State = [S], Action = Answer<Decision<S>>>,
-    P: Policy<State = [S], Action = Decision<S>>,
+    T: Policy<State = State<'e, S, E>, Action = Answer<Decision<S>>>,
+    P: Policy<State = State<'e, S, E>, Action = Decision<S>>,
 {
     match setting.detector {
         Detector::None => watched(environment, task, hybrid, setting, Blind, |_| ()),
@@ -160,31 +217,12 @@ where
     }
 }
 
-/// One episode in which a draw decides who acts.
-fn mixed<S: Scalar, M: Maths<S>, E: Environment<S>>(
-    environment: &E,
-    task: &E::Task,
-    graph: &GraphPolicy<S, M>,
-    network: &NetworkPolicy<'_, S>,
-    share: f64,
-    mut draw: Stream,
-) -> Episode {
-    let mut counts = Counts::default();
-    let ending = Course::new(environment, task).run(|state| {
-        if draw.unit() < share {
-            counts.sac_actions += 1;
-            network.decide(state)
-        } else {
-            counts.tpg_actions += 1;
-            graph.decision(state)
-        }
-    });
-    (ending, counts, 0)
-}
-
 /// One episode of both policies; `seen` is told the distance at the start and behind each action but the last.
-fn watched<S: Scalar, E: Environment<S>, T, P>(
-    environment: &E,
+///
+/// Where the network never hands back and comes to a state again, it will for ever: that ends the episode, if the environment
+/// [says so](Environment::cycle).
+fn watched<'e, S: Scalar, E: Environment<S>, T, P>(
+    environment: &'e E,
     task: &E::Task,
     hybrid: &Hybrid<T, P>,
     setting: &Setting,
@@ -192,29 +230,38 @@ fn watched<S: Scalar, E: Environment<S>, T, P>(
     mut seen: impl FnMut(f64),
 ) -> Episode
 where
-    T: Policy<State = [S], Action = Answer<Decision<S>>>,
-    P: Policy<State = [S], Action = Decision<S>>,
+    T: Policy<State = State<'e, S, E>, Action = Answer<Decision<S>>>,
+    P: Policy<State = State<'e, S, E>, Action = Decision<S>>,
 {
-    let mut course = Course::new(environment, task);
+    let state = RefCell::new(Rollout::new(environment, task));
     // Without keys the detector is blind.
-    let key = |course: &Course<'_, S, E>| course.key().unwrap_or_default();
-    let rules = Switch::new(setting.settings::<S>(), detector, key(&course), course.distance());
+    let (key, distance) = (state.borrow().key(), state.borrow().distance());
+    let rules = Switch::new(setting.settings::<S>(), detector, key.unwrap_or_default(), distance);
     let mut switch = AskSwitch::new(rules);
-    let mut patience = Patience::new(setting.patience.0, course.distance());
-    seen(course.distance().to_f64());
-    let mut state = Vec::new();
+    let mut patience = Patience::new(setting.patience.0, distance);
+    let mut last_turn: Option<Brent<u64>> = None;
+    seen(distance.to_f64());
     loop {
-        state.clear();
-        state.extend_from_slice(course.observe());
-        let turn = hybrid.decide_or_ask(&mut switch, &state, &Unguarded);
-        if let Some(ending) = course.act(turn.chosen.wanted.act()) {
+        let turn = hybrid.decide_or_ask(&mut switch, &state, &Named(&setting.guard));
+        let is_final = turn.chosen.driver == Driver::Sac && !turn.asked && setting.hand_back_after.0 == NEVER;
+        let mut rollout = state.borrow_mut();
+        if let (true, None, Some(key)) = (is_final, &last_turn, rollout.key()) {
+            last_turn.insert(Brent::new()).reset(key);
+        }
+        if let Some(ending) = rollout.act(turn.chosen.wanted.act()) {
             switch.ended(&turn);
             return (ending, *switch.counts(), switch.asks());
         }
-        let distance = course.distance();
+        let (key, distance) = (rollout.key().unwrap_or_default(), rollout.distance());
         seen(distance.to_f64());
         let stalls = patience.ends(turn.driver(), distance);
-        switch.acted(&turn, stalls, key(&course), distance);
+        switch.acted(&turn, stalls, key, distance);
+        if is_final
+            && last_turn.as_mut().is_some_and(|detector| detector.repeats(key))
+            && let Some(ending) = rollout.cycle(key)
+        {
+            return (ending, *switch.counts(), switch.asks());
+        }
     }
 }
 
@@ -232,82 +279,98 @@ impl CycleDetector<u64> for Blind {
     }
 }
 
-/// A graph as a policy of an environment, of its flat state.
-struct GraphPolicy<S, M> {
-    graph: Single<S, M>,
-    /// The action that asks the network.
-    ask: Option<ActionId>,
-}
+/// The environment's guard of that name; environments without guards refuse nothing.
+struct Named<'s>(&'s str);
 
-impl<S: Scalar, M: Maths<S>> GraphPolicy<S, M> {
-    /// A graph that acts alone.
-    fn alone(graph: &(String, Graph), environment: &impl Environment<S>) -> Result<Self, InputError> {
-        Self::new(graph, &environment.sources(), &environment.actions())
+impl<'e, S: Scalar, E: Environment<S>> Guard<State<'e, S, E>, Decision<S>> for Named<'_> {
+    fn refuses(&self, state: &State<'e, S, E>, wanted: &Decision<S>) -> bool {
+        let rollout = state.borrow();
+        rollout.environment().guarded().is_some_and(|guarded| guarded.refuses(self.0, rollout.episode(), wanted.act()))
     }
 
-    /// A graph with a network beside it, which it may ask.
-    fn asking(graph: &(String, Graph), environment: &impl Environment<S>) -> Result<Self, InputError> {
-        Self::new(graph, &environment.sources(), &environment.actions().with_ask(NETWORK))
-    }
-
-    fn new(
-        (file, graph): &(String, Graph),
-        sources: &[SourceDocument],
-        actions: &ActionSpace,
-    ) -> Result<Self, InputError> {
-        let plan = Plan::new::<M>(&bind_to(file, graph, sources, actions)?, sources, EngineOptions::default());
-        Ok(Self { graph: Single::new(plan), ask: actions.asking(NETWORK) })
-    }
-
-    fn decision(&self, state: &[S]) -> Decision<S> {
-        match self.graph.answer(state) {
-            interpret::Answer::Action(action) => Decision::Choice(action),
-            interpret::Answer::Values(values) => Decision::Values(values.into_iter().map(S::from_f64).collect()),
+    fn mend(
+        &self,
+        state: &State<'e, S, E>,
+        mut wanted: Decision<S>,
+        again: impl FnOnce() -> Option<Decision<S>>,
+    ) -> Chosen<Decision<S>> {
+        let is_possible = {
+            let rollout = state.borrow();
+            match (rollout.environment().guarded(), &mut wanted) {
+                (Some(guarded), Decision::Values(values)) => guarded.mend(self.0, rollout.episode(), values),
+                _ => true,
+            }
+        };
+        match if is_possible { None } else { again() } {
+            Some(wanted) => Chosen { driver: Driver::Tpg, wanted },
+            None => Chosen { driver: Driver::Sac, wanted },
         }
     }
 }
 
-impl<S: Scalar, M: Maths<S>> Policy for GraphPolicy<S, M> {
-    type State = [S];
-    type Action = Answer<Decision<S>>;
+/// A function as a policy.
+struct Deciding<F, State>(F, PhantomData<fn(&State)>);
 
-    fn decide(&self, state: &[S]) -> Answer<Decision<S>> {
-        match self.decision(state) {
-            Decision::Choice(action) if Some(action) == self.ask => Answer::Ask,
-            decision => Answer::Act(decision),
+impl<State, A, F: Fn(&State) -> A> Policy for Deciding<F, State> {
+    type State = State;
+    type Action = A;
+
+    fn decide(&self, state: &State) -> A {
+        (self.0)(state)
+    }
+}
+
+/// Returns a graph with a network beside it, which it may ask.
+fn graph_policy<'e, S: Scalar, M: Maths<S>, E: Environment<S>>(
+    (file, graph): &(String, Graph),
+    environment: &E,
+) -> Result<impl Policy<State = State<'e, S, E>, Action = Answer<Decision<S>>> + use<'e, S, M, E>, InputError>
+where
+    E: 'e,
+{
+    let (sources, actions) = (environment.sources(), environment.actions().with_ask(NETWORK));
+    let plan = Plan::new::<M>(&bind_to(file, graph, &sources, &actions)?, &sources, EngineOptions::default());
+    let (wanted, ask) = (plan.wanted(), actions.asking(NETWORK));
+    let single = Single::<S, M>::new(plan);
+    let decide = move |state: &State<'e, S, E>| match single.answer(state.borrow_mut().observe(wanted)) {
+        interpret::Answer::Action(action) if Some(action) == ask => Answer::Ask,
+        interpret::Answer::Action(action) => Answer::Act(Decision::Choice(action)),
+        interpret::Answer::Values(values) => {
+            Answer::Act(Decision::Values(values.into_iter().map(S::from_f64).collect()))
         }
-    }
+    };
+    Ok(Deciding(decide, PhantomData))
 }
 
-/// A network as a policy of an environment in any precision: the state is rounded to `f32`. It reads no further than its
-/// inputs.
-struct NetworkPolicy<'a, S> {
-    network: &'a dyn Fn(&[f32]) -> Decision<f32>,
-    inputs: usize,
-    state: RefCell<Vec<f32>>,
-    precision: PhantomData<S>,
-}
-
-impl<'a, S: Scalar> NetworkPolicy<'a, S> {
-    fn of(environment: &impl Environment<S>, network: &'a dyn Fn(&[f32]) -> Decision<f32>) -> Self {
-        let inputs = environment.sources().iter().map(|source| source.length as usize).sum();
-        Self { network, inputs, state: RefCell::default(), precision: PhantomData }
-    }
-}
-
-impl<S: Scalar> Policy for NetworkPolicy<'_, S> {
-    type State = [S];
-    type Action = Decision<S>;
-
-    fn decide(&self, state: &[S]) -> Decision<S> {
-        let mut narrow = self.state.borrow_mut();
-        narrow.clear();
-        narrow.extend(state[..self.inputs].iter().map(|value| value.to_f64() as f32));
-        (self.network)(&narrow).widened()
-    }
+/// Returns a network as a policy in any precision: what it sees is rounded to `f32`.
+fn network_policy<'e, 'n, S: Scalar, E: Environment<S> + 'e>(
+    environment: &E,
+    network: &'n dyn Fn(&[f32]) -> Decision<f32>,
+) -> impl Policy<State = State<'e, S, E>, Action = Decision<S>> + use<'e, 'n, S, E> {
+    let length = |sources: Vec<SourceDocument>| sources.iter().map(|source| source.length as usize).sum();
+    let own = environment.guarded().map(|guarded| length(guarded.network_sources()));
+    let narrow = RefCell::new(vec![0.0; own.unwrap_or_else(|| length(environment.sources()))]);
+    let decide = move |state: &State<'e, S, E>| {
+        let (mut rollout, mut narrow) = (state.borrow_mut(), narrow.borrow_mut());
+        match rollout.environment().guarded() {
+            Some(guarded) => guarded.network_observe(rollout.episode_mut(), &mut narrow),
+            None => {
+                let seen = rollout.observe(SourceSet::ALL);
+                narrow.iter_mut().zip(seen).for_each(|(slot, value)| *slot = value.to_f64() as f32);
+            }
+        }
+        network(&narrow).widened()
+    };
+    Deciding(decide, PhantomData)
 }
 
 impl HybridTrial {
+    /// Counts what policies did that acted alone.
+    pub fn alone(endings: Vec<Ending>) -> Self {
+        let counts = |ending: &Ending| Counts { sac_actions: ending.actions, ..Counts::default() };
+        Self::of(&endings.iter().map(|ending| (*ending, counts(ending), 0)).collect::<Vec<_>>())
+    }
+
     fn of(episodes: &[Episode]) -> Self {
         let (mut tpg, mut sac, mut hand_backs, mut causes) = (0.0, 0.0, 0.0, [0.0; CAUSES]);
         for (_, counts, _) in episodes {

@@ -34,8 +34,8 @@ pub(super) fn sections(groups: &[Group]) -> Vec<Section> {
         Shown { curve: "success", y: part("success"), caption: "Share of the selection episodes that it solved." },
         Shown {
             curve: "measure",
-            y: Axis::log("measure (arm: distance, mm)", 1.0),
-            caption: "The problem's measure at the end of these episodes: on the arm, the distance.",
+            y: Axis::log("measure", 1.0),
+            caption: "The problem's measure at the end of these episodes, such as a distance.",
         },
         Shown { curve: "best score", y: Axis::linear(SCORE), caption: "Best running mean of a root's score." },
         Shown { curve: "median score", y: Axis::linear(SCORE), caption: "Median of the roots' running means." },
@@ -50,8 +50,8 @@ pub(super) fn sections(groups: &[Group]) -> Vec<Section> {
         Shown { curve: "success", y: part("success"), caption: "Share of the validation episodes that it solved." },
         Shown {
             curve: "measure",
-            y: Axis::log("measure (arm: distance, mm)", 1.0),
-            caption: "The problem's measure at the end of these episodes: on the arm, the distance.",
+            y: Axis::log("measure", 1.0),
+            caption: "The problem's measure at the end of these episodes, such as a distance.",
         },
         Shown { curve: "entropy", y: Axis::linear("nats"), caption: "Entropy of the actor's decisions in training." },
     ];

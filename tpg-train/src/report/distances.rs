@@ -1,25 +1,24 @@
-//! Final distances: their distribution within each run, and between the seeds of a group (the paper's figures 3 and 5
-//! show such distributions).
+//! The problem's measure at the end of episodes: its distribution within each run, and between the seeds of a group.
 
 use super::runs::Group;
 use super::test::Tested;
 use crate::picture::{Axis, Colour, Figure, FiveNumbers, Plot, Section};
 
-/// Smaller distances are shown as this one, mm.
+/// Smaller values are shown as this one.
 const NEAREST: f64 = 0.1;
 /// Number of points of a cumulative curve.
 const POINTS: usize = 240;
 
 pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Option<Section> {
-    let tolerance = tested.iter().flatten().flatten().find_map(|tested| tested.arm.as_ref())?.tolerance;
-    let distance = || Axis::log("final distance, mm", NEAREST);
-    let goal = format!("{tolerance} mm");
+    let measure = tested.iter().flatten().flatten().find_map(|tested| tested.measure)?;
+    let label = format!("{} at the end, {}", measure.name, measure.unit);
+    let distance = || Axis::log(&label, NEAREST);
 
     let names = groups.iter().flat_map(|group| group.runs.iter().map(|run| short(group, &run.name, run.seed)));
     let mut boxes = Plot::new(Axis::names("seed", names.collect()), distance());
     let mut seeds = Plot::new(
         Axis::names("group", groups.iter().map(|group| group.name.clone()).collect()),
-        Axis::log("mean final distance, mm", 1.0),
+        Axis::log(&format!("mean {label}"), 1.0),
     );
     let mut cumulative = Plot::new(distance(), Axis::linear("fraction of the episodes").between(0.0, 1.0));
     let mut place = 0.0;
@@ -27,7 +26,7 @@ pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Optio
         let mut all = Vec::new();
         let mut means = Vec::new();
         for (run, tested) in group.runs.iter().zip(tested) {
-            if let Some(tested) = tested.as_ref().filter(|tested| tested.arm.is_some()) {
+            if let Some(tested) = tested.as_ref().filter(|tested| tested.measure == Some(measure)) {
                 if let Some(five) = FiveNumbers::of(&tested.measures()) {
                     boxes.five(colour, place, five);
                 }
@@ -46,7 +45,6 @@ pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Optio
             plot.name(colour, &group.name);
         }
     }
-    boxes.rule(tolerance, &goal);
     let figure = |plot: &Plot, caption: &str| Figure {
         svg: plot.svg(caption),
         caption: caption.to_owned(),
@@ -54,13 +52,13 @@ pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Optio
     };
     let mut figures = vec![figure(&boxes, "Each seed's episodes: median, quartiles, 5th and 95th percentile.")];
     if groups.iter().any(|group| group.runs.len() > 1) {
-        let caption =
-            "Each seed's mean distance as a point; boxes as in the picture before, over the seeds of a group.";
+        let caption = "Each seed's mean as a point; boxes as in the picture before, over the seeds of a group.";
         figures.push(figure(&seeds, caption));
     }
-    let caption = "Fraction of a group's episodes, all seeds together, that end closer than a distance.";
+    let caption = "Fraction of a group's episodes, all seeds together, that end below a value.";
     figures.push(figure(&cumulative, caption));
-    Some(Section { title: "Final distances on the test episodes".to_owned(), figures, ..Section::default() })
+    let title = format!("The {} at the end of the test episodes", measure.name);
+    Some(Section { title, figures, ..Section::default() })
 }
 
 /// Returns a run's name for use next to its group's name: its seed.

@@ -34,7 +34,7 @@ fn headline(group: &Group, run: &Run, tested: Option<&Tested>) -> Headline {
     };
     notes.push(match &run.kind {
         Kind::Tpg { graph, .. } => flash_in_words(graph),
-        Kind::Hybrid(together) => format!("its graph: {}", flash_in_words(together.graph())),
+        Kind::Hybrid { hybrid, .. } => format!("its graph: {}", flash_in_words(&hybrid.graph.1)),
         Kind::Sac { contract, .. } => format!("hidden layers {:?}", contract.actor.hidden),
     });
     notes.extend(run.cpu.map(|cpu| format!("trained in {cpu:.1} CPU seconds")));

@@ -13,7 +13,6 @@ mod runs;
 mod size;
 mod tables;
 mod test;
-mod trajectory;
 
 use crate::files::write_atomically;
 use crate::hybrid::shared::Shared;

@@ -4,7 +4,6 @@ use super::episode;
 use super::headline::options;
 use super::runs::{Kind, Run};
 use super::test::Tested;
-use super::trajectory;
 use crate::picture::{Formulas, Section, graph};
 use tpg_codegen::explain::PolicyFormulas;
 use tpg_graph::Graph;
@@ -13,11 +12,11 @@ use tpg_graph::Graph;
 pub(super) fn section(run: &Run, tested: Option<&Tested>) -> Section {
     let graph = match &run.kind {
         Kind::Tpg { graph, .. } => Some(&**graph),
-        Kind::Hybrid(together) => Some(together.graph()),
+        Kind::Hybrid { hybrid, .. } => Some(&hybrid.graph.1),
         Kind::Sac { .. } => None,
     };
     let mut figures: Vec<_> = graph.map(graph::figure).into_iter().collect();
-    figures.extend(tested.and_then(|tested| tested.arm.as_ref()).map(trajectory::figures).unwrap_or_default());
+    figures.extend(tested.map(|tested| tested.pictures.clone()).unwrap_or_default());
     figures.extend(tested.and_then(|tested| tested.watched.as_ref()).map(episode::figures).unwrap_or_default());
     let text = match graph {
         Some(graph) => format!("The best of the group on the test episodes. It sees {}.", seen(graph)),

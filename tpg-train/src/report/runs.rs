@@ -3,7 +3,6 @@
 use crate::evolution::config::{AskConfig, EvolutionConfig};
 use crate::evolution::state::Row;
 use crate::files::read_text;
-use crate::hybrid::arm::setting::Hybrid as ArmHybrid;
 use crate::hybrid::setting::{Hybrid, Setting};
 use crate::sac::contract::Contract;
 use crate::sac::network::Network;
@@ -17,8 +16,7 @@ use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::settings;
 use tpg_nn::Mlp;
-use tpg_problems::arm::{ArmProblem, Config as ArmConfig};
-use tpg_problems::{ContinuousProblem, Problem, ProblemName};
+use tpg_problems::{Problem, ProblemName};
 
 /// Runs with the same configuration.
 #[derive(Debug)]
@@ -59,25 +57,19 @@ pub(super) enum Kind {
     /// A soft actor-critic.
     Sac {
         /// The problem that it was trained on and chosen by.
-        problem: Box<ContinuousProblem>,
+        problem: Box<Problem>,
         /// Its network.
         network: Box<Mlp<f32>>,
         /// Its inputs, outputs and origin.
         contract: Box<Contract>,
     },
-    /// A hybrid that a study has chosen.
-    Hybrid(Together),
-}
-
-/// A hybrid with its problem.
-#[derive(Debug)]
-pub(super) enum Together {
-    /// On an arm, with the rules of its episodes.
-    Arm(Box<ArmProblem>, Box<ArmHybrid>),
-    /// On any other built-in problem.
-    Other(Box<Problem>, Box<Hybrid>),
-    /// In an environment that a program supplied.
-    Own(Box<Hybrid>),
+    /// A graph with a network: of a study, or one that learned to ask.
+    Hybrid {
+        /// The problem; `None` if a program supplied its own environment.
+        problem: Option<Box<Problem>>,
+        /// The policies and their setting.
+        hybrid: Box<Hybrid>,
+    },
 }
 
 impl Group {
@@ -87,46 +79,28 @@ impl Group {
     }
 }
 
-impl Together {
-    /// Returns the graph.
-    pub(super) fn graph(&self) -> &Graph {
-        match self {
-            Self::Arm(_, hybrid) => &hybrid.graph.1,
-            Self::Other(_, hybrid) | Self::Own(hybrid) => &hybrid.graph.1,
-        }
-    }
-
-    /// Describes the setting.
-    pub(super) fn sentence(&self) -> String {
-        match self {
-            Self::Arm(_, hybrid) => hybrid.setting.sentence(),
-            Self::Other(_, hybrid) | Self::Own(hybrid) => hybrid.setting.sentence(),
-        }
-    }
-}
-
 impl Kind {
     /// Returns the graph that evolution has found: its bytes can be compared. `None` for a network, and for a hybrid of a graph and
     /// rules, which was put together later.
     pub(super) fn evolved(&self) -> Option<&Graph> {
         match self {
             Self::Tpg { graph, .. } => Some(graph),
-            Self::Hybrid(Together::Other(_, hybrid) | Together::Own(hybrid)) => {
-                (hybrid.setting == Setting::ONLY_ASKS).then_some(&hybrid.graph.1)
-            }
-            Self::Sac { .. } | Self::Hybrid(Together::Arm(..)) => None,
+            Self::Hybrid { hybrid, .. } => (!hybrid.setting.has_trigger()).then_some(&hybrid.graph.1),
+            Self::Sac { .. } => None,
+        }
+    }
+
+    /// The built-in problem.
+    pub(super) fn built_in(&self) -> Option<&Problem> {
+        match self {
+            Self::Tpg { problem, .. } | Self::Hybrid { problem, .. } => problem.as_deref(),
+            Self::Sac { problem, .. } => Some(problem),
         }
     }
 
     /// The name of the problem; "own" for one that is not built in.
     fn problem(&self) -> String {
-        match self {
-            Self::Tpg { problem: Some(problem), .. } => problem.name().name().to_owned(),
-            Self::Sac { problem, .. } => problem.name().name().to_owned(),
-            Self::Hybrid(Together::Arm(rules, _)) => ProblemName::from(rules.start).name().to_owned(),
-            Self::Hybrid(Together::Other(problem, _)) => problem.name().name().to_owned(),
-            Self::Tpg { problem: None, .. } | Self::Hybrid(Together::Own(_)) => "own".to_owned(),
-        }
+        self.built_in().map_or("own", |problem| problem.name().name()).to_owned()
     }
 
     /// The kind in a word.
@@ -134,7 +108,7 @@ impl Kind {
         match self {
             Self::Tpg { .. } => "TPG",
             Self::Sac { .. } => "SAC",
-            Self::Hybrid(_) => "hybrid",
+            Self::Hybrid { .. } => "hybrid",
         }
     }
 }
@@ -209,7 +183,8 @@ fn named(mut group: Group) -> Group {
 fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
     let file = folder.join("config.toml").display().to_string();
     let EvolutionConfig { problem, ask, .. } = EvolutionConfig::of_run(&file, config)?;
-    let problem = if problem.is_empty() { None } else { Some(Box::new(Problem::from_toml(&file, config)?)) };
+    let problem =
+        if problem.is_empty() { None } else { Some(Box::new(Problem::from_toml(&file, config)?.for_tests())) };
     let rows: Vec<Row> = lines(&folder.join("generations.jsonl"))?;
     let path = folder.join("graph.json");
     let graph = Graph::from_json(&path.display().to_string(), &read_text(&path, "the graph of a run")?)?;
@@ -230,7 +205,7 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
     let kind = |graph: Graph| {
         let problem = problem.clone();
         Ok(match &ask {
-            Some(ask) => Kind::Hybrid(asking(ask, problem, (path.display().to_string(), graph))?),
+            Some(ask) => asking(ask, problem, (path.display().to_string(), graph))?,
             None => Kind::Tpg { problem, graph: Box::new(graph) },
         })
     };
@@ -244,14 +219,10 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
 }
 
 /// A graph with the network that it learned to ask.
-fn asking(ask: &AskConfig, problem: Option<Box<Problem>>, graph: (String, Graph)) -> Result<Together, InputError> {
+fn asking(ask: &AskConfig, problem: Option<Box<Problem>>, graph: (String, Graph)) -> Result<Kind, InputError> {
     let network = (ask.policy.clone(), Network::read(Path::new(&ask.policy))?);
-    let name = problem.as_ref().map(|problem| problem.name().name().to_owned()).unwrap_or_default();
-    let hybrid = Box::new(Hybrid { problem: name, graph, network, setting: Setting::ONLY_ASKS });
-    Ok(match problem {
-        Some(problem) => Together::Other(problem, hybrid),
-        None => Together::Own(hybrid),
-    })
+    let hybrid = Hybrid { problem: None, graph, network, setting: Setting::only_asks() };
+    Ok(Kind::Hybrid { problem, hybrid: Box::new(hybrid) })
 }
 
 /// Reads a run's hall of fame, without its best graph; empty for a run of an earlier version, which has none.
@@ -282,7 +253,12 @@ fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
     let rows: Vec<BTreeMap<String, Value>> = lines(&folder.join("log.jsonl"))?;
     let path = folder.join("policy.safetensors");
     let (network, contract) = weights::read(&path)?;
-    let problem = Box::new(ContinuousProblem::from_table(&path.display().to_string(), &contract.problem)?);
+    let file = path.display().to_string();
+    let known = contract.problem.get("name").and_then(toml::Value::as_str).and_then(ProblemName::from_name);
+    let known = known.ok_or_else(|| {
+        InputError::new(&file, Place::Whole, "a network of a problem that is not built in", "one that is")
+    })?;
+    let problem = Box::new(Problem::tested(known, None)?.joined(&file, &contract.problem, true, false)?);
     let value = |row: &BTreeMap<String, Value>, key: &str| row.get(key).and_then(Value::as_f64);
     let curve = |key: &str| {
         rows.iter().filter_map(|row| Some([value(row, "decisions")?, value(row, key)?])).collect::<Vec<_>>()
@@ -311,32 +287,15 @@ fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
 fn study(folder: &Path, name: String, text: &str) -> Result<Run, InputError> {
     #[derive(Deserialize)]
     struct Asked {
-        problem: toml::Value,
-        /// Of an arm's study with a configuration.
-        settings: Option<ArmConfig>,
+        problem: toml::Table,
     }
     let file = folder.join("study.toml").display().to_string();
-    let Asked { problem, settings } = settings::from_toml(&file, text, "the study.toml of a study")?;
-    let path = folder.join("hybrid.toml");
-    let together = match &problem {
-        toml::Value::Table(table) => {
-            let hybrid = Box::new(Hybrid::read(&path)?);
-            let known = table.get("name").and_then(toml::Value::as_str).and_then(ProblemName::from_name);
-            match known {
-                Some(_) => Together::Other(Box::new(Problem::from_toml(&file, text)?), hybrid),
-                None => Together::Own(hybrid),
-            }
-        }
-        _ => {
-            let start = problem.try_into().map_err(|error: toml::de::Error| {
-                InputError::new(&file, Place::Path("problem".to_owned()), error.message(), "fs, rs or a section")
-            })?;
-            let hybrid = Box::new(ArmHybrid::read(&path)?);
-            let rules = settings.map_or_else(|| hybrid.actor.tests(start), |config| config.problem(start));
-            Together::Arm(Box::new(rules), hybrid)
-        }
-    };
-    Ok(Run { name, seed: None, curves: BTreeMap::new(), cpu: None, kind: Kind::Hybrid(together), hall: Vec::new() })
+    let Asked { problem } = settings::from_toml(&file, text, "the study.toml of a study")?;
+    let hybrid = Box::new(Hybrid::read(&folder.join("hybrid.toml"))?);
+    let known = problem.get("name").and_then(toml::Value::as_str).and_then(ProblemName::from_name);
+    let problem = known.map(|_| Problem::from_table(&file, &problem)).transpose()?;
+    let kind = Kind::Hybrid { problem: problem.map(|problem| Box::new(problem.for_tests())), hybrid };
+    Ok(Run { name, seed: None, curves: BTreeMap::new(), cpu: None, kind, hall: Vec::new() })
 }
 
 /// Parses one JSON value per line.

@@ -79,12 +79,12 @@ fn row(run: &Run, tested: Option<&Tested>) -> Vec<String> {
             let hidden: Vec<String> = contract.actor.hidden.iter().map(usize::to_string).collect();
             format!("{} inputs, {}", network.shape().inputs, hidden.join("-"))
         }
-        Kind::Hybrid(together) => together.sentence(),
+        Kind::Hybrid { hybrid, .. } => hybrid.setting.sentence(),
     };
     let selection = match &run.kind {
         Kind::Tpg { graph, .. } => graph.provenance().scores.get("validation_score").copied(),
         Kind::Sac { contract, .. } => contract.provenance.validation.map(|result| result.score),
-        Kind::Hybrid(_) => None,
+        Kind::Hybrid { .. } => None,
     };
     let text = |value: Option<f64>| value.map_or_else(String::new, one_decimal);
     let summary = tested.map(Tested::summary);

@@ -4,14 +4,14 @@ use super::contract::Contract;
 use super::interface::input_names;
 use super::policy::NetworkPolicy;
 use super::weights;
-use crate::course::{Course, Decision};
 use crate::files::read_text;
 use std::path::Path;
 use tpg_codegen::policy::{Output, QuantisedPolicy};
-use tpg_engine::{ActionSpace, Ending, Environment};
+use tpg_engine::{ActionSpace, Decision, Ending, Environment, Rollout};
 use tpg_graph::SourceDocument;
 use tpg_graph::error::{InputError, Place};
 use tpg_nn::Mlp;
+use tpg_runtime::net::PREFERENCE_ONE;
 use tpg_runtime::policy::ActionId;
 
 /// A trained network: `policy.safetensors` or `policy.q.json`.
@@ -36,14 +36,6 @@ impl Network {
         Ok(Self::Fixed(Box::new(QuantisedPolicy::from_json(&path.display().to_string(), &text)?)))
     }
 
-    /// The problem's settings, where the file says them.
-    pub fn problem(&self) -> Option<&toml::Table> {
-        match self {
-            Self::Float(actor) => Some(&actor.1.problem).filter(|table| !table.is_empty()),
-            Self::Fixed(_) => None,
-        }
-    }
-
     /// Returns the bytes of the constants that decide: four a parameter in floating point, the spreads left out.
     pub fn bytes(&self) -> usize {
         match self {
@@ -53,6 +45,17 @@ impl Network {
                 4 * (shape.parameters() - spreads)
             }
             Self::Fixed(policy) => policy.bytes(),
+        }
+    }
+
+    /// Returns the settings of the problem that the network was trained on, as far as its file says them.
+    pub fn settings(&self) -> toml::Table {
+        match self {
+            Self::Float(actor) => actor.1.problem.clone(),
+            Self::Fixed(policy) => match &policy.output {
+                Output::Preferences(preferences) => toml::Table::try_from(preferences).unwrap_or_default(),
+                _ => toml::Table::new(),
+            },
         }
     }
 
@@ -72,7 +75,7 @@ impl Network {
                 NetworkPolicy::new(&actor.0, actor.1.interface(), &actor.1.actor).endings(environment, tasks)
             }
             Self::Fixed(policy) => {
-                let ending = |task| Course::new(environment, task).run(|state| decided(policy, state));
+                let ending = |task| Rollout::new(environment, task).run(|state| decided(policy, state));
                 tasks.iter().map(ending).collect()
             }
         })
@@ -112,7 +115,10 @@ impl Network {
             Self::Fixed(policy) => match &policy.output {
                 Output::Values(values) => ("values", values.iter().map(|value| value.name.as_str()).collect()),
                 Output::Argmax(names) => ("argmax", names.iter().map(String::as_str).collect()),
-                Output::Preferences(_) => ("preferences", Vec::new()),
+                Output::Preferences(_) => {
+                    let count = policy.layers.last().map_or(0, |layer| layer.outputs);
+                    ("values", actions.outputs().iter().map(|output| output.name.as_str()).take(count).collect())
+                }
             },
         };
         let (accepted, wanted): (&str, Vec<&str>) = match actions {
@@ -135,6 +141,10 @@ impl Network {
 pub fn decided(policy: &QuantisedPolicy, state: &[f32]) -> Decision<f32> {
     match policy.output {
         Output::Argmax(_) => Decision::Choice(ActionId(policy.choose(state) as u16)),
-        Output::Values(_) | Output::Preferences(_) => Decision::Values(policy.values(state)),
+        Output::Values(_) => Decision::Values(policy.values(state)),
+        Output::Preferences(_) => {
+            let value = |output: i32| libm::tanhf(output as f32 / PREFERENCE_ONE);
+            Decision::Values(policy.outputs(&policy.integers(state)).into_iter().map(value).collect())
+        }
     }
 }

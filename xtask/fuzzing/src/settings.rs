@@ -7,7 +7,6 @@ use tpg_problems::continuous::ContinuousProblem;
 use tpg_problems::dodge::file as scenes_file;
 use tpg_train::arm_import::{self, Imported, Radii};
 use tpg_train::evolution::config::EvolutionConfig;
-use tpg_train::hybrid::arm::setting::HybridFile;
 use tpg_train::hybrid::setting::parse_file;
 use tpg_train::sac;
 
@@ -63,15 +62,6 @@ pub fn urdf(data: &[u8]) {
 /// If what is written is not read again.
 pub fn hybrid(data: &[u8]) {
     let (name, text) = ("hybrid.toml", String::from_utf8_lossy(data));
-    match HybridFile::parse(name, &text) {
-        Ok(file) => {
-            assert!(file.to_rust().is_ok(), "what is read is a setting");
-            drop(file.setting().map(|setting| setting.sentence()));
-            let text = toml::to_string(&file).expect("plain data");
-            HybridFile::parse(name, &text).expect("what is written is read");
-        }
-        Err(error) => drop(error.to_string()),
-    }
     match parse_file(name, &text) {
         Ok(file) => {
             drop((file.to_rust(), file.setting().sentence()));

@@ -7,12 +7,14 @@
 //! | [`compiled`] | the shipped policies as compiled code |
 //! | [`mod@reference`] | the network that the paper compares with |
 //! | [`ideas`] | effects of guards, hand-overs and detectors, on validation episodes |
+//! | [`ours`] | this project's policies, run by the trainer |
 //! | [`paper`] | the paper's figures |
 //! | [`markdown`] | the text |
 
 pub mod compiled;
 pub mod ideas;
 pub mod markdown;
+pub mod ours;
 pub mod paper;
 pub mod reference;
 pub mod rows;
@@ -86,7 +88,7 @@ pub fn execute(args: &Table2Args) -> Result<(), InputError> {
         problems.push(markdown::ProblemResults {
             start,
             episodes: tasks.len(),
-            rows: rows::measure(start, &inputs, &tasks)?,
+            rows: rows::measure(start, &inputs, &tasks, &args.targets.join(file))?,
             costs: compiled::measure(start, &tasks),
             ideas: ideas::measure(start, &inputs)?,
         });

@@ -1,8 +1,9 @@
 //! Every policy on the committed test episodes.
 
 use super::ProblemInputs;
+use super::ours::Ours;
 use super::timing::{self, Time};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tpg_arm::WIDOWX;
 use tpg_arm::observation::Straight;
 use tpg_codegen::emit::{Options, Prefix, Profile};
@@ -13,10 +14,10 @@ use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_problems::arm::trial::{Trial, run};
 use tpg_train::files::read_graph;
-use tpg_train::hybrid::arm::setting::Hybrid;
-use tpg_train::hybrid::arm::trial::{self, HybridTrial};
+use tpg_train::hybrid::setting::Hybrid;
 use tpg_train::hybrid::spread::Spread;
-use tpg_train::sac::motors::MotorNetwork;
+use tpg_train::hybrid::trial::Acting;
+use tpg_train::sac::network::Network;
 
 /// One row of the table. Rates lie in 0..1.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,10 +67,9 @@ impl Row {
         }
     }
 
-    /// Summarises hybrids.
-    pub fn of_hybrids(name: &str, hybrids: &[HybridTrial]) -> Self {
-        let trials: Vec<Trial> = hybrids.iter().map(|hybrid| hybrid.trial.clone()).collect();
-        let ratios: Vec<f64> = hybrids.iter().map(|hybrid| hybrid.tpg_action_ratio).collect();
+    /// Summarises hybrids, each with the fraction of actions that its graph chose.
+    pub fn of_hybrids(name: &str, hybrids: &[(Trial, f64)]) -> Self {
+        let (trials, ratios): (Vec<Trial>, Vec<f64>) = hybrids.iter().cloned().unzip();
         Self { by_graph: Some(Spread::of(&ratios)), ..Self::of(name, &trials) }
     }
 }
@@ -97,7 +97,7 @@ const TIMED_PLANNER: usize = 20;
 ///
 /// # Errors
 /// Files that are not policies.
-pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task]) -> Result<Vec<Row>, InputError> {
+pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task], file: &Path) -> Result<Vec<Row>, InputError> {
     let arm = WIDOWX.to_f32();
     let mut rows = Vec::new();
     for (name, choice) in [("classical planner", Choice::NearestFree), ("nearest goal, straight", Choice::Nearest)] {
@@ -113,38 +113,35 @@ pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task]) -> Result<V
     let classical = rows.len();
 
     let shipped = Hybrid::read(&inputs.shipped)?;
-    let (file, graph) = &shipped.graph;
-    let actor = shipped.actor.policy();
-    let actor_bytes = shipped.actor.network().bytes();
+    let ours = Ours::from_file(start, file);
+    let actor_bytes = shipped.network.1.bytes();
     let actor_row = |name: &str, trial: Trial| Row { bytes: Some([actor_bytes; 2]), ..Row::of(name, &[trial]) };
-    rows.push(actor_row("SAC, shipped", run(&arm, &actor, start, tasks)));
-    let bytes = graph_bytes(graph);
-    rows.push(Row { bytes, ..Row::of("TPG, shipped", &[trial::graph_alone(file, graph, &WIDOWX, start, tasks)?]) });
-    let both = trial::run(file, graph, &shipped.actor, &shipped.setting, start, tasks)?;
+    rows.push(actor_row("SAC, shipped", ours.network(&shipped.network)?));
+    let bytes = graph_bytes(&shipped.graph.1);
+    rows.push(Row { bytes, ..Row::of("TPG, shipped", &[ours.graph(&shipped.graph)?]) });
+    let both = ours.trial(Acting::Both(&shipped.graph, &shipped.network, &shipped.setting))?;
     let bytes = bytes.map(|graph| graph.map(|graph| graph + actor_bytes));
     rows.push(Row { bytes, ..Row::of_hybrids("**hybrid, shipped**", &[both]) });
     let compiled = super::compiled::times(start, timed);
     for (row, time) in rows[classical..].iter_mut().zip([compiled.sac, compiled.tpg, compiled.hybrid]) {
         row.time = Some(time);
     }
-    rows.extend(of_seeds(start, inputs, &shipped, tasks)?);
+    rows.extend(of_seeds(inputs, &shipped, &ours)?);
     Ok(rows)
 }
 
 /// Computes means over seeds, which predict another training, as opposed to a selected one.
-fn of_seeds(start: Start, inputs: &ProblemInputs, shipped: &Hybrid, tasks: &[Task]) -> Result<Vec<Row>, InputError> {
-    let arm = WIDOWX.to_f32();
+fn of_seeds(inputs: &ProblemInputs, shipped: &Hybrid, ours: &Ours<'_>) -> Result<Vec<Row>, InputError> {
     let read = |path: &PathBuf| Ok((path.display().to_string(), read_graph(path)?));
     let graphs = inputs.tpg.iter().map(read).collect::<Result<Vec<(String, Graph)>, InputError>>()?;
-    let actors = inputs.sac.iter().map(|path| MotorNetwork::read(path, None)).collect::<Result<Vec<_>, _>>()?;
-    let of_actors = |run: &dyn Fn(&MotorNetwork) -> Trial| actors.iter().map(run).collect::<Vec<_>>();
-    let ending = of_actors(&|actor| run(&arm, &actor.policy(), start, tasks));
-    let alone = graphs.iter().map(|(file, graph)| trial::graph_alone(file, graph, &WIDOWX, start, tasks));
-    let alone = alone.collect::<Result<Vec<_>, _>>()?;
+    let read = |path: &PathBuf| Ok((path.display().to_string(), Network::read(path)?));
+    let networks = inputs.sac.iter().map(read).collect::<Result<Vec<(String, Network)>, InputError>>()?;
+    let ending = networks.iter().map(|network| ours.network(network)).collect::<Result<Vec<_>, _>>()?;
+    let alone = graphs.iter().map(|graph| ours.graph(graph)).collect::<Result<Vec<_>, _>>()?;
     let mut together = Vec::new();
-    for (file, graph) in &graphs {
-        for actor in &actors {
-            together.push(trial::run(file, graph, actor, &shipped.setting, start, tasks)?);
+    for graph in &graphs {
+        for network in &networks {
+            together.push(ours.trial(Acting::Both(graph, network, &shipped.setting))?);
         }
     }
     let mut rows = vec![

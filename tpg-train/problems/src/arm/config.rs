@@ -3,10 +3,12 @@
 use super::arms;
 use super::description::ArmDescription;
 use super::environment::{ArmEnvironment, ArmProblem, ArmScalar};
+use super::motors;
 use super::shield::Shield;
 use super::targets::{Start, TOLERANCE};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use tpg_arm::hybrid::{Guard, NEVER};
 use tpg_arm::observation::Source;
 use tpg_arm::observation::shield::STEP;
 use tpg_arm::{Arm, WIDOWX};
@@ -43,6 +45,12 @@ pub struct Config {
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "arms::named_or_own")]
     #[schemars(schema_with = "arms::schema")]
     pub arm: Option<ArmDescription>,
+    /// True for tests: policies read and do whatever the arm knows.
+    #[serde(skip)]
+    pub tests: bool,
+    /// How the network drives that shares or has the arm.
+    #[serde(skip)]
+    pub network: Option<Box<motors::Config>>,
 }
 
 /// Returns true for joints without play, which need not be written.
@@ -73,6 +81,8 @@ impl Default for Config {
             coef_reward_multiplication: 0.001,
             hand_over_price: f64::INFINITY,
             arm: None,
+            tests: false,
+            network: None,
         }
     }
 }
@@ -130,8 +140,8 @@ impl Config {
             max_actions: self.max_actions.unwrap_or(start.max_actions()),
             backlash: self.backlash,
             step: self.step,
-            may_stop: self.may_stop,
-            sources: sources.chain(self.shield.source()).collect(),
+            may_stop: self.may_stop || self.tests,
+            sources: if self.tests { Source::ALL.to_vec() } else { sources.chain(self.shield.source()).collect() },
             bonus: self.bonus_success,
             hand_over_price: self.hand_over_price,
             per_unused_action: self.coef_reward_multiplication,
@@ -140,6 +150,39 @@ impl Config {
 
     /// Returns the environment with the given start.
     pub fn environment<S: ArmScalar>(&self, start: Start) -> ArmEnvironment<S> {
-        ArmEnvironment::new(&self.arm(), self.problem(start))
+        let environment = ArmEnvironment::new(&self.arm(), self.problem(start));
+        match &self.network {
+            Some(network) => environment.with_network(network),
+            None => environment,
+        }
     }
+}
+
+/// Returns a hybrid's settings as constants of a Rust crate that uses `tpg_arm`, whose guards have these names.
+///
+/// # Errors
+/// If there is no guard of that name.
+pub fn guarded_constants(guard: &str, hand_back: u32, separation: f64, detector: &str) -> Result<String, Finding> {
+    let found = || Finding::new("guard", format!("{guard:?}"), Guard::ALL.map(Guard::name).join(", "));
+    let guard = Guard::from_name(guard).ok_or_else(found)?;
+    let (import, back) = if hand_back == NEVER { ("NEVER, ", "NEVER".to_owned()) } else { ("", hand_back.to_string()) };
+    let separation = if separation.is_finite() { format!("{separation:?}") } else { "f32::INFINITY".to_owned() };
+    let (name, watched) = if detector == "brent" { ("Brent", "Brent") } else { ("Visited", "Visited<4096>") };
+    Ok(format!(
+        "//! Settings for sharing the arm between this folder's graph and its actor: made from `hybrid.toml` by\n\
+         //! `tpg-train constants`; do not edit.\n\
+         \n\
+         use tpg_arm::cycle::{name};\n\
+         use tpg_arm::hybrid::{{Guard, {import}Settings}};\n\
+         \n\
+         /// The distance and the number of actions at which the policies take turns.\n\
+         pub const SETTINGS: Settings<f32> = Settings {{\n    \
+         hand_back_after: {back},\n    \
+         separation: {separation},\n    \
+         guard: Guard::{guard:?},\n\
+         }};\n\
+         \n\
+         /// The detector of cycles: it notices that the graph returns to an earlier pose.\n\
+         pub type Detector = {watched};\n"
+    ))
 }

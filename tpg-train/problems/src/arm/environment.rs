@@ -78,8 +78,6 @@ pub struct ArmEnvironment<S> {
     sines: Option<Box<Sines<S>>>,
     /// True if lanes take their usual steps all at once.
     vectors: bool,
-    /// Source of training tasks.
-    space: Option<ReachableSpace>,
     /// How networks drive the arm.
     steering: Steering,
 }
@@ -116,11 +114,10 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         if environment.problem.may_stop {
             environment.moves.push(Move::STOP);
         }
-        environment.space = Some(ReachableSpace::sample(arm, 0, Set::Training));
         environment
     }
 
-    /// Creates an environment with a policy's own actions, for given tasks: none can be drawn.
+    /// Creates an environment with a policy's own actions.
     pub fn for_evaluation(arm: &Arm<f64>, problem: ArmProblem, moves: Vec<Move>) -> Self {
         let places = (0..problem.sources.len())
             .map(|place| problem.sources[..place].iter().map(|source| source.length()).sum())
@@ -136,7 +133,6 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             places,
             sines: Some(Box::new(std::array::from_fn(|ticks| Angle(ticks as i32).direction().sin))),
             vectors: true,
-            space: None,
             steering: Steering::new(&motors::Config::default(), arm),
         }
     }
@@ -324,7 +320,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
     }
 
     fn draw(&self, stream: &mut Stream) -> ArmTask {
-        let space = self.space.as_ref().expect("an environment for training has a space to draw from");
+        let space = ReachableSpace::shared(&self.description, 0, Set::Training);
         space.task(self.problem.start, stream).into()
     }
 

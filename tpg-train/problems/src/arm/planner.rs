@@ -1,11 +1,13 @@
 //! Classical baselines: controllers that use the arm's inverse kinematics and learn nothing.
 
-use crate::arm::ik;
-use crate::arm::targets::TOLERANCE;
+use crate::arm::targets::{TOLERANCE, Task};
+use crate::arm::trial::run;
+use crate::arm::{ArmProblem, ik};
 use std::cell::RefCell;
 use tpg_arm::kinematics::{self, Plane};
-use tpg_arm::observation::Observation;
+use tpg_arm::observation::{Observation, Straight};
 use tpg_arm::{Arm, JOINTS, Move, Pose};
+use tpg_engine::Ending;
 use tpg_runtime::policy::Policy;
 
 /// Rule for choosing among the poses that solve a task.
@@ -16,6 +18,21 @@ pub enum Choice {
     /// The nearest pose reachable by a straight walk without a collision; else the nearest reachable by moving one
     /// joint after another, in any order of the joints; else the nearest.
     NearestFree,
+}
+
+/// Names of the controllers for [`controlled`]: the planner by either rule, and straight to the stance, which fits a
+/// microcontroller.
+pub const CONTROLLERS: [&str; 3] = ["planner", "nearest-goal", "closed-form"];
+
+/// Lets a controller do tasks; `None` if there is none of that name.
+pub fn controlled(name: &str, arm: &Arm<f64>, problem: &ArmProblem, tasks: &[Task]) -> Option<Vec<Ending>> {
+    let planned = |choice| run(arm, &Planner::within(arm, choice, problem.tolerance), problem.clone(), tasks).endings;
+    match name {
+        "planner" => Some(planned(Choice::NearestFree)),
+        "nearest-goal" => Some(planned(Choice::Nearest)),
+        "closed-form" => Some(run(arm, &Straight::new(arm), problem.clone(), tasks).endings),
+        _ => None,
+    }
 }
 
 /// Walks to a pose that solves the task, choosing again at every step. Memoryless: its cache depends only on the

@@ -15,6 +15,7 @@ pub use file::{parse_csv, read_csv, to_csv};
 
 use super::environment::ArmProblem;
 use serde::{Deserialize, Serialize};
+use std::sync::{Arc, Mutex, PoisonError};
 use tpg_arm::episode::ReachTask;
 use tpg_arm::frame::Clearance;
 use tpg_arm::kinematics::{self, Lattice, Plane};
@@ -27,6 +28,8 @@ const CUBE: f64 = 20.0;
 const POSES_PER_CUBE: usize = 8;
 /// Number of poses drawn to sample the reachable space: about 60 per cube.
 const DRAWS: u32 = 2_000_000;
+/// Number of samples that are kept.
+const KEPT: usize = 4;
 
 /// Purpose of a set of tasks. Sets with different purposes are independent for every seed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -123,6 +126,20 @@ impl ReachableSpace {
         Self { home: arm.home, arm: *arm, poses: found.into_iter().map(|(.., pose)| pose).collect(), cubes }
     }
 
+    /// Returns the [sample](Self::sample) of an arm, drawn once in this process.
+    pub fn shared(arm: &Arm<f64>, seed: u64, set: Set) -> Arc<Self> {
+        static DRAWN: Mutex<Vec<(u64, Set, Arc<ReachableSpace>)>> = Mutex::new(Vec::new());
+        let mut drawn = DRAWN.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_same = |of: &&(u64, Set, Arc<Self>)| (of.0, of.1) == (seed, set) && of.2.arm == *arm;
+        if let Some((.., space)) = drawn.iter().find(is_same) {
+            return Arc::clone(space);
+        }
+        let space = Arc::new(Self::sample(arm, seed, set));
+        drawn.truncate(KEPT - 1);
+        drawn.insert(0, (seed, set, Arc::clone(&space)));
+        space
+    }
+
     /// Returns the number of cubes that the hand reaches.
     pub fn cubes(&self) -> usize {
         self.cubes.len() - 1
@@ -158,7 +175,7 @@ pub fn stands_free(arm: &Arm<f64>, plane: &Plane<f64>) -> bool {
 
 /// Returns `count` tasks of a set. A shorter list is a prefix of a longer one.
 pub fn tasks(arm: &Arm<f64>, seed: u64, set: Set, start: Start, count: usize) -> Vec<Task> {
-    let reach = ReachableSpace::sample(arm, seed, set);
+    let reach = ReachableSpace::shared(arm, seed, set);
     let stream = |index| Stream::new(seed, (set as u64) << 8 | start as u64, Purpose::Task, index);
     (0..count as u64).map(|index| reach.task(start, &mut stream(index))).collect()
 }

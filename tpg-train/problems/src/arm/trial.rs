@@ -4,11 +4,11 @@ use crate::arm::environment::{ArmProblem, OUTCOMES};
 use crate::arm::targets::{Start, Task};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
-use tpg_arm::cycle::{Brent, CycleDetector};
+use tpg_arm::cycle::Brent;
 use tpg_arm::episode::{Episode, Outcome, ReachTask, Summary};
 use tpg_arm::kinematics::{self, Lattice};
 use tpg_arm::observation::Observation;
-use tpg_arm::{Arm, Move, Pose, Step};
+use tpg_arm::{Arm, Move, Pose};
 use tpg_engine::Ending;
 use tpg_runtime::policy::Policy;
 
@@ -79,71 +79,27 @@ where
 /// `each` with the pose after every action.
 pub fn watch_drawn<S: Lattice>(
     arm: &Arm<S>,
-    decide: impl FnMut(&Observation<S>) -> Move,
+    mut decide: impl FnMut(&Observation<S>) -> Move,
     problem: &ArmProblem,
     task: &Task,
     mut each: impl FnMut(Pose),
 ) -> Summary<S> {
-    walk(arm, problem, task, decide, |step, reached, in_time| {
-        each(step.pose);
-        let invalid = step.invalid.map(Outcome::Invalid);
-        invalid.or(reached.then_some(Outcome::Reached)).or((!in_time).then_some(Outcome::Timeout))
-    })
-}
-
-/// As [`run`], but an invalid action does not end the episode: the joints that can move do, or the arm stays. An
-/// episode counts as a collision if its last action was invalid, as in the paper. A policy that stands still because
-/// its action is refused has reached a cycle, which ends the episode.
-pub fn run_allowing_collisions<S, P>(arm: &Arm<S>, policy: &P, start: Start, tasks: &[Task]) -> Trial
-where
-    S: Lattice,
-    P: Policy<State = Observation<S>, Action = Move> + ?Sized,
-{
-    let episode = |task: &Task| {
-        let mut detector = Brent::new();
-        detector.reset(task.start);
-        walk(
-            arm,
-            &start.into(),
-            task,
-            |seen| policy.decide(seen),
-            |step, reached, in_time| {
-                let failed = |otherwise| Some(step.invalid.map_or(otherwise, Outcome::Invalid));
-                if reached {
-                    Some(Outcome::Reached)
-                } else if detector.repeats(step.pose) {
-                    failed(Outcome::Cycle)
-                } else if in_time {
-                    None
-                } else {
-                    failed(Outcome::Timeout)
-                }
-            },
-        )
-    };
-    summarise(start, &tasks.iter().map(episode).collect::<Vec<_>>())
-}
-
-/// Acts until a step has an outcome, given whether it reached the target and whether another action is allowed.
-fn walk<S: Lattice>(
-    arm: &Arm<S>,
-    problem: &ArmProblem,
-    task: &Task,
-    mut decide: impl FnMut(&Observation<S>) -> Move,
-    mut outcome: impl FnMut(&Step, bool, bool) -> Option<Outcome>,
-) -> Summary<S> {
     let (ReachTask { start, target, tolerance, max_actions }, play) = (problem.reach(task), problem.play(task));
     let mut seen = Observation::at(arm, start, target);
-    let mut actions = 0;
-    loop {
+    for actions in 1.. {
         let step = arm.step(seen.pose, decide(&seen));
+        each(step.pose);
         seen = Observation::at(arm, step.pose, target);
-        actions += 1;
         let distance = kinematics::distance(target, kinematics::hand(arm, play.joints(step.pose)));
-        if let Some(outcome) = outcome(&step, distance < tolerance, actions < max_actions) {
-            return Summary { outcome, actions, pose: seen.pose, distance };
-        }
+        let outcome = match step.invalid {
+            Some(invalid) => Outcome::Invalid(invalid),
+            None if distance < tolerance => Outcome::Reached,
+            None if actions >= max_actions => Outcome::Timeout,
+            None => continue,
+        };
+        return Summary { outcome, actions, pose: seen.pose, distance };
     }
+    unreachable!("an episode has a limit")
 }
 
 /// Computes the statistics of episodes with a problem's scores; a start's are the paper's.

@@ -19,7 +19,7 @@ pub use config::{Config, Reward};
 pub use decision::Discretiser;
 pub use inputs::Inputs;
 
-use super::environment::{DISTANCE, OUTCOMES, on_the_arm};
+use super::environment::{ArmProblem, DISTANCE, OUTCOMES, on_the_arm};
 use super::targets::{self, ReachableSpace, Set, Start};
 use super::trial::figures;
 use super::{drawing, ik};
@@ -63,7 +63,8 @@ pub struct Motors {
     description: Arm<f64>,
     discretiser: Discretiser,
     seed: u64,
-    reach: ReachableSpace,
+    /// The rules of tests; those of the settings if there are none.
+    tests: Option<ArmProblem>,
 }
 
 /// One episode's task.
@@ -111,7 +112,6 @@ impl Motors {
     /// The problem of that start. The space that tasks are drawn from, and the validation tasks, depend on `seed`.
     pub fn new(start: Start, config: Config, seed: u64) -> Self {
         let description = config.arm();
-        let reach = ReachableSpace::sample(&description, seed, Set::Training);
         Self {
             start,
             arm: description.to_f32(),
@@ -119,8 +119,18 @@ impl Motors {
             discretiser: Discretiser::new(&config),
             config,
             seed,
-            reach,
+            tests: None,
         }
+    }
+
+    /// Returns the same problem with other rules of tests.
+    #[must_use]
+    pub fn with_tests(self, tests: ArmProblem) -> Self {
+        Self { tests: Some(tests), ..self }
+    }
+
+    fn rules(&self, start: Start) -> ArmProblem {
+        self.tests.clone().unwrap_or_else(|| self.config.tests(start))
     }
 
     /// The settings.
@@ -130,8 +140,9 @@ impl Motors {
 
     /// A task that training can use: where the reward needs poses that solve it, some are known.
     fn fresh(&self, start: Start, rules: Rules, stream: &mut Stream) -> MotorsTask {
+        let reach = ReachableSpace::shared(&self.description, self.seed, Set::Training);
         loop {
-            let targets::Task { start, target } = self.reach.task(start, stream);
+            let targets::Task { start, target } = reach.task(start, stream);
             if !self.config.reward.knows_goals() || !ik::goals(&self.description, target).is_empty() {
                 return MotorsTask { start: start.0, target, rules };
             }
@@ -190,7 +201,7 @@ impl Environment<f32> for Motors {
         let of = targets::Task { start: Pose(task.start), target: task.target };
         MotorsEpisode(match task.rules {
             Rules::Training => Course::Lesson(Lesson::new(&self.config, &self.arm, of.start, of.target)),
-            Rules::Test(start) => Course::Trial(Box::new(Trial::new(&self.arm, self.config.tests(start), &of))),
+            Rules::Test(start) => Course::Trial(Box::new(Trial::new(&self.arm, self.rules(start), &of))),
         })
     }
 

@@ -1,4 +1,4 @@
-//! Graphs as policies of the arm, in the trainer's own evaluation.
+//! Graphs as policies of the arm's observations.
 
 use std::cell::RefCell;
 use tpg_arm::observation::{Observation, Source, TargetMemo};

@@ -1,0 +1,65 @@
+//! This project's policies, run by the trainer.
+
+use std::path::Path;
+use tpg_engine::{Ending, TaskSet};
+use tpg_graph::Graph;
+use tpg_graph::error::InputError;
+use tpg_problems::Problem;
+use tpg_problems::arm::targets::Start;
+use tpg_problems::arm::trial::Trial;
+use tpg_train::hybrid::setting::Setting;
+use tpg_train::hybrid::shared::{Episodes, Shared as _};
+use tpg_train::hybrid::trial::Acting;
+use tpg_train::sac::network::Network;
+
+/// A problem with its episodes.
+#[derive(Clone, Copy, Debug)]
+pub struct Ours<'a> {
+    start: Start,
+    episodes: Episodes<'a>,
+}
+
+impl<'a> Ours<'a> {
+    /// Takes the episodes of a file.
+    pub fn from_file(start: Start, file: &'a Path) -> Self {
+        Self { start, episodes: Episodes { set: TaskSet::Test, count: 0, seed: 0, file: Some(file) } }
+    }
+
+    /// Draws validation episodes.
+    pub fn validation(start: Start, count: usize, seed: u64) -> Self {
+        Self { start, episodes: Episodes { set: TaskSet::Study, count, seed, file: None } }
+    }
+
+    /// Lets policies act; returns the trial and the fraction of actions that the graph chose.
+    ///
+    /// # Errors
+    /// If a policy is not one of the arm.
+    pub fn trial(&self, acting: Acting<'_>) -> Result<(Trial, f64), InputError> {
+        let done = Problem::tested(self.start.into(), None)?.trial(acting, self.episodes)?;
+        let endings: Vec<Ending> = done.endings;
+        Ok((Trial::of(self.start, endings), done.tpg_action_ratio))
+    }
+
+    /// Lets a graph act alone.
+    ///
+    /// # Errors
+    /// As [`trial`](Self::trial).
+    pub fn graph(&self, graph: &(String, Graph)) -> Result<Trial, InputError> {
+        self.trial(Acting::Graph(graph)).map(|(trial, _)| trial)
+    }
+
+    /// Lets a network act alone.
+    ///
+    /// # Errors
+    /// As [`trial`](Self::trial).
+    pub fn network(&self, network: &(String, Network)) -> Result<Trial, InputError> {
+        self.trial(Acting::Network(network)).map(|(trial, _)| trial)
+    }
+}
+
+/// Returns the paper's setting: hand-back after 100 actions, hand-over when the hand strays by 20 or 10 mm, no guard.
+pub fn paper_setting(start: Start) -> Setting {
+    let separation = if start == Start::Fs { 20.0 } else { 10.0 };
+    let detector = tpg_train::hybrid::setting::Detector::Visited;
+    Setting { hand_back_after: tpg_train::hybrid::span::Span(100), separation, detector, ..Setting::only_asks() }
+}

@@ -1,0 +1,170 @@
+//! Problems as policies are tested on them: by what the policies say about their training, on tasks from files.
+
+use crate::arm::motors::{self, Motors, MotorsTask, Rules};
+use crate::arm::planner::{self, CONTROLLERS};
+use crate::arm::{ArmDescription, ArmTask, targets};
+use crate::dodge;
+use crate::registry::{Problem, ProblemName};
+use serde::Deserialize;
+use std::path::Path;
+use tpg_engine::{AnyEnvironment, AnyTask, Ending, erase};
+use tpg_graph::Graph;
+use tpg_graph::error::{InputError, Place};
+
+impl Problem {
+    /// Returns a problem as policies are tested on it without a configuration: the arm is that of the graph's training.
+    ///
+    /// # Errors
+    /// If the graph's provenance describes an arm that cannot be; `file` is the graph's.
+    pub fn tested(name: ProblemName, graph: Option<(&str, &Graph)>) -> Result<Self, InputError> {
+        let mut problem = Self::usual(name).for_tests();
+        if let Self::Arm(_, config) = &mut problem {
+            config.coef_reward_multiplication = 0.01;
+            config.arm = graph.map(|(file, graph)| arm_of(file, graph)).transpose()?.flatten();
+        }
+        Ok(problem)
+    }
+
+    /// Returns the problem as policies are tested on it: they can read and do whatever it knows.
+    #[must_use]
+    pub fn for_tests(mut self) -> Self {
+        if let Self::Arm(_, config) = &mut self {
+            config.tests = true;
+        }
+        self
+    }
+
+    /// Returns the problem for a network with these settings, as its file says them. With `rules` the network's rules of tests
+    /// hold; without a graph beside it, it brings its whole problem.
+    ///
+    /// # Errors
+    /// If the settings are not the problem's, or the network is for another arm; `file` is the network's.
+    pub fn joined(self, file: &str, network: &toml::Table, rules: bool, graph: bool) -> Result<Self, InputError> {
+        let Self::Arm(start, config) = self else {
+            let is_whole = rules && !graph && !network.is_empty();
+            return if is_whole { Self::from_table(file, network) } else { Ok(self) };
+        };
+        let mut table = network.clone();
+        // Integers do not name their problem, and no arm.
+        let names_arm = table.remove("name").is_some();
+        let motors: motors::Config = toml::Value::Table(table).try_into().map_err(|error: toml::de::Error| {
+            InputError::new(file, Place::Path("problem".to_owned()), error.message(), "a network of the arm's motors")
+        })?;
+        let mut config = config;
+        if rules && names_arm {
+            let tests = motors.tests(start);
+            (config.tolerance, config.backlash) = (tests.tolerance, tests.backlash);
+            if !graph {
+                config.arm = motors.arm.clone();
+            }
+        }
+        if names_arm && motors.arm() != config.arm() {
+            let accepted = "one for the arm of the configuration, or of the graph";
+            return Err(InputError::new(file, Place::Whole, "a network for another arm", accepted));
+        }
+        let arm = config.arm.clone();
+        config.network = Some(Box::new(motors::Config { arm, ..motors }));
+        Ok(Self::Arm(start, config))
+    }
+
+    /// Reads the section as [`to_table`](Self::to_table) wrote it; `file` is the file that it was kept in.
+    ///
+    /// # Errors
+    /// As [`from_toml`](Self::from_toml).
+    pub fn from_table(file: &str, table: &toml::Table) -> Result<Self, InputError> {
+        let whole = toml::Table::from_iter([("problem".to_owned(), table.clone().into())]).to_string();
+        Self::from_toml(file, &whole).map_err(|error| InputError { place: Place::Path("problem".to_owned()), ..error })
+    }
+
+    /// Creates the environment in which the [joined](Self::joined) network acts alone.
+    pub fn network_environment(&self) -> AnyEnvironment<f32> {
+        match self {
+            Self::Arm(start, config) => {
+                let network = config.network.as_deref().cloned().unwrap_or_default();
+                erase(Motors::new(*start, network, 0).with_tests(config.problem(*start)))
+            }
+            _ => self.environment(),
+        }
+    }
+
+    /// Reads tasks as [`print_tasks`](Self::print_tasks) prints them, for a network alone or for anything else.
+    ///
+    /// # Errors
+    /// If the file cannot be read, or the problem has no such files.
+    pub fn read_tasks(&self, path: &Path, network_alone: bool) -> Result<Vec<AnyTask>, InputError> {
+        match self {
+            Self::Arm(start, config) => {
+                let tasks = targets::read_csv(&config.arm(), path)?.into_iter();
+                let rules = Rules::Test(*start);
+                let motors = |task: targets::Task| MotorsTask { start: task.start.0, target: task.target, rules };
+                Ok(match network_alone {
+                    true => tasks.map(|task| AnyTask::new(motors(task))).collect(),
+                    false => tasks.map(|task| AnyTask::new(ArmTask::from(task))).collect(),
+                })
+            }
+            Self::Dodge(_) => Ok(dodge::file::read_csv(path)?.into_iter().map(|of| AnyTask::new(of.scene)).collect()),
+            _ => {
+                let found = format!("tasks from a file for {}", self.name().name());
+                Err(InputError::new(path.display().to_string(), Place::Whole, found, "fs, rs or dodge"))
+            }
+        }
+    }
+
+    /// Returns test tasks as CSV, by default those of the committed files; `None` if the problem has no such files.
+    pub fn print_tasks(&self, seed: Option<u64>, count: usize) -> Option<String> {
+        match self {
+            Self::Arm(start, config) => {
+                let seed = seed.unwrap_or(targets::TEST_SEED);
+                Some(targets::to_csv(&targets::tasks(&config.arm(), seed, targets::Set::Test, *start, count)))
+            }
+            Self::Dodge(config) => {
+                let (seed, set) = (seed.unwrap_or(dodge::draw::SEED), targets::Set::Test);
+                let scenes = dodge::draw::scenes(config, seed, set, count, dodge::draw::TEST_TRIES);
+                Some(dodge::file::to_csv(&scenes))
+            }
+            _ => None,
+        }
+    }
+
+    /// Returns the shields that keep a graph from choosing what would be refused: the name of each, and the source that bounds bids.
+    pub fn shields(&self) -> &'static [(&'static str, &'static str)] {
+        match self {
+            Self::Arm(..) => &[("limits", "shield_limits"), ("limits-and-collision", "shield_collision")],
+            _ => &[],
+        }
+    }
+
+    /// Returns true if policies of one problem can act in the other.
+    pub fn share_policies(one: &str, other: &str) -> bool {
+        let is_arm = |name: &str| ProblemName::from_name(name).is_some_and(|name| name.start().is_some());
+        one == other || (is_arm(one) && is_arm(other))
+    }
+
+    /// Returns the names of the controllers that learn nothing, if the problem has some.
+    pub fn controllers(&self) -> &'static [&'static str] {
+        if matches!(self, Self::Arm(..)) { &CONTROLLERS } else { &[] }
+    }
+
+    /// Lets a controller do tasks; `None` if the problem has none of that name.
+    pub fn controlled(&self, name: &str, tasks: &[AnyTask]) -> Option<Vec<Ending>> {
+        let Self::Arm(start, config) = self else { return None };
+        let tasks: Vec<targets::Task> =
+            tasks.iter().filter_map(|task| task.typed::<ArmTask>().map(Into::into)).collect();
+        planner::controlled(name, &config.arm(), &config.problem(*start), &tasks)
+    }
+}
+
+/// Returns the arm that a graph was trained for, as its provenance says; `None` where that says nothing.
+fn arm_of(file: &str, graph: &Graph) -> Result<Option<ArmDescription>, InputError> {
+    let config = graph.provenance().config.as_ref();
+    let Some(text) = config.and_then(|config| config.get("problem")?.get("arm").or(config.get("arm"))) else {
+        return Ok(None);
+    };
+    let refuse = |found: String| {
+        let place = Place::Path("$.provenance.config.problem.arm".to_owned());
+        InputError::new(file, place, found, "an arm as `tpg-train config widowx` prints, or none")
+    };
+    let arm = ArmDescription::deserialize(text).map_err(|error| refuse(error.to_string()))?;
+    arm.check().map_err(|finding| refuse(format!("{} = {}", finding.key, finding.found)))?;
+    Ok(Some(arm))
+}
