@@ -89,13 +89,13 @@ pub(crate) fn of(language: &str) -> Facts {
             ("5model5Model5first", vec![4; 2]),
         ]);
         // The hook calls what the policies of control.c name; a decision asks the graph once.
-        facts.calls.push(("6switch19Hybrid$LT$T$C$P$GT$6decide28_", &["fs_infer", "rs_infer"]));
-        facts.limits.push(("6switch19Hybrid$LT$T$C$P$GT$6decide28_", 1));
+        facts.calls.push(("6switch17Pair$LT$T$C$P$GT$6decide28_", &["fs_infer", "rs_infer"]));
+        facts.limits.push(("6switch17Pair$LT$T$C$P$GT$6decide28_", 1));
     } else {
         facts.roots = "hybrid_decide";
         facts.stack_roots = "hybrid_decide";
         // A decision asks the graph once.
-        facts.limits.push(("6switch19Hybrid$LT$T$C$P$GT$6decide28_", 1));
+        facts.limits.push(("6switch17Pair$LT$T$C$P$GT$6decide28_", 1));
         facts.loops.extend([
             // Two sources at most.
             ("Source$GT$9fill_each", vec![2]),

@@ -1,9 +1,8 @@
-//! The rules by which a graph and a network take turns, and what a graph can know of its past.
+//! The rules by which a graph and a network take turns.
 
 use crate::error;
 use pyo3::prelude::*;
 use tpg_runtime::cycle::Brent;
-use tpg_runtime::recall::Recall;
 use tpg_runtime::switch::{AskSwitch, Chosen, Driver, NEVER, Patience, Settings, Turn};
 
 /// The turns of one episode.
@@ -11,7 +10,6 @@ use tpg_runtime::switch::{AskSwitch, Chosen, Driver, NEVER, Patience, Settings, 
 pub(crate) struct Switch {
     rules: AskSwitch<f32, Brent<u64>>,
     patience: Patience<f32>,
-    recall: Recall<f32>,
     actions: u64,
 }
 
@@ -36,7 +34,6 @@ impl Switch {
         Ok(Self {
             rules: AskSwitch::new(rules),
             patience: Patience::new(patience.unwrap_or(NEVER), distance),
-            recall: Recall::new(distance),
             actions: 0,
         })
     }
@@ -47,21 +44,13 @@ impl Switch {
         self.rules.driver() == Driver::Sac
     }
 
-    /// Drift, actions since the least distance, actions since the network decided.
-    #[getter]
-    fn recall(&self) -> [f32; 3] {
-        self.recall.values()
-    }
-
     /// Notes an action, the network's because the graph `asked` for it or because it has its turn, and the distance behind it.
     fn acted(&mut self, asked: bool, distance: f32) {
         self.actions += 1;
         let drives = self.network_drives();
-        let by_network = asked || drives;
-        let driver = if by_network { Driver::Sac } else { Driver::Tpg };
+        let driver = if asked || drives { Driver::Sac } else { Driver::Tpg };
         let turn = Turn { chosen: Chosen { driver, wanted: () }, asked: asked && !drives };
         let stalls = self.patience.ends(turn.driver(), distance);
         self.rules.acted(&turn, stalls, self.actions, distance);
-        self.recall.acted(by_network, distance);
     }
 }

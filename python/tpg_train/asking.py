@@ -30,8 +30,6 @@ class Asking(gymnasium.Wrapper[Any, Any, Any, Any]):
     Args:
         network: decides, as `from_sb3` and `train_network` make it, or its `policy.q.json`.
         price: of one ask, in units of the reward. The rules' turns cost nothing.
-        memory: adds three values to the observation, which the network does not see: the distance beyond its least so far,
-            actions since that least distance, actions since the network decided.
         share: of actions that a draw gives to the network, 0 to 1: a mixture, to compare with.
 
     Attributes: `episodes`, `actions`, `asks` and `network_actions` (asked or by rules) since the wrapper was made.
@@ -44,7 +42,6 @@ class Asking(gymnasium.Wrapper[Any, Any, Any, Any]):
         *,
         price: float = 0.0,
         levels: int | None = 3,
-        memory: bool = False,
         separation: float = float("inf"),
         patience: int | None = None,
         hand_back_after: int | None = None,
@@ -56,27 +53,19 @@ class Asking(gymnasium.Wrapper[Any, Any, Any, Any]):
         if not 0 <= share <= 1:
             raise InputError(f"a share of {share}; accepted: 0 to 1")
         self._network = network if isinstance(network, NetworkPolicy) else NetworkPolicy.load(network, env)
-        self.price, self.memory, self.share = float(price), memory, float(share)
+        self.price, self.share = float(price), float(share)
         self._rules = (float(separation), patience, hand_back_after)
         Switch(0.0, *self._rules)
         self._own = _actions(env.action_space, levels)
         self.asks_network = self._own is not None
         if self._own is not None:
             self.action_space = spaces.Discrete(len(self._own) + 1)
-        if memory:
-            self.observation_space = _remembering(env.observation_space)
         self.episodes = self.actions = self.asks = self.network_actions = 0
         self._begin(np.inf)
 
     def _begin(self, distance: float) -> None:
         self._switch = Switch(distance, *self._rules)
         self._draws = np.random.default_rng(self.episodes)
-
-    def _seen(self, observation: Any) -> Any:
-        self._observation = observation
-        if not self.memory:
-            return observation
-        return np.concatenate([np.asarray(observation, np.float32), np.asarray(self._switch.recall, np.float32)])
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         """Starts an episode."""
@@ -85,7 +74,8 @@ class Asking(gymnasium.Wrapper[Any, Any, Any, Any]):
         self._begin(float(info.get("distance", np.inf)))
         if seed is not None:
             self._draws = np.random.default_rng(seed)
-        return self._seen(observation), info
+        self._observation = observation
+        return observation, info
 
     def step(self, action: Any) -> tuple[Any, Any, bool, bool, dict[str, Any]]:
         """Takes an action of the graph, or the network's where the graph asks or the network has its turn."""
@@ -103,7 +93,8 @@ class Asking(gymnasium.Wrapper[Any, Any, Any, Any]):
         self.network_actions += drives or asked or drawn
         self._switch.acted(asked, float(info.get("distance", -float(reward))))
         paid = float(reward) - self.price if asked else reward
-        return self._seen(observation), paid, terminated, truncated, info
+        self._observation = observation
+        return observation, paid, terminated, truncated, info
 
 
 def _actions(space: spaces.Space[Any], levels: int | None) -> list[Any] | None:
@@ -118,15 +109,6 @@ def _actions(space: spaces.Space[Any], levels: int | None) -> list[Any] | None:
         raise InputError(f"{levels} levels of {len(space.low)} values; accepted: from 2, below {MOST_ACTIONS} combinations")
     values = [np.linspace(low, high, levels) for low, high in zip(space.low, space.high, strict=True)]
     return [np.asarray(combination, dtype=space.dtype) for combination in itertools.product(*values)]
-
-
-def _remembering(space: spaces.Space[Any]) -> spaces.Box:
-    """Returns an observation space with the memory behind it."""
-    if not isinstance(space, spaces.Box) or len(space.shape) != 1:
-        raise InputError(f"the observation space {space}; accepted: a flat Box, for a memory")
-    low = np.concatenate([space.low.astype(np.float32), np.zeros(3, np.float32)])
-    high = np.concatenate([space.high.astype(np.float32), np.full(3, np.inf, np.float32)])
-    return spaces.Box(low, high, dtype=np.float32)
 
 
 __all__ = ["Asking"]

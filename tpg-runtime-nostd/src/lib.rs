@@ -11,7 +11,6 @@
 //! | [`ops`] | the instruction set, and sin, cos, tan, ln, exp with the same bits everywhere |
 //! | [`cycle`] | has this been here before? |
 //! | [`switch`] | two policies over one problem, and the rules by which they take turns |
-//! | [`recall`] | what a first policy can know of its past |
 //! | [`net`] | networks in integers, of any shape |
 //! | [`scalar`] | `f32` and `f64` |
 //!
@@ -33,7 +32,6 @@ pub mod cycle;
 pub mod net;
 pub mod ops;
 pub mod policy;
-pub mod recall;
 pub mod scalar;
 #[cfg(feature = "standalone")]
 pub mod standalone;

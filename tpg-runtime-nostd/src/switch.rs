@@ -8,7 +8,7 @@
 //! ```
 //! use tpg_runtime::cycle::Brent;
 //! use tpg_runtime::policy::Policy;
-//! use tpg_runtime::switch::{Cause, Driver, Hybrid, Settings, Switch, Unguarded};
+//! use tpg_runtime::switch::{Cause, Driver, Pair, Settings, Switch, Unguarded};
 //!
 //! /// Walks by a step.
 //! struct Walk(i32);
@@ -19,13 +19,13 @@
 //! }
 //!
 //! // The first policy rests at 0, the goal lies at 3: the second one takes over, for two actions.
-//! let hybrid = Hybrid { tpg: Walk(0), sac: Walk(1) };
+//! let pair = Pair { tpg: Walk(0), sac: Walk(1) };
 //! let settings = Settings { hand_back_after: 2, separation: 10.0 };
 //! let (mut place, distance) = (0, |place: i32| f64::from((3 - place).abs()));
 //! let mut switch = Switch::new(settings, Brent::new(), place, distance(place));
 //! let mut causes = Vec::new();
 //! for _ in 0..4 {
-//!     let chosen = hybrid.decide(&mut switch, &place, &Unguarded);
+//!     let chosen = pair.decide(&mut switch, &place, &Unguarded);
 //!     place += chosen.wanted;
 //!     causes.extend(switch.acted(chosen.driver, chosen.wanted == 0, place, distance(place)));
 //! }
@@ -169,7 +169,7 @@ impl<S: Scalar, D> Switch<S, D> {
 
     /// Notes an action that did not end the episode, and the state behind it; the reason why the second policy acts next,
     /// if it newly does. `rests` is judged by the caller: the action changes nothing, or a [`Patience`] is at an end.
-    #[inline(always)] // as `Hybrid::decide`
+    #[inline(always)] // as `Pair::decide`
     pub fn acted<K>(&mut self, driver: Driver, rests: bool, key: K, distance: S) -> Option<Cause>
     where
         D: CycleDetector<K>,
@@ -255,7 +255,7 @@ impl<A> Turn<A> {
 /// ```
 /// use tpg_runtime::cycle::Brent;
 /// use tpg_runtime::policy::Policy;
-/// use tpg_runtime::switch::{Answer, AskSwitch, Hybrid, Settings, Switch, Unguarded};
+/// use tpg_runtime::switch::{Answer, AskSwitch, Pair, Settings, Switch, Unguarded};
 ///
 /// /// Walks by 1, and asks at every third place.
 /// struct Walk;
@@ -274,12 +274,12 @@ impl<A> Turn<A> {
 /// }
 ///
 /// // Nothing but asking hands over: the separation is infinite, and no state repeats.
-/// let hybrid = Hybrid { tpg: Walk, sac: Leap };
+/// let pair = Pair { tpg: Walk, sac: Leap };
 /// let settings = Settings { hand_back_after: 1, separation: f32::INFINITY };
 /// let (mut place, distance) = (0, |place: i32| (9 - place) as f32);
 /// let mut switch = AskSwitch::new(Switch::new(settings, Brent::new(), place, distance(place)));
 /// while place < 9 {
-///     let turn = hybrid.decide_or_ask(&mut switch, &place, &Unguarded);
+///     let turn = pair.decide_or_ask(&mut switch, &place, &Unguarded);
 ///     place += turn.chosen.wanted;
 ///     switch.acted(&turn, false, place, distance(place));
 /// }
@@ -398,14 +398,14 @@ impl<State: ?Sized, A> Guard<State, A> for Unguarded {
 
 /// Two policies over one problem.
 #[derive(Clone, Copy, Debug)]
-pub struct Hybrid<T, P> {
+pub struct Pair<T, P> {
     /// The first, which drives.
     pub tpg: T,
     /// The second, which helps.
     pub sac: P,
 }
 
-impl<T: Policy, P: Policy<State = T::State, Action = T::Action>> Hybrid<T, P> {
+impl<T: Policy, P: Policy<State = T::State, Action = T::Action>> Pair<T, P> {
     /// The next action and the policy that chose it. A guard may hand over here: then both policies are asked, once each.
     #[inline(always)] // a problem's own function is this one with its guard
     pub fn decide<S: Scalar, D>(
@@ -427,7 +427,7 @@ impl<T: Policy, P: Policy<State = T::State, Action = T::Action>> Hybrid<T, P> {
     }
 }
 
-impl<A, T: Policy<Action = Answer<A>>, P: Policy<State = T::State, Action = A>> Hybrid<T, P> {
+impl<A, T: Policy<Action = Answer<A>>, P: Policy<State = T::State, Action = A>> Pair<T, P> {
     /// The next action where the first policy can ask. A guard judges what the first policy wants itself, and mends
     /// what the second one answers, whether it was asked or has its turn.
     pub fn decide_or_ask<S: Scalar, D>(

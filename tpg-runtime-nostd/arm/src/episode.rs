@@ -55,14 +55,14 @@ pub struct Summary<S> {
 ///
 /// It is the part that is the same for any policy: the arm on its way, and the ends that every policy shares.
 #[derive(Clone, Debug)]
-pub struct Course<S> {
+pub struct Simulation<S> {
     problem: ReachTask<S>,
     play: Play,
     observation: Observation<S>,
     actions: u32,
 }
 
-impl<S: Lattice> Course<S> {
+impl<S: Lattice> Simulation<S> {
     /// Puts the arm at the problem's start.
     pub fn new(arm: &Arm<S>, problem: ReachTask<S>, play: Play) -> Self {
         let observation = Observation::at(arm, problem.start, problem.target);
@@ -130,7 +130,7 @@ impl<S: Lattice> Course<S> {
 #[derive(Clone, Debug)]
 pub struct Episode<'a, S, D> {
     arm: &'a Arm<S>,
-    course: Course<S>,
+    simulation: Simulation<S>,
     detector: D,
 }
 
@@ -143,27 +143,27 @@ impl<'a, S: Lattice, D: CycleDetector<Pose>> Episode<'a, S, D> {
     /// Puts an arm whose joints have play at the problem's start.
     pub fn with_play(arm: &'a Arm<S>, problem: ReachTask<S>, mut detector: D, play: Play) -> Self {
         detector.reset(problem.start);
-        Self { arm, course: Course::new(arm, problem, play), detector }
+        Self { arm, simulation: Simulation::new(arm, problem, play), detector }
     }
 
     /// The observation that the policy sees now.
     pub fn observation(&self) -> &Observation<S> {
-        self.course.observation()
+        self.simulation.observation()
     }
 
     /// Actions done so far.
     pub fn actions(&self) -> u32 {
-        self.course.actions
+        self.simulation.actions
     }
 
-    /// Hand to target, mm, as [`Course::distance`].
+    /// Hand to target, mm, as [`Simulation::distance`].
     pub fn distance(&self) -> S {
-        self.course.distance(self.arm)
+        self.simulation.distance(self.arm)
     }
 
-    /// Does one action, as [`Course::advance`].
+    /// Does one action, as [`Simulation::advance`].
     pub fn advance(&mut self, wanted: Move) -> Option<Outcome> {
-        self.course.advance(self.arm, &mut self.detector, wanted)
+        self.simulation.advance(self.arm, &mut self.detector, wanted)
     }
 
     /// Lets the policy act until the end; `each` sees the pose after every action.
@@ -175,7 +175,7 @@ impl<'a, S: Lattice, D: CycleDetector<Pose>> Episode<'a, S, D> {
             let outcome = self.advance(policy.decide(self.observation()));
             each(self.observation().pose);
             if let Some(outcome) = outcome {
-                return self.course.summary(self.arm, outcome);
+                return self.simulation.summary(self.arm, outcome);
             }
         }
     }

@@ -1,9 +1,8 @@
 /*
  * The runtime of learned policies, in two parts.
  *
- * For any problem: TPG_VERSION and tpg_version, the codes from TPG_OK on, networks in integers (tpg_network_t and
- * tpg_network_*), and the memory of a graph that asks one (tpg_recall_t and tpg_recall_*). Graphs that tpg-codegen compiled
- * need nothing of this library.
+ * For any problem: TPG_VERSION and tpg_version, the codes from TPG_OK on, and networks in integers (tpg_network_t and
+ * tpg_network_*). Graphs that tpg-codegen compiled need nothing of this library.
  *
  * For the arm, everything else: kinematics and steps (tpg_arm_*), observation (tpg_observe, tpg_observation_*, tpg_memo_*),
  * generated policies and networks that drive it (tpg_policy_*, tpg_sac_*), two that share it (tpg_hybrid_*, tpg_switch_*),
@@ -17,8 +16,8 @@
  *
  * All memory is the caller's; there is no heap and no variable. Nothing behind a pointer to const is ever written. So any
  * number of tasks may share a tpg_arm_t, tpg_body_t, tpg_sac_t, tpg_network_t, tpg_policy_t, tpg_dodge_policy_t, a model and
- * settings. Each task needs its own tpg_hybrid_t, tpg_switch_t, tpg_watchdog_t, tpg_dodger_t, tpg_memo_t, tpg_recall_t, episodes
- * and scratch memory: two tasks must not use one of these at the same time.
+ * settings. Each task needs its own tpg_hybrid_t, tpg_switch_t, tpg_watchdog_t, tpg_dodger_t, tpg_memo_t, episodes and scratch
+ * memory: two tasks must not use one of these at the same time.
  *
  * Readings that cannot be move nothing: a decision answers TPG_BAD_TARGET, TPG_BAD_SENSOR or TPG_STUCK with a move of zero,
  * and what it keeps is as before. docs/sensors.md has the whole contract, and how a caller recovers.
@@ -605,19 +604,6 @@ typedef struct {
   uint64_t opaque[TPG_NETWORK_WORDS];
 } tpg_network_t;
 
-// The memory of an episode, for the sources of a graph that was trained with it: copy each value to the field of its name.
-// Begun by tpg_recall_init; tpg_recall_acted follows every action. Counts stay at 16,777,216.
-typedef struct {
-  // The least distance so far.
-  float least;
-  // The distance beyond the least; 0 where it is no number.
-  float drift;
-  // Actions since the least distance was reached.
-  float since_progress;
-  // Actions since the network decided, or since the start.
-  float since_asked;
-} tpg_recall_t;
-
 // The watch over an arm's motors, for control loops without a hybrid: tpg_watchdog_check before every decision,
 // tpg_watchdog_commanded after it. A tpg_switch_t holds one of its own. Opaque; initialised by tpg_watchdog_init.
 typedef struct {
@@ -876,15 +862,6 @@ int32_t tpg_policy_decide(const tpg_policy_t *policy,
                           const tpg_observation_t *observation,
                           tpg_memo_t *memo,
                           tpg_move_t *wanted);
-
-// Begins an episode at a distance to the goal. INFINITY where it is not known before the first action.
-int32_t tpg_recall_init(tpg_recall_t *recall, float distance);
-
-// Notes an action, and the distance to the goal behind it. `asked` is 0 for the graph's own action, anything else for the
-// network's.
-int32_t tpg_recall_acted(tpg_recall_t *recall,
-                         int32_t asked,
-                         float distance);
 
 // Checks a model of `words` 32-bit words and borrows it: it must stay where it is and as it is, in flash say, for as long
 // as `sac` is used.

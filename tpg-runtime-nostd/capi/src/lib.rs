@@ -14,7 +14,6 @@
 //! | [`memo`] | the parts of sources that depend on the target alone |
 //! | [`policy`] | the hook for generated code |
 //! | [`network`] | a network in integers, for any problem |
-//! | [`recall`] | what a graph that asks can know of its past |
 //! | [`sac`] | the arm's network in integers |
 //! | [`hybrid`] | a generated policy and a network that share an arm |
 //! | [`dodge`] | the control step of an arm among moving balls |
@@ -35,7 +34,6 @@ pub mod memory;
 pub mod network;
 pub mod observation;
 pub mod policy;
-pub mod recall;
 pub mod sac;
 pub mod sensors;
 

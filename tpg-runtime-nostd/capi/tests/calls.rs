@@ -14,7 +14,6 @@ use tpg_runtime_capi::memo::*;
 use tpg_runtime_capi::network::*;
 use tpg_runtime_capi::observation::*;
 use tpg_runtime_capi::policy::*;
-use tpg_runtime_capi::recall::*;
 use tpg_runtime_capi::sac::*;
 use tpg_runtime_capi::sensors::*;
 use tpg_testing::numbers::Numbers;
@@ -169,15 +168,6 @@ fn every_function_keeps_to_the_memory_that_it_was_given() {
             let mut action = raw::<u16>();
             let choose = tpg_network_choose(network, target.as_ptr(), 3, scratch, needed, action.as_mut_ptr());
             assert_eq!(choose, TPG_ARGUMENT);
-            let mut recall = raw::<tpg_recall_t>();
-            let (recall, distance) = (recall.as_mut_ptr(), any_float(&mut numbers));
-            assert_eq!(tpg_recall_init(recall, distance), TPG_OK);
-            assert_eq!(tpg_recall_acted(recall, round % 2, any_float(&mut numbers)), TPG_OK);
-            let kept = recall.read();
-            assert!(kept.drift >= 0.0 && kept.since_progress <= 1.0, "{kept:?}");
-            assert_eq!(kept.since_asked, if round % 2 == 0 { 1.0 } else { 0.0 });
-            assert_eq!(tpg_recall_init(null_mut(), distance), TPG_NULL);
-            assert_eq!(tpg_recall_acted(recall.cast::<u8>().wrapping_add(1).cast(), 0, 0.0), TPG_MISALIGNED);
             // Pointers that can be noticed, and an arm that cannot be.
             assert_eq!(tpg_arm_hand(null(), &pose, values), TPG_NULL);
             let misaligned = (&raw const pose).cast::<u8>().wrapping_add(1).cast();

@@ -16,7 +16,7 @@ use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::Policy;
 use tpg_runtime::scalar::Scalar;
 use tpg_runtime::switch::{
-    Answer, AskSwitch, CAUSES, Cause, Chosen, Counts, Driver, Guard, Hybrid, NEVER, Patience, Switch,
+    Answer, AskSwitch, CAUSES, Cause, Chosen, Counts, Driver, Guard, NEVER, Pair, Patience, Switch,
 };
 
 /// The name by which a graph asks the network beside it.
@@ -105,7 +105,7 @@ pub fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
             fit(network, environment)?;
             let tpg = graph_policy::<S, M, _>(graph, environment)?;
             network.1.deciding(|decide| {
-                let hybrid = Hybrid { tpg, sac: network_policy(environment, decide) };
+                let hybrid = Pair { tpg, sac: network_policy(environment, decide) };
                 tasks.iter().map(|task| together(environment, task, &hybrid, setting)).collect()
             })
         }
@@ -156,7 +156,7 @@ pub fn rises<S: Scalar, M: Maths<S>, E: Environment<S>>(
 ) -> Result<Vec<f64>, InputError> {
     let graph = graph_policy::<S, M, _>(graph, environment)?;
     Ok(network.1.deciding(|decide| {
-        let hybrid = Hybrid { tpg: graph, sac: network_policy(environment, decide) };
+        let hybrid = Pair { tpg: graph, sac: network_policy(environment, decide) };
         let mut rises = Vec::new();
         for task in tasks {
             let mut least: Option<f64> = None;
@@ -203,7 +203,7 @@ type State<'e, S, E> = RefCell<Rollout<'e, S, E>>;
 fn together<'e, S: Scalar, E: Environment<S>, T, P>(
     environment: &'e E,
     task: &E::Task,
-    hybrid: &Hybrid<T, P>,
+    hybrid: &Pair<T, P>,
     setting: &Setting,
 ) -> Episode
 where
@@ -224,7 +224,7 @@ where
 fn watched<'e, S: Scalar, E: Environment<S>, T, P>(
     environment: &'e E,
     task: &E::Task,
-    hybrid: &Hybrid<T, P>,
+    hybrid: &Pair<T, P>,
     setting: &Setting,
     detector: impl CycleDetector<u64>,
     mut seen: impl FnMut(f64),

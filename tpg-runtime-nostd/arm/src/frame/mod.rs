@@ -186,11 +186,6 @@ impl<'a, S: Lattice> Frame<'a, S> {
         [front - at, back - at]
     }
 
-    /// Elevation of the target over the shoulder's horizon, rad, −π/2..π/2: atan2(t_z − base height, range).
-    pub fn target_elevation(&self) -> S {
-        (self.target[2] - self.arm.links.base).atan2(self.target_range())
-    }
-
     /// Elevation of the hand over the shoulder's horizon, rad, −π..π: atan2(z − base height, ρ). Beyond ±π/2 the arm
     /// reaches over its back.
     pub fn hand_elevation(&self) -> S {
@@ -207,17 +202,6 @@ impl<'a, S: Lattice> Frame<'a, S> {
     pub fn hand_reach(&self) -> S {
         let (radius, height) = (self.radius(), self.height() - self.arm.links.base);
         (radius * radius + height * height).sqrt()
-    }
-
-    /// Error of the hand at right angles to the line from the shoulder, in the arm plane, mm:
-    /// (ρ ζt − ζh t_r) / reach of the hand, where ζ is the height over the shoulder.
-    ///
-    /// Positive where the hand must rise (on the front side). 0/0 = NaN when the hand is at the shoulder, which no
-    /// pose of the arm reaches.
-    pub fn tangential_error(&self) -> S {
-        let base = self.arm.links.base;
-        let (hand, target) = (self.height() - base, self.target[2] - base);
-        (self.radius() * target - hand * self.target_radius()) / self.hand_reach()
     }
 
     /// Ticks that a joint can still rise before its upper limit; 0 for a joint that does not exist.

@@ -3,7 +3,7 @@
 use super::{Chosen, Counts, Driver, Hybrid, NEVER, Switch};
 use crate::arm::{Move, Play, Pose};
 use crate::cycle::{Brent, CycleDetector};
-use crate::episode::{Course, Outcome, ReachTask, Summary};
+use crate::episode::{Outcome, ReachTask, Simulation, Summary};
 use crate::kinematics::Lattice;
 use crate::observation::Observation;
 use tpg_runtime::policy::Policy;
@@ -25,7 +25,7 @@ pub struct HybridSummary<S> {
 #[derive(Clone, Debug)]
 pub struct HybridEpisode<'a, S, T, P, D> {
     hybrid: &'a Hybrid<'a, S, T, P>,
-    course: Course<S>,
+    simulation: Simulation<S>,
     switch: Switch<S, D>,
     /// Watches the network once it keeps the arm to the end.
     last_turn: Option<Brent>,
@@ -45,14 +45,14 @@ where
 
     /// Puts an arm whose joints have play at the problem's start.
     pub fn with_play(hybrid: &'a Hybrid<'a, S, T, P>, problem: ReachTask<S>, detector: D, play: Play) -> Self {
-        let course = Course::new(hybrid.arm, problem, play);
-        let switch = Switch::new(hybrid.settings, detector, course.observation());
-        Self { hybrid, course, switch, last_turn: None }
+        let simulation = Simulation::new(hybrid.arm, problem, play);
+        let switch = Switch::new(hybrid.settings, detector, simulation.observation());
+        Self { hybrid, simulation, switch, last_turn: None }
     }
 
     /// The observation that the policies see now.
     pub fn observation(&self) -> &Observation<S> {
-        self.course.observation()
+        self.simulation.observation()
     }
 
     /// Whose turn it is, and what happened so far.
@@ -70,35 +70,35 @@ where
 
     /// The first half of [`advance`](Self::advance): what a controller computes between two readings of the motors.
     pub fn decide(&mut self) -> Chosen {
-        self.hybrid.decide(&mut self.switch, self.course.observation())
+        self.hybrid.decide(&mut self.switch, self.simulation.observation())
     }
 
     /// The second half: moves the arm and tells the switch.
     pub fn act(&mut self, chosen: Chosen) -> Option<Outcome> {
         if chosen.driver == Driver::Sac && self.hybrid.settings.hand_back_after == NEVER && self.last_turn.is_none() {
             let mut detector = Brent::new();
-            detector.reset(self.course.observation().pose);
+            detector.reset(self.simulation.observation().pose);
             self.last_turn = Some(detector);
         }
-        let outcome = self.course.step(self.hybrid.arm, chosen.wanted);
+        let outcome = self.simulation.step(self.hybrid.arm, chosen.wanted);
         if outcome.is_some() {
             self.switch.ended(chosen);
             return outcome;
         }
-        self.switch.acted(chosen, self.course.observation());
-        let pose = self.course.observation().pose;
+        self.switch.acted(chosen, self.simulation.observation());
+        let pose = self.simulation.observation().pose;
         let cycles = chosen.driver == Driver::Sac && self.last_turn.as_mut().is_some_and(|d| d.repeats(pose));
-        if cycles { Some(Outcome::Cycle) } else { self.course.timeout() }
+        if cycles { Some(Outcome::Cycle) } else { self.simulation.timeout() }
     }
 
     /// Lets the hybrid act until the end; `each` sees the policy that acted and the pose after every action.
     pub fn run(mut self, mut each: impl FnMut(Driver, Pose)) -> HybridSummary<S> {
         loop {
             let (driver, outcome) = self.advance();
-            each(driver, self.course.observation().pose);
+            each(driver, self.simulation.observation().pose);
             if let Some(outcome) = outcome {
                 return HybridSummary {
-                    summary: self.course.summary(self.hybrid.arm, outcome),
+                    summary: self.simulation.summary(self.hybrid.arm, outcome),
                     counts: *self.switch.counts(),
                 };
             }

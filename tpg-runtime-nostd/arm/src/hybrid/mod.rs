@@ -159,7 +159,7 @@ where
 {
     /// The next action and the policy that chose it. A guard may hand over here: then both policies are asked, once each.
     pub fn decide<D: CycleDetector<Pose>>(&self, switch: &mut Switch<S, D>, seen: &Observation<S>) -> Chosen {
-        let both = switch::Hybrid { tpg: &self.tpg, sac: &self.sac };
+        let both = switch::Pair { tpg: &self.tpg, sac: &self.sac };
         let guard = Guarded { arm: self.arm, guard: self.settings.guard, leeway: &switch.leeway };
         both.decide(&mut switch.turns, seen, &guard)
     }

@@ -12,7 +12,6 @@ use tpg_runtime_capi::memo::*;
 use tpg_runtime_capi::network::*;
 use tpg_runtime_capi::observation::*;
 use tpg_runtime_capi::policy::*;
-use tpg_runtime_capi::recall::*;
 use tpg_runtime_capi::sac::*;
 use tpg_runtime_capi::sensors::*;
 
@@ -115,7 +114,6 @@ pub fn call(data: &[u8]) {
         behaviours: behaviours.as_ptr(),
         behaviour_count: behaviours.len(),
     };
-    let mut recall = tpg_recall_t { least: 0.0, drift: 0.0, since_progress: 0.0, since_asked: 0.0 };
     let mut words = tpg_generated::widowx_sac::MODEL.to_vec();
     let mut scratch = vec![0_u32; 4096];
     let (mut wanted, mut pose) = (tpg_move_t { ticks: [0; 4] }, tpg_pose_t { ticks: [2048; 4] });
@@ -291,8 +289,6 @@ pub fn call(data: &[u8]) {
                     assert_eq!(tpg_arm_hand(&arm, misaligned, values.as_mut_ptr()), TPG_MISALIGNED);
                     known(tpg_arm_collision(&arm, &pose, &mut answer));
                     known(tpg_arm_home(&arm, &mut pose));
-                    known(tpg_recall_acted(&mut recall, i32::from(bytes.byte() % 2), bytes.float()));
-                    assert!(recall.drift >= 0.0, "{recall:?}");
                 }
             }
         }

@@ -128,7 +128,6 @@ int main(int count, char **arguments)
     tpg_episode_t *episode = BLOCK(tpg_episode_t);
     tpg_hybrid_t *hybrid = BLOCK(tpg_hybrid_t);
     tpg_switch_t *turn = BLOCK(tpg_switch_t);
-    tpg_recall_t *recall = BLOCK(tpg_recall_t);
     tpg_hybrid_episode_t *hybrid_episode = BLOCK(tpg_hybrid_episode_t);
     tpg_memo_t *memo = BLOCK(tpg_memo_t);
     tpg_watchdog_t *watchdog = BLOCK(tpg_watchdog_t);
@@ -304,8 +303,6 @@ int main(int count, char **arguments)
             break;
         case 24U:
             (void)did(tpg_memo_init((tpg_memo_t *)any(memo)));
-            (void)did(tpg_recall_init((tpg_recall_t *)any(recall), any_float()));
-            (void)did(tpg_recall_acted((tpg_recall_t *)any(recall), (int32_t)below(2U), any_float()));
             break;
         case 25U:
             (void)did(tpg_observe((const tpg_arm_t *)any(other), (const tpg_pose_t *)any(pose), (const float *)any(target),

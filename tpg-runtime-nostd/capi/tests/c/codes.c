@@ -156,8 +156,6 @@ static void memos(void)
     CHECK(tpg_arm_init(&shorter, &description) == TPG_OK);
     CHECK(tpg_arm_home(&arm, &pose) == TPG_OK);
     CHECK(tpg_observe(&arm, &pose, targets[0], &seen) == TPG_OK);
-    CHECK(tpg_recall_init(NULL, 1.0F) == TPG_NULL);
-    CHECK(tpg_recall_acted(MISALIGNED(tpg_recall_t), 0, 1.0F) == TPG_MISALIGNED);
     CHECK(tpg_memo_init(NULL) == TPG_NULL);
     CHECK(tpg_memo_init(MISALIGNED(tpg_memo_t)) == TPG_MISALIGNED);
     CHECK(tpg_observation_state(&arm, &seen, &memo, stance, 1U, kept, 4U) == TPG_STATE);

@@ -3,7 +3,7 @@
 use crate::arm::environment::ArmProblem;
 use crate::arm::targets::Task;
 use tpg_arm::cycle::{Brent, CycleDetector as _};
-use tpg_arm::episode::{Course, Outcome};
+use tpg_arm::episode::{Outcome, Simulation};
 use tpg_arm::frame::Frame;
 use tpg_arm::{Arm, Move, Pose};
 use tpg_engine::{End, Ending, Step};
@@ -13,7 +13,7 @@ use tpg_engine::{End, Ending, Step};
 pub(super) struct Trial {
     rules: ArmProblem,
     target: [f64; 3],
-    course: Course<f32>,
+    course: Simulation<f32>,
     detector: Brent,
 }
 
@@ -21,7 +21,7 @@ impl Trial {
     pub(super) fn new(arm: &Arm<f32>, rules: ArmProblem, task: &Task) -> Self {
         let mut detector = Brent::new();
         detector.reset(task.start);
-        let course = Course::new(arm, rules.reach(task), rules.play(task));
+        let course = Simulation::new(arm, rules.reach(task), rules.play(task));
         Self { rules, target: task.target, course, detector }
     }
 
