@@ -1,5 +1,6 @@
 //! Rewards and episode endings.
 
+use crate::moments::Sample;
 use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 
@@ -125,9 +126,7 @@ impl Summary {
 
     /// Returns the standard deviation of the scores of the same `endings` (of the sample, n − 1); 0 for a single one.
     pub fn score_deviation(&self, endings: &[Ending]) -> f64 {
-        let square = |ending: &Ending| (ending.score - self.score) * (ending.score - self.score);
-        let squares: f64 = endings.iter().map(square).sum();
-        (squares / endings.len().saturating_sub(1).max(1) as f64).sqrt()
+        Sample::new(&endings.iter().map(|ending| ending.score).collect::<Vec<_>>()).sample_deviation()
     }
 
     /// Compares two results on a problem: the greater one is better.

@@ -19,7 +19,7 @@
 //! | [`Ending`], [`Summary`], [`Preference`] | results |
 //! | [`PolicyGraph`], [`Plan`], [`Node`], [`Arena`] | a graph in the engine's own form |
 //! | [`Lanes`], [`Single`], [`EngineOptions`], [`History`] | execution |
-//! | [`Evaluator`], [`LocalThreads`], [`Work`], [`Piece`], [`Visit`], [`Play`], [`Moments`] | evaluation of many roots, on threads or elsewhere |
+//! | [`Evaluator`], [`LocalThreads`], [`Work`], [`Piece`], [`Visit`], [`Play`], [`Moments`], [`Sample`] | evaluation of many roots, on threads or elsewhere |
 //! | [`forward`](crate::forward!) | environments that wrap another one |
 //! | [`random`] | independent streams of random numbers, one for each purpose |
 
@@ -70,7 +70,7 @@ pub use extensions::{BID_BOUND, Drawn, Guarded, TaskSet, Training, bid_bounds, c
 pub use history::{History, Repeat};
 pub use lanes::Lanes;
 pub use mapped::Mapped;
-pub use moments::Moments;
+pub use moments::{Moments, Sample};
 pub use nodes::{Arena, Node, NodeId};
 pub use one_by_one::OneByOne;
 pub use options::EngineOptions;

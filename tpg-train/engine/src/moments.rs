@@ -1,6 +1,49 @@
-//! Mean and spread of states.
+//! Mean and spread of numbers and of states.
 
 use serde::{Deserialize, Serialize};
+
+/// Mean and spread of some numbers.
+///
+/// ```
+/// use tpg_engine::Sample;
+///
+/// let sample = Sample::new(&[1.0, 3.0, 5.0]);
+/// assert_eq!((sample.mean, sample.sample_deviation()), (3.0, 2.0));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sample {
+    /// Number of numbers.
+    pub count: usize,
+    /// The mean; 0 without numbers.
+    pub mean: f64,
+    /// Sum of the squared distances from the mean.
+    squares: f64,
+}
+
+impl Sample {
+    /// Computes mean and spread.
+    pub fn new(numbers: &[f64]) -> Self {
+        let mean = numbers.iter().sum::<f64>() / numbers.len().max(1) as f64;
+        let squares = numbers.iter().map(|number| (number - mean) * (number - mean)).sum();
+        Self { count: numbers.len(), mean, squares }
+    }
+
+    /// Returns the standard deviation of the population (n); 0 for a single number.
+    pub fn deviation(&self) -> f64 {
+        (self.squares / self.count.max(1) as f64).sqrt()
+    }
+
+    /// Returns the standard deviation of the sample (n − 1); 0 for a single number.
+    pub fn sample_deviation(&self) -> f64 {
+        (self.squares / self.count.saturating_sub(1).max(1) as f64).sqrt()
+    }
+
+    /// Returns the 95 % interval of the mean, of ± 1.96 standard errors.
+    pub fn interval(&self) -> [f64; 2] {
+        let half = 1.959_963_984_540_054 * self.sample_deviation() / (self.count.max(1) as f64).sqrt();
+        [self.mean - half, self.mean + half]
+    }
+}
 
 /// Mean and spread of each value of some states, without these (Welford 1962; merged as by Chan, Golub and LeVeque 1979).
 ///

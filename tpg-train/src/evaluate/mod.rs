@@ -2,7 +2,6 @@
 
 mod report;
 
-pub(crate) use report::mean_with_confidence;
 pub use report::{Asks, EvaluationReport, HybridFigures, confidence};
 
 use crate::files::{read_graph, read_text};

@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use tpg_engine::{Measure, Summary, finite};
+use tpg_engine::{Measure, Sample, Summary, finite};
 use tpg_graph::Graph;
 
 /// The result of a policy on test episodes. Rates are between 0 and 1; scores have the problem's unit.
@@ -82,19 +82,10 @@ impl Asks {
     /// The figures of a trial; none if the graph does not ask.
     fn of(graph: &Graph, done: &HybridTrial) -> Option<Self> {
         graph.asks().next()?;
-        let (asks, asks_ci95) = mean_with_confidence(done.asks.iter().map(|&asks| asks.into()));
-        let (_, mean_score_ci95) = mean_with_confidence(done.endings.iter().map(|ending| finite(ending.score)));
-        Some(Self { asks, asks_ci95, mean_score_ci95 })
+        let asks = Sample::new(&done.asks.iter().map(|&asks| asks.into()).collect::<Vec<_>>());
+        let scores = Sample::new(&done.endings.iter().map(|ending| finite(ending.score)).collect::<Vec<_>>());
+        Some(Self { asks: asks.mean, asks_ci95: asks.interval(), mean_score_ci95: scores.interval() })
     }
-}
-
-/// Computes the mean of values and its 95 % interval, of ± 1.96 standard errors.
-pub(crate) fn mean_with_confidence(values: impl ExactSizeIterator<Item = f64> + Clone) -> (f64, [f64; 2]) {
-    let count = values.len().max(1) as f64;
-    let mean = values.clone().sum::<f64>() / count;
-    let squares: f64 = values.map(|value| (value - mean) * (value - mean)).sum();
-    let half = Z * (squares / (count - 1.0).max(1.0) / count).sqrt();
-    (mean, [mean - half, mean + half])
 }
 
 /// Lists hand-overs for people.

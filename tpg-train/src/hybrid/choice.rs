@@ -3,9 +3,8 @@
 use super::cells::Cell;
 use super::setting::{Detector, Setting};
 use super::span::Span;
-use super::spread::Spread;
 use serde::Serialize;
-use tpg_engine::Preference;
+use tpg_engine::{Preference, Sample};
 
 /// One row of `settings.csv`: a setting, averaged over all pairs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -44,7 +43,7 @@ pub struct Summary {
 impl Summary {
     fn new(setting: &Setting, cells: &[&Cell]) -> Self {
         let spread =
-            |value: &dyn Fn(&Cell) -> f64| Spread::of(&cells.iter().map(|cell| value(cell)).collect::<Vec<_>>());
+            |value: &dyn Fn(&Cell) -> f64| Sample::new(&cells.iter().map(|cell| value(cell)).collect::<Vec<_>>());
         let score = spread(&|cell| cell.mean_score);
         let success = cells.iter().all(|cell| cell.success.is_some());
         Self {
@@ -54,7 +53,7 @@ impl Summary {
             patience: setting.patience,
             guard: setting.guard.clone(),
             score: score.mean,
-            score_sd: score.sd,
+            score_sd: score.deviation(),
             success: success.then(|| spread(&|cell| cell.success.unwrap_or(0.0)).mean),
             measure: spread(&|cell| cell.mean_measure).mean,
             steps: spread(&|cell| cell.mean_steps).mean,

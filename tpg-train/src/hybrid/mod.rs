@@ -11,7 +11,7 @@
 //! | [`asking`] | one more action for a graph: ask the network, at a price |
 //! | [`study`] | every pair under every setting, in a folder |
 //! | [`cells`] | the rows of a study |
-//! | [`choice`], [`spread`] | means over pairs, Pareto front, the setting to use |
+//! | [`choice`] | means over pairs, Pareto front, the setting to use |
 //! | [`report`] | the study as a page |
 //! | [`command`] | `tpg-train hybrid` |
 //! | [`constants`](mod@constants) | `tpg-train constants` |
@@ -25,6 +25,5 @@ pub mod report;
 pub mod setting;
 pub mod shared;
 pub mod span;
-pub mod spread;
 pub mod study;
 pub mod trial;

@@ -3,14 +3,7 @@
 use super::runs::{Group, Run};
 use crate::picture::{Axis, Colour, Figure, Plot, Section};
 use std::collections::BTreeMap;
-
-/// Returns the mean, and the sample standard deviation if there are at least two values; `None` for no values.
-pub(super) fn mean_and_sd(values: &[f64]) -> Option<(f64, Option<f64>)> {
-    let count = values.len() as f64;
-    let mean = if values.is_empty() { return None } else { values.iter().sum::<f64>() / count };
-    let squares: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();
-    Some((mean, (values.len() > 1).then(|| (squares / (count - 1.0)).sqrt())))
-}
+use tpg_engine::Sample;
 
 /// The label of axes of scores.
 const SCORE: &str = "score";
@@ -124,18 +117,9 @@ fn over_seeds(runs: &[Run], curve: &str) -> Vec<(f64, f64, Option<f64>)> {
     for [x, y] in runs.iter().filter_map(|run| run.curves.get(curve)).flatten() {
         at.entry(x.to_bits()).or_default().push(*y);
     }
-    let point = |(x, values): (u64, Vec<f64>)| mean_and_sd(&values).map(|(mean, sd)| (f64::from_bits(x), mean, sd));
-    at.into_iter().filter_map(point).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::mean_and_sd;
-
-    #[test]
-    fn mean_and_deviation_of_the_sample() {
-        assert_eq!(mean_and_sd(&[]), None);
-        assert_eq!(mean_and_sd(&[3.0]), Some((3.0, None)));
-        assert_eq!(mean_and_sd(&[1.0, 3.0, 5.0]), Some((3.0, Some(2.0))));
-    }
+    let point = |(x, values): (u64, Vec<f64>)| {
+        let sample = Sample::new(&values);
+        (f64::from_bits(x), sample.mean, (sample.count > 1).then(|| sample.sample_deviation()))
+    };
+    at.into_iter().map(point).collect()
 }

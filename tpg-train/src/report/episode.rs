@@ -1,7 +1,7 @@
 //! Episodes of a graph, action by action: what it sees and does, in the problem's units.
 
 use crate::picture::{Axis, Colour, Figure, Plot, Section, Table};
-use tpg_engine::{Act, ActionSpace, Environment, SourceSet};
+use tpg_engine::{ActionSpace, Decision, Environment, Rollout, SourceSet};
 use tpg_graph::Graph;
 use tpg_graph::error::counted;
 use tpg_graph::interpret::{Answer, Interpreter};
@@ -22,7 +22,7 @@ pub(super) struct Watched {
     /// Name and unit of each value that the graph sees.
     values: Vec<(String, String)>,
     answer: AnswerAxis,
-    episodes: Vec<Course>,
+    episodes: Vec<Shown>,
     /// Mean return of all episodes.
     score: f64,
     /// Mean return of the same episodes where one value alone is held at its mean, in the order of the values.
@@ -42,7 +42,7 @@ enum AnswerAxis {
 
 /// An episode.
 #[derive(Debug)]
-struct Course {
+struct Shown {
     outcome: &'static str,
     score: f64,
     /// The state before each action.
@@ -71,50 +71,45 @@ pub(super) fn watch<S: Scalar, M: Maths<S>, E: Environment<S>>(
         }
         ActionSpace::MultiDiscrete(_) => return None,
     };
-    let length: usize = environment.sources().iter().map(|source| source.length as usize).sum();
     let interpreter = Interpreter::<S, M>::new(graph);
-    let course = |task: &E::Task, held: Option<(usize, S)>| {
-        let mut episode = environment.start(task);
-        let mut seen = vec![S::ZERO; length];
-        let mut course = Course { outcome: "", score: 0.0, states: Vec::new(), answers: Vec::new() };
-        for _ in 0..environment.time_limit() {
-            environment.observe(&mut episode, SourceSet::ALL, &mut seen);
+    let episode = |task: &E::Task, held: Option<(usize, S)>| {
+        let mut rollout = Rollout::new(environment, task);
+        let (mut states, mut answers) = (Vec::new(), Vec::new());
+        loop {
+            let seen = rollout.observe(SourceSet::ALL);
             let mut state: Vec<S> = places.iter().map(|&place| seen[place]).collect();
             if let Some((place, value)) = held {
                 state[place] = value;
             }
-            let step = match interpreter.answer(&state) {
+            let decision = match interpreter.answer(&state) {
                 Answer::Action(ActionId(action)) => {
                     let action = actions.get(usize::from(action)).copied().unwrap_or_default();
-                    course.answers.push(action as f64);
-                    environment.step(&mut episode, Act::Choice(ActionId(action as u16)))
+                    answers.push(action as f64);
+                    Decision::Choice(ActionId(action as u16))
                 }
                 Answer::Values(values) => {
-                    course.answers.push(values.first().copied().unwrap_or_default());
-                    let values: Vec<S> = values.into_iter().map(S::from_f64).collect();
-                    environment.step(&mut episode, Act::Values(&values))
+                    answers.push(values.first().copied().unwrap_or_default());
+                    Decision::Values(values.into_iter().map(S::from_f64).collect())
                 }
             };
-            course.states.push(state.into_iter().map(S::to_f64).collect());
-            course.score += step.reward;
-            if let Some(end) = step.end {
-                return course.ending(environment.outcomes(), end.outcome);
+            states.push(state.into_iter().map(S::to_f64).collect());
+            if let Some(ending) = rollout.act(decision.act()) {
+                let outcome = environment.outcomes().get(usize::from(ending.outcome)).copied().unwrap_or("ended");
+                return Shown { outcome, score: ending.score, states, answers };
             }
         }
-        let end = environment.timeout(&episode);
-        course.ending(environment.outcomes(), end.outcome)
     };
     let values = graph.inputs().map(|input| {
         let (source, place) = graph.source_of(input);
         let name = if source.ranges.len() == 1 { source.name.clone() } else { format!("{}[{place}]", source.name) };
         (name, source.unit.clone())
     });
-    let mut episodes: Vec<Course> = tasks.iter().map(|task| course(task, None)).collect();
+    let mut episodes: Vec<Shown> = tasks.iter().map(|task| episode(task, None)).collect();
     let score = mean(episodes.iter().map(|episode| episode.score));
     let middle = |place: usize| mean(episodes.iter().flat_map(|episode| &episode.states).map(|state| state[place]));
     let holding = |place: usize| {
         let held = S::from_f64(middle(place));
-        mean(tasks.iter().map(|task| course(task, Some((place, held))).score))
+        mean(tasks.iter().map(|task| episode(task, Some((place, held))).score))
     };
     let held = (0..places.len()).map(holding).collect();
     episodes.truncate(EPISODES);
@@ -163,17 +158,11 @@ fn labelled(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.to_owned() } else { format!("{name}, {unit}") }
 }
 
-impl Course {
-    fn ending(self, outcomes: &[&'static str], outcome: u8) -> Self {
-        Self { outcome: outcomes.get(usize::from(outcome)).copied().unwrap_or("ended"), ..self }
-    }
-}
-
 /// Draws each value that the graph sees, and what it does, over the actions of the first episodes.
 pub(super) fn figures(watched: &Watched) -> Vec<Figure> {
     let longest = watched.episodes.iter().map(|episode| episode.answers.len()).max().unwrap_or(1);
     let x = || Axis::linear("action").between(0.0, longest as f64);
-    let draw = |y: Axis, caption: String, of: &dyn Fn(&Course) -> Vec<f64>| {
+    let draw = |y: Axis, caption: String, of: &dyn Fn(&Shown) -> Vec<f64>| {
         let mut plot = Plot::new(x(), y);
         for (place, episode) in watched.episodes.iter().enumerate() {
             let points: Vec<[f64; 2]> = (0..).map(f64::from).zip(of(episode)).map(|(x, y)| [x, y]).collect();
@@ -184,7 +173,7 @@ pub(super) fn figures(watched: &Watched) -> Vec<Figure> {
     };
     let values = watched.values.iter().enumerate().take(VALUES).map(|(place, (name, unit))| {
         let caption = format!("The first test episodes: {name} before each action.");
-        draw(Axis::linear(&labelled(name, unit)), caption, &move |episode: &Course| {
+        draw(Axis::linear(&labelled(name, unit)), caption, &move |episode: &Shown| {
             episode.states.iter().map(|state| state[place]).collect()
         })
     });
@@ -193,7 +182,7 @@ pub(super) fn figures(watched: &Watched) -> Vec<Figure> {
         AnswerAxis::Actions(names) => Axis::names("action taken", names.clone()),
         AnswerAxis::Output(label) => Axis::linear(label),
     };
-    figures.push(draw(axis, "The first test episodes: what the policy does.".to_owned(), &|episode: &Course| {
+    figures.push(draw(axis, "The first test episodes: what the policy does.".to_owned(), &|episode: &Shown| {
         episode.answers.clone()
     }));
     figures

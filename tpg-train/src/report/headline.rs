@@ -2,12 +2,12 @@
 
 use super::runs::{Group, Kind, Run};
 use super::test::Tested;
-use crate::evaluate::{confidence, mean_with_confidence};
+use crate::evaluate::confidence;
 use crate::picture::Headline;
 use tpg_codegen::emit::Code;
 use tpg_codegen::options::Language;
 use tpg_codegen::{Options, compile, size};
-use tpg_engine::finite;
+use tpg_engine::{Sample, finite};
 use tpg_graph::Graph;
 
 /// Returns one headline for each group; `best` is the place of its best run.
@@ -55,9 +55,9 @@ fn result(tested: &Tested) -> String {
             format!("{:.1} % ({low:.1} to {high:.1})", 100.0 * rate)
         }
         None => {
-            let scores = tested.endings.iter().map(|ending| finite(ending.score));
-            let (score, [_, high]) = mean_with_confidence(scores);
-            format!("return {score:.2} ± {:.2}", high - score)
+            let scores = Sample::new(&tested.endings.iter().map(|ending| finite(ending.score)).collect::<Vec<_>>());
+            let [_, high] = scores.interval();
+            format!("return {:.2} ± {:.2}", scores.mean, high - scores.mean)
         }
     }
 }

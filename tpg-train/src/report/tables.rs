@@ -3,6 +3,7 @@
 use super::runs::{Group, Kind, Run};
 use super::test::Tested;
 use crate::picture::{Section, Table};
+use tpg_engine::Sample;
 use tpg_graph::error::counted;
 
 pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Section {
@@ -111,9 +112,10 @@ fn one_decimal(value: f64) -> String {
 
 /// Formats mean ± standard deviation (of the sample, n − 1); for a single value, the value itself.
 fn spread(values: &[f64]) -> String {
-    match super::curves::mean_and_sd(values) {
-        None => String::new(),
-        Some((mean, None)) => one_decimal(mean),
-        Some((mean, Some(sd))) => format!("{mean:.1} ± {sd:.1}"),
+    let sample = Sample::new(values);
+    match sample.count {
+        0 => String::new(),
+        1 => one_decimal(sample.mean),
+        _ => format!("{:.1} ± {:.1}", sample.mean, sample.sample_deviation()),
     }
 }

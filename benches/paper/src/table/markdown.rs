@@ -5,9 +5,9 @@ use super::paper;
 use super::rows::Row;
 use super::timing::Time;
 use askama::Template;
+use tpg_engine::Sample;
 use tpg_problems::arm::targets::Start;
 use tpg_train::evaluate::confidence;
-use tpg_train::hybrid::spread::Spread;
 
 /// All results of one problem.
 #[derive(Debug)]
@@ -80,9 +80,13 @@ fn grid<const N: usize>(names: [&str; N], rows: impl IntoIterator<Item = [String
     head.into_iter().chain(rows).map(line).collect::<Vec<_>>().join("\n")
 }
 
-fn number(spread: Spread, factor: f64, digits: usize, many: bool) -> String {
+fn number(spread: Sample, factor: f64, digits: usize, many: bool) -> String {
     let mean = factor * spread.mean;
-    if many { format!("{mean:.digits$} ± {:.digits$}", factor * spread.sd) } else { format!("{mean:.digits$}") }
+    if many {
+        format!("{mean:.digits$} ± {:.digits$}", factor * spread.deviation())
+    } else {
+        format!("{mean:.digits$}")
+    }
 }
 
 fn thousands(value: f64) -> String {

@@ -8,6 +8,7 @@ use tpg_arm::WIDOWX;
 use tpg_arm::observation::Straight;
 use tpg_codegen::emit::{Options, Prefix, Profile};
 use tpg_codegen::size::{self, Target};
+use tpg_engine::Sample;
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_problems::arm::planner::{Choice, Planner};
@@ -15,7 +16,6 @@ use tpg_problems::arm::targets::{Start, Task};
 use tpg_problems::arm::trial::{Trial, run};
 use tpg_train::files::read_graph;
 use tpg_train::hybrid::setting::Hybrid;
-use tpg_train::hybrid::spread::Spread;
 use tpg_train::hybrid::trial::Acting;
 use tpg_train::sac::network::Network;
 
@@ -27,15 +27,15 @@ pub struct Row {
     /// Number of policies averaged.
     pub policies: usize,
     /// Fraction of the episodes that reached their target.
-    pub success: Spread,
+    pub success: Sample,
     /// Fraction of the episodes that ended with an invalid action.
-    pub collision: Spread,
+    pub collision: Sample,
     /// Final distance, mm.
-    pub distance: Spread,
+    pub distance: Sample,
     /// Number of actions in an episode.
-    pub actions: Spread,
+    pub actions: Sample,
     /// Fraction of the actions chosen by the graph, for hybrids.
-    pub by_graph: Option<Spread>,
+    pub by_graph: Option<Sample>,
     /// Time measured on this machine.
     pub time: Option<Time>,
     /// Size of the model on a Cortex-M4F: with the graph's C in profile `fast`, and in profile `small`.
@@ -53,7 +53,7 @@ impl Row {
     /// Summarises policies given as success rate, collision rate, mean distance in mm and number of actions.
     pub fn of_values(name: &str, policies: &[[f64; 4]]) -> Self {
         let [success, collision, distance, actions] =
-            [0, 1, 2, 3].map(|place| Spread::of(&policies.iter().map(|values| values[place]).collect::<Vec<_>>()));
+            [0, 1, 2, 3].map(|place| Sample::new(&policies.iter().map(|values| values[place]).collect::<Vec<_>>()));
         Self {
             name: name.to_owned(),
             policies: policies.len(),
@@ -70,7 +70,7 @@ impl Row {
     /// Summarises hybrids, each with the fraction of actions that its graph chose.
     pub fn of_hybrids(name: &str, hybrids: &[(Trial, f64)]) -> Self {
         let (trials, ratios): (Vec<Trial>, Vec<f64>) = hybrids.iter().cloned().unzip();
-        Self { by_graph: Some(Spread::of(&ratios)), ..Self::of(name, &trials) }
+        Self { by_graph: Some(Sample::new(&ratios)), ..Self::of(name, &trials) }
     }
 }
 

@@ -39,8 +39,6 @@ pub struct Config {
     pub bonus_success: f64,
     /// Bonus added to a success for each unused action.
     pub coef_reward_multiplication: f64,
-    /// Maximum cost of a failure, mm: finite if a network takes over from the graph.
-    pub hand_over_price: f64,
     /// The arm: a section, or the name of an arm that `tpg-train config --list` shows; the WidowX if omitted.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "arms::named_or_own")]
     #[schemars(schema_with = "arms::schema")]
@@ -79,7 +77,6 @@ impl Default for Config {
             max_actions: None,
             bonus_success: 10.0,
             coef_reward_multiplication: 0.001,
-            hand_over_price: f64::INFINITY,
             arm: None,
             tests: false,
             network: None,
@@ -106,8 +103,7 @@ impl Config {
         Finding::range("problem.step", self.step, 1, 127)?;
         Finding::range("problem.max_actions", self.max_actions.unwrap_or(1), 1, 1_000_000)?;
         Finding::range("problem.bonus_success", self.bonus_success, 0.0, 1e9)?;
-        Finding::range("problem.coef_reward_multiplication", self.coef_reward_multiplication, 0.0, 1e3)?;
-        Finding::range("problem.hand_over_price", self.hand_over_price, 0.0, f64::INFINITY)
+        Finding::range("problem.coef_reward_multiplication", self.coef_reward_multiplication, 0.0, 1e3)
     }
 
     /// Checks that each source exists and occurs once.
@@ -143,7 +139,6 @@ impl Config {
             may_stop: self.may_stop || self.tests,
             sources: if self.tests { Source::ALL.to_vec() } else { sources.chain(self.shield.source()).collect() },
             bonus: self.bonus_success,
-            hand_over_price: self.hand_over_price,
             per_unused_action: self.coef_reward_multiplication,
         }
     }

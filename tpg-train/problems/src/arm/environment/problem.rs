@@ -28,8 +28,6 @@ pub struct ArmProblem {
     pub sources: Vec<Source>,
     /// Score of a success; a failure scores −distance in mm.
     pub bonus: f64,
-    /// Maximum cost of a failure, mm. Infinite if the policy acts alone, finite if another policy takes over.
-    pub hand_over_price: f64,
     /// Bonus added to a success for each unused action.
     pub per_unused_action: f64,
 }
@@ -47,7 +45,6 @@ impl ArmProblem {
             may_stop: true,
             sources,
             bonus: 10.0,
-            hand_over_price: f64::INFINITY,
             per_unused_action: 0.01,
         }
     }
@@ -87,8 +84,7 @@ impl ArmProblem {
     pub fn ending(&self, outcome: Outcome, actions: u32, distance: f64) -> Ending {
         let success = outcome == Outcome::Reached;
         let unused = f64::from(self.max_actions.saturating_sub(actions));
-        let score =
-            if success { unused * self.per_unused_action + self.bonus } else { -distance.min(self.hand_over_price) };
+        let score = if success { unused * self.per_unused_action + self.bonus } else { -distance };
         Ending { outcome: outcome_number(outcome), success: Some(success), score, measure: distance, actions }
     }
 }
