@@ -29,8 +29,9 @@ pub(crate) fn train_network(
     seed: u64,
     kind: &str,
 ) -> PyResult<(Network, f64)> {
-    let text = with_settings(presets::find("long").expect("it comes with the trainer"), settings)?;
-    let config = SacConfig::from_toml("<settings>", &text).map_err(error::input)?;
+    let preset = presets::find("long").expect("it comes with the trainer").text();
+    let settings = with_settings("long", preset.parse().map_err(error::input)?, settings)?;
+    let config = settings.read(SacConfig::from_toml).map_err(error::input)?;
     let (gym, kind) = (Gym::new(space.clone(), make), kind_of(kind)?);
     py.detach(|| {
         let mut training = Training::new(&gym, config, seed).map_err(error::input)?;

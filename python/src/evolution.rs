@@ -20,6 +20,7 @@ use tpg_graph::ScalarType;
 use tpg_problems::{Number, Problem};
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
+use tpg_train::configuration::Layers;
 use tpg_train::evolution::checkpoint;
 use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::evolution::generation::Goal;
@@ -101,24 +102,17 @@ pub(crate) fn configuration(preset: &str, settings: &str) -> PyResult<String> {
         let names = PRESETS.map(|preset| preset.name).join(", ");
         error::input(format!("the preset {preset:?}; accepted: {names}"))
     })?;
-    let text = with_settings(found, settings)?;
-    let config = EvolutionConfig::from_toml("<settings>", &text).map_err(error::input)?;
-    Ok(config.to_toml())
+    let config = with_settings(found.name, found.table(), settings)?.read(EvolutionConfig::from_toml);
+    Ok(config.map_err(error::input)?.to_toml())
 }
 
-/// Returns a preset's text with other values of some settings.
-pub(crate) fn with_settings(preset: &Preset, settings: &str) -> PyResult<String> {
-    let mut table: toml::Table = toml::from_str(&preset.text()).map_err(error::input)?;
-    table.remove("problem");
+/// Returns a preset's settings with other values of some of them.
+pub(crate) fn with_settings(name: &str, mut preset: toml::Table, settings: &str) -> PyResult<Layers> {
+    preset.remove("problem");
+    let mut layers = Layers::new(name, preset);
     let settings: toml::Table = serde_json::from_str(settings).map_err(error::input)?;
-    for (key, value) in settings {
-        let place = key.split_once('.').and_then(|(section, name)| table.get_mut(section)?.get_mut(name));
-        let place = place.ok_or_else(|| {
-            error::input(format!("the setting {key:?}; accepted: SECTION.NAME as in the preset {}", preset.name))
-        })?;
-        *place = value;
-    }
-    Ok(table.to_string())
+    settings.into_iter().for_each(|(key, value)| layers.set(&key, value));
+    Ok(layers)
 }
 
 /// Returns the number of steps of the run in a folder; 0 if there is none.

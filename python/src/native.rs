@@ -11,7 +11,7 @@ use tpg_engine::{Act, ActionSpace, AnyEnvironment, AnyEpisode, AnyTask, End, Sou
 use tpg_problems::{ContinuousProblem, Problem, ProblemName};
 use tpg_runtime::policy::ActionId;
 use tpg_train::evaluate::evaluate;
-use tpg_train::evolution::presets::Preset;
+use tpg_train::evolution::presets::default_for;
 use tpg_train::hybrid::shared::Episodes;
 use tpg_train::hybrid::trial::Acting;
 
@@ -28,7 +28,7 @@ fn problem_name(name: &str) -> PyResult<ProblemName> {
 /// Returns the names of the built-in problems, each with its usual preset.
 #[pyfunction]
 pub(crate) fn problems() -> Vec<(&'static str, &'static str)> {
-    ProblemName::ALL.into_iter().map(|name| (name.name(), Preset::usual(name).name)).collect()
+    ProblemName::ALL.into_iter().map(|name| (name.name(), default_for(name))).collect()
 }
 
 /// Runs a graph on test episodes of a built-in problem, and returns the figures as JSON.

@@ -312,7 +312,7 @@ def test_an_exception_of_the_environment_arrives_as_itself(n_workers: int) -> No
 
 def test_settings_and_presets_are_checked() -> None:
     for arguments, message in [
-        ({"preset": "best"}, "accepted: linear, frugal, general, continuous"),
+        ({"preset": "best"}, "accepted: thorough, quick, gegelati"),
         ({"settings": {"tpg.roots": 3}}, "tpg.roots"),
         ({"settings": {"tpg.nb_roots": 0}}, "nb_roots"),
         ({"scalar": "f16"}, "f16.*expected `f32` or `f64`"),
@@ -445,16 +445,13 @@ def test_hardware_in_the_loop() -> None:
         TPG("CartPole-v1").ask()
 
 
-def test_a_smaller_share_for_the_search_for_weights_limits_its_random_part(tmp_path: Path) -> None:
-    named, outputs = environments.Cart, environments.BoxCart
-    for env, share, random in ((named, [0.25, 0.5], 0.25), (named, [0.7, 0.7], 0.5), (outputs, [0.7, 0.7], 0.4)):
-        model = TPG(env, settings={"start.share": share}, folder=tmp_path / str(random)).learn(2_000)
-        start = json.loads(model.graph.to_json())["provenance"]["config"]["start"]
-        assert (start["share"], start["random"]) == (share, random)
-    with pytest.raises(InputError, match="expected f64"):
-        TPG(environments.Cart, settings={"start.share": ["a", 0.5]})
-    with pytest.raises(InputError, match="start.random"):
-        TPG(environments.Cart, settings={"start.share": [0.25, 0.5], "start.random": 0.5})
+def test_a_preset_has_the_sizes_that_the_environment_needs(tmp_path: Path) -> None:
+    for env, settings, random in ((environments.Cart, {}, 0.45), (environments.BoxCart, {"start.share": 0.25}, 0.25)):
+        model = TPG(env, settings=settings, folder=tmp_path / str(random)).learn(2_000)
+        config = json.loads(model.graph.to_json())["provenance"]["config"]
+        assert config["start"]["random"] == random and config["learning"]["nb_generations"] == 0
+    with pytest.raises(InputError, match="the setting start.share: .*expected f64"):
+        TPG(environments.Cart, settings={"start.share": "a"})
 
 
 def test_hardware_in_the_loop_goes_on_with_a_random_search(tmp_path: Path) -> None:
@@ -462,7 +459,7 @@ def test_hardware_in_the_loop_goes_on_with_a_random_search(tmp_path: Path) -> No
         def _on_step(self) -> bool:
             return False
 
-    settings = {"start.random": 0.5, "start.share": [0.5, 0.5]}
+    settings = {"start.random": 0.5, "start.share": 0.5}
     model = TPG(environments.Cart, settings=settings, folder=tmp_path / "run").learn(1_000_000, callback=Stop())
     before = model.num_timesteps
     env, driver = environments.Cart(), model._interface.driver(environments.Cart())

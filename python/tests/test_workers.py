@@ -35,7 +35,7 @@ def test_the_number_of_processes_does_not_matter(alone: str, n_workers: int) -> 
 
 
 def test_a_random_search_is_the_same_in_processes() -> None:
-    settings = {"start.random": 0.5, "start.share": [0.5, 0.5], "selection.validation_episodes": 8}
+    settings = {"start.random": 0.5, "start.share": 0.5, "selection.validation_episodes": 8}
     runs = [TPG(environments.Cart, settings=settings).learn(30_000, n_workers=workers) for workers in (0, 1, 3)]
     assert len({run.graph.sha256 for run in runs}) == 1
     assert len({run.num_timesteps for run in runs}) == 1

@@ -43,11 +43,6 @@ BUILT_IN = {
 # What gymnasium.make() itself puts around an environment.
 USUAL_WRAPPERS = {"TimeLimit", "OrderEnforcing", "PassiveEnvChecker"}
 
-# Where nothing else is said: few steps of the environment for each decision of evolution.
-USUAL_PRESET = "frugal"
-# A search for more weights with a full covariance costs more than it finds.
-MOST_WEIGHTS = 400
-
 
 class StatefulEnvironmentWarning(UserWarning):
     """An environment whose state survives `reset(seed=...)`: its episodes cannot be repeated."""
@@ -108,7 +103,7 @@ class TPG:
         seed: decides everything: the same seed gives the same graph for any number of workers.
         native: lets a built-in problem take the place of a known id that is not wrapped, a hundred times as fast.
         n_workers: worker processes; 0 runs the episodes in this process (built-in problems: on all cores).
-        preset: a configuration that `tpg-train config` prints; by default one that fits the actions.
+        preset: a configuration that `tpg-train config` prints: "quick" has few steps of the environment for each decision.
         settings: other values of the preset's settings, such as `{"tpg.nb_roots": 50}`.
         population: roots of a generation. episodes: episodes of each root in a generation. With either of them everything
             begins at random; without, a search for the weights of sums comes first, which needs fewer steps.
@@ -125,7 +120,7 @@ class TPG:
         seed: int = 1,
         native: bool = True,
         n_workers: int = 0,
-        preset: str | None = None,
+        preset: str = "quick",
         settings: Mapping[str, Any] | None = None,
         population: int | None = None,
         episodes: int | None = None,
@@ -195,58 +190,29 @@ class TPG:
 
     def _configuration(
         self,
-        preset: str | None,
+        preset: str,
         settings: Mapping[str, Any],
         population: int | None,
         episodes: int | None,
         scalar: str | None,
     ) -> str:
-        chosen: dict[str, Any] = {"learning.nb_generations": 1_000_000}
-        if preset is None:
-            chosen.update(self._sizes())
-        name = preset or USUAL_PRESET
-        actions = len(self._interface.actions()[0])
+        # Steps and targets limit a run.
+        chosen: dict[str, Any] = {"learning.nb_generations": 0}
         if population is not None:
             chosen["tpg.nb_roots"] = population
-            chosen["tpg.init_nb_roots"] = max(2 * population, actions)
-            chosen["selection.validation_roots"] = min(4, population)
+            chosen["tpg.init_nb_roots"] = 2 * population
             # A small population has survivors, too.
-            chosen["learning.ratio_deleted_roots"] = min(
-                chosen.get("learning.ratio_deleted_roots", 0.9), max(0.0, 1.0 - 6.0 / population)
-            )
+            chosen["learning.ratio_deleted_roots"] = max(0.0, min(0.9, 1.0 - 6.0 / population))
         if population is not None or episodes is not None:
             # A generation is what was asked for: no search for weights, whose samples are fewer, and no second population.
-            chosen.update({"start.kind": "random", "demes.count": 1, "demes.halving_interval": 0} if preset is None else {})
+            chosen.update({"start.random": 0.0, "start.share": 0.0, "demes.count": 1, "demes.halving_interval": 0})
         if episodes is not None:
             chosen["learning.nb_iterations_per_policy_evaluation"] = episodes
-            # The usual preset races after its first episode.
-            if chosen.get("selection.racing_episodes", 1 if preset is None else 0) >= episodes:
-                chosen["selection.racing_episodes"] = 0
+            chosen["selection.racing_episodes"] = min(1, episodes - 1)
         if scalar is not None:
             chosen["language.scalar"] = scalar
-        match settings.get("start.share"):
-            case [int() | float() as least, _] if "start.random" in chosen:
-                # Steps that are given to the search for weights limit those of its random part.
-                chosen["start.random"] = min(chosen["start.random"], least)
         chosen.update(settings)
-        return _tpg.configuration(name, json.dumps(chosen))
-
-    def _sizes(self) -> dict[str, Any]:
-        """Returns the settings of the usual preset that depend on the number of inputs and on the actions."""
-        actions, outputs = (len(one) for one in self._interface.actions())
-        inputs = self._interface.inputs
-        programs = outputs or actions - 1
-        if programs * (inputs + 1) > MOST_WEIGHTS:
-            return {"start.kind": "random", "tpg.init_nb_roots": max(60, actions)}
-        # Small steps find sums more surely; outputs may need products, which only the searches after them find.
-        return {
-            "start.random": 0.4 if outputs else 0.5,
-            "start.share": [0.6, 0.65],
-            "tpg.init_nb_roots": max(60, actions),
-            "tpg.max_outgoing_edges": max(8, actions),
-            "program.max_program_size": max(24, inputs + 1),
-            "leaves.max_program_size": max(32, inputs + 1),
-        }
+        return _tpg.configuration(preset, json.dumps(chosen))
 
     def _start(self, target: float | None, max_steps: int | None) -> Evolution:
         resume = self._resume or self._temporary is not None

@@ -9,7 +9,7 @@ use tpg_engine::{Act, ActionSpace, Choices, End, EngineOptions, Environment, Loc
 use tpg_graph::{Graph, SourceDocument};
 use tpg_runtime::ops::Own;
 use tpg_train::evaluate::evaluate;
-use tpg_train::evolution::{generation::Goal, presets::Preset, run::RunOptions, run::run};
+use tpg_train::evolution::{config::EvolutionConfig, generation::Goal, run::RunOptions, run::run};
 use tpg_train::hybrid::shared::{Episodes, OwnProblem};
 use tpg_train::hybrid::trial::Acting;
 use tpg_train::report::{ReportArgs, report_with};
@@ -49,7 +49,7 @@ impl Environment<f32> for Cart {
 }
 
 pub(crate) fn train(folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
-    let config = Preset::find("general").ok_or("no such preset")?.config()?;
+    let config = EvolutionConfig::default();
     let evaluator = LocalThreads::<f32, Own, Cart>::new(&Cart, EngineOptions::default(), 0)?;
     let goal = Goal { target: Some(-60.0), max_steps: None };
     let options = RunOptions { folder: folder.to_owned(), goal, ..RunOptions::default() };

@@ -19,12 +19,10 @@ use tpg_problems::arm::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use tpg_runtime::ops::{Maths, Own, System};
 use tpg_train::evolution::checkpoint;
 use tpg_train::evolution::config::EvolutionConfig;
+use tpg_train::evolution::generation::{Evolution, Goal};
 use tpg_train::evolution::logs::cpu_seconds;
-use tpg_train::evolution::mirror::{Mirror, opposites};
-use tpg_train::evolution::mutate_program::ProgramMutator;
-use tpg_train::evolution::mutate_team::{Moment, Parents, TeamMutator, random_population};
 use tpg_train::evolution::presets::Preset;
-use tpg_train::evolution::refine::Refiner;
+use tpg_train::evolution::stage::{Moment, Stage as _};
 use tpg_train::evolution::state::State;
 
 /// Extent of the measurement.
@@ -82,38 +80,17 @@ fn population(
     if state.generation > 0 {
         state.check(config, &environment)?;
     }
-    let learning = &config.learning;
-    let vocabulary = config.vocabulary(&environment, state.scales.clone());
-    let mutator = ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
-    let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
-    let opposites = opposites(&environment.actions());
-    let mirror = Mirror { programs: mutator, opposites: &opposites, probability: config.refinement.p_mirror };
-    let actions = environment.actions().count().ok_or("named actions")? as u16;
-    let mut units = Vec::new();
-    for (deme, population) in (0..).zip(&mut state.demes) {
-        let moment = Moment { seed: state.seed, generation: state.generation, deme };
-        if population.genome.teams().is_empty() {
-            let mut stream = moment.stream(Purpose::Initial, 0);
-            population.genome = random_population(&mutator, &config.tpg, actions, &mut stream);
-            mirror.complete_roots(&mut population.genome, config.tpg.max_outgoing_edges);
-        }
-        let teams = TeamMutator {
-            programs: mutator,
-            refiner,
-            mirror,
-            parameters: &config.tpg,
-            archive: &state.archive,
-            actions,
-        };
-        let parents = Parents::uniform(&population.genome);
-        teams.populate(&mut population.genome, &parents, moment);
-        units.extend(population.genome.roots().into_iter().map(|root| WorkUnit {
-            key: UnitKey { seed: state.seed, generation: state.generation, root: root.0 },
-            policy: population.genome.policy(root, &vocabulary),
-        }));
-    }
+    let evaluator = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 1)?;
+    let evolution = Evolution::new(config, &environment, &evaluator, state.scales.clone(), Goal::default());
+    let context = evolution.context(&state);
+    let moment = Moment { seed: state.seed, generation: state.generation, deme: 0 };
+    let units = state.population.ask(&context, moment).into_iter().map(|candidate| WorkUnit {
+        key: UnitKey { seed: state.seed, generation: state.generation, root: candidate.number },
+        policy: candidate.policy,
+    });
+    let units = units.collect();
     let draw = |index| environment.draw(&mut Stream::new(state.seed, state.generation, Purpose::Episode, index));
-    let tasks = (0..learning.nb_iterations_per_policy_evaluation as u64).map(draw).collect();
+    let tasks = (0..config.learning.nb_iterations_per_policy_evaluation as u64).map(draw).collect();
     table::<f32, Own>(title, &environment, &Work { tasks, units }, extent)
 }
 

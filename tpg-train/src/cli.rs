@@ -3,9 +3,9 @@
 mod examples;
 
 use crate::arm_import::{ArmArgs, execute as execute_arm};
+use crate::configuration::print::{ConfigArgs, print_config};
 use crate::evaluate::{EvalArgs, eval};
 use crate::evolution::command::{TpgArgs, execute as execute_tpg};
-use crate::evolution::presets::{ConfigArgs, print_config};
 use crate::hybrid::command::{HybridArgs, execute as execute_hybrid};
 use crate::hybrid::constants::{ConstantsArgs, constants};
 use crate::problems::print_problems;

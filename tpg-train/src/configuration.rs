@@ -1,22 +1,36 @@
-//! The configuration and the problem that the arguments of a run ask for, the same way for every trainer.
+//! The configuration and the problem that the arguments of a run ask for: a preset, then a file, then single settings. Each changes
+//! what it names; later ones win.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | (root) | [`Layers`] of settings, and what a run's arguments [choose](Chosen) |
+//! | [`schema`](mod@schema) | settings with their descriptions |
+//! | [`print`] | `tpg-train config` |
 
-use crate::evolution::presets::Preset;
+pub mod print;
+pub mod schema;
+
 use crate::files::read_text;
 use crate::run_args::{RunArgs, command_line};
-use tpg_graph::error::InputError;
+use tpg_graph::error::{Finding, InputError, Place};
+use tpg_graph::settings;
 use tpg_problems::{ContinuousProblem, Problem, ProblemName};
 
 /// A trainer's configuration.
 pub trait Configuration: Sized {
     /// The problems that it can be for.
     type Problem: AnyProblem;
-    /// The presets.
-    const PRESETS: &'static [Preset];
     /// The command that prints a configuration, for messages.
     const PRINTED_BY: &'static str;
 
-    /// Returns the preset used for a problem by default.
-    fn usual(problem: ProblemName) -> &'static Preset;
+    /// Returns the names of the presets.
+    fn presets() -> Vec<&'static str>;
+
+    /// Returns the settings of a preset.
+    fn preset(name: &str) -> Option<toml::Table>;
+
+    /// Returns the name of the preset used for a problem by default.
+    fn default_preset(problem: ProblemName) -> &'static str;
 
     /// Reads and checks a configuration, except for its section `problem`.
     ///
@@ -82,10 +96,135 @@ impl AnyProblem for ContinuousProblem {
     }
 }
 
+/// Settings above settings.
+///
+/// ```
+/// use tpg_train::configuration::Layers;
+/// use tpg_train::evolution::config::EvolutionConfig;
+///
+/// let mut layers = Layers::new("defaults", toml::Table::new());
+/// layers.add_file("mine.toml", "[tpg]\nnb_roots = 80\n")?;
+/// layers.set("tpg.nb_roots", 1.into());
+/// let error = layers.read(EvolutionConfig::from_toml).expect_err("one root");
+/// assert_eq!(error.to_string(), "the setting tpg.nb_roots: tpg.nb_roots = 1; accepted: 2 to 1000000");
+/// # Ok::<(), tpg_graph::error::InputError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Layers {
+    layers: Vec<Layer>,
+    merged: toml::Table,
+}
+
+/// Settings from one place.
+#[derive(Clone, Debug)]
+struct Layer {
+    /// Its name in messages.
+    name: String,
+    /// Its text, if it is a file.
+    text: Option<String>,
+    table: toml::Table,
+}
+
+impl Layers {
+    /// Begins with the settings of a preset.
+    pub fn new(name: &str, table: toml::Table) -> Self {
+        let merged = table.clone();
+        Self { layers: vec![Layer { name: name.to_owned(), text: None, table }], merged }
+    }
+
+    /// Adds the settings of a file.
+    ///
+    /// # Errors
+    /// If the text is not TOML.
+    pub fn add_file(&mut self, file: &str, text: &str) -> Result<(), InputError> {
+        let table: toml::Table = settings::from_toml(file, text, "TOML")?;
+        self.add(Layer { name: file.to_owned(), text: Some(text.to_owned()), table });
+        Ok(())
+    }
+
+    /// Sets one key, such as `tpg.nb_roots`.
+    pub fn set(&mut self, key: &str, value: toml::Value) {
+        let (sections, last) = key.rsplit_once('.').map_or(("", key), |(sections, last)| (sections, last));
+        let inner = toml::Table::from_iter([(last.to_owned(), value)]);
+        let sections = sections.split('.').filter(|section| !section.is_empty());
+        let table = sections
+            .rev()
+            .fold(inner, |inner, section| toml::Table::from_iter([(section.to_owned(), toml::Value::Table(inner))]));
+        self.add(Layer { name: format!("the setting {key}"), text: None, table });
+    }
+
+    fn add(&mut self, layer: Layer) {
+        let name = |table: &toml::Table| table.get("problem").and_then(|problem| problem.get("name")).cloned();
+        // Settings of another problem are none of this one.
+        if name(&layer.table).is_some_and(|new| name(&self.merged).is_some_and(|old| old != new)) {
+            self.merged.remove("problem");
+        }
+        merge(&mut self.merged, &layer.table);
+        self.layers.push(layer);
+    }
+
+    /// Reads the merged settings; an error names the place that they come from.
+    ///
+    /// # Errors
+    /// Those of `read`.
+    pub fn read<T>(&self, read: impl FnOnce(&str, &str) -> Result<T, InputError>) -> Result<T, InputError> {
+        let text = self.merged.to_string();
+        read("<settings>", &text).map_err(|error| match error.place {
+            Place::Line(line) => self.located(&key_at(&text, line), error),
+            _ => error,
+        })
+    }
+
+    /// Puts an error about a key where its value comes from.
+    fn located(&self, key: &str, error: InputError) -> InputError {
+        let has = |layer: &&Layer, key: &str| {
+            let mut value = layer.table.get(key.split('.').next().unwrap_or_default());
+            for part in key.split('.').skip(1) {
+                value = value.and_then(|value| value.get(part));
+            }
+            value.is_some()
+        };
+        let section = key.rsplit_once('.').map_or(key, |(section, _)| section);
+        let newest = |key: &str| self.layers.iter().rev().find(|layer| has(layer, key));
+        match newest(key).or_else(|| newest(section)) {
+            Some(Layer { name, text: Some(text), .. }) => {
+                let place = settings::place(name, text, Finding::new(key, "", "")).place;
+                InputError { file: name.clone(), place, ..error }
+            }
+            Some(Layer { name, .. }) => InputError { file: name.clone(), place: Place::Whole, ..error },
+            None => error,
+        }
+    }
+
+    /// Returns the problem's name, and the layer that it comes from.
+    fn problem(&self) -> Option<&Layer> {
+        let named = |layer: &&Layer| layer.table.get("problem").is_some_and(|problem| problem.get("name").is_some());
+        self.layers.iter().rev().find(named)
+    }
+}
+
+/// Puts the values of a table over those of another one.
+pub(crate) fn merge(base: &mut toml::Table, over: &toml::Table) {
+    for (key, value) in over {
+        match (base.get_mut(key), value) {
+            (Some(toml::Value::Table(base)), toml::Value::Table(over)) => merge(base, over),
+            _ => drop(base.insert(key.clone(), value.clone())),
+        }
+    }
+}
+
+/// Returns the key, with its sections, at a line of a text that this crate has written.
+fn key_at(text: &str, line: usize) -> String {
+    let lines: Vec<&str> = text.lines().take(line).collect();
+    let section = lines.iter().rev().find_map(|line| line.strip_prefix('[')?.strip_suffix(']'));
+    let key = lines.last().and_then(|line| line.split_once(" = ")).map(|(key, _)| key);
+    [section, key].into_iter().flatten().collect::<Vec<_>>().join(".")
+}
+
 /// A configuration and its problem.
 #[derive(Clone, Debug)]
 pub struct Chosen<C: Configuration> {
-    /// Name of the preset; none for a file.
+    /// Name of the preset; none if a file or an argument changes it.
     pub preset: Option<&'static str>,
     /// The configuration, with the problem written out in its section.
     pub config: C,
@@ -94,63 +233,75 @@ pub struct Chosen<C: Configuration> {
 }
 
 impl<C: Configuration> Chosen<C> {
-    /// Returns what the arguments ask for: a file, a preset, or the problem's usual preset.
+    /// Returns what the arguments ask for: a preset or the problem's default one, with the changes of a file and of arguments.
     ///
     /// # Errors
     /// If the configuration cannot be read or is rejected, or nothing names a problem.
     pub fn by(run: &RunArgs, problem: Option<ProblemName>) -> Result<Self, InputError> {
-        let (preset, file, text) = match (&run.config, &run.preset, problem) {
-            (Some(path), _, _) => {
-                let accepted = format!("a configuration as `{}` prints", C::PRINTED_BY);
-                (None, path.display().to_string(), read_text(path, &accepted)?)
+        let file = match &run.config {
+            Some(path) => {
+                let accepted = format!("settings as `{}` prints", C::PRINTED_BY);
+                Some((path.display().to_string(), read_text(path, &accepted)?))
             }
-            (None, Some(name), _) => of_preset(find(C::PRESETS, name)?),
-            (None, None, Some(problem)) => of_preset(C::usual(problem)),
-            (None, None, None) => {
-                let accepted = format!("--problem {}, --preset NAME or --config FILE", ProblemName::names());
-                return Err(command_line("no problem", accepted));
-            }
+            None => None,
         };
-        let mut config = C::from_toml(&file, &text)?;
-        let own = (!config.problem().is_empty()).then(|| C::Problem::from_toml(&file, &text)).transpose()?;
-        let problem = problem_of(own, problem, &file, run.config.is_some())?;
+        let mut name = run.preset.clone();
+        if name.is_none() {
+            let in_file = || {
+                let table: toml::Table = settings::from_toml(&file.as_ref()?.0, &file.as_ref()?.1, "TOML").ok()?;
+                ProblemName::from_name(table.get("problem")?.get("name")?.as_str()?)
+            };
+            name = problem.or_else(in_file).map(|problem| C::default_preset(problem).to_owned());
+        }
+        let Some(name) = name else {
+            let accepted = format!("--problem {}, or a section [problem] with a name", ProblemName::names());
+            return Err(command_line("no problem", accepted));
+        };
+        let Some((&preset, table)) = (C::presets().iter().find(|it| **it == name)).zip(C::preset(&name)) else {
+            return Err(command_line(format!("the preset {name:?}"), C::presets().join(", ")));
+        };
+        let mut layers = Layers::new(&format!("<preset {preset}>"), table);
+        if let Some((file, text)) = &file {
+            layers.add_file(file, text)?;
+        }
+        for setting in &run.set {
+            let (key, value) = setting
+                .split_once('=')
+                .ok_or_else(|| command_line(format!("--set {setting}"), "--set KEY=VALUE, such as tpg.nb_roots=100"))?;
+            let toml = toml::from_str::<toml::Table>(&format!("value = {value}"));
+            let value = toml.ok().and_then(|mut table| table.remove("value")).unwrap_or_else(|| value.into());
+            layers.set(key.trim(), value);
+        }
+        let problem: C::Problem = chosen_problem(&mut layers, problem)?;
+        let mut config = layers.read(C::from_toml)?;
         *config.problem() = problem.to_table();
-        Ok(Self { preset, config, problem })
+        let is_preset = run.config.is_none() && run.set.is_empty();
+        Ok(Self { preset: is_preset.then_some(preset), config, problem })
     }
 }
 
-fn of_preset(preset: &'static Preset) -> (Option<&'static str>, String, String) {
-    let (file, text) = preset.file();
-    (Some(preset.name), file, text)
-}
-
-fn find(presets: &'static [Preset], name: &str) -> Result<&'static Preset, InputError> {
-    presets.iter().find(|preset| preset.name == name).ok_or_else(|| {
-        let accepted = presets.iter().map(|preset| preset.name).collect::<Vec<_>>().join(", ");
-        command_line(format!("the preset {name:?}"), accepted)
-    })
-}
-
-/// Returns the problem of a configuration, or of the command line. A preset made for another problem supplies only its
-/// parameters.
-fn problem_of<P: AnyProblem>(
-    own: Option<P>,
-    asked: Option<ProblemName>,
-    file: &str,
-    is_file: bool,
-) -> Result<P, InputError> {
-    match (own, asked) {
-        (Some(problem), None) => Ok(problem),
-        (Some(problem), Some(name)) if problem.name() == name => Ok(problem),
-        (Some(problem), Some(name)) if is_file => {
+/// Returns the problem of the settings, or of the command line. A preset made for another problem supplies only its parameters.
+fn chosen_problem<P: AnyProblem>(layers: &mut Layers, asked: Option<ProblemName>) -> Result<P, InputError> {
+    let Some(layer) = layers.problem() else {
+        let Some(name) = asked else {
+            let accepted = format!("--problem {}, or a section [problem] with a name", ProblemName::names());
+            return Err(command_line("no problem, neither in the arguments nor in the settings", accepted));
+        };
+        if !layers.merged.contains_key("problem") {
+            return Ok(P::usual(name));
+        }
+        let named = toml::Table::from_iter([("name".to_owned(), name.name().into())]);
+        merge(&mut layers.merged, &toml::Table::from_iter([("problem".to_owned(), toml::Value::Table(named))]));
+        return layers.read(P::from_toml);
+    };
+    let is_preset = std::ptr::eq(layer, &layers.layers[0]);
+    let problem: P = layers.read(P::from_toml)?;
+    match asked {
+        Some(name) if problem.name() != name && is_preset => Ok(problem.renamed(name)),
+        Some(name) if problem.name() != name => {
             let found = format!("--problem {} with a configuration for {}", name.name(), problem.name().name());
             Err(command_line(found, "the same problem twice, or no --problem"))
         }
-        (Some(problem), Some(name)) => Ok(problem.renamed(name)),
-        (None, Some(name)) => Ok(P::usual(name)),
-        (None, None) => {
-            let accepted = format!("--problem {}, or a section [problem] with a name", ProblemName::names());
-            Err(command_line(format!("no problem, neither in the arguments nor in {file}"), accepted))
-        }
+        _ => Ok(problem),
     }
 }

@@ -9,12 +9,15 @@ use tpg_problems::ProblemName;
 /// The arguments of a run.
 #[derive(Clone, Debug, Args)]
 pub struct RunArgs {
-    /// A configuration file (`tpg-train config` prints commented ones)
-    #[arg(long, value_name = "FILE", conflicts_with = "preset")]
-    pub config: Option<PathBuf>,
-    /// A configuration included with the trainer, instead of the problem's default one
+    /// A configuration included with the trainer, instead of the problem's default one; `tpg-train config --list` names them
     #[arg(long, value_name = "NAME")]
     pub preset: Option<String>,
+    /// A file of settings that differ from the preset's
+    #[arg(long, value_name = "FILE")]
+    pub config: Option<PathBuf>,
+    /// A setting that differs from these, such as tpg.nb_roots=100; may be repeated
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
     /// The folder of the run [default: runs/PROBLEM-SEED]
     #[arg(long, value_name = "RUN")]
     pub out: Option<PathBuf>,
@@ -29,13 +32,12 @@ pub struct RunArgs {
 impl RunArgs {
     /// Returns the folder of the run.
     pub fn folder(&self, problem: ProblemName, seed: u64) -> PathBuf {
-        let usual = || PathBuf::from("runs").join(format!("{}-{seed}", problem.name()));
-        self.out.clone().unwrap_or_else(usual)
+        self.out.clone().unwrap_or_else(|| PathBuf::from("runs").join(format!("{}-{seed}", problem.name())))
     }
 
-    /// The time between checkpoints; `usual` seconds where none is asked for.
-    pub fn checkpoint_every(&self, usual: u64) -> Duration {
-        Duration::from_secs(self.checkpoint_seconds.unwrap_or(usual))
+    /// Returns the time between checkpoints; `default` seconds where none is asked for.
+    pub fn checkpoint_every(&self, default: u64) -> Duration {
+        Duration::from_secs(self.checkpoint_seconds.unwrap_or(default))
     }
 }
 

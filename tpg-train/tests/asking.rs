@@ -12,7 +12,6 @@ use tpg_graph::Graph;
 use tpg_problems::{Pendulum, Problem, ProblemName};
 use tpg_runtime::ops::Own;
 use tpg_train::evolution::config::{AskConfig, EvolutionConfig};
-use tpg_train::evolution::presets::Preset;
 use tpg_train::hybrid::asking::Asking;
 use tpg_train::hybrid::shared::{Episodes, OwnProblem, Shared as _};
 use tpg_train::hybrid::trial::Acting;
@@ -33,12 +32,13 @@ const ASKS: &str = r#"{
 }"#;
 
 fn config(problem: ProblemName, policy: &str) -> EvolutionConfig {
-    let mut config = Preset::find("general").expect("it comes with the trainer").config().expect("it is accepted");
+    let mut config = EvolutionConfig::default();
     config.problem = Problem::usual(problem).to_table();
     config.ask = Some(AskConfig { policy: policy.to_owned(), price: 2.0, sha256: None });
-    (config.tpg.nb_roots, config.tpg.init_nb_roots) = (40, 60);
+    (config.tpg.nb_roots, config.tpg.init_nb_roots, config.demes.count) = (40, 60, 1);
+    config.start.share = 0.0;
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (4, 8);
-    (config.selection.lexicase_survivors, config.selection.validation_episodes) = (0, 20);
+    config.selection.validation_episodes = 20;
     config
 }
 

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_problems::{Problem, ProblemName};
-use tpg_train::evolution::presets::Preset;
+use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::sac::presets as sac_presets;
 
 /// Mutations of the checkpoint of each trainer.
@@ -34,14 +34,12 @@ impl Run {
 }
 
 fn tpg(place: &Path) -> Run {
-    let mut config = Preset::find("general").expect("a preset").config().expect("it is accepted");
+    let mut config = EvolutionConfig::default();
     config.problem = Problem::usual(ProblemName::Cartpole).to_table();
     (config.tpg.nb_roots, config.tpg.init_nb_roots) = (6, 6);
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (2, 4);
-    (config.selection.racing_episodes, config.selection.lexicase_survivors) = (0, 0);
-    (config.selection.validation_roots, config.selection.validation_episodes) = (2, 2);
-    config.selection.tournament_size = 2;
-    config.demes.migrants = 1;
+    (config.selection.racing_episodes, config.selection.validation_episodes) = (0, 2);
+    config.demes.count = 2;
     run(place, "tpg", &config.to_toml(), &["graph.json", "generations.csv", "generations.jsonl", "checkpoint"])
 }
 
@@ -160,34 +158,20 @@ fn a_networks_run_never_believes_a_damaged_checkpoint() {
 #[test]
 fn a_run_that_was_asked_for_less_than_it_has_had_is_refused_where_it_has_no_graph() {
     let place = tempfile::tempdir().expect("a temporary folder");
-    let config = place.path().join("config.toml");
-    let text = Preset::find("general").expect("a preset").text();
-    fs::write(&config, text).expect("it can be written");
-    let go = |more: &[&str]| {
+    let run = |more: &[&str]| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_tpg-train"));
+        command.args(["tpg", "--problem", "pendulum", "--checkpoint-seconds", "0", "--out"]);
+        command.arg(place.path().join("run")).args(more);
         command
-            .args(["tpg", "--problem", "pendulum", "--config"])
-            .arg(&config)
-            .arg("--out")
-            .arg(place.path().join("run"));
-        command.args(["--checkpoint-seconds", "0", "--resume"]).args(more).output().expect("it starts")
     };
     // The first validation comes after more generations than this.
-    let mut child = {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_tpg-train"));
-        command
-            .args(["tpg", "--problem", "pendulum", "--config"])
-            .arg(&config)
-            .arg("--out")
-            .arg(place.path().join("run"));
-        command.args(["--checkpoint-seconds", "0"]).spawn().expect("it starts")
-    };
+    let mut child = run(&[]).spawn().expect("it starts");
     while !place.path().join("run/checkpoint.previous").exists() {
         std::thread::sleep(std::time::Duration::from_millis(2));
     }
     child.kill().expect("it can be killed");
     child.wait().expect("it ends");
-    let output = go(&["--generations", "1"]);
+    let output = run(&["--resume", "--generations", "1"]).output().expect("it starts");
     let stderr = String::from_utf8_lossy(&output.stderr);
     let validated = place.path().join("run/graph.json").exists();
     assert_eq!(output.status.code(), Some(if validated { 0 } else { 2 }), "{stderr}");

@@ -8,36 +8,31 @@ use tpg_arm::observation::shield::{ALLOWED, SHIELDED};
 use tpg_arm::observation::{Observation, Source, TargetMemo};
 use tpg_arm::{Arm, Collision, Invalid, Move, WIDOWX};
 use tpg_codegen::passes::{interval::Assumption, optimise};
-use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
     Destination, Edge, Ending, EngineOptions, Environment, Evaluator, Lanes, Line, LocalThreads, Operand, Piece, Plan,
     PolicyGraph, UnitKey, Work, WorkUnit,
 };
 use tpg_graph::Word;
 use tpg_graph::interpret::Interpreter;
-use tpg_graph::{Graph, Provenance, ScalarType};
+use tpg_graph::{Graph, ScalarType};
 use tpg_problems::Problem;
 use tpg_problems::arm::arms::ARMS;
 use tpg_problems::arm::targets::{Set, Start, tasks};
 use tpg_problems::arm::{self, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, Shield};
 use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::policy::{ActionId, Policy as _};
-use tpg_train::evolution::archive::Archive;
 use tpg_train::evolution::config::EvolutionConfig;
-use tpg_train::evolution::export;
-use tpg_train::evolution::mirror::Mirror;
-use tpg_train::evolution::mutate_program::ProgramMutator;
-use tpg_train::evolution::mutate_team::{Moment, Parents, TeamMutator, random_population};
+use tpg_train::evolution::generation::{Evolution, Goal};
 use tpg_train::evolution::presets::Preset;
-use tpg_train::evolution::refine::Refiner;
-use tpg_train::evolution::vocabulary::Vocabulary;
+use tpg_train::evolution::run::graph_of;
+use tpg_train::evolution::stage::{Moment, Stage as _};
+use tpg_train::evolution::state::{Best, State};
 
-/// A configuration that covers everything: every source, every instruction, literals, program constants.
+/// A configuration that covers everything: every source, every instruction, literals.
 fn config(scalar: ScalarType) -> EvolutionConfig {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
     config.language.scalar = scalar;
     config.language.instructions = Word::ALL.map(|word| word.name().to_owned()).to_vec();
-    config.learning.nb_program_constant = 2;
     config.tpg.nb_roots = 60;
     config.tpg.init_nb_roots = 20;
     config.tpg.max_init_outgoing_edges = 3;
@@ -52,10 +47,14 @@ fn problem(shield: Shield) -> arm::Config {
     arm::Config { sources, shield, may_stop: true, ..arm::Config::default() }
 }
 
+/// Returns a policy as a run finds it.
+fn found(policy: PolicyGraph) -> Best {
+    Best { generation: 0, result: tpg_engine::Summary::of(&[]), policy, ranges: None }
+}
+
 struct World<S> {
     config: EvolutionConfig,
     environment: ArmEnvironment<S>,
-    vocabulary: Vocabulary,
     policies: Vec<PolicyGraph>,
 }
 
@@ -65,7 +64,10 @@ fn literal_units<S: ArmScalar>(environment: &ArmEnvironment<S>) -> Vec<f64> {
     ranges.map(|[min, max]| 0.5 * (max - min)).collect()
 }
 
-impl<S: ArmScalar> World<S> {
+impl<S: ArmScalar> World<S>
+where
+    Own: Maths<S>,
+{
     /// Creates roots that are several mutations away from random ones, with several levels of teams.
     fn new(scalar: ScalarType, arm: &Arm<f64>, mut problem: arm::Config) -> Self {
         let config = config(scalar);
@@ -75,32 +77,24 @@ impl<S: ArmScalar> World<S> {
             problem.sources.retain(|name| name != "stance");
         }
         let environment = ArmEnvironment::<S>::new(arm, problem.problem(Start::Rs));
-        let vocabulary = config.vocabulary(&environment, literal_units(&environment));
-        let mutator =
-            ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
-        let mut stream = Stream::new(1, 0, Purpose::Test, 0);
-        let mut genome = random_population(&mutator, &config.tpg, 9, &mut stream);
-        for generation in 0..6 {
+        let evaluator = LocalThreads::<S, Own, _>::new(&environment, EngineOptions::default(), 1).expect("a thread");
+        let evolution = Evolution::new(&config, &environment, &evaluator, literal_units(&environment), Goal::default());
+        let mut state = State::new(1, 1, 0);
+        let mut policies: Vec<PolicyGraph> = Vec::new();
+        for generation in 0..7 {
             let moment = Moment { seed: 1, generation, deme: 0 };
-            let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
-            let archive = &Archive::new(0);
-            let mirror = Mirror { programs: mutator, opposites: &[], probability: 0.0 };
-            let teams =
-                TeamMutator { programs: mutator, refiner, mirror, parameters: &config.tpg, archive, actions: 9 };
-            let parents = Parents::uniform(&genome);
-            teams.populate(&mut genome, &parents, moment);
+            let context = evolution.context(&state);
+            policies = state.population.ask(&context, moment).into_iter().map(|root| root.policy).collect();
+            let genome = &mut state.population.demes[0].genome;
             let doomed: Vec<_> = genome.roots().into_iter().step_by(2).collect();
             genome.remove_roots(&doomed);
         }
-        let policies: Vec<PolicyGraph> =
-            genome.roots().into_iter().map(|root| genome.policy(root, &vocabulary)).collect();
         assert!(policies.iter().map(|policy| policy.teams.len()).max() > Some(4), "deep graphs are wanted");
-        Self { config, environment, vocabulary, policies }
+        Self { config, environment, policies }
     }
 
     fn graph(&self, policy: &PolicyGraph) -> Graph {
-        let (sources, actions) = (self.environment.sources(), self.environment.actions());
-        export::graph(policy, &self.vocabulary, sources, actions, 0, Provenance::default()).expect("a valid graph")
+        graph_of(&self.config, 1, &found(policy.clone()), &self.environment).expect("a valid graph")
     }
 }
 
@@ -274,9 +268,7 @@ fn under_a_shield_equal_programs_for_different_actions_stay_two_bids() {
     let vocabulary = config.vocabulary(&environment, literal_units(&environment));
     let shielded = policy.shielded(|action| vocabulary.bound(action));
     assert_eq!(shielded.programs.len(), 2, "one for each action");
-    let graph =
-        export::graph(&shielded, &vocabulary, environment.sources(), environment.actions(), 0, Provenance::default())
-            .expect("a valid graph");
+    let graph = graph_of(&config, 1, &found(shielded), &environment).expect("a valid graph");
     let (_, removed) = optimise(&graph, Assumption::Nothing);
     assert_eq!(removed.duplicate_bids, 1, "the first of three");
     let interpreter = Interpreter::<f32, Own>::new(&graph);

@@ -74,11 +74,11 @@ impl Evaluator<ArmTask> for Wire<'_> {
 fn config() -> EvolutionConfig {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
     (config.tpg.nb_roots, config.tpg.init_nb_roots, config.learning.ratio_deleted_roots) = (16, 20, 0.7);
-    (config.demes.count, config.demes.migration_interval, config.demes.migrants) = (2, 2, 1);
+    config.demes.count = 2;
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (12, 5);
     (config.selection.lexicase_survivors, config.selection.racing_episodes) = (2, 4);
     config.selection.validation_episodes = 20;
-    (config.learning.archive_size, config.learning.archiving_probability) = (10, 0.5);
+    config.learning.archive_size = 50;
     config
 }
 

@@ -1,6 +1,6 @@
 //! The book's pages that are made from this program: its command line, and every key of a configuration.
 
-use schemars::{JsonSchema, schema_for};
+use schemars::JsonSchema;
 use serde_json::Value;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -8,6 +8,7 @@ use toml::Table;
 use tpg_problems::arm::arms::ARMS;
 use tpg_problems::{acrobot, arm, cartpole, dodge, mountain_car, mountain_car_continuous, pendulum};
 use tpg_testing::book::{manual, page};
+use tpg_train::configuration::schema::{description, properties, resolved, schema};
 use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::evolution::presets::Preset;
 use tpg_train::sac::config::SacConfig;
@@ -23,16 +24,15 @@ fn the_page_of_the_command_line_is_fresh() {
 fn the_page_of_configurations_is_fresh() {
     let mut text = "# Configuration
 
-Every key of a configuration, made from the program's types by a test; do not edit. `tpg-train config NAME` prints a preset with
-comments; change it, and give it to `--config`. An unknown key, a value out of range and a contradiction are refused with the line and
-what is accepted. Keys that a preset leaves out have the default.
+Every setting, made from the program's types by a test; do not edit. `--preset NAME`, `--config FILE` and `--set KEY=VALUE` of
+`tpg-train tpg` and `sac` change each other in this order, and a file may have one line. `tpg-train config NAME` prints a preset with
+comments, `tpg-train config --schema` a schema for editors. An unknown key, a value out of range and a contradiction are refused with
+their place and what is accepted.
 "
-        .to_owned();
-    text += "\n## `tpg-train tpg`\n";
-    let presets = ["general", "continuous", "linear"];
-    let values: Vec<(&str, Table)> = presets
-        .map(|name| (name, read(&Preset::find(name).expect("a preset").config().expect("a good one").to_toml())))
-        .to_vec();
+    .to_owned();
+    text += "\n## `tpg-train tpg`\n\nThe default is the preset `thorough`.\n";
+    let values: Vec<(&str, Table)> =
+        ["quick", "gegelati"].map(|name| (name, Preset::find(name).expect("a preset").table())).to_vec();
     tables::<EvolutionConfig>(&mut text, &values);
     text += "\n## `tpg-train sac`\n";
     let values: Vec<(&str, Table)> = ["general", "long", "best-fs"]
@@ -60,13 +60,13 @@ fn read(text: &str) -> Table {
 
 fn problem<T: JsonSchema>(text: &mut String, name: &str) {
     let _ = write!(text, "\n### `{name}`\n\n| key | type | default | meaning |\n| --- | --- | --- | --- |\n");
-    let schema = schema_for!(T).to_value();
+    let schema = schema::<T>();
     rows(text, &schema, &schema, "", &[], false);
 }
 
 /// Writes a table for each section.
 fn tables<T: JsonSchema>(text: &mut String, presets: &[(&str, Table)]) {
-    let schema = schema_for!(T).to_value();
+    let schema = schema::<T>();
     for (section, value) in properties(&schema) {
         if section == "problem" {
             continue;
@@ -76,7 +76,7 @@ fn tables<T: JsonSchema>(text: &mut String, presets: &[(&str, Table)]) {
         let _ = write!(
             text,
             "\n### `[{section}]`\n\n{}\n\n| key | type | default |{columns} meaning |\n| --- | --- | --- |{line} --- |\n",
-            sentence(value["description"].as_str().unwrap_or_default())
+            description(&schema, value)
         );
         let here: Vec<Option<&Table>> =
             presets.iter().map(|(_, table)| table.get(section).and_then(toml::Value::as_table)).collect();
@@ -89,7 +89,7 @@ fn rows(text: &mut String, schema: &Value, value: &Value, before: &str, presets:
     let required: Vec<&str> = value["required"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
     for (key, property) in properties(value) {
         let inner = resolved(schema, property);
-        let meaning = sentence(property["description"].as_str().or(inner["description"].as_str()).unwrap_or_default());
+        let meaning = description(schema, property).replace('|', "\\|");
         if inner.get("properties").is_some() && !section {
             rows(text, schema, inner, &format!("{before}{key}."), &[], false);
             continue;
@@ -109,24 +109,6 @@ fn rows(text: &mut String, schema: &Value, value: &Value, before: &str, presets:
             "| `{before}{key}` | {} | {default} |{columns} {meaning} |",
             kind(schema, property).replace('|', "\\|")
         );
-    }
-}
-
-fn properties(value: &Value) -> impl Iterator<Item = (&str, &Value)> {
-    value["properties"].as_object().into_iter().flatten().map(|(key, value)| (key.as_str(), value))
-}
-
-/// Returns the definition that a schema refers to; of one or none, that of one.
-fn resolved<'a>(schema: &'a Value, value: &'a Value) -> &'a Value {
-    if let Some(of) = value["$ref"].as_str() {
-        return schema.pointer(of.trim_start_matches('#')).unwrap_or(value);
-    }
-    let some = value["anyOf"].as_array().and_then(|all| all.iter().find(|it| it["type"] != "null"));
-    match some {
-        Some(some) if value["anyOf"].as_array().is_some_and(|all| all.iter().any(|it| it["type"] == "null")) => {
-            resolved(schema, some)
-        }
-        _ => value,
     }
 }
 
@@ -160,9 +142,4 @@ fn kind(schema: &Value, value: &Value) -> String {
         },
         other => other.to_owned(),
     }
-}
-
-/// Returns a description in one line for a cell.
-fn sentence(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ").replace('|', "\\|")
 }

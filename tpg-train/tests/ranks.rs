@@ -8,7 +8,6 @@ use tempfile::TempDir;
 use tpg_engine::EvaluationError;
 use tpg_graph::command::{CommandError, Verdict};
 use tpg_train::evolution::command::{TpgArgs, execute};
-use tpg_train::evolution::presets::Preset;
 use tpg_train::hybrid::command::{HybridArgs, execute as study};
 use tpg_train::ranks::link::Link;
 use tpg_train::ranks::workplace::{Ranks, ThisProcess, Workplace};
@@ -102,20 +101,8 @@ const RESULTS: [&str; 3] = ["graph.json", "checkpoint", "generations.csv"];
 #[test]
 fn any_number_of_ranks_gives_the_bytes_of_threads() {
     let folder = TempDir::new().expect("a folder");
-    let config = folder.path().join("random.toml");
-    let text = Preset::find("frugal").expect("it comes with the trainer").text();
-    let text = text.replace("\nrandom = 0.0", "\nrandom = 0.4");
-    fs::write(&config, text).expect("it can be written");
-    let random = [
-        "--problem",
-        "pendulum",
-        "--config",
-        &config.display().to_string(),
-        "--max-steps",
-        "200000",
-        "--generations",
-        "4",
-    ];
+    let random =
+        ["--problem", "pendulum", "--preset", "quick", "--set", "learning.nb_generations=4", "--max-steps", "200000"];
     // Literals, an archive of visited states, leaves, a linear start and random search: everything that an evaluator is asked.
     for (problem, more) in [
         ("cartpole", &["--problem", "cartpole", "--generations", "4"][..]),

@@ -8,18 +8,16 @@ use std::time::{Duration, Instant};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_problems::arm::arms::ARMS;
 use tpg_problems::{Problem, ProblemName};
-use tpg_train::evolution::config::{EpisodeFor, EvolutionConfig, StartKind, Units};
+use tpg_train::evolution::config::{EvolutionConfig, Units};
 use tpg_train::evolution::presets::Preset;
 
-/// A run of seconds that uses every feature: two demes with migration, pool, archive, lexicase, racing.
+/// A run of seconds that uses every feature of evolution: two demes, pool, archive, lexicase, racing.
 fn small_config() -> EvolutionConfig {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
     config.problem = Problem::usual(ProblemName::Pendulum).to_table();
     config.problem.insert("levels".to_owned(), 3.into());
     (config.tpg.nb_roots, config.tpg.init_nb_roots, config.tpg.max_init_outgoing_edges) = (24, 40, 3);
-    (config.demes.count, config.demes.migration_interval, config.demes.migrants) = (2, 3, 1);
-    (config.pool.size, config.pool.share) = (20, 0.3);
-    (config.learning.archive_size, config.learning.archiving_probability) = (20, 0.5);
+    (config.demes.count, config.pool.share, config.learning.archive_size) = (2, 0.3, 50);
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (12, 25);
     config.learning.ratio_deleted_roots = 0.7;
     (config.selection.lexicase_survivors, config.selection.racing_episodes) = (3, 4);
@@ -136,32 +134,34 @@ fn state(folder: &Path) -> serde_json::Value {
     content["state"].take()
 }
 
+/// Trains on a built-in problem with the given arguments.
+fn train_on(problem: &str, folder: &Path, more: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_tpg-train"));
+    command.args(["tpg", "--problem", problem, "--out"]).arg(folder).args(more);
+    command.stdout(Stdio::null()).stderr(Stdio::null());
+    command
+}
+
 #[test]
 fn a_target_and_a_number_of_steps_end_a_run_early() {
     let place = tempfile::tempdir().expect("a temporary folder");
     for (goal, value) in [("--target", "400"), ("--max-steps", "200000")] {
         let folder = place.path().join(goal);
-        let mut command = Command::new(env!("CARGO_BIN_EXE_tpg-train"));
-        command.args(["tpg", "--problem", "cartpole", goal, value, "--out"]).arg(&folder);
-        assert!(command.stderr(Stdio::null()).status().expect("it runs").success());
+        assert!(train_on("cartpole", &folder, &[goal, value]).status().expect("it runs").success());
         let rows = fs::read_to_string(folder.join("generations.csv")).expect("the log").lines().count();
-        assert!(rows < 60, "{goal}: {rows} rows of 101");
-        let state = state(&folder);
-        let number = |key: &str| state[key].as_u64().expect("a count");
-        assert!(goal == "--target" || number("steps") >= 200_000, "{} steps", number("steps"));
+        assert!(rows < 60, "{goal}: {rows} rows");
+        let steps = state(&folder)["steps"].as_u64().expect("a count");
+        assert!(goal == "--target" || steps >= 200_000, "{steps} steps");
     }
 }
 
 #[test]
 fn a_target_that_the_search_for_weights_reaches_ends_it() {
     let place = tempfile::tempdir().expect("a temporary folder");
-    let mut config = Preset::find("frugal").expect("it comes with the trainer").config().expect("it is accepted");
-    config.problem = Problem::usual(ProblemName::Cartpole).to_table();
-    let file = place.path().join("config.toml");
-    fs::write(&file, config.to_toml()).expect("it can be written");
     let run = |name: &str, threads: &str| {
         let folder = place.path().join(name);
-        assert!(train(&folder, &file, &["--target", "475", "--threads", threads]).status().expect("it runs").success());
+        let more = ["--preset", "quick", "--set", "start.random=0", "--target", "475", "--threads", threads];
+        assert!(train_on("cartpole", &folder, &more).status().expect("it runs").success());
         results(&folder)
     };
     assert!(run("one", "1") == run("three", "3"));
@@ -174,21 +174,50 @@ fn a_target_that_the_search_for_weights_reaches_ends_it() {
 }
 
 #[test]
-fn selection_takes_no_more_than_a_tenth_of_the_episodes() {
+fn selection_takes_no_more_than_a_tenth_of_the_steps() {
     let place = tempfile::tempdir().expect("a temporary folder");
     let generations = tpg_testing::amount("12", "30");
-    for preset in ["kelly", "general"] {
+    for preset in ["gegelati", "thorough"] {
         let folder = place.path().join(preset);
-        let mut command = Command::new(env!("CARGO_BIN_EXE_tpg-train"));
-        command
-            .args(["tpg", "--problem", "cartpole", "--preset", preset, "--generations", generations, "--out"])
-            .arg(&folder);
-        assert!(command.stderr(Stdio::null()).status().expect("it runs").success());
+        let more = ["--preset", preset, "--generations", generations];
+        assert!(train_on("cartpole", &folder, &more).status().expect("it runs").success());
         let state = state(&folder);
         let number = |key: &str| state[key].as_u64().expect("a count");
-        let (training, selection) = (number("training_episodes"), number("selection_episodes"));
-        assert!(10 * selection <= training + selection && selection > 0, "{preset}: {selection} beside {training}");
+        let (steps, selection) = (number("steps"), number("selection_steps"));
+        assert!(9 * selection <= steps && selection > 0, "{preset}: {selection} of {steps}");
     }
+}
+
+#[test]
+fn a_preset_a_file_and_single_settings_change_each_other_in_this_order() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let (file, folder) = (place.path().join("mine.toml"), place.path().join("run"));
+    fs::write(&file, "tpg.nb_roots = 20\nselection.line_price = 0.5\n").expect("it can be written");
+    let all = ["--preset", "quick", "--config", file.to_str().expect("a path"), "--set", "selection.line_price=0"];
+    let more = ["--set", "language.scalar=f64", "--generations", "1"];
+    assert!(train_on("cartpole", &folder, &[&all[..], &more].concat()).status().expect("it runs").success());
+    let text = fs::read_to_string(folder.join("config.toml")).expect("the whole configuration");
+    let config = EvolutionConfig::from_toml("config.toml", &text).expect("a good one");
+    let quick = Preset::find("quick").and_then(|preset| preset.config().ok()).expect("a preset");
+    assert_eq!((config.tpg.nb_roots, config.selection.line_price), (20, 0.0));
+    assert_eq!((config.language.scalar, config.refinement), (tpg_graph::ScalarType::F64, quick.refinement));
+
+    let other = place.path().join("other");
+    let refused = |more: &[&str]| refusal(train_on("cartpole", &other, &[&all[..], more].concat()));
+    let said = refused(&["--set", "tpg.nb_rots=3"]);
+    assert!(
+        said.contains("the setting tpg.nb_rots: unknown field `nb_rots`") && said.contains("tpg-train config"),
+        "{said}"
+    );
+    let said = refused(&["--set", "selection.validation_share=2"]);
+    assert!(said.contains("the setting selection.validation_share: ") && said.contains("0.001 to 0.9"), "{said}");
+    assert!(refused(&["--set", "tpg.nb_roots"]).contains("--set KEY=VALUE"));
+    let said = refusal(train_on("cartpole", &other, &["--preset", "slow"]));
+    assert!(said.contains("thorough, quick, gegelati"), "{said}");
+    fs::write(&file, "\n[tpg]\nnb_roots = 1\n").expect("it can be written");
+    let said = refused(&[]);
+    assert!(said.contains("mine.toml: line 3: tpg.nb_roots = 1; accepted: 2 to"), "{said}");
+    assert!(!other.exists());
 }
 
 #[test]
@@ -209,41 +238,36 @@ fn a_folder_that_cannot_be_written_is_an_error() {
 
 #[test]
 fn a_bad_configuration_is_refused_with_its_line_and_what_is_accepted() {
-    let text = Preset::find("polar-fs").expect("it comes with the trainer").text();
-    let line_of = |start: &str| text.lines().position(|line| line.starts_with(start)).expect("the key") + 1;
-    let wrong = |from: &str, to: &str| {
-        let changed: Vec<&str> = text.lines().map(|line| if line.starts_with(from) { to } else { line }).collect();
-        let text = changed.join("\n");
-        let of_problem = || Problem::from_toml("c.toml", &text).err();
-        EvolutionConfig::from_toml("c.toml", &text).err().or_else(of_problem).expect("it is wrong").to_string()
-    };
-    // Also checks the line of a key in a nested section.
-    let arm = text.to_owned() + &ARMS[0].text.replace("elbow_offset = 49.0", "elbow_offset = -1.0");
+    for (text, line, found, accepted) in [
+        ("[program]\np_swop = 1.0", 2, "unknown field `p_swop`", "tpg-train config"),
+        ("[tpg]\nnb_roots = \"many\"", 2, "invalid type", "tpg-train config"),
+        ("\nstart.share = 1.5", 2, "start.share = 1.5", "0 to 1"),
+        ("[language]\ninstructions = [\"add\", \"add\"]", 2, "\"add\"", "each once"),
+        ("[language]\ninstructions = [\"sub\"]", 1, "start.share = 0.4", "the words add and multiply_add or mul"),
+        ("tpg.max_outgoing_edges = 2", 1, "tpg.max_outgoing_edges = 2", "4 to"),
+        ("[curriculum]\nroughness = 128", 2, "curriculum.roughness = 128", "1 to 127"),
+        ("curriculum.generations = 100000", 1, "curriculum.generations = 100000", "0 to"),
+    ] {
+        let error = EvolutionConfig::from_toml("c.toml", text).expect_err(text).to_string();
+        let place = if found.starts_with("start.share = 0.4") { String::new() } else { format!("line {line}: ") };
+        assert!(error.starts_with(&format!("c.toml: {place}")), "{error}");
+        assert!(error.contains(found) && error.contains(accepted), "{error}");
+    }
+    for (text, found, accepted) in [
+        ("sources = [\"polar\", \"smell\"]", "\"smell\"", "reach_excess"),
+        ("shield = \"walls\"", "unknown variant `walls`", "tpg-train config"),
+        ("sources = [\"polar\", \"shield_limits\"]", "\"shield_limits\"", "one or more of"),
+    ] {
+        let text = format!("[problem]\nname = \"fs\"\n{text}\n");
+        let error = Problem::from_toml("c.toml", &text).expect_err("it is wrong").to_string();
+        assert!(error.starts_with("c.toml: line 3: ") && error.contains(found) && error.contains(accepted), "{error}");
+    }
+    // Also the line of a key in a nested section.
+    let arm =
+        "[problem]\nname = \"fs\"\n".to_owned() + &ARMS[0].text.replace("elbow_offset = 49.0", "elbow_offset = -1.0");
     let line = arm.lines().position(|line| line.starts_with("elbow_offset")).expect("the key") + 1;
     let error = Problem::from_toml("c.toml", &arm).expect_err("it is wrong").to_string();
     assert_eq!(error, format!("c.toml: line {line}: problem.arm.links.elbow_offset = -1; accepted: 0 to 1000 mm"));
-    for (from, to, found, accepted) in [
-        ("p_swap", "p_swop = 1.0", "unknown field `p_swop`", "p_swap"),
-        ("p_edge_deletion", "p_edge_deletion = 1.5", "tpg.p_edge_deletion = 1.5", "0 to 1"),
-        ("nb_roots", "nb_roots = \"many\"", "invalid type", "tpg-train config"),
-        ("sources", "sources = [\"polar\", \"smell\"]", "\"smell\"", "reach_excess"),
-        ("instructions", "instructions = [\"add\", \"add\"]", "\"add\"", "each once"),
-        ("p_program_mutation", "p_program_mutation = 0.0", "tpg.p_program_mutation = 0", "0.001 to 1"),
-        ("max_outgoing_edges", "max_outgoing_edges = 2", "tpg.max_outgoing_edges = 2", "3 to"),
-        ("share", "share = 0.5", "pool.share = 0.5", "pool.size"),
-        ("shield", "shield = \"walls\"", "unknown variant `walls`", "tpg-train config"),
-        ("sources", "sources = [\"polar\", \"shield_limits\"]", "\"shield_limits\"", "one or more of"),
-        ("generations", "generations = 100000", "curriculum.generations = 100000", "0 to"),
-        ("roughness", "roughness = 128", "curriculum.roughness = 128", "1 to 127"),
-    ] {
-        let error = wrong(from, to);
-        assert!(error.starts_with(&format!("c.toml: line {}: ", line_of(from))), "{error}");
-        assert!(error.contains(found) && error.contains(accepted), "{error}");
-    }
-    let frugal =
-        Preset::find("frugal").expect("it comes with the trainer").text().replace("\nrandom = 0.0", "\nrandom = 0.5");
-    let error = EvolutionConfig::from_toml("c.toml", &frugal).expect_err("above the share of all searches").to_string();
-    assert!(error.contains("start.random = 0.5; accepted: 0 to 0.4"), "{error}");
 }
 
 /// Waits until a file exists.
@@ -295,22 +319,21 @@ fn ctrl_c_leaves_a_checkpoint_that_ends_in_the_same_bytes() {
     }
 }
 
-/// A preset with two small demes, of which one begins with what four generations of search have found.
-fn small(preset: &str) -> EvolutionConfig {
-    let mut config = Preset::find(preset).expect("it comes with the trainer").config().expect("it is accepted");
+/// Two small demes, of which one begins with what a short search has found.
+fn small() -> EvolutionConfig {
+    let mut config = EvolutionConfig::default();
     (config.tpg.nb_roots, config.tpg.init_nb_roots, config.demes.count) = (30, 60, 2);
-    (config.start.generations, config.start.searches, config.start.demes) = (4, 2, 1);
+    config.start.share = 0.2;
     config
 }
 
-/// A policy that computes the torque: leaves, teams and refined numbers, two demes with migration.
+/// A policy that computes the torque: leaves, teams and refined numbers, two demes.
 #[test]
 fn a_policy_with_outputs_has_the_same_bytes_on_other_threads_and_after_a_stop() {
     let place = tempfile::tempdir().expect("a temporary folder");
     let path = place.path().join("config.toml");
-    let mut config = small("continuous");
-    (config.demes.migration_interval, config.learning.nb_generations) = (5, 25);
-    (config.leaves.p_edge_addition, config.leaves.p_team) = (0.3, 0.3);
+    let mut config = small();
+    config.learning.nb_generations = 25;
     config.selection.validation_episodes = 30;
     config.problem = Problem::usual(ProblemName::Pendulum).to_table();
     fs::write(&path, config.to_toml()).expect("it can be written");
@@ -334,8 +357,8 @@ fn a_policy_with_outputs_has_the_same_bytes_on_other_threads_and_after_a_stop() 
 
 /// A pendulum without a sensor of its velocity, and policies that remember two values.
 fn memory_config() -> EvolutionConfig {
-    let mut config = small("continuous");
-    (config.demes.migration_interval, config.learning.nb_generations) = (5, 8);
+    let mut config = small();
+    config.learning.nb_generations = 8;
     config.selection.validation_episodes = 30;
     config.language.memory = 2;
     config.language.instructions.push("copy".to_owned());
@@ -376,59 +399,35 @@ fn memory_needs_outputs() {
     assert!(said.contains("language.memory") && said.contains("a problem without outputs"), "{said}");
 }
 
-/// A linear start in one of two demes, of which the worse one ends, for outputs, products and named actions; units from
-/// visited states: searches, what stalled before them, and demes are part of the checkpoint.
+/// A search for weights before two demes, of which the worse one ends, for outputs and named actions; units from visited states:
+/// searches, what stalled before them, and demes are part of the checkpoint.
 #[test]
-fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
-    // With a share of the steps, milestones and the choice among policies within doubt are part of it, too.
-    for (name, problem, kind, share, deviation) in [
-        ("outputs", ProblemName::Pendulum, StartKind::Linear, 0.0, 0.5),
-        ("products", ProblemName::Pendulum, StartKind::Product, 0.0, 0.5),
-        ("actions", ProblemName::Acrobot, StartKind::Linear, 0.0, 0.5),
-        ("steps", ProblemName::Pendulum, StartKind::Linear, 0.5, 0.5),
-        ("new searches", ProblemName::Pendulum, StartKind::Linear, 1.0, 1e-6),
-        ("random search", ProblemName::Pendulum, StartKind::Linear, 0.5, 0.5),
-        ("random search of actions", ProblemName::Acrobot, StartKind::Linear, 0.5, 0.5),
+fn stages_have_the_same_bytes_on_other_threads_and_after_kills() {
+    for (name, problem, random) in [
+        ("outputs", ProblemName::Pendulum, 0.0),
+        ("actions", ProblemName::Acrobot, 0.0),
+        ("random search", ProblemName::Pendulum, 0.3),
+        ("random search of actions", ProblemName::Acrobot, 0.3),
     ] {
         let place = tempfile::tempdir().expect("a temporary folder");
         let path = place.path().join("config.toml");
-        let mut config = Preset::find("linear").expect("it comes with the trainer").config().expect("it is accepted");
-        (config.tpg.nb_roots, config.tpg.init_nb_roots, config.demes.count) = (20, 30, 2);
-        (config.start.generations, config.start.demes, config.demes.migration_interval) = (12, 1, 5);
-        (config.learning.nb_generations, config.selection.validation_episodes) = (24, 30);
+        let mut config = small();
+        (config.tpg.nb_roots, config.tpg.init_nb_roots) = (20, 30);
+        (config.learning.nb_generations, config.selection.validation_episodes) = (100, 30);
+        config.learning.nb_iterations_per_policy_evaluation = 4;
         (config.demes.halving_interval, config.literals.units) = (6, Units::Visited);
-        (config.refinement.p_mutation, config.start.kind) = (0.5, kind);
-        config.start.share = [0.5 * share, share];
-        config.start.deviation = deviation;
-        config.selection.choice_errors = 2.0 * share;
-        let is_random = name.starts_with("random");
-        config.start.random = if is_random { 0.25 } else { 0.0 };
-        config.start.episode_for = if name == "random search" { EpisodeFor::Pair } else { EpisodeFor::Sample };
-        let steps = match (share == 0.5, is_random) {
-            (true, true) => "100000",
-            (true, false) => "200000",
-            (false, _) => "1000000000000",
-        };
-        let begins_anew = share == 1.0 || is_random;
-        if share == 1.0 {
-            // Equal samples: some generation is the best of the ten after it.
-            (config.start.generations, config.learning.nb_generations) = (2, 40);
-        }
-        let train = |folder: &Path, more: &[&str]| train(folder, &path, &[more, &["--max-steps", steps]].concat());
+        (config.refinement.p_mutation, config.start.share, config.start.random) = (0.5, 0.8, random);
         config.problem = Problem::usual(problem).to_table();
         fs::write(&path, config.to_toml()).expect("it can be written");
-        let [one, other] = ["one", "other"].map(|name| place.path().join(name));
-        assert!(train(&one, &["--threads", "1"]).status().expect("it runs").success());
-        assert!(train(&other, &["--threads", "3", "--lanes", "5"]).status().expect("it runs").success());
+        let [one, other, stopped] = ["one", "other", "stopped"].map(|name| place.path().join(name));
+        assert!(train(&one, &path, &["--threads", "1"]).status().expect("it runs").success());
+        assert!(train(&other, &path, &["--threads", "3", "--lanes", "5"]).status().expect("it runs").success());
         assert!(results(&one) == results(&other), "{name}: threads and lanes change nothing");
-        let checkpoint = fs::read(one.join("checkpoint")).expect("it is there");
-        let has = |key: &str| String::from_utf8_lossy(&checkpoint).contains(key);
-        assert_eq!((has("\"stalled\""), has("\"random\"")), (begins_anew, is_random), "{name}");
-        // Stopped in the first half of the start, in the second half, at its end, and after it.
-        let stopped = place.path().join("stopped");
-        for generations in ["3", "9", "12", "15"] {
+        // Stopped in the first search, in a later one, and after all of them.
+        let mut seen = String::new();
+        for generations in ["3", "55", "90"] {
             let arguments = ["--checkpoint-seconds", "0", "--lanes", "1", "--resume"];
-            let mut run = train(&stopped, &arguments).spawn().expect("it starts");
+            let mut run = train(&stopped, &path, &arguments).spawn().expect("it starts");
             let rows = stopped.join("generations.csv");
             let done = || fs::read_to_string(&rows).map_or(0, |text| text.lines().count().saturating_sub(1));
             while done() < generations.parse().expect("a number") && run.try_wait().expect("a child").is_none() {
@@ -436,97 +435,48 @@ fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
             }
             run.kill().expect("it can be killed");
             run.wait().expect("it ends");
+            seen += &state(&stopped).to_string();
         }
-        assert!(train(&stopped, &["--resume"]).status().expect("it runs").success());
+        assert!(seen.contains("\"cma\""), "{name}");
+        assert!(random == 0.0 || seen.contains("\"random\"") && seen.contains("\"stalled\""), "{name}");
+        assert!(train(&stopped, &path, &["--resume"]).status().expect("it runs").success());
         assert!(results(&one) == results(&stopped), "{name}: kills change nothing");
     }
-}
-
-/// Writes a configuration that gives half of its steps to a random search, and none to other searches.
-fn write_random_search(path: &Path, problem: ProblemName, generations: u64) {
-    let mut config = small("frugal");
-    config.problem = Problem::usual(problem).to_table();
-    (config.start.random, config.start.share, config.learning.nb_generations) = (0.5, [0.5, 0.5], generations);
-    fs::write(path, config.to_toml()).expect("it can be written");
-}
-
-#[test]
-fn a_random_search_that_is_resumed_without_a_number_of_steps_ends_after_its_generations() {
-    let place = tempfile::tempdir().expect("a temporary folder");
-    let (path, folder) = (place.path().join("config.toml"), place.path().join("run"));
-    write_random_search(&path, ProblemName::Pendulum, 30);
-    let mut run = train(&folder, &path, &["--max-steps", "1000000000000", "--checkpoint-seconds", "0"])
-        .spawn()
-        .expect("it starts");
-    let rows = || fs::read_to_string(folder.join("generations.csv")).map_or(0, |text| text.lines().count());
-    while rows() < 4 && run.try_wait().expect("a child").is_none() {
-        sleep(Duration::from_millis(1));
-    }
-    run.kill().expect("it can be killed");
-    run.wait().expect("it ends");
-    assert!(train(&folder, &path, &["--resume"]).status().expect("it runs").success());
-    let text = fs::read_to_string(folder.join("checkpoint")).expect("it is there");
-    assert!(text.contains("\"stalled\"") && text.contains("\"random\""), "what it has found is kept");
-    let text = fs::read_to_string(folder.join("graph.json")).expect("a graph");
-    tpg_graph::Graph::from_json("graph.json", &text).expect("a valid graph");
-}
-
-#[test]
-fn samples_of_a_random_search_share_episodes_as_the_configuration_says() {
-    let place = tempfile::tempdir().expect("a temporary folder");
-    let path = place.path().join("config.toml");
-    write_random_search(&path, ProblemName::Pendulum, 6);
-    let text = fs::read_to_string(&path).expect("it was written");
-    let rows = |who: &str| {
-        let folder = place.path().join(who);
-        fs::write(&path, text.replace("[start]\n", &format!("[start]\nepisode_for = \"{who}\"\n"))).expect("written");
-        assert!(train(&folder, &path, &["--max-steps", "1000000"]).status().expect("it runs").success());
-        fs::read_to_string(folder.join("generations.csv")).expect("the log")
-    };
-    let [sample, pair, generation] = ["sample", "pair", "generation"].map(rows);
-    assert!(sample != pair && pair != generation && sample != generation, "{sample}{pair}{generation}");
-    fs::write(&path, text.replace("[start]\n", "[start]\nepisode_for = \"deme\"\n")).expect("written");
-    let said = refusal(train(&place.path().join("deme"), &path, &[]));
-    assert!(said.contains("deme") && said.contains("`pair`"), "{said}");
 }
 
 /// Sums of the inputs balance a pole on a cart, and cannot swing a pendulum up.
 #[test]
 fn a_random_search_that_gets_nowhere_ends_early() {
-    for (problem, is_good) in [(ProblemName::Pendulum, false), (ProblemName::Cartpole, true)] {
-        let place = tempfile::tempdir().expect("a temporary folder");
-        let (path, folder) = (place.path().join("config.toml"), place.path().join("run"));
-        write_random_search(&path, problem, 1000);
-        assert!(train(&folder, &path, &["--max-steps", "1000000"]).status().expect("it runs").success());
-        let steps = state(&folder)["milestones"]["begun"]["steps"].as_u64().expect("where another search began");
-        assert_eq!(steps >= 500_000, is_good, "{problem:?}: another search began after {steps} steps");
+    let place = tempfile::tempdir().expect("a temporary folder");
+    for (problem, is_good) in [("pendulum", false), ("cartpole", true)] {
+        let folder = place.path().join(problem);
+        let more = ["--preset", "quick", "--set", "start.random=0.5", "--set", "start.share=0.5"];
+        assert!(
+            train_on(problem, &folder, &[&more[..], &["--max-steps", "300000"]].concat())
+                .status()
+                .expect("it runs")
+                .success()
+        );
+        let budget = &state(&folder)["budget"];
+        // It had its whole part, or left the most of it to another search.
+        let [begun, ended] = ["begun", "ended"].map(|key| budget[key].as_u64().expect("a generation"));
+        assert_eq!(ended - begun <= 1, is_good, "{problem}: {budget}");
     }
 }
 
 #[test]
-fn a_run_without_progress_ends_and_lines_have_their_price() {
+fn lines_have_their_price() {
     let place = tempfile::tempdir().expect("a temporary folder");
-    let mut config = small("continuous");
-    config.demes.count = 1;
-    (config.learning.nb_generations, config.selection.validation_episodes) = (400, 30);
-    config.problem = Problem::usual(ProblemName::Pendulum).to_table();
-    config.selection.flat_after = 3;
-    let mut sizes = Vec::new();
     // With the price of 1 a line costs the whole way to the best score.
-    for price in [0.0, 1.0] {
-        config.selection.line_price = price;
-        let (path, folder) = (place.path().join("config.toml"), place.path().join(format!("price-{price}")));
-        fs::write(&path, config.to_toml()).expect("it can be written");
-        assert!(train(&folder, &path, &[]).status().expect("it runs").success());
-        let text = fs::read_to_string(folder.join("generations.csv")).expect("the log");
-        let is_number = |row: &str| row.split(',').nth(8).is_some_and(|field| field.parse::<f64>().is_ok());
-        let validated: Vec<bool> = text.lines().skip(1).map(is_number).collect();
-        assert!(validated.len() < 400, "it ends by itself");
-        assert!(validated.last() == Some(&true), "after a validation");
+    let sizes = ["0", "1"].map(|price| {
+        let folder = place.path().join(price);
+        let price = format!("selection.line_price={price}");
+        let more = ["--set", &price, "--set", "demes.count=1", "--generations", "60"];
+        assert!(train_on("pendulum", &folder, &more).status().expect("it runs").success());
         let text = fs::read_to_string(folder.join("graph.json")).expect("a graph");
         let graph = tpg_graph::Graph::from_json("graph.json", &text).expect("a valid graph");
-        sizes.push(graph.programs().iter().map(|program| program.lines.len()).sum::<usize>());
-    }
+        graph.programs().iter().map(|program| program.lines.len()).sum::<usize>()
+    });
     assert!(sizes[1] <= 1 && sizes[1] < sizes[0], "{sizes:?}");
 }
 

@@ -108,7 +108,7 @@ fn neither_trainer_overwrites_a_run_of_the_other() {
         let mut command = tpg_train();
         command.current_dir(place.path()).args([trainer, "--problem", "pendulum", "--max-steps", "1"]);
         if trainer == "tpg" {
-            command.args(["--preset", "general", "--generations", "1"]);
+            command.args(["--generations", "1"]);
         }
         let output = command.args(["--out", folder]).args(more).output().expect("it starts");
         (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())

@@ -24,7 +24,7 @@ fn config() -> EvolutionConfig {
     config.learning.ratio_deleted_roots = 0.7;
     (config.selection.lexicase_survivors, config.selection.racing_episodes) = (3, 0);
     config.selection.validation_episodes = 20;
-    (config.demes.count, config.pool.size, config.pool.share, config.curriculum.generations) = (1, 0, 0.0, 0);
+    (config.pool.share, config.curriculum.generations) = (0.0, 0);
     config
 }
 

@@ -14,6 +14,7 @@ pub(super) const TPG: &str = "\
 Examples:
   tpg-train tpg --problem cartpole --target 475 --out runs/pole
   tpg-train tpg --problem pendulum --seeds 1..6 --out runs/pendulum
+  tpg-train tpg --problem cartpole --preset quick --set tpg.nb_roots=40 --max-steps 1000000 --out runs/quick
   tpg-train tpg --config my.toml --generations 400 --out runs/mine --resume";
 
 pub(super) const SAC: &str = "\
@@ -47,7 +48,7 @@ Examples:
 
 pub(super) const CONFIG: &str = "\
 Examples:
-  tpg-train config linear
+  tpg-train config quick
   tpg-train config --list";
 
 pub(super) const ARM: &str = "\

@@ -12,7 +12,6 @@ use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use tpg_engine::{Line, Operand};
 use tpg_graph::ScalarType;
-use tpg_graph::error::Finding;
 use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::scalar::Scalar;
 
@@ -48,18 +47,10 @@ impl Archive {
         self.size
     }
 
-    /// Checks recordings that were read from a file.
-    ///
-    /// # Errors
-    /// If there are too many, or one is of no deme or has another number of inputs.
-    pub fn check(&self, demes: usize, inputs: usize) -> Result<(), Finding> {
-        Finding::range("recordings", self.recordings.len(), 0, self.size)?;
-        for (place, recording) in self.recordings.iter().enumerate() {
-            let (deme, states) = (recording.program.0, recording.state.len());
-            Finding::range(&format!("recordings[{place}].program[0]"), deme, 0, demes as u64 - 1)?;
-            Finding::range(&format!("recordings[{place}].state"), states, inputs, inputs)?;
-        }
-        Ok(())
+    /// True if the archive, read from a file, is one of so many demes and inputs.
+    pub(super) fn is_valid(&self, demes: usize, inputs: usize) -> bool {
+        let is_valid = |it: &Recording| it.program.0 < demes as u64 && it.state.len() == inputs;
+        self.recordings.len() <= self.size && self.recordings.iter().all(is_valid)
     }
 
     /// Adds a recording and drops the oldest one if the archive is full.
@@ -102,7 +93,7 @@ impl Known<'_> {
 }
 
 /// Returns a program's bid in a state, in its scalar type with the project's own maths; NaN is returned unchanged.
-pub fn bid(lines: &[Line], vocabulary: &Vocabulary, state: &[f64]) -> f64 {
+pub(super) fn bid(lines: &[Line], vocabulary: &Vocabulary, state: &[f64]) -> f64 {
     bid_in(&mut Vec::new(), lines, vocabulary, state)
 }
 

@@ -2,7 +2,7 @@
 
 use super::config::EvolutionConfig;
 use super::generation::Goal;
-use super::presets::{PRESETS, Preset};
+use super::presets::{self, Preset};
 use super::run::{RunEnd, RunError, RunOptions, run};
 use super::state::Best;
 use crate::configuration::{Chosen, Configuration};
@@ -54,7 +54,7 @@ pub struct TpgArgs {
     /// Parallel episodes. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 112, value_parser = clap::value_parser!(u16).range(1..=EngineOptions::MOST_LANES as i64))]
     pub lanes: u16,
-    /// Generations, instead of the configuration's; with --resume, a run can go further than before
+    /// Generations instead of the configuration's; with --resume, a run can go further than before
     #[arg(long, value_name = "G", value_parser = clap::value_parser!(u64).range(1..))]
     pub generations: Option<u64>,
     /// End the run when a root reaches this mean score on the selection set
@@ -115,11 +115,16 @@ pub fn execute(args: &TpgArgs, place: &impl Workplace) -> Result<Verdict, RunErr
 
 impl Configuration for EvolutionConfig {
     type Problem = Problem;
-    const PRESETS: &'static [Preset] = &PRESETS;
     const PRINTED_BY: &'static str = "tpg-train config";
 
-    fn usual(problem: ProblemName) -> &'static Preset {
-        Preset::usual(problem)
+    fn presets() -> Vec<&'static str> {
+        presets::PRESETS.iter().map(|preset| preset.name).collect()
+    }
+    fn preset(name: &str) -> Option<toml::Table> {
+        Preset::find(name).map(Preset::table)
+    }
+    fn default_preset(problem: ProblemName) -> &'static str {
+        presets::default_for(problem)
     }
     fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
         Self::from_toml(file, text)

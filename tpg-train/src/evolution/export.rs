@@ -16,7 +16,7 @@ use tpg_runtime::ops::Instruction;
 ///
 /// # Errors
 /// If the actions are not named, or the graph is invalid, which would be a defect of the trainer.
-pub fn graph(
+pub(super) fn graph(
     policy: &PolicyGraph,
     vocabulary: &Vocabulary,
     sources: Vec<SourceDocument>,

@@ -67,8 +67,6 @@ pub struct GenomeLine {
 /// An evolving program.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Program {
-    /// GEGELATI's program constants (`data/constantHandler.h`).
-    pub constants: Vec<f64>,
     /// Its lines.
     pub lines: Vec<GenomeLine>,
 }
@@ -85,19 +83,9 @@ impl Program {
         let line = |(line, _): (&GenomeLine, bool)| Line {
             to: line.to,
             instruction: vocabulary.instruction(line.instruction),
-            operands: line.operands.map(|gene| vocabulary.read(&gene, &self.constants)),
+            operands: line.operands.map(|gene| vocabulary.read(&gene)),
         };
         self.lines.iter().zip(self.effective(vocabulary)).filter(|(_, effective)| *effective).map(line).collect()
-    }
-
-    /// Returns what GEGELATI's `Program::hasIdenticalBehavior` compares: the effective lines, without operands they do
-    /// not read.
-    pub fn behaviour(&self, vocabulary: &Vocabulary) -> Vec<Line> {
-        let mut lines = self.lines(vocabulary);
-        for line in lines.iter_mut().filter(|line| line.instruction.arity() == 1) {
-            line.operands[1] = line.operands[0];
-        }
-        lines
     }
 }
 
@@ -243,43 +231,6 @@ impl Genome {
             }
         }
         reached
-    }
-
-    /// Copies a root with everything reachable from it out of another genome, under new numbers.
-    pub fn adopt(&mut self, from: &Self, root: TeamId) -> TeamId {
-        let reached = from.reachable(root);
-        let mut programs = BTreeMap::new();
-        let mut leaves = BTreeMap::new();
-        let teams: BTreeMap<TeamId, TeamId> =
-            reached.iter().map(|&old| (old, self.add_team(Team::default()))).collect();
-        for (&old, &new) in &teams {
-            let mut edges = Vec::new();
-            for edge in &from.team(old).edges {
-                let program = self.adopt_program(from, edge.program, &mut programs);
-                let to = match edge.to {
-                    Destination::Team(team) => Destination::Team(teams[&team]),
-                    action @ Destination::Action(_) => action,
-                    Destination::Leaf(leaf) => Destination::Leaf(match leaves.get(&leaf) {
-                        Some(&leaf) => leaf,
-                        None => {
-                            let computing = from.leaves[&leaf].programs.iter();
-                            let computing = computing.map(|&program| self.adopt_program(from, program, &mut programs));
-                            let copy = Leaf { programs: computing.collect() };
-                            let new = self.add_leaf(copy);
-                            leaves.insert(leaf, new);
-                            new
-                        }
-                    }),
-                };
-                edges.push(Edge { program, to });
-            }
-            *self.edges_mut(new) = edges;
-        }
-        teams[&root]
-    }
-
-    fn adopt_program(&mut self, from: &Self, old: ProgramId, known: &mut BTreeMap<ProgramId, ProgramId>) -> ProgramId {
-        *known.entry(old).or_insert_with(|| self.add_program(from.program(old).clone()))
     }
 
     /// Converts a root to an engine policy.

@@ -3,13 +3,14 @@
 use super::config::TpgParameters;
 use super::genome::{Destination, Edge, Genome, GenomeLine, Program, Team, TeamId};
 use super::mutate_program::ProgramMutator;
+use super::mutate_team::P_PROGRAM_MUTATION;
 use super::vocabulary::{Gene, Kind, Vocabulary};
 use tpg_engine::ActionSpace;
 use tpg_engine::random::Stream;
 use tpg_runtime::ops::Instruction;
 
 /// Returns the action that undoes each one: that with the same effect and the opposite values.
-pub fn opposites(actions: &ActionSpace) -> Vec<Option<u16>> {
+pub(super) fn opposites(actions: &ActionSpace) -> Vec<Option<u16>> {
     let ActionSpace::Discrete(actions) = actions else { return Vec::new() };
     let effects: Vec<_> = actions.iter().map(|action| action.effect.as_ref()).collect();
     let opposite = |place: usize| {
@@ -25,12 +26,15 @@ pub fn opposites(actions: &ActionSpace) -> Vec<Option<u16>> {
     (0..effects.len()).map(opposite).collect()
 }
 
+/// Probability that a child with several pairs loses one.
+const P_PAIR_DELETION: f64 = 0.7;
+
 /// Makes pairs of opposite bids.
 ///
 /// Two actions that undo each other alternate for ever where both bid high. With opposite bids one of them is below zero, and a
 /// third action moves where both are near it.
 #[derive(Clone, Copy, Debug)]
-pub struct Mirror<'a> {
+pub(super) struct Mirror<'a> {
     /// Changes programs.
     pub programs: ProgramMutator<'a>,
     /// The action that undoes each one.
@@ -42,7 +46,7 @@ pub struct Mirror<'a> {
 impl Mirror<'_> {
     /// Adds a child with another pair of opposite bids, with the configured probability; `None`, where another kind of child is due.
     /// The pair is one of its own, whose program is mutated, or made of a bid of any team. Draws nothing where the probability is 0.
-    pub fn child(
+    pub(super) fn child(
         &self,
         genome: &mut Genome,
         parent: TeamId,
@@ -58,13 +62,13 @@ impl Mirror<'_> {
         let foreign = stream.chance(0.5);
         let taken = if foreign { self.paired(others) } else { own.clone() };
         let (edge, pair) = *taken.get(stream.below(taken.len().max(1)))?;
-        if own.len() > 2 && stream.chance(parameters.p_edge_deletion) {
+        if own.len() > 2 && stream.chance(P_PAIR_DELETION) {
             let (_, [first, second]) = *stream.pick(&own);
             edges.retain(|edge| ![first, second].contains(&edge.to));
         }
         let mut program = genome.program(edge.program).clone();
-        if !foreign || stream.chance(parameters.p_program_mutation) {
-            while !self.programs.mutate(&mut program, stream) {}
+        if !foreign || stream.chance(P_PROGRAM_MUTATION) {
+            self.programs.mutate(&mut program, stream);
         }
         let pair = if stream.chance(parameters.p_edge_destination_change) { self.any_pair(stream)? } else { pair };
         self.bid(genome, &mut edges, program, pair, parameters.max_outgoing_edges)?;
@@ -72,7 +76,7 @@ impl Mirror<'_> {
     }
 
     /// Completes the pairs of every root of a first population; does nothing where the probability is 0.
-    pub fn complete_roots(&self, genome: &mut Genome, most_edges: usize) {
+    pub(super) fn complete_roots(&self, genome: &mut Genome, most_edges: usize) {
         let roots = if self.probability > 0.0 { genome.roots() } else { Vec::new() };
         roots.into_iter().for_each(|root| self.complete(genome, root, most_edges));
     }
@@ -144,17 +148,15 @@ impl Mirror<'_> {
             lines.push(negation);
         }
         let fits = lines.len() <= self.programs.parameters.max_program_size;
-        fits.then(|| Program { lines, ..program.clone() })
+        fits.then(|| Program { lines })
     }
 }
 
 /// Returns the line that negates a program's result; `None` without the word or the number for it.
 fn negation(vocabulary: &Vocabulary) -> Option<GenomeLine> {
-    let instruction = vocabulary.instructions().iter().position(|word| *word == Instruction::Sub.into())? as u8;
+    let instruction = vocabulary.index(Instruction::Sub.into())?;
+    let line = GenomeLine { instruction, to: 0, operands: [vocabulary.literal(0.0), Gene::register(0)] };
     let last = (vocabulary.sources() - 1) as u8;
-    let zero = Gene { source: last, location: 0, literal: 0.0 };
-    let result = Gene { source: 0, location: 0, literal: 0.0 };
-    let line = GenomeLine { instruction, to: 0, operands: [zero, result] };
     (vocabulary.kind(last) == Kind::Literal).then_some(line)
 }
 
@@ -162,9 +164,8 @@ fn negation(vocabulary: &Vocabulary) -> Option<GenomeLine> {
 mod tests {
     use super::{Mirror, opposites};
     use crate::evolution::archive::bid;
-    use crate::evolution::config::StartKind;
     use crate::evolution::genome::{Destination, Genome};
-    use crate::evolution::linear::LinearWriter;
+    use crate::evolution::linear::{LinearWriter, ProgramKind};
     use crate::evolution::mutate_program::ProgramMutator;
     use crate::evolution::presets::Preset;
     use crate::evolution::vocabulary::Vocabulary;
@@ -190,13 +191,13 @@ mod tests {
         let words = [Instruction::Add, Instruction::Sub, Instruction::Mul].map(Word::from);
         let words = [&words[..], &[Word::MultiplyAdd]].concat();
         let source = SourceDocument { name: "s".into(), length: 3, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 3] };
-        let vocabulary = Vocabulary::new(words, 2, 0, &[source], Some(vec![1.0; 3]), ScalarType::F64);
+        let vocabulary = Vocabulary::new(words, 2, &[source], Some(vec![1.0; 3]), ScalarType::F64);
         let config = Preset::find("raw-fs").expect("it is there").config().expect("it is accepted");
         let programs =
             ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
         let mirror = Mirror { programs, opposites: &[Some(1), Some(0), None], probability: 1.0 };
         let mut genome = Genome::default();
-        let writer = LinearWriter::new(&vocabulary, 3, StartKind::Linear).expect("sums can be written");
+        let writer = LinearWriter::new(&vocabulary, 3, ProgramKind::Sum).expect("sums can be written");
         let parent = writer.add_root(&mut genome, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
         let bids = |genome: &Genome, team, state: [f64; 3]| {
             let programs = genome.team(team).edges.iter().map(|edge| genome.program(edge.program));

@@ -3,37 +3,56 @@
 //! A policy starts as a single leaf: a formula. Children mostly change the programs of a leaf; edges, bids and teams come
 //! and go rarely.
 
-use super::config::{LeafConfig, ProgramParameters, TpgParameters};
+use super::config::{ProgramParameters, TpgParameters};
 use super::genome::{Destination, Edge, Genome, Leaf, LeafId, Team, TeamId};
 use super::mutate_program::ProgramMutator;
-use super::mutate_team::{Moment, Parents};
 use super::refine::Refiner;
+use super::stage::Moment;
 use std::collections::BTreeMap;
 use tpg_engine::random::{Purpose, Stream};
 
+/// Minimum of the maximum number of lines of a leaf's program.
+const LINES: usize = 32;
+/// Maximum number of rounds of mutation of a leaf's program in a child.
+const ROUNDS: usize = 3;
+/// Probability that a child changes only the literals of a leaf, and the standard deviations of that change, of which it draws one.
+const P_LITERALS: f64 = 0.3;
+const REFINEMENTS: [f64; 3] = [0.3, 0.1, 0.03];
+/// Probabilities that a child with several edges changes a bid, and that it loses an edge.
+const P_BID: f64 = 0.5;
+const P_EDGE_DELETION: f64 = 0.15;
+/// Probability that a child gets another edge, and that this leads to a team, not to a leaf.
+const P_EDGE_ADDITION: f64 = 0.04;
+const P_TEAM: f64 = 0.1;
+
+impl ProgramParameters {
+    /// Returns the maximum number of lines of a leaf's program.
+    pub(super) fn leaf_lines(&self) -> usize {
+        self.max_program_size.max(LINES)
+    }
+
+    /// Returns the parameters of a leaf's programs: those of bids, but longer.
+    pub(super) fn of_leaves(&self) -> Self {
+        Self { max_program_size: self.leaf_lines(), ..self.clone() }
+    }
+}
+
 /// Draws and changes policies with outputs.
 #[derive(Clone, Copy, Debug)]
-pub struct LeafMutator<'a> {
+pub(super) struct LeafMutator<'a> {
     /// Draws and changes the programs that bid.
     pub bids: ProgramMutator<'a>,
     /// Draws and changes the programs of leaves.
     pub leaves: ProgramMutator<'a>,
     /// Makes children by small changes.
     pub refiner: Refiner<'a>,
-    /// Parameters of leaves.
-    pub parameters: &'a LeafConfig,
     /// Parameters of teams.
     pub tpg: &'a TpgParameters,
 }
 
-impl<'a> LeafMutator<'a> {
-    /// Returns the parameters of a leaf's programs: those of bids, but longer.
-    pub fn longer(bids: &ProgramParameters, leaves: &LeafConfig) -> ProgramParameters {
-        ProgramParameters { max_program_size: leaves.max_program_size, ..bids.clone() }
-    }
-
+impl LeafMutator<'_> {
     /// Draws a population of formulas: each root has one edge, to a leaf of its own.
-    pub fn random_population(&self, roots: usize, stream: &mut Stream) -> Genome {
+    pub(super) fn random_population(&self, roots: usize, stream: &mut Stream) -> Genome {
         let mut genome = Genome::default();
         for _ in 0..roots {
             let edge = self.edge_to_new_leaf(&mut genome, stream);
@@ -49,9 +68,9 @@ impl<'a> LeafMutator<'a> {
         Edge { program: genome.add_program(self.bids.random(stream)), to: Destination::Leaf(leaf) }
     }
 
-    /// Adds children until there are `nbRoots` roots. A child is a changed copy of one of the `parents`. If an edge of the
+    /// Adds children until there are `nbRoots` roots. A child is a changed copy of a root. If an edge of the
     /// child leads to a root, that team is no longer a root, so roots are counted again.
-    pub fn populate(&self, genome: &mut Genome, parents: &Parents, moment: Moment) {
+    pub(super) fn populate(&self, genome: &mut Genome, moment: Moment) {
         let roots = genome.roots();
         let teams: Vec<TeamId> = genome.teams().keys().copied().collect();
         let leaves: Vec<LeafId> = genome.leaves().keys().copied().collect();
@@ -61,7 +80,7 @@ impl<'a> LeafMutator<'a> {
         let mut children = 0;
         while count < self.tpg.nb_roots {
             let mut stream = moment.stream(Purpose::Child, children);
-            let parent = parents.draw(&mut stream);
+            let parent = *stream.pick(&roots);
             let child = self.child(genome, parent, &before, &mut stream);
             count += 1;
             for edge in &genome.team(child).edges {
@@ -79,22 +98,21 @@ impl<'a> LeafMutator<'a> {
         if let Some(child) = self.refiner.child(genome, parent, stream) {
             return child;
         }
-        let parameters = self.parameters;
         let mut edges = genome.team(parent).edges.clone();
         let changed = stream.below(edges.len());
         match edges[changed].to {
             Destination::Leaf(leaf) => edges[changed].to = Destination::Leaf(self.changed_leaf(genome, leaf, stream)),
             Destination::Team(_) | Destination::Action(_) => self.change_bid(genome, &mut edges[changed], stream),
         }
-        if edges.len() > 1 && stream.chance(parameters.p_bid) {
+        if edges.len() > 1 && stream.chance(P_BID) {
             let place = stream.below(edges.len());
             self.change_bid(genome, &mut edges[place], stream);
         }
-        if edges.len() > 1 && stream.chance(parameters.p_edge_deletion) {
+        if edges.len() > 1 && stream.chance(P_EDGE_DELETION) {
             edges.remove(stream.below(edges.len()));
         }
-        if edges.len() < self.tpg.max_outgoing_edges && stream.chance(parameters.p_edge_addition) {
-            let to = if stream.chance(parameters.p_team) {
+        if edges.len() < self.tpg.max_outgoing_edges && stream.chance(P_EDGE_ADDITION) {
+            let to = if stream.chance(P_TEAM) {
                 Destination::Team(*stream.pick(before.teams))
             } else {
                 Destination::Leaf(*stream.pick(before.leaves))
@@ -109,12 +127,12 @@ impl<'a> LeafMutator<'a> {
         let mut programs = genome.leaves()[&leaf].programs.clone();
         let output = stream.below(programs.len());
         let mut program = genome.program(programs[output]).clone();
-        let refined = stream.chance(self.parameters.p_literals) && {
-            let deviation = *stream.pick(&self.parameters.refinements);
+        let refined = stream.chance(P_LITERALS) && {
+            let deviation = *stream.pick(&REFINEMENTS);
             self.leaves.refine(&mut program, deviation, stream)
         };
         if !refined {
-            for _ in 0..1 + stream.below(self.parameters.rounds) {
+            for _ in 0..1 + stream.below(ROUNDS) {
                 self.leaves.mutate(&mut program, stream);
             }
         }
@@ -138,32 +156,30 @@ struct Before<'a> {
 #[cfg(test)]
 mod tests {
     use super::LeafMutator;
+    use crate::evolution::config::EvolutionConfig;
     use crate::evolution::genome::{Destination, Genome};
     use crate::evolution::mutate_program::ProgramMutator;
-    use crate::evolution::mutate_team::{Moment, Parents};
-    use crate::evolution::presets::Preset;
     use crate::evolution::refine::Refiner;
+    use crate::evolution::stage::Moment;
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::Limits;
     use tpg_engine::random::{Purpose, Stream};
     use tpg_graph::{ScalarType, SourceDocument};
 
     fn evolved(generations: u64) -> Genome {
-        let mut config = Preset::find("continuous").expect("it is there").config().expect("it is accepted");
-        (config.leaves.p_edge_addition, config.leaves.p_team) = (0.2, 0.5);
+        let config = EvolutionConfig::default();
         let source = SourceDocument { name: "s".into(), length: 3, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 3] };
         let limits = Limits { min: -1.0, max: 1.0, nan: 0.0 };
-        let vocabulary = Vocabulary::new(config.instructions(), 4, 0, &[source], Some(vec![1.0; 3]), ScalarType::F32)
+        let vocabulary = Vocabulary::new(config.instructions(), 4, &[source], Some(vec![1.0; 3]), ScalarType::F32)
             .with_outputs(vec![limits; 2]);
         let bids = ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
-        let longer = LeafMutator::longer(&config.program, &config.leaves);
+        let longer = config.program.of_leaves();
         let leaves = ProgramMutator { parameters: &longer, ..bids };
         let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
-        let mutator = LeafMutator { bids, leaves, refiner, parameters: &config.leaves, tpg: &config.tpg };
+        let mutator = LeafMutator { bids, leaves, refiner, tpg: &config.tpg };
         let mut genome = mutator.random_population(40, &mut Stream::new(1, 0, Purpose::Test, 0));
         for generation in 0..generations {
-            let parents = Parents::uniform(&genome);
-            mutator.populate(&mut genome, &parents, Moment { seed: 1, generation, deme: 0 });
+            mutator.populate(&mut genome, Moment { seed: 1, generation, deme: 0 });
             let doomed: Vec<_> = genome.roots().into_iter().step_by(2).collect();
             genome.remove_roots(&doomed);
         }
@@ -177,7 +193,7 @@ mod tests {
     #[test]
     fn a_policy_starts_as_a_formula_and_structure_is_added() {
         assert!(evolved(0).teams().values().all(|team| team.edges.len() == 1));
-        let genome = evolved(30);
+        let genome = evolved(400);
         let edges: Vec<usize> = genome.teams().values().map(|team| team.edges.len()).collect();
         assert!(edges.iter().any(|&edges| edges > 1), "{edges:?}");
         let to_teams = genome.teams().values().flat_map(|team| &team.edges);
@@ -185,6 +201,6 @@ mod tests {
         assert!(to_teams.clone().all(|edge| !matches!(edge.to, Destination::Action(_))));
         let used: std::collections::BTreeSet<_> = to_teams.map(|edge| edge.to).collect();
         assert!(genome.leaves().keys().all(|&leaf| used.contains(&Destination::Leaf(leaf))), "no leaf is left over");
-        assert_eq!(evolved(30), genome, "the same seed, the same genome");
+        assert_eq!(evolved(400), genome, "the same seed, the same genome");
     }
 }

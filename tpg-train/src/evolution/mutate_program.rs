@@ -5,9 +5,17 @@ use super::genome::{GenomeLine, Program};
 use super::vocabulary::{Gene, Kind, OPERANDS, Vocabulary};
 use tpg_engine::random::Stream;
 
+/// GEGELATI's probabilities of deleting and of inserting a line; it always alters one.
+const P_DELETE: f64 = 0.5;
+const P_ADD: f64 = 0.5;
+/// Probability that altering a literal operand changes its number.
+const LITERAL_CHANGE: f64 = 0.667;
+/// Standard deviation of the factor's distance from 1 when a number is scaled.
+const LITERAL_SCALING: f64 = 0.3;
+
 /// Parameters of program mutations.
 #[derive(Clone, Copy, Debug)]
-pub struct ProgramMutator<'a> {
+pub(super) struct ProgramMutator<'a> {
     /// The vocabulary of programs.
     pub vocabulary: &'a Vocabulary,
     /// GEGELATI's parameters.
@@ -18,12 +26,11 @@ pub struct ProgramMutator<'a> {
 
 impl ProgramMutator<'_> {
     /// Creates a random program (`ProgramMutator::initRandomProgram`) of 1 to `maxProgramSize` lines.
-    pub fn random(&self, stream: &mut Stream) -> Program {
-        let constants = (0..self.vocabulary.constants()).map(|_| self.random_constant(stream)).collect();
-        let mut program = Program { constants, lines: Vec::new() };
+    pub(super) fn random(&self, stream: &mut Stream) -> Program {
         if let Some(lines) = self.random_sum(stream) {
-            return Program { lines, ..program };
+            return Program { lines };
         }
+        let mut program = Program { lines: Vec::new() };
         let lines = 1 + stream.below(self.parameters.max_program_size);
         while program.lines.len() < lines {
             self.insert_line(&mut program, stream);
@@ -32,7 +39,7 @@ impl ProgramMutator<'_> {
     }
 
     /// Changes every literal that a program reads, each by a factor near 1; returns true if there is one.
-    pub fn refine(&self, program: &mut Program, deviation: f64, stream: &mut Stream) -> bool {
+    pub(super) fn refine(&self, program: &mut Program, deviation: f64, stream: &mut Stream) -> bool {
         let effective = program.effective(self.vocabulary);
         let mut any = false;
         for (line, _) in program.lines.iter_mut().zip(effective).filter(|(_, effective)| *effective) {
@@ -48,41 +55,23 @@ impl ProgramMutator<'_> {
         any
     }
 
-    /// Performs one round of mutation (`ProgramMutator::mutateProgram`); returns true if anything was done.
-    pub fn mutate(&self, program: &mut Program, stream: &mut Stream) -> bool {
+    /// Performs one round of mutation (`ProgramMutator::mutateProgram`).
+    pub(super) fn mutate(&self, program: &mut Program, stream: &mut Stream) {
         let parameters = self.parameters;
-        let mut any = false;
-        if program.lines.len() > 1 && stream.chance(parameters.p_delete) {
+        if program.lines.len() > 1 && stream.chance(P_DELETE) {
             let place = stream.below(program.lines.len());
             program.lines.remove(place);
-            any = true;
         }
-        if program.lines.len() < parameters.max_program_size && stream.chance(parameters.p_add) {
+        if program.lines.len() < parameters.max_program_size && stream.chance(P_ADD) {
             if !self.insert_term(program, stream) {
                 self.insert_line(program, stream);
             }
-            any = true;
         }
-        if stream.chance(parameters.p_mutate) {
-            let place = stream.below(program.lines.len());
-            self.alter_line(&mut program.lines[place], stream);
-            any = true;
-        }
+        let place = stream.below(program.lines.len());
+        self.alter_line(&mut program.lines[place], stream);
         if stream.chance(parameters.p_swap) {
-            // As in GEGELATI, this counts as done even if there is only one line.
             swap_lines(program, stream);
-            any = true;
         }
-        if !program.constants.is_empty() && stream.chance(parameters.p_constant_mutation) {
-            let place = stream.below(program.constants.len());
-            program.constants[place] = self.random_constant(stream);
-            any = true;
-        }
-        any
-    }
-
-    fn random_constant(&self, stream: &mut Stream) -> f64 {
-        stream.between(self.parameters.min_const_value.into(), self.parameters.max_const_value.into()) as f64
     }
 
     fn insert_line(&self, program: &mut Program, stream: &mut Stream) {
@@ -123,7 +112,7 @@ impl ProgramMutator<'_> {
             // Without operand bits (one source with one location) there is nothing to alter.
             let Some(place) = selected.checked_div(operand) else { return };
             let gene = &mut line.operands[place];
-            if vocabulary.kind(gene.source) == Kind::Literal && stream.chance(self.literals.change) {
+            if vocabulary.kind(gene.source) == Kind::Literal && stream.chance(LITERAL_CHANGE) {
                 gene.literal = self.changed_literal(gene.literal, stream);
             } else if selected % operand < source {
                 gene.source = other(gene.source.into(), vocabulary.sources(), stream) as u8;
@@ -145,7 +134,7 @@ impl ProgramMutator<'_> {
     /// Changes a literal: scaled slightly (half of the time), negated, or redrawn.
     fn changed_literal(&self, literal: f64, stream: &mut Stream) -> f64 {
         let changed = match stream.below(4) {
-            0 | 1 => literal * (1.0 + self.literals.scaling * stream.normal()),
+            0 | 1 => literal * (1.0 + LITERAL_SCALING * stream.normal()),
             2 => -literal,
             _ => return self.random_literal(stream),
         };

@@ -1,62 +1,27 @@
 //! The first population, and children of roots, with GEGELATI's choices (`mutator/tpgMutator.cpp`).
 
 use super::archive::{Archive, Known};
-use super::config::{ParentChoice, TpgParameters};
+use super::config::TpgParameters;
 use super::genome::{Destination, Edge, Genome, Program, ProgramId, Team, TeamId};
 use super::mirror::Mirror;
 use super::mutate_program::ProgramMutator;
 use super::refine::Refiner;
+use super::stage::Moment;
 use std::collections::BTreeMap;
 use tpg_engine::random::{Purpose, Stream};
 
-/// Seed, generation and deme: the first half of every stream's address.
-#[derive(Clone, Copy, Debug)]
-pub struct Moment {
-    /// Seed of the run.
-    pub seed: u64,
-    /// The generation.
-    pub generation: u64,
-    /// The deme.
-    pub deme: u64,
-}
-
-impl Moment {
-    /// Returns the stream for a purpose. `index` counts within the deme and is below 2⁴⁰.
-    pub fn stream(self, purpose: Purpose, index: u64) -> Stream {
-        Stream::new(self.seed, self.generation, purpose, self.deme << 40 | index)
-    }
-}
-
-/// The roots that children may have as parents.
-#[derive(Clone, Debug)]
-pub struct Parents {
-    /// The roots; for [`ParentChoice::Better`] the best first.
-    pub roots: Vec<TeamId>,
-    /// The choice among them.
-    pub choice: ParentChoice,
-}
-
-impl Parents {
-    /// Lets every root of a population be the parent, equally likely.
-    pub fn uniform(genome: &Genome) -> Self {
-        Self { roots: genome.roots(), choice: ParentChoice::Uniform }
-    }
-
-    /// Draws a parent.
-    pub fn draw(&self, stream: &mut Stream) -> TeamId {
-        let place = stream.below(self.roots.len());
-        match self.choice {
-            ParentChoice::Uniform => self.roots[place],
-            ParentChoice::Better => self.roots[place.min(stream.below(self.roots.len()))],
-        }
-    }
-}
+/// GEGELATI's probabilities of deleting and adding one more edge, each less likely by that factor than the one before; the first of
+/// each is certain.
+const P_EDGE_DELETION: f64 = 0.7;
+const P_EDGE_ADDITION: f64 = 0.7;
+/// GEGELATI's probability of mutating the program of an edge; rounds repeat until at least one program is mutated.
+pub(super) const P_PROGRAM_MUTATION: f64 = 0.2;
 
 /// Creates a random population (`TPGMutator::initRandomTPG`).
 ///
 /// Each root gets two programs for two different actions, and up to `maxInitOutgoingEdges` − 2 programs of other roots:
 /// of two candidates, the one used by fewer teams.
-pub fn random_population(
+pub(super) fn random_population(
     mutator: &ProgramMutator<'_>,
     parameters: &TpgParameters,
     actions: u16,
@@ -99,7 +64,7 @@ pub fn random_population(
 
 /// Makes children of policies with named actions.
 #[derive(Clone, Copy, Debug)]
-pub struct TeamMutator<'a> {
+pub(super) struct TeamMutator<'a> {
     /// Draws and changes programs.
     pub programs: ProgramMutator<'a>,
     /// Makes children by small changes.
@@ -117,9 +82,9 @@ pub struct TeamMutator<'a> {
 impl TeamMutator<'_> {
     /// Adds children until there are `nbRoots` roots (`TPGMutator::populateTPG`).
     ///
-    /// A child is a mutated copy of one of the `parents`; the refiner may make it instead. If an edge of the child leads to a
+    /// A child is a mutated copy of a root; the refiner may make it instead. If an edge of the child leads to a
     /// root, that team is no longer a root, so roots are counted again after every child.
-    pub fn populate(&self, genome: &mut Genome, parents: &Parents, moment: Moment) {
+    pub(super) fn populate(&self, genome: &mut Genome, moment: Moment) {
         let Self { programs, refiner, mirror, parameters, archive, actions } = *self;
         let roots = genome.roots();
         let teams: Vec<TeamId> = genome.teams().keys().copied().collect();
@@ -131,7 +96,7 @@ impl TeamMutator<'_> {
         let mut children = 0;
         while count < parameters.nb_roots {
             let mut stream = moment.stream(Purpose::Child, children);
-            let parent = parents.draw(&mut stream);
+            let parent = *stream.pick(&roots);
             let close = refiner.child(genome, parent, &mut stream);
             let close = close.or_else(|| mirror.child(genome, parent, &edges, parameters, &mut stream));
             let close = close.or_else(|| refiner.mutated(genome, parent, &programs, &mut stream));
@@ -153,7 +118,7 @@ impl TeamMutator<'_> {
         let known = archive.known();
         for (index, new) in (0..).zip(&to_mutate) {
             let mut stream = moment.stream(Purpose::Program, index);
-            let mutated = new_behaviour(genome.program(*new), &programs, parameters, &known, &mut stream);
+            let mutated = new_behaviour(genome.program(*new), &programs, &known, &mut stream);
             genome.replace_program(*new, mutated);
         }
     }
@@ -179,17 +144,17 @@ fn mutate_team(
     let mut probability = 1.0;
     while edges.len() > 2 && probability > stream.unit() {
         edges.remove(stream.below(edges.len()));
-        probability *= parameters.p_edge_deletion;
+        probability *= P_EDGE_DELETION;
     }
     let mut probability = 1.0;
     while edges.len() < parameters.max_outgoing_edges && probability > stream.unit() {
         edges.push(*stream.pick(before.edges));
-        probability *= parameters.p_edge_addition;
+        probability *= P_EDGE_ADDITION;
     }
     let mut any = false;
     while !any {
         for edge in &mut edges {
-            if stream.chance(parameters.p_program_mutation) {
+            if stream.chance(P_PROGRAM_MUTATION) {
                 mutate_edge(genome, edge, before, parameters, to_mutate, stream);
                 any = true;
             }
@@ -221,26 +186,10 @@ fn mutate_edge(
 }
 
 /// Mutates a program until no archived program behaves the same (`TPGMutator::mutateProgramBehaviorAgainstArchive`).
-fn new_behaviour(
-    original: &Program,
-    mutator: &ProgramMutator<'_>,
-    parameters: &TpgParameters,
-    known: &Known<'_>,
-    stream: &mut Stream,
-) -> Program {
-    let old = parameters.force_program_behavior_change_on_mutation.then(|| original.behaviour(mutator.vocabulary));
+fn new_behaviour(original: &Program, mutator: &ProgramMutator<'_>, known: &Known<'_>, stream: &mut Stream) -> Program {
     let mut program = original.clone();
     loop {
-        if stream.chance(mutator.parameters.p_new_program) {
-            program = mutator.random(stream);
-        } else {
-            loop {
-                let done = mutator.mutate(&mut program, stream);
-                if done && old.as_ref().is_none_or(|old| *old != program.behaviour(mutator.vocabulary)) {
-                    break;
-                }
-            }
-        }
+        mutator.mutate(&mut program, stream);
         if known.is_new(&program, mutator.vocabulary) {
             return program;
         }
@@ -249,10 +198,10 @@ fn new_behaviour(
 
 #[cfg(test)]
 mod tests {
-    use super::{Moment, Parents, TeamMutator, new_behaviour, random_population};
+    use super::{Moment, TeamMutator, new_behaviour, random_population};
     use crate::evolution::archive::{Archive, Recording, bid};
-    use crate::evolution::config::{EvolutionConfig, ParentChoice};
-    use crate::evolution::genome::{Destination, Genome, Program, ProgramId, TeamId};
+    use crate::evolution::config::EvolutionConfig;
+    use crate::evolution::genome::{Destination, Genome, Program, ProgramId};
     use crate::evolution::mirror::Mirror;
     use crate::evolution::mutate_program::ProgramMutator;
     use crate::evolution::presets::Preset;
@@ -269,7 +218,7 @@ mod tests {
 
     fn vocabulary(config: &EvolutionConfig) -> Vocabulary {
         let source = SourceDocument { name: "s".into(), length: 3, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 3] };
-        Vocabulary::new(config.instructions(), 8, 0, &[source], None, ScalarType::F32)
+        Vocabulary::new(config.instructions(), 8, &[source], None, ScalarType::F32)
     }
 
     fn evolved(config: &EvolutionConfig, generations: u64) -> Genome {
@@ -280,27 +229,15 @@ mod tests {
         for generation in 0..generations {
             let moment = Moment { seed: 1, generation, deme: 0 };
             let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
-            let parents = Parents::uniform(&genome);
             let archive = &Archive::new(0);
             let mirror = Mirror { programs: mutator, opposites: &[], probability: 0.0 };
             let mutator =
                 TeamMutator { programs: mutator, refiner, mirror, parameters: &config.tpg, archive, actions: 9 };
-            mutator.populate(&mut genome, &parents, moment);
+            mutator.populate(&mut genome, moment);
             let doomed: Vec<_> = genome.roots().into_iter().step_by(3).collect();
             genome.remove_roots(&doomed);
         }
         genome
-    }
-
-    #[test]
-    fn the_better_of_two_is_chosen_more_often() {
-        let roots: Vec<TeamId> = (0..10).map(TeamId).collect();
-        let drawn = |choice| {
-            let parents = Parents { roots: roots.clone(), choice };
-            (0..1000).filter(|&index| parents.draw(&mut Stream::new(1, 0, Purpose::Test, index)).0 < 5).count()
-        };
-        assert!((430..570).contains(&drawn(ParentChoice::Uniform)));
-        assert!((690..810).contains(&drawn(ParentChoice::Better)), "three quarters are of the better half");
     }
 
     #[test]
@@ -330,11 +267,10 @@ mod tests {
             ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
         let moment = Moment { seed: 1, generation: 9, deme: 0 };
         let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
-        let parents = Parents::uniform(&genome);
         let archive = &Archive::new(0);
         let mirror = Mirror { programs: mutator, opposites: &[], probability: 0.0 };
         let mutator = TeamMutator { programs: mutator, refiner, mirror, parameters: &config.tpg, archive, actions: 9 };
-        mutator.populate(&mut genome, &parents, moment);
+        mutator.populate(&mut genome, moment);
         assert_eq!(genome.roots().len(), config.tpg.nb_roots);
         let mut deep = 0;
         for (&id, team) in genome.teams() {
@@ -349,21 +285,6 @@ mod tests {
         }
         assert!(deep > 0, "some edge leads to a team by now");
         assert_eq!(evolved(&config, 8), evolved(&config, 8), "the same seed, the same genome");
-    }
-
-    #[test]
-    fn a_mutated_program_can_be_forced_to_behave_differently() {
-        let mut config = config();
-        config.tpg.force_program_behavior_change_on_mutation = true;
-        let vocabulary = vocabulary(&config);
-        let mutator =
-            ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
-        for index in 0..300 {
-            let mut stream = Stream::new(1, 0, Purpose::Test, index);
-            let program = mutator.random(&mut stream);
-            let mutated = new_behaviour(&program, &mutator, &config.tpg, &Archive::new(0).known(), &mut stream);
-            assert_ne!(mutated.behaviour(&vocabulary), program.behaviour(&vocabulary));
-        }
     }
 
     #[test]
@@ -387,7 +308,7 @@ mod tests {
         assert!(same.clone().count() > 3);
         let known = archive.known();
         assert!(same.clone().all(|program| !known.is_new(program, &vocabulary)), "the archived themselves are known");
-        let mutated = new_behaviour(&programs[0], &mutator, &config.tpg, &known, &mut stream);
+        let mutated = new_behaviour(&programs[0], &mutator, &known, &mut stream);
         assert!(known.is_new(&mutated, &vocabulary));
     }
 }

@@ -4,10 +4,13 @@
 
 use super::genome::{GenomeLine, Program};
 use super::mutate_program::ProgramMutator;
-use super::vocabulary::{Gene, InstructionIndex, Kind};
+use super::vocabulary::Gene;
 use tpg_engine::random::Stream;
 use tpg_graph::Word;
 use tpg_runtime::ops::Instruction;
+
+/// An input: its operand, its place in the flat state, and its unit.
+type Input = (Gene, u16, f64);
 
 /// Most terms of a random sum.
 const MOST_TERMS: usize = 2;
@@ -77,8 +80,8 @@ impl ProgramMutator<'_> {
     }
 
     /// Draws two different sources with two values or more.
-    fn two_sources<'i>(&self, inputs: &'i [(Gene, f64)], stream: &mut Stream) -> Option<[&'i [(Gene, f64)]; 2]> {
-        let sources: Vec<&[(Gene, f64)]> =
+    fn two_sources<'i>(&self, inputs: &'i [Input], stream: &mut Stream) -> Option<[&'i [Input]; 2]> {
+        let sources: Vec<&[Input]> =
             inputs.chunk_by(|a, b| a.0.source == b.0.source).filter(|source| source.len() > 1).collect();
         if sources.len() < 2 {
             return None;
@@ -90,26 +93,21 @@ impl ProgramMutator<'_> {
     /// Returns the lines that add to the bid the product of two inputs in their units, or one of them.
     fn product(
         &self,
-        (first, unit): (Gene, f64),
-        second: Option<(Gene, f64)>,
+        (first, _, unit): Input,
+        second: Option<Input>,
         sign: f64,
         stream: &mut Stream,
     ) -> Vec<GenomeLine> {
         let vocabulary = self.vocabulary;
-        let number = |word: Word| {
-            vocabulary.instructions().iter().position(|it| *it == word).expect("a checked configuration has it")
-                as InstructionIndex
-        };
+        let number = |word: Word| vocabulary.index(word).expect("a checked configuration has it");
         let add = number(Word::MultiplyAdd);
-        let last = (vocabulary.sources() - 1) as u8;
-        debug_assert_eq!(vocabulary.kind(last), Kind::Literal);
-        let unit = unit * second.map_or(1.0, |(_, unit)| unit);
-        let weight = Gene { source: last, location: 0, literal: vocabulary.scalar().round(sign / unit) };
-        let Some((second, _)) = second else {
+        let unit = unit * second.map_or(1.0, |(.., unit)| unit);
+        let weight = vocabulary.literal(vocabulary.scalar().round(sign / unit));
+        let Some((second, ..)) = second else {
             return vec![GenomeLine { instruction: add, to: 0, operands: [first, weight] }];
         };
         let to = 1 + stream.below(usize::from(vocabulary.registers()) - 1) as u16;
-        let weighted = Gene { source: 0, location: to, literal: 0.0 };
+        let weighted = Gene::register(to);
         vec![
             GenomeLine { instruction: number(Instruction::Mul.into()), to, operands: [first, weight] },
             GenomeLine { instruction: add, to: 0, operands: [weighted, second] },
@@ -143,7 +141,7 @@ mod tests {
         };
         let sources = [source("a"), source("b")];
         let vocabulary =
-            Vocabulary::new(config.instructions(), 3, 0, &sources[..state.len() / 2], Some(units), ScalarType::F64);
+            Vocabulary::new(config.instructions(), 3, &sources[..state.len() / 2], Some(units), ScalarType::F64);
         let mutator =
             ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
         let term = |index| {
@@ -176,7 +174,6 @@ mod tests {
         let vocabulary = Vocabulary::new(
             config.instructions(),
             3,
-            0,
             &[SourceDocument { name: "a".into(), length: 2, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 2] }],
             Some(vec![1.0; 2]),
             ScalarType::F64,

@@ -8,13 +8,12 @@
 use serde::{Deserialize, Serialize};
 use tpg_engine::Moments;
 use tpg_engine::random::Stream;
-use tpg_graph::error::Finding;
 
 /// Length of a step along a direction whose samples differ by the scores' standard deviation.
 const STEP: f64 = 0.03;
 
-/// Least part of that length: it shrinks with the steps that are left.
-const LEAST_STEP: f64 = 0.1;
+/// Minimum part of that length: it shrinks with the steps that are left.
+const MIN_STEP: f64 = 0.1;
 
 /// Standard deviation of a sample's distance from a weight, for [`INPUTS`] inputs.
 const NOISE: f64 = 0.03;
@@ -25,13 +24,13 @@ const INPUTS: f64 = 24.0;
 /// Number of directions for each one that a step follows: the better half.
 const DIRECTIONS_FOR_ONE: usize = 2;
 
-/// Least standard deviation of an input, in its unit: one that has hardly ever changed must not get a huge weight.
-const LEAST_DEVIATION: f64 = 1e-3;
+/// Minimum standard deviation of an input, in its unit: one that has hardly ever changed must not get a huge weight.
+const MIN_DEVIATION: f64 = 1e-3;
 
 /// Where the search is, and what its samples have seen.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RandomSearch {
+pub(super) struct RandomSearch {
     /// Weights of the normalised inputs, row after row.
     weights: Vec<f64>,
     /// Mean and spread of the inputs that its samples have seen.
@@ -40,12 +39,12 @@ pub struct RandomSearch {
 
 impl RandomSearch {
     /// Starts at 0.
-    pub fn new(rows: usize, inputs: usize) -> Self {
+    pub(super) fn new(rows: usize, inputs: usize) -> Self {
         Self { weights: vec![0.0; rows * inputs], seen: Moments::new(inputs) }
     }
 
     /// Returns the weights of the normalised inputs, row after row.
-    pub fn mean(&self) -> &[f64] {
+    pub(super) fn mean(&self) -> &[f64] {
         &self.weights
     }
 
@@ -55,7 +54,7 @@ impl RandomSearch {
     }
 
     /// Draws pairs of opposite samples around the weights: `count` of them, or one more.
-    pub fn samples(&self, count: usize, stream: &mut Stream) -> Vec<Vec<f64>> {
+    pub(super) fn samples(&self, count: usize, stream: &mut Stream) -> Vec<Vec<f64>> {
         let noise = self.noise();
         let pair = |_| {
             let steps: Vec<f64> = self.weights.iter().map(|_| noise * stream.normal()).collect();
@@ -66,7 +65,7 @@ impl RandomSearch {
 
     /// Moves the weights towards the better sample of each of the best pairs, less far the smaller the part of the search that is
     /// `left`, from 1 to 0; scores without spread move nothing.
-    pub fn update(&mut self, samples: &[Vec<f64>], scores: &[f64], left: f64) {
+    pub(super) fn update(&mut self, samples: &[Vec<f64>], scores: &[f64], left: f64) {
         let mut pairs: Vec<_> = samples.chunks_exact(2).zip(scores.chunks_exact(2)).collect();
         pairs.sort_by(|(_, a), (_, b)| b[0].max(b[1]).total_cmp(&a[0].max(a[1])));
         pairs.truncate(pairs.len().div_ceil(DIRECTIONS_FOR_ONE));
@@ -79,7 +78,7 @@ impl RandomSearch {
         if !(deviation.is_normal() && deviation.is_finite()) {
             return;
         }
-        let (step, noise) = (STEP * left.max(LEAST_STEP), self.noise());
+        let (step, noise) = (STEP * left.max(MIN_STEP), self.noise());
         for (sides, scores) in pairs {
             let length = step / (count * deviation) * (scores[0] - scores[1]);
             for (weight, (plus, minus)) in self.weights.iter_mut().zip(sides[0].iter().zip(&sides[1])) {
@@ -89,15 +88,15 @@ impl RandomSearch {
     }
 
     /// Takes states into the normalisation: each has one number for each input.
-    pub fn observe(&mut self, states: &Moments) {
+    pub(super) fn observe(&mut self, states: &Moments) {
         self.seen.merge(states);
     }
 
     /// Returns a sample's weights of inputs in the given units, and a constant, for each row: without normalisation.
-    pub fn unfolded(&self, sample: &[f64], units: &[f64]) -> Vec<Vec<f64>> {
+    pub(super) fn unfolded(&self, sample: &[f64], units: &[f64]) -> Vec<Vec<f64>> {
         let factor = |(place, unit): (usize, &f64)| {
             let deviation = self.seen.deviation(place).unwrap_or(*unit);
-            unit / deviation.max(LEAST_DEVIATION * unit)
+            unit / deviation.max(MIN_DEVIATION * unit)
         };
         let factors: Vec<f64> = units.iter().enumerate().map(factor).collect();
         let row = |weights: &[f64]| {
@@ -109,31 +108,16 @@ impl RandomSearch {
         sample.chunks_exact(units.len()).map(row).collect()
     }
 
-    /// Checks a search that was read from a file.
-    ///
-    /// # Errors
-    /// Other numbers of rows or inputs, or a number that is not finite or too small.
-    pub(super) fn check(&self, rows: usize, inputs: usize) -> Result<(), Finding> {
-        let Self { weights, seen } = self;
-        if weights.len() != rows * inputs || !weights.iter().all(|weight| weight.is_finite()) {
-            let (found, accepted) = (weights.len(), rows * inputs);
-            return Err(Finding::new("weights", format!("{found} numbers"), format!("{accepted} finite numbers")));
-        }
-        if seen.length() != inputs || !seen.is_possible() {
-            let found = format!("moments of {} inputs", seen.length());
-            return Err(Finding::new(
-                "seen",
-                found,
-                format!("moments of {inputs} inputs, finite, squares of 0 or more"),
-            ));
-        }
-        Ok(())
+    /// True if the search, read from a file, is one for so many rows and inputs.
+    pub(super) fn is_valid(&self, rows: usize, inputs: usize) -> bool {
+        let weights = self.weights.len() == rows * inputs && self.weights.iter().all(|weight| weight.is_finite());
+        weights && self.seen.length() == inputs && self.seen.is_possible()
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{INPUTS, LEAST_STEP, NOISE, RandomSearch, STEP};
+    use super::{INPUTS, MIN_STEP, NOISE, RandomSearch, STEP};
     use tpg_engine::Moments;
     use tpg_engine::random::{Purpose, Stream};
 
@@ -184,7 +168,7 @@ mod tests {
 
     #[test]
     fn steps_shrink_to_a_tenth() {
-        for (left, length) in [(1.0, 1.0), (0.5, 0.5), (0.0, LEAST_STEP)] {
+        for (left, length) in [(1.0, 1.0), (0.5, 0.5), (0.0, MIN_STEP)] {
             let mut search = RandomSearch::new(1, 2);
             let samples = [search.noise(), -search.noise()].map(|distance| vec![distance, 0.0]);
             search.update(&samples, &[3.0, 1.0], left);
@@ -224,21 +208,11 @@ mod tests {
     }
 
     #[test]
-    fn a_damaged_search_is_refused() {
-        let search = RandomSearch::new(2, 3);
-        assert_eq!(search.check(2, 3), Ok(()));
-        let refused = |change: fn(&mut RandomSearch), key: &str| {
-            let mut damaged = search.clone();
-            change(&mut damaged);
-            assert_eq!(damaged.check(2, 3).expect_err(key).key, key);
-        };
-        refused(|it| it.weights.truncate(5), "weights");
-        refused(|it| it.weights[0] = f64::NAN, "weights");
-        refused(|it| it.seen = Moments::new(2), "seen");
+    fn a_damaged_search_is_noticed() {
+        let mut search = RandomSearch::new(2, 3);
+        assert!(search.is_valid(2, 3) && !search.is_valid(2, 2));
         let damaged = r#"{"count":1,"means":[0.0,0.0,0.0],"squares":[0.0,-1.0,0.0]}"#;
-        let damaged: Moments = serde_json::from_str(damaged).expect("three numbers twice");
-        let mut search = search;
-        search.seen = damaged;
-        assert_eq!(search.check(2, 3).expect_err("a square below 0").key, "seen");
+        search.seen = serde_json::from_str(damaged).expect("three numbers twice");
+        assert!(!search.is_valid(2, 3), "a square below 0");
     }
 }

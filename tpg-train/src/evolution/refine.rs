@@ -7,9 +7,12 @@ use super::vocabulary::{Kind, Vocabulary};
 use std::collections::BTreeMap;
 use tpg_engine::random::Stream;
 
+/// Lowest and highest standard deviation of the change of constants, relative to them; each child draws one.
+const DEVIATIONS: [f64; 2] = [0.02, 0.6];
+
 /// Makes children by small changes.
 #[derive(Clone, Copy, Debug)]
-pub struct Refiner<'a> {
+pub(super) struct Refiner<'a> {
     /// The vocabulary of programs.
     pub vocabulary: &'a Vocabulary,
     /// Its probabilities and widths.
@@ -19,7 +22,7 @@ pub struct Refiner<'a> {
 impl Refiner<'_> {
     /// Adds a child of `parent` that differs only by constants or by a missing line, with the configured probabilities;
     /// `None`, where another kind of child is due. Draws nothing where both are 0.
-    pub fn child(&self, genome: &mut Genome, parent: TeamId, stream: &mut Stream) -> Option<TeamId> {
+    pub(super) fn child(&self, genome: &mut Genome, parent: TeamId, stream: &mut Stream) -> Option<TeamId> {
         let RefinementConfig { p_jitter, p_deletion, .. } = *self.parameters;
         if p_jitter + p_deletion <= 0.0 {
             return None;
@@ -36,7 +39,7 @@ impl Refiner<'_> {
 
     /// Adds a child of which one program has been mutated, with the configured probability; `None`, where another kind of child
     /// is due. Draws nothing where it is 0.
-    pub fn mutated(
+    pub(super) fn mutated(
         &self,
         genome: &mut Genome,
         parent: TeamId,
@@ -48,18 +51,18 @@ impl Refiner<'_> {
         }
         let programs: Vec<(ProgramId, Program)> = self.programs(genome, parent).into_iter().collect();
         let (id, mut program) = stream.pick(&programs).clone();
-        while !mutator.mutate(&mut program, stream) {}
+        mutator.mutate(&mut program, stream);
         Some(copy(genome, parent, BTreeMap::from([(id, program)])))
     }
 
     /// Adds a child whose constants have all moved a little, or one of them; `None` if it has no constants.
-    pub fn jittered(&self, genome: &mut Genome, parent: TeamId, stream: &mut Stream) -> Option<TeamId> {
+    fn jittered(&self, genome: &mut Genome, parent: TeamId, stream: &mut Stream) -> Option<TeamId> {
         let mut programs = self.programs(genome, parent);
         let count = programs.values_mut().map(|program| self.constants(program).count()).sum::<usize>();
         if count == 0 {
             return None;
         }
-        let [low, high] = self.parameters.deviations;
+        let [low, high] = DEVIATIONS;
         let deviation = low * libm::pow(high / low, stream.unit());
         let single = stream.chance(0.5).then(|| stream.below(count));
         let mut place = 0;
@@ -111,7 +114,7 @@ impl Refiner<'_> {
             if lines.is_empty() {
                 lines.extend(program.lines.first());
             }
-            (id, Program { lines, ..program.clone() })
+            (id, Program { lines })
         };
         bids.chain(leaves.flatten()).map(short).collect()
     }
@@ -150,9 +153,8 @@ fn copy(genome: &mut Genome, parent: TeamId, replaced: BTreeMap<ProgramId, Progr
 mod tests {
     use super::Refiner;
     use crate::evolution::config::RefinementConfig;
-    use crate::evolution::config::StartKind;
     use crate::evolution::genome::Genome;
-    use crate::evolution::linear::LinearWriter;
+    use crate::evolution::linear::{LinearWriter, ProgramKind};
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::random::{Purpose, Stream};
     use tpg_engine::{Limits, PolicyGraph};
@@ -163,15 +165,15 @@ mod tests {
         let words = vec![Instruction::Add.into(), Word::MultiplyAdd];
         let source = SourceDocument { name: "s".into(), length: 3, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 3] };
         let limits = Limits { min: -1.0, max: 1.0, nan: 0.0 };
-        Vocabulary::new(words, 2, 0, &[source], Some(vec![1.0; 3]), ScalarType::F64).with_outputs(vec![limits; 2])
+        Vocabulary::new(words, 2, &[source], Some(vec![1.0; 3]), ScalarType::F64).with_outputs(vec![limits; 2])
     }
 
     fn children(p_jitter: f64, p_deletion: f64) -> (PolicyGraph, Vec<Option<PolicyGraph>>) {
         let vocabulary = vocabulary();
-        let parameters = RefinementConfig { p_jitter, p_deletion, ..RefinementConfig::default() };
+        let parameters = RefinementConfig { p_jitter, p_deletion, p_mutation: 0.0, p_mirror: 0.0 };
         let refiner = Refiner { vocabulary: &vocabulary, parameters: &parameters };
         let mut genome = Genome::default();
-        let writer = LinearWriter::new(&vocabulary, 0, StartKind::Linear).expect("sums can be written");
+        let writer = LinearWriter::new(&vocabulary, 0, ProgramKind::Sum).expect("sums can be written");
         let parent = writer.add_root(&mut genome, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
         let child = |index| {
             let child = refiner.child(&mut genome, parent, &mut Stream::new(1, 0, Purpose::Test, index));
@@ -197,11 +199,11 @@ mod tests {
     #[test]
     fn without_probabilities_nothing_is_drawn() {
         let vocabulary = vocabulary();
-        let parameters = RefinementConfig::default();
+        let parameters = RefinementConfig { p_jitter: 0.0, p_deletion: 0.0, p_mutation: 0.0, p_mirror: 0.0 };
         let refiner = Refiner { vocabulary: &vocabulary, parameters: &parameters };
         let mut genome = Genome::default();
         let parent =
-            LinearWriter::new(&vocabulary, 0, StartKind::Linear).expect("sums").add_root(&mut genome, &[0.0; 8]);
+            LinearWriter::new(&vocabulary, 0, ProgramKind::Sum).expect("sums").add_root(&mut genome, &[0.0; 8]);
         let mut stream = Stream::new(1, 0, Purpose::Test, 0);
         let before = stream.clone().bits();
         assert_eq!(refiner.child(&mut genome, parent, &mut stream), None);

@@ -90,11 +90,11 @@ pub enum RunError {
 /// use tpg_engine::{EngineOptions, LocalThreads};
 /// use tpg_problems::CartPole;
 /// use tpg_runtime::ops::Own;
-/// use tpg_train::evolution::presets::Preset;
+/// use tpg_train::evolution::config::EvolutionConfig;
 /// use tpg_train::evolution::run::{RunEnd, RunOptions, run};
 ///
-/// let mut config = Preset::find("general").expect("a built-in preset").config()?;
-/// (config.tpg.nb_roots, config.tpg.init_nb_roots) = (20, 20);
+/// let mut config = EvolutionConfig::default();
+/// (config.tpg.nb_roots, config.demes.count) = (20, 1);
 /// config.learning.nb_generations = 2;
 /// config.selection.validation_episodes = 20;
 ///
@@ -103,7 +103,7 @@ pub enum RunError {
 /// let evaluator = LocalThreads::<f32, Own, _>::new(&CartPole, EngineOptions::default(), 1)?;
 /// let end = run::<f32, _, _>(&config, 1, &CartPole, &evaluator, &options, |_| ControlFlow::Continue(()))?;
 /// let RunEnd::Finished(best) = end else { panic!("nothing stopped the run") };
-/// assert!(best.result.score > 0.0);
+/// assert_eq!(best.result.episodes, 20);
 /// assert!(folder.path().join("graph.json").exists());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -119,9 +119,8 @@ pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     options: &RunOptions,
     mut watch: impl FnMut(&Progress<'_>) -> ControlFlow<()>,
 ) -> Result<RunEnd, RunError> {
-    config.check_actions(&environment.actions())?;
-    config.check_memory(environment)?;
-    config.check_linear(environment)?;
+    config.check_environment(environment)?;
+    let config = &config.fitted(environment);
     let folder = RunFolder::open(&options.folder, Trainer::Tpg, options.resume)?;
     let found = folder
         .load(checkpoint::VERSION, |file, content| checkpoint::from_bytes(file, content, config, seed, environment))?;

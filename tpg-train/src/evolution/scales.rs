@@ -2,11 +2,8 @@
 
 use super::config::{EvolutionConfig, Units};
 use super::generation::{Evolution, Goal};
-use super::mutate_leaf::LeafMutator;
-use super::mutate_program::ProgramMutator;
-use super::mutate_team::random_population;
-use super::refine::Refiner;
-use tpg_engine::random::{Purpose, Stream};
+use super::stage::{Moment, Stage as _};
+use super::state::State;
 use tpg_engine::{Environment, EvaluationError, Evaluator};
 use tpg_runtime::scalar::Scalar;
 
@@ -26,7 +23,7 @@ const VERY_RARE: f64 = 0.025;
 ///
 /// # Errors
 /// If the episodes cannot be run.
-pub fn scales<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
+pub(super) fn scales<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     config: &EvolutionConfig,
     environment: &E,
     evaluator: &V,
@@ -44,24 +41,24 @@ pub fn scales<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     let declared = |(input, range): (usize, &[f64; 2])| unit(*range, &states, input);
     let scale = |(input, range)| match units {
         Units::Declared => declared((input, range)),
-        Units::Visited => usual(&states, input).unwrap_or_else(|| declared((input, range))),
+        Units::Visited => visited_unit(&states, input).unwrap_or_else(|| declared((input, range))),
     };
     let scales = ranges.iter().enumerate().map(scale).collect();
     Ok(match units {
         Units::Declared => scales,
-        Units::Visited => nearer(scales),
+        Units::Visited => shrink_to_mean(scales),
     })
 }
 
 /// Moves units half of the way, in logarithms, to their mean. What random policies visit says little about what good ones need:
 /// in units of it alone, an input that hardly moves there would begin with the largest weight.
-fn nearer(scales: Vec<f64>) -> Vec<f64> {
+fn shrink_to_mean(scales: Vec<f64>) -> Vec<f64> {
     let mean = scales.iter().map(|scale| libm::log(*scale)).sum::<f64>() / scales.len().max(1) as f64;
     scales.into_iter().map(|scale| libm::exp(0.5 * (libm::log(scale) + mean))).collect()
 }
 
 /// Returns half the range of most of the visited values of an input; `None` if they are equal.
-fn usual(states: &[Vec<f64>], input: usize) -> Option<f64> {
+fn visited_unit(states: &[Vec<f64>], input: usize) -> Option<f64> {
     let mut values: Vec<f64> = states.iter().map(|state| state[input]).filter(|value| value.is_finite()).collect();
     values.sort_by(f64::total_cmp);
     let half = |part: f64| {
@@ -81,21 +78,15 @@ fn explore<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     seed: u64,
     inputs: usize,
 ) -> Result<Vec<Vec<f64>>, EvaluationError> {
-    let evolution = Evolution::new(config, environment, evaluator, vec![1.0; inputs], Goal::default());
-    let vocabulary = evolution.vocabulary();
-    let mutator = ProgramMutator { vocabulary, parameters: &config.program, literals: &config.literals };
+    let mut few = config.clone();
     let actions = environment.actions().count().unwrap_or(0);
-    let few = super::config::TpgParameters { init_nb_roots: EXPLORERS.max(actions), ..config.tpg.clone() };
-    let mut stream = Stream::new(seed, 0, Purpose::Scales, 0);
-    let population = if vocabulary.outputs().is_empty() {
-        random_population(&mutator, &few, actions as u16, &mut stream)
-    } else {
-        let refiner = Refiner { vocabulary, parameters: &config.refinement };
-        let growing =
-            LeafMutator { bids: mutator, leaves: mutator, refiner, parameters: &config.leaves, tpg: &config.tpg };
-        growing.random_population(EXPLORERS, &mut stream)
-    };
-    let policies: Vec<_> = population.roots().into_iter().map(|root| population.policy(root, vocabulary)).collect();
+    (few.tpg.nb_roots, few.tpg.init_nb_roots, few.demes.count) = (2, EXPLORERS.max(actions), 1);
+    let evolution = Evolution::new(&few, environment, evaluator, vec![1.0; inputs], Goal::default());
+    let mut state = State::new(seed, 1, 0);
+    let moment = Moment { seed, generation: 0, deme: 0 };
+    let context = evolution.context(&state);
+    let candidates = state.population.ask(&context, moment);
+    let policies: Vec<_> = candidates.into_iter().map(|candidate| candidate.policy).collect();
     evolution.visited(&policies[..EXPLORERS.min(policies.len())], EPISODES)
 }
 
@@ -110,15 +101,15 @@ fn unit([min, max]: [f64; 2], states: &[Vec<f64>], input: usize) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{nearer, unit, usual};
+    use super::{shrink_to_mean, unit, visited_unit};
 
     #[test]
     fn units_move_half_of_the_way_to_their_mean() {
-        let near = nearer(vec![0.01, 1.0, 100.0]);
+        let near = shrink_to_mean(vec![0.01, 1.0, 100.0]);
         for (found, expected) in near.iter().zip([0.1, 1.0, 10.0]) {
             assert!((found / expected - 1.0).abs() < 1e-12, "{near:?}");
         }
-        assert_eq!(nearer(Vec::new()), Vec::<f64>::new());
+        assert_eq!(shrink_to_mean(Vec::new()), Vec::<f64>::new());
     }
 
     #[test]
@@ -126,11 +117,11 @@ mod tests {
         let mut states: Vec<Vec<f64>> = (0..=100).map(|value| vec![f64::from(value), 3.0]).collect();
         states[50][0] = 1e9;
         states[51][0] = f64::NAN;
-        assert_eq!(usual(&states, 0), Some(0.5 * (91.0 - 10.0)));
-        assert_eq!(usual(&states, 1), None, "always the same value");
+        assert_eq!(visited_unit(&states, 0), Some(0.5 * (91.0 - 10.0)));
+        assert_eq!(visited_unit(&states, 1), None, "always the same value");
         let switch: Vec<Vec<f64>> = (0..100).map(|at| vec![f64::from(u8::from(at < 5))]).collect();
-        assert_eq!(usual(&switch, 0), Some(0.5), "rarely on");
-        assert_eq!(usual(&[], 0), None);
+        assert_eq!(visited_unit(&switch, 0), Some(0.5), "rarely on");
+        assert_eq!(visited_unit(&[], 0), None);
     }
 
     #[test]

@@ -1,11 +1,10 @@
 //! The state of a run at the end of a generation: the content of a checkpoint.
 
-use super::archive::Archive;
-use super::genome::{Genome, TeamId};
-use super::linear::Search;
-use super::milestones::Milestones;
+use super::budget::Budget;
+use super::population::Population;
+use super::search::Search;
 use serde::{Deserialize, Serialize};
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::VecDeque;
 use tpg_engine::{Ending, PolicyGraph, Preference, Summary};
 
 /// A root's record so far (`learn/evaluationResult.h`): the mean over all of its episodes, and their number.
@@ -19,20 +18,16 @@ pub struct Record {
 
 impl Record {
     /// Adds the scores of a generation.
-    pub fn add(&mut self, scores: &[f64]) {
-        let before = self.mean * self.evaluations as f64;
-        self.evaluations += scores.len() as u64;
-        self.mean = (before + scores.iter().sum::<f64>()) / self.evaluations.max(1) as f64;
+    pub fn add(&mut self, scores: impl Iterator<Item = f64>) {
+        let (mut sum, before) = (self.mean * self.evaluations as f64, self.evaluations);
+        for score in scores {
+            sum += score;
+            self.evaluations += 1;
+        }
+        if self.evaluations > before {
+            self.mean = sum / self.evaluations as f64;
+        }
     }
-}
-
-/// A population that breeds separately.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Deme {
-    /// Its teams and programs.
-    pub genome: Genome,
-    /// Its surviving roots' records.
-    pub records: BTreeMap<TeamId, Record>,
 }
 
 /// The best root on the selection set so far.
@@ -42,9 +37,6 @@ pub struct Best {
     pub generation: u64,
     /// Its result on the selection set.
     pub result: Summary,
-    /// Standard error of that result: of the mean score, or of the success rate where policies are compared by it.
-    #[serde(default)]
-    pub error: f64,
     /// The root.
     pub policy: PolicyGraph,
     /// Ranges of the inputs, if the environment does not know all of them.
@@ -60,19 +52,6 @@ impl Best {
         hall.retain(|other| !self.covers(other, preference));
         let place = hall.partition_point(|other| other.policy.size() < self.policy.size());
         hall.insert(place, self);
-    }
-
-    /// Returns the smallest root of a hall of fame whose result is at most `errors` standard errors below the best one. Where that
-    /// reaches the target of the run, so does the choice.
-    pub(super) fn choose(hall: &[Self], errors: f64, preference: Preference, target: Option<f64>) -> Option<&Self> {
-        let figure = |it: &Self| match preference {
-            Preference::Score => it.result.score,
-            Preference::Success => it.result.success.unwrap_or(0.0),
-        };
-        let best = hall.iter().max_by(|a, b| a.result.compare(&b.result, preference))?;
-        let least = figure(best) - errors * best.error;
-        let reaches = |it: &Self| target.is_none_or(|target| it.result.score >= target);
-        hall.iter().find(|it| figure(it) >= least && (reaches(it) || !reaches(best)))
     }
 
     /// Returns true if this root is neither larger nor worse than the other.
@@ -105,48 +84,38 @@ pub struct Row {
 }
 
 /// State of a run at the end of a generation.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct State<Task> {
     /// The run's seed.
     pub seed: u64,
     /// The next generation.
     pub generation: u64,
-    /// The searches of a linear start.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub searches: Vec<Search>,
+    /// The budget of the search for weights.
+    pub budget: Budget,
+    /// The search for weights, until it has ended.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub search: Option<Search>,
     /// The best search that stalled before another one began.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stalled: Option<Search>,
-    /// Milestones of a start that is limited by steps.
-    #[serde(default, skip_serializing_if = "Milestones::is_empty")]
-    pub milestones: Milestones,
-    /// The demes.
-    pub demes: Vec<Deme>,
-    /// The archive.
-    pub archive: Archive,
+    /// The evolving roots.
+    pub population: Population,
     /// Episodes that a best root failed, newest last.
     pub pool: VecDeque<Task>,
     /// The best root on the selection set.
     pub best: Option<Best>,
     /// The hall of fame: of the roots that won a validation, those of which no other is both smaller and better; smallest
     /// first.
-    #[serde(default)]
     pub hall: Vec<Best>,
     /// The logs.
     pub rows: Vec<Row>,
     /// Units of literals: half the range of each value of the flat state.
     pub scales: Vec<f64>,
-    /// Number of training episodes so far.
-    pub training_episodes: u64,
-    /// Number of validation episodes so far.
-    pub selection_episodes: u64,
     /// Number of actions of all episodes so far.
     pub steps: u64,
     /// Number of them in validation.
-    #[serde(default)]
     pub selection_steps: u64,
-    /// Mean number of actions in a training episode of the newest generation, rounded up.
-    #[serde(default)]
+    /// Mean number of actions in a training episode of the newest generation's best candidate, rounded up.
     pub episode_steps: u64,
 }
 
@@ -161,50 +130,65 @@ impl<Task> State<Task> {
         Self {
             seed,
             generation: 0,
-            searches: Vec::new(),
+            budget: Budget::default(),
+            search: None,
             stalled: None,
-            milestones: Milestones::default(),
-            demes: vec![Deme::default(); demes],
-            archive: Archive::new(archive_size),
+            population: Population::new(demes, archive_size),
             pool: VecDeque::new(),
             best: None,
             hall: Vec::new(),
             rows: Vec::new(),
             scales: Vec::new(),
-            training_episodes: 0,
-            selection_episodes: 0,
             steps: 0,
             selection_steps: 0,
             episode_steps: 0,
         }
     }
 
-    /// Counts the training episodes of a generation, which ended so.
-    pub(super) fn count_training<'a>(&mut self, endings: impl Iterator<Item = &'a Ending> + Clone) {
-        let (episodes, steps) = (endings.clone().count() as u64, actions(endings));
-        self.training_episodes += episodes;
-        self.steps += steps;
-        self.episode_steps = steps.div_ceil(episodes.max(1));
+    /// Counts the training episodes of a generation, and the length of those of its best candidate.
+    pub(super) fn count_training(&mut self, endings: &[Vec<Ending>], best: usize) {
+        self.steps += actions(endings.iter().flatten());
+        if let Some(best) = endings.get(best).filter(|best| !best.is_empty()) {
+            self.episode_steps = actions(best).div_ceil(best.len() as u64);
+        }
     }
 
     /// Counts episodes of validation, which ended so.
     pub(super) fn count_selection(&mut self, endings: &[Ending]) {
         let steps = actions(endings);
-        self.selection_episodes += endings.len() as u64;
         self.steps += steps;
         self.selection_steps += steps;
+    }
+
+    /// Adds the episodes that a policy failed to the pool, which holds the newest `most`; if the problem does not define success,
+    /// those with a score below the mean.
+    pub(super) fn remember_hard(&mut self, tasks: &[Task], endings: &[Ending], most: usize)
+    where
+        Task: Clone + PartialEq,
+    {
+        let mean = Summary::of(endings).score;
+        for (task, ending) in tasks.iter().zip(endings) {
+            let is_hard = ending.success.map_or(ending.score < mean, |success| !success);
+            // With duplicates, the pool would fill up with the few episodes that no root can solve.
+            if is_hard && !self.pool.contains(task) {
+                self.pool.push_back(task.clone());
+            }
+        }
+        while self.pool.len() > most {
+            self.pool.pop_front();
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Best;
+    use super::{Best, Record};
     use tpg_engine::{Destination, Edge, Ending, PolicyGraph, Preference, Summary};
 
     fn best(edges: usize, score: f64, generation: u64) -> Best {
         let result = Summary::of(&[Ending { outcome: 0, success: None, score, measure: 0.0, actions: 1 }]);
         let team = vec![Edge { program: 0, to: Destination::Action(0) }; edges];
-        Best { generation, result, error: 0.1, policy: PolicyGraph::new(1, 0, vec![team], vec![vec![]]), ranges: None }
+        Best { generation, result, policy: PolicyGraph::new(1, 0, vec![team], vec![vec![]]), ranges: None }
     }
 
     #[test]
@@ -215,14 +199,13 @@ mod tests {
         }
         let found: Vec<_> = hall.iter().map(|it| (it.policy.size(), it.result.score, it.generation)).collect();
         assert_eq!(found, [(2, 0.5, 5), (5, 1.0, 0), (9, 2.0, 4)]);
+    }
 
-        // Errors of 0.1 each: 10 of them reach 1.0, 15 reach 0.5.
-        let chosen = |errors, target| Best::choose(&hall, errors, Preference::Score, target).map(|it| it.policy.size());
-        assert_eq!(chosen(9.0, None), Some(9));
-        assert_eq!(chosen(10.5, None), Some(5));
-        assert_eq!(chosen(15.5, None), Some(2));
-        assert_eq!(chosen(15.5, Some(0.9)), Some(5), "what reaches the target");
-        assert_eq!(chosen(15.5, Some(7.0)), Some(2), "nothing does");
-        assert_eq!(Best::choose(&[], 1.0, Preference::Score, None), None);
+    #[test]
+    fn a_bad_episode_moves_a_long_record_little_and_decides_about_a_new_one() {
+        let (mut long, mut new) = (Record { mean: 100.0, evaluations: 9 }, Record::default());
+        long.add([0.0].into_iter());
+        new.add([0.0].into_iter());
+        assert_eq!((long.mean, new.mean), (90.0, 0.0));
     }
 }

@@ -16,20 +16,18 @@ fn stages(episodes: usize) -> impl Iterator<Item = usize> {
 
 impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V> {
     /// Lets a policy play the selection episodes and enters it, if their mean reaches the run's target after each stage. `found`
-    /// is what training has found of it: a trial is due where that reaches the target, and where no more episodes have been
+    /// is what training has found of it: a trial is due where that reaches the target, and where no more steps have been
     /// spent on selection than on training.
     pub(super) fn try_for_target(
         &self,
         state: &mut State<E::Task>,
         found: f64,
-        policy: impl FnOnce() -> PolicyGraph,
+        policy: Option<PolicyGraph>,
     ) -> Result<Option<Summary>, EvaluationError> {
         let Some(target) = self.goal.target.filter(|&target| found >= target) else { return Ok(None) };
-        if state.selection_episodes > state.training_episodes {
-            return Ok(None);
-        }
+        let Some(policy) = policy.filter(|_| 2 * state.selection_steps <= state.steps) else { return Ok(None) };
         let key = UnitKey { seed: state.seed, generation: state.generation, root: 0 };
-        let unit = WorkUnit { key, policy: policy() };
+        let unit = WorkUnit { key, policy };
         let mut endings: Vec<Ending> = Vec::new();
         for stage in stages(self.selection_tasks.len()) {
             let tasks = self.selection_tasks[endings.len()..stage].to_vec();

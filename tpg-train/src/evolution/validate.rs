@@ -2,21 +2,22 @@
 //!
 //! Running means are noisy, so the root to keep is chosen on episodes that no root was trained on. The best few roots
 //! by running mean start; after part of the episodes the better half continues (successive halving), and the last one
-//! completes all of them. Validations take no more than a fixed share of a run's episodes: one is done when the budget
+//! completes all of them. Validations take no more than a fixed share of a run's steps: one is done when the budget
 //! allows for it and for the final one.
 
-use super::config::Effort;
-use super::generation::{Evolution, root_number};
+use super::generation::Evolution;
+use super::stage::Candidate;
 use super::state::{Best, State};
 use std::cmp::Ordering;
 use tpg_engine::{
-    Ending, Environment, EvaluationError, Evaluator, PolicyGraph, Preference, Summary, UnitKey, UnitResult, Visit,
-    Work, WorkUnit, finite,
+    Ending, Environment, EvaluationError, Evaluator, PolicyGraph, Summary, UnitKey, UnitResult, Visit, Work, WorkUnit,
 };
 use tpg_runtime::scalar::Scalar;
 
 /// Number of episodes of the last validation if the budget is exhausted.
-const LEAST: usize = 20;
+const MIN_EPISODES: usize = 20;
+/// Number of roots that are compared: the best by running mean.
+const ROOTS: usize = 8;
 /// Number of episodes from which unknown ranges of inputs are estimated, and of states in each.
 const EPISODES_FOR_RANGES: usize = 16;
 const STATES_FOR_RANGES: u32 = 16;
@@ -40,21 +41,21 @@ fn stages(roots: usize, episodes: usize) -> Vec<usize> {
     (0..=halvings).rev().map(|halving| (episodes >> halving).max(1)).collect()
 }
 
-/// Returns the number of episodes that validations may still take with their share of a run's effort, if these have as many steps as
-/// the newest ones of training.
-fn episodes_left<Task>(state: &State<Task>, share: f64, effort: Effort) -> u64 {
-    let left = |training: u64, spent: u64| ((share / (1.0 - share) * training as f64) as u64).saturating_sub(spent);
-    match effort {
-        Effort::Episodes => left(state.training_episodes, state.selection_episodes),
-        Effort::Steps => left(state.steps - state.selection_steps, state.selection_steps) / state.episode_steps.max(1),
-    }
+/// Returns the number of episodes that validations may still take with their share of a run's steps, if these are as long as the best
+/// candidate's.
+fn episodes_left<Task>(state: &State<Task>, share: f64) -> u64 {
+    let training = (state.steps - state.selection_steps) as f64;
+    ((share / (1.0 - share) * training) as u64).saturating_sub(state.selection_steps) / state.episode_steps.max(1)
 }
 
 impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V> {
     /// Validates if it is time to; returns the result of the winner, and updates the best root so far.
     pub(super) fn validate(&self, state: &mut State<E::Task>) -> Result<Option<Summary>, EvaluationError> {
-        let Some(episodes) = self.episodes_to_spend(state) else { return Ok(None) };
-        let (policy, endings) = self.race(state, episodes)?;
+        let mut roots = state.population.survivors(&self.context(state));
+        roots.truncate(ROOTS);
+        let best = roots.iter().map(|(_, root)| root.record.mean).fold(f64::NEG_INFINITY, f64::max);
+        let Some(episodes) = self.episodes_to_spend(state, roots.len(), best) else { return Ok(None) };
+        let (policy, endings) = self.race(state, roots, episodes)?;
         self.enter(state, policy, &endings).map(Some)
     }
 
@@ -67,18 +68,13 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     ) -> Result<Summary, EvaluationError> {
         let (preference, result) = (self.environment.preference(), Summary::of(endings));
         let ranges = self.learned_ranges(&policy, endings)?;
-        let error = standard_error(&result, endings, preference);
-        let winner = Best { generation: state.generation, result, error, ranges, policy };
+        let winner = Best { generation: state.generation, result, ranges, policy };
         let is_better =
             |best: &Best| self.compare(state, (&best.result, &best.policy), (&result, &winner.policy)).is_gt();
-        let errors = self.config.selection.choice_errors;
-        if errors == 0.0 && state.best.as_ref().is_none_or(is_better) {
+        if state.best.as_ref().is_none_or(is_better) {
             state.best = Some(winner.clone());
         }
         winner.enter(&mut state.hall, preference);
-        if errors > 0.0 {
-            state.best = Best::choose(&state.hall, errors, preference, self.goal.target).cloned();
-        }
         Ok(result)
     }
 
@@ -97,50 +93,34 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         (less(new.0, new_lines).compare(&less(old.0, old_lines), preference)).then(old_lines.cmp(&new_lines))
     }
 
-    /// Returns the number of episodes for the winner of a race now; `None` if it is not time for one.
-    fn episodes_to_spend(&self, state: &State<E::Task>) -> Option<usize> {
+    /// Returns the number of episodes for the winner of a race of so many roots now, of which the best has a running mean; `None` if
+    /// it is not time for one.
+    fn episodes_to_spend(&self, state: &State<E::Task>, roots: usize, best: f64) -> Option<usize> {
         let selection = &self.config.selection;
         let all = selection.validation_episodes;
-        let roots: usize = state.demes.iter().map(|deme| deme.records.len()).sum();
-        let roots = roots.min(selection.validation_roots);
         let cost = cost(roots, all);
-        let left = episodes_left(state, selection.validation_share, selection.validation_by);
+        let left = episodes_left(state, selection.validation_share);
         if self.is_last(state) {
             let affordable = (all as u64 * left / cost.max(1)) as usize;
-            return Some(affordable.clamp(LEAST.min(all), all));
+            return Some(affordable.clamp(MIN_EPISODES.min(all), all));
         }
-        let promising = self.goal.target.is_some_and(|target| self.best_mean(state) >= target)
-            && state.training_episodes >= state.selection_episodes + cost;
+        let training = state.steps - state.selection_steps;
+        let promising = self.goal.target.is_some_and(|target| best >= target)
+            && training >= state.selection_steps + cost * state.episode_steps;
         (promising || left >= 2 * cost).then_some(all)
     }
 
-    /// Returns the best running mean of a root.
-    fn best_mean(&self, state: &State<E::Task>) -> f64 {
-        let records = state.demes.iter().flat_map(|deme| deme.records.values());
-        records.map(|record| record.mean).fold(f64::NEG_INFINITY, f64::max)
-    }
-
-    /// Returns the roots that race: the best by running mean, less the price of their lines; ties go to the smaller root, then
-    /// to the earlier deme, then to the older root.
-    fn field(&self, state: &State<E::Task>) -> Vec<WorkUnit> {
-        let price = self.line_price(state);
-        let mut roots: Vec<(f64, usize, WorkUnit)> = Vec::new();
-        for (deme, population) in state.demes.iter().enumerate() {
-            for (&team, record) in &population.records {
-                let policy = population.genome.policy(team, &self.vocabulary);
-                let lines = policy.lines();
-                let key = UnitKey { seed: state.seed, generation: state.generation, root: root_number(deme, team) };
-                roots.push((record.mean - price * lines as f64, lines, WorkUnit { key, policy }));
-            }
-        }
-        // The sort is stable: roots stand in the order of demes and ages.
-        roots.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        roots.into_iter().take(self.config.selection.validation_roots).map(|(_, _, unit)| unit).collect()
-    }
-
-    fn race(&self, state: &mut State<E::Task>, episodes: usize) -> Result<(PolicyGraph, Vec<Ending>), EvaluationError> {
+    fn race(
+        &self,
+        state: &mut State<E::Task>,
+        roots: Vec<(f64, Candidate)>,
+        episodes: usize,
+    ) -> Result<(PolicyGraph, Vec<Ending>), EvaluationError> {
+        let (seed, generation) = (state.seed, state.generation);
+        let unit =
+            |Candidate { policy, number: root, .. }| WorkUnit { key: UnitKey { seed, generation, root }, policy };
         let mut field: Vec<(WorkUnit, Vec<Ending>)> =
-            self.field(state).into_iter().map(|unit| (unit, Vec::new())).collect();
+            roots.into_iter().map(|(_, root)| (unit(root), Vec::new())).collect();
         let mut done = 0;
         for stage in stages(field.len(), episodes) {
             let units: Vec<WorkUnit> = field.iter().map(|(unit, _)| unit.clone()).collect();
@@ -198,16 +178,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     }
 }
 
-/// Returns the standard error of the figure by which results are compared: the mean score, or the success rate.
-fn standard_error(result: &Summary, endings: &[Ending], preference: Preference) -> f64 {
-    let deviation = match preference {
-        Preference::Score => result.score_deviation(endings),
-        Preference::Success => result.success.map_or(0.0, |rate| (rate * (1.0 - rate)).sqrt()),
-    };
-    finite(deviation / (endings.len().max(1) as f64).sqrt()).max(0.0)
-}
-
-/// Returns a visit of so many states all along an episode that ended so.
+/// Returns a visit of `states` evenly spaced states of an episode that ended so.
 fn along<Task: Clone>(policy: &PolicyGraph, task: &Task, ending: &Ending, states: u32) -> Visit<Task> {
     let actions = u64::from(ending.actions);
     let after = (0..states).map(|state| (u64::from(state) * actions / u64::from(states)) as u32);
@@ -228,10 +199,9 @@ fn widened(declared: [f64; 2], states: &[Vec<f64>], input: usize) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::{cost, episodes_left, stages, standard_error, widened};
-    use crate::evolution::config::Effort;
+    use super::{cost, episodes_left, stages, widened};
     use crate::evolution::state::State;
-    use tpg_engine::{Ending, Preference, Summary};
+    use tpg_engine::Ending;
 
     #[test]
     fn a_race_halves_its_field_and_its_winner_does_all_episodes() {
@@ -246,28 +216,15 @@ mod tests {
     fn a_share_of_the_steps_is_fewer_episodes_where_they_have_grown_long() {
         let mut state = State::<u64>::new(1, 1, 0);
         let ending = |actions| Ending { outcome: 0, success: None, score: 0.0, measure: 0.0, actions };
-        state.count_training([ending(10); 900].iter());
-        state.count_training([ending(500); 98].iter().chain(&[ending(499); 2]));
-        assert_eq!((state.training_episodes, state.steps, state.episode_steps), (1000, 58_998, 500));
-        // Half of the effort, which is as much as training.
-        assert_eq!(episodes_left(&state, 0.5, Effort::Episodes), 1000);
-        assert_eq!(episodes_left(&state, 0.5, Effort::Steps), 117);
+        state.count_training(&[vec![ending(10); 900]], 0);
+        state.count_training(&[vec![ending(500); 40], vec![ending(500), ending(499)], vec![ending(499); 58]], 1);
+        assert_eq!((state.steps, state.episode_steps), (58_941, 500));
+        // Half of the steps, which is as much as training.
+        assert_eq!(episodes_left(&state, 0.5), 117);
         state.count_selection(&[ending(1000); 50]);
-        assert_eq!((state.steps, state.selection_steps), (108_998, 50_000));
-        assert_eq!(episodes_left(&state, 0.5, Effort::Episodes), 950);
-        assert_eq!(episodes_left(&state, 0.5, Effort::Steps), 17);
-        assert_eq!(episodes_left(&state, 0.1, Effort::Steps), 0, "more than it may");
-    }
-
-    #[test]
-    fn a_standard_error_is_of_the_figure_that_decides() {
-        let ending = |score, success| Ending { outcome: 0, success: Some(success), score, measure: 0.0, actions: 1 };
-        let endings = [ending(1.0, true), ending(3.0, false), ending(5.0, true), ending(3.0, false)];
-        let error = |preference| standard_error(&Summary::of(&endings), &endings, preference);
-        assert!((error(Preference::Score) - (8.0f64 / 3.0).sqrt() / 2.0).abs() < 1e-12);
-        assert_eq!(error(Preference::Success), 0.25);
-        let odd = [ending(f64::NAN, true), ending(1.0, true)];
-        assert!(standard_error(&Summary::of(&odd), &odd, Preference::Score) >= 0.0);
+        assert_eq!((state.steps, state.selection_steps), (108_941, 50_000));
+        assert_eq!(episodes_left(&state, 0.5), 17);
+        assert_eq!(episodes_left(&state, 0.1), 0, "more than it may");
     }
 
     #[test]

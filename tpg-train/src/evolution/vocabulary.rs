@@ -6,10 +6,10 @@ use tpg_graph::Word;
 use tpg_graph::{ScalarType, SourceDocument};
 
 /// Number of operands of a line, GEGELATI's `maxNbOperands`; no instruction has more.
-pub const OPERANDS: usize = 2;
+pub(super) const OPERANDS: usize = 2;
 
 /// Index of an instruction in its set, as stored in a line.
-pub type InstructionIndex = u8;
+pub(super) type InstructionIndex = u8;
 
 /// An operand of a genome's line: GEGELATI's pair of data source and location (`program/line.h`), and a literal number
 /// if literals are allowed.
@@ -23,13 +23,18 @@ pub struct Gene {
     pub literal: f64,
 }
 
+impl Gene {
+    /// Returns the operand that is a register.
+    pub fn register(location: u16) -> Self {
+        Self { source: 0, location, literal: 0.0 }
+    }
+}
+
 /// Meaning of a source number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// The registers: always source 0.
     Registers,
-    /// The program's constants, if programs have any: source 1.
-    Constants,
     /// A data source of the environment: its first index in the flat state, and its length.
     Data(u16, u16),
     /// The operand's own number, if literals are allowed: the last source.
@@ -41,7 +46,6 @@ pub enum Kind {
 pub struct Vocabulary {
     instructions: Vec<Word>,
     registers: u16,
-    constants: u16,
     kinds: Vec<Kind>,
     /// Exclusive upper bound of locations (GEGELATI, `environment.cpp`, `computeLargestAddressSpace`).
     largest_address_space: u16,
@@ -62,16 +66,12 @@ impl Vocabulary {
     pub fn new(
         instructions: Vec<Word>,
         registers: u16,
-        constants: u16,
         sources: &[SourceDocument],
         literals: Option<Vec<f64>>,
         scalar: ScalarType,
     ) -> Self {
         assert!(registers > 0 && (1..=256).contains(&instructions.len()));
         let mut kinds = vec![Kind::Registers];
-        if constants > 0 {
-            kinds.push(Kind::Constants);
-        }
         let mut place = 0;
         for source in sources {
             kinds.push(Kind::Data(place, source.length as u16));
@@ -81,11 +81,10 @@ impl Vocabulary {
             kinds.push(Kind::Literal);
         }
         let longest = sources.iter().map(|source| source.length as u16).max().unwrap_or(1);
-        let largest_address_space = registers.max(constants).max(longest);
+        let largest_address_space = registers.max(longest);
         Self {
             instructions,
             registers,
-            constants,
             kinds,
             largest_address_space,
             scalar,
@@ -112,7 +111,7 @@ impl Vocabulary {
     pub fn with_bounds(self, source: &SourceDocument) -> Self {
         let readable = self.kinds.iter().filter_map(|kind| match *kind {
             Kind::Data(place, length) => Some(place + length),
-            Kind::Registers | Kind::Constants | Kind::Literal => None,
+            Kind::Registers | Kind::Literal => None,
         });
         let place = readable.max().unwrap_or(0);
         Self { bounds: Some((place, source.length as u16)), ..self }
@@ -138,14 +137,19 @@ impl Vocabulary {
         self.instructions[usize::from(index)]
     }
 
+    /// Returns the index of an instruction in the set, if it is in it.
+    pub fn index(&self, word: Word) -> Option<InstructionIndex> {
+        self.instructions.iter().position(|known| *known == word).map(|place| place as InstructionIndex)
+    }
+
+    /// Returns the operand that is a literal number; only where literals are allowed.
+    pub fn literal(&self, literal: f64) -> Gene {
+        Gene { source: (self.sources() - 1) as u8, location: 0, literal }
+    }
+
     /// Returns the number of registers of a program.
     pub fn registers(&self) -> u16 {
         self.registers
-    }
-
-    /// Returns the number of constants of a program.
-    pub fn constants(&self) -> u16 {
-        self.constants
     }
 
     /// Returns the number of sources that an operand can refer to.
@@ -158,16 +162,16 @@ impl Vocabulary {
         self.kinds[usize::from(source)]
     }
 
-    /// Returns the inputs that programs can read: an operand for each, and its unit.
-    pub fn inputs(&self) -> Vec<(Gene, f64)> {
-        let of = |(source, kind): (u8, &Kind)| match *kind {
-            Kind::Data(place, length) => (0..length).map(|location| (source, location, place + location)).collect(),
-            Kind::Registers | Kind::Constants | Kind::Literal => Vec::new(),
+    /// Returns the inputs that programs can read: an operand for each, its place in the flat state, and its unit.
+    pub fn inputs(&self) -> Vec<(Gene, u16, f64)> {
+        let of_source = |(source, kind): (u8, &Kind)| match *kind {
+            Kind::Data(place, length) => (0..length).map(|at| (source, at, place + at)).collect(),
+            Kind::Registers | Kind::Literal => Vec::new(),
         };
-        let places: Vec<(u8, u16, u16)> = (0..).zip(&self.kinds).flat_map(of).collect();
+        let places = (0..).zip(&self.kinds).flat_map(of_source);
         let unit = |place: u16| self.scales.get(usize::from(place)).copied().unwrap_or(1.0);
-        let gene = |(source, location, place)| (Gene { source, location, literal: 0.0 }, unit(place));
-        places.into_iter().map(gene).collect()
+        let input = |(source, location, place)| (Gene { source, location, literal: 0.0 }, place, unit(place));
+        places.map(input).collect()
     }
 
     /// Returns the exclusive upper bound of locations.
@@ -185,11 +189,10 @@ impl Vocabulary {
         (self.kind(gene.source) == Kind::Registers).then(|| gene.location % self.registers)
     }
 
-    /// Resolves an operand; `constants` are those of its program.
-    pub fn read(&self, gene: &Gene, constants: &[f64]) -> Operand {
+    /// Resolves an operand.
+    pub fn read(&self, gene: &Gene) -> Operand {
         match self.kind(gene.source) {
             Kind::Registers => Operand::Register(gene.location % self.registers),
-            Kind::Constants => Operand::Constant(constants[usize::from(gene.location % self.constants)]),
             Kind::Data(place, length) => Operand::Input(place + gene.location % length),
             Kind::Literal => Operand::Constant(gene.literal),
         }

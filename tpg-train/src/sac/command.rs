@@ -11,7 +11,6 @@ use super::weights::to_tensors;
 use super::{checkpoint, log, presets};
 use crate::configuration::{Chosen, Configuration};
 use crate::evolution::generation::Goal;
-use crate::evolution::presets::Preset;
 use crate::files::write_atomically;
 use crate::folder::{RunFolder, Trainer};
 use crate::interrupt;
@@ -71,10 +70,15 @@ pub fn execute(args: &SacArgs) -> Result<Verdict, InputError> {
 
 impl Configuration for SacConfig {
     type Problem = ContinuousProblem;
-    const PRESETS: &'static [Preset] = &presets::PRESETS;
     const PRINTED_BY: &'static str = "tpg-train config --sac";
 
-    fn usual(problem: ProblemName) -> &'static Preset {
+    fn presets() -> Vec<&'static str> {
+        presets::PRESETS.iter().map(|preset| preset.name).collect()
+    }
+    fn preset(name: &str) -> Option<toml::Table> {
+        presets::find(name).and_then(|preset| preset.text().parse().ok())
+    }
+    fn default_preset(problem: ProblemName) -> &'static str {
         presets::usual(problem)
     }
     fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {

@@ -1,9 +1,38 @@
 //! The configurations included with the trainer, with a comment for every setting.
 
 use super::config::SacConfig;
-use crate::evolution::presets::Preset;
 use tpg_graph::error::InputError;
 use tpg_problems::ProblemName;
+
+/// A configuration included with the trainer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Preset {
+    /// Its name.
+    pub name: &'static str,
+    /// One-line description.
+    pub about: &'static str,
+    /// The file that its text is made from.
+    file: &'static str,
+    /// Replacements that its text has for words of the file, wherever these stand: old words, new words.
+    changes: &'static [(&'static str, &'static str)],
+}
+
+impl Preset {
+    /// Creates a preset whose text is a file.
+    const fn new(name: &'static str, about: &'static str, file: &'static str) -> Self {
+        Self { name, about, file, changes: &[] }
+    }
+
+    /// Changes words of the file.
+    const fn with(self, changes: &'static [(&'static str, &'static str)]) -> Self {
+        Self { changes, ..self }
+    }
+
+    /// Returns its commented text.
+    pub fn text(&self) -> String {
+        self.changes.iter().fold(self.file.to_owned(), |text, (old, new)| text.replace(old, new))
+    }
+}
 
 /// Every preset.
 pub const PRESETS: [Preset; 10] = [
@@ -78,17 +107,13 @@ pub fn find(name: &str) -> Option<&'static Preset> {
     PRESETS.iter().find(|preset| preset.name == name)
 }
 
-/// Returns the preset used for a problem by default.
-///
-/// # Panics
-/// Never: each of these presets is in the list.
-pub fn usual(problem: ProblemName) -> &'static Preset {
-    let name = match problem {
+/// Returns the name of the preset used for a problem by default.
+pub fn usual(problem: ProblemName) -> &'static str {
+    match problem {
         ProblemName::Fs => "best-fs",
         ProblemName::Rs => "best-rs",
         _ => "general",
-    };
-    find(name).expect("it is in the list")
+    }
 }
 
 /// Returns the configuration of a preset.
@@ -96,8 +121,7 @@ pub fn usual(problem: ProblemName) -> &'static Preset {
 /// # Errors
 /// None: a test reads every preset.
 pub fn config(preset: &Preset) -> Result<SacConfig, InputError> {
-    let (file, text) = preset.file();
-    SacConfig::from_toml(&file, &text)
+    SacConfig::from_toml(&format!("<preset {}>", preset.name), &preset.text())
 }
 
 #[cfg(test)]

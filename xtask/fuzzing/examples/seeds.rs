@@ -61,8 +61,8 @@ fn main() -> std::io::Result<()> {
     let pendulum = "problem = \"pendulum\"\ngraph = \"graph.json\"\nactor = \"policy.q.json\"\n\
                     hand_back_after = 20\nseparation = 2.5\npatience = \"never\"\ncycle_detector = \"none\"\n";
     put("hybrid", "pendulum", pendulum.as_bytes())?;
-    for name in ["general", "continuous", "best-fs"] {
-        let (_, text) = Preset::find(name).expect("a preset").file();
+    for name in ["thorough", "quick", "best-fs"] {
+        let text = Preset::find(name).expect("a preset").table().to_string();
         put("tpg_config", name, text.as_bytes())?;
     }
     for name in ["general", "best-fs", "paper-fs"] {

@@ -9,7 +9,6 @@ use tpg_runtime::ops::Own;
 use tpg_train::evolution::checkpoint;
 use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::evolution::generation::{Evolution, Goal};
-use tpg_train::evolution::presets::Preset;
 use tpg_train::evolution::run::{RunOptions, run};
 use tpg_train::folder::checkpoint::look;
 use tpg_train::folder::{RunFolder, Trainer};
@@ -26,16 +25,12 @@ fn swing() -> Swing {
 }
 
 fn evolution() -> EvolutionConfig {
-    let mut config = Preset::find("general").and_then(|preset| preset.config().ok()).expect("a preset");
+    let mut config = EvolutionConfig::default();
     (config.tpg.nb_roots, config.tpg.init_nb_roots) = (12, 14);
-    (config.demes.count, config.demes.migration_interval, config.demes.migrants) = (2, 2, 1);
-    (config.learning.archive_size, config.learning.archiving_probability) = (6, 1.0);
-    (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (2, 3);
-    config.learning.nb_program_constant = 2;
-    (config.pool.size, config.pool.share) = (5, 0.5);
-    (config.selection.racing_episodes, config.selection.validation_roots) = (0, 3);
-    (config.selection.validation_episodes, config.selection.lexicase_survivors) = (4, 0);
-    (config.curriculum.generations, config.curriculum.roughness) = (0, 1);
+    (config.demes.count, config.learning.archive_size, config.pool.share) = (2, 100, 0.5);
+    (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (2, 4);
+    (config.selection.racing_episodes, config.selection.validation_episodes) = (0, 4);
+    config.start.share = 0.25;
     config
 }
 

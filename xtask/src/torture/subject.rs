@@ -33,7 +33,7 @@ pub(super) fn all(place: &Path) -> Result<Vec<Subject>, String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("no workspace")?;
     let generated = |name: &str| root.join("generated").join(name).into_os_string();
     let words = |text: &str| text.split(' ').map(OsString::from).collect::<Vec<_>>();
-    let tpg = "tpg --problem cartpole --preset general --generations 12 --threads 2 --checkpoint-seconds 0";
+    let tpg = "tpg --problem cartpole --set demes.count=1 --generations 12 --threads 2 --checkpoint-seconds 0";
     let mut sac = words("sac --problem pendulum --max-steps 1600 --checkpoint-seconds 0 --config");
     sac.push(with_many_lanes(&program, place)?.into_os_string());
     let hybrid = "hybrid --problem fs --episodes 2 --guard none --threads 2";

@@ -1,0 +1,61 @@
+//! `tpg-train config`: prints presets, and the schema of settings.
+
+use super::schema::{commented, schema};
+use crate::evolution::config::EvolutionConfig;
+use crate::evolution::presets::{PRESETS, Preset};
+use crate::sac;
+use clap::Args;
+use tpg_graph::error::{InputError, Place};
+use tpg_problems::arm::arms::ARMS;
+use tpg_problems::arm::chain::CHAINS;
+
+/// Print a commented configuration.
+#[derive(Clone, Debug, Args)]
+pub struct ConfigArgs {
+    /// The preset [default: thorough; with --sac general], or an arm, such as widowx, for the section that describes it
+    #[arg(value_name = "NAME")]
+    pub name: Option<String>,
+    /// A preset of `tpg-train sac` instead of `tpg-train tpg`
+    #[arg(long)]
+    pub sac: bool,
+    /// Only the names, with what they are
+    #[arg(long)]
+    pub list: bool,
+    /// The JSON Schema of all settings, for editors
+    #[arg(long, conflicts_with_all = ["list", "name"])]
+    pub schema: bool,
+}
+
+/// Prints a preset, the list of all, or the schema.
+///
+/// # Errors
+/// If there is no preset with that name, or stdout is closed.
+pub fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
+    let text = text(args)?;
+    let written = tpg_graph::command::print(&text);
+    written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
+}
+
+fn text(args: &ConfigArgs) -> Result<String, InputError> {
+    let schema = if args.sac { schema::<sac::config::SacConfig>() } else { schema::<EvolutionConfig>() };
+    if args.schema {
+        return Ok(format!("{schema:#}\n"));
+    }
+    let own = PRESETS.iter().map(|preset| (preset.name, preset.about, None::<String>));
+    let arms = ARMS.iter().map(|arm| (arm.name, arm.about, Some(arm.text.to_owned())));
+    let chains = CHAINS.iter().map(|chain| (chain.name, chain.about, Some(chain.text.to_owned())));
+    let networks = sac::presets::PRESETS.iter().map(|preset| (preset.name, preset.about, Some(preset.text())));
+    let all: Vec<_> = if args.sac { networks.collect() } else { own.chain(arms).chain(chains).collect() };
+    if args.list {
+        return Ok(all.into_iter().map(|(name, about, _)| format!("{name:18} {about}\n")).collect());
+    }
+    let name = args.name.as_deref().unwrap_or(if args.sac { "general" } else { "thorough" });
+    match all.iter().find(|(known, ..)| *known == name) {
+        Some((_, _, Some(text))) => Ok(text.clone()),
+        Some(_) => Ok(commented(&schema, &Preset::find(name).map(Preset::table).unwrap_or_default())),
+        None => {
+            let accepted = all.iter().map(|(name, ..)| *name).collect::<Vec<_>>().join(", ");
+            Err(InputError::new("<command line>", Place::Whole, format!("the preset {name:?}"), accepted))
+        }
+    }
+}

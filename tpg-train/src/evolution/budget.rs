@@ -1,0 +1,142 @@
+//! The budget of the search for weights: when one search is followed by another, and when evolution begins.
+//!
+//! No number of generations fits every problem. Episodes of a pole that falls at once have ten steps, and a search has hardly begun
+//! after them; episodes of a swimmer always have a thousand. So the searches share a part of the run, and one that stalls makes room
+//! for the next: it got stuck by bad luck, or looked for sums where products are needed.
+
+use serde::{Deserialize, Serialize};
+
+/// Minimum number of generations without progress before a search has stalled.
+const MIN_PATIENCE: u64 = 10;
+/// A search makes progress when it gains this part of all that it had gained before: slow gains do not count.
+const PROGRESS: f64 = 0.2;
+/// Maximum number of generations of all searches, in default lengths of one: a run without a limit must terminate.
+const MAX_LENGTHS: u64 = 30;
+/// The part of the budget after which no other search begins.
+const TOO_LATE: f64 = 0.9;
+/// The part of its budget after which a random search ends that is no better than luck.
+const TRIAL: f64 = 0.25;
+
+/// How far the search for weights has come.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Budget {
+    /// The generation with which the current search began.
+    pub begun: u64,
+    /// Number of searches before it.
+    pub searches: u64,
+    /// First score of the current search.
+    first: Option<f64>,
+    /// Generation and score at its last progress.
+    progress: Option<(u64, f64)>,
+    /// The generation before which the last search ended.
+    pub ended: Option<u64>,
+}
+
+/// What a generation of a search has brought.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Point {
+    /// Number of generations of the run so far.
+    pub generation: u64,
+    /// The part of the run that is over; none in a run without a limit.
+    pub part: Option<f64>,
+    /// Score of the search.
+    pub score: f64,
+}
+
+/// The limits of a search.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limits {
+    /// Default number of generations.
+    pub length: u64,
+    /// The part of the run at which it ends.
+    pub part: f64,
+    /// For a random search the score of luck; another search follows it.
+    pub luck: Option<f64>,
+}
+
+impl Budget {
+    /// Records what a generation has brought; the search goes on unless `searches` or `ended` has changed.
+    pub(super) fn spend(&mut self, point: Point, limits: Limits) {
+        let first = *self.first.get_or_insert(point.score);
+        if self.progress.is_none_or(|(_, last)| point.score - last > PROGRESS * (last - first).max(0.0)) {
+            self.progress = Some((point.generation, point.score));
+        }
+        let since = |begin: u64| point.generation - begin;
+        let has_stalled = since(self.begun) >= limits.length
+            && self.progress.is_some_and(|(last, _)| since(last) >= (limits.length / 2).max(MIN_PATIENCE));
+        let is_over = |part: f64| point.part.is_some_and(|over| over >= part * limits.part);
+        if let Some(luck) = limits.luck {
+            let is_lucky = point.score > luck;
+            if is_over(if is_lucky { 1.0 } else { TRIAL }) || (point.part.is_none() && has_stalled) {
+                self.begin_another(point.generation);
+            }
+        } else if is_over(1.0) || point.generation >= MAX_LENGTHS * limits.length {
+            self.ended = Some(point.generation);
+        } else if has_stalled {
+            match point.part.is_none() || is_over(TOO_LATE) {
+                true => self.ended = Some(point.generation),
+                false => self.begin_another(point.generation),
+            }
+        }
+    }
+
+    fn begin_another(&mut self, generation: u64) {
+        *self = Self { begun: generation, searches: self.searches + 1, ..Self::default() };
+    }
+
+    /// True if the budget, read from a file, is one of a run after so many generations.
+    pub(super) fn is_valid(&self, generation: u64) -> bool {
+        let latest = [Some(self.begun), self.progress.map(|(last, _)| last), self.ended];
+        latest.iter().flatten().all(|&at| at <= generation) && self.searches <= generation
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Budget, Limits, Point};
+
+    /// Spends a budget on generations that score what `score` says, each a hundredth of the run if it has a limit; returns the
+    /// generations in which a search began or ended.
+    fn run(limits: Limits, has_limit: bool, score: impl Fn(u64) -> f64) -> Vec<u64> {
+        let (mut budget, mut events) = (Budget::default(), Vec::new());
+        for generation in 1..2000 {
+            let before = budget.searches;
+            let part = has_limit.then_some(generation as f64 / 100.0);
+            budget.spend(Point { generation, part, score: score(generation) }, limits);
+            assert!(budget.is_valid(generation));
+            if budget.searches > before || budget.ended.is_some() {
+                events.push(generation);
+            }
+            if budget.ended.is_some() || limits.luck.is_some() && budget.searches > 0 {
+                return events;
+            }
+        }
+        panic!("no end: {budget:?}");
+    }
+
+    #[test]
+    fn searches_share_their_part_of_a_run() {
+        let cma = Limits { length: 20, part: 0.6, luck: None };
+        let random = Limits { luck: Some(50.0), ..cma };
+        let (rising, flat) = (|now: u64| now as f64, |_: u64| 0.0);
+        // Slow: a fifth of what was gained before is not gained within ten generations.
+        let slow = |now: u64| if now == 1 { 0.0 } else { 100.0 + now as f64 };
+        let second = |now: u64| if now > 20 { now as f64 } else { 0.0 };
+        for (what, limits, has_limit, score, events) in [
+            ("progress uses the whole part", cma, true, &rising as &dyn Fn(u64) -> f64, &[60][..]),
+            ("one that stalls makes room, until it is too late", cma, true, &flat, &[20, 40, 60]),
+            ("slow gains are none", cma, true, &slow, &[20, 60]),
+            ("the second one goes on", cma, true, &second, &[20, 60]),
+            ("without a limit the first that stalls is the last", cma, false, &flat, &[20]),
+            ("a part that is short ends it early", Limits { part: 0.1, ..cma }, true, &rising, &[10]),
+            ("a random search has its part if it is good", random, true, &|_| 51.0, &[60]),
+            ("and a quarter of it if it is not", random, true, &flat, &[15]),
+            ("without a limit it ends when it stalls", random, false, &flat, &[20]),
+        ] {
+            assert_eq!(run(limits, has_limit, score), events, "{what}");
+        }
+        let long = Limits { length: 20, part: 1e9, luck: None };
+        assert_eq!(run(long, true, flat).last(), Some(&600), "30 lengths at most");
+    }
+}

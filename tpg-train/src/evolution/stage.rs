@@ -1,0 +1,109 @@
+//! The stages of a run: a random search for weights, searches that adapt their variances, evolution. Each asks for episodes of
+//! candidates and is told how these ended; the budget says which stage has the next generation.
+
+use super::config::EvolutionConfig;
+use super::state::{Record, Row};
+use super::vocabulary::Vocabulary;
+use tpg_engine::random::{Purpose, Stream};
+use tpg_engine::{Ending, Moments, PolicyGraph, Preference};
+
+/// What stages know of a run.
+#[derive(Clone, Copy, Debug)]
+pub struct Context<'a> {
+    /// The settings.
+    pub config: &'a EvolutionConfig,
+    /// The vocabulary of programs.
+    pub vocabulary: &'a Vocabulary,
+    /// Number of actions; 0 with outputs.
+    pub actions: u16,
+    /// The action that undoes each one, if there is one.
+    pub opposites: &'a [Option<u16>],
+    /// What policies are compared by.
+    pub preference: Preference,
+    /// Price of a line, in the unit of the score.
+    pub line_price: f64,
+    /// The part of a random search that is still to come, 0 to 1.
+    pub left: f64,
+}
+
+/// Seed, generation and deme: the first half of every stream's address.
+#[derive(Clone, Copy, Debug)]
+pub struct Moment {
+    /// Seed of the run.
+    pub seed: u64,
+    /// The generation.
+    pub generation: u64,
+    /// The deme.
+    pub deme: u64,
+}
+
+impl Moment {
+    /// Returns the stream for a purpose. `index` counts within the deme and is below 2⁴⁰.
+    pub fn stream(self, purpose: Purpose, index: u64) -> Stream {
+        Stream::new(self.seed, self.generation, purpose, self.deme << 40 | index)
+    }
+}
+
+/// A policy to evaluate.
+#[derive(Clone, Debug)]
+pub struct Candidate {
+    /// The policy.
+    pub policy: PolicyGraph,
+    /// Its number in the run.
+    pub number: u64,
+    /// Its record so far.
+    pub record: Record,
+}
+
+/// The episodes that the candidates of a generation play.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Episodes {
+    /// Each its own: most is seen.
+    Own,
+    /// All the same.
+    Same,
+    /// The same, and after some of them only the better candidates play on.
+    Racing,
+}
+
+/// How the episodes of a generation ended.
+#[derive(Clone, Debug, Default)]
+pub struct Results {
+    /// The endings of each candidate.
+    pub endings: Vec<Vec<Ending>>,
+    /// Moments of the flat states, if each candidate played its own episode.
+    pub seen: Moments,
+    /// The states that the stage asked for.
+    pub states: Vec<Vec<f64>>,
+}
+
+/// A state that a stage wants to see.
+#[derive(Clone, Copy, Debug)]
+pub struct Wanted {
+    /// The candidate.
+    pub candidate: usize,
+    /// Its episode.
+    pub episode: usize,
+    /// Number of actions before.
+    pub after: u32,
+}
+
+/// A part of a run.
+pub trait Stage {
+    /// Returns the candidates of a generation.
+    fn ask(&mut self, context: &Context<'_>, moment: Moment) -> Vec<Candidate>;
+
+    /// Returns what episodes these play.
+    fn episodes(&self) -> Episodes;
+
+    /// Returns the states to look at again before [`tell`](Self::tell).
+    fn wanted(&mut self, _: &Context<'_>, _: Moment, _: &[Vec<Ending>]) -> Vec<Wanted> {
+        Vec::new()
+    }
+
+    /// Learns from the results. Returns the figures of the generation, and the best candidate.
+    fn tell(&mut self, context: &Context<'_>, moment: Moment, results: &Results) -> (Row, usize);
+
+    /// Returns the best policy, where it is not one of the candidates.
+    fn best(&self, context: &Context<'_>) -> Option<PolicyGraph>;
+}
