@@ -80,7 +80,7 @@ impl Table {
             }
             let _ = write!(text, "| {} {name} |", rows.len());
             for &variant in others.clone() {
-                let cell = Ratios::of(&rows, yardstick, variant).map_or("–".to_owned(), |ratios| ratios.to_string());
+                let cell = Ratios::new(&rows, yardstick, variant).map_or("–".to_owned(), |ratios| ratios.to_string());
                 let _ = write!(text, " {cell} |");
             }
             text.push('\n');
@@ -102,7 +102,7 @@ struct Ratios {
 
 impl Ratios {
     /// Computes the ratios; `None` if no row has both numbers.
-    fn of(rows: &[&Row], yardstick: Variant, variant: Variant) -> Option<Self> {
+    fn new(rows: &[&Row], yardstick: Variant, variant: Variant) -> Option<Self> {
         let (top, bottom) = (column(yardstick), column(variant));
         let ratios: Vec<f64> = rows.iter().filter_map(|row| Some(row.numbers[top]? / row.numbers[bottom]?)).collect();
         let mean = (ratios.iter().map(|ratio| ratio.ln()).sum::<f64>() / ratios.len() as f64).exp();

@@ -15,6 +15,11 @@ use tpg_testing::library::{self, Missing};
 /// The target of both boards.
 pub(crate) const TARGET: &str = "thumbv7em-none-eabihf";
 
+/// The files beside a program's own on a board.
+pub(crate) const BOARD: [&str; 3] = ["example/startup.c", "example/qemu.c", "example/report.c"];
+/// The files beside a program's own on a machine with an operating system.
+pub(crate) const HOST: [&str; 2] = ["firmware-c/host.c", "example/report.c"];
+
 /// A board, as QEMU names it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Board {
@@ -116,8 +121,7 @@ fn add_sources(gcc: &mut Command, program: &Program, platform: &[&str], archive:
     {
         gcc.arg(format!("-I{}", folder.display()));
     }
-    let main = if program.name == "example" { "example/main.c" } else { &format!("firmware-c/{}.c", program.name) };
-    gcc.arg(harness().join(main)).args(platform.iter().map(|name| harness().join(name)));
+    gcc.arg(harness().join(program.main())).args(platform.iter().map(|name| harness().join(name)));
     gcc.args(program.generated().iter().map(|name| generated.join(format!("{name}.c")))).arg(archive);
     Ok(())
 }
@@ -131,7 +135,7 @@ pub(crate) fn host(program: &Program) -> Result<Option<PathBuf>, Failure> {
     let image = room()?.join(format!("{}-host", program.name));
     let mut gcc = Command::new("gcc");
     gcc.args(["-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-o"]).arg(&image);
-    add_sources(&mut gcc, program, &["firmware-c/host.c", "example/report.c"], &archive)?;
+    add_sources(&mut gcc, program, &HOST, &archive)?;
     there(library::output(&mut gcc))?;
     Ok(Some(image))
 }
@@ -149,7 +153,7 @@ pub(crate) fn c(program: &Program, board: Board) -> Result<Option<PathBuf>, Fail
     gcc.args(["-std=gnu11", "-O2", "-ffp-contract=off", "-ffunction-sections", "-fdata-sections", "-fstack-usage"]);
     // Tables of addresses, unlike the Thumb instruction's own tables, are not read by `cortex_bound`.
     gcc.args(["-fno-jump-tables", "-Wall", "-Wextra", "-Werror", "-nostdlib", "-nostartfiles"]);
-    add_sources(&mut gcc, program, &["example/startup.c", "example/qemu.c", "example/report.c"], &archive)?;
+    add_sources(&mut gcc, program, &BOARD, &archive)?;
     gcc.arg(format!("-L{}", board_folder.display())).arg("-T").arg(harness().join("example/sections.ld"));
     gcc.arg(format!("-Wl,--defsym=_stack_size={}", program.stack));
     gcc.args(["-Wl,--gc-sections", "-Wl,--no-warn-rwx-segments", "-Wl,-z,noexecstack", "-lc", "-lgcc", "-o"]);

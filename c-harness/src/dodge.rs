@@ -102,7 +102,7 @@ pub(crate) fn files() -> Result<Vec<File>, Failure> {
         (c, rust)
     });
     data.table(["const scene_t scenes[SCENES]", &format!("static SCENES: [Scene; {}]", scenes.len())], rows);
-    // The header with the declarations is written by hand: linters would take minutes over so many numbers.
+    // The header with the declarations is written by hand: linters would take minutes over all these numbers.
     files.extend(data.files().map(|File { name, text }| File { name: name.replace(".h", ".c"), text }));
     Ok(files)
 }

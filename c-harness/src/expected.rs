@@ -83,9 +83,9 @@ where
         let mut poses = Hash::new();
         let summary = HybridEpisode::new(&hybrid, problem, Brent::new()).run(|_, pose| poses.add_pose(pose));
         let counts = summary.counts;
-        let who = [counts.tpg_actions, counts.sac_actions, counts.hand_overs.iter().sum()];
+        let decided = [counts.tpg_actions, counts.sac_actions, counts.hand_overs.iter().sum()];
         let end = (code(summary.summary.outcome), summary.summary.actions, summary.summary.pose);
-        lines.push(line(start, "hybrid", index, end, who, &poses));
+        lines.push(line(start, "hybrid", index, end, decided, &poses));
     }
 }
 
@@ -100,9 +100,9 @@ where
     }
 }
 
-fn line(start: Start, name: &str, index: usize, end: (i32, u32, Pose), who: [u32; 3], poses: &Hash) -> Line {
+fn line(start: Start, name: &str, index: usize, end: (i32, u32, Pose), decided: [u32; 3], poses: &Hash) -> Line {
     let (outcome, actions, Pose([base, shoulder, elbow, wrist])) = end;
-    let [graph, network, switches] = who;
+    let [graph, network, switches] = decided;
     Line::parse(&format!(
         "episode {} {name} index={index} outcome={outcome} actions={actions} graph={graph} network={network} \
          switches={switches} base={base} shoulder={shoulder} elbow={elbow} wrist={wrist} poses={:016x}",

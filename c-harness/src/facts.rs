@@ -15,7 +15,7 @@ pub(crate) struct Facts {
     pub(crate) loops: Vec<(&'static str, Vec<u64>)>,
     /// A part of a function's name, and what its calls through registers reach.
     pub(crate) calls: Vec<(&'static str, &'static [&'static str])>,
-    /// While one decision runs, functions with this part in their name run no more than so many times.
+    /// While one decision runs, the most runs of functions with this part in their name.
     pub(crate) limits: Vec<(&'static str, u64)>,
 }
 
@@ -67,7 +67,7 @@ fn common() -> Facts {
 }
 
 /// The facts about a language's control program.
-pub(crate) fn of(language: &str) -> Facts {
+pub(crate) fn control(language: &str) -> Facts {
     let mut facts = common();
     if language == "C" {
         facts.roots = "tpg_hybrid_episode_decide";

@@ -2,22 +2,20 @@
 //! in `misra-deviations.txt`; generated C and the library's header have tests of their own.
 
 use crate::Failure;
-use crate::build;
+use crate::build::{self, BOARD, HOST};
+use crate::programs::{self, CONTROL, EXAMPLE, FAULTS, Program};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use tpg_testing::library;
 
-/// The files of each program: rules about a whole program need to see one, and no more.
-const PROGRAMS: [&[&str]; 8] = [
-    &["example/main.c", "example/startup.c", "example/qemu.c", "example/report.c"],
-    &["firmware-c/control.c", "example/startup.c", "example/qemu.c", "example/report.c"],
-    &["firmware-c/costs.c", "example/startup.c", "example/qemu.c", "example/report.c"],
-    &["firmware-c/faults.c", "example/startup.c", "example/qemu.c", "example/report.c"],
-    &["firmware-c/dodge.c", "example/startup.c", "example/qemu.c", "example/report.c"],
-    &["firmware-c/network.c", "example/startup.c", "example/qemu.c", "example/report.c"],
-    &["firmware-c/control.c", "firmware-c/host.c", "example/report.c"],
-    &["firmware-c/faults.c", "firmware-c/host.c", "example/report.c"],
-];
+/// The files of each program, and whether it is for this machine: rules about a whole program need to see one, and no more.
+fn files() -> Vec<(Vec<String>, bool)> {
+    let with = |program: &Program, platform: &[&str]| -> Vec<String> {
+        std::iter::once(program.main()).chain(platform.iter().map(|&name| name.to_owned())).collect()
+    };
+    let board = programs::all().chain([&EXAMPLE]).map(|program| (with(program, &BOARD), false));
+    board.chain([&CONTROL, &FAULTS].map(|program| (with(program, &HOST), true))).collect()
+}
 
 /// Two parameters of one type are what coordinates need. A linker script's symbols begin with an underscore. Padding differs
 /// from machine to machine.
@@ -46,15 +44,15 @@ pub(crate) fn check() -> Result<(), Failure> {
             .map_err(|error| Failure::new(format!("{error:?}")))?;
         let folder = Path::new(newlib.trim()).parent().unwrap_or(Path::new("/"));
         let arm = [format!("--target={}", build::TARGET), format!("-I{}/../include", folder.display())];
-        for files in PROGRAMS {
-            let core: &[String] = if files.contains(&"firmware-c/host.c") { &[] } else { &arm };
+        for (files, here) in files() {
+            let core: &[String] = if here { &[] } else { &arm };
             let options = ["--", "-std=gnu11", "-ffp-contract=off"];
             clean(tidy().args(files).args(options).args(core).args(headers.includes()))?;
         }
         println!("clang-tidy: nothing");
     }
     if tpg_testing::tool("cppcheck", "cppcheck", "cppcheck and its MISRA addon on the firmwares' C") {
-        for files in PROGRAMS {
+        for (files, _) in files() {
             clean(cppcheck(&headers).args(files))?;
         }
         println!("cppcheck and its MISRA addon: nothing but what misra-deviations.txt explains");

@@ -78,6 +78,11 @@ pub(crate) type Language = (&'static str, fn(&Program, Board) -> Result<Option<P
 pub(crate) const LANGUAGES: [Language; 2] = [("C", build::c), ("Rust", build::rust)];
 
 impl Program {
+    /// The file with `main`, in C.
+    pub(crate) fn main(&self) -> String {
+        if self.name == "example" { "example/main.c".to_owned() } else { format!("firmware-c/{}.c", self.name) }
+    }
+
     /// The names of the generated C that it is linked with.
     pub(crate) fn generated(&self) -> Vec<String> {
         let each = |name: &&str| match name.strip_suffix('*') {

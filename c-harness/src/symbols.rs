@@ -5,7 +5,7 @@ use object::{Object as _, ObjectSymbol as _};
 use std::fs;
 use std::path::Path;
 
-/// Parts of names, and what they stand for.
+/// Parts of names, and what they mean.
 const FORBIDDEN: [(&str, &str); 8] = [
     ("panicking", "a way to panic"),
     ("panic_bounds_check", "a way to panic"),

@@ -20,9 +20,9 @@ struct Told {
 
 impl Told {
     /// Reads an image. A fact that speaks of nothing in it is a failure: it would be believed and say nothing.
-    fn of(language: &str, image: &Path) -> Result<Self, Failure> {
+    fn read(language: &str, image: &Path) -> Result<Self, Failure> {
         let listing = disassemble(image).map_err(Failure::new)?;
-        let Facts { roots, stack_roots, loops, calls, limits } = facts::of(language);
+        let Facts { roots, stack_roots, loops, calls, limits } = facts::control(language);
         let names = |part: &str| -> Result<Vec<String>, Failure> {
             let all = listing.functions().iter().map(|function| function.name.clone());
             let found: Vec<String> = all.filter(|name| name.contains(part)).collect();
@@ -76,7 +76,7 @@ impl Told {
 
 /// Prints what makes a worst case up, and the loops with their bounds.
 pub(crate) fn explain(language: &str, image: &Path) -> Result<(), Failure> {
-    let told = Told::of(language, image)?;
+    let told = Told::read(language, image)?;
     let mut analyser = told.analyser();
     for name in &told.roots {
         for found in analyser.loops(name).map_err(Failure::new)? {
@@ -100,7 +100,7 @@ fn tree(share: &Share, whole: u64, depth: usize) {
 /// Checks that no measurement exceeds the bound.
 pub(crate) fn check(ran: &Ran<'_>) -> Result<(), Failure> {
     let Ran { language, image, lines } = ran;
-    let bound = Told::of(language, image)?.bound()?;
+    let bound = Told::read(language, image)?.bound()?;
     let most = |first: &str, last: &str, value: &str| {
         let matching = |line: &&Line| line.starts_with(first) && line.words.last().is_some_and(|word| word == last);
         lines.iter().filter(matching).map(|line| line.number(value)).max().unwrap_or(0)

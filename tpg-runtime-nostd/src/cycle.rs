@@ -1,6 +1,6 @@
 //! Cycle detection: has this been here before?
 //!
-//! A memoryless policy in a deterministic world repeats for ever what it repeats once. A key stands for the state: motor
+//! A memoryless policy in a deterministic world repeats for ever what it repeats once. A key identifies the state: motor
 //! positions, say. Equal keys must mean equal states.
 //!
 //! ```

@@ -1,7 +1,7 @@
 //! The runtime of learned policies: what trainer, interpreter, generated code and firmware share.
 //!
 //! Every meaning has its one definition here. A policy decides the same in training, in the interpreter, in generated Rust, in
-//! generated C and on a Cortex-M4 because they all stand on this crate.
+//! generated C and on a Cortex-M4 because they all use this crate.
 //!
 //! # Map
 //!

@@ -1,4 +1,4 @@
-//! The text of the files that generated Rust stands on, for compiling it with `rustc` alone.
+//! The text of the files that generated Rust needs, for compiling it with `rustc` alone.
 //!
 //! They need nothing but `core` (and `std` for the platform's libm), so a verifier can build them without cargo, registry
 //! or network: the very text of this crate, not a copy that could differ.

@@ -134,7 +134,7 @@ fn page(text: &str) -> String {
     let to_page = |event| match event {
         Event::Start(Tag::Link { link_type, dest_url, title, id }) if !leads_out(&dest_url) => {
             let (file, place) = split(&dest_url);
-            // The book's contents stand on each of its pages; mdBook makes none of them alone.
+            // Each page has the book's contents; mdBook makes no page of them alone.
             let page = match file.strip_suffix("SUMMARY.md") {
                 Some(folder) => Some(format!("{folder}index.html")),
                 None => file.strip_suffix(".md").map(|name| format!("{name}.html")),

@@ -94,7 +94,7 @@ enum Task {
     Web,
     /// The worst case of compiled code for a Cortex-M: instructions and stack
     Wcet(cortex_bound::cli::WcetArgs),
-    /// Kill, stop and starve training runs at random moments: in the end they have the bytes of an undisturbed run
+    /// Kill training runs, fill their disk, damage their checkpoints: in the end they have the bytes of an undisturbed run
     Torture(torture::TortureArgs),
 }
 

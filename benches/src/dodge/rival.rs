@@ -1,4 +1,4 @@
-//! Controllers for the arm among balls that nobody trained.
+//! Controllers for the arm among balls that are not trained.
 
 use tpg_arm::dodge::plan::{steps, straight};
 use tpg_arm::dodge::{Behaviour, Body, Dodger, DodgerSettings, FIELD, Posture, View};

@@ -49,7 +49,7 @@ impl Place {
         self.firmware.join("cores/wasi.mjs")
     }
 
-    fn of(&self, core: &Core) -> Result<PathBuf, Failure> {
+    fn folder(&self, core: &Core) -> Result<PathBuf, Failure> {
         let name: String = core.title().chars().filter(|c| c.is_ascii_alphanumeric()).collect();
         let folder = self.room.join(name);
         fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;
@@ -70,7 +70,7 @@ impl Place {
 
     /// Compiles the policies for a core; the bytes of flash of each, by name.
     pub(super) fn policies(&self, core: &Core, shipped: &[Shipped]) -> Result<Vec<(String, u64)>, Failure> {
-        let folder = self.of(core)?;
+        let folder = self.folder(core)?;
         let mut compiler = self.compiler(core, &folder);
         for one in shipped {
             compiler.arg(format!("-D{}_NO_SELFTEST", one.prefix.upper()));
@@ -108,7 +108,7 @@ impl Place {
         cargo.current_dir(library::top()).args(["build", "--quiet", "--package", "tpg-cores", "--lib"]);
         run(cargo.args(["--profile", "firmware", "--target", target]))?;
         let archive = OsString::from(library::target_folder().join(target).join("firmware/libtpg_cores.a"));
-        let folder = self.of(core)?;
+        let folder = self.folder(core)?;
         let mut compiler = self.compiler(core, &folder);
         compiler.arg(self.firmware.join("cores/layers.c"));
         let layers = self.finish(core, compiler, std::slice::from_ref(&archive), folder.join("layers"))?;
@@ -125,7 +125,7 @@ impl Place {
         chosen: u32,
         objects: Vec<OsString>,
     ) -> Result<PathBuf, Failure> {
-        let folder = self.of(core)?;
+        let folder = self.folder(core)?;
         let mut compiler = self.compiler(core, &folder);
         compiler.arg(format!("-DSTATES={STATES}")).arg(self.firmware.join("cores/states.c"));
         compiler.arg(format!("-DIN_IMAGE={chosen:#x}U")).arg(self.generated.join(policies));
@@ -136,7 +136,7 @@ impl Place {
     pub(super) fn hybrid(&self, core: &Core) -> Result<Option<PathBuf>, Failure> {
         let Some(target) = core.target.filter(|target| library::TARGETS.contains(target)) else { return Ok(None) };
         let Some(archive) = there(library::make(target, &library::dist()))? else { return Ok(None) };
-        let folder = self.of(core)?;
+        let folder = self.folder(core)?;
         let mut compiler = self.compiler(core, &folder);
         compiler.arg(format!("-I{}", self.hybrid.display()));
         compiler.arg(format!("-I{}", library::dist().join("include").display()));

@@ -15,7 +15,7 @@ use tpg_runtime::policy::Policy;
 pub struct ReachTask<S> {
     /// The pose in which the arm starts.
     pub start: Pose,
-    /// The place where the hand's tip shall go, mm.
+    /// The target of the hand's tip, mm.
     pub target: Vector<S>,
     /// The episode succeeds when hand and target are less than this apart, mm.
     pub tolerance: S,

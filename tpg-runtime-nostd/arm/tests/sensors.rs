@@ -91,17 +91,17 @@ proptest! {
     #[test]
     fn the_hand_is_in_reach(pose in (2i16..=4094, 1025i16..=3071, 1025i16..=3071, 1025i16..=3071), far in 1.01f32..1e30) {
         let pose = Pose([pose.0, pose.1, pose.2, pose.3]);
-        let (limits, seen) = (Limits::of(&ARM), Observation::at(&ARM, pose, TARGET));
+        let (limits, seen) = (Limits::new(&ARM), Observation::at(&ARM, pose, TARGET));
         prop_assert!(limits.reaches(&seen.hand) && limits.hold(pose) && seen.is_consistent());
         prop_assert!(!limits.reaches(&[0.0, (ARM.reach() + 1.0) * far, ARM.links.base]));
-        let wide = Limits::of(&WIDOWX);
+        let wide = Limits::new(&WIDOWX);
         prop_assert!(wide.reaches(&Observation::at(&WIDOWX, pose, [0.0; 3]).hand));
     }
 }
 
 #[test]
 fn only_numbers_in_reach_are_targets() {
-    let limits = Limits::of(&ARM);
+    let limits = Limits::new(&ARM);
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e38, -1e38, 500.0] {
         for place in 0..3 {
             let mut target = TARGET;

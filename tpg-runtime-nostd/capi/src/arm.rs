@@ -89,13 +89,11 @@ pub struct Ready {
 
 impl Ready {
     fn new(arm: Arm<f32>) -> Self {
-        Self { limits: Limits::of(&arm), arm }
+        Self { limits: Limits::new(&arm), arm }
     }
 }
 
-const _: () = assert!(memory::fits::<tpg_arm_t>());
-
-// SAFETY: it fits, and any bytes are an array of integers.
+// SAFETY: any bytes are an array of integers; `initialise` proves that the content fits.
 unsafe impl Opaque for tpg_arm_t {
     type Content = Ready;
     const TAG: u32 = 0x4150_4702;
@@ -140,7 +138,7 @@ pub(crate) fn validity(invalid: Option<Invalid>) -> i32 {
 pub unsafe extern "C" fn tpg_arm_init_widowx(arm: *mut tpg_arm_t) -> i32 {
     const ARM: Arm<f32> = WIDOWX.to_f32();
     // SAFETY: the header's contract.
-    code::of(unsafe { memory::initialise(arm, Ready::new(ARM)) })
+    code::from_result(unsafe { memory::initialise(arm, Ready::new(ARM)) })
 }
 
 /// Makes an arm of your own. TPG_ARGUMENT for one that cannot be:
@@ -179,7 +177,7 @@ pub unsafe extern "C" fn tpg_arm_init(arm: *mut tpg_arm_t, description: *const t
         // SAFETY: the header's contract.
         unsafe { memory::initialise(arm, Ready::new(made)) }
     });
-    code::of(done)
+    code::from_result(done)
 }
 
 /// The pose in which a fixed-start episode begins.
@@ -223,7 +221,7 @@ pub unsafe extern "C" fn tpg_arm_step(
     // SAFETY: the header's contract. The pose is copied before `after` is written.
     let (arm, pose, wanted) =
         unsafe { (memory::content(arm), memory::read(pose).copied(), memory::read(wanted).copied()) };
-    code::of(arm.and_then(|Ready { arm, .. }| {
+    code::from_result(arm.and_then(|Ready { arm, .. }| {
         let (pose, wanted) = (pose?, wanted?);
         // SAFETY: the header's contract.
         let (after, validity) = unsafe { (memory::write(after)?, memory::write(validity)?) };

@@ -177,7 +177,7 @@ pub unsafe extern "C" fn tpg_chain_place(
 pub unsafe extern "C" fn tpg_chain_jacobian(placed: *const tpg_placed_t, jacobian: *mut f32, length: usize) -> i32 {
     // SAFETY: the header's contract.
     let (placed, to) = unsafe { (memory::read(placed), memory::array_mut(jacobian.cast::<[f32; 3]>(), length / 3)) };
-    code::of(placed.and_then(|placed| {
+    code::from_result(placed.and_then(|placed| {
         let (to, joints) = (to?, placed.joints as usize);
         if to.len() < joints {
             return Err(Refusal(TPG_LENGTH));

@@ -51,7 +51,7 @@ pub struct Refusal(pub i32);
 /// Writes what a function found to where the caller wants it; returns the code.
 #[inline(always)]
 pub fn answer<T>(found: Result<T, Refusal>, to: Result<&mut T, Refusal>) -> i32 {
-    of(found.and_then(|found| {
+    from_result(found.and_then(|found| {
         *to? = found;
         Ok(())
     }))
@@ -60,7 +60,7 @@ pub fn answer<T>(found: Result<T, Refusal>, to: Result<&mut T, Refusal>) -> i32 
 /// Writes a move that was decided on, or zero where there is none; returns the code.
 #[inline(always)]
 pub(crate) fn moves(decided: Result<Move, Refusal>, to: Result<&mut tpg_move_t, Refusal>) -> i32 {
-    of(to.and_then(|to| {
+    from_result(to.and_then(|to| {
         let Move(ticks) = decided.unwrap_or(Move::STOP);
         *to = tpg_move_t { ticks };
         decided.map(|_| ())
@@ -69,7 +69,7 @@ pub(crate) fn moves(decided: Result<Move, Refusal>, to: Result<&mut tpg_move_t, 
 
 /// The code of a result.
 #[inline(always)]
-pub fn of(result: Result<(), Refusal>) -> i32 {
+pub fn from_result(result: Result<(), Refusal>) -> i32 {
     match result {
         Ok(()) => TPG_OK,
         Err(Refusal(code)) => code,

@@ -82,9 +82,7 @@ pub struct tpg_body_t {
     pub opaque: [u64; TPG_BODY_WORDS],
 }
 
-const _: () = assert!(memory::fits::<tpg_body_t>());
-
-// SAFETY: it fits, and any bytes are an array of integers.
+// SAFETY: any bytes are an array of integers; `initialise` proves that the content fits.
 unsafe impl Opaque for tpg_body_t {
     type Content = Body;
     const TAG: u32 = 0x424f_4401;
@@ -224,9 +222,7 @@ pub struct Loop {
     chooser: Chooser,
 }
 
-const _: () = assert!(memory::fits::<tpg_dodger_t>());
-
-// SAFETY: it fits, and any bytes are an array of integers.
+// SAFETY: any bytes are an array of integers; `initialise` proves that the content fits.
 unsafe impl Opaque for tpg_dodger_t {
     type Content = Loop;
     const TAG: u32 = 0x444f_4401;
@@ -238,7 +234,7 @@ unsafe impl Opaque for tpg_dodger_t {
 pub unsafe extern "C" fn tpg_body_init(body: *mut tpg_body_t, arm: *const tpg_arm_t, radii: *const f32) -> i32 {
     // SAFETY: the header's contract.
     let arm = unsafe { memory::content(arm) };
-    code::of(arm.and_then(|Ready { arm, .. }| {
+    code::from_result(arm.and_then(|Ready { arm, .. }| {
         let mut widths = WIDOWX_RADII;
         if !radii.is_null() {
             // SAFETY: the header's contract.
@@ -315,7 +311,7 @@ pub unsafe extern "C" fn tpg_dodger_init(
         // SAFETY: the header's contract.
         unsafe { memory::initialise(dodger, Loop { control, body, chooser }) }
     };
-    code::of(begin())
+    code::from_result(begin())
 }
 
 /// One step of a control loop: takes a reading of the motors and of up to TPG_BALLS `balls`, answers the move that goes to the motors
@@ -336,7 +332,7 @@ pub unsafe extern "C" fn tpg_dodger_step(
     // SAFETY: the header's contract.
     let chosen = match unsafe { memory::write(chosen) } {
         Ok(chosen) => chosen,
-        Err(refusal) => return code::of(Err(refusal)),
+        Err(refusal) => return code::from_result(Err(refusal)),
     };
     *chosen = tpg_dodge_t { wanted: tpg_move_t { ticks: Move::STOP.0 }, behaviour: TPG_BEHAVIOUR_HOLD };
     let mut step = || {
@@ -354,7 +350,7 @@ pub unsafe extern "C" fn tpg_dodger_step(
         *chosen = tpg_dodge_t { wanted: tpg_move_t { ticks: wanted.0 }, behaviour: number.get() };
         Ok(())
     };
-    code::of(step())
+    code::from_result(step())
 }
 
 /// Starts to compare commanded with observed motion anew, from where the motors are: the way out of TPG_STUCK once its cause
@@ -363,5 +359,5 @@ pub unsafe extern "C" fn tpg_dodger_step(
 pub unsafe extern "C" fn tpg_dodger_resume(dodger: *mut tpg_dodger_t, motors: *const tpg_pose_t) -> i32 {
     // SAFETY: the header's contract.
     let (content, motors) = unsafe { (memory::content_mut(dodger), memory::read(motors)) };
-    code::of(content.and_then(|Loop { control, .. }| control.resume(Pose(motors?.ticks)).map_err(code::fault)))
+    code::from_result(content.and_then(|Loop { control, .. }| control.resume(Pose(motors?.ticks)).map_err(code::fault)))
 }

@@ -85,9 +85,7 @@ impl<E> Running<E> {
     }
 }
 
-const _: () = assert!(memory::fits::<tpg_episode_t>());
-
-// SAFETY: it fits, and any bytes are an array of integers.
+// SAFETY: any bytes are an array of integers; `initialise` proves that the content fits.
 unsafe impl Opaque for tpg_episode_t {
     type Content = Running<Episode<'static, f32, Brent>>;
     const TAG: u32 = 0x4550_4901;
@@ -114,7 +112,7 @@ pub unsafe extern "C" fn tpg_episode_init(
 ) -> i32 {
     // SAFETY: the header's contract; the caller keeps the arm for as long as the episode lives.
     let (arm, problem) = unsafe { (memory::content::<'static, _>(arm), memory::read(problem)) };
-    code::of(arm.and_then(|Ready { arm, limits }: &'static Ready| {
+    code::from_result(arm.and_then(|Ready { arm, limits }: &'static Ready| {
         let running = Running::new(Episode::new(arm, problem?.get(limits)?, Brent::new()));
         // SAFETY: the header's contract.
         unsafe { memory::initialise(episode, running) }
@@ -129,7 +127,7 @@ pub unsafe extern "C" fn tpg_episode_observation(
 ) -> i32 {
     // SAFETY: the header's contract.
     let (content, observation) = unsafe { (memory::content(episode), memory::write(observation)) };
-    code::answer(content.map(|content| tpg_observation_t::of(content.episode.observation())), observation)
+    code::answer(content.map(|content| tpg_observation_t::new(content.episode.observation())), observation)
 }
 
 /// Actions done so far.
@@ -151,7 +149,7 @@ pub unsafe extern "C" fn tpg_episode_advance(
     // SAFETY: the header's contract.
     let (content, wanted, outcome) =
         unsafe { (memory::content_mut(episode), memory::read(wanted), memory::write(outcome)) };
-    code::of(content.and_then(|content| {
+    code::from_result(content.and_then(|content| {
         // Nothing is done where its result has no place.
         let (wanted, outcome) = (wanted?, outcome?);
         *outcome = content.act(|episode| episode.advance(Move(wanted.ticks)))?;

@@ -88,7 +88,7 @@ pub struct tpg_chosen_t {
 }
 
 impl tpg_chosen_t {
-    fn of(chosen: Chosen) -> Self {
+    fn new(chosen: Chosen) -> Self {
         let driver = if chosen.driver == Driver::Tpg { TPG_DRIVER_GRAPH } else { TPG_DRIVER_NETWORK };
         Self { wanted: tpg_move_t { ticks: chosen.wanted.0 }, driver }
     }
@@ -118,7 +118,7 @@ pub struct tpg_counts_t {
 }
 
 impl tpg_counts_t {
-    fn of(counts: &Counts) -> Self {
+    fn new(counts: &Counts) -> Self {
         let Counts { tpg_actions, sac_actions, hand_overs, hand_backs } = *counts;
         Self { graph_actions: tpg_actions, network_actions: sac_actions, hand_overs, hand_backs }
     }
@@ -178,9 +178,7 @@ pub struct Both {
     limits: &'static Limits<f32>,
 }
 
-const _: () = assert!(memory::fits::<tpg_hybrid_t>());
-
-// SAFETY: it fits, and any bytes are an array of integers.
+// SAFETY: any bytes are an array of integers; `initialise` proves that the content fits.
 unsafe impl Opaque for tpg_hybrid_t {
     type Content = Both;
     const TAG: u32 = 0x4859_4202;
@@ -198,9 +196,7 @@ pub struct tpg_switch_t {
     pub opaque: [u64; TPG_SWITCH_WORDS],
 }
 
-const _: () = assert!(memory::fits::<tpg_switch_t>());
-
-// SAFETY: it fits, and any bytes are an array of integers.
+// SAFETY: any bytes are an array of integers; `initialise` proves that the content fits.
 unsafe impl Opaque for tpg_switch_t {
     type Content = Control<f32, Brent>;
     const TAG: u32 = 0x5357_4902;
@@ -219,9 +215,7 @@ pub struct tpg_hybrid_episode_t {
 /// The content of a tpg_hybrid_episode_t.
 pub struct Simulated(Running<HybridEpisode<'static, f32, Graph, Network, Brent>>);
 
-const _: () = assert!(memory::fits::<tpg_hybrid_episode_t>());
-
-// SAFETY: it fits, and any bytes are an array of integers.
+// SAFETY: any bytes are an array of integers; `initialise` proves that the content fits.
 unsafe impl Opaque for tpg_hybrid_episode_t {
     type Content = Simulated;
     const TAG: u32 = 0x4845_5001;
@@ -250,7 +244,7 @@ pub unsafe extern "C" fn tpg_hybrid_init(
             memory::read(settings),
         )
     };
-    code::of(arm.and_then(|Ready { arm, limits }| {
+    code::from_result(arm.and_then(|Ready { arm, limits }| {
         // SAFETY: as above.
         let policy = unsafe { Checked::new(policy?) }?;
         let (model, settings) = (model?, settings?.get()?);
@@ -278,7 +272,7 @@ pub unsafe extern "C" fn tpg_switch_init(
     // SAFETY: the header's contract.
     let (hybrid, watch, seen) =
         unsafe { (memory::content(hybrid), tpg_watch_t::get(watch), memory::read(observation)) };
-    code::of(hybrid.and_then(|Both { hybrid, limits }| {
+    code::from_result(hybrid.and_then(|Both { hybrid, limits }| {
         let control = Control::within(**limits, hybrid.settings, watch?, Brent::new(), seen?.get());
         // SAFETY: the header's contract.
         unsafe { memory::initialise(switch_, control.map_err(code::fault)?) }
@@ -288,7 +282,7 @@ pub unsafe extern "C" fn tpg_switch_init(
 /// Writes an action, or where a reading is at fault that nothing moves.
 #[inline(always)]
 fn decided(chosen: &mut tpg_chosen_t, decided: Result<Chosen, Fault>) -> Result<(), Refusal> {
-    *chosen = tpg_chosen_t::of(decided.unwrap_or(Chosen { driver: Driver::Tpg, wanted: Move::STOP }));
+    *chosen = tpg_chosen_t::new(decided.unwrap_or(Chosen { driver: Driver::Tpg, wanted: Move::STOP }));
     decided.map(|_| ()).map_err(code::fault)
 }
 
@@ -322,7 +316,7 @@ pub unsafe extern "C" fn tpg_hybrid_step(
         };
         decided(chosen, hybrid.step_into(control, Pose(motors.ticks), target, seen.get_mut()))
     };
-    code::of(step())
+    code::from_result(step())
 }
 
 /// Starts to compare commanded with observed motion anew, from where the motors are: the way out of TPG_STUCK once its cause
@@ -331,7 +325,7 @@ pub unsafe extern "C" fn tpg_hybrid_step(
 pub unsafe extern "C" fn tpg_switch_resume(switch_: *mut tpg_switch_t, motors: *const tpg_pose_t) -> i32 {
     // SAFETY: the header's contract.
     let (control, motors) = unsafe { (memory::content_mut(switch_), memory::read(motors)) };
-    code::of(control.and_then(|control| control.resume(Pose(motors?.ticks)).map_err(code::fault)))
+    code::from_result(control.and_then(|control| control.resume(Pose(motors?.ticks)).map_err(code::fault)))
 }
 
 /// The next action: a part of tpg_hybrid_step, for loops that observe themselves. They tell tpg_switch_acted what is seen
@@ -348,7 +342,7 @@ pub unsafe extern "C" fn tpg_hybrid_decide(
     let (hybrid, control, seen, chosen) = unsafe {
         (memory::content(hybrid), memory::content_mut(switch_), memory::read(observation), memory::write(chosen))
     };
-    code::of(hybrid.and_then(|Both { hybrid, .. }| {
+    code::from_result(hybrid.and_then(|Both { hybrid, .. }| {
         let (control, seen, chosen) = (control?, seen?.get(), chosen?);
         decided(chosen, hybrid.drive(control, seen))
     }))
@@ -367,7 +361,7 @@ pub unsafe extern "C" fn tpg_switch_acted(
     let (control, chosen, seen, cause) = unsafe {
         (memory::content_mut(switch_), memory::read(chosen), memory::read(observation), memory::write(cause))
     };
-    code::of(control.and_then(|control| {
+    code::from_result(control.and_then(|control| {
         let (chosen, seen, cause) = (chosen?.get()?, seen?.get(), cause?);
         let found = control.acted(chosen, seen).map_err(code::fault)?;
         *cause = found.map_or(TPG_CAUSE_NONE, |cause| cause as i32 + TPG_CAUSE_GUARD);
@@ -380,7 +374,7 @@ pub unsafe extern "C" fn tpg_switch_acted(
 pub unsafe extern "C" fn tpg_switch_counts(switch_: *const tpg_switch_t, counts: *mut tpg_counts_t) -> i32 {
     // SAFETY: the header's contract.
     let (control, counts) = unsafe { (memory::content(switch_), memory::write(counts)) };
-    code::answer(control.map(|control| tpg_counts_t::of(control.switch().counts())), counts)
+    code::answer(control.map(|control| tpg_counts_t::new(control.switch().counts())), counts)
 }
 
 /// Puts the simulated arm at a problem's start. `hybrid` must stay where it is for as long as the episode
@@ -394,7 +388,7 @@ pub unsafe extern "C" fn tpg_hybrid_episode_init(
 ) -> i32 {
     // SAFETY: the header's contract; the caller keeps the hybrid for as long as the episode lives.
     let (hybrid, problem) = unsafe { (memory::content::<'static, tpg_hybrid_t>(hybrid), memory::read(problem)) };
-    code::of(hybrid.and_then(|Both { hybrid, limits }| {
+    code::from_result(hybrid.and_then(|Both { hybrid, limits }| {
         let simulated = Simulated(Running::new(HybridEpisode::new(hybrid, problem?.get(limits)?, Brent::new())));
         // SAFETY: the header's contract.
         unsafe { memory::initialise(episode, simulated) }
@@ -409,7 +403,7 @@ pub unsafe extern "C" fn tpg_hybrid_episode_observation(
 ) -> i32 {
     // SAFETY: the header's contract.
     let (content, observation) = unsafe { (memory::content(episode), memory::write(observation)) };
-    let seen = content.map(|Simulated(running)| tpg_observation_t::of(running.episode.observation()));
+    let seen = content.map(|Simulated(running)| tpg_observation_t::new(running.episode.observation()));
     code::answer(seen, observation)
 }
 
@@ -421,10 +415,10 @@ pub unsafe extern "C" fn tpg_hybrid_episode_decide(
 ) -> i32 {
     // SAFETY: the header's contract.
     let (content, chosen) = unsafe { (memory::content_mut(episode), memory::write(chosen)) };
-    code::of(content.and_then(|Simulated(running)| {
+    code::from_result(content.and_then(|Simulated(running)| {
         // Nothing is decided where the result has no place.
         let chosen = chosen?;
-        *chosen = tpg_chosen_t::of(running.episode.decide());
+        *chosen = tpg_chosen_t::new(running.episode.decide());
         Ok(())
     }))
 }
@@ -439,7 +433,7 @@ pub unsafe extern "C" fn tpg_hybrid_episode_act(
     // SAFETY: the header's contract.
     let (content, chosen, outcome) =
         unsafe { (memory::content_mut(episode), memory::read(chosen), memory::write(outcome)) };
-    code::of(content.and_then(|Simulated(running)| {
+    code::from_result(content.and_then(|Simulated(running)| {
         let (chosen, outcome) = (chosen?.get()?, outcome?);
         *outcome = running.act(|episode| episode.act(chosen))?;
         Ok(())
@@ -454,5 +448,5 @@ pub unsafe extern "C" fn tpg_hybrid_episode_counts(
 ) -> i32 {
     // SAFETY: the header's contract.
     let (content, counts) = unsafe { (memory::content(episode), memory::write(counts)) };
-    code::answer(content.map(|Simulated(running)| tpg_counts_t::of(running.episode.switch().counts())), counts)
+    code::answer(content.map(|Simulated(running)| tpg_counts_t::new(running.episode.switch().counts())), counts)
 }

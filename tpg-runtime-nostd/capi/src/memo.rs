@@ -24,9 +24,7 @@ pub struct Kept {
     memo: TargetMemo<f32>,
 }
 
-const _: () = assert!(memory::fits::<tpg_memo_t>());
-
-// SAFETY: it fits, and any bytes are an array of integers.
+// SAFETY: any bytes are an array of integers; `initialise` proves that the content fits.
 unsafe impl Opaque for tpg_memo_t {
     type Content = Kept;
     const TAG: u32 = 0x4d45_4d01;
@@ -36,7 +34,7 @@ unsafe impl Opaque for tpg_memo_t {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_memo_init(memo: *mut tpg_memo_t) -> i32 {
     // SAFETY: the header's contract.
-    code::of(unsafe { memory::initialise(memo, Kept { arm: ptr::null(), memo: TargetMemo::new() }) })
+    code::from_result(unsafe { memory::initialise(memo, Kept { arm: ptr::null(), memo: TargetMemo::new() }) })
 }
 
 /// Lets `work` use the caller's memo; an empty one where that is NULL. Another arm than the last time empties it.

@@ -69,7 +69,7 @@ pub unsafe fn array_mut<'a, T>(pointer: *mut T, length: usize) -> Result<&'a mut
 /// A structure whose bytes are the library's, in memory that is the caller's.
 ///
 /// # Safety
-/// `Self` must have room for a [`Tagged`] content and its alignment ([`fits`] proves it), and accept any bytes.
+/// `Self` must have room for a [`Tagged`] content and its alignment ([`initialise`] does not compile otherwise), and accept any bytes.
 pub unsafe trait Opaque: Sized {
     /// The content. Nothing is ever dropped.
     type Content;
@@ -84,21 +84,19 @@ pub struct Tagged<T> {
     content: T,
 }
 
-/// Returns true if `O` has room for its content.
-pub const fn fits<O: Opaque>() -> bool {
-    size_of::<O>() >= size_of::<Tagged<O::Content>>()
-        && align_of::<O>() >= align_of::<Tagged<O::Content>>()
-        && !core::mem::needs_drop::<O::Content>()
-}
-
 /// Initialises an opaque structure.
 ///
 /// # Safety
 /// The header's contract.
 #[inline(always)]
 pub unsafe fn initialise<O: Opaque>(pointer: *mut O, content: O::Content) -> Result<(), Refusal> {
+    const {
+        assert!(size_of::<O>() >= size_of::<Tagged<O::Content>>(), "it fits");
+        assert!(align_of::<O>() >= align_of::<Tagged<O::Content>>(), "it is aligned");
+        assert!(!core::mem::needs_drop::<O::Content>(), "nothing is dropped");
+    }
     check(pointer)?;
-    // SAFETY: an opaque structure has room for it.
+    // SAFETY: it fits, as was just proven.
     unsafe { pointer.cast::<Tagged<O::Content>>().write(Tagged { tag: O::TAG, content }) };
     Ok(())
 }

@@ -17,9 +17,7 @@ pub struct tpg_network_t {
     pub opaque: [u64; TPG_NETWORK_WORDS],
 }
 
-const _: () = assert!(memory::fits::<tpg_network_t>());
-
-// SAFETY: it fits, and any bytes are an array of integers.
+// SAFETY: any bytes are an array of integers; `initialise` proves that the content fits.
 unsafe impl Opaque for tpg_network_t {
     type Content = Model<'static>;
     const TAG: u32 = 0x4e45_5401;
@@ -41,7 +39,7 @@ pub(crate) fn model_code(error: ModelError) -> Refusal {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_network_init(network: *mut tpg_network_t, model: *const u32, words: usize) -> i32 {
     // SAFETY: the header's contract; the caller keeps the words for as long as `network` lives.
-    code::of(unsafe { memory::array::<'static, u32>(model, words) }.and_then(|words| {
+    code::from_result(unsafe { memory::array::<'static, u32>(model, words) }.and_then(|words| {
         let model = Model::parse(words).map_err(model_code)?;
         // SAFETY: the header's contract.
         unsafe { memory::initialise(network, model) }
@@ -93,7 +91,7 @@ pub unsafe extern "C" fn tpg_network_values(
             memory::array_mut(values, count),
         )
     };
-    code::of(model.and_then(|model| {
+    code::from_result(model.and_then(|model| {
         let (state, scratch, values) = (state?, scratch?, values?);
         if model.answer() != OutputKind::Values {
             return Err(Refusal(TPG_ARGUMENT));

@@ -25,7 +25,7 @@ pub struct tpg_observation_t {
 }
 
 impl tpg_observation_t {
-    pub(crate) fn of(seen: &Observation<f32>) -> Self {
+    pub(crate) fn new(seen: &Observation<f32>) -> Self {
         let Observation { pose, fixed_servos, hand, target, difference } = *seen;
         Self { pose: tpg_pose_t { ticks: pose.0 }, fixed_servos, hand, target, difference }
     }
@@ -121,7 +121,7 @@ pub unsafe extern "C" fn tpg_observe(
         let target = memory::read(target.cast::<[f32; 3]>());
         (memory::content(arm), memory::read(pose), target, memory::write(observation))
     };
-    code::of(arm.and_then(|Ready { arm, .. }| {
+    code::from_result(arm.and_then(|Ready { arm, .. }| {
         let (pose, target, observation) = (pose?, target?, observation?);
         *observation.get_mut() = Observation::at(arm, Pose(pose.ticks), *target);
         Ok(())
@@ -159,7 +159,7 @@ pub unsafe extern "C" fn tpg_observation_state(
             memory::array_mut(state.cast::<MaybeUninit<f32>>(), length),
         )
     };
-    code::of(arm.and_then(|Ready { arm, .. }| {
+    code::from_result(arm.and_then(|Ready { arm, .. }| {
         let (seen, sources, state) = (seen?.get(), sources?, state?);
         let mut wanted = 0usize;
         for &number in sources {

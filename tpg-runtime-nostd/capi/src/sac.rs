@@ -18,9 +18,7 @@ pub struct tpg_sac_t {
     pub opaque: [u64; TPG_SAC_WORDS],
 }
 
-const _: () = assert!(memory::fits::<tpg_sac_t>());
-
-// SAFETY: it fits, and any bytes are an array of integers.
+// SAFETY: any bytes are an array of integers; `initialise` proves that the content fits.
 unsafe impl Opaque for tpg_sac_t {
     type Content = Model<'static>;
     const TAG: u32 = 0x5341_4301;
@@ -31,7 +29,7 @@ unsafe impl Opaque for tpg_sac_t {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_sac_init(sac: *mut tpg_sac_t, model: *const u32, words: usize) -> i32 {
     // SAFETY: the header's contract; the caller keeps the words for as long as `sac` lives.
-    code::of(unsafe { memory::array::<'static, u32>(model, words) }.and_then(|words| {
+    code::from_result(unsafe { memory::array::<'static, u32>(model, words) }.and_then(|words| {
         let model = Model::parse(words).map_err(model_code)?;
         if model.inputs() != FEATURES {
             return Err(Refusal(TPG_MODEL_FEATURES));

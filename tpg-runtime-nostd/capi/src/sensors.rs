@@ -57,9 +57,7 @@ pub struct tpg_watchdog_t {
     pub opaque: [u64; TPG_WATCHDOG_WORDS],
 }
 
-const _: () = assert!(memory::fits::<tpg_watchdog_t>());
-
-// SAFETY: it fits, and any bytes are an array of integers.
+// SAFETY: any bytes are an array of integers; `initialise` proves that the content fits.
 unsafe impl Opaque for tpg_watchdog_t {
     type Content = Watchdog<f32>;
     const TAG: u32 = 0x5744_4701;
@@ -76,7 +74,7 @@ pub unsafe extern "C" fn tpg_watchdog_init(
 ) -> i32 {
     // SAFETY: the header's contract.
     let (arm, watch, motors) = unsafe { (memory::content(arm), tpg_watch_t::get(watch), memory::read(motors)) };
-    code::of(arm.and_then(|Ready { limits, .. }| {
+    code::from_result(arm.and_then(|Ready { limits, .. }| {
         let (watch, motors) = (watch?, Pose(motors?.ticks));
         if !limits.hold(motors) {
             return Err(Refusal(TPG_BAD_SENSOR));
@@ -97,7 +95,7 @@ pub unsafe extern "C" fn tpg_watchdog_check(
     // SAFETY: the header's contract.
     let (watchdog, motors, target) =
         unsafe { (memory::content(watchdog), memory::read(motors), memory::read(target.cast::<[f32; 3]>())) };
-    code::of(watchdog.and_then(|watchdog| watchdog.check(Pose(motors?.ticks), target?).map_err(code::fault)))
+    code::from_result(watchdog.and_then(|watchdog| watchdog.check(Pose(motors?.ticks), target?).map_err(code::fault)))
 }
 
 /// Notes a move that goes to the motors, and the positions at which it was decided on.
@@ -110,7 +108,7 @@ pub unsafe extern "C" fn tpg_watchdog_commanded(
     // SAFETY: the header's contract.
     let (watchdog, motors, wanted) =
         unsafe { (memory::content_mut(watchdog), memory::read(motors), memory::read(wanted)) };
-    code::of(watchdog.and_then(|watchdog| {
+    code::from_result(watchdog.and_then(|watchdog| {
         let (motors, wanted) = (Pose(motors?.ticks), Move(wanted?.ticks));
         watchdog.commanded(motors, wanted);
         Ok(())
@@ -123,5 +121,5 @@ pub unsafe extern "C" fn tpg_watchdog_commanded(
 pub unsafe extern "C" fn tpg_watchdog_resume(watchdog: *mut tpg_watchdog_t, motors: *const tpg_pose_t) -> i32 {
     // SAFETY: the header's contract.
     let (watchdog, motors) = unsafe { (memory::content_mut(watchdog), memory::read(motors)) };
-    code::of(watchdog.and_then(|watchdog| watchdog.resume(Pose(motors?.ticks)).map_err(code::fault)))
+    code::from_result(watchdog.and_then(|watchdog| watchdog.resume(Pose(motors?.ticks)).map_err(code::fault)))
 }

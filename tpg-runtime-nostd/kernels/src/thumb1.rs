@@ -1,6 +1,6 @@
 //! The kernels for Arm cores with the first Thumb instructions: Cortex-M0, -M0+, -M23.
 //!
-//! Such a core multiplies in one cycle (or 32), adds in another, and has eight registers for both. So accumulators stand in r8–r11,
+//! Such a core multiplies in one cycle (or 32), adds in another, and has eight registers for both. So accumulators are in r8–r11,
 //! where only additions reach them, and the low registers hold four inputs, a word of weights and one of them. Eight columns a turn:
 //! 133 instructions for `i8` weights with `i16` activations, 118 for `i16` weights, 116 for `i8` with `i8`, for 32 multiplications
 //! each. A compiler spills.

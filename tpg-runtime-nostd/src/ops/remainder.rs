@@ -128,7 +128,7 @@ mod tests {
     use proptest::prelude::*;
     use std::vec::Vec;
 
-    /// The language's own remainder is the reference: exact, too, whoever computes it.
+    /// The language's own remainder is the reference: it is exact, too.
     macro_rules! is_exact {
         ($name:ident, $float:ident, $word:ident, $($fmod:expr),+) => {
             #[test]

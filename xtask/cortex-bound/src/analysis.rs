@@ -108,7 +108,7 @@ impl<'a> Analyser<'a> {
     pub fn bound(&mut self, name: &str) -> Result<Bound, Refusal> {
         let place = self.place(name)?;
         let stack = self.stack(place, &mut Vec::new())?;
-        Ok(Bound { instructions: self.of(place, &Elsewhere::new())?.instructions, stack })
+        Ok(Bound { instructions: self.worst(place, &Elsewhere::new())?.instructions, stack })
     }
 
     /// Returns the parts of a function's worst case.
@@ -160,7 +160,7 @@ impl<'a> Analyser<'a> {
                 text: line.text(),
             };
             sites.extend(decisions.map(site));
-            let flow = Flow::of(self.listing, function, self.calls)?;
+            let flow = Flow::new(self.listing, function, self.calls)?;
             open.extend(flow.calls.into_iter().flatten().filter(|&callee| seen.insert(callee)));
         }
         Ok(sites)
@@ -187,7 +187,7 @@ impl<'a> Analyser<'a> {
     fn flow(&mut self, place: usize) -> Result<&Flow, Refusal> {
         if !self.flows.contains_key(&place) {
             let function = &self.listing.functions()[place];
-            let flow = Flow::of(self.listing, function, self.calls)?;
+            let flow = Flow::new(self.listing, function, self.calls)?;
             if flow.next.is_empty() {
                 return Err(Refusal::NoFunction { name: function.name.clone() });
             }
@@ -270,7 +270,7 @@ impl<'a> Analyser<'a> {
         Ok(limits)
     }
 
-    fn of(&mut self, place: usize, elsewhere: &Elsewhere) -> Result<WorstCase, Refusal> {
+    fn worst(&mut self, place: usize, elsewhere: &Elsewhere) -> Result<WorstCase, Refusal> {
         if elsewhere.contains(&place) {
             return Ok(WorstCase { instructions: 0, own: 0, calls: vec![] });
         }
@@ -289,7 +289,7 @@ impl<'a> Analyser<'a> {
         for callees in &flow.calls {
             let mut most = None;
             for &callee in callees {
-                let instructions = self.of(callee, &without)?.instructions;
+                let instructions = self.worst(callee, &without)?.instructions;
                 if most.is_none_or(|(_, other)| other < instructions) {
                     most = Some((callee, instructions));
                 }
@@ -312,7 +312,7 @@ impl<'a> Analyser<'a> {
         for &(function, times) in &limits {
             // Calls from this function to the others are counted with them.
             let others: Elsewhere = without.iter().copied().filter(|&other| other != function).collect();
-            known.instructions += times * self.of(function, &others)?.instructions;
+            known.instructions += times * self.worst(function, &others)?.instructions;
             known.calls.push((function, times, others));
         }
         self.known.insert(key, known.clone());
@@ -320,7 +320,7 @@ impl<'a> Analyser<'a> {
     }
 
     fn share(&mut self, place: usize, runs: u64, elsewhere: &Elsewhere) -> Result<Share, Refusal> {
-        let WorstCase { instructions, own, calls } = self.of(place, elsewhere)?;
+        let WorstCase { instructions, own, calls } = self.worst(place, elsewhere)?;
         let mut parts = Vec::with_capacity(calls.len());
         for (callee, times, elsewhere) in calls {
             parts.push(self.share(callee, runs * times, &elsewhere)?);

@@ -19,7 +19,7 @@ pub(super) struct Flow {
 
 impl Flow {
     /// Builds the graph of a function of a listing. Unreachable instructions (padding before data) are ignored.
-    pub(super) fn of(listing: &Listing, function: &Function, through: &Calls) -> Result<Self, Refusal> {
+    pub(super) fn new(listing: &Listing, function: &Function, through: &Calls) -> Result<Self, Refusal> {
         let place: BTreeMap<u64, usize> = (function.lines.iter().map(|line| line.address)).zip(0..).collect();
         let count = function.lines.len();
         let mut flow = Self { next: vec![Vec::new(); count], calls: vec![Vec::new(); count], frame: 0 };

@@ -172,13 +172,13 @@ fn floats(operands: &str) -> u64 {
 fn list(operands: &str) -> impl Iterator<Item = (u64, u64)> + '_ {
     let inside = operands.split_once('{').map_or("", |(_, rest)| rest.trim_end_matches('}'));
     inside.split(',').map(str::trim).filter(|name| !name.is_empty()).map(|name| match name.split_once('-') {
-        Some((first, last)) => (of(first), of(last)),
+        Some((first, last)) => (register(first), register(last)),
         None => (0, 0),
     })
 }
 
 /// Returns the number of a register in a range.
-fn of(name: &str) -> u64 {
+fn register(name: &str) -> u64 {
     match name.trim() {
         "sl" => 10,
         "fp" => 11,

@@ -78,7 +78,7 @@ fn change(random: &mut ChaCha8Rng, data: &mut Vec<u8>, words: &[Vec<u8>], others
     }
 }
 
-/// Replaces the number that stands at or behind a place.
+/// Replaces the number at or after a place.
 fn number(random: &mut ChaCha8Rng, data: &mut Vec<u8>, place: usize) {
     let part = |byte: &u8| byte.is_ascii_digit() || b"+-.eE".contains(byte);
     let Some(digit) = data[place..].iter().position(u8::is_ascii_digit).map(|offset| place + offset) else { return };

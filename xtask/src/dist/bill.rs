@@ -46,7 +46,7 @@ fn tree(packages: &[&str], target: &str) -> io::Result<BTreeMap<(String, String)
     for line in String::from_utf8_lossy(&output.stdout).lines().filter(|line| !line.is_empty()) {
         let read = line.split_once('|').and_then(|(package, license)| {
             let (name, rest) = package.split_once(" v")?;
-            // Behind a crate that stood there before comes a star.
+            // A star follows a crate that was listed before.
             Some((name, rest.split(' ').next()?, license.trim_end_matches(" (*)")))
         });
         let (name, version, license) = read.ok_or_else(|| io::Error::other(format!("cargo tree says {line:?}")))?;

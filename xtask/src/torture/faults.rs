@@ -1,4 +1,4 @@
-//! Two processes in one folder, processes that are stopped and continued, checkpoints that are damaged.
+//! Two processes in one folder, checkpoints that are damaged.
 
 use super::subject::Subject;
 use super::table::Row;
@@ -15,22 +15,6 @@ use std::time::{Duration, Instant};
 const ROUNDS: u32 = 5;
 /// Damaged checkpoints.
 const DAMAGED: u32 = 20;
-
-/// Sends SIGSTOP and SIGCONT some times during each run.
-pub(super) fn stopped_and_continued(subject: &Subject, random: &mut ChaCha8Rng) -> Checked {
-    let mut row = Row::new(subject.name, "SIGSTOP, SIGCONT");
-    let folder = fresh(subject, "stopped");
-    let mut child = subject.start(&folder);
-    for _ in 0..ROUNDS {
-        sleep(subject.time.mul_f64(random.random_range(0.0..0.2)));
-        row.note(signal(&child, "STOP"), || "SIGSTOP cannot be sent".to_owned());
-        sleep(Duration::from_millis(20));
-        row.note(signal(&child, "CONT"), || "SIGCONT cannot be sent".to_owned());
-    }
-    row.note(child.wait().is_ok_and(|status| status.success()), || "the run failed".to_owned());
-    row.finish(subject, &folder);
-    Ok(row)
-}
 
 /// Starts a second process while the first one is stopped: it is refused with the first one's number.
 pub(super) fn two_processes(subject: &Subject, _random: &mut ChaCha8Rng) -> Checked {

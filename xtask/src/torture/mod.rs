@@ -1,4 +1,4 @@
-//! `cargo xtask torture`: runs that are killed, stopped, started twice, or whose disk or files fail must end with the
+//! `cargo xtask torture`: runs that are killed, started twice, or whose disk or files fail must end with the
 //! bytes of an undisturbed run, or refuse with exit status 2 and lose nothing.
 //!
 //! | module | subject |
@@ -6,8 +6,8 @@
 //! | (root) | the command |
 //! | [`subject`] | the three runs: `tpg`, `sac`, `hybrid` |
 //! | [`kills`] | SIGKILL at random moments, and while files are written |
-//! | [`faults`] | two processes, SIGSTOP, damaged checkpoints |
-//! | [`disk`] | a full disk, a folder that cannot be written |
+//! | [`faults`] | two processes, damaged checkpoints |
+//! | [`disk`] | a full disk |
 //! | [`table`] | the counts |
 
 mod disk;
@@ -50,7 +50,7 @@ impl TortureArgs {
             let mut random = ChaCha8Rng::seed_from_u64(self.seed);
             println!("{}: {:.2} s undisturbed", subject.name, subject.time.as_secs_f64());
             table.add(kills::kills(subject, self.kills * share / 5, &mut random));
-            for fault in [faults::stopped_and_continued, faults::two_processes, disk::full, disk::read_only] {
+            for fault in [faults::two_processes, disk::full] {
                 table.add(fault(subject, &mut random));
             }
             if subject.saves_often {

@@ -34,7 +34,7 @@ struct Binutils {
 }
 
 impl Binutils {
-    fn of(target: &str) -> Self {
+    fn new(target: &str) -> Self {
         if target == host() {
             Self { prefix: "", package: "binutils", link: &[] }
         } else if target.starts_with("riscv32") {
@@ -87,7 +87,7 @@ pub fn make(target: &str, folder: &Path) -> Result<PathBuf, Missing> {
         let accepted = TARGETS.into_iter().chain([host()]).collect::<Vec<_>>().join(", ");
         return Err(Missing::Failed(format!("no target of the library; accepted: {accepted}")));
     }
-    let Binutils { prefix, package, link } = Binutils::of(target);
+    let Binutils { prefix, package, link } = Binutils::new(target);
     if !tool(&format!("{prefix}ld"), package, &what) || (target != host() && !rust_target(target, &what)) {
         return Err(Missing::Tool);
     }

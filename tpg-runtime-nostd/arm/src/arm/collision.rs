@@ -135,7 +135,7 @@ pub(crate) struct Base<S> {
 
 impl Base<f32> {
     /// Makes a base ready.
-    pub(crate) const fn of(shapes: &Shapes<f32>) -> Self {
+    pub(crate) const fn new(shapes: &Shapes<f32>) -> Self {
         const fn order([a, b]: [f32; 2]) -> [f32; 2] {
             if b < a { [b, a] } else { [a, b] }
         }

@@ -71,7 +71,7 @@ mod tests {
     use crate::kinematics::{Lattice, Plane};
     use proptest::prelude::*;
 
-    /// Its shoulder stands in front of the base's axis.
+    /// Its shoulder is in front of the base's axis.
     const RADIAL: Arm<f64> = Arm { links: Links { shoulder_radial: 30.4, ..WIDOWX.links }, ..WIDOWX };
 
     fn plainly<S: Lattice>(arm: &Arm<S>, pose: Pose) -> Option<Collision> {

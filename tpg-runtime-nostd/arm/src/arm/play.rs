@@ -1,8 +1,8 @@
-//! Play: joints that stand beside their motors.
+//! Backlash: joints that are some ticks away from their motors.
 
 use super::{JOINTS, Pose};
 
-/// Ticks by which each joint stands beside its motor, as a joint does whose weight rests on one flank of its gears.
+/// Offset of each joint from its motor, ticks: the weight of a joint rests on one flank of its gears.
 ///
 /// A controller reads the motors, and limits and collisions are told by them; only the hand is where the joints put it.
 ///
@@ -16,7 +16,7 @@ use super::{JOINTS, Pose};
 pub struct Play(pub [i16; JOINTS]);
 
 impl Play {
-    /// Joints that stand where their motors do.
+    /// No offset.
     pub const NONE: Self = Self([0; JOINTS]);
 
     /// The joints' positions while the motors are at `motors`.

@@ -149,7 +149,7 @@ impl<S: Lattice> Kinematics<S, JOINTS> for Arm<S> {
     }
 }
 
-/// A point of a frame, in the frame in which that stands at `at`.
+/// A point of a frame that is placed at `at`, in the outer frame.
 fn moved<S: Scalar>(at: Vector<S>, frame: &[Vector<S>; 3], point: Vector<S>) -> Vector<S> {
     let [[a, b, c], [d, e, f], [g, h, i]] = *frame;
     let [x, y, z] = point;

@@ -108,7 +108,7 @@ impl Body {
             radii,
             inverse_squares,
             widest,
-            base: Base::of(&arm.shapes),
+            base: Base::new(&arm.shapes),
             width: width(&arm),
             motion: motion(&arm),
         }

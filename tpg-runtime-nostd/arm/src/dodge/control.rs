@@ -69,7 +69,7 @@ impl Control {
         motors: Pose,
         balls: &[Ball],
     ) -> Result<Self, Fault> {
-        let limits = Limits::of(&body.arm);
+        let limits = Limits::new(&body.arm);
         let mut kept = [motors; GOALS];
         let is_reached = |&goal: &Pose| limits.hold(goal) && body.stands(&body.at(goal));
         match kept.get_mut(..goals.len()) {

@@ -1,4 +1,4 @@
-//! The part of a controller that stands around a policy: what it sees, what becomes of its choice, and what is remembered.
+//! The part of a controller around a policy: what it sees, how its choice is carried out, and what is remembered.
 
 use super::behaviour::{Behaviour, View};
 use super::guard::{guarded, permitted};

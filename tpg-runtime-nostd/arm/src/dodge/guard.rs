@@ -122,7 +122,7 @@ fn within(view: &View<'_>, wanted: Move) -> Move {
     step
 }
 
-/// The pose after a move was made so many times, within the joints' ranges.
+/// The pose after repeating a move, within the joints' ranges.
 fn after(view: &View<'_>, step: Move, times: i16) -> Pose {
     let mut pose = view.pose;
     for ((at, by), range) in pose.0.iter_mut().zip(step.0).zip(&view.body.arm.ranges) {

@@ -62,7 +62,7 @@ pub const SCOUT: ScoutSettings = ScoutSettings {
 /// The end that a plan was found to have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Fate {
-    /// A ball, the table or the base after so many steps.
+    /// A ball, the table or the base, and the number of steps until then.
     Meets(u16),
     /// Nothing: no ball that moves within the horizon, no ball that stays, nor table or base, until the goal.
     Free,
@@ -309,7 +309,7 @@ impl Scout {
         }
     }
 
-    /// True for a plan that is worth taking instead of one that arrives after so many steps, where both are free.
+    /// True if a free plan arrives earlier than a free one that takes `arrival` steps, by at least the gain.
     fn is_faster(&self, plan: &Plan, from: Pose, arrival: u32) -> bool {
         plan.arrival(from) + u32::from(self.settings.gain) < arrival
     }

@@ -42,7 +42,7 @@ impl Tracker {
         }
     }
 
-    /// Returns the ball as it is by now, so many steps after its place was seen.
+    /// Returns the ball as it is now, `delay` steps after its place was seen.
     pub fn ball(&self, delay: f32) -> Ball {
         Ball { at: self.ball.after(delay), ..self.ball }
     }

@@ -22,7 +22,7 @@
 //! | d | [`distance`](Frame::distance) | √(e_r² + t_l² + e_z²) | mm |
 //!
 //! Reaches and elevations are those from the point of the base's axis at the shoulder's height: from the shoulder itself, but for an arm
-//! whose shoulder stands in front of the axis.
+//! whose shoulder is in front of the axis.
 //!
 //! A [`Frame`] holds no more than pose, target and plane. Each quantity is a method, computed when it is asked for, so
 //! that a policy pays for what it reads.

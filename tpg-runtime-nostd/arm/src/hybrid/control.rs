@@ -30,7 +30,7 @@ impl<S: Lattice, D: CycleDetector<Pose>> Control<S, D> {
         detector: D,
         seen: &Observation<S>,
     ) -> Result<Self, Fault> {
-        Self::within(Limits::of(arm), settings, watch, detector, seen)
+        Self::within(Limits::new(arm), settings, watch, detector, seen)
     }
 
     /// [`new`](Self::new) for an arm whose limits are known already.

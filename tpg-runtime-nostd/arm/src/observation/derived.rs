@@ -1,6 +1,6 @@
 //! The derived sources: what an observation says about the errors that matter, computed from the 13 values alone.
 //!
-//! Every formula stands here once and takes what changes seldom (the target's own angles, the hand's elevation) as an
+//! Each formula is here once and takes what changes seldom (the target's own angles, the hand's elevation) as an
 //! argument, so that a trainer may keep it from step to step and still get the same bits.
 
 use crate::arm::{Arm, JOINTS, Pose, TICKS_PER_TURN};

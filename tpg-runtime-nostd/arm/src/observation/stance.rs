@@ -27,7 +27,7 @@ pub struct Stance<S> {
 /// A pose that may become the stance.
 struct Candidate<S> {
     goal: [S; JOINTS],
-    /// 0 where nothing stands against it; otherwise ticks outside of ranges and mm out of reach, and more for a collision.
+    /// 0 if it is possible; otherwise ticks outside of ranges and mm out of reach, and more for a collision.
     against: S,
 }
 
@@ -42,7 +42,7 @@ impl<S: Lattice> Stance<S> {
         let [first, others @ ..] = if seen.behind { WRISTS_OVER_THE_BACK } else { WRISTS };
         let mut best = candidate(arm, &seen, straight.wrapping_add(first));
         for wrist in others {
-            // Nothing can be better than a pose against which nothing stands, as for most targets the first is.
+            // Nothing is better than a possible pose; for most targets the first is one.
             if best.against == S::ZERO {
                 break;
             }

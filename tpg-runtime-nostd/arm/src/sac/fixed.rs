@@ -106,7 +106,7 @@ impl FixedDecision {
         pose: crate::arm::Pose,
         ranges: &[crate::arm::JointRange; JOINTS],
     ) -> Move {
-        // One function for both: it is long, and flash is short. A step that stands three times is as one.
+        // One function for both: it is long, and flash is short. A step three times is the same as once.
         let widened;
         let decision = match self {
             Self::Fine(decision) => decision,

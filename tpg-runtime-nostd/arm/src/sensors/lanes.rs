@@ -14,7 +14,7 @@ pub(super) const TOP: u32 = 0x8000_8000;
 
 /// The positions of a pose.
 #[inline(always)]
-pub(super) const fn of(Pose([base, shoulder, elbow, wrist]): Pose) -> Lanes {
+pub(super) const fn from_pose(Pose([base, shoulder, elbow, wrist]): Pose) -> Lanes {
     const fn pair(low: i16, high: i16) -> u32 {
         low as u16 as u32 | (high as u16 as u32) << 16
     }

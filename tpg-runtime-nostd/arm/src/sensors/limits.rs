@@ -23,9 +23,9 @@ pub struct Limits<S> {
 
 impl<S: Lattice> Limits<S> {
     /// The limits of an arm.
-    pub fn of(arm: &Arm<S>) -> Self {
+    pub fn new(arm: &Arm<S>) -> Self {
         let end = |pick: fn(JointRange) -> i16| {
-            lanes::of(Pose(arm.ranges.map(|range| pick(range).clamp(0, (TICKS_PER_TURN - 1) as i16))))
+            lanes::from_pose(Pose(arm.ranges.map(|range| pick(range).clamp(0, (TICKS_PER_TURN - 1) as i16))))
         };
         // Of an empty range one position is left: `Ranges` needs ends in order.
         let ranges = Ranges::new(end(|range| range.min), end(|range| range.max.max(range.min)));
@@ -46,7 +46,7 @@ impl<S: Lattice> Limits<S> {
 
     /// Returns true if every motor is within its joint's range.
     pub fn hold(&self, motors: Pose) -> bool {
-        self.ranges.hold(lanes::of(motors)) & TOP == TOP
+        self.ranges.hold(lanes::from_pose(motors)) & TOP == TOP
     }
 
     /// Checks an observation.

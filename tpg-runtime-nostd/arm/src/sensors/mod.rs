@@ -93,6 +93,6 @@ impl<S: Lattice> Observation<S> {
     /// # Errors
     /// [`Fault::Target`] or [`Fault::Sensor`].
     pub fn check(&self, arm: &Arm<S>) -> Result<(), Fault> {
-        Limits::of(arm).check(self)
+        Limits::new(arm).check(self)
     }
 }

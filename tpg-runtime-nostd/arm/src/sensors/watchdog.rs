@@ -53,14 +53,14 @@ impl<S: Lattice> Watchdog<S> {
     pub fn new(arm: &Arm<S>, watch: Watch, motors: Pose) -> Self {
         // Nothing has checked the reading yet.
         let motors = Pose(motors.0.map(|ticks| ticks.clamp(0, (TICKS_PER_TURN - 1) as i16)));
-        Self::within(Limits::of(arm), watch, motors)
+        Self::within(Limits::new(arm), watch, motors)
     }
 
     /// A watchdog over an arm of these limits whose motors are at `motors`, within their ranges.
     pub fn within(limits: Limits<S>, watch: Watch, motors: Pose) -> Self {
         let threshold = watch.threshold.min(TICKS_PER_TURN as u16);
         let patience = watch.patience.max(1);
-        Self { limits, expected: Expected::around(lanes::of(motors), threshold), patience, left: patience }
+        Self { limits, expected: Expected::around(lanes::from_pose(motors), threshold), patience, left: patience }
     }
 
     /// Starts anew from the motors' positions, after the cause of a fault was removed.
@@ -78,7 +78,7 @@ impl<S: Lattice> Watchdog<S> {
     #[cold]
     #[inline(never)]
     fn anchor(&mut self, motors: Pose) {
-        self.expected = self.expected.anew(lanes::of(motors));
+        self.expected = self.expected.anew(lanes::from_pose(motors));
         self.left = self.patience;
     }
 
@@ -88,7 +88,7 @@ impl<S: Lattice> Watchdog<S> {
     /// See [`Fault`]. Nothing changes then.
     #[inline(always)]
     pub fn check(&self, motors: Pose, target: &Vector<S>) -> Result<(), Fault> {
-        let at = lanes::of(motors);
+        let at = lanes::from_pose(motors);
         if self.limits.ranges.hold(at) & self.expected.hold(at) & TOP == TOP && self.limits.reaches(target) {
             Ok(())
         } else {
@@ -102,7 +102,7 @@ impl<S: Lattice> Watchdog<S> {
     /// [`Fault::Sensor`] or [`Fault::Stuck`]. Nothing changes then.
     #[inline(always)]
     pub fn check_motors(&self, motors: Pose) -> Result<(), Fault> {
-        let at = lanes::of(motors);
+        let at = lanes::from_pose(motors);
         if self.limits.ranges.hold(at) & self.expected.hold(at) & TOP == TOP {
             Ok(())
         } else if self.limits.hold(motors) {

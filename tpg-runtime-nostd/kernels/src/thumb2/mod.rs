@@ -2,7 +2,7 @@
 //!
 //! A hidden layer is one call of assembly, and so is a block of the last one: four accumulators in r8–r11, four words of
 //! weights in r4–r7, inputs in r12 and lr. Plain inline assembly could not have so many registers (r6 and r7 are the compiler's),
-//! so these are naked functions. What differs between the cores stands in `dsp` and `plain`.
+//! so these are naked functions. `dsp` and `plain` have what differs between the cores.
 #![expect(
     unsafe_code,
     reason = "packed multiplications have no name in stable Rust, and its plain loops run out of registers"
