@@ -1,14 +1,7 @@
 //! CSV as text in memory, its numbers with the fewest digits that give the same number again.
 
 /// Returns a header and rows as CSV.
-///
-/// ```
-/// use tpg_train::csv_text::table;
-///
-/// let rows = [["1".to_owned(), "left, right".to_owned()]];
-/// assert_eq!(table(["seed", "actions"], rows), b"seed,actions\n1,\"left, right\"\n");
-/// ```
-pub fn table<Header, Row>(header: Header, rows: impl IntoIterator<Item = Row>) -> Vec<u8>
+pub(crate) fn table<Header, Row>(header: Header, rows: impl IntoIterator<Item = Row>) -> Vec<u8>
 where
     Header: IntoIterator<Item: AsRef<[u8]>>,
     Row: IntoIterator<Item: AsRef<[u8]>>,
@@ -22,13 +15,13 @@ where
 ///
 /// # Panics
 /// Never: memory can be written.
-pub fn row<Row: IntoIterator<Item: AsRef<[u8]>>>(fields: Row) -> Vec<u8> {
+pub(crate) fn row<Row: IntoIterator<Item: AsRef<[u8]>>>(fields: Row) -> Vec<u8> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(fields).expect("memory can be written");
     writer.into_inner().expect("memory can be written")
 }
 
 /// Returns a number as text; nothing where there is none.
-pub fn optional(value: Option<f64>) -> String {
+pub(crate) fn optional(value: Option<f64>) -> String {
     value.map(|value| value.to_string()).unwrap_or_default()
 }

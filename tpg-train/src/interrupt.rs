@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Returns a flag that is set when the user asks the program to stop. A second request ends the program at once, with
 /// exit status 130: the last checkpoint is valid.
-pub fn watch() -> Arc<AtomicBool> {
+pub(crate) fn watch() -> Arc<AtomicBool> {
     let asked = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&asked);
     // Without a handler the system would end the program at once; the last checkpoint would still exist.

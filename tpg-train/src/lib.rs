@@ -25,15 +25,15 @@
 pub mod arm_import;
 pub mod cli;
 pub mod configuration;
-pub mod csv_text;
+mod csv_text;
 pub mod evaluate;
 pub mod evolution;
 pub mod files;
 pub mod folder;
 pub mod hybrid;
-pub mod interrupt;
+mod interrupt;
 pub mod problems;
-pub mod progress;
+mod progress;
 pub mod quantise;
 pub mod ranks;
 pub mod report;

@@ -7,27 +7,27 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use tpg_graph::command::is_quiet;
 
 /// Creates a bar; one that is never shown if the program shall be quiet.
-pub fn bar(length: u64) -> ProgressBar {
+pub(crate) fn bar(length: u64) -> ProgressBar {
     if is_quiet() { ProgressBar::hidden() } else { ProgressBar::new(length) }
 }
 
 /// The progress of one run.
 #[derive(Debug)]
-pub struct Bar {
+pub(crate) struct Bar {
     bar: ProgressBar,
     began: bool,
 }
 
 impl Bar {
     /// Creates a bar that has not started.
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let style = ProgressStyle::with_template("seed {prefix} {wide_bar} {pos}/{len} {msg}, {eta} left")
             .unwrap_or_else(|_| ProgressStyle::default_bar());
         Self { bar: bar(0).with_style(style), began: false }
     }
 
     /// Shows the progress of a run; returns `Break` when `stop` is set.
-    pub fn show(&mut self, progress: &Progress<'_>, stop: &AtomicBool) -> ControlFlow<()> {
+    pub(crate) fn show(&mut self, progress: &Progress<'_>, stop: &AtomicBool) -> ControlFlow<()> {
         self.bar.set_length(progress.of);
         self.bar.set_prefix(progress.seed.to_string());
         self.bar.set_position(progress.generations);

@@ -8,7 +8,6 @@ use tempfile::TempDir;
 use tpg_engine::EvaluationError;
 use tpg_graph::command::{CommandError, Verdict};
 use tpg_train::evolution::command::{TpgArgs, execute};
-use tpg_train::hybrid::command::{HybridArgs, execute as study};
 use tpg_train::ranks::link::Link;
 use tpg_train::ranks::workplace::{Ranks, ThisProcess, Workplace};
 
@@ -76,12 +75,6 @@ fn tpg(out: &Path, more: &[&str], place: &impl Workplace) -> Result<Verdict, Com
     let small = ["tpg", "--threads", "2", "--checkpoint-seconds", "3600", "--out", &out];
     let args = Tpg::try_parse_from(small.iter().chain(more)).expect("arguments that are right").args;
     execute(&args, place).map_err(CommandError::other)
-}
-
-#[derive(Parser)]
-struct Hybrid {
-    #[command(flatten)]
-    args: HybridArgs,
 }
 
 /// The files of a folder that must not depend on the number of ranks.
@@ -158,25 +151,4 @@ fn what_goes_wrong_on_a_rank_is_said_by_rank_0_and_ends_the_others() {
     let error = said(on_ranks(3, |rank, place| tpg(&out, if rank == 0 { &none } else { &good }, place)));
     assert!(error.contains("/no/such/file.toml") && !error.contains("rank"), "{error}");
     assert!(!out.exists(), "nothing was begun");
-}
-
-#[test]
-fn the_cells_of_a_study_are_computed_by_ranks() {
-    let data = tpg_testing::library::top().join("generated/widowx-fs");
-    let graph = data.join("graph.json").display().to_string();
-    let network = tpg_testing::library::top().join("generated/widowx-sac/policy.q.json").display().to_string();
-    let folder = TempDir::new().expect("a folder");
-    let run = |out: &Path, place: &dyn Fn(&HybridArgs) -> Result<Verdict, CommandError>| {
-        let out = out.display().to_string();
-        let words = ["hybrid", "--problem", "fs", "--tpg", &graph, "--policy", &network, "--out", &out];
-        let more = ["--episodes", "3", "--guard", "none", "--threads", "1"];
-        place(&Hybrid::try_parse_from(words.iter().chain(&more)).expect("arguments that are right").args)
-    };
-    let alone = folder.path().join("alone");
-    run(&alone, &|args| study(args, &ThisProcess).map_err(CommandError::from)).expect("it runs");
-    let shared = folder.path().join("shared");
-    let results = on_ranks(3, |_, place| run(&shared, &|args| study(args, place).map_err(CommandError::from)));
-    good(results);
-    let names = ["cells.csv", "alone.csv", "study.toml"];
-    assert!(files(&shared, &names) == files(&alone, &names), "other bytes");
 }

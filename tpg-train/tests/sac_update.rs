@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 use tpg_nn::{Gaussian, Mlp, Real, Shape, Spread};
-use tpg_train::sac::agent::{Agent, Bootstrap, Experience, Rates};
+use tpg_train::sac::agent::{Agent, Experience, Rates};
 
 #[derive(Deserialize)]
 struct Fixture {
@@ -65,7 +65,7 @@ fn agrees<T: Real>(bound: f64) {
     let critics = (fixture.before.critics.each_ref())
         .map(|critic| network(fixture.inputs + ACTIONS, &fixture.critic_hidden, 1, critic));
     let gaussian = Gaussian { actions: ACTIONS, spread: Spread::LogSigma };
-    let mut agent = Agent::<T>::of_networks(actor, critics, None, gaussian, fixture.before.log_alpha);
+    let mut agent = Agent::<T>::of_networks(actor, critics, gaussian, fixture.before.log_alpha);
     let mut space = agent.workspace(fixture.batch);
     let rates = Rates {
         learning: fixture.rate,
@@ -88,13 +88,12 @@ fn agrees<T: Real>(bound: f64) {
         let experience = Experience { states, actions, rewards, discounts, next, next_noise, noise };
         let report = agent.update(&mut space, experience, &rates);
         let after = &update.after;
-        let Bootstrap::SlowCritics(slow) = &agent.bootstrap else { panic!("an agent with slow critics") };
         let pairs = [
             ("actor", difference(agent.actor.network.parameters(), &after.actor)),
             ("critic 0", difference(agent.critics[0].network.parameters(), &after.critics[0])),
             ("critic 1", difference(agent.critics[1].network.parameters(), &after.critics[1])),
-            ("slow 0", difference(slow[0].parameters(), &after.slow[0])),
-            ("slow 1", difference(slow[1].parameters(), &after.slow[1])),
+            ("slow 0", difference(agent.slow[0].parameters(), &after.slow[0])),
+            ("slow 1", difference(agent.slow[1].parameters(), &after.slow[1])),
             ("temperature", difference(&[agent.log_alpha], &[after.log_alpha])),
             ("critic loss", difference(&[report.critic_loss], &[update.critic_loss])),
             ("actor loss", difference(&[report.actor_loss], &[update.actor_loss])),

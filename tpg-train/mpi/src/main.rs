@@ -8,9 +8,8 @@ mod link;
 use clap::{Parser, Subcommand};
 use link::World;
 use std::process::ExitCode;
-use tpg_graph::command::{CommandError, Verdict, exit_code};
+use tpg_graph::command::{CommandError, exit_code};
 use tpg_train::evolution::command::{TpgArgs, execute as execute_tpg};
-use tpg_train::hybrid::command::{HybridArgs, execute as execute_hybrid};
 use tpg_train::ranks::link::Link;
 use tpg_train::ranks::workplace::Ranks;
 
@@ -26,8 +25,6 @@ struct Cli {
 enum Command {
     /// Evolve a tangled program graph; every rank evaluates roots. --threads is the number of each rank
     Tpg(TpgArgs),
-    /// Study how graphs and networks share a problem; every rank computes cells. --threads is the number of each rank
-    Hybrid(HybridArgs),
 }
 
 fn main() -> ExitCode {
@@ -49,29 +46,16 @@ fn main() -> ExitCode {
     };
     abort_on_panic(rank, ranks);
     let place = Ranks::new(world);
-    let result = match &cli.command {
-        Command::Tpg(args) => execute_tpg(args, &place).map_err(CommandError::other),
-        Command::Hybrid(args) => execute_hybrid(args, &place).map_err(CommandError::from),
-    };
-    let result = place.close(result);
-    if rank == 0 && ranks > 1 && matches!(result, Ok(Verdict::Good | Verdict::Interrupted)) {
-        let traffic = place.traffic();
-        let each = |bytes: u64| bytes / traffic.questions.max(1);
-        eprintln!(
-            "{ranks} ranks: {} questions, {} bytes out and {} bytes back for each",
-            traffic.questions,
-            each(traffic.out),
-            each(traffic.back)
-        );
-    }
-    exit_code(result)
+    let Command::Tpg(args) = &cli.command;
+    let result = execute_tpg(args, &place).map_err(CommandError::other);
+    exit_code(place.close(result))
 }
 
 /// Ends the whole job where a rank panics: the others would wait for it for ever.
 fn abort_on_panic(rank: usize, ranks: usize) {
-    let usual = std::panic::take_hook();
+    let default = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |info| {
-        usual(info);
+        default(info);
         eprintln!("rank {rank} of {ranks} panicked, and the job ends; --resume continues from the checkpoint");
         std::process::abort();
     }));

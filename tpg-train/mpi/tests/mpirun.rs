@@ -61,7 +61,6 @@ fn one_two_three_and_five_ranks_give_the_bytes_of_threads() {
         let text = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{text}");
         assert!(bytes(&out) == expected, "{ranks} ranks: other bytes");
-        assert_eq!(text.contains("ranks:"), ranks > 1, "traffic: {text}");
     }
 }
 

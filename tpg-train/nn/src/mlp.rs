@@ -1,7 +1,6 @@
 //! A multi-layer perceptron with its parameters in one flat vector.
 
-use super::norm::{denormalise, normalise};
-use super::product::passing;
+use super::norm::normalise;
 use super::vectors::vectorised;
 use super::{Factor, Finish, Real, Scratch, multiply};
 use serde::{Deserialize, Serialize};
@@ -85,10 +84,6 @@ pub struct Tape<T> {
     batch: usize,
     /// The input of each layer: the network's input, then each hidden layer's output.
     inputs: Vec<Vec<T>>,
-    /// The ReLU's output of each hidden layer that is followed by a LayerNorm.
-    before_norm: Vec<Vec<T>>,
-    /// Mean and 1/standard deviation for each hidden layer and sample, if a LayerNorm follows.
-    moments: Vec<Vec<[T; 2]>>,
     output: Vec<T>,
     /// Gradients of the backward pass; swapped layer by layer.
     gradient: [Vec<T>; 2],
@@ -100,12 +95,9 @@ impl<T: Real> Tape<T> {
     pub fn new(shape: &Shape, batch: usize) -> Self {
         let zeros = |rows: usize| vec![T::zero(); rows * batch];
         let widest = shape.hidden.iter().chain([&shape.inputs, &shape.outputs]).copied().max().unwrap_or(0);
-        let normed = |size: &usize| if shape.norm { vec![T::zero(); size * batch] } else { Vec::new() };
         Self {
             batch,
             inputs: [&shape.inputs].into_iter().chain(&shape.hidden).map(|&rows| zeros(rows)).collect(),
-            before_norm: shape.hidden.iter().map(normed).collect(),
-            moments: shape.hidden.iter().map(|_| vec![[T::zero(); 2]; if shape.norm { batch } else { 0 }]).collect(),
             output: zeros(shape.outputs),
             gradient: [zeros(widest), zeros(widest)],
             scratch: Scratch::default(),
@@ -225,13 +217,11 @@ impl<T: Real> Mlp<T> {
             if index == last {
                 return multiply(&mut tape.output, weight, input, Finish::Bias(bias), scratch);
             }
-            let Some(gain) = layer.norm else {
-                multiply(&mut after[0], weight, input, Finish::Rectified(bias), scratch);
-                continue;
-            };
-            multiply(&mut tape.before_norm[index], weight, input, Finish::Rectified(bias), scratch);
-            let (gain, shift) = self.parameters[gain..][..2 * layer.outputs].split_at(layer.outputs);
-            normalise(&mut after[0], &mut tape.moments[index], &tape.before_norm[index], gain, shift);
+            multiply(&mut after[0], weight, input, Finish::Rectified(bias), scratch);
+            if let Some(gain) = layer.norm {
+                let (gain, shift) = self.parameters[gain..][..2 * layer.outputs].split_at(layer.outputs);
+                normalise(&mut after[0], gain, shift);
+            }
         }
     }
 
@@ -243,7 +233,7 @@ impl<T: Real> Mlp<T> {
     /// rows.
     ///
     /// # Panics
-    /// If the sizes do not match.
+    /// If the sizes do not match, or the network has LayerNorm, which only forward passes know.
     pub fn backward(
         &self,
         tape: &mut Tape<T>,
@@ -262,19 +252,12 @@ impl<T: Real> Mlp<T> {
         by_input: Option<&mut [T]>,
     ) {
         assert_eq!(by_output.len(), self.shape.outputs * tape.batch, "a gradient of another size");
+        assert!(!self.shape.norm, "a network with LayerNorm is not trained");
         let [current, next] = &mut tape.gradient;
         current[..by_output.len()].copy_from_slice(by_output);
         let (batch, scratch) = (tape.batch, &mut tape.scratch);
         for (index, layer) in self.layers.iter().enumerate().rev() {
-            let gradient = &mut current[..layer.outputs * batch];
-            if let Some(gain) = layer.norm {
-                let by_norm = gradients.as_deref_mut().map(|all| &mut all[gain..][..2 * layer.outputs]);
-                let gain = &self.parameters[gain..][..layer.outputs];
-                let rectified = &tape.before_norm[index];
-                denormalise(gradient, by_norm, rectified, &tape.moments[index], gain);
-                mask(gradient, rectified);
-            }
-            let mut gradient = Factor::new(&*gradient, layer.outputs, batch);
+            let mut gradient = Factor::new(&current[..layer.outputs * batch], layer.outputs, batch);
             if let Some(all) = gradients.as_deref_mut() {
                 let input = Factor::new(&tape.inputs[index], layer.inputs, batch);
                 let by_weight = &mut all[layer.weight..layer.bias];
@@ -284,10 +267,9 @@ impl<T: Real> Mlp<T> {
                 // A loss that moves no parameters may ignore samples: each is judged by one of two critics.
                 gradient = gradient.sparse();
             }
-            if let Some(before) = index.checked_sub(1) {
-                // Without a LayerNorm in between, the gradient passes the previous layer's ReLU in the same step.
-                let normed = self.layers[before].norm.is_some();
-                let finish = if normed { Finish::Plain } else { Finish::Where(&tape.inputs[index]) };
+            if index > 0 {
+                // The gradient passes the previous layer's ReLU in the same step.
+                let finish = Finish::Where(&tape.inputs[index]);
                 let weight = layer.weight(&self.parameters).transposed();
                 multiply(&mut next[..layer.inputs * batch], weight, gradient, finish, scratch);
                 std::mem::swap(current, next);
@@ -301,15 +283,6 @@ impl<T: Real> Mlp<T> {
             multiply(by_input, weight, gradient, Finish::Plain, scratch);
         }
     }
-}
-
-/// Masks the gradient where a ReLU's output was zero.
-fn mask<T: Real>(gradient: &mut [T], passed: &[T]) {
-    let pairs = gradient.iter_mut().zip(passed);
-    vectorised(
-        #[inline(always)]
-        || pairs.for_each(|(gradient, &passed)| *gradient = passing(*gradient, passed)),
-    );
 }
 
 /// Sets `sums` to the sum of all columns, added first to last.
@@ -344,45 +317,43 @@ mod tests {
 
     #[test]
     fn gradients_equal_finite_differences() {
-        for norm in [false, true] {
-            let mut random = Stream::new(1, 0, Purpose::Test, 20);
-            let mut network = Mlp::<f64>::random(shape(norm), || random.unit());
-            for parameter in network.parameters_mut() {
-                *parameter += 0.1 * random.normal(); // gains and shifts are ordinary numbers as well
-            }
-            let input: Vec<f64> = (0..7 * 6).map(|_| random.normal()).collect();
-            let coefficients: Vec<f64> = (0..3 * 6).map(|_| random.normal()).collect();
-            let (_, mut tape) = loss(&network, &input, &coefficients);
-            let mut by_parameters = vec![f64::NAN; network.parameters().len()];
-            let mut by_input = vec![f64::NAN; input.len()];
-            network.backward(&mut tape, &coefficients, Some(&mut by_parameters), Some(&mut by_input));
-            let step = 1e-6;
-            let slope = |up: f64, down: f64| (up - down) / (2.0 * step);
-            for (index, &gradient) in by_parameters.iter().enumerate() {
-                let at = |by: f64| {
-                    let mut moved = network.clone();
-                    moved.parameters_mut()[index] += by;
-                    loss(&moved, &input, &coefficients).0
-                };
-                let slope = slope(at(step), at(-step));
-                assert!((gradient - slope).abs() < 1e-7 * (1.0 + slope.abs()), "parameter {index}: {gradient} {slope}");
-            }
-            for (index, &gradient) in by_input.iter().enumerate() {
-                let at = |by: f64| {
-                    let mut moved = input.clone();
-                    moved[index] += by;
-                    loss(&network, &moved, &coefficients).0
-                };
-                let slope = slope(at(step), at(-step));
-                assert!((gradient - slope).abs() < 1e-7 * (1.0 + slope.abs()), "input {index}: {gradient} {slope}");
-            }
+        let mut random = Stream::new(1, 0, Purpose::Test, 20);
+        let mut network = Mlp::<f64>::random(shape(false), || random.unit());
+        for parameter in network.parameters_mut() {
+            *parameter += 0.1 * random.normal();
+        }
+        let input: Vec<f64> = (0..7 * 6).map(|_| random.normal()).collect();
+        let coefficients: Vec<f64> = (0..3 * 6).map(|_| random.normal()).collect();
+        let (_, mut tape) = loss(&network, &input, &coefficients);
+        let mut by_parameters = vec![f64::NAN; network.parameters().len()];
+        let mut by_input = vec![f64::NAN; input.len()];
+        network.backward(&mut tape, &coefficients, Some(&mut by_parameters), Some(&mut by_input));
+        let step = 1e-6;
+        let slope = |up: f64, down: f64| (up - down) / (2.0 * step);
+        for (index, &gradient) in by_parameters.iter().enumerate() {
+            let at = |by: f64| {
+                let mut moved = network.clone();
+                moved.parameters_mut()[index] += by;
+                loss(&moved, &input, &coefficients).0
+            };
+            let slope = slope(at(step), at(-step));
+            assert!((gradient - slope).abs() < 1e-7 * (1.0 + slope.abs()), "parameter {index}: {gradient} {slope}");
+        }
+        for (index, &gradient) in by_input.iter().enumerate() {
+            let at = |by: f64| {
+                let mut moved = input.clone();
+                moved[index] += by;
+                loss(&network, &moved, &coefficients).0
+            };
+            let slope = slope(at(step), at(-step));
+            assert!((gradient - slope).abs() < 1e-7 * (1.0 + slope.abs()), "input {index}: {gradient} {slope}");
         }
     }
 
     #[test]
     fn the_gradient_by_the_input_does_not_need_the_one_by_the_parameters() {
         let mut random = Stream::new(1, 0, Purpose::Test, 21);
-        let network = Mlp::<f32>::random(shape(true), || random.unit());
+        let network = Mlp::<f32>::random(shape(false), || random.unit());
         let input: Vec<f32> = (0..7 * 6).map(|_| random.normal() as f32).collect();
         let gradient = |wanted: bool| {
             let mut tape = Tape::new(network.shape(), 6);

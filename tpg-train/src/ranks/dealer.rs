@@ -1,22 +1,9 @@
 //! The order and the size of what is handed out to ranks.
 
-use std::collections::BTreeSet;
-use tpg_engine::Piece;
-
 /// Hands out jobs, the most expensive first, in shares that become smaller towards the end, so that ranks of any speed are
 /// done at about the same time.
-///
-/// ```
-/// use tpg_train::ranks::dealer::Dealer;
-///
-/// // Four jobs and their expected costs, for two threads in all.
-/// let mut dealer = Dealer::new(&[1, 8, 2, 1], 2);
-/// assert_eq!(dealer.deal(1), [1], "the most expensive job is a share of its own");
-/// assert_eq!(dealer.deal(1), [2]);
-/// assert_eq!([dealer.deal(1), dealer.deal(1), dealer.deal(1)], [vec![0], vec![3], vec![]]);
-/// ```
 #[derive(Clone, Debug)]
-pub struct Dealer {
+pub(crate) struct Dealer {
     /// The jobs that are left with their costs; the most expensive is the last.
     left: Vec<(usize, u64)>,
     /// Sum of the costs that are left.
@@ -30,7 +17,7 @@ impl Dealer {
     const PARTS: u64 = 2;
 
     /// Prepares jobs of the given expected costs, in any unit, for `threads` threads in all. A cost of 0 counts as 1.
-    pub fn new(costs: &[u64], threads: usize) -> Self {
+    pub(crate) fn new(costs: &[u64], threads: usize) -> Self {
         let mut left: Vec<(usize, u64)> = costs.iter().map(|&cost| cost.max(1)).enumerate().collect();
         // Stable: equal jobs are handed out in their order.
         left.reverse();
@@ -40,7 +27,7 @@ impl Dealer {
     }
 
     /// Returns the next share for a rank of `threads` threads: at least a job for each thread; empty if none is left.
-    pub fn deal(&mut self, threads: usize) -> Vec<usize> {
+    pub(crate) fn deal(&mut self, threads: usize) -> Vec<usize> {
         let fair = self.cost / (Self::PARTS * self.threads) * threads as u64;
         let (mut share, mut cost) = (Vec::new(), 0);
         while let Some(&(job, next)) = self.left.last()
@@ -55,7 +42,7 @@ impl Dealer {
     }
 
     /// Hands out nothing more.
-    pub fn close(&mut self) {
+    pub(crate) fn close(&mut self) {
         self.left.clear();
         self.cost = 0;
     }
@@ -64,42 +51,10 @@ impl Dealer {
 /// Pieces for each thread: with fewer, threads wait at the end of a question; with more, rank 0 is busy with messages.
 const PIECES: usize = 8;
 
-/// Seconds that a piece should take at least: some hundred times as long as a message.
-const LEAST: f64 = 2e-3;
-
-/// Returns the number of pieces into which each unit's tasks are cut, so that there is something to do for all `threads` until
-/// the end of a question: several pieces for each of them, where there are not as many units, but none that is shorter than
-/// its message is worth. `seconds` is the time that one thread would take for all units, as far as it is known.
-///
-/// ```
-/// use tpg_train::ranks::dealer::parts;
-///
-/// assert_eq!(parts(1000, 4, None), 1, "units enough");
-/// assert_eq!(parts(10, 4, None), 4);
-/// assert_eq!(parts(10, 4, Some(1e-3)), 1, "not worth a message");
-/// ```
-pub fn parts(units: usize, threads: usize, seconds: Option<f64>) -> usize {
-    let units = units.max(1);
-    let wanted = (PIECES * threads).div_ceil(units);
-    // The cast of a float saturates, and that of NaN is 0.
-    let worth = seconds.map_or(usize::MAX, |seconds| (seconds / units as f64 / LEAST) as usize);
-    wanted.min(worth).max(1)
-}
-
-/// Returns the tasks that a rank needs for some pieces, in order; `None` for all of `tasks`, where that is less than twice as
-/// much: they can be kept for later shares.
-///
-/// ```
-/// use tpg_engine::Piece;
-/// use tpg_train::ranks::dealer::needed;
-///
-/// let piece = |unit, from| Piece { unit, tasks: from..from + 2 };
-/// assert_eq!(needed(&[&piece(0, 8), &piece(1, 2), &piece(1, 8)], 10), Some(vec![2, 3, 8, 9]));
-/// assert_eq!(needed(&[&piece(0, 0), &piece(0, 2), &piece(0, 4)], 10), None);
-/// ```
-pub fn needed(pieces: &[&Piece], tasks: usize) -> Option<Vec<usize>> {
-    let needed: BTreeSet<usize> = pieces.iter().flat_map(|piece| piece.tasks.clone()).collect();
-    (2 * needed.len() < tasks).then(|| needed.into_iter().collect())
+/// Returns the number of pieces into which each unit's tasks are cut: where there are few units, several for each of all
+/// `threads`, so that there is something to do for all of them until the end of a question.
+pub(crate) fn parts(units: usize, threads: usize) -> usize {
+    (PIECES * threads).div_ceil(units.max(1)).max(1)
 }
 
 #[cfg(test)]

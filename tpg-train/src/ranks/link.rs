@@ -33,7 +33,7 @@ pub trait Link {
             if let Some(message) = self.poll()? {
                 return Ok(message);
             }
-            patience.wait();
+            patience = patience.wait();
         }
     }
 }
@@ -49,12 +49,12 @@ impl Patience {
     const ASLEEP: Duration = Duration::from_micros(50);
 
     /// Waits a moment.
-    pub(super) fn wait(&mut self) {
+    pub(super) fn wait(self) -> Self {
         if self.0 < Self::AWAKE {
-            self.0 += 1;
             std::thread::yield_now();
-        } else {
-            std::thread::sleep(Self::ASLEEP);
+            return Self(self.0 + 1);
         }
+        std::thread::sleep(Self::ASLEEP);
+        self
     }
 }

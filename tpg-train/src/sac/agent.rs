@@ -6,17 +6,8 @@
 //! 2. actor: α ln π(a|s) − min Q(s, a), a drawn from the actor, the critics just updated;
 //! 3. temperature: −ln α·(ln π + target entropy), with the densities of 2;
 //! 4. the slow copies follow by τ.
-//!
-//! The paper's algorithm is the first version (Haarnoja et al. 2018, 1801.01290): a value network instead of slow
-//! critics, a fixed temperature of 1, and this order, which is that of its artifact (`softActorCritic.cpp`):
-//! 1. value: (V(s) − (min Q(s, a) − ln π(a|s)))², a drawn from the actor;
-//! 2. actor, as above;
-//! 3. critics: y = r + discount·V̄(s′);
-//! 4. the slow value network follows.
-//!
-//! Where actions are named, [`choice`](super::choice) has the update.
 
-use super::config::{Algorithm, Learning, SacConfig};
+use super::config::SacConfig;
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
 use tpg_nn::{Adam, Gaussian, Mlp, Real, Samples, Shape, Tape};
@@ -47,7 +38,7 @@ pub struct Experience<'a, T> {
     pub discounts: &'a [T],
     /// inputs × batch.
     pub next: &'a [T],
-    /// actions × batch: for the actions in `next`; with a value network, for those that its target judges.
+    /// actions × batch: for the actions in `next`.
     pub next_noise: &'a [T],
     /// actions × batch: for the actions in `states`.
     pub noise: &'a [T],
@@ -86,20 +77,6 @@ impl<T: Real> Learner<T> {
     }
 }
 
-/// The source of a next state's value.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Bootstrap<T> {
-    /// Slow copies of the two critics.
-    SlowCritics([Mlp<T>; 2]),
-    /// A value network and its slow copy: the paper's.
-    Value {
-        /// Learns.
-        value: Learner<T>,
-        /// Follows.
-        slow: Mlp<T>,
-    },
-}
-
 /// Everything that learns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Agent<T> {
@@ -107,8 +84,8 @@ pub struct Agent<T> {
     pub actor: Learner<T>,
     /// Two estimates of the value of a state and an action.
     pub critics: [Learner<T>; 2],
-    /// The source of a next state's value.
-    pub bootstrap: Bootstrap<T>,
+    /// Slow copies of the critics, the source of a next state's value.
+    pub slow: [Mlp<T>; 2],
     /// ln α.
     pub log_alpha: T,
     /// The optimiser of ln α.
@@ -121,7 +98,6 @@ pub struct Agent<T> {
 pub struct Workspace<T> {
     actor: Tape<T>,
     critics: [Tape<T>; 2],
-    value: Option<Tape<T>>,
     gradient: Vec<T>,
     by_q: [Vec<T>; 2],
     /// By the critics' inputs, of which the actions are the last.
@@ -135,37 +111,19 @@ pub struct Workspace<T> {
 impl<T: Real> Agent<T> {
     /// Creates an agent with random weights, for states of that many inputs.
     pub fn new(config: &SacConfig, inputs: usize, gaussian: Gaussian, random: &mut Stream) -> Self {
-        let norm = config.actor.layer_norm;
-        let actor = Shape { inputs, hidden: config.actor.hidden.clone(), outputs: 2 * gaussian.actions, norm };
-        let read = inputs + gaussian.actions;
-        let critic = Shape { inputs: read, hidden: config.critic.hidden.clone(), outputs: 1, norm };
+        let shape = |inputs, hidden: &[usize], outputs| Shape { inputs, hidden: hidden.to_vec(), outputs, norm: false };
+        let actor = shape(inputs, &config.actor.hidden, 2 * gaussian.actions);
+        let critic = shape(inputs + gaussian.actions, &config.critic.hidden, 1);
         let actor = Mlp::random(actor, || random.unit());
         let critics = [(); 2].map(|()| Mlp::random(critic.clone(), || random.unit()));
-        let Learning { log_temperature, algorithm, .. } = config.learning;
-        let value = (algorithm == Algorithm::ValueNetwork).then(|| {
-            let shape = Shape { inputs, hidden: config.critic.hidden.clone(), outputs: 1, norm };
-            Mlp::random(shape, || random.unit())
-        });
-        Self::of_networks(actor, critics, value, gaussian, log_temperature)
+        Self::of_networks(actor, critics, gaussian, config.learning.log_temperature)
     }
 
-    /// Creates an agent from given networks, with new optimisers and slow copies equal to the networks that they follow.
-    /// With a value network it learns by the paper's algorithm.
-    pub fn of_networks(
-        actor: Mlp<T>,
-        critics: [Mlp<T>; 2],
-        value: Option<Mlp<T>>,
-        gaussian: Gaussian,
-        log_alpha: f64,
-    ) -> Self {
-        let bootstrap = match value {
-            None => Bootstrap::SlowCritics(critics.clone()),
-            Some(value) => Bootstrap::Value { slow: value.clone(), value: Learner::new(value) },
-        };
-        let critics = critics.map(Learner::new);
-        let actor = Learner::new(actor);
-        let (log_alpha, alpha_adam) = (T::of(log_alpha), Adam::new(1));
-        Self { actor, critics, bootstrap, log_alpha, alpha_adam, gaussian }
+    /// Creates an agent from given networks, with new optimisers and slow copies equal to the critics.
+    pub fn of_networks(actor: Mlp<T>, critics: [Mlp<T>; 2], gaussian: Gaussian, log_alpha: f64) -> Self {
+        let (slow, critics) = (critics.clone(), critics.map(Learner::new));
+        let (actor, log_alpha, alpha_adam) = (Learner::new(actor), T::of(log_alpha), Adam::new(1));
+        Self { actor, critics, slow, log_alpha, alpha_adam, gaussian }
     }
 
     /// Allocates scratch memory for updates with `batch` samples.
@@ -176,10 +134,6 @@ impl<T: Real> Agent<T> {
         Workspace {
             actor: Tape::new(actor, batch),
             critics: [Tape::new(critic, batch), Tape::new(critic, batch)],
-            value: match &self.bootstrap {
-                Bootstrap::SlowCritics(_) => None,
-                Bootstrap::Value { slow, .. } => Some(Tape::new(slow.shape(), batch)),
-            },
             gradient: vec![T::zero(); widest],
             by_q: [zeros(1), zeros(1)],
             by_input: [zeros(actions), zeros(actions)],
@@ -195,81 +149,19 @@ impl<T: Real> Agent<T> {
     /// # Panics
     /// If the batch has another size than the workspace.
     pub fn update(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, rates: &Rates) -> UpdateFigures {
-        match self.bootstrap {
-            Bootstrap::SlowCritics(_) => self.update_with_slow_critics(space, batch, rates),
-            Bootstrap::Value { .. } => self.update_with_value(space, batch, rates),
-        }
-    }
-
-    fn update_with_slow_critics(
-        &mut self,
-        space: &mut Workspace<T>,
-        batch: Experience<'_, T>,
-        rates: &Rates,
-    ) -> UpdateFigures {
         let alpha = self.log_alpha.exponential();
         self.bootstrap_from_critics(space, batch, alpha);
         let critic_loss = self.update_critics(space, batch, rates.learning);
         self.actor_answers(space, batch.states);
         let actor_loss = self.update_actor(space, batch, alpha, rates.learning);
         let mean_density = mean(&space.samples.log_densities);
-        self.settle(-mean_density, rates);
-        UpdateFigures { critic_loss, actor_loss, entropy: -mean_density.wide(), temperature: alpha.wide() }
-    }
-
-    /// Moves the temperature by the entropy of a batch, and lets the slow critics follow.
-    fn settle(&mut self, entropy: T, rates: &Rates) {
         let mut log_alpha = [self.log_alpha];
-        self.alpha_adam.step(&mut log_alpha, &[entropy - T::of(rates.target_entropy)], rates.temperature);
+        self.alpha_adam.step(&mut log_alpha, &[-mean_density - T::of(rates.target_entropy)], rates.temperature);
         [self.log_alpha] = log_alpha;
-        if let Bootstrap::SlowCritics(slow) = &mut self.bootstrap {
-            for (slow, critic) in slow.iter_mut().zip(&self.critics) {
-                slow.follow(&critic.network, T::of(rates.follow));
-            }
+        for (slow, critic) in self.slow.iter_mut().zip(&self.critics) {
+            slow.follow(&critic.network, T::of(rates.follow));
         }
-    }
-
-    fn update_with_value(
-        &mut self,
-        space: &mut Workspace<T>,
-        batch: Experience<'_, T>,
-        rates: &Rates,
-    ) -> UpdateFigures {
-        self.update_value(space, batch, rates.learning);
-        let actor_loss = self.update_actor(space, batch, T::one(), rates.learning);
-        let entropy = -mean(&space.samples.log_densities).wide();
-        if let (Bootstrap::Value { slow, .. }, Some(tape)) = (&self.bootstrap, &mut space.value) {
-            tape.input_mut().copy_from_slice(batch.next);
-            slow.forward(tape);
-            let returns = batch.rewards.iter().zip(batch.discounts).zip(tape.output());
-            for (wanted, ((&reward, &discount), &value)) in space.wanted.iter_mut().zip(returns) {
-                *wanted = reward + discount * value;
-            }
-        }
-        let critic_loss = self.update_critics(space, batch, rates.learning);
-        if let Bootstrap::Value { value, slow } = &mut self.bootstrap {
-            slow.follow(&value.network, T::of(rates.follow));
-        }
-        UpdateFigures { critic_loss, actor_loss, entropy, temperature: 1.0 }
-    }
-
-    /// Moves the value network towards min Q(s, a) − ln π(a|s), with `next_noise` for a.
-    fn update_value(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, rate: f64) {
-        self.actor_answers(space, batch.states);
-        self.judge_own_actions(space, batch.states, batch.next_noise);
-        let (Bootstrap::Value { value, .. }, Some(tape)) = (&mut self.bootstrap, &mut space.value) else { return };
-        tape.input_mut().copy_from_slice(batch.states);
-        value.network.forward(tape);
-        let scale = T::of(2.0 / space.wanted.len() as f64);
-        let [first, second] = space.critics.each_ref().map(Tape::output);
-        let wanted = first.iter().zip(second).zip(&space.samples.log_densities);
-        let by_value = &mut space.by_q[0];
-        for ((by_value, &value), ((&first, &second), &density)) in by_value.iter_mut().zip(tape.output()).zip(wanted) {
-            *by_value = scale * (value - (least(first, second) - density));
-        }
-        let gradient = &mut space.gradient[..value.network.parameters().len()];
-        value.network.backward(tape, by_value, Some(gradient), None);
-        value.descend(gradient, rate);
+        UpdateFigures { critic_loss, actor_loss, entropy: -mean_density.wide(), temperature: alpha.wide() }
     }
 
     fn actor_answers(&self, space: &mut Workspace<T>, states: &[T]) {
@@ -290,13 +182,12 @@ impl<T: Real> Agent<T> {
 
     /// Computes the critics' targets from their slow copies.
     fn bootstrap_from_critics(&self, space: &mut Workspace<T>, batch: Experience<'_, T>, alpha: T) {
-        let Bootstrap::SlowCritics(slow) = &self.bootstrap else { return };
         self.actor_answers(space, batch.next);
         self.gaussian.sample(space.actor.output(), batch.next_noise, &mut space.samples);
         // One tape for both, so that it stays near the processor.
         let [tape, _] = &mut space.critics;
         join(tape.input_mut(), batch.next, &space.samples.actions, self.gaussian.actions);
-        for (slow, by_q) in slow.iter().zip(&mut space.by_q) {
+        for (slow, by_q) in self.slow.iter().zip(&mut space.by_q) {
             slow.forward(tape);
             by_q.copy_from_slice(tape.output());
         }

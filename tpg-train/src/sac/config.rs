@@ -23,7 +23,7 @@ pub struct SacConfig {
     pub actor: Actor,
     /// The critics.
     pub critic: Critic,
-    /// The algorithm and its parameters.
+    /// The parameters of the algorithm.
     pub learning: Learning,
     /// Episodes that begin where the actor failed; without it, none does.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -75,22 +75,10 @@ pub struct Critic {
     pub hidden: Vec<usize>,
 }
 
-/// A learning algorithm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Algorithm {
-    /// Two critics with slow copies and a learned temperature.
-    TwinCritics,
-    /// Two critics, a value network with a slow copy, a fixed temperature of 1: the paper's.
-    ValueNetwork,
-}
-
-/// The algorithm and its parameters.
+/// The parameters of the algorithm.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Learning {
-    /// The algorithm.
-    pub algorithm: Algorithm,
     /// The run's length, in decisions of all lanes together.
     pub decisions: u64,
     /// Episodes side by side.
@@ -119,16 +107,16 @@ pub struct Learning {
     pub discount: f64,
     /// The fraction by which slow copies follow after each update, τ.
     pub follow: f64,
-    /// Target entropy, nats; where it is left out, minus the number of outputs. Only with a learned temperature.
+    /// Target entropy, nats; where it is left out, minus the number of outputs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub target_entropy: Option<f64>,
     /// Target entropy of each output at the start, nats; it falls linearly to the other at the end. Without it, the target stays the
     /// same.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub exploring_entropy: Option<f64>,
-    /// Logarithm of the temperature at the start, ln α. Only with a learned temperature.
+    /// Logarithm of the temperature at the start, ln α.
     pub log_temperature: f64,
-    /// Adam's step for ln α. Only with a learned temperature.
+    /// Adam's step for ln α.
     pub temperature_rate: f64,
     /// The actor that is validated and kept is an average: after each update it follows the one that learns by this fraction.
     /// Without it, the two are one.
@@ -196,6 +184,9 @@ impl SacConfig {
     /// The first value that would make training impossible.
     pub fn check(&self) -> Result<(), Finding> {
         let Self { actor, critic, learning, retry, validation, .. } = self;
+        if actor.layer_norm {
+            return Err(Finding::new("actor.layer_norm", true, "false: networks with LayerNorm are only evaluated"));
+        }
         check_widths("actor.hidden", &actor.hidden)?;
         check_widths("critic.hidden", &critic.hidden)?;
         for (key, value) in [

@@ -3,13 +3,13 @@
 use tpg_engine::{Act, Ending, Environment, SourceSet};
 
 /// The length of an environment's flat state.
-pub fn state_length(environment: &impl Environment<f32>) -> usize {
+pub(crate) fn state_length(environment: &impl Environment<f32>) -> usize {
     environment.sources().iter().map(|source| source.length as usize).sum()
 }
 
 /// Plays one episode: `answer` writes the values for a flat state, `each` sees the episode at its start and after every
 /// action.
-pub fn play<E: Environment<f32>>(
+pub(crate) fn play<E: Environment<f32>>(
     environment: &E,
     task: &E::Task,
     mut answer: impl FnMut(&[f32], &mut Vec<f32>),

@@ -12,19 +12,19 @@ use tpg_engine::random::{Purpose, Stream};
 
 /// The places of the latest failures, oldest first.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Failures<Task> {
+pub(crate) struct Failures<Task> {
     /// Tasks that begin there.
-    pub places: Vec<Task>,
+    pub(crate) places: Vec<Task>,
 }
 
 impl<Task: Clone> Failures<Task> {
     /// Creates an empty list.
-    pub const fn new() -> Self {
+    pub(crate) const fn new() -> Self {
         Self { places: Vec::new() }
     }
 
     /// Lets a policy try fresh tasks and remembers where it fails. `at` tells one search of a run from another.
-    pub fn look<E: Environment<f32, Task = Task>>(
+    pub(crate) fn look<E: Environment<f32, Task = Task>>(
         &mut self,
         policy: &NetworkPolicy<'_>,
         environment: &E,
@@ -55,7 +55,7 @@ impl<Task: Clone> Failures<Task> {
     }
 
     /// Draws one of the places; `None` if there is none.
-    pub fn draw(&self, random: &mut Stream) -> Option<Task> {
+    pub(crate) fn draw(&self, random: &mut Stream) -> Option<Task> {
         (!self.places.is_empty()).then(|| random.pick(&self.places).clone())
     }
 }

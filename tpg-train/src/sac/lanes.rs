@@ -7,11 +7,11 @@ use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Act, End, Environment, SourceSet};
 
 /// A running episode.
-pub struct Lane<E: Environment<f32>> {
+pub(crate) struct Lane<E: Environment<f32>> {
     /// The task that it began with.
-    pub task: E::Task,
+    pub(crate) task: E::Task,
     /// The actions so far, one after the other, every component in −1..1. With the task they are the whole episode.
-    pub actions: Vec<f32>,
+    pub(crate) actions: Vec<f32>,
     episode: E::Episode,
     /// Actions so far.
     done: u32,
@@ -19,17 +19,17 @@ pub struct Lane<E: Environment<f32>> {
 
 /// The consequence of one decision.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Consequence {
+pub(crate) struct Consequence {
     /// The reward.
-    pub reward: f32,
+    pub(crate) reward: f32,
     /// Elementary steps that the action took.
-    pub steps: u32,
+    pub(crate) steps: u32,
     /// The end of the episode, if the action ended it.
-    pub end: Option<End>,
+    pub(crate) end: Option<End>,
 }
 
 /// Parallel episodes.
-pub struct Lanes<'e, E: Environment<f32>> {
+pub(crate) struct Lanes<'e, E: Environment<f32>> {
     environment: &'e E,
     interface: Interface,
     limit: u32,
@@ -39,18 +39,18 @@ pub struct Lanes<'e, E: Environment<f32>> {
     discount: f32,
     seed: u64,
     /// The lanes.
-    pub lanes: Vec<Lane<E>>,
+    pub(crate) lanes: Vec<Lane<E>>,
     /// Episodes ever begun.
-    pub episodes: u64,
+    pub(crate) episodes: u64,
     /// Places where some of the episodes begin again.
-    pub failures: Failures<E::Task>,
+    pub(crate) failures: Failures<E::Task>,
     retried: f64,
     values: Vec<f32>,
 }
 
 impl<'e, E: Environment<f32>> Lanes<'e, E> {
     /// Begins an episode in each lane.
-    pub fn new(environment: &'e E, interface: Interface, config: &SacConfig, seed: u64) -> Self {
+    pub(crate) fn new(environment: &'e E, interface: Interface, config: &SacConfig, seed: u64) -> Self {
         let mut lanes = Self::empty(environment, interface, config, seed);
         for _ in 0..config.learning.lanes {
             let lane = lanes.begin();
@@ -60,7 +60,7 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
     }
 
     /// Creates the lanes without episodes: see [`resume`](Self::resume).
-    pub fn empty(environment: &'e E, interface: Interface, config: &SacConfig, seed: u64) -> Self {
+    pub(crate) fn empty(environment: &'e E, interface: Interface, config: &SacConfig, seed: u64) -> Self {
         let retried = config.retry.map_or(0.0, |retry| retry.share);
         let (limit, failures) = (environment.time_limit(), Failures::new());
         let (lanes, values) = (Vec::new(), Vec::new());
@@ -70,7 +70,7 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
 
     /// Adds a lane whose episode began with `task` and has had `actions`: they are done again. False if the episode ends
     /// before the last of them or with it.
-    pub fn resume(&mut self, task: E::Task, actions: &[f32]) -> bool {
+    pub(crate) fn resume(&mut self, task: E::Task, actions: &[f32]) -> bool {
         let lane = self.lane(task);
         self.lanes.push(lane);
         let last = self.lanes.len() - 1;
@@ -91,14 +91,14 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
     }
 
     /// Writes the actor's inputs in a lane.
-    pub fn observe(&mut self, lane: usize, inputs: &mut [f32]) {
+    pub(crate) fn observe(&mut self, lane: usize, inputs: &mut [f32]) {
         self.environment.observe(&mut self.lanes[lane].episode, SourceSet::ALL, inputs);
         self.interface.scale(inputs);
     }
 
     /// Takes an action in a lane, for as long as a decision lasts; the reward is the discounted sum. The episode stays as it
     /// ended; see [`renew`](Self::renew).
-    pub fn act(&mut self, lane: usize, action: &[f32]) -> Consequence {
+    pub(crate) fn act(&mut self, lane: usize, action: &[f32]) -> Consequence {
         let lane = &mut self.lanes[lane];
         self.interface.values(action, &mut self.values);
         lane.actions.extend_from_slice(action);
@@ -118,22 +118,22 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
     }
 
     /// Begins the next episode in a lane.
-    pub fn renew(&mut self, lane: usize) {
+    pub(crate) fn renew(&mut self, lane: usize) {
         self.lanes[lane] = self.begin();
     }
 
     /// Returns the environment.
-    pub fn environment(&self) -> &'e E {
+    pub(crate) fn environment(&self) -> &'e E {
         self.environment
     }
 
     /// Changes what the network reads.
-    pub fn set_inputs(&mut self, inputs: Vec<Input>) {
+    pub(crate) fn set_inputs(&mut self, inputs: Vec<Input>) {
         self.interface.inputs = inputs;
     }
 
     /// Returns the network's inputs and outputs.
-    pub fn interface(&self) -> &Interface {
+    pub(crate) fn interface(&self) -> &Interface {
         &self.interface
     }
 }

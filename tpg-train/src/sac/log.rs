@@ -11,7 +11,7 @@ use tpg_engine::{Environment, Summary};
 use tpg_graph::error::InputError;
 
 /// Returns the row of a validation.
-pub fn row<E: Environment<f32>>(
+pub(crate) fn row<E: Environment<f32>>(
     training: &Training<'_, E>,
     recent: &Recent,
     result: &Summary,
@@ -45,7 +45,7 @@ pub fn row<E: Environment<f32>>(
 ///
 /// # Errors
 /// If they cannot be written.
-pub fn write(folder: &Path, rows: &[Value], began: Instant) -> Result<(), InputError> {
+pub(crate) fn write(folder: &Path, rows: &[Value], began: Instant) -> Result<(), InputError> {
     let lines = rows.iter().map(|row| format!("{row}\n"));
     write_atomically(&folder.join("log.jsonl"), lines.collect::<String>().as_bytes())?;
     write_atomically(&folder.join("log.csv"), &csv(rows))?;

@@ -293,13 +293,12 @@ mod tests {
     use crate::sac::config::{Actor, Decides as ActorDecides};
     use crate::sac::contract::Provenance;
     use crate::sac::interface::Interface;
-    use crate::sac::presets;
-    use tpg_nn::Shape;
+    use tpg_nn::{Shape, Spread};
 
     #[test]
     fn a_policy_that_draws_is_not_stopped_by_rest_and_draws_the_same_again() {
-        let actor = presets::config(presets::find("paper-fs").expect("a preset")).expect("it is accepted").actor;
-        let actor = Actor { hidden: vec![8], layer_norm: false, ..actor };
+        let (spread, decides) = (Spread::Sigma, ActorDecides::ByDraw);
+        let actor = Actor { scaled_inputs: false, hidden: vec![8], layer_norm: false, spread, decides };
         let motors = Config {
             inputs: Inputs::PaperFs,
             actions: Actions::Coarse,

@@ -10,7 +10,7 @@ use tpg_nn::{Gaussian, Mlp, Samples, Tape};
 
 /// An actor, in `f32`: the same on every machine, and the same as in its training.
 #[derive(Debug)]
-pub struct NetworkPolicy<'a> {
+pub(crate) struct NetworkPolicy<'a> {
     network: &'a Mlp<f32>,
     interface: Interface,
     gaussian: Gaussian,
@@ -23,7 +23,7 @@ impl<'a> NetworkPolicy<'a> {
     ///
     /// # Panics
     /// If the network's input or output is not the interface's.
-    pub fn new(network: &'a Mlp<f32>, interface: Interface, actor: &Actor) -> Self {
+    pub(crate) fn new(network: &'a Mlp<f32>, interface: Interface, actor: &Actor) -> Self {
         let gaussian = Gaussian { actions: interface.outputs.len(), spread: actor.spread };
         assert_eq!(network.shape().inputs, interface.inputs.len(), "an actor of other inputs");
         assert_eq!(network.shape().outputs, 2 * gaussian.actions, "an actor of other outputs");
@@ -32,13 +32,13 @@ impl<'a> NetworkPolicy<'a> {
     }
 
     /// One episode of each task.
-    pub fn endings<E: Environment<f32>>(&self, environment: &E, tasks: &[E::Task]) -> Vec<Ending> {
+    pub(crate) fn endings<E: Environment<f32>>(&self, environment: &E, tasks: &[E::Task]) -> Vec<Ending> {
         tasks.iter().enumerate().map(|(place, task)| self.watch(environment, place, task, |_episode| ())).collect()
     }
 
     /// The episode at that place of a list, decided as the actor does outside of training; `each` sees it at its start and
     /// after every action.
-    pub fn watch<E: Environment<f32>>(
+    pub(crate) fn watch<E: Environment<f32>>(
         &self,
         environment: &E,
         place: usize,
@@ -50,19 +50,19 @@ impl<'a> NetworkPolicy<'a> {
     }
 
     /// Returns true if it decides by the mean of its actions.
-    pub fn decides_by_mean(&self) -> bool {
+    pub(crate) fn decides_by_mean(&self) -> bool {
         self.decides.is_by_mean()
     }
 
     /// Computes the means of the actions before the tanh.
-    pub fn means(&self, state: &[f32], means: &mut [f32]) {
+    pub(crate) fn means(&self, state: &[f32], means: &mut [f32]) {
         let mut tape = self.tape.borrow_mut();
         self.forward(state, &mut tape);
         means.copy_from_slice(&tape.output()[..self.gaussian.actions]);
     }
 
     /// The values for a flat state, decided by the mean.
-    pub fn answer(&self, state: &[f32], values: &mut Vec<f32>) {
+    pub(crate) fn answer(&self, state: &[f32], values: &mut Vec<f32>) {
         let mut tape = self.tape.borrow_mut();
         self.forward(state, &mut tape);
         let means = &tape.output()[..self.gaussian.actions];
@@ -71,7 +71,7 @@ impl<'a> NetworkPolicy<'a> {
     }
 
     /// The values for a flat state, decided as the actor does outside of training.
-    pub fn values(&self, state: &[f32], random: &mut Stream, values: &mut Vec<f32>) {
+    pub(crate) fn values(&self, state: &[f32], random: &mut Stream, values: &mut Vec<f32>) {
         if self.decides.is_by_mean() {
             return self.answer(state, values);
         }

@@ -35,7 +35,7 @@ impl Preset {
 }
 
 /// Every preset.
-pub const PRESETS: [Preset; 10] = [
+pub const PRESETS: [Preset; 6] = [
     Preset::new("general", "for any problem with outputs", include_str!("presets/general.toml")),
     Preset::new("long", "for episodes of hundreds of steps", include_str!("presets/long.toml")),
     Preset::new("best-fs", "ours, the arm from its home position", include_str!("presets/best-fs.toml")),
@@ -55,46 +55,6 @@ pub const PRESETS: [Preset; 10] = [
         include_str!("presets/no-planner-fs.toml"),
     )
     .with(&[RANDOM_START, MOSTLY_ANYWHERE]),
-    Preset::new("paper-fs", "the paper's learning problem, fixed start", include_str!("presets/paper-fs.toml")),
-    Preset::new("paper-rs", "the paper's learning problem, random start", include_str!("presets/paper-fs.toml")).with(
-        &[
-            ("its artifact): 13", "its artifact), random start: 13"),
-            RANDOM_START,
-            ("inputs = \"paper-fs\"", "inputs = \"paper-rs\""),
-            ("fixed_start_share = 1.0", "fixed_start_share = 0.0"),
-            ("max_steps = 1000", "max_steps = 2000"),
-            (
-                "step = 3                    # ticks of a coarse action in training;",
-                "step = 5                    # ticks of an action in training, as in the artifact;",
-            ),
-            (
-                "tolerance = 3.0             # in training an episode succeeds nearer than this, mm; in",
-                "tolerance = 5.0             # an episode succeeds nearer than this, mm, in training, as in the artifact; in",
-            ),
-        ],
-    ),
-    Preset::new(
-        "paper-fs-16-units",
-        "as paper-fs, with layers of 16 units",
-        include_str!("presets/paper-fs.toml"),
-    )
-    .with(&[("256-256", "16-16"), ("hidden = [256, 256]", "hidden = [16, 16]")]),
-    Preset::new(
-        "paper-fs-no-collision-in-training",
-        "as paper-fs, where an invalid step ends training episodes too",
-        include_str!("presets/paper-fs.toml"),
-    )
-    .with(&[
-        ("update every 16 steps.", "update every 16 steps.\n# Variant: an invalid step ends a training episode."),
-        (
-            "invalid_ends = false        # training goes on after an invalid step; tests end",
-            "invalid_ends = true",
-        ),
-        (
-            "decisions = 10_000_000",
-            "decisions = 2_500_000       # a quarter: the paper trained it for 7,200 s, the others for 28,800 s",
-        ),
-    ]),
 ];
 
 /// The start that chooses the best candidate.

@@ -5,22 +5,22 @@ use tpg_engine::random::Stream;
 
 /// One transition: a state, an action, its reward and the next state.
 #[derive(Clone, Copy, Debug)]
-pub struct Transition<'a> {
+pub(crate) struct Transition<'a> {
     /// The inputs before.
-    pub state: &'a [f32],
+    pub(crate) state: &'a [f32],
     /// The action, each component in −1..1.
-    pub action: &'a [f32],
+    pub(crate) action: &'a [f32],
     /// The reward.
-    pub reward: f32,
+    pub(crate) reward: f32,
     /// The factor of the next state's value: γ to the number of elementary steps, 0 where the episode ended.
-    pub discount: f32,
+    pub(crate) discount: f32,
     /// The inputs afterwards.
-    pub next: &'a [f32],
+    pub(crate) next: &'a [f32],
 }
 
 /// A ring of transitions of `inputs` values a state and `actions` components an action.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Replay {
+pub(crate) struct Replay {
     inputs: usize,
     actions: usize,
     capacity: usize,
@@ -32,22 +32,22 @@ pub struct Replay {
 
 /// Transitions drawn for one update, one column a sample.
 #[derive(Clone, Debug)]
-pub struct Batch {
+pub(crate) struct Batch {
     /// inputs × batch.
-    pub states: Vec<f32>,
+    pub(crate) states: Vec<f32>,
     /// actions × batch.
-    pub actions: Vec<f32>,
+    pub(crate) actions: Vec<f32>,
     /// One a sample.
-    pub rewards: Vec<f32>,
+    pub(crate) rewards: Vec<f32>,
     /// One a sample.
-    pub discounts: Vec<f32>,
+    pub(crate) discounts: Vec<f32>,
     /// inputs × batch.
-    pub next: Vec<f32>,
+    pub(crate) next: Vec<f32>,
 }
 
 impl Batch {
     /// Creates an empty batch of that many samples.
-    pub fn new(inputs: usize, actions: usize, size: usize) -> Self {
+    pub(crate) fn new(inputs: usize, actions: usize, size: usize) -> Self {
         let zeros = |rows: usize| vec![0.0; rows * size];
         Self {
             states: zeros(inputs),
@@ -64,7 +64,7 @@ impl Replay {
     ///
     /// # Panics
     /// If `capacity` is 0.
-    pub fn new(inputs: usize, actions: usize, capacity: usize) -> Self {
+    pub(crate) fn new(inputs: usize, actions: usize, capacity: usize) -> Self {
         assert!(capacity > 0, "a buffer for nothing");
         Self { inputs, actions, capacity, added: 0, rows: Vec::new() }
     }
@@ -74,20 +74,15 @@ impl Replay {
     }
 
     /// Returns the number of transitions held.
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.rows.len() / self.width()
-    }
-
-    /// True if none is held.
-    pub fn is_empty(&self) -> bool {
-        self.rows.is_empty()
     }
 
     /// Adds a transition; replaces the oldest if the buffer is full.
     ///
     /// # Panics
     /// If a state has another number of values than the buffer's.
-    pub fn push(&mut self, transition: Transition<'_>) {
+    pub(crate) fn push(&mut self, transition: Transition<'_>) {
         assert!(transition.state.len() == self.inputs && transition.next.len() == self.inputs, "another state");
         let width = self.width();
         let at = (self.added % self.capacity as u64) as usize * width;
@@ -106,7 +101,7 @@ impl Replay {
     }
 
     /// Returns mean and standard deviation of each input, in the states before.
-    pub fn moments(&self) -> Vec<Moments> {
+    pub(crate) fn moments(&self) -> Vec<Moments> {
         let states = || self.rows.chunks_exact(self.width());
         let count = self.len().max(1) as f64;
         let moments = |input: usize| {
@@ -118,7 +113,7 @@ impl Replay {
     }
 
     /// Changes every state.
-    pub fn map_states(&mut self, mut change: impl FnMut(&mut [f32])) {
+    pub(crate) fn map_states(&mut self, mut change: impl FnMut(&mut [f32])) {
         let (width, inputs) = (self.width(), self.inputs);
         for row in self.rows.chunks_exact_mut(width) {
             change(&mut row[..inputs]);
@@ -130,7 +125,7 @@ impl Replay {
     ///
     /// # Panics
     /// If the buffer is empty or the batch was made for other states.
-    pub fn draw(&self, random: &mut Stream, batch: &mut Batch) {
+    pub(crate) fn draw(&self, random: &mut Stream, batch: &mut Batch) {
         assert_eq!(batch.states.len(), batch.rewards.len() * self.inputs, "a batch for other states");
         let width = self.width();
         let columns = batch.states.chunks_exact_mut(self.inputs).zip(batch.next.chunks_exact_mut(self.inputs));
@@ -149,12 +144,18 @@ impl Replay {
     }
 
     /// Returns the number of transitions ever added, and the rows in memory order.
-    pub fn state(&self) -> (u64, &[f32]) {
+    pub(crate) fn state(&self) -> (u64, &[f32]) {
         (self.added, &self.rows)
     }
 
     /// Continues from a [`state`](Self::state); `None` if it is none of such a buffer.
-    pub fn from_state(inputs: usize, actions: usize, capacity: usize, added: u64, rows: Vec<f32>) -> Option<Self> {
+    pub(crate) fn from_state(
+        inputs: usize,
+        actions: usize,
+        capacity: usize,
+        added: u64,
+        rows: Vec<f32>,
+    ) -> Option<Self> {
         let buffer = Self { inputs, actions, capacity, added, rows };
         let held = added.min(capacity as u64) as usize;
         (capacity > 0 && buffer.rows.len() == held * buffer.width()).then_some(buffer)

@@ -4,7 +4,7 @@
 //! tick's random numbers are a function of the seed and of how many decisions came before.
 
 use super::agent::{Agent, Experience, Rates, UpdateFigures, Workspace};
-use super::config::{Algorithm, Learning, SacConfig};
+use super::config::{Learning, SacConfig};
 use super::curve::flat;
 use super::interface::Interface;
 use super::lanes::Lanes;
@@ -248,12 +248,6 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         let noise = &mut space.noise[..actions * learning.batch];
         random.normals(&mut space.next_noise);
         random.normals(noise);
-        if learning.algorithm == Algorithm::ValueNetwork {
-            // The artifact draws one number for a whole batch (`networks.cpp`, `rsample`).
-            for noise in [&mut space.next_noise[..], noise] {
-                noise.fill(noise[0]);
-            }
-        }
         let experience = Experience {
             states: &space.batch.states,
             actions: &space.batch.actions,
@@ -285,7 +279,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     }
 
     /// Returns the current policy.
-    pub fn policy(&self) -> NetworkPolicy<'_> {
+    pub(crate) fn policy(&self) -> NetworkPolicy<'_> {
         NetworkPolicy::new(self.actor(), self.interface().clone(), &self.config.actor)
     }
 

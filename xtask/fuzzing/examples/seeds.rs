@@ -65,7 +65,7 @@ fn main() -> std::io::Result<()> {
         let text = Preset::find(name).expect("a preset").table().to_string();
         put("tpg_config", name, text.as_bytes())?;
     }
-    for name in ["general", "best-fs", "paper-fs"] {
+    for name in ["general", "best-fs"] {
         let preset = tpg_train::sac::presets::find(name).expect("a preset");
         let config = tpg_train::sac::presets::config(preset).expect("it is accepted");
         put("sac_config", name, config.to_toml().as_bytes())?;

@@ -7,6 +7,7 @@ use tpg_arm::cycle::{Brent, CycleDetector, Visited};
 use tpg_arm::hybrid::{Guard, Hybrid, Settings};
 use tpg_arm::observation::{ArmPolicy, Observation};
 use tpg_arm::sac::packed::{Model, PackedPolicy};
+use tpg_arm::sac::{Actions, Mask};
 use tpg_arm::{Arm, JOINTS, Move, Pose, WIDOWX};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_generated::widowx_fs::WidowxFs;
@@ -14,15 +15,16 @@ use tpg_generated::widowx_fs_fast::WidowxFsFast;
 use tpg_generated::widowx_rs::WidowxRs;
 use tpg_generated::widowx_rs_fast::WidowxRsFast;
 use tpg_generated::{widowx_fs_hybrid, widowx_rs_hybrid, widowx_sac};
-use tpg_nn::{Mlp, Shape};
+use tpg_nn::{Mlp, Shape, Spread};
 use tpg_problems::ContinuousProblem;
+use tpg_problems::arm::motors::{self, Inputs};
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_runtime::policy::Policy;
+use tpg_train::sac::config::{Actor, Decides};
 use tpg_train::sac::contract::{Contract, Provenance};
 use tpg_train::sac::interface::Interface;
 use tpg_train::sac::motors::MotorNetwork;
 use tpg_train::sac::network::Network;
-use tpg_train::sac::presets;
 
 /// The arm that they were trained for, in the precision that they run in.
 const ARM: Arm<f32> = WIDOWX.to_f32();
@@ -87,9 +89,16 @@ pub fn measure(start: Start, tasks: &[Task]) -> Costs {
 /// Measures the paper's network with the trainer's own matrix product; its weights are random, so it follows the
 /// shipped policy's trajectory.
 fn wide(start: Start, tasks: &[Task]) -> Time {
-    let preset = presets::find("paper-fs").expect("it comes with the trainer");
-    let actor = presets::config(preset).expect("it is accepted").actor;
-    let problem = ContinuousProblem::from_toml(preset.name, &preset.text()).expect("a problem of the registry");
+    let actor = Actor {
+        scaled_inputs: false,
+        hidden: vec![256, 256],
+        layer_norm: true,
+        spread: Spread::Sigma,
+        decides: Decides::ByDraw,
+    };
+    let (inputs, actions, mask) = (Inputs::PaperFs, Actions::Coarse, Mask::None);
+    let motors = motors::Config { inputs, actions, mask, may_rest: true, ..motors::Config::default() };
+    let problem = ContinuousProblem::Motors(Start::Fs, motors);
     let interface = Interface::new(&&*problem.environment(0), actor.scaled_inputs).expect("motors");
     let shape = Shape {
         inputs: interface.inputs.len(),
