@@ -105,7 +105,7 @@ fn compare(
         .flat_map(|(number, graph)| Profile::ALL.map(|profile| (graph, options(number, profile))))
         .collect();
     let workshop = Workshop::new()?;
-    let batch = workshop.batch_by(compiler.language, &policies, |folder| Ok(compiler.command(level, folder)));
+    let batch = workshop.batch_by(compiler.language, &policies, Some(&|folder| compiler.command(level, folder)));
     let batch = match batch {
         Ok(batch) => batch,
         Err(BuildError::Refused { message, .. }) => {

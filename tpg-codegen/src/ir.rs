@@ -56,6 +56,11 @@ impl Node {
         matches!(self, Self::Operation(..) | Self::Upper(..))
     }
 
+    /// Tests for a sine, cosine, tangent, logarithm or exponential.
+    pub fn is_transcendental(&self) -> bool {
+        matches!(self, Self::Operation(instruction, _) if instruction.is_transcendental())
+    }
+
     /// The number of a constant.
     pub fn as_constant(self) -> Option<f64> {
         if let Self::Constant(bits) = self { Some(f64::from_bits(bits)) } else { None }
@@ -143,7 +148,7 @@ impl<'g> Module<'g> {
 
     /// The node of a number, added if there is none.
     pub(crate) fn constant(&mut self, value: f64) -> NodeId {
-        let mut values = Values::of(std::mem::take(&mut self.nodes));
+        let mut values = Values::new(std::mem::take(&mut self.nodes));
         let id = values.intern(Node::constant(value));
         self.nodes = values.into_nodes();
         id
@@ -276,7 +281,7 @@ pub struct Values {
 
 impl Values {
     /// The nodes of a module, to be added to.
-    pub fn of(nodes: Vec<Node>) -> Self {
+    pub fn new(nodes: Vec<Node>) -> Self {
         Self { nodes: nodes.into_iter().collect() }
     }
 

@@ -2,11 +2,9 @@
 
 use crate::ir::{Module, NodeId, topological};
 use crate::options::{Language, Options, Profile, Style};
-use crate::passes::available::Available;
 use crate::passes::bytecode::{self, Bytecode};
 use crate::passes::cases::{self, Cases};
 use crate::passes::functions::{self, Function};
-use crate::passes::interval::Assumption;
 use crate::passes::schedule::{self, Schedule};
 use crate::passes::{self, Log};
 use crate::size::least;
@@ -35,8 +33,8 @@ pub enum Shape {
     Fast {
         /// The order of each team's bids.
         schedule: Schedule,
-        /// The functions, and the values that teams of one hand on.
-        available: Available,
+        /// The teams of each function, in topological order: what a team leads to comes after it.
+        functions: Vec<Vec<usize>>,
     },
     /// See [`Profile::Balanced`].
     Balanced(Cases),
@@ -62,7 +60,7 @@ pub struct Formula {
 }
 
 impl Formula {
-    fn of(module: &Module<'_>, profile: Profile) -> Option<Self> {
+    fn new(module: &Module<'_>, profile: Profile) -> Option<Self> {
         let values = module.only_leaf()?.values.clone();
         let operations = values.iter().flat_map(|&value| module.operations_of(value)).collect();
         Some(Self { values, operations, branch_free: profile == Profile::ConstantTime })
@@ -95,43 +93,32 @@ pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> P
         assert!(graph.outputs().is_empty(), "GEGELATI's style has no outputs");
         return program(Module::lower(graph), Shape::Gegelati, Log::default());
     }
-    let (module, log) = passes::optimise_logged(graph, options.assumption);
+    let (module, log) = passes::optimise_logged(graph);
     // If no bid matters any more, tables and masks gain nothing: the plainest text is the best, and has no condition.
     let chooses = module.teams.iter().any(|team| team.edges.iter().any(|edge| edge.to != team.edges[0].to));
-    if let Some(formula) = Formula::of(&module, options.profile_in(language)) {
+    if let Some(formula) = Formula::new(&module, options.profile_in(language)) {
         return program(module, Shape::Formula(formula), log);
     }
     let profile = if chooses { options.profile_in(language) } else { Profile::Fast };
-    let recorded = options.recorded(language);
     let shape = |profile| match profile {
-        Profile::Fast => fast(&module, language, &recorded),
-        Profile::Balanced => Shape::Balanced(cases::tabulate(&module, schedule::schedule(&module, &recorded))),
+        Profile::Fast => fast(&module),
+        Profile::Balanced => Shape::Balanced(cases::tabulate(&module, schedule::schedule(&module))),
         Profile::Small => Shape::Small(bytecode::encode(&module)),
-        Profile::ConstantTime => Shape::ConstantTime(functions::of(&module)),
+        Profile::ConstantTime => Shape::ConstantTime(functions::split(&module)),
     };
     let shape = if profile == Profile::Small && least::is_small(&module) {
         let shapes = [Profile::Small, Profile::Balanced, Profile::Fast, Profile::ConstantTime].map(shape);
-        least::least(&module, language, shapes)
+        least::smallest(&module, language, shapes)
     } else {
         shape(profile)
     };
     program(module, shape, log)
 }
 
-fn fast(module: &Module<'_>, language: Language, recorded: &[f64]) -> Shape {
-    let mut schedule = schedule::schedule(module, recorded);
+fn fast(module: &Module<'_>) -> Shape {
     let order = topological(&module.teams);
-    let together = match language {
-        Language::C => functions::together(order.len()),
-        // Each team is a function without further arguments: passing values on took more instructions in most policies. A
-        // bid that is certain to win is computed nevertheless.
-        Language::Rust => {
-            schedule.plans.iter_mut().flat_map(|plan| &mut plan.lazy).for_each(|lazy| lazy.certain = None);
-            1
-        }
-    };
-    let available = Available::analyse(&schedule, order, together);
-    Shape::Fast { schedule, available }
+    let functions = order.chunks(functions::together(order.len())).map(<[usize]>::to_vec).collect();
+    Shape::Fast { schedule: schedule::schedule(module), functions }
 }
 
 impl<'g> Program<'g> {
@@ -152,12 +139,6 @@ impl<'g> Program<'g> {
             Shape::Gegelati => "C in GEGELATI's style".to_owned(),
             _ => format!("{}, {}", language.name(), options.profile_in(*language).name()),
         };
-        if options.assumption == Assumption::DeclaredRanges {
-            name.push_str(", --assume-ranges");
-        }
-        if options.ordered_by(*language).is_some() {
-            name.push_str(", --trace");
-        }
         if options.conversion.is_some() {
             name = format!("{name}, --scalar {}", self.graph().scalar().name());
         }
@@ -173,26 +154,6 @@ mod tests {
 
     fn options(profile: Profile) -> Options {
         Options { profile: Some(profile), ..Options::new("arm".parse().expect("a prefix")) }
-    }
-
-    #[test]
-    fn only_c_hands_values_on_and_leaves_certain_winners_uncomputed() {
-        let (mut saved, mut certain) = (0, 0);
-        for seed in 0..100 {
-            let graph = sample::graph(&sample::Shape::random(seed), seed);
-            for language in [Language::C, Language::Rust] {
-                let program = compile(&graph, &options(Profile::Fast), language);
-                let Shape::Fast { schedule, available } = program.shape else { panic!("{:?}", program.shape) };
-                let mut lazy = schedule.plans.iter().flat_map(|plan| &plan.lazy);
-                let (reused, is_certain) = (available.saved(), lazy.any(|lazy| lazy.certain.is_some()));
-                if language == Language::Rust {
-                    assert!(reused == 0 && !is_certain, "graph {seed}");
-                }
-                saved += reused;
-                certain += usize::from(is_certain);
-            }
-        }
-        assert!(saved > 0 && certain > 0, "{saved} values, {certain} graphs");
     }
 
     #[test]

@@ -48,9 +48,9 @@ fn tcc_compiles_every_profile_and_it_acts_like_the_interpreter() {
     let tcc = |folder: &std::path::Path| {
         let mut command = Command::new("tcc");
         command.current_dir(folder).arg("-std=c99");
-        Ok(command)
+        command
     };
-    let batch = workshop.batch_by(Language::C, &policies, tcc).expect("tcc takes generated C");
+    let batch = workshop.batch_by(Language::C, &policies, Some(&tcc)).expect("tcc takes generated C");
     for (place, (graph, options)) in policies.iter().enumerate() {
         let mut process = batch.start(place, graph).expect("the program starts");
         let comparisons = verify::compare(graph, &mut [&mut process], STATES, 1).expect("it runs");

@@ -54,7 +54,7 @@ fn a_double_would_be_noticed() {
 #[test]
 fn the_size_has_a_line_for_each_target() {
     let graph = fixture(ScalarType::F32, MathsProvider::Own);
-    let lines = size::of_c(&Code::of(compile(&graph, &shaped("arm", SHAPES[0]), Language::C)));
+    let lines = size::describe_c(&Code::of(compile(&graph, &shaped("arm", SHAPES[0]), Language::C)));
     assert!(lines[0].starts_with("size on this machine (-Os): "), "{lines:?}");
     assert!(lines[1].starts_with("size on Cortex-M4F"), "{lines:?}");
     let code = lines[0].split_whitespace().find_map(|word| word.parse::<u64>().ok());

@@ -171,7 +171,7 @@ fn every_macro_and_keyword_names_a_source_an_output_and_a_memory() {
         let graph = named(&all, role);
         let options = options("named", Style::Pure);
         let mut programs =
-            [workshop.c(&graph, &options), workshop.rust(&graph, &options)].map(|it| it.expect("it compiles"));
+            [Language::C, Language::Rust].map(|it| workshop.run(it, &graph, &options).expect("it compiles"));
         let mut engines: Vec<&mut dyn Engine> = programs.iter_mut().map(|program| program as &mut dyn Engine).collect();
         for comparison in verify::compare(&graph, &mut engines, 500, 1).expect("the programs run") {
             assert_eq!((comparison.states, comparison.differences), (500, 0), "{comparison:?}");

@@ -96,7 +96,7 @@ fn compare(
         })
         .collect();
     let workshop = Workshop::new().expect("a temporary folder");
-    let batch = workshop.batch_by(language, &policies, |folder| Ok(compiler(folder)));
+    let batch = workshop.batch_by(language, &policies, Some(&compiler));
     let batch = batch.unwrap_or_else(|error| panic!("{}: {error}", compiler(Path::new(".")).get_program().display()));
     let mut compared = 0;
     for (place, (graph, options)) in policies.iter().enumerate() {

@@ -6,27 +6,14 @@ use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
-use tpg_graph::Graph;
 use tpg_graph::sample::{self, Shape};
-use tpg_graph::states;
 
-/// A folder with a graph, `arm.json`, and states recorded for it, `trace.csv`.
+/// A folder with a graph, `arm.json`.
 fn folder() -> TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let graph = sample::graph(&Shape::default(), 3);
     fs::write(folder.path().join("arm.json"), graph.to_json()).expect("written");
-    fs::write(folder.path().join("trace.csv"), trace(&graph)).expect("written");
     folder
-}
-
-fn trace(graph: &Graph) -> String {
-    let names: Vec<String> = (graph.sources().iter())
-        .flat_map(|source| (0..source.ranges.len()).map(move |place| format!("{}[{place}]", source.name)))
-        .collect();
-    let states = states::sample_in_range(graph, 200, 1);
-    let row = |state: &[f64]| state.iter().map(|value| format!("{value:?}")).collect::<Vec<_>>().join(",");
-    let rows: Vec<String> = states.chunks_exact(graph.state_length()).map(row).collect();
-    format!("{}\n{}\n", names.join(","), rows.join("\n"))
 }
 
 /// Writes a program that runs lines of shell.
@@ -60,7 +47,7 @@ fn said(command: &mut Command, code: i32) -> (String, String) {
 fn kept(folder: &Path, compiler: &str, name: &str) -> Vec<(Vec<u8>, bool)> {
     let runs = fs::read_dir(folder.join("kept").join(compiler)).expect("a folder");
     let runs = runs.map(|run| run.expect("an entry").path());
-    let is_harness = |run: &Path| run.join("harness.c").exists() || run.join("harness.rs").exists();
+    let is_harness = |run: &Path| run.join("main-policies.c").exists() || run.join("main-policies.rs").exists();
     runs.filter_map(|run| Some((fs::read(run.join(name)).ok()?, is_harness(&run)))).collect()
 }
 
@@ -70,11 +57,9 @@ fn what_is_proven_is_what_was_written() {
     let folder = folder.path();
     let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned());
     let [cc, rustc] = [keeper(folder, "cc", "cc"), keeper(folder, "rustc", &rustc)];
-    let args = ["arm.json", "--trace", "trace.csv", "--assume-ranges", "--profile", "fast", "-o", "out"];
+    let args = ["arm.json", "--profile", "fast", "-o", "out"];
     let (out, err) = said(tool(folder).args(args).env("CC", cc).env("RUSTC", rustc), 0);
-    let proven = |language: &str| {
-        format!("{language}, fast, --assume-ranges, --trace = interpreter on 10000 states in the declared ranges\n")
-    };
+    let proven = |language: &str| format!("{language}, fast = interpreter on 10000 states\n");
     assert!(out.ends_with(&format!("{}{}", proven("C"), proven("Rust"))), "{out}{err}");
     for (compiler, name) in [("cc", "arm.c"), ("cc", "arm.h"), ("rustc", "arm.rs")] {
         let written = fs::read(folder.join("out").join(name)).expect("written");
@@ -150,10 +135,7 @@ fn verify_takes_the_flags_of_generate() {
     assert_eq!(verify(&["--lang", "c"]), everything[..5]);
     assert_eq!(verify(&["--style", "gegelati", "--lang", "c"]), [gegelati]);
     assert_eq!(verify(&["--profile", "small"]), ["C, small", "Rust, small"]);
-    assert_eq!(
-        verify(&["--profile", "fast", "--assume-ranges", "--prefix", "other", "--trace", "trace.csv"]),
-        ["C, fast, --assume-ranges, --trace", "Rust, fast, --assume-ranges, --trace"]
-    );
+    assert_eq!(verify(&["--profile", "fast", "--prefix", "other"]), ["C, fast", "Rust, fast"]);
     assert_eq!(
         verify(&["--lang", "rust", "--profile", "small", "--scalar", "f64"]),
         ["Rust, small"],

@@ -11,13 +11,12 @@
 
 use tpg_codegen::emit::{Language, Options, Profile};
 use tpg_codegen::passes;
-use tpg_codegen::passes::interval::Assumption;
 use tpg_codegen::verify::{self, Workshop};
 use tpg_graph::Graph;
 use tpg_graph::engine::Engine;
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::sample::{self, Shape};
-use tpg_graph::states::{self, StateSet};
+use tpg_graph::states;
 
 /// A kind of graphs.
 #[derive(Clone, Copy)]
@@ -65,22 +64,14 @@ fn count() -> usize {
     std::env::var("TPG_RANDOM_GRAPHS").map_or(usual, |text| text.parse().expect("TPG_RANDOM_GRAPHS is a number"))
 }
 
-/// Every profile, and those that take an order from recorded wins once more in that.
-const FORMS: usize = Profile::ALL.len() + 2;
+/// Every profile.
+const FORMS: usize = Profile::ALL.len();
 
-fn forms(graph: &Graph, number: usize) -> [Options; FORMS] {
-    let form = |name: &str, profile: Profile, trace: Option<StateSet>| {
-        let options = Options::new(format!("p{number}_{name}").parse().expect("a prefix"));
-        Options { profile: Some(profile), trace, ..options }
-    };
-    [
-        form("fast", Profile::Fast, None),
-        form("balanced", Profile::Balanced, None),
-        form("small", Profile::Small, None),
-        form("constant_time", Profile::ConstantTime, None),
-        form("by_wins", Profile::Fast, Some(StateSet::sampled(graph, 50, number as u64))),
-        form("balanced_by_wins", Profile::Balanced, Some(StateSet::sampled(graph, 50, number as u64))),
-    ]
+fn forms(number: usize) -> [Options; FORMS] {
+    Profile::ALL.map(|profile| {
+        let prefix = format!("p{number}_{}", profile.name().replace('-', "_"));
+        Options { profile: Some(profile), ..Options::new(prefix.parse().expect("a prefix")) }
+    })
 }
 
 fn assert_equal(language: Language, kind: Kind, seeds: std::ops::Range<u64>) {
@@ -88,7 +79,7 @@ fn assert_equal(language: Language, kind: Kind, seeds: std::ops::Range<u64>) {
     for seeds in seeds.chunks(kind.batch) {
         let graphs: Vec<Graph> = seeds.iter().map(|&seed| sample::graph(&(kind.shape)(seed), seed)).collect();
         let policies: Vec<(&Graph, Options)> = (graphs.iter().enumerate())
-            .flat_map(|(number, graph)| forms(graph, number).map(|options| (graph, options)))
+            .flat_map(|(number, graph)| forms(number).map(|options| (graph, options)))
             .collect();
         let workshop = Workshop::new().expect("a temporary folder");
         let batch = workshop.batch(language, &policies).expect("generated code compiles");
@@ -213,7 +204,7 @@ fn the_passes_find_something_in_them() {
     let mut total = passes::Removed::default();
     for seed in 0..200 {
         let graph = sample::graph(&Shape::random(seed), seed);
-        let (_, removed) = passes::optimise(&graph, Assumption::Nothing);
+        let (_, removed) = passes::optimise(&graph);
         total.operations += removed.operations;
         total.duplicate_bids += removed.duplicate_bids;
         total.hopeless_bids += removed.hopeless_bids;

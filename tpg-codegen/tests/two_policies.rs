@@ -105,9 +105,10 @@ fn names_that_generated_code_uses_itself() {
     let workshop = Workshop::new().expect("a temporary folder");
     for prefix in ["match", "policy", "self", "source", "state", "move"] {
         let pure = options(prefix, Style::Pure);
-        let mut c = workshop.c(&graph, &pure).expect("C compiles");
-        let mut drop_in = workshop.c(&graph, &options(prefix, Style::Gegelati)).expect("GEGELATI-style C compiles");
-        let mut rust = workshop.rust(&graph, &pure).expect("Rust compiles");
+        let mut c = workshop.run(Language::C, &graph, &pure).expect("C compiles");
+        let mut drop_in =
+            workshop.run(Language::C, &graph, &options(prefix, Style::Gegelati)).expect("GEGELATI-style C compiles");
+        let mut rust = workshop.run(Language::Rust, &graph, &pure).expect("Rust compiles");
         let comparisons = verify::compare(&graph, &mut [&mut c, &mut drop_in, &mut rust], 100, 1).expect("they run");
         assert!(comparisons.iter().all(|comparison| comparison.differences == 0), "{prefix}: {comparisons:?}");
     }

@@ -7,7 +7,7 @@ use tpg_arm::kinematics::Lattice;
 use tpg_arm::observation::shield::{ALLOWED, SHIELDED};
 use tpg_arm::observation::{Observation, Source, TargetMemo};
 use tpg_arm::{Arm, Collision, Invalid, Move, WIDOWX};
-use tpg_codegen::passes::{interval::Assumption, optimise};
+use tpg_codegen::passes::optimise;
 use tpg_engine::{
     Destination, Edge, Ending, EngineOptions, Environment, Evaluator, Lanes, Line, LocalThreads, Operand, Piece, Plan,
     PolicyGraph, UnitKey, Work, WorkUnit,

@@ -55,11 +55,7 @@ fn a_graph_trained_under_a_shield_compiles_to_the_same_decisions() {
         for language in [Language::C, Language::Rust] {
             let prefix: Prefix = "shielded".parse().expect("a name");
             let options = Options { profile: Some(profile), ..Options::new(prefix) };
-            let program = match language {
-                Language::C => workshop.c(&graph, &options),
-                Language::Rust => workshop.rust(&graph, &options),
-            };
-            let mut program = program.expect("generated code compiles");
+            let mut program = workshop.run(language, &graph, &options).expect("generated code compiles");
             let compared = verify::compare(&graph, &mut [&mut program as &mut dyn Engine], 20_000, 1);
             for comparison in compared.expect("the program answers") {
                 assert_eq!(comparison.differences, 0, "{}: {:?}", comparison.engine, comparison.first);

@@ -12,7 +12,7 @@ use serde::Serialize;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use tpg_arm::WIDOWX;
-use tpg_codegen::emit::{Options, Prefix};
+use tpg_codegen::emit::{Language, Options, Prefix};
 use tpg_codegen::verify::Workshop;
 use tpg_engine::single;
 use tpg_graph::Graph;
@@ -91,8 +91,8 @@ impl EngineArg {
         Ok(match self {
             Self::Interpreter => Box::new(Reference::new(graph)),
             Self::Trainer => single(graph),
-            Self::C => Box::new(workshop()?.c(graph, &options).map_err(CommandError::other)?),
-            Self::Rust => Box::new(workshop()?.rust(graph, &options).map_err(CommandError::other)?),
+            Self::C => Box::new(workshop()?.run(Language::C, graph, &options).map_err(CommandError::other)?),
+            Self::Rust => Box::new(workshop()?.run(Language::Rust, graph, &options).map_err(CommandError::other)?),
         })
     }
 }

@@ -3,7 +3,6 @@
 use super::GraphArgs;
 use super::scalar::{Chosen, ScalarArgs, StatesArgs};
 use crate::options::{Language, Options, Prefix, Profile, Style};
-use crate::passes::interval::Assumption;
 use clap::{Args, ValueEnum};
 use tpg_graph::Graph;
 use tpg_graph::command::CommandError;
@@ -23,9 +22,6 @@ pub(super) struct CodeArgs {
     /// The goal of the optimisation [default: fast in C, constant-time in Rust; verify: every profile]
     #[arg(long, value_enum)]
     pub(super) profile: Option<Profile>,
-    /// Assume that inputs lie in their declared ranges: outside them, the action may differ from the interpreter's
-    #[arg(long)]
-    assume_ranges: bool,
     #[command(flatten)]
     scalar: ScalarArgs,
     #[command(flatten)]
@@ -59,9 +55,7 @@ impl CodeArgs {
         let options = Options {
             style: self.style.unwrap_or_default(),
             profile: self.profile,
-            assumption: if self.assume_ranges { Assumption::DeclaredRanges } else { Assumption::Nothing },
             conversion,
-            trace: self.states.recorded(&graph)?,
             ..Options::new(self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.graph.graph)))
         };
         if options.style == Style::Gegelati && !graph.outputs().is_empty() {

@@ -21,7 +21,7 @@ pub(super) struct ConvertArgs {
 
 impl ConvertArgs {
     pub(super) fn run(&self) -> Result<Verdict, CommandError> {
-        let format = Format::of(&self.out)?;
+        let format = Format::detect(&self.out)?;
         let graph = self.graph.load()?;
         match format {
             Format::Stdout => {
@@ -53,7 +53,7 @@ enum Format {
 }
 
 impl Format {
-    fn of(out: &Path) -> Result<Self, InputError> {
+    fn detect(out: &Path) -> Result<Self, InputError> {
         if out == Path::new("-") {
             return Ok(Self::Stdout);
         }

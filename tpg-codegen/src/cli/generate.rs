@@ -142,7 +142,7 @@ fn report(codes: &[Code<'_>], files: &[(PathBuf, &str)]) -> String {
         format!("{} instead of {}: {}", program.graph().scalar().name(), was.from.name(), was.agreement)
     });
     let wrote = |(path, text): &(PathBuf, &str)| format!("wrote {} ({} lines)", path.display(), text.lines().count());
-    let sizes = c_of(codes).map(size::of_c).into_iter().flatten();
+    let sizes = c_of(codes).map(size::describe_c).into_iter().flatten();
     if command::is_quiet() {
         return String::new();
     }

@@ -67,8 +67,7 @@ impl PackageArgs {
             return Err(InputError::new(file, Place::Whole, found, "--scalar f32, or another --for").into());
         }
         let prefix = self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.graph.graph));
-        let trace = self.states.recorded(&graph)?;
-        let options = Options { profile: self.profile, conversion, trace, ..Options::new(prefix) };
+        let options = Options { profile: self.profile, conversion, ..Options::new(prefix) };
         let details = Details {
             version: self.package_version.clone(),
             author: self.author.clone(),

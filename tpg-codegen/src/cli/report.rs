@@ -42,8 +42,7 @@ pub(super) struct ReportArgs {
 impl ReportArgs {
     pub(super) fn run(&self) -> Result<Verdict, CommandError> {
         let Chosen { graph, conversion } = self.scalar.choose(&self.graph, self.graph.load()?, &self.states)?;
-        let trace = self.states.recorded(&graph)?;
-        let options = Options { conversion, trace, ..Options::new(Prefix::of_file(&self.graph.graph)) };
+        let options = Options { conversion, ..Options::new(Prefix::of_file(&self.graph.graph)) };
         let targets = self.target.map_or(Target::ALL.to_vec(), |target| vec![target]);
         let states = self.states.load(&graph)?;
         let report = report::report(&graph, &options, &targets, &states);

@@ -18,8 +18,7 @@ const SEED: u64 = 1;
 #[derive(Clone, Debug, Args)]
 pub(super) struct StatesArgs {
     /// Recorded states: CSV with a column for every value of the state, named as in target[0]. Agreement and means are
-    /// measured over them, and the profile fast evaluates first the bids that win most often along them [default: 20000
-    /// states sampled in the declared ranges, and no such order]
+    /// measured over them [default: 20000 states sampled in the declared ranges]
     #[arg(long, value_name = "FILE")]
     trace: Option<PathBuf>,
 }
@@ -30,11 +29,6 @@ impl StatesArgs {
             Some(path) => StateSet::recorded(graph, path),
             None => Ok(StateSet::sampled(graph, STATES, SEED)),
         }
-    }
-
-    /// The recorded states, if there are any.
-    pub(super) fn recorded(&self, graph: &Graph) -> Result<Option<StateSet>, InputError> {
-        self.trace.as_ref().map(|path| StateSet::recorded(graph, path)).transpose()
     }
 }
 

@@ -4,7 +4,6 @@ use super::code::CodeArgs;
 use super::expected::Expected;
 use crate::emit::Code;
 use crate::options::Options;
-use crate::passes::interval::Assumption;
 use crate::program::compile;
 use crate::verify::{Comparison, Proof, Stage, Unproven};
 use clap::Args;
@@ -21,7 +20,7 @@ pub(super) struct VerifyArgs {
     #[command(flatten)]
     code: CodeArgs,
     /// The number of states to compare: in the declared ranges, at their ends, and beyond, with NaN, infinities and
-    /// denormals; with --assume-ranges, none beyond
+    /// denormals
     #[arg(long, default_value_t = 100_000, value_name = "N")]
     states: usize,
     /// The seed of the states
@@ -104,15 +103,11 @@ pub(super) fn sentences(proof: &Proof) -> String {
 }
 
 fn sentence(comparison: &Comparison) -> String {
-    let Comparison { engine, assumption, states, differences, first } = comparison;
-    let whence = match assumption {
-        Assumption::Nothing => "",
-        Assumption::DeclaredRanges => " in the declared ranges",
-    };
+    let Comparison { engine, states, differences, first } = comparison;
     match first {
-        None => format!("{engine} = interpreter on {states} states{whence}"),
+        None => format!("{engine} = interpreter on {states} states"),
         Some(first) => format!(
-            "{engine} differs from the interpreter on {differences} of {states} states{whence}; the first, number {}: \
+            "{engine} differs from the interpreter on {differences} of {states} states; the first, number {}: \
              {} instead of {} for [{}]",
             first.index,
             first.found,

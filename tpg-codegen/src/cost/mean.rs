@@ -49,7 +49,7 @@ impl Costs<'_> {
 
     fn count_in<S: Scalar, M: Maths<S>>(&self, states: &[f64]) -> (Cost<u64>, Vec<ActionId>) {
         let graph = self.module.graph;
-        let arithmetic = Arithmetic::of(graph);
+        let arithmetic = Arithmetic::new(graph);
         let lowest = -S::from_f64(arithmetic.greatest());
         let mut total = Cost::<u64>::default();
         let mut values = vec![S::ZERO; self.nodes.len()];
@@ -97,66 +97,37 @@ fn divided(total: Cost<u64>, count: usize) -> Cost<f64> {
 
 /// The place of the winning bid; none where every bid is −∞ or NaN, for the code begins with the lowest finite number.
 fn winner<S: Scalar>(steps: &[Step], values: &[S], lowest: S, seen: &mut Cost<u64>) -> Option<usize> {
-    let mut winner = None;
-    // Who leads bids at least `best` and at most `top`; where it is a bid that can lead without being computed, what it bids
-    // and what it takes to know.
-    let (mut best, mut top) = (lowest, lowest);
-    let mut late: Option<(S, Work)> = None;
-    let mut finite = None;
-    for &Step { bid, sparing, before_infinite, guard, certain, first, before, inside, .. } in steps {
+    let (mut best, mut winner) = (lowest, None);
+    for &Step { bid, sparing, guard, first, before, inside } in steps {
         add(seen, first);
-        // The code compares places counted from 1: nobody's is below every bid's.
+        // The code compares places counted from 1: before a bid wins, the place is below every bid's.
         let comes_after = winner.is_none_or(|winner| winner < bid.place);
-        let beats = |value: S, best: S| value > best || (value >= best && (bid.ascending || comes_after));
-        let value = values[bid.value.index()];
-        if let Guard::Infinite(above) = guard {
-            if value > S::from_f64(above) {
-                (best, top, winner) = (-S::NEG_INFINITY, -S::NEG_INFINITY, Some(bid.place));
-            }
-            continue;
-        }
-        let leads_infinitely = best >= -S::NEG_INFINITY && !comes_after;
         let is_low = |Sparing { argument, at_most, below }: Sparing| {
             values[argument.index()] <= S::from_f64(at_most) && best >= S::from_f64(below)
         };
-        if (before_infinite && leads_infinitely) || sparing.is_some_and(is_low) {
+        if sparing.is_some_and(is_low) {
             continue;
         }
         add(seen, before);
         let spared = match guard {
-            Guard::Infinite(_) | Guard::None => false,
-            Guard::Finite => !*finite.get_or_insert(best < -S::NEG_INFINITY),
+            Guard::None => false,
             Guard::Bound(bound) => {
                 let bound = values[bound.index()];
                 best > bound || (!bid.ascending && best >= bound && !comes_after)
             }
             Guard::Above(bound) => best > values[bound.index()],
             Guard::Over(bound) => best > S::from_f64(bound),
-            Guard::Place => leads_infinitely,
+            Guard::Place => best >= -S::NEG_INFINITY && !comes_after,
         };
         if spared {
             continue;
         }
         seen.bids += 1;
-        if let (Some(certain), Guard::Bound(bound)) = (certain, guard)
-            && beats(values[certain.index()], top)
-        {
-            (best, top) = (values[certain.index()], values[bound.index()]);
-            (winner, late) = (Some(bid.place), Some((value, inside)));
-            continue;
-        }
         add(seen, inside);
-        if let Some((known, work)) = late
-            && (certain.is_some() || top > best)
-        {
-            add(seen, work);
-            best = known;
-        }
-        if beats(value, best) {
+        let value = values[bid.value.index()];
+        if value > best || (value >= best && (bid.ascending || comes_after)) {
             (best, winner) = (value, Some(bid.place));
-            late = certain.map(|_| (value, inside));
         }
-        top = best;
     }
     winner
 }

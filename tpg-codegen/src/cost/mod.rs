@@ -7,7 +7,7 @@ use crate::ir::{Module, Node, NodeId, heaviest_walk, needed};
 use crate::options::Language;
 use crate::passes::cases::{Case, Cases, Function, Kind};
 use crate::passes::functions;
-use crate::passes::schedule::{Bid, Infinite, LazyBid, Sparing, TeamSchedule};
+use crate::passes::schedule::{Bid, LazyBid, Sparing, TeamSchedule};
 use crate::program::{Program, Shape};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -55,10 +55,6 @@ enum Guard {
     Over(f64),
     /// Unless the best bid so far is infinite and has a higher place.
     Place,
-    /// Unless the best bid was infinite before the first of these.
-    Finite,
-    /// Never: tested first, it is infinite if its argument, the bid's value here, is above this.
-    Infinite(f64),
 }
 
 /// The evaluation of a bid.
@@ -67,42 +63,25 @@ struct Step {
     bid: Bid,
     /// Skips even the bound.
     sparing: Option<Sparing>,
-    /// An infinite bid of a higher place skips it, too.
-    before_infinite: bool,
     guard: Guard,
-    /// If this is above the best bid so far, the bid leads without being computed.
-    certain: Option<NodeId>,
     /// Executed always.
     first: Work,
     /// Executed regardless of the guard.
     before: Work,
     /// Executed if the guard passes.
     inside: Work,
-    /// Executed at most in addition: a leader that was not computed may have to be.
-    again: Work,
 }
 
 impl Step {
     /// All of its work, at most.
     fn all(&self) -> Work {
-        self.first.plus(self.before).plus(self.inside).plus(self.again)
+        self.first.plus(self.before).plus(self.inside)
     }
 
     /// A bid that is always computed.
     fn always(bid: Bid, inside: Work) -> Self {
         let nothing = Work::default();
-        let (sparing, guard, certain) = (None, Guard::None, None);
-        Self {
-            bid,
-            sparing,
-            before_infinite: false,
-            guard,
-            certain,
-            first: nothing,
-            before: nothing,
-            inside,
-            again: nothing,
-        }
+        Self { bid, sparing: None, guard: Guard::None, first: nothing, before: nothing, inside }
     }
 }
 
@@ -144,7 +123,7 @@ impl<'a> Costs<'a> {
             Shape::ConstantTime(functions) => {
                 let deciding = functions.iter().map(|function| work(&module.nodes, &function.operations));
                 let deciding = deciding.fold(Work::default(), Work::plus);
-                let once = deciding.plus(work(&module.nodes, &functions::of_leaves(module, functions)));
+                let once = deciding.plus(work(&module.nodes, &functions::leaf_operations(module, functions)));
                 let teams = in_order(module, |bid| Step::always(bid, Work::default()));
                 Self { once, teams, all_teams: true, leaves: Vec::new(), ..costs }
             }
@@ -155,12 +134,9 @@ impl<'a> Costs<'a> {
             }
             // The root has one way to go, and its bids are not computed.
             Shape::Formula(_) => Self { teams: vec![Vec::new()], ..costs },
-            Shape::Fast { schedule, available } => {
-                let plans = schedule.plans.iter().enumerate();
-                let computed = |team| available.on_entry(team).clone();
-                let teams = plans
-                    .map(|(team, plan)| planned(&schedule.nodes, plan, program.language, computed(team)))
-                    .collect();
+            Shape::Fast { schedule, .. } => {
+                let plans = schedule.plans.iter();
+                let teams = plans.map(|plan| planned(&schedule.nodes, plan, program.language)).collect();
                 let leaves = schedule.leaves.iter().map(|leaf| needed_work(&schedule.nodes, &leaf.values)).collect();
                 Self { nodes: &schedule.nodes, teams, leaves, ..costs }
             }
@@ -176,7 +152,7 @@ impl<'a> Costs<'a> {
         let leaf = self.leaves.iter().copied().fold(Work::default(), Work::most);
         Cost {
             teams: self.module.depth as u64,
-            bids: heaviest(|step| u64::from(!matches!(step.guard, Guard::Infinite(_)))),
+            bids: heaviest(|_| 1),
             operations: self.once.operations + heaviest(|step| step.all().operations) + leaf.operations,
             maths_calls: self.once.maths_calls + heaviest(|step| step.all().maths_calls) + leaf.maths_calls,
         }
@@ -187,7 +163,7 @@ impl<'a> Costs<'a> {
         let steps = self.teams.iter().flatten();
         self.once.operations
             + self.leaves.iter().map(|work| work.operations).sum::<u64>()
-            + steps.map(|step| step.first.operations + step.before.operations + step.inside.operations).sum::<u64>()
+            + steps.map(|step| step.all().operations).sum::<u64>()
     }
 }
 
@@ -214,39 +190,20 @@ fn tabulated(cases: &Cases, team: usize) -> Vec<Step> {
             Kind::Function(Function { sparing, .. }) => Step { sparing, first: before, ..step },
         }
     };
-    cases.of_team(team).map(step).collect()
+    cases.team(team).map(step).collect()
 }
 
-/// The steps of a plan, where some values are computed already.
-fn planned(nodes: &[Node], plan: &TeamSchedule, language: Language, computed: BTreeSet<NodeId>) -> Vec<Step> {
+/// The steps of a plan.
+fn planned(nodes: &[Node], plan: &TeamSchedule, language: Language) -> Vec<Step> {
     // With one way to go, no bid matters.
     if plan.destinations().len() == 1 {
         return Vec::new();
     }
-    let mut scope = Scope { nodes, computed };
-    let nothing = Work::default();
-    let mut steps = Vec::new();
-    if let Some(Infinite { place, argument, above }) = plan.infinite {
-        let first = scope.compute(argument);
-        let bid = Bid { place, value: argument, ascending: true };
-        steps.push(Step { guard: Guard::Infinite(above), first, ..Step::always(bid, nothing) });
-    }
-    for &bid in &plan.eager {
-        steps.push(Step { first: scope.compute(bid.value), ..Step::always(bid, nothing) });
-    }
-    let outside = scope.computed.clone();
-    for &bid in &plan.eager_before {
-        steps.push(Step { guard: Guard::Finite, ..Step::always(bid, scope.compute(bid.value)) });
-    }
-    scope.computed = outside;
-    let mut again = nothing;
-    for lazy in &plan.lazy {
-        let step = Step { again, ..scope.lazy(lazy, language) };
-        if step.certain.is_some() {
-            again = again.most(step.inside);
-        }
-        steps.push(step);
-    }
+    let mut scope = Scope { nodes, computed: BTreeSet::new() };
+    let mut steps: Vec<Step> = (plan.eager.iter())
+        .map(|&bid| Step { first: scope.compute(bid.value), ..Step::always(bid, Work::default()) })
+        .collect();
+    steps.extend(plan.lazy.iter().map(|lazy| scope.lazy(lazy, language)));
     steps
 }
 
@@ -266,28 +223,23 @@ impl Scope<'_> {
     }
 
     fn lazy(&mut self, lazy: &LazyBid, language: Language) -> Step {
-        let LazyBid { bid, sparing, before_infinite, bound, certain } = *lazy;
+        let LazyBid { bid, sparing, bound } = *lazy;
         let first = sparing.map(|sparing| self.compute(sparing.argument)).unwrap_or_default();
         let outside = self.computed.clone();
-        let bounds = bound.into_iter().chain(certain);
-        let before = bounds.map(|bound| self.compute(bound)).fold(Work::default(), Work::plus);
+        let before = bound.map(|bound| self.compute(bound)).unwrap_or_default();
         let guard = match bound {
             Some(bound) => Guard::Bound(bound),
-            None if bid.ascending || before_infinite => Guard::None,
+            None if bid.ascending => Guard::None,
             None => Guard::Place,
         };
         let behind_bounds = self.computed.clone();
-        let inside = match certain {
-            // In a function of its own, which computes all that it needs.
-            Some(_) => work(self.nodes, &needed(self.nodes, bid.value, |_| true)),
-            None => self.compute(bid.value),
-        };
-        if sparing.is_some() || before_infinite {
+        let inside = self.compute(bid.value);
+        if sparing.is_some() {
             self.computed = outside;
         } else if !(guard == Guard::None && language == Language::Rust) {
             self.computed = behind_bounds;
         }
-        Step { sparing, before_infinite, guard, certain, first, before, ..Step::always(bid, inside) }
+        Step { sparing, guard, first, before, ..Step::always(bid, inside) }
     }
 }
 
@@ -297,12 +249,9 @@ fn needed_work(nodes: &[Node], values: &[NodeId]) -> Work {
 }
 
 fn work<'a>(nodes: &[Node], ids: impl IntoIterator<Item = &'a NodeId, IntoIter: Clone>) -> Work {
-    let ids = ids.into_iter();
-    let nodes = || ids.clone().map(|id| nodes[id.index()]);
+    let nodes = ids.into_iter().map(|id| nodes[id.index()]);
     Work {
-        operations: nodes().filter(Node::is_computed).count() as u64,
-        maths_calls: nodes()
-            .filter(|node| matches!(*node, Node::Operation(instruction, _) if instruction.is_transcendental()))
-            .count() as u64,
+        operations: nodes.clone().filter(Node::is_computed).count() as u64,
+        maths_calls: nodes.filter(Node::is_transcendental).count() as u64,
     }
 }

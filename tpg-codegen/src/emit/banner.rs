@@ -2,7 +2,6 @@
 
 use crate::ir::Node;
 use crate::options::{Language, Profile, Style};
-use crate::passes::interval::Assumption;
 use crate::program::Program;
 use tpg_graph::conversion::Conversion;
 use tpg_graph::{Graph, MathsProvider, ScalarType};
@@ -18,15 +17,11 @@ pub(super) fn lines(program: &Program<'_>) -> Vec<String> {
         (Language::C, Style::Pure) => ("c", format!(" --profile {}", options.profile_in(language).name())),
         (Language::Rust, _) => ("rust", format!(" --profile {}", options.profile_in(language).name())),
     };
-    let assumption = match options.assumption {
-        Assumption::Nothing => "",
-        Assumption::DeclaredRanges => " --assume-ranges",
-    };
     let scalar =
         options.conversion.as_ref().map_or_else(String::new, |_| format!(" --scalar {}", graph.scalar().name()));
     let mut lines = vec![
         format!("Made by tpg-codegen {} from a tangled program graph; do not edit.", env!("CARGO_PKG_VERSION")),
-        format!("Options: --lang {name} --prefix {}{style}{assumption}{scalar}", options.prefix),
+        format!("Options: --lang {name} --prefix {}{style}{scalar}", options.prefix),
         format!("Graph SHA-256: {}", program.graph_sha256()),
         format!(
             "{} teams ({} on the longest walk), {edges} edges, {} programs, {operations} distinct operations.",
@@ -39,10 +34,6 @@ pub(super) fn lines(program: &Program<'_>) -> Vec<String> {
     let has_profile = language == Language::Rust || options.style == Style::Pure;
     if has_profile && options.profile_in(language) == Profile::ConstantTime {
         lines.extend(same_time(graph).map(str::to_owned));
-    }
-    if let Some(trace) = options.ordered_by(language) {
-        lines.push("Looks first at the bids that win most often along".to_owned());
-        lines.push(format!("{}.", trace.origin));
     }
     if let Some(Conversion { from, maths, agreement, .. }) = &options.conversion {
         lines.push(format!(

@@ -1,8 +1,7 @@
 //! The native bids of the profile `balanced`, in syntax that C and Rust share.
 
-use super::questions;
 use super::syntax::Syntax;
-use crate::ir::NodeId;
+use super::team::low;
 use crate::passes::cases::{Case, Cases, Function, Kind};
 
 /// A distinct bid.
@@ -28,11 +27,10 @@ pub(super) struct FunctionView {
     pub(super) call: String,
 }
 
-/// Views the bids; `statement` computes a value, `hidden` a 0 that no optimiser knows: see the profile `fast`. An operation that is the bid itself needs no statement.
+/// Views the bids; `hidden` makes a 0 that no optimiser knows: see the profile `fast`. An operation that is the bid itself needs no statement.
 pub(super) fn bids(
     syntax: &impl Syntax,
     cases: &Cases,
-    statement: impl Fn(NodeId) -> String,
     hidden: impl Fn(&str) -> (Option<String>, String),
 ) -> Vec<CaseView> {
     let view = |&case: &Case| {
@@ -51,7 +49,7 @@ pub(super) fn bids(
             None => syntax.value(result),
         };
         let [mut before, inside]: [Vec<String>; 2] =
-            [before, inside].map(|ids| ids.into_iter().map(&statement).collect());
+            [before, inside].map(|ids| ids.into_iter().map(|id| syntax.statement(id)).collect());
         let is_zero = case.kind == Kind::Plain && cases.nodes[result.index()].as_constant() == Some(0.0);
         let (zero, value) = if is_zero { hidden(&value) } else { (None, value) };
         before.extend(zero);
@@ -64,7 +62,10 @@ pub(super) fn bids(
 pub(super) fn functions(syntax: &impl Syntax, cases: &Cases) -> Vec<FunctionView> {
     let view = |(first, function): (usize, Function)| FunctionView {
         first,
-        is_low: questions::is_low(syntax, &function, "bid"),
+        is_low: match (function.bound, function.sparing) {
+            (Some(bound), _) => Some(format!("best > {}", syntax.number(bound))),
+            (None, sparing) => sparing.map(|sparing| low(syntax, sparing, "bid")),
+        },
         call: syntax.instruction(function.instruction, &["bid".to_owned()]),
     };
     cases.functions().into_iter().map(view).collect()

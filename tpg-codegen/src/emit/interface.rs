@@ -37,10 +37,10 @@ pub(super) fn sources(graph: &Graph, safe: impl Fn(&str) -> String) -> Vec<Sourc
         .collect()
 }
 
-/// Name of the policy that each asking action asks, as part of a constant's name, and the action's number.
-pub(super) fn asks(graph: &Graph, name: impl Fn(&str) -> String) -> Vec<(String, usize)> {
+/// The name in capitals of the policy that each asking action asks, and the action's number.
+pub(super) fn asks(graph: &Graph) -> Vec<(String, usize)> {
     let actions = graph.actions().iter().enumerate();
-    actions.filter_map(|(number, action)| Some((name(action.ask.as_deref()?), number))).collect()
+    actions.filter_map(|(number, action)| Some((action.ask.as_ref()?.to_ascii_uppercase(), number))).collect()
 }
 
 /// An output.

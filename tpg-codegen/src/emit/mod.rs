@@ -9,14 +9,14 @@ mod choice;
 mod helpers;
 mod interface;
 mod layout;
+mod leaves;
 mod moves;
-mod questions;
-mod reuse;
 mod rust;
 mod syntax;
 mod table;
+mod team;
 
-pub(crate) use c::{field::field, is_compact};
+pub(crate) use c::field::field;
 
 pub use crate::options::{Language, Options, Prefix, Profile, Style};
 

@@ -26,6 +26,15 @@ pub(super) trait Syntax {
 
     /// A number that the compiler must not know.
     fn hidden(&self, number: &str) -> String;
+    /// The statements that make `zero` a 0 that the compiler does not know.
+    fn hidden_zero(&self, zero: &str) -> Vec<String>;
+    /// The statement that computes a node.
+    fn statement(&self, id: NodeId) -> String;
+    /// A whole number.
+    fn index(&self, number: usize) -> String;
+
+    /// A bid that is always computed has braces around it, too.
+    const BRACES: bool;
 
     /// A number as an operand.
     fn number(&self, value: f64) -> String {
@@ -44,8 +53,7 @@ pub(super) trait Syntax {
     /// The expression that computes a node.
     fn operation(&self, id: NodeId) -> String {
         let node = self.nodes()[id.index()];
-        let platforms = matches!(node, Node::Operation(instruction, _) if instruction.is_transcendental())
-            && self.graph().maths() == MathsProvider::System;
+        let platforms = node.is_transcendental() && self.graph().maths() == MathsProvider::System;
         let operand = |&id: &NodeId| match self.nodes()[id.index()].as_constant() {
             // A compiler that knew it would compute the function itself, and round another way than the platform does.
             Some(number) if platforms => self.hidden(&self.literal(number)),
@@ -57,6 +65,12 @@ pub(super) trait Syntax {
             Node::Upper(instruction, _) => self.upper(instruction, &operands.concat()),
             Node::Operation(instruction, _) => self.instruction(instruction, &operands),
         }
+    }
+
+    /// Tests whether a value is an input, or an operation has one as an operand.
+    fn reads_state<'i>(&self, ids: impl IntoIterator<Item = &'i NodeId>) -> bool {
+        let is_input = |id: &NodeId| matches!(self.nodes()[id.index()], Node::Input(_));
+        ids.into_iter().any(|id| is_input(id) || self.nodes()[id.index()].operands().iter().any(is_input))
     }
 
     /// An instruction on operands; one-operand instructions ignore the second.

@@ -11,7 +11,7 @@ pub(super) struct Table {
 
 /// A table whose values have no suffix, or one that depends on their width.
 pub(super) fn table(syntax: &impl Syntax, values: &[u64], suffix: impl Fn(Width) -> &'static str) -> Table {
-    let width = Width::of(values);
+    let width = Width::covering(values);
     let value = |value: &u64| format!("{value}{}", suffix(width));
     Table { kind: syntax.unsigned(width), values: values.iter().map(value).collect() }
 }

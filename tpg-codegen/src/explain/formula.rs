@@ -74,7 +74,7 @@ impl Formulas {
     }
 
     /// The formula of a bid.
-    pub(super) fn of(&self, bid: NodeId) -> &str {
+    pub(super) fn formula(&self, bid: NodeId) -> &str {
         &self.terms[&bid].text
     }
 
@@ -150,7 +150,7 @@ mod tests {
         let module = Module { nodes: values.into_nodes(), ..Module::empty(&graph) };
         let formulas = Formulas::new(&module, &bids, Spelling::Exact);
         let shared = formulas.shared().iter().map(|(name, formula)| format!("{name} = {formula}"));
-        shared.chain(bids.iter().map(|&bid| formulas.of(bid).to_owned())).collect()
+        shared.chain(bids.iter().map(|&bid| formulas.formula(bid).to_owned())).collect()
     }
 
     #[test]

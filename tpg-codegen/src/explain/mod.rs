@@ -37,7 +37,7 @@ pub fn formulas(graph: &Graph, options: &Options) -> String {
 }
 
 fn fast(options: &Options) -> Options {
-    Options { style: Style::Pure, profile: Some(Profile::Fast), trace: None, ..options.clone() }
+    Options { style: Style::Pure, profile: Some(Profile::Fast), ..options.clone() }
 }
 
 struct Explanation<'a> {
@@ -125,16 +125,14 @@ impl<'a> Explanation<'a> {
         list(out, "teams", unreachable_teams.iter().map(u32::to_string))
     }
 
-    /// Bound-guarded evaluation and values that teams hand on, which only the profile fast does.
+    /// Bound-guarded evaluation, which only the profile fast does.
     fn guards(&self, out: &mut String) -> fmt::Result {
-        let Shape::Fast { schedule, available } = &self.program.shape else { return Ok(()) };
+        let Shape::Fast { schedule, .. } = &self.program.shape else { return Ok(()) };
         let lazy = schedule.plans.iter().flat_map(|plan| &plan.lazy);
         let guarded = lazy.filter(|lazy| lazy.bound.is_some()).count();
         let edges: usize = self.program.module.teams.iter().map(|team| team.edges.len()).sum();
         let what = format!("of {edges} bids are computed only where a bound says that they can win (profile fast)");
         section(out, "lazy bids", guarded, &what)?;
-        let what = "operations are computed already where a team needs them, by those before it (profile fast in C)";
-        section(out, "shared values", available.saved(), what)?;
         let teams = self.program.module.teams.len();
         let operations = self.program.module.nodes.iter().filter(|node| node.is_computed()).count();
         let programs = self.program.module.bidders.len();

@@ -75,12 +75,12 @@ impl PolicyFormulas {
         let module = &program.module;
         let teams = match program.shape {
             Shape::Formula(_) => Vec::new(),
-            _ => (0..module.teams.len()).map(|team| TeamFormulas::of(module, team, spelling)).collect(),
+            _ => (0..module.teams.len()).map(|team| TeamFormulas::new(module, team, spelling)).collect(),
         };
         let outputs = module.graph.outputs();
         let leaves = reached(&module.leaves).map(|(number, leaf)| {
             let formulas = Formulas::new(module, &leaf.values, spelling);
-            let value = |(name, &value): (&String, &NodeId)| (name.clone(), formulas.of(value).to_owned());
+            let value = |(name, &value): (&String, &NodeId)| (name.clone(), formulas.formula(value).to_owned());
             LeafFormulas {
                 id: leaf.label,
                 number,
@@ -93,7 +93,7 @@ impl PolicyFormulas {
 }
 
 impl TeamFormulas {
-    fn of(module: &Module<'_>, team: usize, spelling: Spelling) -> Self {
+    fn new(module: &Module<'_>, team: usize, spelling: Spelling) -> Self {
         let team = &module.teams[team];
         let bids: Vec<NodeId> = team.edges.iter().map(|edge| module.bidders[edge.bidder].value).collect();
         let formulas = Formulas::new(module, &bids, spelling);
@@ -105,7 +105,12 @@ impl TeamFormulas {
                 }
                 Target::Action(end) => (module.graph.end_name(end), None),
             };
-            BidFormula { program: module.bidders[edge.bidder].label, to, team, formula: formulas.of(bid).to_owned() }
+            BidFormula {
+                program: module.bidders[edge.bidder].label,
+                to,
+                team,
+                formula: formulas.formula(bid).to_owned(),
+            }
         };
         Self {
             id: team.label,

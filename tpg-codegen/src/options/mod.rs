@@ -4,10 +4,7 @@ mod prefix;
 
 pub use prefix::Prefix;
 
-use crate::passes::interval::Assumption;
-use std::borrow::Cow;
 use tpg_graph::conversion::Conversion;
-use tpg_graph::states::StateSet;
 
 /// A language to emit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, clap::ValueEnum)]
@@ -78,11 +75,10 @@ impl Profile {
 ///
 /// ```
 /// use tpg_codegen::options::{Language, Options, Profile};
-/// use tpg_codegen::passes::interval::Assumption;
 ///
 /// let options = Options::new("arm".parse()?);
 /// assert_eq!(options.profile_in(Language::C), Profile::Fast);
-/// let small = Options { profile: Some(Profile::Small), assumption: Assumption::DeclaredRanges, ..options };
+/// let small = Options { profile: Some(Profile::Small), ..options };
 /// assert_eq!(small.profile_in(Language::Rust), Profile::Small);
 /// # Ok::<(), String>(())
 /// ```
@@ -94,41 +90,18 @@ pub struct Options {
     pub style: Style,
     /// The profile; each language has its default. GEGELATI's style has none.
     pub profile: Option<Profile>,
-    /// The assumption about the inputs.
-    pub assumption: Assumption,
     /// The graph's original scalar type and maths, if they were changed.
     pub conversion: Option<Conversion>,
-    /// Recorded states: [`Profile::Fast`] and [`Profile::Balanced`] evaluate first the bids that win most often along them.
-    pub trace: Option<StateSet>,
 }
 
 impl Options {
     /// The default options.
     pub fn new(prefix: Prefix) -> Self {
-        Self {
-            prefix,
-            style: Style::Pure,
-            profile: None,
-            assumption: Assumption::Nothing,
-            conversion: None,
-            trace: None,
-        }
+        Self { prefix, style: Style::Pure, profile: None, conversion: None }
     }
 
     /// The profile in a language.
     pub fn profile_in(&self, language: Language) -> Profile {
         self.profile.unwrap_or(Profile::default_of(language))
-    }
-
-    /// The recorded states that order the bids of a language's code, if any do.
-    pub(crate) fn ordered_by(&self, language: Language) -> Option<&StateSet> {
-        let is_planned = matches!(self.profile_in(language), Profile::Fast | Profile::Balanced);
-        let has_profile = language == Language::Rust || self.style == Style::Pure;
-        self.trace.as_ref().filter(|_| is_planned && has_profile)
-    }
-
-    /// The recorded states that order the bids of a language's code, flat; empty if none do.
-    pub(crate) fn recorded(&self, language: Language) -> Cow<'_, [f64]> {
-        self.ordered_by(language).map_or(Cow::Borrowed(&[]), StateSet::all)
     }
 }

@@ -51,7 +51,7 @@ fn cell(text: &str) -> String {
 }
 
 impl<'a> Facts<'a> {
-    pub(super) fn of(code: &Code<'_>, graph: &Graph, options: &'a Options, details: &'a Details) -> Self {
+    pub(super) fn new(code: &Code<'_>, graph: &Graph, options: &'a Options, details: &'a Details) -> Self {
         let seen = graph.sources().len() - graph.memory();
         let seen = &graph.sources()[..seen];
         let answered = &graph.outputs()[..graph.outputs().len() - graph.memory()];

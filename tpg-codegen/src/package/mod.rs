@@ -93,7 +93,7 @@ pub struct Package<'g> {
 /// on the compilers that are installed.
 pub fn package<'g>(graph: &'g Graph, options: &Options, ecosystem: Ecosystem, details: &Details) -> Package<'g> {
     let code = Code::of(compile(graph, options, ecosystem.language()));
-    let facts = Facts::of(&code, graph, options, details);
+    let facts = Facts::new(&code, graph, options, details);
     let files = layout::files(&facts, ecosystem, &code);
     Package { code, files }
 }

@@ -15,7 +15,7 @@ pub struct Arithmetic {
 
 impl Arithmetic {
     /// The arithmetic of a graph.
-    pub fn of(graph: &Graph) -> Self {
+    pub fn new(graph: &Graph) -> Self {
         Self { scalar: graph.scalar(), maths: graph.maths() }
     }
 

@@ -10,7 +10,7 @@ use super::estimate;
 use super::fold;
 use super::interval::Interval;
 use crate::ir::{Node, NodeId, Values};
-use tpg_graph::{MathsProvider, ScalarType};
+use tpg_graph::ScalarType;
 use tpg_runtime::ops::Instruction;
 
 /// A bound on a value by cheap nodes, valid wherever these are not NaN.
@@ -71,7 +71,7 @@ impl<'a> Bounds<'a> {
                 open.push(operand);
                 continue;
             }
-            let bound = if cheap { Bound::Exact(id) } else { self.of_operation(node) };
+            let bound = if cheap { Bound::Exact(id) } else { self.operation(node) };
             self.known[id.index()] = Some(self.at_least_static(id, bound));
             open.pop();
         }
@@ -90,7 +90,7 @@ impl<'a> Bounds<'a> {
         }
     }
 
-    fn of_operation(&mut self, node: Node) -> Bound {
+    fn operation(&mut self, node: Node) -> Bound {
         let Node::Operation(instruction, ids) = node else {
             return UNKNOWN;
         };
@@ -147,14 +147,17 @@ impl<'a> Bounds<'a> {
             }
             Instruction::Cos | Instruction::Sin => Bound::Magnitude(self.values.intern(Node::constant(1.0))),
             Instruction::Ln => {
-                let high = self.of_function(Instruction::Ln, a);
+                let high = self.function(Instruction::Ln, a);
                 // The estimate is near only where its argument is the logarithm's own.
-                let low = high.filter(|_| matches!(a, Bound::Exact(_))).map(|high| self.least(Instruction::Ln, high));
+                let low = high.filter(|_| matches!(a, Bound::Exact(_))).map(|high| {
+                    let less = self.values.intern(Node::constant(estimate::LN_LESS));
+                    self.make(Instruction::Sub, high, less)
+                });
                 Bound::Between(low, high)
             }
             Instruction::Exp => {
                 let zero = self.values.intern(Node::constant(0.0));
-                Bound::Between(Some(zero), self.of_function(Instruction::Exp, a))
+                Bound::Between(Some(zero), self.function(Instruction::Exp, a))
             }
             // Never above the second operand, NaN or not.
             Instruction::Min => Bound::Between(None, self.high(b)),
@@ -168,37 +171,10 @@ impl<'a> Bounds<'a> {
     }
 
     /// An estimate at the argument's bound. `None` if that is constant: interval analysis has a tighter result.
-    fn of_function(&mut self, instruction: Instruction, argument: Bound) -> Option<NodeId> {
+    fn function(&mut self, instruction: Instruction, argument: Bound) -> Option<NodeId> {
         let argument = self.high(argument)?;
         let known = self.values.node(argument).as_constant().is_some();
         (!known).then(|| self.values.intern(Node::Upper(instruction, argument)))
-    }
-
-    /// A lower bound of a logarithm or exponential of a cheap value: −∞ or NaN wherever that is NaN. `None` for other nodes,
-    /// and for own maths, whose kernels are so short that the bound would cost as much.
-    pub(super) fn certain(&mut self, id: NodeId) -> Option<NodeId> {
-        if self.arithmetic.maths == MathsProvider::Own {
-            return None;
-        }
-        let Node::Operation(instruction @ (Instruction::Ln | Instruction::Exp), [argument, _]) = self.values.node(id)
-        else {
-            return None;
-        };
-        let upper = self.upper(id)?;
-        (self.values.node(upper) == Node::Upper(instruction, argument)).then(|| self.least(instruction, upper))
-    }
-
-    /// The lower end that belongs to an estimate.
-    fn least(&mut self, instruction: Instruction, upper: NodeId) -> NodeId {
-        let mut number = |value: f64| self.values.intern(Node::constant(value));
-        if instruction == Instruction::Ln {
-            let less = number(estimate::LN_LESS);
-            return self.make(Instruction::Sub, upper, less);
-        }
-        let below = number(estimate::of(self.arithmetic.scalar).exp_below);
-        let part = number(estimate::EXP_LEAST);
-        let more_than_nothing = self.make(Instruction::Sub, upper, below);
-        self.make(Instruction::Mul, more_than_nothing, part)
     }
 
     fn both(
@@ -272,9 +248,4 @@ pub fn beyond_exponentials(scalar: ScalarType) -> (f64, f64) {
         ScalarType::F32 => (90.0, -105.0),
         ScalarType::F64 => (710.0, -750.0),
     }
-}
-
-/// Tests whether `instruction` is so expensive that a guard pays off.
-pub(super) fn is_worth_sparing(instruction: Instruction) -> bool {
-    instruction.is_transcendental()
 }

@@ -2,6 +2,7 @@
 
 use crate::ir::{Module, Node, NodeId};
 use std::collections::{BTreeMap, BTreeSet};
+use tpg_graph::ScalarType;
 use tpg_runtime::ops::Instruction;
 
 /// The tables.
@@ -31,13 +32,23 @@ pub struct Bytecode {
     pub used: Vec<Option<Instruction>>,
 }
 
+impl Bytecode {
+    /// The size of the tables and constants.
+    pub fn bytes(&self, scalar: ScalarType) -> u64 {
+        let tables = [&self.code, &self.programs, &self.bidders, &self.targets, &self.teams, &self.leaves];
+        let bytes = |table: &Vec<u64>| u64::from(Width::covering(table).bits() / 8) * table.len() as u64;
+        let constant = if scalar == ScalarType::F32 { 4 } else { 8 };
+        tables.into_iter().map(bytes).sum::<u64>() + constant * self.constants.len() as u64
+    }
+}
+
 /// The smallest unsigned integer type for some values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Width(u32);
 
 impl Width {
     /// The width of a table's values.
-    pub fn of(values: &[u64]) -> Self {
+    pub fn covering(values: &[u64]) -> Self {
         Self::up_to(values.iter().copied().max().unwrap_or(0))
     }
 
@@ -147,7 +158,6 @@ fn constants(module: &Module<'_>) -> Vec<u64> {
 mod tests {
     use super::{Bytecode, encode, number};
     use crate::passes::arithmetic::Arithmetic;
-    use crate::passes::interval::Assumption;
     use crate::passes::optimise;
     use tpg_graph::sample::{self, Shape};
     use tpg_graph::{Graph, MathsProvider, ScalarType};
@@ -197,8 +207,8 @@ mod tests {
     fn the_tables_alone_act_like_the_interpreter() {
         let mut copies = 0;
         for (graph, seed) in graphs().zip(0..) {
-            let arithmetic = Arithmetic::of(&graph);
-            let code = encode(&optimise(&graph, Assumption::Nothing).0);
+            let arithmetic = Arithmetic::new(&graph);
+            let code = encode(&optimise(&graph).0);
             copies += usize::from(code.used.contains(&None));
             let states = states::sample(&graph, 100, seed);
             let expected = interpret::actions(&graph, &states);
@@ -215,7 +225,7 @@ mod tests {
         let text = include_str!("../../tests/fixtures/all_instructions.json");
         let graph = Graph::from_json("fixture", text).expect("a valid graph");
         assert_eq!(graph.scalar(), ScalarType::F64);
-        let code = encode(&optimise(&graph, Assumption::Nothing).0);
+        let code = encode(&optimise(&graph).0);
         // Program 3, which teams 7 and 9 share, bids 0, and no other program does: eleven programs for twelve edges.
         assert_eq!((code.bidders.len(), code.programs.len() - 1, code.teams), (12, 11, vec![0, 5, 8, 12]));
         assert_eq!(code.bidders[2], code.bidders[7]);

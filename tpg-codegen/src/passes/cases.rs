@@ -78,7 +78,7 @@ impl Cases {
     }
 
     /// The cases that a team's edges name, in order of evaluation, each with its place.
-    pub fn of_team(&self, team: usize) -> impl Iterator<Item = (usize, Case)> {
+    pub fn team(&self, team: usize) -> impl Iterator<Item = (usize, Case)> {
         let edges = self.teams[team] as usize..self.teams[team + 1] as usize;
         let first = edges.start;
         edges.map(move |edge| {
@@ -109,8 +109,7 @@ pub fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
     let mut edges = Vec::new();
     let (mut places, mut targets, mut teams, mut otherwise) = (Vec::new(), Vec::new(), vec![0], Vec::new());
     for plan in &plans {
-        let mut order: Vec<_> = plan.eager.iter().chain(&plan.eager_before).map(|bid| (*bid, Kind::Plain)).collect();
-        order.sort_by_key(|(bid, _)| bid.place);
+        let mut order: Vec<_> = plan.eager.iter().map(|bid| (*bid, Kind::Plain)).collect();
         order.extend(plan.lazy.iter().map(|lazy| (lazy.bid, kind(&nodes, lazy))));
         for (bid, kind) in order {
             bids.entry(bid.value).or_insert(kind);
@@ -144,7 +143,7 @@ pub fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
     }
     collect::keep(&mut nodes, roots);
     let mut cases = Cases { bids, bidders, places, targets, teams, otherwise, nodes, leaves };
-    if (0..plans.len()).all(|team| cases.of_team(team).is_sorted_by_key(|(place, _)| place)) {
+    if (0..plans.len()).all(|team| cases.team(team).is_sorted_by_key(|(place, _)| place)) {
         cases.places.clear();
     }
     cases
@@ -154,16 +153,19 @@ pub fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
 /// time: what is known of its argument is enough.
 fn kind(nodes: &[Node], lazy: &LazyBid) -> Kind {
     let is_estimate = |id: &NodeId| matches!(nodes[id.index()], Node::Upper(..));
-    let is_cheap = |id: NodeId| {
-        let is_call = |id: &NodeId| matches!(nodes[id.index()], Node::Operation(it, _) if it.is_transcendental());
-        !needed(nodes, id, |_| true).iter().any(is_call)
-    };
+    let is_cheap =
+        |id: NodeId| !needed(nodes, id, |_| true).iter().any(|id: &NodeId| nodes[id.index()].is_transcendental());
     match nodes[lazy.bid.value.index()] {
         Node::Operation(instruction @ (Instruction::Sin | Instruction::Cos), [argument, _]) if is_cheap(argument) => {
             Kind::Function(Function { instruction, argument, bound: Some(1.0), sparing: None })
         }
         Node::Operation(instruction @ (Instruction::Exp | Instruction::Ln), [argument, _]) => {
-            Kind::Function(Function { instruction, argument, bound: None, sparing: Sparing::of(instruction, argument) })
+            Kind::Function(Function {
+                instruction,
+                argument,
+                bound: None,
+                sparing: Sparing::new(instruction, argument),
+            })
         }
         _ => match lazy.bound {
             Some(bound) if !needed(nodes, bound, |_| true).iter().any(is_estimate) => Kind::Bounded(bound),

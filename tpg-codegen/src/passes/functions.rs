@@ -27,7 +27,7 @@ pub struct Function {
 }
 
 /// All teams of a module, in its order. Operations that several functions need are in each of them.
-pub(crate) fn of(module: &Module<'_>) -> Vec<Function> {
+pub(crate) fn split(module: &Module<'_>) -> Vec<Function> {
     let all = module.teams.len();
     let together = together(all);
     let function = |start: usize| {
@@ -43,7 +43,7 @@ pub(crate) fn of(module: &Module<'_>) -> Vec<Function> {
 }
 
 /// The operations that leaves need and no function has computed: several functions hand nothing on.
-pub(crate) fn of_leaves(module: &Module<'_>, functions: &[Function]) -> BTreeSet<NodeId> {
+pub(crate) fn leaf_operations(module: &Module<'_>, functions: &[Function]) -> BTreeSet<NodeId> {
     let is_missing = |id: NodeId| !matches!(functions, [only] if only.operations.contains(&id));
     let values = module.leaves.iter().flat_map(|leaf| &leaf.values);
     values.flat_map(|&value| needed(&module.nodes, value, is_missing)).collect()

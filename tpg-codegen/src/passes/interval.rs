@@ -6,7 +6,6 @@
 
 use super::arithmetic::Arithmetic;
 use crate::ir::{Module, Node};
-use serde::Serialize;
 use tpg_graph::ScalarType;
 use tpg_runtime::ops::Instruction;
 
@@ -19,17 +18,6 @@ pub struct Interval {
     pub high: f64,
     /// The value can be NaN.
     pub nan: bool,
-}
-
-/// The assumption about the inputs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Assumption {
-    /// None: infinities and NaN are possible.
-    #[default]
-    Nothing,
-    /// Each input lies in its declared range.
-    DeclaredRanges,
 }
 
 impl Interval {
@@ -64,23 +52,13 @@ impl Interval {
     }
 }
 
-/// The interval of every node.
-pub fn analyse(module: &Module<'_>, assumption: Assumption) -> Vec<Interval> {
-    let graph = module.graph;
-    let arithmetic = Arithmetic::of(graph);
-    let inputs: Vec<Interval> = match assumption {
-        Assumption::Nothing => vec![Interval::ANYTHING; graph.state_length()],
-        Assumption::DeclaredRanges => {
-            // A range's ends are rounded to the scalar type as the values within are: that is monotone, too.
-            let round = |value| graph.scalar().round(value);
-            graph.state_ranges().map(|r| Interval { low: round(r.min), high: round(r.max), nan: false }).collect()
-        }
-    };
+/// The interval of every node, for any state.
+pub fn analyse(module: &Module<'_>) -> Vec<Interval> {
+    let arithmetic = Arithmetic::new(module.graph);
     let mut intervals: Vec<Interval> = Vec::with_capacity(module.nodes.len());
     for node in &module.nodes {
         intervals.push(match *node {
             Node::Constant(bits) => Interval::exactly(f64::from_bits(bits)),
-            Node::Input(input) => inputs[input.index()],
             Node::Operation(instruction, operands) => {
                 let [a, b] = operands.map(|operand| intervals[operand.index()]);
                 let square = instruction == Instruction::Mul && operands[0] == operands[1];
@@ -88,7 +66,7 @@ pub fn analyse(module: &Module<'_>, assumption: Assumption) -> Vec<Interval> {
                 // No square is negative.
                 if square { Interval { low: interval.low.max(0.0), ..interval } } else { interval }
             }
-            Node::Upper(..) => Interval::ANYTHING,
+            Node::Input(_) | Node::Upper(..) => Interval::ANYTHING,
         });
     }
     intervals

@@ -3,13 +3,9 @@
 //! Every pass is exact, for every state there is, NaN and infinities included: the compiled policy takes the
 //! interpreter's action. Three have no module here, because [`Module::lower`] performs them: **reachability** (teams are
 //! found from the root), **intron removal** (dead lines leave no node) and **value numbering** (equal expressions are one
-//! node, whichever programs compute them). [`available`] finds the expressions that are already computed on entry to a team.
-//!
-//! With [`Assumption::DeclaredRanges`] the passes rely on the ranges that the graph declares. Then, and only then, a state
-//! outside them may get another action (still one of the graph's, without undefined behaviour).
+//! node, whichever programs compute them).
 
 pub mod arithmetic;
-pub mod available;
 pub mod bound;
 pub mod bytecode;
 pub mod cases;
@@ -23,12 +19,10 @@ mod hopeless;
 pub mod interval;
 pub mod schedule;
 mod teams;
-pub mod wins;
 mod zeros;
 
 use crate::ir::{Module, Node, Team};
 use arithmetic::Arithmetic;
-use interval::Assumption;
 use serde::Serialize;
 use std::collections::BTreeSet;
 use tpg_graph::Graph;
@@ -111,14 +105,14 @@ impl Log {
 }
 
 /// Lowers a graph and optimises it.
-pub fn optimise(graph: &Graph, assumption: Assumption) -> (Module<'_>, Removed) {
-    let (module, log) = optimise_logged(graph, assumption);
+pub fn optimise(graph: &Graph) -> (Module<'_>, Removed) {
+    let (module, log) = optimise_logged(graph);
     (module, log.counts())
 }
 
 /// As [`optimise`], with the removals themselves.
-pub fn optimise_logged(graph: &Graph, assumption: Assumption) -> (Module<'_>, Log) {
-    let arithmetic = Arithmetic::of(graph);
+pub fn optimise_logged(graph: &Graph) -> (Module<'_>, Log) {
+    let arithmetic = Arithmetic::new(graph);
     let mut module = Module::lower(graph);
     let mut log = Log::default();
     let before = operations(&module);
@@ -127,7 +121,7 @@ pub fn optimise_logged(graph: &Graph, assumption: Assumption) -> (Module<'_>, Lo
     // Each round can make the next one find more; a round that finds nothing is the last.
     loop {
         let duplicates = duplicates::run(&mut module);
-        let intervals = interval::analyse(&module, assumption);
+        let intervals = interval::analyse(&module);
         let hopeless = hopeless::run(&mut module, &intervals);
         let teams = teams::run(&mut module);
         collect::run(&mut module);

@@ -41,16 +41,16 @@ struct Written {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     output: Option<Output>,
     /// Left out where it is `w8a16`.
-    #[serde(default = "usual_kind", skip_serializing_if = "is_usual_kind")]
+    #[serde(default = "default_kind", skip_serializing_if = "is_default_kind")]
     kind: String,
     layers: Vec<QuantisedLayer>,
 }
 
-fn usual_kind() -> String {
+fn default_kind() -> String {
     Kind::W8A16.name().to_owned()
 }
 
-fn is_usual_kind(kind: &str) -> bool {
+fn is_default_kind(kind: &str) -> bool {
     kind == Kind::W8A16.name()
 }
 
@@ -72,12 +72,12 @@ impl QuantisedPolicy {
 
     /// The file's text: the same for the same policy.
     pub fn to_json(&self) -> String {
-        serde_json::to_string(&Written::of(self)).expect("plain data with finite numbers") + "\n"
+        serde_json::to_string(&Written::new(self)).expect("plain data with finite numbers") + "\n"
     }
 }
 
 impl Written {
-    fn of(policy: &QuantisedPolicy) -> Self {
+    fn new(policy: &QuantisedPolicy) -> Self {
         let scales = meaning::scales(&policy.inputs);
         let (preferences, output) = match &policy.output {
             Output::Preferences(preferences) => (Some(preferences.clone()), None),

@@ -1,8 +1,9 @@
 //! The meaning of a network's inputs and outputs.
 
 use serde::{Deserialize, Serialize};
+use std::fmt;
 use tpg_graph::error::{InputError, Place};
-use tpg_runtime::net::{OutputKind, Scaling, Squash, Value, contract};
+use tpg_runtime::net::{OutputKind, Scaling, Squash, Value};
 
 /// An input: the network sees (value − offset)·scale.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,17 +27,23 @@ impl Input {
     }
 }
 
+/// Writes the name, and what the network sees where that is not the input itself.
+impl fmt::Display for Input {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { name, offset, scale } = self;
+        match self.is_plain() {
+            true => f.write_str(name),
+            false => write!(f, "{name}: the network sees (value - {offset}) * {scale}"),
+        }
+    }
+}
+
 /// The scales of inputs; none where the network sees all as they are.
 pub(super) fn scales(inputs: &[Input]) -> Vec<Scaling> {
     if inputs.iter().all(Input::is_plain) {
         return Vec::new();
     }
     inputs.iter().map(|&Input { offset, scale, .. }| Scaling { offset, scale }).collect()
-}
-
-/// The checksum of the inputs' names.
-pub(super) fn contract_of(inputs: &[Input]) -> u32 {
-    contract(&inputs.iter().map(|input| input.name.as_str()).collect::<Vec<_>>())
 }
 
 pub(super) fn check_inputs(file: &str, inputs: &[Input]) -> Result<(), InputError> {
@@ -139,6 +146,17 @@ impl Output {
             Self::Preferences(_) => None,
             Self::Values(values) => Some(values.len()),
             Self::Argmax(names) => Some(names.len()),
+        }
+    }
+
+    /// The names of the outputs that have one, values with their ranges.
+    pub(super) fn described(&self) -> Vec<String> {
+        match self {
+            Self::Preferences(_) => Vec::new(),
+            Self::Values(values) => {
+                values.iter().map(|value| format!("{}: {} to {}", value.name, value.min, value.max)).collect()
+            }
+            Self::Argmax(names) => names.clone(),
         }
     }
 

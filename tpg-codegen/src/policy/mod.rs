@@ -37,9 +37,10 @@ pub use plain::{differences, to_plain_c};
 pub use quantise::{QuantiseError, quantise};
 
 use serde::{Deserialize, Serialize};
+use std::ops::Deref;
 use tpg_graph::error::{InputError, Place};
 use tpg_kernels::clip_to_i8;
-use tpg_runtime::net::{HIDDEN, Kind, LAST, LAYERS, LayerRows, Rescale, WIDTH, Weights, accumulate, integer};
+use tpg_runtime::net::{HIDDEN, Kind, LAST, LAYERS, LayerRows, Rescale, WIDTH, Weights, accumulate, contract, integer};
 
 /// The rule by which accumulators are rescaled.
 pub const ROUNDING: &str = "(acc * factor + 2^(shift - 1)) >> shift in 64 bits, then clipped";
@@ -64,6 +65,43 @@ fn layer_kind(kind: Kind, index: usize, layers: usize) -> Kind {
     if kind == Kind::W8A8 && index + 1 == layers { Kind::W8A16 } else { kind }
 }
 
+/// A layer, and what its place in the network makes of it.
+struct Layer<'a> {
+    layer: &'a QuantisedLayer,
+    kind: Kind,
+    /// The range that its outputs are clipped to.
+    low: i16,
+    high: i16,
+}
+
+impl Deref for Layer<'_> {
+    type Target = QuantisedLayer;
+
+    fn deref(&self) -> &QuantisedLayer {
+        self.layer
+    }
+}
+
+impl Layer<'_> {
+    /// Bits of a weight.
+    fn bits(&self) -> usize {
+        if self.kind == Kind::W16A16 { 16 } else { 8 }
+    }
+
+    /// The outputs for some inputs.
+    fn forward(&self, inputs: &[i16]) -> Vec<i16> {
+        let rows = self.rows().zip(&self.bias).zip(self.rescales());
+        let output = |((weights, &bias), rescale): ((&[i16], &i32), Rescale)| {
+            rescale.apply(accumulate(bias, weights, inputs), self.low).min(self.high)
+        };
+        rows.map(output).collect()
+    }
+
+    fn bytes(&self) -> usize {
+        self.bits() / 8 * self.weights.len() + 4 * self.bias.len() + 2 * self.factor.len() + self.shift.len()
+    }
+}
+
 /// One layer in integers.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -83,23 +121,14 @@ pub struct QuantisedLayer {
 }
 
 impl QuantisedLayer {
-    /// The outputs, clipped to `low` from below and to `high` from above.
-    pub fn forward(&self, inputs: &[i16], low: i16, high: i16) -> Vec<i16> {
-        let rows = self.weights.chunks_exact(self.inputs).zip(&self.bias).zip(self.factor.iter().zip(&self.shift));
-        rows.map(|((weights, &bias), (&factor, &shift))| {
-            Rescale { factor, shift }.apply(accumulate(bias, weights, inputs), low).min(high)
-        })
-        .collect()
+    /// The weights of each output.
+    fn rows(&self) -> impl Iterator<Item = &[i16]> {
+        self.weights.chunks_exact(self.inputs)
     }
 
     /// The way from each row's accumulator to its output.
-    pub fn rescales(&self) -> Vec<Rescale> {
+    fn rescales(&self) -> Vec<Rescale> {
         self.factor.iter().zip(&self.shift).map(|(&factor, &shift)| Rescale { factor, shift }).collect()
-    }
-
-    fn bytes(&self, kind: Kind) -> usize {
-        let of_a_weight = if kind == Kind::W16A16 { 2 } else { 1 };
-        of_a_weight * self.weights.len() + 4 * self.bias.len() + 2 * self.factor.len() + self.shift.len()
     }
 }
 
@@ -132,7 +161,7 @@ impl QuantisedPolicy {
         meaning::check_inputs(file, &self.inputs)?;
         self.output.check(file)?;
         let mut inputs = self.inputs.len();
-        for (index, (layer, kind)) in self.layers.iter().zip(self.layer_kinds()).enumerate() {
+        for (index, layer) in self.described().into_iter().enumerate() {
             let path = |field: &str| format!("$.layers[{index}].{field}");
             let sizes =
                 [layer.inputs, layer.outputs.saturating_mul(layer.inputs), layer.outputs, layer.outputs, layer.outputs];
@@ -151,13 +180,14 @@ impl QuantisedPolicy {
                     format!("up to {WIDTH}"),
                 );
             }
-            let (least, greatest) = kind.weights();
+            let (least, greatest) = layer.kind.weights();
             if let Some(weight) = layer.weights.iter().find(|weight| !(least..=greatest).contains(weight)) {
                 return refuse(path("weights"), weight.to_string(), format!("{least} to {greatest}, as {}", self.kind));
             }
             let rescale = layer.rescales();
             let weights = Weights::I16(&layer.weights);
-            let rows = LayerRows { inputs: layer.inputs, kind, weights, bias: &layer.bias, rescale: &rescale };
+            let rows =
+                LayerRows { inputs: layer.inputs, kind: layer.kind, weights, bias: &layer.bias, rescale: &rescale };
             for row in 0..layer.outputs {
                 let worst = rows.worst_accumulator(row);
                 if worst > i64::from(i32::MAX) {
@@ -187,9 +217,30 @@ impl QuantisedPolicy {
         Kind::from_name(&self.kind).unwrap_or(Kind::W8A16)
     }
 
-    /// The same of each layer.
-    pub fn layer_kinds(&self) -> Vec<Kind> {
-        (0..self.layers.len()).map(|index| layer_kind(self.kind(), index, self.layers.len())).collect()
+    /// The layers, first to last: what everything that runs or prints the network is made from.
+    fn described(&self) -> Vec<Layer<'_>> {
+        let kind = |index| layer_kind(self.kind(), index, self.layers.len());
+        let layer = |(index, layer)| {
+            let is_last = index + 1 == self.layers.len();
+            let (low, high) = if is_last { (LAST, i16::MAX) } else { (HIDDEN, kind(index + 1).activation()) };
+            Layer { layer, kind: kind(index), low, high }
+        };
+        self.layers.iter().enumerate().map(layer).collect()
+    }
+
+    /// Tests for inputs that the network does not see as they are.
+    fn is_scaled(&self) -> bool {
+        !self.inputs.iter().all(Input::is_plain)
+    }
+
+    /// Tests for a network that answers with the number of its greatest output.
+    fn is_choice(&self) -> bool {
+        matches!(self.output, Output::Argmax(_))
+    }
+
+    /// The checksum of the inputs' names.
+    fn contract(&self) -> u32 {
+        contract(&self.inputs.iter().map(|input| input.name.as_str()).collect::<Vec<_>>())
     }
 
     /// The inputs of a state, in multiples of 1/4096.
@@ -199,17 +250,13 @@ impl QuantisedPolicy {
 
     /// The outputs, for inputs in multiples of 1/4096.
     pub fn outputs(&self, inputs: &[i16]) -> Vec<i32> {
-        let kinds = self.layer_kinds();
+        let layers = self.described();
         let mut values = inputs.to_vec();
-        if kinds.first() == Some(&Kind::W8A8) {
+        if layers.first().is_some_and(|layer| layer.kind == Kind::W8A8) {
             values.iter_mut().for_each(|value| *value = clip_to_i8(*value));
         }
-        for (index, layer) in self.layers.iter().enumerate() {
-            let (low, high) = match kinds.get(index + 1) {
-                Some(next) => (HIDDEN, next.activation()),
-                None => (LAST, i16::MAX),
-            };
-            values = layer.forward(&values, low, high);
+        for layer in &layers {
+            values = layer.forward(&values);
         }
         values.into_iter().map(i32::from).collect()
     }
@@ -228,7 +275,7 @@ impl QuantisedPolicy {
 
     /// Bytes of its constants on a target.
     pub fn bytes(&self) -> usize {
-        self.layers.iter().zip(self.layer_kinds()).map(|(layer, kind)| layer.bytes(kind)).sum()
+        self.described().iter().map(Layer::bytes).sum()
     }
 
     /// Multiplications of a weight that one decision costs.

@@ -12,7 +12,7 @@ struct Source<'a> {
     banner: &'a [String],
     prefix: &'a str,
     upper: &'a str,
-    lines: Vec<String>,
+    words: &'a [u32],
 }
 
 #[derive(Template)]
@@ -23,14 +23,7 @@ struct Header<'a> {
     upper: &'a str,
     words: usize,
     scratch: usize,
-    /// The inputs and outputs of a network that is not the arm's: a line each.
-    general: Option<General>,
-}
-
-struct General {
-    inputs: Vec<String>,
-    outputs: Vec<String>,
-    ask: &'static str,
+    policy: &'a QuantisedPolicy,
 }
 
 /// The network as [`Model`] reads it; `wide` with 16 bits a weight even where they have 8: more flash,
@@ -40,35 +33,56 @@ struct General {
 /// If it has a rescale that is no multiplier of 32 bits, or activations of
 /// 8 bits where `wide` is asked for.
 pub fn to_words(policy: &QuantisedPolicy, wide: bool) -> Result<Vec<u32>, InputError> {
-    let refuse = |found: String, accepted: &str| {
-        InputError::new("policy.q.json", Place::Path("$.layers".to_owned()), found, accepted)
+    let refuse = |path: &str, found: String, accepted: &str| {
+        InputError::new("policy.q.json", Place::Path(path.to_owned()), found, accepted)
     };
     let (scales, values) = (meaning::scales(&policy.inputs), policy.output.values());
-    let contract = meaning::contract_of(&policy.inputs);
-    let meaning = Meaning { contract, inputs: &scales, answer: policy.output.answer(), values: &values };
-    let rescales: Vec<Vec<Rescale>> = policy.layers.iter().map(|layer| layer.rescales()).collect();
+    let meaning =
+        Meaning { contract: policy.contract(), inputs: &scales, answer: policy.output.answer(), values: &values };
     if wide && policy.kind() == Kind::W8A8 {
-        let place = Place::Path("$.kind".to_owned());
-        return Err(InputError::new("policy.q.json", place, "w8a8 to be made wide", "w8a16 or w16a16"));
+        return Err(refuse("$.kind", "w8a8 to be made wide".to_owned(), "w8a16 or w16a16"));
+    }
+    let rescales: Vec<Vec<Rescale>> = policy.layers.iter().map(|layer| layer.rescales()).collect();
+    if let Some(at) = rescales.iter().flatten().find(|rescale| rescale.multiplier().is_none()) {
+        return Err(refuse("$.layers", format!("{at:?}"), "factor / 2^shift below 1/2, and exact in 32 bits"));
     }
     let mut sizes = Vec::new();
     let mut rows = Vec::new();
-    for ((layer, rescale), kind) in policy.layers.iter().zip(&rescales).zip(policy.layer_kinds()) {
-        let kind = if wide { Kind::W16A16 } else { kind };
-        if let Some(at) = rescale.iter().find(|rescale| rescale.multiplier().is_none()) {
-            return Err(refuse(format!("{at:?}"), "factor / 2^shift below 1/2, and exact in 32 bits"));
-        }
-        let weights = Weights::I16(&layer.weights);
+    for (layer, rescale) in policy.described().iter().zip(&rescales) {
+        let kind = if wide { Kind::W16A16 } else { layer.kind };
         sizes.push((layer.inputs, layer.outputs, kind));
-        rows.push(LayerRows { inputs: layer.inputs, kind, weights, bias: &layer.bias, rescale });
+        let weights = Weights::I16(&layer.layer.weights);
+        rows.push(LayerRows { inputs: layer.inputs, kind, weights, bias: &layer.layer.bias, rescale });
     }
     let mut words = vec![0; net::words(&sizes, &meaning)];
     if !net::pack(&rows, &meaning, &mut words) {
-        let found = format!("layers of {sizes:?}");
         let accepted = format!("1 to {} layers of at most {} values", net::LAYERS, net::WIDTH);
-        return Err(refuse(found, &accepted));
+        return Err(refuse("$.layers", format!("layers of {sizes:?}"), &accepted));
     }
     Ok(words)
+}
+
+/// Words of scratch memory that a decision needs.
+pub(super) fn scratch(words: &[u32]) -> usize {
+    Model::parse(words).map_or(0, |model| model.scratch())
+}
+
+/// The banner of a network's C, with a line about its size.
+pub(super) fn banner(policy: &QuantisedPolicy, size: String) -> Vec<String> {
+    vec![
+        format!("Made by tpg-codegen {} from a network in integers; do not edit.", env!("CARGO_PKG_VERSION")),
+        format!("Weights' SHA-256: {}", policy.source_sha256),
+        size,
+    ]
+}
+
+/// `PREFIX.h` and `PREFIX.c`.
+pub(super) fn files(prefix: &Prefix, header: &impl Template, source: &impl Template) -> Vec<File> {
+    let file = |extension: &str, text: askama::Result<String>| File {
+        name: format!("{prefix}.{extension}"),
+        text: text.expect("a template of plain values") + "\n",
+    };
+    vec![file("h", header.render()), file("c", source.render())]
 }
 
 /// `PREFIX.h` and `PREFIX.c`: the words as a constant array, for `tpg_network_init`, or for `tpg_sac_init` where its outputs
@@ -77,78 +91,19 @@ pub fn to_words(policy: &QuantisedPolicy, wide: bool) -> Result<Vec<u32>, InputE
 /// # Errors
 /// As [`to_words`].
 pub fn to_c(policy: &QuantisedPolicy, prefix: &Prefix, wide: bool) -> Result<Vec<File>, InputError> {
-    let words = to_words(policy, wide)?;
-    let scratch = Model::parse(&words).map_or(0, |model| model.scratch());
-    let upper = prefix.upper();
-    let banner = [
-        format!("Made by tpg-codegen {} from a network in integers; do not edit.", env!("CARGO_PKG_VERSION")),
-        format!("Weights' SHA-256: {}", policy.source_sha256),
-        format!(
-            "{} layers, {} multiplications a decision, {} bytes.",
-            policy.layers.len(),
-            policy.multiplications(),
-            4 * words.len()
-        ),
-        match &policy.output {
-            Output::Preferences(preferences) => {
-                format!("Actions: {}; mask: {}.", preferences.actions, preferences.mask)
-            }
-            Output::Values(_) => format!(
-                "{} inputs, values of {} outputs.",
-                policy.inputs.len(),
-                policy.layers.last().map_or(0, |layer| layer.outputs)
-            ),
-            Output::Argmax(_) => format!(
-                "{} inputs, the greatest of {} outputs.",
-                policy.inputs.len(),
-                policy.layers.last().map_or(0, |layer| layer.outputs)
-            ),
-        },
-    ];
-    let hexadecimal = |words: &[u32]| words.iter().map(|word| format!("0x{word:08x}U")).collect::<Vec<_>>().join(", ");
-    let source = Source {
-        banner: &banner,
-        prefix: prefix.lower(),
-        upper: &upper,
-        lines: words.chunks(8).map(hexadecimal).collect(),
-    };
-    let header = Header {
-        banner: &banner,
-        prefix: prefix.lower(),
-        upper: &upper,
-        words: words.len(),
-        scratch,
-        general: general(policy),
-    };
-    let file = |extension: &str, text: String| File { name: format!("{prefix}.{extension}"), text: text + "\n" };
-    Ok(vec![
-        file("h", header.render().expect("a template of plain values")),
-        file("c", source.render().expect("a template of plain values")),
-    ])
-}
-
-/// The comments of a network that is not the arm's.
-fn general(policy: &QuantisedPolicy) -> Option<General> {
-    let input = |(place, input): (usize, &super::Input)| {
-        if input.is_plain() {
-            format!("{place} {}", input.name)
-        } else {
-            format!("{place} {}: the network sees (value - {}) * {}", input.name, input.offset, input.scale)
-        }
-    };
-    let numbered = |(place, text): (usize, String)| format!("{place} {text}");
-    let outputs: Vec<String> = match &policy.output {
-        Output::Preferences(_) => return None,
-        Output::Values(values) => {
-            values.iter().map(|value| format!("{}: {} to {}", value.name, value.min, value.max)).collect()
-        }
-        Output::Argmax(names) => names.clone(),
-    };
-    Some(General {
-        inputs: policy.inputs.iter().enumerate().map(input).collect(),
-        outputs: outputs.into_iter().enumerate().map(numbered).collect(),
-        ask: if matches!(policy.output, Output::Argmax(_)) { "tpg_network_choose" } else { "tpg_network_values" },
-    })
+    let words = &to_words(policy, wide)?;
+    let (layers, multiplications, bytes) = (policy.layers.len(), policy.multiplications(), 4 * words.len());
+    let mut banner =
+        banner(policy, format!("{layers} layers, {multiplications} multiplications a decision, {bytes} bytes."));
+    let (inputs, outputs) = (policy.inputs.len(), policy.layers.last().map_or(0, |layer| layer.outputs));
+    banner.push(match &policy.output {
+        Output::Preferences(preferences) => format!("Actions: {}; mask: {}.", preferences.actions, preferences.mask),
+        Output::Values(_) => format!("{inputs} inputs, values of {outputs} outputs."),
+        Output::Argmax(_) => format!("{inputs} inputs, the greatest of {outputs} outputs."),
+    });
+    let (banner, upper, prefix_text) = (&*banner, &*prefix.upper(), prefix.lower());
+    let header = Header { banner, prefix: prefix_text, upper, words: words.len(), scratch: scratch(words), policy };
+    Ok(files(prefix, &header, &Source { banner, prefix: prefix_text, upper, words }))
 }
 
 #[cfg(test)]

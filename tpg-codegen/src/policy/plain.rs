@@ -1,14 +1,15 @@
 //! A network in integers as C that needs nothing else: C99 with its own arithmetic, bit for bit [`QuantisedPolicy`]'s.
 
-use super::{Output, QuantisedPolicy};
+use super::model::{banner, files};
+use super::{Layer, Output, QuantisedPolicy};
 use crate::emit::{File, Prefix};
 use crate::verify::{BuildError, Workshop, c_command, compile};
 use askama::Template;
-use std::fmt::Display;
+use std::collections::BTreeSet;
 use std::io::{self, Seek as _, Write as _};
 use std::process::{Command, Stdio};
 use tpg_graph::error::{InputError, Place};
-use tpg_runtime::net::{FRACTION_ONE, HIDDEN, Kind, LAST, Squash, Value};
+use tpg_runtime::net::{FRACTION_ONE, Kind, Squash, Value};
 
 /// Values of the table of tanh, 1/32 apart.
 const TABLE: i32 = 194;
@@ -19,9 +20,7 @@ struct Header<'a> {
     banner: &'a [String],
     prefix: &'a str,
     upper: &'a str,
-    inputs: Vec<String>,
-    outputs: Vec<String>,
-    is_choice: bool,
+    policy: &'a QuantisedPolicy,
 }
 
 #[derive(Template)]
@@ -29,26 +28,15 @@ struct Header<'a> {
 struct Source<'a> {
     banner: &'a [String],
     prefix: &'a str,
-    layers: Vec<LayerText>,
+    policy: &'a QuantisedPolicy,
+    layers: Vec<Layer<'a>>,
     /// The widths of weights that occur.
-    widths: Vec<u8>,
-    inputs: usize,
+    widths: BTreeSet<usize>,
     outputs: usize,
-    widest: usize,
-    is_scaled: bool,
-    offsets: String,
-    scales: String,
-    clips_inputs: bool,
-    clip: &'static str,
-    values: Vec<ValueText>,
-    least: String,
-    most: String,
-    span: String,
-    has_clamp: bool,
-    table: Option<Vec<String>>,
-    table_length: i32,
-    /// The array that holds the last layer's outputs.
-    last: &'static str,
+    /// The arrays that a layer reads and writes, by turns.
+    arrays: [&'a str; 2],
+    values: Vec<Value>,
+    table: Vec<i32>,
 }
 
 #[derive(Template)]
@@ -56,39 +44,6 @@ struct Source<'a> {
 struct Harness<'a> {
     prefix: &'a str,
     is_choice: bool,
-}
-
-struct LayerText {
-    bits: u8,
-    inputs: usize,
-    outputs: usize,
-    weights_length: usize,
-    weights: Vec<String>,
-    bias: String,
-    factor: String,
-    shift: String,
-    from: &'static str,
-    to: &'static str,
-    low: i16,
-    high: i16,
-}
-
-struct ValueText {
-    squash: &'static str,
-    /// From an output to the finest scale.
-    finer: i32,
-}
-
-fn list<T: Display>(items: impl IntoIterator<Item = T>) -> String {
-    items.into_iter().map(|item| item.to_string()).collect::<Vec<_>>().join(", ")
-}
-
-fn floats(items: impl IntoIterator<Item = f32>) -> String {
-    list(items.into_iter().map(|item| format!("{item:?}F")))
-}
-
-fn lines<T: Display>(items: &[T]) -> Vec<String> {
-    items.chunks(20).map(list).collect()
 }
 
 /// `PREFIX.h` and `PREFIX.c`: C99 that is C++11 too, reentrant, without a heap. `PREFIX_infer` answers with an action's
@@ -101,95 +56,40 @@ pub fn to_plain_c(policy: &QuantisedPolicy, prefix: &Prefix) -> Result<Vec<File>
         let place = Place::Path("$.output".to_owned());
         return Err(InputError::new("policy.q.json", place, "preferences", "values or an argmax"));
     }
-    let upper = prefix.upper();
-    let banner = [
-        format!("Made by tpg-codegen {} from a network in integers; do not edit.", env!("CARGO_PKG_VERSION")),
-        format!("Weights' SHA-256: {}", policy.source_sha256),
-        format!("{} multiplications a decision, {} bytes of constants.", policy.multiplications(), policy.bytes()),
-    ];
-    let is_choice = matches!(policy.output, Output::Argmax(_));
-    let header = Header {
-        banner: &banner,
-        prefix: prefix.lower(),
-        upper: &upper,
-        inputs: policy.inputs.iter().enumerate().map(|(place, input)| format!("{place} {}", input.name)).collect(),
-        outputs: outputs(policy),
-        is_choice,
-    };
-    let file = |extension: &str, text: String| File { name: format!("{prefix}.{extension}"), text: text + "\n" };
-    Ok(vec![
-        file("h", header.render().expect("a template of plain values")),
-        file("c", source(policy, prefix, &banner).render().expect("a template of plain values")),
-    ])
-}
-
-fn outputs(policy: &QuantisedPolicy) -> Vec<String> {
-    let texts: Vec<String> = match &policy.output {
-        Output::Argmax(names) => names.clone(),
-        Output::Values(values) => {
-            values.iter().map(|value| format!("{}: {} to {}", value.name, value.min, value.max)).collect()
-        }
-        Output::Preferences(_) => Vec::new(),
-    };
-    texts.iter().enumerate().map(|(place, text)| format!("{place} {text}")).collect()
-}
-
-fn source<'a>(policy: &'a QuantisedPolicy, prefix: &'a Prefix, banner: &'a [String]) -> Source<'a> {
-    let kinds = policy.layer_kinds();
-    let layer = |(index, layer): (usize, &super::QuantisedLayer)| {
-        let (from, to) = if index.is_multiple_of(2) { ("a", "b") } else { ("b", "a") };
-        let (low, high) = kinds.get(index + 1).map_or((LAST, i16::MAX), |next| (HIDDEN, next.activation()));
-        LayerText {
-            bits: if kinds[index] == Kind::W16A16 { 16 } else { 8 },
-            inputs: layer.inputs,
-            outputs: layer.outputs,
-            weights_length: layer.weights.len(),
-            weights: lines(&layer.weights),
-            bias: list(&layer.bias),
-            factor: list(&layer.factor),
-            shift: list(&layer.shift),
-            from,
-            to,
-            low,
-            high,
-        }
-    };
-    let layers: Vec<LayerText> = policy.layers.iter().enumerate().map(layer).collect();
-    let mut widths: Vec<u8> = layers.iter().map(|layer| layer.bits).collect();
-    widths.sort_unstable();
-    widths.dedup();
+    let size =
+        format!("{} multiplications a decision, {} bytes of constants.", policy.multiplications(), policy.bytes());
+    let banner = &banner(policy, size);
+    let layers = policy.described();
     let values = policy.output.values();
-    let value = |value: &Value| match value.squash {
-        Squash::Tanh => ValueText { squash: "tanh_of", finer: 1 << (11 - value.exponent) },
-        Squash::Clamp => ValueText { squash: "clamp_of", finer: 1 << (14 - value.exponent) },
-    };
-    let has = |squash| values.iter().any(|value| value.squash == squash);
-    Source {
+    let is_squashed = values.iter().any(|value| value.squash == Squash::Tanh);
+    let header = Header { banner, prefix: prefix.lower(), upper: &prefix.upper(), policy };
+    let source = Source {
         banner,
         prefix: prefix.lower(),
-        widths,
-        inputs: policy.inputs.len(),
+        policy,
+        widths: layers.iter().map(Layer::bits).collect(),
         outputs: layers.last().map_or(0, |layer| layer.outputs),
-        widest: layers.iter().flat_map(|layer| [layer.inputs, layer.outputs]).max().unwrap_or(1),
-        is_scaled: !policy.inputs.iter().all(super::Input::is_plain),
-        offsets: floats(policy.inputs.iter().map(|input| input.offset)),
-        scales: floats(policy.inputs.iter().map(|input| input.scale)),
-        clips_inputs: kinds.first() == Some(&Kind::W8A8),
-        clip: CLIP,
-        least: floats(values.iter().map(|value| value.min)),
-        most: floats(values.iter().map(|value| value.max)),
-        span: floats(values.iter().map(|value| value.max - value.min)),
-        has_clamp: has(Squash::Clamp),
-        table: has(Squash::Tanh).then(|| lines(&table())),
-        table_length: TABLE,
-        last: if layers.len().is_multiple_of(2) { "a" } else { "b" },
-        values: values.iter().map(value).collect(),
         layers,
-    }
+        arrays: ["a", "b"],
+        values,
+        table: if is_squashed { table() } else { Vec::new() },
+    };
+    Ok(files(prefix, &header, &source))
 }
 
-/// Inputs of 8 bits, in multiples of 1/32: to nearest, halves upwards, clipped.
-const CLIP: &str = "a[i] = rescaled(a[i], 1, 7, -127, 127);";
+impl Source<'_> {
+    fn widest(&self) -> usize {
+        self.layers.iter().flat_map(|layer| [layer.inputs, layer.outputs]).max().unwrap_or(1)
+    }
+
+    fn clips_inputs(&self) -> bool {
+        self.layers.first().is_some_and(|layer| layer.kind == Kind::W8A8)
+    }
+
+    fn has_clamp(&self) -> bool {
+        self.values.iter().any(|value| value.squash == Squash::Clamp)
+    }
+}
 
 /// The runtime's table of tanh, read from its function.
 fn table() -> Vec<i32> {
@@ -207,7 +107,7 @@ pub fn differences(policy: &QuantisedPolicy, states: &[Vec<f32>]) -> Result<usiz
     let files = to_plain_c(policy, &prefix).map_err(io::Error::other)?;
     let workshop = Workshop::new()?;
     let folder = workshop.write("network", &files)?;
-    let is_choice = matches!(policy.output, Output::Argmax(_));
+    let is_choice = policy.is_choice();
     let harness = Harness { prefix: prefix.lower(), is_choice };
     std::fs::write(folder.join("harness.c"), harness.render().map_err(io::Error::other)?)?;
     let mut command = c_command(&folder)?;

@@ -48,7 +48,7 @@ fn headlines(report: &Report) -> Vec<Headline> {
         value: format!("{} bytes", size.flash.unwrap_or_default()),
         note: format!(
             "C, profile {}{}",
-            size.profile.name(),
+            size.profile,
             if size.estimated { ", an estimate" } else { ", compiled with -Os" }
         ),
     });
@@ -56,7 +56,7 @@ fn headlines(report: &Report) -> Vec<Headline> {
     let cost = quick.map(|cost| Headline {
         name: "operations of a decision".to_owned(),
         value: format!("{:.1}, at most {}", cost.mean.operations, cost.worst.operations),
-        note: format!("C, profile {}; mean over {}", cost.profile.name(), report.states),
+        note: format!("C, profile {}; mean over {}", cost.profile, report.states),
     });
     let GraphCounts { teams, edges, programs, inputs, .. } = report.graph;
     let dead = report.dead_inputs.len();
@@ -78,7 +78,7 @@ fn sizes(report: &Report) -> Section {
             (None, false) => "compiled",
         };
         vec![
-            size.profile.name().to_owned(),
+            size.profile.to_owned(),
             size.target.name().to_owned(),
             number(size.flash),
             number(size.ram),
@@ -98,7 +98,7 @@ fn sizes(report: &Report) -> Section {
 fn costs(report: &Report) -> Section {
     let row = |ShapeCost { profile, worst, mean }: &ShapeCost| {
         vec![
-            profile.name().to_owned(),
+            profile.to_string(),
             format!("{:.1}", mean.operations),
             worst.operations.to_string(),
             format!("{:.1}", mean.bids),

@@ -81,54 +81,20 @@ pub struct GraphCounts {
     pub operations: usize,
 }
 
-/// A shape of C: a profile, or GEGELATI's style.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum ShapeName {
-    /// See [`Profile::Fast`].
-    Fast,
-    /// See [`Profile::Balanced`].
-    Balanced,
-    /// See [`Profile::Small`].
-    Small,
-    /// See [`Profile::ConstantTime`].
-    ConstantTime,
-    /// See [`Style::Gegelati`].
-    Gegelati,
-}
-
-impl ShapeName {
-    /// Every shape.
-    pub const ALL: [Self; 5] = [Self::Fast, Self::Balanced, Self::Small, Self::ConstantTime, Self::Gegelati];
-
-    /// The name in reports.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Fast => Profile::Fast.name(),
-            Self::Balanced => Profile::Balanced.name(),
-            Self::Small => Profile::Small.name(),
-            Self::ConstantTime => Profile::ConstantTime.name(),
-            Self::Gegelati => "gegelati",
-        }
-    }
-
-    fn compile<'g>(self, graph: &'g Graph, options: &Options, language: Language) -> Program<'g> {
-        let (style, profile) = match self {
-            Self::Fast => (Style::Pure, Some(Profile::Fast)),
-            Self::Balanced => (Style::Pure, Some(Profile::Balanced)),
-            Self::Small => (Style::Pure, Some(Profile::Small)),
-            Self::ConstantTime => (Style::Pure, Some(Profile::ConstantTime)),
-            Self::Gegelati => (Style::Gegelati, None),
-        };
-        compile(graph, &Options { style, profile, ..options.clone() }, language)
-    }
+/// The shapes of a graph's code, by name: profiles, and in C GEGELATI's style, which has no outputs.
+fn shapes(graph: &Graph, options: &Options, language: Language) -> Vec<(&'static str, Options)> {
+    let pure =
+        |profile: Profile| (profile.name(), Options { style: Style::Pure, profile: Some(profile), ..options.clone() });
+    let gegelati = ("gegelati", Options { style: Style::Gegelati, profile: None, ..options.clone() });
+    let has_gegelati = language == Language::C && graph.outputs().is_empty();
+    Profile::ALL.map(pure).into_iter().chain(has_gegelati.then_some(gegelati)).collect()
 }
 
 /// The cost of a decision in one shape.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ShapeCost {
     /// The shape.
-    pub profile: ShapeName,
+    pub profile: &'static str,
     /// At most.
     pub worst: Cost<u64>,
     /// On average over the states.
@@ -141,7 +107,7 @@ pub struct ShapeSize {
     /// The target.
     pub target: Target,
     /// The shape.
-    pub profile: ShapeName,
+    pub profile: &'static str,
     /// Bytes of flash: code, constants and initialised variables.
     pub flash: Option<u64>,
     /// Bytes of RAM, without the stack.
@@ -160,7 +126,7 @@ pub struct ShapeSize {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RustSize {
     /// The profile.
-    pub profile: ShapeName,
+    pub profile: &'static str,
     /// Bytes of flash.
     pub flash: Option<u64>,
     /// The reason for having none.
@@ -169,10 +135,9 @@ pub struct RustSize {
 
 /// Puts a report together; means are taken over `set`.
 pub fn report(graph: &Graph, options: &Options, targets: &[Target], set: &StateSet) -> Report {
-    // GEGELATI's style has no outputs.
-    let shapes = ShapeName::ALL.into_iter().filter(|&it| it != ShapeName::Gegelati || graph.outputs().is_empty());
-    let codes: Vec<(ShapeName, Code<'_>)> =
-        shapes.map(|shape| (shape, Code::of(shape.compile(graph, options, Language::C)))).collect();
+    let codes: Vec<(&str, Code<'_>)> = (shapes(graph, options, Language::C).into_iter())
+        .map(|(shape, options)| (shape, Code::of(compile(graph, &options, Language::C))))
+        .collect();
     let forms: Vec<Costs<'_>> = codes.iter().map(|(_, code)| Costs::of(&code.program)).collect();
     let means = Costs::means(&forms, set);
     let costs = codes.iter().zip(&forms).zip(means);
@@ -242,7 +207,7 @@ fn dead_inputs(optimised: &Module<'_>) -> Vec<String> {
     inputs.filter(|input| !read.contains(input)).map(|input| graph.input_name(input)).collect()
 }
 
-fn size_of(code: &Code<'_>, target: Target, profile: ShapeName) -> ShapeSize {
+fn size_of(code: &Code<'_>, target: Target, profile: &'static str) -> ShapeSize {
     let built = size::build_c(code, target).and_then(|built| Ok((size::measure(&built.object)?, built.stack)));
     let none = ShapeSize {
         target,
@@ -270,48 +235,17 @@ fn size_of(code: &Code<'_>, target: Target, profile: ShapeName) -> ShapeSize {
 }
 
 fn rust_sizes(graph: &Graph, options: &Options) -> Vec<RustSize> {
-    // As the C: for the least flash.
+    // As the C: for the smallest flash.
     let compiler = RustForCortexM4::new("s").map_err(|error| error.to_string());
-    let size = |profile: &ShapeName| {
+    let size = |options: &Options| {
         let compiler = compiler.as_ref().map_err(Clone::clone)?;
-        let code = Code::of(profile.compile(graph, options, Language::Rust));
+        let code = Code::of(compile(graph, options, Language::Rust));
         compiler.size(&code, "s").map_err(|error| error.to_string())
     };
-    // GEGELATI's style is C's alone.
-    (ShapeName::ALL.iter().filter(|&&shape| shape != ShapeName::Gegelati))
-        .map(|profile| match size(profile) {
-            Ok(size) => RustSize { profile: *profile, flash: Some(size.flash()), unavailable: None },
-            Err(error) => RustSize { profile: *profile, flash: None, unavailable: Some(error) },
+    (shapes(graph, options, Language::Rust).into_iter())
+        .map(|(profile, options)| match size(&options) {
+            Ok(size) => RustSize { profile, flash: Some(size.flash()), unavailable: None },
+            Err(error) => RustSize { profile, flash: None, unavailable: Some(error) },
         })
         .collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{ShapeName, report};
-    use crate::options::Options;
-    use tpg_graph::Graph;
-    use tpg_graph::states::StateSet;
-
-    fn fixture() -> Graph {
-        Graph::from_json("fixture", include_str!("../../tests/fixtures/all_instructions.json")).expect("a valid graph")
-    }
-
-    #[test]
-    fn a_graph_is_counted() {
-        let graph = fixture();
-        let set = StateSet::sampled(&graph, 100, 1);
-        let report = report(&graph, &Options::new("arm".parse().expect("a prefix")), &[], &set);
-        let counts = report.graph;
-        assert_eq!((counts.teams, counts.depth, counts.edges, counts.programs), (3, 3, 12, 11));
-        // Program 1 has two lines that its bid does not depend on.
-        assert_eq!((counts.lines, counts.introns), (21, 2));
-        assert!(counts.operations <= counts.distinct_operations);
-        assert_eq!(report.dead_inputs, ["motors[3]"], "only an intron reads it");
-        assert_eq!(report.costs.iter().map(|cost| cost.profile).collect::<Vec<_>>(), ShapeName::ALL);
-        assert!(report.sizes.is_empty());
-        for cost in &report.costs {
-            assert!(cost.mean.operations <= cost.worst.operations as f64, "{cost:?}");
-        }
-    }
 }

@@ -86,7 +86,7 @@ impl Report {
         writeln!(f, "{:<16}{pair}  {pair}{pair}{pair}", "")?;
         for cost in &self.costs {
             let (worst, mean) = (cost.worst, cost.mean);
-            write!(f, "{:<16}", cost.profile.name())?;
+            write!(f, "{:<16}", cost.profile)?;
             write!(f, "{:>9}{:>7.1}  ", worst.operations, mean.operations)?;
             write!(f, "{:>9}{:>7.2}", worst.maths_calls, mean.maths_calls)?;
             write!(f, "{:>9}{:>7.1}", worst.bids, mean.bids)?;
@@ -113,7 +113,7 @@ impl Report {
         for size in sizes {
             let number = |number: Option<u64>| number.map_or_else(|| "?".to_owned(), |number| number.to_string());
             let stack = size.stack.as_ref();
-            write!(f, "{:<16}{:>9}{:>9}", size.profile.name(), number(size.flash), number(size.ram))?;
+            write!(f, "{:<16}{:>9}{:>9}", size.profile, number(size.flash), number(size.ram))?;
             write!(f, "{:>9}", number(stack.map(|stack| stack.bytes)))?;
             if let Some(flash) = rust.iter().find(|rust| rust.profile == size.profile).and_then(|rust| rust.flash) {
                 write!(f, "{flash:>14}")?;

@@ -1,9 +1,7 @@
 //! An estimate of generated C's flash on a Cortex-M4F, for machines without its compiler.
 
 use crate::cost::Costs;
-use crate::emit::is_compact;
 use crate::ir::Node;
-use crate::passes::bytecode::{Bytecode, Width};
 use crate::program::{Program, Shape};
 use std::collections::BTreeSet;
 use tpg_graph::{MathsProvider, ScalarType};
@@ -36,7 +34,6 @@ pub fn flash(program: &Program<'_>) -> u64 {
         (ScalarType::F32, Shape::Gegelati) => weights([0, 31, 4, 10, 651, 0]),
         (ScalarType::F64, Shape::Gegelati) => weights([4, 11, 10, 12, 1122, 803]),
         (ScalarType::F32, Shape::Fast { .. } | Shape::Formula(_)) => weights([0, 80, 2, 32, 873, 0]),
-        (ScalarType::F64, Shape::Fast { .. }) if is_compact(module) => weights([500, 10, 18, 20, 965, 638]),
         (ScalarType::F64, Shape::Fast { .. } | Shape::Formula(_)) => weights([0, 31, 66, 19, 965, 638]),
         (ScalarType::F32, Shape::Balanced(_)) => weights([150, 2, 3, 16, 650, 400]),
         (ScalarType::F64, Shape::Balanced(_)) => weights([200, 2, 3, 12, 1068, 831]),
@@ -56,7 +53,7 @@ pub fn flash(program: &Program<'_>) -> u64 {
     let edges: usize = module.teams.iter().map(|team| team.edges.len()).sum();
     let (operations, tables) = match &program.shape {
         // Each operation occurs once in the text; the tables come on top.
-        Shape::Small(code) => (used.len() as u64, tables(code, graph.scalar())),
+        Shape::Small(code) => (used.len() as u64, code.bytes(graph.scalar())),
         Shape::Balanced(cases) => {
             (cases.bids.iter().map(|&case| cases.operations(case).concat().len() as u64).sum(), 0)
         }
@@ -70,13 +67,6 @@ pub fn flash(program: &Program<'_>) -> u64 {
         + exponential * own(&[Instruction::Ln, Instruction::Exp])
         + remainder * u64::from(used.contains(&Instruction::Fmod))
         + tables
-}
-
-fn tables(code: &Bytecode, scalar: ScalarType) -> u64 {
-    let tables = [&code.code, &code.programs, &code.bidders, &code.targets, &code.teams, &code.leaves];
-    let bytes = |table: &Vec<u64>| u64::from(Width::of(table).bits() / 8) * table.len() as u64;
-    let scalar = if scalar == ScalarType::F32 { 4 } else { 8 };
-    tables.into_iter().map(bytes).sum::<u64>() + scalar * code.constants.len() as u64
 }
 
 #[cfg(test)]

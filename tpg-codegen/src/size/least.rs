@@ -1,13 +1,12 @@
-//! A model of the flash of small graphs' code, by which the profile `small` takes the least of several shapes.
+//! A model of the flash of small graphs' code, by which the profile `small` takes the smallest of several shapes.
 //!
-//! The size of code is a sum over what it is made of, each with a weight for a language, a scalar type and a shape: fitted to what
+//! The size of code is a sum over its parts, each with a weight for a language, a scalar type and a shape: fitted to what
 //! `arm-none-eabi-gcc` 12.2 at `-Os` and rustc 1.95 at `opt-level` s made of random graphs for a Cortex-M4F, and for Rust then moved until
-//! the choice among the shapes was best. What the compilers leave out because it cannot matter, the model does not know:
-//! `tests/least.rs` holds how far it is off.
+//! the choice among the shapes was best. The model does not know what the compilers leave out because it cannot matter:
+//! `tests/least.rs` limits how far it is off.
 
 use crate::ir::{Module, Node, NodeId, reached};
 use crate::options::Language;
-use crate::passes::bytecode::{Bytecode, Width};
 use crate::passes::cases::{Cases, Kind};
 use crate::passes::functions;
 use crate::passes::schedule::Schedule;
@@ -15,111 +14,92 @@ use crate::program::Shape;
 use tpg_graph::{MathsProvider, ScalarType};
 use tpg_runtime::ops::Instruction;
 
-/// The number of what code is made of.
-const PARTS: usize = 18;
+/// The number of parts.
+const PARTS: usize = 16;
 
-/// The most edges of a graph that is not certain to be least as tables.
+/// The maximum number of edges of a graph that is not certain to be smallest as tables.
 const FEW_EDGES: usize = 64;
 
-/// Of several shapes of a module, the one whose code is least; the first is as tables.
-pub(crate) fn least(module: &Module<'_>, language: Language, shapes: [Shape; 4]) -> Shape {
+/// Bytes of flash for each part, by language, scalar type and shape: fast, balanced, small, constant-time.
+#[rustfmt::skip]
+const WEIGHTS: [[[[i64; PARTS]; 4]; 2]; 2] = [
+    // C
+    [
+        [
+            [23, -58, 21, 22, 0, 32, 2, 19, 18, -5, 398, -30, -16, 7, 39, 7],
+            [17, 15, -5, 21, 41, 49, 4, 4, 5, 11, 383, 207, 297, 10, 30, 14],
+            [143, 3, 14, -5, 0, 0, -5, -5, 6, 10, 394, 241, 231, -1, 89, -2],
+            [-3, 1, 1, 55, -13, -1, 14, 48, 43, -26, 397, 221, 108, 8, 25, 18],
+        ],
+        [
+            [-6, -97, 25, 33, 0, 69, 15, 53, 0, -37, 0, 0, 0, 20, -53, 42],
+            [21, 51, -18, 32, 99, -6, 10, 25, -27, -22, 1063, 707, 657, -7, 31, 18],
+            [165, 2, 25, -2, 0, 0, -4, -6, -9, 12, 1054, 612, 584, -1, 117, -1],
+            [-69, -9, 51, 91, -12, 78, 23, 48, -4, 4, 1036, 632, 581, 40, 102, -49],
+        ],
+    ],
+    // Rust
+    [
+        [
+            [6, -52, 19, 29, 0, 27, 9, 24, 90, -12, 0, 443, -91, 3, 24, 10],
+            [107, 33, 0, 11, 15, 120, 5, 7, 62, 2, 555, 233, 200, 6, 46, 4],
+            [185, 3, 67, 2, 0, 0, -10, -35, 16, 8, 420, 220, 175, 3, 84, -13],
+            [-32, 2, 27, 31, 17, 0, 10, 33, 39, -18, 513, 256, 229, 10, 71, 11],
+        ],
+        [
+            [-15, -58, 36, 45, 0, 25, 8, 47, 136, -48, 155, 0, 0, 13, 95, 12],
+            [218, 26, -6, 18, 46, 136, 19, 30, 15, 18, 13, -9, 70, 5, 72, 10],
+            [162, 2, 88, 3, 0, 0, -7, -20, -36, 15, -12, 4, 38, -8, 92, 11],
+            [5, -60, 34, 94, 45, -10, 40, 116, 95, 28, -85, -17, 26, 11, 201, 16],
+        ],
+    ],
+];
+
+/// Returns the shape of a module whose code is smallest; the first is as tables.
+pub(crate) fn smallest(module: &Module<'_>, language: Language, shapes: [Shape; 4]) -> Shape {
     let flash = |shape: &Shape| {
         let weights = weights(language, module.graph.scalar(), shape);
-        weights.map_or(f64::INFINITY, |weights| weights.iter().zip(parts(module, shape)).map(|(w, n)| w * n).sum())
+        weights.map_or(i64::MAX, |weights| weights.iter().zip(parts(module, shape)).map(|(w, n)| w * n).sum())
     };
     let sizes = shapes.each_ref().map(flash);
-    let least = (0..shapes.len()).fold(0, |least, place| if sizes[place] < sizes[least] { place } else { least });
-    let mut shapes = Vec::from(shapes);
-    shapes.swap_remove(least)
+    let first = (0..shapes.len()).min_by_key(|&place| sizes[place]).unwrap_or(0);
+    Vec::from(shapes).swap_remove(first)
 }
 
-/// Tests for a graph so small that other shapes than tables may be less.
+/// Tests for a graph so small that other shapes than tables may be smaller.
 pub(crate) fn is_small(module: &Module<'_>) -> bool {
     module.teams.iter().map(|team| team.edges.len()).sum::<usize>() <= FEW_EDGES
 }
 
-/// Bytes of flash for each part.
-fn weights(language: Language, scalar: ScalarType, shape: &Shape) -> Option<[f64; PARTS]> {
-    // Guards of expensive bids take so much that tables are less.
-    let has_guards =
-        matches!(shape, Shape::Fast { schedule, .. } if schedule.plans.iter().any(|plan| !plan.lazy.is_empty()));
-    if has_guards {
-        return None;
-    }
-    Some(match (language, scalar, shape) {
-        (Language::C, ScalarType::F32, Shape::Fast { .. }) => [
-            23.0, -58.0, 21.0, 22.0, 0.0, 32.0, 2.0, 19.0, 18.0, -5.0, 398.0, -30.0, -16.0, -30.0, -16.0, 7.0, 39.0,
-            7.0,
-        ],
-        (Language::C, ScalarType::F32, Shape::Balanced(_)) => [
-            17.0, 15.0, -5.0, 21.0, 41.0, 49.0, 4.0, 4.0, 5.0, 11.0, 383.0, 207.0, 297.0, 23.0, -46.0, 10.0, 30.0, 14.0,
-        ],
-        (Language::C, ScalarType::F32, Shape::Small(_)) => {
-            [143.0, 3.0, 14.0, -5.0, 0.0, 0.0, -5.0, -5.0, 6.0, 10.0, 394.0, 241.0, 231.0, 0.0, 0.0, -1.0, 89.0, -2.0]
-        }
-        (Language::C, ScalarType::F32, Shape::ConstantTime(_)) => {
-            [-3.0, 1.0, 1.0, 55.0, -13.0, -1.0, 14.0, 48.0, 43.0, -26.0, 397.0, 221.0, 108.0, 0.0, 0.0, 8.0, 25.0, 18.0]
-        }
-        (Language::C, ScalarType::F64, Shape::Fast { .. }) => {
-            [-6.0, -97.0, 25.0, 33.0, 0.0, 69.0, 15.0, 53.0, 0.0, -37.0, 0.0, 0.0, 0.0, 0.0, 0.0, 20.0, -53.0, 42.0]
-        }
-        (Language::C, ScalarType::F64, Shape::Balanced(_)) => [
-            21.0, 51.0, -18.0, 32.0, 99.0, -6.0, 10.0, 25.0, -27.0, -22.0, 1063.0, 707.0, 657.0, -93.0, 109.0, -7.0,
-            31.0, 18.0,
-        ],
-        (Language::C, ScalarType::F64, Shape::Small(_)) => [
-            165.0, 2.0, 25.0, -2.0, 0.0, 0.0, -4.0, -6.0, -9.0, 12.0, 1054.0, 612.0, 584.0, 0.0, 0.0, -1.0, 117.0, -1.0,
-        ],
-        (Language::C, ScalarType::F64, Shape::ConstantTime(_)) => [
-            -69.0, -9.0, 51.0, 91.0, -12.0, 78.0, 23.0, 48.0, -4.0, 4.0, 1036.0, 632.0, 581.0, 0.0, 0.0, 40.0, 102.0,
-            -49.0,
-        ],
-        (Language::Rust, ScalarType::F32, Shape::Fast { .. }) => {
-            [6.0, -52.0, 19.0, 29.0, 0.0, 27.0, 9.0, 24.0, 90.0, -12.0, 0.0, 443.0, -91.0, 0.0, 0.0, 3.0, 24.0, 10.0]
-        }
-        (Language::Rust, ScalarType::F32, Shape::Balanced(_)) => {
-            [107.0, 33.0, 0.0, 11.0, 15.0, 120.0, 5.0, 7.0, 62.0, 2.0, 555.0, 233.0, 200.0, 0.0, 0.0, 6.0, 46.0, 4.0]
-        }
-        (Language::Rust, ScalarType::F32, Shape::Small(_)) => {
-            [185.0, 3.0, 67.0, 2.0, 0.0, 0.0, -10.0, -35.0, 16.0, 8.0, 420.0, 220.0, 175.0, 0.0, 0.0, 3.0, 84.0, -13.0]
-        }
-        (Language::Rust, ScalarType::F32, Shape::ConstantTime(_)) => [
-            -32.0, 2.0, 27.0, 31.0, 17.0, 0.0, 10.0, 33.0, 39.0, -18.0, 513.0, 256.0, 229.0, 0.0, 0.0, 10.0, 71.0, 11.0,
-        ],
-        (Language::Rust, ScalarType::F64, Shape::Fast { .. }) => {
-            [-15.0, -58.0, 36.0, 45.0, 0.0, 25.0, 8.0, 47.0, 136.0, -48.0, 155.0, 0.0, 0.0, 0.0, 0.0, 13.0, 95.0, 12.0]
-        }
-        (Language::Rust, ScalarType::F64, Shape::Balanced(_)) => {
-            [218.0, 26.0, -6.0, 18.0, 46.0, 136.0, 19.0, 30.0, 15.0, 18.0, 13.0, -9.0, 70.0, 0.0, 0.0, 5.0, 72.0, 10.0]
-        }
-        (Language::Rust, ScalarType::F64, Shape::Small(_)) => {
-            [162.0, 2.0, 88.0, 3.0, 0.0, 0.0, -7.0, -20.0, -36.0, 15.0, -12.0, 4.0, 38.0, 0.0, 0.0, -8.0, 92.0, 11.0]
-        }
-        (Language::Rust, ScalarType::F64, Shape::ConstantTime(_)) => [
-            5.0, -60.0, 34.0, 94.0, 45.0, -10.0, 40.0, 116.0, 95.0, 28.0, -85.0, -17.0, 26.0, 0.0, 0.0, 11.0, 201.0,
-            16.0,
-        ],
-        (_, _, Shape::Formula(_) | Shape::Gegelati) => return None,
-    })
+fn weights(language: Language, scalar: ScalarType, shape: &Shape) -> Option<[i64; PARTS]> {
+    let row = match shape {
+        // Guards of expensive bids take so much that tables are smaller.
+        Shape::Fast { schedule, .. } if schedule.plans.iter().any(|plan| !plan.lazy.is_empty()) => return None,
+        Shape::Fast { .. } => 0,
+        Shape::Balanced(_) => 1,
+        Shape::Small(_) => 2,
+        Shape::ConstantTime(_) => 3,
+        Shape::Formula(_) | Shape::Gegelati => return None,
+    };
+    Some(WEIGHTS[language as usize][scalar as usize][row])
 }
 
 /// Counts of the parts of code.
-fn parts(module: &Module<'_>, shape: &Shape) -> [f64; PARTS] {
+fn parts(module: &Module<'_>, shape: &Shape) -> [i64; PARTS] {
     let nodes = match shape {
         Shape::Fast { schedule, .. } => &schedule.nodes,
         Shape::Balanced(cases) => &cases.nodes,
         _ => &module.nodes,
     };
-    let count = |of: &dyn Fn(&Node) -> bool| nodes.iter().filter(|node| of(node)).count() as f64;
-    let operations = |of: &'static [Instruction]| {
-        count(&move |node: &Node| matches!(node, Node::Operation(instruction, _) if of.contains(instruction)))
+    let operations = |any: &[Instruction]| {
+        let is_one = |node: &&Node| matches!(node, Node::Operation(instruction, _) if any.contains(instruction));
+        nodes.iter().filter(is_one).count()
     };
-    let uses = |of: &'static [Instruction]| operations(of).min(1.0);
-    let own = |of: &'static [Instruction]| if module.graph.maths() == MathsProvider::Own { uses(of) } else { 0.0 };
-    let leaf_values = reached(&module.leaves).map(|(_, leaf)| leaf.values.len()).sum::<usize>();
+    let uses = |any: &[Instruction]| operations(any).min(1);
+    let own = |any: &[Instruction]| if module.graph.maths() == MathsProvider::Own { uses(any) } else { 0 };
     let [choices, ways, eager, lazy, more] = deciding(module, shape);
     [
-        1.0,
+        1,
         choices,
         ways,
         eager,
@@ -127,44 +107,33 @@ fn parts(module: &Module<'_>, shape: &Shape) -> [f64; PARTS] {
         more,
         operations(&[Instruction::Sub, Instruction::Add, Instruction::Mul, Instruction::Div, Instruction::Abs]),
         operations(&[Instruction::NegateIfLess, Instruction::Min, Instruction::Max, Instruction::Gate]),
-        operations(&[
-            Instruction::Sin,
-            Instruction::Cos,
-            Instruction::Tan,
-            Instruction::Ln,
-            Instruction::Exp,
-            Instruction::Fmod,
-        ]),
+        operations(&[Instruction::Fmod]) + nodes.iter().filter(|node| node.is_transcendental()).count(),
         uses(&[Instruction::NegateIfLess]) + uses(&[Instruction::Min]) + uses(&[Instruction::Max]),
         own(&[Instruction::Sin, Instruction::Cos]),
         own(&[Instruction::Ln]),
         own(&[Instruction::Exp]),
-        count(&|node| matches!(node, Node::Upper(Instruction::Ln, _))).min(1.0),
-        count(&|node| matches!(node, Node::Upper(Instruction::Exp, _))).min(1.0),
-        count(&|node| node.as_constant().is_some()),
-        module.graph.outputs().len() as f64,
-        leaf_values as f64,
+        nodes.iter().filter(|node| node.as_constant().is_some()).count(),
+        module.graph.outputs().len(),
+        reached(&module.leaves).map(|(_, leaf)| leaf.values.len()).sum(),
     ]
+    .map(|count| count as i64)
 }
 
 /// The parts that decide, in the terms of each shape: of native teams their number, their ways, their cheap bids, the others, and the bids
 /// of 0.
-fn deciding(module: &Module<'_>, shape: &Shape) -> [f64; 5] {
+fn deciding(module: &Module<'_>, shape: &Shape) -> [usize; 5] {
     let edges = module.teams.iter().map(|team| team.edges.len()).sum::<usize>();
-    let counts = match shape {
+    match shape {
         Shape::Fast { schedule: Schedule { plans, nodes, .. }, .. } => {
             let deciding = || plans.iter().filter(|plan| plan.destinations().len() > 1);
-            let is_zero = |id: NodeId| nodes[id.index()].as_constant() == Some(0.0);
-            let is_constant = |id: NodeId| nodes[id.index()].as_constant().is_some();
+            let constant = |id: NodeId| nodes[id.index()].as_constant();
+            let bids = || deciding().flat_map(|plan| &plan.eager).map(|bid| constant(bid.value));
             [
                 deciding().count(),
                 deciding().map(|plan| plan.destinations().len()).sum(),
-                deciding()
-                    .flat_map(|plan| plan.eager.iter().chain(&plan.eager_before))
-                    .filter(|bid| !is_constant(bid.value))
-                    .count(),
-                deciding().map(|plan| plan.lazy.len()).sum(),
-                deciding().flat_map(|plan| plan.eager.iter()).filter(|bid| is_zero(bid.value)).count(),
+                bids().filter(Option::is_none).count(),
+                0,
+                bids().filter(|&constant| constant == Some(0.0)).count(),
             ]
         }
         Shape::Balanced(Cases { bids, places, .. }) => {
@@ -172,22 +141,14 @@ fn deciding(module: &Module<'_>, shape: &Shape) -> [f64; 5] {
             [module.teams.len(), edges, plain, bids.len() - plain, usize::from(!places.is_empty())]
         }
         Shape::Small(code) => {
-            [table_bytes(code, module.graph.scalar()), code.used.len(), code.programs.len() - 1, 0, 0]
+            [code.bytes(module.graph.scalar()) as usize, code.used.len(), code.programs.len() - 1, 0, 0]
         }
         Shape::ConstantTime(functions) => {
             let challenges = edges - module.teams.len();
             let distinct = functions.iter().map(|function| function.bids.len()).sum();
-            let missing = functions::of_leaves(module, functions).len();
+            let missing = functions::leaf_operations(module, functions).len();
             [module.teams.len(), usize::from(module.teams.len() == 1), challenges, distinct, missing]
         }
         Shape::Formula(_) | Shape::Gegelati => [0; 5],
-    };
-    counts.map(|count| count as f64)
-}
-
-fn table_bytes(code: &Bytecode, scalar: ScalarType) -> usize {
-    let tables = [&code.code, &code.programs, &code.bidders, &code.targets, &code.teams, &code.leaves];
-    let bytes = |table: &Vec<u64>| (Width::of(table).bits() / 8) as usize * table.len();
-    let scalar = if scalar == ScalarType::F32 { 4 } else { 8 };
-    tables.into_iter().map(bytes).sum::<usize>() + scalar * code.constants.len()
+    }
 }

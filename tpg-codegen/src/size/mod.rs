@@ -94,7 +94,7 @@ impl fmt::Display for Size {
 }
 
 /// The size of the compiled C on each target, a line each; if a compiler is missing, its line says so.
-pub fn of_c(code: &Code<'_>) -> Vec<String> {
+pub fn describe_c(code: &Code<'_>) -> Vec<String> {
     [Target::Host, Target::CortexM4]
         .map(|target| match build_c(code, target).and_then(|built| measure(&built.object)) {
             Ok(size) => format!("size on {} (-Os): {size}", target.name()),

@@ -1,6 +1,6 @@
 //! Compiles generated code into small programs that decide over a pipe.
 
-use super::Process;
+use super::process::Process;
 use crate::emit::{Code, File, field};
 use crate::options::{Language, Options};
 use crate::program::{Shape, compile as compile_graph};
@@ -8,7 +8,7 @@ use askama::Template;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-use std::{env, fs, io};
+use std::{env, fs, io, slice};
 use tempfile::TempDir;
 use tpg_graph::{Graph, ScalarType};
 use tpg_runtime::standalone;
@@ -16,9 +16,21 @@ use tpg_runtime::standalone;
 /// The program around generated C.
 #[derive(Template)]
 #[template(path = "c/harness.c", escape = "none")]
-struct CHarness<'a> {
-    prefix: &'a str,
-    scalar: &'a str,
+struct CHarness {
+    policies: Vec<PolicyView>,
+}
+
+/// The program around generated Rust.
+#[derive(Template)]
+#[template(path = "rust/harness.rs", escape = "none")]
+struct RustHarness {
+    policies: Vec<PolicyView>,
+}
+
+struct PolicyView {
+    prefix: String,
+    name: String,
+    scalar: &'static str,
     state_length: usize,
     /// The observed sources: their fields and lengths.
     sources: Vec<(String, usize)>,
@@ -28,17 +40,44 @@ struct CHarness<'a> {
     gegelati: bool,
 }
 
-/// The program around generated Rust.
-#[derive(Template)]
-#[template(path = "rust/harness.rs", escape = "none")]
-struct RustHarness<'a> {
-    module: &'a str,
-    name: String,
-    scalar: &'a str,
-    state_length: usize,
-    outputs: usize,
-    /// Values of the memory.
-    memory: usize,
+impl PolicyView {
+    fn new(code: &Code<'_>) -> Self {
+        let (graph, prefix) = (code.program.graph(), &code.program.options.prefix);
+        let (seen, answered) = (graph.sources().len() - graph.memory(), graph.outputs().len() - graph.memory());
+        Self {
+            prefix: prefix.to_string(),
+            name: prefix.camel(),
+            scalar: match (code.program.language, graph.scalar()) {
+                (Language::C, ScalarType::F32) => "float",
+                (Language::C, ScalarType::F64) => "double",
+                (Language::Rust, scalar) => scalar.name(),
+            },
+            state_length: graph.state_length(),
+            sources: (graph.sources()[..seen].iter())
+                .map(|source| (field(graph, &source.name), source.ranges.len()))
+                .collect(),
+            outputs: graph.outputs().len(),
+            memory: graph.outputs()[answered..].iter().map(|value| field(graph, &value.name)).collect(),
+            gegelati: code.program.shape == Shape::Gegelati,
+        }
+    }
+}
+
+/// A program that holds some policies: one compiler run for all of them, so that thousands can be compared.
+#[derive(Debug)]
+pub struct Batch {
+    program: PathBuf,
+    language: Language,
+}
+
+impl Batch {
+    /// Starts the program as one of its policies, by the order in which they were given.
+    ///
+    /// # Errors
+    /// When it cannot be started.
+    pub fn start(&self, policy: usize, graph: &Graph) -> io::Result<Process> {
+        Process::start(&self.program, policy, format!("{} policy {policy}", self.language.name()), graph)
+    }
 }
 
 /// A failure to build generated code.
@@ -87,74 +126,78 @@ impl Workshop {
     /// # Errors
     /// See [`BuildError`].
     pub fn start(&self, code: &Code<'_>) -> Result<Process, BuildError> {
-        let program = match code.program.language {
-            Language::C => self.build_c(code)?,
-            Language::Rust => self.build_rust(code)?,
-        };
-        Ok(Process::start(&program, &code.program.name(), code.program.graph())?)
+        let program = self.build(code.program.language, slice::from_ref(code), None)?;
+        Ok(Process::start(&program, 0, code.program.name(), code.program.graph())?)
     }
 
-    /// Generates C, compiles it and starts the program.
+    /// Generates code, compiles it and starts the program.
     ///
     /// # Errors
     /// See [`BuildError`].
-    pub fn c(&self, graph: &Graph, options: &Options) -> Result<Process, BuildError> {
-        self.start(&Code::of(compile_graph(graph, options, Language::C)))
+    pub fn run(&self, language: Language, graph: &Graph, options: &Options) -> Result<Process, BuildError> {
+        self.start(&Code::of(compile_graph(graph, options, language)))
     }
 
-    /// Generates Rust, compiles it and starts the program.
+    /// Emits policies, each with a prefix of its own and without GEGELATI's style, and compiles them into one program.
     ///
     /// # Errors
     /// See [`BuildError`].
-    pub fn rust(&self, graph: &Graph, options: &Options) -> Result<Process, BuildError> {
-        self.start(&Code::of(compile_graph(graph, options, Language::Rust)))
+    pub fn batch(&self, language: Language, policies: &[(&Graph, Options)]) -> Result<Batch, BuildError> {
+        self.batch_by(language, policies, None)
     }
 
-    fn build_c(&self, code: &Code<'_>) -> Result<PathBuf, BuildError> {
-        let Code { program, files } = code;
-        let (graph, options) = (program.graph(), &program.options);
-        let folder = self.write("c", files)?;
-        let prefix = options.prefix.lower();
-        let harness = CHarness {
-            prefix,
-            scalar: if graph.scalar() == ScalarType::F32 { "float" } else { "double" },
-            state_length: graph.state_length(),
-            sources: observed(graph),
-            outputs: graph.outputs().len(),
-            memory: memory(graph),
-            gegelati: program.shape == Shape::Gegelati,
-        };
-        fs::write(folder.join("harness.c"), harness.render().map_err(io::Error::other)?)?;
-        let harness = folder.join("harness");
-        let mut command = proving_c_command(&folder)?;
-        command.arg("-o").arg(&harness).arg("harness.c").arg(format!("{prefix}.c")).arg("-lm");
-        compile("C", command)?;
-        Ok(harness)
+    /// As [`Workshop::batch`], with another compiler: its command in a folder, with every option that generated code needs.
+    ///
+    /// # Errors
+    /// See [`BuildError`].
+    pub fn batch_by(
+        &self,
+        language: Language,
+        policies: &[(&Graph, Options)],
+        compiler: Option<&dyn Fn(&Path) -> Command>,
+    ) -> Result<Batch, BuildError> {
+        let codes: Vec<Code<'_>> =
+            policies.iter().map(|(graph, options)| Code::of(compile_graph(graph, options, language))).collect();
+        Ok(Batch { program: self.build(language, &codes, compiler)?, language })
     }
 
-    fn build_rust(&self, code: &Code<'_>) -> Result<PathBuf, BuildError> {
-        let Code { program, files } = code;
-        let (graph, options) = (program.graph(), &program.options);
-        let folder = self.write("rust", files)?;
-        runtime_library(&folder)?;
-        let harness = RustHarness {
-            module: options.prefix.lower(),
-            name: options.prefix.camel(),
-            scalar: graph.scalar().name(),
-            state_length: graph.state_length(),
-            outputs: graph.outputs().len(),
-            memory: graph.memory(),
+    /// Compiles code of one language into a program.
+    fn build(
+        &self,
+        language: Language,
+        codes: &[Code<'_>],
+        compiler: Option<&dyn Fn(&Path) -> Command>,
+    ) -> Result<PathBuf, BuildError> {
+        let folder = self.write("policies", codes.iter().flat_map(|code| &code.files))?;
+        let command = || match (compiler, language) {
+            (Some(compiler), _) => Ok(compiler(&folder)),
+            (None, Language::C) => proving_c_command(&folder),
+            (None, Language::Rust) => Ok(rustc(&folder)),
         };
-        fs::write(folder.join("harness.rs"), harness.render().map_err(io::Error::other)?)?;
-        let harness = folder.join("harness");
-        let mut command = rustc(&folder);
-        command.args(["--extern=tpg_runtime=libtpg_runtime.rlib", "harness.rs", "-o"]).arg(&harness);
-        compile("Rust", command)?;
-        Ok(harness)
+        let policies = codes.iter().map(PolicyView::new).collect();
+        let program = folder.join("policies");
+        let mut compiling = command()?;
+        compiling.arg("-o").arg(&program);
+        // No prefix has a hyphen: no policy's file has these names.
+        let text = match language {
+            Language::C => {
+                compiling.args(["main-policies.c", "-lm"]);
+                CHarness { policies }.render()
+            }
+            Language::Rust => {
+                runtime_library_by(&folder, command()?)?;
+                compiling.args(["--extern=tpg_runtime=libtpg_runtime.rlib", "main-policies.rs"]);
+                RustHarness { policies }.render()
+            }
+        };
+        let extension = if language == Language::C { "c" } else { "rs" };
+        fs::write(folder.join(format!("main-policies.{extension}")), text.map_err(io::Error::other)?)?;
+        compile(language.name(), compiling)?;
+        Ok(program)
     }
 
     /// Writes files to a new folder of the workshop.
-    pub(crate) fn write(&self, name: &str, files: &[File]) -> io::Result<PathBuf> {
+    pub(crate) fn write<'f>(&self, name: &str, files: impl IntoIterator<Item = &'f File>) -> io::Result<PathBuf> {
         let folder = tempfile::Builder::new().prefix(name).tempdir_in(self.folder.path())?.keep();
         for file in files {
             fs::write(folder.join(&file.name), &file.text)?;
@@ -166,17 +209,6 @@ impl Workshop {
     pub fn path(&self) -> &Path {
         self.folder.path()
     }
-}
-
-/// The fields and lengths of the sources that a caller gives.
-pub(super) fn observed(graph: &Graph) -> Vec<(String, usize)> {
-    let sources = &graph.sources()[..graph.sources().len() - graph.memory()];
-    sources.iter().map(|source| (field(graph, &source.name), source.ranges.len())).collect()
-}
-
-/// The fields of the memory's values.
-pub(super) fn memory(graph: &Graph) -> Vec<String> {
-    graph.outputs()[graph.outputs().len() - graph.memory()..].iter().map(|value| field(graph, &value.name)).collect()
 }
 
 /// The host's C compiler, as the crate `cc` finds it (`CC` is honoured).
@@ -206,7 +238,7 @@ pub fn c_command(folder: &Path) -> Result<Command, BuildError> {
 ///
 /// # Errors
 /// If there is no compiler.
-pub(super) fn proving_c_command(folder: &Path) -> Result<Command, BuildError> {
+fn proving_c_command(folder: &Path) -> Result<Command, BuildError> {
     let tool = c_compiler()?;
     let mut command = tool.to_command();
     command.current_dir(folder);
@@ -237,7 +269,7 @@ pub fn runtime_library(folder: &Path) -> Result<(), BuildError> {
 }
 
 /// As [`runtime_library`], by a command that runs in the folder.
-pub(super) fn runtime_library_by(folder: &Path, mut library: Command) -> Result<(), BuildError> {
+fn runtime_library_by(folder: &Path, mut library: Command) -> Result<(), BuildError> {
     for (name, text) in standalone::FILES {
         let path = folder.join("runtime").join(name);
         fs::create_dir_all(path.parent().unwrap_or(folder))?;

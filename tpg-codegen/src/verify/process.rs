@@ -30,30 +30,23 @@ pub struct Process {
     output: BufReader<ChildStdout>,
 }
 
-/// Starts `program` with arguments.
-pub(super) fn start(program: &Path, arguments: &[String], name: &str, graph: &Graph) -> io::Result<Process> {
-    let mut child = Command::new(program).args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
-    let missing = || io::Error::other("the process has no pipe");
-    let input = child.stdin.take().ok_or_else(missing)?;
-    let output = child.stdout.take().ok_or_else(missing)?;
-    Ok(Process {
-        name: name.to_owned(),
-        scalar: graph.scalar(),
-        state_length: graph.state_length(),
-        outputs: graph.outputs().len(),
-        child,
-        input: Some(BufWriter::new(input)),
-        output: BufReader::new(output),
-    })
-}
-
 impl Process {
-    /// Starts `program`.
-    ///
-    /// # Errors
-    /// When it cannot be started.
-    pub fn start(program: &Path, name: &str, graph: &Graph) -> io::Result<Self> {
-        start(program, &[], name, graph)
+    /// Starts `program` as one of its policies.
+    pub(super) fn start(program: &Path, policy: usize, name: String, graph: &Graph) -> io::Result<Self> {
+        let mut command = Command::new(program);
+        let mut child = command.arg(policy.to_string()).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
+        let missing = || io::Error::other("the process has no pipe");
+        let input = child.stdin.take().ok_or_else(missing)?;
+        let output = child.stdout.take().ok_or_else(missing)?;
+        Ok(Self {
+            name,
+            scalar: graph.scalar(),
+            state_length: graph.state_length(),
+            outputs: graph.outputs().len(),
+            child,
+            input: Some(BufWriter::new(input)),
+            output: BufReader::new(output),
+        })
     }
 
     /// The reason that the program ended before its input did.

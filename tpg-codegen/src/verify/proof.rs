@@ -1,6 +1,6 @@
 //! Proof by comparison: generated text compiled, run, and compared with the interpreter.
 
-use super::{BuildError, Comparison, Process, Workshop, compare_under};
+use super::{BuildError, Comparison, Process, Workshop, compare};
 use crate::emit::Code;
 use serde::{Serialize, Serializer};
 use std::{io, ptr};
@@ -38,7 +38,7 @@ pub struct Unproven {
 
 impl Proof {
     /// Compiles code, the very text that it is given, and compares it with the interpreter on `count` states drawn with
-    /// `seed`; code that assumes declared ranges, on states inside them.
+    /// `seed`.
     ///
     /// # Errors
     /// When no temporary folder can be made or a compiled program dies.
@@ -58,9 +58,7 @@ impl Proof {
     ) -> io::Result<Self> {
         let workshop = Workshop::new()?;
         let mut proof = Self { comparisons: Vec::new(), unproven: Vec::new() };
-        let kind = |code: &Code<'_>| (ptr::from_ref(code.program.graph()), code.program.options.assumption);
-        for codes in codes.chunk_by(|a, b| kind(a) == kind(b)) {
-            let (graph, assumption) = (codes[0].program.graph(), codes[0].program.options.assumption);
+        for codes in codes.chunk_by(|a, b| ptr::eq(a.program.graph(), b.program.graph())) {
             let mut programs: Vec<Process> = (codes.iter())
                 .filter_map(|code| {
                     watch(Stage::Compiling(&code.program.name()));
@@ -72,7 +70,7 @@ impl Proof {
             watch(Stage::Comparing);
             let mut engines: Vec<&mut dyn Engine> =
                 programs.iter_mut().map(|program| program as &mut dyn Engine).collect();
-            proof.comparisons.extend(compare_under(assumption, graph, &mut engines, count, seed)?);
+            proof.comparisons.extend(compare(codes[0].program.graph(), &mut engines, count, seed)?);
         }
         Ok(proof)
     }

@@ -59,12 +59,12 @@ static void {{ prefix }}_teams_{{ loop.index0 }}(const {{ entry.state }} *state,
 {%- endfor %}
 {%- for leaf in leaves %}
 {%- if loop.first %}
-{%- for (variable, value) in leaf.values %}
-        {{ scalar }} {{ variable }} = {{ value }};
+{%- for value in leaf.values %}
+        {{ scalar }} {{ outputs[loop.index0].variable() }} = {{ value }};
 {%- endfor %}
 {% else %}
-{%- for (variable, value) in leaf.values %}
-        {{ variable }} = {{ prefix }}_pick({% if only %}to{% else %}vertex{% endif %}, {{ leaf.number }}U, {{ value }}, {{ variable }});
+{%- for value in leaf.values %}
+        {{ outputs[loop.index0].variable() }} = {{ prefix }}_pick({% if only %}to{% else %}vertex{% endif %}, {{ leaf.number }}U, {{ value }}, {{ outputs[loop.index0].variable() }});
 {%- endfor %}
 {%- endif %}
 {%- endfor %}

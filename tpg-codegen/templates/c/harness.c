@@ -1,70 +1,72 @@
-/* Decides for states from standard input: see tpg-codegen's verify::process. */
-#include "{{ prefix }}.h"
-
+/* Policies in one program; its argument says which one decides for states from standard input: see tpg-codegen's
+ * verify::process. */
+{% for policy in policies -%}
+#include "{{ policy.prefix }}.c"
+{% endfor %}
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#define LENGTH {{ state_length }}U
 #define BATCH 1024U
 
-static {{ scalar }} values[BATCH * LENGTH];
-{%- if outputs == 0 %}
-static uint16_t actions[BATCH];
-{%- else if memory.is_empty() %}
-static {{ prefix }}_action_t actions[BATCH];
-{%- else %}
-static struct {
-    {{ prefix }}_action_t action;
-    {{ prefix }}_memory_t memory;
-} actions[BATCH];
-{%- endif %}
-{% if gegelati %}
-{%- for (_, length) in sources %}
-static {{ scalar }} source{{ loop.index }}[{{ length }}];
-{{ scalar }} *in{{ loop.index }} = source{{ loop.index }};
+{% for policy in policies %}
+{%- if policy.gegelati %}
+{%- for (_, length) in policy.sources %}
+static {{ policy.scalar }} source{{ loop.index }}[{{ length }}];
+{{ policy.scalar }} *in{{ loop.index }} = source{{ loop.index }};
 {%- endfor %}
 {%- endif %}
 
-int main(void)
+static int serve_{{ policy.prefix }}(void)
 {
+{%- if policy.outputs == 0 %}
+    static uint16_t actions[BATCH];
+{%- else if policy.memory.is_empty() %}
+    static {{ policy.prefix }}_action_t actions[BATCH];
+{%- else %}
+    static struct {
+        {{ policy.prefix }}_action_t action;
+        {{ policy.prefix }}_memory_t memory;
+    } actions[BATCH];
+{%- endif %}
+    static {{ policy.scalar }} values[BATCH * {{ policy.state_length }}U];
     unsigned char head[4];
 
-    if ({{ prefix }}_selftest() != 0U) {
+    if ({{ policy.prefix }}_selftest() != 0U) {
         return 3;
     }
     while (fread(head, 1U, 4U, stdin) == 4U) {
         const size_t count = (size_t)head[0] | ((size_t)head[1] << 8) | ((size_t)head[2] << 16);
+        const size_t length = count * {{ policy.state_length }}U;
         size_t index;
 
-        if ((count > BATCH) || (fread(values, sizeof(values[0]), count * LENGTH, stdin) != count * LENGTH)) {
+        if ((count > BATCH) || (fread(values, sizeof(values[0]), length, stdin) != length)) {
             return 1;
         }
         for (index = 0U; index < count; index++) {
-            const {{ scalar }} *value = &values[index * LENGTH];
-{%- if gegelati %}
-{%- for (_, length) in sources %}
+            const {{ policy.scalar }} *value = &values[index * {{ policy.state_length }}U];
+{%- if policy.gegelati %}
+{%- for (_, length) in policy.sources %}
             memcpy(in{{ loop.index }}, value, sizeof(source{{ loop.index }}));
             value += {{ length }};
 {%- endfor %}
             actions[index] = (uint16_t)inferenceTPG();
 {%- else %}
-            {{ prefix }}_state_t state;
-{% for (name, length) in sources %}
+            {{ policy.prefix }}_state_t state;
+{% for (name, length) in policy.sources %}
             memcpy(state.{{ name }}, value, sizeof(state.{{ name }}));
             value += {{ length }};
 {%- endfor %}
-{%- if outputs == 0 %}
-            actions[index] = {{ prefix }}_infer(&state);
+{%- if policy.outputs == 0 %}
+            actions[index] = {{ policy.prefix }}_infer(&state);
+{%- else if policy.memory.is_empty() %}
+            {{ policy.prefix }}_infer(&state, &actions[index]);
 {%- else %}
-{%- if memory.is_empty() %}
-            {{ prefix }}_infer(&state, &actions[index]);
-{%- else %}
-{%- for name in memory %}
+{%- for name in policy.memory %}
             actions[index].memory.{{ name }} = *value;
             value++;
 {%- endfor %}
-            {{ prefix }}_infer(&state, &actions[index].memory, &actions[index].action);
-{%- endif %}
+            {{ policy.prefix }}_infer(&state, &actions[index].memory, &actions[index].action);
 {%- endif %}
 {%- endif %}
         }
@@ -73,4 +75,16 @@ int main(void)
         }
     }
     return 0;
+}
+{% endfor %}
+int main(int argc, char **argv)
+{
+    switch ((argc > 1) ? atoi(argv[1]) : -1) {
+{%- for policy in policies %}
+    case {{ loop.index0 }}:
+        return serve_{{ policy.prefix }}();
+{%- endfor %}
+    default:
+        return 4;
+    }
 }

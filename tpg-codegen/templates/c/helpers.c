@@ -1,4 +1,4 @@
-{% if hides %}
+{% if self.calls("hidden") %}
 /* A number that the compiler does not know: it would compute the platform's function of it itself, and round another way. */
 static {{ scalar }} {{ prefix }}_hidden({{ scalar }} number)
 {
@@ -12,32 +12,32 @@ static {{ scalar }} {{ prefix }}_hidden({{ scalar }} number)
 {% if branch_free %}
 {% include "c/keys.c" %}
 {% else %}
-{% if uses_negate_if_less %}
+{% if self.calls("negate_if_less") %}
 static {{ scalar }} {{ prefix }}_negate_if_less({{ scalar }} a, {{ scalar }} b)
 {
     return (a < b) ? -a : a;
 }
 {% endif %}
-{% if uses_min %}
+{% if self.calls("min") %}
 static {{ scalar }} {{ prefix }}_min({{ scalar }} a, {{ scalar }} b)
 {
     return (a < b) ? a : b;
 }
 {% endif %}
-{% if uses_max %}
+{% if self.calls("max") %}
 static {{ scalar }} {{ prefix }}_max({{ scalar }} a, {{ scalar }} b)
 {
     return (a > b) ? a : b;
 }
 {% endif %}
-{% if uses_gate %}
+{% if self.calls("gate") %}
 /* a where b is not 0, else -0. */
 static {{ scalar }} {{ prefix }}_gate({{ scalar }} a, {{ scalar }} b)
 {
     return ((b >= {% if f64 %}0.0{% else %}0.0F{% endif %}) && (b <= {% if f64 %}0.0{% else %}0.0F{% endif %})) ? {% if f64 %}-0.0{% else %}-0.0F{% endif %} : a;
 }
 {% endif %}
-{% if clamps %}
+{% if self.calls("clamp") %}
 /* An output in its range. What is neither in it nor below is NaN. */
 static {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ scalar }} high, {{ scalar }} nan)
 {
@@ -45,33 +45,33 @@ static {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ 
 }
 {% endif %}
 {% endif %}
-{% if uses_fmod %}
+{% if self.calls("fmod") %}
 {% include "c/fmod.c" %}
 {% endif %}
-{% if let Some(call) = short_ln %}
+{% if short && self.calls("ln") %}
 /* The platform's logarithm, which takes its time to find that a negative number has none. */
 static {{ scalar }} {{ prefix }}_ln({{ scalar }} x)
 {
-    return (x < {% if f64 %}0.0{% else %}0.0F{% endif %}) ? {% if f64 %}(double)NAN{% else %}NAN{% endif %} : {{ call }}(x);
+    return (x < {% if f64 %}0.0{% else %}0.0F{% endif %}) ? {% if f64 %}(double)NAN{% else %}NAN{% endif %} : {{ printer.function("log") }}(x);
 }
 {% endif %}
-{% if let Some(short) = short_exp %}
+{% if short && self.calls("exp") %}
 /* The platform's exponential, which takes its time to find that a result is no number any more, or 0. */
 static {{ scalar }} {{ prefix }}_exp({{ scalar }} x)
 {
     {{ scalar }} result;
 
-    if (x > {{ short.infinite_above }}) {
+    if (x > {{ self.literal(beyond.0) }}) {
         result = {% if f64 %}(double)INFINITY{% else %}INFINITY{% endif %};
-    } else if (x < {{ short.zero_below }}) {
+    } else if (x < {{ self.literal(beyond.1) }}) {
         result = {% if f64 %}0.0{% else %}0.0F{% endif %};
     } else {
-        result = {{ short.call }}(x);
+        result = {{ printer.function("exp") }}(x);
     }
     return result;
 }
 {% endif %}
-{% if let Some(estimate) = ln_estimate %}
+{% if self.calls("ln_upper") %}
 /* Not below the logarithm, and cheap: the bits of a number are a straight line between powers of two through it. */
 static {{ scalar }} {{ prefix }}_ln_upper({{ scalar }} x)
 {
@@ -81,7 +81,7 @@ static {{ scalar }} {{ prefix }}_ln_upper({{ scalar }} x)
         {{ signed }} bits;
 
         (void)memcpy(&bits, &x, sizeof bits);
-        bound = (({{ scalar }})bits * {{ estimate.scale }}) - {{ estimate.offset }};
+        bound = (({{ scalar }})bits * {{ self.literal(estimate.ln_scale) }}) - {{ self.literal(estimate.ln_offset) }};
     } else if (x <= {% if f64 %}0.0{% else %}0.0F{% endif %}) {
         bound = {% if f64 %}-(double)INFINITY{% else %}-INFINITY{% endif %}; /* or NaN, which bids that */
     } else if (x > {% if f64 %}DBL_MAX{% else %}FLT_MAX{% endif %}) {
@@ -92,22 +92,22 @@ static {{ scalar }} {{ prefix }}_ln_upper({{ scalar }} x)
     return bound;
 }
 {% endif %}
-{% if let Some(estimate) = exp_estimate %}
+{% if self.calls("exp_upper") %}
 /* Not below the exponential, and cheap: the bits of a number are a straight line between powers of two through its
  * logarithm. */
 static {{ scalar }} {{ prefix }}_exp_upper({{ scalar }} x)
 {
     {{ scalar }} bound = {% if f64 %}(double)NAN{% else %}NAN{% endif %}; /* says nothing */
 
-    if ((x >= {{ estimate.from }}) && (x <= {{ estimate.to }})) {
-        const {{ scalar }} scaled = x * {{ estimate.scale }};
+    if ((x >= {{ self.literal(estimate.exp_between.0) }}) && (x <= {{ self.literal(estimate.exp_between.1) }})) {
+        const {{ scalar }} scaled = x * {{ self.literal(estimate.exp_scale) }};
         const {{ signed }} whole = ({{ signed }})scaled;
-        const {{ key }} bits = ({{ key }})whole + {{ estimate.offset }};
+        const {{ key }} bits = ({{ key }})whole + {{ "{:#x}"|format(estimate.exp_offset) }}{{ unsigned_suffix }};
 
         (void)memcpy(&bound, &bits, sizeof bound);
-    } else if (x < {{ estimate.from }}) {
-        bound = {{ estimate.below }};
-    } else if (x > {{ estimate.infinite_above }}) {
+    } else if (x < {{ self.literal(estimate.exp_between.0) }}) {
+        bound = {{ self.literal(estimate.exp_below) }};
+    } else if (x > {{ self.literal(estimate.exp_infinite_above) }}) {
         bound = {% if f64 %}(double)INFINITY{% else %}INFINITY{% endif %};
     } else {
         /* as it is */

@@ -5,7 +5,7 @@
 #define {{ upper }}_INLINE static inline
 #endif
 {% endif %}
-{% if chooses %}
+{% if self.selects() || self.compares() || self.calls("fmod") %}
 /* A mask that chooses, hidden from the optimiser: where it knows that a mask is a sign, it may make a condition of it. */
 {{ storage }} {{ key }} {{ prefix }}_opaque({{ key }} mask)
 {
@@ -19,7 +19,7 @@
 #endif
 }
 {% endif %}
-{% if selects %}
+{% if self.selects() %}
 
 /* a where the mask is all ones, b where it is 0. */
 {{ storage }} {{ scalar }} {{ prefix }}_select({{ key }} mask, {{ scalar }} a, {{ scalar }} b)
@@ -34,7 +34,7 @@
     return result;
 }
 {% endif %}
-{% if compares %}
+{% if self.compares() %}
 
 /* All ones where a > b, else 0; NaN is above nothing. The difference is positive: its bits, less 1, are below infinity's. */
 {{ storage }} {{ key }} {{ prefix }}_above({{ scalar }} a, {{ scalar }} b)
@@ -46,7 +46,7 @@
     return {{ prefix }}_opaque(0U - (((bits - {{ infinity }}) & ~bits) >> {{ top }}));
 }
 {% endif %}
-{% if finds_nan %}
+{% if self.finds_nan() %}
 
 /* All ones where x is NaN, else 0: its bits are above infinity's. */
 {{ storage }} {{ key }} {{ prefix }}_not_a_number({{ scalar }} x)
@@ -56,7 +56,7 @@
     return {{ prefix }}_opaque(0U - (({{ infinity }} - (bits & ~{{ sign }})) >> {{ top }}));
 }
 {% endif %}
-{% if uses_negate_if_less %}
+{% if self.calls("negate_if_less") %}
 
 {{ storage }} {{ scalar }} {{ prefix }}_negate_if_less({{ scalar }} a, {{ scalar }} b)
 {
@@ -69,21 +69,21 @@
     return result;
 }
 {% endif %}
-{% if uses_min %}
+{% if self.calls("min") %}
 
 {{ storage }} {{ scalar }} {{ prefix }}_min({{ scalar }} a, {{ scalar }} b)
 {
     return {{ prefix }}_select({{ prefix }}_above(b, a), a, b);
 }
 {% endif %}
-{% if uses_max %}
+{% if self.calls("max") %}
 
 {{ storage }} {{ scalar }} {{ prefix }}_max({{ scalar }} a, {{ scalar }} b)
 {
     return {{ prefix }}_select({{ prefix }}_above(a, b), a, b);
 }
 {% endif %}
-{% if uses_gate %}
+{% if self.calls("gate") %}
 
 /* a where b is not 0, else -0. */
 {{ storage }} {{ scalar }} {{ prefix }}_gate({{ scalar }} a, {{ scalar }} b)
@@ -93,7 +93,7 @@
     return {{ prefix }}_select({{ prefix }}_opaque(0U - (((bits & ~{{ sign }}) - 1U) >> {{ top }})), {% if f64 %}-0.0{% else %}-0.0F{% endif %}, a);
 }
 {% endif %}
-{% if clamps %}
+{% if self.calls("clamp") %}
 
 /* All ones where x has a sign, else 0. */
 {{ storage }} {{ key }} {{ prefix }}_negative({{ scalar }} x)
@@ -113,7 +113,7 @@
     return {{ prefix }}_select({{ prefix }}_not_a_number(value), nan, limited);
 }
 {% endif %}
-{% if picks %}
+{% if self.calls("pick") %}
 
 /* The candidate where the numbers are equal, else the value. */
 {{ storage }} {{ scalar }} {{ prefix }}_pick(uint32_t leaf, uint32_t number, {{ scalar }} candidate, {{ scalar }} value)
@@ -123,7 +123,7 @@
     return {{ prefix }}_select({{ prefix }}_opaque(mask - 1U), candidate, value);
 }
 {% endif %}
-{% if numbers %}
+{% if self.calls("number") %}
 
 /* A bid that can be compared: minus infinity for NaN. */
 {{ storage }} {{ scalar }} {{ prefix }}_number({{ scalar }} bid)
@@ -137,7 +137,7 @@
     return result;
 }
 {% endif %}
-{% if decides %}
+{% if self.calls("challenge") %}
 
 /* Lets a bid win where it is as high as the best so far, or that is NaN. */
 {{ storage }} void {{ prefix }}_challenge({{ scalar }} *best, uint32_t *to, {{ scalar }} bid, uint32_t destination)

@@ -1,8 +1,8 @@
 
 {{ entry.head }}
 {
-{%- for variable in variables %}
-    {{ scalar }} {{ variable }};
+{%- for output in outputs %}
+    {{ scalar }} {{ output.variable() }};
 {%- endfor %}
 
     switch ({{ prefix }}_leaf(state)) {
@@ -16,8 +16,8 @@
 {%- for statement in leaf.statements %}
             {{ statement }}
 {%- endfor %}
-{% for (variable, value) in leaf.values %}
-            {{ variable }} = {{ value }};
+{% for value in leaf.values %}
+            {{ outputs[loop.index0].variable() }} = {{ value }};
 {%- endfor %}
             break;
         }

@@ -10,29 +10,29 @@
 #endif
 {% include "c/contraction.c" %}
 {% for layer in layers %}
-static const int{{ layer.bits }}_t weights_{{ loop.index0 }}[{{ layer.weights_length }}] = {
-{%- for line in layer.weights %}
-    {{ line }},
+static const int{{ layer.bits() }}_t weights_{{ loop.index0 }}[{{ layer.weights.len() }}] = {
+{%- for line in layer.weights.chunks(20) %}
+    {{ line|join(", ") }},
 {%- endfor %}
 };
-static const int32_t bias_{{ loop.index0 }}[{{ layer.outputs }}] = { {{ layer.bias }} };
-static const int16_t factor_{{ loop.index0 }}[{{ layer.outputs }}] = { {{ layer.factor }} };
-static const uint8_t shift_{{ loop.index0 }}[{{ layer.outputs }}] = { {{ layer.shift }} };
+static const int32_t bias_{{ loop.index0 }}[{{ layer.outputs }}] = { {{ layer.bias|join(", ") }} };
+static const int16_t factor_{{ loop.index0 }}[{{ layer.outputs }}] = { {{ layer.factor|join(", ") }} };
+static const uint8_t shift_{{ loop.index0 }}[{{ layer.outputs }}] = { {{ layer.shift|join(", ") }} };
 {% endfor %}
-{%- if is_scaled %}
-static const float offset[{{ inputs }}] = { {{ offsets }} };
-static const float scale[{{ inputs }}] = { {{ scales }} };
+{%- if policy.is_scaled() %}
+static const float offset[{{ policy.inputs.len() }}] = { {% for input in policy.inputs %}{{ "{:?}F"|format(input.offset) }}{% if !loop.last %}, {% endif %}{% endfor %} };
+static const float scale[{{ policy.inputs.len() }}] = { {% for input in policy.inputs %}{{ "{:?}F"|format(input.scale) }}{% if !loop.last %}, {% endif %}{% endfor %} };
 {% endif %}
 {%- if !values.is_empty() %}
-static const float least[{{ values.len() }}] = { {{ least }} };
-static const float most[{{ values.len() }}] = { {{ most }} };
-static const float span[{{ values.len() }}] = { {{ span }} };
+static const float least[{{ values.len() }}] = { {% for value in values %}{{ "{:?}F"|format(value.min) }}{% if !loop.last %}, {% endif %}{% endfor %} };
+static const float most[{{ values.len() }}] = { {% for value in values %}{{ "{:?}F"|format(value.max) }}{% if !loop.last %}, {% endif %}{% endfor %} };
+static const float span[{{ values.len() }}] = { {% for value in values %}{{ "{:?}F"|format(value.max - value.min) }}{% if !loop.last %}, {% endif %}{% endfor %} };
 {% endif %}
-{%- if let Some(table) = table %}
+{%- if !table.is_empty() %}
 /* tanh(k/32) in multiples of 1/16384. */
-static const uint16_t tanh_table[{{ table_length }}] = {
-{%- for line in table %}
-    {{ line }},
+static const uint16_t tanh_table[{{ table.len() }}] = {
+{%- for line in table.chunks(20) %}
+    {{ line|join(", ") }},
 {%- endfor %}
 };
 
@@ -42,14 +42,14 @@ static int32_t tanh_of(int32_t argument)
     uint32_t magnitude = argument < 0 ? (uint32_t)-argument : (uint32_t)argument;
     uint32_t place = magnitude / 64U;
     int32_t value = 16384;
-    if (place + 1U < {{ table_length }}U) {
+    if (place + 1U < {{ table.len() }}U) {
         uint32_t low = tanh_table[place];
         value = (int32_t)(low + ((tanh_table[place + 1U] - low) * (magnitude % 64U) + 32U) / 64U);
     }
     return argument < 0 ? -value : value;
 }
 {% endif %}
-{%- if has_clamp %}
+{%- if self.has_clamp() %}
 static int32_t clamp_of(int32_t argument)
 {
     return argument > 16384 ? 16384 : argument < -16384 ? -16384 : argument;
@@ -96,31 +96,31 @@ static void layer_{{ bits }}(const int{{ bits }}_t *weights, const int32_t *bias
 {% if values.is_empty() %}uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
 {% else %}void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action)
 {% endif %}{
-    int16_t a[{{ widest }}];
-    int16_t b[{{ widest }}];
+    int16_t a[{{ self.widest() }}];
+    int16_t b[{{ self.widest() }}];
     int i;
 {%- if values.is_empty() %}
     int best = 0;
 {%- endif %}
-    for (i = 0; i < {{ inputs }}; i++) {
-        a[i] = integer({% if is_scaled %}(state->values[i] - offset[i]) * scale[i]{% else %}state->values[i]{% endif %});
-{%- if clips_inputs %}
-        {{ clip }}
+    for (i = 0; i < {{ policy.inputs.len() }}; i++) {
+        a[i] = integer({% if policy.is_scaled() %}(state->values[i] - offset[i]) * scale[i]{% else %}state->values[i]{% endif %});
+{%- if self.clips_inputs() %}
+        a[i] = rescaled(a[i], 1, 7, -127, 127); /* multiples of 1/32: to nearest, halves upwards, clipped */
 {%- endif %}
     }
 {%- for layer in layers %}
-    layer_{{ layer.bits }}(weights_{{ loop.index0 }}, bias_{{ loop.index0 }}, factor_{{ loop.index0 }}, shift_{{ loop.index0 }}, {{ layer.inputs }}, {{ layer.outputs }}, {{ layer.from }}, {{ layer.to }}, {{ layer.low }}, {{ layer.high }});
+    layer_{{ layer.bits() }}(weights_{{ loop.index0 }}, bias_{{ loop.index0 }}, factor_{{ loop.index0 }}, shift_{{ loop.index0 }}, {{ layer.inputs }}, {{ layer.outputs }}, {{ arrays[loop.index0 % 2] }}, {{ arrays[loop.index % 2] }}, {{ layer.low }}, {{ layer.high }});
 {%- endfor %}
 {%- if values.is_empty() %}
     for (i = 1; i < {{ outputs }}; i++) {
-        if ({{ last }}[i] > {{ last }}[best]) {
+        if ({{ arrays[layers.len() % 2] }}[i] > {{ arrays[layers.len() % 2] }}[best]) {
             best = i;
         }
     }
     return (uint16_t)best;
 {%- else %}
 {%- for value in values %}
-    i = {{ value.squash }}({{ last }}[{{ loop.index0 }}] * {{ value.finer }});
+    i = {% if value.squash == Squash::Tanh %}tanh_of{% else %}clamp_of{% endif %}({{ arrays[layers.len() % 2] }}[{{ loop.index0 }}] * {% if value.squash == Squash::Tanh %}{{ 1 << (11 - value.exponent) }}{% else %}{{ 1 << (14 - value.exponent) }}{% endif %});
     action->values[{{ loop.index0 }}] = most[{{ loop.index0 }}];
     if (i < 16384) {
         float value = least[{{ loop.index0 }}] + span[{{ loop.index0 }}] * ((float)(i + 16384) * (0.5F / 16384.0F));

@@ -12,24 +12,24 @@
 extern "C" {
 #endif
 
-#define {{ upper }}_INPUTS {{ inputs.len() }}U
-#define {{ upper }}_OUTPUTS {{ outputs.len() }}U
+#define {{ upper }}_INPUTS {{ policy.inputs.len() }}U
+#define {{ upper }}_OUTPUTS {{ policy.output.described().len() }}U
 
 /* The observation:
-{%- for input in inputs %}
- * {{ input }}
+{%- for input in policy.inputs %}
+ * {{ loop.index0 }} {{ input }}
 {%- endfor %}
  */
 typedef struct {
     float values[{{ upper }}_INPUTS];
 } {{ prefix }}_state_t;
 
-/* The {% if is_choice %}actions{% else %}outputs{% endif %}:
-{%- for output in outputs %}
- * {{ output }}
+/* The {% if policy.is_choice() %}actions{% else %}outputs{% endif %}:
+{%- for output in policy.output.described() %}
+ * {{ loop.index0 }} {{ output }}
 {%- endfor %}
  */
-{% if is_choice -%}
+{% if policy.is_choice() -%}
 uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state);
 {% else -%}
 typedef struct {

@@ -26,7 +26,7 @@ static uint32_t {{ prefix }}_choose(uint32_t mask, uint32_t a, uint32_t b)
 {
     return b ^ ((a ^ b) & mask);
 }
-{% if uses_sin || uses_cos %}
+{% if self.calls("sin") || self.calls("cos") %}
 
 /* The bits of sin(a + offset - 1/8 turn), a given by its bits and the offset in 2^-32 turns. */
 static uint32_t {{ prefix }}_circle(uint32_t magnitude, uint32_t offset)
@@ -102,7 +102,7 @@ static uint32_t {{ prefix }}_circle(uint32_t magnitude, uint32_t offset)
     return {{ prefix }}_bits(p) ^ (turn & 0x80000000U);
 }
 {% endif %}
-{% if uses_sin %}
+{% if self.calls("sin") %}
 
 static float {{ prefix }}_sin(float x)
 {
@@ -111,21 +111,21 @@ static float {{ prefix }}_sin(float x)
     return {{ prefix }}_float(of_magnitude ^ (bits & 0x80000000U));
 }
 {% endif %}
-{% if uses_cos %}
+{% if self.calls("cos") %}
 
 static float {{ prefix }}_cos(float x)
 {
     return {{ prefix }}_float({{ prefix }}_circle({{ prefix }}_bits(x) & 0x7fffffffU, 0x60000000U));
 }
 {% endif %}
-{% if uses_tan %}
+{% if self.calls("tan") %}
 
 static float {{ prefix }}_tan(float x)
 {
     return {{ prefix }}_sin(x) / {{ prefix }}_cos(x);
 }
 {% endif %}
-{% if uses_ln %}
+{% if self.calls("ln") %}
 
 static float {{ prefix }}_ln(float x)
 {
@@ -170,7 +170,7 @@ static float {{ prefix }}_ln(float x)
     return {{ prefix }}_float({{ prefix }}_choose(special, limit, {{ prefix }}_bits(p)));
 }
 {% endif %}
-{% if uses_exp %}
+{% if self.calls("exp") %}
 
 static float {{ prefix }}_exp(float x)
 {

@@ -20,7 +20,7 @@ static uint64_t {{ prefix }}_mask(uint64_t bits)
 {
     return 0U - (bits >> 63);
 }
-{% if uses_sin || uses_cos || uses_ln %}
+{% if self.calls("sin") || self.calls("cos") || self.calls("ln") %}
 
 /* a where the mask is all ones, b where it is 0. */
 static uint64_t {{ prefix }}_choose(uint64_t mask, uint64_t a, uint64_t b)
@@ -28,7 +28,7 @@ static uint64_t {{ prefix }}_choose(uint64_t mask, uint64_t a, uint64_t b)
     return b ^ ((a ^ b) & mask);
 }
 {% endif %}
-{% if uses_sin || uses_cos %}
+{% if self.calls("sin") || self.calls("cos") %}
 
 /* The upper half of a product, from 32-bit halves: C99 has no wider type. */
 static uint64_t {{ prefix }}_multiply_high(uint64_t a, uint64_t b)
@@ -142,7 +142,7 @@ static uint64_t {{ prefix }}_circle(uint64_t magnitude, uint64_t offset)
     return {{ prefix }}_bits(p) ^ (turn & sign);
 }
 {% endif %}
-{% if uses_sin %}
+{% if self.calls("sin") %}
 
 static double {{ prefix }}_sin(double x)
 {
@@ -152,7 +152,7 @@ static double {{ prefix }}_sin(double x)
     return {{ prefix }}_double(of_magnitude ^ (bits & sign));
 }
 {% endif %}
-{% if uses_cos %}
+{% if self.calls("cos") %}
 
 static double {{ prefix }}_cos(double x)
 {
@@ -160,14 +160,14 @@ static double {{ prefix }}_cos(double x)
     return {{ prefix }}_double({{ prefix }}_circle({{ prefix }}_bits(x) & (sign - 1U), (sign >> 1) | (sign >> 2)));
 }
 {% endif %}
-{% if uses_tan %}
+{% if self.calls("tan") %}
 
 static double {{ prefix }}_tan(double x)
 {
     return {{ prefix }}_sin(x) / {{ prefix }}_cos(x);
 }
 {% endif %}
-{% if uses_ln %}
+{% if self.calls("ln") %}
 
 static double {{ prefix }}_ln(double x)
 {
@@ -227,7 +227,7 @@ static double {{ prefix }}_ln(double x)
     return {{ prefix }}_double({{ prefix }}_choose(special, limit, {{ prefix }}_bits(p)));
 }
 {% endif %}
-{% if uses_exp %}
+{% if self.calls("exp") %}
 
 static double {{ prefix }}_exp(double x)
 {

@@ -27,15 +27,6 @@ let mut {{ team.winner }} = {{ first.rank }};
 let mut best = {{ scalar }}::MIN;
 let mut {{ team.winner }} = {{ team.nobody }};
 {%- endif %}
-{%- if let Some(infinite) = team.infinite %}
-{%- for statement in infinite.statements %}
-{{ statement }}
-{%- endfor %}
-if {{ infinite.condition }} {
-best = {{ scalar }}::INFINITY;
-edge = {{ infinite.rank }};
-}
-{%- endif %}
 {%- for bid in team.eager %}
 {%- for statement in bid.statements %}
 {{ statement }}
@@ -45,19 +36,6 @@ best = {{ bid.value }};
 {{ team.winner }} = {{ bid.rank }};
 }
 {%- endfor %}
-{%- if !team.eager_before.is_empty() %}
-if best < {{ scalar }}::INFINITY {
-{%- for bid in team.eager_before %}
-{%- for statement in bid.statements %}
-{{ statement }}
-{%- endfor %}
-if {{ bid.wins }} {
-best = {{ bid.value }};
-{{ team.winner }} = {{ bid.rank }};
-}
-{%- endfor %}
-}
-{%- endif %}
 {%- for bid in team.lazy %}
 {%- for statement in bid.before %}
 {{ statement }}
@@ -65,7 +43,7 @@ best = {{ bid.value }};
 {%- if let Some(considered) = bid.considered %}
 if {{ considered }} {
 {%- endif %}
-{%- for statement in bid.bound_statements %}
+{%- for statement in bid.bound %}
 {{ statement }}
 {%- endfor %}
 {%- if let Some(guard) = bid.guard %}
@@ -86,8 +64,14 @@ best = {{ bid.value }};
 {%- endif %}
 {%- endfor %}
 match {{ team.winner }} {
-{%- for (number, to) in team.ways %}
-{% if loop.last %}_{% else %}{{ number }}{% endif %} => {{ to }},
+{%- for (ranks, to) in team.ways %}
+{%- if loop.last %}
+_ => {{ to }},
+{%- else %}
+{%- for rank in ranks %}
+{{ rank }} => {{ to }},
+{%- endfor %}
+{%- endif %}
 {%- endfor %}
 }
 {%- else %}

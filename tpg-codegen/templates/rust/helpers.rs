@@ -1,4 +1,4 @@
-{% if short_ln %}
+{% if short && called.contains("ln") %}
 /// The platform's logarithm, which takes its time to find that a negative number has none. Not inlined: LLVM would compute
 /// it before it is known to matter.
 #[inline(never)]
@@ -6,14 +6,14 @@ fn ln(x: {{ scalar }}) -> {{ scalar }} {
     if x < {{ zero }} { {{ scalar }}::NAN } else { System::ln(x) }
 }
 {% endif %}
-{% if short_exp %}
+{% if short && called.contains("exp") %}
 /// The platform's exponential, which takes its time to find that a result is no number any more, or 0. Not inlined: LLVM
 /// would compute it before it is known to matter.
 #[inline(never)]
 fn exp(x: {{ scalar }}) -> {{ scalar }} {
-    if x > {{ infinite_above }} {
+    if x > {{ self.literal(beyond.0) }} {
         {{ scalar }}::INFINITY
-    } else if x < {{ zero_below }} {
+    } else if x < {{ self.literal(beyond.1) }} {
         {{ zero }}
     } else {
         System::exp(x)
@@ -27,11 +27,11 @@ fn {{ name }}(x: {{ scalar }}) -> {{ scalar }} {
     {{ provider }}::{{ name }}(x)
 }
 {% endfor %}
-{% if let Some(estimate) = ln_estimate %}
+{% if called.contains("ln_upper") %}
 /// Not below the logarithm, and cheap: the bits of a number are a straight line between powers of two through it.
 fn ln_upper(x: {{ scalar }}) -> {{ scalar }} {
     if x >= {{ scalar }}::MIN_POSITIVE && x <= {{ scalar }}::MAX {
-        x.to_bits() as {{ signed }} as {{ scalar }} * {{ estimate.scale }} - {{ estimate.offset }}
+        x.to_bits() as {{ signed }} as {{ scalar }} * {{ self.literal(estimate.ln_scale) }} - {{ self.literal(estimate.ln_offset) }}
     } else if x <= {{ zero }} {
         // Or NaN, which bids that.
         {{ scalar }}::NEG_INFINITY
@@ -42,16 +42,16 @@ fn ln_upper(x: {{ scalar }}) -> {{ scalar }} {
     }
 }
 {% endif %}
-{% if let Some(estimate) = exp_estimate %}
+{% if called.contains("exp_upper") %}
 /// Not below the exponential, and cheap: the bits of a number are a straight line between powers of two through its
 /// logarithm.
 fn exp_upper(x: {{ scalar }}) -> {{ scalar }} {
-    if x >= {{ estimate.from }} && x <= {{ estimate.to }} {
-        let whole = (x * {{ estimate.scale }}) as {{ signed }};
-        {{ scalar }}::from_bits((whole as {{ unsigned }}).wrapping_add({{ estimate.offset }}))
-    } else if x < {{ estimate.from }} {
-        {{ estimate.below }}
-    } else if x > {{ estimate.infinite_above }} {
+    if x >= {{ self.literal(estimate.exp_between.0) }} && x <= {{ self.literal(estimate.exp_between.1) }} {
+        let whole = (x * {{ self.literal(estimate.exp_scale) }}) as {{ signed }};
+        {{ scalar }}::from_bits((whole as {{ unsigned }}).wrapping_add({{ "{:#x}"|format(estimate.exp_offset) }}))
+    } else if x < {{ self.literal(estimate.exp_between.0) }} {
+        {{ self.literal(estimate.exp_below) }}
+    } else if x > {{ self.literal(estimate.exp_infinite_above) }} {
         {{ scalar }}::INFINITY
     } else {
         {{ scalar }}::NAN

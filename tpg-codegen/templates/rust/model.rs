@@ -1,11 +1,11 @@
-//! A network in integers: {{ bytes }} bytes of constants, {{ multiplications }} multiplications a decision.
+//! A network in integers: {{ policy.bytes() }} bytes of constants, {{ policy.multiplications() }} multiplications a decision.
 //!
-//! Made by {{ tool }} from weights with SHA-256 {{ source_sha256 }}.
-//! Numbers: {{ kind }}. Do not edit: make it again.
+//! Made by {{ tool }} from weights with SHA-256 {{ policy.source_sha256 }}.
+//! Numbers: {{ policy.kind }}. Do not edit: make it again.
 //!
 //! Inputs:
-{%- for input in inputs %}
-//! - {{ loop.index0 }}: {{ input.0 }}
+{%- for input in policy.inputs %}
+//! - {{ loop.index0 }}: {{ input.name }}
 {%- endfor %}
 //!
 //! Outputs:
@@ -13,23 +13,23 @@
 //! - {{ output }}
 {%- endfor %}
 
-use tpg_runtime::net::{Kind, LayerRows, Meaning, OutputKind, Rescale, {% if scaled %}Scaling, {% endif %}{% if values.len() > 0 %}Squash, Value, {% endif %}Weights, pack};
+use tpg_runtime::net::{Kind, LayerRows, Meaning, OutputKind, Rescale, {% if policy.is_scaled() %}Scaling, {% endif %}{% if !policy.output.values().is_empty() %}Squash, Value, {% endif %}Weights, pack};
 
 /// Everything about the network but its layers.
 #[rustfmt::skip]
 pub const MEANING: Meaning<'static> = Meaning {
-    contract: {{ contract }},
+    contract: {{ policy.contract() }},
     inputs: &[
-{%- if scaled %}
-{%- for input in inputs %}
-        {{ input.1 }},
+{%- if policy.is_scaled() %}
+{%- for input in policy.inputs %}
+        Scaling { offset: {{ "{:?}"|format(input.offset) }}, scale: {{ "{:?}"|format(input.scale) }} },
 {%- endfor %}
 {%- endif %}
     ],
-    answer: OutputKind::{{ answer }},
+    answer: OutputKind::{{ "{:?}"|format(policy.output.answer()) }},
     values: &[
-{%- for value in values %}
-        {{ value }},
+{%- for value in policy.output.values() %}
+        Value { min: {{ "{:?}"|format(value.min) }}, max: {{ "{:?}"|format(value.max) }}, squash: Squash::{{ "{:?}"|format(value.squash) }}, exponent: {{ value.exponent }} },
 {%- endfor %}
     ],
 };
@@ -44,16 +44,16 @@ pub static MODEL: [u32; {{ words }}] = {
 {%- for layer in layers %}
         LayerRows {
             inputs: {{ layer.inputs }},
-            kind: Kind::{{ layer.kind }},
+            kind: Kind::{{ "{:?}"|format(layer.kind) }},
             weights: Weights::I16(&[
-{%- for row in layer.rows %}
-                {{ row }},
+{%- for row in layer.rows() %}
+                {{ row|join(", ") }},
 {%- endfor %}
             ]),
-            bias: &[{{ layer.bias }}],
+            bias: &[{{ layer.bias|join(", ") }}],
             rescale: &[
-{%- for rescale in layer.rescale %}
-                Rescale { factor: {{ rescale.0 }}, shift: {{ rescale.1 }} },
+{%- for rescale in layer.rescales() %}
+                Rescale { factor: {{ rescale.factor }}, shift: {{ rescale.shift }} },
 {%- endfor %}
             ],
         },

@@ -3,7 +3,6 @@
 use crate::Bytes;
 use std::sync::OnceLock;
 use tpg_codegen::emit::{self, Language, Options, Profile, Style};
-use tpg_codegen::passes::interval::Assumption;
 use tpg_codegen::verify::{self, Workshop};
 use tpg_graph::import::{self, Sidecar};
 use tpg_graph::interpret::Answer;
@@ -77,7 +76,6 @@ fn exercise(graph: &Graph) {
             assert!(!emit::emit(graph, language, &options).is_empty());
         }
     }
-    emit::emit(graph, Language::C, &Options { assumption: Assumption::DeclaredRanges, ..options() });
     if graph.outputs().is_empty() {
         emit::emit(graph, Language::C, &Options { style: Style::Gegelati, ..options() });
     }

@@ -58,7 +58,7 @@ struct Writer<'g> {
 
 impl<'g> Writer<'g> {
     fn new(graph: &'g Graph) -> Self {
-        let constants: Vec<Constants> = graph.programs().iter().map(Constants::of).collect();
+        let constants: Vec<Constants> = graph.programs().iter().map(Constants::new).collect();
         let count = constants.iter().map(|constants| constants.values.len()).max().unwrap_or(0);
         let first_source = if count == 0 { 1 } else { 2 };
         Self {
@@ -202,7 +202,7 @@ struct Constants {
 }
 
 impl Constants {
-    fn of(program: &Program) -> Self {
+    fn new(program: &Program) -> Self {
         let mut constants = Self { values: Vec::new(), places: BTreeMap::new() };
         let read = program.lines.iter().flat_map(|line| &line.operands[..line.instruction.arity()]);
         for operand in read {

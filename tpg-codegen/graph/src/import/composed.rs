@@ -38,7 +38,7 @@ pub(crate) const FORM: &str =
 
 impl Expression {
     /// Returns the expression that a word stands for by itself.
-    pub(crate) fn of(word: Word) -> Self {
+    pub(crate) fn word(word: Word) -> Self {
         Self::Call(word, (0..word.arity()).map(|place| Self::Operand(place, 0)).collect())
     }
 

@@ -75,7 +75,7 @@ pub fn load(path: &Path, profile: Option<Profile>, sidecar: Option<&Path>) -> Re
 pub fn from_text(file: &str, text: &str, description: Option<&Sidecar>) -> Result<Graph, InputError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text); // the byte order mark that some editors write
     let whole = |found, accepted| Err(InputError::new(file, Place::Whole, found, accepted));
-    match (Format::of(text), description) {
+    match (Format::detect(text), description) {
         (Format::Empty, _) => whole("an empty file", "a graph.json or a GEGELATI .dot file"),
         (Format::Json, None) => Graph::from_json(file, text),
         (Format::Json, Some(_)) => {
@@ -102,7 +102,7 @@ enum Format {
 }
 
 impl Format {
-    fn of(text: &str) -> Self {
+    fn detect(text: &str) -> Self {
         let start = text.trim_start();
         match start {
             "" => Self::Empty,

@@ -226,7 +226,7 @@ impl Sidecar {
                     let words = Word::ALL.map(Word::name).join(", ");
                     let accepted = || format!("{words}; or {{ name = {name:?}, is = … }}, {FORM}");
                     let word = Word::from_name(name).ok_or_else(|| self.error(&path, found(), &accepted()))?;
-                    (name, Some(Expression::of(word)), Windows::default())
+                    (name, Some(Expression::word(word)), Windows::default())
                 }
                 DescribedInstruction::Composed(Composed { name, is, windows }) => {
                     let windows = self.windows(&path, windows)?;
@@ -300,7 +300,7 @@ impl Sidecar {
         }
         // The file's own order, where each number is a word: an export then gives the same numbers.
         let own = calls().filter_map(|call| match call {
-            Expression::Call(word, _) if Expression::of(*word) == *call => Some(*word),
+            Expression::Call(word, _) if Expression::word(*word) == *call => Some(*word),
             _ => None,
         });
         let own: Vec<Word> = own.collect();

@@ -9,7 +9,6 @@ use crate::emit::syntax::Syntax;
 use crate::emit::table::{Table, table};
 use crate::passes::cases::{Case, Cases};
 use askama::Template;
-use tpg_graph::ScalarType;
 
 #[derive(Template)]
 #[template(path = "c/balanced.c", escape = "none")]
@@ -37,23 +36,20 @@ pub(super) fn render(printer: &Printer<'_>, cases: &Cases, outputs: &[OutputView
     let table = |values: &[u64]| table(printer, values, |width| if width.bits() == 64 { "ULL" } else { "U" });
     let read = |case: &Case| [cases.operations(*case).concat(), vec![case.value]].concat();
     let balanced = Balanced {
-        entry: Entry::of(printer),
+        entry: Entry::new(printer),
         prefix: printer.prefix,
         upper,
         scalar: printer.scalar(),
-        lowest: if printer.graph.scalar() == ScalarType::F32 { "FLT_MAX" } else { "DBL_MAX" },
+        lowest: printer.lowest(),
         outputs,
         bidders: table(&cases.bidders),
         places: table(&cases.places),
         targets: table(&cases.targets),
         teams: table(&cases.teams),
         otherwise: table(&cases.otherwise),
-        bids: grouped(cases::bids(
-            printer,
-            cases,
-            |id| printer.statement(id),
-            |zero| (Some(format!("const volatile {} constant = {zero};", printer.scalar())), "constant".to_owned()),
-        )),
+        bids: grouped(cases::bids(printer, cases, |zero| {
+            (Some(format!("const volatile {} constant = {zero};", printer.scalar())), "constant".to_owned())
+        })),
         functions: cases::functions(printer, cases),
         reads_state: cases.bids.iter().any(|case| printer.reads_state(&read(case))),
         over_teams: if outputs.is_empty() { String::new() } else { leaves::render(printer, &cases.leaves, outputs) },

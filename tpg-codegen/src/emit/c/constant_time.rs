@@ -5,9 +5,10 @@
 
 use super::entry::Entry;
 use super::expression::Printer;
-use super::leaves::{self, LeafView};
+use super::leaves;
 use crate::emit::choice::{self, KeyView, TeamView};
 use crate::emit::interface::OutputView;
+use crate::emit::leaves::{LeafView, views};
 use crate::emit::syntax::Syntax;
 use crate::ir::{Module, Node, NodeId};
 use crate::passes::functions::{self, Function};
@@ -60,7 +61,7 @@ pub(super) fn render(
 ) -> String {
     let vertex = &printer.vertex_type(module.vertices());
     let constant_time = ConstantTime {
-        entry: Entry::of(printer),
+        entry: Entry::new(printer),
         prefix: printer.prefix,
         upper,
         vertex,
@@ -69,8 +70,8 @@ pub(super) fn render(
         ends: (module.teams.len()..module.vertices()).map(|place| format!("{place}U")).collect(),
         depth: module.depth,
         outputs,
-        leaves: leaves::views(printer, &module.leaves, outputs, &BTreeSet::new()),
-        statements: functions::of_leaves(module, functions).into_iter().map(|id| printer.statement(id)).collect(),
+        leaves: views(printer, &module.leaves),
+        statements: functions::leaf_operations(module, functions).into_iter().map(|id| printer.statement(id)).collect(),
         assignments: leaves::assignments(printer, outputs),
         scalar: printer.scalar(),
     };

@@ -20,7 +20,7 @@ pub(super) struct Entry {
 
 impl Entry {
     /// Names the entry point of a printer's graph.
-    pub(super) fn of(printer: &Printer<'_>) -> Self {
+    pub(super) fn new(printer: &Printer<'_>) -> Self {
         let (prefix, graph): (&str, &Graph) = (printer.prefix, printer.graph);
         let [state, answer, function] = match graph.memory() {
             0 => ["state_t", "action_t", "infer"],

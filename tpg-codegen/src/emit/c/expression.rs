@@ -56,6 +56,21 @@ impl Syntax for Printer<'_> {
         format!("{}_hidden({number})", self.prefix)
     }
 
+    fn hidden_zero(&self, zero: &str) -> Vec<String> {
+        let scalar = self.scalar();
+        vec![format!("const volatile {scalar} constant = {zero};"), format!("const {scalar} zero = constant;")]
+    }
+
+    fn statement(&self, id: NodeId) -> String {
+        format!("const {} v{} = {};", self.scalar(), id.0, self.operation(id))
+    }
+
+    fn index(&self, number: usize) -> String {
+        format!("{number}U")
+    }
+
+    const BRACES: bool = true;
+
     fn number(&self, value: f64) -> String {
         let text = self.literal(value);
         if text.starts_with('-') { format!("({text})") } else { text }
@@ -82,7 +97,7 @@ impl Syntax for Printer<'_> {
             Instruction::Tan => self.maths("tan", "tan", false),
             Instruction::Ln => self.maths("ln", "log", true),
             Instruction::Exp => self.maths("exp", "exp", true),
-            Instruction::Abs => self.of_scalar("fabs"),
+            Instruction::Abs => self.function("fabs"),
             _ => format!("{}_{}", self.prefix, instruction.name()),
         };
         format!("{function}({arguments})")
@@ -90,31 +105,23 @@ impl Syntax for Printer<'_> {
 }
 
 impl Printer<'_> {
-    /// The statement that computes a node.
-    pub(super) fn statement(&self, id: NodeId) -> String {
-        format!("const {} v{} = {};", self.scalar(), id.0, self.operation(id))
-    }
-
-    /// The same, where a variable stands for it in several teams.
-    pub(super) fn assignment(&self, id: NodeId) -> String {
-        format!("v{} = {};", id.0, self.operation(id))
+    /// The macro of the highest finite number, whose negative is the lowest.
+    pub(super) fn lowest(&self) -> &'static str {
+        match self.graph.scalar() {
+            ScalarType::F32 => "FLT_MAX",
+            ScalarType::F64 => "DBL_MAX",
+        }
     }
 
     fn maths(&self, own: &str, system: &str, has_short_cut: bool) -> String {
         match self.graph.maths() {
-            MathsProvider::System if !(self.short_cuts && has_short_cut) => self.of_scalar(system),
+            MathsProvider::System if !(self.short_cuts && has_short_cut) => self.function(system),
             MathsProvider::System | MathsProvider::Own => format!("{}_{own}", self.prefix),
         }
     }
 
-    /// Tests whether a value is an input, or an operation has one as an operand.
-    pub(super) fn reads_state<'i>(&self, ids: impl IntoIterator<Item = &'i NodeId>) -> bool {
-        let is_input = |id: &NodeId| matches!(self.nodes[id.index()], Node::Input(_));
-        ids.into_iter().any(|id| is_input(id) || self.nodes[id.index()].operands().iter().any(is_input))
-    }
-
     /// The name of a function of `<math.h>` in the graph's scalar type.
-    pub(super) fn of_scalar(&self, name: &str) -> String {
+    pub(super) fn function(&self, name: &str) -> String {
         match self.graph.scalar() {
             ScalarType::F32 => format!("{name}f"),
             ScalarType::F64 => name.to_owned(),

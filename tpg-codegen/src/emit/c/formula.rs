@@ -27,7 +27,7 @@ pub(super) fn render(printer: &Printer<'_>, formula: &Formula, outputs: &[Output
         (output.field.clone(), limited)
     });
     let straight = Straight {
-        entry: Entry::of(printer),
+        entry: Entry::new(printer),
         reads_state: printer.reads_state(formula.operations.iter().chain(&formula.values)),
         statements: formula.operations.iter().map(|&id| printer.statement(id)).collect(),
         answers: answers.collect(),

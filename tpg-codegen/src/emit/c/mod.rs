@@ -22,7 +22,6 @@ use crate::program::{Program, Shape};
 use askama::Template;
 use entry::Entry;
 use expression::Printer;
-pub(crate) use fast::is_compact;
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::states;
 use tpg_graph::{Graph, MathsProvider, ScalarType};
@@ -102,9 +101,9 @@ impl Backend for C {
         let outputs = outputs(&printer, comment);
         let (printer, body, branch_free) = match &program.shape {
             Shape::Gegelati => (printer, gegelati::render(&printer, module, &upper), false),
-            Shape::Fast { schedule, available } => {
+            Shape::Fast { schedule, functions } => {
                 let printer = Printer { nodes: &schedule.nodes, short_cuts: true, ..printer };
-                let body = fast::render(&printer, module, schedule, available, &outputs, &upper);
+                let body = fast::render(&printer, module, schedule, functions, &outputs, &upper);
                 (printer, body, false)
             }
             Shape::Balanced(cases) => {
@@ -130,7 +129,7 @@ impl Backend for C {
             scalar: printer.scalar(),
             sources: seen,
             actions: graph.actions().iter().map(|action| comment(&action.to_string())).collect(),
-            asks: asks(graph, str::to_ascii_uppercase),
+            asks: asks(graph),
             outputs: answers,
             memory,
             teams: module.teams.len(),
@@ -150,7 +149,7 @@ impl Backend for C {
             needs_string,
             helpers,
             body,
-            entry: Entry::of(&printer),
+            entry: Entry::new(&printer),
             sources: &sources,
             vectors: vectors(&printer),
             system_maths: graph.maths() == MathsProvider::System,

@@ -22,7 +22,7 @@ pub(super) struct OwnMaths {
 const READ: usize = 25;
 
 impl OwnMaths {
-    pub(super) fn of(printer: &Printer<'_>) -> Self {
+    pub(super) fn new(printer: &Printer<'_>) -> Self {
         match printer.graph.scalar() {
             ScalarType::F32 => Self::single(printer),
             ScalarType::F64 => Self::double(printer),

@@ -52,12 +52,12 @@ pub(super) fn render(printer: &Printer<'_>, code: &Bytecode, outputs: &[OutputVi
     // The constants are sorted by their bits, of which minus infinity has the highest.
     let constants = code.constants.strip_suffix(&[f64::NEG_INFINITY]).unwrap_or(&code.constants);
     let small = Small {
-        entry: Entry::of(printer),
+        entry: Entry::new(printer),
         prefix: printer.prefix,
         upper,
         scalar: printer.scalar(),
         f64,
-        lowest: if f64 { "DBL_MAX" } else { "FLT_MAX" },
+        lowest: printer.lowest(),
         code: table(&code.code),
         programs: table(&code.programs),
         bidders: table(&code.bidders),

@@ -2,10 +2,11 @@
 
 use super::Parts;
 use super::expression::Printer;
-use super::leaves::{self, LeafView};
+use super::leaves;
 use crate::emit::cases::{self, CaseView, FunctionView};
 use crate::emit::interface::OutputView;
 use crate::emit::layout;
+use crate::emit::leaves::{LeafView, views};
 use crate::emit::syntax::Syntax;
 use crate::emit::table::{Table, table};
 use crate::ir::Module;
@@ -63,9 +64,9 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, cases: &Cases, 
         state_length: printer.graph.state_length(),
         places,
         // Every bid is hidden after it was computed, a 0 with the others.
-        bids: cases::bids(printer, cases, |id| printer.statement(id), |zero| (None, zero.to_owned())),
+        bids: cases::bids(printer, cases, |zero| (None, zero.to_owned())),
         functions: cases::functions(printer, cases),
-        leaves: leaves::views(printer, &cases.leaves),
+        leaves: views(printer, &cases.leaves),
         outputs: outputs.len(),
         depth: module.depth,
     };

@@ -128,7 +128,7 @@ fn answer(printer: &Printer<'_>, module: &Module<'_>, functions: &[Function], ou
     }
     lines.push(format!("let leaf = {decided};"));
     lines.push("// Every leaf's values, and the choice among them.".to_owned());
-    lines.extend(functions::of_leaves(module, functions).into_iter().map(|id| printer.statement(id)));
+    lines.extend(functions::leaf_operations(module, functions).into_iter().map(|id| printer.statement(id)));
     for (place, (number, leaf)) in reached(&module.leaves).enumerate() {
         for (output, &value) in outputs.iter().zip(&leaf.values) {
             let (variable, value) = (output.variable(), printer.value(value));

@@ -51,6 +51,20 @@ impl Syntax for Printer<'_> {
         format!("core::hint::black_box({number})")
     }
 
+    fn hidden_zero(&self, zero: &str) -> Vec<String> {
+        vec![format!("let zero = core::hint::black_box({zero});")]
+    }
+
+    fn statement(&self, id: NodeId) -> String {
+        format!("let v{} = {};", id.0, self.operation(id))
+    }
+
+    fn index(&self, number: usize) -> String {
+        number.to_string()
+    }
+
+    const BRACES: bool = false;
+
     fn input(&self, input: Input) -> String {
         format!("s[{}]", input.index())
     }
@@ -84,11 +98,6 @@ impl Printer<'_> {
             MathsProvider::Own => "Own",
             MathsProvider::System => "System",
         }
-    }
-
-    /// The statement that computes a node.
-    pub(super) fn statement(&self, id: NodeId) -> String {
-        format!("let v{} = {};", id.0, self.operation(id))
     }
 
     /// A value limited to an output's range, as an element of an array in the body of a method: a line of its own, unless it is the

@@ -1,57 +1,58 @@
 //! The functions that expressions of the profile `fast` call.
 
 use super::expression::Printer;
-use crate::emit::helpers::{Calls, ExpEstimate, LnEstimate};
+use crate::emit::helpers::called;
 use crate::emit::syntax::Syntax;
 use crate::passes::bound;
+use crate::passes::estimate::{self, Estimate};
 use askama::Template;
+use std::collections::BTreeSet;
 use tpg_graph::{MathsProvider, ScalarType};
-use tpg_runtime::ops::Instruction;
 
 #[derive(Template)]
 #[template(path = "rust/helpers.rs", escape = "none")]
 struct Helpers<'a> {
+    printer: &'a Printer<'a>,
     scalar: &'a str,
     zero: String,
-    short_ln: bool,
-    short_exp: bool,
-    infinite_above: String,
-    zero_below: String,
+    called: BTreeSet<&'a str>,
+    /// Calls of the platform's logarithm and exponential handle the simple cases themselves.
+    short: bool,
+    /// Above the first number, an exponential is infinite; below the second, it is 0.
+    beyond: (f64, f64),
     provider: &'a str,
     /// The functions that are called as they are.
-    plain: Vec<&'static str>,
+    plain: Vec<&'a str>,
     signed: &'a str,
     unsigned: &'a str,
-    ln_estimate: Option<LnEstimate>,
-    exp_estimate: Option<ExpEstimate>,
+    estimate: Estimate,
+}
+
+impl Helpers<'_> {
+    fn literal(&self, value: &f64) -> String {
+        self.printer.literal(*value)
+    }
 }
 
 /// Renders what the printer's nodes call.
 pub(super) fn render(printer: &Printer<'_>) -> String {
     let scalar = printer.graph.scalar();
     let short = printer.short_cuts && printer.graph.maths() == MathsProvider::System;
-    let calls = Calls::of(printer.nodes);
-    let uses = |instruction| calls.any(&[instruction]);
-    let (infinite_above, zero_below) = bound::beyond_exponentials(scalar);
-    let single = scalar == ScalarType::F32;
+    let called = called(printer.nodes);
+    let (signed, unsigned) = if scalar == ScalarType::F32 { ("i32", "u32") } else { ("i64", "u64") };
+    let plain = if short { &["sin", "cos", "tan"][..] } else { &["sin", "cos", "tan", "ln", "exp"] };
     let helpers = Helpers {
+        printer,
         scalar: scalar.name(),
         zero: printer.literal(0.0),
-        short_ln: short && uses(Instruction::Ln),
-        short_exp: short && uses(Instruction::Exp),
-        infinite_above: printer.literal(infinite_above),
-        zero_below: printer.literal(zero_below),
+        short,
+        beyond: bound::beyond_exponentials(scalar),
         provider: printer.provider(),
-        plain: [Instruction::Sin, Instruction::Cos, Instruction::Tan, Instruction::Ln, Instruction::Exp]
-            .into_iter()
-            .filter(|&instruction| printer.short_cuts && uses(instruction))
-            .filter(|instruction| !short || !matches!(instruction, Instruction::Ln | Instruction::Exp))
-            .map(Instruction::name)
-            .collect(),
-        signed: if single { "i32" } else { "i64" },
-        unsigned: if single { "u32" } else { "u64" },
-        ln_estimate: calls.ln_estimate(printer),
-        exp_estimate: calls.exp_estimate(printer, ""),
+        plain: plain.iter().copied().filter(|name| printer.short_cuts && called.contains(name)).collect(),
+        called,
+        signed,
+        unsigned,
+        estimate: estimate::numbers(scalar),
     };
     helpers.render().expect("the template renders")
 }

@@ -4,32 +4,7 @@ use super::expression::Printer;
 use crate::emit::interface::OutputView;
 use crate::emit::layout::array;
 use crate::emit::syntax::Syntax;
-use crate::ir::{Leaf, NodeId, needed, reached};
 use crate::program::Formula;
-use std::collections::BTreeSet;
-
-/// A leaf: the statements that compute its values, and the values.
-pub(super) struct LeafView {
-    pub(super) label: u32,
-    pub(super) statements: Vec<String>,
-    pub(super) values: Vec<String>,
-}
-
-/// Views the leaves that walks end at.
-pub(super) fn views(printer: &Printer<'_>, leaves: &[Leaf]) -> Vec<LeafView> {
-    let view = |(_, leaf): (usize, &Leaf)| LeafView {
-        label: leaf.label,
-        statements: statements(printer, &leaf.values),
-        values: leaf.values.iter().map(|&value| printer.value(value)).collect(),
-    };
-    reached(leaves).map(view).collect()
-}
-
-/// The statements that some values need.
-fn statements(printer: &Printer<'_>, values: &[NodeId]) -> Vec<String> {
-    let operations = values.iter().flat_map(|&value| needed(printer.nodes, value, |_| true));
-    operations.collect::<BTreeSet<_>>().into_iter().map(|id| printer.statement(id)).collect()
-}
 
 /// The values, each limited to its output's range, as an array in the body of a method; `value` names an output's.
 pub(super) fn limited(printer: &Printer<'_>, outputs: &[OutputView], value: impl Fn(&OutputView) -> String) -> String {

@@ -106,7 +106,7 @@ impl Backend for Rust {
             state_length: graph.state_length(),
             sources: sources(graph, one_line),
             actions: graph.actions().iter().map(|action| one_line(&action.to_string())).collect(),
-            asks: asks(graph, str::to_ascii_uppercase),
+            asks: asks(graph),
             outputs: &outputs,
             memory,
             initial: memory.iter().map(|value| value.initial.clone()).collect(),

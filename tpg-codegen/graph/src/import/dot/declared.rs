@@ -1,9 +1,9 @@
-//! The nodes that a file declares, in any part of the file.
+//! The nodes and edges that a file declares.
 
 use super::Fault;
-use super::statement::{Located, Node, ProgramLine, Statement};
-use crate::error::InputError;
+use crate::import::composed::OPERANDS;
 use std::collections::BTreeMap;
+use std::fmt;
 
 /// Nodes of one kind, in file order and indexed by number.
 #[derive(Debug)]
@@ -34,14 +34,14 @@ impl<T> Table<T> {
         self.place(number).map(|place| &self.items[place])
     }
 
-    fn get_mut(&mut self, number: u32) -> Option<&mut T> {
+    pub(super) fn get_mut(&mut self, number: u32) -> Option<&mut T> {
         self.place(number).map(|place| &mut self.items[place])
     }
 
-    fn insert(&mut self, letter: char, number: u32, item: T) -> Result<(), Fault> {
-        if self.places.insert(number, self.items.len()).is_some() {
-            let accepted = format!("a number that no other {letter} has");
-            return Err(Fault::new(format!("{letter}{number} a second time"), accepted));
+    pub(super) fn insert(&mut self, node: Node, item: T) -> Result<(), Fault> {
+        if self.places.insert(node.number, self.items.len()).is_some() {
+            let accepted = format!("a number that no other {} has", node.kind.letter());
+            return Err(Fault::new(format!("{node} a second time"), accepted));
         }
         self.items.push(item);
         Ok(())
@@ -57,87 +57,117 @@ pub(super) struct Team {
 
 /// Node of a program.
 #[derive(Debug)]
-pub(super) struct Program<'s> {
+pub(super) struct Program {
     pub(super) number: u32,
     pub(super) line: usize,
-    pub(super) constants: &'s [f64],
+    pub(super) constants: Vec<f64>,
 }
 
-/// Node that holds a program's lines.
+/// Node that holds a program's lines; some files of GEGELATI 2 have its constants here.
 #[derive(Debug)]
-pub(super) struct Lines<'s> {
+pub(super) struct Lines {
     pub(super) line: usize,
-    pub(super) lines: &'s [ProgramLine],
-    pub(super) constants: &'s [f64],
+    pub(super) lines: Vec<ProgramLine>,
+    pub(super) constants: Vec<f64>,
+}
+
+/// One line of a program, with the numbers of the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct ProgramLine {
+    /// Index in the instruction set.
+    pub(super) instruction: u32,
+    /// Destination register.
+    pub(super) to: u32,
+    /// Number of operands in the file: as many as the widest instruction of the set reads.
+    pub(super) written: usize,
+    /// The leading operands, up to the maximum that an instruction here can read.
+    pub(super) operands: [OperandText; OPERANDS.len()],
+}
+
+/// An operand, with the numbers of the file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct OperandText {
+    /// 0 for the registers, then the constants if there are any, then the environment's sources.
+    pub(super) source: u32,
+    /// Location, taken modulo the size of the source.
+    pub(super) location: u64,
 }
 
 /// Node of an action.
 #[derive(Debug)]
-pub(super) struct Action<'s> {
+pub(super) struct Action {
     pub(super) node: u32,
     pub(super) line: usize,
-    pub(super) labels: &'s [u32],
+    /// The action, or what its programs compute: `0-2`.
+    pub(super) labels: Vec<u32>,
     /// Its programs, in the order of the labels.
     pub(super) programs: Vec<u32>,
 }
 
+/// An edge of a team; without a destination, it is the one that another edge states for the same program.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Edge {
+    pub(super) line: usize,
+    pub(super) team: u32,
+    pub(super) program: u32,
+    pub(super) to: Option<Node>,
+}
+
 /// The statement that names the roots.
 #[derive(Debug)]
-pub(super) struct Rank<'s> {
+pub(super) struct Rank {
     pub(super) line: usize,
-    pub(super) roots: &'s [Node],
+    pub(super) roots: Vec<Node>,
 }
 
 /// Everything that a file declares.
 #[derive(Debug, Default)]
-pub(super) struct Declared<'s> {
-    pub(super) exporter: Option<(&'s str, &'s str)>,
+pub(super) struct Declared {
+    /// The exporter named in the first comment: a tool and its version.
+    pub(super) exporter: Option<(String, String)>,
     pub(super) teams: Table<Team>,
-    pub(super) programs: Table<Program<'s>>,
-    pub(super) lines: Table<Lines<'s>>,
-    pub(super) actions: Table<Action<'s>>,
-    pub(super) rank: Option<Rank<'s>>,
+    pub(super) programs: Table<Program>,
+    pub(super) lines: Table<Lines>,
+    pub(super) actions: Table<Action>,
+    /// Programs that links name, each with the line. Links are redundant, but the programs must exist.
+    pub(super) links: Vec<(usize, u32)>,
+    pub(super) edges: Vec<Edge>,
+    pub(super) rank: Option<Rank>,
     /// Line of the closing brace.
     pub(super) close: usize,
 }
 
-impl<'s> Declared<'s> {
-    /// Collects the nodes of a file; a duplicate number is an error.
-    pub(super) fn collect(file: &str, statements: &'s [Located]) -> Result<Self, InputError> {
-        let mut declared = Self::default();
-        for Located { line, statement } in statements {
-            declared.add(*line, statement).map_err(|fault| fault.on(file, *line))?;
-        }
-        Ok(declared)
-    }
+/// A kind of node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Team,
+    Program,
+    Lines,
+    Action,
+}
 
-    fn add(&mut self, line: usize, statement: &'s Statement) -> Result<(), Fault> {
-        match statement {
-            Statement::Exporter { tool, version } => self.exporter = Some((tool, version)),
-            Statement::Team { team } => self.teams.insert('T', *team, Team { number: *team, line })?,
-            Statement::Program { program, constants } => {
-                self.programs.insert('P', *program, Program { number: *program, line, constants })?;
-            }
-            Statement::Lines { program, lines, constants } => {
-                self.lines.insert('I', *program, Lines { line, lines, constants })?;
-            }
-            // GEGELATI 2 repeats an action's node before each edge to it.
-            Statement::Action { node, labels } => match self.actions.get(*node) {
-                Some(known) if known.labels == labels => {}
-                _ => self.actions.insert('A', *node, Action { node: *node, line, labels, programs: Vec::new() })?,
-            },
-            Statement::ActionProgram { node, program } => {
-                let accepted = || Fault::new(format!("A{node}, which no line before declares"), "an action's node");
-                self.actions.get_mut(*node).ok_or_else(accepted)?.programs.push(*program);
-            }
-            Statement::Rank { roots } => {
-                if self.rank.replace(Rank { line, roots }).is_some() {
-                    return Err(Fault::new("the roots a second time", "one line `{ rank= same … }`"));
-                }
-            }
-            Statement::Close => self.close = line,
-            Statement::Link { .. } | Statement::Edge { .. } => {}
+impl Kind {
+    pub(super) const ALL: [Self; 4] = [Self::Team, Self::Program, Self::Lines, Self::Action];
+
+    pub(super) fn letter(self) -> char {
+        match self {
+            Self::Team => 'T',
+            Self::Program => 'P',
+            Self::Lines => 'I',
+            Self::Action => 'A',
         }
-        Ok(())
+    }
+}
+
+/// The name of a node: `T12`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Node {
+    pub(super) kind: Kind,
+    pub(super) number: u32,
+}
+
+impl fmt::Display for Node {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}", self.kind.letter(), self.number)
     }
 }

@@ -1,8 +1,8 @@
 //! Parsing of program lines and constants from labels and comments.
 
 use super::Fault;
+use super::declared::{OperandText, ProgramLine};
 use super::lexer::quote;
-use super::statement::{OperandText, ProgramLine};
 use crate::import::composed::OPERANDS;
 use std::str::FromStr;
 
@@ -49,7 +49,7 @@ fn line(text: &str) -> Option<ProgramLine> {
 }
 
 /// Parses digits only: `FromStr` would accept a sign.
-fn number<N: FromStr>(text: &str) -> Option<N> {
+pub(super) fn number<N: FromStr>(text: &str) -> Option<N> {
     text.bytes().all(|byte| byte.is_ascii_digit()).then(|| text.parse().ok()).flatten()
 }
 

@@ -61,7 +61,7 @@ impl Builder<'_, '_> {
         Ok(leaves)
     }
 
-    fn of_action(&mut self, action: &Action<'_>) -> Result<Vec<u32>, InputError> {
+    fn of_action(&mut self, action: &Action) -> Result<Vec<u32>, InputError> {
         let Action { node, line, labels, programs } = action;
         let count = programs.len();
         let refused = |found: String, accepted: String| Err(self.resolver.error(*line, found, accepted));

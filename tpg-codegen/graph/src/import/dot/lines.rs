@@ -33,7 +33,7 @@ pub(super) struct ProgramLines {
 
 impl Lines {
     /// Returns the line of the element that a JSON path names; `None` if the path leads into the sidecar.
-    pub(super) fn of(&self, path: &str) -> Option<usize> {
+    pub(super) fn line(&self, path: &str) -> Option<usize> {
         let mut steps = path.split(['.', '[', ']']).filter(|step| !step.is_empty() && *step != "$");
         let list = steps.next()?;
         if list == "root" {
@@ -73,13 +73,13 @@ mod tests {
             leaves: vec![9],
             programs: vec![ProgramLines { node: 7, lines: 8 }],
         };
-        assert_eq!(lines.of("$.root"), Some(90));
-        assert_eq!(lines.of("$.teams[0]"), Some(4));
-        assert_eq!(lines.of("$.teams[0].edges"), Some(4));
-        assert_eq!(lines.of("$.teams[0].edges[1].program"), Some(12));
-        assert_eq!(lines.of("$.programs[0]"), Some(7));
-        assert_eq!(lines.of("$.programs[0].lines[3].args[1]"), Some(8));
-        assert_eq!(lines.of("$.leaves[0].programs[1]"), Some(9));
-        assert_eq!(lines.of("$.sources[0].name"), None);
+        assert_eq!(lines.line("$.root"), Some(90));
+        assert_eq!(lines.line("$.teams[0]"), Some(4));
+        assert_eq!(lines.line("$.teams[0].edges"), Some(4));
+        assert_eq!(lines.line("$.teams[0].edges[1].program"), Some(12));
+        assert_eq!(lines.line("$.programs[0]"), Some(7));
+        assert_eq!(lines.line("$.programs[0].lines[3].args[1]"), Some(8));
+        assert_eq!(lines.line("$.leaves[0].programs[1]"), Some(9));
+        assert_eq!(lines.line("$.sources[0].name"), None);
     }
 }

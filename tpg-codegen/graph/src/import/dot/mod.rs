@@ -1,8 +1,7 @@
 //! Strict reader of GEGELATI's `.dot` format: every statement is either understood or rejected with its line.
 //!
 //! Each statement occupies one line, so a file is read line by line. [`lexer`] splits a line into tokens, [`parser`]
-//! turns the tokens into a [`statement`] ([`label`] parses programs), and [`resolve`] builds a document from the
-//! statements. The graph's own validation then checks the whole, and [`lines`] maps its errors to lines of the file.
+//! collects what they [declare](declared) ([`label`] parses programs), and [`resolve`] builds a document. The graph's own validation then checks the whole, and [`lines`] maps its errors to lines of the file.
 //!
 //! ```text
 //! file        = comment* "digraph{" statement* "}"
@@ -29,7 +28,6 @@ mod lines;
 mod parser;
 mod program;
 mod resolve;
-mod statement;
 
 use super::sidecar::Sidecar;
 use crate::error::{InputError, Place};
@@ -54,10 +52,9 @@ impl Fault {
 
 /// Reads a `.dot` file whose sources, instructions and actions are described by `sidecar`.
 pub(super) fn read(file: &str, text: &str, sidecar: &Sidecar) -> Result<Graph, InputError> {
-    let statements = parser::statements(file, text)?;
-    let (document, lines) = resolve::document(file, &statements, sidecar)?;
+    let (document, lines) = resolve::document(file, parser::declared(file, text)?, sidecar)?;
     Graph::from_document(file, document).map_err(|error| match &error.place {
-        Place::Path(path) => match lines.of(path) {
+        Place::Path(path) => match lines.line(path) {
             Some(line) => InputError { place: Place::Line(line), ..error },
             None => sidecar.place_error(error),
         },

@@ -1,9 +1,9 @@
-//! From text to statements, one line at a time.
+//! From text to what it declares, one line at a time.
 
 use super::Fault;
+use super::declared::{Action, Declared, Edge, Kind, Lines, Node, Program, Rank, Team};
 use super::label;
 use super::lexer::{self, Token, quote};
-use super::statement::{Kind, Located, Node, Statement, Target};
 use crate::error::InputError;
 
 /// The statements allowed inside the braces, for messages.
@@ -12,24 +12,23 @@ const STATEMENTS: &str = "a team `T0 […]`, a program `P0 […] //`, its lines 
                           `T0 -> P0`, the roots \
                           `{ rank= same T0 }`, or the closing }";
 
-/// Parses all statements, skipping those that only affect how the graph is drawn.
-pub(super) fn statements(file: &str, text: &str) -> Result<Vec<Located>, InputError> {
-    let mut statements = Vec::new();
+/// Reads all statements, skipping those that only affect how the graph is drawn.
+pub(super) fn declared(file: &str, text: &str) -> Result<Declared, InputError> {
+    let mut declared = Declared::default();
     let mut section = Section::Before;
     let mut tokens = Vec::new();
     let mut last = 1;
     for (line, content) in (1..).zip(text.lines()) {
         last = line;
         tokens.clear();
-        let statement = lexer::tokens(content, &mut tokens)
-            .and_then(|()| section.statement(content, &tokens))
+        lexer::tokens(content, &mut tokens)
+            .and_then(|()| section.statement(&mut declared, line, content, &tokens))
             .map_err(|fault| fault.on(file, line))?;
-        statements.extend(statement.map(|statement| Located { line, statement }));
     }
     match section {
         Section::Before => Err(Fault::new("the file ends before its graph begins", "`digraph{`").on(file, last)),
         Section::Inside => Err(Fault::new("the file ends inside its graph", "the closing }").on(file, last)),
-        Section::After => Ok(statements),
+        Section::After => Ok(declared),
     }
 }
 
@@ -42,38 +41,41 @@ enum Section {
 }
 
 impl Section {
-    /// Parses one line; `None` if it carries no information about the graph.
-    fn statement(&mut self, content: &str, tokens: &[Token<'_>]) -> Result<Option<Statement>, Fault> {
+    fn statement(
+        &mut self,
+        declared: &mut Declared,
+        line: usize,
+        content: &str,
+        tokens: &[Token<'_>],
+    ) -> Result<(), Fault> {
         match (*self, tokens) {
-            (_, []) => Ok(None),
-            (Self::Before, [Token::Comment(comment)]) => Ok(exporter(comment)),
-            (_, [Token::Comment(_)]) => Ok(None),
-            (Self::Before, [Token::Word("digraph"), Token::Mark('{')]) => {
-                *self = Self::Inside;
-                Ok(None)
+            (_, []) => {}
+            (Self::Before, [Token::Comment(comment)]) => {
+                // `File exported with GEGELATI v1.3.1`.
+                let exported = comment.strip_prefix("File exported with ").and_then(|rest| rest.rsplit_once(" v"));
+                if let Some((tool, version)) = exported {
+                    declared.exporter = Some((tool.to_owned(), version.to_owned()));
+                }
             }
-            (Self::Before, _) => Err(Fault::new(quote(content), "`digraph{`, and comments before it")),
+            (_, [Token::Comment(_)]) => {}
+            (Self::Before, [Token::Word("digraph"), Token::Mark('{')]) => *self = Self::Inside,
+            (Self::Before, _) => return Err(Fault::new(quote(content), "`digraph{`, and comments before it")),
             (Self::Inside, [Token::Mark('}')]) => {
                 *self = Self::After;
-                Ok(Some(Statement::Close))
+                declared.close = line;
             }
-            (Self::Inside, _) => inside(content, tokens),
-            (Self::After, _) => Err(Fault::new(quote(content), "nothing after the closing }")),
+            (Self::Inside, _) => return inside(declared, line, content, tokens),
+            (Self::After, _) => return Err(Fault::new(quote(content), "nothing after the closing }")),
         }
+        Ok(())
     }
 }
 
-/// Parses the exporter's comment: `File exported with GEGELATI v1.3.1`.
-fn exporter(comment: &str) -> Option<Statement> {
-    let (tool, version) = comment.strip_prefix("File exported with ")?.rsplit_once(" v")?;
-    Some(Statement::Exporter { tool: tool.to_owned(), version: version.to_owned() })
-}
-
-fn inside(content: &str, tokens: &[Token<'_>]) -> Result<Option<Statement>, Fault> {
+fn inside(declared: &mut Declared, line: usize, content: &str, tokens: &[Token<'_>]) -> Result<(), Fault> {
     let unknown = || Fault::new(quote(content), STATEMENTS);
     let (tokens, comment) = match tokens {
-        [tokens @ .., Token::Comment(comment)] => (tokens, Some(*comment)),
-        tokens => (tokens, None),
+        [tokens @ .., Token::Comment(comment)] => (tokens, *comment),
+        tokens => (tokens, ""),
     };
     if let [
         Token::Mark('{'),
@@ -85,62 +87,67 @@ fn inside(content: &str, tokens: &[Token<'_>]) -> Result<Option<Statement>, Faul
     ] = tokens
     {
         let roots = nodes.iter().map(|token| node(token)?.ok_or_else(unknown)).collect::<Result<_, _>>()?;
-        return Ok(Some(Statement::Rank { roots }));
+        return match declared.rank.replace(Rank { line, roots }) {
+            Some(_) => Err(Fault::new("the roots a second time", "one line `{ rank= same … }`")),
+            None => Ok(()),
+        };
     }
     let bracket = tokens.iter().position(|token| *token == Token::Mark('[')).unwrap_or(tokens.len());
     let (head, attributes) = tokens.split_at(bracket);
     let label = label_of(attributes)?;
     if let [Token::Word("graph" | "node" | "edge")] = head {
-        return Ok(None);
+        return Ok(());
     }
     let path = path(head)?.ok_or_else(unknown)?;
-    let statement = match *path.as_slice() {
-        [Node { kind: Kind::Team, number: team }] => Statement::Team { team },
-        [Node { kind: Kind::Program, number: program }] => {
+    let kinds: Vec<Kind> = path.iter().map(|node| node.kind).collect();
+    match (kinds.as_slice(), path.as_slice()) {
+        ([Kind::Team], &[team]) => declared.teams.insert(team, Team { number: team.number, line })?,
+        ([Kind::Program], &[program]) => {
             if let Some(label) = label.filter(|label| !["0", "1"].contains(label)) {
                 let accepted = "no label, \"0\" for a program that bids, \"1\" for one of an action";
-                return Err(Fault::new(format!("P{program} with the label {label:?}"), accepted));
+                return Err(Fault::new(format!("{program} with the label {label:?}"), accepted));
             }
-            Statement::Program { program, constants: label::constants(comment.unwrap_or_default())? }
+            let constants = label::constants(comment)?;
+            declared.programs.insert(program, Program { number: program.number, line, constants })?;
         }
-        [node @ Node { kind: Kind::Lines, number: program }] => Statement::Lines {
-            program,
-            lines: label::lines(label.ok_or_else(|| without_label(node))?)?,
-            constants: label::constants(comment.unwrap_or_default())?,
-        },
-        [node @ Node { kind: Kind::Action, number }] => {
+        ([Kind::Lines], &[node]) => {
+            let lines = label::lines(label.ok_or_else(|| without_label(node))?)?;
+            declared.lines.insert(node, Lines { line, lines, constants: label::constants(comment)? })?;
+        }
+        ([Kind::Action], &[node]) => {
             let label = label.ok_or_else(|| without_label(node))?;
-            let labels = label.split('-').map(digits).collect::<Option<_>>().ok_or_else(|| {
+            let labels: Vec<u32> = label.split('-').map(label::number).collect::<Option<_>>().ok_or_else(|| {
                 let accepted =
                     "the number of an action, as in label=\"0\", or those of its programs, as in label=\"0-1\"";
-                Fault::new(format!("A{number} with the label {label:?}"), accepted)
+                Fault::new(format!("{node} with the label {label:?}"), accepted)
             })?;
-            Statement::Action { node: number, labels }
-        }
-        [Node { kind: Kind::Action, number: node }, Node { kind: Kind::Program, number: program }] => {
-            Statement::ActionProgram { node, program }
-        }
-        [Node { kind: Kind::Program, number: program }, Node { kind: Kind::Lines, number: lines }] => {
-            if program != lines {
-                let accepted = format!("P{program} -> I{program}: a program's lines have its number");
-                return Err(Fault::new(format!("P{program} -> I{lines}"), accepted));
+            // GEGELATI 2 repeats an action's node before each edge to it.
+            if declared.actions.get(node.number).is_none_or(|known| known.labels != labels) {
+                let action = Action { node: node.number, line, labels, programs: Vec::new() };
+                declared.actions.insert(node, action)?;
             }
-            Statement::Link { program }
         }
-        [Node { kind: Kind::Team, number: team }, Node { kind: Kind::Program, number: program }] => {
-            Statement::Edge { team, program, to: Target::OfProgram }
+        ([Kind::Action, Kind::Program], &[node, program]) => {
+            let accepted = || Fault::new(format!("{node}, which no line before declares"), "an action's node");
+            declared.actions.get_mut(node.number).ok_or_else(accepted)?.programs.push(program.number);
+            declared.links.push((line, program.number));
         }
-        [Node { kind: Kind::Team, number: team }, Node { kind: Kind::Program, number: program }, to] => {
-            let to = match to.kind {
-                Kind::Team => Target::Team(to.number),
-                Kind::Action => Target::ActionNode(to.number),
-                Kind::Program | Kind::Lines => return Err(unknown()),
-            };
-            Statement::Edge { team, program, to }
+        ([Kind::Program, Kind::Lines], &[program, lines]) => {
+            if program.number != lines.number {
+                let accepted = format!("{program} -> I{}: a program's lines have its number", program.number);
+                return Err(Fault::new(format!("{program} -> {lines}"), accepted));
+            }
+            declared.links.push((line, program.number));
+        }
+        ([Kind::Team, Kind::Program], &[team, program]) => {
+            declared.edges.push(Edge { line, team: team.number, program: program.number, to: None });
+        }
+        ([Kind::Team, Kind::Program, Kind::Team | Kind::Action], &[team, program, to]) => {
+            declared.edges.push(Edge { line, team: team.number, program: program.number, to: Some(to) });
         }
         _ => return Err(unknown()),
-    };
-    Ok(Some(statement))
+    }
+    Ok(())
 }
 
 fn without_label(node: Node) -> Fault {
@@ -163,13 +170,7 @@ fn path(tokens: &[Token<'_>]) -> Result<Option<Vec<Node>>, Fault> {
 /// Parses a node name such as `T12`; `None` if the token is not a node name.
 fn node(token: &Token<'_>) -> Result<Option<Node>, Fault> {
     let Token::Word(word) = *token else { return Ok(None) };
-    let kind = match word.as_bytes().first() {
-        Some(b'T') => Kind::Team,
-        Some(b'P') => Kind::Program,
-        Some(b'I') => Kind::Lines,
-        Some(b'A') => Kind::Action,
-        _ => return Ok(None),
-    };
+    let Some(kind) = Kind::ALL.into_iter().find(|kind| word.starts_with(kind.letter())) else { return Ok(None) };
     let number = &word[1..];
     if number.is_empty() || !number.bytes().all(|byte| byte.is_ascii_digit()) {
         return Ok(None);
@@ -178,10 +179,6 @@ fn node(token: &Token<'_>) -> Result<Option<Node>, Fault> {
         .parse()
         .map_err(|_| Fault::new(format!("the number of {}", quote(word)), format!("0 to {}", u32::MAX)))?;
     Ok(Some(Node { kind, number }))
-}
-
-fn digits(text: &str) -> Option<u32> {
-    text.bytes().all(|byte| byte.is_ascii_digit()).then(|| text.parse().ok()).flatten()
 }
 
 /// Returns the label from attributes `[name=value …]`, which may be absent. The other attributes only affect drawing.

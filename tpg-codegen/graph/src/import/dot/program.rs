@@ -1,7 +1,7 @@
 //! Translation of programs from the numbers of the file to the names of the document.
 
 use super::Fault;
-use super::statement::{OperandText, ProgramLine};
+use super::declared::{OperandText, ProgramLine};
 use crate::error::counted;
 use crate::import::composed::{FORM, Operator};
 use crate::model::{Document, LineDocument, OperandDocument};

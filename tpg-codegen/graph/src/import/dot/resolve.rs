@@ -1,25 +1,18 @@
 //! Translation of statements to a document: numbers of the file become names and ids.
 
 use super::Fault;
-use super::declared::{Action, Declared, Rank};
+use super::declared::{Action, Declared, Edge, Kind, Node, Rank};
 use super::leaves;
 use super::lines::{Lines, ProgramLines, TeamLines};
 use super::program::Meaning;
-use super::statement::{Kind, Located, Node, Statement, Target};
 use crate::error::{InputError, counted};
 use crate::import::sidecar::Sidecar;
 use crate::model::{Document, EdgeDocument, ProgramDocument, TeamDocument};
 use std::collections::BTreeMap;
 
-/// Builds a document from the statements of a whole file and records where its elements are located.
-pub(super) fn document(file: &str, statements: &[Located], sidecar: &Sidecar) -> Result<(Document, Lines), InputError> {
-    let resolver = Resolver {
-        file,
-        document: sidecar.document(),
-        sidecar,
-        statements,
-        declared: Declared::collect(file, statements)?,
-    };
+/// Builds a document from what a whole file declares and records where its elements are located.
+pub(super) fn document(file: &str, declared: Declared, sidecar: &Sidecar) -> Result<(Document, Lines), InputError> {
+    let resolver = Resolver { file, document: sidecar.document(), sidecar, declared };
     resolver.is_something()?;
     resolver.links()?;
     let mut lines = Lines::default();
@@ -32,9 +25,9 @@ pub(super) fn document(file: &str, statements: &[Located], sidecar: &Sidecar) ->
         Vec::new()
     };
     let mut provenance = resolver.document.provenance.clone();
-    if let (false, Some((tool, version))) = (sidecar.has_provenance(), resolver.declared.exporter) {
-        provenance.tool = Some(tool.to_owned());
-        provenance.version = Some(version.to_owned());
+    if let (false, Some((tool, version))) = (sidecar.has_provenance(), &resolver.declared.exporter) {
+        provenance.tool = Some(tool.clone());
+        provenance.version = Some(version.clone());
     }
     Ok((Document { root, teams, leaves, programs, provenance, ..resolver.document.clone() }, lines))
 }
@@ -53,8 +46,7 @@ pub(super) struct Resolver<'s> {
     /// The document described by the sidecar.
     document: &'s Document,
     pub(super) sidecar: &'s Sidecar,
-    statements: &'s [Located],
-    pub(super) declared: Declared<'s>,
+    pub(super) declared: Declared,
 }
 
 impl Resolver<'_> {
@@ -79,12 +71,7 @@ impl Resolver<'_> {
 
     /// Checks the links. They are redundant, but the nodes that they name must exist.
     fn links(&self) -> Result<(), InputError> {
-        for Located { line, statement } in self.statements {
-            if let Statement::Link { program } | Statement::ActionProgram { program, .. } = statement {
-                self.program_exists(*line, *program)?;
-            }
-        }
-        Ok(())
+        self.declared.links.iter().try_for_each(|&(line, program)| self.program_exists(line, program))
     }
 
     fn program_exists(&self, line: usize, program: u32) -> Result<(), InputError> {
@@ -104,15 +91,14 @@ impl Resolver<'_> {
             teams.push(TeamDocument { id: team.number, edges: Vec::new() });
             lines.teams.push(TeamLines { node: team.line, edges: Vec::new() });
         }
-        for Located { line, statement } in self.statements {
-            let &Statement::Edge { team, program, .. } = statement else { continue };
+        for &Edge { line, team, program, .. } in &self.declared.edges {
             let Some(place) = self.declared.teams.place(team) else {
-                return Err(self.no_team(*line, team));
+                return Err(self.no_team(line, team));
             };
-            self.program_exists(*line, program)?;
+            self.program_exists(line, program)?;
             let Some((destination, _)) = destinations.get(&program) else {
                 let found = format!("T{team} -> P{program}, and no edge that says where P{program} leads");
-                return Err(self.error(*line, found, format!("T{team} -> P{program} -> a team or an action")));
+                return Err(self.error(line, found, format!("T{team} -> P{program} -> a team or an action")));
             };
             let mut edge = EdgeDocument { program, ..EdgeDocument::default() };
             match *destination {
@@ -121,7 +107,7 @@ impl Resolver<'_> {
                 Destination::Leaf(leaf) => edge.leaf = Some(leaf),
             }
             teams[place].edges.push(edge);
-            lines.teams[place].edges.push(*line);
+            lines.teams[place].edges.push(line);
         }
         Ok(teams)
     }
@@ -130,10 +116,10 @@ impl Resolver<'_> {
     /// the destination, so an edge without a destination is unambiguous.
     fn destinations(&self) -> Result<BTreeMap<u32, (Destination, usize)>, InputError> {
         let mut destinations = BTreeMap::new();
-        for Located { line, statement } in self.statements {
-            let &Statement::Edge { program, to, .. } = statement else { continue };
-            let Some(destination) = self.destination(*line, to)? else { continue };
-            let (first, first_line) = *destinations.entry(program).or_insert((destination, *line));
+        for &Edge { line, program, to, .. } in &self.declared.edges {
+            let Some(to) = to else { continue };
+            let destination = self.destination(line, to)?;
+            let (first, first_line) = *destinations.entry(program).or_insert((destination, line));
             if first != destination {
                 let name = |destination| match destination {
                     Destination::Team(team) => format!("T{team}"),
@@ -142,32 +128,28 @@ impl Resolver<'_> {
                 };
                 let found =
                     format!("P{program} leads to {}, and on line {first_line} to {}", name(destination), name(first));
-                return Err(self.error(*line, found, "one destination for each program"));
+                return Err(self.error(line, found, "one destination for each program"));
             }
         }
         Ok(destinations)
     }
 
-    fn destination(&self, line: usize, to: Target) -> Result<Option<Destination>, InputError> {
-        match to {
-            Target::OfProgram => Ok(None),
-            Target::Team(team) if self.declared.teams.place(team).is_some() => Ok(Some(Destination::Team(team))),
-            Target::Team(team) => Err(self.no_team(line, team)),
-            Target::ActionNode(node) => match self.declared.actions.get(node) {
-                Some(_) if self.has_values() => Ok(Some(Destination::Leaf(node))),
-                Some(&Action { labels: &[action], ref programs, .. }) if programs.is_empty() => {
-                    Ok(Some(Destination::Action(action)))
-                }
-                Some(action) => {
-                    let found = format!("A{node}, whose programs compute values");
+    fn destination(&self, line: usize, to: Node) -> Result<Destination, InputError> {
+        let Node { kind, number } = to;
+        if kind == Kind::Team {
+            let exists = self.declared.teams.place(number).is_some();
+            return if exists { Ok(Destination::Team(number)) } else { Err(self.no_team(line, number)) };
+        }
+        match self.declared.actions.get(number) {
+            Some(_) if self.has_values() => Ok(Destination::Leaf(number)),
+            Some(Action { labels, programs, line, .. }) => match labels.as_slice() {
+                &[action] if programs.is_empty() => Ok(Destination::Action(action)),
+                _ => {
                     let accepted = "actions without programs, or outputs instead of actions in the sidecar";
-                    Err(self.error(action.line, found, accepted))
-                }
-                None => {
-                    let found = format!("A{node}, which does not exist");
-                    Err(self.error(line, found, "an action that the file declares"))
+                    Err(self.error(*line, format!("{to}, whose programs compute values"), accepted))
                 }
             },
+            None => Err(self.error(line, format!("{to}, which does not exist"), "an action that the file declares")),
         }
     }
 
@@ -184,7 +166,7 @@ impl Resolver<'_> {
                 let accepted = format!("`I{number} [… label=\"…\"]`, with an empty label for no lines");
                 return Err(self.error(node.line, format!("P{number} without its lines I{number}"), accepted));
             };
-            let (constants, line) = match (node.constants, content.constants) {
+            let (constants, line) = match (node.constants.as_slice(), content.constants.as_slice()) {
                 (integers, []) => (integers, node.line),
                 ([], reals) => (reals, content.line),
                 _ => {
@@ -206,7 +188,7 @@ impl Resolver<'_> {
                 registers: self.sidecar.registers(),
                 constants,
             };
-            let document = meaning.lines(content.lines).map_err(|fault| fault.on(self.file, content.line))?;
+            let document = meaning.lines(&content.lines).map_err(|fault| fault.on(self.file, content.line))?;
             programs.push(ProgramDocument { id: number, lines: document });
             lines.programs.push(ProgramLines { node: node.line, lines: content.line });
         }
@@ -251,23 +233,25 @@ impl Resolver<'_> {
             return Err(self.error(line, format!("{} and no team", counted(actions.len(), "action")), "one action"));
         };
         match &self.declared.rank {
-            Some(Rank { line, roots: [root] }) if (root.kind, root.number) != (Kind::Action, action.node) => {
-                Err(self.error(*line, format!("{root} as the root"), format!("A{}, the only action", action.node)))
-            }
-            Some(Rank { line, roots }) if roots.len() != 1 => {
-                Err(self.error(*line, counted(roots.len(), "root"), "one"))
-            }
-            _ => Ok(()),
+            Some(Rank { line, roots }) => match roots.as_slice() {
+                &[root] if (root.kind, root.number) == (Kind::Action, action.node) => Ok(()),
+                [root] => {
+                    let accepted = format!("A{}, the only action", action.node);
+                    Err(self.error(*line, format!("{root} as the root"), accepted))
+                }
+                _ => Err(self.error(*line, counted(roots.len(), "root"), "one")),
+            },
+            None => Ok(()),
         }
     }
 
-    fn ranked(&self, rank: &Rank<'_>) -> Result<u32, InputError> {
-        match *rank.roots {
-            [Node { kind: Kind::Team, number }] if self.declared.teams.place(number).is_some() => Ok(number),
-            [Node { kind: Kind::Team, number }] => Err(self.no_team(rank.line, number)),
+    fn ranked(&self, rank: &Rank) -> Result<u32, InputError> {
+        match rank.roots.as_slice() {
+            &[Node { kind: Kind::Team, number }] if self.declared.teams.place(number).is_some() => Ok(number),
+            &[Node { kind: Kind::Team, number }] => Err(self.no_team(rank.line, number)),
             [] => Err(self.error(rank.line, "no root", "one team")),
             [node] => Err(self.error(rank.line, format!("{node} as the root"), "a team")),
-            ref roots => {
+            roots => {
                 let names: Vec<String> = roots.iter().map(Node::to_string).collect();
                 Err(self.error(rank.line, format!("{} roots: {}", roots.len(), names.join(" ")), "one team"))
             }
