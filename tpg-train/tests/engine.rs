@@ -269,7 +269,7 @@ fn under_a_shield_equal_programs_for_different_actions_stay_two_bids() {
     let shielded = policy.shielded(|action| vocabulary.bound(action));
     assert_eq!(shielded.programs.len(), 2, "one for each action");
     let graph = graph_of(&config, 1, &found(shielded), &environment).expect("a valid graph");
-    let (_, removed) = optimise(&graph, Assumption::Nothing);
+    let (_, removed) = optimise(&graph);
     assert_eq!(removed.duplicate_bids, 1, "the first of three");
     let interpreter = Interpreter::<f32, Own>::new(&graph);
     let mut state = vec![0.0f32; graph.state_length()];
