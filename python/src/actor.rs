@@ -29,8 +29,8 @@ pub(crate) fn train_network(
     seed: u64,
     kind: &str,
 ) -> PyResult<(Network, f64)> {
-    let preset = presets::find("long").expect("it comes with the trainer").text();
-    let settings = with_settings("long", preset.parse().map_err(error::input)?, settings)?;
+    let preset = presets::find("long").expect("it comes with the trainer").table();
+    let settings = with_settings("long", preset, settings)?;
     let config = settings.read(SacConfig::from_toml).map_err(error::input)?;
     let (gym, kind) = (Gym::new(space.clone(), make), kind_of(kind)?);
     py.detach(|| {

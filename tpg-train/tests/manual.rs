@@ -36,7 +36,7 @@ their place and what is accepted.
     tables::<EvolutionConfig>(&mut text, &values);
     text += "\n## `tpg-train sac`\n";
     let values: Vec<(&str, Table)> = ["general", "long", "best-fs"]
-        .map(|name| (name, read(&sac_presets::find(name).expect("a preset").text())))
+        .map(|name| (name, sac_presets::find(name).expect("a preset").table()))
         .to_vec();
     tables::<SacConfig>(&mut text, &values);
 
@@ -52,10 +52,6 @@ their place and what is accepted.
     problem::<arm::motors::Config>(&mut text, "fs` and `rs` with `sac");
     problem::<dodge::Config>(&mut text, "dodge");
     page("configuration.md", &text);
-}
-
-fn read(text: &str) -> Table {
-    text.parse().expect("TOML")
 }
 
 fn problem<T: JsonSchema>(text: &mut String, name: &str) {

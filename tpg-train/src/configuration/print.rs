@@ -44,7 +44,7 @@ fn text(args: &ConfigArgs) -> Result<String, InputError> {
     let own = PRESETS.iter().map(|preset| (preset.name, preset.about, None::<String>));
     let arms = ARMS.iter().map(|arm| (arm.name, arm.about, Some(arm.text.to_owned())));
     let chains = CHAINS.iter().map(|chain| (chain.name, chain.about, Some(chain.text.to_owned())));
-    let networks = sac::presets::PRESETS.iter().map(|preset| (preset.name, preset.about, Some(preset.text())));
+    let networks = sac::presets::PRESETS.iter().map(|preset| (preset.name, preset.about, None));
     let all: Vec<_> = if args.sac { networks.collect() } else { own.chain(arms).chain(chains).collect() };
     if args.list {
         return Ok(all.into_iter().map(|(name, about, _)| format!("{name:18} {about}\n")).collect());
@@ -52,7 +52,11 @@ fn text(args: &ConfigArgs) -> Result<String, InputError> {
     let name = args.name.as_deref().unwrap_or(if args.sac { "general" } else { "thorough" });
     match all.iter().find(|(known, ..)| *known == name) {
         Some((_, _, Some(text))) => Ok(text.clone()),
-        Some(_) => Ok(commented(&schema, &Preset::find(name).map(Preset::table).unwrap_or_default())),
+        Some(_) => {
+            let network = sac::presets::find(name).filter(|_| args.sac).map(sac::presets::Preset::table);
+            let table = network.or_else(|| Preset::find(name).map(Preset::table));
+            Ok(commented(&schema, &table.unwrap_or_default()))
+        }
         None => {
             let accepted = all.iter().map(|(name, ..)| *name).collect::<Vec<_>>().join(", ");
             Err(InputError::new("<command line>", Place::Whole, format!("the preset {name:?}"), accepted))

@@ -76,10 +76,10 @@ impl Configuration for SacConfig {
         presets::PRESETS.iter().map(|preset| preset.name).collect()
     }
     fn preset(name: &str) -> Option<toml::Table> {
-        presets::find(name).and_then(|preset| preset.text().parse().ok())
+        presets::find(name).map(presets::Preset::table)
     }
     fn default_preset(problem: ProblemName) -> &'static str {
-        presets::usual(problem)
+        presets::default_for(problem)
     }
     fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
         Self::from_toml(file, text)

@@ -239,7 +239,7 @@ mod tests {
 
     #[test]
     fn a_wrong_value_is_refused_with_its_line() {
-        let text = presets::find("best-fs").expect("a preset").text();
+        let text = presets::find("best-fs").expect("a preset").table().to_string();
         for (from, to, found) in [
             ("average = 0.001", "average = 0.0", "learning.average = 0"),
             ("lanes = 64", "lanes = 0", "learning.lanes = 0"),

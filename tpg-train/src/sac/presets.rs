@@ -1,6 +1,7 @@
-//! The configurations included with the trainer, with a comment for every setting.
+//! The configurations included with the trainer: `general`, and the differences of the others.
 
 use super::config::SacConfig;
+use crate::configuration::merge;
 use tpg_graph::error::InputError;
 use tpg_problems::ProblemName;
 
@@ -11,56 +12,43 @@ pub struct Preset {
     pub name: &'static str,
     /// One-line description.
     pub about: &'static str,
-    /// The file that its text is made from.
-    file: &'static str,
-    /// Replacements that its text has for words of the file, wherever these stand: old words, new words.
-    changes: &'static [(&'static str, &'static str)],
+    /// The preset that it differs from.
+    extends: Option<&'static str>,
+    /// The differences, as TOML.
+    text: &'static str,
 }
 
-impl Preset {
-    /// Creates a preset whose text is a file.
-    const fn new(name: &'static str, about: &'static str, file: &'static str) -> Self {
-        Self { name, about, file, changes: &[] }
-    }
-
-    /// Changes words of the file.
-    const fn with(self, changes: &'static [(&'static str, &'static str)]) -> Self {
-        Self { changes, ..self }
-    }
-
-    /// Returns its commented text.
-    pub fn text(&self) -> String {
-        self.changes.iter().fold(self.file.to_owned(), |text, (old, new)| text.replace(old, new))
-    }
+const fn preset(name: &'static str, about: &'static str, extends: &'static str, text: &'static str) -> Preset {
+    Preset { name, about, extends: Some(extends), text }
 }
 
 /// Every preset.
 pub const PRESETS: [Preset; 6] = [
-    Preset::new("general", "for any problem with outputs", include_str!("presets/general.toml")),
-    Preset::new("long", "for episodes of hundreds of steps", include_str!("presets/long.toml")),
-    Preset::new("best-fs", "ours, the arm from its home position", include_str!("presets/best-fs.toml")),
-    Preset::new("best-rs", "ours, the arm from anywhere", include_str!("presets/best-fs.toml")).with(&[
-        ("for the fixed start.", "for both starts, chosen on random starts."),
-        RANDOM_START,
-        MOSTLY_ANYWHERE,
-    ]),
-    Preset::new(
+    Preset {
+        name: "general",
+        about: "for any problem with outputs: small networks that learn in minutes on one core",
+        extends: None,
+        text: include_str!("presets/general.toml"),
+    },
+    preset("long", "for episodes of hundreds of steps", "general", include_str!("presets/long.toml")),
+    preset("best-fs", "ours, the arm from its home position", "general", include_str!("presets/best-fs.toml")),
+    preset("best-rs", "ours, the arm from anywhere", "best-fs", RANDOM_START),
+    preset(
         "no-planner-fs",
         "as best-fs, without a reward that knows solving poses",
+        "best-fs",
         include_str!("presets/no-planner-fs.toml"),
     ),
-    Preset::new(
+    preset(
         "no-planner-rs",
         "as best-rs, without a reward that knows solving poses",
-        include_str!("presets/no-planner-fs.toml"),
-    )
-    .with(&[RANDOM_START, MOSTLY_ANYWHERE]),
+        "no-planner-fs",
+        RANDOM_START,
+    ),
 ];
 
-/// The start that chooses the best candidate.
-const RANDOM_START: (&str, &str) = ("name = \"fs\"", "name = \"rs\"");
-/// Which episodes train.
-const MOSTLY_ANYWHERE: (&str, &str) = ("fixed_start_share = 0.7", "fixed_start_share = 0.3");
+/// The start that chooses the best candidate, and the share of training episodes that start at home.
+const RANDOM_START: &str = "[problem]\nname = \"rs\"\nfixed_start_share = 0.3\n";
 
 /// Finds a preset by name.
 pub fn find(name: &str) -> Option<&'static Preset> {
@@ -68,11 +56,23 @@ pub fn find(name: &str) -> Option<&'static Preset> {
 }
 
 /// Returns the name of the preset used for a problem by default.
-pub fn usual(problem: ProblemName) -> &'static str {
+pub fn default_for(problem: ProblemName) -> &'static str {
     match problem {
         ProblemName::Fs => "best-fs",
         ProblemName::Rs => "best-rs",
         _ => "general",
+    }
+}
+
+impl Preset {
+    /// Returns all settings.
+    ///
+    /// # Panics
+    /// Never: a test reads every preset.
+    pub fn table(&self) -> toml::Table {
+        let mut table = self.extends.and_then(find).map(Self::table).unwrap_or_default();
+        merge(&mut table, &self.text.parse().expect("a preset is TOML"));
+        table
     }
 }
 
@@ -81,7 +81,7 @@ pub fn usual(problem: ProblemName) -> &'static str {
 /// # Errors
 /// None: a test reads every preset.
 pub fn config(preset: &Preset) -> Result<SacConfig, InputError> {
-    SacConfig::from_toml(&format!("<preset {}>", preset.name), &preset.text())
+    SacConfig::from_toml(&format!("<preset {}>", preset.name), &preset.table().to_string())
 }
 
 #[cfg(test)]
@@ -95,9 +95,7 @@ mod tests {
         for preset in PRESETS {
             let config = config(&preset).unwrap_or_else(|error| panic!("{error}"));
             if !config.problem.is_empty() {
-                let problem =
-                    ContinuousProblem::from_toml(preset.name, &preset.text()).expect("a problem of the registry");
-                assert_eq!(problem.to_table().len(), config.problem.len(), "{}: every setting is said", preset.name);
+                ContinuousProblem::from_toml(preset.name, &preset.table().to_string()).expect("a problem of the registry");
             }
             assert_eq!(SacConfig::from_toml("written", &config.to_toml()), Ok(config));
         }
