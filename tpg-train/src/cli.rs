@@ -87,7 +87,7 @@ impl Cli {
             Command::Problems => print_problems().map(|()| Verdict::Good).map_err(CommandError::from),
             Command::Tpg(args) => execute_tpg(&args, &ThisProcess).map_err(CommandError::other),
             Command::Sac(args) => execute_sac(&args).map_err(CommandError::other),
-            Command::Hybrid(args) => execute_hybrid(&args, &ThisProcess).map_err(CommandError::from),
+            Command::Hybrid(args) => execute_hybrid(&args).map_err(CommandError::from),
             Command::Constants(args) => constants(&args).map(|()| Verdict::Good).map_err(CommandError::from),
             Command::Import(args) => import(&args).map(|()| Verdict::Good).map_err(CommandError::from),
             Command::Quantise(args) => quantise(&args).map(|()| Verdict::Good).map_err(CommandError::from),

@@ -17,7 +17,6 @@ use tpg_train::hybrid::shared::{Episodes, OwnProblem, Shared};
 use tpg_train::hybrid::span::Span;
 use tpg_train::hybrid::study::VERSION;
 use tpg_train::hybrid::trial::{Acting, TRIGGERS};
-use tpg_train::ranks::workplace::ThisProcess;
 use tpg_train::report::{ReportArgs, report_with};
 use tpg_train::sac::network::Network;
 
@@ -324,7 +323,7 @@ fn an_environment_of_ones_own_has_studies_and_reports() {
         guard: Vec::new(),
         threads: 1,
     };
-    study_on(&problem, &args, &ThisProcess).expect("it runs");
+    study_on(&problem, &args).expect("it runs");
     let chosen = Hybrid::read(&out.join("hybrid.toml")).expect("a good file");
     assert_eq!((chosen.problem.as_deref(), chosen.setting.detector), (Some("line"), Detector::Visited), "it has keys");
     let done = problem.trial(Acting::Both(&chosen.graph, &chosen.network, &chosen.setting), EPISODES).expect("it runs");

@@ -13,7 +13,6 @@ use super::span::Span;
 use super::study::{self, Input, absolute, to_csv};
 use super::trial::Acting;
 use crate::files::{read_graph, write_atomically};
-use crate::ranks::workplace::Workplace;
 use crate::run_args::command_line;
 use crate::sac::network::Network;
 use clap::Args;
@@ -122,15 +121,15 @@ struct Asked {
 /// # Errors
 /// Files that are not policies of the problem, settings that it does not have, a folder with another study, files that
 /// cannot be written.
-pub fn execute(args: &HybridArgs, place: &impl Workplace) -> Result<Verdict, InputError> {
-    study_on(&shared_problem(args)?, &args.study, place)
+pub fn execute(args: &HybridArgs) -> Result<Verdict, InputError> {
+    study_on(&shared_problem(args)?, &args.study)
 }
 
 /// Runs a study on a problem, such as [an environment of your own](super::shared::OwnProblem).
 ///
 /// # Errors
 /// As [`execute`].
-pub fn study_on(problem: &dyn Shared, args: &StudyArgs, place: &impl Workplace) -> Result<Verdict, InputError> {
+pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, InputError> {
     let facts = problem.facts();
     let read_networks = args.policy.iter().map(|path| Ok((path.display().to_string(), Network::read(path)?)));
     let mut subject = Subject {
@@ -168,12 +167,10 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs, place: &impl Workplace) 
     }
     // Policies that do not fit are refused before the folder is made.
     let threads = study::threads(args.threads)?;
-    place.study(&study::identity(&asked), &threads, &|number| study::numbered(&subject, number), |cells| {
-        let alone = threads.install(|| alone(&subject))?;
-        let folder = study::open_folder(&args.out, args.resume, &asked)?;
-        let Some(cells) = study::in_folder(&subject, &folder, cells)? else { return Ok(Verdict::Interrupted) };
-        finish(args, &subject, &facts, &cells, &alone)
-    })
+    let alone = threads.install(|| alone(&subject))?;
+    let folder = study::open_folder(&args.out, args.resume, &asked)?;
+    let Some(cells) = study::in_folder(&subject, &folder, &threads)? else { return Ok(Verdict::Interrupted) };
+    finish(args, &subject, &facts, &cells, &alone)
 }
 
 /// Writes the results of a study.

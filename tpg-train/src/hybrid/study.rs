@@ -3,15 +3,17 @@
 use crate::files::{read_text, write_atomically};
 use crate::folder::{RunFolder, Trainer};
 use crate::interrupt;
-use crate::ranks::workplace::Cells;
 use indicatif::{ProgressBar, ProgressStyle};
+use rayon::ThreadPool;
+use rayon::prelude::*;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use tpg_graph::error::{InputError, Place};
 
@@ -54,16 +56,6 @@ pub const VERSION: u32 = 1;
 /// Interval between saves of finished cells.
 const SAVE_EVERY: Duration = Duration::from_secs(10);
 
-/// Returns the cell of a study with a number below its [size](Study::size), as bytes.
-///
-/// # Errors
-/// If a policy does not fit the problem.
-pub fn numbered<T: Study>(study: &T, number: u64) -> Result<Vec<u8>, InputError> {
-    let (tpg, sac, setting) = place(study, number);
-    let cell = study.cell(tpg, sac, &study.settings()[setting])?;
-    Ok(to_csv(std::iter::once(&cell)))
-}
-
 /// Returns graph, network and setting of the cell with a number.
 fn place<T: Study>(study: &T, number: u64) -> (usize, usize, usize) {
     let (number, settings, [_, sacs]) = (number as usize, study.settings().len(), study.policies());
@@ -78,12 +70,12 @@ fn place<T: Study>(study: &T, number: u64) -> (usize, usize, usize) {
 pub fn run<T: Study>(
     study: &T,
     folder: &RunFolder,
-    cells: &dyn Cells,
+    threads: &ThreadPool,
     progress: &ProgressBar,
     stop: &AtomicBool,
 ) -> Result<Option<Vec<T::Cell>>, InputError> {
     let known = folder.load(VERSION, read::<T::Cell>)?.unwrap_or_default();
-    let mut finished: BTreeMap<T::Key, T::Cell> = known.into_iter().map(|cell| (study.key_of(&cell), cell)).collect();
+    let finished: BTreeMap<T::Key, T::Cell> = known.into_iter().map(|cell| (study.key_of(&cell), cell)).collect();
     let is_open = |&number: &u64| {
         let (tpg, sac, setting) = place(study, number);
         !finished.contains_key(&study.key(tpg, sac, &study.settings()[setting]))
@@ -91,22 +83,29 @@ pub fn run<T: Study>(
     let open: Vec<u64> = (0..study.size() as u64).filter(is_open).collect();
     progress.set_length(study.size() as u64);
     progress.set_position((study.size() - open.len()) as u64);
-    let mut saved = Instant::now();
-    cells.compute(&open, stop, &mut |_, bytes| {
-        finished.extend(read(COMPUTED, &bytes)?.into_iter().map(|cell| (study.key_of(&cell), cell)));
-        progress.inc(1);
-        if saved.elapsed() > SAVE_EVERY {
-            write(folder, finished.values())?;
-            saved = Instant::now();
-        }
-        Ok(())
+    let done = Mutex::new((finished, Instant::now()));
+    threads.install(|| {
+        open.par_iter().try_for_each(|&number| {
+            if stop.load(Ordering::Relaxed) {
+                return Ok(());
+            }
+            let (tpg, sac, setting) = place(study, number);
+            let cell = study.cell(tpg, sac, &study.settings()[setting])?;
+            let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
+            let (finished, saved) = &mut *done;
+            finished.insert(study.key_of(&cell), cell);
+            progress.inc(1);
+            if saved.elapsed() > SAVE_EVERY {
+                write(folder, finished.values())?;
+                *saved = Instant::now();
+            }
+            Ok(())
+        })
     })?;
+    let (finished, _) = done.into_inner().unwrap_or_else(PoisonError::into_inner);
     write(folder, finished.values())?;
     Ok((finished.len() == study.size()).then(|| finished.into_values().collect()))
 }
-
-/// The name of computed cells in errors.
-const COMPUTED: &str = "<computed cells>";
 
 /// Writes rows as CSV.
 pub fn to_csv<'a, T: Serialize + 'a>(rows: impl Iterator<Item = &'a T>) -> Vec<u8> {
@@ -159,11 +158,6 @@ impl Input {
     }
 }
 
-/// Returns everything that must be equal on all ranks of a study: version and `study.toml`.
-pub fn identity(asked: &impl Serialize) -> String {
-    format!("{}\n{}", env!("CARGO_PKG_VERSION"), toml::to_string(asked).expect("plain data"))
-}
-
 /// Starts or resumes a study in a folder; `asked` is the content of its `study.toml`.
 ///
 /// # Errors
@@ -187,13 +181,13 @@ pub fn open_folder(folder: &Path, resume: bool, asked: &impl Serialize) -> Resul
 pub fn in_folder<T: Study>(
     study: &T,
     folder: &RunFolder,
-    cells: &dyn Cells,
+    threads: &ThreadPool,
 ) -> Result<Option<Vec<T::Cell>>, InputError> {
     let stop = interrupt::watch();
     let progress = crate::progress::bar(study.size() as u64);
     let style = ProgressStyle::with_template("{bar:30} {pos} of {len}  {eta} left");
     progress.set_style(style.expect("a template that is right"));
-    let cells = run(study, folder, cells, &progress, &stop);
+    let cells = run(study, folder, threads, &progress, &stop);
     progress.finish_and_clear();
     cells
 }
@@ -202,7 +196,7 @@ pub fn in_folder<T: Study>(
 ///
 /// # Errors
 /// If they cannot be started.
-pub fn threads(count: usize) -> Result<rayon::ThreadPool, InputError> {
+pub fn threads(count: usize) -> Result<ThreadPool, InputError> {
     rayon::ThreadPoolBuilder::new().num_threads(count).build().map_err(|error| {
         InputError::new("--threads", Place::Whole, error.to_string(), "a number of threads that can be started")
     })

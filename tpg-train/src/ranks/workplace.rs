@@ -1,34 +1,14 @@
-//! The place where a command evaluates roots and computes cells.
+//! The place where a command evaluates roots.
 
 use super::leader::{Crew, Leader, dismiss};
 use super::link::Link;
 use super::worker::{Reply, decode, encode, serve};
 use crate::evolution::run::RunError;
-use rayon::prelude::*;
 use std::cell::Cell;
-use std::sync::Mutex;
-use std::sync::PoisonError;
-use std::sync::atomic::{AtomicBool, Ordering};
 use tpg_engine::{Environment, EvaluationError, Evaluator, LocalThreads};
 use tpg_graph::command::{CommandError, Verdict};
-use tpg_graph::error::InputError;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
-
-/// Computes the cell of a study with a number, as bytes.
-pub type Compute<'c> = dyn Fn(u64) -> Result<Vec<u8>, InputError> + Sync + 'c;
-
-/// Takes the bytes of a cell with a number.
-pub type Done<'c> = dyn FnMut(u64, Vec<u8>) -> Result<(), InputError> + Send + 'c;
-
-/// A place where cells are computed.
-pub trait Cells {
-    /// Computes cells in any order; `done` gets each of them. Ends early, without an error, once `stop` is set.
-    ///
-    /// # Errors
-    /// If a cell cannot be computed, or `done` refuses one.
-    fn compute(&self, open: &[u64], stop: &AtomicBool, done: &mut Done<'_>) -> Result<(), InputError>;
-}
 
 /// The place where a command evaluates: the threads of one process, or several ranks. What one rank alone does (reading
 /// checkpoints, breeding, writing files) stands in `lead`, which the other ranks do not run.
@@ -48,20 +28,6 @@ pub trait Workplace {
         local: &LocalThreads<'_, S, M, E>,
         lead: impl FnOnce(&dyn Evaluator<E::Task>) -> Result<Verdict, RunError>,
     ) -> Result<Verdict, RunError>;
-
-    /// Computes a study's cells with the `threads` of this rank.
-    ///
-    /// # Errors
-    /// Those of `lead`.
-    fn study(
-        &self,
-        _identity: &str,
-        threads: &rayon::ThreadPool,
-        compute: &Compute<'_>,
-        lead: impl FnOnce(&dyn Cells) -> Result<Verdict, InputError>,
-    ) -> Result<Verdict, InputError> {
-        lead(&OwnCells { threads, compute })
-    }
 }
 
 /// This process alone.
@@ -76,26 +42,6 @@ impl Workplace for ThisProcess {
         lead: impl FnOnce(&dyn Evaluator<E::Task>) -> Result<Verdict, RunError>,
     ) -> Result<Verdict, RunError> {
         lead(local)
-    }
-}
-
-struct OwnCells<'c> {
-    threads: &'c rayon::ThreadPool,
-    compute: &'c Compute<'c>,
-}
-
-impl Cells for OwnCells<'_> {
-    fn compute(&self, open: &[u64], stop: &AtomicBool, done: &mut Done<'_>) -> Result<(), InputError> {
-        let done = Mutex::new(done);
-        self.threads.install(|| {
-            open.par_iter().try_for_each(|&number| {
-                if stop.load(Ordering::Relaxed) {
-                    return Ok(());
-                }
-                let cell = (self.compute)(number)?;
-                (done.lock().unwrap_or_else(PoisonError::into_inner))(number, cell)
-            })
-        })
     }
 }
 
