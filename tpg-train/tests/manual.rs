@@ -35,9 +35,8 @@ their place and what is accepted.
         ["quick", "gegelati"].map(|name| (name, Preset::find(name).expect("a preset").table())).to_vec();
     tables::<EvolutionConfig>(&mut text, &values);
     text += "\n## `tpg-train sac`\n";
-    let values: Vec<(&str, Table)> = ["general", "long", "best-fs"]
-        .map(|name| (name, sac_presets::find(name).expect("a preset").table()))
-        .to_vec();
+    let values: Vec<(&str, Table)> =
+        ["general", "long", "best-fs"].map(|name| (name, sac_presets::find(name).expect("a preset").table())).to_vec();
     tables::<SacConfig>(&mut text, &values);
 
     text += "\n## The section `[problem]`\n\n`name` is the problem's, as `tpg-train problems` lists them. Its other keys:\n";

@@ -39,12 +39,7 @@ pub const PRESETS: [Preset; 6] = [
         "best-fs",
         include_str!("presets/no-planner-fs.toml"),
     ),
-    preset(
-        "no-planner-rs",
-        "as best-rs, without a reward that knows solving poses",
-        "no-planner-fs",
-        RANDOM_START,
-    ),
+    preset("no-planner-rs", "as best-rs, without a reward that knows solving poses", "no-planner-fs", RANDOM_START),
 ];
 
 /// The start that chooses the best candidate, and the share of training episodes that start at home.
@@ -95,7 +90,8 @@ mod tests {
         for preset in PRESETS {
             let config = config(&preset).unwrap_or_else(|error| panic!("{error}"));
             if !config.problem.is_empty() {
-                ContinuousProblem::from_toml(preset.name, &preset.table().to_string()).expect("a problem of the registry");
+                ContinuousProblem::from_toml(preset.name, &preset.table().to_string())
+                    .expect("a problem of the registry");
             }
             assert_eq!(SacConfig::from_toml("written", &config.to_toml()), Ok(config));
         }
