@@ -46,8 +46,8 @@ static void run(uint32_t number)
     report_t line;
 
     for (uint32_t episode = 0U; episode < STARTS_COUNT; episode++) {
-        const float *start = starts[episode];
-        cart_memory_t seen = { start[0], start[1], start[2], start[3] };
+        const float *from = starts[episode];
+        cart_memory_t seen = { from[0], from[1], from[2], from[3] };
 
         for (uint32_t step = 0U; step < STEPS; step++) {
             uint16_t push = 0U;

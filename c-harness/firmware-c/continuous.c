@@ -103,9 +103,9 @@ static void run(uint32_t number)
 
     for (uint32_t episode = 0U; episode < STARTS_COUNT; episode++) {
         /* The pendulum's angle and velocity, and what is seen of them. */
-        const float *start = starts[episode];
-        plant_memory_t swing = { start[0], start[1] };
-        seen_t seen = { { start[2], start[3], start[4] } };
+        const float *from = starts[episode];
+        plant_memory_t swing = { from[0], from[1] };
+        seen_t seen = { { from[2], from[3], from[4] } };
 
         policies[number].begin();
         for (uint32_t step = 0U; step < STEPS; step++) {

@@ -27,7 +27,8 @@ struct Headers([PathBuf; 3]);
 
 impl Headers {
     fn includes(&self) -> Vec<String> {
-        self.0.iter().map(|folder| format!("-I{}", folder.display())).collect()
+        let own = Path::new("firmware-c");
+        self.0.iter().map(PathBuf::as_path).chain([own]).map(|folder| format!("-I{}", folder.display())).collect()
     }
 }
 
