@@ -2,16 +2,20 @@
 
 use crate::error;
 use crate::policy::Policy;
-use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
+use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
+use pyo3::intern;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
+use pyo3::types::{PyDict, PyMapping, PyTuple};
 use tpg_engine::{Moments, Single};
 use tpg_graph::ScalarType;
 use tpg_graph::interpret::Answer;
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
 
-/// The result of an episode: return, number of actions, and success where the environment's info says `is_success`.
+/// The keys of an episode's last info that say success, in the order in which they are looked for.
+const SUCCESS: [&str; 2] = ["is_success", "success"];
+
+/// The result of an episode: return, number of actions, and success where the environment's info has it.
 type Played = (f64, u32, Option<bool>);
 
 /// The moments of states: their number, the means of their values, and the sums of the squared distances from these.
@@ -29,7 +33,7 @@ pub(crate) struct Told {
 pub(crate) struct Ended {
     /// True if it was cut off, not over.
     pub(crate) truncated: bool,
-    /// Success, where the environment's info says `is_success`.
+    /// Success, where the environment's info has it.
     pub(crate) success: Option<bool>,
 }
 
@@ -40,9 +44,8 @@ pub(crate) struct Driver {
     step: Py<PyAny>,
     flatten: Option<Py<PyAny>>,
     action: Action,
-    inputs: usize,
+    shape: Vec<usize>,
     limit: u32,
-    asarray: Py<PyAny>,
 }
 
 /// The way from an answer to the environment's action.
@@ -57,23 +60,22 @@ enum Action {
 
 #[pymethods]
 impl Driver {
-    /// Creates a driver. `flatten` turns an observation into a flat array, `None` where it is one; `actions` lists the
+    /// Creates a driver. `shape` is that of an observation, or of what `flatten` makes of it; `actions` lists the
     /// environment's actions, `None` where the policy answers with values, which `encode` turns into an action, `None` where
     /// a flat array of f32 is one.
     #[new]
-    #[pyo3(signature = (env, inputs, limit, flatten=None, actions=None, encode=None))]
+    #[pyo3(signature = (env, shape, limit, flatten=None, actions=None, encode=None))]
     fn new(
         env: &Bound<'_, PyAny>,
-        inputs: usize,
+        shape: Vec<usize>,
         limit: u32,
         flatten: Option<Py<PyAny>>,
         actions: Option<Vec<Py<PyAny>>>,
         encode: Option<Py<PyAny>>,
     ) -> PyResult<Self> {
-        let py = env.py();
         let action = match (actions, encode) {
             (Some(actions), _) => {
-                let arrays = actions.first().is_some_and(|action| action.bind(py).hasattr("copy").unwrap_or(false));
+                let arrays = actions.first().is_some_and(|action| action.bind(env.py()).hasattr("copy").unwrap_or(false));
                 Action::Listed(actions, arrays)
             }
             (None, Some(encode)) => Action::Encoded(encode),
@@ -84,9 +86,8 @@ impl Driver {
             step: env.getattr("step")?.unbind(),
             flatten,
             action,
-            inputs,
+            shape,
             limit,
-            asarray: py.import("numpy")?.getattr("asarray")?.unbind(),
         })
     }
 
@@ -116,6 +117,10 @@ impl Driver {
 }
 
 impl Driver {
+    fn inputs(&self) -> usize {
+        self.shape.iter().product()
+    }
+
     fn run_in<S: Scalar>(&self, py: Python<'_>, single: &Single<S, Own>, seeds: Vec<u64>) -> PyResult<Vec<Played>>
     where
         Own: Maths<S>,
@@ -153,7 +158,7 @@ impl Driver {
     where
         Own: Maths<S>,
     {
-        let (mut seen, mut values) = (Moments::new(self.inputs), Vec::with_capacity(self.inputs));
+        let (mut seen, mut values) = (Moments::new(self.inputs()), Vec::with_capacity(self.inputs()));
         let played = self.episode(py, single, seed, |_, state| {
             values.clear();
             values.extend(state.iter().map(|value| value.to_f64()));
@@ -174,7 +179,7 @@ impl Driver {
     where
         Own: Maths<S>,
     {
-        let mut state = Vec::with_capacity(self.inputs);
+        let mut state = Vec::with_capacity(self.inputs());
         self.begin(py, seed, &mut state)?;
         let (mut score, mut actions, mut success) = (0.0, 0, None);
         while actions < self.limit && watch(actions, &state) {
@@ -211,13 +216,12 @@ impl Driver {
         let accepted = "(observation, reward, terminated, truncated, info)";
         let [observation, reward, terminated, truncated, info] = parts::<5>(&told, "step", accepted, &at())?;
         let reward: f64 = reward.extract()?;
-        if reward.is_nan() {
-            return Err(error::input(format!("{}: the reward is NaN; accepted: a number", at())));
+        if reward.is_nan() || reward == f64::INFINITY {
+            return Err(error::input(format!("{}: a reward of {reward}; accepted: a number", at())));
         }
-        let terminated = terminated.extract::<bool>()?;
-        if terminated || truncated.extract::<bool>()? {
-            let info = info.cast::<PyDict>().ok().and_then(|info| info.get_item("is_success").ok().flatten());
-            let success = info.and_then(|info| info.extract().ok());
+        let terminated = truth(&terminated, "terminated", &at)?;
+        if terminated || truth(&truncated, "truncated", &at)? {
+            let success = find_success(&info, &at)?;
             // The last observation still has a value where the episode was cut.
             if !terminated {
                 self.read(&observation, state, at)?;
@@ -259,30 +263,73 @@ impl Driver {
             Some(flatten) => flatten.bind(observation.py()).call1((observation,))?,
             None => observation.clone(),
         };
-        state.clear();
-        if let Ok(array) = flat.cast::<PyArrayDyn<f32>>() {
-            let array = array.readonly();
-            let number = |&value: &f32| S::from_f64(f64::from(value));
-            match array.as_slice() {
-                Ok(values) => state.extend(values.iter().map(number)),
-                Err(_) => state.extend(array.as_array().iter().map(number)),
-            }
-        } else if let Ok(array) = flat.cast::<PyArrayDyn<f64>>() {
-            state.extend(array.readonly().as_array().iter().map(|&value| S::from_f64(value)));
-        } else {
-            let array = self.asarray.bind(flat.py()).call1((&flat, "float64"))?;
-            let array = array.cast::<PyArrayDyn<f64>>()?.readonly();
-            state.extend(array.as_array().iter().map(|&value| S::from_f64(value)));
-        }
-        if state.len() != self.inputs {
-            let (found, accepted) = (state.len(), self.inputs);
-            return Err(error::input(format!("{}: an observation of {found} values; accepted: {accepted}", at())));
-        }
+        extend_flat(&flat, &self.shape, state, &at)?;
         match state.iter().position(|value| value.to_f64().is_nan()) {
             Some(place) => Err(error::input(format!("{}: observation[{place}] is NaN; accepted: a number", at()))),
             None => Ok(()),
         }
     }
+}
+
+/// Returns an observation of the given shape as a flat array: what training, `predict` and networks read, whatever the memory
+/// layout and the type of its numbers.
+#[pyfunction]
+pub(crate) fn flat<'py>(observation: &Bound<'py, PyAny>, shape: Vec<usize>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let mut values = Vec::with_capacity(shape.iter().product());
+    extend_flat::<f64>(observation, &shape, &mut values, &|| "predict".to_owned())?;
+    Ok(PyArray1::from_vec(observation.py(), values))
+}
+
+/// Writes an observation's values in C order, the last index fastest.
+fn extend_flat<S: Scalar>(
+    observation: &Bound<'_, PyAny>,
+    shape: &[usize],
+    state: &mut Vec<S>,
+    at: &impl Fn() -> String,
+) -> PyResult<()> {
+    state.clear();
+    let check = |found: &[usize]| match found == shape {
+        true => Ok(()),
+        false => Err(error::input(format!("{}: an observation of shape {found:?}; accepted: {shape:?}", at()))),
+    };
+    if let Ok(array) = observation.cast::<PyArrayDyn<f32>>() {
+        check(array.shape())?;
+        state.extend(array.readonly().as_array().iter().map(|&value| S::from_f64(f64::from(value))));
+        return Ok(());
+    }
+    let array = observation.py().import(intern!(observation.py(), "numpy"))?;
+    let array = array.call_method1(intern!(observation.py(), "asarray"), (observation, "float64"))?;
+    let array = array.cast::<PyArrayDyn<f64>>()?;
+    check(array.shape())?;
+    state.extend(array.readonly().as_array().iter().map(|&value| S::from_f64(value)));
+    Ok(())
+}
+
+/// Reads a flag by Python's truth: a bool, a number, an array of one element.
+fn truth(value: &Bound<'_, PyAny>, name: &str, at: &impl Fn() -> String) -> PyResult<bool> {
+    let refused = |found: String| error::input(format!("{}: {name} is {found}; accepted: true or false", at()));
+    if value.is_none() {
+        return Err(refused("None".to_owned()));
+    }
+    value.is_truthy().map_err(|error| refused(format!("{}, {error}", value.get_type())))
+}
+
+/// Returns what an episode's last info says about success: `is_success` or `success`; None where it has neither.
+#[pyfunction]
+pub(crate) fn success_of(info: &Bound<'_, PyAny>) -> PyResult<Option<bool>> {
+    find_success(info, &|| "evaluate".to_owned())
+}
+
+/// Returns what an episode's last info says about success; nothing where it has no such key, or None.
+fn find_success(info: &Bound<'_, PyAny>, at: &impl Fn() -> String) -> PyResult<Option<bool>> {
+    let Ok(info) = info.cast::<PyMapping>() else { return Ok(None) };
+    for name in SUCCESS {
+        if info.contains(name)? {
+            let value = info.get_item(name)?;
+            return if value.is_none() { Ok(None) } else { truth(&value, name, at).map(Some) };
+        }
+    }
+    Ok(None)
 }
 
 /// Takes a tuple apart.

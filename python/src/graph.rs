@@ -46,6 +46,10 @@ impl Graph {
         self.0.to_json()
     }
 
+    fn __reduce__(&self, py: Python<'_>) -> PyResult<(Py<PyAny>, (String,))> {
+        Ok((py.get_type::<Self>().getattr("from_json")?.unbind(), (self.0.to_json(),)))
+    }
+
     /// Writes the `graph.json`, whole or not at all.
     fn save(&self, path: PathBuf) -> PyResult<()> {
         write_atomically(&path, self.0.to_json().as_bytes()).map_err(error::input)

@@ -51,6 +51,8 @@ fn _tpg(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<network::Network>()?;
     module.add_class::<switch::Switch>()?;
     module.add_function(wrap_pyfunction!(actor::train_network, module)?)?;
+    module.add_function(wrap_pyfunction!(driver::flat, module)?)?;
+    module.add_function(wrap_pyfunction!(driver::success_of, module)?)?;
     module.add_function(wrap_pyfunction!(test_seeds, module)?)?;
     module.add_function(wrap_pyfunction!(evolution::configuration, module)?)?;
     module.add_function(wrap_pyfunction!(evolution::steps_of, module)?)?;

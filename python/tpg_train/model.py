@@ -8,6 +8,7 @@ import functools
 import json
 import logging
 import os
+import secrets
 import tempfile
 import warnings
 from collections.abc import Callable, Mapping, Sequence
@@ -18,6 +19,7 @@ from typing import Any, Union
 import cloudpickle  # type: ignore[import-untyped, unused-ignore]
 import gymnasium
 import numpy as np
+from gymnasium.envs.registration import EnvSpec
 
 from . import _tpg
 from ._episodes import Episodes, Here, Workers, first_difference
@@ -29,19 +31,22 @@ from .spaces import Interface, _name
 log = logging.getLogger("tpg_train")
 
 Environment = gymnasium.Env[Any, Any]
-EnvironmentLike = Union[str, Environment, Callable[[], Environment]]
+EnvironmentLike = Union[str, EnvSpec, Environment, Callable[[], Environment]]
 PathLike = Union[str, "os.PathLike[str]"]
 
-# Gymnasium's environments that are built in: an action's number and the state's order are Gymnasium's.
+# Gymnasium's environments that are built in, and where Gymnasium defines them: an id that was registered anew is another one. An
+# action's number and the state's order are Gymnasium's.
 BUILT_IN = {
-    "CartPole-v1": "cartpole",
-    "Acrobot-v1": "acrobot",
-    "MountainCar-v0": "mountain-car",
-    "MountainCarContinuous-v0": "mountain-car-continuous",
-    "Pendulum-v1": "pendulum",
+    "CartPole-v1": ("cartpole", "gymnasium.envs.classic_control.cartpole:CartPoleEnv"),
+    "Acrobot-v1": ("acrobot", "gymnasium.envs.classic_control.acrobot:AcrobotEnv"),
+    "MountainCar-v0": ("mountain-car", "gymnasium.envs.classic_control.mountain_car:MountainCarEnv"),
+    "MountainCarContinuous-v0": (
+        "mountain-car-continuous",
+        "gymnasium.envs.classic_control.continuous_mountain_car:Continuous_MountainCarEnv",
+    ),
+    "Pendulum-v1": ("pendulum", "gymnasium.envs.classic_control.pendulum:PendulumEnv"),
 }
-# What gymnasium.make() itself puts around an environment.
-USUAL_WRAPPERS = {"TimeLimit", "OrderEnforcing", "PassiveEnvChecker"}
+MOST_SEED = 2**64 - 1
 
 
 class StatefulEnvironmentWarning(UserWarning):
@@ -98,10 +103,13 @@ class TPG:
     """Evolves a tangled program graph on an environment, and turns it into code.
 
     Args:
-        env: a Gymnasium id, an environment, or a function that makes one. `Discrete`, `MultiDiscrete` and `MultiBinary`
-            actions are chosen among; the values of a `Box` of finite bounds are computed.
-        seed: decides everything: the same seed gives the same graph for any number of workers.
-        native: lets a built-in problem take the place of a known id that is not wrapped, a hundred times as fast.
+        env: a Gymnasium id or `EnvSpec`, an environment, or a function that makes one. `Discrete`, `MultiDiscrete` and
+            `MultiBinary` actions are chosen among; the values of a `Box` of finite bounds are computed, except those whose two
+            bounds are equal.
+        env_kwargs: arguments of `gymnasium.make` for an id or of the function.
+        seed: decides everything: the same seed gives the same graph for any number of workers. None draws one.
+        native: runs a plain id of Gymnasium's own that is built in as the built-in problem, a hundred times as fast. An
+            environment object, a function and an id with `env_kwargs` are always used as they are.
         n_workers: worker processes; 0 runs the episodes in this process (built-in problems: on all cores).
         preset: a configuration that `tpg-train config` prints: "quick" has few steps of the environment for each decision.
         settings: other values of the preset's settings, such as `{"tpg.nb_roots": 50}`.
@@ -117,7 +125,8 @@ class TPG:
         self,
         env: EnvironmentLike,
         *,
-        seed: int = 1,
+        env_kwargs: Mapping[str, Any] | None = None,
+        seed: int | None = 1,
         native: bool = True,
         n_workers: int = 0,
         preset: str = "quick",
@@ -131,9 +140,13 @@ class TPG:
         scalar: str | None = None,
         verbose: int = 0,
     ) -> None:
-        self.seed, self.verbose, self.n_workers = int(seed), verbose, n_workers
+        self.seed = secrets.randbelow(MOST_SEED) if seed is None else _whole("seed", seed, 0, MOST_SEED)
+        self.verbose, self.n_workers = verbose, _whole("n_workers", n_workers, 0)
+        population = None if population is None else _whole("population", population, 2)
+        episodes = None if episodes is None else _whole("episodes", episodes, 1)
+        max_episode_steps = None if max_episode_steps is None else _whole("max_episode_steps", max_episode_steps, 1)
         self.num_timesteps = 0
-        known = self._set_env(env, max_episode_steps, input_names)
+        known = self._set_env(env, dict(env_kwargs or {}), max_episode_steps, input_names)
         self.native: str | None = known if native and max_episode_steps is None and input_names is None else None
         if self.native is not None:
             self._say(f"{self._interface.name} runs as the built-in problem {known}; native=False runs Gymnasium's")
@@ -148,11 +161,24 @@ class TPG:
 
     # The environment
 
-    def _set_env(self, env: EnvironmentLike, max_episode_steps: int | None, input_names: Sequence[str] | None) -> str | None:
+    def _set_env(
+        self,
+        env: EnvironmentLike,
+        env_kwargs: dict[str, Any],
+        max_episode_steps: int | None,
+        input_names: Sequence[str] | None,
+    ) -> str | None:
         """Takes the environment; returns the name of the built-in problem that is the same."""
-        self._factory = _factory(env)
-        self._env: Environment = self._factory() if isinstance(env, str) or _is_function(env) else env  # type: ignore[assignment]
-        known = _built_in(env, self._env)
+        self._factory = _factory(env, env_kwargs)
+        is_named = isinstance(env, (str, EnvSpec))
+        try:
+            self._env: Environment = self._factory() if is_named or _is_function(env) else env  # type: ignore[assignment]
+        except (gymnasium.error.Error, ImportError) as error:
+            if not is_named:
+                raise
+            raise InputError(f"the id {env!r}: {error}; accepted: a registered Gymnasium environment") from error
+        _refuse_normalised(self._env)
+        known = None if env_kwargs else _built_in(env, self._env)
         inputs, ends = _names_of(known) if known is not None and input_names is None else (input_names, None)
         self._settings: dict[str, Any] = {
             "max_episode_steps": max_episode_steps,
@@ -251,7 +277,7 @@ class TPG:
 
     def learn(
         self,
-        total_timesteps: int,
+        total_timesteps: int | float,
         callback: MaybeCallback = None,
         log_interval: int = 1,
         tb_log_name: str = "TPG",
@@ -262,7 +288,8 @@ class TPG:
         n_workers: int | None = None,
         tensorboard_log: PathLike | None = None,
     ) -> TPG:
-        """Evolves for about `total_timesteps` more steps of the environment: a generation is always finished.
+        """Evolves for about `total_timesteps` more steps of the environment, a whole number, also as a float such as `1e5`: a
+        generation is always finished.
 
         A second call goes on where the first one stopped, also one that an exception or Ctrl-C stopped: what was learned up to
         the last generation is kept.
@@ -274,6 +301,7 @@ class TPG:
             n_workers: worker processes, if there is no executor; by default the model's.
             tensorboard_log: folder for TensorBoard.
         """
+        total_timesteps = _whole("total_timesteps", total_timesteps, 1)
         self._leave_asking()
         if self.native is not None and executor is not None:
             self._say("a built-in problem runs in this process: executor= is ignored; native=False uses it")
@@ -542,21 +570,61 @@ class TPG:
         model = cls(_Described(graph) if env is None else env, native=env is not None, **arguments)
         if env is None:
             model._interface = dataclasses.replace(model._interface, name=Path(path).stem)
-        found, accepted = len(graph.inputs), model._interface.inputs
-        if found != accepted:
-            raise InputError(f"{path}: a graph of {found} inputs; accepted: {accepted}, as {model._interface.name} has")
-        choices, outputs = model._interface.actions()
-        if (len(graph.actions), len(graph.outputs)) != (len(choices), len(outputs)):
-            found_text = f"{len(graph.actions)} actions and {len(graph.outputs)} outputs"
-            raise InputError(f"{path}: a graph of {found_text}; accepted: {len(choices)} and {len(outputs)}")
+        if env is not None:
+            _check_graph(graph, str(path), model._interface, arguments.get("input_names") is not None)
         if model.native is not None and graph.inputs != [f"{one}[0]" for one in _names_of(model.native)[0]]:
             model.native = None
         model._graph = graph
         return model
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Returns what a copy or a pickle holds: the environment, the graph, and the run where its folder is temporary."""
+        if self._asked is not None:
+            raise InputError("a copy of a model between ask() and tell(); accepted: after learn(), or before ask()")
+        run = {}
+        if self._temporary is not None and self.folder.exists():
+            run = {path.name: path.read_bytes() for path in self.folder.iterdir() if path.suffix != ".lock"}
+        kept = {key: value for key, value in self.__dict__.items() if key not in ("_temporary", "_env", "_factory")}
+        return {"kept": kept, "env": cloudpickle.dumps((self._env, self._factory)), "run": run if self._temporary else None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state["kept"])
+        self._env, self._factory = cloudpickle.loads(state["env"])
+        self._temporary = None
+        if state["run"] is not None:
+            self._temporary = tempfile.TemporaryDirectory(prefix="tpg-")
+            self.folder = Path(self._temporary.name, "run")
+            for name, content in state["run"].items():
+                self.folder.mkdir(exist_ok=True)
+                (self.folder / name).write_bytes(content)
+
     def __repr__(self) -> str:
         where = f"built-in {self.native}" if self.native else self._interface.name
         return f"<TPG on {where}, seed {self.seed}, {self.num_timesteps} steps>"
+
+
+def _check_graph(graph: Graph, file: str, interface: Interface, is_named: bool) -> None:
+    """Compares a graph's inputs and answers with those of an environment: their number, names and bounds.
+
+    Names given for the file's graph alone are taken as they are: an observation of one unnamed Box has none of its own.
+    """
+    sources = [(name, ends) for name, values in interface.sources() for ends in values]
+    if len(graph.inputs) != len(sources):
+        raise InputError(f"{file}: a graph of {len(graph.inputs)} inputs; accepted: {len(sources)}, as {interface.name} has")
+    own = [f"{name}[{place}]" for name, values in interface.sources() for place in range(len(values))]
+    if graph.inputs != own and (is_named or len(interface.parts) > 1):
+        raise InputError(f"{file}: a graph of the inputs {', '.join(graph.inputs)}; accepted: {', '.join(own)}")
+    choices, outputs = interface.actions()
+    found, accepted = len(graph.actions) or len(graph.outputs), len(choices) or len(outputs)
+    if bool(graph.actions) != bool(choices) or found != accepted:
+        kinds = [f"{count} {'actions' if named else 'outputs'}" for count, named in ((found, graph.actions), (accepted, choices))]
+        raise InputError(f"{file}: a graph of {kinds[0]}; accepted: {kinds[1]}, as {interface.name} has")
+    ends = [(name, known, *ends) for (name, ends), known in zip(sources, graph.ranges, strict=True)]
+    ends += [(name, known[1:], *ends) for (name, *ends), known in zip(outputs, graph.outputs, strict=True)]
+    for name, known, low, high in ends:
+        # An end that the environment does not declare was estimated.
+        if any(np.isfinite(end) and np.float32(end) != np.float32(one) for end, one in zip((low, high), known, strict=True)):
+            raise InputError(f"{file}: {name} from {known[0]} to {known[1]}; accepted: {low} to {high}, as {interface.name} has")
 
 
 class _GraphView:
@@ -601,16 +669,28 @@ def _is_function(env: Any) -> bool:
     return callable(env) and (isinstance(env, type) or not hasattr(env, "reset"))
 
 
-def _factory(env: EnvironmentLike) -> Callable[[], Environment]:
+def _whole(name: str, value: Any, least: int, most: int | None = None) -> int:
+    """Returns a whole number in a range, also where it is a float such as 1e5."""
+    accepted = f"a whole number from {least}" + ("" if most is None else f" to {most}")
+    try:
+        number = int(value)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise InputError(f"{name} = {value!r}; accepted: {accepted}") from error
+    if number != value or number < least or (most is not None and number > most):
+        raise InputError(f"{name} = {value!r}; accepted: {accepted}")
+    return number
+
+
+def _factory(env: EnvironmentLike, env_kwargs: dict[str, Any]) -> Callable[[], Environment]:
     """Returns what makes the environment, here and in workers."""
-    if isinstance(env, str):
-        try:
-            gymnasium.spec(env)
-        except gymnasium.error.Error as error:
-            raise InputError(f"the id {env!r}: {error}; accepted: a registered Gymnasium environment") from error
-        return functools.partial(gymnasium.make, env)
+    if isinstance(env, (str, EnvSpec)):
+        return functools.partial(gymnasium.make, env, **env_kwargs)
     if _is_function(env):
-        return env  # type: ignore[return-value]
+        return functools.partial(env, **env_kwargs) if env_kwargs else env  # type: ignore[arg-type, return-value]
+    if env_kwargs:
+        raise InputError("env_kwargs with an environment; accepted: with an id or a function that makes one")
+    if isinstance(env, gymnasium.vector.VectorEnv):
+        raise InputError("a vector environment, as make_vec() returns it; accepted: a single one; n_workers= runs several")
     return functools.partial(_copy, env)  # type: ignore[arg-type]
 
 
@@ -620,30 +700,31 @@ def _copy(env: Environment) -> Environment:
     return copy
 
 
+def _refuse_normalised(env: Any) -> None:
+    """Refuses observations that running statistics change: neither an episode nor the exported code could repeat them."""
+    while isinstance(env, gymnasium.Wrapper):
+        if isinstance(env, gymnasium.wrappers.NormalizeObservation):
+            raise InputError(
+                "NormalizeObservation, whose statistics are not in the graph; accepted: the environment without it: training "
+                "finds the scale of each input itself, and the exported code reads raw values"
+            )
+        env = env.env
+
+
 def _built_in(given: EnvironmentLike, env: Environment) -> str | None:
-    """Returns the name of the built-in problem that is the same as an environment."""
-    spec = getattr(env, "spec", None)
-    if _is_function(given) or spec is None or spec.kwargs and any(key != "render_mode" for key in spec.kwargs):
+    """Returns the name of the built-in problem that a plain id of Gymnasium's own stands for."""
+    spec = env.spec
+    if not isinstance(given, str) or spec is None or spec.id not in BUILT_IN:
         return None
-    inner = env
-    while isinstance(inner, gymnasium.Wrapper):
-        if type(inner).__name__ not in USUAL_WRAPPERS:
-            return None
-        inner = inner.env
-    registered = gymnasium.registry.get(spec.id)
-    if registered is None or registered.max_episode_steps != spec.max_episode_steps:
-        return None
-    name = BUILT_IN.get(spec.id)
+    name, entry_point = BUILT_IN[spec.id]
     if name not in dict(_tpg.problems()):
         return None
-    description = json.loads(_tpg.NativeEnv(name).description)
-    lengths = [len(source["ranges"]) for source in description["sources"]]
+    described = json.loads(_tpg.NativeEnv(name).description)
     # A built-in problem may add derived sources, which an observation of Gymnasium's does not have.
-    return (
-        name
-        if all(length == 1 for length in lengths) and len(lengths) == int(np.prod(env.observation_space.shape or ()))
-        else None
-    )
+    lengths = [len(source["ranges"]) for source in described["sources"]]
+    found = (spec.entry_point, spec.max_episode_steps, spec.kwargs, spec.additional_wrappers, lengths)
+    inputs = int(np.prod(env.observation_space.shape or ()))
+    return name if found == (entry_point, described["time_limit"], {}, (), [1] * inputs) else None
 
 
 def _names_of(problem: str) -> tuple[list[str], list[str]]:

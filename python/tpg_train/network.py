@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import dataclasses
 import functools
 import hashlib
@@ -17,7 +18,7 @@ import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
-from ._tpg import InputError, Network
+from ._tpg import InputError, Network, success_of
 from ._tpg import train_network as train
 from .model import VerificationError
 from .reports import Evaluation
@@ -31,6 +32,9 @@ Layers = list[tuple[Floats, Floats]]
 WIDEST = 512
 PIECES = 8
 CALIBRATION_STEPS = 5000
+# How far the integers may be from the network: a share of equal actions, and a mean distance as a share of half a value's range.
+LEAST_EQUAL = 0.9
+MOST_DIFFERENCE = 0.05
 STATES = 20_000
 
 
@@ -73,7 +77,7 @@ class NetworkPolicy:
                 action, _ = self.predict(observation)
                 observation, reward, terminated, truncated, info = env.step(action)
                 score, steps, done = score + float(reward), steps + 1, bool(terminated or truncated)
-                success = info.get("is_success") if done else None
+                success = success_of(info) if done else None
             played.append((score, steps, success))
         return Evaluation.of(played, self._interface.name)
 
@@ -156,7 +160,7 @@ def train_network(
     drivers = itertools.chain([interface.driver(one)], (interface.driver(make()) for _ in itertools.count()))
     network, score = train(interface.space(), lambda: next(drivers), json.dumps(chosen), seed, kind)
     policy = NetworkPolicy(network, interface, np.zeros((1, interface.inputs), np.float32), {"validation_score": score})
-    policy._states = _visited(policy, make(), interface, seed)
+    policy._states = _visited(policy, make(), interface, seed)[1]
     return policy
 
 
@@ -165,30 +169,130 @@ def from_sb3(model: Any, *, env: gymnasium.Env[Any, Any] | None = None, kind: st
 
     PPO, A2C, DQN, SAC and TD3 with `MlpPolicy`. Hidden layers with ReLU are taken as they are; a tanh, the default of PPO
     and A2C, becomes a polyline of eight pieces, which makes the next layer eight times as wide: train with
-    `policy_kwargs={"activation_fn": torch.nn.ReLU}` where size matters.
+    `policy_kwargs={"activation_fn": torch.nn.ReLU}` where size matters. The statistics of a `VecNormalize`, or of a
+    `NormalizeObservation` around `env`, become part of the first layer: the integers and the exported code read raw values.
 
     Args:
         env: calibrates the integers; by default one made from the id of the model's own.
         kind: bits of weights and activations: "w8a16", "w16a16" or "w8a8".
+
+    Raises:
+        InputError: if the model is not one of these, or if the integers act otherwise than the model: equal actions in less
+            than nine tenths of the states, or values that are farther away than a twentieth of half their range, on average.
     """
     name = type(model).__name__
     layers, squash = _actor(model, name)
-    if env is None:
-        env = _env_of(model)
+    env, normaliser = _raw(model, _env_of(model) if env is None else env)
     interface = Interface.of(env)
     inputs = layers[0][0].shape[1]
     if interface.inputs != inputs:
         raise InputError(f"{name}: a network of {inputs} inputs; accepted: {interface.inputs}, as {interface.name} has")
-    states = _visited(model, env, interface, seed)
+    layers[0] = normaliser.fold(*layers[0])
     choices, outputs = interface.actions()
+    layers[-1] = _combined(*layers[-1], interface, name)
+    seen, states = _visited(_Normalised(model, normaliser), env, interface, seed)
     values = [(output, np.float32(low), np.float32(high), squash) for output, low, high in outputs]
     names = [
         part.name if len(part.low) == 1 else f"{part.name}[{place}]" for part in interface.parts for place in range(len(part.low))
     ]
     network = Network.quantise(_scaled(names, states, layers), layers, values, choices, states, kind, _sha256(layers))
     policy = NetworkPolicy(network, interface, states, {})
-    policy.agreement.update(_agreement(model, policy, interface, states))
+    policy.agreement.update(_agreement(_Normalised(model, normaliser), policy, interface, seen))
+    equal, apart = (policy.agreement.get(key) for key in ("equal_actions", "mean_difference"))
+    if (equal is not None and equal < LEAST_EQUAL) or (apart is not None and not apart <= MOST_DIFFERENCE):
+        raise InputError(
+            f"{name}: integers of {kind} that are unlike the network, {policy.agreement}; accepted: equal actions in "
+            f"{LEAST_EQUAL:.0%} of the states, values {MOST_DIFFERENCE:.0%} of half their range away: try kind='w16a16'"
+        )
     return policy
+
+
+@dataclasses.dataclass(frozen=True)
+class _Normaliser:
+    """What a wrapper makes of an observation before the network sees it."""
+
+    mean: NDArray[np.float64] | None = None
+    deviation: NDArray[np.float64] | None = None
+    clip: float = np.inf
+
+    def __call__(self, observation: Any) -> Any:
+        if self.mean is None or self.deviation is None:
+            return observation
+        return np.clip((np.asarray(observation) - self.mean) / self.deviation, -self.clip, self.clip).astype(np.float32)
+
+    def fold(self, weights: Floats, bias: Floats) -> tuple[Floats, Floats]:
+        """Returns a layer that reads raw values."""
+        if self.mean is None or self.deviation is None:
+            return weights, bias
+        raw = weights / self.deviation.ravel()[None]
+        return (
+            np.ascontiguousarray(raw, dtype=np.float32),
+            np.ascontiguousarray(bias - raw @ self.mean.ravel(), dtype=np.float32),
+        )
+
+
+class _Normalised:
+    """A model that reads raw observations."""
+
+    def __init__(self, model: Any, normaliser: _Normaliser) -> None:
+        self._model, self._normaliser = model, normaliser
+
+    def predict(self, observation: Any, deterministic: bool = True) -> tuple[Any, Any]:
+        """Returns the action for a raw observation, or the actions for a batch."""
+        action, state = self._model.predict(self._normaliser(observation), deterministic=deterministic)
+        return action, state
+
+
+def _raw(model: Any, env: gymnasium.Env[Any, Any]) -> tuple[gymnasium.Env[Any, Any], _Normaliser]:
+    """Returns an environment of raw observations, and what a wrapper of the model's, or of `env`, makes of them."""
+    vector = model.get_env()
+    while vector is not None and hasattr(vector, "venv"):
+        if type(vector).__name__ == "VecNormalize" and vector.norm_obs:
+            statistics = vector.obs_rms
+            deviation = np.sqrt(np.asarray(statistics.var, np.float64) + vector.epsilon)
+            return env, _Normaliser(np.asarray(statistics.mean, np.float64), deviation, float(vector.clip_obs))
+        vector = vector.venv
+    inner: Any = env
+    while isinstance(inner, gymnasium.Wrapper):
+        if isinstance(inner, gymnasium.wrappers.NormalizeObservation):
+            if inner is not env or inner.obs_rms.count < 1:
+                raise InputError(
+                    "a NormalizeObservation that is not outermost, or has seen nothing; accepted: from_sb3(model, env=...) with "
+                    "the environment that the model was trained on, and NormalizeObservation around everything else"
+                )
+            deviation = np.sqrt(np.asarray(inner.obs_rms.var, np.float64) + inner.epsilon)
+            return inner.env, _Normaliser(np.asarray(inner.obs_rms.mean, np.float64), deviation)
+        inner = inner.env
+    return env, _Normaliser()
+
+
+def _combined(weights: Floats, bias: Floats, interface: Interface, name: str) -> tuple[Floats, Floats]:
+    """Returns the last layer with one value for each action: for a combination of choices the sum of the values of its parts."""
+    space = interface.action_space
+    if isinstance(space, spaces.Box):
+        wanted, parts = int(np.prod(space.shape)), None
+        if bool(np.any(space.low == space.high)):
+            raise InputError(f"{name}: a Box of actions with equal bounds; accepted: a range for each value")
+    elif isinstance(space, spaces.Discrete):
+        wanted, parts = int(space.n), None
+    else:
+        sizes = [1] * int(np.prod(space.shape)) if isinstance(space, spaces.MultiBinary) else space.nvec.ravel().tolist()
+        wanted, starts = sum(sizes), np.cumsum([0, *sizes[:-1]])
+        chosen = np.array(list(itertools.product(*(range(max(size, 2)) for size in sizes))))
+        parts = np.zeros((len(chosen), wanted), np.float32)
+        rows = np.arange(len(chosen))
+        for place, start in enumerate(starts):
+            if isinstance(space, spaces.MultiBinary):
+                parts[:, start] = chosen[:, place]
+            else:
+                parts[rows, start + chosen[:, place]] = 1.0
+        if len(parts) > WIDEST:
+            raise InputError(f"{name}: {len(parts)} combinations of actions; accepted: up to {WIDEST}")
+    if len(bias) != wanted:
+        raise InputError(f"{name}: a network of {len(bias)} values for {space}; accepted: {wanted}")
+    if parts is None:
+        return weights, bias
+    return np.ascontiguousarray(parts @ weights, dtype=np.float32), np.ascontiguousarray(parts @ bias, dtype=np.float32)
 
 
 def _actor(model: Any, name: str) -> tuple[Layers, str]:
@@ -275,9 +379,12 @@ def _env_of(model: Any) -> gymnasium.Env[Any, Any]:
     vector = model.get_env()
     if vector is None:
         raise InputError("a model without its environment; accepted: from_sb3(model, env=...)")
-    if type(vector).__name__ not in ("DummyVecEnv", "SubprocVecEnv"):
+    inner = vector
+    while type(inner).__name__ == "VecNormalize":
+        inner = inner.venv
+    if type(inner).__name__ not in ("DummyVecEnv", "SubprocVecEnv"):
         raise InputError(
-            f"a model in a {type(vector).__name__}, which changes what the network sees; accepted: from_sb3(model, env=...) with "
+            f"a model in a {type(inner).__name__}, which changes what the network sees; accepted: from_sb3(model, env=...) with "
             "an environment whose observations are the network's inputs"
         )
     spec = vector.get_attr("spec", 0)[0]
@@ -288,8 +395,9 @@ def _env_of(model: Any) -> gymnasium.Env[Any, Any]:
     return gymnasium.make(dataclasses.replace(spec, additional_wrappers=wrappers))
 
 
-def _visited(model: Any, env: gymnasium.Env[Any, Any], interface: Interface, seed: int) -> Floats:
-    """Returns states that the model visits."""
+def _visited(model: Any, env: gymnasium.Env[Any, Any], interface: Interface, seed: int) -> tuple[list[Any], Floats]:
+    """Returns observations that the model visits, and the same as flat states."""
+    seen: list[Any] = []
     states: list[NDArray[np.float64]] = []
     episode = 0
     while len(states) < CALIBRATION_STEPS:
@@ -297,11 +405,12 @@ def _visited(model: Any, env: gymnasium.Env[Any, Any], interface: Interface, see
         episode += 1
         done = False
         while not done and len(states) < CALIBRATION_STEPS:
+            seen.append(copy.deepcopy(observation))
             states.append(interface.states(observation)[0][0])
             action, _ = model.predict(observation, deterministic=True)
             observation, _, terminated, truncated, _ = env.step(action)
             done = bool(terminated or truncated)
-    return np.ascontiguousarray(np.stack(states), dtype=np.float32)
+    return seen, np.ascontiguousarray(np.stack(states), dtype=np.float32)
 
 
 def _scaled(names: Sequence[str], states: Floats, layers: Layers) -> list[tuple[str, np.float32, np.float32]]:
@@ -323,17 +432,17 @@ def _sha256(layers: Layers) -> str:
     return digest.hexdigest()
 
 
-def _agreement(model: Any, policy: NetworkPolicy, interface: Interface, states: Floats) -> dict[str, float]:
-    """Compares the integers with the model on the calibration states."""
-    shape = interface.observation_space.shape or ()
-    rows = states[:: max(1, len(states) // 1000)]
-    wanted, _ = model.predict(rows.reshape((len(rows), *shape)), deterministic=True)
-    found, _ = policy.predict(rows.reshape((len(rows), *shape)))
+def _agreement(model: Any, policy: NetworkPolicy, interface: Interface, seen: list[Any]) -> dict[str, float]:
+    """Compares the integers with the model on observations that it has visited."""
+    rows = np.stack([np.asarray(observation) for observation in seen[:: max(1, len(seen) // 1000)]])
+    wanted, _ = model.predict(rows, deterministic=True)
+    found, _ = policy.predict(rows)
     if isinstance(interface.action_space, spaces.Box):
         half = (interface.action_space.high - interface.action_space.low) / 2
         apart = np.abs(found - wanted) / half
         return {"mean_difference": float(apart.mean()), "greatest_difference": float(apart.max())}
-    return {"equal_actions": float((found == wanted).mean())}
+    equal = np.asarray(found == wanted).reshape(len(rows), -1).all(axis=1)
+    return {"equal_actions": float(equal.mean())}
 
 
 __all__ = ["NetworkPolicy", "from_sb3", "train_network"]

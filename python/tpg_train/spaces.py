@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import itertools
+import unicodedata
+import warnings
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import gymnasium
@@ -12,7 +14,7 @@ import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
-from ._tpg import Driver, InputError, Space
+from ._tpg import Driver, InputError, Space, flat
 
 MOST_ACTIONS = 4096
 MOST_INPUTS = 4096
@@ -30,9 +32,27 @@ class Part:
 
 
 def _name(text: str) -> str:
-    """Returns a name as graphs take it: letters, digits and underscores."""
-    name = "".join(letter if letter.isascii() and letter.isalnum() else "_" for letter in text).lower()
+    """Returns a name as graphs take it: letters, digits and underscores; other letters by their Unicode names, θ as `theta`."""
+    name = "".join(_ascii(letter) for letter in text).lower()
     return name if name[:1].isalpha() else f"x{name}"
+
+
+def _ascii(letter: str) -> str:
+    if letter.isascii():
+        return letter if letter.isalnum() else "_"
+    plain = unicodedata.normalize("NFKD", letter)[0]
+    if plain.isascii():
+        return plain if plain.isalnum() else "_"
+    return unicodedata.name(letter, "_").split()[-1].replace("-", "_") if letter.isalpha() else "_"
+
+
+def _unique(names: Sequence[str]) -> list[str]:
+    """Appends a number to each name that an earlier one has already: `x`, `x_2`, `x_3`."""
+    unique: list[str] = []
+    for name in names:
+        numbered = itertools.chain([name], (f"{name}_{number}" for number in itertools.count(2)))
+        unique.append(next(one for one in numbered if one not in unique and (one == name or one not in names)))
+    return unique
 
 
 def _parts(space: spaces.Space[Any], name: str) -> list[Part]:
@@ -91,7 +111,9 @@ class Interface:
         spec = getattr(env, "spec", None)
         name = spec.id if spec is not None else type(getattr(env, "unwrapped", env)).__name__
         limit = max_episode_steps or getattr(spec, "max_episode_steps", None) or DEFAULT_LIMIT
-        parts = tuple(_parts(env.observation_space, ""))
+        found = _parts(env.observation_space, "")
+        names = _unique([part.name for part in found])
+        parts = tuple(replace(part, name=name) for part, name in zip(found, names, strict=True))
         inputs, ends = (tuple(given) if given else None for given in (input_names, end_names))
         asks = bool(getattr(env, "asks_network", False))
         interface = cls(name, env.observation_space, env.action_space, parts, int(limit), inputs, ends, asks)
@@ -99,6 +121,12 @@ class Interface:
             raise InputError(f"{name}: an observation of {interface.inputs} values; accepted: 1 to {MOST_INPUTS}")
         if input_names is not None and len(input_names) != interface.inputs:
             raise InputError(f"{len(input_names)} input_names; accepted: {interface.inputs}")
+        if input_names is not None and len(input_names) > MOST_NAMES:
+            warnings.warn(
+                f"{len(input_names)} input_names: a graph has at most {MOST_NAMES} named sources; the inputs of {name} are "
+                f"numbered, {parts[0].name}[0] and so on",
+                stacklevel=2,
+            )
         interface.actions()
         return interface
 
@@ -107,17 +135,25 @@ class Interface:
         """The number of values of the flat state."""
         return sum(len(part.low) for part in self.parts)
 
-    def space(self) -> Space:
-        """Describes the environment for evolution."""
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The shape of an observation, or of what `flatten` makes of it."""
+        space = self.observation_space
+        return space.shape if isinstance(space, spaces.Box) else (self.inputs,)
+
+    def sources(self) -> list[tuple[str, list[tuple[float, float]]]]:
+        """Returns the sources of a graph, with the range of each value; an end that is not known is infinite."""
         ranges = [_range(low, high) for part in self.parts for low, high in zip(part.low, part.high, strict=True)]
         names = self.input_names
         if names is not None and len(names) <= MOST_NAMES:
-            sources = [(_name(name), [end]) for name, end in zip(names, ranges, strict=True)]
-        else:
-            ends = iter(ranges)
-            sources = [(part.name, list(itertools.islice(ends, len(part.low)))) for part in self.parts]
+            return [(name, [end]) for name, end in zip(_unique([_name(name) for name in names]), ranges, strict=True)]
+        ends = iter(ranges)
+        return [(part.name, list(itertools.islice(ends, len(part.low)))) for part in self.parts]
+
+    def space(self) -> Space:
+        """Describes the environment for evolution."""
         choices, outputs = self.actions()
-        return Space(sources, choices, outputs, self.limit, self.asks)
+        return Space(self.sources(), choices, outputs, self.limit, self.asks)
 
     def actions(self) -> tuple[list[str], list[tuple[str, float, float]]]:
         """Returns the names of the actions, or the outputs with their ranges."""
@@ -128,14 +164,15 @@ class Interface:
                     f"{self.name}: actions of {space.dtype}; accepted: a Box of floating point, Discrete, MultiDiscrete"
                 )
             low, high = space.low.astype(np.float64).ravel(), space.high.astype(np.float64).ravel()
-            if not (np.all(np.isfinite(low)) and np.all(np.isfinite(high)) and np.all(low < high)):
+            if not (np.all(np.isfinite(low)) and np.all(np.isfinite(high)) and np.any(low < high)):
                 raise InputError(
                     f"{self.name}: a Box of actions from {low} to {high}; accepted: finite bounds, as "
-                    "gymnasium.wrappers.RescaleAction gives it"
+                    "gymnasium.wrappers.RescaleAction gives it, one of them a range"
                 )
             usual = ["action"] if len(low) == 1 else [f"action_{place}" for place in range(len(low))]
             names = self.end_names or usual
-            return [], list(zip(names, low.tolist(), high.tolist(), strict=True))
+            outputs = list(zip(names, low.tolist(), high.tolist(), strict=True))
+            return [], [output for output, varies in zip(outputs, low < high, strict=True) if varies]
         combinations = self.combinations()
         if len(combinations) < 2:
             raise InputError(f"{self.name}: the only action {combinations[0]}; accepted: two or more")
@@ -166,7 +203,7 @@ class Interface:
         return [np.asarray(options, dtype=dtype).reshape(shape) + starts.astype(dtype) for options in every]
 
     def flatten(self) -> Callable[[Any], NDArray[Any]] | None:
-        """Returns the function that makes an observation flat; None where it is flat already."""
+        """Returns the function that makes a flat array of an observation; None for a Box, which is an array."""
         space = self.observation_space
         if isinstance(space, spaces.Box):
             return None
@@ -175,47 +212,56 @@ class Interface:
     def encode(self) -> Callable[[Sequence[float]], NDArray[Any]] | None:
         """Returns the function that makes an action of a policy's values; None where a flat array of float32 is one."""
         space = self.action_space
-        if not isinstance(space, spaces.Box) or (space.dtype == np.float32 and len(space.shape) == 1):
+        if not isinstance(space, spaces.Box):
             return None
-        shape, dtype = space.shape, space.dtype
-        return lambda values: np.asarray(values, dtype=dtype).reshape(shape)
+        if space.dtype == np.float32 and len(space.shape) == 1 and bool(np.all(space.low < space.high)):
+            return None
+        return lambda values: self._box_actions(np.asarray([values]))[0]
+
+    def _box_actions(self, answers: NDArray[Any]) -> NDArray[Any]:
+        """Returns the actions of rows of values: a component whose bounds are equal is that bound, and no output of a policy."""
+        space = self.action_space
+        assert isinstance(space, spaces.Box)
+        actions = np.repeat(space.low.reshape(1, -1), len(answers), axis=0)
+        actions[:, (space.low < space.high).ravel()] = answers.astype(space.dtype)
+        return actions.reshape((len(answers), *space.shape))
 
     def driver(self, env: gymnasium.Env[Any, Any]) -> Driver:
         """Creates what runs whole episodes of the environment."""
         listed = None if isinstance(self.action_space, spaces.Box) else self.combinations()
-        return Driver(env, self.inputs, self.limit, self.flatten(), listed, self.encode())
+        return Driver(env, self.shape, self.limit, self.flatten(), listed, self.encode())
 
     def states(self, observation: Any) -> tuple[NDArray[np.float64], bool]:
         """Returns observations as rows of the flat state, and true if it was a batch."""
+        observations, is_batch = self._rows(observation)
+        flatten = self.flatten() or (lambda observation: observation)
+        rows = [flat(flatten(one), self.shape) for one in observations]
+        return np.stack(rows) if rows else np.empty((0, self.inputs)), is_batch
+
+    def _rows(self, observation: Any) -> tuple[Sequence[Any], bool]:
+        """Returns the observations of a batch, or the one that it is, and true if it was a batch."""
         space = self.observation_space
         if isinstance(space, spaces.Dict):
             if not isinstance(observation, dict) or set(observation) != set(space.spaces):
                 raise InputError(f"an observation that is no dict of {', '.join(map(str, space.spaces))}")
             key, inner = next(iter(space.spaces.items()))
-            is_batch = np.ndim(observation[key]) > len(inner.shape or ())
-            if is_batch:
-                rows = [{name: values[row] for name, values in observation.items()} for row in range(len(observation[key]))]
-                return np.stack([np.asarray(spaces.flatten(space, row), dtype=np.float64) for row in rows]), True
-            return np.asarray(spaces.flatten(space, observation), dtype=np.float64)[None], False
+            if np.ndim(observation[key]) <= len(inner.shape or ()):
+                return [observation], False
+            return [{name: values[row] for name, values in observation.items()} for row in range(len(observation[key]))], True
         if isinstance(space, spaces.Tuple):
-            return np.asarray(spaces.flatten(space, observation), dtype=np.float64)[None], False
-        array = np.asarray(observation)
-        shape = space.shape or ()
+            return [observation], False
+        array, shape = np.asarray(observation), space.shape or ()
         if array.shape == shape:
-            rows_of, is_batch = [array], False
-        elif array.shape[1:] == shape and array.ndim == len(shape) + 1:
-            rows_of, is_batch = list(array), True
-        else:
-            raise InputError(f"an observation of shape {array.shape}; accepted: {shape}, or a batch of them")
-        if isinstance(space, spaces.Box):
-            return array.reshape(len(rows_of), -1).astype(np.float64), is_batch
-        return np.stack([np.asarray(spaces.flatten(space, row), dtype=np.float64) for row in rows_of]), is_batch
+            return [array], False
+        if array.ndim == len(shape) + 1 and array.shape[1:] == shape:
+            return list(array), True
+        raise InputError(f"an observation of shape {array.shape}; accepted: {shape}, or a batch of them")
 
     def to_actions(self, answers: NDArray[Any], is_batch: bool) -> Any:
         """Turns a policy's answers into the environment's actions."""
         space = self.action_space
         if isinstance(space, spaces.Box):
-            actions = answers.astype(space.dtype).reshape((len(answers), *space.shape))
+            actions = self._box_actions(answers)
         elif isinstance(space, spaces.Discrete):
             actions = answers.astype(np.int64) + np.int64(space.start)
         else:
