@@ -1,7 +1,7 @@
 //! Whole episodes of a Gymnasium environment, next to the environment.
 
 use crate::error;
-use crate::policy::Policy;
+use crate::policy::{Parts, Policy};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::intern;
 use pyo3::prelude::*;
@@ -17,9 +17,6 @@ const SUCCESS: [&str; 2] = ["is_success", "success"];
 
 /// The result of an episode: return, number of actions, and success where the environment's info has it.
 type Played = (f64, u32, Option<bool>);
-
-/// The moments of states: their number, the means of their values, and the sums of the squared distances from these.
-pub(crate) type Parts = (u64, Vec<f64>, Vec<f64>);
 
 /// The outcome of a step, as an environment tells it.
 pub(crate) struct Told {

@@ -1,11 +1,10 @@
 //! A run on a thread of its own. Python asks for its next event, does what it says, and replies.
 
-use crate::driver::Parts;
 use crate::error;
 use crate::graph::Graph;
 use crate::mailbox::{Event, Mailbox, Reply};
 use crate::native;
-use crate::policy::Policy;
+use crate::policy::{Parts, Policy};
 use crate::space::Space;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -1,6 +1,5 @@
 //! A policy under evaluation: what a worker is sent.
 
-use crate::driver::Parts;
 use crate::error;
 use crate::graph::Graph;
 use pyo3::prelude::*;
@@ -11,6 +10,9 @@ use tpg_graph::interpret::Answer;
 use tpg_graph::{MathsProvider, ScalarType, SourceDocument};
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
+
+/// The moments of states: their number, the means of their values, and the sums of the squared distances from these.
+pub(crate) type Parts = (u64, Vec<f64>, Vec<f64>);
 
 /// A policy that is evaluated in an episode.
 #[pyclass(frozen, module = "tpg_train._tpg")]
