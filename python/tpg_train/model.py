@@ -713,7 +713,7 @@ def _refuse_normalised(env: Any) -> None:
 
 def _built_in(given: EnvironmentLike, env: Environment) -> str | None:
     """Returns the name of the built-in problem that a plain id of Gymnasium's own stands for."""
-    spec = env.spec
+    spec = getattr(env, "spec", None)
     if not isinstance(given, str) or spec is None or spec.id not in BUILT_IN:
         return None
     name, entry_point = BUILT_IN[spec.id]
