@@ -98,6 +98,7 @@ class Space:
 
 def flat(observation: Any, shape: Sequence[int]) -> NDArray[np.float64]: ...
 def success_of(info: Any) -> bool | None: ...
+
 @final
 class Driver:
     """Runs episodes of an environment."""

@@ -14,7 +14,7 @@ import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Union
+from typing import Any, Union, cast
 
 import cloudpickle  # type: ignore[import-untyped, unused-ignore]
 import gymnasium
@@ -619,12 +619,14 @@ def _check_graph(graph: Graph, file: str, interface: Interface, is_named: bool) 
     if bool(graph.actions) != bool(choices) or found != accepted:
         kinds = [f"{count} {'actions' if named else 'outputs'}" for count, named in ((found, graph.actions), (accepted, choices))]
         raise InputError(f"{file}: a graph of {kinds[0]}; accepted: {kinds[1]}, as {interface.name} has")
-    ends = [(name, known, *ends) for (name, ends), known in zip(sources, graph.ranges, strict=True)]
-    ends += [(name, known[1:], *ends) for (name, *ends), known in zip(outputs, graph.outputs, strict=True)]
-    for name, known, low, high in ends:
+    own_bounds = sources + [(name, (low, high)) for name, low, high in outputs]
+    bounds = list(graph.ranges) + [(low, high) for _, low, high in graph.outputs]
+    for (name, ends), known in zip(own_bounds, bounds, strict=True):
         # An end that the environment does not declare was estimated.
-        if any(np.isfinite(end) and np.float32(end) != np.float32(one) for end, one in zip((low, high), known, strict=True)):
-            raise InputError(f"{file}: {name} from {known[0]} to {known[1]}; accepted: {low} to {high}, as {interface.name} has")
+        if any(np.isfinite(end) and np.float32(end) != np.float32(one) for end, one in zip(ends, known, strict=True)):
+            raise InputError(
+                f"{file}: {name} from {known[0]} to {known[1]}; accepted: {ends[0]} to {ends[1]}, as {interface.name} has"
+            )
 
 
 class _GraphView:
@@ -686,7 +688,7 @@ def _factory(env: EnvironmentLike, env_kwargs: dict[str, Any]) -> Callable[[], E
     if isinstance(env, (str, EnvSpec)):
         return functools.partial(gymnasium.make, env, **env_kwargs)
     if _is_function(env):
-        return functools.partial(env, **env_kwargs) if env_kwargs else env  # type: ignore[arg-type, return-value]
+        return functools.partial(cast(Callable[..., Environment], env), **env_kwargs) if env_kwargs else env  # type: ignore[return-value]
     if env_kwargs:
         raise InputError("env_kwargs with an environment; accepted: with an id or a function that makes one")
     if isinstance(env, gymnasium.vector.VectorEnv):

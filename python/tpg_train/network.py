@@ -276,7 +276,8 @@ def _combined(weights: Floats, bias: Floats, interface: Interface, name: str) ->
     elif isinstance(space, spaces.Discrete):
         wanted, parts = int(space.n), None
     else:
-        sizes = [1] * int(np.prod(space.shape)) if isinstance(space, spaces.MultiBinary) else space.nvec.ravel().tolist()
+        assert isinstance(space, (spaces.MultiBinary, spaces.MultiDiscrete))
+        sizes = space.nvec.ravel().tolist() if isinstance(space, spaces.MultiDiscrete) else [1] * int(np.prod(space.shape))
         wanted, starts = sum(sizes), np.cumsum([0, *sizes[:-1]])
         chosen = np.array(list(itertools.product(*(range(max(size, 2)) for size in sizes))))
         parts = np.zeros((len(chosen), wanted), np.float32)
