@@ -72,7 +72,8 @@ impl Driver {
     ) -> PyResult<Self> {
         let action = match (actions, encode) {
             (Some(actions), _) => {
-                let arrays = actions.first().is_some_and(|action| action.bind(env.py()).hasattr("copy").unwrap_or(false));
+                let arrays =
+                    actions.first().is_some_and(|action| action.bind(env.py()).hasattr("copy").unwrap_or(false));
                 Action::Listed(actions, arrays)
             }
             (None, Some(encode)) => Action::Encoded(encode),
