@@ -181,8 +181,10 @@ fn what_a_problem_does_not_have_is_refused() {
     );
     refused(&mut eval("cartpole", &["--policy", NETWORK]), &["cos_theta", "accepted: x v theta omega"]);
     let file = folder.path().join("hybrid.toml");
-    let of_the_arm = "graph = \"weak.json\"\nactor = \"p.q.json\"\nhand_back_after = 5\nseparation_mm = inf\n\
-                      guard = \"both\"\ncycle_detector = \"brent\"\n";
+    let of_the_arm = format!(
+        "graph = \"weak.json\"\nactor = \"{NETWORK}\"\nhand_back_after = 5\nseparation_mm = inf\n\
+         guard = \"both\"\ncycle_detector = \"none\"\n"
+    );
     fs::write(&file, of_the_arm).expect("a file");
     let file = file.to_str().expect("a path");
     refused(&mut eval("pendulum", &["--hybrid", file]), &["guard both for pendulum", "accepted: none"]);
