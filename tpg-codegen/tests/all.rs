@@ -14,7 +14,6 @@ mod fields;
 mod generate;
 mod generated;
 mod least;
-mod manual;
 mod memory;
 mod networks;
 mod optimisers;

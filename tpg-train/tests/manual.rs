@@ -1,24 +1,17 @@
-//! The book's pages that are made from this program: its command line, and every key of a configuration.
+//! The book's page of configurations, made from the program's types.
 
 use schemars::JsonSchema;
 use serde_json::Value;
 use std::fmt::Write as _;
-use std::path::Path;
 use toml::Table;
 use tpg_problems::arm::arms::ARMS;
 use tpg_problems::{acrobot, arm, cartpole, dodge, mountain_car, mountain_car_continuous, pendulum};
-use tpg_testing::book::{manual, page};
+use tpg_testing::book::page;
 use tpg_train::configuration::schema::{description, properties, resolved, schema};
 use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::evolution::presets::Preset;
 use tpg_train::sac::config::SacConfig;
 use tpg_train::sac::presets as sac_presets;
-
-#[test]
-fn the_page_of_the_command_line_is_fresh() {
-    let lead = "Trains, evaluates and reports policies: [Training](training.md).";
-    page("tpg-train.md", &manual(Path::new(env!("CARGO_BIN_EXE_tpg-train")), "tpg-train", lead));
-}
 
 #[test]
 fn the_page_of_configurations_is_fresh() {

@@ -1,4 +1,3 @@
 //! The tests of this crate from outside, as one program: each file is a subject.
 
 mod bounds;
-mod manual;
