@@ -41,7 +41,8 @@ impl Problem {
     /// If the settings are not the problem's, or the network is for another arm; `file` is the network's.
     pub fn joined(self, file: &str, network: &toml::Table, rules: bool, graph: bool) -> Result<Self, InputError> {
         let Self::Arm(start, config) = self else {
-            let is_whole = rules && !graph && !network.is_empty();
+            // Integers do not name their problem.
+            let is_whole = rules && !graph && network.contains_key("name");
             return if is_whole { Self::from_table(file, network) } else { Ok(self) };
         };
         let mut table = network.clone();
