@@ -174,7 +174,7 @@ impl Default for LearningParameters {
             archive_size: 0,
             nb_iterations_per_policy_evaluation: 10,
             ratio_deleted_roots: 0.84,
-            nb_generations: 120,
+            nb_generations: 200,
             max_nb_evaluation_per_policy: 100_000,
             nb_registers: 4,
         }
