@@ -33,7 +33,7 @@ fn config(scalar: ScalarType) -> EvolutionConfig {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
     config.language.scalar = scalar;
     config.language.instructions = Word::ALL.map(|word| word.name().to_owned()).to_vec();
-    config.tpg.nb_roots = 60;
+    config.tpg.nb_roots = 120;
     config.tpg.init_nb_roots = 20;
     config.tpg.max_init_outgoing_edges = 3;
     config.tpg.p_edge_destination_change = 0.5;

@@ -452,7 +452,7 @@ fn a_random_search_that_gets_nowhere_ends_early() {
         let folder = place.path().join(problem);
         let more = ["--preset", "quick", "--set", "start.random=0.5", "--set", "start.share=0.5"];
         assert!(
-            train_on(problem, &folder, &[&more[..], &["--max-steps", "300000"]].concat())
+            train_on(problem, &folder, &[&more[..], &["--max-steps", "1000000"]].concat())
                 .status()
                 .expect("it runs")
                 .success()
