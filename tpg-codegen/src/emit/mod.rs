@@ -16,7 +16,7 @@ mod syntax;
 mod table;
 mod team;
 
-pub(crate) use c::field::field;
+pub(crate) use c::{compares_in_functions, field::field};
 
 pub use crate::options::{Language, Options, Prefix, Profile, Style};
 

@@ -33,6 +33,12 @@ pub(super) trait Syntax {
     /// A whole number.
     fn index(&self, number: usize) -> String;
 
+    /// The prefix of the functions that compare bids with a team's best bid, which is in the structure `lead`. Without it,
+    /// expressions compare them.
+    fn lead_prefix(&self) -> Option<&str> {
+        None
+    }
+
     /// A bid that is always computed has braces around it, too.
     const BRACES: bool;
 

@@ -35,6 +35,8 @@ pub(super) struct BidView {
     pub(super) rank: String,
     /// The condition under which it becomes the leader.
     pub(super) wins: String,
+    /// An equal bid wins.
+    pub(super) ascending: bool,
     /// The last bid of its team: the best bid is not read after it.
     pub(super) last: bool,
 }
@@ -63,7 +65,11 @@ pub(super) fn view<J>(syntax: &impl Syntax, plan: &TeamSchedule, jump: impl Fn(T
     };
     TeamView {
         label: plan.label,
-        winner: if ascending { "way" } else { "edge" },
+        winner: match syntax.lead_prefix() {
+            Some(_) => "lead.winner",
+            None if ascending => "way",
+            None => "edge",
+        },
         nobody: syntax.index(if ascending { targets.len() } else { 0 }),
         first,
         eager,
@@ -111,7 +117,7 @@ impl<S: Syntax> Team<'_, S> {
             value = "zero".to_owned();
         }
         let wins = format!("{value} >= best");
-        BidView { statements, value, rank: self.rank(bid), wins, ..BidView::default() }
+        BidView { statements, value, rank: self.rank(bid), wins, ascending: true, ..BidView::default() }
     }
 
     fn lazy(&mut self, LazyBid { bid, sparing, bound }: &LazyBid) -> BidView {
@@ -121,12 +127,18 @@ impl<S: Syntax> Team<'_, S> {
             sparing.map(|sparing| format!("!({})", low(self.syntax, sparing, &self.syntax.value(sparing.argument))));
         let outside = considered.is_some().then(|| self.computed.clone());
         let bound_statements = bound.map_or_else(Vec::new, |bound| self.statements(bound, true));
-        let guard = match bound.map(|bound| self.syntax.value(bound)) {
-            // Also where the bound is NaN and says nothing.
-            Some(bound) if bid.ascending => Some(format!("!(best > {bound})")),
-            Some(bound) => Some(format!("!((best > {bound}) || ((best >= {bound}) && (edge >= {rank})))")),
+        // Also true where the bound is NaN and says nothing.
+        let can_win = |bound: String| match (self.syntax.lead_prefix(), bid.ascending) {
+            (Some(prefix), true) => format!("{prefix}_can(&lead, {bound}) != 0U"),
+            (Some(prefix), false) => format!("{prefix}_can_at(&lead, {bound}, {rank}) != 0U"),
+            (None, true) => format!("!(best > {bound})"),
+            (None, false) => format!("!((best > {bound}) || ((best >= {bound}) && (edge >= {rank})))"),
+        };
+        let guard = match bound {
+            Some(bound) => Some(can_win(self.syntax.value(*bound))),
             // Nothing is higher than infinity; in ascending order, an equal bid wins.
             None if bid.ascending => None,
+            None if self.syntax.lead_prefix().is_some() => Some(can_win(self.syntax.number(f64::INFINITY))),
             None => Some(format!("(best < {}) || (edge < {rank})", self.syntax.number(f64::INFINITY))),
         };
         let stays = guard.is_none() && !S::BRACES;
@@ -137,12 +149,24 @@ impl<S: Syntax> Team<'_, S> {
             true => format!("{value} >= best"),
             false => format!("({value} >= best) && (({value} > best) || (edge < {rank}))"),
         };
-        BidView { before, considered, bound: bound_statements, guard, statements, value, rank, wins, last: false }
+        BidView {
+            before,
+            considered,
+            bound: bound_statements,
+            guard,
+            statements,
+            value,
+            rank,
+            wins,
+            ascending: bid.ascending,
+            last: false,
+        }
     }
 }
 
 /// The condition under which an argument is low and the best bid is not.
 pub(super) fn low(syntax: &impl Syntax, Sparing { at_most, below, .. }: Sparing, argument: &str) -> String {
     let [at_most, below] = [at_most, below].map(|number| syntax.number(number));
-    format!("({argument} <= {at_most}) && (best >= {below})")
+    let best = if syntax.lead_prefix().is_some() { "lead.best" } else { "best" };
+    format!("({argument} <= {at_most}) && ({best} >= {below})")
 }

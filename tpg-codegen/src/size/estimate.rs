@@ -1,6 +1,7 @@
 //! An estimate of generated C's flash on a Cortex-M4F, for machines without its compiler.
 
 use crate::cost::Costs;
+use crate::emit::compares_in_functions;
 use crate::ir::Node;
 use crate::program::{Program, Shape};
 use std::collections::BTreeSet;
@@ -34,6 +35,7 @@ pub fn flash(program: &Program<'_>) -> u64 {
         (ScalarType::F32, Shape::Gegelati) => weights([0, 31, 4, 10, 651, 0]),
         (ScalarType::F64, Shape::Gegelati) => weights([4, 11, 10, 12, 1122, 803]),
         (ScalarType::F32, Shape::Fast { .. } | Shape::Formula(_)) => weights([0, 80, 2, 32, 873, 0]),
+        (ScalarType::F64, Shape::Fast { .. }) if compares_in_functions(module) => weights([500, 10, 18, 20, 965, 638]),
         (ScalarType::F64, Shape::Fast { .. } | Shape::Formula(_)) => weights([0, 31, 66, 19, 965, 638]),
         (ScalarType::F32, Shape::Balanced(_)) => weights([150, 2, 3, 16, 650, 400]),
         (ScalarType::F64, Shape::Balanced(_)) => weights([200, 2, 3, 12, 1068, 831]),

@@ -38,8 +38,14 @@ team_{{ team.label }}:
 {%- for statement in first.statements %}
         {{ statement }}
 {%- endfor %}
+{%- if leads %}
+        {{ prefix }}_lead_t lead = { {{ first.value }}, {{ first.rank }} };
+{%- else %}
         {{ scalar }} best = {{ first.value }};
         uint32_t {{ team.winner }} = {{ first.rank }};
+{%- endif %}
+{%- else if leads %}
+        {{ prefix }}_lead_t lead = { -{{ lowest }}, {{ team.nobody }} };
 {%- else %}
         {{ scalar }} best = -{{ lowest }};
         uint32_t {{ team.winner }} = {{ team.nobody }};
@@ -48,13 +54,7 @@ team_{{ team.label }}:
 {%- for statement in bid.statements %}
         {{ statement }}
 {%- endfor %}
-
-        if ({{ bid.wins }}) {
-{%- if !bid.last %}
-            best = {{ bid.value }};
-{%- endif %}
-            {{ team.winner }} = {{ bid.rank }};
-        }
+{% include "c/fast_win.c" %}
 {%- endfor %}
 {%- for bid in team.lazy %}
 {%- for statement in bid.before %}
@@ -72,12 +72,7 @@ team_{{ team.label }}:
 {%- for statement in bid.statements %}
             {{ statement }}
 {%- endfor %}
-            if ({{ bid.wins }}) {
-{%- if !bid.last %}
-                best = {{ bid.value }};
-{%- endif %}
-                {{ team.winner }} = {{ bid.rank }};
-            }
+{%- include "c/fast_win.c" %}
         }
 {%- if bid.considered.is_some() %}
         }

@@ -115,3 +115,53 @@ static {{ scalar }} {{ prefix }}_exp_upper({{ scalar }} x)
     return bound;
 }
 {% endif %}
+{% if self.compares_bids() %}
+/* Compiled for size, comparisons of doubles are functions: on many processors each is a call. */
+#if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
+#define {{ upper }}_LEADER static __attribute__((noinline))
+#elif defined(__GNUC__)
+#define {{ upper }}_LEADER static inline __attribute__((always_inline))
+#else
+#define {{ upper }}_LEADER static inline
+#endif
+
+/* The best bid of a team so far, and its edge or way. */
+typedef struct {{ prefix }}_lead {
+    {{ scalar }} best;
+    uint32_t winner;
+} {{ prefix }}_lead_t;
+{% if self.calls("take") %}
+/* A bid of a later edge than the others wins if none is higher. */
+{{ upper }}_LEADER void {{ prefix }}_take({{ prefix }}_lead_t *lead, {{ scalar }} bid, uint32_t winner)
+{
+    if (bid >= lead->best) {
+        lead->best = bid;
+        lead->winner = winner;
+    }
+}
+{% endif %}
+{% if self.calls("take_at") %}
+/* A bid wins if none is higher; of equal bids the later edge's wins. */
+{{ upper }}_LEADER void {{ prefix }}_take_at({{ prefix }}_lead_t *lead, {{ scalar }} bid, uint32_t winner)
+{
+    if ((bid >= lead->best) && ((bid > lead->best) || (lead->winner < winner))) {
+        lead->best = bid;
+        lead->winner = winner;
+    }
+}
+{% endif %}
+{% if self.calls("can") %}
+/* Tests whether a bid of a later edge than the others can win; also where the bound is NaN and says nothing. */
+{{ upper }}_LEADER uint32_t {{ prefix }}_can(const {{ prefix }}_lead_t *lead, {{ scalar }} bound)
+{
+    return (lead->best > bound) ? 0U : 1U;
+}
+{% endif %}
+{% if self.calls("can_at") %}
+/* The same for a bid of any edge. */
+{{ upper }}_LEADER uint32_t {{ prefix }}_can_at(const {{ prefix }}_lead_t *lead, {{ scalar }} bound, uint32_t winner)
+{
+    return ((lead->best > bound) || ((lead->best >= bound) && (lead->winner >= winner))) ? 0U : 1U;
+}
+{% endif %}
+{% endif %}

@@ -17,6 +17,8 @@ pub(super) struct Printer<'a> {
     pub(super) gegelati: bool,
     /// Calls of the platform's logarithm and exponential go through helpers that handle the simple cases themselves.
     pub(super) short_cuts: bool,
+    /// [Functions](super::fast::compares_in_functions) compare bids.
+    pub(super) leads: bool,
 }
 
 impl Syntax for Printer<'_> {
@@ -67,6 +69,10 @@ impl Syntax for Printer<'_> {
 
     fn index(&self, number: usize) -> String {
         format!("{number}U")
+    }
+
+    fn lead_prefix(&self) -> Option<&str> {
+        self.leads.then_some(self.prefix)
     }
 
     const BRACES: bool = true;

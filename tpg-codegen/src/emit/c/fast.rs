@@ -20,6 +20,17 @@ use crate::ir::{Module, Target, needed};
 use crate::passes::schedule::Schedule;
 use askama::Template;
 use std::collections::BTreeSet;
+use tpg_graph::ScalarType;
+
+/// The minimum number of edges whose comparisons are worth functions.
+const EDGES: usize = 32;
+
+/// Tests for a graph whose bids are compared in functions: on a processor without doubles a comparison is a call, and with its
+/// arguments and what follows from it, it takes most of the code of a team.
+pub(crate) fn compares_in_functions(module: &Module<'_>) -> bool {
+    let edges = module.teams.iter().map(|team| team.edges.len()).sum::<usize>();
+    module.graph.scalar() == ScalarType::F64 && module.leaves.is_empty() && edges >= EDGES
+}
 
 #[derive(Template)]
 #[template(path = "c/fast.c", escape = "none")]
@@ -29,6 +40,7 @@ struct Fast<'a> {
     upper: &'a str,
     scalar: &'a str,
     lowest: &'a str,
+    leads: bool,
     functions: Vec<FunctionView>,
     outputs: &'a [OutputView],
     /// The leaves, where the only function computes them: its walks jump there.
@@ -119,6 +131,7 @@ pub(super) fn render(
         upper,
         scalar: printer.scalar(),
         lowest: printer.lowest(),
+        leads: printer.leads,
         functions: printed,
         outputs,
         leaves,

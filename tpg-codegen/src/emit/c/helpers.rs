@@ -61,13 +61,17 @@ impl Helpers<'_> {
         self.any(["challenge", "negate_if_less", "min", "max"])
     }
 
+    fn compares_bids(&self) -> bool {
+        self.any(["take", "take_at"])
+    }
+
     fn selects(&self) -> bool {
         self.any(["challenge", "clamp", "pick", "min", "max", "gate"])
     }
 }
 
 /// Functions that only a body calls.
-const OF_BODIES: [&str; 5] = ["challenge", "clamp", "hidden", "number", "pick"];
+const OF_BODIES: [&str; 9] = ["can", "can_at", "challenge", "clamp", "hidden", "number", "pick", "take", "take_at"];
 /// Functions of masks.
 const MASKS: [&str; 8] = ["challenge", "number", "clamp", "pick", "min", "max", "negate_if_less", "gate"];
 /// The maximum number of calls of masks that are inlined, for they take flash.

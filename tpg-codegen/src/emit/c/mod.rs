@@ -22,6 +22,7 @@ use crate::program::{Program, Shape};
 use askama::Template;
 use entry::Entry;
 use expression::Printer;
+pub(crate) use fast::compares_in_functions;
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::states;
 use tpg_graph::{Graph, MathsProvider, ScalarType};
@@ -97,12 +98,17 @@ impl Backend for C {
         let prefix = program.options.prefix.lower();
         let upper = program.options.prefix.upper();
         let gegelati = program.shape == Shape::Gegelati;
-        let printer = Printer { graph, nodes: &module.nodes, prefix, gegelati, short_cuts: false };
+        let printer = Printer { graph, nodes: &module.nodes, prefix, gegelati, short_cuts: false, leads: false };
         let outputs = outputs(&printer, comment);
         let (printer, body, branch_free) = match &program.shape {
             Shape::Gegelati => (printer, gegelati::render(&printer, module, &upper), false),
             Shape::Fast { schedule, functions } => {
-                let printer = Printer { nodes: &schedule.nodes, short_cuts: true, ..printer };
+                let printer = Printer {
+                    nodes: &schedule.nodes,
+                    short_cuts: true,
+                    leads: compares_in_functions(module),
+                    ..printer
+                };
                 let body = fast::render(&printer, module, schedule, functions, &outputs, &upper);
                 (printer, body, false)
             }

@@ -1,0 +1,11 @@
+
+{%- if leads %}
+        {{ prefix }}_take{% if !bid.ascending %}_at{% endif %}(&lead, {{ bid.value }}, {{ bid.rank }});
+{%- else %}
+        if ({{ bid.wins }}) {
+{%- if !bid.last %}
+            best = {{ bid.value }};
+{%- endif %}
+            {{ team.winner }} = {{ bid.rank }};
+        }
+{%- endif %}
