@@ -1,4 +1,4 @@
-// Training by GEGELATI on this project's pendulum: three torques, and the instructions and parameters of preset `kelly`.
+// Training by GEGELATI on this project's pendulum: three torques, and the instructions and parameters of preset `gegelati`.
 //
 // With GEGELATI 1.4.0 (https://github.com/gegelati/gegelati at e531a2f) built as `Release` and installed:
 //
@@ -97,7 +97,7 @@ int main(int count, char **arguments) {
     one([](double a) -> double { return std::log(a); });
     one([](double a) -> double { return std::exp(a); });
 
-    // GEGELATI's defaults, which are preset `kelly`'s, but for the first population and the length of an episode.
+    // GEGELATI's defaults, which are preset `gegelati`'s, but for the first population and the length of an episode.
     Learn::LearningParameters parameters;
     parameters.mutation.tpg.initNbRoots = 100;
     parameters.maxNbActionsPerEval = 200;

@@ -30,7 +30,6 @@ class Asking(gymnasium.Wrapper[Any, Any, Any, Any]):
     Args:
         network: decides, as `from_sb3` and `train_network` make it, or its `policy.q.json`.
         price: of one ask, in units of the reward. The rules' turns cost nothing.
-        share: of actions that a draw gives to the network, 0 to 1: a mixture, to compare with.
 
     Attributes: `episodes`, `actions`, `asks` and `network_actions` (asked or by rules) since the wrapper was made.
     """
@@ -45,15 +44,12 @@ class Asking(gymnasium.Wrapper[Any, Any, Any, Any]):
         separation: float = float("inf"),
         patience: int | None = None,
         hand_back_after: int | None = None,
-        share: float = 0.0,
     ) -> None:
         super().__init__(env)
         if not price >= 0:
             raise InputError(f"a price of {price}; accepted: 0 or more")
-        if not 0 <= share <= 1:
-            raise InputError(f"a share of {share}; accepted: 0 to 1")
         self._network = network if isinstance(network, NetworkPolicy) else NetworkPolicy.load(network, env)
-        self.price, self.share = float(price), float(share)
+        self.price = float(price)
         self._rules = (float(separation), patience, hand_back_after)
         Switch(0.0, *self._rules)
         self._own = _actions(env.action_space, levels)
@@ -65,15 +61,12 @@ class Asking(gymnasium.Wrapper[Any, Any, Any, Any]):
 
     def _begin(self, distance: float) -> None:
         self._switch = Switch(distance, *self._rules)
-        self._draws = np.random.default_rng(self.episodes)
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         """Starts an episode."""
         observation, info = self.env.reset(seed=seed, options=options)
         self.episodes += 1
         self._begin(float(info.get("distance", np.inf)))
-        if seed is not None:
-            self._draws = np.random.default_rng(seed)
         self._observation = observation
         return observation, info
 
@@ -81,8 +74,7 @@ class Asking(gymnasium.Wrapper[Any, Any, Any, Any]):
         """Takes an action of the graph, or the network's where the graph asks or the network has its turn."""
         drives = self._switch.network_drives
         asked = not drives and self._own is not None and int(action) == len(self._own)
-        drawn = self.share > 0 and self._draws.random() < self.share
-        if drives or asked or drawn:
+        if drives or asked:
             inner, _ = self._network.predict(self._observation)
         else:
             # A copy: an environment may change what it is given.
@@ -90,7 +82,7 @@ class Asking(gymnasium.Wrapper[Any, Any, Any, Any]):
         observation, reward, terminated, truncated, info = self.env.step(inner)
         self.actions += 1
         self.asks += asked
-        self.network_actions += drives or asked or drawn
+        self.network_actions += drives or asked
         self._switch.acted(asked, float(info.get("distance", -float(reward))))
         paid = float(reward) - self.price if asked else reward
         self._observation = observation

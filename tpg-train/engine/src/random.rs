@@ -22,14 +22,10 @@ pub enum Purpose {
     Pool = 5,
     /// The lexicase selection of a generation.
     Lexicase = 6,
-    /// The choice of roots that migrate.
-    Migration = 7,
     /// The recordings of the archive.
     Archive = 8,
     /// One selection episode: used to choose the final root, never to train.
     Selection = 9,
-    /// Sampling of an environment's reachable tasks.
-    Tasks = 10,
     /// Property tests and benchmarks.
     Test = 11,
     /// One episode of `eval --episodes`.
@@ -54,14 +50,8 @@ pub enum Purpose {
     Variation = 14,
     /// Samples and choices of a linear start.
     Linear = 15,
-    /// New constants for the best root of a deme.
-    Elite = 16,
-    /// Random roots that explore the ranges of inputs.
-    Scales = 13,
     /// The tasks on which failures of an actor under training are looked for.
     Retry = 28,
-    /// The actions of an episode that a network decides in a mixture with a graph.
-    Mixture = 29,
     /// The play of an arm's joints in one episode.
     Play = 30,
 }
