@@ -141,8 +141,8 @@ pub fn report(graph: &Graph, options: &Options, targets: &[Target], set: &StateS
     let forms: Vec<Costs<'_>> = codes.iter().map(|(_, code)| Costs::of(&code.program)).collect();
     let means = Costs::means(&forms, set);
     let costs = codes.iter().zip(&forms).zip(means);
-    let costs = costs.map(|(((shape, _), form), mean)| ShapeCost { profile: *shape, worst: form.worst(), mean });
-    let sizes = targets.iter().flat_map(|&target| codes.iter().map(move |(shape, code)| size_of(code, target, *shape)));
+    let costs = costs.map(|(((shape, _), form), mean)| ShapeCost { profile: shape, worst: form.worst(), mean });
+    let sizes = targets.iter().flat_map(|&target| codes.iter().map(move |(shape, code)| size_of(code, target, shape)));
     let Program { module: optimised, log, .. } = &codes[0].1.program;
     Report {
         version: env!("CARGO_PKG_VERSION"),

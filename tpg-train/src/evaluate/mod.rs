@@ -73,7 +73,7 @@ pub struct EvalArgs {
 
 /// A policy that is asked for, with the name that the report shows.
 enum Policy {
-    Graph((String, Graph)),
+    Graph(Box<(String, Graph)>),
     Network((String, Network)),
     Hybrid(String, Box<Hybrid>),
     /// A controller that the problem brings.
@@ -152,7 +152,7 @@ fn asked(args: &EvalArgs) -> Result<(Policy, Problem), InputError> {
         (None, Some(path), None) => {
             let graph = (path.display().to_string(), read_graph(path)?);
             let problem = problem_for(Some(&graph))?;
-            Ok((Policy::Graph(graph), problem))
+            Ok((Policy::Graph(Box::new(graph)), problem))
         }
         (None, None, Some(file)) => {
             let problem = problem_for(None)?;
@@ -262,7 +262,7 @@ fn shield_source<'p>(
 fn shield_of(problem: &Problem, policy: &Policy, added: Option<&str>) -> Option<String> {
     let shields = problem.shields();
     let own = |graph: &Graph| shields.iter().find(|(_, source)| reads(graph, source)).map(|&(name, _)| name);
-    let own = if let Policy::Graph((_, graph)) = policy { own(graph) } else { None };
+    let own = if let Policy::Graph(graph) = policy { own(&graph.1) } else { None };
     (!shields.is_empty()).then(|| own.or(added).unwrap_or(UNSHIELDED).to_owned())
 }
 

@@ -126,7 +126,7 @@ impl<'a> LinearWriter<'a> {
 
     /// Returns the weights that rows of sums stand for. The greatest bid wins, so what counts is the distance from the first
     /// action's, which stays 0.
-    pub(super) fn from_rows(&self, rows: &[Vec<f64>]) -> Vec<f64> {
+    pub(super) fn weights_of_rows(&self, rows: &[Vec<f64>]) -> Vec<f64> {
         match self.actions {
             0 => rows.concat(),
             _ => rows[1..]

@@ -148,7 +148,7 @@ impl Mirror<'_> {
             lines.push(negation);
         }
         let fits = lines.len() <= self.programs.parameters.max_program_size;
-        fits.then(|| Program { lines })
+        fits.then_some(Program { lines })
     }
 }
 

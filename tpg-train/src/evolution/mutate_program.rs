@@ -62,10 +62,9 @@ impl ProgramMutator<'_> {
             let place = stream.below(program.lines.len());
             program.lines.remove(place);
         }
-        if program.lines.len() < parameters.max_program_size && stream.chance(P_ADD) {
-            if !self.insert_term(program, stream) {
-                self.insert_line(program, stream);
-            }
+        let grows = program.lines.len() < parameters.max_program_size && stream.chance(P_ADD);
+        if grows && !self.insert_term(program, stream) {
+            self.insert_line(program, stream);
         }
         let place = stream.below(program.lines.len());
         self.alter_line(&mut program.lines[place], stream);

@@ -75,7 +75,7 @@ impl Search {
     pub(super) fn weights(&self, writer: &LinearWriter<'_>) -> Vec<f64> {
         match &self.method {
             Method::Cma(cma) => cma.mean().to_vec(),
-            Method::Random(search) => writer.from_rows(&search.unfolded(search.mean(), &writer.units())),
+            Method::Random(search) => writer.weights_of_rows(&search.unfolded(search.mean(), &writer.units())),
         }
     }
 
@@ -127,7 +127,7 @@ impl Stage for Search {
             Method::Random(search) => {
                 let samples = search.samples(count, &mut stream);
                 let units = writer.units();
-                let weights = samples.iter().map(|sample| writer.from_rows(&search.unfolded(sample, &units)));
+                let weights = samples.iter().map(|sample| writer.weights_of_rows(&search.unfolded(sample, &units)));
                 let weights = weights.collect();
                 (samples, weights)
             }

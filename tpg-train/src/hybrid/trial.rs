@@ -321,13 +321,10 @@ impl<State, A, F: Fn(&State) -> A> Policy for Deciding<F, State> {
 }
 
 /// Returns a graph with a network beside it, which it may ask.
-fn graph_policy<'e, S: Scalar, M: Maths<S>, E: Environment<S>>(
+fn graph_policy<'e, S: Scalar, M: Maths<S>, E: Environment<S> + 'e>(
     (file, graph): &(String, Graph),
     environment: &E,
-) -> Result<impl Policy<State = State<'e, S, E>, Action = Answer<Decision<S>>> + use<'e, S, M, E>, InputError>
-where
-    E: 'e,
-{
+) -> Result<impl Policy<State = State<'e, S, E>, Action = Answer<Decision<S>>> + use<'e, S, M, E>, InputError> {
     let (sources, actions) = (environment.sources(), environment.actions().with_ask(NETWORK));
     let plan = Plan::new::<M>(&bind_to(file, graph, &sources, &actions)?, &sources, EngineOptions::default());
     let (wanted, ask) = (plan.wanted(), actions.asking(NETWORK));

@@ -24,14 +24,19 @@ pub(super) fn dismiss(link: &impl Link, ranks: impl IntoIterator<Item = usize>) 
     ranks.into_iter().try_for_each(|rank| link.send(rank, &end))
 }
 
+/// The answers to some of the jobs.
+type Answers = Result<Vec<Answer>, EvaluationError>;
+/// Writes the order by which a rank does some of the jobs.
+type Orders<'j> = dyn Fn(usize, &[usize]) -> Result<Order, EvaluationError> + 'j;
+/// Does some of the jobs on this rank.
+type Local<'j> = dyn Fn(&[usize]) -> Answers + Sync + 'j;
+
 /// Jobs for all ranks.
 struct Jobs<'j> {
     /// The expected cost of each job, in any unit.
     costs: Vec<u64>,
-    /// Writes the order by which a rank does some of the jobs.
-    order: &'j dyn Fn(usize, &[usize]) -> Result<Order, EvaluationError>,
-    /// Does some of the jobs on this rank.
-    local: &'j (dyn Fn(&[usize]) -> Result<Vec<Answer>, EvaluationError> + Sync),
+    order: &'j Orders<'j>,
+    local: &'j Local<'j>,
 }
 
 impl<'l, L: Link> Crew<'l, L> {
@@ -69,7 +74,7 @@ impl<'l, L: Link> Crew<'l, L> {
     ///
     /// # Errors
     /// If a job cannot be done. What is under way is still waited for, so that the workers are ready for the next order.
-    fn distribute(&self, jobs: &Jobs<'_>) -> Result<Vec<Answer>, EvaluationError> {
+    fn distribute(&self, jobs: &Jobs<'_>) -> Answers {
         let dealer = Mutex::new(Dealer::new(&jobs.costs, self.threads.iter().sum()));
         let local = jobs.local;
         std::thread::scope(|scope| {
@@ -96,12 +101,7 @@ impl<'l, L: Link> Crew<'l, L> {
 
     /// Hands out jobs and takes answers until nothing is under way on any rank, this one included. After a failure
     /// nothing more is handed out; the first failure is returned.
-    fn talk(
-        &self,
-        jobs: &Jobs<'_>,
-        dealer: &Mutex<Dealer>,
-        own: &mpsc::Receiver<(Vec<usize>, Result<Vec<Answer>, EvaluationError>)>,
-    ) -> Result<Vec<Answer>, EvaluationError> {
+    fn talk(&self, jobs: &Jobs<'_>, dealer: &Mutex<Dealer>, own: &mpsc::Receiver<(Vec<usize>, Answers)>) -> Answers {
         // The jobs that each rank does at the moment.
         let mut under_way = vec![Vec::new(); self.threads.len()];
         let hand_out = |rank: usize| {
@@ -150,7 +150,7 @@ impl<'l, L: Link> Crew<'l, L> {
     }
 
     /// Reads a worker's answers.
-    fn answers(&self, rank: usize, bytes: &[u8]) -> Result<Vec<Answer>, EvaluationError> {
+    fn answers(&self, rank: usize, bytes: &[u8]) -> Answers {
         match decode(bytes)? {
             Reply::Done { answers, steps } => {
                 self.steps.borrow_mut()[rank] = steps;

@@ -85,7 +85,7 @@ impl MotorNetwork {
         let decides = match &self.network {
             Network::Float(actor) => {
                 let policy = NetworkPolicy::new(&actor.0, actor.1.interface(), &actor.1.actor);
-                Decides::Float(policy, Discretiser::new(&self.motors))
+                Decides::Float(Box::new(policy), Discretiser::new(&self.motors))
             }
             Network::Fixed(policy) => Decides::Fixed(policy, FixedDecision::new(actions, mask, may_rest)),
         };
@@ -151,7 +151,7 @@ pub struct MotorPolicy<'a> {
 
 #[derive(Debug)]
 enum Decides<'a> {
-    Float(NetworkPolicy<'a>, Discretiser),
+    Float(Box<NetworkPolicy<'a>>, Discretiser),
     Fixed(&'a QuantisedPolicy, FixedDecision),
 }
 
