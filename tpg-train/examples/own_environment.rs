@@ -51,7 +51,7 @@ impl Environment<f32> for Cart {
 pub(crate) fn train(folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
     let config = EvolutionConfig::default();
     let evaluator = LocalThreads::<f32, Own, Cart>::new(&Cart, EngineOptions::default(), 0)?;
-    let goal = Goal { target: Some(-60.0), max_steps: None };
+    let goal = Goal { target: Some(-50.0), max_steps: None };
     let options = RunOptions { folder: folder.to_owned(), goal, ..RunOptions::default() };
     run(&config, 1, &Cart, &evaluator, &options, |_progress| ControlFlow::Continue(()))?;
 
