@@ -28,6 +28,9 @@ pub(crate) const PROFILES: [(Profile, &str); 4] = [
 /// Episodes of each policy in each profile.
 const EPISODES: u64 = 4;
 
+/// The observations of an episode.
+type Observations = Vec<Vec<f32>>;
+
 /// A graph's name in generated code and reports, and its file.
 type Named = (&'static str, &'static str);
 
@@ -95,7 +98,7 @@ fn step(graph: &Graph, seen: &[f32], memory: &mut [f32]) -> Vec<f32> {
 
 impl ClosedLoop {
     /// Runs the episodes of a policy here: a hash of every action and observation, and the observations of each episode.
-    fn run(&self, policy: &Graph) -> Result<(Hash, Vec<Vec<Vec<f32>>>), Failure> {
+    fn run(&self, policy: &Graph) -> Result<(Hash, Vec<Observations>), Failure> {
         let plant = load(self.plant.1)?;
         let mut hash = Hash::new();
         let first = policy.outputs().len() - policy.memory();

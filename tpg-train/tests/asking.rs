@@ -32,9 +32,8 @@ const ASKS: &str = r#"{
 }"#;
 
 fn config(problem: ProblemName, policy: &str) -> EvolutionConfig {
-    let mut config = EvolutionConfig::default();
-    config.problem = Problem::usual(problem).to_table();
-    config.ask = Some(AskConfig { policy: policy.to_owned(), price: 2.0, sha256: None });
+    let ask = Some(AskConfig { policy: policy.to_owned(), price: 2.0, sha256: None });
+    let mut config = EvolutionConfig { problem: Problem::usual(problem).to_table(), ask, ..EvolutionConfig::default() };
     (config.tpg.nb_roots, config.tpg.init_nb_roots, config.demes.count) = (40, 60, 1);
     config.start.share = 0.0;
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (4, 8);

@@ -34,8 +34,8 @@ impl Run {
 }
 
 fn tpg(place: &Path) -> Run {
-    let mut config = EvolutionConfig::default();
-    config.problem = Problem::usual(ProblemName::Cartpole).to_table();
+    let problem = Problem::usual(ProblemName::Cartpole).to_table();
+    let mut config = EvolutionConfig { problem, ..EvolutionConfig::default() };
     (config.tpg.nb_roots, config.tpg.init_nb_roots) = (6, 6);
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (2, 4);
     (config.selection.racing_episodes, config.selection.validation_episodes) = (0, 2);
