@@ -5,7 +5,7 @@
 //! | --- | --- |
 //! | (root) | [`Layers`] of settings, and what a run's arguments [choose](Chosen) |
 //! | [`schema`](mod@schema) | settings with their descriptions |
-//! | [`print`] | `tpg-train config` |
+//! | [`mod@print`] | `tpg-train config` |
 
 pub mod print;
 pub mod schema;

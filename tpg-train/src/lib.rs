@@ -12,13 +12,12 @@
 //! | [`targets`] | tasks over the reachable space |
 //! | [`evaluate`] | test episodes of a policy |
 //! | [`hybrid`] | a graph and a network that share a problem: settings and study |
-//! | [`interrupt`] | Ctrl-C |
 //! | [`picture`] | SVG, plots and the HTML page that contains them: the crate `tpg-picture` |
 //! | [`configuration`] | the configuration and problem that a run's arguments ask for |
-//! | [`csv_text`], [`files`] | CSV, atomic file writes |
+//! | [`files`] | atomic file writes |
 //! | [`folder`] | a run's folder: lock, checkpoints |
 //! | [`problems`] | `tpg-train problems` |
-//! | [`progress`], [`run_args`] | the progress bar and the arguments of every run |
+//! | [`run_args`] | the arguments of every run |
 //! | [`ranks`] | runs over several processes |
 //! | [`report`] | runs in one HTML file |
 

@@ -3,12 +3,7 @@
 //! | module | subject |
 //! | --- | --- |
 //! | [`agent`] | actor, critics, temperature and one update |
-//! | [`replay`] | the transitions that updates draw from |
 //! | [`interface`] | between an environment's values and a network's |
-//! | [`episode`] | a whole episode |
-//! | [`lanes`] | training episodes side by side |
-//! | [`failures`] | places where the actor fails, for episodes to begin there again |
-//! | [`policy`] | a trained actor as a policy |
 //! | [`config`], [`presets`] | the configuration of a run |
 //! | [`training`] | the loop |
 //! | [`checkpoint`] | a run under way as a file |
@@ -17,7 +12,7 @@
 //! | [`network`] | either kind of policy file, ready to act |
 //! | [`motors`] | networks of an arm's motors |
 //! | [`import`], [`foreign`] | `tpg-train import`: actors of Stable-Baselines3 and CleanRL |
-//! | [`command`], [`log`] | `tpg-train sac` and its logs |
+//! | [`command`] | `tpg-train sac` |
 
 pub mod agent;
 pub mod checkpoint;
