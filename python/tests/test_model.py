@@ -450,6 +450,7 @@ def test_a_preset_has_the_sizes_that_the_environment_needs(tmp_path: Path) -> No
         model = TPG(env, settings=settings, folder=tmp_path / str(random)).learn(2_000)
         config = json.loads(model.graph.to_json())["provenance"]["config"]
         assert config["start"]["random"] == random and config["learning"]["nb_generations"] == 0
+        assert tpg_train.Graph.load(tmp_path / str(random) / "graph.json").sha256 == model.graph.sha256
     with pytest.raises(InputError, match="the setting start.share: .*expected f64"):
         TPG(environments.Cart, settings={"start.share": "a"})
 

@@ -227,7 +227,7 @@ pub fn graph_of<S: Scalar, E: Environment<S>>(
         tool: Some("tpg-train".to_owned()),
         version: Some(env!("CARGO_PKG_VERSION").to_owned()),
         seed: Some(seed),
-        config: serde_json::to_value(config).ok(),
+        config: serde_json::to_value(config.fitted(environment)).ok(),
         scores: BTreeMap::from_iter(scores.into_iter().chain(success).chain(named)),
         note: None,
     };
