@@ -22,8 +22,10 @@ __all__ = [
     "__version__",
     "configuration",
     "evaluate_native",
+    "flat",
     "problems",
     "steps_of",
+    "success_of",
     "test_seeds",
     "train_network",
 ]
