@@ -186,7 +186,7 @@ where
 {
     let shield = problem.shield;
     let world = World::<S>::new(scalar, arm, problem);
-    let tasks = arm_tasks(arm, tpg_testing::amount(6, 12));
+    let tasks = arm_tasks(arm, 12);
     let mut ways = [0usize; 7];
     let mut steps = 0;
     for policy in &world.policies {
