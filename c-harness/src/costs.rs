@@ -40,7 +40,7 @@ impl Cost {
     }
 }
 
-/// How far figures may lie from the committed ones in a file: 2 % with other compilers.
+/// Tolerance of figures beside the committed ones in a file: 2 % with other compilers.
 pub(crate) struct Tolerance {
     file: &'static str,
     exact: bool,

@@ -38,7 +38,7 @@ struct World {
 }
 
 impl World {
-    /// Where the motors seem to be.
+    /// The measured places of the motors.
     fn reading(&self, phase: &Phase, odd: bool) -> Pose {
         let Pose(mut ticks) = self.motors;
         let joint = usize::from(phase.joint);

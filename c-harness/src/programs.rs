@@ -19,7 +19,7 @@ pub(crate) struct Program {
     check: fn(&Ran<'_>) -> Result<(), Failure>,
 }
 
-/// What a program printed under QEMU.
+/// The output of a program under QEMU.
 pub(crate) struct Ran<'a> {
     pub(crate) language: &'a str,
     pub(crate) image: &'a Path,

@@ -54,7 +54,7 @@ pub(crate) const STUCK: i32 = 13;
 pub(crate) struct Phase {
     pub(crate) steps: u16,
     pub(crate) reading: Reading,
-    /// What the reading is about.
+    /// The subject of the reading.
     pub(crate) joint: u8,
     pub(crate) amount: i16,
     pub(crate) target: Target,

@@ -1,4 +1,4 @@
-//! What the programs of the firmware share: output, counting of instructions, records of what was done.
+//! Shared parts of the firmware's programs: output, counting of instructions, records of what was done.
 
 #![no_std]
 

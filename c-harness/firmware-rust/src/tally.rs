@@ -10,7 +10,7 @@ pub struct Tally {
     pub actions: u32,
     instructions: u32,
     worst: u32,
-    /// What came of them.
+    /// Their results.
     pub hash: Hash,
 }
 

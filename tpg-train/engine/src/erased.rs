@@ -219,7 +219,7 @@ where
     }
 }
 
-/// What an extension's answer says: it is there because the environment inside has one.
+/// The reason why an extension is there: the environment inside has one.
 const EXTENDED: &str = "an environment with this extension";
 
 impl<S: Scalar, E: Environment<S>> Training<AnyTask, AnyEpisode> for Typed<S, E>

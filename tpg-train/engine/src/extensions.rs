@@ -1,4 +1,4 @@
-//! What only some environments have: tasks for training, a guard, a picture.
+//! Optional parts of an environment: tasks for training, a guard, a picture.
 
 use crate::action::{Act, Output};
 use crate::ending::Ending;
@@ -101,7 +101,7 @@ pub trait Guarded<S, Episode>: Sync {
     fn mend(&self, guard: &str, episode: &Episode, values: &mut [S]) -> bool;
 }
 
-/// What reports show of a problem's episodes beyond score and success: see [`Environment::drawn`].
+/// A picture of a problem's episodes for reports, beyond score and success: see [`Environment::drawn`].
 pub trait Drawn<Episode>: Sync {
     /// Returns the problem's own figures of some episodes.
     fn figures(&self, endings: &[Ending]) -> Map<String, Value>;

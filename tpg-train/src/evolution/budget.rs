@@ -17,7 +17,7 @@ const TOO_LATE: f64 = 0.9;
 /// The part of its budget after which a random search ends that is no better than luck.
 const TRIAL: f64 = 0.25;
 
-/// How far the search for weights has come.
+/// Progress of the search for weights.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Budget {
@@ -33,7 +33,7 @@ pub struct Budget {
     pub ended: Option<u64>,
 }
 
-/// What a generation of a search has brought.
+/// Result of a generation of a search.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Point {
     /// Number of generations of the run so far.

@@ -34,7 +34,7 @@ pub struct Search {
     samples: Vec<Vec<f64>>,
 }
 
-/// How a search finds weights.
+/// Method of a search for weights.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 enum Method {

@@ -7,7 +7,7 @@ use super::vocabulary::Vocabulary;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Ending, Moments, PolicyGraph, Preference};
 
-/// What stages know of a run.
+/// The parts of a run that stages read.
 #[derive(Clone, Copy, Debug)]
 pub struct Context<'a> {
     /// The settings.
@@ -18,7 +18,7 @@ pub struct Context<'a> {
     pub actions: u16,
     /// The action that undoes each one, if there is one.
     pub opposites: &'a [Option<u16>],
-    /// What policies are compared by.
+    /// The criterion by which policies are compared.
     pub preference: Preference,
     /// Price of a line, in the unit of the score.
     pub line_price: f64,
@@ -66,7 +66,7 @@ pub enum Episodes {
     Racing,
 }
 
-/// How the episodes of a generation ended.
+/// Results of the episodes of a generation.
 #[derive(Clone, Debug, Default)]
 pub struct Results {
     /// The endings of each candidate.
