@@ -11,13 +11,14 @@ use tpg_testing::library::top;
 const GENERAL: [&str; 4] = ["tpg-runtime", "tpg-graph", "tpg-engine", "tpg-codegen"];
 
 /// The crates that users install or link: none of them knows the shipped policies or the paper.
-const PRODUCT: [&str; 13] = [
+const PRODUCT: [&str; 14] = [
     "tpg-runtime",
     "tpg-kernels",
     "tpg-arm",
     "tpg-runtime-capi",
     "tpg-graph",
     "tpg-picture",
+    "tpg-prove",
     "tpg-codegen",
     "tpg-engine",
     "tpg-nn",
@@ -100,6 +101,12 @@ fn general_crates_know_no_arm() {
         let lines = lines_with(&crates[name].0.join("src"), &words);
         assert!(lines.is_empty(), "{name} names the arm:\n{}", lines.join("\n"));
     }
+}
+
+#[test]
+fn the_prover_shares_nothing_with_what_it_checks() {
+    let crates = crates();
+    assert!(crates["tpg-prove"].1.is_empty(), "tpg-prove depends on {:?}", crates["tpg-prove"].1);
 }
 
 #[test]

@@ -1,0 +1,159 @@
+//! Truth values: conjunctions and negation; everything else is made of them.
+
+use super::{Bool, Node, Terms};
+use std::ops::Not;
+
+impl Not for Bool {
+    type Output = Self;
+
+    fn not(self) -> Self {
+        Self(self.0 ^ 1)
+    }
+}
+
+impl Terms {
+    /// A truth value from one that is known.
+    #[must_use]
+    pub const fn known(value: bool) -> Bool {
+        if value { Self::TRUE } else { Self::FALSE }
+    }
+
+    /// Makes a truth value of a node.
+    pub(super) fn atom(&mut self, node: Node) -> Bool {
+        Bool(self.node(node) << 1)
+    }
+
+    /// The members of a conjunction; a truth value of another kind is its own only member.
+    fn conjuncts(&self, term: Bool) -> &[Bool] {
+        match self.of_bool(term) {
+            (Node::And(members), false) => members,
+            _ => &[],
+        }
+    }
+
+    /// `a && b`
+    pub fn and(&mut self, a: Bool, b: Bool) -> Bool {
+        self.all([a, b])
+    }
+
+    /// `a || b`
+    pub fn or(&mut self, a: Bool, b: Bool) -> Bool {
+        !self.all([!a, !b])
+    }
+
+    /// The disjunction of all.
+    pub fn any(&mut self, terms: impl IntoIterator<Item = Bool>) -> Bool {
+        let negated: Vec<_> = terms.into_iter().map(|term| !term).collect();
+        !self.all(negated)
+    }
+
+    /// A choice between two truth values.
+    pub fn choose(&mut self, condition: Bool, a: Bool, b: Bool) -> Bool {
+        if a == b {
+            return a;
+        }
+        let first = self.and(condition, a);
+        let second = self.and(!condition, b);
+        self.or(first, second)
+    }
+
+    /// The conjunction of all.
+    pub fn all(&mut self, terms: impl IntoIterator<Item = Bool>) -> Bool {
+        let mut members = Vec::new();
+        for term in terms {
+            if term == Self::TRUE {
+                continue;
+            }
+            let inner = self.conjuncts(term);
+            if inner.is_empty() { members.push(term) } else { members.extend_from_slice(inner) }
+        }
+        loop {
+            members.sort_unstable();
+            members.dedup();
+            // Negations are neighbours: they differ in the lowest bit.
+            if members.contains(&Self::FALSE) || members.windows(2).any(|pair| pair[0] == !pair[1]) {
+                return Self::FALSE;
+            }
+            match self.shortened(&members) {
+                Some(shorter) => members = shorter,
+                None => break,
+            }
+        }
+        match members[..] {
+            [] => Self::TRUE,
+            [only] => only,
+            _ => self.atom(Node::And(members.into())),
+        }
+    }
+
+    /// The members without what the others decide: `a && !(a && b)` is `a && !b`, and `!(c && a) && !(c && !a)` is `!c`.
+    fn shortened(&mut self, members: &[Bool]) -> Option<Vec<Bool>> {
+        for (at, &member) in members.iter().enumerate() {
+            let inner = self.conjuncts(!member).to_vec();
+            if inner.is_empty() {
+                continue;
+            }
+            let has = |term: &Bool| members.binary_search(term).is_ok();
+            if inner.iter().any(|&term| has(&!term)) {
+                return Some([&members[..at], &members[at + 1..]].concat());
+            }
+            if inner.iter().any(has) {
+                let rest: Vec<_> = inner.into_iter().filter(|term| !has(term)).collect();
+                let mut shorter = [&members[..at], &members[at + 1..]].concat();
+                shorter.push(!self.all(rest));
+                return Some(self.flattened(shorter));
+            }
+            for (offset, &other) in members[at + 1..].iter().enumerate() {
+                let Some(common) = self.without_case(&inner, self.conjuncts(!other)) else { continue };
+                let mut shorter = members.to_vec();
+                shorter.remove(at + 1 + offset);
+                shorter.remove(at);
+                shorter.push(!self.all(common));
+                return Some(self.flattened(shorter));
+            }
+        }
+        None
+    }
+
+    fn flattened(&self, members: Vec<Bool>) -> Vec<Bool> {
+        let mut flat = Vec::new();
+        for member in members {
+            let inner = self.conjuncts(member);
+            if inner.is_empty() { flat.push(member) } else { flat.extend_from_slice(inner) }
+        }
+        flat.retain(|&member| member != Self::TRUE);
+        flat
+    }
+
+    /// What two conjunctions share, if they differ in one member, which the other negates.
+    fn without_case(&self, a: &[Bool], b: &[Bool]) -> Option<Vec<Bool>> {
+        if a.len() != b.len() {
+            return None;
+        }
+        let mut more = a.iter().filter(|term| !b.contains(term));
+        let (only, none) = (more.next()?, more.next());
+        (none.is_none() && b.contains(&!*only)).then(|| a.iter().filter(|&term| term != only).copied().collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Terms;
+
+    #[test]
+    fn conjunctions_are_simplified() {
+        let mut terms = Terms::new();
+        let [x, y, z] = [0, 1, 2].map(|index| {
+            let (source, zero) = (terms.source(index), terms.constant(0.0));
+            terms.at_most(source, zero)
+        });
+        let both = terms.and(x, y);
+        assert_eq!(terms.and(x, !both), terms.and(x, !y));
+        assert_eq!(terms.and(both, !x), Terms::FALSE);
+        assert_eq!(terms.or(x, !x), Terms::TRUE);
+        let (with, without) = (terms.and(z, x), terms.and(z, !x));
+        assert_eq!(terms.or(with, without), z);
+        assert_eq!(terms.choose(x, y, y), y);
+        assert_eq!(terms.choose(x, Terms::TRUE, Terms::FALSE), x);
+    }
+}

@@ -1,0 +1,137 @@
+//! Exact evaluation of terms for one state.
+
+use super::float::rounded;
+use super::rank::{NAN, NEGATIVE_ZERO, is_nan_bits, rank};
+use super::word::{computed, holds};
+use super::{Bool, Float, Node, Terms, Word};
+
+/// Evaluates terms of one table, state after state. Values of inner nodes are kept for the state that they were computed for.
+#[derive(Debug, Default)]
+pub struct Evaluator {
+    values: Vec<(u32, u64)>,
+    round: u32,
+    state: Vec<u32>,
+}
+
+impl Evaluator {
+    /// Makes an evaluator for a state, given as bits.
+    #[must_use]
+    pub fn new(state: &[u32]) -> Self {
+        let mut evaluator = Self::default();
+        evaluator.set(state);
+        evaluator
+    }
+
+    /// Goes on with another state.
+    pub fn set(&mut self, state: &[u32]) {
+        self.round += 1;
+        self.state = state.iter().map(|&bits| if is_nan_bits(bits) { NAN } else { bits }).collect();
+    }
+
+    /// A truth value.
+    pub fn truth(&mut self, terms: &Terms, term: Bool) -> bool {
+        (self.value(terms, term.0 >> 1) != 0) != (term.0 & 1 == 1)
+    }
+
+    /// The bits of a float; those of every NaN are [`NAN`].
+    pub fn bits(&mut self, terms: &Terms, term: Float) -> u32 {
+        self.value(terms, term.0) as u32
+    }
+
+    /// A word.
+    pub fn word(&mut self, terms: &Terms, term: Word) -> u64 {
+        self.value(terms, term.0)
+    }
+
+    fn value(&mut self, terms: &Terms, at: u32) -> u64 {
+        if let Some(&(round, value)) = self.values.get(at as usize)
+            && round == self.round
+        {
+            return value;
+        }
+        let value = self.computed(terms, &terms.nodes[at as usize]);
+        if self.values.len() <= at as usize {
+            self.values.resize(terms.count(), (0, 0));
+        }
+        self.values[at as usize] = (self.round, value);
+        value
+    }
+
+    fn computed(&mut self, terms: &Terms, node: &Node) -> u64 {
+        let canonical = |bits: u32| u64::from(if is_nan_bits(bits) { NAN } else { bits });
+        match *node {
+            Node::True => 1,
+            Node::And(ref members) => u64::from(members.iter().all(|&member| self.truth(terms, member))),
+            Node::AtMost(a, b) => u64::from(rank(self.bits(terms, a)) <= rank(self.bits(terms, b))),
+            Node::IsNegativeZero(a) => u64::from(self.bits(terms, a) == NEGATIVE_ZERO),
+            // every NaN is evaluated as a positive one
+            Node::IsNegativeNan(_) => 0,
+            Node::Within(word, ref set) => {
+                let word = self.word(terms, word);
+                u64::from(holds(set, word))
+            }
+            Node::Below(signed, width, a, b) => {
+                let (a, b) = (self.word(terms, a), self.word(terms, b));
+                u64::from(if signed { width.signed(a) < width.signed(b) } else { a < b })
+            }
+            Node::Constant(bits) => u64::from(bits),
+            Node::Source(index) => u64::from(self.state.get(index as usize).copied().unwrap_or_default()),
+            Node::Unknown(_) => u64::from(NAN),
+            Node::Arithmetic(operation, a, b) => {
+                let [a, b] = [a, b].map(|term| f32::from_bits(self.bits(terms, term)));
+                canonical(rounded(operation, a, b).to_bits())
+            }
+            Node::Negative(a) => canonical(self.bits(terms, a) ^ NEGATIVE_ZERO),
+            Node::Magnitude(a) => canonical(self.bits(terms, a) & !NEGATIVE_ZERO),
+            Node::FloatIf(condition, a, b) => {
+                let side = if self.truth(terms, condition) { a } else { b };
+                u64::from(self.bits(terms, side))
+            }
+            Node::OfBits(word) => canonical(self.word(terms, word) as u32),
+            Node::OfInteger(signed, word) => {
+                let number = self.word(terms, word) as u32;
+                u64::from(if signed { number as i32 as f32 } else { number as f32 }.to_bits())
+            }
+            Node::Number(number) => number,
+            Node::WordIf(condition, a, b) => {
+                let side = if self.truth(terms, condition) { a } else { b };
+                self.word(terms, side)
+            }
+            Node::Bits(a) => u64::from(self.bits(terms, a)),
+            Node::Truncated(a) => u64::from(f32::from_bits(self.bits(terms, a)) as i32 as u32),
+            Node::Apply(operator, width, a, b) => {
+                let (a, b) = (self.word(terms, a), self.word(terms, b));
+                computed(operator, width, a, b)
+            }
+            Node::Element(ref table, index) => {
+                let index = self.word(terms, index);
+                usize::try_from(index).ok().and_then(|index| table.get(index)).copied().unwrap_or_default()
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Operator, Terms, Width};
+    use super::Evaluator;
+
+    #[test]
+    fn evaluates_what_was_built() {
+        let mut terms = Terms::new();
+        let (x, y) = (terms.source(0), terms.source(1));
+        let (smaller, sum) = (terms.minimum(x, y), terms.add(x, y));
+        let bits = terms.bits(sum);
+        let one = terms.number(1);
+        let word = terms.apply(Operator::Subtract, Width::W32, bits, one);
+        for (a, b) in [(1.0, 2.5), (f32::NAN, 1.0), (f32::INFINITY, f32::NEG_INFINITY), (-0.0, 0.0)] {
+            let mut evaluator = Evaluator::new(&[f32::to_bits(a), f32::to_bits(b)]);
+            let expected = if a < b { a } else { b };
+            let got = f32::from_bits(evaluator.bits(&terms, smaller));
+            assert!(got.to_bits() == expected.to_bits() || got.is_nan() && expected.is_nan(), "{a} {b} {got}");
+            if !(a + b).is_nan() {
+                assert_eq!(evaluator.word(&terms, word), u64::from((a + b).to_bits().wrapping_sub(1)));
+            }
+        }
+    }
+}

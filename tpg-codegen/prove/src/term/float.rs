@@ -1,0 +1,366 @@
+//! Floats: constants, sources and operations, each rounded once.
+
+use super::rank::{NAN, NEGATIVE_ZERO, is_nan_bits};
+use super::{Arithmetic, Bool, Float, Node, Terms};
+use std::rc::Rc;
+
+/// Operations go into choices of at most so many values together.
+const LIFTED: usize = 8;
+/// The bits of 1.
+const ONE: u32 = 0x3f80_0000;
+
+impl Terms {
+    /// A constant by its bits.
+    pub fn constant_bits(&mut self, bits: u32) -> Float {
+        Float(self.node(Node::Constant(if is_nan_bits(bits) { NAN } else { bits })))
+    }
+
+    /// A constant.
+    pub fn constant(&mut self, value: f32) -> Float {
+        self.constant_bits(value.to_bits())
+    }
+
+    /// A value of the state.
+    pub fn source(&mut self, index: u32) -> Float {
+        Float(self.node(Node::Source(index)))
+    }
+
+    /// A new value of which nothing is known.
+    pub fn unknown(&mut self) -> Float {
+        self.unknowns += 1;
+        Float(self.node(Node::Unknown(self.unknowns)))
+    }
+
+    /// The bits of a constant.
+    #[must_use]
+    pub fn bits_of(&self, term: Float) -> Option<u32> {
+        match *self.of_float(term) {
+            Node::Constant(bits) => Some(bits),
+            _ => None,
+        }
+    }
+
+    /// `a + b`
+    pub fn add(&mut self, a: Float, b: Float) -> Float {
+        self.arithmetic(Arithmetic::Add, a, b)
+    }
+
+    /// `a - b`
+    pub fn subtract(&mut self, a: Float, b: Float) -> Float {
+        self.uses("x - y = x + (-y)");
+        let negated = self.negate(b);
+        self.arithmetic(Arithmetic::Add, a, negated)
+    }
+
+    /// `a * b`
+    pub fn multiply(&mut self, a: Float, b: Float) -> Float {
+        self.arithmetic(Arithmetic::Multiply, a, b)
+    }
+
+    /// `a / b`
+    pub fn divide(&mut self, a: Float, b: Float) -> Float {
+        self.arithmetic(Arithmetic::Divide, a, b)
+    }
+
+    /// `fmod(a, b)`
+    pub fn remainder(&mut self, a: Float, b: Float) -> Float {
+        self.arithmetic(Arithmetic::Remainder, a, b)
+    }
+
+    /// `a < b ? a : b`
+    pub fn minimum(&mut self, a: Float, b: Float) -> Float {
+        let less = self.less(a, b);
+        self.choose_float(less, a, b)
+    }
+
+    /// `a > b ? a : b`
+    pub fn maximum(&mut self, a: Float, b: Float) -> Float {
+        let less = self.less(b, a);
+        self.choose_float(less, a, b)
+    }
+
+    /// `value >= low ? (value > high ? high : value) : value < low ? low : nan`
+    pub fn clamp(&mut self, value: Float, [low, high, nan]: [Float; 3]) -> Float {
+        let (reaches, above, below) = (self.less_or_equal(low, value), self.less(high, value), self.less(value, low));
+        let (limited, otherwise) = (self.choose_float(above, high, value), self.choose_float(below, low, nan));
+        self.choose_float(reaches, limited, otherwise)
+    }
+
+    /// A choice between two floats.
+    pub fn choose_float(&mut self, condition: Bool, a: Float, b: Float) -> Float {
+        if condition == Self::TRUE || a == b {
+            return a;
+        }
+        if condition == Self::FALSE {
+            return b;
+        }
+        if condition.0 & 1 == 1 {
+            return self.choose_float(!condition, b, a);
+        }
+        let (a, b) = (self.given(a, condition), self.given(b, !condition));
+        if a == b { a } else { Float(self.node(Node::FloatIf(condition, a, b))) }
+    }
+
+    /// A float where a condition holds: choices by that condition are made.
+    fn given(&self, mut term: Float, condition: Bool) -> Float {
+        while let &Node::FloatIf(of, a, b) = self.of_float(term) {
+            if of == condition {
+                term = a;
+            } else if of == !condition {
+                term = b;
+            } else {
+                break;
+            }
+        }
+        term
+    }
+
+    /// `-a`
+    pub fn negate(&mut self, a: Float) -> Float {
+        match *self.of_float(a) {
+            Node::Constant(bits) => self.constant_bits(bits ^ NEGATIVE_ZERO),
+            Node::Negative(inner) => inner,
+            Node::FloatIf(condition, x, y) => {
+                let (x, y) = (self.negate(x), self.negate(y));
+                self.choose_float(condition, x, y)
+            }
+            Node::Arithmetic(operation @ (Arithmetic::Multiply | Arithmetic::Divide), x, y) => {
+                if let Some(bits) = self.bits_of(x) {
+                    let x = self.constant_bits(bits ^ NEGATIVE_ZERO);
+                    self.arithmetic(operation, x, y)
+                } else if let Some(bits) = self.bits_of(y) {
+                    let y = self.constant_bits(bits ^ NEGATIVE_ZERO);
+                    self.arithmetic(operation, x, y)
+                } else {
+                    Float(self.node(Node::Negative(a)))
+                }
+            }
+            _ => Float(self.node(Node::Negative(a))),
+        }
+    }
+
+    /// `|a|`
+    pub fn magnitude(&mut self, a: Float) -> Float {
+        let a = self.zero_free(a);
+        match *self.of_float(a) {
+            Node::Constant(bits) => self.constant_bits(bits & !NEGATIVE_ZERO),
+            Node::Magnitude(_) => a,
+            Node::Negative(inner) => self.magnitude(inner),
+            Node::FloatIf(condition, x, y) => {
+                let (x, y) = (self.magnitude(x), self.magnitude(y));
+                self.choose_float(condition, x, y)
+            }
+            _ => Float(self.node(Node::Magnitude(a))),
+        }
+    }
+
+    /// A rounded operation.
+    pub fn arithmetic(&mut self, operation: Arithmetic, a: Float, b: Float) -> Float {
+        if let Some(lifted) = self.lifted(operation, a, b) {
+            return lifted;
+        }
+        let (x, y) = (self.bits_of(a), self.bits_of(b));
+        if let (Some(x), Some(y)) = (x, y) {
+            return self.constant(rounded(operation, f32::from_bits(x), f32::from_bits(y)));
+        }
+        if x.or(y).is_some_and(is_nan_bits) {
+            return self.constant_bits(NAN);
+        }
+        match operation {
+            Arithmetic::Add => self.sum(a, b),
+            Arithmetic::Multiply | Arithmetic::Divide => self.product(operation, a, b),
+            Arithmetic::Remainder => Float(self.node(Node::Arithmetic(operation, a, b))),
+        }
+    }
+
+    /// An operation of choices of few values as a choice of operations.
+    fn lifted(&mut self, operation: Arithmetic, a: Float, b: Float) -> Option<Float> {
+        let ((&Node::FloatIf(condition, ..), _) | (_, &Node::FloatIf(condition, ..))) =
+            (self.of_float(a), self.of_float(b))
+        else {
+            return None;
+        };
+        let (first, second) = (self.float_leaves(a).len(), self.float_leaves(b).len());
+        let same =
+            matches!((self.of_float(a), self.of_float(b)), (Node::FloatIf(x, ..), Node::FloatIf(y, ..)) if x == y);
+        if !same && first * second > LIFTED {
+            return None;
+        }
+        let sides = [condition, !condition].map(|side| {
+            let inner = |terms: &Self, term| match *terms.of_float(term) {
+                Node::FloatIf(of, x, y) if of == condition => terms.given(if side == condition { x } else { y }, side),
+                _ => terms.given(term, side),
+            };
+            (inner(self, a), inner(self, b))
+        });
+        let [x, y] = sides.map(|(a, b)| self.arithmetic(operation, a, b));
+        Some(self.choose_float(condition, x, y))
+    }
+
+    fn sum(&mut self, mut a: Float, mut b: Float) -> Float {
+        let nonzero = |bits: Option<u32>| bits.is_some_and(|bits| bits & !NEGATIVE_ZERO != 0);
+        let (x, y) = (self.bits_of(a), self.bits_of(b));
+        if x == Some(NEGATIVE_ZERO) || y == Some(NEGATIVE_ZERO) {
+            self.uses("x + (-0) = x");
+            return if x == Some(NEGATIVE_ZERO) { b } else { a };
+        }
+        // the sign of a zero makes no difference to a sum with what is not zero
+        if nonzero(y) {
+            a = self.zero_free(a);
+        }
+        if nonzero(x) {
+            b = self.zero_free(b);
+        }
+        self.commuted(Arithmetic::Add, a, b)
+    }
+
+    fn commuted(&mut self, operation: Arithmetic, a: Float, b: Float) -> Float {
+        if a > b {
+            self.uses("x + y = y + x, x * y = y * x");
+        }
+        Float(self.node(Node::Arithmetic(operation, a.min(b), a.max(b))))
+    }
+
+    fn product(&mut self, operation: Arithmetic, a: Float, b: Float) -> Float {
+        let multiplies = operation == Arithmetic::Multiply;
+        for (negated, other, first) in [(a, b, true), (b, a, false)] {
+            if let Node::Negative(inner) = *self.of_float(negated) {
+                self.uses("(-x) * y = -(x * y), x / (-y) = -(x / y)");
+                let (a, b) = if first { (inner, other) } else { (other, inner) };
+                let positive = self.arithmetic(operation, a, b);
+                return self.negate(positive);
+            }
+        }
+        if self.bits_of(b) == Some(ONE) || multiplies && self.bits_of(a) == Some(ONE) {
+            self.uses("x * 1 = x, x / 1 = x");
+            return if self.bits_of(b) == Some(ONE) { a } else { b };
+        }
+        if multiplies {
+            return self.commuted(operation, a, b);
+        }
+        if let Some(reciprocal) = self.bits_of(b).and_then(exact_reciprocal) {
+            self.uses("x / 2^k = x * 2^-k");
+            let factor = self.constant_bits(reciprocal);
+            return self.arithmetic(Arithmetic::Multiply, a, factor);
+        }
+        Float(self.node(Node::Arithmetic(operation, a, b)))
+    }
+
+    /// A term that equals another up to the sign of a zero, which comparisons do not see.
+    pub fn zero_free(&mut self, term: Float) -> Float {
+        if let Some(&known) = self.zero_free.get(&term) {
+            return known;
+        }
+        let result = match *self.of_float(term) {
+            Node::Constant(NEGATIVE_ZERO) => self.constant_bits(0),
+            Node::FloatIf(condition, a, b) => {
+                let (a, b) = (self.zero_free(a), self.zero_free(b));
+                self.choose_float(condition, a, b)
+            }
+            Node::Arithmetic(Arithmetic::Add, a, b) => {
+                let (a, b) = (self.zero_free(a), self.zero_free(b));
+                if self.bits_of(a) == Some(0) || self.bits_of(b) == Some(0) {
+                    self.uses("0 + x is x but for the sign of zero");
+                    if self.bits_of(a) == Some(0) { b } else { a }
+                } else {
+                    self.add(a, b)
+                }
+            }
+            Node::Arithmetic(Arithmetic::Multiply, a, b) => {
+                let (a, b) = (self.zero_free(a), self.zero_free(b));
+                self.multiply(a, b)
+            }
+            Node::Arithmetic(operation, a, b) => {
+                let a = self.zero_free(a);
+                self.arithmetic(operation, a, b)
+            }
+            Node::Negative(a) => {
+                let a = self.zero_free(a);
+                self.negate(a)
+            }
+            _ => term,
+        };
+        self.zero_free.insert(term, result);
+        self.zero_free.entry(result).or_insert(result);
+        result
+    }
+
+    /// The values of a choice, itself if it is none. Counts no further than is of interest.
+    pub(super) fn float_leaves(&mut self, term: Float) -> Rc<[u32]> {
+        let &Node::FloatIf(_, a, b) = self.of_float(term) else { return Rc::new([term.0]) };
+        if let Some(known) = self.leaves.get(&term.0) {
+            return known.clone();
+        }
+        let (a, b) = (self.float_leaves(a), self.float_leaves(b));
+        let leaves = joined(&a, &b);
+        self.leaves.insert(term.0, leaves.clone());
+        leaves
+    }
+}
+
+/// The union of two sets of leaves, cut where it is larger than any limit.
+pub(super) fn joined(a: &[u32], b: &[u32]) -> Rc<[u32]> {
+    let mut all: Vec<_> = a.iter().chain(b).copied().collect();
+    all.sort_unstable();
+    all.dedup();
+    all.truncate(1 << 12);
+    all.into()
+}
+
+/// An operation on numbers, rounded once.
+pub(super) fn rounded(operation: Arithmetic, a: f32, b: f32) -> f32 {
+    match operation {
+        Arithmetic::Add => a + b,
+        Arithmetic::Multiply => a * b,
+        Arithmetic::Divide => a / b,
+        Arithmetic::Remainder => a % b,
+    }
+}
+
+/// The reciprocal of a power of two that has an exact one that is normal.
+fn exact_reciprocal(bits: u32) -> Option<u32> {
+    let exponent = bits >> 23 & 255;
+    (bits & 0x007f_ffff == 0 && (1..=253).contains(&exponent)).then_some(bits & NEGATIVE_ZERO | (254 - exponent) << 23)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Terms;
+
+    #[test]
+    fn identities_give_one_node() {
+        let mut terms = Terms::new();
+        let (x, y, zero) = (terms.source(0), terms.source(1), terms.constant(0.0));
+        assert_eq!(terms.add(x, y), terms.add(y, x));
+        let (difference, negated) = (terms.subtract(x, y), terms.negate(y));
+        assert_eq!(difference, terms.add(x, negated));
+        assert_eq!(terms.subtract(x, zero), x);
+        let (eight, eighth) = (terms.constant(8.0), terms.constant(0.125));
+        assert_eq!(terms.divide(x, eight), terms.multiply(x, eighth));
+        let product = terms.multiply(negated, x);
+        let positive = terms.multiply(x, y);
+        assert_eq!(product, terms.negate(positive));
+    }
+
+    #[test]
+    fn a_zero_that_is_added_matters_to_signs_only() {
+        let mut terms = Terms::new();
+        let (x, y, zero) = (terms.source(0), terms.source(1), terms.constant(0.0));
+        let sum = terms.add(x, zero);
+        assert_ne!(sum, x);
+        assert_eq!(terms.less(sum, y), terms.less(x, y));
+        assert_ne!(terms.divide(y, sum), terms.divide(y, x));
+        let five = terms.constant(5.0);
+        assert_eq!(terms.add(sum, five), terms.add(x, five));
+    }
+
+    #[test]
+    fn operations_go_into_small_choices() {
+        let mut terms = Terms::new();
+        let (x, y) = (terms.source(0), terms.source(1));
+        let (smaller, two) = (terms.minimum(x, y), terms.constant(2.0));
+        let (outside, less) = (terms.multiply(smaller, two), terms.less(x, y));
+        let (first, second) = (terms.multiply(x, two), terms.multiply(y, two));
+        assert_eq!(outside, terms.choose_float(less, first, second));
+    }
+}

@@ -1,0 +1,218 @@
+//! Hash-consed terms over binary32 values, truth values and machine words. Both sides of a proof are built in one [`Terms`]: equal
+//! nodes are proven equal.
+//!
+//! Constructors simplify. Every rule they apply holds for all bit patterns; the rules that are more than definitions are counted
+//! by name, see [`Terms::lemmas`]. NaN is one value: its sign and payload are not part of any answer, and a condition that depends
+//! on them stays an atom that nothing decides.
+
+mod boolean;
+mod compare;
+mod evaluate;
+mod float;
+mod rank;
+mod word;
+
+pub use evaluate::Evaluator;
+pub use rank::{INFINITY, NAN, NEGATIVE_ZERO, is_nan_bits, next_above, next_below, rank};
+
+use std::collections::{BTreeMap, HashMap};
+use std::rc::Rc;
+
+/// A truth value. Its lowest bit negates the node that the others name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Bool(u32);
+
+/// A binary32 value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Float(u32);
+
+/// A machine word of 32 or 64 bits; narrower integers are words whose upper bits are 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Word(u32);
+
+/// An operation of two floats that is rounded once. A difference is a sum with a negated operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Arithmetic {
+    /// `a + b`
+    Add,
+    /// `a * b`
+    Multiply,
+    /// `a / b`
+    Divide,
+    /// `fmod(a, b)`, exact
+    Remainder,
+}
+
+/// An operation of two words, modulo 2^width.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Operator {
+    /// `a + b`
+    Add,
+    /// `a - b`
+    Subtract,
+    /// `a * b`
+    Multiply,
+    /// Unsigned `a / b`; 0 where `b` is 0, as ARM's `udiv`
+    Divide,
+    /// Unsigned `a % b`; `a` where `b` is 0
+    Modulo,
+    /// `a & b`
+    And,
+    /// `a | b`
+    Or,
+    /// `a ^ b`
+    Xor,
+    /// `a << b`, 0 for shifts of the width or more
+    ShiftLeft,
+    /// `a >> b` of unsigned numbers, 0 for shifts of the width or more
+    ShiftRight,
+    /// `a >> b` of signed numbers, the sign for shifts of the width or more
+    ShiftArithmetic,
+}
+
+/// A width of words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Width {
+    /// 32 bits
+    W32,
+    /// 64 bits
+    W64,
+}
+
+/// A sorted list of disjoint closed intervals of unsigned numbers.
+pub type Set = Rc<[(u64, u64)]>;
+
+/// A node of the table. Only the constructors of [`Terms`] make nodes.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// The truth value *true*
+    True,
+    /// A conjunction of at least two, sorted
+    And(Rc<[Bool]>),
+    /// The first ranks at most as high as the second, see [`rank`]: NaN ranks below minus infinity, both zeros rank equal
+    AtMost(Float, Float),
+    /// Negative zero; an atom that the order of floats does not see
+    IsNegativeZero(Float),
+    /// NaN with its sign bit set; an atom that nothing decides
+    IsNegativeNan(Float),
+    /// A word in a set of numbers
+    Within(Word, Set),
+    /// The first word is below the second, as unsigned or signed numbers
+    Below(bool, Width, Word, Word),
+    /// A number by its bits; NaN is always [`NAN`]
+    Constant(u32),
+    /// A value of the state, by its index
+    Source(u32),
+    /// A value of which nothing is known; equal only to itself
+    Unknown(u32),
+    /// A rounded operation
+    Arithmetic(Arithmetic, Float, Float),
+    /// `-a`
+    Negative(Float),
+    /// `|a|`
+    Magnitude(Float),
+    /// A choice between two floats
+    FloatIf(Bool, Float, Float),
+    /// The float with these 32 bits
+    OfBits(Word),
+    /// An integer rounded to binary32; of a signed or an unsigned 32-bit number
+    OfInteger(bool, Word),
+    /// A constant word
+    Number(u64),
+    /// A choice between two words
+    WordIf(Bool, Word, Word),
+    /// The bits of a float
+    Bits(Float),
+    /// A float truncated to a signed 32-bit number. Saturates as ARM's `vcvt`; C defines only what fits
+    Truncated(Float),
+    /// An operation of words
+    Apply(Operator, Width, Word, Word),
+    /// An element of a constant table
+    Element(Rc<[u64]>, Word),
+}
+
+/// The table of terms.
+#[derive(Debug)]
+pub struct Terms {
+    nodes: Vec<Node>,
+    index: HashMap<Node, u32>,
+    lemmas: BTreeMap<&'static str, u64>,
+    at_most: HashMap<(Float, Float), Bool>,
+    zero_free: HashMap<Float, Float>,
+    leaves: HashMap<u32, Rc<[u32]>>,
+    unknowns: u32,
+}
+
+impl Default for Terms {
+    fn default() -> Self {
+        let mut terms = Self {
+            nodes: Vec::new(),
+            index: HashMap::new(),
+            lemmas: BTreeMap::new(),
+            at_most: HashMap::new(),
+            zero_free: HashMap::new(),
+            leaves: HashMap::new(),
+            unknowns: 0,
+        };
+        terms.node(Node::True);
+        terms
+    }
+}
+
+impl Terms {
+    /// The truth value *true*.
+    pub const TRUE: Bool = Bool(0);
+    /// The truth value *false*.
+    pub const FALSE: Bool = Bool(1);
+
+    /// Makes an empty table.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    fn node(&mut self, node: Node) -> u32 {
+        if let Some(&at) = self.index.get(&node) {
+            return at;
+        }
+        let at = u32::try_from(self.nodes.len()).unwrap_or(u32::MAX);
+        assert!(at < u32::MAX / 2, "the table of terms is full");
+        self.nodes.push(node.clone());
+        self.index.insert(node, at);
+        at
+    }
+
+    fn uses(&mut self, lemma: &'static str) {
+        *self.lemmas.entry(lemma).or_default() += 1;
+    }
+
+    /// The rules that were applied, with how often each was.
+    #[must_use]
+    pub fn lemmas(&self) -> &BTreeMap<&'static str, u64> {
+        &self.lemmas
+    }
+
+    /// The number of nodes.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// The node of a truth value, and whether the value is its negation.
+    #[must_use]
+    pub fn of_bool(&self, term: Bool) -> (&Node, bool) {
+        (&self.nodes[(term.0 >> 1) as usize], term.0 & 1 == 1)
+    }
+
+    /// The node of a float.
+    #[must_use]
+    pub fn of_float(&self, term: Float) -> &Node {
+        &self.nodes[term.0 as usize]
+    }
+
+    /// The node of a word.
+    #[must_use]
+    pub fn of_word(&self, term: Word) -> &Node {
+        &self.nodes[term.0 as usize]
+    }
+}

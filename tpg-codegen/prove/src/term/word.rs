@@ -1,0 +1,638 @@
+//! Machine words. Those that hold few numbers are choices of constants; the bits of floats are taken apart only as far as the order
+//! of floats goes.
+
+use super::float::joined;
+use super::rank::{INFINITY, NEGATIVE_ZERO, is_nan_bits};
+use super::{Arithmetic, Bool, Float, Node, Operator, Terms, Width, Word};
+use std::rc::Rc;
+
+/// Operations go into choices of at most so many words, if not all are constants.
+const LIFTED: usize = 8;
+/// Operations of two choices of constants go into both if there are at most so many pairs.
+const PAIRS: usize = 4096;
+
+impl Width {
+    /// The number of bits.
+    #[must_use]
+    pub const fn bits(self) -> u32 {
+        match self {
+            Self::W32 => 32,
+            Self::W64 => 64,
+        }
+    }
+
+    /// The largest number.
+    #[must_use]
+    pub const fn mask(self) -> u64 {
+        match self {
+            Self::W32 => 0xffff_ffff,
+            Self::W64 => u64::MAX,
+        }
+    }
+
+    pub(super) const fn signed(self, number: u64) -> i64 {
+        match self {
+            Self::W32 => number as u32 as i32 as i64,
+            Self::W64 => number as i64,
+        }
+    }
+}
+
+/// An operation on numbers.
+pub(super) fn computed(operator: Operator, width: Width, a: u64, b: u64) -> u64 {
+    let wide = b >= u64::from(width.bits());
+    let result = match operator {
+        Operator::Add => a.wrapping_add(b),
+        Operator::Subtract => a.wrapping_sub(b),
+        Operator::Multiply => a.wrapping_mul(b),
+        Operator::Divide => a.checked_div(b).unwrap_or(0),
+        Operator::Modulo => a.checked_rem(b).unwrap_or(a),
+        Operator::And => a & b,
+        Operator::Or => a | b,
+        Operator::Xor => a ^ b,
+        Operator::ShiftLeft => {
+            if wide {
+                0
+            } else {
+                a << b
+            }
+        }
+        Operator::ShiftRight => {
+            if wide {
+                0
+            } else {
+                (a & width.mask()) >> b
+            }
+        }
+        Operator::ShiftArithmetic => (width.signed(a) >> b.min(u64::from(width.bits()) - 1)) as u64,
+    };
+    result & width.mask()
+}
+
+impl Terms {
+    /// A constant word.
+    pub fn number(&mut self, number: u64) -> Word {
+        Word(self.node(Node::Number(number)))
+    }
+
+    /// The number of a constant word.
+    #[must_use]
+    pub fn number_of(&self, word: Word) -> Option<u64> {
+        match *self.of_word(word) {
+            Node::Number(number) => Some(number),
+            _ => None,
+        }
+    }
+
+    /// 1 where the condition holds, else 0.
+    pub fn word_of(&mut self, condition: Bool) -> Word {
+        let (one, zero) = (self.number(1), self.number(0));
+        self.choose_word(condition, one, zero)
+    }
+
+    /// A choice between two words.
+    pub fn choose_word(&mut self, condition: Bool, a: Word, b: Word) -> Word {
+        if condition == Self::TRUE || a == b {
+            return a;
+        }
+        if condition == Self::FALSE {
+            return b;
+        }
+        if condition.0 & 1 == 1 {
+            return self.choose_word(!condition, b, a);
+        }
+        let given = |mut word, side: Bool| {
+            while let &Node::WordIf(of, x, y) = self.of_word(word) {
+                if of == side {
+                    word = x
+                } else if of == !side {
+                    word = y
+                } else {
+                    break;
+                }
+            }
+            word
+        };
+        let (a, b) = (given(a, condition), given(b, !condition));
+        if a == b { a } else { Word(self.node(Node::WordIf(condition, a, b))) }
+    }
+
+    /// The numbers that a word can be, if it is a constant or a choice of constants. Sorted.
+    #[must_use]
+    pub fn numbers(&mut self, word: Word) -> Option<Vec<u64>> {
+        let leaves = self.word_leaves(word);
+        let mut numbers = leaves.iter().map(|&leaf| self.number_of(Word(leaf))).collect::<Option<Vec<_>>>()?;
+        numbers.sort_unstable();
+        numbers.dedup();
+        Some(numbers)
+    }
+
+    fn word_leaves(&mut self, word: Word) -> Rc<[u32]> {
+        let &Node::WordIf(_, a, b) = self.of_word(word) else { return Rc::new([word.0]) };
+        if let Some(known) = self.leaves.get(&word.0) {
+            return known.clone();
+        }
+        let (a, b) = (self.word_leaves(a), self.word_leaves(b));
+        let leaves = joined(&a, &b);
+        self.leaves.insert(word.0, leaves.clone());
+        leaves
+    }
+
+    /// The bits of a float.
+    pub fn bits(&mut self, float: Float) -> Word {
+        match *self.of_float(float) {
+            Node::OfBits(word) => word,
+            // the bits of a NaN are unknown
+            Node::Constant(bits) if !is_nan_bits(bits) => self.number(u64::from(bits)),
+            Node::FloatIf(condition, a, b) => {
+                let (a, b) = (self.bits(a), self.bits(b));
+                self.choose_word(condition, a, b)
+            }
+            _ => Word(self.node(Node::Bits(float))),
+        }
+    }
+
+    /// The float with these bits, of 32.
+    pub fn of_bits(&mut self, word: Word) -> Float {
+        match *self.of_word(word) {
+            Node::Bits(float) => float,
+            Node::Number(bits) => self.constant_bits(bits as u32),
+            Node::WordIf(condition, a, b) => {
+                let (a, b) = (self.of_bits(a), self.of_bits(b));
+                self.choose_float(condition, a, b)
+            }
+            _ => Float(self.node(Node::OfBits(word))),
+        }
+    }
+
+    /// A 32-bit integer, rounded to a float.
+    pub fn of_integer(&mut self, signed: bool, word: Word) -> Float {
+        match *self.of_word(word) {
+            Node::Number(number) if signed => self.constant(number as u32 as i32 as f32),
+            Node::Number(number) => self.constant(number as u32 as f32),
+            Node::WordIf(condition, a, b) => {
+                let (a, b) = (self.of_integer(signed, a), self.of_integer(signed, b));
+                self.choose_float(condition, a, b)
+            }
+            _ => Float(self.node(Node::OfInteger(signed, word))),
+        }
+    }
+
+    /// A float truncated to a signed 32-bit integer, saturated; 0 for NaN.
+    pub fn truncated(&mut self, float: Float) -> Word {
+        match *self.of_float(float) {
+            Node::Constant(bits) => self.number(u64::from(f32::from_bits(bits) as i32 as u32)),
+            Node::FloatIf(condition, a, b) => {
+                let (a, b) = (self.truncated(a), self.truncated(b));
+                self.choose_word(condition, a, b)
+            }
+            _ => Word(self.node(Node::Truncated(float))),
+        }
+    }
+
+    /// An element of a constant table. The index must be below its length; that is for the caller to see to.
+    pub fn element(&mut self, table: &Rc<[u64]>, index: Word) -> Word {
+        match *self.of_word(index) {
+            Node::Number(at) => {
+                let element = usize::try_from(at).ok().and_then(|at| table.get(at)).copied().unwrap_or_default();
+                self.number(element)
+            }
+            Node::WordIf(..) => self.mapped(index, &mut |terms, index| terms.element(table, index)),
+            _ => Word(self.node(Node::Element(table.clone(), index))),
+        }
+    }
+
+    /// A word with a function applied to each word that it is chosen from. Shared choices stay shared.
+    pub fn mapped(&mut self, word: Word, function: &mut dyn FnMut(&mut Self, Word) -> Word) -> Word {
+        let mut done = std::collections::HashMap::new();
+        self.mapped_with(word, function, &mut done)
+    }
+
+    fn mapped_with(
+        &mut self,
+        word: Word,
+        function: &mut dyn FnMut(&mut Self, Word) -> Word,
+        done: &mut std::collections::HashMap<Word, Word>,
+    ) -> Word {
+        if let Some(&known) = done.get(&word) {
+            return known;
+        }
+        let result = match *self.of_word(word) {
+            Node::WordIf(condition, a, b) => {
+                let (a, b) = (self.mapped_with(a, function, done), self.mapped_with(b, function, done));
+                self.choose_word(condition, a, b)
+            }
+            _ => function(self, word),
+        };
+        done.insert(word, result);
+        result
+    }
+
+    /// An operation of two words.
+    pub fn apply(&mut self, operator: Operator, width: Width, a: Word, b: Word) -> Word {
+        if let (Some(a), Some(b)) = (self.number_of(a), self.number_of(b)) {
+            return self.number(computed(operator, width, a, b));
+        }
+        let (first, second) = (self.word_leaves(a), self.word_leaves(b));
+        let constant = |terms: &Self, leaves: &[u32]| leaves.iter().all(|&leaf| terms.number_of(Word(leaf)).is_some());
+        let limit = if constant(self, &first) && constant(self, &second) { PAIRS } else { LIFTED };
+        if (first.len() > 1 || second.len() > 1) && first.len() * second.len() <= limit {
+            if let (&Node::WordIf(x, a1, a2), &Node::WordIf(y, b1, b2)) = (self.of_word(a), self.of_word(b))
+                && x == y
+            {
+                let (a, b) = (self.apply(operator, width, a1, b1), self.apply(operator, width, a2, b2));
+                return self.choose_word(x, a, b);
+            }
+            return if first.len() > 1 {
+                self.mapped(a, &mut |terms, a| terms.apply(operator, width, a, b))
+            } else {
+                self.mapped(b, &mut |terms, b| terms.apply(operator, width, a, b))
+            };
+        }
+        self.simplified(operator, width, a, b)
+    }
+
+    fn simplified(&mut self, operator: Operator, width: Width, a: Word, b: Word) -> Word {
+        use Operator::{Add, And, Multiply, Or, ShiftArithmetic, ShiftLeft, ShiftRight, Subtract, Xor};
+        let (x, y, ones) = (self.number_of(a), self.number_of(b), width.mask());
+        match operator {
+            Add | Or | Xor | Subtract | ShiftLeft | ShiftRight | ShiftArithmetic if y == Some(0) => return a,
+            Add | Or | Xor if x == Some(0) => return b,
+            And | Multiply if x == Some(0) || y == Some(0) => return self.number(0),
+            And if y == Some(ones) || a == b => return a,
+            And if x == Some(ones) => return b,
+            Multiply if y == Some(1) => return a,
+            Multiply if x == Some(1) => return b,
+            Or if x == Some(ones) || y == Some(ones) => return self.number(ones),
+            Or if a == b => return a,
+            Xor | Subtract if a == b => return self.number(0),
+            // a difference by a constant is a sum
+            Subtract if y.is_some() => {
+                let negated = self.number(y.unwrap_or_default().wrapping_neg() & ones);
+                return self.apply(Add, width, a, negated);
+            }
+            // the sign alone
+            ShiftRight | ShiftArithmetic if y == Some(u64::from(width.bits()) - 1) => {
+                let (negative, zero) = (self.is_negative(width, a), self.number(0));
+                let set = self.number(if operator == ShiftRight { 1 } else { ones });
+                return self.choose_word(negative, set, zero);
+            }
+            _ => {}
+        }
+        if let (Xor | Add | And | Or, Some(y)) = (operator, y)
+            && let Node::Apply(inner, of, p, q) = *self.of_word(a)
+            && inner == operator
+            && of == width
+            && let Some(q) = self.number_of(q)
+        {
+            let both = self.number(computed(operator, width, q, y));
+            return self.apply(operator, width, p, both);
+        }
+        if operator == Xor {
+            for (word, other) in [(a, b), (b, a)] {
+                if let Node::Apply(Xor, _, p, q) = *self.of_word(word) {
+                    if p == other {
+                        return q;
+                    }
+                    if q == other {
+                        return p;
+                    }
+                }
+            }
+        }
+        let commutes = matches!(operator, Add | Multiply | And | Or | Xor);
+        // constants are second
+        let (a, b) = if commutes && (x.is_some() || y.is_none() && a > b) { (b, a) } else { (a, b) };
+        Word(self.node(Node::Apply(operator, width, a, b)))
+    }
+
+    /// Tests the sign bit.
+    pub fn is_negative(&mut self, width: Width, word: Word) -> Bool {
+        self.within(word, width, &[(width.mask() / 2 + 1, width.mask())])
+    }
+
+    /// `a == b`
+    pub fn same(&mut self, width: Width, a: Word, b: Word) -> Bool {
+        if a == b {
+            return Self::TRUE;
+        }
+        if let Some(b) = self.number_of(b) {
+            return self.within(a, width, &[(b, b)]);
+        }
+        let difference = self.apply(Operator::Xor, width, a, b);
+        self.within(difference, width, &[(0, 0)])
+    }
+
+    /// `a < b` of unsigned or signed numbers.
+    pub fn below(&mut self, signed: bool, width: Width, a: Word, b: Word) -> Bool {
+        let half = width.mask() / 2 + 1;
+        let shifted = |number: u64| if signed { number ^ half } else { number };
+        // the numbers whose order is between two places, seen as unsigned ones
+        let between = |low: u64, high: u64| {
+            if !signed {
+                vec![(low, high)]
+            } else if low < half && high >= half {
+                vec![(0, high ^ half), (low ^ half, width.mask())]
+            } else {
+                vec![(low ^ half, high ^ half)]
+            }
+        };
+        match (self.number_of(a), self.number_of(b)) {
+            (_, Some(b)) => match shifted(b).checked_sub(1) {
+                None => Self::FALSE,
+                Some(last) => self.within(a, width, &between(0, last)),
+            },
+            (Some(a), _) if shifted(a) == width.mask() => Self::FALSE,
+            (Some(a), _) => self.within(b, width, &between(shifted(a) + 1, width.mask())),
+            _ if a == b => Self::FALSE,
+            _ => match (self.of_word(a).clone(), self.of_word(b).clone()) {
+                (Node::WordIf(condition, x, y), _) => {
+                    let (x, y) = (self.below(signed, width, x, b), self.below(signed, width, y, b));
+                    self.choose(condition, x, y)
+                }
+                (_, Node::WordIf(condition, x, y)) => {
+                    let (x, y) = (self.below(signed, width, a, x), self.below(signed, width, a, y));
+                    self.choose(condition, x, y)
+                }
+                _ => self.atom(Node::Below(signed, width, a, b)),
+            },
+        }
+    }
+
+    /// Tests whether a word is in a set: closed intervals.
+    pub fn within(&mut self, word: Word, width: Width, set: &[(u64, u64)]) -> Bool {
+        let (word, set) = self.reduced(word, width, merged(set.to_vec()));
+        let mask = width.mask();
+        if set.is_empty() {
+            return Self::FALSE;
+        }
+        if set[..] == [(0, mask)] {
+            return Self::TRUE;
+        }
+        match *self.of_word(word) {
+            Node::Number(number) => return Self::known(holds(&set, number)),
+            Node::WordIf(condition, a, b) => {
+                let (a, b) = (self.within(a, width, &set), self.within(b, width, &set));
+                return self.choose(condition, a, b);
+            }
+            Node::Bits(float) => return self.float_within(float, &set),
+            Node::Apply(operator @ (Operator::And | Operator::Or | Operator::Xor), of, a, b)
+                if of == width && set[..] == [(mask / 2 + 1, mask)] =>
+            {
+                let (a, b) = (self.is_negative(width, a), self.is_negative(width, b));
+                return match operator {
+                    Operator::And => self.and(a, b),
+                    Operator::Or => self.or(a, b),
+                    _ => self.choose(a, !b, b),
+                };
+            }
+            _ => {}
+        }
+        if set[0].0 == 0 {
+            let rest = complement(&set, mask);
+            return !self.atom(Node::Within(word, rest.into()));
+        }
+        self.atom(Node::Within(word, set.into()))
+    }
+
+    /// The word below operations with constants, and the set that it is in exactly where the whole is in the given set.
+    fn reduced(&self, word: Word, width: Width, set: Vec<(u64, u64)>) -> (Word, Vec<(u64, u64)>) {
+        let mask = width.mask();
+        let Node::Apply(operator, of, a, b) = *self.of_word(word) else { return (word, set) };
+        if of != width {
+            return (word, set);
+        }
+        let turned = |low: u64, high: u64| if low <= high { vec![(low, high)] } else { vec![(low, mask), (0, high)] };
+        let preimage = |map: &dyn Fn(u64, u64) -> Vec<(u64, u64)>| {
+            merged(set.iter().flat_map(|&(low, high)| map(low, high)).collect())
+        };
+        let half = mask / 2 + 1;
+        match (operator, self.number_of(a), self.number_of(b)) {
+            (Operator::Add, _, Some(c)) => {
+                let moved = preimage(&|low, high| turned(low.wrapping_sub(c) & mask, high.wrapping_sub(c) & mask));
+                self.reduced(a, width, moved)
+            }
+            (Operator::Subtract, Some(c), _) => {
+                let mirrored = preimage(&|low, high| turned(c.wrapping_sub(high) & mask, c.wrapping_sub(low) & mask));
+                self.reduced(b, width, mirrored)
+            }
+            (Operator::Xor, _, Some(c)) if c == mask => {
+                self.reduced(a, width, preimage(&|low, high| vec![(!high & mask, !low & mask)]))
+            }
+            (Operator::Xor, _, Some(c)) if c == half => {
+                let moved = preimage(&|low, high| turned(low.wrapping_sub(c) & mask, high.wrapping_sub(c) & mask));
+                self.reduced(a, width, moved)
+            }
+            // without its highest bit a number repeats
+            (Operator::And, _, Some(c)) if c == half - 1 => {
+                let low = set.iter().filter(|&&(low, _)| low < half).map(|&(low, high)| (low, high.min(half - 1)));
+                let both = low.flat_map(|(low, high)| [(low, high), (low + half, high + half)]).collect();
+                self.reduced(a, width, merged(both))
+            }
+            (Operator::ShiftRight, _, Some(c)) if c < u64::from(width.bits()) => {
+                let top = mask >> c;
+                let reached = set.iter().filter(|&&(low, _)| low <= top);
+                let wider = reached.map(|&(low, high)| (low << c, high.min(top) << c | ((1 << c) - 1))).collect();
+                self.reduced(a, width, merged(wider))
+            }
+            (Operator::And | Operator::Or | Operator::Xor, ..) if set[..] == [(half, mask)] => {
+                let ((first, x), (second, y)) =
+                    (self.reduced(a, width, set.clone()), self.reduced(b, width, set.clone()));
+                if first != second {
+                    return (word, set);
+                }
+                let without = |x: &[(u64, u64)], y: &[(u64, u64)]| intersection(x, &complement(y, mask));
+                let combined = match operator {
+                    Operator::And => intersection(&x, &y),
+                    Operator::Or => merged([x, y].concat()),
+                    _ => merged([without(&x, &y), without(&y, &x)].concat()),
+                };
+                (first, combined)
+            }
+            _ => (word, set),
+        }
+    }
+
+    /// Tests whether the bits of a float are in a set.
+    fn float_within(&mut self, float: Float, set: &[(u64, u64)]) -> Bool {
+        let (infinity, sign) = (u64::from(INFINITY), u64::from(NEGATIVE_ZERO));
+        // the part of the set between two numbers
+        let part = |low: u64, high: u64| -> Vec<(u64, u64)> {
+            let cut = set.iter().map(|&(from, to)| (from.max(low), to.min(high)));
+            cut.filter(|(from, to)| from <= to).collect()
+        };
+        let (positive_nan, negative_nan) =
+            (part(infinity + 1, sign - 1), part(sign + infinity + 1, u64::from(u32::MAX)));
+        let whole = |part: &[(u64, u64)], low: u64, high: u64| part == [(low, high)];
+        let all_positive = whole(&positive_nan, infinity + 1, sign - 1);
+        let all_negative = whole(&negative_nan, sign + infinity + 1, u64::from(u32::MAX));
+        if !(all_positive || positive_nan.is_empty()) || !(all_negative || negative_nan.is_empty()) {
+            // a matter of payloads
+            let word = Word(self.node(Node::Bits(float)));
+            return self.atom(Node::Within(word, set.into()));
+        }
+        let mut cases = Vec::new();
+        if all_positive || all_negative {
+            let nan = self.is_nan(float);
+            let which = if all_positive && all_negative {
+                Self::TRUE
+            } else {
+                let negative = self.atom(Node::IsNegativeNan(float));
+                if all_negative { negative } else { !negative }
+            };
+            cases.push(self.and(nan, which));
+        }
+        for (low, high) in part(1, infinity) {
+            cases.push(self.between(float, low as u32, high as u32));
+        }
+        for (low, high) in part(sign + 1, sign + infinity) {
+            cases.push(self.between(float, high as u32, low as u32));
+        }
+        let (plus, minus) = (!part(0, 0).is_empty(), !part(sign, sign).is_empty());
+        if plus || minus {
+            let zero = self.between(float, 0, 0);
+            let which = if plus && minus {
+                Self::TRUE
+            } else {
+                let negative = self.is_negative_zero(float);
+                if minus { negative } else { !negative }
+            };
+            cases.push(self.and(zero, which));
+        }
+        self.any(cases)
+    }
+
+    /// `low <= float <= high`, for bounds other than NaN
+    fn between(&mut self, float: Float, low: u32, high: u32) -> Bool {
+        if low == 1 && high == INFINITY || low == INFINITY | NEGATIVE_ZERO && high == NEGATIVE_ZERO | 1 {
+            // the sign of a difference
+            let (small, large) = match *self.of_float(float) {
+                Node::Arithmetic(Arithmetic::Add, a, b) => (self.negate(b), a),
+                _ => (self.constant(0.0), float),
+            };
+            if !matches!(self.of_float(small), Node::Constant(_)) {
+                self.uses("x - y > 0 exactly where x > y");
+            }
+            return if low == 1 { self.less(small, large) } else { self.less(large, small) };
+        }
+        let (low, high) = (self.constant_bits(low), self.constant_bits(high));
+        let (above, below) = (self.less_or_equal(low, float), self.less_or_equal(float, high));
+        self.and(above, below)
+    }
+
+    /// Tests for minus zero.
+    fn is_negative_zero(&mut self, float: Float) -> Bool {
+        match *self.of_float(float) {
+            Node::Constant(bits) => Self::known(bits == NEGATIVE_ZERO),
+            // a sum is minus zero only if both are
+            Node::Arithmetic(Arithmetic::Add, a, b) => {
+                self.uses("x + y = -0 only where x and y are");
+                let (a, b) = (self.is_negative_zero(a), self.is_negative_zero(b));
+                self.and(a, b)
+            }
+            Node::FloatIf(condition, a, b) => {
+                let (a, b) = (self.is_negative_zero(a), self.is_negative_zero(b));
+                self.choose(condition, a, b)
+            }
+            _ => self.atom(Node::IsNegativeZero(float)),
+        }
+    }
+}
+
+/// Intervals, sorted, with neighbours joined.
+fn merged(mut set: Vec<(u64, u64)>) -> Vec<(u64, u64)> {
+    set.sort_unstable();
+    let mut merged: Vec<(u64, u64)> = Vec::new();
+    for (low, high) in set {
+        match merged.last_mut() {
+            Some(last) if low <= last.1.saturating_add(1) => last.1 = last.1.max(high),
+            _ => merged.push((low, high)),
+        }
+    }
+    merged
+}
+
+/// The numbers up to a largest that are not in a set.
+fn complement(set: &[(u64, u64)], largest: u64) -> Vec<(u64, u64)> {
+    let mut rest = Vec::new();
+    let mut next = Some(0);
+    for &(low, high) in set {
+        if let Some(from) = next
+            && from < low
+        {
+            rest.push((from, low - 1));
+        }
+        next = (high < largest).then(|| high + 1);
+    }
+    rest.extend(next.map(|from| (from, largest)));
+    rest
+}
+
+/// The numbers that two sets share.
+fn intersection(a: &[(u64, u64)], b: &[(u64, u64)]) -> Vec<(u64, u64)> {
+    let pairs = a.iter().flat_map(|x| b.iter().map(move |y| (x.0.max(y.0), x.1.min(y.1))));
+    merged(pairs.filter(|(low, high)| low <= high).collect())
+}
+
+/// Tests whether a set holds a number.
+pub(super) fn holds(set: &[(u64, u64)], number: u64) -> bool {
+    set.iter().any(|&(low, high)| (low..=high).contains(&number))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Operator, Terms, Width};
+
+    #[test]
+    fn masks_of_differences_are_comparisons() {
+        let mut terms = Terms::new();
+        let (a, b) = (terms.source(0), terms.source(1));
+        let difference = terms.subtract(a, b);
+        let bits = terms.bits(difference);
+        let w = Width::W32;
+        let [one, infinity, ones, top, zero] = [1, 0x7f80_0000, 0xffff_ffff, 31, 0].map(|number| terms.number(number));
+        let before = terms.apply(Operator::Subtract, w, bits, one);
+        let lower = terms.apply(Operator::Subtract, w, before, infinity);
+        let inverted = terms.apply(Operator::Xor, w, before, ones);
+        let both = terms.apply(Operator::And, w, lower, inverted);
+        let sign = terms.apply(Operator::ShiftRight, w, both, top);
+        let mask = terms.apply(Operator::Subtract, w, zero, sign);
+        let above = terms.less(b, a);
+        assert_eq!(mask, terms.choose_word(above, ones, zero));
+        // b ^ ((a ^ b) & mask) chooses
+        let (a_bits, b_bits) = (terms.bits(a), terms.bits(b));
+        let differing = terms.apply(Operator::Xor, w, a_bits, b_bits);
+        let kept = terms.apply(Operator::And, w, differing, mask);
+        let chosen = terms.apply(Operator::Xor, w, b_bits, kept);
+        let float = terms.of_bits(chosen);
+        assert_eq!(float, terms.choose_float(above, a, b));
+    }
+
+    #[test]
+    fn a_mask_of_nan_is_a_test_for_it() {
+        let mut terms = Terms::new();
+        let a = terms.source(0);
+        let bits = terms.bits(a);
+        let w = Width::W32;
+        let [magnitude, infinity, top] = [0x7fff_ffff, 0x7f80_0000, 31].map(|number| terms.number(number));
+        let magnitude = terms.apply(Operator::And, w, bits, magnitude);
+        let difference = terms.apply(Operator::Subtract, w, infinity, magnitude);
+        let sign = terms.apply(Operator::ShiftRight, w, difference, top);
+        let nan = terms.is_nan(a);
+        assert_eq!(sign, terms.word_of(nan));
+    }
+
+    #[test]
+    fn comparisons_of_choices_of_constants_are_decided() {
+        let mut terms = Terms::new();
+        let (x, y) = (terms.source(0), terms.source(1));
+        let less = terms.less(x, y);
+        let (three, five) = (terms.number(3), terms.number(0xffff_fffb));
+        let word = terms.choose_word(less, three, five);
+        let four = terms.number(4);
+        assert_eq!(terms.below(false, Width::W32, word, four), less);
+        assert_eq!(terms.below(true, Width::W32, word, four), Terms::TRUE);
+        assert_eq!(terms.same(Width::W32, word, three), less);
+        assert_eq!(terms.numbers(word), Some(vec![3, 0xffff_fffb]));
+    }
+}
