@@ -3,6 +3,7 @@
 mod book;
 mod check;
 mod dist;
+mod figures;
 mod fuzz;
 mod nightly;
 mod python;
@@ -89,6 +90,8 @@ enum Task {
         #[arg(long)]
         update: bool,
     },
+    /// Write the tables of README.md and docs/experiments.md from docs/figures.toml and the provenance of shipped policies
+    Figures,
     /// Build the page into target/web: the arm and three problems with their policies as WebAssembly; test it under Node and in
     /// a browser
     Web,
@@ -119,11 +122,26 @@ fn main() -> ExitCode {
         Task::Python(arguments) => python::run(arguments),
         Task::Dist(arguments) => arguments.run(),
         Task::Book { update } => check::book(update),
+        Task::Figures => figures(),
         Task::Web => web::run(),
         Task::Wcet(arguments) => arguments.run(),
         Task::Torture(arguments) => arguments.run(),
     };
     if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// Writes tables and prints the documents that changed.
+fn figures() -> bool {
+    match figures::write() {
+        Ok(changed) => {
+            changed.iter().for_each(|path| println!("{}", path.display()));
+            true
+        }
+        Err(error) => {
+            eprintln!("{error}");
+            false
+        }
+    }
 }
 
 /// Builds libraries and prints their locations.

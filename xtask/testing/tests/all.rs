@@ -1,6 +1,5 @@
 //! The tests of this crate from outside, as one program: each file is a subject.
 
-mod figures;
 mod links;
 mod listed;
 mod nevers;
