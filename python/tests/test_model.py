@@ -488,3 +488,26 @@ def test_a_graph_is_text_and_is_pickled_as_it(pole: TPG) -> None:
     text = pole.graph.to_json()
     assert tpg_train.Graph.from_json(text).sha256 == pole.graph.sha256
     assert pickle.loads(pickle.dumps(pole.graph._graph)).sha256 == pole.graph.sha256
+
+
+def test_a_model_is_compared_with_another_controller_on_the_same_episodes(pole: TPG, swing: TPG) -> None:
+    hand = lambda state: int(state[2] + 0.5 * state[3] > 0)  # noqa: E731
+    both = pole.evaluate(20, other=hand)
+    assert both.this == pole.evaluate(20, native=False) and both.efforts is None
+    env = gymnasium.make("CartPole-v1")
+    returns = []
+    for seed in tpg_train._tpg.test_seeds(1, 20):
+        state, done, score = env.reset(seed=seed)[0], False, 0.0
+        while not done:
+            state, reward, terminated, truncated, _ = env.step(hand(state))
+            score, done = score + float(reward), terminated or truncated
+        returns.append(score)
+    assert both.other.mean == np.mean(returns) and both.difference == both.this.mean - both.other.mean
+    assert both.ci95[0] <= both.difference <= both.ci95[1]
+    itself = pole.evaluate(5, other=pole)
+    assert itself.difference == 0 and itself.ci95 == (0, 0) and "no clear difference" in str(itself)
+    bang = swing.evaluate(10, other=lambda state: np.array([2.0 if state[2] > 0 else -2.0], np.float32))
+    assert bang.efforts is not None and bang.efforts[1].saturated == 1 and bang.efforts[0].saturated < 1
+    assert 0 < bang.efforts[0].chatter < 1 and "saturated" in str(bang) and "this model is better" in str(bang)
+    with pytest.raises(InputError, match="other=3; accepted: a function"):
+        pole.evaluate(2, other=3)

@@ -11,6 +11,7 @@ model.verify()
 
 from ._tpg import Graph, InputError, TrainingError, __version__
 from .asking import Asking
+from .comparing import Comparison, Effort
 from .envs import register_envs
 from .model import TPG, Candidate, StatefulEnvironmentWarning, VerificationError
 from .network import NetworkPolicy, from_sb3, train_network
@@ -22,6 +23,8 @@ __all__ = [
     "TPG",
     "Asking",
     "Candidate",
+    "Comparison",
+    "Effort",
     "Evaluation",
     "Graph",
     "HallEntry",

@@ -14,7 +14,7 @@ import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Union, cast
+from typing import Any, Union, cast, overload
 
 import cloudpickle  # type: ignore[import-untyped, unused-ignore]
 import gymnasium
@@ -24,6 +24,7 @@ from gymnasium.envs.registration import EnvSpec
 from . import _tpg
 from ._episodes import Episodes, Here, Workers, first_difference
 from ._tpg import Evolution, Graph, InputError, Policy, TrainingError
+from .comparing import Comparison, compare
 from .callbacks import BaseCallback, MaybeCallback, _Bar, _TensorBoard, as_list
 from .reports import Evaluation, HallEntry, Proof, Report
 from .spaces import Interface, _name
@@ -487,6 +488,7 @@ class TPG:
         states, is_batch = self._interface.states(observation)
         return self._interface.to_actions(self._best().answers(np.ascontiguousarray(states)), is_batch), None
 
+    @overload
     def evaluate(
         self,
         episodes: int = 100,
@@ -495,15 +497,37 @@ class TPG:
         native: bool | None = None,
         executor: concurrent.futures.Executor | None = None,
         n_workers: int | None = None,
-    ) -> Evaluation:
+        other: None = None,
+    ) -> Evaluation: ...
+
+    @overload
+    def evaluate(self, episodes: int = 100, *, seed: int = 1, other: Any) -> Comparison: ...
+
+    def evaluate(
+        self,
+        episodes: int = 100,
+        *,
+        seed: int = 1,
+        native: bool | None = None,
+        executor: concurrent.futures.Executor | None = None,
+        n_workers: int | None = None,
+        other: Any = None,
+    ) -> Evaluation | Comparison:
         """Runs the policy on test episodes, which no training and no selection has seen.
 
         Args:
             native: on the built-in problem; by default if the model was trained on it.
+            other: another controller, to compare with on the same episodes of the environment, in this process: a function of
+                an observation, or a model with `predict`.
         """
         graph = self._best()
         if episodes < 1:
             raise InputError(f"{episodes} episodes; accepted: 1 or more")
+        if other is not None:
+            policy, interface = Policy.of(graph), self._interface
+            seeds = _tpg.test_seeds(seed, episodes)
+            this = lambda: Candidate(policy, 0, interface, 0, None, False).predict  # noqa: E731
+            return compare(self.env, this, other, seeds, interface.limit, interface.name)
         if self.native is not None and native is not False:
             return Evaluation.of_report(json.loads(_tpg.evaluate_native(self.native, graph, episodes, seed)))
         place = self._episodes(executor, self.n_workers if n_workers is None and self.native is None else n_workers or 0)

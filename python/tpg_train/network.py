@@ -18,8 +18,9 @@ import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
-from ._tpg import InputError, Network, success_of
+from ._tpg import InputError, Network
 from ._tpg import train_network as train
+from .comparing import controller, play
 from .model import VerificationError
 from .reports import Evaluation
 from .spaces import Interface, _name
@@ -69,16 +70,8 @@ class NetworkPolicy:
 
     def evaluate(self, env: gymnasium.Env[Any, Any], episodes: int = 100, seed: int = 1) -> Evaluation:
         """Runs the network on test episodes of an environment."""
-        played = []
-        for episode_seed in (seed * 1_000_003 + place for place in range(episodes)):
-            observation, _ = env.reset(seed=episode_seed)
-            score, steps, done, success = 0.0, 0, False, None
-            while not done and steps < self._interface.limit:
-                action, _ = self.predict(observation)
-                observation, reward, terminated, truncated, info = env.step(action)
-                score, steps, done = score + float(reward), steps + 1, bool(terminated or truncated)
-                success = success_of(info) if done else None
-            played.append((score, steps, success))
+        seeds = [seed * 1_000_003 + place for place in range(episodes)]
+        played, _ = play(env, controller(self), seeds, self._interface.limit)
         return Evaluation.of(played, self._interface.name)
 
     def export_c(self, folder: PathLike, prefix: str | None = None) -> list[Path]:
