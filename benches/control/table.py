@@ -5,7 +5,7 @@
     python3 -m venv control && control/bin/pip install "gymnasium[box2d,mujoco]==1.4.0" scikit-learn
     control/bin/python benches/control/table.py [--episodes 1000] [--rivals] [--only cartpole] [--json FILE] [--figure FILE.svg]
 
-Every policy plays the same episodes, seeds 10,000,000 and up, which nothing was trained or chosen on. A return stands with its 95 %
+Every policy plays the same episodes, seeds 10,000,000 and up, which nothing was trained or chosen on. A return has its 95 %
 interval; bytes are code and constants for a Cortex-M4F, `arm-none-eabi-gcc -Os`, instructions the most that one decision takes
 (`cortex-bound`). `--rivals` trains linear policies with the same number of steps for everybody, by augmented random search and by
 covariance matrix adaptation, leaves the least weights of the second out, and distils decision trees from the shipped policy; it

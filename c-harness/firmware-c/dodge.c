@@ -137,7 +137,7 @@ static float between(uint32_t *state, float low, float high)
     return low + (((high - low) * (float)(*state >> 8)) / 16777216.0F);
 }
 
-/* A pose in which the arm stands. */
+/* A pose without a collision. */
 static bool draw_pose(uint32_t *state, tpg_pose_t *pose)
 {
     int32_t collision = TPG_COLLISION_TABLE;

@@ -1,7 +1,7 @@
 //! Tables of the README and of the book, written from measured results: `docs/figures.toml`, and the PROVENANCE.md of each
 //! shipped policy.
 //!
-//! A table stands in a document between `<!-- table NAME -->` and `<!-- end -->`.
+//! A table is what a document holds between `<!-- table NAME -->` and `<!-- end -->`.
 
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -89,9 +89,9 @@ impl Shipped {
         };
         let result = between(&text, ": **", "**")?;
         let code = between(&text, "| C, profile `fast` |", "\n")?;
-        let parts = result.split_once(" ± ").and_then(|(mean, rest)| Some((mean, rest.split_once(", least ")?)));
+        let parts = result.split_once(" ± ").and_then(|(mean, rest)| Some((mean, rest.split_once(", minimum ")?)));
         let (mean, (interval, minimum)) =
-            parts.ok_or_else(|| invalid(&path, &format!("{result:?} is no \"mean ± interval, least minimum\"")))?;
+            parts.ok_or_else(|| invalid(&path, &format!("{result:?} is no \"mean ± interval, minimum minimum\"")))?;
         let parsed = |text: &str| {
             let plain = text.replace('−', "-").replace(',', "");
             plain.parse().map_err(|_| invalid(&path, &format!("{text:?} is no number")))

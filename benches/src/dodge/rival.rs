@@ -126,7 +126,7 @@ impl OneStepSearch {
         for time in [4_u16, 16, 40] {
             pose = if walks { walked(view.pose, view.goal(), time) } else { held(view, step, time) };
             let posture = view.body.at(pose);
-            cost += if view.body.stands(&posture) { 0.0 } else { 1e4 };
+            cost += if view.body.is_free(&posture) { 0.0 } else { 1e4 };
             for ball in view.balls {
                 let clearance = view.body.clearance(&posture, ball.after(time.into()), ball.radius);
                 cost += if clearance < 0.0 { 100.0 * (50.0 - clearance) } else { 0.0 };

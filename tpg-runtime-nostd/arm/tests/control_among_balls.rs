@@ -87,7 +87,7 @@ fn a_beginning_that_cannot_be_is_refused() {
     assert_eq!(begin(&[GOAL], START, &[good; BALLS]), Ok(()));
     assert_eq!(begin(&[GOAL; GOALS], START, &[]), Ok(()));
     let on_the_table = Pose([2048, 3000, 2048, 2048]);
-    assert!(!BODY.stands(&BODY.at(on_the_table)));
+    assert!(!BODY.is_free(&BODY.at(on_the_table)));
     for goals in [&[][..], &[GOAL; GOALS + 1], &[GOAL, Pose([2048, 2048, 2048, -1])], &[on_the_table]] {
         assert_eq!(begin(goals, START, &[good]), Err(Fault::Target));
     }

@@ -21,7 +21,7 @@ fn pose() -> impl Strategy<Value = Pose> {
 }
 
 fn free_pose() -> impl Strategy<Value = Pose> {
-    pose().prop_filter("stands", |&pose| BODY.stands(&BODY.at(pose)))
+    pose().prop_filter("free", |&pose| BODY.is_free(&BODY.at(pose)))
 }
 
 fn ball() -> impl Strategy<Value = Ball> {
@@ -111,7 +111,7 @@ proptest! {
     #[test]
     fn what_stands_clearly_stands(pose in pose()) {
         let posture = BODY.at(pose);
-        prop_assert!(!BODY.stands_clearly(&posture) || BODY.stands(&posture), "{:?}", pose);
+        prop_assert!(!BODY.is_clearly_free(&posture) || BODY.is_free(&posture), "{:?}", pose);
     }
 
     /// The sooner test is the exact one, also of a base whose edges are given backwards and on the other side.
@@ -123,7 +123,7 @@ proptest! {
         }
         let body = Body::new(arm, WIDOWX_RADII);
         let posture = body.at(pose);
-        prop_assert_eq!(body.stands(&posture), posture.plane().collision(&arm.shapes).is_none(), "{:?}", pose);
+        prop_assert_eq!(body.is_free(&posture), posture.plane().collision(&arm.shapes).is_none(), "{:?}", pose);
     }
 
     #[test]
@@ -213,7 +213,7 @@ proptest! {
     #[test]
     fn what_stands_whatever_the_next_step_does(pose in free_pose(), step in prop::array::uniform4(-3i8..=3)) {
         let after = BODY.at(moved(pose, Move(step)));
-        prop_assert!(!BODY.stands_next(&BODY.at(pose)) || BODY.stands(&after), "{:?}", pose);
+        prop_assert!(!BODY.is_free_next(&BODY.at(pose)) || BODY.is_free(&after), "{:?}", pose);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //!
 //! Nothing is decided here. Every function checks its pointers, calls the runtime and writes what it answered. The
 //! caller's memory holds everything: no heap, no variables, so that any number of arms, policies and episodes live side by
-//! side. The header is made from this text by cbindgen; what its users must know stands in the comments of the items.
+//! side. The header is made from this text by cbindgen; the comments of the items say what its users must know.
 //!
 //! | module | subject |
 //! | --- | --- |

@@ -46,11 +46,11 @@ fn between(numbers: &mut Numbers, low: f32, high: f32) -> f32 {
     low + (high - low) * (numbers.next_u32() >> 8) as f32 / 16_777_216.0
 }
 
-/// A pose in which the arm stands.
+/// A pose without a collision.
 fn pose(numbers: &mut Numbers) -> Pose {
     loop {
         let pose = Pose([(); 4].map(|()| between(numbers, 1100.0, 3000.0) as i16));
-        if BODY.stands(&BODY.at(pose)) {
+        if BODY.is_free(&BODY.at(pose)) {
             return pose;
         }
     }

@@ -50,7 +50,7 @@ fn scenes_keep_the_generators_rules() {
         for (index, goal) in scene.goals.iter().enumerate() {
             let posture = body.at(Pose(*goal));
             let Clearance { hand, forearm } = Clearance::of(&posture.plane(), &body.arm.shapes);
-            assert!(body.stands(&posture) && hand > 0.0 && forearm > 0.0);
+            assert!(body.is_free(&posture) && hand > 0.0 && forearm > 0.0);
             assert!(distance(posture.hand(), scene.target) < 2.7);
             assert!(scene.goals[..index].iter().all(|other| steps(Pose(*goal), Pose(*other)) > 20));
         }
@@ -128,7 +128,7 @@ fn a_step_against_limits_table_or_base_is_refused_and_no_failure() {
     let mut ended = None;
     for _ in 0..LIMIT {
         ended = ended.or(low.step(&body, Move([0, -3, 0, 0]), 3.0));
-        assert!(body.stands(&body.at(low.pose())));
+        assert!(body.is_free(&body.at(low.pose())));
     }
     assert_eq!(ended, Some(End::Timeout));
 }

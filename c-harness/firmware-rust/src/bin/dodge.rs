@@ -76,11 +76,11 @@ impl Random {
         low + (high - low) * (self.0 >> 8) as f32 / 16_777_216.0
     }
 
-    /// A pose in which the arm stands.
+    /// A pose without a collision.
     fn pose(&mut self) -> Pose {
         loop {
             let pose = Pose([(); 4].map(|()| self.between(1100.0, 3000.0) as i16));
-            if BODY.stands(&BODY.at(pose)) {
+            if BODY.is_free(&BODY.at(pose)) {
                 return pose;
             }
         }

@@ -46,7 +46,7 @@ impl<S: Scalar> Plane<S> {
     /// Returns true where there is no [collision](Self::collision), and the number of faces, at most 4, that had to be compared with
     /// the base's edges: most poses need none.
     #[inline(never)] // once in flash
-    pub(crate) fn stands(&self, shapes: &Shapes<S>, base: &Base<S>) -> (bool, u16) {
+    pub(crate) fn is_free(&self, shapes: &Shapes<S>, base: &Base<S>) -> (bool, u16) {
         let faces = self.faces(shapes);
         if self.below_table(&faces).is_some() {
             return (false, 0);
@@ -123,7 +123,7 @@ fn beyond_base<S: Scalar>(faces: &Faces<S>, shapes: &Shapes<S>) -> S {
     })
 }
 
-/// The arm's own base, made ready for [`Plane::stands`].
+/// The arm's own base, made ready for [`Plane::is_free`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Base<S> {
     /// Its edges, the lesser numbers first.

@@ -180,26 +180,26 @@ impl Body {
 
     /// Returns true if the arm touches neither the table nor its own base.
     #[inline]
-    pub fn stands(&self, posture: &Posture) -> bool {
-        self.stands_after(posture).0
+    pub fn is_free(&self, posture: &Posture) -> bool {
+        self.is_free_after(posture).0
     }
 
-    /// The answer of [`stands`](Self::stands), and the number of faces of the arm, at most 4, that were compared with the base.
+    /// The answer of [`is_free`](Self::is_free), and the number of faces of the arm, at most 4, that were compared with the base.
     #[inline]
-    pub(super) fn stands_after(&self, posture: &Posture) -> (bool, u16) {
-        posture.plane().stands(&self.arm.shapes, &self.base)
+    pub(super) fn is_free_after(&self, posture: &Posture) -> (bool, u16) {
+        posture.plane().is_free(&self.arm.shapes, &self.base)
     }
 
-    /// Returns true only if the arm touches neither table nor base, at a tenth of the price of [`stands`](Self::stands):
+    /// Returns true only if the arm touches neither table nor base, at a tenth of the price of [`is_free`](Self::is_free):
     /// false near them says nothing.
     #[inline]
-    pub fn stands_clearly(&self, posture: &Posture) -> bool {
+    pub fn is_clearly_free(&self, posture: &Posture) -> bool {
         self.keeps_clear(posture, 0.0)
     }
 
     /// Returns true only if the arm touches neither table nor base after any step from here.
     #[inline]
-    pub fn stands_next(&self, posture: &Posture) -> bool {
+    pub fn is_free_next(&self, posture: &Posture) -> bool {
         self.keeps_clear(posture, self.motion[0])
     }
 

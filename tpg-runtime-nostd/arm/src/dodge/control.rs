@@ -71,7 +71,7 @@ impl Control {
     ) -> Result<Self, Fault> {
         let limits = Limits::new(&body.arm);
         let mut kept = [motors; GOALS];
-        let is_reached = |&goal: &Pose| limits.hold(goal) && body.stands(&body.at(goal));
+        let is_reached = |&goal: &Pose| limits.hold(goal) && body.is_free(&body.at(goal));
         match kept.get_mut(..goals.len()) {
             Some(kept) if !goals.is_empty() && goals.iter().all(is_reached) => kept.copy_from_slice(goals),
             _ => return Err(Fault::Target),

@@ -37,11 +37,11 @@ pub struct Guarded {
 /// if the arm would touch table or base.
 pub fn permitted(view: &View<'_>, wanted: Move) -> Guarded {
     let step = within(view, wanted);
-    if view.body.stands_next(&view.posture) {
+    if view.body.is_free_next(&view.posture) {
         return Guarded { step, threatened: false, effort: 0 };
     }
-    let (stands, effort) = tested(view, &view.body.at(after(view, step, 1)));
-    Guarded { step: if stands { step } else { Move::STOP }, threatened: false, effort: PLACE + effort }
+    let (free, effort) = tested(view, &view.body.at(after(view, step, 1)));
+    Guarded { step: if free { step } else { Move::STOP }, threatened: false, effort: PLACE + effort }
 }
 
 /// Returns what is [`permitted`] of a move, or a better one if it would come too near to a ball in two steps: the best of the move
@@ -51,19 +51,19 @@ pub fn permitted(view: &View<'_>, wanted: Move) -> Guarded {
 pub fn guarded(view: &View<'_>, wanted: Move, walked: bool) -> Guarded {
     let body = view.body;
     let mut step = within(view, wanted);
-    let stands = body.stands_next(&view.posture);
+    let free = body.is_free_next(&view.posture);
     let motion = body.motion() + ROUNDING;
     let is_far = |ball: &Ball, clearance: f32| clearance - (motion + SOON * ball.speed_bound()) >= margin(ball);
     let far = view.nearest().all(|(ball, near)| is_far(ball, near.clearance));
-    if stands && far {
+    if free && far {
         return Guarded { step, threatened: false, effort: 0 };
     }
     let placed = body.at(after(view, step, 1));
     let (mut posture, mut effort) = (&placed, PLACE);
-    if !stands {
-        let (stands, cost) = tested(view, posture);
+    if !free {
+        let (free, cost) = tested(view, posture);
         effort += cost;
-        if !stands {
+        if !free {
             (step, posture) = (Move::STOP, &view.posture);
         }
     }
@@ -86,8 +86,8 @@ pub fn guarded(view: &View<'_>, wanted: Move, walked: bool) -> Guarded {
         let clearance = body.clearance_of_all(&posture, view.balls, LATER);
         let mut passes = || {
             is_permitted
-                || body.stands_next(&posture)
-                || (mem::take(&mut exact) && body.stands(&body.at(after(view, way, 1))))
+                || body.is_free_next(&posture)
+                || (mem::take(&mut exact) && body.is_free(&body.at(after(view, way, 1))))
         };
         if clearance > best.0 && passes() {
             best = (clearance, way);
@@ -104,11 +104,11 @@ fn margin(ball: &Ball) -> f32 {
 /// True if the arm touches neither table nor base, and the effort of knowing.
 #[inline(always)]
 fn tested(view: &View<'_>, posture: &Posture) -> (bool, u16) {
-    if view.body.stands_clearly(posture) {
+    if view.body.is_clearly_free(posture) {
         return (true, 0);
     }
-    let (stands, faces) = view.body.stands_after(posture);
-    (stands, BASE + FACE * faces)
+    let (free, faces) = view.body.is_free_after(posture);
+    (free, BASE + FACE * faces)
 }
 
 /// A move without the joints that would leave their ranges.

@@ -173,15 +173,15 @@ impl Probe {
                     skip = pause;
                 }
             }
-            if !view.body.stands_clearly(&posture) {
+            if !view.body.is_clearly_free(&posture) {
                 if *effort < BASE + 4 * FACE {
                     // It is looked at again in the next step.
                     *effort = 0;
                     return None;
                 }
-                let (stands, faces) = view.body.stands_after(&posture);
+                let (free, faces) = view.body.is_free_after(&posture);
                 *effort -= BASE + FACE * faces;
-                if !stands {
+                if !free {
                     return Some(self.met());
                 }
             }

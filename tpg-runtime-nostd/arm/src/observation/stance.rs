@@ -32,8 +32,8 @@ struct Candidate<S> {
 }
 
 impl<S: Lattice> Stance<S> {
-    /// For a target in mm: the first pose that the arm can take. Where it can take none, the one against which the least
-    /// stands; a collision counts like 4,096 ticks.
+    /// Returns the first pose for a target in mm that the arm can take, or else the one with the smallest violation; a
+    /// collision counts like 4,096 ticks.
     #[inline(never)] // expensive and rare: a static bound counts it once a target
     pub fn at(arm: &Arm<S>, target: Vector<S>) -> Self {
         let seen = ReachTarget::at(arm, target);

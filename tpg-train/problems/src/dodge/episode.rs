@@ -93,7 +93,7 @@ impl Episode {
         }
         if to != self.pose {
             let posture = body.at(to);
-            if body.stands(&posture) {
+            if body.is_free(&posture) {
                 (self.pose, self.posture) = (to, posture);
             }
         }

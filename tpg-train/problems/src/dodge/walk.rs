@@ -58,7 +58,7 @@ pub fn follow(
             } else {
                 pose = moved(pose, straight(pose, leg.to));
                 posture = body.at(pose);
-                if !body.stands(&posture) {
+                if !body.is_free(&posture) {
                     return Outcome::Blocked;
                 }
             }
@@ -112,13 +112,13 @@ pub fn candidate(index: usize, from: Pose, goals: &[Pose], random: &mut Stream) 
 /// Returns every pose that solves a task, the one that takes fewest steps first: inverse kinematics for 144 pitches,
 /// within 2.7 mm of the target, clear of table and base.
 pub fn solutions(body: &Body, target: Vector<f32>, start: [i16; JOINTS]) -> Vec<Pose> {
-    let stands = |pose: Pose| {
+    let free = |pose: Pose| {
         let posture = body.at(pose);
         let Clearance { hand, forearm } = Clearance::of(&posture.plane(), &body.arm.shapes);
-        body.stands(&posture) && hand > 0.0 && forearm > 0.0 && distance(posture.hand(), target) < 2.7
+        body.is_free(&posture) && hand > 0.0 && forearm > 0.0 && distance(posture.hand(), target) < 2.7
     };
     let mut poses: Vec<Pose> =
-        ik::goals(&WIDOWX, target.map(f64::from)).into_iter().filter(|&pose| stands(pose)).collect();
+        ik::goals(&WIDOWX, target.map(f64::from)).into_iter().filter(|&pose| free(pose)).collect();
     let way = |pose: &Pose| {
         let ticks = pose.0.into_iter().zip(start).map(|(to, from)| i32::from(to.abs_diff(from)));
         50 * ticks.clone().max().unwrap_or(0) + ticks.sum::<i32>()
