@@ -4,5 +4,8 @@
 //! decoder of machine code, and depends on no other crate of the workspace. Both sides of a proof are built in one table of
 //! [terms](term): what is one node is equal, and what is left is decided over the order of the numbers that are compared.
 
+pub mod elf;
+pub mod execute;
 pub mod machine;
 pub mod term;
+mod thumb;

@@ -1,0 +1,247 @@
+//! Values of registers and memory, and conditions of flags.
+
+use crate::elf::Address;
+use crate::term::{Bool, Float, Node, Operator, Terms, Width, Word};
+use crate::thumb::{Condition, Register};
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// A part of memory that no other overlaps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(super) enum Region {
+    /// The values of the state, which are only read.
+    State,
+    /// The values of the memory.
+    Memory,
+    /// The outputs.
+    Outputs,
+    /// The stack; offset 0 is where the function begins with it.
+    Stack,
+    /// The address behind a call; its offset is the call's place.
+    Return,
+    /// A section of the image.
+    Section(usize),
+}
+
+/// 32 bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Value {
+    Word(Word),
+    Float(Float),
+    Pointer(Region, Word),
+    /// The lower half of an address, before its upper half is set.
+    Half(Address),
+    /// What a register held when the function began.
+    Initial(Register),
+}
+
+/// The last comparison that set flags.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Flags {
+    Unknown,
+    /// Two floats were compared.
+    Floats(Float, Float),
+    /// The second was subtracted from the first.
+    Difference(Word, Word),
+    /// Two words were added.
+    Sum(Word, Word),
+    /// A result set the flags of sign and zero; carry and overflow are unknown.
+    Result(Word),
+    /// The first where the condition holds, else the second.
+    If(Bool, Rc<[Flags; 2]>),
+}
+
+const W: Width = Width::W32;
+
+impl Flags {
+    /// Returns the condition as a truth value; none if the flags do not give it.
+    pub(super) fn condition(&self, terms: &mut Terms, condition: Condition) -> Option<Bool> {
+        use Condition::*;
+        let negated = match condition {
+            Ne => Eq,
+            Cc => Cs,
+            Pl => Mi,
+            Vc => Vs,
+            Ls => Hi,
+            Lt => Ge,
+            Le => Gt,
+            Always => return Some(Terms::TRUE),
+            _ => return self.positive(terms, condition),
+        };
+        Some(!self.positive(terms, negated)?)
+    }
+
+    fn positive(&self, terms: &mut Terms, condition: Condition) -> Option<Bool> {
+        use Condition::*;
+        Some(match *self {
+            Flags::Unknown => return None,
+            Flags::If(choice, ref flags) => {
+                let [a, b] = &**flags;
+                let (a, b) = (a.positive(terms, condition)?, b.positive(terms, condition)?);
+                terms.choose(choice, a, b)
+            }
+            Flags::Floats(a, b) => match condition {
+                Eq => terms.equal(a, b),
+                Cs => !terms.less(a, b),
+                Mi => terms.less(a, b),
+                Vs => {
+                    let (a, b) = (terms.is_nan(a), terms.is_nan(b));
+                    terms.or(a, b)
+                }
+                Hi => !terms.less_or_equal(a, b),
+                Ge => terms.less_or_equal(b, a),
+                Gt => terms.less(b, a),
+                _ => return None,
+            },
+            Flags::Difference(a, b) => match condition {
+                Eq => terms.same(W, a, b),
+                Cs => !terms.below(false, W, a, b),
+                Mi => {
+                    let difference = terms.apply(Operator::Subtract, W, a, b);
+                    terms.is_negative(W, difference)
+                }
+                Hi => terms.below(false, W, b, a),
+                Ge => !terms.below(true, W, a, b),
+                Gt => terms.below(true, W, b, a),
+                _ => return None,
+            },
+            Flags::Sum(a, b) => {
+                let sum = terms.apply(Operator::Add, W, a, b);
+                match condition {
+                    Cs => terms.below(false, W, sum, a),
+                    _ => return Flags::Result(sum).positive(terms, condition),
+                }
+            }
+            Flags::Result(word) => match condition {
+                Eq => {
+                    let zero = terms.number(0);
+                    terms.same(W, word, zero)
+                }
+                Mi => terms.is_negative(W, word),
+                _ => return None,
+            },
+        })
+    }
+
+    /// Returns flags that are these where the condition holds, else others.
+    pub(super) fn merged(condition: Bool, a: &Self, b: &Self) -> Self {
+        if a == b {
+            return a.clone();
+        }
+        match (a, b) {
+            (Self::Unknown, _) | (_, Self::Unknown) => Self::Unknown,
+            _ => Self::If(condition, Rc::new([a.clone(), b.clone()])),
+        }
+    }
+}
+
+/// Something whose bits are not known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Name {
+    Region(Region),
+    Half(Address),
+    Register(Register),
+}
+
+/// What stands for bits that are not known: of addresses, and of what registers held before.
+#[derive(Debug, Default)]
+pub(super) struct Unknowns(HashMap<Name, Float>, HashMap<Float, Region>);
+
+impl Unknowns {
+    /// Returns the bits of any value; those of an address are a sum.
+    pub(super) fn word(&mut self, terms: &mut Terms, value: Value) -> Word {
+        let (name, offset) = match value {
+            Value::Word(word) => return word,
+            Value::Float(float) => return terms.bits(float),
+            Value::Pointer(region, offset) => (Name::Region(region), Some(offset)),
+            Value::Half(address) => (Name::Half(address), None),
+            Value::Initial(register) => (Name::Register(register), None),
+        };
+        let float = *self.0.entry(name).or_insert_with(|| terms.unknown());
+        if let Name::Region(region) = name {
+            self.1.insert(float, region);
+        }
+        let base = terms.bits(float);
+        offset.map_or(base, |offset| terms.apply(Operator::Add, W, base, offset))
+    }
+
+    /// Returns a value as an address, if its bits are those of one.
+    pub(super) fn pointer(&self, terms: &mut Terms, value: Value) -> Value {
+        let Value::Word(word) = value else { return value };
+        let (base, offset) = match *terms.of_word(word) {
+            Node::Apply(Operator::Add, W, base, offset) => (base, offset),
+            _ => (word, terms.number(0)),
+        };
+        let Node::Bits(float) = *terms.of_word(base) else { return value };
+        self.1.get(&float).map_or(value, |&region| Value::Pointer(region, offset))
+    }
+
+    /// Returns a value that is the first where the condition holds, else the second.
+    pub(super) fn merged(&mut self, terms: &mut Terms, condition: Bool, a: Value, b: Value) -> Value {
+        match (a, b) {
+            (a, b) if a == b => a,
+            (Value::Pointer(x, a), Value::Pointer(y, b)) if x == y => {
+                Value::Pointer(x, terms.choose_word(condition, a, b))
+            }
+            (Value::Float(a), Value::Float(b)) => Value::Float(terms.choose_float(condition, a, b)),
+            _ => {
+                let (a, b) = (self.word(terms, a), self.word(terms, b));
+                Value::Word(terms.choose_word(condition, a, b))
+            }
+        }
+    }
+}
+
+/// Returns the bits of a number.
+pub(super) fn word(terms: &mut Terms, value: Value) -> Option<Word> {
+    match value {
+        Value::Word(word) => Some(word),
+        Value::Float(float) => Some(terms.bits(float)),
+        _ => None,
+    }
+}
+
+/// Returns a value without the choices that are decided where the conditions hold.
+pub(super) fn restricted(terms: &Terms, value: Value, facts: &[Bool]) -> Value {
+    match value {
+        Value::Float(mut float) => {
+            while let &Node::FloatIf(condition, a, b) = terms.of_float(float) {
+                match decided(facts, condition) {
+                    Some(true) => float = a,
+                    Some(false) => float = b,
+                    None => break,
+                }
+            }
+            Value::Float(float)
+        }
+        Value::Word(of) => Value::Word(restricted_word(terms, of, facts)),
+        Value::Pointer(region, offset) => Value::Pointer(region, restricted_word(terms, offset, facts)),
+        _ => value,
+    }
+}
+
+fn restricted_word(terms: &Terms, mut word: Word, facts: &[Bool]) -> Word {
+    while let &Node::WordIf(condition, a, b) = terms.of_word(word) {
+        match decided(facts, condition) {
+            Some(true) => word = a,
+            Some(false) => word = b,
+            None => break,
+        }
+    }
+    word
+}
+
+fn decided(facts: &[Bool], condition: Bool) -> Option<bool> {
+    if facts.contains(&condition) {
+        return Some(true);
+    }
+    facts.contains(&!condition).then_some(false)
+}
+
+/// Returns the conditions that hold where one does.
+pub(super) fn facts(terms: &Terms, guard: Bool) -> Vec<Bool> {
+    match terms.of_bool(guard) {
+        (Node::And(members), false) => members.to_vec(),
+        _ => vec![guard],
+    }
+}
