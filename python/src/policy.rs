@@ -60,12 +60,7 @@ impl Policy {
     where
         Own: Maths<S>,
     {
-        let source = SourceDocument {
-            name: "state".to_owned(),
-            length: self.inputs as u32,
-            unit: String::new(),
-            ranges: vec![[-1.0, 1.0]; self.inputs],
-        };
+        let source = SourceDocument::new("state", "", vec![[-1.0, 1.0]; self.inputs]);
         Single::new(Plan::new::<Own>(&self.policy, &[source], EngineOptions { lanes: 1, ..EngineOptions::default() }))
     }
 }

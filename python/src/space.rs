@@ -31,12 +31,7 @@ impl Space {
         limit: u32,
         asks: bool,
     ) -> PyResult<Self> {
-        let source = |(name, ranges): (String, Vec<[f64; 2]>)| SourceDocument {
-            name,
-            length: ranges.len() as u32,
-            unit: String::new(),
-            ranges,
-        };
+        let source = |(name, ranges): (String, Vec<[f64; 2]>)| SourceDocument::new(name, "", ranges);
         let output = |(name, min, max)| Output { name, unit: String::new(), min, max };
         let actions = if outputs.is_empty() {
             let own = &actions[..actions.len() - usize::from(asks && !actions.is_empty())];

@@ -42,6 +42,8 @@ pub trait Scalar:
     fn fmod(self, divisor: Self) -> Self;
     /// Truncated towards zero; the nearest end where `i32` has no such number, 0 for a NaN.
     fn to_i32(self) -> i32;
+    /// The greatest whole number that is not above this one, never −0; infinities and NaN stay.
+    fn floor(self) -> Self;
     /// Returns true if both are the same bits: a NaN is the same as itself, 0 is not −0.
     fn same_bits(self, other: Self) -> bool;
     /// Returns true if this is not a number.
@@ -77,6 +79,16 @@ impl Scalar for f32 {
         self as i32
     }
     #[inline(always)]
+    fn floor(self) -> Self {
+        // From 2²³ on, every number is whole.
+        if f32::abs(self) < 8_388_608.0 {
+            let whole = self as i32 as f32;
+            if whole > self { whole - 1.0 } else { whole }
+        } else {
+            self
+        }
+    }
+    #[inline(always)]
     fn abs(self) -> Self {
         f32::abs(self)
     }
@@ -110,6 +122,16 @@ impl Scalar for f64 {
     #[inline(always)]
     fn to_i32(self) -> i32 {
         self as i32
+    }
+    #[inline(always)]
+    fn floor(self) -> Self {
+        // From 2⁵² on, every number is whole.
+        if f64::abs(self) < 4_503_599_627_370_496.0 {
+            let whole = self as i64 as f64;
+            if whole > self { whole - 1.0 } else { whole }
+        } else {
+            self
+        }
     }
     #[inline(always)]
     fn abs(self) -> Self {

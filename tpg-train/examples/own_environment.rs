@@ -21,7 +21,7 @@ impl Environment<f32> for Cart {
     type Episode = [f32; 2]; // position and velocity
 
     fn sources(&self) -> Vec<SourceDocument> {
-        vec![SourceDocument { name: "cart".into(), length: 2, unit: "m, m/s".into(), ranges: vec![[-20.0, 20.0]; 2] }]
+        vec![SourceDocument::new("cart", "m, m/s", vec![[-20.0, 20.0]; 2])]
     }
     fn actions(&self) -> ActionSpace {
         ActionSpace::discrete(["push", "pull"])

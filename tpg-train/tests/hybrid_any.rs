@@ -199,7 +199,7 @@ impl Environment<f64> for Line {
 
     fn sources(&self) -> Vec<SourceDocument> {
         let ranges = vec![[-20.0, 20.0]];
-        vec![SourceDocument { name: "place".into(), length: 1, unit: "m".into(), ranges }]
+        vec![SourceDocument::new("place", "m", ranges)]
     }
     fn actions(&self) -> ActionSpace {
         let (name, unit) = ("step".into(), "m".into());

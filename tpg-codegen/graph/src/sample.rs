@@ -67,7 +67,7 @@ pub enum Constants {
 }
 
 impl Default for Shape {
-    /// Returns the shape of a graph about as large as the paper's, with every instruction.
+    /// Returns the shape of a graph about as large as the paper's, with every instruction but the quotient.
     fn default() -> Self {
         Self {
             teams: 20,
@@ -78,7 +78,7 @@ impl Default for Shape {
             actions: 9,
             outputs: 0,
             memory: 0,
-            instructions: Instruction::ALL.map(Word::Instruction).to_vec(),
+            instructions: words().filter(|word| matches!(word, Word::Instruction(_))).collect(),
             scalar: ScalarType::F64,
             maths: MathsProvider::Own,
             constants: Constants::Reals,
@@ -98,9 +98,12 @@ impl Shape {
     /// Returns a random shape: small graphs of every kind.
     pub fn random(seed: u64) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
-        let mut instructions = Word::ALL.to_vec();
+        let mut instructions: Vec<Word> = words().collect();
         instructions.shuffle(&mut random);
-        instructions.truncate(random.random_range(1..=Word::ALL.len()));
+        instructions.truncate(random.random_range(1..=instructions.len()));
+        if seed.is_multiple_of(4) {
+            instructions.push(Instruction::Quotient.into());
+        }
         let constants = [Constants::None, Constants::Integers, Constants::Reals];
         Self {
             teams: random.random_range(1..=30),
@@ -118,6 +121,11 @@ impl Shape {
             chain: random.random_ratio(1, 4),
         }
     }
+}
+
+/// Every word but the quotient, which only some random graphs have.
+fn words() -> impl Iterator<Item = Word> {
+    Word::ALL.into_iter().filter(|&word| word != Word::Instruction(Instruction::Quotient))
 }
 
 /// Returns a random graph of the given shape.
@@ -332,7 +340,7 @@ fn source(index: usize, length: u32) -> SourceDocument {
         2 => [0.0, 4095.0],
         _ => [512.0, 512.0],
     });
-    SourceDocument { name: format!("s{index}"), length, unit: "mm".to_owned(), ranges: ranges.collect() }
+    SourceDocument::new(format!("s{index}"), "mm", ranges.collect())
 }
 
 /// Ranges of different kinds, and NaN as their lowest, highest, or a value between.
@@ -344,7 +352,7 @@ fn output(index: u32) -> OutputDocument {
         _ => (-3e38, 3e38, -1.5),
     };
     let [min, max] = [min, max].map(|end: f64| f64::from(end as f32));
-    OutputDocument { name: format!("out{index}"), unit: "N*m".to_owned(), min, max, nan }
+    OutputDocument { name: format!("out{index}"), unit: "N*m".to_owned(), min, max, nan, counts: None }
 }
 
 fn memory(index: u32) -> MemoryDocument {

@@ -1,10 +1,10 @@
 //! States for comparing implementations, the same for the same graph and seed.
 //!
 //! Most lie in the declared ranges and some on their ends; some hold values that no sensor should deliver: NaN,
-//! infinities, denormals, arbitrary bits. Implementations must agree on every one.
+//! infinities, denormals, arbitrary bits. Implementations must agree on every one. Counts are whole numbers that their integers hold.
 
 use crate::error::InputError;
-use crate::model::{Graph, Range, ScalarType};
+use crate::model::{Counts, Graph, Input, Range, ScalarType};
 use crate::trace;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -15,18 +15,50 @@ use std::path::Path;
 /// Samples flat states, concatenated, each of [`Graph::state_length`] values that are exact in the graph's scalar type.
 pub fn sample(graph: &Graph, count: usize, seed: u64) -> Vec<f64> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let ranges: Vec<Range> = graph.state_ranges().collect();
-    let mut states = Vec::with_capacity(count * ranges.len());
+    let values = values_of(graph);
+    let mut states = Vec::with_capacity(count * values.len());
     for _ in 0..count {
         let kind = Kind::draw(&mut random);
-        states.extend(ranges.iter().map(|range| graph.scalar().round(kind.value(*range, &mut random))));
+        states.extend(values.iter().map(|value| value.draw(kind, &mut random)));
     }
     states
 }
 
+/// The values that an input can have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Value {
+    range: Range,
+    scalar: ScalarType,
+    /// Of counts, and of memory beside them: whole numbers in these limits.
+    whole: Option<Range>,
+}
+
+impl Value {
+    fn of(graph: &Graph, input: Input, range: Range) -> Self {
+        let counts = graph.counts_of(input).map(|counts| {
+            let [min, max] = Counts { bits: counts.container(), ..counts }.limits();
+            Range { min, max }
+        });
+        Self { range, scalar: graph.scalar(), whole: counts.or_else(|| graph.has_counts().then_some(range)) }
+    }
+
+    fn draw(self, kind: Kind, random: &mut impl Rng) -> f64 {
+        let value = self.scalar.round(kind.value(self.range, random));
+        match self.whole {
+            None => value,
+            Some(_) if value.is_nan() => self.range.min,
+            Some(Range { min, max }) => value.round().clamp(min, max) + 0.0,
+        }
+    }
+}
+
+fn values_of(graph: &Graph) -> Vec<Value> {
+    graph.inputs().zip(graph.state_ranges()).map(|(input, range)| Value::of(graph, input, range)).collect()
+}
+
 /// Samples flat states inside the declared ranges, as used by the embedded self-test.
 pub fn sample_in_range(graph: &Graph, count: usize, seed: u64) -> Vec<f64> {
-    Sampled { ranges: graph.state_ranges().collect(), scalar: graph.scalar(), count, seed }.values().collect()
+    Sampled { state: values_of(graph), count, seed }.values().collect()
 }
 
 /// Number of states of that length to hold at a time, at most `most`: 64 MiB of values, and at least one state.
@@ -128,8 +160,7 @@ enum Source {
 /// States drawn inside ranges.
 #[derive(Clone, Debug, PartialEq)]
 struct Sampled {
-    ranges: Vec<Range>,
-    scalar: ScalarType,
+    state: Vec<Value>,
     count: usize,
     seed: u64,
 }
@@ -138,8 +169,8 @@ impl Sampled {
     /// Returns the values of all states, one after another.
     fn values(&self) -> impl Iterator<Item = f64> + '_ {
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
-        let ranges = (0..self.count).flat_map(|_| &self.ranges);
-        ranges.map(move |range| self.scalar.round(Kind::InRange.value(*range, &mut random)))
+        let state = (0..self.count).flat_map(|_| &self.state);
+        state.map(move |value| value.draw(Kind::InRange, &mut random))
     }
 }
 
@@ -150,7 +181,7 @@ impl StateSet {
     /// Samples states inside the declared ranges.
     pub fn sampled(graph: &Graph, count: usize, seed: u64) -> Self {
         let origin = format!("{count} states sampled uniformly in the declared ranges, seed {seed}");
-        let sampled = Sampled { ranges: graph.state_ranges().collect(), scalar: graph.scalar(), count, seed };
+        let sampled = Sampled { state: values_of(graph), count, seed };
         Self { source: Source::Sampled(sampled), state_length: graph.state_length(), origin }
     }
 

@@ -255,6 +255,44 @@ fn json() {
         ),
         ("a team twice", &[("{\"id\":9", "{\"id\":7")]),
         ("a program twice", &[("{\"id\":3", "{\"id\":1")]),
+        (
+            "counts of one source",
+            &[
+                ("\"version\": 1", "\"version\": 2"),
+                ("[0.0,4095.0]]", "[0.0,4095.0]],\"counts\":[{\"bits\":16,\"scale\":1},{\"bits\":13,\"scale\":0.1}]"),
+            ],
+        ),
+        (
+            "counts in version 1",
+            &[
+                ("[0.0,4095.0]]", "[0.0,4095.0]],\"counts\":[{\"bits\":16,\"scale\":1},{\"bits\":13,\"scale\":0.1}]"),
+                ("\"ranges\":[[0.0,8.0]]", "\"ranges\":[[0.0,8.0]],\"counts\":[{\"bits\":16,\"scale\":1}]"),
+            ],
+        ),
+        (
+            "counts of too many bits",
+            &[
+                ("\"version\": 1", "\"version\": 2"),
+                ("[0.0,4095.0]]", "[0.0,4095.0]],\"counts\":[{\"bits\":16,\"scale\":1},{\"bits\":13,\"scale\":0.1}]"),
+                ("\"ranges\":[[0.0,8.0]]", "\"ranges\":[[0.0,8.0]],\"counts\":[{\"bits\":17,\"scale\":1}]"),
+            ],
+        ),
+        (
+            "counts of no worth",
+            &[
+                ("\"version\": 1", "\"version\": 2"),
+                ("[0.0,4095.0]]", "[0.0,4095.0]],\"counts\":[{\"bits\":16,\"scale\":1},{\"bits\":13,\"scale\":0.1}]"),
+                ("\"ranges\":[[0.0,8.0]]", "\"ranges\":[[0.0,8.0]],\"counts\":[{\"bits\":16,\"scale\":0}]"),
+            ],
+        ),
+        (
+            "a range beyond its counts",
+            &[
+                ("\"version\": 1", "\"version\": 2"),
+                ("[0.0,4095.0]]", "[0.0,4095.0]],\"counts\":[{\"bits\":16,\"scale\":1},{\"bits\":13,\"scale\":0.1}]"),
+                ("\"ranges\":[[0.0,8.0]]", "\"ranges\":[[0.0,8.0]],\"counts\":[{\"bits\":4,\"scale\":1}]"),
+            ],
+        ),
     ];
     insta::assert_snapshot!("json", messages(JSON, cases, |text| import::from_text("x.json", text, None)));
 }

@@ -69,7 +69,7 @@ impl OutputView {
 /// Every output, its unit made safe for a comment.
 pub(super) fn outputs(syntax: &impl Syntax, safe: impl Fn(&str) -> String) -> Vec<OutputView> {
     (syntax.graph().outputs().iter().enumerate())
-        .map(|(place, Output { name, unit, range, nan })| OutputView {
+        .map(|(place, Output { name, unit, range, nan, .. })| OutputView {
             name: name.clone(),
             field: field(syntax.graph(), name),
             unit: safe(unit),

@@ -1,7 +1,7 @@
 //! Tables of unsigned integers in the least type that holds them.
 
 use super::syntax::Syntax;
-use crate::passes::bytecode::{self, Bytecode, Width};
+use crate::passes::bytecode::{Bytecode, Width};
 
 /// A table: its type, and its values as a language writes them.
 pub(super) struct Table {
@@ -23,5 +23,5 @@ pub(super) fn cases(syntax: &impl Syntax, code: &Bytecode) -> Vec<(u32, String)>
         Some(instruction) => syntax.instruction(instruction, &operands),
         None => "a".to_owned(),
     };
-    code.used.iter().map(|&operation| (bytecode::number(operation), expression(operation))).collect()
+    (0..).zip(&code.used).map(|(number, &operation)| (number, expression(operation))).collect()
 }

@@ -172,7 +172,7 @@ impl Explanation<'_> {
         }
         writeln!(out, "\nWhat the leaves compute\n")?;
         let (answers, memory) = outputs.split_at(outputs.len() - self.graph.memory());
-        for Output { name, unit, range, nan } in answers {
+        for Output { name, unit, range, nan, .. } in answers {
             writeln!(out, "{name} is limited to {range} {unit}; {nan} takes the place of NaN.")?;
         }
         for Output { name, range, nan, .. } in memory {

@@ -140,7 +140,7 @@ impl<'a> Bounds<'a> {
                     _ => UNKNOWN,
                 }
             }
-            Instruction::Tan => UNKNOWN,
+            Instruction::Tan | Instruction::Quotient => UNKNOWN,
             // Not farther from 0 than the first operand.
             Instruction::NegateIfLess | Instruction::Abs | Instruction::Fmod | Instruction::Gate => {
                 self.magnitude(a).map_or(UNKNOWN, Bound::Magnitude)

@@ -28,7 +28,7 @@ pub struct Bytecode {
     pub frame: usize,
     /// Bits of an operand.
     pub operand_bits: u32,
-    /// The operations that occur, in order; `None` copies its first operand.
+    /// The operations that occur, by number; `None` copies its first operand.
     pub used: Vec<Option<Instruction>>,
 }
 
@@ -68,14 +68,6 @@ impl Width {
     }
 }
 
-/// The number of an operation.
-pub fn number(operation: Option<Instruction>) -> u32 {
-    match operation {
-        Some(instruction) => instruction as u32,
-        None => Instruction::ALL.len() as u32,
-    }
-}
-
 /// Encodes a module. Programs that bid the same value share one entry.
 pub fn encode(module: &Module<'_>) -> Bytecode {
     let constants = constants(module);
@@ -107,7 +99,12 @@ pub fn encode(module: &Module<'_>) -> Bytecode {
     let longest = lists.iter().map(Vec::len).max().unwrap_or(0).max(1);
     let frame = first_result + longest;
     let operand_bits = usize::BITS - (frame - 1).leading_zeros();
-    let mut used = BTreeSet::new();
+    let operations = lists.iter().flatten().map(|&id| match module.node(id) {
+        Node::Operation(instruction, _) => Some(instruction),
+        _ => None,
+    });
+    let copies = lists.iter().any(Vec::is_empty).then_some(None);
+    let used: Vec<Option<Instruction>> = operations.chain(copies).collect::<BTreeSet<_>>().into_iter().collect();
     let mut code = Vec::new();
     let mut programs = vec![0];
     for (value, list) in values.iter().zip(&lists) {
@@ -117,9 +114,9 @@ pub fn encode(module: &Module<'_>) -> Bytecode {
             Node::Operation(..) | Node::Upper(..) => first_result + list.binary_search(&id).unwrap_or(0),
         };
         let mut push = |operation: Option<Instruction>, [a, b]: [NodeId; 2]| {
-            used.insert((number(operation), operation));
+            let number = used.binary_search(&operation).unwrap_or(0) as u64;
             let [a, b] = [a, b].map(|id| place(id) as u64);
-            code.push(u64::from(number(operation)) << (2 * operand_bits) | b << operand_bits | a);
+            code.push(number << (2 * operand_bits) | b << operand_bits | a);
         };
         for &id in list {
             if let Node::Operation(instruction, operands) = module.node(id) {
@@ -142,7 +139,7 @@ pub fn encode(module: &Module<'_>) -> Bytecode {
         first_result,
         frame,
         operand_bits,
-        used: used.into_iter().map(|(_, operation)| operation).collect(),
+        used,
     }
 }
 
@@ -156,7 +153,7 @@ fn constants(module: &Module<'_>) -> Vec<u64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Bytecode, encode, number};
+    use super::{Bytecode, encode};
     use crate::passes::arithmetic::Arithmetic;
     use crate::passes::optimise;
     use tpg_graph::sample::{self, Shape};
@@ -189,9 +186,8 @@ mod tests {
             let word = code.code[place];
             let mask = (1 << code.operand_bits) - 1;
             let [a, b] = [word & mask, word >> code.operand_bits & mask].map(|operand| frame[operand as usize]);
-            let operation = code.used.iter().find(|&&used| u64::from(number(used)) == word >> (2 * code.operand_bits));
-            frame.push(match operation.expect("an operation that occurs") {
-                Some(instruction) => arithmetic.evaluate(*instruction, a, b).expect("own maths"),
+            frame.push(match code.used[(word >> (2 * code.operand_bits)) as usize] {
+                Some(instruction) => arithmetic.evaluate(instruction, a, b).expect("own maths"),
                 None => a,
             });
         }

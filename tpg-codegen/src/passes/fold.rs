@@ -90,6 +90,10 @@ pub(super) fn operation(
             // A gate with a NaN in front of it can still be shut.
             Instruction::Gate if constants[1].is_some_and(f64::is_nan) => a,
             Instruction::Gate => values.intern(Node::Operation(instruction, operands)),
+            // By 0, it is a number.
+            Instruction::Quotient if !constants[1].is_some_and(f64::is_nan) => {
+                values.intern(Node::Operation(instruction, operands))
+            }
             _ => values.intern(Node::constant(f64::NAN)),
         };
     }
@@ -262,8 +266,8 @@ mod tests {
                 let nan = values.intern(Node::constant(f64::NAN));
                 let id = operation(&mut values, F64, instruction, if swapped { [nan, x] } else { [x, nan] });
                 let single = instruction.arity() == 1 && !swapped;
-                let may_be_shut = instruction == Instruction::Gate && swapped;
-                assert!(single || may_be_shut || id == x || id == nan, "{instruction:?}");
+                let may_be_a_number = matches!(instruction, Instruction::Gate | Instruction::Quotient) && swapped;
+                assert!(single || may_be_a_number || id == x || id == nan, "{instruction:?}");
             }
         }
     }

@@ -91,8 +91,10 @@ pub fn apply(arithmetic: Arithmetic, instruction: Instruction, a: Interval, b: I
                 (a.contains_zero() && b.has_infinity()) || (b.contains_zero() && a.has_infinity());
             corners(ends, a, b, nan || zero_times_infinity, zero_times_infinity)
         }
-        Instruction::Div if b.contains_zero() => Interval { low: -infinite, high: infinite, nan: true },
-        Instruction::Div => {
+        Instruction::Div | Instruction::Quotient if b.contains_zero() => {
+            Interval { low: -infinite, high: infinite, nan: true }
+        }
+        Instruction::Div | Instruction::Quotient => {
             let infinite_quotient = a.has_infinity() && b.has_infinity();
             corners(ends, a, b, nan || infinite_quotient, infinite_quotient)
         }

@@ -162,6 +162,7 @@ pub fn cost(node: &Node) -> u32 {
         Instruction::Sub | Instruction::Add | Instruction::Mul | Instruction::Abs => 1,
         Instruction::NegateIfLess | Instruction::Min | Instruction::Max | Instruction::Gate => 2,
         Instruction::Div => 4,
+        Instruction::Quotient => 6,
         Instruction::Fmod => 12,
         Instruction::Exp => 20,
         Instruction::Ln => 25,

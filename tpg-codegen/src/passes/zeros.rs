@@ -76,8 +76,10 @@ fn passes(instruction: Instruction, constants: [Option<f64>; 2], seen: bool) -> 
         Instruction::Mul | Instruction::Min | Instruction::Max | Instruction::Sin | Instruction::Tan => [seen, seen],
         // The second operand is compared, or is a divisor whose remainder has the sign of the first.
         Instruction::NegateIfLess | Instruction::Fmod | Instruction::Gate => [seen, false],
-        // Of either zero they are 0, 1, 1 and −∞.
-        Instruction::Abs | Instruction::Cos | Instruction::Exp | Instruction::Ln => [false, false],
+        // Of either zero they are 0, 1, 1 and −∞; a quotient is never −0, and by either zero the same.
+        Instruction::Abs | Instruction::Cos | Instruction::Exp | Instruction::Ln | Instruction::Quotient => {
+            [false, false]
+        }
     }
 }
 

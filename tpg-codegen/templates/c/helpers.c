@@ -37,6 +37,24 @@ static {{ scalar }} {{ prefix }}_gate({{ scalar }} a, {{ scalar }} b)
     return ((b >= {% if f64 %}0.0{% else %}0.0F{% endif %}) && (b <= {% if f64 %}0.0{% else %}0.0F{% endif %})) ? {% if f64 %}-0.0{% else %}-0.0F{% endif %} : a;
 }
 {% endif %}
+{% if self.calls("quotient") %}
+/* a / b, rounded down. By 0, the greatest integer with the sign of a, and of 0 / 0 the lowest. */
+static {{ scalar }} {{ prefix }}_quotient({{ scalar }} a, {{ scalar }} b)
+{
+    const {{ scalar }} quotient = a / b;
+    {{ scalar }} result = quotient;
+
+    if ((b >= {{ whole.zero }}) && (b <= {{ whole.zero }})) {
+        result = (a > {{ whole.zero }}) ? {{ whole.by_zero }} : ((a < {{ whole.zero }}) ? {{ whole.minus_by_zero }} : {{ whole.zero_by_zero }});
+    } else if ((quotient > {{ whole.least }}) && (quotient < {{ whole.most }})) {
+        result = ({{ scalar }})({{ signed }})quotient;
+        result = (result > quotient) ? (result - {{ whole.one }}) : result;
+    } else {
+        /* whole as it is, or no number */
+    }
+    return result;
+}
+{% endif %}
 {% if self.calls("clamp") %}
 /* An output in its range. What is neither in it nor below is NaN. */
 static {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ scalar }} high, {{ scalar }} nan)

@@ -93,6 +93,28 @@
     return {{ prefix }}_select({{ prefix }}_opaque(0U - (((bits & ~{{ sign }}) - 1U) >> {{ top }})), {% if f64 %}-0.0{% else %}-0.0F{% endif %}, a);
 }
 {% endif %}
+{% if self.calls("quotient") %}
+
+/* a / b, rounded down. By 0, the greatest integer with the sign of a, and of 0 / 0 the lowest. */
+{{ storage }} {{ scalar }} {{ prefix }}_quotient({{ scalar }} a, {{ scalar }} b)
+{
+    const {{ scalar }} quotient = a / b;
+    const {{ scalar }} not_positive = {{ prefix }}_select({{ prefix }}_above({{ whole.zero }}, a), {{ whole.minus_by_zero }}, {{ whole.zero_by_zero }});
+    const {{ scalar }} by_zero = {{ prefix }}_select({{ prefix }}_above(a, {{ whole.zero }}), {{ whole.by_zero }}, not_positive);
+    {{ key }} bits;
+    {{ key }} small;
+    {{ scalar }} within;
+    {{ scalar }} whole;
+    (void)memcpy(&bits, &quotient, sizeof bits);
+    small = {{ prefix }}_opaque(0U - (((bits & ~{{ sign }}) - {{ whole.most_bits }}) >> {{ top }})); /* from there on, all are whole */
+    within = {{ prefix }}_select(small, quotient, {{ whole.zero }});
+    whole = ({{ scalar }})({{ signed }})within;
+    whole = whole - {{ prefix }}_select({{ prefix }}_above(whole, within), {{ whole.one }}, {{ whole.zero }});
+    whole = {{ prefix }}_select(small, whole, quotient);
+    (void)memcpy(&bits, &b, sizeof bits);
+    return {{ prefix }}_select({{ prefix }}_opaque(0U - (((bits & ~{{ sign }}) - 1U) >> {{ top }})), by_zero, whole);
+}
+{% endif %}
 {% if self.calls("clamp") %}
 
 /* All ones where x has a sign, else 0. */

@@ -5,7 +5,7 @@
 //!
 //! The functions are those of [`ops`](super) for every operand, NaN and infinities too.
 
-use super::{own, remainder};
+use super::{BY_ZERO, ZERO_BY_ZERO, own, remainder};
 use core::hint::black_box;
 use core::marker::PhantomData;
 
@@ -18,7 +18,7 @@ pub struct ConstantTime<S> {
 }
 
 macro_rules! constant_time {
-    ($scalar:ident, $key:ident, $infinity:expr) => {
+    ($scalar:ident, $key:ident, $infinity:expr, $all_whole:expr) => {
         impl Default for ConstantTime<$scalar> {
             #[inline(always)]
             fn default() -> Self {
@@ -51,6 +51,23 @@ macro_rules! constant_time {
             pub fn gate(self, a: $scalar, b: $scalar) -> $scalar {
                 let magnitude = b.to_bits().cast_signed() & $key::MAX;
                 Self::choose(self.mask(magnitude.wrapping_sub(1)), -0.0, a)
+            }
+
+            /// [`Instruction::Quotient`](super::Instruction::Quotient).
+            #[inline(always)]
+            pub fn quotient(self, a: $scalar, b: $scalar) -> $scalar {
+                let quotient = a / b;
+                // From there on, every number is whole.
+                let small = self
+                    .mask((quotient.to_bits().cast_signed() & $key::MAX) - $scalar::to_bits($all_whole).cast_signed());
+                let within = Self::choose(small, quotient, 0.0);
+                let whole = within as $key as $scalar;
+                let floor = whole - Self::choose(self.above(whole, within), 1.0, 0.0);
+                let of_number = Self::choose(small, floor, quotient);
+                let not_positive = Self::choose(self.above(0.0, a), -(BY_ZERO as $scalar), ZERO_BY_ZERO as $scalar);
+                let by_zero = Self::choose(self.above(a, 0.0), BY_ZERO as $scalar, not_positive);
+                let magnitude = b.to_bits().cast_signed() & $key::MAX;
+                Self::choose(self.mask(magnitude.wrapping_sub(1)), by_zero, of_number)
             }
 
             /// [`clamp`](super::clamp).
@@ -117,8 +134,8 @@ macro_rules! constant_time {
     };
 }
 
-constant_time!(f32, i32, 0x7f80_0000_i32);
-constant_time!(f64, i64, 0x7ff0_0000_0000_0000_i64);
+constant_time!(f32, i32, 0x7f80_0000_i32, 8_388_608.0);
+constant_time!(f64, i64, 0x7ff0_0000_0000_0000_i64, 4_503_599_627_370_496.0);
 
 impl ConstantTime<f32> {
     /// A bid as an integer in the order of bids; a NaN counts as −∞.
@@ -211,6 +228,8 @@ mod tests {
                     prop_assert_eq!(ct.max(a, b).to_bits(), ops::max(a, b).to_bits());
                     prop_assert_eq!(ct.negate_if_less(a, b).to_bits(), ops::negate_if_less(a, b).to_bits());
                     prop_assert_eq!(ct.gate(a, b).to_bits(), ops::gate(a, b).to_bits());
+                    let (quotient, expected) = (ct.quotient(a, b), ops::quotient(a, b));
+                    prop_assert!(quotient.to_bits() == expected.to_bits() || (quotient.is_nan() && expected.is_nan()));
                     let (rest, expected) = (ct.fmod(a, b), ops::fmod(a, b));
                     prop_assert!(rest.to_bits() == expected.to_bits() || (rest.is_nan() && expected.is_nan()));
                     for (low, high, nan) in [(-1.0, 1.0, 0.0), (-0.0, 0.0, -0.0), (0.0, $scalar::MAX, 0.0), (2.0, 3.0, 3.0)] {

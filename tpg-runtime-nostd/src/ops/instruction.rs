@@ -40,11 +40,21 @@ pub enum Instruction {
     ///
     /// Sums of gated values are choices: `x` where `c` is not 0, else `y`, is `gate(x, c) + gate(y, 1 − gate(1, c))`.
     Gate,
+    /// `⌊a / b⌋`: the quotient, rounded once and then down to a whole number; never −0. Where `b` is 0 it is [`BY_ZERO`] for a
+    /// positive `a`, −[`BY_ZERO`] for a negative one, and [`ZERO_BY_ZERO`] for 0 and NaN.
+    ///
+    /// Of whole numbers it is exact: in `f64` up to magnitudes of 2⁵², in `f32` of 2²³.
+    Quotient,
 }
+
+/// [`Instruction::Quotient`] of a positive number by 0: what infinity is in integers.
+pub const BY_ZERO: i32 = i32::MAX;
+/// [`Instruction::Quotient`] of 0 by 0: what no number is in integers. As a bid it is below all others.
+pub const ZERO_BY_ZERO: i32 = i32::MIN;
 
 impl Instruction {
     /// Every instruction, in the order of the enumeration.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Sub,
         Self::Add,
         Self::Mul,
@@ -60,6 +70,7 @@ impl Instruction {
         Self::Tan,
         Self::Fmod,
         Self::Gate,
+        Self::Quotient,
     ];
 
     /// The name in `graph.json`, in sidecars and in messages.
@@ -80,6 +91,7 @@ impl Instruction {
             Self::Tan => "tan",
             Self::Fmod => "fmod",
             Self::Gate => "gate",
+            Self::Quotient => "quotient",
         }
     }
 
@@ -93,7 +105,7 @@ impl Instruction {
         match self {
             Self::Cos | Self::Sin | Self::Ln | Self::Exp | Self::Abs | Self::Tan => 1,
             Self::Sub | Self::Add | Self::Mul | Self::Div => 2,
-            Self::NegateIfLess | Self::Min | Self::Max | Self::Fmod | Self::Gate => 2,
+            Self::NegateIfLess | Self::Min | Self::Max | Self::Fmod | Self::Gate | Self::Quotient => 2,
         }
     }
 
@@ -121,6 +133,7 @@ impl Instruction {
             Self::Tan => M::tan(a),
             Self::Fmod => a.fmod(b),
             Self::Gate => gate(a, b),
+            Self::Quotient => quotient(a, b),
         }
     }
 }
@@ -153,4 +166,47 @@ pub fn fmod<S: Scalar>(a: S, b: S) -> S {
 #[inline(always)]
 pub fn gate<S: Scalar>(a: S, b: S) -> S {
     if b == S::ZERO { -S::ZERO } else { a }
+}
+
+/// [`Instruction::Quotient`].
+#[inline(always)]
+pub fn quotient<S: Scalar>(a: S, b: S) -> S {
+    if b != S::ZERO {
+        (a / b).floor()
+    } else if a > S::ZERO {
+        S::from_i32(BY_ZERO)
+    } else if a < S::ZERO {
+        S::from_i32(-BY_ZERO)
+    } else {
+        S::from_i32(ZERO_BY_ZERO)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::quotient;
+    use proptest::prelude::*;
+
+    #[test]
+    fn quotients_by_zero_have_the_sign_of_the_dividend() {
+        let most = f64::from(i32::MAX);
+        for zero in [0.0, -0.0] {
+            let quotients = [1.0, -0.5, 0.0, -0.0, f64::NAN, f64::INFINITY].map(|a| quotient(a, zero));
+            assert_eq!(quotients, [most, -most, -most - 1.0, -most - 1.0, -most - 1.0, most]);
+        }
+        assert!(quotient(f64::NAN, 2.0).is_nan() && quotient(2.0, f64::NAN).is_nan());
+        assert_eq!(quotient(f64::INFINITY, -2.0), f64::NEG_INFINITY);
+        assert_eq!([quotient(-0.0, 3.0_f32), quotient(0.0, -3.0)].map(f32::to_bits), [0, 0]);
+        assert_eq!([quotient(-1e-30, 3.0), quotient(9e15_f64, 2.0), quotient(-1e300, 2.0)], [-1.0, 4.5e15, -5e299]);
+    }
+
+    proptest! {
+        #[test]
+        fn quotients_of_whole_numbers_are_exact(a in -(1_i64 << 52)..=1 << 52, b in any::<i32>(), c in any::<u8>()) {
+            for b in [i64::from(b), i64::from(c), -i64::from(c)].into_iter().filter(|&b| b != 0) {
+                let floor = a.div_euclid(b) - i64::from(b < 0 && a.rem_euclid(b) != 0);
+                prop_assert_eq!(quotient(a as f64, b as f64), floor as f64, "{} {}", a, b);
+            }
+        }
+    }
 }

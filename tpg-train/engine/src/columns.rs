@@ -174,7 +174,7 @@ fn compute_column<S: Scalar, M: Maths<S>>(
         };
     }
     loops!(
-        short: Sub Add Mul Div NegateIfLess Abs Min Max Gate Fmod;
+        short: Sub Add Mul Div NegateIfLess Abs Min Max Gate Fmod Quotient;
         long: Cos cosines Sin sines Tan tangents Ln logarithms Exp exponentials
     );
 }

@@ -219,7 +219,7 @@ impl<Task, V: Evaluator<Task> + ?Sized> Evaluator<Task> for &V {
 /// #     type Task = f32;
 /// #     type Episode = f32;
 /// #     fn sources(&self) -> Vec<SourceDocument> {
-/// #         vec![SourceDocument { name: "count".into(), length: 1, unit: "1".into(), ranges: vec![[0.0, 9.0]] }]
+/// #         vec![SourceDocument::new("count", "1", vec![[0.0, 9.0]])]
 /// #     }
 /// #     fn actions(&self) -> ActionSpace { ActionSpace::discrete(["down", "up"]) }
 /// #     fn time_limit(&self) -> u32 { 5 }

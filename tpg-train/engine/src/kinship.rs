@@ -54,7 +54,7 @@ mod tests {
             .map(|(instruction, input)| line(instruction, input));
         let other = line(Instruction::Sub, 1);
         let roots = [root(&[sine, sum, product]), root(&[other]), root(&[sum, product]), root(&[sine])];
-        let source = SourceDocument { name: "x".into(), length: 2, unit: "1".into(), ranges: vec![[0.0, 1.0]; 2] };
+        let source = SourceDocument::new("x", "1", vec![[0.0, 1.0]; 2]);
         let policies: Vec<&PolicyGraph> = roots.iter().collect();
         let plan = Plan::<f32>::of_roots::<Own>(
             &policies,

@@ -124,7 +124,7 @@ impl<S: Scalar> Plan<S> {
     /// let root = |first, second| {
     ///     PolicyGraph::new(1, 0, vec![vec![edge(0, first), edge(1, second)]], vec![vec![sine], vec![]])
     /// };
-    /// let source = SourceDocument { name: "angle".into(), length: 1, unit: "rad".into(), ranges: vec![[-3.0, 3.0]] };
+    /// let source = SourceDocument::new("angle", "rad", vec![[-3.0, 3.0]]);
     /// let plan = Plan::<f32>::of_roots::<Own>(&[&root(0, 1), &root(1, 0)], &[source], EngineOptions::default());
     /// assert_eq!(plan.operations(), 1, "both bid the same sine");
     /// ```
@@ -342,7 +342,8 @@ fn most<S: Scalar>(instruction: Instruction, a: Option<S>, b: Option<S>) -> Opti
         Instruction::Abs | Instruction::NegateIfLess | Instruction::Fmod | Instruction::Gate => a,
         Instruction::Add | Instruction::Sub => Some(a? + b?),
         Instruction::Min | Instruction::Max => Some(if a? > b? { a? } else { b? }),
-        Instruction::Mul | Instruction::Div | Instruction::Tan | Instruction::Ln | Instruction::Exp => None,
+        Instruction::Mul | Instruction::Div | Instruction::Quotient | Instruction::Tan => None,
+        Instruction::Ln | Instruction::Exp => None,
     }
 }
 

@@ -60,7 +60,7 @@ impl Remembered {
 /// #     type Task = f32;
 /// #     type Episode = f32;
 /// #     fn sources(&self) -> Vec<SourceDocument> {
-/// #         vec![SourceDocument { name: "speed".into(), length: 1, unit: "m/s".into(), ranges: vec![[-9.0, 9.0]] }]
+/// #         vec![SourceDocument::new("speed", "m/s", vec![[-9.0, 9.0]])]
 /// #     }
 /// #     fn actions(&self) -> ActionSpace {
 /// #         let torque = Output { name: "torque".into(), unit: "N·m".into(), min: -2.0, max: 2.0 };
@@ -118,12 +118,8 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {
         time_limit draw outcomes measure preference constants accepts);
 
     fn sources(&self) -> Vec<SourceDocument> {
-        let value = |value: &Remembered| SourceDocument {
-            name: value.name.clone(),
-            length: 1,
-            unit: "memory".to_owned(),
-            ranges: vec![[value.min, value.max]],
-        };
+        let value =
+            |value: &Remembered| SourceDocument::new(value.name.clone(), "memory", vec![[value.min, value.max]]);
         let mut sources = self.environment.sources();
         sources.extend(self.memory.iter().map(value));
         sources

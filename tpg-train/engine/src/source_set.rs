@@ -45,12 +45,7 @@ mod tests {
 
     #[test]
     fn an_input_belongs_to_the_source_it_lies_in() {
-        let source = |length: u32| SourceDocument {
-            name: format!("s{length}"),
-            length,
-            unit: String::new(),
-            ranges: vec![[0.0, 1.0]; length as usize],
-        };
+        let source = |length| SourceDocument::new(format!("s{length}"), "", vec![[0.0, 1.0]; length]);
         let sources = [source(3), source(1), source(2)];
         let set = |inputs: &[u16]| {
             let set = SourceSet::of_inputs(&sources, inputs.iter().copied());

@@ -32,7 +32,7 @@ impl Environment<f32> for Counter {
     type Episode = u32;
 
     fn sources(&self) -> Vec<SourceDocument> {
-        vec![SourceDocument { name: "count".into(), length: 1, unit: String::new(), ranges: vec![[0.0, 200.0]] }]
+        vec![SourceDocument::new("count", "", vec![[0.0, 200.0]])]
     }
     fn actions(&self) -> ActionSpace {
         ActionSpace::discrete(["on", "off"])

@@ -24,7 +24,7 @@ impl<S: Scalar> Environment<S> for Drift {
 
     fn sources(&self) -> Vec<SourceDocument> {
         let ranges = vec![[f64::NEG_INFINITY, f64::INFINITY]; 3];
-        vec![SourceDocument { name: "point and task".into(), length: 3, unit: "1".into(), ranges }]
+        vec![SourceDocument::new("point and task", "1", ranges)]
     }
     fn constants(&self) -> Vec<u16> {
         vec![2]

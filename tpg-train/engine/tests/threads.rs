@@ -17,7 +17,7 @@ impl Environment<f32> for Ball {
 
     fn sources(&self) -> Vec<SourceDocument> {
         let ranges = vec![[f64::NEG_INFINITY, f64::INFINITY]; 2];
-        vec![SourceDocument { name: "ball".into(), length: 2, unit: String::new(), ranges }]
+        vec![SourceDocument::new("ball", "", ranges)]
     }
     fn actions(&self) -> ActionSpace {
         ActionSpace::discrete(["roll", "push"])

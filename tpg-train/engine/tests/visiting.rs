@@ -19,7 +19,7 @@ impl Environment<f32> for Walk {
 
     fn sources(&self) -> Vec<SourceDocument> {
         let ranges = vec![[f64::NEG_INFINITY, f64::INFINITY]];
-        vec![SourceDocument { name: "place".into(), length: 1, unit: String::new(), ranges }]
+        vec![SourceDocument::new("place", "", ranges)]
     }
     fn actions(&self) -> ActionSpace {
         let output = Output { name: "step".into(), unit: String::new(), min: -8.0, max: 8.0 };

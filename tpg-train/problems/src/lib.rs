@@ -54,5 +54,5 @@ use tpg_graph::SourceDocument;
 
 /// Creates a source of one value.
 fn source(name: &str, unit: &str, range: [f64; 2]) -> SourceDocument {
-    SourceDocument { name: name.to_owned(), length: 1, unit: unit.to_owned(), ranges: vec![range] }
+    SourceDocument::new(name, unit, vec![range])
 }

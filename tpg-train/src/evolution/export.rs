@@ -31,6 +31,7 @@ pub(super) fn graph(
             min,
             max,
             nan,
+            counts: None,
         })
         .collect();
     let remembered = outputs.split_off(outputs.len() - memory.min(outputs.len()));

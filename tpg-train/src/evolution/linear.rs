@@ -217,7 +217,7 @@ mod tests {
     use tpg_runtime::ops::Instruction;
 
     fn vocabulary(words: &[Word], outputs: usize) -> Vocabulary {
-        let source = SourceDocument { name: "s".into(), length: 2, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 2] };
+        let source = SourceDocument::new("s", "1", vec![[-1.0, 1.0]; 2]);
         let limits = Limits { min: -2.0, max: 2.0, nan: 0.0 };
         Vocabulary::new(words.to_vec(), 4, &[source], Some(vec![1.0, 4.0]), ScalarType::F64)
             .with_outputs(vec![limits; outputs])
@@ -275,7 +275,7 @@ mod tests {
         let refused = |vocabulary: &Vocabulary, kind| LinearWriter::new(vocabulary, 0, kind).expect_err("no sums").key;
         let key = |vocabulary: &Vocabulary| refused(vocabulary, ProgramKind::Sum);
         assert_eq!(key(&vocabulary(&[Instruction::Mul.into()], 1)), "language.instructions");
-        let source = SourceDocument { name: "s".into(), length: 1, unit: "1".into(), ranges: vec![[-1.0, 1.0]] };
+        let source = SourceDocument::new("s", "1", vec![[-1.0, 1.0]]);
         let words = vec![Instruction::Add.into(), Word::MultiplyAdd];
         let without = Vocabulary::new(words.clone(), 4, std::slice::from_ref(&source), None, ScalarType::F64);
         assert_eq!(key(&without), "language.literals");

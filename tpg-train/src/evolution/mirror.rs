@@ -190,7 +190,7 @@ mod tests {
     fn a_child_bids_the_opposite_for_the_opposite_action() {
         let words = [Instruction::Add, Instruction::Sub, Instruction::Mul].map(Word::from);
         let words = [&words[..], &[Word::MultiplyAdd]].concat();
-        let source = SourceDocument { name: "s".into(), length: 3, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 3] };
+        let source = SourceDocument::new("s", "1", vec![[-1.0, 1.0]; 3]);
         let vocabulary = Vocabulary::new(words, 2, &[source], Some(vec![1.0; 3]), ScalarType::F64);
         let config = Preset::find("raw-fs").expect("it is there").config().expect("it is accepted");
         let programs =

@@ -168,7 +168,7 @@ mod tests {
 
     fn evolved(generations: u64) -> Genome {
         let config = EvolutionConfig::default();
-        let source = SourceDocument { name: "s".into(), length: 3, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 3] };
+        let source = SourceDocument::new("s", "1", vec![[-1.0, 1.0]; 3]);
         let limits = Limits { min: -1.0, max: 1.0, nan: 0.0 };
         let vocabulary = Vocabulary::new(config.instructions(), 4, &[source], Some(vec![1.0; 3]), ScalarType::F32)
             .with_outputs(vec![limits; 2]);

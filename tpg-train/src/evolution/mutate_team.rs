@@ -217,7 +217,7 @@ mod tests {
     }
 
     fn vocabulary(config: &EvolutionConfig) -> Vocabulary {
-        let source = SourceDocument { name: "s".into(), length: 3, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 3] };
+        let source = SourceDocument::new("s", "1", vec![[-1.0, 1.0]; 3]);
         Vocabulary::new(config.instructions(), 8, &[source], None, ScalarType::F32)
     }
 

@@ -137,7 +137,7 @@ mod tests {
     fn terms(config: &EvolutionConfig, state: &[f64], units: Vec<f64>) -> BTreeSet<i64> {
         let source = |name: &str| {
             let ranges = vec![[-1.0, 1.0]; 2];
-            SourceDocument { name: name.into(), length: 2, unit: "1".into(), ranges }
+            SourceDocument::new(name, "1", ranges)
         };
         let sources = [source("a"), source("b")];
         let vocabulary =
@@ -174,7 +174,7 @@ mod tests {
         let vocabulary = Vocabulary::new(
             config.instructions(),
             3,
-            &[SourceDocument { name: "a".into(), length: 2, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 2] }],
+            &[SourceDocument::new("a", "1", vec![[-1.0, 1.0]; 2])],
             Some(vec![1.0; 2]),
             ScalarType::F64,
         );

@@ -163,7 +163,7 @@ mod tests {
 
     fn vocabulary() -> Vocabulary {
         let words = vec![Instruction::Add.into(), Word::MultiplyAdd];
-        let source = SourceDocument { name: "s".into(), length: 3, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 3] };
+        let source = SourceDocument::new("s", "1", vec![[-1.0, 1.0]; 3]);
         let limits = Limits { min: -1.0, max: 1.0, nan: 0.0 };
         Vocabulary::new(words, 2, &[source], Some(vec![1.0; 3]), ScalarType::F64).with_outputs(vec![limits; 2])
     }

@@ -12,31 +12,39 @@ use std::fmt::{self, Write as _};
 /// program for each value that its label names.
 ///
 /// # Errors
-/// The part of the graph that the format cannot express: memory.
+/// The part of the graph that the format cannot express: counts, or memory.
 pub fn text(graph: &Graph) -> Result<String, Inexpressible> {
+    if graph.has_counts() {
+        return Err(Inexpressible::Counts);
+    }
     match graph.memory() {
         0 => Ok(Writer::new(graph).text()),
         _ => {
             let memory = graph.outputs().iter().skip(graph.outputs().len() - graph.memory());
-            Err(Inexpressible { memory: memory.map(|value| value.name.clone()).collect() })
+            Err(Inexpressible::Memory(memory.map(|value| value.name.clone()).collect()))
         }
     }
 }
 
 /// The part of a graph that GEGELATI's format cannot express.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Inexpressible {
-    memory: Vec<String>,
+pub enum Inexpressible {
+    /// The worth of counts.
+    Counts,
+    /// Memory, by its names.
+    Memory(Vec<String>),
 }
 
 impl fmt::Display for Inexpressible {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { memory } = self;
-        write!(
-            f,
-            "a policy with memory ({}): in GEGELATI's format a decision depends on the state alone",
-            memory.join(", ")
-        )
+        match self {
+            Self::Counts => f.write_str("a policy of counts: GEGELATI's format does not say what a count is worth"),
+            Self::Memory(memory) => write!(
+                f,
+                "a policy with memory ({}): in GEGELATI's format a decision depends on the state alone",
+                memory.join(", ")
+            ),
+        }
     }
 }
 

@@ -39,7 +39,7 @@ fn source(source: &SourceDocument) -> String {
     format!("{{ name = {name}, length = {}, unit = {unit}, {ranges} }}", source.length)
 }
 
-fn output(OutputDocument { name, unit, min, max, nan }: &OutputDocument) -> String {
+fn output(OutputDocument { name, unit, min, max, nan, .. }: &OutputDocument) -> String {
     let (name, unit) = (string(name), string(unit));
     format!("{{ name = {name}, unit = {unit}, min = {min:?}, max = {max:?}, nan = {nan:?} }}")
 }

@@ -334,7 +334,7 @@ impl Sidecar {
                     return Err(self.error(&path, "a source without range", accepted));
                 }
             };
-            sources.push(SourceDocument { name, length, unit, ranges });
+            sources.push(SourceDocument { length, ..SourceDocument::new(name, unit, ranges) });
         }
         let provenance = match described.provenance {
             None => Provenance::default(),
@@ -352,7 +352,14 @@ impl Sidecar {
             instructions: self.words(),
             actions: described.actions,
             outputs: (described.outputs.into_iter())
-                .map(|DescribedOutput { name, unit, min, max, nan, .. }| OutputDocument { name, unit, min, max, nan })
+                .map(|DescribedOutput { name, unit, min, max, nan, .. }| OutputDocument {
+                    name,
+                    unit,
+                    min,
+                    max,
+                    nan,
+                    counts: None,
+                })
                 .collect(),
             provenance,
             ..Document::default()

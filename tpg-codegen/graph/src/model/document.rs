@@ -1,5 +1,6 @@
 //! `graph.json` as written: plain data, not yet validated.
 
+use super::counts::Counts;
 use super::effect::{Effect, WrittenAction};
 use crate::word::Word;
 use schemars::JsonSchema;
@@ -11,7 +12,7 @@ use std::fmt;
 /// The value of [`Document::format`].
 pub const FORMAT: &str = "tpg-graph";
 
-/// The versions of the format that this tool reads. Version 2 adds outputs; a graph without them is written as version 1.
+/// The versions of the format that this tool reads. Version 2 adds outputs and counts; a graph without them is written as version 1.
 pub const VERSIONS: [u32; 2] = [1, 2];
 
 /// A tangled program graph with everything that determines its behaviour.
@@ -25,7 +26,7 @@ pub struct Document {
     /// Always "tpg-graph".
     #[schemars(extend("const" = FORMAT))]
     pub format: String,
-    /// 1, or 2 for a policy with outputs.
+    /// 1, or 2 for a policy with outputs or counts.
     #[schemars(extend("enum" = VERSIONS))]
     pub version: u32,
     /// The type programs compute in.
@@ -130,8 +131,27 @@ pub struct SourceDocument {
     pub length: u32,
     /// Unit of the values, for human readers.
     pub unit: String,
-    /// Lowest and highest value of each, both finite.
+    /// Lowest and highest value of each, both finite; of counts, whole numbers.
     pub ranges: Vec<[f64; 2]>,
+    /// Version 2: the integers that the values come in, one for each; programs then see counts. Empty where they see the values
+    /// themselves.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub counts: Vec<Counts>,
+}
+
+impl SourceDocument {
+    /// Creates a source with a value for each range.
+    ///
+    /// ```
+    /// use tpg_graph::SourceDocument;
+    ///
+    /// let angle = SourceDocument::new("angle", "rad", vec![[-3.2, 3.2]]);
+    /// assert_eq!((angle.length, angle.counts.len()), (1, 0));
+    /// ```
+    pub fn new(name: impl Into<String>, unit: impl Into<String>, ranges: Vec<[f64; 2]>) -> Self {
+        let (name, unit, length) = (name.into(), unit.into(), ranges.len() as u32);
+        Self { name, length, unit, ranges, counts: Vec::new() }
+    }
 }
 
 /// An action.
@@ -163,6 +183,9 @@ pub struct OutputDocument {
     pub max: f64,
     /// The value in place of NaN, from `min` to `max`.
     pub nan: f64,
+    /// The integers that it is; `min`, `max` and `nan` are then counts.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub counts: Option<Counts>,
 }
 
 /// A value that a leaf computes for the next decision.

@@ -4,6 +4,7 @@
 //! register and input is in range, and the teams form an acyclic graph with one root. Passes and emitters never check
 //! again.
 
+mod counts;
 mod document;
 mod effect;
 mod name;
@@ -13,6 +14,7 @@ mod text;
 mod validate;
 mod write;
 
+pub use counts::Counts;
 pub use document::{
     ActionDocument, Document, EdgeDocument, FORMAT, LeafDocument, LineDocument, MathsProvider, MemoryDocument,
     OperandDocument, OutputDocument, ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument, VERSIONS,
@@ -83,6 +85,8 @@ pub struct Source {
     pub unit: String,
     /// The declared range of each value, both ends included and finite.
     pub ranges: Vec<Range>,
+    /// The integers that each value comes in; empty where programs see the values themselves.
+    pub counts: Vec<Counts>,
 }
 
 /// A closed, finite range of values.
@@ -132,6 +136,8 @@ pub struct Output {
     pub range: Range,
     /// The value in place of NaN, in the range; of a memory, also the first value.
     pub nan: f64,
+    /// The integers that it is, if it is counts.
+    pub counts: Option<Counts>,
 }
 
 /// A leaf: the action of a policy with outputs.
@@ -339,6 +345,17 @@ impl Graph {
     /// Iterates over the declared range of each value of the state.
     pub fn state_ranges(&self) -> impl Iterator<Item = Range> + '_ {
         self.sources.iter().flat_map(|source| source.ranges.iter().copied())
+    }
+
+    /// Tests for a graph that sees and answers counts.
+    pub fn has_counts(&self) -> bool {
+        self.sources.iter().any(|source| !source.counts.is_empty())
+    }
+
+    /// Returns the integers that an input comes in; `None` for memory, and where programs see the values themselves.
+    pub fn counts_of(&self, input: Input) -> Option<Counts> {
+        let (source, place) = self.source_of(input);
+        source.counts.get(place).copied()
     }
 
     /// Returns the source that an input belongs to, and the input's index in it.

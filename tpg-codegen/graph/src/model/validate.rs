@@ -1,5 +1,6 @@
 //! Conversion of a document to a graph. Every possible error in a graph is detected here, once.
 
+mod counts;
 mod values;
 
 use super::document::{
@@ -146,6 +147,7 @@ impl Validator<'_> {
                     return Err(self.error(format!("{path}.ranges[{place}]"), found, accepted));
                 }
             }
+            self.source_counts(&path, source)?;
             if places.insert(source.name.as_str(), (first, length)).is_some() {
                 let found = format!("{:?} a second time", source.name);
                 return Err(self.error(format!("{path}.name"), found, "a name that no other source has"));
@@ -471,12 +473,12 @@ impl Validator<'_> {
 
 fn source(source: &SourceDocument) -> Source {
     let ranges = source.ranges.iter().map(|&[min, max]| Range { min, max }).collect();
-    Source { name: source.name.clone(), unit: source.unit.clone(), ranges }
+    Source { name: source.name.clone(), unit: source.unit.clone(), ranges, counts: source.counts.clone() }
 }
 
 /// The source by which programs read a value of the memory.
 fn remembered(memory: &Output) -> Source {
-    Source { name: memory.name.clone(), unit: memory.unit.clone(), ranges: vec![memory.range] }
+    Source { name: memory.name.clone(), unit: memory.unit.clone(), ranges: vec![memory.range], counts: Vec::new() }
 }
 
 fn action(action: &ActionDocument) -> Action {

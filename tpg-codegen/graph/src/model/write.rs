@@ -38,7 +38,7 @@ impl Graph {
         let (outputs, memory) = self.outputs.split_at(self.outputs.len() - self.memory);
         Document {
             format: FORMAT.to_owned(),
-            version: if self.outputs.is_empty() { 1 } else { 2 },
+            version: if self.outputs.is_empty() && !self.has_counts() { 1 } else { 2 },
             scalar: self.scalar,
             maths: self.maths,
             registers: u32::from(self.registers),
@@ -72,6 +72,7 @@ fn source_document(source: &Source) -> SourceDocument {
         length: source.ranges.len() as u32,
         unit: source.unit.clone(),
         ranges: source.ranges.iter().map(|range| [range.min, range.max]).collect(),
+        counts: source.counts.clone(),
     }
 }
 
@@ -80,8 +81,9 @@ fn action_document(id: u32, action: &Action) -> ActionDocument {
 }
 
 fn output_document(output: &Output) -> OutputDocument {
-    let Output { name, unit, range, nan } = output;
-    OutputDocument { name: name.clone(), unit: unit.clone(), min: range.min, max: range.max, nan: *nan }
+    let Output { name, unit, range, nan, counts } = output;
+    let (name, unit) = (name.clone(), unit.clone());
+    OutputDocument { name, unit, min: range.min, max: range.max, nan: *nan, counts: *counts }
 }
 
 fn memory_document(memory: &Output) -> MemoryDocument {

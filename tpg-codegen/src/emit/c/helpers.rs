@@ -9,6 +9,7 @@ use crate::passes::estimate::{self, Estimate};
 use askama::Template;
 use std::collections::BTreeSet;
 use tpg_graph::{MathsProvider, ScalarType};
+use tpg_runtime::ops::{BY_ZERO, ZERO_BY_ZERO};
 
 #[derive(Template)]
 #[template(path = "c/helpers.c", escape = "none")]
@@ -38,6 +39,41 @@ struct Helpers<'a> {
     signed: &'a str,
     unsigned_suffix: &'a str,
     estimate: Estimate,
+    whole: Whole,
+}
+
+/// The literals of a quotient.
+struct Whole {
+    zero: String,
+    one: String,
+    by_zero: String,
+    minus_by_zero: String,
+    zero_by_zero: String,
+    /// From there on every number is whole, and below the negative.
+    most: String,
+    least: String,
+    most_bits: &'static str,
+}
+
+impl Whole {
+    fn new(printer: &Printer<'_>) -> Self {
+        let scalar = printer.graph.scalar();
+        let number = |value: f64| printer.number(scalar.round(value));
+        let (most, most_bits) = match scalar {
+            ScalarType::F32 => (8_388_608.0, "0x4b000000U"),
+            ScalarType::F64 => (4_503_599_627_370_496.0, "0x4330000000000000ULL"),
+        };
+        Self {
+            zero: number(0.0),
+            one: number(1.0),
+            by_zero: number(BY_ZERO.into()),
+            minus_by_zero: number((-BY_ZERO).into()),
+            zero_by_zero: number(ZERO_BY_ZERO.into()),
+            most: number(most),
+            least: number(-most),
+            most_bits,
+        }
+    }
 }
 
 impl Helpers<'_> {
@@ -58,7 +94,7 @@ impl Helpers<'_> {
     }
 
     fn compares(&self) -> bool {
-        self.any(["challenge", "negate_if_less", "min", "max"])
+        self.any(["challenge", "negate_if_less", "min", "max", "quotient"])
     }
 
     fn compares_bids(&self) -> bool {
@@ -66,14 +102,14 @@ impl Helpers<'_> {
     }
 
     fn selects(&self) -> bool {
-        self.any(["challenge", "clamp", "pick", "min", "max", "gate"])
+        self.any(["challenge", "clamp", "pick", "min", "max", "gate", "quotient"])
     }
 }
 
 /// Functions that only a body calls.
 const OF_BODIES: [&str; 9] = ["can", "can_at", "challenge", "clamp", "hidden", "number", "pick", "take", "take_at"];
 /// Functions of masks.
-const MASKS: [&str; 8] = ["challenge", "number", "clamp", "pick", "min", "max", "negate_if_less", "gate"];
+const MASKS: [&str; 9] = ["challenge", "number", "clamp", "pick", "min", "max", "negate_if_less", "gate", "quotient"];
 /// The maximum number of calls of masks that are inlined, for they take flash.
 const FEW: usize = 24;
 
@@ -113,6 +149,7 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str, upper
         signed,
         unsigned_suffix,
         estimate: estimate::numbers(scalar),
+        whole: Whole::new(printer),
     };
     let inline = format!("{upper}_INLINE");
     let chooses = helpers.compares() || helpers.any(["clamp", "pick"]);

@@ -281,11 +281,12 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
             let [min, max] = source.range(&self.description, index);
             [min.floor(), max.ceil()]
         };
-        let document = |source: &Source| SourceDocument {
-            name: source.name().to_owned(),
-            length: source.length() as u32,
-            unit: source.unit().to_owned(),
-            ranges: (0..source.length()).map(|index| range(source, index)).collect(),
+        let document = |source: &Source| {
+            SourceDocument::new(
+                source.name(),
+                source.unit(),
+                (0..source.length()).map(|index| range(source, index)).collect(),
+            )
         };
         self.problem.sources.iter().map(document).collect()
     }

@@ -127,10 +127,5 @@ impl Training<Scene, Trial> for Dodge {
 
 fn document(source: Source) -> SourceDocument {
     let ranges = source.ranges().iter().map(|&[low, high]| [low.into(), high.into()]).collect::<Vec<[f64; 2]>>();
-    SourceDocument {
-        name: source.name().to_owned(),
-        length: ranges.len() as u32,
-        unit: source.unit().to_owned(),
-        ranges,
-    }
+    SourceDocument::new(source.name(), source.unit(), ranges)
 }

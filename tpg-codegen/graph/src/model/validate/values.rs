@@ -39,7 +39,7 @@ impl Validator<'_> {
 
     /// Checks an output; `nan` is the name of the field that holds its value in place of NaN.
     fn output(&self, path: &str, field: &str, output: &OutputDocument) -> Result<Output, InputError> {
-        let OutputDocument { name, unit, min, max, nan } = output;
+        let OutputDocument { name, unit, min, max, nan, counts } = output;
         if !name::is_source(name) {
             return Err(self.error(format!("{path}.name"), format!("{name:?}"), name::SOURCE));
         }
@@ -56,7 +56,9 @@ impl Validator<'_> {
             let accepted = format!("a number from {min} to {max}, exact in {}", scalar.name());
             return Err(self.error(format!("{path}.{field}"), nan.to_string(), accepted));
         }
-        Ok(Output { name: name.clone(), unit: unit.clone(), range: Range { min: *min, max: *max }, nan: *nan })
+        self.output_counts(path, output)?;
+        let range = Range { min: *min, max: *max };
+        Ok(Output { name: name.clone(), unit: unit.clone(), range, nan: *nan, counts: *counts })
     }
 
     /// Checks the memory, and adds to `sources` how programs read it: behind the sources, one value each.
@@ -79,6 +81,7 @@ impl Validator<'_> {
                     min: *min,
                     max: *max,
                     nan: *initial,
+                    counts: None,
                 };
                 let memory = self.output(&path, "initial", &as_output)?;
                 let is_output = document.outputs.iter().any(|output| output.name == *name);
