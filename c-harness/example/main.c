@@ -28,7 +28,7 @@ static uint32_t scratch[WIDOWX_SAC_SCRATCH];
 /* The generated policy, for the runtime. */
 static uint16_t infer(const void *state)
 {
-    return widowx_fs_infer(state);
+    return (uint16_t)widowx_fs_infer(state);
 }
 
 static const uint8_t sources[] = WIDOWX_FS_SOURCES;

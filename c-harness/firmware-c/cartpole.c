@@ -18,9 +18,9 @@ typedef uint16_t (*push_t)(const cart_memory_t *seen);
 #define PUSH(name)                                                                                                     \
     static uint16_t name##_push(const cart_memory_t *seen)                                                             \
     {                                                                                                                  \
-        const name##_state_t state = { { seen->place }, { seen->speed }, { seen->lean }, { seen->spin } };             \
+        const name##_state_t state = { seen->place, seen->speed, seen->lean, seen->spin };                             \
                                                                                                                        \
-        return name##_infer(&state);                                                                                   \
+        return (uint16_t)name##_infer(&state);                                                                         \
     }
 
 PUSH(pole_fast)
@@ -60,7 +60,7 @@ static void run(uint32_t number)
             instructions += count;
             worst = (count > worst) ? count : worst;
             {
-                const cart_state_t pushed = { { (float)push } };
+                const cart_state_t pushed = { (float)push };
 
                 cart_infer(&pushed, &seen, &shown);
             }

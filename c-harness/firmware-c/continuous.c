@@ -28,7 +28,7 @@ typedef float (*torque_t)(const seen_t *seen);
 #define WITHOUT_MEMORY(name)                                                                                           \
     static float name##_torque(const seen_t *seen)                                                                     \
     {                                                                                                                  \
-        const name##_state_t state = { { seen->values[0] }, { seen->values[1] }, { seen->values[2] } };                \
+        const name##_state_t state = { seen->values[0], seen->values[1], seen->values[2] };                            \
         name##_action_t action;                                                                                        \
                                                                                                                        \
         name##_infer(&state, &action);                                                                                 \
@@ -45,7 +45,7 @@ typedef float (*torque_t)(const seen_t *seen);
                                                                                                                        \
     static float name##_torque(const seen_t *seen)                                                                     \
     {                                                                                                                  \
-        const name##_state_t state = { { seen->values[0] }, { seen->values[1] } };                                     \
+        const name##_state_t state = { seen->values[0], seen->values[1] };                                             \
         name##_action_t action;                                                                                        \
                                                                                                                        \
         name##_infer(&state, &name##_memory, &action);                                                                 \
@@ -83,7 +83,7 @@ static const struct {
 /* The pendulum moves; what it shows then. */
 static seen_t moved(plant_memory_t *swing, float torque)
 {
-    const plant_state_t state = { { torque } };
+    const plant_state_t state = { torque };
     plant_action_t shown;
     seen_t seen;
 

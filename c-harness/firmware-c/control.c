@@ -31,12 +31,12 @@ static const tpg_move_t rs_moves[] = WIDOWX_RS_MOVES;
 
 static uint16_t fs_infer(const void *state)
 {
-    return widowx_fs_infer(state);
+    return (uint16_t)widowx_fs_infer(state);
 }
 
 static uint16_t rs_infer(const void *state)
 {
-    return widowx_rs_infer(state);
+    return (uint16_t)widowx_rs_infer(state);
 }
 
 static const tpg_policy_t fs_policy = { fs_infer, fs_sources, WIDOWX_FS_SOURCE_COUNT, fs_moves, WIDOWX_FS_ACTIONS };

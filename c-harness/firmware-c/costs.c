@@ -24,7 +24,7 @@ typedef uint16_t (*infer_t)(const void *state);
 #define INFER(name)                                                                                                    \
     static uint16_t name##_answer(const void *state)                                                                   \
     {                                                                                                                  \
-        return name##_infer(state);                                                                                    \
+        return (uint16_t)name##_infer(state);                                                                          \
     }
 
 INFER(fs_fast)

@@ -39,12 +39,12 @@ static uint32_t turn;
 
 static uint16_t graph(const void *state)
 {
-    return dodge_infer(state);
+    return (uint16_t)dodge_infer(state);
 }
 
 static uint16_t in_turn(const void *state)
 {
-    const uint16_t action = dodge_infer(state);
+    const uint16_t action = (uint16_t)dodge_infer(state);
 
     return ((turn % 2U) == 0U) ? action : (uint16_t)((turn / 2U) % (uint32_t)TPG_BEHAVIOURS);
 }

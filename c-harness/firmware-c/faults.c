@@ -32,12 +32,12 @@ static uint32_t scratch[WIDOWX_SAC_SCRATCH];
 
 static uint16_t fs_infer(const void *state)
 {
-    return widowx_fs_infer(state);
+    return (uint16_t)widowx_fs_infer(state);
 }
 
 static uint16_t rs_infer(const void *state)
 {
-    return widowx_rs_infer(state);
+    return (uint16_t)widowx_rs_infer(state);
 }
 
 static const uint8_t fs_sources[] = WIDOWX_FS_SOURCES;

@@ -1,14 +1,14 @@
 /*
+ * A policy for acrobot, score -71.88 in validation, trained by tpg-train 0.1.0 with seed 11.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix acrobot --profile fast
  * Graph SHA-256: c746bc981049f428c5e9cd92b39b159c476562abde6afb37fa55ace167b590d0
- * 1 teams (1 on the longest walk), 4 edges, 4 programs, 26 distinct operations.
+ * 1 team, 4 edges, 4 programs, 26 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "acrobot.h"
 
 #include <float.h>
-#include <math.h>
 
 #ifdef __FAST_MATH__
 #error "fast-math reorders operations and drops NaN: the policy would act differently"
@@ -26,74 +26,47 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-/* Teams in an order in which every one comes after all that lead to it: control only goes forward. */
-
-uint16_t acrobot_infer(const acrobot_state_t *state)
+/* The highest bid wins, of equal bids the last; NaN and minus infinity never win. */
+acrobot_action_t acrobot_infer(const acrobot_state_t *state)
 {
-    uint32_t vertex;
-
-    {
-        float best = -FLT_MAX;
-        uint32_t way = 2U;
-        const float v3 = state->cos_theta_1[0] * (-2.7205236F);
-        const float v6 = state->sin_theta_2[0] * (-1.2175102F);
-        const float v7 = v3 + v6;
-        const float v10 = state->omega_1[0] * (-0.49445456F);
-        const float v11 = v7 + v10;
-        const float v14 = state->omega_2[0] * 0.22029561F;
-        const float v15 = v11 + v14;
-        const float v17 = v15 + 2.3143518F;
-
-        if (v17 >= best) {
-            best = v17;
-            way = 1U;
-        }
-        const float v19 = state->cos_theta_1[0] * (-3.3904653F);
-        const float v22 = state->sin_theta_1[0] * (-0.12505245F);
-        const float v23 = v19 + v22;
-        const float v26 = state->cos_theta_2[0] * 0.27461419F;
-        const float v27 = v23 + v26;
-        const float v29 = state->omega_1[0] * (-0.4058117F);
-        const float v30 = v27 + v29;
-        const float v32 = v30 / 2.6443782F;
-
-        if (v32 >= best) {
-            best = v32;
-            way = 1U;
-        }
-        const volatile float constant = 0.0F;
-        const float zero = constant;
-
-        if (zero >= best) {
-            best = zero;
-            way = 2U;
-        }
-        const float v34 = state->cos_theta_1[0] * (-2.6076918F);
-        const float v36 = state->omega_2[0] * (-0.080515005F);
-        const float v37 = v34 + v36;
-        const float v39 = state->sin_theta_2[0] * (-1.831776F);
-        const float v40 = v37 + v39;
-        const float v42 = state->cos_theta_2[0] * 0.10326636F;
-        const float v43 = v40 + v42;
-        const float v45 = state->sin_theta_1[0] * 2.957902F;
-        const float v46 = v43 + v45;
-        const float v48 = v46 + (-0.69571906F);
-
-        if (v48 >= best) {
-            way = 2U;
-        }
-
-        if (way == 1U) {
-            vertex = 2U;
-            goto decided;
-        } else {
-            vertex = 0U;
-            goto decided;
-        }
+    float best = -FLT_MAX;
+    acrobot_action_t action = ACROBOT_TORQUE_MINUS_1;
+    const float torque_1 = -2.7205236f * state->cos_theta_1
+        - 1.2175102f * state->sin_theta_2
+        - 0.49445456f * state->omega_1
+        + 0.22029561f * state->omega_2
+        + 2.3143518f;
+    if (torque_1 >= best) {
+        best = torque_1;
+        action = ACROBOT_TORQUE_1;
     }
 
-decided:
-    return (uint16_t)vertex;
+    const float term = -3.3904653f * state->cos_theta_1
+        - 0.12505245f * state->sin_theta_1
+        + 0.27461419f * state->cos_theta_2
+        - 0.4058117f * state->omega_1;
+    const float torque_1_2 = term / 2.6443782f;
+    if (torque_1_2 >= best) {
+        best = torque_1_2;
+        action = ACROBOT_TORQUE_1;
+    }
+
+    if (0.0f >= best) {
+        best = 0.0f;
+        action = ACROBOT_TORQUE_MINUS_1;
+    }
+
+    const float torque_minus_1_2 = -2.6076918f * state->cos_theta_1
+        - 0.080515005f * state->omega_2
+        - 1.831776f * state->sin_theta_2
+        + 0.10326636f * state->cos_theta_2
+        + 2.957902f * state->sin_theta_1
+        - 0.69571906f;
+    if (torque_minus_1_2 >= best) {
+        action = ACROBOT_TORQUE_MINUS_1;
+    }
+
+    return action;
 }
 
 #ifndef ACROBOT_NO_SELFTEST
@@ -101,25 +74,40 @@ decided:
 uint32_t acrobot_selftest(void)
 {
     static const acrobot_state_t states[16] = {
-        { { -0.19502868F }, { -0.83923256F }, { 0.19312036F }, { -0.5613508F }, { -5.4364486F }, { 11.909728F } },
-        { { -0.077823654F }, { -0.6946946F }, { 0.74956214F }, { 0.41324815F }, { -0.42079356F }, { 4.366074F } },
-        { { -0.80108094F }, { -0.47216487F }, { -0.09308055F }, { -0.43954256F }, { 12.34099F }, { 23.318121F } },
-        { { 0.89423496F }, { -0.73351216F }, { -0.3126318F }, { -0.039395504F }, { -2.5802672F }, { -27.499756F } },
-        { { -0.90216064F }, { -0.62974095F }, { 0.051049944F }, { -0.46373504F }, { -10.344222F }, { -22.593761F } },
-        { { 0.98203355F }, { 0.3899906F }, { -0.7835091F }, { 0.15934406F }, { 5.79932F }, { 11.572715F } },
-        { { -0.5531582F }, { 0.9062733F }, { -0.7435385F }, { 0.26504543F }, { 7.63756F }, { 4.5999885F } },
-        { { 0.7992153F }, { -0.24138537F }, { -0.046325635F }, { 0.84437793F }, { -4.0578446F }, { 7.1148696F } },
-        { { -0.4365431F }, { -0.54634196F }, { 0.14372544F }, { 0.87286556F }, { -3.8977692F }, { 23.03356F } },
-        { { 0.9923936F }, { 0.7787676F }, { 0.46484092F }, { 0.030455325F }, { 3.7680407F }, { 3.8799171F } },
-        { { 0.22866715F }, { -0.05595976F }, { 0.29675052F }, { 0.21315971F }, { -10.929068F }, { -14.670802F } },
-        { { -0.15897672F }, { -0.2682392F }, { -0.27462733F }, { -0.4909406F }, { 2.2491F }, { -12.707204F } },
-        { { 0.7802172F }, { 0.30822086F }, { -0.5670921F }, { 0.24139233F }, { -3.4462802F }, { -13.945603F } },
-        { { 0.96699303F }, { 0.078019455F }, { 0.8809034F }, { -0.48978633F }, { -5.8115807F }, { -20.48936F } },
-        { { -0.20567624F }, { 0.7606329F }, { 0.75981915F }, { -0.8658829F }, { 9.128454F }, { 25.912836F } },
-        { { 0.8547621F }, { -0.74921864F }, { -0.9235042F }, { -0.9441242F }, { 2.116904F }, { 12.373514F } },
+        { -0.19502868f, -0.83923256f, 0.19312036f, -0.5613508f, -5.4364486f, 11.909728f },
+        { -0.077823654f, -0.6946946f, 0.74956214f, 0.41324815f, -0.42079356f, 4.366074f },
+        { -0.80108094f, -0.47216487f, -0.09308055f, -0.43954256f, 12.34099f, 23.318121f },
+        { 0.89423496f, -0.73351216f, -0.3126318f, -0.039395504f, -2.5802672f, -27.499756f },
+        { -0.90216064f, -0.62974095f, 0.051049944f, -0.46373504f, -10.344222f, -22.593761f },
+        { 0.98203355f, 0.3899906f, -0.7835091f, 0.15934406f, 5.79932f, 11.572715f },
+        { -0.5531582f, 0.9062733f, -0.7435385f, 0.26504543f, 7.63756f, 4.5999885f },
+        { 0.7992153f, -0.24138537f, -0.046325635f, 0.84437793f, -4.0578446f, 7.1148696f },
+        { -0.4365431f, -0.54634196f, 0.14372544f, 0.87286556f, -3.8977692f, 23.03356f },
+        { 0.9923936f, 0.7787676f, 0.46484092f, 0.030455325f, 3.7680407f, 3.8799171f },
+        { 0.22866715f, -0.05595976f, 0.29675052f, 0.21315971f, -10.929068f, -14.670802f },
+        { -0.15897672f, -0.2682392f, -0.27462733f, -0.4909406f, 2.2491f, -12.707204f },
+        { 0.7802172f, 0.30822086f, -0.5670921f, 0.24139233f, -3.4462802f, -13.945603f },
+        { 0.96699303f, 0.078019455f, 0.8809034f, -0.48978633f, -5.8115807f, -20.48936f },
+        { -0.20567624f, 0.7606329f, 0.75981915f, -0.8658829f, 9.128454f, 25.912836f },
+        { 0.8547621f, -0.74921864f, -0.9235042f, -0.9441242f, 2.116904f, 12.373514f },
     };
-    static const uint16_t actions[16] = {
-        2U, 2U, 2U, 0U, 2U, 0U, 0U, 2U, 2U, 0U, 2U, 0U, 0U, 0U, 2U, 2U
+    static const acrobot_action_t actions[16] = {
+        ACROBOT_TORQUE_1,
+        ACROBOT_TORQUE_1,
+        ACROBOT_TORQUE_1,
+        ACROBOT_TORQUE_MINUS_1,
+        ACROBOT_TORQUE_1,
+        ACROBOT_TORQUE_MINUS_1,
+        ACROBOT_TORQUE_MINUS_1,
+        ACROBOT_TORQUE_1,
+        ACROBOT_TORQUE_1,
+        ACROBOT_TORQUE_MINUS_1,
+        ACROBOT_TORQUE_1,
+        ACROBOT_TORQUE_MINUS_1,
+        ACROBOT_TORQUE_MINUS_1,
+        ACROBOT_TORQUE_MINUS_1,
+        ACROBOT_TORQUE_1,
+        ACROBOT_TORQUE_1,
     };
     uint32_t failures = 0U;
     uint32_t vector;

@@ -1,8 +1,9 @@
 /*
+ * A policy, score 323.31 in validation, trained by tpg-train 0.1.0 with seed 1.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix bipedal_walker --profile fast
- * Graph SHA-256: 073ef0a378cc8a602612e78e03be167dbc630525ff9afcc4c26a06f839168795
- * 1 teams (1 on the longest walk), 1 edges, 1 programs, 192 distinct operations.
+ * Graph SHA-256: 4f4840a071e9cbd3270c7e2b84410b98290b8ae8140d5ce381fa057ab6707938
+ * 1 team, 1 edge, 1 program, 192 distinct operations.
  * Computes in f32 with own maths.
  */
 #ifndef BIPEDAL_WALKER_H
@@ -25,23 +26,22 @@ extern "C" {
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct bipedal_walker_state {
-    float obs[24]; /* , -3.1415927410125732 to 3.1415927410125732; -5 to 5; -5 to 5; -5 to 5; -3.1415927410125732 to 3.1415927410125732; -5 to 5; -3.1415927410125732 to 3.1415927410125732; -5 to 5; -0 to 5; -3.1415927410125732 to 3.1415927410125732; -5 to 5; -3.1415927410125732 to 3.1415927410125732; -5 to 5; -0 to 5; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1 */
+    float obs[24]; /* -3.1415927 to 3.1415927; -5 to 5; -5 to 5; -5 to 5; -3.1415927 to 3.1415927; -5 to 5; -3.1415927 to 3.1415927; -5 to 5; 0 to 5; -3.1415927 to 3.1415927; -5 to 5; -3.1415927 to 3.1415927; -5 to 5; 0 to 5; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1 */
 } bipedal_walker_state_t;
 
 /* The values that the policy answers, each in its range and never NaN. */
 typedef struct bipedal_walker_action {
-    float action_0; /* , -1 to 1 */
-    float action_1; /* , -1 to 1 */
-    float action_2; /* , -1 to 1 */
-    float action_3; /* , -1 to 1 */
+    float hip_1; /* -1 to 1 */
+    float knee_1; /* -1 to 1 */
+    float hip_2; /* -1 to 1 */
+    float knee_2; /* -1 to 1 */
 } bipedal_walker_action_t;
 
 /* The answer to a state. Pure and reentrant: no globals, no memory, no side effect but *action. */
 void bipedal_walker_infer(const bipedal_walker_state_t *state, bipedal_walker_action_t *action);
 
 #ifndef BIPEDAL_WALKER_NO_SELFTEST
-/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- */
+/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good. */
 uint32_t bipedal_walker_selftest(void);
 #endif
 

@@ -1,4 +1,5 @@
 /*
+ * A policy for dodge, score 11.39 in validation, trained by tpg-train 0.1.0 with seed 3.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix dodge --profile fast
  * Graph SHA-256: cdea7daabca328e27e33a768eb228f4f6759f7262ab7fd254d28e16436a5fda2
@@ -36,123 +37,105 @@ static float dodge_max(float a, float b)
     return (a > b) ? a : b;
 }
 
-/* Teams in an order in which every one comes after all that lead to it: control only goes forward. */
-
-uint16_t dodge_infer(const dodge_state_t *state)
+/* The highest bid wins, of equal bids the last; NaN and minus infinity never win. Every team comes after all that lead to it. */
+dodge_action_t dodge_infer(const dodge_state_t *state)
 {
-    uint32_t vertex;
-
     {
         float best = -FLT_MAX;
-        uint32_t way = 4U;
-        const float v5 = state->detour[0] - state->second[0];
-
-        if (v5 >= best) {
-            best = v5;
-            way = 1U;
+        uint32_t next = 4U;
+        const float field_base_up = state->detour - state->second[0];
+        if (field_base_up >= best) {
+            best = field_base_up;
+            next = 1U;
         }
-        const float v7 = fabsf(state->ahead[2]);
 
-        if (v7 >= best) {
-            best = v7;
-            way = 4U;
+        const float plan = fabsf(state->ahead[2]);
+        if (plan >= best) {
+            best = plan;
+            next = 4U;
         }
-        const volatile float constant = 0.0F;
+
+        const volatile float constant = 0.0f;
         const float zero = constant;
-
         if (zero >= best) {
             best = zero;
-            way = 1U;
-        }
-        const float v12 = 634.5653F / state->near[3];
-
-        if (v12 >= best) {
-            best = v12;
-            way = 2U;
-        }
-        const float v1 = fabsf(state->second[1]);
-
-        if (v1 >= best) {
-            best = v1;
-            way = 3U;
-        }
-        const float v10 = dodge_negate_if_less(state->ahead[0], state->near[3]);
-
-        if (v10 >= best) {
-            best = v10;
-            way = 4U;
-        }
-        const float v13 = 634.5653F / state->detour[0];
-
-        if (v13 >= best) {
-            best = v13;
-            way = 4U;
-        }
-        const float v14 = dodge_max(state->ahead[0], state->near[3]);
-
-        if (v14 >= best) {
-            way = 4U;
+            next = 1U;
         }
 
-        if (way == 1U) {
-            vertex = 7U;
-            goto decided;
-        } else if (way == 2U) {
-            goto team_1;
-        } else if (way == 3U) {
-            vertex = 8U;
-            goto decided;
-        } else {
-            vertex = 0U;
-            goto decided;
+        const float to_team_1 = 634.5653f / state->near[3];
+        if (to_team_1 >= best) {
+            best = to_team_1;
+            next = 2U;
+        }
+
+        const float field_base_down = fabsf(state->second[1]);
+        if (field_base_down >= best) {
+            best = field_base_down;
+            next = 3U;
+        }
+
+        const float plan_2 = dodge_negate_if_less(state->ahead[0], state->near[3]);
+        if (plan_2 >= best) {
+            best = plan_2;
+            next = 4U;
+        }
+
+        const float plan_3 = 634.5653f / state->detour;
+        if (plan_3 >= best) {
+            best = plan_3;
+            next = 4U;
+        }
+
+        const float plan_4 = dodge_max(state->ahead[0], state->near[3]);
+        if (plan_4 >= best) {
+            next = 4U;
+        }
+
+        if (next == 1U) {
+            return DODGE_FIELD_BASE_UP;
+        }
+        if (next == 3U) {
+            return DODGE_FIELD_BASE_DOWN;
+        }
+        if (next == 4U) {
+            return DODGE_PLAN;
         }
     }
 
-team_1:
     {
         float best = -FLT_MAX;
-        uint32_t way = 2U;
-        const float v13 = 634.5653F / state->detour[0];
-
-        if (v13 >= best) {
-            best = v13;
-            way = 2U;
-        }
-        const float v10 = dodge_negate_if_less(state->ahead[0], state->near[3]);
-
-        if (v10 >= best) {
-            best = v10;
-            way = 2U;
-        }
-        const float v16 = state->left[3] - state->second[0];
-
-        if (v16 >= best) {
-            best = v16;
-            way = 1U;
-        }
-        const float v14 = dodge_max(state->ahead[0], state->near[3]);
-
-        if (v14 >= best) {
-            best = v14;
-            way = 2U;
-        }
-        const float v17 = state->ahead[0] - state->near[3];
-
-        if (v17 >= best) {
-            way = 2U;
+        dodge_action_t action = DODGE_PLAN;
+        const float plan = 634.5653f / state->detour;
+        if (plan >= best) {
+            best = plan;
+            action = DODGE_PLAN;
         }
 
-        if (way == 1U) {
-            vertex = 13U;
-            goto decided;
-        } else {
-            vertex = 0U;
-            goto decided;
+        const float plan_2 = dodge_negate_if_less(state->ahead[0], state->near[3]);
+        if (plan_2 >= best) {
+            best = plan_2;
+            action = DODGE_PLAN;
         }
+
+        const float field_wrist_up = state->left[3] - state->second[0];
+        if (field_wrist_up >= best) {
+            best = field_wrist_up;
+            action = DODGE_FIELD_WRIST_UP;
+        }
+
+        const float plan_3 = dodge_max(state->ahead[0], state->near[3]);
+        if (plan_3 >= best) {
+            best = plan_3;
+            action = DODGE_PLAN;
+        }
+
+        const float plan_4 = state->ahead[0] - state->near[3];
+        if (plan_4 >= best) {
+            action = DODGE_PLAN;
+        }
+
+        return action;
     }
-
-decided:
-    return (uint16_t)vertex;
 }
 
 #ifndef DODGE_NO_SELFTEST
@@ -160,25 +143,40 @@ decided:
 uint32_t dodge_selftest(void)
 {
     static const dodge_state_t states[16] = {
-        { { -798.83746F, -3437.4966F, 791.021F, -2299.293F }, { 212.05965F, 1.6848818F, -54.47656F, -486.28622F, 524.6935F, 289.2737F }, { 431.5829F, 0.6176731F }, { 15.913524F, 42.22681F, 453.45972F }, { 71.45833F }, { 991.03235F } },
-        { { 3378.0115F, 3662.7864F, -3004.4658F, -1280.5398F }, { 428.33246F, -0.8213245F, -680.8234F, -631.51245F, -440.81866F, 35.73496F }, { 194.94572F, -3.292668F }, { 16.072735F, 158.56268F, 694.9953F }, { 27.602592F }, { 579.67206F } },
-        { { 1890.2844F, 1676.4972F, -2265.736F, 3712.0955F }, { 41.05384F, 1.0601817F, 425.44437F, 113.88391F, 559.45074F, -168.96976F }, { 424.5209F, 3.3775117F }, { 54.166958F, 100.13097F, 281.72845F }, { 57.8414F }, { 571.86273F } },
-        { { 3575.2573F, -1270.4752F, 3336.788F, 4064.8442F }, { 878.32214F, 1.8593637F, 21.318727F, 209.8958F, 96.05679F, 160.06702F }, { 419.22214F, 1.1870021F }, { 97.05278F, 10.423394F, 240.56326F }, { 107.23047F }, { 365.8804F } },
-        { { -1124.8735F, -2010.8927F, 733.0926F, -1840.8464F }, { 879.11945F, 1.2328835F, -396.96448F, 168.97462F, -191.97238F, -345.2574F }, { 981.8462F, 0.31207782F }, { 150.47227F, 40.817093F, 268.76456F }, { 35.105484F }, { 397.16187F } },
-        { { 3115.5522F, 3112.2192F, -3546.6563F, 2975.4136F }, { 954.06354F, 3.4190483F, -524.45306F, -646.45294F, -660.88696F, 117.9205F }, { 690.69293F, 2.2476573F }, { 154.08562F, 119.88452F, 101.180916F }, { 169.1945F }, { 426.2807F } },
-        { { -530.19257F, 1231.2355F, 2493.1882F, -3803.85F }, { 789.8062F, 0.070713416F, -669.37335F, -259.6227F, 384.3261F, 677.9456F }, { 833.99927F, 0.9277416F }, { 85.59583F, 80.84578F, 401.96103F }, { 219.38673F }, { 817.0618F } },
-        { { -571.72845F, -3641.5515F, 432.3262F, -1034.407F }, { 988.5522F, -1.0695077F, -510.89288F, -645.68726F, -248.48212F, -327.23398F }, { 225.79639F, 2.7256804F }, { 122.10313F, 37.226376F, 845.8132F }, { 219.46246F }, { 492.51877F } },
-        { { 3431.8682F, 2158.4348F, 962.03827F, 3257.0532F }, { 760.2836F, 3.9889047F, 122.89778F, 169.90729F, 538.37476F, 50.35659F }, { 573.91437F, 2.7944722F }, { 93.22262F, 44.11603F, 564.32495F }, { 196.54494F }, { 736.4109F } },
-        { { 2237.2332F, -1285.6869F, 1140.5077F, -3031.0828F }, { 627.25574F, 0.48678848F, 429.87347F, -308.5574F, -647.1051F, -436.11035F }, { 714.60223F, -3.3201003F }, { 66.42155F, 133.03542F, 463.55753F }, { 17.308285F }, { 404.24536F } },
-        { { -672.4921F, -2690.0313F, -3550.8337F, -396.24017F }, { 495.13977F, 1.2436103F, 111.58345F, 44.397903F, 527.90344F, -260.42932F }, { -75.11345F, 0.7757317F }, { 100.31682F, 132.72739F, 767.19147F }, { 17.26403F }, { 598.62836F } },
-        { { -2291.3562F, -3615.7856F, -1878.1842F, -3135.6338F }, { 576.10443F, 1.7927446F, 38.848972F, -82.10994F, -505.07462F, 24.341017F }, { 962.45825F, 0.028473236F }, { 92.4454F, 156.99352F, 718.46423F }, { 11.294075F }, { 116.96155F } },
-        { { -311.5763F, 1095.8895F, -2064.5693F, 710.2563F }, { 630.50824F, 1.0800585F, 688.9965F, -583.93335F, -320.43134F, 366.17368F }, { 136.33942F, -0.49700496F }, { 131.10669F, 1.2852933F, 789.2338F }, { 234.0893F }, { 53.1927F } },
-        { { 1818.303F, -3816.9702F, 725.0706F, -445.36856F }, { 461.35953F, -2.3833697F, -585.32446F, 462.39255F, 276.6533F, -55.959427F }, { 838.521F, -0.18550445F }, { 51.04028F, 86.204414F, 800.6376F }, { 24.827412F }, { 915.56085F } },
-        { { -2274.8215F, -455.37036F, 1385.8036F, -1838.7356F }, { -79.99636F, -3.1306596F, -521.2054F, 420.90524F, 223.99902F, 394.8199F }, { 769.39044F, 3.4903958F }, { 63.00807F, 66.22725F, 922.5188F }, { 100.541725F }, { 384.14124F } },
-        { { -2250.9756F, 2637.7083F, -1344.5947F, -1225.853F }, { 839.82007F, 3.933066F, -138.74998F, 150.554F, -76.777F, -439.83112F }, { 400.82498F, 0.64301753F }, { 78.15145F, 2.1564908F, 840.6795F }, { 88.21128F }, { 615.3496F } },
+        { { -798.83746f, -3437.4966f, 791.021f, -2299.293f }, { 212.05965f, 1.6848818f, -54.47656f, -486.28622f, 524.6935f, 289.2737f }, { 431.5829f, 0.6176731f }, { 15.913524f, 42.22681f, 453.45972f }, 71.45833f, 991.03235f },
+        { { 3378.0115f, 3662.7864f, -3004.4658f, -1280.5398f }, { 428.33246f, -0.8213245f, -680.8234f, -631.51245f, -440.81866f, 35.73496f }, { 194.94572f, -3.292668f }, { 16.072735f, 158.56268f, 694.9953f }, 27.602592f, 579.67206f },
+        { { 1890.2844f, 1676.4972f, -2265.736f, 3712.0955f }, { 41.05384f, 1.0601817f, 425.44437f, 113.88391f, 559.45074f, -168.96976f }, { 424.5209f, 3.3775117f }, { 54.166958f, 100.13097f, 281.72845f }, 57.8414f, 571.86273f },
+        { { 3575.2573f, -1270.4752f, 3336.788f, 4064.8442f }, { 878.32214f, 1.8593637f, 21.318727f, 209.8958f, 96.05679f, 160.06702f }, { 419.22214f, 1.1870021f }, { 97.05278f, 10.423394f, 240.56326f }, 107.23047f, 365.8804f },
+        { { -1124.8735f, -2010.8927f, 733.0926f, -1840.8464f }, { 879.11945f, 1.2328835f, -396.96448f, 168.97462f, -191.97238f, -345.2574f }, { 981.8462f, 0.31207782f }, { 150.47227f, 40.817093f, 268.76456f }, 35.105484f, 397.16187f },
+        { { 3115.5522f, 3112.2192f, -3546.6563f, 2975.4136f }, { 954.06354f, 3.4190483f, -524.45306f, -646.45294f, -660.88696f, 117.9205f }, { 690.69293f, 2.2476573f }, { 154.08562f, 119.88452f, 101.180916f }, 169.1945f, 426.2807f },
+        { { -530.19257f, 1231.2355f, 2493.1882f, -3803.85f }, { 789.8062f, 0.070713416f, -669.37335f, -259.6227f, 384.3261f, 677.9456f }, { 833.99927f, 0.9277416f }, { 85.59583f, 80.84578f, 401.96103f }, 219.38673f, 817.0618f },
+        { { -571.72845f, -3641.5515f, 432.3262f, -1034.407f }, { 988.5522f, -1.0695077f, -510.89288f, -645.68726f, -248.48212f, -327.23398f }, { 225.79639f, 2.7256804f }, { 122.10313f, 37.226376f, 845.8132f }, 219.46246f, 492.51877f },
+        { { 3431.8682f, 2158.4348f, 962.03827f, 3257.0532f }, { 760.2836f, 3.9889047f, 122.89778f, 169.90729f, 538.37476f, 50.35659f }, { 573.91437f, 2.7944722f }, { 93.22262f, 44.11603f, 564.32495f }, 196.54494f, 736.4109f },
+        { { 2237.2332f, -1285.6869f, 1140.5077f, -3031.0828f }, { 627.25574f, 0.48678848f, 429.87347f, -308.5574f, -647.1051f, -436.11035f }, { 714.60223f, -3.3201003f }, { 66.42155f, 133.03542f, 463.55753f }, 17.308285f, 404.24536f },
+        { { -672.4921f, -2690.0313f, -3550.8337f, -396.24017f }, { 495.13977f, 1.2436103f, 111.58345f, 44.397903f, 527.90344f, -260.42932f }, { -75.11345f, 0.7757317f }, { 100.31682f, 132.72739f, 767.19147f }, 17.26403f, 598.62836f },
+        { { -2291.3562f, -3615.7856f, -1878.1842f, -3135.6338f }, { 576.10443f, 1.7927446f, 38.848972f, -82.10994f, -505.07462f, 24.341017f }, { 962.45825f, 0.028473236f }, { 92.4454f, 156.99352f, 718.46423f }, 11.294075f, 116.96155f },
+        { { -311.5763f, 1095.8895f, -2064.5693f, 710.2563f }, { 630.50824f, 1.0800585f, 688.9965f, -583.93335f, -320.43134f, 366.17368f }, { 136.33942f, -0.49700496f }, { 131.10669f, 1.2852933f, 789.2338f }, 234.0893f, 53.1927f },
+        { { 1818.303f, -3816.9702f, 725.0706f, -445.36856f }, { 461.35953f, -2.3833697f, -585.32446f, 462.39255f, 276.6533f, -55.959427f }, { 838.521f, -0.18550445f }, { 51.04028f, 86.204414f, 800.6376f }, 24.827412f, 915.56085f },
+        { { -2274.8215f, -455.37036f, 1385.8036f, -1838.7356f }, { -79.99636f, -3.1306596f, -521.2054f, 420.90524f, 223.99902f, 394.8199f }, { 769.39044f, 3.4903958f }, { 63.00807f, 66.22725f, 922.5188f }, 100.541725f, 384.14124f },
+        { { -2250.9756f, 2637.7083f, -1344.5947f, -1225.853f }, { 839.82007f, 3.933066f, -138.74998f, 150.554f, -76.777f, -439.83112f }, { 400.82498f, 0.64301753f }, { 78.15145f, 2.1564908f, 840.6795f }, 88.21128f, 615.3496f },
     };
-    static const uint16_t actions[16] = {
-        7U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U
+    static const dodge_action_t actions[16] = {
+        DODGE_FIELD_BASE_UP,
+        DODGE_PLAN,
+        DODGE_PLAN,
+        DODGE_PLAN,
+        DODGE_PLAN,
+        DODGE_PLAN,
+        DODGE_PLAN,
+        DODGE_PLAN,
+        DODGE_PLAN,
+        DODGE_PLAN,
+        DODGE_PLAN,
+        DODGE_PLAN,
+        DODGE_PLAN,
+        DODGE_PLAN,
+        DODGE_PLAN,
+        DODGE_PLAN,
     };
     uint32_t failures = 0U;
     uint32_t vector;

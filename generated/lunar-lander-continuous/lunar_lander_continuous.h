@@ -1,8 +1,9 @@
 /*
+ * A policy, score 284.81 in validation, trained by tpg-train 0.1.0 with seed 1.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix lunar_lander_continuous --profile fast
- * Graph SHA-256: 21140b6a4c0651fa6f8a83087689cd7d36775e4af62ea92655ec41dd4fa1ed3d
- * 1 teams (1 on the longest walk), 1 edges, 1 programs, 12 distinct operations.
+ * Graph SHA-256: 2829f3081a97ae0c23db69ad8c7d287c2a53a4d2960e13cfea0b2474dabb8ec6
+ * 1 team, 1 edge, 1 program, 12 distinct operations.
  * Computes in f32 with own maths.
  */
 #ifndef LUNAR_LANDER_CONTINUOUS_H
@@ -25,21 +26,20 @@ extern "C" {
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct lunar_lander_continuous_state {
-    float obs[8]; /* , -2.5 to 2.5; -2.5 to 2.5; -10 to 10; -10 to 10; -6.2831854820251465 to 6.2831854820251465; -10 to 10; -0 to 1; -0 to 1 */
+    float obs[8]; /* -2.5 to 2.5; -2.5 to 2.5; -10 to 10; -10 to 10; -6.2831855 to 6.2831855; -10 to 10; 0 to 1; 0 to 1 */
 } lunar_lander_continuous_state_t;
 
 /* The values that the policy answers, each in its range and never NaN. */
 typedef struct lunar_lander_continuous_action {
-    float action_0; /* , -1 to 1 */
-    float action_1; /* , -1 to 1 */
+    float main_engine; /* -1 to 1 */
+    float side_engine; /* -1 to 1 */
 } lunar_lander_continuous_action_t;
 
 /* The answer to a state. Pure and reentrant: no globals, no memory, no side effect but *action. */
 void lunar_lander_continuous_infer(const lunar_lander_continuous_state_t *state, lunar_lander_continuous_action_t *action);
 
 #ifndef LUNAR_LANDER_CONTINUOUS_NO_SELFTEST
-/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- */
+/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good. */
 uint32_t lunar_lander_continuous_selftest(void);
 #endif
 

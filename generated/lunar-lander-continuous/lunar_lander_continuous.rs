@@ -1,7 +1,8 @@
+//! A policy, score 284.81 in validation, trained by tpg-train 0.1.0 with seed 1.
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix lunar_lander_continuous --profile constant-time
-//! Graph SHA-256: 21140b6a4c0651fa6f8a83087689cd7d36775e4af62ea92655ec41dd4fa1ed3d
-//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 12 distinct operations.
+//! Graph SHA-256: 2829f3081a97ae0c23db69ad8c7d287c2a53a4d2960e13cfea0b2474dabb8ec6
+//! 1 team, 1 edge, 1 program, 12 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -17,11 +18,11 @@ use tpg_runtime::policy::Policy;
 /// A tangled program graph: a formula.
 ///
 /// It sees, one after another:
-/// - `s[0..8]`: obs, , -2.5 to 2.5; -2.5 to 2.5; -10 to 10; -10 to 10; -6.2831854820251465 to 6.2831854820251465; -10 to 10; -0 to 1; -0 to 1
+/// - `s[0..8]`: obs, -2.5 to 2.5; -2.5 to 2.5; -10 to 10; -10 to 10; -6.2831855 to 6.2831855; -10 to 10; 0 to 1; 0 to 1
 ///
 /// Values outside the ranges are legal, NaN and infinities too. It answers:
-/// - `[0]`: action_0, , -1 to 1; 0 in place of NaN
-/// - `[1]`: action_1, , -1 to 1; 0 in place of NaN
+/// - `[0]`: main_engine, -1 to 1; 0 for NaN
+/// - `[1]`: side_engine, -1 to 1; 0 for NaN
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LunarLanderContinuous;
 
@@ -46,21 +47,13 @@ impl Policy for LunarLanderContinuous {
 
     fn decide(&self, s: &[f32; 8]) -> [f32; 2] {
         let ct = ConstantTime::<f32>::default();
-        let v2 = s[1] * -8.037243_f32;
-        let v5 = s[3] * -11.026979_f32;
-        let v6 = v2 + v5;
-        let v8 = v6 + -1.8125842_f32;
-        let v11 = s[0] * -18.706825_f32;
-        let v14 = s[5] * 2.1564276_f32;
-        let v15 = v11 + v14;
-        let v18 = s[4] * 14.484438_f32;
-        let v19 = v15 + v18;
-        let v22 = s[2] * -6.0377746_f32;
-        let v23 = v19 + v22;
-        let v25 = v23 + 0.24678662_f32;
+        let main_engine = -8.037243_f32 * s[1] - 11.026979_f32 * s[3] - 1.8125842_f32;
+        let side_engine = -18.706825_f32 * s[0] + 2.1564276_f32 * s[5] + 14.484438_f32 * s[4]
+            - 6.0377746_f32 * s[2]
+            + 0.24678662_f32;
         [
-            ct.clamp(v8, -1.0_f32, 1.0_f32, 0.0_f32),
-            ct.clamp(v25, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(main_engine, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(side_engine, -1.0_f32, 1.0_f32, 0.0_f32),
         ]
     }
 }

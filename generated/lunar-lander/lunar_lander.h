@@ -1,8 +1,9 @@
 /*
+ * A policy, score 264.01 in validation, trained by tpg-train 0.1.0 with seed 10.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix lunar_lander --profile fast
- * Graph SHA-256: 4860121d1ea3ffdf89e9ada410cfbcba3eec3d600e5fe2f31f6c9ab863872977
- * 1 teams (1 on the longest walk), 4 edges, 4 programs, 23 distinct operations.
+ * Graph SHA-256: 148580e123d006073038af77b72477ac3970e56c9e789553ffde24538361c42c
+ * 1 team, 4 edges, 4 programs, 23 distinct operations.
  * Computes in f32 with own maths.
  */
 #ifndef LUNAR_LANDER_H
@@ -14,12 +15,13 @@
 extern "C" {
 #endif
 
-/* The actions:
- * 0 a0
- * 1 a1
- * 2 a2
- * 3 a3
- */
+/* The actions. */
+typedef enum lunar_lander_action {
+    LUNAR_LANDER_NONE = 0,
+    LUNAR_LANDER_LEFT_ENGINE = 1,
+    LUNAR_LANDER_MAIN_ENGINE = 2,
+    LUNAR_LANDER_RIGHT_ENGINE = 3
+} lunar_lander_action_t;
 #define LUNAR_LANDER_ACTIONS 4U
 /* Teams, and how many of them decide at most in one inference. */
 #define LUNAR_LANDER_TEAMS 1U
@@ -31,15 +33,14 @@ extern "C" {
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct lunar_lander_state {
-    float obs[8]; /* , -2.5 to 2.5; -2.5 to 2.5; -10 to 10; -10 to 10; -6.2831854820251465 to 6.2831854820251465; -10 to 10; -0 to 1; -0 to 1 */
+    float obs[8]; /* -2.5 to 2.5; -2.5 to 2.5; -10 to 10; -10 to 10; -6.2831855 to 6.2831855; -10 to 10; 0 to 1; 0 to 1 */
 } lunar_lander_state_t;
 
-/* The action for a state, below LUNAR_LANDER_ACTIONS. Pure and reentrant: no globals, no memory, no side effect. */
-uint16_t lunar_lander_infer(const lunar_lander_state_t *state);
+/* The action for a state. Pure and reentrant: no globals, no memory, no side effect. */
+lunar_lander_action_t lunar_lander_infer(const lunar_lander_state_t *state);
 
 #ifndef LUNAR_LANDER_NO_SELFTEST
-/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- */
+/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good. */
 uint32_t lunar_lander_selftest(void);
 #endif
 

@@ -1,7 +1,8 @@
+//! A policy for mountain-car-continuous, score 99.43 in validation, trained by tpg-train 0.1.0 with seed 2.
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix mountain_car_continuous --profile constant-time
 //! Graph SHA-256: 2df7341b545eca60de0f638be2a5ace6a42c8fd5e00a17155052b0a540adac4d
-//! 1 teams (1 on the longest walk), 2 edges, 2 programs, 4 distinct operations.
+//! 1 team, 2 edges, 2 programs, 4 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -17,11 +18,11 @@ use tpg_runtime::policy::Policy;
 /// A tangled program graph: branch-free, the same time for every state.
 ///
 /// It sees, one after another:
-/// - `s[0..1]`: position, , -1.2000000476837158 to 0.6000000238418579
-/// - `s[1..2]`: velocity, , -0.07000000029802322 to 0.07000000029802322
+/// - `s[0..1]`: position, -1.2 to 0.6
+/// - `s[1..2]`: velocity, -0.07 to 0.07
 ///
 /// Values outside the ranges are legal, NaN and infinities too. It answers:
-/// - `[0]`: force, , -1 to 1; 0 in place of NaN
+/// - `[0]`: force, -1 to 1; 0 for NaN
 #[derive(Clone, Copy, Debug, Default)]
 pub struct MountainCarContinuous;
 
@@ -46,24 +47,20 @@ impl Policy for MountainCarContinuous {
 
     fn decide(&self, s: &[f32; 2]) -> [f32; 1] {
         let ct = ConstantTime::<f32>::default();
-        let v2 = ct.min(s[1], 0.0_f32);
 
         // What is bid, as integers in the same order.
-        let k0 = -8388607_i32; // 0.0_f32
-        let k2 = ct.order(v2);
+        let bid_0 = -8388607_i32; // 0.0_f32
+        let bid_1 = ct.order(ct.min(s[1], 0.0_f32));
 
         // Where the team leads: the number behind the best bid.
         // Team 0
-        let best = (k0, 0);
-        let best = ct.challenge(best, (k2, 1));
+        let best = (bid_0, 0);
+        let best = ct.challenge(best, (bid_1, 1));
 
         let leaf = best.1;
         // Every leaf's values, and the choice among them.
-        let v4 = s[1] - 0.04839926_f32;
-        let v6 = s[1] * 4.846634_f32;
-        let v7 = 0.0_f32 + v6;
-        let out0 = v4;
-        let out0 = ct.if_equal(leaf, 1, v7, out0);
-        [ct.clamp(out0, -1.0_f32, 1.0_f32, 0.0_f32)]
+        let force = s[1] - 0.04839926_f32;
+        let force = ct.if_equal(leaf, 1, 4.846634_f32 * s[1] + 0.0_f32, force);
+        [ct.clamp(force, -1.0_f32, 1.0_f32, 0.0_f32)]
     }
 }

@@ -1,4 +1,5 @@
 /*
+ * A policy for mountain-car, score -98.59 in validation, trained by tpg-train 0.1.0 with seed 3.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix mountain_car --profile fast
  * Graph SHA-256: 619c5b1aa69f78a0619c4a681268039cf054605380d24d4a3f9d9b1441495474
@@ -8,7 +9,6 @@
 #include "mountain_car.h"
 
 #include <float.h>
-#include <math.h>
 
 #ifdef __FAST_MATH__
 #error "fast-math reorders operations and drops NaN: the policy would act differently"
@@ -26,95 +26,66 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-/* Teams in an order in which every one comes after all that lead to it: control only goes forward. */
-
-uint16_t mountain_car_infer(const mountain_car_state_t *state)
+/* The highest bid wins, of equal bids the last; NaN and minus infinity never win. Every team comes after all that lead to it. */
+mountain_car_action_t mountain_car_infer(const mountain_car_state_t *state)
 {
-    uint32_t vertex;
-
     {
         float best = -FLT_MAX;
-        uint32_t way = 3U;
-        const float v3 = state->position[0] * (-2.5000443F);
-        const float v5 = v3 + (-1.089072F);
-
-        if (v5 >= best) {
-            best = v5;
-            way = 2U;
-        }
-        const float v7 = state->position[0] * 2.3253112F;
-        const float v10 = state->velocity[0] * 96.694336F;
-        const float v11 = v7 + v10;
-        const float v13 = v11 + (-1.0729886F);
-
-        if (v13 >= best) {
-            best = v13;
-            way = 1U;
-        }
-        const float v15 = state->velocity[0] + (-1.0512869F);
-
-        if (v15 >= best) {
-            best = v15;
-            way = 2U;
-        }
-        const volatile float constant = 0.0F;
-        const float zero = constant;
-
-        if (zero >= best) {
-            way = 3U;
+        uint32_t next = 3U;
+        const float to_team_1 = -2.5000443f * state->position - 1.089072f;
+        if (to_team_1 >= best) {
+            best = to_team_1;
+            next = 2U;
         }
 
-        if (way == 1U) {
-            vertex = 2U;
-            goto decided;
-        } else if (way == 2U) {
-            goto team_1;
-        } else {
-            vertex = 0U;
-            goto decided;
+        const float right =
+            2.3253112f * state->position + 96.694336f * state->velocity - 1.0729886f;
+        if (right >= best) {
+            best = right;
+            next = 1U;
+        }
+
+        const float to_team_1_2 = state->velocity - 1.0512869f;
+        if (to_team_1_2 >= best) {
+            best = to_team_1_2;
+            next = 2U;
+        }
+
+        if (0.0f >= best) {
+            next = 3U;
+        }
+
+        if (next == 1U) {
+            return MOUNTAIN_CAR_RIGHT;
+        }
+        if (next == 3U) {
+            return MOUNTAIN_CAR_LEFT;
         }
     }
 
-team_1:
     {
         float best = -FLT_MAX;
-        uint32_t way = 2U;
-        const float v7 = state->position[0] * 2.3253112F;
-        const float v10 = state->velocity[0] * 96.694336F;
-        const float v11 = v7 + v10;
-        const float v13 = v11 + (-1.0729886F);
-
-        if (v13 >= best) {
-            best = v13;
-            way = 1U;
-        }
-        const float v17 = state->position[0] * (-2.1966188F);
-        const float v19 = state->velocity[0] * 99.67122F;
-        const float v20 = v17 + v19;
-        const float v22 = v20 + (-1.033289F);
-
-        if (v22 >= best) {
-            best = v22;
-            way = 1U;
-        }
-        const volatile float constant = 0.0F;
-        const float zero = constant;
-
-        if (zero >= best) {
-            way = 2U;
+        mountain_car_action_t action = MOUNTAIN_CAR_LEFT;
+        const float right =
+            2.3253112f * state->position + 96.694336f * state->velocity - 1.0729886f;
+        if (right >= best) {
+            best = right;
+            action = MOUNTAIN_CAR_RIGHT;
         }
 
-        if (way == 1U) {
-            vertex = 2U;
-            goto decided;
-        } else {
-            vertex = 0U;
-            goto decided;
+        const float right_2 =
+            -2.1966188f * state->position + 99.67122f * state->velocity - 1.033289f;
+        if (right_2 >= best) {
+            best = right_2;
+            action = MOUNTAIN_CAR_RIGHT;
         }
+
+        if (0.0f >= best) {
+            action = MOUNTAIN_CAR_LEFT;
+        }
+
+        return action;
     }
-
-decided:
-    return (uint16_t)vertex;
 }
 
 #ifndef MOUNTAIN_CAR_NO_SELFTEST
@@ -122,25 +93,40 @@ decided:
 uint32_t mountain_car_selftest(void)
 {
     static const mountain_car_state_t states[16] = {
-        { { -0.47552583F }, { -0.058746282F } },
-        { { -0.12619168F }, { -0.03929456F } },
-        { { -0.689357F }, { 0.02948543F } },
-        { { -0.3700413F }, { -0.048628625F } },
-        { { 0.37460595F }, { 0.02892737F } },
-        { { -0.33013713F }, { 0.010809279F } },
-        { { -1.0209728F }, { -0.03305154F } },
-        { { -0.38377252F }, { -0.03076798F } },
-        { { 0.5838583F }, { 0.05772969F } },
-        { { 0.50481147F }, { -0.05134585F } },
-        { { -0.5813686F }, { -0.0027576855F } },
-        { { -0.48479804F }, { -0.06808235F } },
-        { { -1.1119446F }, { -0.044081867F } },
-        { { -0.25405505F }, { -0.032461453F } },
-        { { -1.0408504F }, { -0.05593636F } },
-        { { 0.58383024F }, { 0.027299343F } },
+        { -0.47552583f, -0.058746282f },
+        { -0.12619168f, -0.03929456f },
+        { -0.689357f, 0.02948543f },
+        { -0.3700413f, -0.048628625f },
+        { 0.37460595f, 0.02892737f },
+        { -0.33013713f, 0.010809279f },
+        { -1.0209728f, -0.03305154f },
+        { -0.38377252f, -0.03076798f },
+        { 0.5838583f, 0.05772969f },
+        { 0.50481147f, -0.05134585f },
+        { -0.5813686f, -0.0027576855f },
+        { -0.48479804f, -0.06808235f },
+        { -1.1119446f, -0.044081867f },
+        { -0.25405505f, -0.032461453f },
+        { -1.0408504f, -0.05593636f },
+        { 0.58383024f, 0.027299343f },
     };
-    static const uint16_t actions[16] = {
-        0U, 0U, 2U, 0U, 2U, 0U, 0U, 0U, 2U, 0U, 0U, 0U, 0U, 0U, 0U, 2U
+    static const mountain_car_action_t actions[16] = {
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_RIGHT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_RIGHT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_RIGHT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_RIGHT,
     };
     uint32_t failures = 0U;
     uint32_t vector;

@@ -1,4 +1,5 @@
 /*
+ * A policy for mountain-car, score -98.59 in validation, trained by tpg-train 0.1.0 with seed 3.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix mountain_car --profile fast
  * Graph SHA-256: 619c5b1aa69f78a0619c4a681268039cf054605380d24d4a3f9d9b1441495474
@@ -14,11 +15,12 @@
 extern "C" {
 #endif
 
-/* The actions:
- * 0 left
- * 1 none
- * 2 right
- */
+/* The actions. */
+typedef enum mountain_car_action {
+    MOUNTAIN_CAR_LEFT = 0,
+    MOUNTAIN_CAR_NONE = 1,
+    MOUNTAIN_CAR_RIGHT = 2
+} mountain_car_action_t;
 #define MOUNTAIN_CAR_ACTIONS 3U
 /* Teams, and how many of them decide at most in one inference. */
 #define MOUNTAIN_CAR_TEAMS 2U
@@ -30,16 +32,15 @@ extern "C" {
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct mountain_car_state {
-    float position[1]; /* , -1.2000000476837158 to 0.6000000238418579 */
-    float velocity[1]; /* , -0.07000000029802322 to 0.07000000029802322 */
+    float position; /* -1.2 to 0.6 */
+    float velocity; /* -0.07 to 0.07 */
 } mountain_car_state_t;
 
-/* The action for a state, below MOUNTAIN_CAR_ACTIONS. Pure and reentrant: no globals, no memory, no side effect. */
-uint16_t mountain_car_infer(const mountain_car_state_t *state);
+/* The action for a state. Pure and reentrant: no globals, no memory, no side effect. */
+mountain_car_action_t mountain_car_infer(const mountain_car_state_t *state);
 
 #ifndef MOUNTAIN_CAR_NO_SELFTEST
-/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- */
+/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good. */
 uint32_t mountain_car_selftest(void);
 #endif
 

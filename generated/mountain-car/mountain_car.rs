@@ -1,3 +1,4 @@
+//! A policy for mountain-car, score -98.59 in validation, trained by tpg-train 0.1.0 with seed 3.
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix mountain_car --profile constant-time
 //! Graph SHA-256: 619c5b1aa69f78a0619c4a681268039cf054605380d24d4a3f9d9b1441495474
@@ -17,8 +18,8 @@ use tpg_runtime::policy::{ActionId, Policy};
 /// A tangled program graph: branch-free, the same time for every state.
 ///
 /// It sees, one after another:
-/// - `s[0..1]`: position, , -1.2000000476837158 to 0.6000000238418579
-/// - `s[1..2]`: velocity, , -0.07000000029802322 to 0.07000000029802322
+/// - `s[0..1]`: position, -1.2 to 0.6
+/// - `s[1..2]`: velocity, -0.07 to 0.07
 ///
 /// Values outside the ranges are legal, NaN and infinities too. It answers:
 /// - 0: left
@@ -32,6 +33,12 @@ impl MountainCar {
     pub const STATE: usize = 2;
     /// Actions.
     pub const ACTIONS: usize = 3;
+    /// An action.
+    pub const LEFT: ActionId = ActionId(0);
+    /// An action.
+    pub const NONE: ActionId = ActionId(1);
+    /// An action.
+    pub const RIGHT: ActionId = ActionId(2);
     /// Teams on the longest walk.
     pub const DEPTH: usize = 2;
     /// Bids that one decision looks at, at most.
@@ -48,36 +55,27 @@ impl Policy for MountainCar {
 
     fn decide(&self, s: &[f32; 2]) -> ActionId {
         let ct = ConstantTime::<f32>::default();
-        let v3 = s[0] * -2.5000443_f32;
-        let v5 = v3 + -1.089072_f32;
-        let v7 = s[0] * 2.3253112_f32;
-        let v10 = s[1] * 96.694336_f32;
-        let v11 = v7 + v10;
-        let v13 = v11 + -1.0729886_f32;
-        let v15 = s[1] + -1.0512869_f32;
-        let v17 = s[0] * -2.1966188_f32;
-        let v19 = s[1] * 99.67122_f32;
-        let v20 = v17 + v19;
-        let v22 = v20 + -1.033289_f32;
+        let bid_3_value = 2.3253112_f32 * s[0] + 96.694336_f32 * s[1] - 1.0729886_f32;
+        let bid_10_value = -2.1966188_f32 * s[0] + 99.67122_f32 * s[1] - 1.033289_f32;
 
         // What is bid, as integers in the same order.
-        let k0 = -8388607_i32; // 0.0_f32
-        let k5 = ct.order(v5);
-        let k13 = ct.order(v13);
-        let k15 = ct.order(v15);
-        let k22 = ct.order(v22);
+        let bid_7 = -8388607_i32; // 0.0_f32
+        let bid_2 = ct.order(-2.5000443_f32 * s[0] - 1.089072_f32);
+        let bid_3 = ct.order(bid_3_value);
+        let bid_4 = ct.order(s[1] - 1.0512869_f32);
+        let bid_10 = ct.order(bid_10_value);
 
         // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
         // Team 0
-        let best = (k5, 1);
-        let best = ct.challenge(best, (k13, 4));
-        let best = ct.challenge(best, (k15, 1));
-        let best = ct.challenge(best, (k0, 2));
+        let best = (bid_2, 1);
+        let best = ct.challenge(best, (bid_3, 4));
+        let best = ct.challenge(best, (bid_4, 1));
+        let best = ct.challenge(best, (bid_7, 2));
         let t0 = best.1 as u8;
         // Team 1
-        let best = (k13, 4);
-        let best = ct.challenge(best, (k22, 4));
-        let best = ct.challenge(best, (k0, 2));
+        let best = (bid_3, 4);
+        let best = ct.challenge(best, (bid_10, 4));
+        let best = ct.challenge(best, (bid_7, 2));
         let t1 = best.1 as u8;
 
         // An action leads to itself, and so does what fills the array up to a power of two: it is never come to.

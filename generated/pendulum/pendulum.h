@@ -1,8 +1,9 @@
 /*
+ * A policy for pendulum, score -151.98 in validation, trained by tpg-train 0.1.0 with seed 1.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix pendulum --profile fast
  * Graph SHA-256: e371857f5f2d98485533a900f5b0c18626fc44af90b3ad69194605f6c7bd3e14
- * 1 teams (1 on the longest walk), 2 edges, 2 programs, 14 distinct operations.
+ * 1 team, 2 edges, 2 programs, 14 distinct operations.
  * Computes in f32 with own maths.
  */
 #ifndef PENDULUM_H
@@ -25,9 +26,9 @@ extern "C" {
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct pendulum_state {
-    float cos_theta[1]; /* , -1 to 1 */
-    float sin_theta[1]; /* , -1 to 1 */
-    float omega[1]; /* rad/s, -8 to 8 */
+    float cos_theta; /* -1 to 1 */
+    float sin_theta; /* -1 to 1 */
+    float omega; /* rad/s, -8 to 8 */
 } pendulum_state_t;
 
 /* The values that the policy answers, each in its range and never NaN. */
@@ -39,8 +40,7 @@ typedef struct pendulum_action {
 void pendulum_infer(const pendulum_state_t *state, pendulum_action_t *action);
 
 #ifndef PENDULUM_NO_SELFTEST
-/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- */
+/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good. */
 uint32_t pendulum_selftest(void);
 #endif
 

@@ -1,4 +1,5 @@
 /*
+ * A policy, trained by tpg-train 0.1.0 with seed 1.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix widowx_fs --profile fast
  * Graph SHA-256: 2460e91fcad64a969f9a7c8ed86478a4fcbac7ae14ca0273944e1ca3551f08ee
@@ -14,16 +15,17 @@
 extern "C" {
 #endif
 
-/* The actions:
- * 0 base_up
- * 1 base_down
- * 2 shoulder_up
- * 3 shoulder_down
- * 4 elbow_up
- * 5 elbow_down
- * 6 wrist_up
- * 7 wrist_down
- */
+/* The actions. */
+typedef enum widowx_fs_action {
+    WIDOWX_FS_BASE_UP = 0,
+    WIDOWX_FS_BASE_DOWN = 1,
+    WIDOWX_FS_SHOULDER_UP = 2,
+    WIDOWX_FS_SHOULDER_DOWN = 3,
+    WIDOWX_FS_ELBOW_UP = 4,
+    WIDOWX_FS_ELBOW_DOWN = 5,
+    WIDOWX_FS_WRIST_UP = 6,
+    WIDOWX_FS_WRIST_DOWN = 7
+} widowx_fs_action_t;
 #define WIDOWX_FS_ACTIONS 8U
 /* Teams, and how many of them decide at most in one inference. */
 #define WIDOWX_FS_TEAMS 31U
@@ -38,8 +40,8 @@ typedef struct widowx_fs_state {
     float polar[3]; /* mm, -449 to 449 */
 } widowx_fs_state_t;
 
-/* The action for a state, below WIDOWX_FS_ACTIONS. Pure and reentrant: no globals, no memory, no side effect. */
-uint16_t widowx_fs_infer(const widowx_fs_state_t *state);
+/* The action for a state. Pure and reentrant: no globals, no memory, no side effect. */
+widowx_fs_action_t widowx_fs_infer(const widowx_fs_state_t *state);
 
 /* For tpg_policy_t of tpg_runtime.h: the arm's sources that make up a state, and what each action moves, in ticks. */
 #define WIDOWX_FS_SOURCES { TPG_SOURCE_POLAR }
@@ -47,8 +49,7 @@ uint16_t widowx_fs_infer(const widowx_fs_state_t *state);
 #define WIDOWX_FS_MOVES { { { 3, 0, 0, 0 } }, { { -3, 0, 0, 0 } }, { { 0, 3, 0, 0 } }, { { 0, -3, 0, 0 } }, { { 0, 0, 3, 0 } }, { { 0, 0, -3, 0 } }, { { 0, 0, 0, 3 } }, { { 0, 0, 0, -3 } } }
 
 #ifndef WIDOWX_FS_NO_SELFTEST
-/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- */
+/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good. */
 uint32_t widowx_fs_selftest(void);
 #endif
 

@@ -1,4 +1,5 @@
 /*
+ * A policy, trained by tpg-train 0.1.0 with seed 1.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix widowx_rs --profile fast
  * Graph SHA-256: 4c66c6b65c6c713d5ad1fe31be297b7d3fcebbf6d3d7971a9a27b9132c25b11f
@@ -14,16 +15,17 @@
 extern "C" {
 #endif
 
-/* The actions:
- * 0 base_up
- * 1 base_down
- * 2 shoulder_up
- * 3 shoulder_down
- * 4 elbow_up
- * 5 elbow_down
- * 6 wrist_up
- * 7 wrist_down
- */
+/* The actions. */
+typedef enum widowx_rs_action {
+    WIDOWX_RS_BASE_UP = 0,
+    WIDOWX_RS_BASE_DOWN = 1,
+    WIDOWX_RS_SHOULDER_UP = 2,
+    WIDOWX_RS_SHOULDER_DOWN = 3,
+    WIDOWX_RS_ELBOW_UP = 4,
+    WIDOWX_RS_ELBOW_DOWN = 5,
+    WIDOWX_RS_WRIST_UP = 6,
+    WIDOWX_RS_WRIST_DOWN = 7
+} widowx_rs_action_t;
 #define WIDOWX_RS_ACTIONS 8U
 /* Teams, and how many of them decide at most in one inference. */
 #define WIDOWX_RS_TEAMS 30U
@@ -36,11 +38,11 @@ extern "C" {
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct widowx_rs_state {
     float stance[4]; /* ticks, -4095 to 4095; -3072 to 3072; -3072 to 3072; -2046 to 2046 */
-    float floor[1]; /* mm, 0 to 606 */
+    float floor; /* mm, 0 to 606 */
 } widowx_rs_state_t;
 
-/* The action for a state, below WIDOWX_RS_ACTIONS. Pure and reentrant: no globals, no memory, no side effect. */
-uint16_t widowx_rs_infer(const widowx_rs_state_t *state);
+/* The action for a state. Pure and reentrant: no globals, no memory, no side effect. */
+widowx_rs_action_t widowx_rs_infer(const widowx_rs_state_t *state);
 
 /* For tpg_policy_t of tpg_runtime.h: the arm's sources that make up a state, and what each action moves, in ticks. */
 #define WIDOWX_RS_SOURCES { TPG_SOURCE_STANCE, TPG_SOURCE_FLOOR }
@@ -48,8 +50,7 @@ uint16_t widowx_rs_infer(const widowx_rs_state_t *state);
 #define WIDOWX_RS_MOVES { { { 3, 0, 0, 0 } }, { { -3, 0, 0, 0 } }, { { 0, 3, 0, 0 } }, { { 0, -3, 0, 0 } }, { { 0, 0, 3, 0 } }, { { 0, 0, -3, 0 } }, { { 0, 0, 0, 3 } }, { { 0, 0, 0, -3 } } }
 
 #ifndef WIDOWX_RS_NO_SELFTEST
-/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- */
+/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good. */
 uint32_t widowx_rs_selftest(void);
 #endif
 

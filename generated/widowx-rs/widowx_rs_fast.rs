@@ -1,3 +1,4 @@
+//! A policy, trained by tpg-train 0.1.0 with seed 1.
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix widowx_rs_fast --profile fast
 //! Graph SHA-256: 4c66c6b65c6c713d5ad1fe31be297b7d3fcebbf6d3d7971a9a27b9132c25b11f
@@ -37,6 +38,22 @@ impl WidowxRsFast {
     pub const STATE: usize = 5;
     /// Actions.
     pub const ACTIONS: usize = 8;
+    /// An action.
+    pub const BASE_UP: ActionId = ActionId(0);
+    /// An action.
+    pub const BASE_DOWN: ActionId = ActionId(1);
+    /// An action.
+    pub const SHOULDER_UP: ActionId = ActionId(2);
+    /// An action.
+    pub const SHOULDER_DOWN: ActionId = ActionId(3);
+    /// An action.
+    pub const ELBOW_UP: ActionId = ActionId(4);
+    /// An action.
+    pub const ELBOW_DOWN: ActionId = ActionId(5);
+    /// An action.
+    pub const WRIST_UP: ActionId = ActionId(6);
+    /// An action.
+    pub const WRIST_DOWN: ActionId = ActionId(7);
     /// Teams on the longest walk.
     pub const DEPTH: usize = 16;
     /// Bids that one decision looks at, at most.
@@ -72,38 +89,37 @@ impl Policy for WidowxRsFast {
 /// What team 0 decides.
 fn team_0(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 6;
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 1;
+    let mut next = 6;
+    let elbow_down = s[1] / 9.539528_f32;
+    if elbow_down >= best {
+        best = elbow_down;
+        next = 1;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 2;
+    let to_team_7 = s[0] / 0.0_f32;
+    if to_team_7 >= best {
+        best = to_team_7;
+        next = 2;
     }
-    let v6 = s[1] - 9.539528_f32;
-    if v6 >= best {
-        best = v6;
-        way = 3;
+    let to_team_44 = s[1] - 9.539528_f32;
+    if to_team_44 >= best {
+        best = to_team_44;
+        next = 3;
     }
-    let v8 = f32::abs(s[2]);
-    if v8 >= best {
-        best = v8;
-        way = 4;
+    let to_team_5 = f32::abs(s[2]);
+    if to_team_5 >= best {
+        best = to_team_5;
+        next = 4;
     }
-    let v11 = 164.8815_f32 * s[3];
-    if v11 >= best {
-        best = v11;
-        way = 5;
+    let wrist_up = 164.8815_f32 * s[3];
+    if wrist_up >= best {
+        best = wrist_up;
+        next = 5;
     }
-    let zero = core::hint::black_box(0.0_f32);
-    if zero >= best {
-        best = zero;
-        way = 6;
+    if 0.0_f32 >= best {
+        best = 0.0_f32;
+        next = 6;
     }
-    match way {
+    match next {
         1 => 5,
         2 => team_7(s),
         3 => team_44(s),
@@ -116,54 +132,53 @@ fn team_0(s: &[f32; 5]) -> u16 {
 /// What team 7 decides.
 fn team_7(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 8;
-    let v23 = -3.3748567_f32 - s[4];
-    if v23 >= best {
-        best = v23;
-        way = 1;
+    let mut next = 8;
+    let wrist_up = -3.3748567_f32 - s[4];
+    if wrist_up >= best {
+        best = wrist_up;
+        next = 1;
     }
-    let v6 = s[1] - 9.539528_f32;
-    if v6 >= best {
-        best = v6;
-        way = 2;
+    let to_team_44 = s[1] - 9.539528_f32;
+    if to_team_44 >= best {
+        best = to_team_44;
+        next = 2;
     }
-    let v25 = -10.533181_f32 - s[4];
-    if v25 >= best {
-        best = v25;
-        way = 3;
+    let to_team_11 = -10.533181_f32 - s[4];
+    if to_team_11 >= best {
+        best = to_team_11;
+        next = 3;
     }
-    let v28 = 0.0_f32 - s[4];
-    if v28 >= best {
-        best = v28;
-        way = 6;
+    let base_down = 0.0_f32 - s[4];
+    if base_down >= best {
+        best = base_down;
+        next = 6;
     }
-    let v21 = ops::max(-161.71835_f32, s[2]);
-    if v21 >= best {
-        best = v21;
-        way = 4;
+    let elbow_up = ops::max(-161.71835_f32, s[2]);
+    if elbow_up >= best {
+        best = elbow_up;
+        next = 4;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
         best = zero;
-        way = 5;
+        next = 5;
     }
-    let v17 = -3.3748567_f32 - s[0];
-    let v29 = v17 * s[4];
-    if v29 >= best {
-        best = v29;
-        way = 6;
+    let base_down_2 = (-3.3748567_f32 - s[0]) * s[4];
+    if base_down_2 >= best {
+        best = base_down_2;
+        next = 6;
     }
-    let v27 = s[3] * -6.3484564_f32;
-    if v27 >= best {
-        best = v27;
-        way = 7;
+    let to_team_10 = -6.3484564_f32 * s[3];
+    if to_team_10 >= best {
+        best = to_team_10;
+        next = 7;
     }
-    let v30 = s[3] / s[4];
-    if v30 >= best {
-        best = v30;
-        way = 8;
+    let to_team_13 = s[3] / s[4];
+    if to_team_13 >= best {
+        best = to_team_13;
+        next = 8;
     }
-    match way {
+    match next {
         1 => 6,
         2 => team_44(s),
         3 => team_11(s),
@@ -178,83 +193,78 @@ fn team_7(s: &[f32; 5]) -> u16 {
 /// What team 44 decides.
 fn team_44(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 3;
-    let v17 = -3.3748567_f32 - s[0];
-    if v17 >= best {
-        best = v17;
-        way = 1;
+    let mut action = 2;
+    let base_down = -3.3748567_f32 - s[0];
+    if base_down >= best {
+        best = base_down;
+        action = 1;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 2;
+    let base_up = s[0] / 0.0_f32;
+    if base_up >= best {
+        best = base_up;
+        action = 0;
     }
     if s[4] >= best {
         best = s[4];
-        way = 3;
+        action = 2;
     }
     if 9.506875_f32 >= best {
         best = 9.506875_f32;
-        way = 3;
+        action = 2;
     }
-    match way {
-        1 => 1,
-        2 => 0,
-        _ => 2,
-    }
+    action
 }
 
 /// What team 5 decides.
 fn team_5(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 5;
-    let v27 = s[3] * -6.3484564_f32;
-    if v27 >= best {
-        best = v27;
-        way = 3;
+    let mut next = 5;
+    let to_team_10 = -6.3484564_f32 * s[3];
+    if to_team_10 >= best {
+        best = to_team_10;
+        next = 3;
     }
-    let v33 = ops::max(s[2], -3.385455_f32);
-    if v33 >= best {
-        best = v33;
-        way = 5;
+    let wrist_up = ops::max(s[2], -3.385455_f32);
+    if wrist_up >= best {
+        best = wrist_up;
+        next = 5;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 1;
+    let to_team_7 = s[0] / 0.0_f32;
+    if to_team_7 >= best {
+        best = to_team_7;
+        next = 1;
     }
-    let v17 = -3.3748567_f32 - s[0];
-    let v29 = v17 * s[4];
-    if v29 >= best {
-        best = v29;
-        way = 2;
+    let base_down = (-3.3748567_f32 - s[0]) * s[4];
+    if base_down >= best {
+        best = base_down;
+        next = 2;
     }
-    let v34 = -6.3484564_f32 - s[3];
-    if v34 >= best {
-        best = v34;
-        way = 3;
+    let to_team_10_2 = -6.3484564_f32 - s[3];
+    if to_team_10_2 >= best {
+        best = to_team_10_2;
+        next = 3;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
         best = zero;
-        way = 4;
+        next = 4;
     }
-    let v23 = -3.3748567_f32 - s[4];
-    if v23 >= best {
-        best = v23;
-        way = 5;
+    let wrist_up_2 = -3.3748567_f32 - s[4];
+    if wrist_up_2 >= best {
+        best = wrist_up_2;
+        next = 5;
     }
-    let v11 = 164.8815_f32 * s[3];
-    if v11 >= best {
-        best = v11;
-        way = 5;
+    let wrist_up_3 = 164.8815_f32 * s[3];
+    if wrist_up_3 >= best {
+        best = wrist_up_3;
+        next = 5;
     }
-    let v13 = s[1] / 11.184899_f32;
-    if v13 >= best {
-        best = v13;
-        way = 5;
+    let wrist_up_4 = s[1] / 11.184899_f32;
+    if wrist_up_4 >= best {
+        best = wrist_up_4;
+        next = 5;
     }
-    match way {
+    match next {
         1 => team_7(s),
         2 => 1,
         3 => team_10(s),
@@ -266,36 +276,36 @@ fn team_5(s: &[f32; 5]) -> u16 {
 /// What team 11 decides.
 fn team_11(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 6;
-    let v13 = s[1] / 11.184899_f32;
-    if v13 >= best {
-        best = v13;
-        way = 1;
+    let mut next = 6;
+    let elbow_up = s[1] / 11.184899_f32;
+    if elbow_up >= best {
+        best = elbow_up;
+        next = 1;
     }
-    let v15 = s[1] / 0.0_f32;
-    if v15 >= best {
-        best = v15;
-        way = 2;
+    let to_team_13 = s[1] / 0.0_f32;
+    if to_team_13 >= best {
+        best = to_team_13;
+        next = 2;
     }
-    let v11 = 164.8815_f32 * s[3];
-    if v11 >= best {
-        best = v11;
-        way = 3;
+    let wrist_up = 164.8815_f32 * s[3];
+    if wrist_up >= best {
+        best = wrist_up;
+        next = 3;
     }
     if 24.873356_f32 >= best {
         best = 24.873356_f32;
-        way = 4;
+        next = 4;
     }
-    let v17 = -3.3748567_f32 - s[0];
-    if v17 >= best {
-        best = v17;
-        way = 5;
+    let base_down = -3.3748567_f32 - s[0];
+    if base_down >= best {
+        best = base_down;
+        next = 5;
     }
     if s[3] >= best {
         best = s[3];
-        way = 6;
+        next = 6;
     }
-    match way {
+    match next {
         1 => 4,
         2 => team_13(s),
         3 => 6,
@@ -308,43 +318,42 @@ fn team_11(s: &[f32; 5]) -> u16 {
 /// What team 10 decides.
 fn team_10(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 7;
-    let v13 = s[1] / 11.184899_f32;
-    if v13 >= best {
-        best = v13;
-        way = 1;
+    let mut next = 7;
+    let elbow_up = s[1] / 11.184899_f32;
+    if elbow_up >= best {
+        best = elbow_up;
+        next = 1;
     }
-    let v61 = s[1] - 9.689877_f32;
-    if v61 >= best {
-        best = v61;
-        way = 2;
+    let to_team_32 = s[1] - 9.689877_f32;
+    if to_team_32 >= best {
+        best = to_team_32;
+        next = 2;
     }
     if 24.873356_f32 >= best {
         best = 24.873356_f32;
-        way = 3;
+        next = 3;
     }
-    let v42 = f32::abs(s[4]);
-    let v43 = s[0] / v42;
-    if v43 >= best {
-        best = v43;
-        way = 4;
+    let base_up = s[0] / f32::abs(s[4]);
+    if base_up >= best {
+        best = base_up;
+        next = 4;
     }
-    let v17 = -3.3748567_f32 - s[0];
-    if v17 >= best {
-        best = v17;
-        way = 5;
+    let to_team_45 = -3.3748567_f32 - s[0];
+    if to_team_45 >= best {
+        best = to_team_45;
+        next = 5;
     }
-    let v28 = 0.0_f32 - s[4];
-    if v28 >= best {
-        best = v28;
-        way = 6;
+    let base_down = 0.0_f32 - s[4];
+    if base_down >= best {
+        best = base_down;
+        next = 6;
     }
-    let v15 = s[1] / 0.0_f32;
-    if v15 >= best {
-        best = v15;
-        way = 7;
+    let to_team_13 = s[1] / 0.0_f32;
+    if to_team_13 >= best {
+        best = to_team_13;
+        next = 7;
     }
-    match way {
+    match next {
         1 => 4,
         2 => team_32(s),
         3 => team_12(s),
@@ -358,49 +367,48 @@ fn team_10(s: &[f32; 5]) -> u16 {
 /// What team 13 decides.
 fn team_13(s: &[f32; 5]) -> u16 {
     let mut best = 22.918602_f32;
-    let mut way = 1;
-    let v47 = f32::abs(s[3]);
-    if v47 >= best {
-        best = v47;
-        way = 2;
+    let mut next = 1;
+    let to_team_32 = f32::abs(s[3]);
+    if to_team_32 >= best {
+        best = to_team_32;
+        next = 2;
     }
-    let v11 = 164.8815_f32 * s[3];
-    if v11 >= best {
-        best = v11;
-        way = 3;
+    let wrist_up = 164.8815_f32 * s[3];
+    if wrist_up >= best {
+        best = wrist_up;
+        next = 3;
     }
-    let v35 = s[1] + 9.539528_f32;
-    if v35 >= best {
-        best = v35;
-        way = 4;
+    let to_team_14 = s[1] + 9.539528_f32;
+    if to_team_14 >= best {
+        best = to_team_14;
+        next = 4;
     }
-    let v49 = s[0] / 11.077008_f32;
-    if v49 >= best {
-        best = v49;
-        way = 5;
+    let to_team_22 = s[0] / 11.077008_f32;
+    if to_team_22 >= best {
+        best = to_team_22;
+        next = 5;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 6;
+    let to_team_23 = s[0] / 0.0_f32;
+    if to_team_23 >= best {
+        best = to_team_23;
+        next = 6;
     }
-    let v42 = f32::abs(s[4]);
-    let v43 = s[0] / v42;
-    if v43 >= best {
-        best = v43;
-        way = 7;
+    let to_team_35 = s[0] / f32::abs(s[4]);
+    if to_team_35 >= best {
+        best = to_team_35;
+        next = 7;
     }
-    let v17 = -3.3748567_f32 - s[0];
-    if v17 >= best {
-        best = v17;
-        way = 8;
+    let to_team_45 = -3.3748567_f32 - s[0];
+    if to_team_45 >= best {
+        best = to_team_45;
+        next = 8;
     }
-    let v36 = ops::min(v17, s[4]);
-    if v36 >= best {
-        best = v36;
-        way = 9;
+    let base_down = ops::min(to_team_45, s[4]);
+    if base_down >= best {
+        best = base_down;
+        next = 9;
     }
-    match way {
+    match next {
         1 => team_41(s),
         2 => team_32(s),
         3 => 6,
@@ -416,48 +424,47 @@ fn team_13(s: &[f32; 5]) -> u16 {
 /// What team 12 decides.
 fn team_12(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 8;
-    let v11 = 164.8815_f32 * s[3];
-    if v11 >= best {
-        best = v11;
-        way = 1;
+    let mut next = 8;
+    let wrist_up = 164.8815_f32 * s[3];
+    if wrist_up >= best {
+        best = wrist_up;
+        next = 1;
     }
-    let v15 = s[1] / 0.0_f32;
-    if v15 >= best {
-        best = v15;
-        way = 2;
+    let to_team_16 = s[1] / 0.0_f32;
+    if to_team_16 >= best {
+        best = to_team_16;
+        next = 2;
     }
-    let v42 = f32::abs(s[4]);
-    let v56 = s[1] / v42;
-    if v56 >= best {
-        best = v56;
-        way = 3;
+    let base_up = s[1] / f32::abs(s[4]);
+    if base_up >= best {
+        best = base_up;
+        next = 3;
     }
-    let v17 = -3.3748567_f32 - s[0];
-    if v17 >= best {
-        best = v17;
-        way = 4;
+    let to_team_45 = -3.3748567_f32 - s[0];
+    if to_team_45 >= best {
+        best = to_team_45;
+        next = 4;
     }
-    let v51 = ops::negate_if_less(s[1], -26.200392_f32);
-    if v51 >= best {
-        best = v51;
-        way = 5;
+    let shoulder_down = ops::negate_if_less(s[1], -26.200392_f32);
+    if shoulder_down >= best {
+        best = shoulder_down;
+        next = 5;
     }
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 6;
+    let to_team_44 = s[1] / 9.539528_f32;
+    if to_team_44 >= best {
+        best = to_team_44;
+        next = 6;
     }
     if 11.302588_f32 >= best {
         best = 11.302588_f32;
-        way = 7;
+        next = 7;
     }
-    let v28 = 0.0_f32 - s[4];
-    if v28 >= best {
-        best = v28;
-        way = 8;
+    let base_down = 0.0_f32 - s[4];
+    if base_down >= best {
+        best = base_down;
+        next = 8;
     }
-    match way {
+    match next {
         1 => 6,
         2 => team_16(s),
         3 => 0,
@@ -472,42 +479,42 @@ fn team_12(s: &[f32; 5]) -> u16 {
 /// What team 32 decides.
 fn team_32(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 6;
-    let v17 = -3.3748567_f32 - s[0];
-    if v17 >= best {
-        best = v17;
-        way = 1;
+    let mut next = 6;
+    let to_team_38 = -3.3748567_f32 - s[0];
+    if to_team_38 >= best {
+        best = to_team_38;
+        next = 1;
     }
     if 22.918602_f32 >= best {
         best = 22.918602_f32;
-        way = 2;
+        next = 2;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 3;
+    let base_up = s[0] / 0.0_f32;
+    if base_up >= best {
+        best = base_up;
+        next = 3;
     }
-    let v8 = f32::abs(s[2]);
-    if v8 >= best {
-        best = v8;
-        way = 4;
+    let to_team_33 = f32::abs(s[2]);
+    if to_team_33 >= best {
+        best = to_team_33;
+        next = 4;
     }
-    let v35 = s[1] + 9.539528_f32;
-    if v35 >= best {
-        best = v35;
-        way = 6;
+    let to_team_44 = s[1] + 9.539528_f32;
+    if to_team_44 >= best {
+        best = to_team_44;
+        next = 6;
     }
-    let v55 = s[3] / 15.430052_f32;
-    if v55 >= best {
-        best = v55;
-        way = 5;
+    let wrist_up = s[3] / 15.430052_f32;
+    if wrist_up >= best {
+        best = wrist_up;
+        next = 5;
     }
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 6;
+    let to_team_44_2 = s[1] / 9.539528_f32;
+    if to_team_44_2 >= best {
+        best = to_team_44_2;
+        next = 6;
     }
-    match way {
+    match next {
         1 => team_38(s),
         2 => 7,
         3 => 0,
@@ -520,90 +527,83 @@ fn team_32(s: &[f32; 5]) -> u16 {
 /// What team 45 decides.
 fn team_45(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 4;
-    let v51 = ops::negate_if_less(s[1], -26.200392_f32);
-    if v51 >= best {
-        best = v51;
-        way = 1;
+    let mut action = 1;
+    let shoulder_down = ops::negate_if_less(s[1], -26.200392_f32);
+    if shoulder_down >= best {
+        best = shoulder_down;
+        action = 3;
     }
-    let v52 = ops::max(s[1], s[4]);
-    if v52 >= best {
-        best = v52;
-        way = 4;
+    let base_down = ops::max(s[1], s[4]);
+    if base_down >= best {
+        best = base_down;
+        action = 1;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 2;
+    let base_up = s[0] / 0.0_f32;
+    if base_up >= best {
+        best = base_up;
+        action = 0;
     }
-    let v28 = 0.0_f32 - s[4];
-    if v28 >= best {
-        best = v28;
-        way = 4;
+    let base_down_2 = 0.0_f32 - s[4];
+    if base_down_2 >= best {
+        best = base_down_2;
+        action = 1;
     }
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 3;
+    let elbow_down = s[1] / 9.539528_f32;
+    if elbow_down >= best {
+        best = elbow_down;
+        action = 5;
     }
     if 4.372006_f32 >= best {
         best = 4.372006_f32;
-        way = 4;
+        action = 1;
     }
-    let v53 = ops::min(s[2], s[3]);
-    if v53 >= best {
-        best = v53;
-        way = 4;
+    let base_down_4 = ops::min(s[2], s[3]);
+    if base_down_4 >= best {
+        best = base_down_4;
+        action = 1;
     }
-    match way {
-        1 => 3,
-        2 => 0,
-        3 => 5,
-        _ => 1,
-    }
+    action
 }
 
 /// What team 41 decides.
 fn team_41(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 5;
-    let v37 = ops::max(s[2], s[4]);
-    if v37 >= best {
-        best = v37;
-        way = 2;
+    let mut next = 5;
+    let base_down = ops::max(s[2], s[4]);
+    if base_down >= best {
+        best = base_down;
+        next = 2;
     }
-    let v38 = ops::max(s[4], 0.0_f32);
-    if v38 >= best {
-        best = v38;
-        way = 1;
+    let to_team_42 = ops::max(s[4], 0.0_f32);
+    if to_team_42 >= best {
+        best = to_team_42;
+        next = 1;
     }
-    let v39 = s[4] / 0.0_f32;
-    let v41 = v39 * -72.49379_f32;
-    if v41 >= best {
-        best = v41;
-        way = 2;
+    let base_down_2 = -72.49379_f32 * (s[4] / 0.0_f32);
+    if base_down_2 >= best {
+        best = base_down_2;
+        next = 2;
     }
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 3;
+    let to_team_44 = s[1] / 9.539528_f32;
+    if to_team_44 >= best {
+        best = to_team_44;
+        next = 3;
     }
-    let v42 = f32::abs(s[4]);
-    let v43 = s[0] / v42;
-    if v43 >= best {
-        best = v43;
-        way = 5;
+    let base_up = s[0] / f32::abs(s[4]);
+    if base_up >= best {
+        best = base_up;
+        next = 5;
     }
     if 10.948133_f32 >= best {
         best = 10.948133_f32;
-        way = 4;
+        next = 4;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 5;
+    let base_up_2 = s[0] / 0.0_f32;
+    if base_up_2 >= best {
+        best = base_up_2;
+        next = 5;
     }
-    match way {
+    match next {
         1 => team_42(s),
         2 => 1,
         3 => team_44(s),
@@ -615,47 +615,47 @@ fn team_41(s: &[f32; 5]) -> u16 {
 /// What team 14 decides.
 fn team_14(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 5;
-    let v13 = s[1] / 11.184899_f32;
-    if v13 >= best {
-        best = v13;
-        way = 1;
+    let mut next = 5;
+    let elbow_up = s[1] / 11.184899_f32;
+    if elbow_up >= best {
+        best = elbow_up;
+        next = 1;
     }
     if 11.302588_f32 >= best {
         best = 11.302588_f32;
-        way = 2;
+        next = 2;
     }
-    let v28 = 0.0_f32 - s[4];
-    if v28 >= best {
-        best = v28;
-        way = 3;
+    let base_down = 0.0_f32 - s[4];
+    if base_down >= best {
+        best = base_down;
+        next = 3;
     }
-    let v73 = -3.5602038_f32 - s[0];
-    if v73 >= best {
-        best = v73;
-        way = 3;
+    let base_down_2 = -3.5602038_f32 - s[0];
+    if base_down_2 >= best {
+        best = base_down_2;
+        next = 3;
     }
-    let v45 = s[1] * s[4];
-    if v45 >= best {
-        best = v45;
-        way = 3;
+    let base_down_3 = s[1] * s[4];
+    if base_down_3 >= best {
+        best = base_down_3;
+        next = 3;
     }
-    let v17 = -3.3748567_f32 - s[0];
-    if v17 >= best {
-        best = v17;
-        way = 3;
+    let base_down_4 = -3.3748567_f32 - s[0];
+    if base_down_4 >= best {
+        best = base_down_4;
+        next = 3;
     }
-    let v11 = 164.8815_f32 * s[3];
-    if v11 >= best {
-        best = v11;
-        way = 4;
+    let wrist_up = 164.8815_f32 * s[3];
+    if wrist_up >= best {
+        best = wrist_up;
+        next = 4;
     }
-    let v15 = s[1] / 0.0_f32;
-    if v15 >= best {
-        best = v15;
-        way = 5;
+    let to_team_16 = s[1] / 0.0_f32;
+    if to_team_16 >= best {
+        best = to_team_16;
+        next = 5;
     }
-    match way {
+    match next {
         1 => 4,
         2 => team_43(s),
         3 => 1,
@@ -667,59 +667,57 @@ fn team_14(s: &[f32; 5]) -> u16 {
 /// What team 22 decides.
 fn team_22(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 8;
-    let v17 = -3.3748567_f32 - s[0];
-    let v36 = ops::min(v17, s[4]);
-    if v36 >= best {
-        best = v36;
-        way = 3;
+    let mut next = 8;
+    let base_down_2 = -3.3748567_f32 - s[0];
+    let base_down = ops::min(base_down_2, s[4]);
+    if base_down >= best {
+        best = base_down;
+        next = 3;
     }
-    let v8 = f32::abs(s[2]);
-    if v8 >= best {
-        best = v8;
-        way = 1;
+    let to_team_30 = f32::abs(s[2]);
+    if to_team_30 >= best {
+        best = to_team_30;
+        next = 1;
     }
-    let v74 = s[4] * s[4];
-    if v74 >= best {
-        best = v74;
-        way = 2;
+    let to_team_32 = s[4] * s[4];
+    if to_team_32 >= best {
+        best = to_team_32;
+        next = 2;
     }
-    if v17 >= best {
-        best = v17;
-        way = 3;
+    if base_down_2 >= best {
+        best = base_down_2;
+        next = 3;
     }
-    let v39 = s[4] / 0.0_f32;
-    let v41 = v39 * -72.49379_f32;
-    if v41 >= best {
-        best = v41;
-        way = 4;
+    let shoulder_down = -72.49379_f32 * (s[4] / 0.0_f32);
+    if shoulder_down >= best {
+        best = shoulder_down;
+        next = 4;
     }
     if 22.918602_f32 >= best {
         best = 22.918602_f32;
-        way = 7;
+        next = 7;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 5;
+    let to_team_23 = s[0] / 0.0_f32;
+    if to_team_23 >= best {
+        best = to_team_23;
+        next = 5;
     }
-    let v11 = 164.8815_f32 * s[3];
-    if v11 >= best {
-        best = v11;
-        way = 6;
+    let wrist_up = 164.8815_f32 * s[3];
+    if wrist_up >= best {
+        best = wrist_up;
+        next = 6;
     }
-    let v77 = s[0] + s[4];
-    let v78 = v77 / 9.539528_f32;
-    if v78 >= best {
-        best = v78;
-        way = 7;
+    let wrist_down_2 = (s[0] + s[4]) / 9.539528_f32;
+    if wrist_down_2 >= best {
+        best = wrist_down_2;
+        next = 7;
     }
-    let v69 = s[1] - s[4];
-    if v69 >= best {
-        best = v69;
-        way = 8;
+    let elbow_down = s[1] - s[4];
+    if elbow_down >= best {
+        best = elbow_down;
+        next = 8;
     }
-    match way {
+    match next {
         1 => team_30(s),
         2 => team_32(s),
         3 => 1,
@@ -734,43 +732,42 @@ fn team_22(s: &[f32; 5]) -> u16 {
 /// What team 23 decides.
 fn team_23(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 7;
-    let v71 = s[1] / 6.928064_f32;
-    if v71 >= best {
-        best = v71;
-        way = 1;
+    let mut next = 7;
+    let to_team_37 = s[1] / 6.928064_f32;
+    if to_team_37 >= best {
+        best = to_team_37;
+        next = 1;
     }
-    let v55 = s[3] / 15.430052_f32;
-    if v55 >= best {
-        best = v55;
-        way = 2;
+    let shoulder_down = s[3] / 15.430052_f32;
+    if shoulder_down >= best {
+        best = shoulder_down;
+        next = 2;
     }
-    let v42 = f32::abs(s[4]);
-    let v43 = s[0] / v42;
-    if v43 >= best {
-        best = v43;
-        way = 3;
+    let base_up = s[0] / f32::abs(s[4]);
+    if base_up >= best {
+        best = base_up;
+        next = 3;
     }
-    let v8 = f32::abs(s[2]);
-    if v8 >= best {
-        best = v8;
-        way = 4;
+    let to_team_24 = f32::abs(s[2]);
+    if to_team_24 >= best {
+        best = to_team_24;
+        next = 4;
     }
     if 22.918602_f32 >= best {
         best = 22.918602_f32;
-        way = 5;
+        next = 5;
     }
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 6;
+    let to_team_44 = s[1] / 9.539528_f32;
+    if to_team_44 >= best {
+        best = to_team_44;
+        next = 6;
     }
-    let v21 = ops::max(-161.71835_f32, s[2]);
-    if v21 >= best {
-        best = v21;
-        way = 7;
+    let elbow_up = ops::max(-161.71835_f32, s[2]);
+    if elbow_up >= best {
+        best = elbow_up;
+        next = 7;
     }
-    match way {
+    match next {
         1 => team_37(s),
         2 => 3,
         3 => 0,
@@ -784,44 +781,42 @@ fn team_23(s: &[f32; 5]) -> u16 {
 /// What team 35 decides.
 fn team_35(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 6;
-    let v17 = -3.3748567_f32 - s[0];
-    let v36 = ops::min(v17, s[4]);
-    if v36 >= best {
-        best = v36;
-        way = 1;
+    let mut next = 6;
+    let base_down = ops::min(-3.3748567_f32 - s[0], s[4]);
+    if base_down >= best {
+        best = base_down;
+        next = 1;
     }
-    let v79 = ops::negate_if_less(-3.3748567_f32, s[0]);
-    if v79 >= best {
-        best = v79;
-        way = 1;
+    let base_down_2 = ops::negate_if_less(-3.3748567_f32, s[0]);
+    if base_down_2 >= best {
+        best = base_down_2;
+        next = 1;
     }
-    let v65 = s[2] + s[2];
-    if v65 >= best {
-        best = v65;
-        way = 2;
+    let to_team_40 = s[2] + s[2];
+    if to_team_40 >= best {
+        best = to_team_40;
+        next = 2;
     }
-    let v8 = f32::abs(s[2]);
-    if v8 >= best {
-        best = v8;
-        way = 3;
+    let to_team_39 = f32::abs(s[2]);
+    if to_team_39 >= best {
+        best = to_team_39;
+        next = 3;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 4;
+    let base_up = s[0] / 0.0_f32;
+    if base_up >= best {
+        best = base_up;
+        next = 4;
     }
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 5;
+    let to_team_44 = s[1] / 9.539528_f32;
+    if to_team_44 >= best {
+        best = to_team_44;
+        next = 5;
     }
-    let zero = core::hint::black_box(0.0_f32);
-    if zero >= best {
-        best = zero;
-        way = 6;
+    if 0.0_f32 >= best {
+        best = 0.0_f32;
+        next = 6;
     }
-    match way {
+    match next {
         1 => 1,
         2 => team_40(s),
         3 => team_39(s),
@@ -834,48 +829,47 @@ fn team_35(s: &[f32; 5]) -> u16 {
 /// What team 16 decides.
 fn team_16(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 8;
-    let v42 = f32::abs(s[4]);
-    if v42 >= best {
-        best = v42;
-        way = 1;
+    let mut next = 8;
+    let to_team_42 = f32::abs(s[4]);
+    if to_team_42 >= best {
+        best = to_team_42;
+        next = 1;
     }
-    let v39 = s[4] / 0.0_f32;
-    let v41 = v39 * -72.49379_f32;
-    if v41 >= best {
-        best = v41;
-        way = 2;
+    let shoulder_down = -72.49379_f32 * (s[4] / 0.0_f32);
+    if shoulder_down >= best {
+        best = shoulder_down;
+        next = 2;
     }
-    let v69 = s[1] - s[4];
-    if v69 >= best {
-        best = v69;
-        way = 3;
+    let elbow_down = s[1] - s[4];
+    if elbow_down >= best {
+        best = elbow_down;
+        next = 3;
     }
     if 22.918602_f32 >= best {
         best = 22.918602_f32;
-        way = 4;
+        next = 4;
     }
-    let v45 = s[1] * s[4];
-    if v45 >= best {
-        best = v45;
-        way = 5;
+    let to_team_32 = s[1] * s[4];
+    if to_team_32 >= best {
+        best = to_team_32;
+        next = 5;
     }
-    let v8 = f32::abs(s[2]);
-    if v8 >= best {
-        best = v8;
-        way = 6;
+    let to_team_30 = f32::abs(s[2]);
+    if to_team_30 >= best {
+        best = to_team_30;
+        next = 6;
     }
-    let v11 = 164.8815_f32 * s[3];
-    if v11 >= best {
-        best = v11;
-        way = 7;
+    let wrist_up = 164.8815_f32 * s[3];
+    if wrist_up >= best {
+        best = wrist_up;
+        next = 7;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 8;
+    let to_team_17 = s[0] / 0.0_f32;
+    if to_team_17 >= best {
+        best = to_team_17;
+        next = 8;
     }
-    match way {
+    match next {
         1 => team_42(s),
         2 => 3,
         3 => 5,
@@ -890,85 +884,79 @@ fn team_16(s: &[f32; 5]) -> u16 {
 /// What team 43 decides.
 fn team_43(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 4;
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 1;
+    let mut action = 3;
+    let elbow_down = s[1] / 9.539528_f32;
+    if elbow_down >= best {
+        best = elbow_down;
+        action = 5;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 2;
+    let base_up = s[0] / 0.0_f32;
+    if base_up >= best {
+        best = base_up;
+        action = 0;
     }
-    let v53 = ops::min(s[2], s[3]);
-    if v53 >= best {
-        best = v53;
-        way = 3;
+    let base_down = ops::min(s[2], s[3]);
+    if base_down >= best {
+        best = base_down;
+        action = 1;
     }
-    let v68 = ops::max(s[0], 0.0_f32);
-    if v68 >= best {
-        best = v68;
-        way = 4;
+    let shoulder_down = ops::max(s[0], 0.0_f32);
+    if shoulder_down >= best {
+        best = shoulder_down;
+        action = 3;
     }
-    match way {
-        1 => 5,
-        2 => 0,
-        3 => 1,
-        _ => 3,
-    }
+    action
 }
 
 /// What team 38 decides.
 fn team_38(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 7;
-    let v65 = s[2] + s[2];
-    if v65 >= best {
-        best = v65;
-        way = 1;
+    let mut next = 7;
+    let to_team_40 = s[2] + s[2];
+    if to_team_40 >= best {
+        best = to_team_40;
+        next = 1;
     }
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 7;
+    let to_team_44 = s[1] / 9.539528_f32;
+    if to_team_44 >= best {
+        best = to_team_44;
+        next = 7;
     }
-    let v47 = f32::abs(s[3]);
-    if v47 >= best {
-        best = v47;
-        way = 2;
+    let to_team_39 = f32::abs(s[3]);
+    if to_team_39 >= best {
+        best = to_team_39;
+        next = 2;
     }
-    let v67 = ops::min(s[2], 213.59233_f32);
-    if v67 >= best {
-        best = v67;
-        way = 3;
+    let wrist_down = ops::min(s[2], 213.59233_f32);
+    if wrist_down >= best {
+        best = wrist_down;
+        next = 3;
     }
-    let v42 = f32::abs(s[4]);
-    let v56 = s[1] / v42;
-    if v56 >= best {
-        best = v56;
-        way = 4;
+    let base_up = s[1] / f32::abs(s[4]);
+    if base_up >= best {
+        best = base_up;
+        next = 4;
     }
     if 4.372006_f32 >= best {
         best = 4.372006_f32;
-        way = 5;
+        next = 5;
     }
-    let v17 = -3.3748567_f32 - s[0];
-    if v17 >= best {
-        best = v17;
-        way = 5;
+    let base_down_2 = -3.3748567_f32 - s[0];
+    if base_down_2 >= best {
+        best = base_down_2;
+        next = 5;
     }
-    let v8 = f32::abs(s[2]);
-    if v8 >= best {
-        best = v8;
-        way = 6;
+    let to_team_43 = f32::abs(s[2]);
+    if to_team_43 >= best {
+        best = to_team_43;
+        next = 6;
     }
-    let v35 = s[1] + 9.539528_f32;
-    if v35 >= best {
-        best = v35;
-        way = 7;
+    let to_team_44_2 = s[1] + 9.539528_f32;
+    if to_team_44_2 >= best {
+        best = to_team_44_2;
+        next = 7;
     }
-    match way {
+    match next {
         1 => team_40(s),
         2 => team_39(s),
         3 => 7,
@@ -982,35 +970,33 @@ fn team_38(s: &[f32; 5]) -> u16 {
 /// What team 33 decides.
 fn team_33(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 5;
-    let v42 = f32::abs(s[4]);
-    let v80 = s[2] / v42;
-    if v80 >= best {
-        best = v80;
-        way = 1;
+    let mut next = 5;
+    let base_up = s[2] / f32::abs(s[4]);
+    if base_up >= best {
+        best = base_up;
+        next = 1;
     }
-    let v81 = s[4] - -22.172918_f32;
-    let v82 = 9.539528_f32 + v81;
-    if v82 >= best {
-        best = v82;
-        way = 2;
+    let to_team_34 = s[4] + 22.172918_f32 + 9.539528_f32;
+    if to_team_34 >= best {
+        best = to_team_34;
+        next = 2;
     }
-    let v83 = ops::max(s[2], 99.64715_f32);
-    if v83 >= best {
-        best = v83;
-        way = 3;
+    let to_team_41 = ops::max(s[2], 99.64715_f32);
+    if to_team_41 >= best {
+        best = to_team_41;
+        next = 3;
     }
-    let v17 = -3.3748567_f32 - s[0];
-    if v17 >= best {
-        best = v17;
-        way = 4;
+    let to_team_45 = -3.3748567_f32 - s[0];
+    if to_team_45 >= best {
+        best = to_team_45;
+        next = 4;
     }
-    let v85 = -72.89382_f32 / s[4];
-    if v85 >= best {
-        best = v85;
-        way = 5;
+    let elbow_down = -72.89382_f32 / s[4];
+    if elbow_down >= best {
+        best = elbow_down;
+        next = 5;
     }
-    match way {
+    match next {
         1 => 0,
         2 => team_34(s),
         3 => team_41(s),
@@ -1022,38 +1008,38 @@ fn team_33(s: &[f32; 5]) -> u16 {
 /// What team 42 decides.
 fn team_42(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 5;
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 1;
+    let mut next = 5;
+    let base_up = s[0] / 0.0_f32;
+    if base_up >= best {
+        best = base_up;
+        next = 1;
     }
-    let v53 = ops::min(s[2], s[3]);
-    if v53 >= best {
-        best = v53;
-        way = 2;
+    let base_down = ops::min(s[2], s[3]);
+    if base_down >= best {
+        best = base_down;
+        next = 2;
     }
-    let v17 = -3.3748567_f32 - s[0];
-    if v17 >= best {
-        best = v17;
-        way = 2;
+    let base_down_2 = -3.3748567_f32 - s[0];
+    if base_down_2 >= best {
+        best = base_down_2;
+        next = 2;
     }
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 3;
+    let to_team_44 = s[1] / 9.539528_f32;
+    if to_team_44 >= best {
+        best = to_team_44;
+        next = 3;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
         best = zero;
-        way = 4;
+        next = 4;
     }
-    let v8 = f32::abs(s[2]);
-    if v8 >= best {
-        best = v8;
-        way = 5;
+    let to_team_43 = f32::abs(s[2]);
+    if to_team_43 >= best {
+        best = to_team_43;
+        next = 5;
     }
-    match way {
+    match next {
         1 => 0,
         2 => 1,
         3 => team_44(s),
@@ -1065,61 +1051,58 @@ fn team_42(s: &[f32; 5]) -> u16 {
 /// What team 30 decides.
 fn team_30(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 9;
-    let v42 = f32::abs(s[4]);
-    let v43 = s[0] / v42;
-    if v43 >= best {
-        best = v43;
-        way = 4;
+    let mut next = 9;
+    let base_up = s[0] / f32::abs(s[4]);
+    if base_up >= best {
+        best = base_up;
+        next = 4;
     }
-    let v77 = s[0] + s[4];
-    let v78 = v77 / 9.539528_f32;
-    if v78 >= best {
-        best = v78;
-        way = 1;
+    let wrist_down = (s[0] + s[4]) / 9.539528_f32;
+    if wrist_down >= best {
+        best = wrist_down;
+        next = 1;
     }
-    let v89 = s[1] / s[4];
-    if v89 >= best {
-        best = v89;
-        way = 2;
+    let to_team_37 = s[1] / s[4];
+    if to_team_37 >= best {
+        best = to_team_37;
+        next = 2;
     }
-    let v64 = s[2] - 99.64715_f32;
-    if v64 >= best {
-        best = v64;
-        way = 3;
+    let to_team_38 = s[2] - 99.64715_f32;
+    if to_team_38 >= best {
+        best = to_team_38;
+        next = 3;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 4;
+    let base_up_2 = s[0] / 0.0_f32;
+    if base_up_2 >= best {
+        best = base_up_2;
+        next = 4;
     }
-    let v8 = f32::abs(s[2]);
-    if v8 >= best {
-        best = v8;
-        way = 5;
+    let to_team_33 = f32::abs(s[2]);
+    if to_team_33 >= best {
+        best = to_team_33;
+        next = 5;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
         best = zero;
-        way = 6;
+        next = 6;
     }
-    let v17 = -3.3748567_f32 - s[0];
-    if v17 >= best {
-        best = v17;
-        way = 7;
+    let to_team_45 = -3.3748567_f32 - s[0];
+    if to_team_45 >= best {
+        best = to_team_45;
+        next = 7;
     }
-    let v39 = s[4] / 0.0_f32;
-    let v41 = v39 * -72.49379_f32;
-    if v41 >= best {
-        best = v41;
-        way = 8;
+    let to_team_31 = -72.49379_f32 * (s[4] / 0.0_f32);
+    if to_team_31 >= best {
+        best = to_team_31;
+        next = 8;
     }
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 9;
+    let to_team_44 = s[1] / 9.539528_f32;
+    if to_team_44 >= best {
+        best = to_team_44;
+        next = 9;
     }
-    match way {
+    match next {
         1 => 7,
         2 => team_37(s),
         3 => team_38(s),
@@ -1135,27 +1118,27 @@ fn team_30(s: &[f32; 5]) -> u16 {
 /// What team 37 decides.
 fn team_37(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 3;
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 1;
+    let mut next = 3;
+    let base_up = s[0] / 0.0_f32;
+    if base_up >= best {
+        best = base_up;
+        next = 1;
     }
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 2;
+    let to_team_44 = s[1] / 9.539528_f32;
+    if to_team_44 >= best {
+        best = to_team_44;
+        next = 2;
     }
     if 4.372006_f32 >= best {
         best = 4.372006_f32;
-        way = 3;
+        next = 3;
     }
-    let v17 = -3.3748567_f32 - s[0];
-    if v17 >= best {
-        best = v17;
-        way = 3;
+    let base_down_2 = -3.3748567_f32 - s[0];
+    if base_down_2 >= best {
+        best = base_down_2;
+        next = 3;
     }
-    match way {
+    match next {
         1 => 0,
         2 => team_44(s),
         _ => 1,
@@ -1165,37 +1148,37 @@ fn team_37(s: &[f32; 5]) -> u16 {
 /// What team 24 decides.
 fn team_24(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 6;
-    let v17 = -3.3748567_f32 - s[0];
-    if v17 >= best {
-        best = v17;
-        way = 1;
+    let mut next = 6;
+    let to_team_38 = -3.3748567_f32 - s[0];
+    if to_team_38 >= best {
+        best = to_team_38;
+        next = 1;
     }
     if 22.918602_f32 >= best {
         best = 22.918602_f32;
-        way = 2;
+        next = 2;
     }
-    let v8 = f32::abs(s[2]);
-    if v8 >= best {
-        best = v8;
-        way = 3;
+    let to_team_33 = f32::abs(s[2]);
+    if to_team_33 >= best {
+        best = to_team_33;
+        next = 3;
     }
-    let v55 = s[3] / 15.430052_f32;
-    if v55 >= best {
-        best = v55;
-        way = 4;
+    let shoulder_down = s[3] / 15.430052_f32;
+    if shoulder_down >= best {
+        best = shoulder_down;
+        next = 4;
     }
-    let v35 = s[1] + 9.539528_f32;
-    if v35 >= best {
-        best = v35;
-        way = 5;
+    let to_team_44 = s[1] + 9.539528_f32;
+    if to_team_44 >= best {
+        best = to_team_44;
+        next = 5;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 6;
+    let base_up = s[0] / 0.0_f32;
+    if base_up >= best {
+        best = base_up;
+        next = 6;
     }
-    match way {
+    match next {
         1 => team_38(s),
         2 => 7,
         3 => team_33(s),
@@ -1208,86 +1191,79 @@ fn team_24(s: &[f32; 5]) -> u16 {
 /// What team 40 decides.
 fn team_40(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 4;
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 1;
+    let mut action = 3;
+    let elbow_down = s[1] / 9.539528_f32;
+    if elbow_down >= best {
+        best = elbow_down;
+        action = 5;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 2;
+    let base_up = s[0] / 0.0_f32;
+    if base_up >= best {
+        best = base_up;
+        action = 0;
     }
-    let v17 = -3.3748567_f32 - s[0];
-    if v17 >= best {
-        best = v17;
-        way = 3;
+    let base_down = -3.3748567_f32 - s[0];
+    if base_down >= best {
+        best = base_down;
+        action = 1;
     }
-    let v88 = f32::abs(s[0]);
-    if v88 >= best {
-        best = v88;
-        way = 3;
+    let base_down_2 = f32::abs(s[0]);
+    if base_down_2 >= best {
+        best = base_down_2;
+        action = 1;
     }
-    let v53 = ops::min(s[2], s[3]);
-    if v53 >= best {
-        best = v53;
-        way = 3;
+    let base_down_3 = ops::min(s[2], s[3]);
+    if base_down_3 >= best {
+        best = base_down_3;
+        action = 1;
     }
-    let zero = core::hint::black_box(0.0_f32);
-    if zero >= best {
-        best = zero;
-        way = 4;
+    if 0.0_f32 >= best {
+        best = 0.0_f32;
+        action = 3;
     }
-    match way {
-        1 => 5,
-        2 => 0,
-        3 => 1,
-        _ => 3,
-    }
+    action
 }
 
 /// What team 39 decides.
 fn team_39(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 5;
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 1;
+    let mut next = 5;
+    let elbow_down = s[1] / 9.539528_f32;
+    if elbow_down >= best {
+        best = elbow_down;
+        next = 1;
     }
-    let v17 = -3.3748567_f32 - s[0];
-    if v17 >= best {
-        best = v17;
-        way = 2;
+    let base_down = -3.3748567_f32 - s[0];
+    if base_down >= best {
+        best = base_down;
+        next = 2;
     }
-    let v58 = s[0] / 17.709658_f32;
-    if v58 >= best {
-        best = v58;
-        way = 5;
+    let base_up = s[0] / 17.709658_f32;
+    if base_up >= best {
+        best = base_up;
+        next = 5;
     }
-    let v53 = ops::min(s[2], s[3]);
-    if v53 >= best {
-        best = v53;
-        way = 2;
+    let base_down_2 = ops::min(s[2], s[3]);
+    if base_down_2 >= best {
+        best = base_down_2;
+        next = 2;
     }
-    let v59 = 0.0_f32 * s[2];
-    if v59 >= best {
-        best = v59;
-        way = 3;
+    let shoulder_up = 0.0_f32 * s[2];
+    if shoulder_up >= best {
+        best = shoulder_up;
+        next = 3;
     }
-    let v8 = f32::abs(s[2]);
-    if v8 >= best {
-        best = v8;
-        way = 4;
+    let to_team_43 = f32::abs(s[2]);
+    if to_team_43 >= best {
+        best = to_team_43;
+        next = 4;
     }
-    let v42 = f32::abs(s[4]);
-    let v43 = s[0] / v42;
-    if v43 >= best {
-        best = v43;
-        way = 5;
+    let base_up_2 = s[0] / f32::abs(s[4]);
+    if base_up_2 >= best {
+        best = base_up_2;
+        next = 5;
     }
-    match way {
+    match next {
         1 => 5,
         2 => 1,
         3 => 2,
@@ -1299,48 +1275,47 @@ fn team_39(s: &[f32; 5]) -> u16 {
 /// What team 17 decides.
 fn team_17(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 7;
-    let v8 = f32::abs(s[2]);
-    if v8 >= best {
-        best = v8;
-        way = 1;
+    let mut next = 7;
+    let to_team_35 = f32::abs(s[2]);
+    if to_team_35 >= best {
+        best = to_team_35;
+        next = 1;
     }
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 2;
+    let elbow_down = s[1] / 9.539528_f32;
+    if elbow_down >= best {
+        best = elbow_down;
+        next = 2;
     }
-    let v17 = -3.3748567_f32 - s[0];
-    let v36 = ops::min(v17, s[4]);
-    if v36 >= best {
-        best = v36;
-        way = 6;
+    let base_down = ops::min(-3.3748567_f32 - s[0], s[4]);
+    if base_down >= best {
+        best = base_down;
+        next = 6;
     }
     if 22.918602_f32 >= best {
         best = 22.918602_f32;
-        way = 3;
+        next = 3;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 4;
+    let to_team_23 = s[0] / 0.0_f32;
+    if to_team_23 >= best {
+        best = to_team_23;
+        next = 4;
     }
-    let v74 = s[4] * s[4];
-    if v74 >= best {
-        best = v74;
-        way = 5;
+    let to_team_18 = s[4] * s[4];
+    if to_team_18 >= best {
+        best = to_team_18;
+        next = 5;
     }
-    let v53 = ops::min(s[2], s[3]);
-    if v53 >= best {
-        best = v53;
-        way = 6;
+    let base_down_2 = ops::min(s[2], s[3]);
+    if base_down_2 >= best {
+        best = base_down_2;
+        next = 6;
     }
-    let v76 = s[1] / -9.539528_f32;
-    if v76 >= best {
-        best = v76;
-        way = 7;
+    let to_team_44 = s[1] / -9.539528_f32;
+    if to_team_44 >= best {
+        best = to_team_44;
+        next = 7;
     }
-    match way {
+    match next {
         1 => team_35(s),
         2 => 5,
         3 => 7,
@@ -1354,49 +1329,48 @@ fn team_17(s: &[f32; 5]) -> u16 {
 /// What team 34 decides.
 fn team_34(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 5;
-    let v87 = s[4] * -4.136917_f32;
-    if v87 >= best {
-        best = v87;
-        way = 3;
+    let mut next = 5;
+    let base_up = -4.136917_f32 * s[4];
+    if base_up >= best {
+        best = base_up;
+        next = 3;
     }
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 4;
+    let to_team_44 = s[1] / 9.539528_f32;
+    if to_team_44 >= best {
+        best = to_team_44;
+        next = 4;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
         best = zero;
-        way = 1;
+        next = 1;
     }
-    let v39 = s[4] / 0.0_f32;
-    let v41 = v39 * -72.49379_f32;
-    if v41 >= best {
-        best = v41;
-        way = 1;
+    let base_down_2 = -72.49379_f32 * (s[4] / 0.0_f32);
+    if base_down_2 >= best {
+        best = base_down_2;
+        next = 1;
     }
-    let v42 = f32::abs(s[4]);
-    if v42 >= best {
-        best = v42;
-        way = 2;
+    let to_team_36 = f32::abs(s[4]);
+    if to_team_36 >= best {
+        best = to_team_36;
+        next = 2;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 3;
+    let base_up_2 = s[0] / 0.0_f32;
+    if base_up_2 >= best {
+        best = base_up_2;
+        next = 3;
     }
-    let v35 = s[1] + 9.539528_f32;
-    if v35 >= best {
-        best = v35;
-        way = 4;
+    let to_team_44_2 = s[1] + 9.539528_f32;
+    if to_team_44_2 >= best {
+        best = to_team_44_2;
+        next = 4;
     }
-    let v43 = s[0] / v42;
-    if v43 >= best {
-        best = v43;
-        way = 5;
+    let to_team_35 = s[0] / to_team_36;
+    if to_team_35 >= best {
+        best = to_team_35;
+        next = 5;
     }
-    match way {
+    match next {
         1 => 1,
         2 => team_36(s),
         3 => 0,
@@ -1408,23 +1382,23 @@ fn team_34(s: &[f32; 5]) -> u16 {
 /// What team 31 decides.
 fn team_31(s: &[f32; 5]) -> u16 {
     let mut best = 7.3802834_f32;
-    let mut way = 1;
-    let v8 = f32::abs(s[2]);
-    if v8 >= best {
-        best = v8;
-        way = 2;
+    let mut next = 1;
+    let to_team_38 = f32::abs(s[2]);
+    if to_team_38 >= best {
+        best = to_team_38;
+        next = 2;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 3;
+    let base_up = s[0] / 0.0_f32;
+    if base_up >= best {
+        best = base_up;
+        next = 3;
     }
-    let v35 = s[1] + 9.539528_f32;
-    if v35 >= best {
-        best = v35;
-        way = 4;
+    let to_team_34 = s[1] + 9.539528_f32;
+    if to_team_34 >= best {
+        best = to_team_34;
+        next = 4;
     }
-    match way {
+    match next {
         1 => 5,
         2 => team_38(s),
         3 => 0,
@@ -1435,54 +1409,53 @@ fn team_31(s: &[f32; 5]) -> u16 {
 /// What team 18 decides.
 fn team_18(s: &[f32; 5]) -> u16 {
     let mut best = 22.918602_f32;
-    let mut way = 1;
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 2;
+    let mut next = 1;
+    let shoulder_down = s[1] / 9.539528_f32;
+    if shoulder_down >= best {
+        best = shoulder_down;
+        next = 2;
     }
-    let v17 = -3.3748567_f32 - s[0];
-    let v36 = ops::min(v17, s[4]);
-    if v36 >= best {
-        best = v36;
-        way = 8;
+    let base_down_3 = -3.3748567_f32 - s[0];
+    let base_down = ops::min(base_down_3, s[4]);
+    if base_down >= best {
+        best = base_down;
+        next = 8;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 3;
+    let to_team_23 = s[0] / 0.0_f32;
+    if to_team_23 >= best {
+        best = to_team_23;
+        next = 3;
     }
-    let v74 = s[4] * s[4];
-    if v74 >= best {
-        best = v74;
-        way = 4;
+    let to_team_32 = s[4] * s[4];
+    if to_team_32 >= best {
+        best = to_team_32;
+        next = 4;
     }
-    let v53 = ops::min(s[2], s[3]);
-    if v53 >= best {
-        best = v53;
-        way = 8;
+    let base_down_2 = ops::min(s[2], s[3]);
+    if base_down_2 >= best {
+        best = base_down_2;
+        next = 8;
     }
-    let v76 = s[1] / -9.539528_f32;
-    if v76 >= best {
-        best = v76;
-        way = 5;
+    let to_team_44 = s[1] / -9.539528_f32;
+    if to_team_44 >= best {
+        best = to_team_44;
+        next = 5;
     }
-    let v42 = f32::abs(s[4]);
-    let v43 = s[0] / v42;
-    if v43 >= best {
-        best = v43;
-        way = 6;
+    let to_team_33 = s[0] / f32::abs(s[4]);
+    if to_team_33 >= best {
+        best = to_team_33;
+        next = 6;
     }
-    let v8 = f32::abs(s[2]);
-    if v8 >= best {
-        best = v8;
-        way = 7;
+    let to_team_30 = f32::abs(s[2]);
+    if to_team_30 >= best {
+        best = to_team_30;
+        next = 7;
     }
-    if v17 >= best {
-        best = v17;
-        way = 8;
+    if base_down_3 >= best {
+        best = base_down_3;
+        next = 8;
     }
-    match way {
+    match next {
         1 => 7,
         2 => 3,
         3 => team_23(s),
@@ -1497,31 +1470,26 @@ fn team_18(s: &[f32; 5]) -> u16 {
 /// What team 36 decides.
 fn team_36(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut way = 4;
-    let v5 = s[1] / 9.539528_f32;
-    if v5 >= best {
-        best = v5;
-        way = 1;
+    let mut action = 1;
+    let elbow_down = s[1] / 9.539528_f32;
+    if elbow_down >= best {
+        best = elbow_down;
+        action = 5;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
         best = zero;
-        way = 2;
+        action = 3;
     }
-    let v2 = s[0] / 0.0_f32;
-    if v2 >= best {
-        best = v2;
-        way = 3;
+    let base_up = s[0] / 0.0_f32;
+    if base_up >= best {
+        best = base_up;
+        action = 0;
     }
-    let v53 = ops::min(s[2], s[3]);
-    if v53 >= best {
-        best = v53;
-        way = 4;
+    let base_down = ops::min(s[2], s[3]);
+    if base_down >= best {
+        best = base_down;
+        action = 1;
     }
-    match way {
-        1 => 5,
-        2 => 3,
-        3 => 0,
-        _ => 1,
-    }
+    action
 }

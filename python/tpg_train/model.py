@@ -119,6 +119,7 @@ class TPG:
         folder: keeps the run, for `resume=True` in a later process and for `tpg-train report`; by default temporary.
         max_episode_steps: cuts episodes; by default the environment's own limit, or 10,000.
         input_names: names of the observation's values, for formulas.
+        action_names: names of the actions, or of the values of a `Box`, for formulas and code.
         scalar: "f32" or "f64": what the policy and its code compute in; by default the preset's, which is "f32".
     """
 
@@ -138,6 +139,7 @@ class TPG:
         resume: bool = False,
         max_episode_steps: int | None = None,
         input_names: Sequence[str] | None = None,
+        action_names: Sequence[str] | None = None,
         scalar: str | None = None,
         verbose: int = 0,
     ) -> None:
@@ -147,8 +149,9 @@ class TPG:
         episodes = None if episodes is None else _whole("episodes", episodes, 1)
         max_episode_steps = None if max_episode_steps is None else _whole("max_episode_steps", max_episode_steps, 1)
         self.num_timesteps = 0
-        known = self._set_env(env, dict(env_kwargs or {}), max_episode_steps, input_names)
-        self.native: str | None = known if native and max_episode_steps is None and input_names is None else None
+        known = self._set_env(env, dict(env_kwargs or {}), max_episode_steps, input_names, action_names)
+        given = (max_episode_steps, input_names, action_names)
+        self.native: str | None = known if native and given == (None, None, None) else None
         if self.native is not None:
             self._say(f"{self._interface.name} runs as the built-in problem {known}; native=False runs Gymnasium's")
         self._config = self._configuration(preset, settings or {}, population, episodes, scalar)
@@ -168,6 +171,7 @@ class TPG:
         env_kwargs: dict[str, Any],
         max_episode_steps: int | None,
         input_names: Sequence[str] | None,
+        action_names: Sequence[str] | None,
     ) -> str | None:
         """Takes the environment; returns the name of the built-in problem that is the same."""
         self._factory = _factory(env, env_kwargs)
@@ -181,6 +185,7 @@ class TPG:
         _refuse_normalised(self._env)
         known = None if env_kwargs else _built_in(env, self._env)
         inputs, ends = _names_of(known) if known is not None and input_names is None else (input_names, None)
+        ends = ends if action_names is None else list(action_names)
         self._settings: dict[str, Any] = {
             "max_episode_steps": max_episode_steps,
             "input_names": inputs,

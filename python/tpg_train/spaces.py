@@ -20,6 +20,21 @@ MOST_ACTIONS = 4096
 MOST_INPUTS = 4096
 MOST_NAMES = 60
 DEFAULT_LIMIT = 10_000
+# The actions, or the values of an action, of Gymnasium's environments: an environment itself does not name them.
+END_NAMES: dict[tuple[str, type[spaces.Space[Any]]], list[str]] = {
+    ("LunarLander", spaces.Discrete): ["none", "left_engine", "main_engine", "right_engine"],
+    ("LunarLander", spaces.Box): ["main_engine", "side_engine"],
+    ("LunarLanderContinuous", spaces.Box): ["main_engine", "side_engine"],
+    ("BipedalWalker", spaces.Box): ["hip_1", "knee_1", "hip_2", "knee_2"],
+    ("BipedalWalkerHardcore", spaces.Box): ["hip_1", "knee_1", "hip_2", "knee_2"],
+    ("InvertedPendulum", spaces.Box): ["force"],
+    ("InvertedDoublePendulum", spaces.Box): ["force"],
+    ("Reacher", spaces.Box): ["shoulder", "elbow"],
+    ("Swimmer", spaces.Box): ["rotor_1", "rotor_2"],
+    ("Hopper", spaces.Box): ["thigh", "leg", "foot"],
+    ("HalfCheetah", spaces.Box): ["back_thigh", "back_shin", "back_foot", "front_thigh", "front_shin", "front_foot"],
+    ("Walker2d", spaces.Box): ["right_thigh", "right_leg", "right_foot", "left_thigh", "left_leg", "left_foot"],
+}
 
 
 @dataclass(frozen=True)
@@ -114,6 +129,10 @@ class Interface:
         found = _parts(env.observation_space, "")
         names = _unique([part.name for part in found])
         parts = tuple(replace(part, name=name) for part, name in zip(found, names, strict=True))
+        if end_names is None and spec is not None and spec.namespace is None:
+            known = END_NAMES.get((spec.name, type(env.action_space)))
+            size = getattr(env.action_space, "n", None) or np.prod(env.action_space.shape or (0,))
+            end_names = known if known is not None and len(known) == size else None
         inputs, ends = (tuple(given) if given else None for given in (input_names, end_names))
         asks = bool(getattr(env, "asks_network", False))
         interface = cls(name, env.observation_space, env.action_space, parts, int(limit), inputs, ends, asks)
@@ -127,7 +146,10 @@ class Interface:
                 f"numbered, {parts[0].name}[0] and so on",
                 stacklevel=2,
             )
-        interface.actions()
+        choices, outputs = interface.actions()
+        found = [*choices, *(name for name, _, _ in outputs)]
+        if len(set(found)) < len(found):
+            raise InputError(f"action_names {', '.join(found)}; accepted: each name once")
         return interface
 
     @property
@@ -170,13 +192,17 @@ class Interface:
                     "gymnasium.wrappers.RescaleAction gives it, one of them a range"
                 )
             usual = ["action"] if len(low) == 1 else [f"action_{place}" for place in range(len(low))]
-            names = self.end_names or usual
+            if self.end_names is not None and len(self.end_names) != len(low):
+                raise InputError(f"{len(self.end_names)} action_names; accepted: {len(low)}")
+            names = [_name(name) for name in self.end_names or usual]
             outputs = list(zip(names, low.tolist(), high.tolist(), strict=True))
             return [], [output for output, varies in zip(outputs, low < high, strict=True) if varies]
         combinations = self.combinations()
         if len(combinations) < 2:
             raise InputError(f"{self.name}: the only action {combinations[0]}; accepted: two or more")
         if self.end_names is not None:
+            if len(self.end_names) != len(combinations):
+                raise InputError(f"{len(self.end_names)} action_names; accepted: {len(combinations)}")
             return list(self.end_names), []
         return ["a" + "_".join(str(part) for part in np.atleast_1d(combination)) for combination in combinations], []
 

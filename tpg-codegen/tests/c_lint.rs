@@ -65,7 +65,7 @@ fn user(graph: &Graph, style: Style) -> String {
         .chain(memory.iter().map(|value| uses("memory", &value.name)))
         .collect();
     let check = if uses_outputs.is_empty() {
-        "action < ARM_ACTIONS".to_owned()
+        "(uint32_t)action < ARM_ACTIONS".to_owned()
     } else {
         format!("(ARM_OUTPUTS > 0U) && {}", uses_outputs.join(" && "))
     };
@@ -81,7 +81,7 @@ fn user(graph: &Graph, style: Style) -> String {
             "static arm_state_t state;\n    arm_action_t action;\n\n    arm_infer(&state, &action);".to_owned(),
         ),
         Style::Pure => {
-            (String::new(), "static arm_state_t state;\n    uint32_t action = arm_infer(&state);".to_owned())
+            (String::new(), "static arm_state_t state;\n    const arm_action_t action = arm_infer(&state);".to_owned())
         }
         Style::Gegelati => (
             (graph.sources().iter().zip(1..))

@@ -20,21 +20,25 @@ use tpg_graph::Graph;
 /// A program that asks for the action of every state at once.
 fn driver(graph: &Graph, bad_index: bool) -> String {
     let mut text = String::from(
-        "#include \"arm.h\"\n#include \"__fc_builtin.h\"\nint main(void)\n{\n    arm_state_t state;\n    uint16_t action;\n",
+        "#include \"arm.h\"\n#include \"__fc_builtin.h\"\nint main(void)\n{\n    arm_state_t state;\n    uint32_t action;\n",
     );
     for source in graph.sources() {
         for (index, range) in source.ranges.iter().enumerate() {
-            let at = if bad_index { source.ranges.len() } else { index };
+            let member = match source.ranges.len() {
+                1 if bad_index => format!("(&state.{})[1]", source.name),
+                1 => format!("state.{}", source.name),
+                length => format!("state.{}[{}]", source.name, if bad_index { length } else { index }),
+            };
             let _ = writeln!(
                 text,
-                "    state.{}[{at}] = Frama_C_float_interval({:?}F, {:?}F);",
-                source.name, range.min as f32, range.max as f32
+                "    {member} = Frama_C_float_interval({:?}F, {:?}F);",
+                range.min as f32, range.max as f32
             );
         }
     }
     let _ = write!(
         text,
-        "    action = arm_infer(&state);\n    /*@ assert action < {}; */\n    return (int)action;\n}}\n",
+        "    action = (uint32_t)arm_infer(&state);\n    /*@ assert action < {}; */\n    return (int)action;\n}}\n",
         graph.actions().len()
     );
     text

@@ -92,7 +92,7 @@ fn standard_output_gets_the_files_and_nothing_else() {
     let (c, _) = said(tool(folder).args(piped).args(["--prefix", "arm"]).write_stdin(graph.to_json()), 0);
     assert_eq!(c, format!("/* ---- arm.h ---- */\n{}/* ---- arm.c ---- */\n{}", file("arm.h"), file("arm.c")));
     let (c, _) = said(tool(folder).args(piped).write_stdin(graph.to_json()), 0);
-    assert!(c.contains("uint16_t policy_infer("), "a graph without a file has a name, too");
+    assert!(c.contains("policy_action_t policy_infer("), "a graph without a file has a name, too");
     assert_eq!(fs::read_dir(folder).expect("a folder").count(), 2, "arm.json and out");
 }
 

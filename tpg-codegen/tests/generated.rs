@@ -38,8 +38,8 @@ fn an_action_that_asks_is_named_where_code_is_read() {
     (document.actions[1].name, document.actions[1].ask) = ("help".to_owned(), Some("network".to_owned()));
     let graph = Graph::from_document("asking", document.clone()).expect("a valid graph");
     let header = text(&graph, Language::C, Style::Pure, "arm.h");
-    assert!(header.contains("\n * 1 help (asks network)\n"), "{header}");
-    assert!(header.contains("\n#define ARM_ASKS_NETWORK 1U\n"), "{header}");
+    assert!(header.contains("\n    ARM_HELP = 1, /* help (asks network) */\n"), "{header}");
+    assert!(header.contains("\n#define ARM_ASKS_NETWORK ARM_HELP\n"), "{header}");
     let rust = text(&graph, Language::Rust, Style::Pure, "arm.rs");
     assert!(rust.contains("/// - 1: help (asks network)\n"), "{rust}");
     assert!(rust.contains("    pub const ASKS_NETWORK: ActionId = ActionId(1);\n"), "{rust}");

@@ -134,7 +134,9 @@ impl Shipped {
             call.push_str(", &memory");
         }
         let answer = if self.graph.outputs().is_empty() {
-            format!("    action = {name}_infer({call});\n    count = platform_count();\n    bits[0] = action;\n")
+            format!(
+                "    action = {name}_infer({call});\n    count = platform_count();\n    bits[0] = (uint32_t)action;\n"
+            )
         } else {
             let next = self.graph.outputs().len() - memory;
             let rest = if memory > 0 {
@@ -146,10 +148,9 @@ impl Shipped {
                 "    {name}_infer({call}, &action);\n    count = platform_count();\n    memcpy(bits, &action, sizeof action);\n{rest}"
             )
         };
-        let action = if self.graph.outputs().is_empty() { "uint16_t".to_owned() } else { format!("{name}_action_t") };
         format!(
             "static uint32_t {name}_answer(const float *state, uint32_t *bits)\n{{\n    {name}_state_t seen;\n{declared}    \
-             {action} action;\n    uint32_t count;\n\n    memcpy(&seen, state, sizeof seen);\n{taken}    platform_count_from();\n\
+             {name}_action_t action;\n    uint32_t count;\n\n    memcpy(&seen, state, sizeof seen);\n{taken}    platform_count_from();\n\
              {answer}    return count;\n}}\n"
         )
     }

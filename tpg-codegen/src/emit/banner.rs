@@ -4,7 +4,8 @@ use crate::ir::Node;
 use crate::options::{Language, Profile, Style};
 use crate::program::Program;
 use tpg_graph::conversion::Conversion;
-use tpg_graph::{Graph, MathsProvider, ScalarType};
+use tpg_graph::error::counted;
+use tpg_graph::{Graph, MathsProvider, Provenance, ScalarType};
 
 /// The banner's lines, without comment marks.
 pub(super) fn lines(program: &Program<'_>) -> Vec<String> {
@@ -19,15 +20,18 @@ pub(super) fn lines(program: &Program<'_>) -> Vec<String> {
     };
     let scalar =
         options.conversion.as_ref().map_or_else(String::new, |_| format!(" --scalar {}", graph.scalar().name()));
+    let walk = if module.depth > 1 { format!(" ({} on the longest walk)", module.depth) } else { String::new() };
     let mut lines = vec![
+        policy(graph),
         format!("Made by tpg-codegen {} from a tangled program graph; do not edit.", env!("CARGO_PKG_VERSION")),
         format!("Options: --lang {name} --prefix {}{style}{scalar}", options.prefix),
         format!("Graph SHA-256: {}", program.graph_sha256()),
         format!(
-            "{} teams ({} on the longest walk), {edges} edges, {} programs, {operations} distinct operations.",
-            module.teams.len(),
-            module.depth,
-            module.bidders.len(),
+            "{}{walk}, {}, {}, {}.",
+            counted(module.teams.len(), "team"),
+            counted(edges, "edge"),
+            counted(module.bidders.len(), "program"),
+            counted(operations, "distinct operation"),
         ),
         format!("Computes in {} with {} maths.", graph.scalar().name(), graph.maths().name()),
     ];
@@ -44,6 +48,22 @@ pub(super) fn lines(program: &Program<'_>) -> Vec<String> {
         lines.push(format!("{agreement}."));
     }
     lines
+}
+
+/// What the policy is for, its score, and where it comes from, as far as the graph says so.
+fn policy(graph: &Graph) -> String {
+    let Provenance { tool, version, seed, config, scores, .. } = graph.provenance();
+    let problem = config.as_ref().and_then(|config| config.pointer("/problem/name")?.as_str());
+    let score = ["validation_score", "score"].iter().find_map(|name| scores.get(*name));
+    let mut about = vec![problem.map_or_else(|| "A policy".to_owned(), |problem| format!("A policy for {problem}"))];
+    about.extend(score.map(|score| format!("score {} in validation", (score * 100.0).round() / 100.0)));
+    about.extend(tool.as_ref().map(|tool| {
+        let version = version.as_ref().map_or_else(String::new, |version| format!(" {version}"));
+        let seed = seed.map_or_else(String::new, |seed| format!(" with seed {seed}"));
+        format!("trained by {tool}{version}{seed}")
+    }));
+    let line: String = about.join(", ").chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    format!("{}.", line.replace("*/", "* /").replace("/*", "/ *"))
 }
 
 /// The limit of constant time that lies outside the code.

@@ -1,5 +1,6 @@
 //! The native bids of the profile `balanced`, in syntax that C and Rust share.
 
+use super::block::Block;
 use super::syntax::Syntax;
 use super::team::low;
 use crate::passes::cases::{Case, Cases, Function, Kind};
@@ -34,24 +35,24 @@ pub(super) fn bids(
     hidden: impl Fn(&str) -> (Option<String>, String),
 ) -> Vec<CaseView> {
     let view = |&case: &Case| {
-        let [mut before, mut inside] = cases.operations(case);
         let (bound, result) = match case.kind {
             Kind::Plain => (None, case.value),
-            Kind::Bounded(bound) => (Some(syntax.value(bound)), case.value),
-            Kind::Function(Function { argument, .. }) => {
-                inside.clear();
-                (None, argument)
-            }
+            Kind::Bounded(bound) => (Some(bound), case.value),
+            Kind::Function(Function { argument, .. }) => (None, argument),
         };
-        let last = if bound.is_some() { &mut inside } else { &mut before };
-        let value = match last.pop_if(|last| *last == result) {
-            Some(result) => syntax.operation(result),
-            None => syntax.value(result),
+        let reads = bound.map(|bound| (bound, Some("bound".to_owned()))).into_iter().chain([(result, None)]);
+        let mut block = Block::new(syntax, reads);
+        let mut before = bound.map_or_else(Vec::new, |bound| block.statements(bound));
+        let (inside, value) = block.argument(result, || "value".to_owned());
+        let bound = bound.map(|bound| block.value(bound));
+        let inside = if bound.is_some() {
+            inside
+        } else {
+            before.extend(inside);
+            Vec::new()
         };
-        let [mut before, inside]: [Vec<String>; 2] =
-            [before, inside].map(|ids| ids.into_iter().map(|id| syntax.statement(id)).collect());
         let is_zero = case.kind == Kind::Plain && cases.nodes[result.index()].as_constant() == Some(0.0);
-        let (zero, value) = if is_zero { hidden(&value) } else { (None, value) };
+        let (zero, value) = if is_zero && syntax.hides_zeros() { hidden(&value) } else { (None, value) };
         before.extend(zero);
         CaseView { before, bound, inside, value }
     };
@@ -63,7 +64,7 @@ pub(super) fn functions(syntax: &impl Syntax, cases: &Cases) -> Vec<FunctionView
     let view = |(first, function): (usize, Function)| FunctionView {
         first,
         is_low: match (function.bound, function.sparing) {
-            (Some(bound), _) => Some(format!("best > {}", syntax.number(bound))),
+            (Some(bound), _) => Some(format!("best > {}", syntax.literal(bound))),
             (None, sparing) => sparing.map(|sparing| low(syntax, sparing, "bid")),
         },
         call: syntax.instruction(function.instruction, &["bid".to_owned()]),

@@ -1,7 +1,9 @@
 //! The sources of a state and the outputs of an answer as generated code documents them.
 
+use super::block::unused;
 use super::field;
 use super::syntax::Syntax;
+use std::collections::BTreeSet;
 use tpg_graph::{Graph, Output, Range};
 
 /// A source.
@@ -13,8 +15,15 @@ pub(super) struct SourceView {
     pub(super) first: usize,
     pub(super) end: usize,
     pub(super) length: usize,
-    pub(super) unit: String,
-    pub(super) range: String,
+    /// The unit and the range.
+    pub(super) meaning: String,
+}
+
+impl SourceView {
+    /// The member of C's struct: a value, or an array of more than one.
+    pub(super) fn member(&self) -> String {
+        if self.length == 1 { self.field.clone() } else { format!("{}[{}]", self.field, self.length) }
+    }
 }
 
 /// Every source, its unit made safe for a comment.
@@ -30,8 +39,7 @@ pub(super) fn sources(graph: &Graph, safe: impl Fn(&str) -> String) -> Vec<Sourc
                 first: end - length,
                 end,
                 length,
-                unit: safe(&source.unit),
-                range: range(&source.ranges),
+                meaning: meaning(&safe(&source.unit), &range(&source.ranges)),
             }
         })
         .collect()
@@ -48,46 +56,56 @@ pub(super) struct OutputView {
     pub(super) name: String,
     /// The field of C's struct.
     pub(super) field: String,
-    pub(super) unit: String,
-    pub(super) range: String,
+    /// The unit and the range.
+    pub(super) meaning: String,
     pub(super) nan: f64,
     /// The literal of that value, which is a memory's first.
     pub(super) initial: String,
     /// Its place among the outputs.
     pub(super) place: usize,
     /// The literals of its lowest value, its highest, and the value in place of NaN.
-    pub(super) limits: String,
-}
-
-impl OutputView {
+    pub(super) limits: [String; 3],
     /// The variable that holds its value before it is limited.
-    pub(super) fn variable(&self) -> String {
-        format!("out{}", self.place)
-    }
+    pub(super) variable: String,
 }
 
 /// Every output, its unit made safe for a comment.
 pub(super) fn outputs(syntax: &impl Syntax, safe: impl Fn(&str) -> String) -> Vec<OutputView> {
+    let mut taken = BTreeSet::new();
     (syntax.graph().outputs().iter().enumerate())
         .map(|(place, Output { name, unit, range, nan, .. })| OutputView {
             name: name.clone(),
             field: field(syntax.graph(), name),
-            unit: safe(unit),
-            range: range.to_string(),
+            meaning: meaning(&safe(unit), &written(range)),
             nan: *nan,
             initial: syntax.literal(*nan),
             place,
-            limits: [range.min, range.max, *nan].map(|limit| syntax.literal(limit)).join(", "),
+            limits: [range.min, range.max, *nan].map(|limit| syntax.literal(limit)),
+            variable: unused(syntax.local(name), &mut taken),
         })
         .collect()
+}
+
+/// A unit, if there is one, and a range.
+fn meaning(unit: &str, range: &str) -> String {
+    if unit.is_empty() { range.to_owned() } else { format!("{unit}, {range}") }
 }
 
 /// The common range of the values, or if ranges differ, each value's own in order.
 fn range(ranges: &[Range]) -> String {
     match ranges {
-        [first, others @ ..] if others.iter().all(|range| range == first) => first.to_string(),
-        _ => ranges.iter().map(Range::to_string).collect::<Vec<_>>().join("; "),
+        [first, others @ ..] if others.iter().all(|range| range == first) => written(first),
+        _ => ranges.iter().map(written).collect::<Vec<_>>().join("; "),
     }
+}
+
+/// A range in as few digits as tell its ends from other numbers: of the type `f32`, if they are such.
+pub(crate) fn written(range: &Range) -> String {
+    let number = |end: f64| {
+        let narrow = end as f32;
+        if f64::from(narrow) == end { (narrow + 0.0).to_string() } else { end.to_string() }
+    };
+    format!("{} to {}", number(range.min), number(range.max))
 }
 
 #[cfg(test)]
@@ -100,6 +118,14 @@ mod tests {
         let of = |min, max| Range { min, max };
         assert_eq!(range(&[of(-1.0, 1.0)]), "-1 to 1");
         assert_eq!(range(&[of(-1.0, 1.0), of(-1.0, 1.0)]), "-1 to 1");
-        assert_eq!(range(&[of(-1.0, 1.0), of(0.0, 2.5)]), "-1 to 1; 0 to 2.5");
+        assert_eq!(range(&[of(-1.0, 1.0), of(-0.0, 2.5)]), "-1 to 1; 0 to 2.5");
+    }
+
+    #[test]
+    fn a_range_has_the_digits_that_it_needs() {
+        let of = |min, max| super::meaning("", &range(&[Range { min, max }]));
+        assert_eq!(of(f64::from(-4.8_f32), f64::from(4.8_f32)), "-4.8 to 4.8");
+        assert_eq!(of(-4.8, 4.8), "-4.8 to 4.8");
+        assert_eq!(of(0.1, 1e6), "0.1 to 1000000");
     }
 }

@@ -1,7 +1,7 @@
 //! Lines and blank lines, as a reader of the language expects them.
 
 /// Templates leave blank lines where a block was left out: at most one in a row stays, and none at the
-/// end or behind an opening brace.
+/// end, behind an opening brace or before a closing one.
 pub(super) fn tidy(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut blank = false;
@@ -10,13 +10,56 @@ pub(super) fn tidy(text: &str) -> String {
             blank = !out.is_empty();
             continue;
         }
-        if std::mem::take(&mut blank) && !out.ends_with("{\n") {
+        if std::mem::take(&mut blank) && !out.ends_with("{\n") && !line.trim_start().starts_with('}') {
             out.push('\n');
         }
         out.push_str(line);
         out.push('\n');
     }
     out
+}
+
+/// The width of a line.
+const WIDTH: usize = 100;
+
+/// Breaks assignments that are wider than a line as rustfmt does: behind the sign, or else before the operators that bind least.
+pub(super) fn wrap(text: &str) -> String {
+    text.lines().map(|line| if line.len() > WIDTH { broken(line) } else { line.to_owned() } + "\n").collect()
+}
+
+fn broken(line: &str) -> String {
+    let Some((to, expression)) = line.split_once(" = ").filter(|(_, value)| value.ends_with(';')) else {
+        return line.to_owned();
+    };
+    let space = " ".repeat(line.len() - line.trim_start().len() + 4);
+    if space.len() + expression.len() <= WIDTH {
+        return format!("{to} =\n{space}{expression}");
+    }
+    let terms = ["+-", "*/"].map(|operators| split(expression, operators)).into_iter().find(|terms| terms.len() > 1);
+    format!("{to} = {}", terms.unwrap_or_else(|| vec![expression]).join(&format!("\n{space}")))
+}
+
+/// The parts of an expression between the operators outside of parentheses, each with the operator before it.
+fn split<'a>(expression: &'a str, operators: &str) -> Vec<&'a str> {
+    let mut depth = 0_usize;
+    let (mut parts, mut start) = (Vec::new(), 0);
+    for (place, c) in expression.char_indices() {
+        match c {
+            '(' => depth += 1,
+            ')' => depth = depth.saturating_sub(1),
+            _ if depth == 0
+                && operators.contains(c)
+                && expression[..place].ends_with(' ')
+                && expression[place + 1..].starts_with(' ') =>
+            {
+                parts.push(expression[start..place].trim_end());
+                start = place;
+            }
+            _ => {}
+        }
+    }
+    parts.push(&expression[start..]);
+    parts
 }
 
 /// Indents lines by the braces around them, and by the bracket of an array that ends a line; a line holds whole statements, and a
@@ -41,6 +84,13 @@ pub(super) fn indent(text: &str) -> String {
     out
 }
 
+/// A choice of two values in Rust, on one line where it is short.
+pub(super) fn either(condition: &str, first: &str, second: &str) -> String {
+    const SHORT: usize = 50;
+    let flat = format!("if {condition} {{ {first} }} else {{ {second} }}");
+    if flat.len() <= SHORT { flat } else { format!("if {condition} {{\n{first}\n}} else {{\n{second}\n}}") }
+}
+
 /// The widest array or list of arguments that rustfmt leaves on one line.
 const ONE_LINE: usize = 60;
 
@@ -59,8 +109,6 @@ pub(super) fn arguments(flat: &str, counted: usize, indent: usize) -> String {
 /// filled into lines, others, and what is more than a name or a number, a line each.
 pub(super) fn array(elements: &[String], indent: usize) -> String {
     const SHORT: usize = 10;
-    // rustfmt fills up to a column less than its line width.
-    const WIDTH: usize = 99;
     let flat = elements.join(", ");
     // A single call has its arguments on lines of their own where it is long.
     if flat.len() <= ONE_LINE || elements.len() == 1 && flat.ends_with(')') {
@@ -70,8 +118,8 @@ pub(super) fn array(elements: &[String], indent: usize) -> String {
     let fill = elements.iter().all(|element| element.len() <= SHORT && !element.contains([' ', '(']));
     let mut out = String::from("[");
     let mut column = usize::MAX;
-    // All of them on a line of their own may take that, too.
-    let width = if inner + flat.len() < WIDTH + 1 { WIDTH + 1 } else { WIDTH };
+    // rustfmt fills up to a column less than a line, but all of them on a line of their own may take that, too.
+    let width = if inner + flat.len() < WIDTH { WIDTH } else { WIDTH - 1 };
     for element in elements {
         // A space before it and a comma behind it.
         if fill && column.saturating_add(element.len() + 2) <= width {
@@ -94,7 +142,20 @@ pub(super) fn array(elements: &[String], indent: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::indent;
+    use super::{indent, wrap};
+
+    #[test]
+    fn long_sums_take_lines_of_their_own() {
+        let term = format!("{}(a + b)", "x".repeat(40));
+        assert_eq!(wrap("    a = b + c;\n"), "    a = b + c;\n");
+        let [once, thrice] = [1, 3].map(|count| vec![&*term; count]);
+        let flat = format!("    const float long_name_of_a_value_0123456789012345678901 = {} - c;\n", once.join(" + "));
+        assert_eq!(wrap(&flat), flat.replace(" = ", " =\n        "));
+        let sum = format!("    a = {};\n", thrice.join(" + "));
+        assert_eq!(wrap(&sum), sum.replace(" + x", "\n        + x"));
+        let product = format!("    a = {};\n", thrice.join(" * "));
+        assert_eq!(wrap(&product), product.replace(" * x", "\n        * x"));
+    }
 
     #[test]
     fn lines_are_indented_by_the_braces_around_them() {

@@ -1,8 +1,9 @@
 //! The leaves of a policy with outputs, in syntax that C and Rust share.
 
+use super::block::Block;
+use super::interface::OutputView;
 use super::syntax::Syntax;
-use crate::ir::{Leaf, NodeId, needed, reached};
-use std::collections::BTreeSet;
+use crate::ir::{Leaf, reached};
 
 /// A leaf: the statements that compute its values, and the values before they are limited.
 pub(super) struct LeafView {
@@ -14,17 +15,19 @@ pub(super) struct LeafView {
     pub(super) reads_state: bool,
 }
 
-/// Views the leaves that walks end at.
-pub(super) fn views(syntax: &impl Syntax, leaves: &[Leaf]) -> Vec<LeafView> {
+/// Views the leaves that walks end at. Where a language `assigns` the outputs' variables, an expression is the value of one; otherwise
+/// it has that name.
+pub(super) fn views(syntax: &impl Syntax, leaves: &[Leaf], outputs: &[OutputView], assigns: bool) -> Vec<LeafView> {
     let view = |(number, leaf): (usize, &Leaf)| {
-        let operations: BTreeSet<NodeId> =
-            leaf.values.iter().flat_map(|&value| needed(syntax.nodes(), value, |_| true)).collect();
+        let name = |output: &OutputView| (!assigns).then(|| output.variable.clone());
+        let reads = leaf.values.iter().zip(outputs).map(|(&value, output)| (value, name(output)));
+        let mut block = Block::new(syntax, reads);
         LeafView {
             label: leaf.label,
             number,
-            statements: operations.iter().map(|&id| syntax.statement(id)).collect(),
-            values: leaf.values.iter().map(|&value| syntax.value(value)).collect(),
-            reads_state: syntax.reads_state(operations.iter().chain(&leaf.values)),
+            statements: leaf.values.iter().flat_map(|&value| block.statements(value)).collect(),
+            values: leaf.values.iter().map(|&value| block.value(value)).collect(),
+            reads_state: syntax.reads_state(&leaf.values),
         }
     };
     reached(leaves).map(view).collect()

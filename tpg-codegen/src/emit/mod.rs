@@ -3,6 +3,7 @@
 //! A language is a [`Backend`]; what languages share stands beside them.
 
 mod banner;
+mod block;
 mod c;
 mod cases;
 mod choice;
@@ -11,12 +12,15 @@ mod interface;
 mod layout;
 mod leaves;
 mod moves;
+mod names;
 mod rust;
 mod syntax;
 mod table;
 mod team;
 
 pub(crate) use c::{compares_in_functions, field::field};
+
+pub(crate) use interface::written;
 
 pub use crate::options::{Language, Options, Prefix, Profile, Style};
 
@@ -72,7 +76,7 @@ impl<'g> Code<'g> {
 /// let options = Options::new("arm".parse()?);
 /// let files = emit::emit(&graph, Language::C, &options);
 /// assert_eq!([&*files[0].name, &*files[1].name], ["arm.h", "arm.c"]);
-/// assert!(files[0].text.contains("uint16_t arm_infer(const arm_state_t *state);"));
+/// assert!(files[0].text.contains("arm_action_t arm_infer(const arm_state_t *state);"));
 /// assert_eq!(files, emit::emit(&graph, Language::C, &options));
 /// # Ok::<(), String>(())
 /// ```

@@ -1,8 +1,8 @@
 //! Values and operations as expressions: what is the same in every language, and what each spells its own way.
 
-use crate::ir::{Node, NodeId};
+use crate::ir::{Node, NodeId, needed};
 use crate::passes::bytecode::Width;
-use tpg_graph::{Graph, Input, MathsProvider};
+use tpg_graph::{Graph, Input};
 use tpg_runtime::ops::Instruction;
 
 /// A language's spelling.
@@ -28,8 +28,12 @@ pub(super) trait Syntax {
     fn hidden(&self, number: &str) -> String;
     /// The statements that make `zero` a 0 that the compiler does not know.
     fn hidden_zero(&self, zero: &str) -> Vec<String>;
-    /// The statement that computes a node.
-    fn statement(&self, id: NodeId) -> String;
+    /// The statement that names an expression.
+    fn declaration(&self, name: &str, expression: &str) -> String;
+    /// The lowest finite number.
+    fn lowest(&self) -> String;
+    /// Words that cannot name a variable of generated code.
+    fn is_taken(&self, name: &str) -> bool;
     /// A whole number.
     fn index(&self, number: usize) -> String;
 
@@ -42,41 +46,33 @@ pub(super) trait Syntax {
     /// A bid that is always computed has braces around it, too.
     const BRACES: bool;
 
-    /// A number as an operand.
-    fn number(&self, value: f64) -> String {
-        self.literal(value)
+    /// A variable that is called after something of the graph.
+    fn local(&self, name: &str) -> String {
+        let ours = name.starts_with("to_") || name.contains("term") || name.starts_with("bid_");
+        if ours || self.is_taken(name) { format!("{name}_") } else { name.to_owned() }
     }
 
-    /// A node as an operand: a number, an input, or the name of what was computed.
-    fn value(&self, id: NodeId) -> String {
-        match self.nodes()[id.index()] {
-            Node::Constant(bits) => self.number(f64::from_bits(bits)),
-            Node::Input(input) => self.input(input),
-            Node::Operation(..) | Node::Upper(..) => format!("v{}", id.0),
-        }
-    }
-
-    /// The expression that computes a node.
-    fn operation(&self, id: NodeId) -> String {
-        let node = self.nodes()[id.index()];
-        let platforms = node.is_transcendental() && self.graph().maths() == MathsProvider::System;
-        let operand = |&id: &NodeId| match self.nodes()[id.index()].as_constant() {
-            // A compiler that knew it would compute the function itself, and round another way than the platform does.
-            Some(number) if platforms => self.hidden(&self.literal(number)),
-            _ => self.value(id),
+    /// Tests for a graph in which clang and rustc may take a bid of 0 for another one: `(v > 0) ? v : 0` of a `v = max(0, x)` for v, which
+    /// it is not where x is NaN. Where they do not know the 0, they do not.
+    fn hides_zeros(&self) -> bool {
+        let may_compare = |node: &Node| match node {
+            Node::Operation(instruction, _) => {
+                !matches!(instruction, Instruction::Add | Instruction::Sub | Instruction::Mul | Instruction::Div)
+            }
+            Node::Upper(..) => true,
+            Node::Constant(_) | Node::Input(_) => false,
         };
-        let operands: Vec<String> = node.operands().iter().map(operand).collect();
-        match node {
-            Node::Constant(_) | Node::Input(_) => self.value(id),
-            Node::Upper(instruction, _) => self.upper(instruction, &operands.concat()),
-            Node::Operation(instruction, _) => self.instruction(instruction, &operands),
-        }
+        self.nodes().iter().any(may_compare)
     }
 
-    /// Tests whether a value is an input, or an operation has one as an operand.
-    fn reads_state<'i>(&self, ids: impl IntoIterator<Item = &'i NodeId>) -> bool {
+    /// Tests whether a value is made of an input.
+    fn reads_state<'i>(&self, values: impl IntoIterator<Item = &'i NodeId>) -> bool {
         let is_input = |id: &NodeId| matches!(self.nodes()[id.index()], Node::Input(_));
-        ids.into_iter().any(|id| is_input(id) || self.nodes()[id.index()].operands().iter().any(is_input))
+        let reads = |&id: &NodeId| {
+            let operations = needed(self.nodes(), id, |_| true);
+            is_input(&id) || operations.iter().flat_map(|id| self.nodes()[id.index()].operands()).any(is_input)
+        };
+        values.into_iter().any(reads)
     }
 
     /// An instruction on operands; one-operand instructions ignore the second.

@@ -1,14 +1,15 @@
 //! Teams of the profile `fast` in syntax that C and Rust share: the tests of bids, in order, and the ways to go.
 
+use super::block::{Block, unused};
 use super::syntax::Syntax;
-use crate::ir::{NodeId, Target, needed};
+use crate::ir::Target;
 use crate::passes::schedule::{Bid, LazyBid, Sparing, TeamSchedule};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A team; `J` is a language's jump to a destination.
 pub(super) struct TeamView<J> {
     pub(super) label: u32,
-    /// The variable that holds the winner: the way it goes, or its place.
+    /// The variable that holds the winner: its destination, or its place.
     pub(super) winner: &'static str,
     /// Its value before a bid wins.
     pub(super) nobody: String,
@@ -16,8 +17,19 @@ pub(super) struct TeamView<J> {
     pub(super) first: Option<BidView>,
     pub(super) eager: Vec<BidView>,
     pub(super) lazy: Vec<BidView>,
+    pub(super) decision: Decision<J>,
+}
+
+/// The end of a team's code.
+pub(super) enum Decision<J> {
+    /// There is one way to go.
+    Always(J),
+    /// Of two bids the first wins under a condition: there is no variable for the winner.
+    Either(String, J, J),
+    /// The winner is the answer.
+    Winner,
     /// The winners of each destination; the last is taken if no bid wins.
-    pub(super) ways: Vec<(Vec<String>, J)>,
+    Ways(Vec<(Vec<String>, J)>),
 }
 
 /// A bid and the conditions for computing it.
@@ -41,11 +53,36 @@ pub(super) struct BidView {
     pub(super) last: bool,
 }
 
+/// A language's destinations.
+pub(super) trait Destinations {
+    /// The jump to a destination.
+    type Jump;
+
+    fn jump(&self, to: Target) -> Self::Jump;
+    /// The answer that a destination is, if nothing remains to be done there.
+    fn answer(&self, to: Target) -> Option<String>;
+    /// The variable that such answers are in.
+    fn winner(&self) -> &'static str;
+    /// The name of a bid for it.
+    fn bid(&self, to: Target) -> String;
+}
+
 /// Views a team.
-pub(super) fn view<J>(syntax: &impl Syntax, plan: &TeamSchedule, jump: impl Fn(Target) -> J) -> TeamView<J> {
+pub(super) fn view<D: Destinations>(syntax: &impl Syntax, plan: &TeamSchedule, to: &D) -> TeamView<D::Jump> {
     let targets = plan.destinations();
     let ascending = plan.is_ascending();
-    let mut team = Team { syntax, plan, targets: &targets, ascending, computed: BTreeSet::new() };
+    let answers: Option<Vec<String>> = targets.iter().map(|&target| to.answer(target)).collect();
+    let answers = answers.filter(|_| ascending && syntax.lead_prefix().is_none());
+    let ranks = match &answers {
+        Some(answers) => answers.clone(),
+        None => (1..=targets.len()).map(|number| syntax.index(number)).collect(),
+    };
+    let is_direct = answers.is_some();
+    let chooses_of_two = plan.eager.len() == 2 && plan.targets.len() == 2 && syntax.lead_prefix().is_none();
+    // Only a number that another bid is compared with later is hidden.
+    let hides_zeros = !chooses_of_two && syntax.hides_zeros();
+    let mut team =
+        Team { syntax, plan, targets: &targets, ranks, ascending, hides_zeros, block: block(syntax, plan, to) };
     let (mut eager, mut lazy, mut first) = (Vec::new(), Vec::new(), None);
     // With one way to go, no bid matters.
     if targets.len() > 1 {
@@ -56,26 +93,58 @@ pub(super) fn view<J>(syntax: &impl Syntax, plan: &TeamSchedule, jump: impl Fn(T
     if let Some(bid) = lazy.last_mut().or(eager.last_mut()) {
         bid.last = true;
     }
-    let ranks = |target: Target| match ascending {
-        true => vec![team.way(target)],
-        false => {
-            let leads = plan.targets.iter().enumerate().filter(|&(_, &to)| to == target);
-            leads.map(|(place, _)| syntax.index(place + 1)).collect()
+    let bids = [plan.targets.first(), plan.targets.last()].map(|to| to.copied().unwrap_or(targets[0]));
+    let decision = match (&first, &eager[..]) {
+        _ if targets.len() == 1 => Decision::Always(to.jump(targets[0])),
+        _ if !chooses_of_two => match is_direct {
+            true => Decision::Winner,
+            false => Decision::Ways(team.ways(to)),
+        },
+        (Some(first), [second]) => {
+            Decision::Either(format!("{} >= {}", second.value, first.value), to.jump(bids[1]), to.jump(bids[0]))
         }
+        (None, [first, second]) => {
+            let (value, other) = (&first.value, &second.value);
+            let wins = format!("({value} >= {}) && !({other} >= {value})", syntax.lowest());
+            Decision::Either(wins, to.jump(bids[0]), to.jump(bids[1]))
+        }
+        _ => Decision::Ways(team.ways(to)),
     };
     TeamView {
         label: plan.label,
         winner: match syntax.lead_prefix() {
             Some(_) => "lead.winner",
-            None if ascending => "way",
+            None if is_direct => to.winner(),
+            None if ascending => "next",
             None => "edge",
         },
-        nobody: syntax.index(if ascending { targets.len() } else { 0 }),
+        nobody: if ascending { team.rank_of(targets.len() - 1) } else { syntax.index(0) },
         first,
         eager,
         lazy,
-        ways: targets.iter().map(|&target| (ranks(target), jump(target))).collect(),
+        decision,
     }
+}
+
+/// The block of a team's bids, each called after its destination.
+fn block<'a, S: Syntax>(syntax: &'a S, plan: &TeamSchedule, to: &impl Destinations) -> Block<'a, S> {
+    let mut taken = BTreeSet::new();
+    let mut names = BTreeMap::new();
+    for (place, &target) in plan.targets.iter().enumerate() {
+        names.insert(place, unused(to.bid(target), &mut taken));
+    }
+    let mut reads = Vec::new();
+    for bid in &plan.eager {
+        reads.push((bid.value, names.get(&bid.place).cloned()));
+    }
+    for LazyBid { bid, sparing, bound } in &plan.lazy {
+        let name = &names[&bid.place];
+        reads.extend(sparing.map(|sparing| (sparing.argument, Some(unused(format!("{name}_argument"), &mut taken)))));
+        reads.extend(bound.map(|bound| (bound, Some(unused(format!("{name}_bound"), &mut taken)))));
+        reads.push((bid.value, Some(name.clone())));
+    }
+    let reads = if plan.destinations().len() > 1 { reads } else { Vec::new() };
+    Block::new(syntax, reads)
 }
 
 struct Team<'a, S> {
@@ -83,36 +152,44 @@ struct Team<'a, S> {
     plan: &'a TeamSchedule,
     /// The distinct destinations of the edges; the last is the last edge's.
     targets: &'a [Target],
+    /// The value of the winner's variable for each of them, where bids are evaluated in ascending order.
+    ranks: Vec<String>,
     /// All bids are evaluated in ascending order: the winner's destination identifies it well enough.
     ascending: bool,
-    /// Values in scope, which later bids reuse.
-    computed: BTreeSet<NodeId>,
+    hides_zeros: bool,
+    block: Block<'a, S>,
 }
 
 impl<S: Syntax> Team<'_, S> {
-    /// The number of a way, counted from 1.
-    fn way(&self, target: Target) -> String {
-        let place = self.targets.iter().position(|&other| other == target).unwrap_or_default();
-        self.syntax.index(place + 1)
+    fn rank_of(&self, destination: usize) -> String {
+        self.ranks[destination].clone()
     }
 
     fn rank(&self, bid: &Bid) -> String {
-        if self.ascending { self.way(self.plan.targets[bid.place]) } else { self.syntax.index(bid.place + 1) }
+        if !self.ascending {
+            return self.syntax.index(bid.place + 1);
+        }
+        let target = self.plan.targets[bid.place];
+        self.rank_of(self.targets.iter().position(|&other| other == target).unwrap_or_default())
     }
 
-    /// Statements for the operations that a value still needs; later bids reuse them if it `stays` in scope.
-    fn statements(&mut self, value: NodeId, stays: bool) -> Vec<String> {
-        let missing = needed(self.syntax.nodes(), value, |id| !self.computed.contains(&id));
-        if stays {
-            self.computed.extend(&missing);
-        }
-        missing.into_iter().map(|id| self.syntax.statement(id)).collect()
+    fn ways<D: Destinations>(&self, to: &D) -> Vec<(Vec<String>, D::Jump)> {
+        let ranks = |(number, &target): (usize, &Target)| match self.ascending {
+            true => vec![self.rank_of(number)],
+            false => {
+                let leads = self.plan.targets.iter().enumerate().filter(|&(_, &to)| to == target);
+                leads.map(|(place, _)| self.syntax.index(place + 1)).collect()
+            }
+        };
+        self.targets.iter().enumerate().map(|way| (ranks(way), to.jump(*way.1))).collect()
     }
 
     fn eager(&mut self, bid: &Bid) -> BidView {
-        let mut statements = self.statements(bid.value, true);
-        let mut value = self.syntax.value(bid.value);
-        if self.syntax.nodes()[bid.value.index()].as_constant() == Some(0.0) {
+        let mut statements = self.block.statements(bid.value);
+        let mut value = self.block.value(bid.value);
+        let is_zero = self.syntax.nodes()[bid.value.index()].as_constant() == Some(0.0);
+        let is_last = self.plan.lazy.is_empty() && self.plan.eager.last() == Some(bid);
+        if is_zero && self.hides_zeros && !is_last {
             statements.extend(self.syntax.hidden_zero(&value));
             value = "zero".to_owned();
         }
@@ -122,11 +199,11 @@ impl<S: Syntax> Team<'_, S> {
 
     fn lazy(&mut self, LazyBid { bid, sparing, bound }: &LazyBid) -> BidView {
         let rank = self.rank(bid);
-        let before = sparing.map_or_else(Vec::new, |sparing| self.statements(sparing.argument, true));
+        let before = sparing.map_or_else(Vec::new, |sparing| self.block.statements(sparing.argument));
         let considered =
-            sparing.map(|sparing| format!("!({})", low(self.syntax, sparing, &self.syntax.value(sparing.argument))));
-        let outside = considered.is_some().then(|| self.computed.clone());
-        let bound_statements = bound.map_or_else(Vec::new, |bound| self.statements(bound, true));
+            sparing.map(|sparing| format!("!({})", low(self.syntax, sparing, &self.block.value(sparing.argument))));
+        let outside = considered.is_some().then(|| self.block.known.clone());
+        let bound_statements = bound.map_or_else(Vec::new, |bound| self.block.statements(bound));
         // Also true where the bound is NaN and says nothing.
         let can_win = |bound: String| match (self.syntax.lead_prefix(), bid.ascending) {
             (Some(prefix), true) => format!("{prefix}_can(&lead, {bound}) != 0U"),
@@ -135,16 +212,21 @@ impl<S: Syntax> Team<'_, S> {
             (None, false) => format!("!((best > {bound}) || ((best >= {bound}) && (edge >= {rank})))"),
         };
         let guard = match bound {
-            Some(bound) => Some(can_win(self.syntax.value(*bound))),
+            Some(bound) => Some(can_win(self.block.value(*bound))),
             // Nothing is higher than infinity; in ascending order, an equal bid wins.
             None if bid.ascending => None,
-            None if self.syntax.lead_prefix().is_some() => Some(can_win(self.syntax.number(f64::INFINITY))),
-            None => Some(format!("(best < {}) || (edge < {rank})", self.syntax.number(f64::INFINITY))),
+            None if self.syntax.lead_prefix().is_some() => Some(can_win(self.syntax.literal(f64::INFINITY))),
+            None => Some(format!("(best < {}) || (edge < {rank})", self.syntax.literal(f64::INFINITY))),
         };
         let stays = guard.is_none() && !S::BRACES;
-        let statements = self.statements(bid.value, stays);
-        self.computed = outside.unwrap_or(std::mem::take(&mut self.computed));
-        let value = self.syntax.value(bid.value);
+        let before_bid = self.block.known.clone();
+        let statements = self.block.statements(bid.value);
+        self.block.known = match outside {
+            Some(outside) => outside,
+            None if stays => std::mem::take(&mut self.block.known),
+            None => before_bid,
+        };
+        let value = self.block.value(bid.value);
         let wins = match bid.ascending {
             true => format!("{value} >= best"),
             false => format!("({value} >= best) && (({value} > best) || (edge < {rank}))"),
@@ -166,7 +248,7 @@ impl<S: Syntax> Team<'_, S> {
 
 /// The condition under which an argument is low and the best bid is not.
 pub(super) fn low(syntax: &impl Syntax, Sparing { at_most, below, .. }: Sparing, argument: &str) -> String {
-    let [at_most, below] = [at_most, below].map(|number| syntax.number(number));
+    let [at_most, below] = [at_most, below].map(|number| syntax.literal(number));
     let best = if syntax.lead_prefix().is_some() { "lead.best" } else { "best" };
     format!("({argument} <= {at_most}) && ({best} >= {below})")
 }

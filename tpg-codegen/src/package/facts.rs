@@ -2,7 +2,7 @@
 
 use super::Details;
 use crate::cost::{Cost, Costs};
-use crate::emit::{Code, field};
+use crate::emit::{Code, field, written};
 use crate::options::{Language, Options};
 use crate::program::compile;
 use crate::size::{self, Target};
@@ -60,7 +60,7 @@ impl<'a> Facts<'a> {
             |range: &tpg_graph::Range| format!("{:?}", graph.scalar().round(range.min / 2.0 + range.max / 2.0));
         let group = |source: &tpg_graph::Source| {
             let values: Vec<String> = source.ranges.iter().map(|range| middle(range) + suffix).collect();
-            format!("{{ {} }}", values.join(", "))
+            if let [value] = &values[..] { value.clone() } else { format!("{{ {} }}", values.join(", ")) }
         };
         let answers = match answered.len() {
             0 => format!("one of {} actions", graph.actions().len()),
@@ -83,7 +83,7 @@ impl<'a> Facts<'a> {
                     field: field(graph, &source.name),
                     length: source.ranges.len(),
                     unit: cell(&source.unit),
-                    range: source.ranges.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "),
+                    range: source.ranges.iter().map(written).collect::<Vec<_>>().join("; "),
                 })
                 .collect(),
             actions: graph.actions().iter().map(|action| cell(&action.to_string())).collect(),
@@ -94,7 +94,7 @@ impl<'a> Facts<'a> {
                     field: field(graph, &output.name),
                     length: 1,
                     unit: cell(&output.unit),
-                    range: output.range.to_string(),
+                    range: written(&output.range),
                 })
                 .collect(),
             memory: graph.memory(),

@@ -45,7 +45,7 @@ static uint32_t {{ prefix }}_leaf(const {{ entry.state }} *state)
     for (hop = 0U; (hop < {{ upper }}_DEPTH) && (vertex < {{ upper }}_TEAMS); hop++) {
         const uint32_t end = teams[vertex + 1U];
         uint32_t edge = teams[vertex];
-        {{ scalar }} best = -{{ lowest }};
+        {{ scalar }} best = {{ lowest }};
 {%- if !places.values.is_empty() %}
         uint32_t leader = 0U;
 {%- endif %}
@@ -121,7 +121,7 @@ static uint32_t {{ prefix }}_leaf(const {{ entry.state }} *state)
     }
     vertex -= {{ upper }}_TEAMS;
 {%- if outputs.is_empty() %}
-    return (uint16_t)vertex;
+    return ({{ entry.action }})vertex;
 {%- else %}
     return vertex;
 {%- endif %}

@@ -50,7 +50,7 @@ static void {{ prefix }}_teams_{{ loop.index0 }}(const {{ entry.state }} *state,
     vertex -= {{ upper }}_TEAMS;
 {%- endif %}
 {%- if outputs.is_empty() %}
-    return (uint16_t){% if only %}to{% else %}vertex{% endif %};
+    return ({{ entry.action }}){% if only %}to{% else %}vertex{% endif %};
 {%- else %}
     {
         /* Every leaf's values, and the choice among them. */
@@ -60,11 +60,11 @@ static void {{ prefix }}_teams_{{ loop.index0 }}(const {{ entry.state }} *state,
 {%- for leaf in leaves %}
 {%- if loop.first %}
 {%- for value in leaf.values %}
-        {{ scalar }} {{ outputs[loop.index0].variable() }} = {{ value }};
+        {{ scalar }} {{ outputs[loop.index0].variable }} = {{ value }};
 {%- endfor %}
 {% else %}
 {%- for value in leaf.values %}
-        {{ outputs[loop.index0].variable() }} = {{ prefix }}_pick({% if only %}to{% else %}vertex{% endif %}, {{ leaf.number }}U, {{ value }}, {{ outputs[loop.index0].variable() }});
+        {{ outputs[loop.index0].variable }} = {{ prefix }}_pick({% if only %}to{% else %}vertex{% endif %}, {{ leaf.number }}U, {{ value }}, {{ outputs[loop.index0].variable }});
 {%- endfor %}
 {%- endif %}
 {%- endfor %}

@@ -1,22 +1,21 @@
 {% if functions.len() > 1 %}
-/* Teams are numbered so that every one comes after all that lead to it; the actions follow them. */
-{% else %}
-/* Teams in an order in which every one comes after all that lead to it: control only goes forward. */
-{% endif %}
-{% for function in functions %}
-{% if functions.len() > 1 -%}
-static uint32_t {{ prefix }}_walk_{{ loop.index0 }}(const {{ entry.state }} *state, uint32_t start)
-{%- else -%}
-{{ entry.head }}
-{%- endif %}
-{
-{%- if leaves.is_empty() %}
-    uint32_t vertex;
+/* Teams are numbered so that every one comes after all that lead to it; the actions follow them. {{ rule }} */
+{%- else if has_order %}
+/* {{ rule }} Every team comes after all that lead to it. */
 {%- else %}
-{%- for output in outputs %}
-    {{ scalar }} {{ output.variable() }};
-{%- endfor %}
+/* {{ rule }} */
 {%- endif %}
+{%- for function in functions %}
+{%- if functions.len() > 1 %}
+
+{% endif %}
+{{ function.head }}
+{
+{%- if !leaves.is_empty() || answers_in_place %}
+{%- for output in outputs %}
+    {{ scalar }} {{ output.variable }};
+{%- endfor %}
+{% endif %}
 {%- if !function.reads_state %}
 
     (void)state;
@@ -29,34 +28,40 @@ static uint32_t {{ prefix }}_walk_{{ loop.index0 }}(const {{ entry.state }} *sta
     }
 {% endif %}
 {% for team in function.teams %}
-{%- if functions.len() > 1 || !loop.first %}
-team_{{ team.label }}:
+{%- if function.is_entered(team.view.label) %}
+team_{{ team.view.label }}:
 {%- endif %}
+{%- if function.teams.len() > 1 %}
     {
-{%- if team.ways.len() > 1 %}
-{%- if let Some(first) = team.first %}
+{%- endif %}
+{%- if let Some(first) = team.view.first %}
 {%- for statement in first.statements %}
         {{ statement }}
 {%- endfor %}
+{%- endif %}
+{%- if team.keeps_winner %}
+{%- if let Some(first) = team.view.first %}
 {%- if leads %}
         {{ prefix }}_lead_t lead = { {{ first.value }}, {{ first.rank }} };
 {%- else %}
         {{ scalar }} best = {{ first.value }};
-        uint32_t {{ team.winner }} = {{ first.rank }};
+        {{ team.winner_type }} {{ team.view.winner }} = {{ first.rank }};
 {%- endif %}
 {%- else if leads %}
-        {{ prefix }}_lead_t lead = { -{{ lowest }}, {{ team.nobody }} };
+        {{ prefix }}_lead_t lead = { {{ lowest }}, {{ team.view.nobody }} };
 {%- else %}
-        {{ scalar }} best = -{{ lowest }};
-        uint32_t {{ team.winner }} = {{ team.nobody }};
+        {{ scalar }} best = {{ lowest }};
+        {{ team.winner_type }} {{ team.view.winner }} = {{ team.view.nobody }};
 {%- endif %}
-{%- for bid in team.eager %}
+{%- endif %}
+{%- for bid in team.view.eager %}
 {%- for statement in bid.statements %}
         {{ statement }}
 {%- endfor %}
-{% include "c/fast_win.c" %}
+{%- if team.keeps_winner %}{% include "c/fast_win.c" %}
+{% endif %}
 {%- endfor %}
-{%- for bid in team.lazy %}
+{%- for bid in team.view.lazy %}
 {%- for statement in bid.before %}
         {{ statement }}
 {%- endfor %}
@@ -79,34 +84,24 @@ team_{{ team.label }}:
 {%- endif %}
 {%- endfor %}
 
-{% for (ranks, jump) in team.ways %}        {% if !loop.last %}{% if !loop.first %}} else {% endif %}if ({% for rank in ranks %}{% if ranks.len() > 1 %}({% endif %}{{ team.winner }} == {{ rank }}{% if ranks.len() > 1 %}){% endif %}{% if !loop.last %} || {% endif %}{% endfor %}) {{ "{" }}{% else %}} else {{ "{" }}{% endif %}
-{%- if let Some(vertex) = jump.vertex %}
-            vertex = {{ vertex }}U;
-{%- endif %}
-            goto {{ jump.label }};
-{% endfor %}        }
-{%- else %}
-{%- for (_, jump) in team.ways %}
-{%- if let Some(vertex) = jump.vertex %}
-        vertex = {{ vertex }}U;
-{%- endif %}
-        goto {{ jump.label }};
+{% for line in team.decision %}
+{{ line }}
 {%- endfor %}
-{%- endif %}
+{%- if function.teams.len() > 1 %}
     }
+{%- endif %}
 {% endfor %}
-{% if leaves.is_empty() %}
-decided:
-    return {% if functions.len() > 1 %}vertex{% else %}(uint16_t)vertex{% endif %};
-{%- else %}
-{% for leaf in leaves %}
+{%- for leaf in leaves %}
+
+{%- if function.is_entered_leaf(leaf.label) %}
 leaf_{{ leaf.label }}:
+{%- endif %}
     {
 {%- for statement in leaf.statements %}
         {{ statement }}
 {%- endfor %}
 {% for value in leaf.values %}
-        {{ outputs[loop.index0].variable() }} = {{ value }};
+        {{ outputs[loop.index0].variable }} = {{ value }};
 {%- endfor %}
     }
 {%- if !loop.last %}
@@ -116,7 +111,8 @@ leaf_{{ leaf.label }}:
 {%- if leaves.len() > 1 %}
 answered:
 {%- endif %}
-{%- for assignment in assignments %}
+{%- if !leaves.is_empty() || answers_in_place %}
+{% for assignment in assignments %}
     {{ assignment }}
 {%- endfor %}
 {%- endif %}
@@ -139,7 +135,7 @@ static uint32_t {{ prefix }}_leaf(const {{ entry.state }} *state)
 {%- endfor %}
     vertex -= {{ upper }}_TEAMS;
 {%- if outputs.is_empty() %}
-    return (uint16_t)vertex;
+    return ({{ entry.action }})vertex;
 {%- else %}
     return vertex;
 {%- endif %}

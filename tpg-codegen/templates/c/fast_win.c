@@ -6,6 +6,6 @@
 {%- if !bid.last %}
             best = {{ bid.value }};
 {%- endif %}
-            {{ team.winner }} = {{ bid.rank }};
+            {{ team.view.winner }} = {{ bid.rank }};
         }
 {%- endif %}

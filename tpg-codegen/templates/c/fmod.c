@@ -17,7 +17,7 @@ static uint32_t {{ prefix }}_fmod_normal(uint32_t magnitude, uint32_t subnormal)
     float x;
     uint32_t scaled;
     (void)memcpy(&x, &magnitude, sizeof x);
-    x = x * 16777216.0F;
+    x = x * 16777216.0f;
     (void)memcpy(&scaled, &x, sizeof scaled);
     return {{ prefix }}_fmod_choose(subnormal, scaled, magnitude);
 }
@@ -150,7 +150,7 @@ static {{ scalar }} {{ prefix }}_fmod({{ scalar }} a, {{ scalar }} b)
         (void)memcpy(&power, &power_bits, sizeof power);
         result = ({{ scalar }})rest * {% if f64 %}DBL_EPSILON{% else %}FLT_EPSILON{% endif %};
         result = result * power;
-        result = (a < {% if f64 %}0.0{% else %}0.0F{% endif %}) ? -result : result;
+        result = (a < {% if f64 %}0.0{% else %}0.0f{% endif %}) ? -result : result;
     } else {
         /* as it is */
     }

@@ -54,11 +54,11 @@ static int serve_{{ policy.prefix }}(void)
 {%- else %}
             {{ policy.prefix }}_state_t state;
 {% for (name, length) in policy.sources %}
-            memcpy(state.{{ name }}, value, sizeof(state.{{ name }}));
+            memcpy(&state.{{ name }}, value, sizeof(state.{{ name }}));
             value += {{ length }};
 {%- endfor %}
 {%- if policy.outputs == 0 %}
-            actions[index] = {{ policy.prefix }}_infer(&state);
+            actions[index] = (uint16_t){{ policy.prefix }}_infer(&state);
 {%- else if policy.memory.is_empty() %}
             {{ policy.prefix }}_infer(&state, &actions[index]);
 {%- else %}

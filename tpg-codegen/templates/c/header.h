@@ -12,15 +12,23 @@
 extern "C" {
 #endif
 
-{% if outputs.is_empty() %}
+{% if outputs.is_empty() && gegelati %}
 /* The actions:
-{%- for action in actions %}
- * {{ loop.index0 }} {{ action }}
+{%- for (_, name) in actions %}
+ * {{ loop.index0 }} {{ name }}
 {%- endfor %}
  */
 #define {{ upper }}_ACTIONS {{ actions.len() }}U
+{%- else if outputs.is_empty() %}
+/* The actions. */
+typedef enum {{ prefix }}_action {
+{%- for (constant, name) in actions %}
+    {{ constant }} = {{ loop.index0 }}{% if !loop.last %},{% endif %}{% if !name.is_empty() %} /* {{ name }} */{% endif %}
+{%- endfor %}
+} {{ prefix }}_action_t;
+#define {{ upper }}_ACTIONS {{ actions.len() }}U
 {%- for (name, number) in asks %}
-#define {{ upper }}_ASKS_{{ name }} {{ number }}U
+#define {{ upper }}_ASKS_{{ name }} {{ actions[*number].0 }}
 {%- endfor %}
 {%- else %}
 #define {{ upper }}_OUTPUTS {{ outputs.len() }}U
@@ -35,7 +43,7 @@ extern "C" {
 {% if gegelati %}
 /* What the policy sees, as GEGELATI's generated code declares it. The caller defines these pointers. */
 {%- for source in sources %}
-extern {{ scalar }} *in{{ loop.index }}; /* {{ source.name }}: {{ source.length }} values, {{ source.unit }}, {{ source.range }} */
+extern {{ scalar }} *in{{ loop.index }}; /* {{ source.name }}: {{ source.length }} value{% if source.length != 1 %}s{% endif %}, {{ source.meaning }} */
 {%- endfor %}
 
 /* The action for the values that in1, in2, ... point at now. */
@@ -44,20 +52,20 @@ int inferenceTPG(void);
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct {{ prefix }}_state {
 {%- for source in sources %}
-    {{ scalar }} {{ source.field }}[{{ source.length }}]; /* {% if source.field != source.name %}{{ source.name }}: {% endif %}{{ source.unit }}, {{ source.range }} */
+    {{ scalar }} {{ source.member() }}; /* {% if source.field != source.name %}{{ source.name }}: {% endif %}{{ source.meaning }} */
 {%- endfor %}
 } {{ prefix }}_state_t;
 
 {%- if outputs.is_empty() %}
 
-/* The action for a state, below {{ upper }}_ACTIONS. Pure and reentrant: no globals, no memory, no side effect. */
-uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state);
+/* The action for a state. Pure and reentrant: no globals, no memory, no side effect. */
+{{ prefix }}_action_t {{ prefix }}_infer(const {{ prefix }}_state_t *state);
 {%- else %}
 
 /* The values that the policy answers, each in its range and never NaN. */
 typedef struct {{ prefix }}_action {
 {%- for output in outputs %}
-    {{ scalar }} {{ output.field }}; /* {% if output.field != output.name %}{{ output.name }}: {% endif %}{{ output.unit }}, {{ output.range }} */
+    {{ scalar }} {{ output.field }}; /* {% if output.field != output.name %}{{ output.name }}: {% endif %}{{ output.meaning }} */
 {%- endfor %}
 } {{ prefix }}_action_t;
 
@@ -70,7 +78,7 @@ void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t
 /* The values that the policy carries from one decision to the next, each in its range and never NaN. */
 typedef struct {{ prefix }}_memory {
 {%- for value in memory %}
-    {{ scalar }} {{ value.field }}; /* {% if value.field != value.name %}{{ value.name }}: {% endif %}{{ value.range }}; at first {{ value.nan }} */
+    {{ scalar }} {{ value.field }}; /* {% if value.field != value.name %}{{ value.name }}: {% endif %}{{ value.meaning }}; at first {{ value.nan }} */
 {%- endfor %}
 } {{ prefix }}_memory_t;
 
@@ -92,8 +100,8 @@ void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_memory_t
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
 {%- if system_maths %}
  * The graph uses the platform's sin, cos, log and exp: another libm than the generator's may differ in the last bit.
-{%- endif %}
  */
+{%- else %} */{% endif %}
 uint32_t {{ prefix }}_selftest(void);
 #endif
 

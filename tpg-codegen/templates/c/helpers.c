@@ -34,7 +34,7 @@ static {{ scalar }} {{ prefix }}_max({{ scalar }} a, {{ scalar }} b)
 /* a where b is not 0, else -0. */
 static {{ scalar }} {{ prefix }}_gate({{ scalar }} a, {{ scalar }} b)
 {
-    return ((b >= {% if f64 %}0.0{% else %}0.0F{% endif %}) && (b <= {% if f64 %}0.0{% else %}0.0F{% endif %})) ? {% if f64 %}-0.0{% else %}-0.0F{% endif %} : a;
+    return ((b >= {% if f64 %}0.0{% else %}0.0f{% endif %}) && (b <= {% if f64 %}0.0{% else %}0.0f{% endif %})) ? {% if f64 %}-0.0{% else %}-0.0f{% endif %} : a;
 }
 {% endif %}
 {% if self.calls("quotient") %}
@@ -56,10 +56,13 @@ static {{ scalar }} {{ prefix }}_quotient({{ scalar }} a, {{ scalar }} b)
 }
 {% endif %}
 {% if self.calls("clamp") %}
-/* An output in its range. What is neither in it nor below is NaN. */
-static {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ scalar }} high, {{ scalar }} nan)
+/* An output in its range. NaN fails both comparisons{% if let Some(nan) = same_nan %}, and becomes {{ nan }}{% endif %}. */
+static {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ scalar }} high{% if same_nan.is_none() %}, {{ scalar }} nan{% endif %})
 {
-    return (value >= low) ? ((value > high) ? high : value) : ((value < low) ? low : nan);
+    if (value >= low) {
+        return (value > high) ? high : value;
+    }
+    return (value < low) ? low : {% if let Some(nan) = same_nan %}{{ nan }}{% else %}nan{% endif %};
 }
 {% endif %}
 {% endif %}
@@ -70,7 +73,7 @@ static {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ 
 /* The platform's logarithm, which takes its time to find that a negative number has none. */
 static {{ scalar }} {{ prefix }}_ln({{ scalar }} x)
 {
-    return (x < {% if f64 %}0.0{% else %}0.0F{% endif %}) ? {% if f64 %}(double)NAN{% else %}NAN{% endif %} : {{ printer.function("log") }}(x);
+    return (x < {% if f64 %}0.0{% else %}0.0f{% endif %}) ? {% if f64 %}(double)NAN{% else %}NAN{% endif %} : {{ printer.function("log") }}(x);
 }
 {% endif %}
 {% if short && self.calls("exp") %}
@@ -82,7 +85,7 @@ static {{ scalar }} {{ prefix }}_exp({{ scalar }} x)
     if (x > {{ self.literal(beyond.0) }}) {
         result = {% if f64 %}(double)INFINITY{% else %}INFINITY{% endif %};
     } else if (x < {{ self.literal(beyond.1) }}) {
-        result = {% if f64 %}0.0{% else %}0.0F{% endif %};
+        result = {% if f64 %}0.0{% else %}0.0f{% endif %};
     } else {
         result = {{ printer.function("exp") }}(x);
     }
@@ -100,7 +103,7 @@ static {{ scalar }} {{ prefix }}_ln_upper({{ scalar }} x)
 
         (void)memcpy(&bits, &x, sizeof bits);
         bound = (({{ scalar }})bits * {{ self.literal(estimate.ln_scale) }}) - {{ self.literal(estimate.ln_offset) }};
-    } else if (x <= {% if f64 %}0.0{% else %}0.0F{% endif %}) {
+    } else if (x <= {% if f64 %}0.0{% else %}0.0f{% endif %}) {
         bound = {% if f64 %}-(double)INFINITY{% else %}-INFINITY{% endif %}; /* or NaN, which bids that */
     } else if (x > {% if f64 %}DBL_MAX{% else %}FLT_MAX{% endif %}) {
         bound = {% if f64 %}(double)INFINITY{% else %}INFINITY{% endif %};

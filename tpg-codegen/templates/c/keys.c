@@ -90,7 +90,7 @@
 {
     {{ key }} bits;
     (void)memcpy(&bits, &b, sizeof bits);
-    return {{ prefix }}_select({{ prefix }}_opaque(0U - (((bits & ~{{ sign }}) - 1U) >> {{ top }})), {% if f64 %}-0.0{% else %}-0.0F{% endif %}, a);
+    return {{ prefix }}_select({{ prefix }}_opaque(0U - (((bits & ~{{ sign }}) - 1U) >> {{ top }})), {% if f64 %}-0.0{% else %}-0.0f{% endif %}, a);
 }
 {% endif %}
 {% if self.calls("quotient") %}
@@ -126,13 +126,13 @@
 }
 
 /* An output in its range. */
-{{ storage }} {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ scalar }} high, {{ scalar }} nan)
+{{ storage }} {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ scalar }} high{% if same_nan.is_none() %}, {{ scalar }} nan{% endif %})
 {
     /* Differences of what is equal are 0, not -0; where the value is NaN, both choices are of no account. */
-    const {{ scalar }} unsigned_zero = value + {% if f64 %}0.0{% else %}0.0F{% endif %};
+    const {{ scalar }} unsigned_zero = value + {% if f64 %}0.0{% else %}0.0f{% endif %};
     const {{ scalar }} raised = {{ prefix }}_select({{ prefix }}_negative(unsigned_zero - low), low, value);
-    const {{ scalar }} limited = {{ prefix }}_select({{ prefix }}_negative((high + {% if f64 %}0.0{% else %}0.0F{% endif %}) - unsigned_zero), high, raised);
-    return {{ prefix }}_select({{ prefix }}_not_a_number(value), nan, limited);
+    const {{ scalar }} limited = {{ prefix }}_select({{ prefix }}_negative((high + {% if f64 %}0.0{% else %}0.0f{% endif %}) - unsigned_zero), high, raised);
+    return {{ prefix }}_select({{ prefix }}_not_a_number(value), {% if let Some(nan) = same_nan %}{{ nan }}{% else %}nan{% endif %}, limited);
 }
 {% endif %}
 {% if self.calls("pick") %}

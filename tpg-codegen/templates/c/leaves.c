@@ -2,7 +2,7 @@
 {{ entry.head }}
 {
 {%- for output in outputs %}
-    {{ scalar }} {{ output.variable() }};
+    {{ scalar }} {{ output.variable }};
 {%- endfor %}
 
     switch ({{ prefix }}_leaf(state)) {
@@ -17,7 +17,7 @@
             {{ statement }}
 {%- endfor %}
 {% for value in leaf.values %}
-            {{ outputs[loop.index0].variable() }} = {{ value }};
+            {{ outputs[loop.index0].variable }} = {{ value }};
 {%- endfor %}
             break;
         }

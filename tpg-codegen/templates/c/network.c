@@ -58,15 +58,15 @@ static int32_t clamp_of(int32_t argument)
 /* An input in multiples of 1/4096: to nearest, halves away from 0, clipped; 0 for NaN. */
 static int16_t integer(float value)
 {
-    float scaled = value * 4096.0F;
+    float scaled = value * 4096.0f;
     if (scaled != scaled) {
         return 0;
     }
-    scaled = scaled < 0.0F ? scaled - 0.5F : scaled + 0.5F;
-    if (scaled >= 32767.0F) {
+    scaled = scaled < 0.0f ? scaled - 0.5f : scaled + 0.5f;
+    if (scaled >= 32767.0f) {
         return 32767;
     }
-    return scaled <= -32768.0F ? (int16_t)-32768 : (int16_t)scaled;
+    return scaled <= -32768.0f ? (int16_t)-32768 : (int16_t)scaled;
 }
 
 /* (accumulator * factor + 2^(shift - 1)) >> shift, rounded down, clipped. */
@@ -123,7 +123,7 @@ static void layer_{{ bits }}(const int{{ bits }}_t *weights, const int32_t *bias
     i = {% if value.squash == Squash::Tanh %}tanh_of{% else %}clamp_of{% endif %}({{ arrays[layers.len() % 2] }}[{{ loop.index0 }}] * {% if value.squash == Squash::Tanh %}{{ 1 << (11 - value.exponent) }}{% else %}{{ 1 << (14 - value.exponent) }}{% endif %});
     action->values[{{ loop.index0 }}] = most[{{ loop.index0 }}];
     if (i < 16384) {
-        float value = least[{{ loop.index0 }}] + span[{{ loop.index0 }}] * ((float)(i + 16384) * (0.5F / 16384.0F));
+        float value = least[{{ loop.index0 }}] + span[{{ loop.index0 }}] * ((float)(i + 16384) * (0.5f / 16384.0f));
         action->values[{{ loop.index0 }}] = value > most[{{ loop.index0 }}] ? most[{{ loop.index0 }}] : value;
     }
 {%- endfor %}

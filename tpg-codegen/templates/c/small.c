@@ -15,7 +15,7 @@ static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
     };
     const uint32_t begin = programs[program];
     const uint32_t end = programs[program + 1U];
-    {{ scalar }} result = {% if f64 %}0.0{% else %}0.0F{% endif %};
+    {{ scalar }} result = {% if f64 %}0.0{% else %}0.0f{% endif %};
     uint32_t place;
 
     for (place = begin; place < end; place++) {
@@ -94,7 +94,7 @@ static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
     for (hop = 0U; (hop < {{ upper }}_DEPTH) && (vertex < {{ upper }}_TEAMS); hop++) {
         const uint32_t end = teams[vertex + 1U];
         uint32_t edge = teams[vertex];
-        {{ scalar }} best = -{{ lowest }};
+        {{ scalar }} best = {{ lowest }};
 
         /* Only bids above minus infinity win; where there is none, the last edge does. */
         vertex = targets[end - 1U];
@@ -109,7 +109,7 @@ static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
     }
     vertex -= {{ upper }}_TEAMS;
 {%- if outputs.is_empty() %}
-    return (uint16_t)vertex;
+    return ({{ entry.action }})vertex;
 {%- else %}
     vertex *= {{ outputs.len() }}U;
     programs = &leaves[vertex];

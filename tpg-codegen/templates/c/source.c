@@ -6,7 +6,9 @@
 #include "{{ prefix }}.h"
 
 #include <float.h>
+{%- if needs_math %}
 #include <math.h>
+{%- endif %}
 {%- if needs_string %}
 #include <string.h>
 {%- endif %}
@@ -24,7 +26,7 @@
 /* A state and the memory as one; an answer and the next memory as one. */
 typedef struct {{ prefix }}_view {
 {%- for source in sources %}
-    {{ scalar }} {{ source.field }}[{{ source.length }}];
+    {{ scalar }} {{ source.member() }};
 {%- endfor %}
 } {{ entry.state }};
 
@@ -52,7 +54,7 @@ void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_memory_t
     {{ statement }}
 {%- endfor %}
 {%- for value in parts.1 %}
-    view.{{ value.field }}[0] = memory->{{ value.field }};
+    view.{{ value.field }} = memory->{{ value.field }};
 {%- endfor %}
     {{ entry.function }}(&view, &answer);
 {%- for output in parts.0 %}
@@ -78,17 +80,11 @@ uint32_t {{ prefix }}_selftest(void)
         {{ vector.state }},
 {%- endfor %}
     };
-{%- if outputs.is_empty() %}
-    static const uint16_t actions[{{ vectors.len() }}] = {
-        {% for vector in vectors %}{{ vector.answer }}{% if !loop.last %}, {% endif %}{% endfor %}
-    };
-{%- else %}
-    static const {{ entry.answer }} actions[{{ vectors.len() }}] = {
+    static const {% if !outputs.is_empty() %}{{ entry.answer }}{% else if gegelati %}uint16_t{% else %}{{ entry.action }}{% endif %} actions[{{ vectors.len() }}] = {
 {%- for vector in vectors %}
         {{ vector.answer }},
 {%- endfor %}
     };
-{%- endif %}
 {%- if system_maths %}
     /* Read anew: a compiler that knew the states would compute the platform's maths itself, and round another way. */
     const {% if gegelati %}{{ prefix }}_vector_t{% else %}{{ entry.state }}{% endif %} *const volatile hidden = states;
@@ -117,7 +113,7 @@ uint32_t {{ prefix }}_selftest(void)
 
         {{ entry.function }}(&{% if system_maths %}hidden{% else %}states{% endif %}[vector], &action);
         if ({% for output in outputs %}{% if !loop.first %} ||
-            {% endif %}(action.{{ output.field }} < actions[vector].{{ output.field }}) || (action.{{ output.field }} > actions[vector].{{ output.field }}){% endfor %}) {
+            {% endif %}!((action.{{ output.field }} >= actions[vector].{{ output.field }}) && (action.{{ output.field }} <= actions[vector].{{ output.field }})){% endfor %}) {
 {%- endif %}
             failures++;
         }

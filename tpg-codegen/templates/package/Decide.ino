@@ -18,7 +18,7 @@ void loop() {
   static const {{ it.name }}_state_t state = { {{ it.state_c }} };  // the middle of every range
 {%- if it.outputs.is_empty() %}
   Serial.print("action ");
-  Serial.println({{ it.name }}_infer(&state));
+  Serial.println(static_cast<unsigned>({{ it.name }}_infer(&state)));
 {%- else %}
   {{ it.name }}_action_t action;
   {{ it.name }}_infer(&state{% if it.memory > 0 %}, &memory{% endif %}, &action);

@@ -9,7 +9,7 @@ const {{ it.name }}_state_t state = { {{ it.state_c }} }; /* the middle of every
 {{ it.name }}_reset(&memory); /* once an episode */
 {%- endif %}
 {%- if it.outputs.is_empty() %}
-const uint16_t action = {{ it.name }}_infer(&state);
+const {{ it.name }}_action_t action = {{ it.name }}_infer(&state);
 {%- else %}
 {{ it.name }}_infer(&state{% if it.memory > 0 %}, &memory{% endif %}, &action);
 {%- endif %}

@@ -16,25 +16,34 @@ fn leaf_{{ leaf.label }}(s: &[{{ scalar }}; {{ state_length }}]) -> {{ answer }}
 #[inline(never)]
 {%- endif %}
 fn team_{{ team.label }}(s: &[{{ scalar }}; {{ state_length }}]) -> {{ answer }} {
-{%- if team.ways.len() > 1 %}
 {%- if let Some(first) = team.first %}
 {%- for statement in first.statements %}
 {{ statement }}
 {%- endfor %}
+{%- endif %}
+{%- match team.decision %}
+{%- when Decision::Winner | Decision::Ways(_) %}
+{%- if let Some(first) = team.first %}
 let mut best = {{ first.value }};
 let mut {{ team.winner }} = {{ first.rank }};
 {%- else %}
 let mut best = {{ scalar }}::MIN;
 let mut {{ team.winner }} = {{ team.nobody }};
 {%- endif %}
+{%- when _ %}
+{%- endmatch %}
 {%- for bid in team.eager %}
 {%- for statement in bid.statements %}
 {{ statement }}
 {%- endfor %}
+{%- match team.decision %}
+{%- when Decision::Winner | Decision::Ways(_) %}
 if {{ bid.wins }} {
 best = {{ bid.value }};
 {{ team.winner }} = {{ bid.rank }};
 }
+{%- when _ %}
+{%- endmatch %}
 {%- endfor %}
 {%- for bid in team.lazy %}
 {%- for statement in bid.before %}
@@ -63,8 +72,16 @@ best = {{ bid.value }};
 }
 {%- endif %}
 {%- endfor %}
+{%- match team.decision %}
+{%- when Decision::Always(to) %}
+{{ to }}
+{%- when Decision::Either(condition, first, second) %}
+{{ layout::either(condition, first, second) }}
+{%- when Decision::Winner %}
+{{ team.winner }}
+{%- when Decision::Ways(ways) %}
 match {{ team.winner }} {
-{%- for (ranks, to) in team.ways %}
+{%- for (ranks, to) in ways %}
 {%- if loop.last %}
 _ => {{ to }},
 {%- else %}
@@ -74,10 +91,6 @@ _ => {{ to }},
 {%- endif %}
 {%- endfor %}
 }
-{%- else %}
-{%- for (_, to) in team.ways %}
-{{ to }}
-{%- endfor %}
-{%- endif %}
+{%- endmatch %}
 }
 {%- endfor %}

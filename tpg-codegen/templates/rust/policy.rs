@@ -18,7 +18,7 @@ use tpg_runtime::policy::{% if outputs.is_empty() %}{ActionId, Policy}{% else %}
 ///
 /// It sees, one after another:
 {% for source in sources -%}
-/// - `s[{{ source.first }}..{{ source.end }}]`: {{ source.name }}, {{ source.unit }}, {{ source.range }}
+/// - `s[{{ source.first }}..{{ source.end }}]`: {{ source.name }}, {{ source.meaning }}
 {% endfor -%}
 ///
 /// Values outside the ranges are legal, NaN and infinities too. It answers:
@@ -26,7 +26,7 @@ use tpg_runtime::policy::{% if outputs.is_empty() %}{ActionId, Policy}{% else %}
 /// - {{ loop.index0 }}: {{ action }}
 {% endfor -%}
 {% for output in outputs -%}
-/// - `[{{ output.place }}]`: {{ output.name }}, {{ output.unit }}, {{ output.range }}; {{ output.nan }} in place of NaN
+/// - `[{{ output.place }}]`: {{ output.name }}, {{ output.meaning }}; {{ output.nan }} for NaN
 {% endfor -%}
 #[derive(Clone, Copy, Debug, Default)]
 pub struct {{ name }};
@@ -37,6 +37,10 @@ impl {{ name }} {
 {%- if outputs.is_empty() %}
     /// Actions.
     pub const ACTIONS: usize = {{ actions.len() }};
+{%- for constant in constants %}
+    /// An action.
+    pub const {{ constant }}: ActionId = ActionId({{ loop.index0 }});
+{%- endfor %}
 {%- for (name, number) in asks %}
     /// The action that lets another policy decide this step.
     pub const ASKS_{{ name }}: ActionId = ActionId({{ number }});

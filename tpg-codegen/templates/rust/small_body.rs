@@ -34,7 +34,7 @@
         let first = vertex.wrapping_sub({{ teams }}).wrapping_mul({{ outputs.len() }});
 {%- for output in outputs %}
         let program = LEAVES.get(first.wrapping_add({{ output.place }}));
-        let {{ output.variable() }} = program.map_or({{ zero }}, |&program| run(&mut frame, program as usize));
+        let {{ output.variable }} = program.map_or({{ zero }}, |&program| run(&mut frame, program as usize));
 {%- endfor %}
         {{ limited }}
 {%- endif %}

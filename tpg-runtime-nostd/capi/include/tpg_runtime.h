@@ -433,7 +433,7 @@ typedef struct {
   uint64_t opaque[TPG_DODGER_WORDS];
 } tpg_dodger_t;
 
-// A generated `PREFIX_infer` behind a pointer of one type for all: `return PREFIX_infer(state);`.
+// A generated `PREFIX_infer` behind a pointer of one type for all: `return (uint16_t)PREFIX_infer(state);`.
 typedef uint16_t (*tpg_infer_t)(const void *state);
 
 // A policy that tpg-codegen compiled, in f32, whose actions are behaviours. Constant: it can lie in flash.

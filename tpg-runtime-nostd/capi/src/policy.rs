@@ -9,7 +9,7 @@ use core::mem::MaybeUninit;
 use tpg_arm::observation::{Observation, TargetMemo};
 use tpg_arm::{Arm, Move};
 
-/// A generated `PREFIX_infer` behind a pointer of one type for all: `return PREFIX_infer(state);`.
+/// A generated `PREFIX_infer` behind a pointer of one type for all: `return (uint16_t)PREFIX_infer(state);`.
 pub type tpg_infer_t = Option<unsafe extern "C" fn(state: *const core::ffi::c_void) -> u16>;
 
 /// A policy that tpg-codegen compiled, in f32. Constant: it can lie in flash.

@@ -7,7 +7,7 @@ use crate::emit::cases::{self, CaseView, FunctionView};
 use crate::emit::interface::OutputView;
 use crate::emit::syntax::Syntax;
 use crate::emit::table::{Table, table};
-use crate::passes::cases::{Case, Cases};
+use crate::passes::cases::Cases;
 use askama::Template;
 
 #[derive(Template)]
@@ -17,7 +17,7 @@ struct Balanced<'a> {
     prefix: &'a str,
     upper: &'a str,
     scalar: &'a str,
-    lowest: &'a str,
+    lowest: String,
     outputs: &'a [OutputView],
     bidders: Table,
     places: Table,
@@ -34,7 +34,6 @@ struct Balanced<'a> {
 /// Renders the body.
 pub(super) fn render(printer: &Printer<'_>, cases: &Cases, outputs: &[OutputView], upper: &str) -> String {
     let table = |values: &[u64]| table(printer, values, |width| if width.bits() == 64 { "ULL" } else { "U" });
-    let read = |case: &Case| [cases.operations(*case).concat(), vec![case.value]].concat();
     let balanced = Balanced {
         entry: Entry::new(printer),
         prefix: printer.prefix,
@@ -51,7 +50,7 @@ pub(super) fn render(printer: &Printer<'_>, cases: &Cases, outputs: &[OutputView
             (Some(format!("const volatile {} constant = {zero};", printer.scalar())), "constant".to_owned())
         })),
         functions: cases::functions(printer, cases),
-        reads_state: cases.bids.iter().any(|case| printer.reads_state(&read(case))),
+        reads_state: printer.reads_state(cases.bids.iter().map(|case| &case.value)),
         over_teams: if outputs.is_empty() { String::new() } else { leaves::render(printer, &cases.leaves, outputs) },
     };
     balanced.render().expect("the template renders")

@@ -6,14 +6,15 @@
 use super::entry::Entry;
 use super::expression::Printer;
 use super::leaves;
+use crate::emit::block::Block;
 use crate::emit::choice::{self, KeyView, TeamView};
 use crate::emit::interface::OutputView;
-use crate::emit::leaves::{LeafView, views};
+use crate::emit::leaves::LeafView;
 use crate::emit::syntax::Syntax;
-use crate::ir::{Module, Node, NodeId};
-use crate::passes::functions::{self, Function};
+use crate::ir::{Leaf, Module, NodeId, reached};
+use crate::passes::functions::Function;
 use askama::Template;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 #[derive(Template)]
 #[template(path = "c/constant_time.c", escape = "none")]
@@ -60,39 +61,73 @@ pub(super) fn render(
     upper: &str,
 ) -> String {
     let vertex = &printer.vertex_type(module.vertices());
+    let names = choice::names(module);
+    let blocks: Vec<_> = functions
+        .iter()
+        .map(|function| {
+            let leaves = if functions.len() == 1 { &module.leaves[..] } else { &[] };
+            teams(printer, module, function, &names, vertex, leaves)
+        })
+        .collect();
+    let (functions, mut blocks): (Vec<String>, Vec<_>) = blocks.into_iter().unzip();
+    let mut block = match blocks.pop() {
+        Some(block) if functions.len() == 1 => block,
+        _ => choice::block(printer, [], &module.leaves),
+    };
+    let (statements, leaves) = choice::leaves(&mut block, &module.leaves, outputs);
     let constant_time = ConstantTime {
         entry: Entry::new(printer),
         prefix: printer.prefix,
         upper,
         vertex,
         only: module.teams.len() == 1,
-        functions: functions.iter().map(|function| teams(printer, module, function, vertex)).collect(),
+        functions,
         ends: (module.teams.len()..module.vertices()).map(|place| format!("{place}U")).collect(),
         depth: module.depth,
         outputs,
-        leaves: views(printer, &module.leaves),
-        statements: functions::leaf_operations(module, functions).into_iter().map(|id| printer.statement(id)).collect(),
+        leaves,
+        statements,
         assignments: leaves::assignments(printer, outputs),
         scalar: printer.scalar(),
     };
     constant_time.render().expect("the template renders")
 }
 
-fn teams(printer: &Printer<'_>, module: &Module<'_>, function: &Function, vertex: &str) -> String {
-    let read = function.operations.iter().flat_map(|&id| module.nodes[id.index()].operands()).chain(&function.bids);
+fn teams<'a>(
+    printer: &'a Printer<'a>,
+    module: &Module<'_>,
+    function: &Function,
+    names: &BTreeMap<NodeId, String>,
+    vertex: &str,
+    leaves: &[Leaf],
+) -> (String, Block<'a, Printer<'a>>) {
     let challengers = challengers(module, function);
-    let key = |bid: NodeId| if challengers.contains(&bid) { choice::key(bid) } else { printer.value(bid) };
+    // A challenger is read once, to make it comparable; another bid has a name.
+    let bids = function.bids.iter().map(|bid| (*bid, (!challengers.contains(bid)).then(|| names[bid].clone())));
+    let mut block = choice::block(printer, bids, leaves);
+    let (mut statements, mut keys) = (Vec::new(), Vec::new());
+    for &bid in &function.bids {
+        if challengers.contains(&bid) {
+            let (before, value) = block.argument(bid, || format!("{}_value", names[&bid]));
+            statements.extend(before);
+            keys.push(KeyView { name: names[&bid].clone(), value });
+        } else {
+            statements.extend(block.statements(bid));
+        }
+    }
+    let key = |bid: NodeId| if challengers.contains(&bid) { names[&bid].clone() } else { block.value(bid) };
     let teams = Teams {
         prefix: printer.prefix,
         scalar: printer.scalar(),
         vertex,
         only: module.teams.len() == 1,
-        reads_state: read.into_iter().any(|&id| matches!(module.node(id), Node::Input(_))),
-        statements: function.operations.iter().map(|&id| printer.statement(id)).collect(),
-        keys: challengers.iter().map(|&id| KeyView { name: choice::key(id), value: printer.value(id) }).collect(),
+        reads_state: printer
+            .reads_state(function.bids.iter().chain(reached(leaves).flat_map(|(_, leaf)| &leaf.values))),
+        statements,
+        keys,
         teams: function.teams.clone().map(|number| choice::team(module, number, key)).collect(),
     };
-    teams.render().expect("the template renders").trim_end().to_owned()
+    (teams.render().expect("the template renders").trim_end().to_owned(), block)
 }
 
 /// The bids that must not be NaN: those that challenge another. A team's first may be, for it loses to whatever follows; and

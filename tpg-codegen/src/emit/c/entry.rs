@@ -12,6 +12,8 @@ pub(super) struct Entry {
     pub(super) state: String,
     /// The type of what is answered, for a policy with outputs.
     pub(super) answer: String,
+    /// The type of an action, or of the values that are answered.
+    pub(super) action: String,
     /// The function that decides.
     pub(super) function: String,
     /// Its head.
@@ -28,10 +30,10 @@ impl Entry {
         }
         .map(|name| format!("{prefix}_{name}"));
         let head = match (graph.outputs().len(), graph.memory()) {
-            (0, _) => format!("uint16_t {function}(const {state} *state)"),
+            (0, _) => format!("{prefix}_action_t {function}(const {state} *state)"),
             (_, 0) => format!("void {function}(const {state} *state, {answer} *action)"),
             _ => format!("static void {function}(const {state} *state, {answer} *action)"),
         };
-        Self { state, answer, function, head }
+        Self { state, answer, action: format!("{prefix}_action_t"), function, head }
     }
 }

@@ -1,8 +1,9 @@
 //! Nodes as C expressions.
 
-use crate::emit::field;
+use super::field;
+use crate::emit::names;
 use crate::emit::syntax::Syntax;
-use crate::ir::{Node, NodeId};
+use crate::ir::Node;
 use crate::passes::bytecode::Width;
 use tpg_graph::{Graph, Input, MathsProvider, ScalarType};
 use tpg_runtime::ops::Instruction;
@@ -44,7 +45,7 @@ impl Syntax for Printer<'_> {
     fn literal(&self, value: f64) -> String {
         let scalar = self.graph.scalar();
         match scalar {
-            ScalarType::F32 if value.is_finite() => format!("{:?}F", value as f32),
+            ScalarType::F32 if value.is_finite() => format!("{:?}f", value as f32),
             ScalarType::F64 if value.is_finite() => format!("{value:?}"),
             _ => {
                 let sign = if value < 0.0 { "-" } else { "" };
@@ -63,8 +64,21 @@ impl Syntax for Printer<'_> {
         vec![format!("const volatile {scalar} constant = {zero};"), format!("const {scalar} zero = constant;")]
     }
 
-    fn statement(&self, id: NodeId) -> String {
-        format!("const {} v{} = {};", self.scalar(), id.0, self.operation(id))
+    fn declaration(&self, name: &str, expression: &str) -> String {
+        format!("const {} {name} = {expression};", self.scalar())
+    }
+
+    fn lowest(&self) -> String {
+        format!("-{}", self.greatest())
+    }
+
+    fn is_taken(&self, name: &str) -> bool {
+        /// Variables of generated functions; compilers take `main` for the program's.
+        const OURS: [&str; 16] = [
+            "action", "best", "constant", "edge", "end", "frame", "hop", "lead", "main", "next", "programs", "start",
+            "state", "to", "vertex", "zero",
+        ];
+        OURS.contains(&name) || field::is_taken(name)
     }
 
     fn index(&self, number: usize) -> String {
@@ -77,18 +91,15 @@ impl Syntax for Printer<'_> {
 
     const BRACES: bool = true;
 
-    fn number(&self, value: f64) -> String {
-        let text = self.literal(value);
-        if text.starts_with('-') { format!("({text})") } else { text }
-    }
-
     fn input(&self, input: Input) -> String {
         let (source, place) = self.graph.source_of(input);
         if self.gegelati {
             let number = self.graph.sources().iter().position(|s| s.name == source.name).unwrap_or(0) + 1;
             format!("in{number}[{place}]")
+        } else if source.ranges.len() == 1 {
+            format!("state->{}", field::field(self.graph, &source.name))
         } else {
-            format!("state->{}[{place}]", field(self.graph, &source.name))
+            format!("state->{}[{place}]", field::field(self.graph, &source.name))
         }
     }
 
@@ -112,11 +123,23 @@ impl Syntax for Printer<'_> {
 
 impl Printer<'_> {
     /// The macro of the highest finite number, whose negative is the lowest.
-    pub(super) fn lowest(&self) -> &'static str {
+    pub(super) fn greatest(&self) -> &'static str {
         match self.graph.scalar() {
             ScalarType::F32 => "FLT_MAX",
             ScalarType::F64 => "DBL_MAX",
         }
+    }
+
+    /// The constants of the actions.
+    pub(super) fn constants(&self) -> Vec<String> {
+        let constant = |name: String| format!("{}_{name}", self.prefix).to_ascii_uppercase();
+        names::actions(self.graph).into_iter().map(constant).collect()
+    }
+
+    /// The value in place of NaN, where it is the same for every output.
+    pub(super) fn same_nan(&self) -> Option<f64> {
+        let (first, others) = self.graph.outputs().split_first()?;
+        others.iter().all(|output| output.nan.to_bits() == first.nan.to_bits()).then_some(first.nan)
     }
 
     fn maths(&self, own: &str, system: &str, has_short_cut: bool) -> String {

@@ -5,8 +5,7 @@
 //! The best bid starts at the lowest finite number, and a NaN is never as high: so only bids above −∞ win, and where there
 //! is none, nobody wins, which is how the team's last edge does. No bid needs a test for NaN.
 //!
-//! A bid of 0 is read from a volatile variable: clang takes `(v > 0) ? v : 0` of a `v = max(0, x)` for v, which it is not
-//! where x is NaN. Where what is best is no constant, it does not.
+//! A bid of 0 is read from a volatile variable where another may be `max(0, x)`: see [`Syntax::hides_zeros`].
 
 use super::entry::Entry;
 use super::expression::Printer;
@@ -14,9 +13,10 @@ use super::leaves;
 use crate::emit::interface::OutputView;
 use crate::emit::layout;
 use crate::emit::leaves::{LeafView, views};
+use crate::emit::names;
 use crate::emit::syntax::Syntax;
-use crate::emit::team::{self, TeamView};
-use crate::ir::{Module, Target, needed};
+use crate::emit::team::{self, Decision, Destinations, TeamView};
+use crate::ir::{Module, Target};
 use crate::passes::schedule::Schedule;
 use askama::Template;
 use std::collections::BTreeSet;
@@ -39,31 +39,191 @@ struct Fast<'a> {
     prefix: &'a str,
     upper: &'a str,
     scalar: &'a str,
-    lowest: &'a str,
+    lowest: String,
+    rule: &'a str,
     leads: bool,
+    /// There is more than one team.
+    has_order: bool,
     functions: Vec<FunctionView>,
     outputs: &'a [OutputView],
-    /// The leaves, where the only function computes them: its walks jump there.
+    /// The leaves, where the only function computes them after its teams: its walks jump there.
     leaves: Vec<LeafView>,
+    /// The only team computes the outputs itself.
+    answers_in_place: bool,
     assignments: Vec<String>,
     /// The entry point over several functions that decide on a leaf.
     over_functions: String,
 }
 
+/// The rule of a choice, for readers.
+const RULE: &str = "The highest bid wins, of equal bids the last; NaN and minus infinity never win.";
+
 /// Some teams, one after another.
 struct FunctionView {
+    head: String,
     /// The numbers and labels of the teams that other functions lead to; empty if there is only one function.
     entries: Vec<(usize, u32)>,
-    teams: Vec<TeamView<Jump>>,
+    teams: Vec<TeamLines>,
+    /// The labels that something goes to.
+    gone_to: BTreeSet<String>,
     /// The number after its last team's.
     end: usize,
     reads_state: bool,
 }
 
-/// The vertex to return, if control leaves the function, and the label of what comes next.
-struct Jump {
-    vertex: Option<usize>,
-    label: String,
+impl FunctionView {
+    fn is_entered(&self, team: &u32) -> bool {
+        self.gone_to.contains(&format!("team_{team}")) || self.entries.iter().any(|(_, label)| label == team)
+    }
+
+    fn is_entered_leaf(&self, leaf: &u32) -> bool {
+        self.gone_to.contains(&format!("leaf_{leaf}"))
+    }
+}
+
+/// A team, and the statements that go on from it.
+struct TeamLines {
+    view: TeamView<Jump>,
+    /// The winner has a variable.
+    keeps_winner: bool,
+    winner_type: String,
+    decision: Vec<String>,
+}
+
+/// The way to go on.
+enum Jump {
+    /// At a label of the function.
+    Goto(String),
+    /// Out of the function, with its result.
+    Return(String),
+    /// By the statements that compute the outputs.
+    Answer(Vec<String>),
+}
+
+impl Jump {
+    /// Tests for what comes next in any case.
+    fn is(&self, label: Option<&str>) -> bool {
+        matches!(self, Self::Goto(to) if Some(&**to) == label)
+    }
+
+    fn lines(&self) -> Vec<String> {
+        match self {
+            Self::Goto(label) => vec![format!("goto {label};")],
+            Self::Return(value) => vec![format!("return {value};")],
+            Self::Answer(lines) => lines.clone(),
+        }
+    }
+}
+
+/// The destinations of a function's teams.
+struct Places<'a> {
+    module: &'a Module<'a>,
+    /// The names of the actions, and of the constants for them.
+    names: &'a [String],
+    constants: &'a [String],
+    /// The teams of the function.
+    teams: &'a [usize],
+    /// The places of all teams in the order of functions.
+    places: &'a [usize],
+    is_whole: bool,
+    /// The leaves that the only team computes itself.
+    in_place: &'a [LeafView],
+    outputs: &'a [OutputView],
+}
+
+impl Destinations for Places<'_> {
+    type Jump = Jump;
+
+    fn jump(&self, to: Target) -> Jump {
+        match (self.answer(to), to) {
+            (Some(answer), _) => Jump::Return(answer),
+            (None, Target::Team(team)) => Jump::Goto(format!("team_{}", self.module.teams[team].label)),
+            (None, Target::Action(leaf)) => {
+                match self.in_place.iter().find(|view| view.number == usize::from(leaf.0)) {
+                    Some(leaf) => Jump::Answer(answer(leaf, self.outputs)),
+                    None => Jump::Goto(format!("leaf_{}", self.module.leaves[usize::from(leaf.0)].label)),
+                }
+            }
+        }
+    }
+
+    fn answer(&self, to: Target) -> Option<String> {
+        match to {
+            Target::Team(team) if self.teams.contains(&team) => None,
+            Target::Team(team) => Some(format!("{}U", self.places[team])),
+            Target::Action(_) if self.is_whole && !self.module.leaves.is_empty() => None,
+            Target::Action(action) if self.is_whole => Some(self.constants[usize::from(action.0)].clone()),
+            Target::Action(action) => Some(format!("{}U", self.places.len() + usize::from(action.0))),
+        }
+    }
+
+    fn winner(&self) -> &'static str {
+        if self.is_whole { "action" } else { "vertex" }
+    }
+
+    fn bid(&self, to: Target) -> String {
+        match to {
+            Target::Team(team) => format!("to_team_{}", self.module.teams[team].label),
+            Target::Action(leaf) if !self.module.leaves.is_empty() => {
+                format!("to_leaf_{}", self.module.leaves[usize::from(leaf.0)].label)
+            }
+            Target::Action(action) => self.names[usize::from(action.0)].clone(),
+        }
+    }
+}
+
+/// The statements that compute a leaf's outputs.
+fn answer(leaf: &LeafView, outputs: &[OutputView]) -> Vec<String> {
+    let assignments = outputs.iter().zip(&leaf.values).map(|(output, value)| format!("{} = {value};", output.variable));
+    leaf.statements.iter().cloned().chain(assignments).collect()
+}
+
+/// The statements after a team's bids; `follows` is the label of what stands next.
+fn decision(decision: &Decision<Jump>, winner: &str, follows: Option<&str>) -> Vec<String> {
+    /// The longest choice on a line of its own.
+    const LONGEST: usize = 96;
+    let on = |condition: &str, lines: Vec<String>| {
+        [vec![format!("if ({condition}) {{")], lines, vec!["}".to_owned()]].concat()
+    };
+    let last = |jump: &Jump| if jump.is(follows) { Vec::new() } else { jump.lines() };
+    match decision {
+        Decision::Always(jump) => last(jump),
+        Decision::Winner => vec![format!("return {winner};")],
+        Decision::Either(condition, Jump::Return(first), Jump::Return(second))
+            if condition.len() + first.len() + second.len() < LONGEST - 16 =>
+        {
+            vec![format!("return ({condition}) ? {first} : {second};")]
+        }
+        Decision::Either(condition, first @ Jump::Answer(_), second) => {
+            let mut lines = on(condition, first.lines());
+            lines.pop();
+            [lines, vec!["} else {".to_owned()], second.lines(), vec!["}".to_owned()]].concat()
+        }
+        Decision::Either(condition, first, second) if first.is(follows) => {
+            on(&format!("!({condition})"), second.lines())
+        }
+        Decision::Either(condition, first, second) => [on(condition, first.lines()), last(second)].concat(),
+        Decision::Ways(ways) => {
+            let condition = |ranks: &[String]| match ranks {
+                [rank] => format!("{winner} == {rank}"),
+                _ => ranks.iter().map(|rank| format!("({winner} == {rank})")).collect::<Vec<_>>().join(" || "),
+            };
+            // What stands next is gone to where nothing else is.
+            let at = ways.iter().position(|(_, jump)| jump.is(follows)).unwrap_or(ways.len() - 1);
+            let others = ways.iter().enumerate().filter(|(place, _)| *place != at).map(|(_, way)| way);
+            if matches!(ways[at].1, Jump::Answer(_)) {
+                let mut lines = Vec::new();
+                for (ranks, jump) in others {
+                    let opening = if lines.is_empty() { "" } else { "} else " };
+                    lines.push(format!("{opening}if ({}) {{", condition(ranks)));
+                    lines.extend(jump.lines());
+                }
+                return [lines, vec!["} else {".to_owned()], ways[at].1.lines(), vec!["}".to_owned()]].concat();
+            }
+            let tested = others.flat_map(|(ranks, jump)| on(&condition(ranks), jump.lines()));
+            tested.chain(last(&ways[at].1)).collect()
+        }
+    }
 }
 
 /// Renders the body.
@@ -76,6 +236,10 @@ pub(super) fn render(
     upper: &str,
 ) -> String {
     let is_whole = functions.len() == 1;
+    let answers_in_place = is_whole && module.teams.len() == 1 && !outputs.is_empty();
+    let entry = Entry::new(printer);
+    let names: Vec<String> = names::actions(printer.graph).iter().map(|name| printer.local(name)).collect();
+    let constants = printer.constants();
     let (mut places, mut function_of) = (vec![0; module.teams.len()], vec![0; module.teams.len()]);
     functions.iter().flatten().zip(0..).for_each(|(&team, place)| places[team] = place);
     for (number, teams) in functions.iter().enumerate() {
@@ -89,52 +253,70 @@ pub(super) fn render(
             _ => None,
         }));
     }
-    let jump = |to: Target, from: &[usize]| match to {
-        Target::Team(team) if from.contains(&team) => {
-            Jump { vertex: None, label: format!("team_{}", module.teams[team].label) }
-        }
-        Target::Action(leaf) if is_whole && !module.leaves.is_empty() => {
-            Jump { vertex: None, label: format!("leaf_{}", module.leaves[usize::from(leaf.0)].label) }
-        }
-        Target::Team(team) => Jump { vertex: Some(places[team]), label: "decided".to_owned() },
-        Target::Action(action) => {
-            let before = if is_whole { 0 } else { places.len() };
-            Jump { vertex: Some(before + usize::from(action.0)), label: "decided".to_owned() }
-        }
-    };
+    let mut leaves = if is_whole { views(printer, &schedule.leaves, outputs, true) } else { Vec::new() };
+    let in_place = if answers_in_place { std::mem::take(&mut leaves) } else { Vec::new() };
     let mut printed: Vec<FunctionView> = Vec::new();
-    for teams in functions {
+    for (number, teams) in functions.iter().enumerate() {
+        let to = Places {
+            module,
+            names: &names,
+            constants: &constants,
+            teams,
+            places: &places,
+            is_whole,
+            in_place: &in_place,
+            outputs,
+        };
+        let labels = teams.iter().map(|&team| format!("team_{}", module.teams[team].label));
+        let labels: Vec<String> = labels.chain(leaves.first().map(|leaf| format!("leaf_{}", leaf.label))).collect();
+        let line = |(place, &team): (usize, &usize)| {
+            let view = team::view(printer, &schedule.plans[team], &to);
+            let decision = decision(&view.decision, view.winner, labels.get(place + 1).map(String::as_str));
+            let is_action = is_whole && matches!(view.decision, Decision::Winner);
+            TeamLines {
+                keeps_winner: matches!(view.decision, Decision::Winner | Decision::Ways(_)),
+                winner_type: if is_action { entry.action.clone() } else { "uint32_t".to_owned() },
+                view,
+                decision,
+            }
+        };
+        let lines: Vec<TeamLines> = teams.iter().enumerate().map(line).collect();
+        let gotos = lines.iter().flat_map(|team| &team.decision).filter_map(|line| line.strip_prefix("goto "));
         let entered = teams.iter().filter(|team| !is_whole && entries.contains(team));
-        let values = teams.iter().flat_map(|&team| schedule.plans[team].values());
-        let read = values.flat_map(|value| [needed(printer.nodes, value, |_| true), vec![value]].concat());
+        let answers = leaves.iter().chain(&in_place).any(|leaf| leaf.reads_state);
+        let values: Vec<_> = teams.iter().flat_map(|&team| schedule.plans[team].values()).collect();
         printed.push(FunctionView {
+            head: match is_whole {
+                true => entry.head.clone(),
+                false => format!(
+                    "static uint32_t {}_walk_{number}(const {} *state, uint32_t start)",
+                    printer.prefix, entry.state
+                ),
+            },
+            gone_to: gotos.map(|label| label.trim_end_matches(';').to_owned()).collect(),
             entries: entered.map(|&team| (places[team], module.teams[team].label)).collect(),
-            teams: (teams.iter())
-                .map(|&team| team::view(printer, &schedule.plans[team], |to| jump(to, teams)))
-                .collect(),
             end: printed.last().map_or(0, |before| before.end) + teams.len(),
-            reads_state: printer.reads_state(&read.collect::<Vec<_>>()),
+            reads_state: answers || printer.reads_state(&values),
+            teams: lines,
         });
     }
-    let (mut leaves, mut over_functions) = (Vec::new(), String::new());
-    match &mut printed[..] {
-        _ if outputs.is_empty() => {}
-        [whole] => {
-            leaves = views(printer, &schedule.leaves);
-            whole.reads_state |= leaves.iter().any(|leaf| leaf.reads_state);
-        }
-        _ => over_functions = leaves::render(printer, &schedule.leaves, outputs),
-    }
+    let over_functions = match is_whole || outputs.is_empty() {
+        true => String::new(),
+        false => leaves::render(printer, &schedule.leaves, outputs),
+    };
     let fast = Fast {
-        entry: Entry::new(printer),
+        entry,
         prefix: printer.prefix,
         upper,
         scalar: printer.scalar(),
         lowest: printer.lowest(),
+        rule: RULE,
         leads: printer.leads,
+        has_order: module.teams.len() > 1,
         functions: printed,
         outputs,
         leaves,
+        answers_in_place,
         assignments: leaves::assignments(printer, outputs),
         over_functions,
     };

@@ -25,10 +25,15 @@ const TAKEN: [&str; 140] = [
     "xor_eq",
 ];
 
+/// Tests for a name that means something to C, C++ or a header.
+pub(super) fn is_taken(name: &str) -> bool {
+    TAKEN.binary_search(&name).is_ok()
+}
+
 /// The field of a name.
 pub(crate) fn field(graph: &Graph, name: &str) -> String {
     let mut field = name.to_owned();
-    if TAKEN.binary_search(&name).is_err() {
+    if !is_taken(name) {
         return field;
     }
     let sources = graph.sources().iter().map(|source| &source.name);

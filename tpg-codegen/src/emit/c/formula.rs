@@ -3,6 +3,7 @@
 use super::entry::Entry;
 use super::expression::Printer;
 use super::leaves;
+use crate::emit::block::Block;
 use crate::emit::interface::OutputView;
 use crate::emit::syntax::Syntax;
 use crate::program::Formula;
@@ -20,16 +21,19 @@ struct Straight {
 
 /// Renders the body.
 pub(super) fn render(printer: &Printer<'_>, formula: &Formula, outputs: &[OutputView]) -> String {
-    let answers = outputs.iter().zip(&formula.values).map(|(output, &value)| {
-        let is_constant = printer.nodes[value.index()].as_constant().is_some();
-        let value = printer.value(value);
+    let reads = formula.values.iter().zip(outputs).map(|(&value, output)| (value, Some(output.variable.clone())));
+    let mut block = Block::new(printer, reads);
+    let statements = formula.values.iter().flat_map(|&value| block.statements(value)).collect();
+    let answers = outputs.iter().zip(&formula.values).map(|(output, &id)| {
+        let is_constant = printer.nodes[id.index()].as_constant().is_some();
+        let value = block.value(id);
         let limited = if is_constant { value } else { leaves::limited(printer, output, &value) };
         (output.field.clone(), limited)
     });
     let straight = Straight {
         entry: Entry::new(printer),
-        reads_state: printer.reads_state(formula.operations.iter().chain(&formula.values)),
-        statements: formula.operations.iter().map(|&id| printer.statement(id)).collect(),
+        reads_state: printer.reads_state(&formula.values),
+        statements,
         answers: answers.collect(),
     };
     straight.render().expect("the template renders")

@@ -3,8 +3,9 @@
 
 use super::expression::Printer;
 use super::walk;
+use crate::emit::block::Block;
 use crate::emit::syntax::Syntax;
-use crate::ir::{Bidder, Module, Node, NodeId};
+use crate::ir::{Bidder, Module};
 use askama::Template;
 
 #[derive(Template)]
@@ -37,7 +38,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, upper: &str) ->
         prefix: printer.prefix,
         scalar: printer.scalar(),
         vertex: printer.vertex_type(module.vertices()),
-        programs: module.bidders.iter().map(|bidder| program(printer, module, bidder)).collect(),
+        programs: module.bidders.iter().map(|bidder| program(printer, bidder)).collect(),
         teams: (module.teams.iter())
             .map(|team| TeamView {
                 label: team.label,
@@ -55,12 +56,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, upper: &str) ->
     gegelati.render().expect("the template renders")
 }
 
-fn program(printer: &Printer<'_>, module: &Module<'_>, bidder: &Bidder) -> ProgramView {
-    let operations: Vec<NodeId> = module.operations_of(bidder.value);
-    debug_assert!(operations.iter().all(|&id| matches!(module.node(id), Node::Operation(..))));
-    ProgramView {
-        label: bidder.label,
-        statements: operations.iter().map(|&id| printer.statement(id)).collect(),
-        result: printer.value(bidder.value),
-    }
+fn program(printer: &Printer<'_>, bidder: &Bidder) -> ProgramView {
+    let mut block = Block::new(printer, [(bidder.value, None)]);
+    ProgramView { label: bidder.label, statements: block.statements(bidder.value), result: block.value(bidder.value) }
 }

@@ -40,6 +40,8 @@ struct Helpers<'a> {
     unsigned_suffix: &'a str,
     estimate: Estimate,
     whole: Whole,
+    /// The literal in place of NaN, where every output has the same.
+    same_nan: Option<String>,
 }
 
 /// The literals of a quotient.
@@ -58,7 +60,7 @@ struct Whole {
 impl Whole {
     fn new(printer: &Printer<'_>) -> Self {
         let scalar = printer.graph.scalar();
-        let number = |value: f64| printer.number(scalar.round(value));
+        let number = |value: f64| printer.literal(scalar.round(value));
         let (most, most_bits) = match scalar {
             ScalarType::F32 => (8_388_608.0, "0x4b000000U"),
             ScalarType::F64 => (4_503_599_627_370_496.0, "0x4330000000000000ULL"),
@@ -150,6 +152,7 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str, upper
         unsigned_suffix,
         estimate: estimate::numbers(scalar),
         whole: Whole::new(printer),
+        same_nan: printer.same_nan().map(|nan| printer.literal(nan)),
     };
     let inline = format!("{upper}_INLINE");
     let chooses = helpers.compares() || helpers.any(["clamp", "pick"]);

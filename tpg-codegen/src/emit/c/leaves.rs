@@ -8,15 +8,16 @@ use crate::emit::syntax::Syntax;
 use crate::ir::Leaf;
 use askama::Template;
 
-/// A value, limited to its output's range.
+/// A value, limited to its output's range. Where every output has the same value in place of NaN, the function knows it.
 pub(super) fn limited(printer: &Printer<'_>, output: &OutputView, value: &str) -> String {
-    format!("{}_clamp({value}, {})", printer.prefix, output.limits)
+    let known = usize::from(printer.same_nan().is_some());
+    format!("{}_clamp({value}, {})", printer.prefix, output.limits[..output.limits.len() - known].join(", "))
 }
 
 /// The assignments that finish an answer: each output's variable, limited.
 pub(super) fn assignments(printer: &Printer<'_>, outputs: &[OutputView]) -> Vec<String> {
     let assign =
-        |output: &OutputView| format!("action->{} = {};", output.field, limited(printer, output, &output.variable()));
+        |output: &OutputView| format!("action->{} = {};", output.field, limited(printer, output, &output.variable));
     outputs.iter().map(assign).collect()
 }
 
@@ -38,7 +39,7 @@ pub(super) fn render(printer: &Printer<'_>, leaves: &[Leaf], outputs: &[OutputVi
         prefix: printer.prefix,
         scalar: printer.scalar(),
         outputs,
-        leaves: views(printer, leaves),
+        leaves: views(printer, leaves, outputs, true),
         assignments: assignments(printer, outputs),
     };
     leaves.render().expect("the template renders")

@@ -16,7 +16,7 @@ mod walk;
 
 use super::interface::{OutputView, SourceView, asks, outputs, sources};
 use super::syntax::Syntax;
-use super::{Backend, File, banner, layout, moves::moves};
+use super::{Backend, File, banner, layout, moves::moves, names};
 use crate::cost::{Cost, Costs};
 use crate::program::{Program, Shape};
 use askama::Template;
@@ -40,7 +40,8 @@ struct Header<'a> {
     upper: &'a str,
     scalar: &'a str,
     sources: &'a [SourceView],
-    actions: Vec<String>,
+    /// The constant of each action, and its name where the constant does not say it.
+    actions: Vec<(String, String)>,
     /// Name and number of each action that asks.
     asks: Vec<(String, usize)>,
     outputs: &'a [OutputView],
@@ -67,6 +68,7 @@ struct Source<'a> {
     upper: &'a str,
     scalar: &'a str,
     f64: bool,
+    needs_math: bool,
     needs_string: bool,
     helpers: String,
     body: String,
@@ -134,7 +136,7 @@ impl Backend for C {
             upper: &upper,
             scalar: printer.scalar(),
             sources: seen,
-            actions: graph.actions().iter().map(|action| comment(&action.to_string())).collect(),
+            actions: actions(&printer),
             asks: asks(graph),
             outputs: answers,
             memory,
@@ -145,6 +147,9 @@ impl Backend for C {
             system_maths: graph.maths() == MathsProvider::System,
             arm: arm_view(graph),
         };
+        let vectors = vectors(&printer);
+        let shown = vectors.iter().flat_map(|vector| [&vector.state, &vector.answer]);
+        let needs_math = [&helpers, &body].into_iter().chain(shown).any(|text| uses_maths(text));
         let needs_string = [&helpers, &body].into_iter().chain(&observed).any(|text| text.contains("memcpy"));
         let source = Source {
             banner: &banner,
@@ -152,24 +157,46 @@ impl Backend for C {
             upper: &upper,
             scalar: printer.scalar(),
             f64: graph.scalar() == ScalarType::F64,
+            needs_math,
             needs_string,
             helpers,
             body,
             entry: Entry::new(&printer),
             sources: &sources,
-            vectors: vectors(&printer),
+            vectors,
             system_maths: graph.maths() == MathsProvider::System,
             outputs: &outputs,
             parts: (answers, memory),
             observed,
             gegelati,
         };
-        let text = |text: askama::Result<String>| layout::tidy(&text.expect("the template renders"));
+        let text = |text: askama::Result<String>| layout::wrap(&layout::tidy(&text.expect("the template renders")));
         vec![
             File { name: format!("{prefix}.h"), text: text(header.render()) },
             File { name: format!("{prefix}.c"), text: text(source.render()) },
         ]
     }
+}
+
+/// Tests whether C uses something of `<math.h>`, which a chip without a C library may not have.
+fn uses_maths(text: &str) -> bool {
+    const FUNCTIONS: [&str; 6] = ["cos", "exp", "fabs", "log", "sin", "tan"];
+    let word = |word: &str| {
+        let function = word.strip_suffix('f').unwrap_or(word);
+        ["INFINITY", "NAN", "isnan"].contains(&word) || FUNCTIONS.contains(&function)
+    };
+    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').any(word)
+}
+
+/// The constants of the actions, each with its name where the constant does not say it.
+fn actions(printer: &Printer<'_>) -> Vec<(String, String)> {
+    let named = printer.graph.actions().iter().zip(names::actions(printer.graph)).zip(printer.constants());
+    named
+        .map(|((action, name), constant)| {
+            let text = action.to_string();
+            (constant, if text == name { String::new() } else { comment(&text) })
+        })
+        .collect()
 }
 
 /// `None` where the runtime's C interface cannot drive the arm with it: it computes in `f32`.
@@ -191,7 +218,10 @@ fn observed(source: &SourceView) -> Vec<String> {
     if *length > FEW {
         return vec![format!("(void)memcpy(view.{name}, state->{name}, sizeof view.{name});")];
     }
-    (0..*length).map(|place| format!("view.{name}[{place}] = state->{name}[{place}];")).collect()
+    match length {
+        1 => vec![format!("view.{name} = state->{name};")],
+        _ => (0..*length).map(|place| format!("view.{name}[{place}] = state->{name}[{place}];")).collect(),
+    }
 }
 
 /// Text that may stand in a C comment: in one line, with a space in the midst of what would begin or end a comment.
@@ -207,7 +237,7 @@ fn comment(text: &str) -> String {
 }
 
 fn vectors(printer: &Printer<'_>) -> Vec<VectorView> {
-    let graph = printer.graph;
+    let (graph, constants) = (printer.graph, printer.constants());
     let states = states::sample_in_range(graph, VECTORS, VECTOR_SEED);
     let answers = interpret::answers(graph, &states);
     (states.chunks_exact(graph.state_length()).zip(answers))
@@ -216,11 +246,15 @@ fn vectors(printer: &Printer<'_>) -> Vec<VectorView> {
             let members = graph.sources().iter().map(|source| {
                 let values: Vec<String> =
                     values.by_ref().take(source.ranges.len()).map(|&value| printer.literal(value)).collect();
-                format!("{{ {} }}", values.join(", "))
+                match &values[..] {
+                    [value] if !printer.gegelati => value.clone(),
+                    _ => format!("{{ {} }}", values.join(", ")),
+                }
             });
             let state = format!("{{ {} }}", members.collect::<Vec<_>>().join(", "));
             let answer = match answer {
-                Answer::Action(action) => format!("{}U", action.0),
+                Answer::Action(action) if printer.gegelati => format!("{}U", action.0),
+                Answer::Action(action) => constants[usize::from(action.0)].clone(),
                 Answer::Values(values) => {
                     let values: Vec<String> = values.iter().map(|&value| printer.literal(value)).collect();
                     format!("{{ {} }}", values.join(", "))

@@ -30,7 +30,7 @@ impl OwnMaths {
     }
 
     fn single(printer: &Printer<'_>) -> Self {
-        let number = |value: f32| number(printer, f64::from(value));
+        let number = |value: f32| printer.literal(f64::from(value));
         Self {
             two_over_pi: words(&single::TWO_OVER_PI[..READ]),
             circle: single::CIRCLE.map(|row| row.map(number).join(", ")),
@@ -44,7 +44,7 @@ impl OwnMaths {
     }
 
     fn double(printer: &Printer<'_>) -> Self {
-        let number = |value: f64| number(printer, value);
+        let number = |value: f64| printer.literal(value);
         let row = |row: [f64; 7]| {
             let (first, second) = row.split_at(5);
             let line = |numbers: &[f64]| numbers.iter().map(|&value| number(value)).collect::<Vec<_>>().join(", ");
@@ -61,11 +61,6 @@ impl OwnMaths {
             exp: double::EXP.map(number).to_vec(),
         }
     }
-}
-
-/// A literal, its suffix in lower case as in the rest of these kernels.
-fn number(printer: &Printer<'_>, value: f64) -> String {
-    printer.literal(value).to_ascii_lowercase()
 }
 
 fn words(table: &[u32]) -> Vec<String> {

@@ -21,7 +21,7 @@ struct Small<'a> {
     upper: &'a str,
     scalar: &'a str,
     f64: bool,
-    lowest: &'a str,
+    lowest: String,
     code: Table,
     programs: Table,
     bidders: Table,

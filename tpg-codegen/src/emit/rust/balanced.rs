@@ -66,7 +66,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, cases: &Cases, 
         // Every bid is hidden after it was computed, a 0 with the others.
         bids: cases::bids(printer, cases, |zero| (None, zero.to_owned())),
         functions: cases::functions(printer, cases),
-        leaves: views(printer, &cases.leaves),
+        leaves: views(printer, &cases.leaves, outputs, false),
         outputs: outputs.len(),
         depth: module.depth,
     };

@@ -5,13 +5,15 @@
 
 use super::Parts;
 use super::{expression::Printer, leaves};
+use crate::emit::block::Block;
 use crate::emit::choice::{self, KeyView, TeamView};
 use crate::emit::interface::OutputView;
 use crate::emit::layout;
 use crate::emit::syntax::Syntax;
-use crate::ir::{Module, NodeId, reached};
-use crate::passes::functions::{self, Function};
+use crate::ir::{Leaf, Module, NodeId};
+use crate::passes::functions::Function;
 use askama::Template;
+use std::collections::BTreeMap;
 use std::ops::Range;
 use tpg_graph::ScalarType;
 use tpg_runtime::ops::constant_time as ct;
@@ -81,14 +83,16 @@ pub(super) fn render(
 ) -> Parts {
     let (teams, vertices) = (module.teams.len(), module.vertices());
     let (vertex, depth) = (&*printer.vertex_type(vertices), module.depth);
-    let answer = &*answer(printer, module, functions, outputs);
+    let names = choice::names(module);
     if let [function] = functions {
         let size = vertices.next_power_of_two();
-        let decided = decided(printer, module, function, vertex);
+        let (decided, mut block) = decided(printer, module, function, &names, vertex, &module.leaves);
+        let answer = &*answer(printer, module, &mut block, functions, outputs);
         let (only, next) = (teams == 1, next(0..size, teams));
         let whole = Whole { decided: &decided, only, next, size, vertex, depth, answer };
         return Parts { body: whole.render().expect("the template renders"), items: String::new() };
     }
+    let answer = &*answer(printer, module, &mut choice::block(printer, [], &module.leaves), functions, outputs);
     let row = functions[0].teams.len();
     let count = vertices.div_ceil(row).next_power_of_two();
     let calls = (0..functions.len()).map(|number| format!("teams_{number}(s)"));
@@ -96,7 +100,7 @@ pub(super) fn render(
     let rows = Rows { rows, row, vertex, depth, answer };
     let function = |function: &Function| FunctionView {
         // A function is a level further out than a method.
-        decided: decided(printer, module, function, vertex).replace("        ", "    "),
+        decided: decided(printer, module, function, &names, vertex, &[]).0.replace("        ", "    "),
         next: next(function.teams.start..function.teams.start + row, teams),
     };
     let items = Items {
@@ -112,7 +116,13 @@ pub(super) fn render(
 }
 
 /// The statements that turn the vertex of the walk's end into the answer.
-fn answer(printer: &Printer<'_>, module: &Module<'_>, functions: &[Function], outputs: &[OutputView]) -> String {
+fn answer(
+    printer: &Printer<'_>,
+    module: &Module<'_>,
+    block: &mut Block<'_, Printer<'_>>,
+    functions: &[Function],
+    outputs: &[OutputView],
+) -> String {
     let teams = module.teams.len();
     let decided = if teams == 1 { "best.1".to_owned() } else { format!("(vertex as u32).wrapping_sub({teams})") };
     if outputs.is_empty() {
@@ -128,17 +138,17 @@ fn answer(printer: &Printer<'_>, module: &Module<'_>, functions: &[Function], ou
     }
     lines.push(format!("let leaf = {decided};"));
     lines.push("// Every leaf's values, and the choice among them.".to_owned());
-    lines.extend(functions::leaf_operations(module, functions).into_iter().map(|id| printer.statement(id)));
-    for (place, (number, leaf)) in reached(&module.leaves).enumerate() {
-        for (output, &value) in outputs.iter().zip(&leaf.values) {
-            let (variable, value) = (output.variable(), printer.value(value));
+    let (statements, leaves) = choice::leaves(block, &module.leaves, outputs);
+    lines.extend(statements);
+    for (place, leaf) in leaves.iter().enumerate() {
+        for (OutputView { variable, .. }, value) in outputs.iter().zip(&leaf.values) {
             lines.push(match place {
                 0 => format!("let {variable} = {value};"),
-                _ => format!("let {variable} = ct.if_equal(leaf, {number}, {value}, {variable});"),
+                _ => format!("let {variable} = ct.if_equal(leaf, {}, {value}, {variable});", leaf.number),
             });
         }
     }
-    lines.push(leaves::limited(printer, outputs, OutputView::variable));
+    lines.push(leaves::limited(printer, outputs, |output| output.variable.clone()));
     lines.join("\n        ")
 }
 
@@ -147,26 +157,35 @@ fn next(vertices: Range<usize>, teams: usize) -> Vec<String> {
     vertices.map(|vertex| if vertex < teams { format!("t{vertex}") } else { vertex.to_string() }).collect()
 }
 
-fn decided(printer: &Printer<'_>, module: &Module<'_>, function: &Function, vertex: &str) -> String {
+fn decided<'a>(
+    printer: &'a Printer<'a>,
+    module: &Module<'_>,
+    function: &Function,
+    names: &BTreeMap<NodeId, String>,
+    vertex: &str,
+    leaves: &[Leaf],
+) -> (String, Block<'a, Printer<'a>>) {
+    let mut block = choice::block(printer, function.bids.iter().map(|&bid| (bid, None)), leaves);
+    let (mut statements, mut keys) = (Vec::new(), Vec::new());
+    for &bid in &function.bids {
+        let (before, value) = block.argument(bid, || format!("{}_value", names[&bid]));
+        statements.extend(before);
+        keys.push(KeyView { name: names[&bid].clone(), value: key(printer, bid, &value) });
+    }
     let teams = Teams {
         scalar: printer.graph.scalar().name(),
         only: module.teams.len() == 1,
-        statements: function.operations.iter().map(|&id| printer.statement(id)).collect(),
-        keys: function
-            .bids
-            .iter()
-            .map(|&id| KeyView { name: choice::key(id), value: key_value(printer, id) })
-            .collect(),
-        teams: function.teams.clone().map(|number| choice::team(module, number, choice::key)).collect(),
+        statements,
+        keys,
+        teams: function.teams.clone().map(|number| choice::team(module, number, |bid| names[&bid].clone())).collect(),
         vertex,
     };
-    teams.render().expect("the template renders").trim_matches('\n').to_owned()
+    (teams.render().expect("the template renders").trim_matches('\n').to_owned(), block)
 }
 
 /// The key of a bid. A constant's is computed here: the compiler does not see through the masks and would compute it each
 /// time.
-fn key_value(printer: &Printer<'_>, bid: NodeId) -> String {
-    let value = printer.value(bid);
+fn key(printer: &Printer<'_>, bid: NodeId, value: &str) -> String {
     match (printer.nodes[bid.index()].as_constant(), printer.graph.scalar()) {
         (None, _) => format!("ct.order({value});"),
         (Some(bid), ScalarType::F32) => {

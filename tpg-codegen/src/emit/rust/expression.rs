@@ -2,10 +2,21 @@
 
 use crate::emit::layout;
 use crate::emit::syntax::Syntax;
-use crate::ir::{Node, NodeId};
+use crate::ir::Node;
 use crate::passes::bytecode::Width;
 use tpg_graph::{Graph, Input, MathsProvider, ScalarType};
 use tpg_runtime::ops::Instruction;
+
+/// Keywords of Rust, and the variables and functions of generated code.
+#[rustfmt::skip] // a line for each word otherwise
+const TAKEN: [&str; 84] = [
+    "abstract", "action", "as", "async", "await", "become", "best", "bid", "bidder", "bool", "box", "break", "char",
+    "const", "continue", "core", "cos", "crate", "ct", "do", "dyn", "edge", "else", "enum", "exp", "exp_upper", "extern",
+    "f32", "f64", "false", "final", "fn", "for", "frame", "gen", "if", "impl", "in", "leaf", "let", "ln", "ln_upper", "loop",
+    "macro", "match", "memory", "mod", "move", "mut", "next", "operand", "ops", "out", "override", "priv", "program", "pub",
+    "ref", "return", "run", "s", "self", "sin", "span", "state", "static", "struct", "super", "tan", "trait", "true",
+    "try", "type", "typeof", "unsafe", "unsized", "use", "vertex", "virtual", "walk", "where", "while", "yield", "zero",
+];
 
 /// Writes nodes.
 #[derive(Clone, Copy)]
@@ -55,8 +66,16 @@ impl Syntax for Printer<'_> {
         vec![format!("let zero = core::hint::black_box({zero});")]
     }
 
-    fn statement(&self, id: NodeId) -> String {
-        format!("let v{} = {};", id.0, self.operation(id))
+    fn declaration(&self, name: &str, expression: &str) -> String {
+        format!("let {name} = {expression};")
+    }
+
+    fn lowest(&self) -> String {
+        format!("{}::MIN", self.scalar())
+    }
+
+    fn is_taken(&self, name: &str) -> bool {
+        TAKEN.contains(&name)
     }
 
     fn index(&self, number: usize) -> String {

@@ -4,8 +4,7 @@
 //! The best bid starts at the lowest finite number, and a NaN is never as high: so only bids above −∞ win, and where there
 //! is none, nobody wins, which is how the team's last edge does. No bid needs a test for NaN.
 //!
-//! A bid of 0 goes through `black_box`: LLVM 22 takes `if v > 0 { v } else { 0 }` of a `v = max(0, x)` for v, which it is not
-//! where x is NaN. Where what is best is no constant, it does not.
+//! A bid of 0 goes through `black_box` where another may be `max(0, x)`: see [`Syntax::hides_zeros`].
 
 use super::expression::Printer;
 use super::leaves;
@@ -13,11 +12,13 @@ use super::{Parts, helpers};
 use crate::emit::interface::OutputView;
 use crate::emit::layout;
 use crate::emit::leaves::{LeafView, views};
+use crate::emit::names;
 use crate::emit::syntax::Syntax;
-use crate::emit::team::{self, TeamView};
+use crate::emit::team::{self, Decision, Destinations, TeamView};
 use crate::ir::{Module, Target};
 use crate::passes::schedule::Schedule;
 use askama::Template;
+use tpg_runtime::policy::ActionId;
 
 /// Above this number of teams, none is inlined: LLVM would inline every team that has one caller, and its passes take
 /// superlinear time on the result.
@@ -36,16 +37,57 @@ struct Fast<'a> {
     helpers: String,
 }
 
+/// The destinations of teams: calls, or the number of an action.
+struct Calls<'a> {
+    module: &'a Module<'a>,
+    /// The names of the actions.
+    names: Vec<String>,
+}
+
+impl Calls<'_> {
+    fn leaf(&self, leaf: ActionId) -> Option<u32> {
+        self.module.leaves.get(usize::from(leaf.0)).map(|leaf| leaf.label)
+    }
+}
+
+impl Destinations for Calls<'_> {
+    type Jump = String;
+
+    fn jump(&self, to: Target) -> String {
+        match to {
+            Target::Team(team) => format!("team_{}(s)", self.module.teams[team].label),
+            Target::Action(action) => match self.leaf(action) {
+                Some(label) => format!("leaf_{label}(s)"),
+                None => action.0.to_string(),
+            },
+        }
+    }
+
+    fn answer(&self, to: Target) -> Option<String> {
+        match to {
+            Target::Action(action) if self.leaf(action).is_none() => Some(action.0.to_string()),
+            Target::Team(_) | Target::Action(_) => None,
+        }
+    }
+
+    fn winner(&self) -> &'static str {
+        "action"
+    }
+
+    fn bid(&self, to: Target) -> String {
+        match to {
+            Target::Team(team) => format!("to_team_{}", self.module.teams[team].label),
+            Target::Action(action) => match self.leaf(action) {
+                Some(label) => format!("to_leaf_{label}"),
+                None => self.names[usize::from(action.0)].clone(),
+            },
+        }
+    }
+}
+
 /// Renders the profile.
 pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, schedule: &Schedule, outputs: &[OutputView]) -> Parts {
-    // The decision at a target.
-    let decided = |target: Target| match target {
-        Target::Team(team) => format!("team_{}(s)", module.teams[team].label),
-        Target::Action(leaf) if !module.leaves.is_empty() => {
-            format!("leaf_{}(s)", module.leaves[usize::from(leaf.0)].label)
-        }
-        Target::Action(action) => action.0.to_string(),
-    };
+    let calls = Calls { module, names: names::actions(printer.graph).iter().map(|name| printer.local(name)).collect() };
     let root = format!("team_{}(s)", schedule.plans[0].label);
     let (body, answer) = if outputs.is_empty() {
         (format!("        ActionId({root})"), "u16".to_owned())
@@ -58,8 +100,8 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, schedule: &Sche
         state_length: printer.graph.state_length(),
         many: schedule.plans.len() > MANY,
         answer,
-        leaves: views(printer, &schedule.leaves),
-        teams: schedule.plans.iter().map(|plan| team::view(printer, plan, decided)).collect(),
+        leaves: views(printer, &schedule.leaves, outputs, false),
+        teams: schedule.plans.iter().map(|plan| team::view(printer, plan, &calls)).collect(),
         helpers: helpers::render(printer),
     };
     Parts { body, items: layout::indent(&fast.render().expect("the template renders")) }

@@ -1,6 +1,7 @@
 //! The leaves of a policy with outputs.
 
 use super::expression::Printer;
+use crate::emit::block::Block;
 use crate::emit::interface::OutputView;
 use crate::emit::layout::array;
 use crate::emit::syntax::Syntax;
@@ -8,14 +9,14 @@ use crate::program::Formula;
 
 /// The values, each limited to its output's range, as an array in the body of a method; `value` names an output's.
 pub(super) fn limited(printer: &Printer<'_>, outputs: &[OutputView], value: impl Fn(&OutputView) -> String) -> String {
-    answer(printer, outputs.iter().map(|output| (value(output), Some(&*output.limits))).collect())
+    answer(printer, outputs.iter().map(|output| (value(output), Some(output.limits.join(", ")))).collect())
 }
 
 /// An array of values in the body of a method, some of them limited.
-fn answer(printer: &Printer<'_>, values: Vec<(String, Option<&str>)>) -> String {
+fn answer(printer: &Printer<'_>, values: Vec<(String, Option<String>)>) -> String {
     let is_single = values.len() == 1;
-    let element = |(value, limits): (String, Option<&str>)| match limits {
-        Some(limits) => printer.clamp(&value, limits, is_single),
+    let element = |(value, limits): (String, Option<String>)| match limits {
+        Some(limits) => printer.clamp(&value, &limits, is_single),
         None => value,
     };
     array(&values.into_iter().map(element).collect::<Vec<_>>(), 8)
@@ -29,12 +30,14 @@ pub(super) fn element(output: &OutputView) -> String {
 /// The body of a policy that has nothing to decide.
 pub(super) fn formula(printer: &Printer<'_>, formula: &Formula, outputs: &[OutputView]) -> String {
     let masks = printer.branch_free.then(|| masks(printer));
-    let limited = outputs.iter().zip(&formula.values).map(|(output, &value)| {
-        let is_constant = printer.nodes[value.index()].as_constant().is_some();
-        (printer.value(value), (!is_constant).then_some(&*output.limits))
+    let reads = formula.values.iter().zip(outputs).map(|(&value, output)| (value, Some(output.variable.clone())));
+    let mut block = Block::new(printer, reads);
+    let statements: Vec<String> = formula.values.iter().flat_map(|&value| block.statements(value)).collect();
+    let limited = outputs.iter().zip(&formula.values).map(|(output, &id)| {
+        let is_constant = printer.nodes[id.index()].as_constant().is_some();
+        (block.value(id), (!is_constant).then(|| output.limits.join(", ")))
     });
     let answer = answer(printer, limited.collect());
-    let statements = formula.operations.iter().map(|&id| printer.statement(id));
     let lines = masks.into_iter().chain(statements).chain([answer]);
     lines.map(|line| format!("        {line}\n")).collect()
 }

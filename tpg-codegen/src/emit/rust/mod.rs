@@ -9,7 +9,7 @@ mod leaves;
 mod small;
 
 use super::interface::{OutputView, SourceView, asks, outputs, sources};
-use super::{Backend, File, banner, layout, moves::moves};
+use super::{Backend, File, banner, layout, moves::moves, names};
 use crate::cost::{Cost, Costs};
 use crate::program::{Program, Shape};
 use askama::Template;
@@ -28,6 +28,8 @@ struct Policy<'a> {
     state_length: usize,
     sources: Vec<SourceView>,
     actions: Vec<String>,
+    /// The constants of the actions.
+    constants: Vec<String>,
     /// Name and number of each action that asks.
     asks: Vec<(String, usize)>,
     /// The outputs, then the next values of the memory.
@@ -106,6 +108,7 @@ impl Backend for Rust {
             state_length: graph.state_length(),
             sources: sources(graph, one_line),
             actions: graph.actions().iter().map(|action| one_line(&action.to_string())).collect(),
+            constants: names::actions(graph).into_iter().map(|name| name.to_ascii_uppercase()).collect(),
             asks: asks(graph),
             outputs: &outputs,
             memory,
@@ -119,7 +122,7 @@ impl Backend for Rust {
             body: parts.body.trim_matches('\n').to_owned(),
             items: parts.items,
         };
-        let text = layout::tidy(&policy.render().expect("the template renders"));
+        let text = layout::wrap(&layout::tidy(&policy.render().expect("the template renders")));
         vec![File { name: format!("{prefix}.rs"), text }]
     }
 }

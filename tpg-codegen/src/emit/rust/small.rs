@@ -48,7 +48,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, code: &Bytecode
         constants: !code.constants.is_empty(),
         teams: module.teams.len(),
         outputs,
-        limited: leaves::limited(printer, outputs, OutputView::variable),
+        limited: leaves::limited(printer, outputs, |output| output.variable.clone()),
     };
     let table = |values: &[u64]| table(printer, values, |_| "");
     let tables = vec![

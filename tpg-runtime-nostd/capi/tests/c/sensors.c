@@ -35,12 +35,12 @@ static float any_float(void)
 
 static uint16_t infer_fs(const void *state_of)
 {
-    return widowx_fs_infer((const widowx_fs_state_t *)state_of);
+    return (uint16_t)widowx_fs_infer((const widowx_fs_state_t *)state_of);
 }
 
 static uint16_t infer_rs(const void *state_of)
 {
-    return widowx_rs_infer((const widowx_rs_state_t *)state_of);
+    return (uint16_t)widowx_rs_infer((const widowx_rs_state_t *)state_of);
 }
 
 static tpg_arm_t arm;

@@ -1,0 +1,277 @@
+//! The values of a block of code: those read once are written where they are read, the others get a name.
+
+use super::syntax::Syntax;
+use crate::ir::{Node, NodeId, needed};
+use std::collections::{BTreeMap, BTreeSet};
+use tpg_graph::{Input, MathsProvider};
+use tpg_runtime::ops::Instruction;
+
+/// The longest sum that is written where it is read, in characters: it takes lines of its own.
+const LONGEST_SUM: usize = 190;
+/// The longest operand of a sum, and of a product: rustfmt leaves them on one line.
+const LONGEST_TERM: usize = 80;
+const LONGEST_FACTOR: usize = 60;
+/// The longest arguments of a call.
+pub(super) const LONGEST_ARGUMENTS: usize = 48;
+
+/// How tightly an expression's outermost operator binds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Level {
+    Sum,
+    Product,
+    Atom,
+}
+
+/// An expression.
+#[derive(Clone, Debug)]
+struct Expression {
+    text: String,
+    level: Level,
+    is_number: bool,
+}
+
+impl Expression {
+    fn atom(text: String) -> Self {
+        Self { text, level: Level::Atom, is_number: false }
+    }
+
+    /// The text as an operand that must bind at least this tightly.
+    fn at(&self, level: Level) -> String {
+        if self.level < level { format!("({})", self.text) } else { self.text.clone() }
+    }
+
+    /// The text without its sign, if it is a negative number or a product that begins with one.
+    fn negated(&self) -> Option<&str> {
+        if self.level == Level::Sum { None } else { self.text.strip_prefix('-') }
+    }
+}
+
+/// The inputs that a value is made of.
+#[derive(Clone, Copy, PartialEq)]
+enum Of {
+    Nothing,
+    One(Input),
+    Several,
+}
+
+impl Of {
+    fn and(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Nothing, of) | (of, Self::Nothing) => of,
+            (a, b) if a == b => a,
+            _ => Self::Several,
+        }
+    }
+}
+
+/// The values that a block reads.
+pub(super) struct Block<'a, S> {
+    syntax: &'a S,
+    /// The operations that are written where they are read.
+    inline: BTreeMap<NodeId, Expression>,
+    /// The names of the others, and the expressions that compute them.
+    named: BTreeMap<NodeId, (String, String)>,
+    /// Named operations in scope.
+    pub(super) known: BTreeSet<NodeId>,
+    /// The inputs of the operations.
+    made_of: BTreeMap<NodeId, Of>,
+    /// Names in use.
+    taken: BTreeSet<String>,
+}
+
+impl<'a, S: Syntax> Block<'a, S> {
+    /// Plans a block that reads values, each as often as it is given; one with a name gets a statement where it is an operation.
+    pub(super) fn new(syntax: &'a S, reads: impl IntoIterator<Item = (NodeId, Option<String>)>) -> Self {
+        let nodes = syntax.nodes();
+        let mut uses: BTreeMap<NodeId, usize> = BTreeMap::new();
+        let mut wanted: BTreeMap<NodeId, String> = BTreeMap::new();
+        let mut operations = BTreeSet::new();
+        for (value, name) in reads {
+            *uses.entry(value).or_default() += 1;
+            operations.extend(needed(nodes, value, |id| !operations.contains(&id)));
+            if let Some(name) = name {
+                wanted.entry(value).or_insert(name);
+            }
+        }
+        for operand in operations.iter().flat_map(|id| nodes[id.index()].operands()) {
+            *uses.entry(*operand).or_default() += 1;
+        }
+        let mut block = Self {
+            syntax,
+            inline: BTreeMap::new(),
+            named: BTreeMap::new(),
+            known: BTreeSet::new(),
+            made_of: BTreeMap::new(),
+            taken: wanted.values().cloned().collect(),
+        };
+        for id in operations {
+            let of = nodes[id.index()].operands().iter().fold(Of::Nothing, |of, operand| {
+                of.and(match nodes[operand.index()] {
+                    Node::Input(input) => Of::One(input),
+                    Node::Constant(_) => Of::Nothing,
+                    Node::Operation(..) | Node::Upper(..) => block.made_of[operand],
+                })
+            });
+            block.made_of.insert(id, of);
+            let expression = block.operation(id);
+            if let Some(name) = wanted.remove(&id) {
+                block.named.insert(id, (name, expression.text));
+            } else {
+                let is_long = expression.text.len() > LONGEST_SUM;
+                block.inline.insert(id, expression);
+                if uses[&id] > 1 || is_long {
+                    block.name(id);
+                }
+            }
+        }
+        block
+    }
+
+    /// Gives an operation a name: after its input, if it has only one.
+    fn name(&mut self, id: NodeId) {
+        let Some(expression) = self.inline.remove(&id) else { return };
+        let base = match self.made_of[&id] {
+            Of::One(input) => match self.syntax.graph().source_of(input) {
+                (source, _) if source.ranges.len() == 1 => format!("{}_term", source.name),
+                (source, place) => format!("{}_{place}_term", source.name),
+            },
+            Of::Nothing | Of::Several => "term".to_owned(),
+        };
+        self.named.insert(id, (unused(base, &mut self.taken), expression.text));
+    }
+
+    /// Statements for the named operations that a value needs and that are not in scope yet.
+    pub(super) fn statements(&mut self, value: NodeId) -> Vec<String> {
+        let missing = needed(self.syntax.nodes(), value, |id| !self.known.contains(&id));
+        let mut statements = Vec::new();
+        for id in missing {
+            if let Some((name, expression)) = self.named.get(&id) {
+                statements.push(self.syntax.declaration(name, expression));
+                self.known.insert(id);
+            }
+        }
+        statements
+    }
+
+    /// A value: a number, an input, a name or an expression.
+    pub(super) fn value(&self, id: NodeId) -> String {
+        self.operand(id).text
+    }
+
+    /// A value as an argument of a call, with the statements for it: a long expression gets a name.
+    pub(super) fn argument(&mut self, id: NodeId, name: impl FnOnce() -> String) -> (Vec<String>, String) {
+        let mut statements = self.statements(id);
+        let mut value = self.value(id);
+        if value.len() > LONGEST_ARGUMENTS {
+            let name = unused(name(), &mut self.taken);
+            statements.push(self.syntax.declaration(&name, &value));
+            value = name;
+        }
+        (statements, value)
+    }
+
+    fn operand(&self, id: NodeId) -> Expression {
+        match self.syntax.nodes()[id.index()] {
+            Node::Constant(bits) => {
+                Expression { is_number: true, ..Expression::atom(self.syntax.literal(f64::from_bits(bits))) }
+            }
+            Node::Input(input) => Expression::atom(self.syntax.input(input)),
+            Node::Operation(..) | Node::Upper(..) => match self.named.get(&id) {
+                Some((name, _)) => Expression::atom(name.clone()),
+                None => self.inline[&id].clone(),
+            },
+        }
+    }
+
+    /// An operand, which gets a name if it is longer than the limit.
+    fn within(&mut self, id: NodeId, limit: usize) -> Expression {
+        if self.inline.get(&id).is_some_and(|expression| expression.text.len() > limit) {
+            self.name(id);
+        }
+        self.operand(id)
+    }
+
+    /// The expression that computes an operation.
+    fn operation(&mut self, id: NodeId) -> Expression {
+        let node = self.syntax.nodes()[id.index()];
+        match node {
+            Node::Operation(instruction @ (Instruction::Add | Instruction::Sub), [a, b]) => {
+                // A sum begins with the only operand that is one; another is in parentheses.
+                let is_sum = |id| self.operand(id).level == Level::Sum;
+                let left = if instruction == Instruction::Add && is_sum(b) && !is_sum(a) { b } else { a };
+                let mut limited = |id| {
+                    let limit =
+                        if id == left && self.operand(id).level == Level::Sum { LONGEST_SUM } else { LONGEST_TERM };
+                    self.within(id, limit)
+                };
+                let (a, b) = (limited(a), limited(b));
+                if instruction == Instruction::Add { sum(&a, &b) } else { difference(&a, &b) }
+            }
+            Node::Operation(Instruction::Mul, [a, b]) => {
+                product(&self.within(a, LONGEST_FACTOR), &self.within(b, LONGEST_FACTOR))
+            }
+            Node::Operation(Instruction::Div, [a, b]) => {
+                let (a, b) = (self.within(a, LONGEST_FACTOR), self.within(b, LONGEST_FACTOR));
+                let text = format!("{} / {}", a.at(Level::Product), b.at(Level::Atom));
+                Expression { text, level: Level::Product, is_number: false }
+            }
+            Node::Operation(instruction, _) => {
+                let total: usize = node.operands().iter().map(|&id| self.value(id).len() + 2).sum();
+                let limit = if total > LONGEST_ARGUMENTS { LONGEST_ARGUMENTS / 3 } else { LONGEST_ARGUMENTS };
+                let arguments: Vec<String> =
+                    node.operands().iter().map(|&id| self.call_argument(node, id, limit)).collect();
+                Expression::atom(self.syntax.call(instruction, &arguments.join(", ")))
+            }
+            Node::Upper(instruction, value) => {
+                let value = self.within(value, LONGEST_ARGUMENTS).text;
+                Expression::atom(self.syntax.upper(instruction, &value))
+            }
+            Node::Constant(_) | Node::Input(_) => self.operand(id),
+        }
+    }
+
+    /// An argument of a function. A compiler that knew a number would compute the platform's function of it itself, and round
+    /// another way than the platform does.
+    fn call_argument(&mut self, node: Node, id: NodeId, limit: usize) -> String {
+        let operand = self.within(id, limit);
+        let platforms = node.is_transcendental() && self.syntax.graph().maths() == MathsProvider::System;
+        if operand.is_number && platforms { self.syntax.hidden(&operand.text) } else { operand.text }
+    }
+}
+
+/// A sum. To add a negative number, or a product with one, is to subtract the positive one, bit for bit; a number comes last, a sum
+/// first.
+fn sum(a: &Expression, b: &Expression) -> Expression {
+    let swap = a.is_number && !b.is_number || b.level == Level::Sum && a.level != Level::Sum;
+    let (a, b) = if swap { (b, a) } else { (a, b) };
+    let text = match b.negated() {
+        Some(positive) => format!("{} - {positive}", a.text),
+        None => format!("{} + {}", a.text, b.at(Level::Product)),
+    };
+    Expression { text, level: Level::Sum, is_number: false }
+}
+
+/// A difference, which to a negative number is a sum.
+fn difference(a: &Expression, b: &Expression) -> Expression {
+    let text = match b.negated() {
+        Some(positive) => format!("{} + {positive}", a.text),
+        None => format!("{} - {}", a.text, b.at(Level::Product)),
+    };
+    Expression { text, level: Level::Sum, is_number: false }
+}
+
+/// A product: a number comes first, or a product.
+fn product(a: &Expression, b: &Expression) -> Expression {
+    let swap = b.is_number && !a.is_number || b.level == Level::Product && a.level != Level::Product;
+    let (a, b) = if swap { (b, a) } else { (a, b) };
+    let text = format!("{} * {}", a.at(Level::Product), b.at(Level::Atom));
+    Expression { text, level: Level::Product, is_number: false }
+}
+
+/// A name that is not taken, which it is then.
+pub(super) fn unused(base: String, taken: &mut BTreeSet<String>) -> String {
+    let others = (2..).map(|number| format!("{base}_{number}"));
+    let name = std::iter::once(base.clone()).chain(others).find(|name| !taken.contains(name)).unwrap_or(base);
+    taken.insert(name.clone());
+    name
+}
