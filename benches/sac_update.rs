@@ -6,12 +6,9 @@
 
 mod pytorch;
 
-use std::time::Instant;
+use tpg_benches::cpu_seconds;
 use tpg_engine::random::{Purpose, Stream};
-use tpg_nn::{Gaussian, Spread};
-use tpg_train::evolution::logs::cpu_seconds;
-use tpg_train::sac::agent::{Agent, Experience, Rates};
-use tpg_train::sac::presets;
+use tpg_nn::{Agent, Experience, Gaussian, Rates, Spread};
 
 /// The arm's: 38 features, four motors.
 const INPUTS: usize = 38;
@@ -21,13 +18,11 @@ const UPDATES: u32 = 300;
 const ROUNDS: usize = 3;
 
 fn milliseconds(actor: usize, critic: usize) -> f64 {
-    let mut config = presets::config(presets::find("best-rs").expect("a preset")).expect("it is accepted");
-    config.actor.hidden = vec![actor; 2];
-    config.critic.hidden = vec![critic; 2];
-    let (inputs, batch) = (INPUTS, config.learning.batch);
+    let (inputs, batch) = (INPUTS, 256);
     let mut random = Stream::new(1, 0, Purpose::Test, 0);
     let gaussian = Gaussian { actions: ACTIONS, spread: Spread::LogSigma };
-    let mut agent = Agent::<f32>::new(&config, inputs, gaussian, &mut random);
+    let hidden = [&[actor; 2][..], &[critic; 2]];
+    let mut agent = Agent::<f32>::random(inputs, hidden, gaussian, -3.0, || random.unit());
     let mut space = agent.workspace(batch);
     let mut draw = |count: usize| {
         let mut numbers = vec![0.0; count];
@@ -57,8 +52,7 @@ fn milliseconds(actor: usize, critic: usize) -> f64 {
         }
     };
     run(UPDATES / 10);
-    let clock = Instant::now();
-    let seconds = || cpu_seconds().unwrap_or_else(|| clock.elapsed().as_secs_f64());
+    let seconds = cpu_seconds;
     let began = seconds();
     run(UPDATES);
     (seconds() - began) * 1e3 / f64::from(UPDATES)

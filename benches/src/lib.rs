@@ -14,3 +14,11 @@ pub mod program;
 pub mod subject;
 pub mod table;
 pub mod variant;
+
+use rustix::time::{ClockId, clock_gettime};
+
+/// Returns the CPU time of this process so far, in seconds.
+pub fn cpu_seconds() -> f64 {
+    let now = clock_gettime(ClockId::ProcessCPUTime);
+    now.tv_sec as f64 + now.tv_nsec as f64 * 1e-9
+}

@@ -2,23 +2,22 @@
 //! file.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tpg_arm::frame::Frame;
 use tpg_arm::observation::Observation;
-use tpg_arm::sac::features;
-use tpg_arm::sac::fixed::{FixedPolicy, quantise};
+use tpg_arm::sac::fixed::{FixedDecision, FixedPolicy, quantise};
 use tpg_arm::sac::packed::Model;
+use tpg_arm::sac::{Actions, Mask, features};
 use tpg_arm::{Arm, Pose, WIDOWX};
-use tpg_codegen::policy::{QuantisedPolicy, to_words};
+use tpg_codegen::policy::{Output, Preferences, QuantisedPolicy, to_words};
+use tpg_engine::TaskSet;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_generated::widowx_sac::{DECISION, NETWORK};
-use tpg_problems::arm::targets::{Set, Start, tasks};
+use tpg_problems::{Problem, ProblemName};
 use tpg_runtime::net::Kind;
 use tpg_runtime::policy::Policy;
-use tpg_train::hybrid::setting::read_file;
-use tpg_train::quantise::{QuantiseArgs, quantise as quantise_file};
-use tpg_train::sac::motors::MotorNetwork;
-use tpg_train::sac::network::Network;
+use tpg_train::loaders::read_file;
+use tpg_train::{Acting, Episodes, Network, QuantiseArgs, evaluate, quantise as quantise_file};
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
 
@@ -49,27 +48,37 @@ fn args(out: PathBuf, kind: Kind) -> QuantiseArgs {
     }
 }
 
+/// Returns the share of validation episodes that a network alone solves.
+fn success(path: &Path, problem: ProblemName, seed: u64, count: usize) -> f64 {
+    let network = (
+        "policy".to_owned(),
+        Network::read(path).expect("a good file"),
+    );
+    let episodes = Episodes {
+        set: TaskSet::Study,
+        count,
+        seed,
+        file: None,
+    };
+    let report = evaluate(
+        &Problem::new(problem).for_tests(),
+        "policy",
+        Acting::Network(&network),
+        episodes,
+    );
+    let report = report.expect("a network of the problem");
+    report.success_rate.expect("the arm knows success")
+}
+
 #[test]
 fn every_kind_answers_packed_as_its_file_for_any_observation_and_succeeds() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let policies = Kind::ALL.map(|kind| {
         let path = folder.path().join(kind.name()).with_extension("json");
         quantise_file(&args(path.clone(), kind)).expect("the committed weights");
-        for (start, least) in [(Start::Fs, 0.98), (Start::Rs, 0.96)] {
-            let tasks = tasks(
-                &WIDOWX,
-                78,
-                Set::Validation,
-                start,
-                tpg_testing::amount(60, 200),
-            );
-            let actor = MotorNetwork::read(&path, None).expect("a good file");
-            let trial = actor.trial(start, &tasks);
-            assert!(
-                trial.success_rate >= least,
-                "{kind:?} {start:?}: {:.3}",
-                trial.success_rate
-            );
+        for (name, least) in [(ProblemName::Fs, 0.98), (ProblemName::Rs, 0.96)] {
+            let rate = success(&path, name, 78, tpg_testing::amount(60, 200));
+            assert!(rate >= least, "{kind:?} {name:?}: {rate:.3}");
         }
         let text = fs::read_to_string(path).expect("it was just written");
         QuantisedPolicy::from_json("policy.q.json", &text).expect("a good file")
@@ -142,9 +151,17 @@ fn hybrids_are_made_of_what_is_there_and_their_constants_are_fresh() {
 fn the_constants_answer_as_the_file_for_any_observation() {
     let policy = policy();
     assert!(policy.bytes() <= 8192, "{} bytes", policy.bytes());
-    let actor = MotorNetwork::new(Network::Fixed(Box::new(policy.clone())), Some(&WIDOWX))
-        .expect("actions and mask that exist");
-    let actor = actor.policy();
+    let Output::Preferences(Preferences {
+        actions,
+        mask,
+        may_rest,
+    }) = &policy.output
+    else {
+        panic!("a network whose outputs are preferences");
+    };
+    let known = Actions::from_name(actions).zip(Mask::from_name(mask));
+    let (actions, mask) = known.expect("actions and mask that exist");
+    assert_eq!(DECISION, FixedDecision::new(actions, mask, *may_rest));
     let constants = FixedPolicy {
         arm: &ARM,
         network: &NETWORK,
@@ -165,9 +182,10 @@ fn the_constants_answer_as_the_file_for_any_observation() {
         );
         if number % 100 == 0 {
             let seen = Observation::at(&ARM, pose, target);
+            let outputs = std::array::from_fn(|joint| policy.outputs(&features)[joint]);
             assert_eq!(
                 constants.decide(&seen),
-                actor.decide(&seen),
+                DECISION.decide(outputs, pose, &ARM.ranges),
                 "observation {number}"
             );
         }
@@ -177,14 +195,8 @@ fn the_constants_answer_as_the_file_for_any_observation() {
 #[test]
 fn it_does_what_it_was_trained_for() {
     // Validation tasks of another seed, because the committed test tasks are reserved for reports.
-    for (start, least) in [(Start::Fs, 0.98), (Start::Rs, 0.97)] {
-        let tasks = tasks(&WIDOWX, 77, Set::Validation, start, 200);
-        let actor = MotorNetwork::read(&generated("policy.q.json"), None).expect("a good file");
-        let trial = actor.trial(start, &tasks);
-        assert!(
-            trial.success_rate >= least,
-            "{start:?}: {:.3}",
-            trial.success_rate
-        );
+    for (name, least) in [(ProblemName::Fs, 0.98), (ProblemName::Rs, 0.97)] {
+        let rate = success(&generated("policy.q.json"), name, 77, 200);
+        assert!(rate >= least, "{name:?}: {rate:.3}");
     }
 }

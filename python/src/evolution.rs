@@ -19,14 +19,10 @@ use tpg_graph::ScalarType;
 use tpg_problems::{Number, Problem};
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
-use tpg_train::configuration::Layers;
-use tpg_train::evolution::checkpoint;
-use tpg_train::evolution::config::EvolutionConfig;
-use tpg_train::evolution::generation::Goal;
-use tpg_train::evolution::presets::{PRESETS, Preset};
-use tpg_train::evolution::run::{Progress, RunEnd, RunError, RunOptions, graph_of, run};
-use tpg_train::evolution::state::{Best, Row};
-use tpg_train::folder::checkpoint::{NEWEST, PREVIOUS};
+use tpg_train::{
+    Best, Config as EvolutionConfig, Configuration as _, Goal, Layers, Progress, Row, RunEnd, RunError, RunOptions,
+    train,
+};
 
 /// Time between two looks for Ctrl-C.
 const WAIT: Duration = Duration::from_millis(50);
@@ -97,11 +93,11 @@ impl Settings {
 /// `tpg.nb_roots` to values.
 #[pyfunction]
 pub(crate) fn configuration(preset: &str, settings: &str) -> PyResult<String> {
-    let found = Preset::find(preset).ok_or_else(|| {
-        let names = PRESETS.map(|preset| preset.name).join(", ");
+    let table = EvolutionConfig::table(preset).ok_or_else(|| {
+        let names = EvolutionConfig::PRESETS.iter().map(|preset| preset.name).collect::<Vec<_>>().join(", ");
         error::input(format!("the preset {preset:?}; accepted: {names}"))
     })?;
-    let config = with_settings(found.name, found.table(), settings)?.read(EvolutionConfig::from_toml);
+    let config = with_settings(preset, table, settings)?.read(EvolutionConfig::from_toml);
     Ok(config.map_err(error::input)?.to_toml())
 }
 
@@ -117,11 +113,7 @@ pub(crate) fn with_settings(name: &str, mut preset: toml::Table, settings: &str)
 /// Returns the number of steps of the run in a folder; 0 if there is none.
 #[pyfunction]
 pub(crate) fn steps_of(folder: PathBuf) -> PyResult<u64> {
-    if ![NEWEST, PREVIOUS].iter().any(|name| folder.join(name).exists()) {
-        return Ok(0);
-    }
-    let found = checkpoint::open::<serde_json::Value>(&folder);
-    found.map(|(_, state)| state.steps).map_err(error::input)
+    tpg_train::steps_of(&folder).map_err(error::input)
 }
 
 #[pymethods]
@@ -351,25 +343,20 @@ where
     Own: Maths<S>,
 {
     let mut shown: Vec<u64> = Vec::new();
-    run(config, seed, environment, evaluator, options, |progress| {
+    train(config, seed, environment, evaluator, options, |progress| {
         let report = Report {
             generations: progress.generations,
             steps: progress.steps,
             row: progress.row.cloned(),
             best: progress.best.map(|best| best.result.score),
-            fresh: fresh(config, environment, progress, &mut shown),
+            fresh: fresh(progress, &mut shown),
         };
         if mailbox.report(report) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     })
 }
 
 /// Returns the best graph and the hall of fame, if these are others than those that were shown.
-fn fresh<S: Scalar, E: Environment<S>>(
-    config: &EvolutionConfig,
-    environment: &E,
-    progress: &Progress<'_>,
-    shown: &mut Vec<u64>,
-) -> Option<Fame> {
+fn fresh(progress: &Progress<'_>, shown: &mut Vec<u64>) -> Option<Fame> {
     let best = progress.best?;
     let now: Vec<u64> = std::iter::once(best).chain(progress.hall).map(|best| best.generation).collect();
     if now == *shown {
@@ -377,7 +364,7 @@ fn fresh<S: Scalar, E: Environment<S>>(
     }
     *shown = now;
     // A graph that cannot be made is an error of the run itself, which makes the same one.
-    let graph = |best: &Best| graph_of(config, progress.seed, best, environment).ok().map(Graph);
+    let graph = |best: &Best| progress.graph(best).ok().map(Graph);
     let hall = progress.hall.iter().filter_map(|best| Some((best.policy.size(), best.result.score, graph(best)?)));
     Some(Fame { best: graph(best)?, hall: hall.collect() })
 }

@@ -11,11 +11,11 @@ use tpg_codegen::size::Target;
 use tpg_codegen::verify::Proof;
 use tpg_codegen::{compile, explain, report};
 use tpg_engine::PolicyGraph;
+use tpg_graph::files::{read_graph, write_atomically};
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::output::write_folder;
 use tpg_graph::states::StateSet;
-use tpg_train::files::{read_graph, write_atomically};
-use tpg_train::picture;
+use tpg_picture as picture;
 
 /// States that a report's means are taken over, and their seed.
 const STATES: usize = 20_000;

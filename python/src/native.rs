@@ -8,16 +8,13 @@ use serde_json::json;
 use std::sync::Mutex;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Act, ActionSpace, AnyEnvironment, AnyEpisode, AnyTask, End, SourceSet, TaskSet};
-use tpg_problems::{ContinuousProblem, Problem, ProblemName};
+use tpg_problems::{PROBLEMS, PolicyKind, Problem, ProblemName};
 use tpg_runtime::policy::ActionId;
-use tpg_train::evaluate::evaluate;
-use tpg_train::evolution::presets::default_for;
-use tpg_train::hybrid::shared::Episodes;
-use tpg_train::hybrid::trial::Acting;
+use tpg_train::{Acting, Config as EvolutionConfig, Configuration as _, Episodes, evaluate};
 
-/// Finds a built-in problem with its usual settings.
+/// Finds a built-in problem with its default settings.
 pub(crate) fn problem(name: &str) -> PyResult<Problem> {
-    Ok(Problem::usual(problem_name(name)?))
+    Ok(Problem::new(problem_name(name)?))
 }
 
 fn problem_name(name: &str) -> PyResult<ProblemName> {
@@ -25,10 +22,10 @@ fn problem_name(name: &str) -> PyResult<ProblemName> {
         .ok_or_else(|| error::input(format!("the problem {name:?}; accepted: {}", ProblemName::names())))
 }
 
-/// Returns the names of the built-in problems, each with its usual preset.
+/// Returns the names of the built-in problems, each with its default preset.
 #[pyfunction]
 pub(crate) fn problems() -> Vec<(&'static str, &'static str)> {
-    ProblemName::ALL.into_iter().map(|name| (name.name(), default_for(name))).collect()
+    PROBLEMS.map(|entry| (entry.text, EvolutionConfig::default_preset(entry.name))).to_vec()
 }
 
 /// Runs a graph on test episodes of a built-in problem, and returns the figures as JSON.
@@ -65,8 +62,8 @@ impl NativeEnv {
     fn new(name: &str, continuous: bool) -> PyResult<Self> {
         let name = problem_name(name)?;
         let environment = match continuous {
-            true => ContinuousProblem::usual(name).environment(1),
-            false => Problem::usual(name).environment(),
+            true => Problem::new_for(name, PolicyKind::Network).network_environment(1),
+            false => Problem::new(name).environment(),
         };
         Ok(Self { running: Mutex::new(Running { environment, episode: None, actions: 0 }) })
     }

@@ -9,8 +9,8 @@ use tpg_codegen::emit::Prefix;
 use tpg_codegen::policy::{
     FloatLayer, FloatNetwork, FloatOutput, FloatValue, Input, Output, QuantisedPolicy, differences, to_plain_c, to_rust,
 };
+use tpg_graph::files::{read_text, write_atomically};
 use tpg_runtime::net::{Kind, Squash};
-use tpg_train::files::{read_text, write_atomically};
 
 /// A multilayer perceptron in integers.
 #[pyclass(frozen, module = "tpg_train._tpg")]

@@ -3,10 +3,9 @@
 use crate::error;
 use pyo3::prelude::*;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, Environment, Output, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, Environment, NETWORK, Output, SourceSet, Step};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
-use tpg_train::hybrid::trial::NETWORK;
 
 /// Names, units and ranges of an environment's observations and actions. It never steps: episodes run in Python.
 #[pyclass(frozen, module = "tpg_train._tpg")]

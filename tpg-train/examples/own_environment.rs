@@ -8,11 +8,7 @@ use tpg_engine::random::Stream;
 use tpg_engine::{Act, ActionSpace, Choices, End, EngineOptions, Environment, LocalThreads, SourceSet, Step, TaskSet};
 use tpg_graph::{Graph, SourceDocument};
 use tpg_runtime::ops::Own;
-use tpg_train::evaluate::evaluate;
-use tpg_train::evolution::{config::EvolutionConfig, generation::Goal, run::RunOptions, run::run};
-use tpg_train::hybrid::shared::{Episodes, OwnProblem};
-use tpg_train::hybrid::trial::Acting;
-use tpg_train::report::{ReportArgs, report_with};
+use tpg_train::{Acting, Config, Episodes, Goal, OwnProblem, ReportArgs, RunOptions, evaluate, report_with};
 
 pub(crate) struct Cart;
 
@@ -49,11 +45,11 @@ impl Environment<f32> for Cart {
 }
 
 pub(crate) fn train(folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
-    let config = EvolutionConfig::default();
+    let config = Config::default();
     let evaluator = LocalThreads::<f32, Own, Cart>::new(&Cart, EngineOptions::default(), 0)?;
     let goal = Goal { target: Some(-50.0), max_steps: None };
     let options = RunOptions { folder: folder.to_owned(), goal, ..RunOptions::default() };
-    run(&config, 1, &Cart, &evaluator, &options, |_progress| ControlFlow::Continue(()))?;
+    tpg_train::train(&config, 1, &Cart, &evaluator, &options, |_progress| ControlFlow::Continue(()))?;
 
     let file = folder.join("graph.json").display().to_string();
     let graph = (file.clone(), Graph::from_json(&file, &std::fs::read_to_string(&file)?)?);

@@ -1,26 +1,14 @@
-//! `tpg-train arm import`: an arm's URDF as the section `[problem.arm]` of a configuration, or as a section `[chain]`.
-//!
-//! | module | subject |
-//! | --- | --- |
-//! | `urdf` | the joints between a file's root and a link, or what is wrong with them |
-//! | `planar` | a turning base and three parallel axes in them: lengths, zeros, signs |
-//! | `section` | the section with its comments |
-//! | `chain` | the section of joints that are no planar arm |
+//! `tpg-train arm import`: an arm's URDF as a section of a configuration.
 
-mod chain;
-mod planar;
-mod section;
-mod urdf;
-
-use crate::files::{read_text, write_atomically};
 use clap::{Args, Subcommand};
-pub use section::Radii;
 use std::path::PathBuf;
-use tpg_graph::error::{Finding, InputError, Place};
+use tpg_graph::error::InputError;
+use tpg_graph::files::{read_text, write_atomically};
+use tpg_problems::arm::import::{Imported, Radii, import};
 
 /// Describe arms
 #[derive(Clone, Debug, Args)]
-pub struct ArmArgs {
+pub(crate) struct ArmArgs {
     #[command(subcommand)]
     command: ArmCommand,
 }
@@ -69,7 +57,7 @@ fn radius(text: &str) -> Result<f64, String> {
 ///
 /// # Errors
 /// If the file cannot be read or is no URDF of an arm, or the result cannot be written.
-pub fn execute(args: &ArmArgs) -> Result<(), InputError> {
+pub(crate) fn execute(args: &ArmArgs) -> Result<(), InputError> {
     let ArmCommand::Import(args) = &args.command;
     let text = read_text(&args.file, "a URDF")?;
     let radii = Radii { link: args.radius, base: args.base_radius };
@@ -83,42 +71,3 @@ pub fn execute(args: &ArmArgs) -> Result<(), InputError> {
             .map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe")),
     }
 }
-
-/// An imported arm.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Imported {
-    /// Its section, with comments.
-    pub text: String,
-    /// The reason why that is a `[chain]`; none for a `[problem.arm]`.
-    pub not_planar: Option<String>,
-}
-
-/// Returns the section for a URDF's text. `file` is its name in messages, `tip` the link whose origin must reach
-/// targets, `fix` the joints that are held, each at an angle in rad.
-///
-/// # Errors
-/// A text that is no URDF, a link or joint that it does not have, a joint that does not turn within limits, an arm that cannot be.
-pub fn import(file: &str, text: &str, tip: &str, fix: &[(String, f64)], radii: Radii) -> Result<Imported, InputError> {
-    let joints = urdf::chain(file, text, tip, fix)?;
-    let held = section::held(fix);
-    let refuse = |Finding { key, found, accepted }: Finding| {
-        InputError::new(file, Place::Whole, format!("an arm whose {key} = {found}"), accepted)
-    };
-    match planar::recognise(file, &joints) {
-        Ok(arm) => {
-            let description = section::describe(&arm, radii);
-            description.check().map_err(refuse)?;
-            Ok(Imported { text: section::text(file, tip, &held, &arm, &description), not_planar: None })
-        }
-        Err(error) => {
-            let description = chain::describe(file, &joints)?;
-            description.check().map_err(refuse)?;
-            let reason = format!("{}{}", error.place, error.found);
-            let text = chain::text(file, tip, &held, &description, &reason);
-            Ok(Imported { text, not_planar: Some(reason) })
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests;

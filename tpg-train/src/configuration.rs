@@ -7,27 +7,59 @@
 //! | [`schema`](mod@schema) | settings with their descriptions |
 //! | [`mod@print`] | `tpg-train config` |
 
-pub mod print;
-pub mod schema;
+pub(crate) mod print;
+pub(crate) mod schema;
 
-use crate::files::read_text;
 use crate::run_args::{RunArgs, command_line};
+use serde::Serialize;
 use tpg_graph::error::{Finding, InputError, Place};
+use tpg_graph::files::read_text;
 use tpg_graph::settings;
-use tpg_problems::{ContinuousProblem, Problem, ProblemName};
+use tpg_problems::{PolicyKind, Problem, ProblemName};
+
+/// A configuration included with the trainer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Preset {
+    /// Its name.
+    pub name: &'static str,
+    /// One-line description.
+    pub about: &'static str,
+    /// The preset that it differs from; none for the one that all others extend.
+    extends: Option<&'static str>,
+    /// The differences, as TOML.
+    text: &'static str,
+}
+
+impl Preset {
+    /// Creates the preset that all others extend.
+    pub(crate) const fn base(name: &'static str, about: &'static str, text: &'static str) -> Self {
+        Self { name, about, extends: None, text }
+    }
+
+    /// Creates a preset that differs from another one.
+    pub(crate) const fn new(name: &'static str, about: &'static str, base: &'static str, text: &'static str) -> Self {
+        Self { name, about, extends: Some(base), text }
+    }
+}
 
 /// A trainer's configuration.
-pub trait Configuration: Sized {
-    /// The problems that it can be for.
-    type Problem: AnyProblem;
+///
+/// ```
+/// use tpg_train::{Config, Configuration, SacConfig};
+///
+/// assert_eq!(Config::PRESETS.iter().filter(|preset| preset.name == "quick").count(), 1);
+/// assert!(Config::table("no such preset").is_none());
+/// let sac = SacConfig::preset("general")?;
+/// assert_eq!(sac.actor.hidden, [64, 64]);
+/// # Ok::<(), tpg_graph::error::InputError>(())
+/// ```
+pub trait Configuration: Sized + Serialize {
+    /// The configurations included with the trainer.
+    const PRESETS: &'static [Preset];
+    /// The kind of policies that it trains.
+    const KIND: PolicyKind;
     /// The command that prints a configuration, for messages.
     const PRINTED_BY: &'static str;
-
-    /// Returns the names of the presets.
-    fn presets() -> Vec<&'static str>;
-
-    /// Returns the settings of a preset.
-    fn preset(name: &str) -> Option<toml::Table>;
 
     /// Returns the name of the preset used for a problem by default.
     fn default_preset(problem: ProblemName) -> &'static str;
@@ -40,67 +72,38 @@ pub trait Configuration: Sized {
 
     /// Returns the section `problem`.
     fn problem(&mut self) -> &mut toml::Table;
-}
 
-/// A problem with its settings, of either registry.
-pub trait AnyProblem: Sized {
-    /// Returns a problem with its default settings.
-    fn usual(name: ProblemName) -> Self;
-    /// Returns the problem's name.
-    fn name(&self) -> ProblemName;
-    /// Reads the section `problem` of a configuration.
+    /// Returns all settings of a preset, if there is one of that name.
+    ///
+    /// # Panics
+    /// Never: a test reads every preset.
+    fn table(name: &str) -> Option<toml::Table> {
+        let preset = Self::PRESETS.iter().find(|preset| preset.name == name)?;
+        let mut table = preset.extends.and_then(Self::table).unwrap_or_else(|| {
+            let base = Self::from_toml(name, preset.text).expect("a preset is accepted");
+            toml::Table::try_from(base).expect("plain data")
+        });
+        merge(&mut table, &preset.text.parse().expect("a preset is TOML"));
+        Some(table)
+    }
+
+    /// Returns the configuration of a preset.
     ///
     /// # Errors
-    /// A value that the problem does not accept, with its line.
-    fn from_toml(file: &str, text: &str) -> Result<Self, InputError>;
-    /// Returns the section `problem` with every setting written out.
-    fn to_table(&self) -> toml::Table;
-    /// Returns the problem of another name, with as many of the settings as it shares.
-    #[must_use]
-    fn renamed(self, name: ProblemName) -> Self;
-}
-
-impl AnyProblem for Problem {
-    fn usual(name: ProblemName) -> Self {
-        Self::usual(name)
-    }
-    fn name(&self) -> ProblemName {
-        self.name()
-    }
-    fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
-        Self::from_toml(file, text)
-    }
-    fn to_table(&self) -> toml::Table {
-        self.to_table()
-    }
-    fn renamed(self, name: ProblemName) -> Self {
-        Self::usual(name)
-    }
-}
-
-impl AnyProblem for ContinuousProblem {
-    fn usual(name: ProblemName) -> Self {
-        Self::usual(name)
-    }
-    fn name(&self) -> ProblemName {
-        self.name()
-    }
-    fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
-        Self::from_toml(file, text)
-    }
-    fn to_table(&self) -> toml::Table {
-        self.to_table()
-    }
-    fn renamed(self, name: ProblemName) -> Self {
-        self.renamed(name)
+    /// If there is no preset of that name.
+    fn preset(name: &str) -> Result<Self, InputError> {
+        let table = Self::table(name).ok_or_else(|| {
+            let names: Vec<&str> = Self::PRESETS.iter().map(|preset| preset.name).collect();
+            command_line(format!("the preset {name:?}"), names.join(", "))
+        })?;
+        Self::from_toml(&format!("<preset {name}>"), &table.to_string())
     }
 }
 
 /// Settings above settings.
 ///
 /// ```
-/// use tpg_train::configuration::Layers;
-/// use tpg_train::evolution::config::EvolutionConfig;
+/// use tpg_train::{Config as EvolutionConfig, Configuration as _, Layers};
 ///
 /// let mut layers = Layers::new("defaults", toml::Table::new());
 /// layers.add_file("mine.toml", "[tpg]\nnb_roots = 80\n")?;
@@ -204,7 +207,7 @@ impl Layers {
 }
 
 /// Puts the values of a table over those of another one.
-pub(crate) fn merge(base: &mut toml::Table, over: &toml::Table) {
+fn merge(base: &mut toml::Table, over: &toml::Table) {
     for (key, value) in over {
         match (base.get_mut(key), value) {
             (Some(toml::Value::Table(base)), toml::Value::Table(over)) => merge(base, over),
@@ -223,13 +226,13 @@ fn key_at(text: &str, line: usize) -> String {
 
 /// A configuration and its problem.
 #[derive(Clone, Debug)]
-pub struct Chosen<C: Configuration> {
+pub(crate) struct Chosen<C: Configuration> {
     /// Name of the preset; none if a file or an argument changes it.
-    pub preset: Option<&'static str>,
+    pub preset: Option<String>,
     /// The configuration, with the problem written out in its section.
     pub config: C,
     /// The problem.
-    pub problem: C::Problem,
+    pub problem: Problem,
 }
 
 impl<C: Configuration> Chosen<C> {
@@ -237,7 +240,7 @@ impl<C: Configuration> Chosen<C> {
     ///
     /// # Errors
     /// If the configuration cannot be read or is rejected, or nothing names a problem.
-    pub fn by(run: &RunArgs, problem: Option<ProblemName>) -> Result<Self, InputError> {
+    pub(crate) fn by(run: &RunArgs, problem: Option<ProblemName>) -> Result<Self, InputError> {
         let file = match &run.config {
             Some(path) => {
                 let accepted = format!("settings as `{}` prints", C::PRINTED_BY);
@@ -257,10 +260,8 @@ impl<C: Configuration> Chosen<C> {
             let accepted = format!("--problem {}, or a section [problem] with a name", ProblemName::names());
             return Err(command_line("no problem", accepted));
         };
-        let Some((&preset, table)) = (C::presets().iter().find(|it| **it == name)).zip(C::preset(&name)) else {
-            return Err(command_line(format!("the preset {name:?}"), C::presets().join(", ")));
-        };
-        let mut layers = Layers::new(&format!("<preset {preset}>"), table);
+        let table = C::preset(&name).map(|_| C::table(&name))?;
+        let mut layers = Layers::new(&format!("<preset {name}>"), table.unwrap_or_default());
         if let Some((file, text)) = &file {
             layers.add_file(file, text)?;
         }
@@ -272,32 +273,32 @@ impl<C: Configuration> Chosen<C> {
             let value = toml.ok().and_then(|mut table| table.remove("value")).unwrap_or_else(|| value.into());
             layers.set(key.trim(), value);
         }
-        let problem: C::Problem = chosen_problem(&mut layers, problem)?;
+        let problem = chosen_problem(&mut layers, problem, C::KIND)?;
         let mut config = layers.read(C::from_toml)?;
         *config.problem() = problem.to_table();
         let is_preset = run.config.is_none() && run.set.is_empty();
-        Ok(Self { preset: is_preset.then_some(preset), config, problem })
+        Ok(Self { preset: is_preset.then_some(name), config, problem })
     }
 }
 
 /// Returns the problem of the settings, or of the command line. A preset made for another problem supplies only its parameters.
-fn chosen_problem<P: AnyProblem>(layers: &mut Layers, asked: Option<ProblemName>) -> Result<P, InputError> {
+fn chosen_problem(layers: &mut Layers, asked: Option<ProblemName>, kind: PolicyKind) -> Result<Problem, InputError> {
+    let read = |file: &str, text: &str| Problem::read(file, text, kind);
     let Some(layer) = layers.problem() else {
         let Some(name) = asked else {
             let accepted = format!("--problem {}, or a section [problem] with a name", ProblemName::names());
             return Err(command_line("no problem, neither in the arguments nor in the settings", accepted));
         };
         if !layers.merged.contains_key("problem") {
-            return Ok(P::usual(name));
+            return Ok(Problem::new_for(name, kind));
         }
-        let named = toml::Table::from_iter([("name".to_owned(), name.name().into())]);
-        merge(&mut layers.merged, &toml::Table::from_iter([("problem".to_owned(), toml::Value::Table(named))]));
-        return layers.read(P::from_toml);
+        layers.set("problem.name", name.name().into());
+        return layers.read(read);
     };
     let is_preset = std::ptr::eq(layer, &layers.layers[0]);
-    let problem: P = layers.read(P::from_toml)?;
+    let problem = layers.read(read)?;
     match asked {
-        Some(name) if problem.name() != name && is_preset => Ok(problem.renamed(name)),
+        Some(name) if problem.name() != name && is_preset => Ok(problem.renamed(name, kind)),
         Some(name) if problem.name() != name => {
             let found = format!("--problem {} with a configuration for {}", name.name(), problem.name().name());
             Err(command_line(found, "the same problem twice, or no --problem"))

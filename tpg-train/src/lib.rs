@@ -1,43 +1,72 @@
 //! Trains policies for control problems: tangled program graphs, soft actor-critics, hybrids of both.
 //!
-//! # Map
-//!
-//! | module | subject |
+//! | items | subject |
 //! | --- | --- |
-//! | [`cli`] | the program `tpg-train`: its commands and exit codes |
-//! | [`evolution`] | tangled program graphs: genome, mutation, selection, runs |
-//! | [`sac`] | soft actor-critic on any environment with outputs |
-//! | [`arm_import`] | `tpg-train arm import`: an arm from its URDF |
-//! | [`quantise`] | `tpg-train quantise` |
-//! | [`targets`] | tasks over the reachable space |
-//! | [`evaluate`] | test episodes of a policy |
-//! | [`hybrid`] | a graph and a network that share a problem: settings and study |
-//! | [`picture`] | SVG, plots and the HTML page that contains them: the crate `tpg-picture` |
-//! | [`configuration`] | the configuration and problem that a run's arguments ask for |
-//! | [`files`] | atomic file writes |
-//! | [`folder`] | a run's folder: lock, checkpoints |
-//! | [`problems`] | `tpg-train problems` |
-//! | [`run_args`] | the arguments of every run |
-//! | [`ranks`] | runs over several processes |
-//! | [`report`] | runs in one HTML file |
+//! | [`train`], [`RunOptions`], [`Goal`], [`Progress`], [`RunEnd`], [`RunError`] | evolution of a graph, in a folder of its own |
+//! | [`Config`], [`SacConfig`], [`Configuration`], [`Layers`], [`Preset`] | settings |
+//! | [`train_network`], [`Network`] | soft actor-critics |
+//! | [`evaluate`], [`Acting`], [`Episodes`], [`OwnProblem`], [`Shared`] | test episodes of a graph, a network, or both |
+//! | [`Hybrid`], [`Setting`], [`Asking`], [`study_on`] | graphs and networks that share a problem |
+//! | [`report_with`] | runs in one HTML file |
+//! | [`Cli`] | the program `tpg-train` |
+//! | [`evolve`], [`Ranks`], [`Link`] | `tpg-train tpg` over several processes |
+//!
+//! See [`train`] for an example.
 
-pub mod arm_import;
-pub mod cli;
-pub mod configuration;
+mod arm_import;
+mod cli;
+mod configuration;
 mod csv_text;
-pub mod evaluate;
-pub mod evolution;
-pub mod files;
-pub mod folder;
-pub mod hybrid;
+mod evaluate;
+mod evolution;
+mod folder;
+mod hybrid;
 mod interrupt;
-pub mod problems;
+mod problems;
 mod progress;
-pub mod quantise;
-pub mod ranks;
-pub mod report;
-pub mod run_args;
-pub mod sac;
-pub mod targets;
+mod quantise;
+mod ranks;
+mod report;
+mod run_args;
+mod sac;
+mod targets;
+#[cfg(test)]
+mod tests;
 
-pub use tpg_picture as picture;
+pub use cli::Cli;
+pub use configuration::{Configuration, Layers, Preset};
+pub use evaluate::{EvaluationReport, evaluate};
+pub use evolution::checkpoint::steps_of;
+pub use evolution::command::{TpgArgs, execute as evolve};
+pub use evolution::config::{AskConfig, EvolutionConfig as Config, Units};
+pub use evolution::generation::Goal;
+pub use evolution::record::Row;
+pub use evolution::run::{Progress, RunEnd, RunError, RunOptions, train};
+pub use evolution::state::Best;
+pub use hybrid::asking::Asking;
+pub use hybrid::command::{StudyArgs, study_on};
+pub use hybrid::setting::{Detector, Hybrid, HybridFile, Setting};
+pub use hybrid::shared::{Episodes, Facts, OwnProblem, Shared};
+pub use hybrid::span::Span;
+pub use hybrid::trial::{Acting, HybridTrial};
+pub use quantise::{QuantiseArgs, quantise};
+pub use ranks::link::Link;
+pub use ranks::workplace::Ranks;
+pub use report::{ReportArgs, report_with};
+pub use sac::config::SacConfig;
+pub use sac::network::Network;
+pub use sac::training::train_network;
+
+/// Readers of files as functions of bytes, for fuzzers and tests.
+#[doc(hidden)]
+pub mod loaders {
+    pub use crate::evolution::checkpoint as tpg;
+    pub use crate::evolution::generation::Evolution;
+    pub use crate::folder::checkpoint::look;
+    pub use crate::folder::frame::seal;
+    pub use crate::folder::{RunFolder, Trainer};
+    pub use crate::hybrid::setting::{parse_file, read_file};
+    pub use crate::sac::tensors::{Tensor, Tensors};
+    pub use crate::sac::training::Training;
+    pub use crate::sac::{checkpoint as sac, foreign, weights};
+}

@@ -1,8 +1,8 @@
-//! The program `tpg-train`; see [`tpg_train::cli`].
+//! The program `tpg-train`.
 
 use clap::Parser;
 use std::process::ExitCode;
-use tpg_train::cli::Cli;
+use tpg_train::Cli;
 
 fn main() -> ExitCode {
     Cli::parse().run()

@@ -5,21 +5,21 @@ use std::fmt::Write as _;
 use tpg_engine::ActionSpace;
 use tpg_graph::SourceDocument;
 use tpg_graph::error::InputError;
-use tpg_problems::{Problem, ProblemName};
+use tpg_problems::{PROBLEMS, Problem, ProblemName};
 
 /// Prints the problems.
 ///
 /// # Errors
 /// If stdout is closed.
-pub fn print_problems() -> Result<(), InputError> {
-    let text = ProblemName::ALL.map(description).concat();
+pub(crate) fn print_problems() -> Result<(), InputError> {
+    let text = PROBLEMS.map(|entry| description(entry.name)).concat();
     let written = tpg_graph::command::print(&text);
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
 }
 
 /// Describes a problem.
 fn description(name: ProblemName) -> String {
-    let environment = Problem::usual(name).environment::<f32>();
+    let environment = Problem::new(name).environment::<f32>();
     let about = name.to_possible_value().and_then(|value| value.get_help().map(ToString::to_string));
     let mut text = format!("{}: {}\n", name.name(), about.unwrap_or_default());
     let sources = environment.sources().iter().map(source).collect::<Vec<_>>().join("; ");

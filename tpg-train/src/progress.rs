@@ -1,53 +1,55 @@
-//! Progress bar of a run; indicatif draws nothing if stderr is not a terminal.
+//! The progress of a run: one line on stderr, if that is a terminal.
 
-use crate::evolution::run::Progress;
-use indicatif::{ProgressBar, ProgressStyle};
-use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::io::{IsTerminal as _, Write as _};
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
 use tpg_graph::command::is_quiet;
 
-/// Creates a bar; one that is never shown if the program shall be quiet.
-pub(crate) fn bar(length: u64) -> ProgressBar {
-    if is_quiet() { ProgressBar::hidden() } else { ProgressBar::new(length) }
-}
+/// Time between two changes of the line.
+const PAUSE: Duration = Duration::from_millis(200);
 
-/// The progress of one run.
+/// A line that shows how far a run is.
 #[derive(Debug)]
 pub(crate) struct Bar {
-    bar: ProgressBar,
-    began: bool,
+    is_shown: bool,
+    began: Instant,
+    /// The part of the run that was done before, and the time of the newest line.
+    line: Mutex<(Option<f64>, Option<Instant>)>,
 }
 
 impl Bar {
-    /// Creates a bar that has not started.
     pub(crate) fn new() -> Self {
-        let style = ProgressStyle::with_template("seed {prefix} {wide_bar} {pos}/{len} {msg}, {eta} left")
-            .unwrap_or_else(|_| ProgressStyle::default_bar());
-        Self { bar: bar(0).with_style(style), began: false }
+        let is_shown = !is_quiet() && std::io::stderr().is_terminal();
+        Self { is_shown, began: Instant::now(), line: Mutex::new((None, None)) }
     }
 
-    /// Shows the progress of a run; returns `Break` when `stop` is set.
-    pub(crate) fn show(&mut self, progress: &Progress<'_>, stop: &AtomicBool) -> ControlFlow<()> {
-        self.bar.set_length(progress.of);
-        self.bar.set_prefix(progress.seed.to_string());
-        self.bar.set_position(progress.generations);
-        if !std::mem::replace(&mut self.began, true) {
-            self.bar.reset_eta();
+    /// Shows that `done` of `all` are done; 0 for no known end.
+    pub(crate) fn show(&self, done: u64, all: u64, message: impl FnOnce() -> String) {
+        let mut line = self.line.lock().unwrap_or_else(PoisonError::into_inner);
+        if !self.is_shown || line.1.is_some_and(|newest| newest.elapsed() < PAUSE) {
+            return;
         }
-        if let Some(row) = progress.row {
-            let best = progress.best.map(|best| format!(", {:.2} validated", best.result.score)).unwrap_or_default();
-            self.bar.set_message(format!("best {:.2}, median {:.2}{best}", row.best_score, row.median_score));
+        line.1 = Some(Instant::now());
+        let mut text = format!("{done}");
+        if all > 0 {
+            let part = done as f64 / all as f64;
+            let before = *line.0.get_or_insert(part);
+            text += &format!(" of {all}");
+            if part > before {
+                let left = self.began.elapsed().as_secs_f64() / (part - before) * (1.0 - part);
+                text += &format!(", {left:.0} s left");
+            }
         }
-        if stop.load(Ordering::Relaxed) {
-            self.bar.abandon();
-            return ControlFlow::Break(());
-        }
-        ControlFlow::Continue(())
+        let mut stderr = std::io::stderr();
+        // A terminal that is gone changes nothing.
+        let _ = write!(stderr, "\r\x1b[K{text}  {}", message()).and_then(|()| stderr.flush());
     }
 }
 
-impl Default for Bar {
-    fn default() -> Self {
-        Self::new()
+impl Drop for Bar {
+    fn drop(&mut self) {
+        if self.is_shown {
+            eprint!("\r\x1b[K");
+        }
     }
 }

@@ -1,18 +1,17 @@
 //! `tpg-train quantise`: puts a trained network into integers.
 
-use crate::files::write_atomically;
 use crate::sac::integers::{self, Comparison};
-use crate::sac::motors::{self, MotorNetwork};
-use crate::sac::network::Network;
 use crate::sac::tensors::place;
 use crate::sac::weights;
 use clap::Args;
+use serde::Deserialize as _;
 use sha2::{Digest, Sha256};
 use std::fs;
 use std::path::PathBuf;
-use tpg_codegen::policy::{QuantisedPolicy, to_rust};
+use tpg_codegen::policy::{Preferences, to_rust};
 use tpg_graph::error::{InputError, Place};
-use tpg_problems::ContinuousProblem;
+use tpg_graph::files::write_atomically;
+use tpg_problems::{PolicyKind, Problem};
 use tpg_runtime::net::Kind;
 
 /// Put a policy's network into integers.
@@ -29,8 +28,7 @@ pub struct QuantiseArgs {
     /// Bits of weights and activations: w8a16, w16a16 or w8a8
     #[arg(long, default_value = "w8a16", value_parser = kind)]
     pub kind: Kind,
-    /// A report to write, JSON: bytes, multiplications, and both networks on 1,000 test episodes; on the arm, on
-    /// 1,000 validation episodes
+    /// A report to write, JSON: bytes, multiplications, and both networks on 1,000 validation episodes
     #[arg(long, value_name = "FILE")]
     pub report: Option<PathBuf>,
     /// The seed of the training tasks that calibrate it
@@ -54,42 +52,27 @@ pub fn quantise(args: &QuantiseArgs) -> Result<(), InputError> {
     let (network, contract) = weights::read(&args.policy)?;
     let bytes = fs::read(&args.policy).map_err(|error| InputError::io(&args.policy, &error, "a policy.safetensors"))?;
     let hash = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
-    match ContinuousProblem::from_table(&file, &contract.problem)? {
-        ContinuousProblem::Motors(start, _) => {
-            let float = MotorNetwork::new(Network::Float(Box::new((network, contract))), None)
-                .map_err(|finding| place(&args.policy, finding))?;
-            let policy = motors::quantise(&file, &float, hash, args.kind, args.seed)?;
-            args.write(&policy, || motors::compare(&float, &policy, start))
-        }
-        problem => {
-            let (environment, actor) = (problem.environment(args.seed), (&network, &contract));
-            let policy = integers::quantise(&file, actor, &&*environment, hash, args.kind, args.seed)?;
-            args.write(&policy, || Ok(Comparison::new(actor, &policy, &&*environment, args.seed)))
-        }
+    let problem = Problem::from_table(&file, &contract.problem, PolicyKind::Network)?;
+    let kept = problem.kept_settings().map_err(|finding| place(&args.policy, finding))?;
+    let preferences = kept.map(Preferences::deserialize).transpose().map_err(|error| {
+        InputError::new(&file, Place::Whole, error.message(), "settings of a network whose outputs are preferences")
+    })?;
+    let (environment, actor) = (problem.network_environment(args.seed), (&network, &contract));
+    let policy = integers::quantise(&file, actor, preferences, &&*environment, hash, args.kind, args.seed)?;
+    write_atomically(&args.out, policy.to_json().as_bytes())?;
+    if let Some(path) = &args.rust {
+        write_atomically(path, to_rust(&policy)?.as_bytes())?;
     }
-}
-
-impl QuantiseArgs {
-    fn write(
-        &self,
-        policy: &QuantisedPolicy,
-        comparison: impl FnOnce() -> Result<Comparison, InputError>,
-    ) -> Result<(), InputError> {
-        write_atomically(&self.out, policy.to_json().as_bytes())?;
-        if let Some(path) = &self.rust {
-            write_atomically(path, to_rust(policy)?.as_bytes())?;
-        }
-        tpg_graph::command::note(format_args!(
-            "{} bytes of constants, {} multiplications a decision",
-            policy.bytes(),
-            policy.multiplications()
-        ));
-        if let Some(path) = &self.report {
-            let comparison = comparison()?;
-            let text = serde_json::to_string_pretty(&comparison).expect("plain data") + "\n";
-            write_atomically(path, text.as_bytes())?;
-            tpg_graph::command::note(format_args!("{comparison}"));
-        }
-        Ok(())
+    tpg_graph::command::note(format_args!(
+        "{} bytes of constants, {} multiplications a decision",
+        policy.bytes(),
+        policy.multiplications()
+    ));
+    if let Some(path) = &args.report {
+        let comparison = Comparison::new(actor, &policy, &&*environment, args.seed);
+        let text = serde_json::to_string_pretty(&comparison).expect("plain data") + "\n";
+        write_atomically(path, text.as_bytes())?;
+        tpg_graph::command::note(format_args!("{comparison}"));
     }
+    Ok(())
 }

@@ -42,6 +42,6 @@ impl RunArgs {
 }
 
 /// Creates an error about the command line.
-pub fn command_line(found: impl Into<String>, accepted: impl Into<String>) -> InputError {
+pub(crate) fn command_line(found: impl Into<String>, accepted: impl Into<String>) -> InputError {
     InputError::new("<command line>", Place::Whole, found, accepted)
 }

@@ -11,7 +11,7 @@ use tpg_problems::ProblemName;
 /// `tpg-train targets --problem fs > generated/test-targets/fs.csv` recreates the committed file; those of `dodge` come with
 /// the plans that solve them.
 #[derive(Clone, Debug, clap::Args)]
-pub struct TargetsArgs {
+pub(crate) struct TargetsArgs {
     /// The problem: fs, rs or dodge
     #[arg(long, value_enum)]
     pub problem: ProblemName,
@@ -30,7 +30,7 @@ pub struct TargetsArgs {
 ///
 /// # Errors
 /// If the problem has no such tasks, the configuration cannot be read, or stdout is closed.
-pub fn print_targets(args: &TargetsArgs) -> Result<(), InputError> {
+pub(crate) fn print_targets(args: &TargetsArgs) -> Result<(), InputError> {
     let problem = problem_for(args.problem, args.config.as_deref(), None)?;
     let text = problem.print_tasks(args.seed, args.episodes).ok_or_else(|| {
         let found = format!("--problem {}", args.problem.name());

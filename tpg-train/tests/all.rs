@@ -3,17 +3,12 @@
 mod arms;
 mod asking;
 mod damaged_checkpoints;
-mod engine;
 mod evaluator;
 mod hybrid_any;
 mod hybrid_study;
-mod import_actor;
-mod manual;
 mod own_environment;
-mod ranks;
 mod readme;
 mod report;
 mod runs;
 mod sac_runs;
-mod sac_update;
 mod shielded;

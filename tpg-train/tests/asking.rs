@@ -6,16 +6,11 @@ use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
-use tpg_codegen::policy::QuantisedPolicy;
 use tpg_engine::{Choices, TaskSet};
 use tpg_graph::Graph;
 use tpg_problems::{Pendulum, Problem, ProblemName};
 use tpg_runtime::ops::Own;
-use tpg_train::evolution::config::{AskConfig, EvolutionConfig};
-use tpg_train::hybrid::asking::Asking;
-use tpg_train::hybrid::shared::{Episodes, OwnProblem, Shared as _};
-use tpg_train::hybrid::trial::Acting;
-use tpg_train::sac::network::decided;
+use tpg_train::{Acting, AskConfig, Asking, Config as EvolutionConfig, Episodes, Network, OwnProblem, Shared as _};
 
 /// Asks where the angular velocity is negative, else pushes with the highest torque.
 const ASKS: &str = r#"{
@@ -33,7 +28,7 @@ const ASKS: &str = r#"{
 
 fn config(problem: ProblemName, policy: &str) -> EvolutionConfig {
     let ask = Some(AskConfig { policy: policy.to_owned(), price: 2.0, sha256: None });
-    let mut config = EvolutionConfig { problem: Problem::usual(problem).to_table(), ask, ..EvolutionConfig::default() };
+    let mut config = EvolutionConfig { problem: Problem::new(problem).to_table(), ask, ..EvolutionConfig::default() };
     (config.tpg.nb_roots, config.tpg.init_nb_roots, config.demes.count) = (40, 60, 1);
     config.start.share = 0.0;
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (4, 8);
@@ -131,9 +126,9 @@ fn evaluation_counts_the_asks_that_training_pays_for() {
     assert!(table.contains(&format!("asks           {asks:.2} an episode (95 %: ")), "{table}");
 
     // The same episodes as training sees them: each ask costs its price.
-    let network = QuantisedPolicy::from_json("policy", &fs::read_to_string(NETWORK).expect("text")).expect("a policy");
+    let network = Network::read(NETWORK.as_ref()).expect("a policy");
     let choices = Choices::new(Pendulum, Some(3)).expect("few actions");
-    let asking = Asking::new(choices, |state: &[f32]| decided(&network, state), 2.0);
+    let asking = Asking::new(choices, |state: &[f32]| network.decide(state), 2.0);
     let graph = Graph::from_json("asks.json", ASKS).expect("a graph");
     let problem = OwnProblem::<f32, Own, _>::new("pendulum", Choices::new(asking, None).expect("named actions"));
     let episodes = Episodes { set: TaskSet::Test, count: 50, seed: 1, file: None };

@@ -6,8 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_problems::{Problem, ProblemName};
-use tpg_train::evolution::config::EvolutionConfig;
-use tpg_train::sac::presets as sac_presets;
+use tpg_train::{Config as EvolutionConfig, Configuration as _, SacConfig};
 
 /// Mutations of the checkpoint of each trainer.
 const MUTATIONS: u64 = 150;
@@ -34,7 +33,7 @@ impl Run {
 }
 
 fn tpg(place: &Path) -> Run {
-    let problem = Problem::usual(ProblemName::Cartpole).to_table();
+    let problem = Problem::new(ProblemName::Cartpole).to_table();
     let mut config = EvolutionConfig { problem, ..EvolutionConfig::default() };
     (config.tpg.nb_roots, config.tpg.init_nb_roots) = (6, 6);
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (2, 4);
@@ -44,8 +43,8 @@ fn tpg(place: &Path) -> Run {
 }
 
 fn sac(place: &Path) -> Run {
-    let mut config = sac_presets::config(sac_presets::find("general").expect("a preset")).expect("it is accepted");
-    config.problem = Problem::usual(ProblemName::Pendulum).to_table();
+    let mut config = SacConfig::preset("general").expect("a preset");
+    config.problem = Problem::new(ProblemName::Pendulum).to_table();
     (config.actor.hidden, config.critic.hidden) = (vec![3], vec![3]);
     (config.learning.decisions, config.learning.random_decisions, config.learning.batch) = (24, 8, 4);
     (config.validation.every, config.validation.episodes) = (12, 1);

@@ -14,9 +14,7 @@ use tpg_engine::{
 use tpg_problems::arm::targets::Start;
 use tpg_problems::arm::{self, ArmEnvironment, ArmTask};
 use tpg_runtime::ops::{Instruction, Own};
-use tpg_train::evolution::config::EvolutionConfig;
-use tpg_train::evolution::presets::Preset;
-use tpg_train::evolution::run::{RunEnd, RunError, RunOptions, run};
+use tpg_train::{Config as EvolutionConfig, Configuration as _, RunEnd, RunError, RunOptions, train as run};
 
 /// A remote worker: it receives a unit with the tasks and sends an answer. It has no other information.
 struct Worker<'e> {
@@ -72,13 +70,12 @@ impl Evaluator<ArmTask> for Wire<'_> {
 
 /// Two demes, so that different roots have equal numbers.
 fn config() -> EvolutionConfig {
-    let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
+    let mut config = EvolutionConfig::preset("best-rs").expect("a preset");
     (config.tpg.nb_roots, config.tpg.init_nb_roots, config.learning.ratio_deleted_roots) = (16, 20, 0.7);
     config.demes.count = 2;
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (12, 5);
     (config.selection.lexicase_survivors, config.selection.racing_episodes) = (2, 4);
     config.selection.validation_episodes = 20;
-    config.learning.archive_size = 50;
     config
 }
 

@@ -4,8 +4,7 @@
 use assert_cmd::Command;
 use std::fs;
 use std::path::Path;
-use tpg_train::folder::{Trainer, frame::seal};
-use tpg_train::hybrid::study::VERSION;
+use tpg_train::loaders::{Trainer, seal};
 
 fn study(out: &Path, more: &[&str]) -> assert_cmd::assert::Assert {
     let generated = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("../generated").join(name);
@@ -46,7 +45,7 @@ fn threads_and_interruptions_do_not_matter() {
     // Simulates a run that was killed after every third cell.
     let kept: String =
         cells.lines().enumerate().filter(|(line, _)| line % 3 == 0).map(|(_, l)| format!("{l}\n")).collect();
-    fs::write(two.join("checkpoint"), seal(kept.into_bytes(), Trainer::Hybrid, VERSION)).expect("a file");
+    fs::write(two.join("checkpoint"), seal(kept.into_bytes(), Trainer::Hybrid, 1)).expect("a file");
     fs::remove_file(two.join("report.html")).expect("a file");
     study(&two, &["--resume"]).success();
     assert_eq!(text(&two, "cells.csv"), cells);
@@ -76,7 +75,7 @@ fn a_study_is_not_overwritten_or_mixed_with_another() {
     refused(&[], "or --resume");
     refused(&["--resume", "--seed", "9"], "another study");
     let cells = b"tpg,sac\n0,never\n".to_vec();
-    fs::write(folder.path().join("checkpoint"), seal(cells, Trainer::Hybrid, VERSION)).expect("a file");
+    fs::write(folder.path().join("checkpoint"), seal(cells, Trainer::Hybrid, 1)).expect("a file");
     refused(&["--resume"], "checkpoint: line 2");
     fs::write(folder.path().join("checkpoint"), "tpg,sac\n0,never\n").expect("a file");
     refused(&["--resume"], "there is no previous one");

@@ -8,16 +8,15 @@ use std::time::{Duration, Instant};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_problems::arm::arms::ARMS;
 use tpg_problems::{Problem, ProblemName};
-use tpg_train::evolution::config::{EvolutionConfig, Units};
-use tpg_train::evolution::presets::Preset;
+use tpg_train::{Config as EvolutionConfig, Configuration as _, Units};
 
-/// A run of seconds that uses every feature of evolution: two demes, pool, archive, lexicase, racing.
+/// A run of seconds that uses every feature of evolution: two demes, pool, lexicase, racing.
 fn small_config() -> EvolutionConfig {
-    let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
-    config.problem = Problem::usual(ProblemName::Pendulum).to_table();
+    let mut config = EvolutionConfig::preset("best-rs").expect("a preset");
+    config.problem = Problem::new(ProblemName::Pendulum).to_table();
     config.problem.insert("levels".to_owned(), 3.into());
     (config.tpg.nb_roots, config.tpg.init_nb_roots, config.tpg.max_init_outgoing_edges) = (24, 40, 3);
-    (config.demes.count, config.pool.share, config.learning.archive_size) = (2, 0.3, 50);
+    (config.demes.count, config.pool.share) = (2, 0.3);
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (12, 25);
     config.learning.ratio_deleted_roots = 0.7;
     (config.selection.lexicase_survivors, config.selection.racing_episodes) = (3, 4);
@@ -198,7 +197,7 @@ fn a_preset_a_file_and_single_settings_change_each_other_in_this_order() {
     assert!(train_on("cartpole", &folder, &[&all[..], &more].concat()).status().expect("it runs").success());
     let text = fs::read_to_string(folder.join("config.toml")).expect("the whole configuration");
     let config = EvolutionConfig::from_toml("config.toml", &text).expect("a good one");
-    let quick = Preset::find("quick").and_then(|preset| preset.config().ok()).expect("a preset");
+    let quick = EvolutionConfig::preset("quick").expect("a preset");
     assert_eq!((config.tpg.nb_roots, config.selection.line_price), (20, 0.0));
     assert_eq!((config.language.scalar, config.refinement), (tpg_graph::ScalarType::F64, quick.refinement));
 
@@ -335,7 +334,7 @@ fn a_policy_with_outputs_has_the_same_bytes_on_other_threads_and_after_a_stop() 
     let mut config = small();
     config.learning.nb_generations = 25;
     config.selection.validation_episodes = 30;
-    config.problem = Problem::usual(ProblemName::Pendulum).to_table();
+    config.problem = Problem::new(ProblemName::Pendulum).to_table();
     fs::write(&path, config.to_toml()).expect("it can be written");
     let [one, other, stopped] = ["one", "other", "stopped"].map(|name| place.path().join(name));
     assert!(train(&one, &path, &["--threads", "1"]).status().expect("it runs").success());
@@ -393,7 +392,7 @@ fn memory_needs_outputs() {
     let place = tempfile::tempdir().expect("a temporary folder");
     let path = place.path().join("config.toml");
     let mut config = memory_config();
-    config.problem = Problem::usual(ProblemName::Acrobot).to_table();
+    config.problem = Problem::new(ProblemName::Acrobot).to_table();
     fs::write(&path, config.to_toml()).expect("it can be written");
     let said = refusal(train(&place.path().join("run"), &path, &[]));
     assert!(said.contains("language.memory") && said.contains("a problem without outputs"), "{said}");
@@ -417,7 +416,7 @@ fn stages_have_the_same_bytes_on_other_threads_and_after_kills() {
         config.learning.nb_iterations_per_policy_evaluation = 4;
         (config.demes.halving_interval, config.literals.units) = (6, Units::Visited);
         (config.refinement.p_mutation, config.start.share, config.start.random) = (0.5, 0.8, random);
-        config.problem = Problem::usual(problem).to_table();
+        config.problem = Problem::new(problem).to_table();
         fs::write(&path, config.to_toml()).expect("it can be written");
         let [one, other, stopped] = ["one", "other", "stopped"].map(|name| place.path().join(name));
         assert!(train(&one, &path, &["--threads", "1"]).status().expect("it runs").success());

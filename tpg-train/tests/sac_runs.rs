@@ -8,10 +8,6 @@ use std::path::Path;
 use std::process::Stdio;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
-use tpg_engine::Summary;
-use tpg_problems::Pendulum;
-use tpg_train::sac::presets;
-use tpg_train::sac::training::Training;
 
 fn tpg_train() -> Command {
     Command::new(env!("CARGO_BIN_EXE_tpg-train"))
@@ -20,23 +16,6 @@ fn tpg_train() -> Command {
 fn error_of(arguments: &[&str]) -> String {
     let output = tpg_train().args(arguments).assert().code(2);
     String::from_utf8_lossy(&output.get_output().stderr).into_owned()
-}
-
-#[test]
-fn a_few_thousand_decisions_swing_the_pendulum_up() {
-    let config = presets::config(presets::find("general").expect("a preset")).expect("it is accepted");
-    let mut training = Training::new(&Pendulum, config, 1).expect("a torque");
-    let tasks = tpg_engine::tasks::<f32, _>(&Pendulum, tpg_engine::TaskSet::Validation, 0, 50);
-    let decisions = tpg_testing::amount(5000, 8000);
-    let mut score = || -> [f64; 2] {
-        let before: Summary = training.validate(&tasks);
-        while training.decisions() < decisions {
-            training.tick();
-        }
-        [before.score, training.validate(&tasks).score]
-    };
-    let [before, after] = score();
-    assert!(before < -900.0 && after > -400.0, "{before} before, {after} after");
 }
 
 /// Writes the preset `general` with an early first validation of few episodes.

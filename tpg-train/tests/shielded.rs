@@ -9,16 +9,13 @@ use tpg_codegen::verify::{self, Workshop};
 use tpg_graph::Graph;
 use tpg_graph::engine::Engine;
 use tpg_problems::Problem;
-use tpg_problems::arm::targets::Start;
-use tpg_problems::arm::{self, Shield};
-use tpg_train::evolution::config::EvolutionConfig;
-use tpg_train::evolution::presets::Preset;
+use tpg_train::{Config as EvolutionConfig, Configuration as _};
 
 /// Three generations of a few roots on the arm.
 fn config() -> EvolutionConfig {
-    let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
-    let shielded = arm::Config { shield: Shield::LimitsAndCollision, ..arm::Config::default() };
-    config.problem = Problem::Arm(Start::Rs, shielded).to_table();
+    let mut config = EvolutionConfig::preset("best-rs").expect("a preset");
+    let shielded = "[problem]\nname = \"rs\"\nshield = \"limits-and-collision\"\n";
+    config.problem = Problem::from_toml("shielded", shielded).expect("a problem").to_table();
     (config.tpg.nb_roots, config.tpg.init_nb_roots) = (24, 40);
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (6, 3);
     config.learning.ratio_deleted_roots = 0.7;

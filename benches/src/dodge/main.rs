@@ -10,12 +10,12 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 use tpg_arm::dodge::Behaviour;
-use tpg_problems::Problem;
+use tpg_engine::confidence;
 use tpg_problems::dodge::Config;
 use tpg_problems::dodge::draw::Certified;
 use tpg_problems::dodge::episode::{End, Episode};
 use tpg_problems::dodge::file::read_csv;
-use tpg_train::evaluate::confidence;
+use tpg_problems::{Problem, ProblemSettings};
 
 /// Runs every rival on scenes and prints a table in Markdown.
 #[derive(Debug, Parser)]
@@ -87,9 +87,11 @@ fn main() -> ExitCode {
 fn settings(path: &Path) -> Result<Config, String> {
     let file = path.display().to_string();
     let text = std::fs::read_to_string(path).map_err(|error| format!("{file}: {error}"))?;
-    match Problem::from_toml(&file, &text).map_err(|error| error.to_string())? {
-        Problem::Dodge(config) => Ok(config),
-        other => Err(format!("{file}: the problem {}, expected dodge", other.name().name())),
+    let problem = Problem::from_toml(&file, &text).map_err(|error| error.to_string())?;
+    let name = problem.name().name();
+    match problem.settings {
+        ProblemSettings::Dodge(config) => Ok(config),
+        _ => Err(format!("{file}: the problem {name}, expected dodge")),
     }
 }
 

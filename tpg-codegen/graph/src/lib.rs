@@ -38,6 +38,7 @@ pub mod dataflow;
 pub mod engine;
 pub mod error;
 pub mod export;
+pub mod files;
 pub mod hash_cons;
 pub mod import;
 pub mod interpret;

@@ -4,6 +4,9 @@ use crate::policy::Limits;
 use tpg_graph::{ActionDocument, ScalarType};
 use tpg_runtime::policy::ActionId;
 
+/// The name by which a graph asks the network beside it.
+pub const NETWORK: &str = "network";
+
 /// The actions that a policy can take.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ActionSpace {

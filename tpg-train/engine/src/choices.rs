@@ -3,9 +3,9 @@
 use crate::action::{Act, ActionSpace, Acts, Output};
 use crate::ending::{Ending, Step};
 use crate::environment::Environment;
+use crate::environment::OneByOne;
 use crate::episodes::Episodes;
 use crate::error::EvaluationError;
-use crate::one_by_one::OneByOne;
 use crate::source_set::SourceSet;
 use crate::view::View;
 use tpg_graph::{ActionDocument, Effect};

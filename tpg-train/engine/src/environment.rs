@@ -1,10 +1,13 @@
 //! The contract between a problem and everything that trains or evaluates policies on it.
 
+mod one_by_one;
+
+pub use one_by_one::OneByOne;
+
 use crate::action::{Act, ActionSpace};
 use crate::ending::{End, Ending, Measure, Preference, Step};
 use crate::episodes::Episodes;
 use crate::extensions::{Drawn, Guarded, Training};
-use crate::one_by_one::OneByOne;
 use crate::random::Stream;
 use crate::source_set::SourceSet;
 use serde::{Serialize, de::DeserializeOwned};

@@ -2,47 +2,21 @@
 
 use crate::action::{Act, Output};
 use crate::ending::Ending;
-use crate::environment::Environment;
-use crate::random::{Purpose, Stream};
+use crate::random::Stream;
 use serde_json::{Map, Value};
 use tpg_graph::SourceDocument;
-use tpg_runtime::scalar::Scalar;
 
 /// The purpose of a list of tasks. No list for one purpose is read for another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TaskSet {
     /// To choose between policies within a run: the same for every run.
     Validation,
-    /// To choose the settings of a hybrid.
+    /// To choose the settings of a hybrid, or to compare a network with itself in integers.
     Study,
+    /// To calibrate the integers of a network: drawn as tasks of training are.
+    Calibration,
     /// To test.
     Test,
-}
-
-/// Returns `count` tasks of a set: the environment's own list, or drawn ones. Validation tasks have the seed 0.
-pub fn tasks<S: Scalar, E: Environment<S> + ?Sized>(
-    environment: &E,
-    set: TaskSet,
-    seed: u64,
-    count: usize,
-) -> Vec<E::Task> {
-    if let Some(tasks) = environment.training().and_then(|training| training.tasks(set, seed, count)) {
-        return tasks;
-    }
-    let (purpose, seed) = match set {
-        TaskSet::Validation => (Purpose::Selection, 0),
-        TaskSet::Study => (Purpose::Selection, seed),
-        TaskSet::Test => (Purpose::Evaluation, seed),
-    };
-    (0..count as u64).map(|index| environment.draw(&mut Stream::new(seed, 0, purpose, index))).collect()
-}
-
-/// Returns the same task in coarser steps, `factor` times as large, where the environment has them.
-pub fn coarser<S: Scalar, E: Environment<S> + ?Sized>(environment: &E, task: E::Task, factor: u8) -> E::Task {
-    match environment.training() {
-        Some(training) => training.coarser(task, factor),
-        None => task,
-    }
 }
 
 /// The unit of a source that bounds the bids for the first actions.

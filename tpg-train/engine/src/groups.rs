@@ -1,7 +1,7 @@
 //! Groups of roots whose episodes run side by side.
 
-use crate::evaluator::{Piece, Work};
 use crate::view::BLOCK;
+use crate::work::{Piece, Work};
 
 /// Least number of groups for each thread: a thread whose groups were short takes over others'.
 const OF_A_THREAD: usize = 4;

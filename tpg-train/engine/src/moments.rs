@@ -40,9 +40,25 @@ impl Sample {
 
     /// Returns the 95 % interval of the mean, of ± 1.96 standard errors.
     pub fn interval(&self) -> [f64; 2] {
-        let half = 1.959_963_984_540_054 * self.sample_deviation() / (self.count.max(1) as f64).sqrt();
+        let half = Z * self.sample_deviation() / (self.count.max(1) as f64).sqrt();
         [self.mean - half, self.mean + half]
     }
+}
+
+/// The 0.975 quantile of the normal distribution.
+const Z: f64 = 1.959_963_984_540_054;
+
+/// Returns Wilson's 95 % interval of a rate that was seen in `count` episodes.
+///
+/// ```
+/// let [low, high] = tpg_engine::confidence(0.9, 100);
+/// assert!((low - 0.8256).abs() < 1e-4 && (high - 0.9448).abs() < 1e-4);
+/// ```
+pub fn confidence(rate: f64, count: usize) -> [f64; 2] {
+    let n = count.max(1) as f64;
+    let middle = (rate + Z * Z / (2.0 * n)) / (1.0 + Z * Z / n);
+    let half = Z / (1.0 + Z * Z / n) * (rate * (1.0 - rate) / n + Z * Z / (4.0 * n * n)).sqrt();
+    [(middle - half).max(0.0), (middle + half).min(1.0)]
 }
 
 /// Mean and spread of each value of some states, without these (Welford 1962; merged as by Chan, Golub and LeVeque 1979).

@@ -22,8 +22,6 @@ pub enum Purpose {
     Pool = 5,
     /// The lexicase selection of a generation.
     Lexicase = 6,
-    /// The recordings of the archive.
-    Archive = 8,
     /// One selection episode: used to choose the final root, never to train.
     Selection = 9,
     /// Property tests and benchmarks.

@@ -3,10 +3,11 @@
 use crate::action::{Act, ActionSpace, Output};
 use crate::ending::{End, Ending, Step};
 use crate::environment::Environment;
+use crate::environment::OneByOne;
 use crate::episodes::Episodes;
-use crate::extensions::{TaskSet, Training, coarser, tasks};
-use crate::one_by_one::OneByOne;
+use crate::extensions::{TaskSet, Training};
 use crate::source_set::SourceSet;
+use crate::tasks::{coarser, tasks};
 use tpg_graph::{Graph, SourceDocument};
 use tpg_runtime::scalar::Scalar;
 

@@ -77,10 +77,18 @@ impl<'e, S: Scalar, E: Environment<S> + ?Sized> Rollout<'e, S, E> {
     }
 
     /// Lets a policy act until the end.
-    pub fn run(mut self, mut decide: impl FnMut(&[S]) -> Decision<S>) -> Ending {
+    pub fn run(self, decide: impl FnMut(&[S]) -> Decision<S>) -> Ending {
+        self.watch(decide, |_| ())
+    }
+
+    /// Lets a policy act until the end; `each` sees the episode at its start and after every action.
+    pub fn watch(mut self, mut decide: impl FnMut(&[S]) -> Decision<S>, mut each: impl FnMut(&E::Episode)) -> Ending {
+        each(&self.episode);
         loop {
             let decision = decide(self.observe(SourceSet::ALL));
-            if let Some(ending) = self.act(decision.act()) {
+            let ending = self.act(decision.act());
+            each(&self.episode);
+            if let Some(ending) = ending {
                 return ending;
             }
         }

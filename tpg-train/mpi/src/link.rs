@@ -3,7 +3,7 @@
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::{Communicator, Destination, MatchedReceiveVec, Source};
 use tpg_engine::EvaluationError;
-use tpg_train::ranks::link::Link;
+use tpg_train::Link;
 
 /// The link of an MPI job. Only the thread that initialised MPI may use it.
 pub(crate) struct World(pub(crate) SimpleCommunicator);

@@ -9,9 +9,7 @@ use clap::{Parser, Subcommand};
 use link::World;
 use std::process::ExitCode;
 use tpg_graph::command::{CommandError, exit_code};
-use tpg_train::evolution::command::{TpgArgs, execute as execute_tpg};
-use tpg_train::ranks::link::Link;
-use tpg_train::ranks::workplace::Ranks;
+use tpg_train::{Link, Ranks, TpgArgs, evolve};
 
 /// `tpg-train` on the ranks of an MPI job: every rank reads the same command line, rank 0 writes the files.
 #[derive(Debug, Parser)]
@@ -47,7 +45,7 @@ fn main() -> ExitCode {
     abort_on_panic(rank, ranks);
     let place = Ranks::new(world);
     let Command::Tpg(args) = &cli.command;
-    let result = execute_tpg(args, &place).map_err(CommandError::other);
+    let result = evolve(args, &place).map_err(CommandError::other);
     exit_code(place.close(result))
 }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
-use tpg_train::cli::Cli;
+use tpg_train::Cli;
 
 /// Files that must not depend on ranks.
 const RESULTS: [&str; 3] = ["graph.json", "checkpoint", "generations.csv"];

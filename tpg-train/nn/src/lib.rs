@@ -1,4 +1,4 @@
-//! Neural networks, limited to what a soft actor-critic needs.
+//! Neural networks, limited to what a soft actor-critic needs, and its update.
 //!
 //! A batch is a matrix with one column per sample, so that a sample's values are contiguous. The parameters of a
 //! network are one flat vector: the optimiser, Polyak averaging and checkpoints see numbers, not layers.
@@ -14,6 +14,7 @@
 //! `fearless_simd` detects.
 
 mod adam;
+mod agent;
 mod gaussian;
 mod loops;
 mod mlp;
@@ -23,6 +24,7 @@ mod sum;
 mod vectors;
 
 pub use adam::Adam;
+pub use agent::{Agent, Experience, Learner, Rates, UpdateFigures, Workspace};
 pub use gaussian::{Gaussian, Samples, Spread};
 pub use loops::Loops;
 pub use mlp::{Mlp, Shape, Tape};

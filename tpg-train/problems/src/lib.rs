@@ -12,8 +12,7 @@
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`registry`] | problems by name, with their settings |
-//! | [`continuous`] | the same for policies with outputs |
+//! | [`registry`] | the table of problems, and their settings |
 //! | [`arm`] | reaching with a robot arm: `fs` and `rs` |
 //! | [`dodge`] | reaching with a robot arm among moving balls |
 //! | [`cartpole`] | balancing a pole on a cart |
@@ -28,7 +27,6 @@ pub mod amount;
 pub mod arm;
 pub mod cartpole;
 mod circle;
-pub mod continuous;
 pub mod dodge;
 mod eights;
 #[cfg(test)]
@@ -43,12 +41,12 @@ pub mod varied;
 
 pub use acrobot::Acrobot;
 pub use arm::config::guarded_constants;
+pub use arm::targets::TEST_SEED;
 pub use cartpole::CartPole;
-pub use continuous::ContinuousProblem;
 pub use mountain_car::MountainCar;
 pub use mountain_car_continuous::MountainCarContinuous;
 pub use pendulum::Pendulum;
-pub use registry::{Number, Problem, ProblemName};
+pub use registry::{DEFAULT_LEVELS, Number, PROBLEMS, PolicyKind, Problem, ProblemName, ProblemSettings};
 
 use tpg_graph::SourceDocument;
 

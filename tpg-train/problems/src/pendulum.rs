@@ -12,7 +12,6 @@ use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
 use tpg_engine::{Act, ActionSpace, Environment, Episodes, Output, SourceSet, Step, Training};
 use tpg_graph::SourceDocument;
-use tpg_graph::error::Finding;
 use tpg_runtime::scalar::Scalar;
 
 /// Maximum torque, N·m.
@@ -47,16 +46,6 @@ pub struct Config {
     pub physics: Amounts,
     /// Delays, noise and hidden sources.
     pub disturbance: Disturbance,
-}
-
-impl Config {
-    /// Checks the number of levels.
-    ///
-    /// # Errors
-    /// If there are fewer than 2 or more than 1,001.
-    pub fn check(&self) -> Result<(), Finding> {
-        self.levels.map_or(Ok(()), |levels| Finding::range("problem.levels", levels, 2, 1001))
-    }
 }
 
 /// A rod of 1 m and 1 kg on an axle with a motor, by the rules of Gymnasium's Pendulum-v1.

@@ -1,22 +1,23 @@
-//! The built-in problems by name.
+//! The built-in problems: one row of [`PROBLEMS`] each.
 
 use crate::acrobot::{self, Acrobot};
+use crate::arm::motors::Motors;
 use crate::arm::targets::Start;
-use crate::arm::{self, ArmScalar};
+use crate::arm::{self, ArmScalar, motors};
 use crate::cartpole::{self, CartPole};
 use crate::dodge::{self, Dodge};
 use crate::mountain_car::{self, MountainCar};
 use crate::mountain_car_continuous::{self, MountainCarContinuous};
 use crate::pendulum::{self, Pendulum};
-use crate::physics::Constants;
-use crate::varied::{Disturbance, Varied};
-use serde::{Deserialize, de::DeserializeOwned};
+use crate::physics::Constants as _;
+use crate::varied::Varied;
+use serde::{Deserialize, Serialize};
 use tpg_engine::{AnyEnvironment, Environment, erase};
-use tpg_graph::error::{Finding, InputError};
+use tpg_graph::error::{Finding, InputError, Place};
 use tpg_graph::{Graph, settings};
 
-/// The levels of an output for a graph that chooses among named actions, where nothing else is said.
-pub const USUAL_LEVELS: u16 = 3;
+/// The levels of an output for a graph that chooses among named actions, where the settings name none.
+pub const DEFAULT_LEVELS: u16 = 3;
 
 /// A built-in problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, clap::ValueEnum)]
@@ -39,55 +40,76 @@ pub enum ProblemName {
     MountainCarContinuous,
 }
 
+/// The kind of policies that a problem is set up for: only the arm differs between them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PolicyKind {
+    /// Graphs, which may choose among named actions.
+    Graph,
+    /// Networks, which answer a value for each output: they drive the arm by its motors.
+    Network,
+}
+
+/// A row of [`PROBLEMS`].
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// The problem.
+    pub name: ProblemName,
+    /// Its name on the command line and in configurations.
+    pub text: &'static str,
+    /// The arm's start, if this is a problem of the arm.
+    pub start: Option<Start>,
+    graph: Read,
+    network: Read,
+}
+
+/// Reads the settings of a kind of problem.
+type Read = fn(toml::Table) -> Result<ProblemSettings, PathError>;
+type PathError = serde_path_to_error::Error<toml::de::Error>;
+
+macro_rules! read {
+    ($variant:ident) => {
+        |table| serde_path_to_error::deserialize(toml::Value::Table(table)).map(ProblemSettings::$variant)
+    };
+}
+
+const fn entry(name: ProblemName, text: &'static str, read: Read) -> Entry {
+    Entry { name, text, start: None, graph: read, network: read }
+}
+
+const fn arm(name: ProblemName, text: &'static str, start: Start) -> Entry {
+    Entry { name, text, start: Some(start), graph: read!(Arm), network: read!(Motors) }
+}
+
+/// Every built-in problem, in the order of [`ProblemName`].
+pub const PROBLEMS: [Entry; 8] = [
+    arm(ProblemName::Fs, "fs", Start::Fs),
+    arm(ProblemName::Rs, "rs", Start::Rs),
+    entry(ProblemName::Dodge, "dodge", read!(Dodge)),
+    entry(ProblemName::Cartpole, "cartpole", read!(Cartpole)),
+    entry(ProblemName::Acrobot, "acrobot", read!(Acrobot)),
+    entry(ProblemName::MountainCar, "mountain-car", read!(MountainCar)),
+    entry(ProblemName::Pendulum, "pendulum", read!(Pendulum)),
+    entry(ProblemName::MountainCarContinuous, "mountain-car-continuous", read!(MountainCarContinuous)),
+];
+
 impl ProblemName {
-    /// Every built-in problem.
-    pub const ALL: [Self; 8] = [
-        Self::Fs,
-        Self::Rs,
-        Self::Dodge,
-        Self::Cartpole,
-        Self::Acrobot,
-        Self::MountainCar,
-        Self::Pendulum,
-        Self::MountainCarContinuous,
-    ];
+    const fn entry(self) -> Entry {
+        PROBLEMS[self as usize]
+    }
 
     /// Returns the name used on the command line and in configurations.
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::Fs => "fs",
-            Self::Rs => "rs",
-            Self::Dodge => "dodge",
-            Self::Cartpole => "cartpole",
-            Self::Acrobot => "acrobot",
-            Self::MountainCar => "mountain-car",
-            Self::Pendulum => "pendulum",
-            Self::MountainCarContinuous => "mountain-car-continuous",
-        }
+        self.entry().text
     }
 
     /// Finds the problem with the given [`name`](Self::name).
     pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|problem| problem.name() == name)
+        PROBLEMS.iter().find(|entry| entry.text == name).map(|entry| entry.name)
     }
 
     /// Returns the names of all problems, for messages.
     pub fn names() -> String {
-        Self::ALL.map(Self::name).join(", ")
-    }
-
-    /// Returns the arm's start, if this is a problem of the arm.
-    pub const fn start(self) -> Option<Start> {
-        match self {
-            Self::Fs => Some(Start::Fs),
-            Self::Rs => Some(Start::Rs),
-            Self::Dodge
-            | Self::Cartpole
-            | Self::Acrobot
-            | Self::MountainCar
-            | Self::Pendulum
-            | Self::MountainCarContinuous => None,
-        }
+        PROBLEMS.map(|entry| entry.text).join(", ")
     }
 }
 
@@ -102,9 +124,19 @@ impl From<Start> for ProblemName {
 
 /// A problem with its settings: the section `[problem]` of a configuration.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Problem {
+pub struct Problem {
+    name: ProblemName,
+    /// The settings.
+    pub settings: ProblemSettings,
+}
+
+/// The settings of a problem.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ProblemSettings {
     /// The arm.
-    Arm(Start, arm::Config),
+    Arm(arm::Config),
+    /// The arm by its motors.
+    Motors(motors::Config),
     /// The arm among balls.
     Dodge(dodge::Config),
     /// The pole on a cart.
@@ -119,6 +151,78 @@ pub enum Problem {
     MountainCarContinuous(mountain_car_continuous::Config),
 }
 
+macro_rules! each {
+    ($settings:expr, $config:ident => $result:expr) => {
+        match $settings {
+            ProblemSettings::Arm($config) => $result,
+            ProblemSettings::Motors($config) => $result,
+            ProblemSettings::Dodge($config) => $result,
+            ProblemSettings::Cartpole($config) => $result,
+            ProblemSettings::Acrobot($config) => $result,
+            ProblemSettings::MountainCar($config) => $result,
+            ProblemSettings::Pendulum($config) => $result,
+            ProblemSettings::MountainCarContinuous($config) => $result,
+        }
+    };
+}
+
+/// Settings that make an environment.
+trait Settings: Serialize {
+    fn check(&self) -> Result<(), Finding>;
+    fn environment<S: ArmScalar>(&self, start: Start) -> AnyEnvironment<S>;
+}
+
+impl Settings for arm::Config {
+    fn check(&self) -> Result<(), Finding> {
+        self.check()
+    }
+    fn environment<S: ArmScalar>(&self, start: Start) -> AnyEnvironment<S> {
+        erase(self.environment::<S>(start))
+    }
+}
+
+/// The environment is the arm as graphs share it with a network.
+impl Settings for motors::Config {
+    fn check(&self) -> Result<(), Finding> {
+        self.check()
+    }
+    fn environment<S: ArmScalar>(&self, start: Start) -> AnyEnvironment<S> {
+        let network = Some(Box::new(self.clone()));
+        erase(arm::Config { arm: self.arm.clone(), network, ..arm::Config::default() }.environment::<S>(start))
+    }
+}
+
+impl Settings for dodge::Config {
+    fn check(&self) -> Result<(), Finding> {
+        self.check()
+    }
+    fn environment<S: ArmScalar>(&self, _: Start) -> AnyEnvironment<S> {
+        erase(Dodge::new(self))
+    }
+}
+
+macro_rules! varied {
+    ($($config:ty, $environment:expr;)+) => {
+        $(impl Settings for $config {
+            fn check(&self) -> Result<(), Finding> {
+                self.physics.check()?;
+                self.disturbance.check(&Environment::<f64>::sources(&$environment))
+            }
+            fn environment<S: ArmScalar>(&self, _: Start) -> AnyEnvironment<S> {
+                erase(Varied::new($environment, self.physics, self.disturbance.clone()))
+            }
+        })+
+    };
+}
+
+varied! {
+    cartpole::Config, CartPole;
+    acrobot::Config, Acrobot;
+    mountain_car::Config, MountainCar;
+    pendulum::Config, Pendulum;
+    mountain_car_continuous::Config, MountainCarContinuous;
+}
+
 /// A file with a section `[problem]`; the other sections belong to other readers.
 #[derive(Deserialize)]
 struct File<P> {
@@ -131,89 +235,107 @@ struct Name {
     name: String,
 }
 
+/// The description of what is accepted in the section.
+const ACCEPTED: &str = "the settings that `tpg-train config` prints";
+
 impl Problem {
+    /// Returns a problem with its default settings, for graphs.
+    pub fn new(name: ProblemName) -> Self {
+        Self::new_for(name, PolicyKind::Graph)
+    }
+
     /// Returns a problem with its default settings.
-    pub fn usual(name: ProblemName) -> Self {
-        match name {
-            ProblemName::Fs => Self::Arm(Start::Fs, arm::Config::default()),
-            ProblemName::Rs => Self::Arm(Start::Rs, arm::Config::default()),
-            ProblemName::Dodge => Self::Dodge(dodge::Config::default()),
-            ProblemName::Cartpole => Self::Cartpole(cartpole::Config::default()),
-            ProblemName::Acrobot => Self::Acrobot(acrobot::Config::default()),
-            ProblemName::MountainCar => Self::MountainCar(mountain_car::Config::default()),
-            ProblemName::Pendulum => Self::Pendulum(pendulum::Config::default()),
-            ProblemName::MountainCarContinuous => {
-                Self::MountainCarContinuous(mountain_car_continuous::Config::default())
-            }
-        }
+    ///
+    /// # Panics
+    /// Never: every setting has a default.
+    pub fn new_for(name: ProblemName, kind: PolicyKind) -> Self {
+        Self::parse(name, kind, toml::Table::new()).expect("every setting has a default")
+    }
+
+    fn parse(name: ProblemName, kind: PolicyKind, table: toml::Table) -> Result<Self, PathError> {
+        let Entry { graph, network, .. } = name.entry();
+        let read = if kind == PolicyKind::Graph { graph } else { network };
+        Ok(Self { name, settings: read(table)? })
     }
 
     /// Returns the problem's name.
     pub fn name(&self) -> ProblemName {
-        match self {
-            Self::Arm(start, _) => (*start).into(),
-            Self::Dodge(_) => ProblemName::Dodge,
-            Self::Cartpole(_) => ProblemName::Cartpole,
-            Self::Acrobot(_) => ProblemName::Acrobot,
-            Self::MountainCar(_) => ProblemName::MountainCar,
-            Self::Pendulum(_) => ProblemName::Pendulum,
-            Self::MountainCarContinuous(_) => ProblemName::MountainCarContinuous,
+        self.name
+    }
+
+    /// Returns the arm's start; the fixed one for a problem without one.
+    pub(crate) fn start(&self) -> Start {
+        self.name.entry().start.unwrap_or(Start::Fs)
+    }
+
+    /// Returns the problem of another name: the arm by its motors keeps its settings with another start.
+    #[must_use]
+    pub fn renamed(self, name: ProblemName, kind: PolicyKind) -> Self {
+        match &self.settings {
+            ProblemSettings::Motors(_) if name.entry().start.is_some() => Self { name, ..self },
+            _ if self.name == name => self,
+            _ => Self::new_for(name, kind),
         }
     }
 
     /// Returns the number of levels of each output for policies that choose among named actions; `None` for policies that
     /// compute the outputs.
     pub fn levels(&self) -> Option<u16> {
-        match self {
-            Self::Pendulum(config) => config.levels,
-            Self::Arm(..)
-            | Self::Dodge(_)
-            | Self::Cartpole(_)
-            | Self::Acrobot(_)
-            | Self::MountainCar(_)
-            | Self::MountainCarContinuous(_) => None,
-        }
+        if let ProblemSettings::Pendulum(config) = &self.settings { config.levels } else { None }
     }
 
     /// Returns the number of levels for a graph: none for one that computes outputs, otherwise [`levels`](Self::levels), or
-    /// [`USUAL_LEVELS`] where the settings name none.
+    /// [`DEFAULT_LEVELS`] where the settings name none.
     pub fn levels_for(&self, graph: &Graph) -> Option<u16> {
-        graph.outputs().is_empty().then(|| self.levels().unwrap_or(USUAL_LEVELS))
+        graph.outputs().is_empty().then(|| self.levels().unwrap_or(DEFAULT_LEVELS))
+    }
+
+    /// Reads the section `[problem]` of a configuration for graphs.
+    ///
+    /// # Errors
+    /// An unknown problem, an unknown key or a value that the problem does not accept, with its line.
+    pub fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
+        Self::read(file, text, PolicyKind::Graph)
     }
 
     /// Reads the section `[problem]` of a configuration.
     ///
     /// # Errors
-    /// An unknown problem, an unknown key or a value that the problem does not accept, with its line.
-    pub fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
-        let name = named(file, text)?;
-        let problem = match name {
-            ProblemName::Fs => Self::Arm(Start::Fs, section(file, text)?),
-            ProblemName::Rs => Self::Arm(Start::Rs, section(file, text)?),
-            ProblemName::Dodge => Self::Dodge(section(file, text)?),
-            ProblemName::Cartpole => Self::Cartpole(section(file, text)?),
-            ProblemName::Acrobot => Self::Acrobot(section(file, text)?),
-            ProblemName::MountainCar => Self::MountainCar(section(file, text)?),
-            ProblemName::Pendulum => Self::Pendulum(section(file, text)?),
-            ProblemName::MountainCarContinuous => Self::MountainCarContinuous(section(file, text)?),
-        };
+    /// As [`from_toml`](Self::from_toml).
+    pub fn read(file: &str, text: &str, kind: PolicyKind) -> Result<Self, InputError> {
+        let header: File<Name> = settings::from_toml(file, text, "a section [problem] with a name")?;
+        let found = header.problem.name;
+        let name = ProblemName::from_name(&found).ok_or_else(|| {
+            let accepted = format!("one of {}", ProblemName::names());
+            settings::place(file, text, Finding::new("problem.name", format!("{found:?}"), accepted))
+        })?;
+        let mut table = settings::from_toml::<File<toml::Table>>(file, text, ACCEPTED)?.problem;
+        table.remove("name");
+        let problem = Self::parse(name, kind, table).map_err(|error| {
+            let key = match error.path().to_string() {
+                path if path == "." => "problem".to_owned(),
+                path => format!("problem.{path}"),
+            };
+            let found = error.inner().message().trim().to_owned();
+            InputError { found, ..settings::place(file, text, Finding::new(key, "", ACCEPTED)) }
+        })?;
         problem.check().map_err(|finding| settings::place(file, text, finding))?;
         Ok(problem)
     }
 
+    /// Reads the section as [`to_table`](Self::to_table) wrote it; `file` is the file that it was kept in.
+    ///
+    /// # Errors
+    /// As [`from_toml`](Self::from_toml).
+    pub fn from_table(file: &str, table: &toml::Table, kind: PolicyKind) -> Result<Self, InputError> {
+        let whole = toml::Table::from_iter([("problem".to_owned(), table.clone().into())]).to_string();
+        let place = || Place::Path("problem".to_owned());
+        Self::read(file, &whole, kind).map_err(|error| InputError { place: place(), ..error })
+    }
+
     fn check(&self) -> Result<(), Finding> {
-        match self {
-            Self::Arm(_, config) => config.check(),
-            Self::Dodge(config) => config.check(),
-            Self::Cartpole(config) => check(CartPole, &config.physics, &config.disturbance),
-            Self::Acrobot(config) => check(Acrobot, &config.physics, &config.disturbance),
-            Self::MountainCar(config) => check(MountainCar, &config.physics, &config.disturbance),
-            Self::MountainCarContinuous(config) => check(MountainCarContinuous, &config.physics, &config.disturbance),
-            Self::Pendulum(config) => {
-                config.check()?;
-                check(Pendulum, &config.physics, &config.disturbance)
-            }
-        }
+        Finding::range("problem.levels", self.levels().unwrap_or(DEFAULT_LEVELS), 2, 1001)?;
+        each!(&self.settings, config => Settings::check(config))
     }
 
     /// Returns the section `[problem]` with every setting written out.
@@ -221,17 +343,9 @@ impl Problem {
     /// # Panics
     /// Never: every setting can be written.
     pub fn to_table(&self) -> toml::Table {
-        let mut table = match self {
-            Self::Arm(_, config) => toml::Table::try_from(config),
-            Self::Dodge(config) => toml::Table::try_from(config),
-            Self::Cartpole(config) => toml::Table::try_from(config),
-            Self::Acrobot(config) => toml::Table::try_from(config),
-            Self::MountainCar(config) => toml::Table::try_from(config),
-            Self::Pendulum(config) => toml::Table::try_from(config),
-            Self::MountainCarContinuous(config) => toml::Table::try_from(config),
-        }
-        .expect("settings are plain data");
-        table.insert("name".to_owned(), self.name().name().into());
+        let table = each!(&self.settings, config => toml::Table::try_from(config));
+        let mut table = table.expect("settings are plain data");
+        table.insert("name".to_owned(), self.name.name().into());
         table
     }
 
@@ -240,7 +354,7 @@ impl Problem {
     /// ```
     /// use tpg_problems::{Problem, ProblemName};
     ///
-    /// let environment = Problem::usual(ProblemName::Cartpole).environment::<f32>();
+    /// let environment = Problem::new(ProblemName::Cartpole).environment::<f32>();
     /// assert_eq!(environment.time_limit(), 500);
     /// ```
     pub fn environment<S: Number>(&self) -> AnyEnvironment<S> {
@@ -248,53 +362,35 @@ impl Problem {
     }
 
     fn create<S: ArmScalar>(&self) -> AnyEnvironment<S> {
-        match self {
-            Self::Arm(start, config) => erase(config.environment::<S>(*start)),
-            Self::Dodge(config) => erase(Dodge::new(config)),
-            Self::Cartpole(config) => erase(Varied::new(CartPole, config.physics, config.disturbance.clone())),
-            Self::Acrobot(config) => erase(Varied::new(Acrobot, config.physics, config.disturbance.clone())),
-            Self::MountainCar(config) => erase(Varied::new(MountainCar, config.physics, config.disturbance.clone())),
-            Self::Pendulum(config) => erase(Varied::new(Pendulum, config.physics, config.disturbance.clone())),
-            Self::MountainCarContinuous(config) => {
-                erase(Varied::new(MountainCarContinuous, config.physics, config.disturbance.clone()))
+        each!(&self.settings, config => Settings::environment(config, self.start()))
+    }
+
+    /// Returns the settings that a network in integers keeps in its file, if its outputs are preferences and not values.
+    ///
+    /// # Errors
+    /// If networks with these settings cannot be put into integers.
+    pub fn kept_settings(&self) -> Result<Option<toml::Table>, Finding> {
+        let ProblemSettings::Motors(config) = &self.settings else { return Ok(None) };
+        if config.inputs != motors::Inputs::Features {
+            return Err(Finding::new("problem.inputs", format!("{:?}", config.inputs.name()), "\"features\""));
+        }
+        let mut table = self.to_table();
+        table.retain(|key, _| ["actions", "mask", "may_rest"].contains(&key));
+        Ok(Some(table))
+    }
+
+    /// Creates the environment in which a network acts alone: the [joined](Self::joined) one, or one that is trained. The arm's
+    /// tasks come from the sample of the space that `seed` draws.
+    pub fn network_environment(&self, seed: u64) -> AnyEnvironment<f32> {
+        match &self.settings {
+            ProblemSettings::Motors(config) => erase(Motors::new(self.start(), config.clone(), seed)),
+            ProblemSettings::Arm(config) => {
+                let network = config.network.as_deref().cloned().unwrap_or_default();
+                erase(Motors::new(self.start(), network, seed).with_tests(config.problem(self.start())))
             }
+            _ => self.environment(),
         }
     }
-}
-
-/// Checks the constants and the disturbances of a problem.
-fn check(
-    environment: impl Environment<f64>,
-    physics: &impl Constants,
-    disturbance: &Disturbance,
-) -> Result<(), Finding> {
-    physics.check()?;
-    disturbance.check(&environment.sources())
-}
-
-/// The problem that the section `[problem]` names.
-pub(crate) fn named(file: &str, text: &str) -> Result<ProblemName, InputError> {
-    let header: File<Name> = settings::from_toml(file, text, "a section [problem] with a name")?;
-    let found = header.problem.name;
-    ProblemName::from_name(&found).ok_or_else(|| {
-        let accepted = format!("one of {}", ProblemName::names());
-        settings::place(file, text, Finding::new("problem.name", format!("{found:?}"), accepted))
-    })
-}
-
-/// Reads the settings of one kind of problem: the section without the name, strictly.
-pub(crate) fn section<Settings: DeserializeOwned>(file: &str, text: &str) -> Result<Settings, InputError> {
-    const ACCEPTED: &str = "the settings that `tpg-train config` prints";
-    let mut table = settings::from_toml::<File<toml::Table>>(file, text, ACCEPTED)?.problem;
-    table.remove("name");
-    serde_path_to_error::deserialize(toml::Value::Table(table)).map_err(|error| {
-        let key = match error.path().to_string() {
-            path if path == "." => "problem".to_owned(),
-            path => format!("problem.{path}"),
-        };
-        let found = error.inner().message().trim().to_owned();
-        InputError { found, ..settings::place(file, text, Finding::new(key, "", ACCEPTED)) }
-    })
 }
 
 /// Number types of the problems in the registry.
@@ -320,17 +416,17 @@ impl Number for f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Problem, ProblemName};
+    use super::{PROBLEMS, PolicyKind, Problem, ProblemName, ProblemSettings};
     use tpg_graph::error::Place;
 
     #[test]
     fn a_section_gives_back_the_same_problem() {
-        for name in ProblemName::ALL {
-            let problem = Problem::usual(name);
-            let mut file = toml::Table::new();
-            file.insert("problem".to_owned(), problem.to_table().into());
-            assert_eq!(Problem::from_toml("x.toml", &file.to_string()), Ok(problem));
-            assert_eq!(ProblemName::from_name(name.name()), Some(name));
+        for name in PROBLEMS.map(|entry| entry.name) {
+            for kind in [PolicyKind::Graph, PolicyKind::Network] {
+                let problem = Problem::new_for(name, kind);
+                assert_eq!(Problem::from_table("x.toml", &problem.to_table(), kind), Ok(problem));
+            }
+            assert_eq!((PROBLEMS[name as usize].name, ProblemName::from_name(name.name())), (name, Some(name)));
         }
     }
 
@@ -375,6 +471,34 @@ mod tests {
             ("[problem]\nname = \"rs\"\n[problem.arm]\nhome = 3\n", 4, "invalid type"),
         ] {
             let error = Problem::from_toml("x.toml", text).expect_err(text);
+            assert_eq!(error.place, Place::Line(line), "{error}");
+            assert!(error.found.starts_with(found), "{error}");
+        }
+    }
+
+    #[test]
+    fn the_arm_keeps_its_settings_with_another_start() {
+        let kind = PolicyKind::Network;
+        let mut problem = Problem::new_for(ProblemName::Fs, kind);
+        if let ProblemSettings::Motors(config) = &mut problem.settings {
+            config.max_steps = 77;
+        }
+        let renamed = problem.clone().renamed(ProblemName::Rs, kind);
+        assert!(matches!(&renamed.settings, ProblemSettings::Motors(config) if config.max_steps == 77));
+        assert_eq!(renamed.name(), ProblemName::Rs);
+        let other = Problem::new_for(ProblemName::Pendulum, kind);
+        assert_eq!(problem.renamed(ProblemName::Pendulum, kind), other);
+    }
+
+    #[test]
+    fn a_wrong_setting_of_the_motors_is_refused_with_its_line() {
+        for (text, line, found) in [
+            ("[problem]\nname = \"fs\"\nactions = \"medium\"\n", 3, "unknown variant"),
+            ("[problem]\nname = \"fs\"\nsources = [\"stance\"]\n", 3, "unknown field"),
+            ("[problem]\nname = \"rs\"\nstep = 5\n", 3, "problem.step = 5"),
+            ("[problem]\nname = \"rs\"\n\nfixed_start_share = 2.0\n", 4, "problem.fixed_start_share = 2"),
+        ] {
+            let error = Problem::read("x.toml", text, PolicyKind::Network).expect_err(text);
             assert_eq!(error.place, Place::Line(line), "{error}");
             assert!(error.found.starts_with(found), "{error}");
         }

@@ -1,13 +1,13 @@
 //! Problems as policies are tested on them: by what the policies say about their training, on tasks from files.
 
-use crate::arm::motors::{self, Motors, MotorsTask, Rules};
+use crate::arm::motors::{self, MotorsTask, Rules};
 use crate::arm::planner::{self, CONTROLLERS};
 use crate::arm::{ArmDescription, ArmTask, targets};
 use crate::dodge;
-use crate::registry::{Problem, ProblemName};
+use crate::registry::{PROBLEMS, PolicyKind, Problem, ProblemName, ProblemSettings};
 use serde::Deserialize;
 use std::path::Path;
-use tpg_engine::{AnyEnvironment, AnyTask, Ending, erase};
+use tpg_engine::{AnyTask, Ending};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 
@@ -17,8 +17,8 @@ impl Problem {
     /// # Errors
     /// If the graph's provenance describes an arm that cannot be; `file` is the graph's.
     pub fn tested(name: ProblemName, graph: Option<(&str, &Graph)>) -> Result<Self, InputError> {
-        let mut problem = Self::usual(name).for_tests();
-        if let Self::Arm(_, config) = &mut problem {
+        let mut problem = Self::new(name).for_tests();
+        if let ProblemSettings::Arm(config) = &mut problem.settings {
             config.coef_reward_multiplication = 0.01;
             config.arm = graph.map(|(file, graph)| arm_of(file, graph)).transpose()?.flatten();
         }
@@ -28,7 +28,7 @@ impl Problem {
     /// Returns the problem as policies are tested on it: they can read and do whatever it knows.
     #[must_use]
     pub fn for_tests(mut self) -> Self {
-        if let Self::Arm(_, config) = &mut self {
+        if let ProblemSettings::Arm(config) = &mut self.settings {
             config.tests = true;
         }
         self
@@ -39,11 +39,12 @@ impl Problem {
     ///
     /// # Errors
     /// If the settings are not the problem's, or the network is for another arm; `file` is the network's.
-    pub fn joined(self, file: &str, network: &toml::Table, rules: bool, graph: bool) -> Result<Self, InputError> {
-        let Self::Arm(start, config) = self else {
+    pub fn joined(mut self, file: &str, network: &toml::Table, rules: bool, graph: bool) -> Result<Self, InputError> {
+        let start = self.start();
+        let ProblemSettings::Arm(config) = &mut self.settings else {
             // Integers do not name their problem.
             let is_whole = rules && !graph && network.contains_key("name");
-            return if is_whole { Self::from_table(file, network) } else { Ok(self) };
+            return if is_whole { Self::from_table(file, network, PolicyKind::Graph) } else { Ok(self) };
         };
         let mut table = network.clone();
         // Integers do not name their problem, and no arm.
@@ -51,7 +52,6 @@ impl Problem {
         let motors: motors::Config = toml::Value::Table(table).try_into().map_err(|error: toml::de::Error| {
             InputError::new(file, Place::Path("problem".to_owned()), error.message(), "a network of the arm's motors")
         })?;
-        let mut config = config;
         if rules && names_arm {
             let tests = motors.tests(start);
             (config.tolerance, config.backlash) = (tests.tolerance, tests.backlash);
@@ -63,29 +63,8 @@ impl Problem {
             let accepted = "one for the arm of the configuration, or of the graph";
             return Err(InputError::new(file, Place::Whole, "a network for another arm", accepted));
         }
-        let arm = config.arm.clone();
-        config.network = Some(Box::new(motors::Config { arm, ..motors }));
-        Ok(Self::Arm(start, config))
-    }
-
-    /// Reads the section as [`to_table`](Self::to_table) wrote it; `file` is the file that it was kept in.
-    ///
-    /// # Errors
-    /// As [`from_toml`](Self::from_toml).
-    pub fn from_table(file: &str, table: &toml::Table) -> Result<Self, InputError> {
-        let whole = toml::Table::from_iter([("problem".to_owned(), table.clone().into())]).to_string();
-        Self::from_toml(file, &whole).map_err(|error| InputError { place: Place::Path("problem".to_owned()), ..error })
-    }
-
-    /// Creates the environment in which the [joined](Self::joined) network acts alone.
-    pub fn network_environment(&self) -> AnyEnvironment<f32> {
-        match self {
-            Self::Arm(start, config) => {
-                let network = config.network.as_deref().cloned().unwrap_or_default();
-                erase(Motors::new(*start, network, 0).with_tests(config.problem(*start)))
-            }
-            _ => self.environment(),
-        }
+        config.network = Some(Box::new(motors::Config { arm: config.arm.clone(), ..motors }));
+        Ok(self)
     }
 
     /// Reads tasks as [`print_tasks`](Self::print_tasks) prints them, for a network alone or for anything else.
@@ -93,17 +72,19 @@ impl Problem {
     /// # Errors
     /// If the file cannot be read, or the problem has no such files.
     pub fn read_tasks(&self, path: &Path, network_alone: bool) -> Result<Vec<AnyTask>, InputError> {
-        match self {
-            Self::Arm(start, config) => {
+        match &self.settings {
+            ProblemSettings::Arm(config) => {
                 let tasks = targets::read_csv(&config.arm(), path)?.into_iter();
-                let rules = Rules::Test(*start);
+                let rules = Rules::Test(self.start());
                 let motors = |task: targets::Task| MotorsTask { start: task.start.0, target: task.target, rules };
                 Ok(match network_alone {
                     true => tasks.map(|task| AnyTask::new(motors(task))).collect(),
                     false => tasks.map(|task| AnyTask::new(ArmTask::from(task))).collect(),
                 })
             }
-            Self::Dodge(_) => Ok(dodge::file::read_csv(path)?.into_iter().map(|of| AnyTask::new(of.scene)).collect()),
+            ProblemSettings::Dodge(_) => {
+                Ok(dodge::file::read_csv(path)?.into_iter().map(|of| AnyTask::new(of.scene)).collect())
+            }
             _ => {
                 let found = format!("tasks from a file for {}", self.name().name());
                 Err(InputError::new(path.display().to_string(), Place::Whole, found, "fs, rs or dodge"))
@@ -113,12 +94,12 @@ impl Problem {
 
     /// Returns test tasks as CSV, by default those of the committed files; `None` if the problem has no such files.
     pub fn print_tasks(&self, seed: Option<u64>, count: usize) -> Option<String> {
-        match self {
-            Self::Arm(start, config) => {
+        match &self.settings {
+            ProblemSettings::Arm(config) => {
                 let seed = seed.unwrap_or(targets::TEST_SEED);
-                Some(targets::to_csv(&targets::tasks(&config.arm(), seed, targets::Set::Test, *start, count)))
+                Some(targets::to_csv(&targets::tasks(&config.arm(), seed, targets::Set::Test, self.start(), count)))
             }
-            Self::Dodge(config) => {
+            ProblemSettings::Dodge(config) => {
                 let (seed, set) = (seed.unwrap_or(dodge::draw::SEED), targets::Set::Test);
                 let scenes = dodge::draw::scenes(config, seed, set, count, dodge::draw::TEST_TRIES);
                 Some(dodge::file::to_csv(&scenes))
@@ -129,29 +110,29 @@ impl Problem {
 
     /// Returns the shields that keep a graph from choosing what would be refused: the name of each, and the source that bounds bids.
     pub fn shields(&self) -> &'static [(&'static str, &'static str)] {
-        match self {
-            Self::Arm(..) => &[("limits", "shield_limits"), ("limits-and-collision", "shield_collision")],
+        match &self.settings {
+            ProblemSettings::Arm(_) => &[("limits", "shield_limits"), ("limits-and-collision", "shield_collision")],
             _ => &[],
         }
     }
 
     /// Returns true if policies of one problem can act in the other.
     pub fn share_policies(one: &str, other: &str) -> bool {
-        let is_arm = |name: &str| ProblemName::from_name(name).is_some_and(|name| name.start().is_some());
+        let is_arm = |name: &str| PROBLEMS.iter().any(|entry| entry.text == name && entry.start.is_some());
         one == other || (is_arm(one) && is_arm(other))
     }
 
     /// Returns the names of the controllers that learn nothing, if the problem has some.
     pub fn controllers(&self) -> &'static [&'static str] {
-        if matches!(self, Self::Arm(..)) { &CONTROLLERS } else { &[] }
+        if matches!(self.settings, ProblemSettings::Arm(_)) { &CONTROLLERS } else { &[] }
     }
 
     /// Lets a controller do tasks; `None` if the problem has none of that name.
     pub fn controlled(&self, name: &str, tasks: &[AnyTask]) -> Option<Vec<Ending>> {
-        let Self::Arm(start, config) = self else { return None };
+        let ProblemSettings::Arm(config) = &self.settings else { return None };
         let tasks: Vec<targets::Task> =
             tasks.iter().filter_map(|task| task.typed::<ArmTask>().map(Into::into)).collect();
-        planner::controlled(name, &config.arm(), &config.problem(*start), &tasks)
+        planner::controlled(name, &config.arm(), &config.problem(self.start()), &tasks)
     }
 }
 

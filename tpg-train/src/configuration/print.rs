@@ -1,9 +1,9 @@
 //! `tpg-train config`: prints presets, and the schema of settings.
 
+use super::Configuration as _;
 use super::schema::{commented, schema};
 use crate::evolution::config::EvolutionConfig;
-use crate::evolution::presets::{PRESETS, Preset};
-use crate::sac;
+use crate::sac::config::SacConfig;
 use clap::Args;
 use tpg_graph::error::{InputError, Place};
 use tpg_problems::arm::arms::ARMS;
@@ -11,7 +11,7 @@ use tpg_problems::arm::chain::CHAINS;
 
 /// Print a commented configuration.
 #[derive(Clone, Debug, Args)]
-pub struct ConfigArgs {
+pub(crate) struct ConfigArgs {
     /// The preset [default: thorough; with --sac general], or an arm, such as widowx, for the section that describes it
     #[arg(value_name = "NAME")]
     pub name: Option<String>,
@@ -30,21 +30,21 @@ pub struct ConfigArgs {
 ///
 /// # Errors
 /// If there is no preset with that name, or stdout is closed.
-pub fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
+pub(crate) fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
     let text = text(args)?;
     let written = tpg_graph::command::print(&text);
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
 }
 
 fn text(args: &ConfigArgs) -> Result<String, InputError> {
-    let schema = if args.sac { schema::<sac::config::SacConfig>() } else { schema::<EvolutionConfig>() };
+    let schema = if args.sac { schema::<SacConfig>() } else { schema::<EvolutionConfig>() };
     if args.schema {
         return Ok(format!("{schema:#}\n"));
     }
-    let own = PRESETS.iter().map(|preset| (preset.name, preset.about, None::<String>));
+    let own = EvolutionConfig::PRESETS.iter().map(|preset| (preset.name, preset.about, None::<String>));
     let arms = ARMS.iter().map(|arm| (arm.name, arm.about, Some(arm.text.to_owned())));
     let chains = CHAINS.iter().map(|chain| (chain.name, chain.about, Some(chain.text.to_owned())));
-    let networks = sac::presets::PRESETS.iter().map(|preset| (preset.name, preset.about, None));
+    let networks = SacConfig::PRESETS.iter().map(|preset| (preset.name, preset.about, None));
     let all: Vec<_> = if args.sac { networks.collect() } else { own.chain(arms).chain(chains).collect() };
     if args.list {
         return Ok(all.into_iter().map(|(name, about, _)| format!("{name:18} {about}\n")).collect());
@@ -53,8 +53,7 @@ fn text(args: &ConfigArgs) -> Result<String, InputError> {
     match all.iter().find(|(known, ..)| *known == name) {
         Some((_, _, Some(text))) => Ok(text.clone()),
         Some(_) => {
-            let network = sac::presets::find(name).filter(|_| args.sac).map(sac::presets::Preset::table);
-            let table = network.or_else(|| Preset::find(name).map(Preset::table));
+            let table = if args.sac { SacConfig::table(name) } else { EvolutionConfig::table(name) };
             Ok(commented(&schema, &table.unwrap_or_default()))
         }
         None => {

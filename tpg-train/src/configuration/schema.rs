@@ -8,17 +8,17 @@ use std::fmt::Write as _;
 const WIDTH: usize = 100;
 
 /// Returns the JSON Schema of a configuration, for editors.
-pub fn schema<C: JsonSchema>() -> Value {
+pub(crate) fn schema<C: JsonSchema>() -> Value {
     schema_for!(C).to_value()
 }
 
 /// Returns the properties of an object's schema, in order.
-pub fn properties(value: &Value) -> impl Iterator<Item = (&str, &Value)> {
+pub(crate) fn properties(value: &Value) -> impl Iterator<Item = (&str, &Value)> {
     value["properties"].as_object().into_iter().flatten().map(|(key, value)| (key.as_str(), value))
 }
 
 /// Returns the definition that a schema refers to; of one or none, that of one.
-pub fn resolved<'a>(schema: &'a Value, value: &'a Value) -> &'a Value {
+pub(crate) fn resolved<'a>(schema: &'a Value, value: &'a Value) -> &'a Value {
     if let Some(reference) = value["$ref"].as_str() {
         return schema.pointer(reference.trim_start_matches('#')).unwrap_or(value);
     }
@@ -28,7 +28,7 @@ pub fn resolved<'a>(schema: &'a Value, value: &'a Value) -> &'a Value {
 }
 
 /// Returns the description of a setting in one line, with those of the names that it may be.
-pub fn description(schema: &Value, property: &Value) -> String {
+pub(crate) fn description(schema: &Value, property: &Value) -> String {
     let inner = resolved(schema, property);
     let text = |value: &Value| value["description"].as_str().map(str::to_owned);
     let mut all = text(property).or_else(|| text(inner)).unwrap_or_default();
@@ -41,7 +41,7 @@ pub fn description(schema: &Value, property: &Value) -> String {
 }
 
 /// Returns settings as TOML, each with its description as a comment.
-pub fn commented(schema: &Value, table: &toml::Table) -> String {
+pub(crate) fn commented(schema: &Value, table: &toml::Table) -> String {
     let mut text = String::new();
     for (section, property) in properties(schema) {
         let Some(toml::Value::Table(values)) = table.get(section) else { continue };

@@ -2,9 +2,8 @@
 
 mod report;
 
-pub use report::{Asks, EvaluationReport, HybridFigures, confidence};
+pub use report::EvaluationReport;
 
-use crate::files::{read_graph, read_text};
 use crate::hybrid::setting::{Detector, Hybrid, Setting, UNGUARDED};
 use crate::hybrid::shared::{Episodes, Facts, Shared};
 use crate::hybrid::span::Span;
@@ -17,11 +16,12 @@ use std::time::Instant;
 use tpg_engine::TaskSet;
 use tpg_graph::Graph;
 use tpg_graph::error::{Finding, InputError, Place};
+use tpg_graph::files::{read_graph, read_text};
 use tpg_problems::{Problem, ProblemName};
 
 /// Let a policy act and count how its episodes end.
 #[derive(Clone, Debug, Args)]
-pub struct EvalArgs {
+pub(crate) struct EvalArgs {
     /// The problem
     #[arg(long, value_enum)]
     pub problem: ProblemName,
@@ -84,7 +84,7 @@ enum Policy {
 ///
 /// # Errors
 /// If the policy or the episodes cannot be read, or do not go with the problem.
-pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
+pub(crate) fn eval(args: &EvalArgs) -> Result<(), InputError> {
     let (policy, problem) = asked(args)?;
     let episodes =
         Episodes { set: TaskSet::Test, count: args.episodes, seed: args.seed, file: args.targets.as_deref() };
@@ -188,9 +188,7 @@ fn setting(args: &EvalArgs, facts: &Facts) -> Setting {
 /// use tpg_graph::Graph;
 /// use tpg_problems::CartPole;
 /// use tpg_runtime::ops::Own;
-/// use tpg_train::evaluate::evaluate;
-/// use tpg_train::hybrid::shared::{Episodes, OwnProblem};
-/// use tpg_train::hybrid::trial::Acting;
+/// use tpg_train::{Acting, Episodes, OwnProblem, evaluate};
 ///
 /// // Pushes to the side to which the pole is falling: `right` is bid theta + omega, `left` is bid 0.
 /// let text = r#"{
@@ -274,7 +272,7 @@ fn reads(graph: &Graph, source: &str) -> bool {
 ///
 /// # Errors
 /// If the configuration cannot be read, or is for another problem.
-pub fn problem_for(
+pub(crate) fn problem_for(
     name: ProblemName,
     config: Option<&Path>,
     graph: Option<(&str, &Graph)>,
@@ -293,7 +291,7 @@ pub fn problem_for(
 ///
 /// # Errors
 /// If it does.
-pub fn same_problem(asked: &str, file: &str, network: &Network) -> Result<(), InputError> {
+pub(crate) fn same_problem(asked: &str, file: &str, network: &Network) -> Result<(), InputError> {
     match network.settings().get("name").and_then(toml::Value::as_str) {
         Some(name) if !Problem::share_policies(name, asked) => {
             let found = format!("a policy for {name}");

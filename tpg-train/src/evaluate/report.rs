@@ -2,13 +2,13 @@
 
 use crate::hybrid::shared::{Episodes, Facts, Shared};
 use crate::hybrid::trial::{HybridTrial, TRIGGERS};
-use crate::picture::FiveNumbers;
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use tpg_engine::{Measure, Sample, Summary, finite};
+use tpg_engine::{Measure, Sample, Summary, confidence, finite};
 use tpg_graph::Graph;
+use tpg_picture::FiveNumbers;
 
 /// The result of a policy on test episodes. Rates are between 0 and 1; scores have the problem's unit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -169,36 +169,17 @@ impl EvaluationReport {
     }
 }
 
-/// The 0.975 quantile of the normal distribution.
-const Z: f64 = 1.959_963_984_540_054;
-
-/// Wilson's 95 % interval of a rate that was seen in `count` episodes.
-pub fn confidence(rate: f64, count: usize) -> [f64; 2] {
-    let n = count.max(1) as f64;
-    let middle = (rate + Z * Z / (2.0 * n)) / (1.0 + Z * Z / n);
-    let half = Z / (1.0 + Z * Z / n) * (rate * (1.0 - rate) / n + Z * Z / (4.0 * n * n)).sqrt();
-    [(middle - half).max(0.0), (middle + half).min(1.0)]
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Episodes, EvaluationReport, HybridTrial, confidence};
+    use super::{Episodes, EvaluationReport, HybridTrial};
     use tpg_engine::{Ending, TaskSet};
     use tpg_problems::{Problem, ProblemName};
-
-    #[test]
-    fn the_interval_is_wilsons() {
-        let [low, high] = confidence(0.9, 100);
-        assert!((low - 0.8256).abs() < 1e-4 && (high - 0.9448).abs() < 1e-4, "{low} {high}");
-        let [low, high] = confidence(1.0, 10);
-        assert!((low - 0.7225).abs() < 1e-4 && (high - 1.0).abs() < 1e-12 && high <= 1.0, "{low} {high}");
-    }
 
     #[test]
     fn undefined_figures_are_null() {
         let ending = Ending { outcome: 0, success: None, score: 2.0, measure: 0.0, actions: 3 };
         let done = HybridTrial::alone(vec![ending, Ending { score: 4.0, ..ending }]);
-        let problem = Problem::usual(ProblemName::Pendulum);
+        let problem = Problem::new(ProblemName::Pendulum);
         let episodes = Episodes { set: TaskSet::Test, count: 2, seed: 1, file: None };
         let report = EvaluationReport::new(&problem, "graph.json", episodes, &done, None, 0.0);
         let json = serde_json::to_value(&report).expect("plain data");

@@ -4,8 +4,9 @@
 use super::config::EvolutionConfig;
 use super::genome::{Destination, Edge, GenomeLine, Leaf, LeafId, Program, Team, TeamId};
 use super::population::Deme;
+use super::record::Record;
 use super::stage::Context;
-use super::state::{Best, Record, State};
+use super::state::{Best, State};
 use super::vocabulary::Gene;
 use tpg_engine::Environment;
 use tpg_graph::error::Finding;
@@ -60,15 +61,11 @@ impl<Task: std::fmt::Debug> State<Task> {
         for search in self.search.iter().chain(&self.stalled) {
             search.check(&context)?;
         }
-        let (demes, archive) = (&self.population.demes, &self.population.archive);
+        let demes = &self.population.demes;
         Finding::range("population.demes", demes.len(), 1, config.demes.count)?;
         if let Some(place) = demes.iter().position(|deme| !is_valid(deme, &context)) {
             let key = format!("population.demes[{place}]");
             return Err(Finding::new(key, "an index of nothing", "teams and programs of the configuration"));
-        }
-        if archive.size() != config.learning.archive_size || !archive.is_valid(demes.len(), inputs) {
-            let accepted = format!("{} recordings of the demes and {inputs} inputs", config.learning.archive_size);
-            return Err(Finding::new("population.archive", "other recordings", accepted));
         }
         if let Some(place) = self.pool.iter().position(|task| !environment.accepts(task)) {
             let key = format!("pool[{place}]");

@@ -2,22 +2,21 @@
 
 use super::config::EvolutionConfig;
 use super::generation::Goal;
-use super::presets::{self, Preset};
-use super::run::{RunEnd, RunError, RunOptions, run};
+use super::run::{Progress, RunEnd, RunError, RunOptions, train};
 use super::state::Best;
-use crate::configuration::{Chosen, Configuration};
+use crate::configuration::Chosen;
 use crate::csv_text::{optional, table};
-use crate::files::{read_text, write_atomically};
 use crate::folder::{RunFolder, Trainer};
 use crate::hybrid::asking::{self, Asking};
 use crate::interrupt;
 use crate::progress::Bar;
 use crate::ranks::workplace::Workplace;
 use crate::run_args::{RunArgs, command_line};
-use crate::sac::network::decided;
+use crate::sac::integers::decided;
 use clap::Args;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_engine::{
     AnyEpisode, AnyTask, Choices, EngineOptions, Environment, Evaluator, LocalThreads, Remembered, Remembering,
@@ -26,8 +25,8 @@ use tpg_engine::{
 use tpg_graph::ScalarType;
 use tpg_graph::command::Verdict;
 use tpg_graph::error::InputError;
-use tpg_problems::registry::USUAL_LEVELS;
-use tpg_problems::{Number, Problem, ProblemName};
+use tpg_graph::files::{read_text, write_atomically};
+use tpg_problems::{DEFAULT_LEVELS, Number, Problem, ProblemName};
 use tpg_runtime::ops::{Maths, Own};
 
 /// Seconds between checkpoints.
@@ -106,32 +105,11 @@ pub fn execute(args: &TpgArgs, place: &impl Workplace) -> Result<Verdict, RunErr
     let network = config.ask.as_mut().map(|ask| asking::read(ask, &problem)).transpose()?;
     let stop = interrupt::watch();
     // Actions must be named to have one more.
-    let levels = problem.levels().or(config.ask.as_ref().map(|_| USUAL_LEVELS));
+    let levels = problem.levels().or(config.ask.as_ref().map(|_| DEFAULT_LEVELS));
     let training =
         Training { args, config: &config, problem: &problem, levels, network: network.as_ref(), stop: &stop, place };
     let out = args.run.folder(problem.name(), args.seeds.map_or(args.seed, |seeds| seeds.first));
     training.run(&out)
-}
-
-impl Configuration for EvolutionConfig {
-    type Problem = Problem;
-    const PRINTED_BY: &'static str = "tpg-train config";
-
-    fn presets() -> Vec<&'static str> {
-        presets::PRESETS.iter().map(|preset| preset.name).collect()
-    }
-    fn preset(name: &str) -> Option<toml::Table> {
-        Preset::find(name).map(Preset::table)
-    }
-    fn default_preset(problem: ProblemName) -> &'static str {
-        presets::default_for(problem)
-    }
-    fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
-        Self::from_toml(file, text)
-    }
-    fn problem(&mut self) -> &mut toml::Table {
-        &mut self.problem
-    }
 }
 
 /// Training on a built-in problem.
@@ -194,8 +172,11 @@ impl<W: Workplace> Training<'_, W> {
             let resume = args.run.resume;
             let options =
                 RunOptions { folder, resume, checkpoint_every: args.run.checkpoint_every(CHECKPOINT_SECONDS), goal };
-            let mut bar = Bar::new();
-            run(config, seed, environment, &evaluator, &options, |progress| bar.show(progress, stop))
+            let bar = Bar::new();
+            train(config, seed, environment, &evaluator, &options, |progress| {
+                bar.show(progress.generations, progress.of, || message(progress));
+                if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            })
         };
         let Some(seeds) = args.seeds else {
             return match one(args.seed, out.to_owned())? {
@@ -221,6 +202,12 @@ impl<W: Workplace> Training<'_, W> {
         }
         Ok(Verdict::Good)
     }
+}
+
+fn message(progress: &Progress<'_>) -> String {
+    let Some(row) = progress.row else { return format!("seed {}", progress.seed) };
+    let best = progress.best.map(|best| format!(", {:.2} validated", best.result.score)).unwrap_or_default();
+    format!("seed {}: best {:.2}, median {:.2}{best}", progress.seed, row.best_score, row.median_score)
 }
 
 /// Writes `restarts.csv`, and the best seed's graph as `graph.json`.

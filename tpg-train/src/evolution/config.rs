@@ -7,7 +7,9 @@
 mod check;
 
 use super::linear::{LinearWriter, ProgramKind};
+use super::presets;
 use super::vocabulary::Vocabulary;
+use crate::configuration::{Configuration, Preset};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_engine::Environment;
@@ -15,6 +17,7 @@ use tpg_graph::ScalarType;
 use tpg_graph::Word;
 use tpg_graph::error::InputError;
 use tpg_graph::settings;
+use tpg_problems::{PolicyKind, ProblemName};
 use tpg_runtime::scalar::Scalar;
 
 /// The accepted content of a configuration file, for messages.
@@ -23,7 +26,7 @@ const ACCEPTED: &str = "the settings that `tpg-train config` prints";
 /// Everything that determines a run except its seed.
 ///
 /// ```
-/// use tpg_train::evolution::config::EvolutionConfig;
+/// use tpg_train::{Config as EvolutionConfig, Configuration as _};
 ///
 /// let config = EvolutionConfig::from_toml("mine.toml", "[tpg]\nnb_roots = 100\n")?;
 /// assert_eq!((config.tpg.nb_roots, config.demes.count), (100, 10));
@@ -154,8 +157,6 @@ impl Default for ProgramParameters {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct LearningParameters {
-    /// Capacity of the archive of bids that new programs must differ from; 0 disables it.
-    pub archive_size: usize,
     /// Number of episodes per root and generation.
     pub nb_iterations_per_policy_evaluation: usize,
     /// Fraction of `nb_roots` that is deleted in each generation.
@@ -171,7 +172,6 @@ pub struct LearningParameters {
 impl Default for LearningParameters {
     fn default() -> Self {
         Self {
-            archive_size: 0,
             nb_iterations_per_policy_evaluation: 10,
             ratio_deleted_roots: 0.84,
             nb_generations: 200,
@@ -325,17 +325,28 @@ impl Default for RefinementConfig {
     }
 }
 
-impl EvolutionConfig {
-    /// Reads a configuration; what it leaves out has the default. Its section `problem` is not checked.
-    ///
-    /// # Errors
-    /// An unknown key, a value out of range or a contradiction, with its line and the accepted values.
-    pub fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
+impl Configuration for EvolutionConfig {
+    const PRESETS: &'static [Preset] = &presets::PRESETS;
+    const KIND: PolicyKind = PolicyKind::Graph;
+    const PRINTED_BY: &'static str = "tpg-train config";
+
+    fn default_preset(problem: ProblemName) -> &'static str {
+        presets::default_for(problem)
+    }
+
+    /// Reads a configuration; what it leaves out has the default.
+    fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
         let config = Self::of_run(file, text)?;
         config.check().map_err(|finding| settings::place(file, text, finding))?;
         Ok(config)
     }
 
+    fn problem(&mut self) -> &mut toml::Table {
+        &mut self.problem
+    }
+}
+
+impl EvolutionConfig {
     /// Reads the configuration stored with a run. With `--generations` it may be one that is not accepted in a file,
     /// such as a run that ends before its curriculum.
     ///

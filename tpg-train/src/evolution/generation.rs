@@ -3,15 +3,16 @@
 use super::budget::{Limits, Point};
 use super::config::EvolutionConfig;
 use super::mirror::opposites;
+use super::record::Row;
 use super::search::Search;
 use super::stage::{Candidate, Context, Episodes, Moment, Results, Stage};
-use super::state::{Row, State};
+use super::state::State;
 use super::vocabulary::Vocabulary;
 use std::collections::VecDeque;
 use std::marker::PhantomData;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Ending, Environment, EvaluationError, Evaluator, Moments, Play, TaskSet, UnitKey, Visit, Work, WorkUnit, finite,
+    Ending, Environment, EvaluationError, Evaluator, Moments, Play, TaskSet, UnitKey, Work, WorkUnit, finite,
 };
 use tpg_graph::error::Finding;
 use tpg_runtime::scalar::Scalar;
@@ -134,6 +135,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         state.generation += 1;
         Ok(())
     }
+
     /// Lets the candidates of a stage play; returns the figures of the generation.
     fn play(&self, state: &mut State<E::Task>, context: &Context<'_>, is_search: bool) -> Result<Row, EvaluationError> {
         let moment = Moment { seed: state.seed, generation: state.generation, deme: 0 };
@@ -146,19 +148,11 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         let episodes = self.config.learning.nb_iterations_per_policy_evaluation;
         let count = if stage.episodes() == Episodes::Own { candidates.len() } else { episodes };
         let tasks = self.tasks(&state.pool, moment, count);
-        let mut results = match stage.episodes() {
+        let results = match stage.episodes() {
             Episodes::Own => self.own_episodes(&candidates, &tasks)?,
             Episodes::Same => self.same_episodes(moment, &candidates, &tasks, None)?,
             Episodes::Racing => self.same_episodes(moment, &candidates, &tasks, Some(survivors))?,
         };
-        let visits: Vec<_> = (stage.wanted(context, moment, &results.endings).into_iter())
-            .map(|wanted| Visit {
-                policy: candidates[wanted.candidate].policy.clone(),
-                task: tasks[wanted.episode].clone(),
-                after: vec![wanted.after],
-            })
-            .collect();
-        results.states = self.evaluator.visit(&visits)?.into_iter().flatten().collect();
         let (row, best) = stage.tell(context, moment, &results);
         state.count_training(&results.endings, best);
         if self.config.pool.share > 0.0 {

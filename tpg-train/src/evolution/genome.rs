@@ -89,6 +89,25 @@ impl Program {
     }
 }
 
+#[cfg(test)]
+impl Program {
+    /// Returns its bid in a state, in `f64`.
+    pub(super) fn bid(&self, vocabulary: &Vocabulary, state: &[f64]) -> f64 {
+        use tpg_runtime::ops::Own;
+        let mut arena = tpg_engine::Arena::<f64, Own>::new(true);
+        let bid = arena.program(vocabulary.registers(), &self.lines(vocabulary));
+        let mut values: Vec<f64> = Vec::new();
+        for node in arena.nodes() {
+            values.push(match *node {
+                tpg_engine::Node::Input(input) => state[usize::from(input)],
+                tpg_engine::Node::Constant(value) => value,
+                tpg_engine::Node::Operation(word, a, b) => word.apply::<f64, Own>(values[a.index()], values[b.index()]),
+            });
+        }
+        values[bid.index()]
+    }
+}
+
 /// A line with the vocabulary that says what it reads.
 struct Spelled<'a> {
     line: &'a GenomeLine,

@@ -209,7 +209,6 @@ impl<'a> LinearWriter<'a> {
 #[cfg(test)]
 mod tests {
     use super::{LinearWriter, ProgramKind};
-    use crate::evolution::archive::bid;
     use crate::evolution::genome::{Destination, Genome};
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::Limits;
@@ -243,7 +242,7 @@ mod tests {
         programs
             .map(|program| {
                 assert!(program.lines.len() <= writer.lines());
-                bid(&program.lines(&vocabulary), &vocabulary, &state)
+                program.bid(&vocabulary, &state)
             })
             .collect()
     }

@@ -1,19 +1,19 @@
 //! The logs of a run: one row per generation, from generation 0. They contain no times, so that equal runs have equal
 //! logs; times go to a separate file.
 
-use super::state::Row;
+use super::record::Row;
 use crate::csv_text::{optional, table};
-use crate::files::write_atomically;
 use std::fs;
 use std::path::Path;
 use tpg_engine::Summary;
 use tpg_graph::error::InputError;
+use tpg_graph::files::write_atomically;
 
 /// Writes `generations.csv` and `generations.jsonl`.
 ///
 /// # Errors
 /// If they cannot be written.
-pub fn write(folder: &Path, rows: &[Row]) -> Result<(), InputError> {
+pub(crate) fn write(folder: &Path, rows: &[Row]) -> Result<(), InputError> {
     const HEADER: [&str; 11] = [
         "generation",
         "best_score",
@@ -51,7 +51,7 @@ pub fn write(folder: &Path, rows: &[Row]) -> Result<(), InputError> {
 
 /// Returns the CPU time so far, in seconds, of this process and its finished children, if the system reports it
 /// (Linux).
-pub fn cpu_seconds() -> Option<f64> {
+pub(crate) fn cpu_seconds() -> Option<f64> {
     let stat = fs::read_to_string("/proc/self/stat").ok()?;
     // Fields 14 to 17, in ticks of 1/100 s; the second field, in brackets, may contain spaces.
     let fields = stat.rsplit_once(')')?.1.split_whitespace().skip(11).take(4);

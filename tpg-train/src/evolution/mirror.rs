@@ -2,8 +2,7 @@
 
 use super::config::TpgParameters;
 use super::genome::{Destination, Edge, Genome, GenomeLine, Program, Team, TeamId};
-use super::mutate_program::ProgramMutator;
-use super::mutate_team::P_PROGRAM_MUTATION;
+use super::mutate_program::{P_PROGRAM_MUTATION, ProgramMutator};
 use super::vocabulary::{Gene, Kind, Vocabulary};
 use tpg_engine::ActionSpace;
 use tpg_engine::random::Stream;
@@ -163,11 +162,11 @@ fn negation(vocabulary: &Vocabulary) -> Option<GenomeLine> {
 #[cfg(test)]
 mod tests {
     use super::{Mirror, opposites};
-    use crate::evolution::archive::bid;
+    use crate::configuration::Configuration as _;
+    use crate::evolution::config::EvolutionConfig;
     use crate::evolution::genome::{Destination, Genome};
     use crate::evolution::linear::{LinearWriter, ProgramKind};
     use crate::evolution::mutate_program::ProgramMutator;
-    use crate::evolution::presets::Preset;
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::ActionSpace;
     use tpg_engine::random::{Purpose, Stream};
@@ -192,7 +191,7 @@ mod tests {
         let words = [&words[..], &[Word::MultiplyAdd]].concat();
         let source = SourceDocument::new("s", "1", vec![[-1.0, 1.0]; 3]);
         let vocabulary = Vocabulary::new(words, 2, &[source], Some(vec![1.0; 3]), ScalarType::F64);
-        let config = Preset::find("raw-fs").expect("it is there").config().expect("it is accepted");
+        let config = EvolutionConfig::preset("raw-fs").expect("a preset");
         let programs =
             ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
         let mirror = Mirror { programs, opposites: &[Some(1), Some(0), None], probability: 1.0 };
@@ -201,7 +200,7 @@ mod tests {
         let parent = writer.add_root(&mut genome, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
         let bids = |genome: &Genome, team, state: [f64; 3]| {
             let programs = genome.team(team).edges.iter().map(|edge| genome.program(edge.program));
-            programs.map(|program| bid(&program.lines(&vocabulary), &vocabulary, &state)).collect::<Vec<f64>>()
+            programs.map(|program| program.bid(&vocabulary, &state)).collect::<Vec<f64>>()
         };
         mirror.complete(&mut genome, parent, 3);
         let opposed = |genome: &Genome, team| {

@@ -8,6 +8,8 @@ use tpg_engine::random::Stream;
 /// GEGELATI's probabilities of deleting and of inserting a line; it always alters one.
 const P_DELETE: f64 = 0.5;
 const P_ADD: f64 = 0.5;
+/// GEGELATI's probability of mutating the program of an edge; rounds repeat until at least one program is mutated.
+pub(super) const P_PROGRAM_MUTATION: f64 = 0.2;
 /// Probability that altering a literal operand changes its number.
 const LITERAL_CHANGE: f64 = 0.667;
 /// Standard deviation of the factor's distance from 1 when a number is scaled.

@@ -1,10 +1,9 @@
 //! The first population, and children of roots, with GEGELATI's choices (`mutator/tpgMutator.cpp`).
 
-use super::archive::{Archive, Known};
 use super::config::TpgParameters;
-use super::genome::{Destination, Edge, Genome, Program, ProgramId, Team, TeamId};
+use super::genome::{Destination, Edge, Genome, ProgramId, Team, TeamId};
 use super::mirror::Mirror;
-use super::mutate_program::ProgramMutator;
+use super::mutate_program::{P_PROGRAM_MUTATION, ProgramMutator};
 use super::refine::Refiner;
 use super::stage::Moment;
 use std::collections::BTreeMap;
@@ -14,8 +13,6 @@ use tpg_engine::random::{Purpose, Stream};
 /// each is certain.
 const P_EDGE_DELETION: f64 = 0.7;
 const P_EDGE_ADDITION: f64 = 0.7;
-/// GEGELATI's probability of mutating the program of an edge; rounds repeat until at least one program is mutated.
-pub(super) const P_PROGRAM_MUTATION: f64 = 0.2;
 
 /// Creates a random population (`TPGMutator::initRandomTPG`).
 ///
@@ -73,8 +70,6 @@ pub(super) struct TeamMutator<'a> {
     pub mirror: Mirror<'a>,
     /// Parameters of teams.
     pub parameters: &'a TpgParameters,
-    /// Recordings that new programs must differ from.
-    pub archive: &'a Archive,
     /// Number of actions.
     pub actions: u16,
 }
@@ -85,7 +80,7 @@ impl TeamMutator<'_> {
     /// A child is a mutated copy of a root; the refiner may make it instead. If an edge of the child leads to a
     /// root, that team is no longer a root, so roots are counted again after every child.
     pub(super) fn populate(&self, genome: &mut Genome, moment: Moment) {
-        let Self { programs, refiner, mirror, parameters, archive, actions } = *self;
+        let Self { programs, refiner, mirror, parameters, actions } = *self;
         let roots = genome.roots();
         let teams: Vec<TeamId> = genome.teams().keys().copied().collect();
         let edges: Vec<Edge> = genome.teams().values().flat_map(|team| team.edges.iter().copied()).collect();
@@ -115,11 +110,10 @@ impl TeamMutator<'_> {
             }
             children += 1;
         }
-        let known = archive.known();
         for (index, new) in (0..).zip(&to_mutate) {
-            let mut stream = moment.stream(Purpose::Program, index);
-            let mutated = new_behaviour(genome.program(*new), &programs, &known, &mut stream);
-            genome.replace_program(*new, mutated);
+            let mut program = genome.program(*new).clone();
+            programs.mutate(&mut program, &mut moment.stream(Purpose::Program, index));
+            genome.replace_program(*new, program);
         }
     }
 }
@@ -185,33 +179,21 @@ fn mutate_edge(
     }
 }
 
-/// Mutates a program until no archived program behaves the same (`TPGMutator::mutateProgramBehaviorAgainstArchive`).
-fn new_behaviour(original: &Program, mutator: &ProgramMutator<'_>, known: &Known<'_>, stream: &mut Stream) -> Program {
-    let mut program = original.clone();
-    loop {
-        mutator.mutate(&mut program, stream);
-        if known.is_new(&program, mutator.vocabulary) {
-            return program;
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Moment, TeamMutator, new_behaviour, random_population};
-    use crate::evolution::archive::{Archive, Recording, bid};
+    use super::{Moment, TeamMutator, random_population};
+    use crate::configuration::Configuration as _;
     use crate::evolution::config::EvolutionConfig;
-    use crate::evolution::genome::{Destination, Genome, Program, ProgramId};
+    use crate::evolution::genome::{Destination, Genome, ProgramId};
     use crate::evolution::mirror::Mirror;
     use crate::evolution::mutate_program::ProgramMutator;
-    use crate::evolution::presets::Preset;
     use crate::evolution::refine::Refiner;
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::random::{Purpose, Stream};
     use tpg_graph::{ScalarType, SourceDocument};
 
     fn config() -> EvolutionConfig {
-        let mut config = Preset::find("paper-fs").expect("it is there").config().expect("it is accepted");
+        let mut config = EvolutionConfig::preset("paper-fs").expect("a preset");
         (config.tpg.nb_roots, config.tpg.init_nb_roots) = (40, 30);
         config
     }
@@ -229,10 +211,8 @@ mod tests {
         for generation in 0..generations {
             let moment = Moment { seed: 1, generation, deme: 0 };
             let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
-            let archive = &Archive::new(0);
             let mirror = Mirror { programs: mutator, opposites: &[], probability: 0.0 };
-            let mutator =
-                TeamMutator { programs: mutator, refiner, mirror, parameters: &config.tpg, archive, actions: 9 };
+            let mutator = TeamMutator { programs: mutator, refiner, mirror, parameters: &config.tpg, actions: 9 };
             mutator.populate(&mut genome, moment);
             let doomed: Vec<_> = genome.roots().into_iter().step_by(3).collect();
             genome.remove_roots(&doomed);
@@ -267,9 +247,8 @@ mod tests {
             ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
         let moment = Moment { seed: 1, generation: 9, deme: 0 };
         let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
-        let archive = &Archive::new(0);
         let mirror = Mirror { programs: mutator, opposites: &[], probability: 0.0 };
-        let mutator = TeamMutator { programs: mutator, refiner, mirror, parameters: &config.tpg, archive, actions: 9 };
+        let mutator = TeamMutator { programs: mutator, refiner, mirror, parameters: &config.tpg, actions: 9 };
         mutator.populate(&mut genome, moment);
         assert_eq!(genome.roots().len(), config.tpg.nb_roots);
         let mut deep = 0;
@@ -285,30 +264,5 @@ mod tests {
         }
         assert!(deep > 0, "some edge leads to a team by now");
         assert_eq!(evolved(&config, 8), evolved(&config, 8), "the same seed, the same genome");
-    }
-
-    #[test]
-    fn no_new_program_bids_what_an_archived_one_bid() {
-        let config = config();
-        let vocabulary = vocabulary(&config);
-        let mutator =
-            ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
-        let mut archive = Archive::new(50);
-        let mut stream = Stream::new(1, 0, Purpose::Test, 0);
-        let programs: Vec<_> = (0..10).map(|_| mutator.random(&mut stream)).collect();
-        for (number, program) in (0..).zip(&programs) {
-            for state in 0..5 {
-                let state = [0, 1, 2].map(|place| f64::from(state) * 0.25 - f64::from(place)).to_vec();
-                let bid = bid(&program.lines(&vocabulary), &vocabulary, &state).to_bits();
-                archive.record(Recording { program: (0, ProgramId(number)), state, bid });
-            }
-        }
-        let finite = |program: &Program| bid(&program.lines(&vocabulary), &vocabulary, &[0.5, -0.5, 1.0]).is_finite();
-        let same = programs.iter().filter(|program| finite(program));
-        assert!(same.clone().count() > 3);
-        let known = archive.known();
-        assert!(same.clone().all(|program| !known.is_new(program, &vocabulary)), "the archived themselves are known");
-        let mutated = new_behaviour(&programs[0], &mutator, &known, &mut stream);
-        assert!(known.is_new(&mutated, &vocabulary));
     }
 }

@@ -1,24 +1,20 @@
 //! Evolution as a stage of a run: demes of roots that breed, are selected, and end where others are better.
 
-use super::archive::{Archive, Recording, bid};
-use super::genome::{Destination, Genome, ProgramId, TeamId};
+use super::genome::{Genome, TeamId};
 use super::mirror::Mirror;
 use super::mutate_leaf::LeafMutator;
 use super::mutate_program::ProgramMutator;
 use super::mutate_team::{TeamMutator, random_population};
+use super::record::{Record, Row};
 use super::refine::Refiner;
 use super::search::Search;
 use super::select::{Scored, ranked, survivors};
-use super::stage::{Candidate, Context, Episodes, Moment, Results, Stage, Wanted};
-use super::state::{Record, Row};
+use super::stage::{Candidate, Context, Episodes, Moment, Results, Stage};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
-use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Ending, PolicyGraph, Preference, Summary, bounded, finite};
+use tpg_engine::random::Purpose;
+use tpg_engine::{Ending, PolicyGraph, Preference, Summary, finite};
 use tpg_graph::error::Finding;
-
-/// Probability that a draw for the archive records anything: each generation makes as many draws as the archive has places.
-const ARCHIVING: f64 = 0.05;
 
 /// Teams and programs that breed separately.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -29,19 +25,14 @@ pub struct Deme {
     pub records: BTreeMap<TeamId, Record>,
 }
 
-/// The demes of a run, and the archive of what their programs bid.
+/// The demes of a run.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Population {
     /// The demes.
     pub demes: Vec<Deme>,
-    /// The archive.
-    pub archive: Archive,
     /// The roots of this generation.
     #[serde(skip)]
     roots: Vec<Root>,
-    /// The streams and roots of the draws for the archive.
-    #[serde(skip)]
-    drawn: Vec<(usize, Stream)>,
 }
 
 /// A root of this generation.
@@ -61,13 +52,8 @@ pub(super) fn root_number(deme: usize, team: TeamId) -> u64 {
 
 impl Population {
     /// Creates demes without teams.
-    pub fn new(demes: usize, archive_size: usize) -> Self {
-        Self {
-            demes: vec![Deme::default(); demes],
-            archive: Archive::new(archive_size),
-            roots: Vec::new(),
-            drawn: Vec::new(),
-        }
+    pub fn new(demes: usize) -> Self {
+        Self { demes: vec![Deme::default(); demes], roots: Vec::new() }
     }
 
     /// Lets half of the demes begin with what searches have found, the best first.
@@ -135,8 +121,8 @@ impl Population {
         let refiner = Refiner { vocabulary, parameters: &config.refinement };
         let growing = LeafMutator { bids: programs, leaves, refiner, tpg: &config.tpg };
         let mirror = Mirror { programs, opposites, probability: config.refinement.p_mirror };
-        let (actions, archive) = (context.actions, &self.archive);
-        let teams = TeamMutator { programs, refiner, mirror, parameters: &config.tpg, archive, actions };
+        let actions = context.actions;
+        let teams = TeamMutator { programs, refiner, mirror, parameters: &config.tpg, actions };
         for (deme, population) in (0..).zip(&mut self.demes) {
             let moment = Moment { deme, ..moment };
             let genome = &mut population.genome;
@@ -192,32 +178,6 @@ impl Population {
             records.retain(|team, _| genome.teams().contains_key(team));
         }
     }
-
-    /// Returns every program that bids on the walk from a root to its action, with its bid.
-    fn walk(&self, context: &Context<'_>, root: &Root, seen: &[f64]) -> Vec<(ProgramId, f64)> {
-        let genome = &self.demes[root.deme].genome;
-        let mut bidders = Vec::new();
-        let mut team = root.team;
-        loop {
-            let mut winner: Option<(f64, Destination)> = None;
-            for edge in &genome.team(team).edges {
-                let mut lines = genome.program(edge.program).lines(context.vocabulary);
-                if let Destination::Action(action) = edge.to {
-                    lines.extend(context.vocabulary.bound(action).map(bounded));
-                }
-                let bid = bid(&lines, context.vocabulary, seen);
-                bidders.push((edge.program, bid));
-                let bid = if bid.is_nan() { f64::NEG_INFINITY } else { bid };
-                if winner.is_none_or(|(best, _)| bid >= best) {
-                    winner = Some((bid, edge.to));
-                }
-            }
-            match winner {
-                Some((_, Destination::Team(next))) => team = next,
-                _ => return bidders,
-            }
-        }
-    }
 }
 
 impl Stage for Population {
@@ -247,27 +207,6 @@ impl Stage for Population {
         Episodes::Racing
     }
 
-    /// Draws what the archive records: a root, an episode, a state of it.
-    fn wanted(&mut self, _: &Context<'_>, moment: Moment, endings: &[Vec<Ending>]) -> Vec<Wanted> {
-        self.drawn.clear();
-        let evaluated: Vec<usize> =
-            (0..self.roots.len()).filter(|&root| self.roots[root].candidate.is_some()).collect();
-        let mut wanted = Vec::new();
-        for index in 0..self.archive.size() as u64 {
-            let mut stream = moment.stream(Purpose::Archive, index);
-            if evaluated.is_empty() || !stream.chance(ARCHIVING.sqrt()) {
-                continue;
-            }
-            let root = *stream.pick(&evaluated);
-            let Some(candidate) = self.roots[root].candidate else { continue };
-            let episode = stream.below(endings[candidate].len());
-            let after = stream.below(endings[candidate][episode].actions as usize) as u32;
-            wanted.push(Wanted { candidate, episode, after });
-            self.drawn.push((root, stream));
-        }
-        wanted
-    }
-
     fn tell(&mut self, context: &Context<'_>, moment: Moment, results: &Results) -> (Row, usize) {
         for root in &self.roots {
             if let Some(candidate) = root.candidate {
@@ -291,13 +230,6 @@ impl Stage for Population {
             validation: None,
         };
         let best = best.candidate.unwrap_or(usize::MAX);
-        for ((root, mut stream), seen) in std::mem::take(&mut self.drawn).into_iter().zip(&results.states) {
-            let root = self.roots[root];
-            let bidders = self.walk(context, &root, seen);
-            let (program, bid) = *stream.pick(&bidders);
-            let program = (root.deme as u64, program);
-            self.archive.record(Recording { program, state: seen.clone(), bid: bid.to_bits() });
-        }
         self.select(context, moment, results);
         self.roots.clear();
         (row, best)

@@ -117,18 +117,17 @@ impl ProgramMutator<'_> {
 
 #[cfg(test)]
 mod tests {
-    use crate::evolution::archive::bid;
+    use crate::configuration::Configuration as _;
     use crate::evolution::config::EvolutionConfig;
     use crate::evolution::genome::Program;
     use crate::evolution::mutate_program::ProgramMutator;
-    use crate::evolution::presets::Preset;
     use crate::evolution::vocabulary::Vocabulary;
     use std::collections::BTreeSet;
     use tpg_engine::random::{Purpose, Stream};
     use tpg_graph::{ScalarType, SourceDocument};
 
     fn config() -> EvolutionConfig {
-        let mut config = Preset::find("raw-fs").expect("it is there").config().expect("it is accepted");
+        let mut config = EvolutionConfig::preset("raw-fs").expect("a preset");
         config.program.p_product = 1.0;
         config
     }
@@ -147,7 +146,7 @@ mod tests {
         let term = |index| {
             let mut program = Program::default();
             assert!(mutator.insert_term(&mut program, &mut Stream::new(1, 0, Purpose::Test, index)));
-            bid(&program.lines(&vocabulary), &vocabulary, state) as i64
+            program.bid(&vocabulary, state) as i64
         };
         (0..3000).map(term).collect()
     }

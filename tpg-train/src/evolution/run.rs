@@ -5,10 +5,10 @@ use super::config::EvolutionConfig;
 use super::export;
 use super::generation::{Evolution, Goal};
 use super::logs;
+use super::record::Row;
 use super::scales::scales;
-use super::state::{Best, Row, State};
+use super::state::{Best, State};
 use crate::csv_text;
-use crate::files::write_atomically;
 use crate::folder::{RunFolder, Trainer};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -16,6 +16,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use tpg_engine::{Environment, EvaluationError, Evaluator, Summary};
 use tpg_graph::error::{Finding, InputError, Place};
+use tpg_graph::files::write_atomically;
 use tpg_graph::{Graph, Provenance};
 use tpg_runtime::scalar::Scalar;
 
@@ -41,7 +42,7 @@ impl Default for RunOptions {
 }
 
 /// Progress of a run after a generation.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Progress<'a> {
     /// Seed of the run.
     pub seed: u64,
@@ -57,6 +58,23 @@ pub struct Progress<'a> {
     pub best: Option<&'a Best>,
     /// The best roots of each size: see [`State::hall`].
     pub hall: &'a [Best],
+    to_graph: &'a dyn Fn(&Best) -> Result<Graph, InputError>,
+}
+
+impl Progress<'_> {
+    /// Returns a root as a graph, as a run writes it: with the ranges of its inputs and its provenance.
+    ///
+    /// # Errors
+    /// If the graph is invalid, which would be a defect of the trainer.
+    pub fn graph(&self, best: &Best) -> Result<Graph, InputError> {
+        (self.to_graph)(best)
+    }
+}
+
+impl std::fmt::Debug for Progress<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Progress").field("generations", &self.generations).finish_non_exhaustive()
+    }
 }
 
 /// Outcome of a run.
@@ -90,10 +108,9 @@ pub enum RunError {
 /// use tpg_engine::{EngineOptions, LocalThreads};
 /// use tpg_problems::CartPole;
 /// use tpg_runtime::ops::Own;
-/// use tpg_train::evolution::config::EvolutionConfig;
-/// use tpg_train::evolution::run::{RunEnd, RunOptions, run};
+/// use tpg_train::{Config, RunEnd, RunOptions, train};
 ///
-/// let mut config = EvolutionConfig::default();
+/// let mut config = Config::default();
 /// (config.tpg.nb_roots, config.demes.count) = (20, 1);
 /// config.learning.nb_generations = 2;
 /// config.selection.validation_episodes = 20;
@@ -101,7 +118,7 @@ pub enum RunError {
 /// let folder = tempfile::tempdir()?;
 /// let options = RunOptions { folder: folder.path().to_owned(), ..RunOptions::default() };
 /// let evaluator = LocalThreads::<f32, Own, _>::new(&CartPole, EngineOptions::default(), 1)?;
-/// let end = run::<f32, _, _>(&config, 1, &CartPole, &evaluator, &options, |_| ControlFlow::Continue(()))?;
+/// let end = train::<f32, _, _>(&config, 1, &CartPole, &evaluator, &options, |_| ControlFlow::Continue(()))?;
 /// let RunEnd::Finished(best) = end else { panic!("nothing stopped the run") };
 /// assert_eq!(best.result.episodes, 20);
 /// assert!(folder.path().join("graph.json").exists());
@@ -111,7 +128,7 @@ pub enum RunError {
 /// # Errors
 /// If the folder contains another run or another process uses it, its checkpoints are damaged, files cannot be written,
 /// or roots cannot be evaluated.
-pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
+pub fn train<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     config: &EvolutionConfig,
     seed: u64,
     environment: &E,
@@ -127,10 +144,7 @@ pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     write_atomically(&options.folder.join("config.toml"), config.to_toml().as_bytes())?;
     let mut state = match found {
         Some(state) => state,
-        None => State {
-            scales: scales(config, environment, evaluator, seed)?,
-            ..State::new(seed, config.demes.count, config.learning.archive_size)
-        },
+        None => State { scales: scales(config, environment, evaluator, seed)?, ..State::new(seed, config.demes.count) },
     };
     let evolution = Evolution::new(config, environment, evaluator, state.scales.clone(), options.goal);
     let mut times = Times::new(&options.folder);
@@ -144,7 +158,8 @@ pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
         write_results(config, &options.folder, state, environment)?;
         Ok(times.write(&options.folder)?)
     };
-    let mut stopped = watch(&progress(config, &state)).is_break();
+    let to_graph = |best: &Best| graph_of(config, seed, best, environment);
+    let mut stopped = watch(&progress(config, &state, &to_graph)).is_break();
     let mut saved = Instant::now();
     while !evolution.finished(&state) {
         if !stopped {
@@ -156,7 +171,7 @@ pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
                 return Err(error.into());
             }
             times.after_generation(&state, evaluator.steps());
-            stopped = watch(&progress(config, &state)).is_break();
+            stopped = watch(&progress(config, &state, &to_graph)).is_break();
         }
         let last = evolution.finished(&state);
         if last || stopped || saved.elapsed() >= options.checkpoint_every {
@@ -176,7 +191,11 @@ pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     Ok(RunEnd::Finished(Box::new(best)))
 }
 
-fn progress<'a, Task>(config: &EvolutionConfig, state: &'a State<Task>) -> Progress<'a> {
+fn progress<'a, Task>(
+    config: &EvolutionConfig,
+    state: &'a State<Task>,
+    to_graph: &'a dyn Fn(&Best) -> Result<Graph, InputError>,
+) -> Progress<'a> {
     Progress {
         seed: state.seed,
         generations: state.generation,
@@ -185,6 +204,7 @@ fn progress<'a, Task>(config: &EvolutionConfig, state: &'a State<Task>) -> Progr
         row: state.rows.last(),
         best: state.best.as_ref(),
         hall: &state.hall,
+        to_graph,
     }
 }
 
@@ -213,7 +233,7 @@ fn write_results<S: Scalar, E: Environment<S>>(
 ///
 /// # Errors
 /// If the environment's actions are not named, or the graph is invalid, which would be a defect of the trainer.
-pub fn graph_of<S: Scalar, E: Environment<S>>(
+pub(crate) fn graph_of<S: Scalar, E: Environment<S>>(
     config: &EvolutionConfig,
     seed: u64,
     best: &Best,

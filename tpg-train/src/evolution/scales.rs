@@ -82,7 +82,7 @@ fn explore<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     let actions = environment.actions().count().unwrap_or(0);
     (few.tpg.nb_roots, few.tpg.init_nb_roots, few.demes.count) = (2, EXPLORERS.max(actions), 1);
     let evolution = Evolution::new(&few, environment, evaluator, vec![1.0; inputs], Goal::default());
-    let mut state = State::new(seed, 1, 0);
+    let mut state = State::new(seed, 1);
     let moment = Moment { seed, generation: 0, deme: 0 };
     let context = evolution.context(&state);
     let candidates = state.population.ask(&context, moment);

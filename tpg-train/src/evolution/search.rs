@@ -4,8 +4,8 @@
 use super::cma::Cma;
 use super::linear::{LinearWriter, ProgramKind};
 use super::random_search::RandomSearch;
+use super::record::{Record, Row};
 use super::stage::{Candidate, Context, Episodes, Moment, Results, Stage};
-use super::state::{Record, Row};
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::Purpose;
 use tpg_engine::{PolicyGraph, Summary};

@@ -2,7 +2,7 @@
 //! candidates and is told how these ended; the budget says which stage has the next generation.
 
 use super::config::EvolutionConfig;
-use super::state::{Record, Row};
+use super::record::{Record, Row};
 use super::vocabulary::Vocabulary;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Ending, Moments, PolicyGraph, Preference};
@@ -28,7 +28,7 @@ pub struct Context<'a> {
 
 /// Seed, generation and deme: the first half of every stream's address.
 #[derive(Clone, Copy, Debug)]
-pub struct Moment {
+pub(crate) struct Moment {
     /// Seed of the run.
     pub seed: u64,
     /// The generation.
@@ -39,14 +39,14 @@ pub struct Moment {
 
 impl Moment {
     /// Returns the stream for a purpose. `index` counts within the deme and is below 2⁴⁰.
-    pub fn stream(self, purpose: Purpose, index: u64) -> Stream {
+    pub(crate) fn stream(self, purpose: Purpose, index: u64) -> Stream {
         Stream::new(self.seed, self.generation, purpose, self.deme << 40 | index)
     }
 }
 
 /// A policy to evaluate.
 #[derive(Clone, Debug)]
-pub struct Candidate {
+pub(crate) struct Candidate {
     /// The policy.
     pub policy: PolicyGraph,
     /// Its number in the run.
@@ -57,7 +57,7 @@ pub struct Candidate {
 
 /// The episodes that the candidates of a generation play.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Episodes {
+pub(crate) enum Episodes {
     /// Each its own: most is seen.
     Own,
     /// All the same.
@@ -68,38 +68,20 @@ pub enum Episodes {
 
 /// Results of the episodes of a generation.
 #[derive(Clone, Debug, Default)]
-pub struct Results {
+pub(crate) struct Results {
     /// The endings of each candidate.
     pub endings: Vec<Vec<Ending>>,
     /// Moments of the flat states, if each candidate played its own episode.
     pub seen: Moments,
-    /// The states that the stage asked for.
-    pub states: Vec<Vec<f64>>,
-}
-
-/// A state that a stage wants to see.
-#[derive(Clone, Copy, Debug)]
-pub struct Wanted {
-    /// The candidate.
-    pub candidate: usize,
-    /// Its episode.
-    pub episode: usize,
-    /// Number of actions before.
-    pub after: u32,
 }
 
 /// A part of a run.
-pub trait Stage {
+pub(crate) trait Stage {
     /// Returns the candidates of a generation.
     fn ask(&mut self, context: &Context<'_>, moment: Moment) -> Vec<Candidate>;
 
     /// Returns what episodes these play.
     fn episodes(&self) -> Episodes;
-
-    /// Returns the states to look at again before [`tell`](Self::tell).
-    fn wanted(&mut self, _: &Context<'_>, _: Moment, _: &[Vec<Ending>]) -> Vec<Wanted> {
-        Vec::new()
-    }
 
     /// Learns from the results. Returns the figures of the generation, and the best candidate.
     fn tell(&mut self, context: &Context<'_>, moment: Moment, results: &Results) -> (Row, usize);

@@ -2,33 +2,11 @@
 
 use super::budget::Budget;
 use super::population::Population;
+use super::record::Row;
 use super::search::Search;
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use tpg_engine::{Ending, PolicyGraph, Preference, Summary};
-
-/// A root's record so far (`learn/evaluationResult.h`): the mean over all of its episodes, and their number.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Record {
-    /// Mean score.
-    pub mean: f64,
-    /// Number of episodes.
-    pub evaluations: u64,
-}
-
-impl Record {
-    /// Adds the scores of a generation.
-    pub fn add(&mut self, scores: impl Iterator<Item = f64>) {
-        let (mut sum, before) = (self.mean * self.evaluations as f64, self.evaluations);
-        for score in scores {
-            sum += score;
-            self.evaluations += 1;
-        }
-        if self.evaluations > before {
-            self.mean = sum / self.evaluations as f64;
-        }
-    }
-}
 
 /// The best root on the selection set so far.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -58,29 +36,6 @@ impl Best {
     fn covers(&self, other: &Self, preference: Preference) -> bool {
         self.policy.size() <= other.policy.size() && self.result.compare(&other.result, preference).is_ge()
     }
-}
-
-/// One row of the logs. It contains no times: logs are equal for any number of threads, and after a resume.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Row {
-    /// The generation, from 0.
-    pub generation: u64,
-    /// Best running mean of a root.
-    pub best_score: f64,
-    /// Median of the roots' running means.
-    pub median_score: f64,
-    /// Fraction of this generation's episodes that the best root solved, if the problem defines success.
-    pub best_success: Option<f64>,
-    /// Mean of the problem's measure at the end of the best root's episodes.
-    pub best_measure: f64,
-    /// Number of roots evaluated.
-    pub roots: usize,
-    /// Number of teams after selection.
-    pub teams: usize,
-    /// Number of programs after selection.
-    pub programs: usize,
-    /// Result of the best root on the selection set, in generations that validate.
-    pub validation: Option<Summary>,
 }
 
 /// State of a run at the end of a generation.
@@ -126,14 +81,14 @@ fn actions<'a>(endings: impl IntoIterator<Item = &'a Ending>) -> u64 {
 
 impl<Task> State<Task> {
     /// Creates the state of a run before its first generation.
-    pub fn new(seed: u64, demes: usize, archive_size: usize) -> Self {
+    pub fn new(seed: u64, demes: usize) -> Self {
         Self {
             seed,
             generation: 0,
             budget: Budget::default(),
             search: None,
             stalled: None,
-            population: Population::new(demes, archive_size),
+            population: Population::new(demes),
             pool: VecDeque::new(),
             best: None,
             hall: Vec::new(),
@@ -182,7 +137,7 @@ impl<Task> State<Task> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Best, Record};
+    use super::Best;
     use tpg_engine::{Destination, Edge, Ending, PolicyGraph, Preference, Summary};
 
     fn best(edges: usize, score: f64, generation: u64) -> Best {
@@ -199,13 +154,5 @@ mod tests {
         }
         let found: Vec<_> = hall.iter().map(|it| (it.policy.size(), it.result.score, it.generation)).collect();
         assert_eq!(found, [(2, 0.5, 5), (5, 1.0, 0), (9, 2.0, 4)]);
-    }
-
-    #[test]
-    fn a_bad_episode_moves_a_long_record_little_and_decides_about_a_new_one() {
-        let (mut long, mut new) = (Record { mean: 100.0, evaluations: 9 }, Record::default());
-        long.add([0.0].into_iter());
-        new.add([0.0].into_iter());
-        assert_eq!((long.mean, new.mean), (90.0, 0.0));
     }
 }

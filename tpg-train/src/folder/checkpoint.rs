@@ -9,11 +9,11 @@ use tpg_graph::error::{InputError, Place};
 use tpg_graph::output::write_keeping_previous;
 
 /// Name of the newest checkpoint.
-pub const NEWEST: &str = "checkpoint";
+pub(crate) const NEWEST: &str = "checkpoint";
 /// Name of the checkpoint before it.
-pub const PREVIOUS: &str = "checkpoint.previous";
+pub(crate) const PREVIOUS: &str = "checkpoint.previous";
 /// Name under which a damaged checkpoint is set aside.
-pub const DAMAGED: &str = "checkpoint.damaged";
+pub(crate) const DAMAGED: &str = "checkpoint.damaged";
 /// Largest checkpoint, bytes: the largest replay buffer of the presets makes a sixth of it.
 const LIMIT: u64 = 4 << 30;
 

@@ -27,7 +27,7 @@ pub fn seal(mut content: Vec<u8>, trainer: Trainer, version: u32) -> Vec<u8> {
 
 /// The reason why a file is not the checkpoint that was asked for.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Fault {
+pub(crate) enum Fault {
     /// The bytes are not those that were written.
     Damaged(&'static str),
     /// The bytes are whole, but of another trainer or version.
@@ -38,7 +38,7 @@ pub enum Fault {
 ///
 /// # Errors
 /// The fault, if the file was damaged or is another one.
-pub fn open(file: &[u8], trainer: Trainer, version: u32) -> Result<&[u8], Fault> {
+pub(crate) fn open(file: &[u8], trainer: Trainer, version: u32) -> Result<&[u8], Fault> {
     let cut = Fault::Damaged("no checksum at the end: the file was cut, or is none of this program");
     let Some((b'\n', rest)) = file.split_last().map(|(last, rest)| (*last, rest)) else { return Err(cut) };
     let tail = &rest[rest.len().saturating_sub(LONGEST)..];

@@ -7,7 +7,7 @@ use super::Trainer;
 use std::fs::{File, TryLockError};
 use std::io::{Read as _, Seek as _, Write as _};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, SystemTime};
+use std::time::Duration;
 use tpg_graph::error::{InputError, Place};
 
 /// Name of the file.
@@ -17,11 +17,11 @@ const LONGEST: u64 = 200;
 
 /// A locked folder.
 #[derive(Debug)]
-pub struct Lock(File);
+pub(crate) struct Lock(File);
 
 impl Lock {
     /// True if another process has locked the folder.
-    pub fn is_held(folder: &Path) -> bool {
+    pub(crate) fn is_held(folder: &Path) -> bool {
         let file = File::open(folder.join(NAME));
         file.is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
     }
@@ -30,7 +30,7 @@ impl Lock {
     ///
     /// # Errors
     /// If another process has locked it, it belongs to another trainer, or it cannot be written.
-    pub fn take(folder: &Path, trainer: Trainer) -> Result<Self, InputError> {
+    pub(crate) fn take(folder: &Path, trainer: Trainer) -> Result<Self, InputError> {
         let path = folder.join(NAME);
         let io = |error: &std::io::Error| InputError::io(&path, error, "a folder that can be written");
         let mut file = (File::options().read(true).write(true).create(true).truncate(false).open(&path))
@@ -52,14 +52,13 @@ impl Lock {
         Ok(Self(file))
     }
 
-    /// Writes who has locked the folder, and since when.
+    /// Writes who has locked the folder.
     ///
     /// # Errors
     /// If the file cannot be written.
-    pub fn write(&self, folder: &Path, trainer: Trainer) -> Result<(), InputError> {
+    pub(crate) fn write(&self, folder: &Path, trainer: Trainer) -> Result<(), InputError> {
         let path: PathBuf = folder.join(NAME);
-        let now = humantime::format_rfc3339_seconds(SystemTime::now());
-        let line = format!("tpg-train {trainer}, process {}, since {now}\n", std::process::id());
+        let line = format!("tpg-train {trainer}, process {}\n", std::process::id());
         let mut file = &self.0;
         // Overwrites before it shortens: on a full disk the old bytes still have their place.
         (file.rewind())

@@ -7,15 +7,15 @@
 //! | [`frame`] | the checksum of a checkpoint |
 //! | [`checkpoint`] | the newest checkpoint and the previous one |
 
-pub mod checkpoint;
-pub mod frame;
-pub mod lock;
+pub(crate) mod checkpoint;
+pub(crate) mod frame;
+pub(crate) mod lock;
 
-use crate::files::make_folder;
 use lock::Lock;
 use std::fmt;
 use std::path::{Path, PathBuf};
 use tpg_graph::error::{InputError, Place};
+use tpg_graph::files::make_folder;
 use tpg_graph::output::remove_unfinished;
 
 /// A command that keeps its state in a folder.
@@ -74,7 +74,7 @@ impl RunFolder {
     /// Creates the folder if it does not exist, locks it, and removes unfinished files of killed processes.
     ///
     /// ```
-    /// use tpg_train::folder::{RunFolder, Trainer};
+    /// use tpg_train::loaders::{RunFolder, Trainer};
     ///
     /// let place = tempfile::tempdir()?;
     /// let run = place.path().join("run");
@@ -143,7 +143,7 @@ mod tests {
         let open = |trainer, resume| RunFolder::open(&run, trainer, resume).map_err(|error| error.to_string());
         let folder = open(Trainer::Sac, false).expect("a new folder");
         let refused = open(Trainer::Sac, true).expect_err("in use");
-        let process = format!("process {}, since 20", std::process::id());
+        let process = format!("process {}", std::process::id());
         assert!(refused.contains(&process) && refused.contains("one process"), "{refused}");
         assert!(open(Trainer::Sac, false).expect_err("in use").contains(&process));
         drop(folder);

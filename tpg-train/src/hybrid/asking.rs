@@ -4,13 +4,12 @@
 //! [`Choices`](tpg_engine::Choices) makes them, and the network answers what lies between.
 
 use super::study::Input;
-use super::trial::NETWORK;
 use crate::evolution::config::AskConfig;
 use crate::evolution::run::RunError;
 use crate::sac::network::Network;
 use std::path::Path;
 use tpg_codegen::policy::QuantisedPolicy;
-use tpg_engine::{Act, ActionSpace, Decision, Environment, Preference, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, Decision, Environment, NETWORK, Preference, SourceSet, Step};
 use tpg_graph::error::{Finding, InputError, Place};
 use tpg_problems::Problem;
 use tpg_runtime::scalar::Scalar;
@@ -18,18 +17,17 @@ use tpg_runtime::scalar::Scalar;
 /// Reads the network that a configuration asks on a problem, and writes its checksum into the configuration.
 ///
 /// # Errors
-/// If the problem is the arm's; if the file cannot be read, is no network in
-/// integers, is none for the problem, or is not the one that the configuration's checksum names.
-pub fn read(ask: &mut AskConfig, problem: &Problem) -> Result<QuantisedPolicy, RunError> {
-    let name = problem.name();
-    if name.start().is_some() {
-        let accepted = "a problem but the arm's, whose hybrid has rules and a guard";
-        return Err(Finding::new("ask", format!("a section [ask] for {}", name.name()), accepted).into());
-    }
+/// If the problem has a guard; if the file cannot be read, is no network in integers, is none for the problem, or is not the one
+/// that the configuration's checksum names.
+pub(crate) fn read(ask: &mut AskConfig, problem: &Problem) -> Result<QuantisedPolicy, RunError> {
     let refuse = |found: String, accepted: &str| InputError::new(&ask.policy, Place::Whole, found, accepted);
     let path = Path::new(&ask.policy);
-    let network = Network::read(path)?;
     let environment = problem.environment::<f32>();
+    if environment.guarded().is_some() {
+        let found = format!("a section [ask] for {}", problem.name().name());
+        return Err(Finding::new("ask", found, "a problem whose hybrid has no guard").into());
+    }
+    let network = Network::read(path)?;
     network.fit(&ask.policy, &environment.sources(), &environment.actions())?;
     let Network::Fixed(policy) = network else {
         let accepted = "a policy.q.json, as `tpg-train quantise` writes it: the network that ships";
@@ -52,7 +50,7 @@ pub fn read(ask: &mut AskConfig, problem: &Problem) -> Result<QuantisedPolicy, R
 /// use tpg_engine::{Act, Decision, Environment};
 /// use tpg_problems::CartPole;
 /// use tpg_runtime::policy::ActionId;
-/// use tpg_train::hybrid::asking::Asking;
+/// use tpg_train::Asking;
 ///
 /// // A network that pushes where the pole is falling; inputs are x, v, theta and omega.
 /// let network = |state: &[f32]| Decision::Choice(ActionId((state[2] + state[3] > 0.0).into()));

@@ -13,7 +13,7 @@ use tpg_graph::error::InputError;
 
 /// One row of `cells.csv`: a pair under a setting.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Cell {
+pub(crate) struct Cell {
     /// Position of the graph on the command line, from 0.
     pub tpg: usize,
     /// Position of the network on the command line, from 0.
@@ -58,14 +58,33 @@ pub struct Cell {
 
 impl Cell {
     /// Returns the setting.
-    pub fn setting(&self) -> Setting {
+    pub(crate) fn setting(&self) -> Setting {
         let Self { hand_back_after, separation, patience, cycle_detector: detector, .. } = *self;
         Setting { hand_back_after, separation, patience, detector, guard: self.guard.clone() }
     }
 }
 
+/// One row of `alone.csv`: a policy acting alone.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(crate) struct Alone {
+    /// `tpg` or `sac`.
+    pub kind: &'static str,
+    /// Its position on the command line, from 0.
+    pub place: usize,
+    /// Its file.
+    pub file: String,
+    /// Mean score.
+    pub mean_score: f64,
+    /// Standard deviation of the scores, over the episodes (of the sample, n − 1).
+    pub std_score: f64,
+    /// Fraction of successes, 0 to 1; empty if the problem does not define success.
+    pub success: Option<f64>,
+    /// Mean number of actions.
+    pub mean_steps: f64,
+}
+
 /// Subject of a study.
-pub struct Subject<'a> {
+pub(crate) struct Subject<'a> {
     /// The problem.
     pub problem: &'a dyn Shared,
     /// The graphs, with their files.
@@ -83,13 +102,13 @@ impl Subject<'_> {
     ///
     /// # Errors
     /// If a policy does not fit the problem.
-    pub fn trial(&self, acting: Acting<'_>) -> Result<HybridTrial, InputError> {
+    pub(crate) fn trial(&self, acting: Acting<'_>) -> Result<HybridTrial, InputError> {
         self.problem.trial(acting, self.episodes)
     }
 }
 
 /// Identity of a cell, in the order of `cells.csv`.
-pub type Key = (usize, usize, String, Detector, Span, u64, Span);
+pub(crate) type Key = (usize, usize, String, Detector, Span, u64, Span);
 
 fn key(tpg: usize, sac: usize, setting: &Setting) -> Key {
     let Setting { hand_back_after, separation, patience, detector, .. } = *setting;
@@ -148,7 +167,7 @@ impl Study for Subject<'_> {
 }
 
 /// Returns the settings of a grid that can hand over, in the order of `cells.csv`.
-pub fn grid(
+pub(crate) fn grid(
     guards: &[String],
     detectors: &[Detector],
     hand_backs: &[Span],

@@ -8,7 +8,7 @@ use tpg_engine::{Preference, Sample};
 
 /// One row of `settings.csv`: a setting, averaged over all pairs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Summary {
+pub(crate) struct Summary {
     /// Method of detecting cycles.
     pub cycle_detector: Detector,
     /// Number of actions of the network before the graph takes over again.
@@ -65,7 +65,7 @@ impl Summary {
     }
 
     /// Returns the setting.
-    pub fn setting(&self) -> Setting {
+    pub(crate) fn setting(&self) -> Setting {
         let Self { hand_back_after, separation, patience, cycle_detector: detector, .. } = *self;
         Setting { hand_back_after, separation, patience, detector, guard: self.guard.clone() }
     }
@@ -87,7 +87,7 @@ fn worth(preference: Preference, score: f64, success: Option<f64>) -> f64 {
 ///
 /// The choice is, among the settings whose worth (the mean score, or the success rate where the problem prefers it) lies
 /// within one standard error of the highest, the one with the fewest actions of the network; ties go to the first.
-pub fn summarise(cells: &[Cell], settings: &[Setting], preference: Preference) -> Vec<Summary> {
+pub(crate) fn summarise(cells: &[Cell], settings: &[Setting], preference: Preference) -> Vec<Summary> {
     let of = |setting: &Setting| cells.iter().filter(|cell| cell.setting() == *setting).collect::<Vec<_>>();
     let mut summaries: Vec<Summary> = settings.iter().map(|setting| Summary::new(setting, &of(setting))).collect();
     let costs: Vec<(f64, f64)> =
@@ -117,7 +117,7 @@ fn standard_error(cells: &[&Cell], preference: Preference) -> f64 {
 }
 
 /// Returns the pair with the highest worth under a setting; ties go to the first.
-pub fn best_pair<'a>(cells: &'a [Cell], setting: &Setting, preference: Preference) -> Option<&'a Cell> {
+pub(crate) fn best_pair<'a>(cells: &'a [Cell], setting: &Setting, preference: Preference) -> Option<&'a Cell> {
     let of = |cell: &Cell| worth(preference, cell.mean_score, cell.success);
     cells.iter().rev().filter(|cell| cell.setting() == *setting).max_by(|a, b| of(a).total_cmp(&of(b)))
 }

@@ -4,7 +4,7 @@
 //! `settings.csv` (means over pairs, front, choice), `alone.csv`, `hybrid.toml` (the chosen setting with the best pair)
 //! and `report.html`: the same bytes for equal runs.
 
-use super::cells::{Cell, Subject, grid};
+use super::cells::{Alone, Cell, Subject, grid};
 use super::choice;
 use super::report;
 use super::setting::{Detector, HybridFile, Setting, UNGUARDED};
@@ -12,7 +12,6 @@ use super::shared::{Episodes, Facts, Shared};
 use super::span::Span;
 use super::study::{self, Input, absolute, to_csv};
 use super::trial::Acting;
-use crate::files::{read_graph, write_atomically};
 use crate::run_args::command_line;
 use crate::sac::network::Network;
 use clap::Args;
@@ -23,11 +22,12 @@ use tpg_engine::{Summary, TaskSet};
 use tpg_graph::Graph;
 use tpg_graph::command::Verdict;
 use tpg_graph::error::{InputError, Place};
+use tpg_graph::files::{read_graph, write_atomically};
 use tpg_problems::{Problem, ProblemName};
 
 /// Study how graphs and networks share a problem, on validation episodes.
 #[derive(Clone, Debug, Args)]
-pub struct HybridArgs {
+pub(crate) struct HybridArgs {
     /// The problem
     #[arg(long, value_enum)]
     pub problem: ProblemName,
@@ -82,25 +82,6 @@ pub struct StudyArgs {
     pub threads: usize,
 }
 
-/// One row of `alone.csv`: a policy acting alone.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Alone {
-    /// `tpg` or `sac`.
-    pub kind: &'static str,
-    /// Its position on the command line, from 0.
-    pub place: usize,
-    /// Its file.
-    pub file: String,
-    /// Mean score.
-    pub mean_score: f64,
-    /// Standard deviation of the scores, over the episodes (of the sample, n − 1).
-    pub std_score: f64,
-    /// Fraction of successes, 0 to 1; empty if the problem does not define success.
-    pub success: Option<f64>,
-    /// Mean number of actions.
-    pub mean_steps: f64,
-}
-
 /// Content of `study.toml`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Asked {
@@ -121,7 +102,7 @@ struct Asked {
 /// # Errors
 /// Files that are not policies of the problem, settings that it does not have, a folder with another study, files that
 /// cannot be written.
-pub fn execute(args: &HybridArgs) -> Result<Verdict, InputError> {
+pub(crate) fn execute(args: &HybridArgs) -> Result<Verdict, InputError> {
     study_on(&shared_problem(args)?, &args.study)
 }
 
@@ -234,7 +215,7 @@ fn shared_problem(args: &HybridArgs) -> Result<Problem, InputError> {
             _ => problem = Some(own),
         }
     }
-    let mut problem = problem.unwrap_or_else(|| Problem::usual(args.problem));
+    let mut problem = problem.unwrap_or_else(|| Problem::new(args.problem));
     // The first network's rules of tests hold for all.
     for (place, path) in args.study.policy.iter().enumerate().rev() {
         let rules = place == 0 && args.config.is_none();

@@ -16,14 +16,14 @@
 //! | [`command`] | `tpg-train hybrid` |
 //! | [`constants`](mod@constants) | `tpg-train constants` |
 
-pub mod asking;
-pub mod cells;
-pub mod choice;
-pub mod command;
-pub mod constants;
-pub mod report;
-pub mod setting;
-pub mod shared;
-pub mod span;
-pub mod study;
-pub mod trial;
+pub(crate) mod asking;
+pub(crate) mod cells;
+pub(crate) mod choice;
+pub(crate) mod command;
+pub(crate) mod constants;
+pub(crate) mod report;
+pub(crate) mod setting;
+pub(crate) mod shared;
+pub(crate) mod span;
+pub(crate) mod study;
+pub(crate) mod trial;

@@ -1,14 +1,13 @@
 //! The study as one HTML page: settings, the front, and the hybrid beside its parts.
 
-use super::cells::Cell;
+use super::cells::{Alone, Cell};
 use super::choice::Summary;
-use super::command::Alone;
 use super::setting::shown;
-use crate::picture::{Axis, Colour, Figure, FiveNumbers, Page, Plot, Section, Table};
 use std::collections::BTreeSet;
+use tpg_picture::{Axis, Colour, Figure, FiveNumbers, Page, Plot, Section, Table};
 
 /// Renders the page.
-pub fn page(problem: &str, cells: &[Cell], summaries: &[Summary], alone: &[Alone]) -> String {
+pub(crate) fn page(problem: &str, cells: &[Cell], summaries: &[Summary], alone: &[Alone]) -> String {
     let pairs = cells.iter().map(|cell| (cell.tpg, cell.sac)).collect::<BTreeSet<_>>().len();
     let episodes = cells.first().map_or(0, |cell| cell.episodes);
     Page {

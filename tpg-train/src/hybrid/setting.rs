@@ -1,13 +1,13 @@
 //! Settings for sharing a problem between a graph and a network, and their file `hybrid.toml`.
 
 use super::span::Span;
-use crate::files::{read_graph, read_text};
 use crate::run_args::command_line;
 use crate::sac::network::Network;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use tpg_graph::Graph;
 use tpg_graph::error::{Finding, InputError};
+use tpg_graph::files::{read_graph, read_text};
 use tpg_graph::settings;
 use tpg_runtime::scalar::Scalar;
 use tpg_runtime::switch::Settings;
@@ -56,7 +56,7 @@ pub struct Setting {
 }
 
 /// The name of the guard of problems without guards.
-pub const UNGUARDED: &str = "none";
+pub(crate) const UNGUARDED: &str = "none";
 
 impl Setting {
     /// Returns the setting without a trigger: the graph only asks.
@@ -144,7 +144,7 @@ fn infinity() -> f64 {
 }
 
 /// Formats a distance; infinity is shown as ∞.
-pub fn shown(distance: f64) -> String {
+pub(crate) fn shown(distance: f64) -> String {
     if distance == f64::INFINITY { "∞".to_owned() } else { distance.to_string() }
 }
 

@@ -124,7 +124,7 @@ impl Shared for Problem {
         match acting {
             Acting::Network((file, network)) => {
                 let problem = self.clone().joined(file, &network.settings(), false, true)?;
-                let environment = problem.network_environment();
+                let environment = problem.network_environment(0);
                 let tasks = match episodes.file {
                     Some(path) => problem.read_tasks(path, true)?,
                     None => episodes.draw(&&*environment),
@@ -199,7 +199,7 @@ fn opened_rises<S: Number, M: Maths<S>>(
 /// use tpg_engine::Choices;
 /// use tpg_problems::Pendulum;
 /// use tpg_runtime::ops::Own;
-/// use tpg_train::hybrid::shared::{OwnProblem, Shared};
+/// use tpg_train::{OwnProblem, Shared};
 ///
 /// let swing = OwnProblem::<f32, Own, _>::new("swing", Choices::new(Pendulum, Some(3))?);
 /// assert_eq!(swing.name(), "swing");

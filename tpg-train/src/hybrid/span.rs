@@ -6,7 +6,7 @@ use tpg_runtime::switch::NEVER;
 /// A number of actions from 1, or never.
 ///
 /// ```
-/// use tpg_train::hybrid::span::Span;
+/// use tpg_train::Span;
 ///
 /// assert_eq!("100".parse(), Ok(Span(100)));
 /// assert_eq!("never".parse(), Ok(Span::NEVER));

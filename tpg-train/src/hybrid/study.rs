@@ -1,9 +1,8 @@
 //! Studies: every pair of a graph and a network under every setting, in parallel and resumable.
 
-use crate::files::{read_text, write_atomically};
 use crate::folder::{RunFolder, Trainer};
 use crate::interrupt;
-use indicatif::{ProgressBar, ProgressStyle};
+use crate::progress::Bar;
 use rayon::ThreadPool;
 use rayon::prelude::*;
 use serde::de::DeserializeOwned;
@@ -16,9 +15,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use tpg_graph::error::{InputError, Place};
+use tpg_graph::files::{read_text, write_atomically};
 
 /// A study: its settings, and a cell for each pair and setting.
-pub trait Study: Sync {
+pub(crate) trait Study: Sync {
     /// A setting.
     type Setting: Sync;
     /// One row of `cells.csv`.
@@ -51,7 +51,7 @@ pub trait Study: Sync {
 }
 
 /// Incremented with every change to the content or meaning of checkpoints: the finished cells as CSV.
-pub const VERSION: u32 = 1;
+pub(crate) const VERSION: u32 = 1;
 
 /// Interval between saves of finished cells.
 const SAVE_EVERY: Duration = Duration::from_secs(10);
@@ -67,11 +67,10 @@ fn place<T: Study>(study: &T, number: u64) -> (usize, usize, usize) {
 ///
 /// # Errors
 /// If the checkpoint does not belong to a study, a policy does not fit the problem, or a file cannot be written.
-pub fn run<T: Study>(
+pub(crate) fn run<T: Study>(
     study: &T,
     folder: &RunFolder,
     threads: &ThreadPool,
-    progress: &ProgressBar,
     stop: &AtomicBool,
 ) -> Result<Option<Vec<T::Cell>>, InputError> {
     let known = folder.load(VERSION, read::<T::Cell>)?.unwrap_or_default();
@@ -81,8 +80,7 @@ pub fn run<T: Study>(
         !finished.contains_key(&study.key(tpg, sac, &study.settings()[setting]))
     };
     let open: Vec<u64> = (0..study.size() as u64).filter(is_open).collect();
-    progress.set_length(study.size() as u64);
-    progress.set_position((study.size() - open.len()) as u64);
+    let progress = Bar::new();
     let done = Mutex::new((finished, Instant::now()));
     threads.install(|| {
         open.par_iter().try_for_each(|&number| {
@@ -94,7 +92,7 @@ pub fn run<T: Study>(
             let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
             let (finished, saved) = &mut *done;
             finished.insert(study.key_of(&cell), cell);
-            progress.inc(1);
+            progress.show(finished.len() as u64, study.size() as u64, String::new);
             if saved.elapsed() > SAVE_EVERY {
                 write(folder, finished.values())?;
                 *saved = Instant::now();
@@ -108,7 +106,7 @@ pub fn run<T: Study>(
 }
 
 /// Writes rows as CSV.
-pub fn to_csv<'a, T: Serialize + 'a>(rows: impl Iterator<Item = &'a T>) -> Vec<u8> {
+pub(crate) fn to_csv<'a, T: Serialize + 'a>(rows: impl Iterator<Item = &'a T>) -> Vec<u8> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     rows.for_each(|row| writer.serialize(row).expect("plain data in memory"));
     writer.into_inner().expect("memory can be written")
@@ -132,7 +130,7 @@ fn read<T: DeserializeOwned>(name: &str, cells: &[u8]) -> Result<Vec<T>, InputEr
 
 /// An input file with its content.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Input {
+pub(crate) struct Input {
     file: String,
     /// Checksum of its bytes, in hexadecimal digits.
     pub(super) sha256: String,
@@ -143,7 +141,7 @@ impl Input {
     ///
     /// # Errors
     /// If one cannot be read.
-    pub fn of(paths: &[PathBuf]) -> Result<Vec<Self>, InputError> {
+    pub(crate) fn of(paths: &[PathBuf]) -> Result<Vec<Self>, InputError> {
         paths.iter().map(|path| Self::read(path)).collect()
     }
 
@@ -151,7 +149,7 @@ impl Input {
     ///
     /// # Errors
     /// If it cannot be read.
-    pub fn read(path: &Path) -> Result<Self, InputError> {
+    pub(crate) fn read(path: &Path) -> Result<Self, InputError> {
         let bytes = fs::read(path).map_err(|error| InputError::io(path, &error, "a graph or an actor"))?;
         let sha256 = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
         Ok(Self { file: path.display().to_string(), sha256 })
@@ -162,7 +160,7 @@ impl Input {
 ///
 /// # Errors
 /// If the folder holds another study, or one that is not to be resumed, is in use, or cannot be written.
-pub fn open_folder(folder: &Path, resume: bool, asked: &impl Serialize) -> Result<RunFolder, InputError> {
+pub(crate) fn open_folder(folder: &Path, resume: bool, asked: &impl Serialize) -> Result<RunFolder, InputError> {
     let opened = RunFolder::open(folder, Trainer::Hybrid, resume)?;
     let path = folder.join("study.toml");
     let text = toml::to_string(asked).expect("plain data");
@@ -178,31 +176,26 @@ pub fn open_folder(folder: &Path, resume: bool, asked: &impl Serialize) -> Resul
 ///
 /// # Errors
 /// As [`run`].
-pub fn in_folder<T: Study>(
+pub(crate) fn in_folder<T: Study>(
     study: &T,
     folder: &RunFolder,
     threads: &ThreadPool,
 ) -> Result<Option<Vec<T::Cell>>, InputError> {
     let stop = interrupt::watch();
-    let progress = crate::progress::bar(study.size() as u64);
-    let style = ProgressStyle::with_template("{bar:30} {pos} of {len}  {eta} left");
-    progress.set_style(style.expect("a template that is right"));
-    let cells = run(study, folder, threads, &progress, &stop);
-    progress.finish_and_clear();
-    cells
+    run(study, folder, threads, &stop)
 }
 
 /// Starts threads; 0 for one per core.
 ///
 /// # Errors
 /// If they cannot be started.
-pub fn threads(count: usize) -> Result<ThreadPool, InputError> {
+pub(crate) fn threads(count: usize) -> Result<ThreadPool, InputError> {
     rayon::ThreadPoolBuilder::new().num_threads(count).build().map_err(|error| {
         InputError::new("--threads", Place::Whole, error.to_string(), "a number of threads that can be started")
     })
 }
 
 /// Returns the absolute path of a file.
-pub fn absolute(path: &Path) -> String {
+pub(crate) fn absolute(path: &Path) -> String {
     path.canonicalize().unwrap_or_else(|_| path.to_owned()).display().to_string()
 }

@@ -5,8 +5,8 @@ use crate::sac::network::Network;
 use std::cell::RefCell;
 use std::marker::PhantomData;
 use tpg_engine::{
-    ActionSpace, Choices, Decision, Drawn, Ending, EngineOptions, Environment, Lanes, Plan, Remembered, Remembering,
-    Rollout, Single, SourceDocument, SourceSet, bind, bind_to,
+    ActionSpace, Choices, Decision, Drawn, Ending, EngineOptions, Environment, Lanes, NETWORK, Plan, Remembered,
+    Remembering, Rollout, Single, SourceDocument, SourceSet, bind, bind_to,
 };
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
@@ -18,9 +18,6 @@ use tpg_runtime::scalar::Scalar;
 use tpg_runtime::switch::{
     Answer, AskSwitch, CAUSES, Cause, Chosen, Counts, Driver, Guard, NEVER, Pair, Patience, Switch,
 };
-
-/// The name by which a graph asks the network beside it.
-pub const NETWORK: &str = "network";
 
 /// The policies that act, each with the name that errors show.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +43,7 @@ impl<'a> Acting<'a> {
 }
 
 /// The causes of a hand-over, with their names in tables. [`Cause::Stop`] is a [`Patience`] at its end.
-pub const TRIGGERS: [(&str, Cause); 4] =
+pub(crate) const TRIGGERS: [(&str, Cause); 4] =
     [("guard", Cause::Guard), ("drift", Cause::Drift), ("stall", Cause::Stop), ("cycle", Cause::Cycle)];
 
 /// Results of many episodes.
@@ -70,7 +67,7 @@ pub struct HybridTrial {
 ///
 /// # Errors
 /// If a policy reads something that the environment does not have, or answers something else than it takes.
-pub fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
+pub(crate) fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
     environment: &Choices<S, E>,
     acting: Acting<'_>,
     tasks: &[E::Task],
@@ -148,7 +145,7 @@ fn fit<S: Scalar, E: Environment<S>>(
 ///
 /// # Errors
 /// As [`run`].
-pub fn rises<S: Scalar, M: Maths<S>, E: Environment<S>>(
+pub(crate) fn rises<S: Scalar, M: Maths<S>, E: Environment<S>>(
     environment: &Choices<S, E>,
     graph: &(String, Graph),
     network: &(String, Network),
@@ -174,7 +171,7 @@ pub fn rises<S: Scalar, M: Maths<S>, E: Environment<S>>(
 ///
 /// # Errors
 /// As [`run`].
-pub fn moments<S: Scalar, M: Maths<S>, E: Environment<S>>(
+pub(crate) fn moments<S: Scalar, M: Maths<S>, E: Environment<S>>(
     environment: &E,
     graph: &(String, Graph),
     task: &E::Task,

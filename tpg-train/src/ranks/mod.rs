@@ -12,6 +12,6 @@
 
 mod dealer;
 mod leader;
-pub mod link;
+pub(crate) mod link;
 mod worker;
-pub mod workplace;
+pub(crate) mod workplace;

@@ -32,7 +32,7 @@ pub trait Workplace {
 
 /// This process alone.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct ThisProcess;
+pub(crate) struct ThisProcess;
 
 impl Workplace for ThisProcess {
     fn train<S: Scalar, M: Maths<S>, E: Environment<S>>(

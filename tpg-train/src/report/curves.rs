@@ -1,9 +1,9 @@
 //! Learning curves: mean over the seeds of a group, with a band of one standard deviation.
 
 use super::runs::{Group, Run};
-use crate::picture::{Axis, Colour, Figure, Plot, Section};
 use std::collections::BTreeMap;
 use tpg_engine::Sample;
+use tpg_picture::{Axis, Colour, Figure, Plot, Section};
 
 /// The label of axes of scores.
 const SCORE: &str = "score";

@@ -1,10 +1,10 @@
 //! Episodes of a graph, action by action: what it sees and does, in the problem's units.
 
-use crate::picture::{Axis, Colour, Figure, Plot, Section, Table};
 use tpg_engine::{ActionSpace, Decision, Environment, Rollout, SourceSet};
 use tpg_graph::Graph;
 use tpg_graph::error::counted;
 use tpg_graph::interpret::{Answer, Interpreter};
+use tpg_picture::{Axis, Colour, Figure, Plot, Section, Table};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;

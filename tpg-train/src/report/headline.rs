@@ -2,13 +2,12 @@
 
 use super::runs::{Group, Kind, Run};
 use super::test::Tested;
-use crate::evaluate::confidence;
-use crate::picture::Headline;
 use tpg_codegen::emit::Code;
 use tpg_codegen::options::Language;
 use tpg_codegen::{Options, compile, size};
-use tpg_engine::{Sample, finite};
+use tpg_engine::{Sample, confidence, finite};
 use tpg_graph::Graph;
+use tpg_picture::Headline;
 
 /// Returns one headline for each group; `best` is the place of its best run.
 pub(super) fn headlines(groups: &[Group], tested: &[Vec<Option<Tested>>], best: &[Option<usize>]) -> Vec<Headline> {

@@ -5,7 +5,6 @@
 //! on the clock or on the location of the folders: the same runs give the same bytes.
 
 mod curves;
-mod distances;
 mod episode;
 mod headline;
 mod policy;
@@ -14,14 +13,14 @@ mod size;
 mod tables;
 mod test;
 
-use crate::files::write_atomically;
 use crate::hybrid::shared::Shared;
-use crate::picture::Page;
 use clap::Args;
 use runs::{Group, Run};
 use std::path::{Path, PathBuf};
 use test::Tested;
 use tpg_graph::error::{InputError, counted};
+use tpg_graph::files::write_atomically;
+use tpg_picture::Page;
 
 /// Show runs in one HTML file.
 ///
@@ -38,7 +37,7 @@ pub struct ReportArgs {
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub episodes: u32,
     /// The seed of the test episodes
-    #[arg(long, value_name = "S", default_value_t = tpg_problems::arm::targets::TEST_SEED)]
+    #[arg(long, value_name = "S", default_value_t = tpg_problems::TEST_SEED)]
     pub seed: u64,
 }
 
@@ -46,7 +45,7 @@ pub struct ReportArgs {
 ///
 /// # Errors
 /// If a folder is not a run, or the file cannot be written.
-pub fn report(args: &ReportArgs) -> Result<(), InputError> {
+pub(crate) fn report(args: &ReportArgs) -> Result<(), InputError> {
     report_with(args, None)
 }
 
@@ -91,7 +90,6 @@ fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<&dyn Shared>) 
     let mut sections = vec![tables::section(groups, &tested)];
     sections.extend(curves::sections(groups));
     sections.extend(size::section(groups, &tested, &halls));
-    sections.extend(distances::section(groups, &tested));
     for ((group, tested), best) in groups.iter().zip(&tested).zip(&best) {
         let Some(best) = *best else { continue };
         sections.push(policy::section(&group.runs[best], tested[best].as_ref()));

@@ -4,9 +4,9 @@ use super::episode;
 use super::headline::options;
 use super::runs::{Kind, Run};
 use super::test::Tested;
-use crate::picture::{Formulas, Section, graph};
 use tpg_codegen::explain::PolicyFormulas;
 use tpg_graph::Graph;
+use tpg_picture::{Formulas, Section, graph};
 
 /// The section of a run's policy.
 pub(super) fn section(run: &Run, tested: Option<&Tested>) -> Section {

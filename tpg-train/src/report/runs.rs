@@ -1,8 +1,7 @@
 //! Reading and grouping of run folders.
 
 use crate::evolution::config::{AskConfig, EvolutionConfig};
-use crate::evolution::state::Row;
-use crate::files::read_text;
+use crate::evolution::record::Row;
 use crate::hybrid::setting::{Hybrid, Setting};
 use crate::sac::contract::Contract;
 use crate::sac::network::Network;
@@ -14,9 +13,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
+use tpg_graph::files::read_text;
 use tpg_graph::settings;
 use tpg_nn::Mlp;
-use tpg_problems::{Problem, ProblemName};
+use tpg_problems::{PolicyKind, Problem, ProblemName};
 
 /// Runs with the same configuration.
 #[derive(Debug)]
@@ -293,7 +293,7 @@ fn study(folder: &Path, name: String, text: &str) -> Result<Run, InputError> {
     let Asked { problem } = settings::from_toml(&file, text, "the study.toml of a study")?;
     let hybrid = Box::new(Hybrid::read(&folder.join("hybrid.toml"))?);
     let known = problem.get("name").and_then(toml::Value::as_str).and_then(ProblemName::from_name);
-    let problem = known.map(|_| Problem::from_table(&file, &problem)).transpose()?;
+    let problem = known.map(|_| Problem::from_table(&file, &problem, PolicyKind::Graph)).transpose()?;
     let kind = Kind::Hybrid { problem: problem.map(|problem| Box::new(problem.for_tests())), hybrid };
     Ok(Run { name, seed: None, curves: BTreeMap::new(), cpu: None, kind, hall: Vec::new() })
 }

@@ -3,7 +3,7 @@
 use super::headline::flash;
 use super::runs::{Group, Run};
 use super::test::Tested;
-use crate::picture::{Axis, Colour, Figure, Plot, Section};
+use tpg_picture::{Axis, Colour, Figure, Plot, Section};
 
 /// Draws each problem with at least two tested graphs. `halls` are the halls of fame of each group's runs.
 pub(super) fn section(

@@ -2,9 +2,9 @@
 
 use super::runs::{Group, Kind, Run};
 use super::test::Tested;
-use crate::picture::{Section, Table};
 use tpg_engine::Sample;
 use tpg_graph::error::counted;
+use tpg_picture::{Section, Table};
 
 pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Section {
     let measure = tested.iter().flatten().flatten().find_map(|tested| tested.measure);
@@ -90,8 +90,7 @@ fn row(run: &Run, tested: Option<&Tested>) -> Vec<String> {
     let text = |value: Option<f64>| value.map_or_else(String::new, one_decimal);
     let summary = tested.map(Tested::summary);
     let measured = tested.filter(|tested| tested.measure.is_some());
-    let median =
-        measured.and_then(|tested| crate::picture::FiveNumbers::of(&tested.measures())).map(|five| five.median);
+    let median = measured.and_then(|tested| tpg_picture::FiveNumbers::of(&tested.measures())).map(|five| five.median);
     vec![
         run.name.clone(),
         run.seed.map_or_else(String::new, |seed| seed.to_string()),

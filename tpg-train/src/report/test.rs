@@ -4,12 +4,12 @@ use super::episode::{WEIGHED, Watched, watch};
 use super::runs::{Kind, Run};
 use crate::hybrid::shared::{Episodes, Shared, opened};
 use crate::hybrid::trial::{Acting, moments};
-use crate::picture::Figure;
 use crate::sac::network::Network;
 use crate::sac::policy::NetworkPolicy;
 use tpg_engine::{Ending, Environment, Measure, Summary, TaskSet};
 use tpg_graph::error::InputError;
 use tpg_graph::{Graph, in_arithmetic_of};
+use tpg_picture::Figure;
 use tpg_problems::{Number, Problem};
 use tpg_runtime::ops::Maths;
 
@@ -75,13 +75,13 @@ pub(super) fn test(run: &Run, count: usize, seed: u64, own: Option<&dyn Shared>)
         Kind::Sac { problem: trained, network, contract } => {
             let whole = Network::Float(Box::new(((**network).clone(), (**contract).clone())));
             let endings = problem.trial(Acting::Network(&(run.name.clone(), whole)), episodes)?.endings;
-            let environment = trained.network_environment();
+            let environment = trained.network_environment(0);
             let tasks = tpg_engine::tasks(&*environment, TaskSet::Test, seed, count);
-            let policy = NetworkPolicy::new(network, contract.interface(), &contract.actor);
+            let policy = NetworkPolicy::new(network, contract.interface());
             if let Some(drawn) = environment.drawn() {
                 pictures.extend(chosen(&endings).into_iter().map(|place| {
                     let mut moments = Vec::new();
-                    policy.watch(&&*environment, place, &tasks[place], |episode| moments.push(drawn.moment(episode)));
+                    policy.watch(&&*environment, &tasks[place], |episode| moments.push(drawn.moment(episode)));
                     figure(problem, place, &endings[place], drawn.picture(&moments))
                 }));
             }

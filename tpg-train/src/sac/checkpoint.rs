@@ -4,7 +4,6 @@
 //! counters as JSON. A running episode is stored as its task and its actions so far, which are repeated. There is no random
 //! state: every stream is a function of the seed and the counters.
 
-use super::agent::Agent;
 use super::config::SacConfig;
 use super::interface::Input;
 use super::lanes::Lanes;
@@ -14,10 +13,10 @@ use super::training::{Best, Recent, Training, agent, interface};
 use serde::{Deserialize, Serialize};
 use tpg_engine::{Environment, Summary};
 use tpg_graph::error::{Finding, InputError};
-use tpg_nn::{Adam, Mlp, Shape};
+use tpg_nn::{Adam, Agent, Mlp, Shape};
 
 /// Incremented with every change to the content or meaning of checkpoints.
-pub const VERSION: u32 = 7;
+pub const VERSION: u32 = 8;
 /// No run counts further: sums of two such counts do not overflow, and `f64` holds them exactly.
 const MOST: u64 = 1 << 53;
 
@@ -33,7 +32,7 @@ struct State<Task> {
     replayed: u64,
     adam_steps: Vec<u64>,
     best: Option<(Summary, u64)>,
-    curve: Vec<Summary>,
+    last: Option<Summary>,
     recent: Recent,
     /// The task of each lane, and the number of values in its actions so far.
     lanes: Vec<(Task, usize)>,
@@ -56,8 +55,7 @@ struct Header {
 /// # Panics
 /// If a task of the environment cannot be written as JSON.
 pub fn to_bytes<E: Environment<f32>>(training: &Training<'_, E>, log: &[serde_json::Value]) -> Vec<u8> {
-    let Training { config, seed, agent, average, replay, lanes, decisions, updates, best, curve, recent, .. } =
-        training;
+    let Training { config, seed, agent, average, replay, lanes, decisions, updates, best, last, recent, .. } = training;
     let mut tensors = Tensors::default();
     let mut insert = |name: &str, values: &[f32]| {
         tensors.tensors.insert(name.to_owned(), Tensor::flat(values.to_vec()));
@@ -95,7 +93,7 @@ pub fn to_bytes<E: Environment<f32>>(training: &Training<'_, E>, log: &[serde_js
         replayed,
         adam_steps,
         best: best.as_ref().map(|best| (best.result, best.decisions)),
-        curve: curve.clone(),
+        last: *last,
         recent: recent.clone(),
         lanes: lanes.lanes.iter().map(|lane| (lane.task.clone(), lane.actions.len())).collect(),
         failures: lanes.failures.places.clone(),
@@ -222,7 +220,7 @@ fn restore<'e, E: Environment<f32>>(
     training.decisions = state.decisions;
     training.updates = state.updates;
     training.best = best;
-    training.curve = state.curve;
+    training.last = state.last;
     training.recent = state.recent;
     Ok((training, state.log))
 }
@@ -302,13 +300,13 @@ fn check_header(text: &str, config: &SacConfig, seed: u64) -> Result<(), Finding
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sac::presets;
+    use crate::configuration::Configuration as _;
     use tpg_problems::Pendulum;
     use tpg_problems::arm::motors::{self, Motors};
     use tpg_problems::arm::targets::Start;
 
     fn small(preset: &str) -> SacConfig {
-        let mut config = presets::config(presets::find(preset).expect("a preset")).expect("it is accepted");
+        let mut config = SacConfig::preset(preset).expect("a preset");
         config.actor.hidden = vec![12, 10];
         config.critic.hidden = vec![14, 9];
         config.learning.lanes = 4;

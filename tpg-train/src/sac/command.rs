@@ -5,18 +5,16 @@
 //! the end the last one.
 
 use super::config::SacConfig;
-use super::contract::{Contract, Provenance};
 use super::training::{Best, Training, interface};
 use super::weights::to_tensors;
-use super::{checkpoint, log, presets};
-use crate::configuration::{Chosen, Configuration};
+use super::{checkpoint, log};
+use crate::configuration::Chosen;
 use crate::evolution::generation::Goal;
-use crate::files::write_atomically;
 use crate::folder::{RunFolder, Trainer};
 use crate::interrupt;
+use crate::progress::Bar;
 use crate::run_args::{RunArgs, command_line};
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::Value;
 use sha2::{Digest as _, Sha256};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -24,14 +22,15 @@ use std::time::{Duration, Instant};
 use tpg_engine::{Environment, Summary};
 use tpg_graph::command::Verdict;
 use tpg_graph::error::{Finding, InputError};
-use tpg_problems::{ContinuousProblem, ProblemName};
+use tpg_graph::files::write_atomically;
+use tpg_problems::ProblemName;
 
 /// Seconds between checkpoints: those of a large replay buffer take a while.
 const CHECKPOINT_SECONDS: u64 = 120;
 
 /// Train a soft actor-critic.
 #[derive(Clone, Debug, Args)]
-pub struct SacArgs {
+pub(crate) struct SacArgs {
     /// The problem; `tpg-train problems` tells more. A configuration file can name it instead
     #[arg(long, value_enum)]
     pub problem: Option<ProblemName>,
@@ -56,37 +55,16 @@ pub struct SacArgs {
 ///
 /// # Errors
 /// A bad configuration, a problem without outputs, a folder with another run, files that cannot be written.
-pub fn execute(args: &SacArgs) -> Result<Verdict, InputError> {
+pub(crate) fn execute(args: &SacArgs) -> Result<Verdict, InputError> {
     let Chosen { preset, mut config, problem } = Chosen::<SacConfig>::by(&args.run, args.problem)?;
     if let Some(decisions) = args.decisions {
         config.learning.decisions = decisions;
     }
-    let name = preset.map_or_else(|| name_by_content(&config), str::to_owned);
+    let name = preset.unwrap_or_else(|| name_by_content(&config));
     let stop = interrupt::watch();
     let command = Command { args, name: &name, config, problem: problem.name() };
-    let environment = problem.environment(args.seed);
+    let environment = problem.network_environment(args.seed);
     Run::begin(command, &&*environment)?.finish(&stop)
-}
-
-impl Configuration for SacConfig {
-    type Problem = ContinuousProblem;
-    const PRINTED_BY: &'static str = "tpg-train config --sac";
-
-    fn presets() -> Vec<&'static str> {
-        presets::PRESETS.iter().map(|preset| preset.name).collect()
-    }
-    fn preset(name: &str) -> Option<toml::Table> {
-        presets::find(name).map(presets::Preset::table)
-    }
-    fn default_preset(problem: ProblemName) -> &'static str {
-        presets::default_for(problem)
-    }
-    fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
-        Self::from_toml(file, text)
-    }
-    fn problem(&mut self) -> &mut toml::Table {
-        &mut self.problem
-    }
 }
 
 /// Returns the name of a configuration from a file: a hash of its content, so that the policy does not depend on where
@@ -115,7 +93,7 @@ struct Run<'a, E: Environment<f32>> {
     training: Training<'a, E>,
     validation: Vec<E::Task>,
     log: Vec<Value>,
-    progress: ProgressBar,
+    progress: Bar,
     began: Instant,
 }
 
@@ -137,11 +115,6 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
         };
         write_atomically(&folder.file("config.toml"), training.config().to_toml().as_bytes())?;
         let goal = Goal { target: args.target, max_steps: args.max_steps };
-        let whole = training.config().learning.decisions;
-        let progress = crate::progress::bar(goal.max_steps.map_or(whole, |most| most.min(whole)));
-        let style = ProgressStyle::with_template("{bar:30} {percent:>3} %  {eta} left  {msg}");
-        progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-        progress.set_position(training.decisions());
         let validation =
             tpg_engine::tasks(environment, tpg_engine::TaskSet::Validation, 0, training.config().validation.episodes);
         let checkpoint_every = args.run.checkpoint_every(CHECKPOINT_SECONDS);
@@ -157,7 +130,7 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
             training,
             validation,
             log,
-            progress,
+            progress: Bar::new(),
             began,
         })
     }
@@ -181,7 +154,9 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
             if self.training.decisions() / every > before || self.spent() {
                 self.validate()?;
             }
-            self.progress.set_position(self.training.decisions());
+            let whole = self.training.config().learning.decisions;
+            let whole = self.goal.max_steps.map_or(whole, |most| most.min(whole));
+            self.progress.show(self.training.decisions(), whole, || self.message());
             let stopped = stop.load(Ordering::Relaxed);
             if stopped || saved.elapsed() >= self.checkpoint_every {
                 self.save()?;
@@ -192,13 +167,9 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
             }
         }
         self.save()?;
-        self.progress.finish();
-        let end = match (self.training.best(), self.training.flat()) {
-            (None, _) => return Ok(Verdict::Good),
-            (Some(best), true) => format!("{}; the curve was flat", self.sentence(best)),
-            (Some(best), false) => self.sentence(best),
-        };
-        tpg_graph::command::note(format_args!("{end}"));
+        if let Some(best) = self.training.best() {
+            tpg_graph::command::note(format_args!("{}", self.sentence(best)));
+        }
         Ok(Verdict::Good)
     }
 
@@ -206,21 +177,15 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
         let recent = self.training.take_progress();
         let result = self.training.validate(&self.validation);
         let best = self.training.best().expect("there was a validation");
-        self.progress.set_message(format!("{}, best {}", short(&result), short(&best.result)));
-        let provenance = Provenance {
-            tool: concat!("tpg-train ", env!("CARGO_PKG_VERSION")).to_owned(),
-            config: self.name.to_owned(),
-            problem: self.problem.name().to_owned(),
-            seed: self.seed,
-            decisions: best.decisions,
-            validation: Some(best.result),
-        };
-        let config = self.training.config();
-        let (interface, actor) = (self.training.interface(), config.actor.clone());
-        let contract = Contract::new(config.problem.clone(), interface, actor, provenance);
+        let contract = self.training.contract(best, self.name, self.problem.name());
         to_tensors(&best.actor, &contract).write(&self.folder.file("policy.safetensors"))?;
         self.log.push(log::row(&self.training, &recent, &result, self.environment));
         log::write(self.folder.path(), &self.log, self.began)
+    }
+
+    fn message(&self) -> String {
+        let short = |result: Option<&Summary>| result.map(short).unwrap_or_default();
+        format!("{}, best {}", short(self.training.last()), short(self.training.best().map(|best| &best.result)))
     }
 
     fn save(&self) -> Result<(), InputError> {

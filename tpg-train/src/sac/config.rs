@@ -2,11 +2,14 @@
 //!
 //! The section `[problem]` belongs to the problem, which reads and checks it.
 
+use super::presets;
+use crate::configuration::{Configuration, Preset};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_graph::error::{Finding, InputError};
 use tpg_graph::settings;
 use tpg_nn::Spread;
+use tpg_problems::{PolicyKind, ProblemName};
 
 /// The values that a configuration file may hold, for messages.
 const ACCEPTED: &str = "the settings that `tpg-train config --sac` prints";
@@ -40,31 +43,11 @@ pub struct Actor {
     pub scaled_inputs: bool,
     /// Units of each hidden layer.
     pub hidden: Vec<usize>,
-    /// LayerNorm behind each hidden layer.
+    /// LayerNorm behind each hidden layer: false.
     pub layer_norm: bool,
     /// The meaning of the second half of its outputs: "log-sigma" or "sigma".
     #[schemars(with = "String")]
     pub spread: Spread,
-    /// Decisions outside of training.
-    #[serde(default, skip_serializing_if = "Decides::is_by_mean")]
-    pub decides: Decides,
-}
-
-/// Decisions of an actor outside of training.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Decides {
-    /// By the mean of its distribution: always the same in the same state.
-    #[default]
-    ByMean,
-    /// By a draw, as in training: the paper's tests. In a hybrid and in integers it decides by the mean.
-    ByDraw,
-}
-
-impl Decides {
-    pub(crate) fn is_by_mean(&self) -> bool {
-        *self == Self::ByMean
-    }
 }
 
 /// The critics.
@@ -154,22 +137,29 @@ pub struct Validation {
     pub every: u64,
     /// Episodes of a validation.
     pub episodes: usize,
-    /// A run ends early when its curve is flat: when over the last N validations, against the N before them, neither the
-    /// mean success nor the mean score has risen. 0: never.
-    pub flat_after: usize,
 }
 
-impl SacConfig {
-    /// Reads and checks a configuration; the problem checks its own section.
-    ///
-    /// # Errors
-    /// An unknown key, a value of another type or outside of its range, with its line.
-    pub fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
+impl Configuration for SacConfig {
+    const PRESETS: &'static [Preset] = &presets::PRESETS;
+    const KIND: PolicyKind = PolicyKind::Network;
+    const PRINTED_BY: &'static str = "tpg-train config --sac";
+
+    fn default_preset(problem: ProblemName) -> &'static str {
+        presets::default_for(problem)
+    }
+
+    fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
         let config: Self = settings::from_toml(file, text, ACCEPTED)?;
         config.check().map_err(|finding| settings::place(file, text, finding))?;
         Ok(config)
     }
 
+    fn problem(&mut self) -> &mut toml::Table {
+        &mut self.problem
+    }
+}
+
+impl SacConfig {
     /// The configuration as TOML, without comments: what a run's folder and a checkpoint keep.
     ///
     /// # Panics
@@ -185,7 +175,7 @@ impl SacConfig {
     pub fn check(&self) -> Result<(), Finding> {
         let Self { actor, critic, learning, retry, validation, .. } = self;
         if actor.layer_norm {
-            return Err(Finding::new("actor.layer_norm", true, "false: networks with LayerNorm are only evaluated"));
+            return Err(Finding::new("actor.layer_norm", true, "false"));
         }
         check_widths("actor.hidden", &actor.hidden)?;
         check_widths("critic.hidden", &critic.hidden)?;
@@ -224,7 +214,7 @@ impl SacConfig {
 ///
 /// # Errors
 /// If there are more than 8, or one has no units or more than 4096.
-pub fn check_widths(key: &str, hidden: &[usize]) -> Result<(), Finding> {
+pub(crate) fn check_widths(key: &str, hidden: &[usize]) -> Result<(), Finding> {
     if hidden.len() <= 8 && hidden.iter().all(|width| (1..=4096).contains(width)) {
         return Ok(());
     }
@@ -234,12 +224,12 @@ pub fn check_widths(key: &str, hidden: &[usize]) -> Result<(), Finding> {
 #[cfg(test)]
 mod tests {
     use super::SacConfig;
-    use crate::sac::presets;
+    use crate::configuration::Configuration as _;
     use tpg_graph::error::Place;
 
     #[test]
     fn a_wrong_value_is_refused_with_its_line() {
-        let text = presets::find("best-fs").expect("a preset").table().to_string();
+        let text = SacConfig::table("best-fs").expect("a preset").to_string();
         for (from, to, found) in [
             ("average = 0.001", "average = 0.0", "learning.average = 0"),
             ("lanes = 64", "lanes = 0", "learning.lanes = 0"),

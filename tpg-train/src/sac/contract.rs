@@ -7,9 +7,9 @@ use tpg_engine::{Output, Summary};
 use tpg_graph::error::Finding;
 
 /// The value of [`Contract::format`].
-pub const FORMAT: &str = "tpg sac policy";
+pub(crate) const FORMAT: &str = "tpg sac policy";
 /// Changes with every change to what a file means.
-pub const VERSION: u32 = 2;
+pub(crate) const VERSION: u32 = 2;
 
 /// The contract of a policy file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -120,6 +120,9 @@ impl Contract {
 
     fn check(&self) -> Result<(), Finding> {
         check_widths("metadata.tpg.actor.hidden", &self.actor.hidden)?;
+        if self.actor.layer_norm {
+            return Err(Finding::new("metadata.tpg.actor.layer_norm", true, "false"));
+        }
         if let Some(input) = self.inputs.iter().find(|input| !input.offset.is_finite() || !input.scale.is_finite()) {
             return Err(Finding::new("metadata.tpg.inputs", format!("{input:?}"), "finite numbers"));
         }

@@ -36,9 +36,9 @@ impl<Task: Clone> Failures<Task> {
         let stream = &mut Stream::new(seed, at, Purpose::Retry, 0);
         let drawn = |stream: &mut Stream| (0..retry.episodes).map(|_| environment.draw(stream)).collect();
         let tasks = training.trial_tasks(stream, retry.episodes).unwrap_or_else(|| drawn(stream));
-        for (place, task) in tasks.iter().enumerate() {
+        for task in &tasks {
             let mut visited = Vec::new();
-            let ending = policy.watch(environment, place, task, |episode| visited.push(training.task_from(episode)));
+            let ending = policy.watch(environment, task, |episode| visited.push(training.task_from(episode)));
             if ending.success == Some(false) {
                 self.remember(&visited);
             }

@@ -10,7 +10,7 @@
 //! with `from safetensors.torch import save_file`. Such a file says neither what the network reads nor what its outputs
 //! mean, so the command line must; sizes that do not fit it are refused.
 
-use super::config::{Actor, Decides};
+use super::config::Actor;
 use super::contract::{Contract, Provenance};
 use super::foreign::from_tensors;
 use super::interface::Interface;
@@ -19,16 +19,13 @@ use super::weights::{LIMIT, to_tensors};
 use crate::run_args::command_line;
 use clap::Args;
 use std::path::{Path, PathBuf};
-use tpg_arm::sac::{Actions, Mask};
 use tpg_graph::error::InputError;
 use tpg_nn::Spread;
-use tpg_problems::arm::motors::{Config, Inputs};
-use tpg_problems::arm::targets::Start;
-use tpg_problems::{ContinuousProblem, ProblemName};
+use tpg_problems::{PolicyKind, Problem, ProblemName};
 
 /// Turn an actor of Stable-Baselines3 or CleanRL into a policy.safetensors.
 #[derive(Clone, Debug, Args)]
-pub struct ImportArgs {
+pub(crate) struct ImportArgs {
     /// The other trainer's actor
     pub actor: PathBuf,
     /// The policy.safetensors to write
@@ -38,42 +35,46 @@ pub struct ImportArgs {
     #[arg(long, value_enum, default_value = "rs")]
     pub problem: ProblemName,
     /// The arm: the values that the network reads, features, paper-fs or paper-rs
-    #[arg(long, value_name = "NAME", value_parser = inputs)]
-    pub inputs: Option<Inputs>,
+    #[arg(long, value_name = "NAME")]
+    pub inputs: Option<String>,
     /// The arm: the meaning of the outputs, fine or coarse
-    #[arg(long, value_name = "NAME", value_parser = actions)]
-    pub actions: Option<Actions>,
-    /// The arm: the moves that the policy refuses by itself, none or joint-limits
-    #[arg(long, value_name = "NAME", default_value = "none", value_parser = mask)]
-    pub mask: Mask,
+    #[arg(long, value_name = "NAME")]
+    pub actions: Option<String>,
+    /// The arm: the moves that the policy refuses by itself, none or joint-limits [default: none]
+    #[arg(long, value_name = "NAME")]
+    pub mask: Option<String>,
     /// The arm: let it rest where no output reaches a threshold
     #[arg(long)]
     pub may_rest: bool,
 }
 
-fn inputs(name: &str) -> Result<Inputs, String> {
-    Inputs::from_name(name).ok_or_else(|| format!("accepted: {}", Inputs::ALL.map(Inputs::name).join(", ")))
-}
-
-fn actions(name: &str) -> Result<Actions, String> {
-    Actions::from_name(name).ok_or_else(|| "accepted: fine, coarse".to_owned())
-}
-
-fn mask(name: &str) -> Result<Mask, String> {
-    Mask::from_name(name).ok_or_else(|| "accepted: none, joint-limits".to_owned())
+impl ImportArgs {
+    /// Returns the problem with the settings of the arguments.
+    fn problem(&self) -> Result<Problem, InputError> {
+        let mut table = Problem::new_for(self.problem, PolicyKind::Network).to_table();
+        let decide = table.contains_key("inputs");
+        if decide && (self.inputs.is_none() || self.actions.is_none()) {
+            return Err(command_line("an actor of the arm without --inputs or --actions", "both of them"));
+        }
+        let mask = self.mask.clone().or_else(|| decide.then(|| "none".to_owned()));
+        for (key, value) in [("inputs", &self.inputs), ("actions", &self.actions), ("mask", &mask)] {
+            table.extend(value.iter().map(|value| (key.to_owned(), value.clone().into())));
+        }
+        if self.may_rest {
+            table.insert("may_rest".to_owned(), true.into());
+        }
+        Problem::from_table("<command line>", &table, PolicyKind::Network)
+    }
 }
 
 /// Reads the actor, checks it, writes the policy.
 ///
 /// # Errors
 /// If the file is damaged, is neither trainer's, or does not fit what the arguments say.
-pub fn import(args: &ImportArgs) -> Result<(), InputError> {
-    let problem = match args.problem.start() {
-        Some(start) => of_the_arm(args, start)?,
-        None => ContinuousProblem::usual(args.problem),
-    };
+pub(crate) fn import(args: &ImportArgs) -> Result<(), InputError> {
+    let problem = args.problem()?;
     // The values go to the network as they are.
-    let interface = Interface::new(&&*problem.environment(0), false).map_err(|finding| {
+    let interface = Interface::new(&&*problem.network_environment(0), false).map_err(|finding| {
         command_line(format!("--problem {}: {}", problem.name().name(), finding.found), finding.accepted)
     })?;
     let file = Tensors::read(&args.actor, LIMIT)?;
@@ -84,7 +85,6 @@ pub fn import(args: &ImportArgs) -> Result<(), InputError> {
         hidden: network.shape().hidden.clone(),
         layer_norm: false,
         spread: Spread::LogSigma,
-        decides: Decides::ByMean,
     };
     let provenance = Provenance {
         tool: format!("{trainer}, imported by tpg-train {}", env!("CARGO_PKG_VERSION")),
@@ -93,14 +93,4 @@ pub fn import(args: &ImportArgs) -> Result<(), InputError> {
     };
     let contract = Contract::new(problem.to_table(), &interface, actor, provenance);
     to_tensors(&network, &contract).write(Path::new(&args.out))
-}
-
-/// The arm by its motors, as the arguments say.
-fn of_the_arm(args: &ImportArgs, start: Start) -> Result<ContinuousProblem, InputError> {
-    let (Some(inputs), Some(actions)) = (args.inputs, args.actions) else {
-        return Err(command_line("an actor of the arm without --inputs or --actions", "both of them"));
-    };
-    let (mask, may_rest) = (args.mask, args.may_rest);
-    let motors = Config { inputs, actions, mask, may_rest, ..Config::default() };
-    Ok(ContinuousProblem::Motors(start, motors))
 }

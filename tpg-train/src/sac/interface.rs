@@ -29,10 +29,10 @@ pub struct Moments {
 }
 
 /// An input that changes less stays as it is.
-pub const LEAST_DEVIATION: f32 = 1e-3;
+pub(crate) const LEAST_DEVIATION: f32 = 1e-3;
 
 /// The names of a network's inputs: one for each value of the flat state of these sources.
-pub fn input_names(sources: &[SourceDocument]) -> Vec<String> {
+pub(crate) fn input_names(sources: &[SourceDocument]) -> Vec<String> {
     sources.iter().flat_map(|source| inputs(source, false)).map(|input| input.name).collect()
 }
 
@@ -74,13 +74,13 @@ impl Interface {
     }
 
     /// The environment's values of an action whose components lie in −1..1.
-    pub fn values(&self, action: &[f32], values: &mut Vec<f32>) {
-        values.clear();
-        values.extend(self.outputs.iter().zip(action).map(|(output, &component)| {
+    pub fn values(&self, action: impl Iterator<Item = f32>) -> Vec<f32> {
+        let value = |(output, component): (&Output, f32)| {
             let middle = (0.5 * (output.min + output.max)) as f32;
             let half = (0.5 * (output.max - output.min)) as f32;
             middle + half * component
-        }));
+        };
+        self.outputs.iter().zip(action).map(value).collect()
     }
 }
 
@@ -113,10 +113,8 @@ mod tests {
         let mut state = [0.5, -1.0, 4.0];
         interface.scale(&mut state);
         assert_eq!(state, [0.5, -1.0, 0.5]);
-        let mut values = Vec::new();
         for (action, expected) in [(-1.0, -2.0), (0.0, 0.0), (0.25, 0.5), (1.0, 2.0)] {
-            interface.values(&[action], &mut values);
-            assert_eq!(values, [expected]);
+            assert_eq!(interface.values([action].into_iter()), [expected]);
         }
     }
 

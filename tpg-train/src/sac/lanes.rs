@@ -45,7 +45,6 @@ pub(crate) struct Lanes<'e, E: Environment<f32>> {
     /// Places where some of the episodes begin again.
     pub(crate) failures: Failures<E::Task>,
     retried: f64,
-    values: Vec<f32>,
 }
 
 impl<'e, E: Environment<f32>> Lanes<'e, E> {
@@ -63,9 +62,9 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
     pub(crate) fn empty(environment: &'e E, interface: Interface, config: &SacConfig, seed: u64) -> Self {
         let retried = config.retry.map_or(0.0, |retry| retry.share);
         let (limit, failures) = (environment.time_limit(), Failures::new());
-        let (lanes, values) = (Vec::new(), Vec::new());
         let (lasts, discount) = (config.learning.decision_lasts, config.learning.discount as f32);
-        Self { environment, interface, limit, lasts, discount, seed, lanes, episodes: 0, failures, retried, values }
+        let lanes = Vec::new();
+        Self { environment, interface, limit, lasts, discount, seed, lanes, episodes: 0, failures, retried }
     }
 
     /// Adds a lane whose episode began with `task` and has had `actions`: they are done again. False if the episode ends
@@ -100,11 +99,11 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
     /// ended; see [`renew`](Self::renew).
     pub(crate) fn act(&mut self, lane: usize, action: &[f32]) -> Consequence {
         let lane = &mut self.lanes[lane];
-        self.interface.values(action, &mut self.values);
+        let values = self.interface.values(action.iter().copied());
         lane.actions.extend_from_slice(action);
         let mut whole = Consequence { reward: 0.0, steps: 0, end: None };
         for _ in 0..self.lasts {
-            let step = self.environment.step(&mut lane.episode, Act::Values(&self.values));
+            let step = self.environment.step(&mut lane.episode, Act::Values(&values));
             lane.done += 1;
             let timeout = || (lane.done >= self.limit).then(|| self.environment.timeout(&lane.episode));
             whole.reward += libm::powf(self.discount, whole.steps as f32) * step.reward as f32;
@@ -141,13 +140,14 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
 #[cfg(test)]
 mod tests {
     use super::Lanes;
+    use crate::configuration::Configuration as _;
+    use crate::sac::config::SacConfig;
     use crate::sac::interface::Interface;
-    use crate::sac::presets;
     use tpg_problems::Pendulum;
 
     #[test]
     fn an_episode_that_reaches_the_limit_is_truncated_and_one_resumed_goes_on_as_it_was() {
-        let config = presets::config(presets::find("general").expect("a preset")).expect("it is accepted");
+        let config = SacConfig::preset("general").expect("a preset");
         let interface = Interface::new(&Pendulum, true).expect("a torque");
         let mut lanes = Lanes::new(&Pendulum, interface.clone(), &config, 5);
         for action in 0..199 {
@@ -169,7 +169,7 @@ mod tests {
 
     #[test]
     fn a_decision_that_lasts_pays_the_discounted_sum_and_ends_at_the_limit() {
-        let mut config = presets::config(presets::find("general").expect("a preset")).expect("it is accepted");
+        let mut config = SacConfig::preset("general").expect("a preset");
         config.learning.discount = 0.5;
         let interface = Interface::new(&Pendulum, true).expect("a torque");
         let mut single = Lanes::new(&Pendulum, interface.clone(), &config, 5);

@@ -3,12 +3,12 @@
 use super::training::{Recent, Training};
 use crate::csv_text::table;
 use crate::evolution::logs::cpu_seconds;
-use crate::files::write_atomically;
 use serde_json::{Value, json};
 use std::path::Path;
 use std::time::Instant;
 use tpg_engine::{Environment, Summary};
 use tpg_graph::error::InputError;
+use tpg_graph::files::write_atomically;
 
 /// Returns the row of a validation.
 pub(crate) fn row<E: Environment<f32>>(

@@ -1,18 +1,19 @@
 //! A policy file of either kind, ready to act.
 
 use super::contract::Contract;
+use super::integers::{decided, quantise};
 use super::interface::input_names;
 use super::policy::NetworkPolicy;
 use super::weights;
-use crate::files::read_text;
+use sha2::{Digest as _, Sha256};
 use std::path::Path;
 use tpg_codegen::policy::{Output, QuantisedPolicy};
 use tpg_engine::{ActionSpace, Decision, Ending, Environment, Rollout};
 use tpg_graph::SourceDocument;
 use tpg_graph::error::{InputError, Place};
+use tpg_graph::files::read_text;
 use tpg_nn::Mlp;
-use tpg_runtime::net::PREFERENCE_ONE;
-use tpg_runtime::policy::ActionId;
+use tpg_runtime::net::Kind;
 
 /// A trained network: `policy.safetensors` or `policy.q.json`.
 #[derive(Clone, Debug)]
@@ -34,6 +35,31 @@ impl Network {
         }
         let text = read_text(path, "a policy.q.json")?;
         Ok(Self::Fixed(Box::new(QuantisedPolicy::from_json(&path.display().to_string(), &text)?)))
+    }
+
+    /// Puts a network into integers, calibrated on the states that it visits on training tasks of `seed`. See `tpg-train quantise` for
+    /// networks that were trained on a built-in problem.
+    ///
+    /// # Errors
+    /// If it is in integers, or has numbers that do not fit.
+    pub fn quantised(
+        &self,
+        environment: &impl Environment<f32>,
+        kind: Kind,
+        seed: u64,
+    ) -> Result<QuantisedPolicy, InputError> {
+        let Self::Float(actor) = self else {
+            return Err(InputError::new("<network>", Place::Whole, "a network in integers", "one in floating point"));
+        };
+        let actor = (&actor.0, &actor.1);
+        let hash = Sha256::digest(weights::to_tensors(actor.0, actor.1).to_bytes());
+        let hash = hash.iter().map(|byte| format!("{byte:02x}")).collect();
+        quantise("<network>", actor, None, environment, hash, kind, seed)
+    }
+
+    /// Returns the network's decision for a flat state, by the mean of its actions.
+    pub fn decide(&self, state: &[f32]) -> Decision<f32> {
+        self.deciding(|decide| decide(state))
     }
 
     /// Returns the bytes of the constants that decide: four a parameter in floating point, the spreads left out.
@@ -71,9 +97,7 @@ impl Network {
     ) -> Result<Vec<Ending>, InputError> {
         self.fit(file, &environment.sources(), &environment.actions())?;
         Ok(match self {
-            Self::Float(actor) => {
-                NetworkPolicy::new(&actor.0, actor.1.interface(), &actor.1.actor).endings(environment, tasks)
-            }
+            Self::Float(actor) => NetworkPolicy::new(&actor.0, actor.1.interface()).endings(environment, tasks),
             Self::Fixed(policy) => {
                 let ending = |task| Rollout::new(environment, task).run(|state| decided(policy, state));
                 tasks.iter().map(ending).collect()
@@ -85,12 +109,8 @@ impl Network {
     pub fn deciding<R>(&self, act: impl FnOnce(&dyn Fn(&[f32]) -> Decision<f32>) -> R) -> R {
         match self {
             Self::Float(actor) => {
-                let policy = NetworkPolicy::new(&actor.0, actor.1.interface(), &actor.1.actor);
-                act(&|state| {
-                    let mut values = Vec::new();
-                    policy.answer(state, &mut values);
-                    Decision::Values(values)
-                })
+                let policy = NetworkPolicy::new(&actor.0, actor.1.interface());
+                act(&|state| Decision::Values(policy.answer(state)))
             }
             Self::Fixed(policy) => act(&|state| decided(policy, state)),
         }
@@ -134,17 +154,5 @@ impl Network {
             return refuse(format!("the outputs {found} ({answer})"), format!("{wanted} ({accepted})"));
         }
         Ok(())
-    }
-}
-
-/// The decision of a network in integers for a flat state.
-pub fn decided(policy: &QuantisedPolicy, state: &[f32]) -> Decision<f32> {
-    match policy.output {
-        Output::Argmax(_) => Decision::Choice(ActionId(policy.choose(state) as u16)),
-        Output::Values(_) => Decision::Values(policy.values(state)),
-        Output::Preferences(_) => {
-            let value = |output: i32| libm::tanhf(output as f32 / PREFERENCE_ONE);
-            Decision::Values(policy.outputs(&policy.integers(state)).into_iter().map(value).collect())
-        }
     }
 }

@@ -1,12 +1,12 @@
 //! Safetensors files: named `f32` tensors and one JSON text, checked as they are read.
 
-use crate::files::write_atomically;
 use safetensors::tensor::{Dtype, SafeTensors, TensorView, serialize};
 use std::collections::{BTreeMap, HashMap};
 use std::fs::File;
 use std::io::Read as _;
 use std::path::Path;
 use tpg_graph::error::{Finding, InputError, Place};
+use tpg_graph::files::write_atomically;
 
 /// The metadata key that holds the JSON text. One key alone: several would be written in no fixed order.
 const KEY: &str = "tpg";
@@ -104,7 +104,7 @@ impl Tensors {
 }
 
 /// Places a finding in its file.
-pub fn place(path: &Path, Finding { key, found, accepted }: Finding) -> InputError {
+pub(crate) fn place(path: &Path, Finding { key, found, accepted }: Finding) -> InputError {
     let place = if key.is_empty() { Place::Whole } else { Place::Path(key) };
     InputError::new(path.display().to_string(), place, found, accepted)
 }

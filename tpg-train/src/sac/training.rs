@@ -3,18 +3,19 @@
 //! One [`tick`](Training::tick) lets every lane decide once. Nothing depends on the clock or on who computes it: a
 //! tick's random numbers are a function of the seed and of how many decisions came before.
 
-use super::agent::{Agent, Experience, Rates, UpdateFigures, Workspace};
-use super::config::{Learning, SacConfig};
-use super::curve::flat;
+use super::config::{Learning, SacConfig, Validation};
+use super::contract::{Contract, Provenance};
 use super::interface::Interface;
 use super::lanes::Lanes;
+use super::network::Network;
 use super::policy::NetworkPolicy;
 use super::replay::{Batch, Replay, Transition};
 use serde::{Deserialize, Serialize};
+use std::ops::ControlFlow;
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Environment, Preference, Summary};
+use tpg_engine::{Environment, Preference, Summary, TaskSet, tasks};
 use tpg_graph::error::Finding;
-use tpg_nn::{Gaussian, Mlp, Samples, Tape};
+use tpg_nn::{Agent, Experience, Gaussian, Mlp, Rates, Samples, Tape, UpdateFigures, Workspace};
 
 /// A running training.
 pub struct Training<'e, E: Environment<f32>> {
@@ -28,8 +29,8 @@ pub struct Training<'e, E: Environment<f32>> {
     pub(super) decisions: u64,
     pub(super) updates: u64,
     pub(super) best: Option<Best>,
-    /// The results of the validations so far.
-    pub(super) curve: Vec<Summary>,
+    /// The result of the newest validation.
+    pub(super) last: Option<Summary>,
     /// Sums since the last [`Training::take_progress`].
     pub(super) recent: Recent,
     space: Space,
@@ -109,14 +110,40 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         lanes: Lanes<'e, E>,
     ) -> Self {
         let space = Space::new(&config, &agent);
-        let (recent, curve) = (Recent::default(), Vec::new());
+        let recent = Recent::default();
         let average = config.learning.average.map(|_| agent.actor.network.clone());
-        Self { config, seed, agent, average, replay, lanes, decisions: 0, updates: 0, best: None, curve, recent, space }
+        Self {
+            config,
+            seed,
+            agent,
+            average,
+            replay,
+            lanes,
+            decisions: 0,
+            updates: 0,
+            best: None,
+            last: None,
+            recent,
+            space,
+        }
     }
 
     /// Returns the configuration.
     pub fn config(&self) -> &SacConfig {
         &self.config
+    }
+
+    /// Returns the contract of a candidate; `name` is the configuration's, `problem` that of the problem.
+    pub(super) fn contract(&self, best: &Best, name: &str, problem: &str) -> Contract {
+        let provenance = Provenance {
+            tool: concat!("tpg-train ", env!("CARGO_PKG_VERSION")).to_owned(),
+            config: name.to_owned(),
+            problem: problem.to_owned(),
+            seed: self.seed,
+            decisions: best.decisions,
+            validation: Some(best.result),
+        };
+        Contract::new(self.config.problem.clone(), self.interface(), self.config.actor.clone(), provenance)
     }
 
     /// Returns the network's inputs and outputs.
@@ -134,14 +161,9 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         self.updates
     }
 
-    /// True when the run has its decisions, or its curve is flat.
+    /// True when the run has its decisions.
     pub fn finished(&self) -> bool {
-        self.decisions >= self.config.learning.decisions || self.flat()
-    }
-
-    /// True when validations get no better: see [`Validation::flat_after`](super::config::Validation::flat_after).
-    pub fn flat(&self) -> bool {
-        flat(&self.curve, self.config.validation.flat_after)
+        self.decisions >= self.config.learning.decisions
     }
 
     /// Returns the best candidate so far.
@@ -151,7 +173,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
 
     /// Returns the result of the last validation.
     pub fn last(&self) -> Option<&Summary> {
-        self.curve.last()
+        self.last.as_ref()
     }
 
     /// Returns the sums since the last call and resets them.
@@ -280,7 +302,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
 
     /// Returns the current policy.
     pub(crate) fn policy(&self) -> NetworkPolicy<'_> {
-        NetworkPolicy::new(self.actor(), self.interface().clone(), &self.config.actor)
+        NetworkPolicy::new(self.actor(), self.interface().clone())
     }
 
     /// Lets the actor as it stands try the validation tasks, and keeps it if it is the best so far. Where the rate falls,
@@ -289,7 +311,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     pub fn validate(&mut self, tasks: &[E::Task]) -> Summary {
         let environment = self.lanes.environment();
         let result = Summary::of(&self.policy().endings(environment, tasks));
-        self.curve.push(result);
+        self.last = Some(result);
         let learning = &self.config.learning;
         let settled = self.decisions >= learning.decisions && learning.final_rate < 1.0;
         let as_good = |best: &Best| result.compare(&best.result, environment.preference()).is_ge();
@@ -298,6 +320,50 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         }
         result
     }
+}
+
+/// Trains a network on an environment of your own, and returns it with its result on the validation tasks. `watch` is called after
+/// every decision of all lanes; if it returns `Break`, the training ends. `name` is the configuration's in the network's file.
+///
+/// ```
+/// use std::ops::ControlFlow;
+/// use tpg_problems::Pendulum;
+/// use tpg_train::{Configuration as _, SacConfig, train_network};
+///
+/// let mut config = SacConfig::preset("general")?;
+/// (config.learning.decisions, config.learning.random_decisions) = (300, 100);
+/// config.validation.episodes = 2;
+/// let (_network, result) = train_network(&Pendulum, config, "short", 1, || ControlFlow::Continue(()))?;
+/// assert_eq!(result.episodes, 2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// If the environment's actions are not outputs, or the training ended before a validation.
+pub fn train_network<E: Environment<f32>>(
+    environment: &E,
+    config: SacConfig,
+    name: &str,
+    seed: u64,
+    mut watch: impl FnMut() -> ControlFlow<()>,
+) -> Result<(Network, Summary), Finding> {
+    let mut training = Training::new(environment, config, seed)?;
+    let Validation { every, episodes } = training.config.validation;
+    let validation = tasks(environment, TaskSet::Validation, 0, episodes);
+    while !training.finished() {
+        let before = training.decisions / every;
+        training.tick();
+        if training.decisions / every > before || training.finished() {
+            training.validate(&validation);
+        }
+        if watch().is_break() {
+            break;
+        }
+    }
+    let early = || Finding::new("learning.decisions", training.decisions, "enough for a validation");
+    let best = training.best().ok_or_else(early)?;
+    let network = Network::Float(Box::new((best.actor.clone(), training.contract(best, name, ""))));
+    Ok((network, best.result))
 }
 
 /// Returns the target entropy when a fraction of the run is `done`.
@@ -325,7 +391,9 @@ pub(super) fn interface(environment: &impl Environment<f32>, config: &SacConfig)
 pub(super) fn agent(config: &SacConfig, interface: &Interface, seed: u64) -> Agent<f32> {
     let gaussian = Gaussian { actions: interface.outputs.len(), spread: config.actor.spread };
     let mut random = Stream::new(seed, 0, Purpose::Weights, 0);
-    Agent::new(config, interface.inputs.len(), gaussian, &mut random)
+    let hidden = [&config.actor.hidden[..], &config.critic.hidden];
+    let log_alpha = config.learning.log_temperature;
+    Agent::random(interface.inputs.len(), hidden, gaussian, log_alpha, || random.unit())
 }
 
 impl Recent {
@@ -353,11 +421,11 @@ impl Recent {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sac::presets;
+    use crate::configuration::Configuration as _;
     use tpg_problems::Pendulum;
 
     fn long() -> SacConfig {
-        let mut config = presets::config(presets::find("long").expect("a preset")).expect("it is accepted");
+        let mut config = SacConfig::preset("long").expect("a preset");
         config.learning.random_decisions = 500;
         config
     }
@@ -397,5 +465,22 @@ mod tests {
         assert!(before.iter().zip(&after).all(|(a, b)| (a - b).abs() < 1e-5));
         (0..200).for_each(|_| training.tick());
         assert_eq!(training.interface(), &measured);
+    }
+
+    #[test]
+    fn a_few_thousand_decisions_swing_the_pendulum_up() {
+        let config = SacConfig::preset("general").expect("a preset");
+        let mut training = Training::new(&Pendulum, config, 1).expect("a torque");
+        let tasks = tasks::<f32, _>(&Pendulum, TaskSet::Validation, 0, 50);
+        let decisions = tpg_testing::amount(5000, 8000);
+        let mut score = || -> [f64; 2] {
+            let before: Summary = training.validate(&tasks);
+            while training.decisions() < decisions {
+                training.tick();
+            }
+            [before.score, training.validate(&tasks).score]
+        };
+        let [before, after] = score();
+        assert!(before < -900.0 && after > -400.0, "{before} before, {after} after");
     }
 }

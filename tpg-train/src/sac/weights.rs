@@ -1,7 +1,7 @@
 //! `policy.safetensors`: a trained actor with its [contract](super::contract).
 //!
 //! Tensors, in PyTorch's orientation (a `Linear`'s weight is outputs × inputs): `hidden.0.weight`, `hidden.0.bias`,
-//! with LayerNorm `hidden.0.norm.weight` and `hidden.0.norm.bias`, and so on for each hidden layer; `mean.weight`,
+//! and so on for each hidden layer; `mean.weight`,
 //! `mean.bias`, and `spread.weight`, `spread.bias`, which only training needs. The metadata's one key `tpg` holds the
 //! contract as JSON.
 
@@ -28,10 +28,6 @@ pub fn to_tensors(network: &Mlp<f32>, contract: &Contract) -> Tensors {
             let units = bias.len();
             insert(format!("hidden.{index}.weight"), vec![units, inputs], weights);
             insert(format!("hidden.{index}.bias"), vec![units], bias);
-            if let Some((gain, shift)) = network.norm(index) {
-                insert(format!("hidden.{index}.norm.weight"), vec![units], gain.to_vec());
-                insert(format!("hidden.{index}.norm.bias"), vec![units], shift.to_vec());
-            }
             inputs = units;
         } else {
             let (means, spreads) = weights.split_at(actions * inputs);
@@ -65,7 +61,7 @@ pub fn from_tensors(mut file: Tensors) -> Result<(Mlp<f32>, Contract), Finding> 
         inputs: contract.inputs.len(),
         hidden: contract.actor.hidden.clone(),
         outputs: 2 * actions,
-        norm: contract.actor.layer_norm,
+        norm: false,
     };
     let mut take = |name: String, shape: &[usize]| -> Result<Vec<f32>, Finding> {
         let Some(tensor) = file.tensors.remove(&name) else {
@@ -85,11 +81,6 @@ pub fn from_tensors(mut file: Tensors) -> Result<(Mlp<f32>, Contract), Finding> 
     for (index, &units) in shape.hidden.iter().enumerate() {
         all.push((take(format!("hidden.{index}.weight"), &[units, inputs])?, inputs));
         rest.push(take(format!("hidden.{index}.bias"), &[units])?);
-        if shape.norm {
-            let gain = take(format!("hidden.{index}.norm.weight"), &[units])?;
-            let shift = take(format!("hidden.{index}.norm.bias"), &[units])?;
-            rest.last_mut().expect("just pushed").extend(gain.into_iter().chain(shift));
-        }
         inputs = units;
     }
     let mut heads = take("mean.weight".to_owned(), &[actions, inputs])?;
@@ -98,7 +89,7 @@ pub fn from_tensors(mut file: Tensors) -> Result<(Mlp<f32>, Contract), Finding> 
     bias.extend(take("spread.bias".to_owned(), &[actions])?);
     all.push((heads, inputs));
     rest.push(bias);
-    // Each layer's weights, turned to column-major, then its bias and norm.
+    // Each layer's weights, turned to column-major, then its bias.
     let mut flat = Vec::with_capacity(shape.parameters());
     for ((weights, inputs), rest) in all.into_iter().zip(rest) {
         let outputs = weights.len() / inputs;
@@ -116,22 +107,23 @@ pub fn from_tensors(mut file: Tensors) -> Result<(Mlp<f32>, Contract), Finding> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::configuration::Configuration as _;
+    use crate::sac::config::SacConfig;
     use crate::sac::contract::Provenance;
     use crate::sac::interface::Interface;
-    use crate::sac::presets;
     use tpg_engine::random::{Purpose, Stream};
-    use tpg_problems::{ContinuousProblem, Pendulum, ProblemName};
+    use tpg_problems::{Pendulum, Problem, ProblemName};
 
-    fn example(layer_norm: bool) -> (Mlp<f32>, Tensors) {
-        let config = presets::config(presets::find("general").expect("a preset")).expect("it is accepted");
-        let actor = crate::sac::config::Actor { layer_norm, hidden: vec![6, 5], ..config.actor };
-        let shape = Shape { inputs: 3, hidden: actor.hidden.clone(), outputs: 2, norm: layer_norm };
+    fn example() -> (Mlp<f32>, Tensors) {
+        let config = SacConfig::preset("general").expect("a preset");
+        let actor = crate::sac::config::Actor { hidden: vec![6, 5], ..config.actor };
+        let shape = Shape { inputs: 3, hidden: actor.hidden.clone(), outputs: 2, norm: false };
         let mut random = Stream::new(1, 0, Purpose::Test, 30);
         let mut network = Mlp::random(shape, || random.unit());
         for (index, parameter) in network.parameters_mut().iter_mut().enumerate() {
             *parameter += index as f32 * 1e-6;
         }
-        let problem = ContinuousProblem::usual(ProblemName::Pendulum).to_table();
+        let problem = Problem::new(ProblemName::Pendulum).to_table();
         let interface = Interface::new(&Pendulum, true).expect("a torque");
         let provenance = Provenance { config: "test".to_owned(), ..Provenance::default() };
         let tensors = to_tensors(&network, &Contract::new(problem, &interface, actor, provenance));
@@ -140,19 +132,17 @@ mod tests {
 
     #[test]
     fn a_network_comes_back_as_it_was() {
-        for layer_norm in [false, true] {
-            let (network, tensors) = example(layer_norm);
-            let (read, contract) = from_tensors(tensors).expect("a good file");
-            assert_eq!(read, network);
-            assert_eq!(contract.provenance.config, "test");
-            assert_eq!(contract.interface(), Interface::new(&Pendulum, true).expect("a torque"));
-        }
+        let (network, tensors) = example();
+        let (read, contract) = from_tensors(tensors).expect("a good file");
+        assert_eq!(read, network);
+        assert_eq!(contract.provenance.config, "test");
+        assert_eq!(contract.interface(), Interface::new(&Pendulum, true).expect("a torque"));
     }
 
     #[test]
     fn a_foreign_or_damaged_file_is_refused_at_its_place() {
         let place = |change: &dyn Fn(&mut Tensors)| {
-            let (_, mut tensors) = example(false);
+            let (_, mut tensors) = example();
             change(&mut tensors);
             from_tensors(tensors).map(|_| ()).map_err(|finding| finding.key)
         };

@@ -8,7 +8,7 @@ use tpg_fuzzing::checkpoints;
 use tpg_graph::sample::{self, Shape};
 use tpg_graph::{Graph, export};
 use tpg_testing::library::top;
-use tpg_train::evolution::presets::Preset;
+use tpg_train::{Config as EvolutionConfig, Configuration as _, SacConfig};
 
 /// A sidecar and its `.dot`.
 fn as_dot(graph: &Graph) -> String {
@@ -62,12 +62,11 @@ fn main() -> std::io::Result<()> {
                     hand_back_after = 20\nseparation = 2.5\npatience = \"never\"\ncycle_detector = \"none\"\n";
     put("hybrid", "pendulum", pendulum.as_bytes())?;
     for name in ["thorough", "quick", "best-fs"] {
-        let text = Preset::find(name).expect("a preset").table().to_string();
+        let text = EvolutionConfig::table(name).expect("a preset").to_string();
         put("tpg_config", name, text.as_bytes())?;
     }
     for name in ["general", "best-fs"] {
-        let preset = tpg_train::sac::presets::find(name).expect("a preset");
-        let config = tpg_train::sac::presets::config(preset).expect("it is accepted");
+        let config = SacConfig::preset(name).expect("a preset");
         put("sac_config", name, config.to_toml().as_bytes())?;
     }
     let [tpg, sac, sealed] = checkpoints::seeds();

@@ -6,14 +6,13 @@ use tempfile::TempDir;
 use tpg_engine::{Choices, EngineOptions, LocalThreads};
 use tpg_problems::Pendulum;
 use tpg_runtime::ops::Own;
-use tpg_train::evolution::checkpoint;
-use tpg_train::evolution::config::EvolutionConfig;
-use tpg_train::evolution::generation::{Evolution, Goal};
-use tpg_train::evolution::run::{RunOptions, run};
-use tpg_train::folder::checkpoint::look;
-use tpg_train::folder::{RunFolder, Trainer};
-use tpg_train::sac;
-use tpg_train::sac::training::Training;
+use tpg_train::loaders::Evolution;
+use tpg_train::loaders::Training;
+use tpg_train::loaders::look;
+use tpg_train::loaders::sac;
+use tpg_train::loaders::tpg as checkpoint;
+use tpg_train::loaders::{RunFolder, Trainer};
+use tpg_train::{Config as EvolutionConfig, Configuration as _, Goal, RunOptions, SacConfig, train as run};
 
 /// The seed that the checkpoints must have.
 pub const SEED: u64 = 1;
@@ -27,16 +26,15 @@ fn swing() -> Swing {
 fn evolution() -> EvolutionConfig {
     let mut config = EvolutionConfig::default();
     (config.tpg.nb_roots, config.tpg.init_nb_roots) = (12, 14);
-    (config.demes.count, config.learning.archive_size, config.pool.share) = (2, 100, 0.5);
+    (config.demes.count, config.pool.share) = (2, 0.5);
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (2, 4);
     (config.selection.racing_episodes, config.selection.validation_episodes) = (0, 4);
     config.start.share = 0.25;
     config
 }
 
-fn learning() -> sac::config::SacConfig {
-    let preset = sac::presets::find("general").expect("a preset");
-    let mut config = sac::presets::config(preset).expect("it is accepted");
+fn learning() -> SacConfig {
+    let mut config = SacConfig::preset("general").expect("a preset");
     (config.actor.hidden, config.critic.hidden) = (vec![4], vec![5]);
     (config.learning.lanes, config.learning.random_decisions, config.learning.decisions_per_update) = (2, 8, 4);
     (config.learning.batch, config.learning.replay, config.learning.decisions) = (4, 20, 1000);
@@ -67,7 +65,7 @@ pub fn tpg(data: &[u8]) {
 
 /// The content of a checkpoint of soft actor-critic; what is accepted trains on.
 pub fn sac(data: &[u8]) {
-    match sac::checkpoint::from_bytes("fuzzed", data, &Pendulum, &learning(), SEED) {
+    match sac::from_bytes("fuzzed", data, &Pendulum, &learning(), SEED) {
         Ok((mut training, _)) => (0..6).for_each(|_| training.tick()),
         Err(error) => drop(error.to_string()),
     }
@@ -77,7 +75,7 @@ pub fn sac(data: &[u8]) {
 pub fn file(data: &[u8]) {
     let place = TempDir::new().expect("a temporary folder");
     fs::write(place.path().join("checkpoint"), data).expect("the folder can be written");
-    for (trainer, version) in [(Trainer::Tpg, checkpoint::VERSION), (Trainer::Sac, sac::checkpoint::VERSION)] {
+    for (trainer, version) in [(Trainer::Tpg, checkpoint::VERSION), (Trainer::Sac, sac::VERSION)] {
         match look(place.path(), trainer, version, |_, content| Ok(content.len())) {
             Ok(length) => assert!(length < data.len(), "a seal has a length"),
             Err(error) => drop(error.to_string()),
@@ -97,7 +95,7 @@ pub fn seeds() -> [Vec<u8>; 3] {
     let options = RunOptions { folder: place.path().to_owned(), ..RunOptions::default() };
     let (config, environment) = (evolution(), swing());
     let evaluator = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 1).expect("a thread");
-    let stop_after_2 = |progress: &tpg_train::evolution::run::Progress<'_>| match progress.generations {
+    let stop_after_2 = |progress: &tpg_train::Progress<'_>| match progress.generations {
         2 => ControlFlow::Break(()),
         _ => ControlFlow::Continue(()),
     };
@@ -106,5 +104,5 @@ pub fn seeds() -> [Vec<u8>; 3] {
     let mut training = Training::new(&Pendulum, learning(), SEED).expect("an environment with outputs");
     (0..12).for_each(|_| training.tick());
     let sealed = fs::read(place.path().join("checkpoint")).expect("a checkpoint");
-    [content.expect("a checkpoint"), sac::checkpoint::to_bytes(&training, &[]), sealed]
+    [content.expect("a checkpoint"), sac::to_bytes(&training, &[]), sealed]
 }

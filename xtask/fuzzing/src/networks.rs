@@ -3,11 +3,12 @@
 use crate::Bytes;
 use tpg_codegen::policy::{self, QuantisedPolicy};
 use tpg_engine::Output;
+use tpg_graph::error::Finding;
+use tpg_problems::{PolicyKind, Problem};
 use tpg_runtime::net::Model;
-use tpg_train::sac::motors::MotorNetwork;
-use tpg_train::sac::network::Network;
-use tpg_train::sac::tensors::Tensors;
-use tpg_train::sac::{foreign, weights};
+use tpg_train::Network;
+use tpg_train::loaders::Tensors;
+use tpg_train::loaders::{foreign, weights};
 
 /// Values at which integers are most likely to go wrong.
 const EDGES: [i16; 8] = [i16::MIN, i16::MAX, 0, 1, -1, 4096, -4096, 12_345];
@@ -91,9 +92,13 @@ pub fn safetensors(data: &[u8]) {
         let (network, contract) = weights::from_tensors(tensors)?;
         let again = weights::from_tensors(weights::to_tensors(&network, &contract)).expect("what is written is read");
         assert_eq!(again.0.parameters().len(), network.parameters().len());
-        MotorNetwork::new(Network::Float(Box::new((network, contract))), None)
+        let problem = Problem::from_table("fuzzed", &contract.problem, PolicyKind::Network);
+        let environment = problem.map(|problem| problem.network_environment(0)).ok();
+        let network = Network::Float(Box::new((network, contract)));
+        let fits = environment.map(|it| network.fit("fuzzed", &it.sources(), &it.actions()).is_ok());
+        Ok::<_, Finding>(fits.unwrap_or_default())
     };
-    let _ = read(tensors.clone()).is_ok();
+    let _ = read(tensors.clone());
     let output = Output { name: "a".into(), unit: "".into(), min: -1.0, max: 1.0 };
     let _ = foreign::from_tensors(tensors, 3, &[output]).is_ok();
 }

@@ -2,13 +2,12 @@
 
 use tpg_arm::WIDOWX;
 use tpg_problems::arm::chain::ChainDescription;
+use tpg_problems::arm::import::{Imported, Radii, import};
 use tpg_problems::arm::targets;
-use tpg_problems::continuous::ContinuousProblem;
 use tpg_problems::dodge::file as scenes_file;
-use tpg_train::arm_import::{self, Imported, Radii};
-use tpg_train::evolution::config::EvolutionConfig;
-use tpg_train::hybrid::setting::parse_file;
-use tpg_train::sac;
+use tpg_problems::{PolicyKind, Problem};
+use tpg_train::loaders::parse_file;
+use tpg_train::{Config as EvolutionConfig, Configuration as _, SacConfig};
 
 /// Tasks of the arm as CSV.
 ///
@@ -47,7 +46,7 @@ pub fn scenes(data: &[u8]) {
 pub fn urdf(data: &[u8]) {
     let text = String::from_utf8_lossy(data);
     let radii = Radii { link: 20.0, base: 60.0 };
-    match arm_import::import("fuzzed.urdf", &text, "tip", &[("roll".to_owned(), 0.0)], radii) {
+    match import("fuzzed.urdf", &text, "tip", &[("roll".to_owned(), 0.0)], radii) {
         Ok(Imported { text, not_planar: None }) => drop(text.parse::<toml::Table>().expect("the section is TOML")),
         Ok(Imported { text, not_planar: Some(_) }) => {
             drop(ChainDescription::from_toml("imported.toml", &text).expect("a chain that is read again"));
@@ -94,13 +93,13 @@ pub fn tpg_config(data: &[u8]) {
 /// # Panics
 /// If what is written is not read again, or differs.
 pub fn sac_config(data: &[u8]) {
-    match sac::config::SacConfig::from_toml("fuzzed.toml", &String::from_utf8_lossy(data)) {
+    match SacConfig::from_toml("fuzzed.toml", &String::from_utf8_lossy(data)) {
         Ok(config) => {
             let text = config.to_toml();
-            let again = sac::config::SacConfig::from_toml("written.toml", &text);
+            let again = SacConfig::from_toml("written.toml", &text);
             let again = again.unwrap_or_else(|error| panic!("{error}\n{text}"));
             assert_eq!(again.to_toml(), text);
-            let _ = ContinuousProblem::from_table("fuzzed.toml", &config.problem).is_ok();
+            let _ = Problem::from_table("fuzzed.toml", &config.problem, PolicyKind::Network).is_ok();
         }
         Err(error) => drop(error.to_string()),
     }

@@ -2,8 +2,10 @@
 
 use super::reference::Reference;
 use super::timing::{self, Time};
+use std::cell::RefCell;
 use tpg_arm::binding;
 use tpg_arm::cycle::{Brent, CycleDetector, Visited};
+use tpg_arm::frame::Frame;
 use tpg_arm::hybrid::{Guard, Hybrid, Settings};
 use tpg_arm::observation::{ArmPolicy, Observation};
 use tpg_arm::sac::packed::{Model, PackedPolicy};
@@ -15,16 +17,10 @@ use tpg_generated::widowx_fs_fast::WidowxFsFast;
 use tpg_generated::widowx_rs::WidowxRs;
 use tpg_generated::widowx_rs_fast::WidowxRsFast;
 use tpg_generated::{widowx_fs_hybrid, widowx_rs_hybrid, widowx_sac};
-use tpg_nn::{Mlp, Shape, Spread};
-use tpg_problems::ContinuousProblem;
-use tpg_problems::arm::motors::{self, Inputs};
+use tpg_nn::{Mlp, Shape, Tape};
+use tpg_problems::arm::motors::{Config, Discretiser, Inputs};
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_runtime::policy::Policy;
-use tpg_train::sac::config::{Actor, Decides};
-use tpg_train::sac::contract::{Contract, Provenance};
-use tpg_train::sac::interface::Interface;
-use tpg_train::sac::motors::MotorNetwork;
-use tpg_train::sac::network::Network;
 
 /// The arm that they were trained for, in the precision that they run in.
 const ARM: Arm<f32> = WIDOWX.to_f32();
@@ -86,31 +82,36 @@ pub fn measure(start: Start, tasks: &[Task]) -> Costs {
     Costs { shipped, guards, detectors, reference, wide: wide(start, tasks) }
 }
 
+/// The paper's network on the trainer's own matrix product.
+struct Wide {
+    network: Mlp<f32>,
+    tape: RefCell<Tape<f32>>,
+    discretiser: Discretiser,
+}
+
+impl Policy for Wide {
+    type State = Observation<f32>;
+    type Action = Move;
+
+    fn decide(&self, seen: &Observation<f32>) -> Move {
+        let mut tape = self.tape.borrow_mut();
+        Inputs::PaperFs.observe(&Frame::of(&ARM, seen), tape.input_mut());
+        self.network.forward(&mut tape);
+        let means = std::array::from_fn(|joint| tape.output()[joint]);
+        self.discretiser.decide(means, seen.pose, &ARM.ranges)
+    }
+}
+
 /// Measures the paper's network with the trainer's own matrix product; its weights are random, so it follows the
 /// shipped policy's trajectory.
 fn wide(start: Start, tasks: &[Task]) -> Time {
-    let actor = Actor {
-        scaled_inputs: false,
-        hidden: vec![256, 256],
-        layer_norm: true,
-        spread: Spread::Sigma,
-        decides: Decides::ByDraw,
-    };
-    let (inputs, actions, mask) = (Inputs::PaperFs, Actions::Coarse, Mask::None);
-    let motors = motors::Config { inputs, actions, mask, may_rest: true, ..motors::Config::default() };
-    let problem = ContinuousProblem::Motors(Start::Fs, motors);
-    let interface = Interface::new(&&*problem.environment(0), actor.scaled_inputs).expect("motors");
-    let shape = Shape {
-        inputs: interface.inputs.len(),
-        hidden: actor.hidden.clone(),
-        outputs: 2 * JOINTS,
-        norm: actor.layer_norm,
-    };
+    let (actions, mask) = (Actions::Coarse, Mask::None);
+    let discretiser = Discretiser::new(&Config { actions, mask, may_rest: true, ..Config::default() });
+    let shape = Shape { inputs: 13, hidden: vec![256, 256], outputs: 2 * JOINTS, norm: true };
     let mut random = Stream::new(1, 0, Purpose::Weights, 0);
-    let weights = Mlp::random(shape, || random.unit());
-    let contract = Contract::new(problem.to_table(), &interface, actor, Provenance::default());
-    let wide = MotorNetwork::new(Network::Float(Box::new((weights, contract))), None).expect("a network of the arm");
-    timing::of_policy_along(&ARM, &wide.policy(), &network(), start, tasks)
+    let network = Mlp::random(shape, || random.unit());
+    let tape = RefCell::new(Tape::new(network.shape(), 1));
+    timing::of_policy_along(&ARM, &Wide { network, tape, discretiser }, &self::network(), start, tasks)
 }
 
 fn fs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {

@@ -5,9 +5,7 @@ use super::ours::{Ours, paper_setting};
 use super::rows::Row;
 use tpg_graph::error::InputError;
 use tpg_problems::arm::targets::Start;
-use tpg_train::hybrid::setting::{Hybrid, Setting};
-use tpg_train::hybrid::span::Span;
-use tpg_train::hybrid::trial::Acting;
+use tpg_train::{Acting, Hybrid, Setting, Span};
 
 /// Seed of the episodes, used neither in training nor in choosing the shipped policies.
 const SEED: u64 = 11;

@@ -6,8 +6,8 @@ use super::rows::Row;
 use super::timing::Time;
 use askama::Template;
 use tpg_engine::Sample;
+use tpg_engine::confidence;
 use tpg_problems::arm::targets::Start;
-use tpg_train::evaluate::confidence;
 
 /// All results of one problem.
 #[derive(Debug)]

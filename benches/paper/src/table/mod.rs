@@ -25,9 +25,9 @@ use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use tpg_arm::WIDOWX;
 use tpg_graph::error::InputError;
+use tpg_graph::files::{make_folder, read_text, write_atomically};
 use tpg_graph::settings;
 use tpg_problems::arm::targets::{self, Start};
-use tpg_train::files::{make_folder, read_text, write_atomically};
 
 /// Measure every kind of policy and write docs/results.md.
 #[derive(Clone, Debug, Args)]

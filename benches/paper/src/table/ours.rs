@@ -7,10 +7,7 @@ use tpg_graph::error::InputError;
 use tpg_problems::Problem;
 use tpg_problems::arm::targets::Start;
 use tpg_problems::arm::trial::Trial;
-use tpg_train::hybrid::setting::Setting;
-use tpg_train::hybrid::shared::{Episodes, Shared as _};
-use tpg_train::hybrid::trial::Acting;
-use tpg_train::sac::network::Network;
+use tpg_train::{Acting, Episodes, Network, Setting, Shared as _};
 
 /// A problem with its episodes.
 #[derive(Clone, Copy, Debug)]
@@ -60,6 +57,6 @@ impl<'a> Ours<'a> {
 /// Returns the paper's setting: hand-back after 100 actions, hand-over when the hand strays by 20 or 10 mm, no guard.
 pub fn paper_setting(start: Start) -> Setting {
     let separation = if start == Start::Fs { 20.0 } else { 10.0 };
-    let detector = tpg_train::hybrid::setting::Detector::Visited;
-    Setting { hand_back_after: tpg_train::hybrid::span::Span(100), separation, detector, ..Setting::only_asks() }
+    let detector = tpg_train::Detector::Visited;
+    Setting { hand_back_after: tpg_train::Span(100), separation, detector, ..Setting::only_asks() }
 }

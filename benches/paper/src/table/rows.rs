@@ -11,13 +11,11 @@ use tpg_codegen::size::{self, Target};
 use tpg_engine::Sample;
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
+use tpg_graph::files::read_graph;
 use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_problems::arm::trial::{Trial, run};
-use tpg_train::files::read_graph;
-use tpg_train::hybrid::setting::Hybrid;
-use tpg_train::hybrid::trial::Acting;
-use tpg_train::sac::network::Network;
+use tpg_train::{Acting, Hybrid, Network};
 
 /// One row of the table. Rates lie in 0..1.
 #[derive(Clone, Debug, PartialEq)]

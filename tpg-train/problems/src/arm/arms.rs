@@ -101,8 +101,7 @@ pub(super) fn schema(generator: &mut SchemaGenerator) -> Schema {
 #[cfg(test)]
 mod tests {
     use super::ARMS;
-    use crate::Problem;
-    use crate::arm::targets::Start;
+    use crate::{Problem, ProblemSettings};
     use tpg_arm::Arm;
     use tpg_graph::error::Place;
 
@@ -112,8 +111,9 @@ mod tests {
             let named = format!("[problem]\nname = \"fs\"\narm = {:?}\n", known.name);
             let own = format!("[problem]\nname = \"fs\"\n{}", known.text);
             let read = |text: &str| Problem::from_toml("x.toml", text).unwrap_or_else(|error| panic!("{error}"));
-            let Problem::Arm(Start::Fs, config) = read(&named) else { panic!("an arm's problem") };
-            assert_eq!(Problem::Arm(Start::Fs, config.clone()), read(&own), "{}", known.name);
+            let problem = read(&named);
+            let ProblemSettings::Arm(config) = problem.settings.clone() else { panic!("an arm's problem") };
+            assert_eq!(problem, read(&own), "{}", known.name);
             assert_eq!(config.arm(), Arm::from(&known.description()));
             assert_eq!(config.arm().check(), Ok(()));
         }

@@ -2,8 +2,9 @@
 
 use super::arms;
 use super::description::ArmDescription;
-use super::environment::{ArmEnvironment, ArmProblem, ArmScalar};
+use super::environment::{ArmEnvironment, ArmScalar};
 use super::motors;
+use super::problem::ArmProblem;
 use super::shield::Shield;
 use super::targets::{Start, TOLERANCE};
 use schemars::JsonSchema;

@@ -8,13 +8,12 @@ mod episode;
 mod group;
 mod guard;
 mod lanes;
-mod problem;
 mod usual;
 
 pub use episode::ArmEpisode;
-pub use problem::{ArmProblem, ArmTask, OUTCOMES, outcome_number};
 
 use crate::arm::binding::bind;
+use crate::arm::problem::{ArmProblem, ArmTask, DISTANCE, OUTCOMES, on_the_arm};
 use crate::arm::targets::{self, ReachableSpace, Set};
 use crate::arm::trial::figures;
 use crate::arm::{drawing, motors};
@@ -51,15 +50,6 @@ impl ArmScalar for f64 {
         *arm
     }
 }
-
-/// True if joint positions are within two turns, far from any overflow. Joint limits are the rules' concern: a step that
-/// violates them ends the episode.
-pub(super) fn on_the_arm(ticks: [i16; JOINTS]) -> bool {
-    ticks.iter().all(|&ticks| i32::from(ticks).abs() <= 2 * TICKS_PER_TURN)
-}
-
-/// The measure of an episode: distance from the hand to the target at its end.
-pub const DISTANCE: Measure = Measure { name: "distance", unit: "mm" };
 
 /// The environment of the arm.
 #[derive(Clone, Debug)]
@@ -473,6 +463,7 @@ impl<S: ArmScalar> Training<ArmTask, ArmEpisode<S>> for ArmEnvironment<S> {
         let (set, seed) = match set {
             TaskSet::Validation => (Set::Validation, 0),
             TaskSet::Study => (Set::Validation, seed),
+            TaskSet::Calibration => (Set::Training, seed),
             TaskSet::Test => (Set::Test, seed),
         };
         let tasks = targets::tasks(&self.description, seed, set, self.problem.start, count);

@@ -9,10 +9,12 @@
 //! | [`motors`] | the arm by its four motors, for policies with outputs |
 //! | [`description`] | an arm as a section of a configuration |
 //! | [`arms`] | arms that are known by name |
+//! | [`import`](mod@import) | an arm from its URDF |
 //! | [`chain`] | arms that need not be planar, as a section of a file |
 //! | [`targets`] | tasks over the reachable space |
 //! | [`ik`] | inverse kinematics: poses that solve a task |
 //! | [`planner`] | classical controllers |
+//! | [`problem`] | scores and endings |
 //! | [`trial`] | results of one policy on many tasks |
 
 pub mod arms;
@@ -23,13 +25,16 @@ pub mod description;
 mod drawing;
 pub mod environment;
 pub mod ik;
+pub mod import;
 pub mod motors;
 pub mod planner;
+pub mod problem;
 pub mod shield;
 pub mod targets;
 pub mod trial;
 
 pub use config::Config;
 pub use description::ArmDescription;
-pub use environment::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
+pub use environment::{ArmEnvironment, ArmScalar};
+pub use problem::{ArmProblem, ArmTask};
 pub use shield::Shield;

@@ -13,12 +13,10 @@ mod file;
 
 pub use file::{parse_csv, read_csv, to_csv};
 
-use super::environment::ArmProblem;
 use serde::{Deserialize, Serialize};
 use std::sync::{Arc, Mutex, PoisonError};
-use tpg_arm::episode::ReachTask;
 use tpg_arm::frame::Clearance;
-use tpg_arm::kinematics::{self, Lattice, Plane};
+use tpg_arm::kinematics::{self, Plane};
 use tpg_arm::{Arm, Pose};
 use tpg_engine::random::{Purpose, Stream};
 
@@ -73,13 +71,6 @@ pub struct Task {
     pub start: Pose,
     /// Target of the hand, mm.
     pub target: [f64; 3],
-}
-
-impl Task {
-    /// Converts the task to a problem with the paper's tolerance.
-    pub fn problem<S: Lattice>(&self, start: Start) -> ReachTask<S> {
-        ArmProblem::from(start).reach(self)
-    }
 }
 
 /// A sample of the poses that an arm can take, evenly distributed over the positions of the hand.

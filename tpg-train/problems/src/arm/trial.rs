@@ -1,12 +1,12 @@
 //! Trials: success rate and failures of a policy on a list of tasks.
 
-use crate::arm::environment::{ArmProblem, OUTCOMES};
+use crate::arm::problem::{ArmProblem, OUTCOMES};
 use crate::arm::targets::{Start, Task};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use tpg_arm::cycle::Brent;
-use tpg_arm::episode::{Episode, Outcome, ReachTask, Summary};
-use tpg_arm::kinematics::{self, Lattice};
+use tpg_arm::episode::{Episode, Summary};
+use tpg_arm::kinematics::Lattice;
 use tpg_arm::observation::Observation;
 use tpg_arm::{Arm, Move, Pose};
 use tpg_engine::Ending;
@@ -73,33 +73,6 @@ where
     P: Policy<State = Observation<S>, Action = Move> + ?Sized,
 {
     Episode::with_play(arm, problem.reach(task), Brent::new(), problem.play(task)).run(policy, each)
-}
-
-/// Runs one episode of a policy that samples its actions: neither standing still nor repeating a pose ends it. Calls
-/// `each` with the pose after every action.
-pub fn watch_drawn<S: Lattice>(
-    arm: &Arm<S>,
-    mut decide: impl FnMut(&Observation<S>) -> Move,
-    problem: &ArmProblem,
-    task: &Task,
-    mut each: impl FnMut(Pose),
-) -> Summary<S> {
-    let (ReachTask { start, target, tolerance, max_actions }, play) = (problem.reach(task), problem.play(task));
-    let mut seen = Observation::at(arm, start, target);
-    for actions in 1.. {
-        let step = arm.step(seen.pose, decide(&seen));
-        each(step.pose);
-        seen = Observation::at(arm, step.pose, target);
-        let distance = kinematics::distance(target, kinematics::hand(arm, play.joints(step.pose)));
-        let outcome = match step.invalid {
-            Some(invalid) => Outcome::Invalid(invalid),
-            None if distance < tolerance => Outcome::Reached,
-            None if actions >= max_actions => Outcome::Timeout,
-            None => continue,
-        };
-        return Summary { outcome, actions, pose: seen.pose, distance };
-    }
-    unreachable!("an episode has a limit")
 }
 
 /// Computes the statistics of episodes with a problem's scores; a start's are the paper's.

@@ -1,6 +1,7 @@
 //! The generator of scenes: every one is solvable, and a plan proves it.
 
 use super::config::Config;
+pub use super::scene::SEED;
 use super::scene::{Path, Scene};
 use super::walk::{self, Leg, Outcome, candidate, follow};
 use crate::arm::targets::{ReachableSpace, Set, Start};
@@ -10,8 +11,6 @@ use tpg_arm::kinematics::{Vector, distance};
 use tpg_arm::{Pose, WIDOWX};
 use tpg_engine::random::{Purpose, Stream};
 
-/// The seed of the project's scenes.
-pub const SEED: u64 = 2026;
 /// Tries for the certificate of a test scene.
 pub const TEST_TRIES: u32 = 2500;
 /// Steps of an episode.

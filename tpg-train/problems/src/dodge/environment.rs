@@ -65,7 +65,7 @@ impl<S: Scalar> Environment<S> for Dodge {
     }
 
     fn measure(&self) -> Option<Measure> {
-        Some(crate::arm::environment::DISTANCE)
+        Some(crate::arm::problem::DISTANCE)
     }
 
     fn preference(&self) -> Preference {

@@ -5,6 +5,9 @@ use tpg_arm::JOINTS;
 use tpg_arm::dodge::Ball;
 use tpg_arm::kinematics::Vector;
 
+/// The seed of the project's scenes.
+pub const SEED: u64 = 2026;
+
 /// A ball that goes back and forth between two points, or stays.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Path {

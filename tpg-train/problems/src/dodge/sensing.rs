@@ -1,7 +1,6 @@
 //! How balls are seen: exactly, or late, with noise, and without velocities.
 
-use super::draw::SEED;
-use super::scene::{Path, Scene};
+use super::scene::{Path, SEED, Scene};
 use tpg_arm::dodge::{Ball, Tracker};
 use tpg_arm::kinematics::Vector;
 use tpg_engine::random::{Purpose, Stream};

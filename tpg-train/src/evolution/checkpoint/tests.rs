@@ -3,7 +3,7 @@
 
 use super::{VERSION, from_bytes, to_bytes};
 use crate::evolution::config::EvolutionConfig;
-use crate::evolution::run::{Progress, RunOptions, run};
+use crate::evolution::run::{Progress, RunOptions, train};
 use crate::evolution::state::State;
 use crate::folder::{Trainer, checkpoint::look};
 use serde_json::{Value, json};
@@ -26,7 +26,7 @@ fn swing() -> Swing {
 fn config() -> EvolutionConfig {
     let mut config = EvolutionConfig::default();
     (config.tpg.nb_roots, config.tpg.init_nb_roots) = (12, 14);
-    (config.demes.count, config.learning.archive_size) = (2, 100);
+    config.demes.count = 2;
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (4, 4);
     (config.pool.share, config.start.share) = (0.5, 0.0);
     (config.selection.racing_episodes, config.selection.validation_episodes) = (0, 4);
@@ -52,7 +52,7 @@ fn content_after<E: Environment<f32>>(generations: u64, config: &EvolutionConfig
         true => ControlFlow::Break(()),
         false => ControlFlow::Continue(()),
     };
-    run(config, 1, environment, &evaluator, &options, watch).expect("it runs");
+    train(config, 1, environment, &evaluator, &options, watch).expect("it runs");
     let json = |_: &str, content: &[u8]| Ok(serde_json::from_slice(content).expect("JSON"));
     look(place.path(), Trainer::Tpg, VERSION, json).expect("a checkpoint")
 }
@@ -116,9 +116,6 @@ fn a_state_with_an_index_of_nothing_is_refused_at_its_place() {
         (format!("{program}/lines/0/operands/0/location"), json!(16_601), "population.demes[0]"),
         (format!("{record}/evaluations"), huge.clone(), "population.demes[0]"),
         ("/state/population/demes".to_owned(), json!([]), "state.population.demes"),
-        ("/state/population/archive/size".to_owned(), json!(2_247_488), "state.population.archive"),
-        ("/state/population/archive/recordings/0/state".to_owned(), json!([1.0]), "population.archive"),
-        ("/state/population/archive/recordings/0/program/0".to_owned(), json!(7), "population.archive"),
         (format!("{policy}/registers"), json!(0), "best.policy.registers"),
         (format!("{policy}/registers"), json!(65_535), "best.policy.registers"),
         (format!("{policy}/teams"), json!([]), "best.policy.teams"),
@@ -162,7 +159,7 @@ fn a_team_that_leads_to_itself_or_to_a_later_one_is_refused() {
 fn a_damaged_search_is_refused_at_its_place() {
     let mut config = config();
     (config.start.share, config.start.random, config.learning.nb_generations) = (1.0, 0.5, 12);
-    (config.learning.archive_size, config.pool.share) = (0, 0.0);
+    config.pool.share = 0.0;
     // The random search has half of the run at most.
     let content = content_after(9, &config, &swing());
     let read = |content: &Value| -> Result<State<[f64; 2]>, InputError> {

@@ -1,8 +1,7 @@
 //! Validity of configurations.
 
 use super::EvolutionConfig;
-use crate::hybrid::trial::NETWORK;
-use tpg_engine::Environment;
+use tpg_engine::{Environment, NETWORK};
 use tpg_graph::Word;
 use tpg_graph::error::Finding;
 use tpg_runtime::ops::Instruction;
@@ -25,7 +24,6 @@ impl EvolutionConfig {
             ("tpg.max_init_outgoing_edges", tpg.max_init_outgoing_edges, 2, 1000),
             ("tpg.max_outgoing_edges", tpg.max_outgoing_edges, tpg.max_init_outgoing_edges, 1000),
             ("program.max_program_size", program.max_program_size, 1, 1000),
-            ("learning.archive_size", learning.archive_size, 0, MANY),
             ("learning.nb_iterations_per_policy_evaluation", episodes, 1, MANY),
             ("learning.nb_generations", learning.nb_generations as usize, 0, MANY),
             ("learning.max_nb_evaluation_per_policy", learning.max_nb_evaluation_per_policy as usize, 1, usize::MAX),
@@ -62,10 +60,6 @@ impl EvolutionConfig {
         if self.literals.deviations.is_empty() || self.literals.deviations.iter().any(|d| !(1e-9..=1e9).contains(d)) {
             let found = format!("{:?}", self.literals.deviations);
             return Err(Finding::new("literals.deviations", found, "at least one, each 1e-9 to 1e9"));
-        }
-        if self.demes.halving_interval > 0 && learning.archive_size > 0 {
-            let accepted = "0, with an archive: its recordings belong to demes";
-            return Err(Finding::new("demes.halving_interval", self.demes.halving_interval, accepted));
         }
         self.check_words()
     }
@@ -109,7 +103,7 @@ impl EvolutionConfig {
     pub fn check_environment<S: Scalar>(&self, environment: &impl Environment<S>) -> Result<(), Finding> {
         let actions = environment.actions();
         if self.ask.is_some() && actions.asking(NETWORK).is_none() {
-            let accepted = "none, or an environment with that action: tpg_train::hybrid::asking::Asking";
+            let accepted = "none, or an environment with that action: tpg_train::Asking";
             return Err(Finding::new("ask", "a section [ask] for an environment that nobody can ask", accepted));
         }
         let (memory, has_outputs) = (self.language.memory, !actions.outputs().is_empty());
@@ -122,9 +116,7 @@ impl EvolutionConfig {
             return Err(Finding::new("language.memory", memory, accepted));
         }
         if has_outputs {
-            let (size, accepted) =
-                (self.learning.archive_size, "0: programs of leaves are not compared with an archive");
-            return if size == 0 { Ok(()) } else { Err(Finding::new("learning.archive_size", size, accepted)) };
+            return Ok(());
         }
         let Some(count) = actions.count() else {
             let accepted = "named actions: tpg_engine::Choices converts any action space";

@@ -2,7 +2,7 @@
 
 use super::Config;
 use super::config::TICKS;
-use crate::arm::environment::outcome_number;
+use crate::arm::problem::outcome_number;
 use crate::arm::targets::Start;
 use crate::arm::{ik, targets};
 use tpg_arm::episode::Outcome;

@@ -19,7 +19,7 @@ pub use config::{Config, Reward};
 pub use decision::Discretiser;
 pub use inputs::Inputs;
 
-use super::environment::{ArmProblem, DISTANCE, OUTCOMES, on_the_arm};
+use super::problem::{ArmProblem, DISTANCE, OUTCOMES, on_the_arm};
 use super::targets::{self, ReachableSpace, Set, Start};
 use super::trial::figures;
 use super::{drawing, ik};
@@ -225,15 +225,21 @@ impl Environment<f32> for Motors {
 }
 
 impl Training<MotorsTask, MotorsEpisode> for Motors {
+    /// For calibration there are `count` of each start.
     fn tasks(&self, set: TaskSet, seed: u64, count: usize) -> Option<Vec<MotorsTask>> {
-        let (set, seed) = match set {
-            TaskSet::Validation => (Set::Validation, self.seed),
-            TaskSet::Study => (Set::Validation, seed),
-            TaskSet::Test => (Set::Test, seed),
+        let own = &[self.start][..];
+        let (set, seed, starts) = match set {
+            TaskSet::Validation => (Set::Validation, self.seed, own),
+            TaskSet::Study => (Set::Validation, seed, own),
+            TaskSet::Calibration => (Set::Training, seed, &[Start::Fs, Start::Rs][..]),
+            TaskSet::Test => (Set::Test, seed, own),
         };
-        let tasks = targets::tasks(&self.description, seed, set, self.start, count);
-        let rules = Rules::Test(self.start);
-        Some(tasks.into_iter().map(|task| MotorsTask { start: task.start.0, target: task.target, rules }).collect())
+        let tasks = starts.iter().flat_map(|&start| {
+            let tasks = targets::tasks(&self.description, seed, set, start, count).into_iter();
+            let rules = Rules::Test(start);
+            tasks.map(move |task| MotorsTask { start: task.start.0, target: task.target, rules })
+        });
+        Some(tasks.collect())
     }
 
     /// Random starts first, then fixed ones.

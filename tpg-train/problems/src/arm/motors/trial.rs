@@ -1,6 +1,6 @@
 //! An episode under the rules of tests: single steps of 3 ticks, an end for every failure, the paper's score.
 
-use crate::arm::environment::ArmProblem;
+use crate::arm::problem::ArmProblem;
 use crate::arm::targets::Task;
 use tpg_arm::cycle::{Brent, CycleDetector as _};
 use tpg_arm::episode::{Outcome, Simulation};

@@ -7,10 +7,8 @@
 //! 3. temperature: −ln α·(ln π + target entropy), with the densities of 2;
 //! 4. the slow copies follow by τ.
 
-use super::config::SacConfig;
+use crate::{Adam, Gaussian, Mlp, Real, Samples, Shape, Tape};
 use serde::{Deserialize, Serialize};
-use tpg_engine::random::Stream;
-use tpg_nn::{Adam, Gaussian, Mlp, Real, Samples, Shape, Tape};
 
 /// The step sizes and constants of an update.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -109,18 +107,25 @@ pub struct Workspace<T> {
 }
 
 impl<T: Real> Agent<T> {
-    /// Creates an agent with random weights, for states of that many inputs.
-    pub fn new(config: &SacConfig, inputs: usize, gaussian: Gaussian, random: &mut Stream) -> Self {
+    /// Creates an agent with random weights, drawn by `unit`, for states of that many inputs; `hidden` holds the units of each hidden
+    /// layer of the actor and of the critics.
+    pub fn random(
+        inputs: usize,
+        hidden: [&[usize]; 2],
+        gaussian: Gaussian,
+        log_alpha: f64,
+        mut unit: impl FnMut() -> f64,
+    ) -> Self {
         let shape = |inputs, hidden: &[usize], outputs| Shape { inputs, hidden: hidden.to_vec(), outputs, norm: false };
-        let actor = shape(inputs, &config.actor.hidden, 2 * gaussian.actions);
-        let critic = shape(inputs + gaussian.actions, &config.critic.hidden, 1);
-        let actor = Mlp::random(actor, || random.unit());
-        let critics = [(); 2].map(|()| Mlp::random(critic.clone(), || random.unit()));
-        Self::of_networks(actor, critics, gaussian, config.learning.log_temperature)
+        let actor = shape(inputs, hidden[0], 2 * gaussian.actions);
+        let critic = shape(inputs + gaussian.actions, hidden[1], 1);
+        let actor = Mlp::random(actor, &mut unit);
+        let critics = [(); 2].map(|()| Mlp::random(critic.clone(), &mut unit));
+        Self::new(actor, critics, gaussian, log_alpha)
     }
 
     /// Creates an agent from given networks, with new optimisers and slow copies equal to the critics.
-    pub fn of_networks(actor: Mlp<T>, critics: [Mlp<T>; 2], gaussian: Gaussian, log_alpha: f64) -> Self {
+    pub fn new(actor: Mlp<T>, critics: [Mlp<T>; 2], gaussian: Gaussian, log_alpha: f64) -> Self {
         let (slow, critics) = (critics.clone(), critics.map(Learner::new));
         let (actor, log_alpha, alpha_adam) = (Learner::new(actor), T::of(log_alpha), Adam::new(1));
         Self { actor, critics, slow, log_alpha, alpha_adam, gaussian }

@@ -1,8 +1,8 @@
 use super::*;
+use crate::arm::chain::ChainDescription;
+use crate::{Problem, ProblemSettings};
 use tpg_arm::chain::Kinematics as _;
 use tpg_arm::kinematics::{distance, hand_from_radians};
-use tpg_problems::Problem;
-use tpg_problems::arm::chain::ChainDescription;
 
 const RADII: Radii = Radii { link: 20.0, base: 60.0 };
 
@@ -73,7 +73,7 @@ fn tips_are_where_the_urdf_puts_them() {
     };
     let section = planar_section(ARM);
     let own = Problem::from_toml("own.toml", &format!("[problem]\nname = \"fs\"\n{section}")).expect("an arm");
-    let Problem::Arm(_, config) = own else { panic!("an arm's problem") };
+    let ProblemSettings::Arm(config) = own.settings else { panic!("an arm's problem") };
     let arm = config.arm();
     let recognised = planar::recognise("five.urdf", &urdf::chain("five.urdf", ARM, "tip", &held()).expect("a chain"));
     let joints = recognised.expect("planar").joints;
@@ -83,7 +83,7 @@ fn tips_are_where_the_urdf_puts_them() {
         let own = std::array::from_fn(|joint| joints[joint].sign * angles[joint] + joints[joint].zero);
         let ([x, y, z], tip) = (hand_from_radians(&arm, own), chain(angles));
         // Ahead is x in the URDF and y here; the axis stands at (20, 10).
-        let off = distance([y + 20.0, -x + 10.0, z], [tip.x, tip.y, tip.z]);
+        let off = distance([y + 20.0, -x + 10.0, z], tip);
         assert!(off < 2e-3, "{angles:?}: {off} mm");
         poses += 1;
     }
@@ -160,7 +160,7 @@ fn chain_is_the_urdfs<const N: usize>(text: &str, fix: &[(String, f64)], reason:
         let turned = described.links.iter().map(|link| link.name.clone()).zip(angles);
         let held: Vec<_> = fix.iter().cloned().chain(turned).collect();
         let tip = urdf::chain("five.urdf", text, "tip", &held).expect("a chain").tip;
-        let off = distance(chain.place(pose).tip, [tip.x, tip.y, tip.z]);
+        let off = distance(chain.place(pose).tip, tip);
         assert!(off < 5e-3, "{reason}, {angles:?}: {off} mm");
     }
 }

@@ -1,5 +1,11 @@
 //! The engine gives the same results as the interpreter, step by step, for all settings of lanes, sharing and threads.
 
+use crate::configuration::Configuration as _;
+use crate::evolution::config::EvolutionConfig;
+use crate::evolution::generation::{Evolution, Goal};
+use crate::evolution::run::graph_of;
+use crate::evolution::stage::{Moment, Stage as _};
+use crate::evolution::state::{Best, State};
 use tpg_arm::binding::moved;
 use tpg_arm::cycle::Visited;
 use tpg_arm::episode::{Episode, Outcome, Summary};
@@ -15,22 +21,16 @@ use tpg_engine::{
 use tpg_graph::Word;
 use tpg_graph::interpret::Interpreter;
 use tpg_graph::{Graph, ScalarType};
-use tpg_problems::Problem;
 use tpg_problems::arm::arms::ARMS;
 use tpg_problems::arm::targets::{Set, Start, tasks};
 use tpg_problems::arm::{self, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, Shield};
+use tpg_problems::{Problem, ProblemSettings};
 use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::policy::{ActionId, Policy as _};
-use tpg_train::evolution::config::EvolutionConfig;
-use tpg_train::evolution::generation::{Evolution, Goal};
-use tpg_train::evolution::presets::Preset;
-use tpg_train::evolution::run::graph_of;
-use tpg_train::evolution::stage::{Moment, Stage as _};
-use tpg_train::evolution::state::{Best, State};
 
 /// A configuration that covers everything: every source, every instruction, literals.
 fn config(scalar: ScalarType) -> EvolutionConfig {
-    let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
+    let mut config = EvolutionConfig::preset("best-rs").expect("a preset");
     config.language.scalar = scalar;
     config.language.instructions = Word::ALL.map(|word| word.name().to_owned()).to_vec();
     config.tpg.nb_roots = 120;
@@ -79,7 +79,7 @@ where
         let environment = ArmEnvironment::<S>::new(arm, problem.problem(Start::Rs));
         let evaluator = LocalThreads::<S, Own, _>::new(&environment, EngineOptions::default(), 1).expect("a thread");
         let evolution = Evolution::new(&config, &environment, &evaluator, literal_units(&environment), Goal::default());
-        let mut state = State::new(1, 1, 0);
+        let mut state = State::new(1, 1);
         let mut policies: Vec<PolicyGraph> = Vec::new();
         for generation in 0..7 {
             let moment = Moment { seed: 1, generation, deme: 0 };
@@ -112,7 +112,8 @@ fn another_arm() -> Arm<f64> {
         .replace("[15.0, 15.0, 95.0, 151.0]", "[30.0, 30.0, 95.0, 120.0]")
         .replace("[15.0, 68.0, 95.0, 95.0]", "[30.0, 68.0, 95.0, 95.0]");
     let text = "[problem]\nname = \"fs\"\n".to_owned() + &text;
-    let Ok(Problem::Arm(_, config)) = Problem::from_toml("another arm", &text) else { panic!("an arm that can be") };
+    let problem = Problem::from_toml("another arm", &text).expect("an arm that can be");
+    let ProblemSettings::Arm(config) = problem.settings else { panic!("an arm") };
     config.arm()
 }
 

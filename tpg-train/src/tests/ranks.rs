@@ -1,5 +1,8 @@
 //! Runs over several ranks: the same bytes as threads, whatever the number of ranks; failures name their rank.
 
+use crate::evolution::command::{TpgArgs, execute};
+use crate::ranks::link::Link;
+use crate::ranks::workplace::{Ranks, ThisProcess, Workplace};
 use clap::Parser;
 use std::fs;
 use std::path::Path;
@@ -7,9 +10,6 @@ use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use tempfile::TempDir;
 use tpg_engine::EvaluationError;
 use tpg_graph::command::{CommandError, Verdict};
-use tpg_train::evolution::command::{TpgArgs, execute};
-use tpg_train::ranks::link::Link;
-use tpg_train::ranks::workplace::{Ranks, ThisProcess, Workplace};
 
 /// A rank that is a thread, with messages in channels.
 struct Channels {
@@ -96,7 +96,7 @@ fn any_number_of_ranks_gives_the_bytes_of_threads() {
     let folder = TempDir::new().expect("a folder");
     let random =
         ["--problem", "pendulum", "--preset", "quick", "--set", "learning.nb_generations=4", "--max-steps", "200000"];
-    // Literals, an archive of visited states, leaves, a linear start and random search: everything that an evaluator is asked.
+    // Literals, leaves, a linear start and random search: everything that an evaluator is asked.
     for (problem, more) in [
         ("cartpole", &["--problem", "cartpole", "--generations", "4"][..]),
         ("pendulum", &["--problem", "pendulum", "--generations", "4"]),

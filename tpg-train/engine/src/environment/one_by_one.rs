@@ -1,8 +1,8 @@
 //! Parallel episodes that are stepped one after another: the default of [`Environment::lanes`].
 
+use super::Environment;
 use crate::action::{Act, Acts};
 use crate::ending::Ending;
-use crate::environment::Environment;
 use crate::episodes::Episodes;
 use crate::error::EvaluationError;
 use crate::source_set::SourceSet;

@@ -1,5 +1,9 @@
 //! Actors written by Stable-Baselines3 and CleanRL: after import they give the same outputs as PyTorch.
 
+use crate::sac::foreign::from_tensors;
+use crate::sac::import::{ImportArgs, import};
+use crate::sac::tensors::{Tensor, Tensors};
+use crate::sac::weights;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -7,10 +11,6 @@ use tpg_engine::Output;
 use tpg_nn::Tape;
 use tpg_problems::ProblemName;
 use tpg_problems::arm::motors::Inputs;
-use tpg_train::sac::foreign::from_tensors;
-use tpg_train::sac::import::{ImportArgs, import};
-use tpg_train::sac::tensors::{Tensor, Tensors};
-use tpg_train::sac::weights;
 
 #[derive(Deserialize)]
 struct Answers {
@@ -38,9 +38,9 @@ fn imported_actors_answer_what_pytorch_did() {
             actor: fixture(&format!("{trainer}.safetensors")),
             out: out.clone(),
             problem: ProblemName::Rs,
-            inputs: Some(Inputs::Features),
-            actions: Some(tpg_arm::sac::Actions::Fine),
-            mask: tpg_arm::sac::Mask::None,
+            inputs: Some("features".to_owned()),
+            actions: Some("fine".to_owned()),
+            mask: None,
             may_rest: false,
         };
         import(&args).expect("a good actor");

@@ -1,8 +1,7 @@
 //! Compares two complete updates of the soft actor-critic with numbers computed by PyTorch.
 
 use serde::Deserialize;
-use tpg_nn::{Gaussian, Mlp, Real, Shape, Spread};
-use tpg_train::sac::agent::{Agent, Experience, Rates};
+use tpg_nn::{Agent, Experience, Gaussian, Mlp, Rates, Real, Shape, Spread};
 
 #[derive(Deserialize)]
 struct Fixture {
@@ -65,7 +64,7 @@ fn agrees<T: Real>(bound: f64) {
     let critics = (fixture.before.critics.each_ref())
         .map(|critic| network(fixture.inputs + ACTIONS, &fixture.critic_hidden, 1, critic));
     let gaussian = Gaussian { actions: ACTIONS, spread: Spread::LogSigma };
-    let mut agent = Agent::<T>::of_networks(actor, critics, gaussian, fixture.before.log_alpha);
+    let mut agent = Agent::<T>::new(actor, critics, gaussian, fixture.before.log_alpha);
     let mut space = agent.workspace(fixture.batch);
     let rates = Rates {
         learning: fixture.rate,

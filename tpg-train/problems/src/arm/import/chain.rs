@@ -1,12 +1,14 @@
 //! The section `[chain]` of joints that are no planar arm.
 
 use super::section::one_line;
+use super::space::{
+    NO_ROTATION, Rotation, Vector, X, Y, Z, about, compose, cross, direction, dot, inverse, minus, norm, rotate, times,
+};
 use super::urdf::{Chain, Turning, at_joint};
-use nalgebra::{Rotation3, UnitVector3, Vector3};
+use crate::arm::chain::{ChainDescription, LinkDescription, SignedAxis};
 use std::f64::consts::TAU;
 use tpg_arm::TICKS_PER_TURN;
 use tpg_graph::error::InputError;
-use tpg_problems::arm::chain::{ChainDescription, LinkDescription, SignedAxis};
 
 const A_RADIAN: f64 = TICKS_PER_TURN as f64 / TAU;
 const MIDDLE: f64 = 0.5 * TICKS_PER_TURN as f64;
@@ -19,39 +21,41 @@ const ALONG: f64 = 1e-9;
 /// # Errors
 /// Limits that no range of positions holds.
 pub(super) fn describe(file: &str, chain: &Chain) -> Result<ChainDescription, InputError> {
-    let (mut at, mut frame) = (Vector3::zeros(), Rotation3::identity());
+    let (mut at, mut frame) = ([0.0; 3], NO_ROTATION);
     let mut links = Vec::new();
     for joint in &chain.joints {
-        let (own, axis) = own_frame(&joint.axis);
+        let (own, axis) = own_frame(joint.axis);
         let (zero, range) = positions(file, joint)?;
         links.push(LinkDescription {
             name: one_line(&joint.name),
-            origin: micrometres(frame.inverse() * (joint.at - at)),
-            turned: rows(&(frame.inverse() * own)),
+            origin: micrometres(rotate(&inverse(&frame), minus(joint.at, at))),
+            // Adding 0 takes the sign of −0.
+            turned: compose(&inverse(&frame), &own).map(|row| row.map(|value| value + 0.0)),
             axis,
             zero,
             range,
         });
         (at, frame) = (joint.at, own);
     }
-    Ok(ChainDescription { tip: micrometres(frame.inverse() * (chain.tip - at)), links })
+    Ok(ChainDescription { tip: micrometres(rotate(&inverse(&frame), minus(chain.tip, at))), links })
 }
 
 /// Returns the frame of a joint, in the root's, and the axis in it.
-fn own_frame(axis: &UnitVector3<f64>) -> (Rotation3<f64>, SignedAxis) {
+fn own_frame(axis: Vector) -> (Rotation, SignedAxis) {
     let straight = [
-        (Vector3::x(), SignedAxis::X),
-        (Vector3::y(), SignedAxis::Y),
-        (Vector3::z(), SignedAxis::Z),
-        (-Vector3::x(), SignedAxis::MinusX),
-        (-Vector3::y(), SignedAxis::MinusY),
-        (-Vector3::z(), SignedAxis::MinusZ),
+        (X, SignedAxis::X),
+        (Y, SignedAxis::Y),
+        (Z, SignedAxis::Z),
+        (times(-1.0, X), SignedAxis::MinusX),
+        (times(-1.0, Y), SignedAxis::MinusY),
+        (times(-1.0, Z), SignedAxis::MinusZ),
     ];
-    match straight.into_iter().find(|(along, _)| (axis.into_inner() - along).norm() < ALONG) {
-        Some((_, signed)) => (Rotation3::identity(), signed),
+    match straight.into_iter().find(|(along, _)| norm(minus(axis, *along)) < ALONG) {
+        Some((_, signed)) => (NO_ROTATION, signed),
         None => {
-            let turned = Rotation3::rotation_between(&Vector3::z(), axis).unwrap_or_else(Rotation3::identity);
-            (turned, SignedAxis::Z)
+            let across = cross(Z, axis);
+            let angle = libm::atan2(norm(across), dot(Z, axis));
+            (direction(across).map_or(NO_ROTATION, |across| about(across, angle)), SignedAxis::Z)
         }
     }
 }
@@ -71,14 +75,9 @@ fn positions(file: &str, joint: &Turning) -> Result<(i16, [i16; 2]), InputError>
     Ok((zero as i16, [first as i16, last as i16]))
 }
 
-fn micrometres(place: Vector3<f64>) -> [f64; 3] {
+fn micrometres(place: Vector) -> Vector {
     // Adding 0 takes the sign of what is rounded to −0.
-    [place.x, place.y, place.z].map(|mm| (mm * 1000.0).round() / 1000.0 + 0.0)
-}
-
-fn rows(turned: &Rotation3<f64>) -> [[f64; 3]; 3] {
-    let matrix = turned.matrix();
-    [0, 1, 2].map(|row| [0, 1, 2].map(|column| matrix[(row, column)] + 0.0))
+    place.map(|mm| (mm * 1000.0).round() / 1000.0 + 0.0)
 }
 
 /// Returns the section as text; `reason` says why it is no planar arm.

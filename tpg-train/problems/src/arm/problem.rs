@@ -5,9 +5,9 @@ use serde::{Deserialize, Serialize};
 use tpg_arm::episode::{Outcome, ReachTask};
 use tpg_arm::kinematics::Lattice;
 use tpg_arm::observation::Source;
-use tpg_arm::{Collision, Invalid, JOINTS, Play, Pose};
-use tpg_engine::Ending;
+use tpg_arm::{Collision, Invalid, JOINTS, Play, Pose, TICKS_PER_TURN};
 use tpg_engine::random::{Purpose, Stream};
+use tpg_engine::{Ending, Measure};
 
 /// The arm's problem and its scoring.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,6 +89,13 @@ impl ArmProblem {
     }
 }
 
+impl Task {
+    /// Converts the task to a problem with the paper's tolerance.
+    pub fn problem<S: Lattice>(&self, start: Start) -> ReachTask<S> {
+        ArmProblem::from(start).reach(self)
+    }
+}
+
 /// The task of one episode.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ArmTask {
@@ -111,6 +118,15 @@ impl From<Task> for ArmTask {
         Self { start: task.start.0, target: task.target, roughness: 1 }
     }
 }
+
+/// True if joint positions are within two turns, far from any overflow. Joint limits are the rules' concern: a step that
+/// violates them ends the episode.
+pub(super) fn on_the_arm(ticks: [i16; JOINTS]) -> bool {
+    ticks.iter().all(|&ticks| i32::from(ticks).abs() <= 2 * TICKS_PER_TURN)
+}
+
+/// The measure of an episode: distance from the hand to the target at its end.
+pub const DISTANCE: Measure = Measure { name: "distance", unit: "mm" };
 
 /// Names of the outcomes, as counted by `eval --json`.
 pub const OUTCOMES: [&str; 7] = ["reached", "cycle", "stop", "joint_limit", "table", "base", "timeout"];

@@ -1,10 +1,10 @@
 //! Folders, text files and graphs, with errors that name them. Files are written by [`write_atomically`].
 
+use crate::Graph;
+use crate::error::InputError;
+use crate::output::{self, remove_unfinished};
 use std::fs;
 use std::path::Path;
-use tpg_graph::Graph;
-use tpg_graph::error::InputError;
-use tpg_graph::output::{self, remove_unfinished};
 
 /// Writes one file whole or not at all, and removes what killed programs left beside it.
 ///

@@ -1,11 +1,11 @@
 //! The section `[problem.arm]` of a recognised arm, with comments.
 
 use super::planar::{Planar, Position};
+use crate::arm::ArmDescription;
+use crate::arm::description::ShapesDescription;
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 use tpg_arm::TICKS_PER_TURN;
-use tpg_problems::arm::ArmDescription;
-use tpg_problems::arm::description::ShapesDescription;
 
 /// Thicknesses for the collision test, mm: a URDF's shapes are not read.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,5 +1,9 @@
 //! The book's page of configurations, made from the program's types.
 
+use crate::configuration::Configuration as _;
+use crate::configuration::schema::{description, properties, resolved, schema};
+use crate::evolution::config::EvolutionConfig;
+use crate::sac::config::SacConfig;
 use schemars::JsonSchema;
 use serde_json::Value;
 use std::fmt::Write as _;
@@ -7,11 +11,6 @@ use toml::Table;
 use tpg_problems::arm::arms::ARMS;
 use tpg_problems::{acrobot, arm, cartpole, dodge, mountain_car, mountain_car_continuous, pendulum};
 use tpg_testing::book::page;
-use tpg_train::configuration::schema::{description, properties, resolved, schema};
-use tpg_train::evolution::config::EvolutionConfig;
-use tpg_train::evolution::presets::Preset;
-use tpg_train::sac::config::SacConfig;
-use tpg_train::sac::presets as sac_presets;
 
 #[test]
 fn the_page_of_configurations_is_fresh() {
@@ -25,11 +24,11 @@ their place and what is accepted.
     .to_owned();
     text += "\n## `tpg-train tpg`\n\nThe default is the preset `thorough`.\n";
     let values: Vec<(&str, Table)> =
-        ["quick", "gegelati"].map(|name| (name, Preset::find(name).expect("a preset").table())).to_vec();
+        ["quick", "gegelati"].map(|name| (name, EvolutionConfig::table(name).expect("a preset"))).to_vec();
     tables::<EvolutionConfig>(&mut text, &values);
     text += "\n## `tpg-train sac`\n";
     let values: Vec<(&str, Table)> =
-        ["general", "long", "best-fs"].map(|name| (name, sac_presets::find(name).expect("a preset").table())).to_vec();
+        ["general", "long", "best-fs"].map(|name| (name, SacConfig::table(name).expect("a preset"))).to_vec();
     tables::<SacConfig>(&mut text, &values);
 
     text += "\n## The section `[problem]`\n\n`name` is the problem's, as `tpg-train problems` lists them. Its other keys:\n";

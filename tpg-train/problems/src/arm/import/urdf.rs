@@ -1,6 +1,6 @@
 //! The joints between the root of a URDF and one of its links.
 
-use nalgebra::{Isometry3, Translation3, Unit, UnitQuaternion, Vector3};
+use super::space::{NO_ROTATION, Rotation, Vector, X, Y, Z, about, compose, direction, plus, rotate};
 use roxmltree::{Document, Node};
 use tpg_graph::error::{InputError, Place};
 
@@ -10,9 +10,9 @@ pub(super) struct Turning {
     /// Its name.
     pub(super) name: String,
     /// A point of its axis, mm, in the root's frame.
-    pub(super) at: Vector3<f64>,
+    pub(super) at: Vector,
     /// Its axis, in the root's frame.
-    pub(super) axis: Unit<Vector3<f64>>,
+    pub(super) axis: Vector,
     /// Its limits, rad.
     pub(super) limits: [f64; 2],
 }
@@ -23,7 +23,7 @@ pub(super) struct Chain {
     /// The joints.
     pub(super) joints: Vec<Turning>,
     /// The tip.
-    pub(super) tip: Vector3<f64>,
+    pub(super) tip: Vector,
 }
 
 /// The elements of a URDF that the chain needs.
@@ -80,28 +80,24 @@ pub(super) fn chain(file: &str, text: &str, tip: &str, held: &[(String, f64)]) -
         let joints = path.iter().map(|joint| joint.name.as_str()).collect::<Vec<_>>().join(", ");
         return Err(InputError::new(file, Place::Whole, found, format!("one of {joints}")));
     }
-    let mut frame = Isometry3::identity();
+    let (mut at, mut frame) = ([0.0; 3], NO_ROTATION);
     let mut joints = Vec::new();
     for joint in path {
-        frame *= origin(joint);
+        let (place, turned) = origin(joint);
+        at = plus(at, rotate(&frame, place));
+        frame = compose(&frame, &turned);
         let axis = || {
-            let [x, y, z] = joint.axis;
-            Unit::try_new(Vector3::new(x, y, z), 1e-9)
+            direction(joint.axis)
                 .ok_or_else(|| at_joint(file, &joint.name, "an axis without a direction", "an axis such as \"0 0 1\""))
         };
         if let Some((_, angle)) = held.iter().find(|(name, _)| *name == joint.name) {
-            frame *= UnitQuaternion::from_axis_angle(&axis()?, *angle);
+            frame = compose(&frame, &about(axis()?, *angle));
         } else if joint.kind != JointType::Fixed {
             let limits = limits(file, joint)?;
-            joints.push(Turning {
-                name: joint.name.clone(),
-                at: frame.translation.vector,
-                axis: frame.rotation * axis()?,
-                limits,
-            });
+            joints.push(Turning { name: joint.name.clone(), at, axis: rotate(&frame, axis()?), limits });
         }
     }
-    Ok(Chain { joints, tip: frame.translation.vector })
+    Ok(Chain { joints, tip: at })
 }
 
 fn read(file: &str, text: &str) -> Result<Robot, InputError> {
@@ -183,11 +179,11 @@ fn path<'a>(file: &str, robot: &'a Robot, tip: &str) -> Result<Vec<&'a Joint>, I
     Ok(path)
 }
 
-/// The frame of a joint in its parent's, mm.
-fn origin(joint: &Joint) -> Isometry3<f64> {
-    let [[x, y, z], [roll, pitch, yaw]] = joint.origin;
-    let place = Translation3::new(1000.0 * x, 1000.0 * y, 1000.0 * z);
-    Isometry3::from_parts(place, UnitQuaternion::from_euler_angles(roll, pitch, yaw))
+/// The place of a joint in its parent's frame, mm, and the rotation of its own.
+fn origin(joint: &Joint) -> (Vector, Rotation) {
+    let [place, [roll, pitch, yaw]] = joint.origin;
+    let turned = compose(&compose(&about(Z, yaw), &about(Y, pitch)), &about(X, roll));
+    (place.map(|metres| 1000.0 * metres), turned)
 }
 
 fn limits(file: &str, joint: &Joint) -> Result<[f64; 2], InputError> {

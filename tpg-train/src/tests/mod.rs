@@ -1,0 +1,6 @@
+//! Tests of several modules together.
+
+mod engine;
+mod import_actor;
+mod manual;
+mod ranks;
