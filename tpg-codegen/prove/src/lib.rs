@@ -4,8 +4,15 @@
 //! decoder of machine code, and depends on no other crate of the workspace. Both sides of a proof are built in one table of
 //! [terms](term): what is one node is equal, and what is left is decided over the order of the numbers that are compared.
 
+pub mod c;
 pub mod elf;
 pub mod execute;
+pub mod graph;
+pub mod input;
+pub mod interval;
 pub mod machine;
+mod maths;
+pub mod order;
+pub mod product;
 pub mod term;
 mod thumb;

@@ -11,6 +11,18 @@ impl Not for Bool {
     }
 }
 
+impl Bool {
+    /// The truth value or its negation, whichever is no negation.
+    pub(crate) const fn positive(self) -> Self {
+        Self(self.0 & !1)
+    }
+
+    /// The number of the node.
+    pub(crate) const fn node_number(self) -> u32 {
+        self.0 >> 1
+    }
+}
+
 impl Terms {
     /// A truth value from one that is known.
     #[must_use]
@@ -28,6 +40,14 @@ impl Terms {
         match self.of_bool(term) {
             (Node::And(members), false) => members,
             _ => &[],
+        }
+    }
+
+    /// The members of a conjunction, or the truth value alone.
+    pub(crate) fn parts(&self, term: Bool) -> Vec<Bool> {
+        match self.conjuncts(term) {
+            [] => vec![term],
+            members => members.to_vec(),
         }
     }
 

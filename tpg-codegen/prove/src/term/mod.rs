@@ -14,6 +14,7 @@ mod word;
 
 pub use evaluate::Evaluator;
 pub use rank::{INFINITY, NAN, NEGATIVE_ZERO, is_nan_bits, next_above, next_below, rank};
+pub(crate) use word::computed;
 
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
@@ -202,6 +203,11 @@ impl Terms {
     #[must_use]
     pub fn of_bool(&self, term: Bool) -> (&Node, bool) {
         (&self.nodes[(term.0 >> 1) as usize], term.0 & 1 == 1)
+    }
+
+    /// A node by its number.
+    pub(crate) fn node_at(&self, number: u32) -> &Node {
+        &self.nodes[number as usize]
     }
 
     /// The node of a float.

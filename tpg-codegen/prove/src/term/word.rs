@@ -39,7 +39,7 @@ impl Width {
 }
 
 /// An operation on numbers.
-pub(super) fn computed(operator: Operator, width: Width, a: u64, b: u64) -> u64 {
+pub(crate) fn computed(operator: Operator, width: Width, a: u64, b: u64) -> u64 {
     let wide = b >= u64::from(width.bits());
     let result = match operator {
         Operator::Add => a.wrapping_add(b),

@@ -1,0 +1,609 @@
+//! Executes operations over terms. Paths that meet become one; integers that decide where control goes are constants.
+
+use super::code::{CONSTANTS, Condition, Constant, Object, Operation, Program, Scalar, Value};
+use crate::machine::{Answer, Interface, Machine, Missing, Step};
+use crate::term::{Bool, Float, Node, Operator, Terms, Width, Word, computed};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::rc::Rc;
+
+/// Operations in one piece.
+const LONGEST: u64 = 4_000_000;
+
+/// What a cell holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Cell {
+    Undefined,
+    Float(Float),
+    Word(Word),
+}
+
+/// A place in the code and the cells that are not as they are at first.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Point {
+    at: usize,
+    cells: Rc<[(u32, Cell)]>,
+}
+
+/// Where execution is, and under which condition.
+#[derive(Clone)]
+struct State {
+    guard: Bool,
+    cells: Vec<Cell>,
+    /// No float that is a variable of its own differed where paths met
+    agreed: bool,
+}
+
+/// A function of C, ready to be executed.
+#[derive(Debug)]
+pub struct Code {
+    file: String,
+    program: Program,
+    interface: Interface,
+    /// Where jumps go
+    joins: BTreeSet<usize>,
+    /// The cells at first
+    first: Vec<Cell>,
+    /// The points that were reached at a place with the same integers
+    reached: HashMap<(usize, Vec<(u32, Cell)>), BTreeMap<u32, Float>>,
+    /// Elements of tables whose index is known to be in bounds
+    in_bounds: BTreeSet<Word>,
+}
+
+impl Code {
+    pub(super) fn new(file: &str, program: Program, interface: &Interface) -> Self {
+        let targets = program.operations.iter().filter_map(|(_, operation)| match operation {
+            Operation::Branch(_, to) | Operation::Jump(to, _) => Some(*to),
+            _ => None,
+        });
+        let joins = targets.collect();
+        let first = vec![Cell::Undefined; program.cells as usize];
+        Self {
+            file: file.to_owned(),
+            program,
+            interface: interface.clone(),
+            joins,
+            first,
+            reached: HashMap::new(),
+            in_bounds: BTreeSet::new(),
+        }
+    }
+
+    fn missing(&self, at: usize, what: impl Into<String>) -> Missing {
+        let line = self.program.operations.get(at).map_or(0, |&(line, _)| line);
+        Missing::new(format!("{}:{line}", self.file), what)
+    }
+
+    /// The result for a float in cell 0.
+    pub(super) fn of_float(&mut self, terms: &mut Terms, argument: Float) -> Result<Float, Missing> {
+        self.first[0] = Cell::Float(argument);
+        let start = Point { at: 0, cells: Rc::new([]) };
+        let mut results = Vec::new();
+        self.pieces(terms, &start, &mut |execution, terms, at, state| {
+            let Some(result) = execution.program.result else { return Err(execution.missing(at, "a result")) };
+            results.push((state.guard, execution.read_float(terms, at, &state.cells, result)?));
+            Ok(())
+        })?;
+        let mut result = None;
+        for (guard, value) in results {
+            result = Some(result.map_or(value, |other| terms.choose_float(guard, value, other)));
+        }
+        result.ok_or_else(|| self.missing(0, "a result"))
+    }
+
+    fn object(&self, address: u32) -> Option<Object> {
+        let after = self.program.objects.partition_point(|object| object.start <= address);
+        let object = *self.program.objects.get(after.checked_sub(1)?)?;
+        (address < object.end).then_some(object)
+    }
+
+    // ---- values
+
+    fn cell(&self, terms: &mut Terms, at: usize, cells: &[Cell], address: u64) -> Result<Cell, Missing> {
+        let address = u32::try_from(address).map_err(|_| self.missing(at, "an address"))?;
+        let found = if address >= CONSTANTS {
+            match self.program.constants.get((address - CONSTANTS) as usize) {
+                Some(&Constant::Float(bits)) => Some(Cell::Float(terms.constant_bits(bits))),
+                Some(&Constant::Number(number)) => Some(Cell::Word(terms.number(number))),
+                None => None,
+            }
+        } else {
+            cells.get(address as usize).copied()
+        };
+        match found {
+            Some(Cell::Undefined) => Err(self.missing(at, "a value: it is not set on every way here")),
+            Some(cell) => Ok(cell),
+            None => Err(self.missing(at, "an address in bounds")),
+        }
+    }
+
+    fn read_float(&self, terms: &mut Terms, at: usize, cells: &[Cell], address: u32) -> Result<Float, Missing> {
+        match self.cell(terms, at, cells, u64::from(address))? {
+            Cell::Word(word) => Ok(terms.of_bits(word)),
+            Cell::Float(float) => Ok(float),
+            Cell::Undefined => Err(self.missing(at, "a value")),
+        }
+    }
+
+    fn read_word(&self, terms: &mut Terms, at: usize, cells: &[Cell], address: u64) -> Result<Word, Missing> {
+        match self.cell(terms, at, cells, address)? {
+            Cell::Float(float) => Ok(terms.bits(float)),
+            Cell::Word(word) => Ok(word),
+            Cell::Undefined => Err(self.missing(at, "a value")),
+        }
+    }
+
+    fn float(&self, terms: &mut Terms, at: usize, cells: &[Cell], value: &Value) -> Result<Float, Missing> {
+        Ok(match value {
+            Value::Float(bits) => terms.constant_bits(*bits),
+            Value::Load(address, Scalar::Float) => {
+                let address = self.word(terms, at, cells, address)?;
+                self.loaded_float(terms, at, cells, address)?
+            }
+            Value::Arithmetic(operation, a, b) => {
+                let (a, b) = (self.float(terms, at, cells, a)?, self.float(terms, at, cells, b)?);
+                terms.arithmetic(*operation, a, b)
+            }
+            Value::Negative(a) => {
+                let a = self.float(terms, at, cells, a)?;
+                terms.negate(a)
+            }
+            Value::Magnitude(a) => {
+                let a = self.float(terms, at, cells, a)?;
+                terms.magnitude(a)
+            }
+            Value::If(condition, a, b) => {
+                let condition = self.condition(terms, at, cells, condition)?;
+                if condition == Terms::TRUE {
+                    return self.float(terms, at, cells, a);
+                }
+                if condition == Terms::FALSE {
+                    return self.float(terms, at, cells, b);
+                }
+                let (a, b) = (self.float(terms, at, cells, a)?, self.float(terms, at, cells, b)?);
+                terms.choose_float(condition, a, b)
+            }
+            Value::OfInteger(signed, a) => {
+                let a = self.word(terms, at, cells, a)?;
+                terms.of_integer(*signed, a)
+            }
+            _ => return Err(self.missing(at, "a float")),
+        })
+    }
+
+    fn loaded_float(&self, terms: &mut Terms, at: usize, cells: &[Cell], address: Word) -> Result<Float, Missing> {
+        match *terms.of_word(address) {
+            Node::Number(number) => match self.cell(terms, at, cells, number)? {
+                Cell::Float(float) => Ok(float),
+                Cell::Word(word) => Ok(terms.of_bits(word)),
+                Cell::Undefined => Err(self.missing(at, "a value")),
+            },
+            Node::WordIf(condition, a, b) => {
+                let (a, b) = (self.loaded_float(terms, at, cells, a)?, self.loaded_float(terms, at, cells, b)?);
+                Ok(terms.choose_float(condition, a, b))
+            }
+            _ => Err(self.missing(at, "an index that is a constant")),
+        }
+    }
+
+    fn loaded_word(&self, terms: &mut Terms, at: usize, cells: &[Cell], address: Word) -> Result<Word, Missing> {
+        if let Some(numbers) = terms.numbers(address) {
+            for number in numbers {
+                self.read_word(terms, at, cells, number)?;
+            }
+            return Ok(terms.mapped(address, &mut |terms, leaf| {
+                let number = terms.number_of(leaf).unwrap_or_default();
+                self.read_word(terms, at, cells, number).unwrap_or(leaf)
+            }));
+        }
+        // an element of a constant table
+        if let Node::Apply(Operator::Add, Width::W32, index, base) = *terms.of_word(address)
+            && let Some(base) = terms.number_of(base)
+            && let Some(object) = u32::try_from(base).ok().and_then(|base| self.object(base))
+            && object.start >= CONSTANTS
+        {
+            let range = (object.start - CONSTANTS) as usize..(object.end - CONSTANTS) as usize;
+            let table: Rc<[u64]> = (self.program.constants[range].iter())
+                .map(|constant| match *constant {
+                    Constant::Float(bits) => u64::from(bits),
+                    Constant::Number(number) => number,
+                })
+                .collect();
+            let offset = terms.number(base - u64::from(object.start));
+            let index = terms.apply(Operator::Add, Width::W32, index, offset);
+            return Ok(terms.element(&table, index));
+        }
+        Err(self.missing(at, "an index that is a constant"))
+    }
+
+    fn word(&self, terms: &mut Terms, at: usize, cells: &[Cell], value: &Value) -> Result<Word, Missing> {
+        Ok(match value {
+            Value::Number(number) => terms.number(*number),
+            Value::Load(address, Scalar::Word(_)) => {
+                let address = self.word(terms, at, cells, address)?;
+                self.loaded_word(terms, at, cells, address)?
+            }
+            Value::Apply(operator, width, a, b) => {
+                let (a, b) = (self.word(terms, at, cells, a)?, self.word(terms, at, cells, b)?);
+                match operator {
+                    Operator::Divide | Operator::Modulo
+                        if terms.numbers(b).is_none_or(|numbers| numbers.contains(&0)) =>
+                    {
+                        return Err(self.missing(at, "a divisor that is not 0"));
+                    }
+                    Operator::ShiftLeft | Operator::ShiftRight | Operator::ShiftArithmetic
+                        if largest(terms, b) >= u64::from(width.bits()) =>
+                    {
+                        return Err(self.missing(at, "a shift below the width"));
+                    }
+                    _ => terms.apply(*operator, *width, a, b),
+                }
+            }
+            Value::If(condition, a, b) => {
+                let condition = self.condition(terms, at, cells, condition)?;
+                if condition == Terms::TRUE {
+                    return self.word(terms, at, cells, a);
+                }
+                if condition == Terms::FALSE {
+                    return self.word(terms, at, cells, b);
+                }
+                let (a, b) = (self.word(terms, at, cells, a)?, self.word(terms, at, cells, b)?);
+                terms.choose_word(condition, a, b)
+            }
+            Value::OfCondition(condition) => {
+                let condition = self.condition(terms, at, cells, condition)?;
+                terms.word_of(condition)
+            }
+            Value::Truncated(a) => {
+                let a = self.float(terms, at, cells, a)?;
+                terms.truncated(a)
+            }
+            Value::Below(a, length) => {
+                let a = self.word(terms, at, cells, a)?;
+                if largest(terms, a) >= u64::from(*length) && !self.in_bounds.contains(&a) {
+                    return Err(self.missing(at, "an index that is in bounds"));
+                }
+                a
+            }
+            Value::Moved(address, offset) => {
+                let (address, offset) = (self.word(terms, at, cells, address)?, self.word(terms, at, cells, offset)?);
+                let sum = terms.apply(Operator::Add, Width::W32, address, offset);
+                // constants are checked here, other indices where they are below a length
+                if let (Some(from), Some(to)) = (terms.numbers(address), terms.numbers(sum)) {
+                    let objects: BTreeSet<_> = (from.iter().chain(&to))
+                        .map(|&address| Some(self.object(u32::try_from(address).ok()?)?.start))
+                        .collect();
+                    if objects.len() != 1 || objects.contains(&None) {
+                        return Err(self.missing(at, "an address in bounds"));
+                    }
+                }
+                sum
+            }
+            _ => return Err(self.missing(at, "an integer")),
+        })
+    }
+
+    fn condition(&self, terms: &mut Terms, at: usize, cells: &[Cell], condition: &Condition) -> Result<Bool, Missing> {
+        let floats = |terms: &mut Terms, a: &Value, b: &Value| -> Result<(Float, Float), Missing> {
+            Ok((self.float(terms, at, cells, a)?, self.float(terms, at, cells, b)?))
+        };
+        Ok(match condition {
+            Condition::NonZero(width, a) => {
+                let (a, zero) = (self.word(terms, at, cells, a)?, terms.number(0));
+                !terms.same(*width, a, zero)
+            }
+            Condition::Same(width, a, b) => {
+                let (a, b) = (self.word(terms, at, cells, a)?, self.word(terms, at, cells, b)?);
+                terms.same(*width, a, b)
+            }
+            Condition::Below(signed, width, a, b) => {
+                let (a, b) = (self.word(terms, at, cells, a)?, self.word(terms, at, cells, b)?);
+                terms.below(*signed, *width, a, b)
+            }
+            Condition::Less(a, b) => {
+                let (a, b) = floats(terms, a, b)?;
+                terms.less(a, b)
+            }
+            Condition::LessOrEqual(a, b) => {
+                let (a, b) = floats(terms, a, b)?;
+                terms.less_or_equal(a, b)
+            }
+            Condition::Equal(a, b) => {
+                let (a, b) = floats(terms, a, b)?;
+                terms.equal(a, b)
+            }
+            Condition::Nan(a) => {
+                let a = self.float(terms, at, cells, a)?;
+                terms.is_nan(a)
+            }
+            Condition::And(a, b) | Condition::Or(a, b) => {
+                let and = matches!(condition, Condition::And(..));
+                let a = self.condition(terms, at, cells, a)?;
+                // the second operand is not evaluated where the first decides
+                if a == Terms::known(!and) {
+                    return Ok(a);
+                }
+                let b = self.condition(terms, at, cells, b)?;
+                if and { terms.and(a, b) } else { terms.or(a, b) }
+            }
+            Condition::Not(a) => !self.condition(terms, at, cells, a)?,
+        })
+    }
+
+    // ---- control
+
+    /// Executes from a point; every return is reported, and every point where execution is cut.
+    fn pieces(
+        &mut self,
+        terms: &mut Terms,
+        from: &Point,
+        returned: &mut dyn FnMut(&Self, &mut Terms, usize, &State) -> Result<(), Missing>,
+    ) -> Result<Vec<(Bool, Point)>, Missing> {
+        let mut cells = self.first.clone();
+        for &(address, cell) in from.cells.iter() {
+            cells[address as usize] = cell;
+        }
+        let mut pending = BTreeMap::new();
+        pending.insert((0, from.at), State { guard: Terms::TRUE, cells, agreed: true });
+        let (mut cuts, mut steps, mut begun) = (Vec::new(), 0, false);
+        while let Some(((round, at), state)) = pending.pop_first() {
+            if begun && self.program.heads.binary_search(&at).is_ok() && state.agreed {
+                self.cut(terms, at, state, &mut cuts)?;
+                continue;
+            }
+            begun = true;
+            self.straight(terms, (round, at), State { agreed: true, ..state }, &mut pending, returned, &mut steps)?;
+        }
+        Ok(cuts)
+    }
+
+    /// Executes until paths part or meet.
+    fn straight(
+        &self,
+        terms: &mut Terms,
+        (round, mut at): (u64, usize),
+        mut state: State,
+        pending: &mut BTreeMap<(u64, usize), State>,
+        returned: &mut dyn FnMut(&Self, &mut Terms, usize, &State) -> Result<(), Missing>,
+        steps: &mut u64,
+    ) -> Result<(), Missing> {
+        let start = at;
+        loop {
+            if at != start && self.joins.contains(&at) {
+                return self.arrive(terms, (round, at), state, pending);
+            }
+            *steps += 1;
+            if *steps > LONGEST {
+                return Err(self.missing(at, "a loop that ends soon"));
+            }
+            match &self.program.operations[at].1 {
+                Operation::Set(address, value, scalar) => {
+                    let address = self.word(terms, at, &state.cells, address)?;
+                    let cell = match scalar {
+                        Scalar::Float => Cell::Float(self.float(terms, at, &state.cells, value)?),
+                        Scalar::Word(_) => Cell::Word(self.word(terms, at, &state.cells, value)?),
+                    };
+                    *self.target(terms, at, address, &mut state.cells)? = cell;
+                }
+                Operation::Copy(to, from, count) => {
+                    let mut addresses = [0; 2];
+                    for (address, value) in addresses.iter_mut().zip([to, from]) {
+                        let word = self.word(terms, at, &state.cells, value)?;
+                        let first = terms.number_of(word).and_then(|address| u32::try_from(address).ok());
+                        let first = first.ok_or_else(|| self.missing(at, "an address that is a constant"))?;
+                        let object = self.object(first).filter(|object| first + count <= object.end);
+                        object.ok_or_else(|| self.missing(at, "a copy in bounds"))?;
+                        *address = first;
+                    }
+                    let copied: Vec<_> = (0..*count)
+                        .map(|offset| self.cell(terms, at, &state.cells, u64::from(addresses[1] + offset)))
+                        .collect::<Result<_, _>>()?;
+                    for (offset, cell) in (0..).zip(copied) {
+                        let to = terms.number(u64::from(addresses[0]) + offset);
+                        *self.target(terms, at, to, &mut state.cells)? = cell;
+                    }
+                }
+                Operation::Leave(scope) => self.leave(*scope, &mut state.cells),
+                Operation::Branch(condition, otherwise) => {
+                    let condition = self.condition(terms, at, &state.cells, condition)?;
+                    let other = terms.and(state.guard, !condition);
+                    state.guard = terms.and(state.guard, condition);
+                    if other != Terms::FALSE {
+                        let round = round + u64::from(*otherwise <= at);
+                        let state = State { guard: other, ..state.clone() };
+                        self.arrive(terms, (round, *otherwise), state, pending)?;
+                    }
+                    if state.guard == Terms::FALSE {
+                        return Ok(());
+                    }
+                }
+                Operation::Jump(to, left) => {
+                    for &scope in left {
+                        self.leave(scope, &mut state.cells);
+                    }
+                    let round = round + u64::from(*to <= at);
+                    return self.arrive(terms, (round, *to), state, pending);
+                }
+                Operation::Return => return returned(self, terms, at, &state),
+            }
+            at += 1;
+        }
+    }
+
+    fn target<'c>(
+        &self,
+        terms: &Terms,
+        at: usize,
+        address: Word,
+        cells: &'c mut [Cell],
+    ) -> Result<&'c mut Cell, Missing> {
+        let address = terms.number_of(address).and_then(|address| usize::try_from(address).ok());
+        let cell = address.and_then(|address| cells.get_mut(address));
+        cell.ok_or_else(|| self.missing(at, "a place to write to that is a constant"))
+    }
+
+    fn leave(&self, scope: usize, cells: &mut [Cell]) {
+        let (start, end) = self.program.scopes[scope];
+        cells[start as usize..end as usize].fill(Cell::Undefined);
+    }
+
+    /// Lets a path wait where it may meet others.
+    fn arrive(
+        &self,
+        terms: &mut Terms,
+        place: (u64, usize),
+        mut state: State,
+        pending: &mut BTreeMap<(u64, usize), State>,
+    ) -> Result<(), Missing> {
+        if let Some(other) = pending.remove(&place) {
+            state = self.met(terms, place.1, state, other)?;
+        }
+        pending.insert(place, state);
+        Ok(())
+    }
+
+    /// Makes one state of two. Their conditions exclude each other: what both ask for decides nothing.
+    fn met(&self, terms: &mut Terms, at: usize, a: State, b: State) -> Result<State, Missing> {
+        let (first, second) = (terms.parts(a.guard), terms.parts(b.guard));
+        let (shared, only): (Vec<_>, Vec<_>) = first.into_iter().partition(|part| second.contains(part));
+        let rest: Vec<_> = second.into_iter().filter(|part| !shared.contains(part)).collect();
+        let (only, rest) = (terms.all(only), terms.all(rest));
+        let either = terms.or(only, rest);
+        let guard = terms.all(shared.into_iter().chain([either]));
+        let mut agreed = a.agreed && b.agreed;
+        let mut cells = a.cells;
+        for (address, (cell, other)) in cells.iter_mut().zip(b.cells).enumerate() {
+            if *cell == other {
+                continue;
+            }
+            *cell = match (*cell, other) {
+                (Cell::Undefined, _) | (_, Cell::Undefined) => Cell::Undefined,
+                (Cell::Float(x), Cell::Float(y)) => {
+                    agreed &= self.is_array(address);
+                    Cell::Float(terms.choose_float(only, x, y))
+                }
+                (Cell::Word(x), Cell::Word(y)) => Cell::Word(terms.choose_word(only, x, y)),
+                _ => return Err(self.missing(at, "one kind of value where paths meet")),
+            };
+        }
+        Ok(State { guard, cells, agreed })
+    }
+
+    fn is_array(&self, address: usize) -> bool {
+        u32::try_from(address).ok().and_then(|address| self.object(address)).is_some_and(|object| object.array)
+    }
+
+    /// Cuts execution: a point for each choice of integers.
+    fn cut(
+        &mut self,
+        terms: &mut Terms,
+        at: usize,
+        state: State,
+        cuts: &mut Vec<(Bool, Point)>,
+    ) -> Result<(), Missing> {
+        if state.guard == Terms::FALSE {
+            return Ok(());
+        }
+        let choice = state.cells.iter().find_map(|&cell| match cell {
+            Cell::Word(word) if matches!(terms.of_word(word), Node::WordIf(..)) => Some(word),
+            _ => None,
+        });
+        if let Some(word) = choice
+            && let Some(numbers) = terms.numbers(word)
+        {
+            for number in numbers {
+                let constant = terms.number(number);
+                let is = terms.same(Width::W32, word, constant);
+                let guard = terms.and(state.guard, is);
+                let cells = (state.cells.iter())
+                    .map(|&cell| if cell == Cell::Word(word) { Cell::Word(constant) } else { cell })
+                    .collect();
+                self.cut(terms, at, State { guard, cells, ..state }, cuts)?;
+            }
+            return Ok(());
+        }
+        let changed = (0..).zip(state.cells.iter().zip(&self.first)).filter(|(_, (cell, first))| cell != first);
+        let cells: Vec<(u32, Cell)> = changed.map(|(address, (&cell, _))| (address, cell)).collect();
+        let words = cells.iter().copied().filter(|(_, cell)| !matches!(cell, Cell::Float(_))).collect();
+        // floats of arrays that differ from what was there at another time may be anything
+        let floats = self.reached.entry((at, words)).or_default();
+        let mut widened = Vec::new();
+        for (address, cell) in cells {
+            let object = self.program.objects.partition_point(|object| object.start <= address);
+            let array = object.checked_sub(1).is_some_and(|object| self.program.objects[object].array);
+            widened.push(match cell {
+                Cell::Float(float) if array => {
+                    let known = floats.entry(address).or_insert(float);
+                    if *known != float && !matches!(terms.of_float(*known), Node::Unknown(_)) {
+                        *known = terms.unknown();
+                    }
+                    (address, Cell::Float(*known))
+                }
+                cell => (address, cell),
+            });
+        }
+        let point = Point { at, cells: widened.into() };
+        match cuts.iter_mut().find(|(_, other)| *other == point) {
+            Some((guard, _)) => *guard = terms.or(*guard, state.guard),
+            None => cuts.push((state.guard, point)),
+        }
+        Ok(())
+    }
+}
+
+/// A number that a word is at most.
+fn largest(terms: &mut Terms, word: Word) -> u64 {
+    match *terms.of_word(word) {
+        Node::Number(number) => number,
+        Node::WordIf(_, a, b) => largest(terms, a).max(largest(terms, b)),
+        Node::Apply(Operator::And, _, a, b) => largest(terms, a).min(largest(terms, b)),
+        Node::Apply(Operator::ShiftRight, width, a, b) => match terms.number_of(b) {
+            Some(by) => computed(Operator::ShiftRight, width, largest(terms, a), by),
+            None => width.mask(),
+        },
+        Node::Apply(_, width, ..) => width.mask(),
+        Node::Bits(_) => Width::W32.mask(),
+        _ => Width::W64.mask(),
+    }
+}
+
+impl Machine for Code {
+    type Point = Point;
+
+    fn entry(&mut self, terms: &mut Terms) -> Result<Point, Missing> {
+        let sources = (0..self.interface.state_length()).map(|index| (self.program.state + index, index));
+        let memory = (self.interface.state_length()..).zip(&self.interface.memory);
+        let remembered = memory
+            .map(|(index, _)| (self.program.memory.unwrap_or_default() + index - self.interface.state_length(), index));
+        for (address, index) in sources.chain(remembered) {
+            self.first[address as usize] = Cell::Float(terms.source(index));
+        }
+        Ok(Point { at: 0, cells: Rc::new([]) })
+    }
+
+    fn run(&mut self, terms: &mut Terms, from: &Point) -> Result<Vec<(Bool, Step<Point>)>, Missing> {
+        let mut ends = Vec::new();
+        let cuts = self.pieces(terms, from, &mut |code, terms, at, state| {
+            let answer = match code.program.action {
+                None => {
+                    let result = code.program.result.ok_or_else(|| code.missing(at, "a result"))?;
+                    Answer::Action(code.read_word(terms, at, &state.cells, u64::from(result))?)
+                }
+                Some(action) => {
+                    let outputs = (action..).zip(&code.interface.outputs).map(|(address, _)| address);
+                    let memory = (code.program.memory.unwrap_or_default()..).zip(&code.interface.memory);
+                    let all = outputs.chain(memory.map(|(address, _)| address));
+                    let values = all.map(|address| code.read_float(terms, at, &state.cells, address));
+                    Answer::Values(values.collect::<Result<_, _>>()?)
+                }
+            };
+            ends.push((state.guard, Step::Return(answer)));
+            Ok(())
+        })?;
+        ends.extend(cuts.into_iter().map(|(guard, point)| (guard, Step::To(point))));
+        Ok(ends)
+    }
+
+    fn place(&self, point: &Point) -> String {
+        format!("{}:{}", self.file, self.program.operations.get(point.at).map_or(0, |&(line, _)| line))
+    }
+}

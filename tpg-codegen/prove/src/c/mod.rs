@@ -1,0 +1,67 @@
+//! C as generated code uses it: read, lowered and executed by this crate alone.
+//!
+//! The subset: integers of 8 to 64 bits, `float`, structures, arrays, pointers, enumerations, functions (inlined from their text),
+//! `if`, `switch`, loops whose rounds are constants, `goto`, `memcpy` of scalars. Anything else is named as missing.
+
+mod code;
+mod execute;
+mod lower;
+mod parse;
+mod syntax;
+mod token;
+
+pub use execute::{Code, Point};
+
+use crate::machine::{Interface, Missing};
+use crate::term::{Float, Terms};
+use std::path::Path;
+
+/// Reads the function of a policy from a file of C. Files that it includes by names in quotes are read from its folder.
+///
+/// # Errors
+/// What is not of the subset.
+pub fn read(path: &Path, text: &str, function: Option<&str>, interface: &Interface) -> Result<Code, Missing> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let file = path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned());
+    read_with(&file, text, &|name| std::fs::read_to_string(folder.join(name)).ok(), function, interface)
+}
+
+/// Reads the function of a policy from a text, and what it includes by a function of names.
+///
+/// # Errors
+/// What is not of the subset.
+pub fn read_with(
+    file: &str,
+    text: &str,
+    include: &dyn Fn(&str) -> Option<String>,
+    function: Option<&str>,
+    interface: &Interface,
+) -> Result<Code, Missing> {
+    let unit = parse::parse(file, token::tokens(file, text, include)?)?;
+    let name = match function {
+        Some(name) => name.to_owned(),
+        None => {
+            let mut names =
+                unit.functions.iter().map(|function| &function.name).filter(|name| name.ends_with("_infer"));
+            match (names.next(), names.next()) {
+                (Some(name), None) => name.clone(),
+                _ => return Err(Missing::new(file, "the name of the function: no or several end in `_infer`")),
+            }
+        }
+    };
+    let program = lower::policy(file, &unit, &name, interface)?;
+    Ok(Code::new(file, program, interface))
+}
+
+/// Executes a function of one float from a text.
+pub(crate) fn function(
+    file: &str,
+    text: &str,
+    name: &str,
+    terms: &mut Terms,
+    argument: Float,
+) -> Result<Float, Missing> {
+    let unit = parse::parse(file, token::tokens(file, text, &|_| None)?)?;
+    let program = lower::function(file, &unit, name)?;
+    Code::new(file, program, &Interface::default()).of_float(terms, argument)
+}

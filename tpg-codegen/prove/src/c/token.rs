@@ -1,0 +1,291 @@
+//! Tokens of C, after the directives of the preprocessor that generated code uses.
+//!
+//! The text is read as a compiler reads it that defines no macro of its own: neither GCC's nor fast maths'.
+
+use crate::machine::Missing;
+use std::collections::{HashMap, HashSet};
+
+/// A token.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Token {
+    Name(String),
+    /// A number as it is written
+    Number(String),
+    Text,
+    Sign(&'static str),
+    End,
+}
+
+/// A token with the line that it is on.
+#[derive(Clone, Debug)]
+pub(super) struct Placed {
+    pub(super) token: Token,
+    pub(super) line: u32,
+}
+
+/// Signs, the longest first.
+const SIGNS: [&str; 45] = [
+    "...", "<<=", ">>=", "->", "++", "--", "<<", ">>", "<=", ">=", "==", "!=", "&&", "||", "+=", "-=", "*=", "/=",
+    "%=", "&=", "|=", "^=", "##", "{", "}", "(", ")", "[", "]", ";", ",", ":", "?", "=", "+", "-", "*", "/", "%", "&",
+    "|", "^", "~", "!", "<",
+];
+const MORE_SIGNS: [&str; 3] = [">", ".", "#"];
+
+/// Macros of the standard headers that generated code uses.
+const STANDARD: [(&str, &str); 6] = [
+    ("FLT_MAX", "3.40282347e+38F"),
+    ("FLT_MIN", "1.17549435e-38F"),
+    ("FLT_EPSILON", "1.1920929e-7F"),
+    ("INFINITY", "__infinity"),
+    ("NAN", "__nan"),
+    ("NULL", "0"),
+];
+
+/// Reads included files by their names.
+pub(super) type Include<'a> = &'a dyn Fn(&str) -> Option<String>;
+
+struct Preprocessor<'a> {
+    include: Include<'a>,
+    macros: HashMap<String, Vec<Placed>>,
+    tokens: Vec<Placed>,
+    depth: u32,
+}
+
+/// The tokens of a file and of what it includes.
+pub(super) fn tokens(file: &str, text: &str, include: Include<'_>) -> Result<Vec<Placed>, Missing> {
+    let mut preprocessor = Preprocessor { include, macros: HashMap::new(), tokens: Vec::new(), depth: 0 };
+    for (name, value) in STANDARD {
+        let value = line_tokens(file, value, 0)?;
+        preprocessor.macros.insert(name.to_owned(), value);
+    }
+    preprocessor.file(file, text)?;
+    let line = preprocessor.tokens.last().map_or(1, |last| last.line);
+    preprocessor.tokens.push(Placed { token: Token::End, line });
+    Ok(preprocessor.tokens)
+}
+
+/// The text with comments as spaces and continued lines joined; line breaks stay.
+fn plain(text: &str) -> String {
+    let mut plain = String::new();
+    let mut rest = text;
+    let mut owed = 0;
+    while let Some(next) = rest.chars().next() {
+        if let Some(after) = rest.strip_prefix("/*") {
+            let length = after.find("*/").unwrap_or(after.len());
+            plain.push(' ');
+            plain.extend(after[..length].chars().filter(|&letter| letter == '\n'));
+            rest = after[length..].strip_prefix("*/").unwrap_or("");
+        } else if rest.starts_with("//") {
+            rest = &rest[rest.find('\n').unwrap_or(rest.len())..];
+        } else if let Some(after) = rest.strip_prefix("\\\n") {
+            owed += 1;
+            rest = after;
+        } else {
+            plain.push(next);
+            if next == '\n' {
+                plain.extend((0..owed).map(|_| '\n'));
+                owed = 0;
+            }
+            rest = &rest[next.len_utf8()..];
+        }
+    }
+    plain
+}
+
+fn line_tokens(file: &str, text: &str, line: u32) -> Result<Vec<Placed>, Missing> {
+    let mut tokens = Vec::new();
+    let mut rest = text.trim_start();
+    while let Some(first) = rest.chars().next() {
+        let taken = |of: &dyn Fn(char) -> bool| rest.find(|letter| !of(letter)).unwrap_or(rest.len());
+        let (token, length) = if first.is_ascii_alphabetic() || first == '_' {
+            let length = taken(&|letter| letter.is_ascii_alphanumeric() || letter == '_');
+            (Token::Name(rest[..length].to_owned()), length)
+        } else if first.is_ascii_digit() || first == '.' && rest[1..].starts_with(|next: char| next.is_ascii_digit()) {
+            let hexadecimal = rest.starts_with("0x") || rest.starts_with("0X");
+            let mut length = 0;
+            let mut before = ' ';
+            for letter in rest.chars() {
+                let exponent = if hexadecimal { "pP" } else { "eE" };
+                let sign = "+-".contains(letter) && exponent.contains(before);
+                if !(letter.is_ascii_alphanumeric() || letter == '.' || sign) {
+                    break;
+                }
+                before = letter;
+                length += 1;
+            }
+            (Token::Number(rest[..length].to_owned()), length)
+        } else if first == '"' {
+            let length = rest[1..].find('"').map_or(rest.len(), |end| end + 2);
+            (Token::Text, length)
+        } else if let Some(sign) = SIGNS.iter().chain(&MORE_SIGNS).find(|&&sign| rest.starts_with(sign)) {
+            (Token::Sign(sign), sign.len())
+        } else {
+            return Err(Missing::new(format!("{file}:{line}"), format!("the letter {first:?}")));
+        };
+        tokens.push(Placed { token, line });
+        rest = rest[length..].trim_start();
+    }
+    Ok(tokens)
+}
+
+impl Preprocessor<'_> {
+    fn file(&mut self, file: &str, text: &str) -> Result<(), Missing> {
+        self.depth += 1;
+        if self.depth > 16 {
+            return Err(Missing::new(file, "files that include each other"));
+        }
+        // for each open condition: the text is active, some branch was
+        let mut conditions: Vec<(bool, bool)> = Vec::new();
+        for (number, text) in (1..).zip(plain(text).lines()) {
+            let place = || format!("{file}:{number}");
+            let active = conditions.iter().all(|&(active, _)| active);
+            let Some(directive) = text.trim_start().strip_prefix('#') else {
+                if active {
+                    for token in line_tokens(file, text, number)? {
+                        self.expanded(token, &mut HashSet::new());
+                    }
+                }
+                continue;
+            };
+            let directive = directive.trim_start();
+            let end = directive.find(|letter: char| !letter.is_ascii_alphabetic()).unwrap_or(directive.len());
+            let (word, rest) = (&directive[..end], directive[end..].trim());
+            match word {
+                "if" | "ifdef" | "ifndef" => {
+                    let holds = active
+                        && match word {
+                            "if" => self.condition(&place(), rest)? != 0,
+                            _ => self.macros.contains_key(rest) == (word == "ifdef"),
+                        };
+                    conditions.push((holds, holds));
+                }
+                "elif" | "else" => {
+                    let Some((_, taken)) = conditions.pop() else {
+                        return Err(Missing::new(place(), "the #if of an #else"));
+                    };
+                    let outer = conditions.iter().all(|&(active, _)| active);
+                    let holds = outer && !taken && (word == "else" || self.condition(&place(), rest)? != 0);
+                    conditions.push((holds, taken || holds));
+                }
+                "endif" => {
+                    conditions.pop().ok_or_else(|| Missing::new(place(), "the #if of an #endif"))?;
+                }
+                _ if !active => {}
+                "include" => {
+                    if let Some(name) = rest.strip_prefix('"').and_then(|name| name.strip_suffix('"')) {
+                        let text = (self.include)(name);
+                        let text = text.ok_or_else(|| Missing::new(place(), format!("the file {name}")))?;
+                        self.file(name, &text)?;
+                    }
+                }
+                "define" => {
+                    let end = rest.find(|letter: char| !(letter.is_ascii_alphanumeric() || letter == '_'));
+                    let (name, value) = rest.split_at(end.unwrap_or(rest.len()));
+                    if value.starts_with('(') {
+                        return Err(Missing::new(place(), "macros with arguments"));
+                    }
+                    let value = line_tokens(file, value, number)?;
+                    self.macros.insert(name.to_owned(), value);
+                }
+                "undef" => {
+                    self.macros.remove(rest);
+                }
+                // the pragmas of generated code ask for what C defines: no fused operations
+                "pragma" => {}
+                _ => return Err(Missing::new(place(), format!("#{word} {rest}"))),
+            }
+        }
+        self.depth -= 1;
+        Ok(())
+    }
+
+    fn expanded(&mut self, token: Placed, inside: &mut HashSet<String>) {
+        if let Token::Name(name) = &token.token
+            && !inside.contains(name)
+            && let Some(value) = self.macros.get(name).cloned()
+        {
+            inside.insert(name.clone());
+            for inner in value {
+                self.expanded(Placed { line: token.line, ..inner }, inside);
+            }
+            inside.remove(name);
+            return;
+        }
+        self.tokens.push(token);
+    }
+
+    /// The value of a condition of `#if`: numbers, `defined`, `!`, `&&`, `||`, comparisons. Names that are not defined are 0.
+    fn condition(&self, place: &str, text: &str) -> Result<i64, Missing> {
+        let missing = || Missing::new(place, format!("#if {text}"));
+        let mut signs = Vec::new();
+        let mut tokens = line_tokens(place, text, 0)?.into_iter().map(|placed| placed.token).peekable();
+        while let Some(token) = tokens.next() {
+            signs.push(match token {
+                Token::Name(name) if name == "defined" => {
+                    let mut next = tokens.next();
+                    let bracket = next == Some(Token::Sign("("));
+                    if bracket {
+                        next = tokens.next();
+                        if tokens.next() != Some(Token::Sign(")")) {
+                            return Err(missing());
+                        }
+                    }
+                    let Some(Token::Name(name)) = next else { return Err(missing()) };
+                    Err(i64::from(self.macros.contains_key(&name)))
+                }
+                Token::Name(name) => match self.macros.get(&name).map(Vec::as_slice) {
+                    None => Err(0),
+                    Some([Placed { token: Token::Number(number), .. }]) => {
+                        Err(number.trim_end_matches(['u', 'U', 'l', 'L']).parse().map_err(|_| missing())?)
+                    }
+                    Some(_) => return Err(missing()),
+                },
+                Token::Number(number) => {
+                    Err(number.trim_end_matches(['u', 'U', 'l', 'L']).parse().map_err(|_| missing())?)
+                }
+                Token::Sign(sign) => Ok(sign),
+                _ => return Err(missing()),
+            });
+        }
+        let mut at = 0;
+        let value = logical(&signs, &mut at, 0).filter(|_| at == signs.len());
+        value.ok_or_else(missing)
+    }
+}
+
+/// Evaluates operators of at least a level: `||`, `&&`, comparisons.
+fn logical(signs: &[Result<&'static str, i64>], at: &mut usize, level: u8) -> Option<i64> {
+    let levels: [&[&str]; 3] = [&["||"], &["&&"], &["==", "!=", "<", ">", "<=", ">="]];
+    let Some(&operators) = levels.get(usize::from(level)) else {
+        let first = *signs.get(*at)?;
+        *at += 1;
+        return match first {
+            Err(number) => Some(number),
+            Ok("!") => logical(signs, at, 3).map(|value| i64::from(value == 0)),
+            Ok("(") => {
+                let value = logical(signs, at, 0)?;
+                *at += 1;
+                (signs.get(*at - 1) == Some(&Ok(")"))).then_some(value)
+            }
+            Ok(_) => None,
+        };
+    };
+    let mut value = logical(signs, at, level + 1)?;
+    while let Some(&Ok(operator)) = signs.get(*at)
+        && operators.contains(&operator)
+    {
+        *at += 1;
+        let other = logical(signs, at, level + 1)?;
+        value = i64::from(match operator {
+            "||" => value != 0 || other != 0,
+            "&&" => value != 0 && other != 0,
+            "==" => value == other,
+            "!=" => value != other,
+            "<" => value < other,
+            ">" => value > other,
+            "<=" => value <= other,
+            _ => value >= other,
+        });
+    }
+    Some(value)
+}

@@ -1,0 +1,152 @@
+//! The meaning of a graph as terms, declaratively: an edge wins if no earlier bid is higher and no later one is as high.
+
+use super::{Destination, Graph, Line, Operand};
+use crate::machine::Missing;
+use crate::maths::{Function, Maths};
+use crate::term::{Bool, Float, Terms};
+use std::collections::HashMap;
+
+/// A graph's meaning in a table of terms.
+#[derive(Debug)]
+pub struct Meaning<'g> {
+    graph: &'g Graph,
+    maths: Maths,
+    programs: HashMap<usize, Float>,
+    teams: HashMap<usize, Vec<(Bool, Destination)>>,
+    leaves: HashMap<usize, Vec<Float>>,
+}
+
+impl<'g> Meaning<'g> {
+    /// The meaning of a graph; terms are made when they are asked for.
+    #[must_use]
+    pub fn new(graph: &'g Graph) -> Self {
+        Self { graph, maths: Maths::default(), programs: HashMap::new(), teams: HashMap::new(), leaves: HashMap::new() }
+    }
+
+    /// The result of a program: its lines in order, on registers that are zero at first.
+    fn program(&mut self, terms: &mut Terms, program: usize) -> Result<Float, Missing> {
+        if let Some(&known) = self.programs.get(&program) {
+            return Ok(known);
+        }
+        let zero = terms.constant(0.0);
+        let mut registers = vec![zero; self.graph.registers];
+        for line in &self.graph.programs[program] {
+            let operands: Vec<_> = (line.operands.iter())
+                .map(|&operand| match operand {
+                    Operand::Register(register) => registers[register],
+                    Operand::Source(index) => terms.source(index),
+                    Operand::Constant(value) => terms.constant(value),
+                })
+                .collect();
+            registers[line.to] = self.line(terms, line, registers[line.to], &operands)?;
+        }
+        self.programs.insert(program, registers[0]);
+        Ok(registers[0])
+    }
+
+    /// A line's result; `to` is what its register holds before.
+    fn line(&mut self, terms: &mut Terms, line: &Line, to: Float, operands: &[Float]) -> Result<Float, Missing> {
+        let result = match (line.word.as_str(), operands) {
+            ("add", &[a, b]) => terms.add(a, b),
+            ("sub", &[a, b]) => terms.subtract(a, b),
+            ("mul", &[a, b]) => terms.multiply(a, b),
+            ("div", &[a, b]) => terms.divide(a, b),
+            ("fmod", &[a, b]) => terms.remainder(a, b),
+            ("multiply_add", &[a, b]) => {
+                let product = terms.multiply(a, b);
+                terms.add(to, product)
+            }
+            ("negate_if_less", &[a, b]) => {
+                let (less, negated) = (terms.less(a, b), terms.negate(a));
+                terms.choose_float(less, negated, a)
+            }
+            ("min", &[a, b]) | ("std_min", &[b, a]) => terms.minimum(a, b),
+            ("max", &[a, b]) | ("std_max", &[b, a]) => terms.maximum(a, b),
+            ("gate", &[a, b]) => {
+                let (zero, negative_zero) = (terms.constant(0.0), terms.constant(-0.0));
+                let closed = terms.equal(b, zero);
+                terms.choose_float(closed, negative_zero, a)
+            }
+            ("copy", &[a]) => a,
+            ("abs", &[a]) => terms.magnitude(a),
+            (word, &[a]) => match Function::named(word) {
+                Some(function) => self.maths.apply(terms, function, a)?,
+                None => return Err(Missing::new("graph", format!("the meaning of the word `{word}`"))),
+            },
+            (word, _) => {
+                let count = operands.len();
+                return Err(Missing::new("graph", format!("the meaning of the word `{word}` with {count} operands")));
+            }
+        };
+        Ok(result)
+    }
+
+    /// The conditions under which each edge of a team wins. They exclude each other, and one of them always holds.
+    ///
+    /// # Errors
+    /// A word without a meaning.
+    pub fn winners(&mut self, terms: &mut Terms, team: usize) -> Result<Vec<(Bool, Destination)>, Missing> {
+        if let Some(known) = self.teams.get(&team) {
+            return Ok(known.clone());
+        }
+        let edges = &self.graph.teams[team].edges;
+        let mut bids = Vec::new();
+        for edge in edges {
+            bids.push(self.program(terms, edge.program)?);
+        }
+        let mut winners: Vec<(Bool, Destination)> = Vec::new();
+        for (at, edge) in edges.iter().enumerate() {
+            let mut conditions = Vec::new();
+            for (other, &bid) in bids.iter().enumerate() {
+                if other < at {
+                    conditions.push(as_high(terms, bids[at], bid));
+                } else if other > at {
+                    conditions.push(!as_high(terms, bid, bids[at]));
+                }
+            }
+            winners.push((terms.all(conditions), edge.to));
+        }
+        self.teams.insert(team, winners.clone());
+        Ok(winners)
+    }
+
+    /// The values that a leaf answers, limited to their ranges: the outputs, then the next memory.
+    ///
+    /// # Errors
+    /// A word without a meaning.
+    pub fn values(&mut self, terms: &mut Terms, leaf: usize) -> Result<Vec<Float>, Missing> {
+        if let Some(known) = self.leaves.get(&leaf) {
+            return Ok(known.clone());
+        }
+        let mut values = Vec::new();
+        for (&program, &limits) in self.graph.leaves[leaf].iter().zip(&self.graph.limits) {
+            let value = self.program(terms, program)?;
+            let limits = limits.map(|limit| terms.constant(limit));
+            values.push(terms.clamp(value, limits));
+        }
+        self.leaves.insert(leaf, values.clone());
+        Ok(values)
+    }
+
+    /// The conditions under which a leaf's values are numbers in their ranges.
+    ///
+    /// # Errors
+    /// A word without a meaning.
+    pub fn in_range(&mut self, terms: &mut Terms, leaf: usize) -> Result<Bool, Missing> {
+        let mut conditions = Vec::new();
+        for (value, [low, high, _]) in self.values(terms, leaf)?.into_iter().zip(self.graph.limits.clone()) {
+            let (low, high) = (terms.constant(low), terms.constant(high));
+            conditions.push(terms.less_or_equal(low, value));
+            conditions.push(terms.less_or_equal(value, high));
+        }
+        Ok(terms.all(conditions))
+    }
+}
+
+/// Tests whether bid `a` is as high as bid `b`; a NaN counts as minus infinity.
+fn as_high(terms: &mut Terms, a: Float, b: Float) -> Bool {
+    let lowest = terms.constant(f32::NEG_INFINITY);
+    let (reaches, nan, bottom) = (terms.at_most(b, a), terms.is_nan(a), terms.at_most(b, lowest));
+    let both = terms.and(nan, bottom);
+    terms.or(reaches, both)
+}

@@ -1,0 +1,106 @@
+//! Graphs, read by this crate's own reader, and their meaning as terms.
+
+mod meaning;
+mod read;
+
+pub use meaning::Meaning;
+
+use crate::machine::Interface;
+
+/// The end of an edge. Teams and leaves by their places in the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Destination {
+    /// Another team decides
+    Team(usize),
+    /// The number of the action that is answered
+    Action(u32),
+    /// The outputs are a leaf's
+    Leaf(usize),
+}
+
+/// An operand of a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Operand {
+    Register(usize),
+    Source(u32),
+    Constant(f32),
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Line {
+    to: usize,
+    word: String,
+    operands: Vec<Operand>,
+}
+
+#[derive(Clone, Debug)]
+struct Edge {
+    program: usize,
+    to: Destination,
+}
+
+#[derive(Clone, Debug)]
+struct Team {
+    id: u64,
+    edges: Vec<Edge>,
+}
+
+/// The lowest and highest value of an output or of memory, and the one in place of NaN.
+type Limits = [f32; 3];
+
+/// A graph as it is written. All numbers of programs, teams and leaves are places in the lists here.
+#[derive(Clone, Debug)]
+pub struct Graph {
+    interface: Interface,
+    ranges: Vec<[f32; 2]>,
+    registers: usize,
+    programs: Vec<Vec<Line>>,
+    teams: Vec<Team>,
+    /// For each leaf its programs: of outputs, then of memory
+    leaves: Vec<Vec<usize>>,
+    /// Of outputs, then of memory
+    limits: Vec<Limits>,
+    start: Destination,
+}
+
+impl Graph {
+    /// What the policy reads and answers.
+    #[must_use]
+    pub fn interface(&self) -> &Interface {
+        &self.interface
+    }
+
+    /// The declared ranges of the sources, one for each value, and those of the memory after them.
+    #[must_use]
+    pub fn ranges(&self) -> &[[f32; 2]] {
+        &self.ranges
+    }
+
+    /// The first team, or the only leaf.
+    #[must_use]
+    pub fn start(&self) -> Destination {
+        self.start
+    }
+
+    /// The number of teams.
+    #[must_use]
+    pub fn teams(&self) -> usize {
+        self.teams.len()
+    }
+
+    /// The number of leaves.
+    #[must_use]
+    pub fn leaves(&self) -> usize {
+        self.leaves.len()
+    }
+
+    /// A destination by its id in the file, for people.
+    #[must_use]
+    pub fn name(&self, destination: Destination) -> String {
+        match destination {
+            Destination::Team(team) => format!("team {}", self.teams[team].id),
+            Destination::Action(action) => format!("action {action}"),
+            Destination::Leaf(leaf) => format!("leaf {leaf} of {}", self.leaves.len()),
+        }
+    }
+}

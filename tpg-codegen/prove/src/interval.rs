@@ -1,0 +1,187 @@
+//! Intervals with NaN: bounds of every term, from the bounds of what it is made of.
+//!
+//! Rounding to nearest is monotone, so the rounded results at the ends of intervals bound all results between.
+
+use crate::term::{Arithmetic, Bool, Float, Node, Terms};
+use std::collections::HashMap;
+
+/// What a value can be: a number from `low` to `high` as bits, or NaN if `nan`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// The lowest number's bits
+    pub low: u32,
+    /// The highest number's bits
+    pub high: u32,
+    /// The value can be NaN
+    pub nan: bool,
+}
+
+/// The same in numbers; no number where `low > high`.
+#[derive(Clone, Copy, Debug)]
+struct Bounds {
+    low: f32,
+    high: f32,
+    nan: bool,
+}
+
+const ANY: Bounds = Bounds { low: f32::NEG_INFINITY, high: f32::INFINITY, nan: true };
+const NOTHING: Bounds = Bounds { low: f32::INFINITY, high: f32::NEG_INFINITY, nan: false };
+
+/// The intervals of terms of one table.
+#[derive(Debug, Default)]
+pub struct Intervals {
+    ranges: Vec<[f32; 2]>,
+    known: HashMap<Float, Bounds>,
+}
+
+impl Intervals {
+    /// Intervals with sources that are in ranges and never NaN; those beyond the list can be anything.
+    #[must_use]
+    pub fn new(ranges: &[[f32; 2]]) -> Self {
+        Self { ranges: ranges.to_vec(), known: HashMap::new() }
+    }
+
+    /// The interval of a term.
+    pub fn of(&mut self, terms: &mut Terms, term: Float) -> Interval {
+        let bounds = self.bounds(terms, term);
+        let bounds = if bounds.low > bounds.high && !bounds.nan { ANY } else { bounds };
+        Interval { low: bounds.low.to_bits(), high: bounds.high.to_bits(), nan: bounds.nan }
+    }
+
+    fn bounds(&mut self, terms: &mut Terms, term: Float) -> Bounds {
+        if let Some(&known) = self.known.get(&term) {
+            return known;
+        }
+        let result = match *terms.of_float(term) {
+            Node::Constant(bits) => {
+                let value = f32::from_bits(bits);
+                if value.is_nan() {
+                    Bounds { nan: true, ..NOTHING }
+                } else {
+                    Bounds { low: value, high: value, nan: false }
+                }
+            }
+            Node::Source(index) => match self.ranges.get(index as usize) {
+                Some(&[low, high]) => Bounds { low, high, nan: false },
+                None => ANY,
+            },
+            Node::Arithmetic(operation, a, b) => {
+                let same = a == b;
+                let (a, b) = (self.bounds(terms, a), self.bounds(terms, b));
+                combined(operation, a, b, same)
+            }
+            Node::Negative(a) => {
+                let a = self.bounds(terms, a);
+                Bounds { low: -a.high, high: -a.low, nan: a.nan }
+            }
+            Node::Magnitude(a) => {
+                let Bounds { low, high, nan } = self.bounds(terms, a);
+                if low > high {
+                    Bounds { nan, ..NOTHING }
+                } else {
+                    let least = if low <= 0.0 && high >= 0.0 { 0.0 } else { low.abs().min(high.abs()) };
+                    Bounds { low: least, high: low.abs().max(high.abs()), nan }
+                }
+            }
+            Node::FloatIf(condition, a, b) => {
+                let (a, b) = (self.where_holds(terms, condition, a), self.where_holds(terms, !condition, b));
+                Bounds { low: a.low.min(b.low), high: a.high.max(b.high), nan: a.nan || b.nan }
+            }
+            _ => ANY,
+        };
+        self.known.insert(term, result);
+        result
+    }
+
+    /// The bounds of a term where a condition holds.
+    fn where_holds(&mut self, terms: &mut Terms, condition: Bool, term: Float) -> Bounds {
+        let mut bounds = self.bounds(terms, term);
+        let conditions: Vec<Bool> = match terms.of_bool(condition) {
+            (Node::And(members), false) => members.to_vec(),
+            _ => vec![condition],
+        };
+        let term = terms.zero_free(term);
+        let mirrored = terms.negate(term);
+        for condition in conditions {
+            let (&Node::AtMost(a, b), negated) = terms.of_bool(condition) else { continue };
+            // (lower, higher, strictly)
+            let (low, high) = if negated { (b, a) } else { (a, b) };
+            let (below, above) = (self.bounds(terms, low), self.bounds(terms, high));
+            // what is above something is a number where that is one, or where it is strictly above
+            let number = negated || !below.nan;
+            if term == high {
+                bounds.nan &= !number;
+                bounds.low = if below.nan { bounds.low } else { bounds.low.max(below.low) };
+            } else if term == low {
+                bounds.high = bounds.high.min(above.high);
+            } else if mirrored == high && number {
+                bounds.nan = false;
+                bounds.high = if below.nan { bounds.high } else { bounds.high.min(-below.low) };
+            } else if mirrored == low {
+                bounds.low = bounds.low.max(-above.high);
+            }
+        }
+        bounds
+    }
+}
+
+fn combined(operation: Arithmetic, a: Bounds, b: Bounds, same: bool) -> Bounds {
+    let nan = a.nan || b.nan;
+    if a.low > a.high || b.low > b.high {
+        return Bounds { nan, ..NOTHING };
+    }
+    let zero = |x: Bounds| x.low <= 0.0 && x.high >= 0.0;
+    let infinite = |x: Bounds| x.low.is_infinite() || x.high.is_infinite();
+    let corners = |f: fn(f32, f32) -> f32| [f(a.low, b.low), f(a.low, b.high), f(a.high, b.low), f(a.high, b.high)];
+    let (corners, undefined) = match operation {
+        Arithmetic::Add => {
+            let clash = a.low == f32::NEG_INFINITY && b.high == f32::INFINITY
+                || a.high == f32::INFINITY && b.low == f32::NEG_INFINITY;
+            let (low, high) = (a.low + b.low, a.high + b.high);
+            // the lowest sum is only NaN where infinities of both signs meet
+            ([low, low, high, high], clash)
+        }
+        Arithmetic::Multiply if same => {
+            // a square
+            let (low, high) = (a.low * a.low, a.high * a.high);
+            let least = if zero(a) { 0.0 } else { low.min(high) };
+            ([least, least, low.max(high), low.max(high)], false)
+        }
+        Arithmetic::Multiply => (corners(|x, y| x * y), zero(a) && infinite(b) || zero(b) && infinite(a)),
+        Arithmetic::Divide if zero(b) || infinite(b) => {
+            return Bounds { nan: nan || zero(a) && zero(b) || infinite(a) && infinite(b), ..ANY };
+        }
+        Arithmetic::Divide => (corners(|x, y| x / y), false),
+        Arithmetic::Remainder => return ANY,
+    };
+    if undefined && operation == Arithmetic::Multiply || corners.iter().any(|corner| corner.is_nan()) {
+        return Bounds { nan: nan || undefined, ..ANY };
+    }
+    let [low, high] =
+        [f32::min as fn(f32, f32) -> f32, f32::max].map(|f| corners.into_iter().reduce(f).unwrap_or(f32::NAN));
+    Bounds { low, high, nan: nan || undefined }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Intervals;
+    use crate::term::Terms;
+
+    #[test]
+    fn bounds_hold_what_can_be() {
+        let mut terms = Terms::new();
+        let (x, y, one) = (terms.source(0), terms.source(1), terms.constant(1.0));
+        let mut intervals = Intervals::new(&[[-2.0, 3.0]]);
+        let square = terms.multiply(x, x);
+        let bounds = intervals.of(&mut terms, square);
+        assert_eq!((bounds.low, bounds.high, bounds.nan), (0, 9.0f32.to_bits(), false));
+        let smaller = terms.minimum(y, one);
+        let bounds = intervals.of(&mut terms, smaller);
+        // NaN gives 1
+        assert_eq!((bounds.high, bounds.nan), (1.0f32.to_bits(), false));
+        let larger = terms.maximum(one, y);
+        assert!(intervals.of(&mut terms, larger).nan, "a NaN that is second is the result");
+        let any = terms.add(y, y);
+        assert!(intervals.of(&mut terms, any).nan);
+    }
+}

@@ -1,0 +1,217 @@
+//! The transitive closure of what is assumed about an order.
+
+use crate::interval::Intervals;
+use crate::term::{Arithmetic, Float, INFINITY, NEGATIVE_ZERO, Node, Terms, next_above, rank};
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// What is known of the elements for good.
+#[derive(Debug, Default)]
+struct Facts {
+    /// Where the negated element is
+    mirror: Vec<Option<usize>>,
+    /// The constant that an element reaches unless it is NaN
+    lowest: Vec<Option<usize>>,
+    /// An element that is NaN exactly where this one is
+    nan_as: Vec<(usize, usize)>,
+    /// Constants of neighbouring ranks
+    neighbours: Vec<(usize, usize)>,
+}
+
+/// An order of elements as far as it is known. Element 0 is NaN.
+#[derive(Clone, Debug)]
+pub(super) struct Closure {
+    facts: Rc<Facts>,
+    words: usize,
+    count: usize,
+    /// For each element those that are at least, and those that are higher
+    reached: Vec<u64>,
+    higher: Vec<u64>,
+}
+
+impl Closure {
+    /// The order of elements that are sorted: NaN, constants, others. None if the facts contradict each other.
+    pub(super) fn new(terms: &mut Terms, intervals: &mut Intervals, elements: &[Float]) -> Option<Self> {
+        let count = elements.len();
+        let words = count.div_ceil(64);
+        let facts = Facts { mirror: vec![None; count], lowest: vec![None; count], ..Facts::default() };
+        let mut order = Self {
+            facts: Rc::new(Facts::default()),
+            words,
+            count,
+            reached: vec![0; count * words],
+            higher: vec![0; count * words],
+        };
+        for element in 0..count {
+            order.reached[element * words + element / 64] |= 1 << (element % 64);
+        }
+        let facts = order.learn(terms, intervals, elements, facts)?;
+        order.facts = Rc::new(facts);
+        order.propagate().then_some(order)
+    }
+
+    fn learn(
+        &mut self,
+        terms: &mut Terms,
+        intervals: &mut Intervals,
+        elements: &[Float],
+        mut facts: Facts,
+    ) -> Option<Facts> {
+        let places: HashMap<_, _> = elements.iter().enumerate().map(|(at, &element)| (element, at)).collect();
+        let constants: Vec<u32> = elements.iter().map_while(|&element| terms.bits_of(element)).collect();
+        for at in 1..constants.len() {
+            if !self.link(at - 1, at, true) {
+                return None;
+            }
+            if next_above(constants[at - 1]) == constants[at] {
+                facts.neighbours.push((at - 1, at));
+            }
+        }
+        for (at, &element) in elements.iter().enumerate().skip(1) {
+            let negated = terms.negate(element);
+            let negated = terms.zero_free(negated);
+            facts.mirror[at] = places.get(&negated).copied();
+            if at < constants.len() {
+                continue;
+            }
+            let interval = intervals.of(terms, element);
+            let reaches = |bound: u32| constants.iter().rposition(|&constant| rank(constant) <= rank(bound));
+            let limits = |bound: u32| constants.iter().position(|&constant| rank(constant) >= rank(bound));
+            if let Some(high) = limits(interval.high)
+                && !self.link(at, high, false)
+            {
+                return None;
+            }
+            if !interval.nan && !self.link(0, at, true) {
+                return None;
+            }
+            facts.lowest[at] = reaches(interval.low).filter(|&low| low > 0);
+            if let Node::Arithmetic(operation, a, b) = *terms.of_float(element)
+                && let Some(other) = nan_with(terms, operation, a, b)
+            {
+                let other = terms.zero_free(other);
+                facts.nan_as.extend(places.get(&other).map(|&other| (at, other)));
+            }
+        }
+        Some(facts)
+    }
+
+    /// Tests whether an element is at most as high as another, if that is known.
+    pub(super) fn at_most(&self, a: usize, b: usize) -> Option<bool> {
+        if self.has(&self.reached, a, b) {
+            Some(true)
+        } else if self.has(&self.higher, b, a) {
+            Some(false)
+        } else {
+            None
+        }
+    }
+
+    /// Assumes that an element is at most as high as another, or lower. False if that cannot be.
+    pub(super) fn assume(&mut self, a: usize, b: usize, lower: bool) -> bool {
+        self.link(a, b, lower) && self.propagate()
+    }
+
+    fn has(&self, rows: &[u64], a: usize, b: usize) -> bool {
+        rows[a * self.words + b / 64] >> (b % 64) & 1 == 1
+    }
+
+    /// Adds a relation with all that follows by transitivity.
+    fn link(&mut self, a: usize, b: usize, lower: bool) -> bool {
+        if self.has(if lower { &self.higher } else { &self.reached }, a, b) {
+            return true;
+        }
+        if self.has(&self.higher, b, a) || lower && self.has(&self.reached, b, a) {
+            return false;
+        }
+        for element in 0..self.count {
+            if !self.has(&self.reached, element, a) {
+                continue;
+            }
+            let strict = lower || self.has(&self.higher, element, a);
+            for word in 0..self.words {
+                let (from, to) = (b * self.words + word, element * self.words + word);
+                let (reached, higher) = (self.reached[from], self.higher[from]);
+                self.reached[to] |= reached;
+                self.higher[to] |= if strict { reached } else { higher };
+            }
+        }
+        true
+    }
+
+    /// Applies the facts until nothing follows any more. False if the order contradicts itself.
+    fn propagate(&mut self) -> bool {
+        let facts = self.facts.clone();
+        loop {
+            let mut changed = false;
+            let mut add = |order: &mut Self, a: usize, b: usize, lower: bool| {
+                if order.has(if lower { &order.higher } else { &order.reached }, a, b) {
+                    return true;
+                }
+                changed = true;
+                order.link(a, b, lower)
+            };
+            for at in 1..self.count {
+                if let Some(low) = facts.lowest[at]
+                    && self.has(&self.higher, 0, at)
+                    && !add(self, low, at, false)
+                {
+                    return false;
+                }
+            }
+            for &(a, b) in &facts.nan_as {
+                for (from, to) in [(a, b), (b, a)] {
+                    let number = self.has(&self.higher, 0, from);
+                    let nan = self.has(&self.reached, from, 0);
+                    if number && !add(self, 0, to, true) || nan && !add(self, to, 0, false) {
+                        return false;
+                    }
+                }
+            }
+            for &(low, high) in &facts.neighbours {
+                for at in 0..self.count {
+                    if self.has(&self.higher, low, at) && !add(self, high, at, false)
+                        || self.has(&self.higher, at, high) && !add(self, at, low, false)
+                    {
+                        return false;
+                    }
+                }
+            }
+            for a in 1..self.count {
+                let Some(mirrored) = facts.mirror[a] else { continue };
+                // a number is where its negation is one
+                if self.has(&self.higher, 0, a) && !add(self, 0, mirrored, true)
+                    || self.has(&self.reached, a, 0) && !add(self, mirrored, 0, false)
+                {
+                    return false;
+                }
+                if !self.has(&self.higher, 0, a) {
+                    continue;
+                }
+                for b in 1..self.count {
+                    let Some(other) = facts.mirror[b] else { continue };
+                    let lower = self.has(&self.higher, a, b);
+                    if (lower || self.has(&self.reached, a, b)) && !add(self, other, mirrored, lower) {
+                        return false;
+                    }
+                }
+            }
+            if !changed {
+                return true;
+            }
+        }
+    }
+}
+
+/// An operand that is NaN exactly where the result is.
+fn nan_with(terms: &Terms, operation: Arithmetic, a: Float, b: Float) -> Option<Float> {
+    let constant = |term| terms.bits_of(term).filter(|bits| bits & !NEGATIVE_ZERO < INFINITY);
+    let nonzero = |term| constant(term).is_some_and(|bits| bits & !NEGATIVE_ZERO != 0);
+    match operation {
+        Arithmetic::Add if constant(b).is_some() => Some(a),
+        Arithmetic::Add if constant(a).is_some() => Some(b),
+        Arithmetic::Multiply | Arithmetic::Divide if nonzero(b) => Some(a),
+        Arithmetic::Multiply | Arithmetic::Divide if nonzero(a) => Some(b),
+        _ => None,
+    }
+}

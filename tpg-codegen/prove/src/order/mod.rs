@@ -1,0 +1,340 @@
+//! Decides which conditions can hold together, over all total preorders of the floats that they compare.
+//!
+//! No solver: cases are split by one comparison at a time, and each is followed through a transitive closure. NaN is one more place
+//! in the order, below minus infinity. What the order does not know, it takes to be possible, so that *never together* is a proof
+//! and *together* may be none.
+
+mod closure;
+
+use crate::interval::Intervals;
+use crate::term::{Bool, Float, Node, Terms};
+use closure::Closure;
+use std::collections::{BTreeSet, HashMap};
+
+/// Conditions under a truth assignment.
+struct Search<'t> {
+    terms: &'t Terms,
+    places: HashMap<Float, usize>,
+    /// Truth of nodes: 0 where unknown, else 1 for *false* and 2 for *true*
+    known: Vec<u8>,
+    trail: Vec<u32>,
+    /// The last evaluation in which a node was found to be unknown, with the atom that keeps it so
+    unknown: Vec<(u32, u32)>,
+    evaluation: u32,
+    steps: u64,
+    incomplete: bool,
+}
+
+/// The result of looking for what holds together.
+#[derive(Debug, Default)]
+pub struct Together {
+    /// Pairs of a condition on the left and one on the right
+    pub pairs: BTreeSet<(usize, usize)>,
+    /// Cases looked at
+    pub cases: u64,
+    /// In some case no condition on the left holds
+    pub incomplete: bool,
+}
+
+/// A search that took more than its cases.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooMany;
+
+/// Finds the pairs of conditions, one of each side, that can hold at once where the assumption does. The conditions of a side must
+/// exclude each other, and one must always hold; on the left that is checked.
+///
+/// # Errors
+/// More cases than allowed.
+pub fn together(
+    terms: &mut Terms,
+    intervals: &mut Intervals,
+    assumption: Bool,
+    [left, right]: [&[Bool]; 2],
+    limit: u64,
+) -> Result<Together, TooMany> {
+    let roots: Vec<_> = left.iter().chain(right).copied().chain([assumption]).collect();
+    let elements = elements(terms, &roots);
+    let closure = Closure::new(terms, intervals, &elements);
+    let places = elements.iter().enumerate().map(|(place, &element)| (element, place)).collect();
+    let count = terms.count();
+    let mut search = Search {
+        terms,
+        places,
+        known: vec![0; count],
+        trail: Vec::new(),
+        unknown: vec![(0, 0); count],
+        evaluation: 0,
+        steps: 0,
+        incomplete: false,
+    };
+    let mut found = Together::default();
+    if let Some(closure) = closure {
+        search.explore(&closure, assumption, [left, right], &mut found.pairs, limit)?;
+    }
+    found.cases = search.steps;
+    found.incomplete = search.incomplete;
+    Ok(found)
+}
+
+/// All floats that are compared: NaN first, then constants from the lowest on, then the others.
+fn elements(terms: &mut Terms, roots: &[Bool]) -> Vec<Float> {
+    let mut seen: BTreeSet<Bool> = BTreeSet::new();
+    let mut floats = BTreeSet::new();
+    let mut open = roots.to_vec();
+    while let Some(term) = open.pop() {
+        if !seen.insert(term.positive()) {
+            continue;
+        }
+        match terms.of_bool(term).0 {
+            Node::And(members) => open.extend(members.iter()),
+            &Node::AtMost(a, b) => floats.extend([a, b]),
+            _ => {}
+        }
+    }
+    floats.insert(terms.constant_bits(crate::term::NAN));
+    let mut elements: Vec<_> = floats.into_iter().collect();
+    elements.sort_by_key(|&element| {
+        terms.bits_of(element).map_or((1, i64::from(u32::MAX), element), |bits| (0, crate::term::rank(bits), element))
+    });
+    elements
+}
+
+/// The value of a condition, or an atom on which it depends.
+#[derive(Clone, Copy)]
+enum Value {
+    Known(bool),
+    Open(u32),
+}
+
+impl Search<'_> {
+    /// Records the pairs that are possible in a case.
+    fn explore(
+        &mut self,
+        closure: &Closure,
+        assumption: Bool,
+        [left, right]: [&[Bool]; 2],
+        found: &mut BTreeSet<(usize, usize)>,
+        limit: u64,
+    ) -> Result<(), TooMany> {
+        self.steps += 1;
+        if self.steps > limit {
+            return Err(TooMany);
+        }
+        self.evaluation += 1;
+        let open = match self.value(closure, assumption) {
+            Value::Known(false) => return Ok(()),
+            Value::Open(atom) => Some(atom),
+            Value::Known(true) => match self.chosen(closure, left) {
+                Err(None) => {
+                    self.incomplete = true;
+                    None
+                }
+                Err(atom) => atom,
+                Ok(first) => match self.chosen(closure, right) {
+                    Ok(second) => {
+                        found.insert((first, second));
+                        None
+                    }
+                    // a case that the order alone does not exclude
+                    Err(None) => None,
+                    Err(atom) => {
+                        // nothing new can be found here
+                        let all = (0..right.len()).all(|second| {
+                            found.contains(&(first, second))
+                                || matches!(self.value(closure, right[second]), Value::Known(false))
+                        });
+                        if all { None } else { atom }
+                    }
+                },
+            },
+        };
+        let Some(atom) = open else { return Ok(()) };
+        for value in [true, false] {
+            let mark = self.trail.len();
+            let mut case = closure.clone();
+            if self.assume(&mut case, atom, value) {
+                self.explore(&case, assumption, [left, right], found, limit)?;
+            }
+            for node in self.trail.drain(mark..) {
+                self.known[node as usize] = 0;
+            }
+        }
+        Ok(())
+    }
+
+    /// The condition that holds, or an atom that decides it; none if no condition can hold.
+    fn chosen(&mut self, closure: &Closure, conditions: &[Bool]) -> Result<usize, Option<u32>> {
+        let mut first = None;
+        for (at, &condition) in conditions.iter().enumerate() {
+            match self.value(closure, condition) {
+                Value::Known(true) => return Ok(at),
+                Value::Known(false) => {}
+                Value::Open(atom) => first = first.or(Some(atom)),
+            }
+        }
+        Err(first)
+    }
+
+    fn assume(&mut self, closure: &mut Closure, atom: u32, value: bool) -> bool {
+        self.set(atom, value);
+        let Node::AtMost(a, b) = *self.terms.node_at(atom) else { return true };
+        let (a, b) = (self.places[&a], self.places[&b]);
+        if value { closure.assume(a, b, false) } else { closure.assume(b, a, true) }
+    }
+
+    fn set(&mut self, node: u32, value: bool) {
+        self.known[node as usize] = 1 + u8::from(value);
+        self.trail.push(node);
+    }
+
+    fn value(&mut self, closure: &Closure, term: Bool) -> Value {
+        let (node, negated) = (term.node_number(), term != term.positive());
+        match self.node_value(closure, node) {
+            Value::Known(value) => Value::Known(value != negated),
+            open => open,
+        }
+    }
+
+    fn node_value(&mut self, closure: &Closure, node: u32) -> Value {
+        if let known @ 1.. = self.known[node as usize] {
+            return Value::Known(known == 2);
+        }
+        let (evaluation, atom) = self.unknown[node as usize];
+        if evaluation == self.evaluation {
+            return Value::Open(atom);
+        }
+        let terms = self.terms;
+        let value = match *terms.node_at(node) {
+            Node::True => Value::Known(true),
+            Node::And(ref members) => {
+                let mut open = None;
+                let mut result = None;
+                for &member in members.iter() {
+                    match self.value(closure, member) {
+                        Value::Known(false) => {
+                            result = Some(Value::Known(false));
+                            break;
+                        }
+                        Value::Known(true) => {}
+                        Value::Open(atom) => open = open.or(Some(atom)),
+                    }
+                }
+                result.unwrap_or_else(|| open.map_or(Value::Known(true), Value::Open))
+            }
+            Node::AtMost(a, b) => match closure.at_most(self.places[&a], self.places[&b]) {
+                Some(value) => Value::Known(value),
+                None => Value::Open(node),
+            },
+            _ => Value::Open(node),
+        };
+        match value {
+            Value::Known(value) => self.set(node, value),
+            Value::Open(atom) => self.unknown[node as usize] = (self.evaluation, atom),
+        }
+        value
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Intervals, together};
+    use crate::term::{Bool, Float, Terms};
+
+    fn holds(terms: &mut Terms, condition: Bool) -> bool {
+        let (left, right) = ([condition, !condition], [Terms::TRUE]);
+        let mut intervals = Intervals::new(&[]);
+        let found = together(terms, &mut intervals, Terms::TRUE, [&left, &right], 1 << 16).expect("few cases");
+        !found.pairs.contains(&(1, 0))
+    }
+
+    /// The code's way to find the winner: the best bid so far, from the lowest number on.
+    fn winners(terms: &mut Terms, bids: &[Float], strict: Option<usize>) -> Vec<Bool> {
+        let lowest = terms.constant(f32::MIN);
+        let (mut best, mut winner) = (lowest, vec![Terms::FALSE; bids.len()]);
+        winner[bids.len() - 1] = Terms::TRUE;
+        for (at, &bid) in bids.iter().enumerate() {
+            let wins = if strict == Some(at) { terms.less(best, bid) } else { terms.less_or_equal(best, bid) };
+            best = terms.choose_float(wins, bid, best);
+            for (other, place) in winner.iter_mut().enumerate() {
+                *place = terms.choose(wins, Terms::known(other == at), *place);
+            }
+        }
+        winner
+    }
+
+    /// The declarative meaning: no earlier bid is higher, no later one is as high, NaN counts as minus infinity.
+    fn meaning(terms: &mut Terms, bids: &[Float], at: usize) -> Bool {
+        let infinity = terms.constant(f32::NEG_INFINITY);
+        let keys: Vec<_> = (bids.iter())
+            .map(|&bid| {
+                let nan = terms.is_nan(bid);
+                terms.choose_float(nan, infinity, bid)
+            })
+            .collect();
+        let mut all = Vec::new();
+        for other in 0..bids.len() {
+            if other < at {
+                all.push(terms.at_most(keys[other], keys[at]));
+            } else if other > at {
+                all.push(!terms.at_most(keys[at], keys[other]));
+            }
+        }
+        terms.all(all)
+    }
+
+    #[test]
+    fn the_best_so_far_is_the_highest_bid() {
+        let mut terms = Terms::new();
+        let bids: Vec<_> = (0..7).map(|index| terms.source(index)).collect();
+        let code = winners(&mut terms, &bids, None);
+        let graph: Vec<_> = (0..7).map(|at| meaning(&mut terms, &bids, at)).collect();
+        let mut intervals = Intervals::new(&[]);
+        let found = together(&mut terms, &mut intervals, Terms::TRUE, [&code, &graph], 1 << 20).expect("few cases");
+        assert_eq!(found.pairs, (0..7).map(|at| (at, at)).collect());
+    }
+
+    #[test]
+    fn one_strict_comparison_is_noticed() {
+        let mut terms = Terms::new();
+        let bids: Vec<_> = (0..4).map(|index| terms.source(index)).collect();
+        let code = winners(&mut terms, &bids, Some(2));
+        let graph: Vec<_> = (0..4).map(|at| meaning(&mut terms, &bids, at)).collect();
+        let mut intervals = Intervals::new(&[]);
+        let found = together(&mut terms, &mut intervals, Terms::TRUE, [&code, &graph], 1 << 20).expect("few cases");
+        assert!(found.pairs.contains(&(0, 2)) || found.pairs.contains(&(1, 2)), "{:?}", found.pairs);
+    }
+
+    #[test]
+    fn orders_are_total_and_transitive() {
+        let mut terms = Terms::new();
+        let [a, b, c] = [0, 1, 2].map(|index| terms.source(index));
+        let (first, second, third) = (terms.at_most(a, b), terms.at_most(b, c), terms.at_most(a, c));
+        let both = terms.and(first, second);
+        let transitive = terms.or(!both, third);
+        assert!(holds(&mut terms, transitive));
+        let converse = terms.or(!third, both);
+        assert!(!holds(&mut terms, converse));
+        let back = terms.at_most(b, a);
+        let total = terms.or(first, back);
+        assert!(holds(&mut terms, total));
+    }
+
+    #[test]
+    fn mirrored_and_neighbouring_numbers_are_known() {
+        let mut terms = Terms::new();
+        let [a, b, c] = [0, 1, 2].map(|index| terms.source(index));
+        let negated = terms.negate(a);
+        // c <= -a and b <= c give a <= -b
+        let (up, middle) = (terms.less_or_equal(c, negated), terms.less_or_equal(b, c));
+        let mirrored = terms.negate(b);
+        let down = terms.less_or_equal(a, mirrored);
+        let both = terms.and(up, middle);
+        let implied = terms.or(!both, down);
+        assert!(holds(&mut terms, implied));
+        // nothing is between minus infinity and the lowest number
+        let (lowest, infinity) = (terms.constant(f32::MIN), terms.constant(f32::NEG_INFINITY));
+        let (above, reaches) = (terms.less(infinity, a), terms.less_or_equal(lowest, a));
+        let gap = terms.or(!above, reaches);
+        assert!(holds(&mut terms, gap));
+    }
+}

@@ -1,0 +1,378 @@
+//! The proof: pairs of a point in the code and a place in the graph, from the start on.
+//!
+//! For each pair all combinations are found in which the code and the graph can go on together. What held on the way is forgotten
+//! where both have decided: a pair stands for every state that leads to it.
+
+use crate::graph::{Destination, Graph, Meaning};
+use crate::interval::Intervals;
+use crate::machine::{Answer, Machine, Missing, Step};
+use crate::order::together;
+use crate::term::{Bool, Float, Node, Terms, Word};
+use std::collections::{BTreeSet, HashMap, HashSet};
+
+/// A bound on the work of a proof.
+#[derive(Clone, Copy, Debug)]
+pub struct Effort {
+    /// Cases of one pair
+    pub cases: u64,
+    /// Pairs
+    pub pairs: u64,
+}
+
+impl Default for Effort {
+    fn default() -> Self {
+        Self { cases: 4_000_000, pairs: 20_000 }
+    }
+}
+
+/// What was done for a proof.
+#[derive(Clone, Debug, Default)]
+pub struct Work {
+    /// Pairs of a point and a place
+    pub pairs: u64,
+    /// Cases that were told apart
+    pub cases: u64,
+    /// Pieces of the code that were executed
+    pub pieces: u64,
+}
+
+/// Where the code is.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+enum Side<Point> {
+    At(Point),
+    /// It returns this action
+    Action(Word),
+    Values(Vec<Float>),
+}
+
+/// Compares code with a graph.
+#[derive(Debug)]
+pub struct Comparison<'a, M: Machine> {
+    /// The terms of both
+    pub terms: Terms,
+    graph: &'a Graph,
+    meaning: Meaning<'a>,
+    machine: &'a mut M,
+    intervals: Intervals,
+    effort: Effort,
+    /// What was done
+    pub work: Work,
+    pieces: HashMap<M::Point, Vec<(Bool, Side<M::Point>)>>,
+    /// How often a word is a part of an answer
+    parents: HashMap<Word, u32>,
+}
+
+type Ends<Point> = Vec<(Bool, Side<Point>)>;
+
+impl<'a, M: Machine> Comparison<'a, M> {
+    /// A comparison for all states, or for those in ranges.
+    pub fn new(graph: &'a Graph, machine: &'a mut M, ranges: &[[f32; 2]], effort: Effort) -> Self {
+        Self {
+            terms: Terms::new(),
+            graph,
+            meaning: Meaning::new(graph),
+            machine,
+            intervals: Intervals::new(ranges),
+            effort,
+            work: Work::default(),
+            pieces: HashMap::new(),
+            parents: HashMap::new(),
+        }
+    }
+
+    /// Proves that the code answers what the graph does.
+    ///
+    /// # Errors
+    /// What no rule decides.
+    pub fn prove(&mut self) -> Result<(), Missing> {
+        match self.walk(true) {
+            Ok(()) => Ok(()),
+            // once more with all that held on the way
+            Err(_) => self.walk(false),
+        }
+    }
+
+    fn walk(&mut self, forgetful: bool) -> Result<(), Missing> {
+        let start = Side::At(self.machine.entry(&mut self.terms)?);
+        let first = (start, self.graph.start(), Terms::TRUE);
+        let mut seen = HashSet::from([first.clone()]);
+        let mut open = vec![first];
+        while let Some((side, place, assumed)) = open.pop() {
+            self.work.pairs += 1;
+            if self.work.pairs > self.effort.pairs {
+                return Err(Missing::new(
+                    self.name(&side, place),
+                    format!("a proof of at most {} pairs", self.effort.pairs),
+                ));
+            }
+            for (side, place, assumed) in self.follow(side, place, assumed, forgetful)? {
+                let next = (side, place, assumed);
+                if seen.insert(next.clone()) {
+                    open.push(next);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn name(&self, side: &Side<M::Point>, place: Destination) -> String {
+        let code = match side {
+            Side::At(point) => self.machine.place(point),
+            Side::Action(_) | Side::Values(_) => "the answer".to_owned(),
+        };
+        format!("{code} and {}", self.graph.name(place))
+    }
+
+    /// The pairs after a pair.
+    fn follow(
+        &mut self,
+        side: Side<M::Point>,
+        place: Destination,
+        assumed: Bool,
+        forgetful: bool,
+    ) -> Result<Vec<(Side<M::Point>, Destination, Bool)>, Missing> {
+        let ends = self.ends(&side)?;
+        let team = match place {
+            Destination::Team(team) => self.meaning.winners(&mut self.terms, team)?,
+            _ => vec![(Terms::TRUE, place)],
+        };
+        let graph_is_done = !matches!(place, Destination::Team(_));
+        let Some(ends) = ends else {
+            if graph_is_done {
+                self.answers(&side, place, assumed)?;
+                return Ok(Vec::new());
+            }
+            // the code has answered: the graph goes on alone
+            let pairs = self.together(&side, place, assumed, &[Terms::TRUE], &team)?;
+            return Ok(self.alone(side, assumed, &team, &pairs));
+        };
+        let conditions: Vec<_> = ends.iter().map(|&(condition, _)| condition).collect();
+        if conditions == [Terms::TRUE] {
+            return Ok(vec![(ends[0].1.clone(), place, assumed)]);
+        }
+        let pairs = self.together(&side, place, assumed, &conditions, &team)?;
+        let targets = |of: usize| -> BTreeSet<Destination> {
+            pairs.iter().filter(|(end, _)| *end == of).map(|&(_, edge)| team[edge].1).collect()
+        };
+        let all: BTreeSet<_> = pairs.iter().map(|&(_, edge)| team[edge].1).collect();
+        if !graph_is_done && all.len() == 1 {
+            // whatever the bids are, the team leads there
+            return Ok(all.into_iter().map(|to| (side.clone(), to, assumed)).collect());
+        }
+        let mut next = Vec::new();
+        for (of, (condition, end)) in ends.into_iter().enumerate() {
+            let targets = targets(of);
+            let held = self.terms.and(assumed, condition);
+            match (targets.len(), graph_is_done) {
+                (0, _) => {}
+                (1, false) => {
+                    let held = if forgetful { Terms::TRUE } else { held };
+                    next.extend(targets.into_iter().map(|to| (end.clone(), to, held)));
+                }
+                // the code has decided something, but not yet what the graph decides here
+                _ => next.push((end, place, held)),
+            }
+        }
+        Ok(next)
+    }
+
+    fn alone(
+        &mut self,
+        side: Side<M::Point>,
+        assumed: Bool,
+        team: &[(Bool, Destination)],
+        pairs: &BTreeSet<(usize, usize)>,
+    ) -> Vec<(Side<M::Point>, Destination, Bool)> {
+        let mut by_target: HashMap<Destination, Vec<Bool>> = HashMap::new();
+        let mut order = Vec::new();
+        for &(_, edge) in pairs {
+            let (condition, to) = team[edge];
+            let conditions = by_target.entry(to).or_default();
+            if conditions.is_empty() {
+                order.push(to);
+            }
+            conditions.push(condition);
+        }
+        let one = order.len() == 1;
+        let mut next = Vec::new();
+        for to in order {
+            let wins = if one { Terms::TRUE } else { self.terms.any(by_target[&to].iter().copied()) };
+            let held = self.terms.and(assumed, wins);
+            next.push((side.clone(), to, held));
+        }
+        next
+    }
+
+    fn together(
+        &mut self,
+        side: &Side<M::Point>,
+        place: Destination,
+        assumed: Bool,
+        conditions: &[Bool],
+        team: &[(Bool, Destination)],
+    ) -> Result<BTreeSet<(usize, usize)>, Missing> {
+        let wins: Vec<_> = team.iter().map(|&(condition, _)| condition).collect();
+        let found = together(&mut self.terms, &mut self.intervals, assumed, [conditions, &wins], self.effort.cases);
+        let found = found.map_err(|_| {
+            Missing::new(self.name(side, place), format!("a decision in at most {} cases", self.effort.cases))
+        })?;
+        self.work.cases += found.cases;
+        if found.incomplete {
+            return Err(Missing::new(self.name(side, place), "a way on in every state"));
+        }
+        Ok(found.pairs)
+    }
+
+    /// Compares answers. They are compared where the assumption can hold, which was found before.
+    fn answers(&mut self, side: &Side<M::Point>, place: Destination, assumed: Bool) -> Result<(), Missing> {
+        let different = |what: String| Missing::new(what, "a proof that the answers are equal");
+        match (side, place) {
+            (Side::Action(word), Destination::Action(action))
+                if self.terms.number_of(*word) == Some(u64::from(action)) =>
+            {
+                Ok(())
+            }
+            (Side::Values(values), Destination::Leaf(leaf)) => {
+                let expected = self.meaning.values(&mut self.terms, leaf)?;
+                if values.len() != expected.len() {
+                    return Err(different(self.name(side, place)));
+                }
+                for (number, (&value, &expected)) in (1..).zip(values.iter().zip(&expected)) {
+                    if !self.equal(value, expected, assumed, (side, place))? {
+                        return Err(different(format!("{}, value {number}", self.name(side, place))));
+                    }
+                }
+                Ok(())
+            }
+            _ => Err(different(self.name(side, place))),
+        }
+    }
+
+    /// Tests whether two floats are the same wherever the assumption holds.
+    fn equal(
+        &mut self,
+        a: Float,
+        b: Float,
+        assumed: Bool,
+        (side, place): (&Side<M::Point>, Destination),
+    ) -> Result<bool, Missing> {
+        if a == b {
+            return Ok(true);
+        }
+        let (first, second) = (self.cases(a), self.cases(b));
+        let conditions = |cases: &[(Bool, Float)]| cases.iter().map(|&(condition, _)| condition).collect::<Vec<_>>();
+        let sides = [&conditions(&first)[..], &conditions(&second)];
+        let found = together(&mut self.terms, &mut self.intervals, assumed, sides, self.effort.cases);
+        let found = found.map_err(|_| {
+            Missing::new(self.name(side, place), format!("a decision in at most {} cases", self.effort.cases))
+        })?;
+        self.work.cases += found.cases;
+        Ok(!found.incomplete && found.pairs.iter().all(|&(x, y)| first[x].1 == second[y].1))
+    }
+
+    /// The values that a float is chosen from, each with its condition.
+    fn cases(&mut self, float: Float) -> Vec<(Bool, Float)> {
+        let mut found: Vec<(Float, Vec<Bool>)> = Vec::new();
+        let mut open = vec![(float, Terms::TRUE)];
+        while let Some((float, held)) = open.pop() {
+            if let Node::FloatIf(condition, a, b) = *self.terms.of_float(float) {
+                let (with, without) = (self.terms.and(held, condition), self.terms.and(held, !condition));
+                open.extend([(a, with), (b, without)]);
+            } else if held != Terms::FALSE {
+                match found.iter_mut().find(|(other, _)| *other == float) {
+                    Some((_, conditions)) => conditions.push(held),
+                    None => found.push((float, vec![held])),
+                }
+            }
+        }
+        found.into_iter().map(|(float, conditions)| (self.terms.any(conditions), float)).collect()
+    }
+
+    /// Where the code can go on from a side; none where it has answered.
+    fn ends(&mut self, side: &Side<M::Point>) -> Result<Option<Ends<M::Point>>, Missing> {
+        match side {
+            Side::Values(_) => Ok(None),
+            Side::Action(word) if self.terms.number_of(*word).is_some() => Ok(None),
+            Side::Action(word) => Ok(Some(self.choices(*word))),
+            Side::At(point) => {
+                if let Some(known) = self.pieces.get(point) {
+                    return Ok(Some(known.clone()));
+                }
+                self.work.pieces += 1;
+                let ends = self.machine.run(&mut self.terms, point)?;
+                let mut sides: Ends<M::Point> = Vec::new();
+                for (condition, step) in ends {
+                    if condition == Terms::FALSE {
+                        continue;
+                    }
+                    let side = match step {
+                        Step::To(point) => Side::At(point),
+                        Step::Return(Answer::Values(values)) => Side::Values(values),
+                        Step::Return(Answer::Action(word)) => {
+                            self.count(word);
+                            Side::Action(word)
+                        }
+                    };
+                    match sides.iter_mut().find(|(_, other)| *other == side) {
+                        Some((known, _)) => *known = self.terms.or(*known, condition),
+                        None => sides.push((condition, side)),
+                    }
+                }
+                self.pieces.insert(point.clone(), sides.clone());
+                Ok(Some(sides))
+            }
+        }
+    }
+
+    /// Counts what a word is made of: what is shared is where several paths meet.
+    fn count(&mut self, word: Word) {
+        let mut open = vec![word];
+        while let Some(word) = open.pop() {
+            let uses = self.parents.entry(word).or_default();
+            *uses += 1;
+            if *uses == 1
+                && let Node::WordIf(_, a, b) = *self.terms.of_word(word)
+            {
+                open.extend([a, b]);
+            }
+        }
+    }
+
+    /// The words that a choice leads to, as far as the next one that is shared.
+    fn choices(&mut self, word: Word) -> Ends<M::Point> {
+        let mut found: Vec<(Word, Vec<Bool>)> = Vec::new();
+        let mut open = vec![(word, Terms::TRUE)];
+        while let Some((inner, held)) = open.pop() {
+            let shared = inner != word && self.parents.get(&inner).is_some_and(|&uses| uses > 1);
+            if let (&Node::WordIf(condition, a, b), false) = (self.terms.of_word(inner), shared) {
+                let (with, without) = (self.terms.and(held, condition), self.terms.and(held, !condition));
+                open.extend([(b, without), (a, with)]);
+            } else if held != Terms::FALSE {
+                match found.iter_mut().find(|(other, _)| *other == inner) {
+                    Some((_, conditions)) => conditions.push(held),
+                    None => found.push((inner, vec![held])),
+                }
+            }
+        }
+        found.into_iter().map(|(word, conditions)| (self.terms.any(conditions), Side::Action(word))).collect()
+    }
+
+    /// Proves that every answer is in its range, for every state.
+    ///
+    /// # Errors
+    /// A leaf for which that is not proven.
+    pub fn ranges(&mut self) -> Result<(), Missing> {
+        for leaf in 0..self.graph.leaves() {
+            let inside = self.meaning.in_range(&mut self.terms, leaf)?;
+            let sides = [&[inside, !inside][..], &[Terms::TRUE]];
+            let found = together(&mut self.terms, &mut self.intervals, Terms::TRUE, sides, self.effort.cases);
+            if !found.is_ok_and(|found| !found.incomplete && !found.pairs.contains(&(1, 0))) {
+                return Err(Missing::new(
+                    self.graph.name(Destination::Leaf(leaf)),
+                    "a proof that its values are in range",
+                ));
+            }
+        }
+        Ok(())
+    }
+}
