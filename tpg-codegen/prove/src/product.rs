@@ -58,6 +58,8 @@ pub struct Comparison<'a, M: Machine> {
     /// What was done
     pub work: Work,
     pieces: HashMap<M::Point, Vec<(Bool, Side<M::Point>)>>,
+    /// What can hold together, by what was assumed
+    combined: HashMap<(Bool, Vec<Bool>, Vec<Bool>), BTreeSet<(usize, usize)>>,
     /// How often a word is a part of an answer
     parents: HashMap<Word, u32>,
 }
@@ -76,6 +78,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
             effort,
             work: Work::default(),
             pieces: HashMap::new(),
+            combined: HashMap::new(),
             parents: HashMap::new(),
         }
     }
@@ -212,7 +215,11 @@ impl<'a, M: Machine> Comparison<'a, M> {
         team: &[(Bool, Destination)],
     ) -> Result<BTreeSet<(usize, usize)>, Missing> {
         let wins: Vec<_> = team.iter().map(|&(condition, _)| condition).collect();
-        let found = together(&mut self.terms, &mut self.intervals, assumed, [conditions, &wins], self.effort.cases);
+        let key = (assumed, conditions.to_vec(), wins);
+        if let Some(known) = self.combined.get(&key) {
+            return Ok(known.clone());
+        }
+        let found = together(&mut self.terms, &mut self.intervals, assumed, [conditions, &key.2], self.effort.cases);
         let found = found.map_err(|_| {
             Missing::new(self.name(side, place), format!("a decision in at most {} cases", self.effort.cases))
         })?;
@@ -220,6 +227,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         if found.incomplete {
             return Err(Missing::new(self.name(side, place), "a way on in every state"));
         }
+        self.combined.insert(key, found.pairs.clone());
         Ok(found.pairs)
     }
 

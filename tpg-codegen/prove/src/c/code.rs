@@ -1,6 +1,7 @@
 //! Functions as a flat list of operations, with every call inlined.
 
 use crate::term::{Arithmetic, Operator, Width};
+use std::collections::BTreeMap;
 
 /// What a cell is read as.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,8 +82,8 @@ pub(super) enum Constant {
 #[derive(Debug, Default)]
 pub(super) struct Program {
     pub(super) operations: Vec<(u32, Operation)>,
-    /// Places that are good to cut at
-    pub(super) heads: Vec<usize>,
+    /// Places that are good to cut at; with `true`, also where floats are alive
+    pub(super) heads: BTreeMap<usize, bool>,
     /// Ranges of cells
     pub(super) scopes: Vec<(u32, u32)>,
     /// Sorted by their starts

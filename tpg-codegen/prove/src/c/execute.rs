@@ -346,7 +346,7 @@ impl Code {
         pending.insert((0, from.at), State { guard: Terms::TRUE, cells, agreed: true });
         let (mut cuts, mut steps, mut begun) = (Vec::new(), 0, false);
         while let Some(((round, at), state)) = pending.pop_first() {
-            if begun && self.program.heads.binary_search(&at).is_ok() && state.agreed {
+            if begun && self.is_cut(at, &state) {
                 self.cut(terms, at, state, &mut cuts)?;
                 continue;
             }
@@ -490,6 +490,19 @@ impl Code {
 
     fn is_array(&self, address: usize) -> bool {
         u32::try_from(address).ok().and_then(|address| self.object(address)).is_some_and(|object| object.array)
+    }
+
+    /// Tests whether execution is cut here: where nothing is being computed, or at a label that all paths reach with the same floats.
+    fn is_cut(&self, at: usize, state: &State) -> bool {
+        match self.program.heads.get(&at) {
+            None => false,
+            Some(true) if state.agreed => true,
+            Some(_) => {
+                let mut alive =
+                    state.cells.iter().zip(&self.first).enumerate().filter(|(_, (cell, first))| cell != first);
+                !alive.any(|(address, (cell, _))| matches!(cell, Cell::Float(_)) && !self.is_array(address))
+            }
+        }
     }
 
     /// Cuts execution: a point for each choice of integers.

@@ -93,8 +93,6 @@ impl<'u> Lowering<'u> {
 
     fn finished(mut self) -> Program {
         self.program.objects.sort_by_key(|object| object.start);
-        self.program.heads.sort_unstable();
-        self.program.heads.dedup();
         self.program
     }
 
@@ -358,7 +356,7 @@ impl<'u> Lowering<'u> {
             self.land(&frame.returns);
             if frame.returns.len() > 1 {
                 let here = self.here();
-                self.program.heads.push(here);
+                self.program.heads.entry(here).or_insert(false);
             }
         }
         self.names = outside;
@@ -463,7 +461,7 @@ impl<'u> Lowering<'u> {
             }
             StatementKind::Label(label) => {
                 let (here, scopes) = (self.here(), self.scopes.clone());
-                self.program.heads.push(here);
+                self.program.heads.insert(here, true);
                 if let Some(frame) = self.frames.last_mut() {
                     frame.labels.insert(label.clone(), (here, scopes));
                 }
@@ -553,7 +551,7 @@ impl<'u> Lowering<'u> {
         }
         let mut exits = Vec::new();
         let head = self.here();
-        self.program.heads.push(head);
+        self.program.heads.entry(head).or_insert(false);
         if !body_first && let Some(condition) = condition {
             let condition = self.condition(condition)?;
             exits.push(self.emit(Operation::Branch(condition, usize::MAX)));

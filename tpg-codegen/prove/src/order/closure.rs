@@ -14,6 +14,10 @@ struct Facts {
     lowest: Vec<Option<usize>>,
     /// An element that is NaN exactly where this one is
     nan_as: Vec<(usize, usize)>,
+    /// An element that makes the other NaN where it is
+    nan_with: Vec<(usize, usize)>,
+    /// Zero, and an element that is the difference of two more
+    differences: Vec<[usize; 4]>,
     /// Constants of neighbouring ranks
     neighbours: Vec<(usize, usize)>,
 }
@@ -86,14 +90,49 @@ impl Closure {
                 return None;
             }
             facts.lowest[at] = reaches(interval.low).filter(|&low| low > 0);
-            if let Node::Arithmetic(operation, a, b) = *terms.of_float(element)
-                && let Some(other) = nan_with(terms, operation, a, b)
-            {
-                let other = terms.zero_free(other);
-                facts.nan_as.extend(places.get(&other).map(|&other| (at, other)));
-            }
+            self.relate(terms, &places, (at, element), &mut facts);
         }
         Some(facts)
+    }
+
+    /// Learns how an operation's result depends on its operands.
+    fn relate(
+        &self,
+        terms: &mut Terms,
+        places: &HashMap<Float, usize>,
+        (at, element): (usize, Float),
+        facts: &mut Facts,
+    ) {
+        let mut inner = element;
+        loop {
+            let next = match *terms.of_float(inner) {
+                Node::Negative(a) | Node::Magnitude(a) => a,
+                Node::Arithmetic(operation, a, b) => match nan_with(terms, operation, a, b) {
+                    Some(other) => other,
+                    None => break,
+                },
+                _ => break,
+            };
+            inner = terms.zero_free(next);
+            facts.nan_as.extend(places.get(&inner).map(|&other| (at, other)));
+        }
+        let Node::Arithmetic(operation, a, b) = *terms.of_float(element) else { return };
+        let [a, b] = [a, b].map(|operand| terms.zero_free(operand));
+        for operand in [a, b] {
+            let mirrored = terms.negate(operand);
+            for operand in [operand, mirrored] {
+                facts.nan_with.extend(places.get(&operand).map(|&operand| (operand, at)));
+            }
+        }
+        if operation == Arithmetic::Add {
+            let zero = terms.constant(0.0);
+            for (a, b) in [(a, b), (b, a)] {
+                let mirrored = terms.negate(b);
+                if let (Some(&zero), Some(&a), Some(&b)) = (places.get(&zero), places.get(&a), places.get(&mirrored)) {
+                    facts.differences.push([zero, at, a, b]);
+                }
+            }
+        }
     }
 
     /// Tests whether an element is at most as high as another, if that is known.
@@ -166,6 +205,24 @@ impl Closure {
                     if number && !add(self, 0, to, true) || nan && !add(self, to, 0, false) {
                         return false;
                     }
+                }
+            }
+            for &(operand, result) in &facts.nan_with {
+                if self.has(&self.reached, operand, 0) && !add(self, result, 0, false)
+                    || self.has(&self.higher, 0, result) && !add(self, 0, operand, true)
+                {
+                    return false;
+                }
+            }
+            // x - y > 0 exactly where x > y
+            for &[zero, difference, x, y] in &facts.differences {
+                let number = self.has(&self.higher, 0, y);
+                if self.has(&self.higher, zero, difference) && !(add(self, 0, y, true) && add(self, y, x, true))
+                    || number && self.has(&self.higher, y, x) && !add(self, zero, difference, true)
+                    || number && self.has(&self.reached, difference, zero) && !add(self, x, y, false)
+                    || self.has(&self.reached, x, y) && !add(self, difference, zero, false)
+                {
+                    return false;
                 }
             }
             for &(low, high) in &facts.neighbours {
