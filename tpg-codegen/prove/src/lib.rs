@@ -14,5 +14,7 @@ pub mod machine;
 mod maths;
 pub mod order;
 pub mod product;
+pub mod proof;
+mod states;
 pub mod term;
 mod thumb;

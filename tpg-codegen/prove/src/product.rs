@@ -7,8 +7,9 @@ use crate::graph::{Destination, Graph, Meaning};
 use crate::interval::Intervals;
 use crate::machine::{Answer, Machine, Missing, Step};
 use crate::order::together;
-use crate::term::{Bool, Float, Node, Terms, Word};
+use crate::term::{Bool, Evaluator, Float, Node, Terms, Word};
 use std::collections::{BTreeSet, HashMap, HashSet};
+use std::fmt;
 
 /// A bound on the work of a proof.
 #[derive(Clone, Copy, Debug)]
@@ -55,6 +56,7 @@ pub struct Comparison<'a, M: Machine> {
     machine: &'a mut M,
     intervals: Intervals,
     effort: Effort,
+    evaluator: Evaluator,
     /// What was done
     pub work: Work,
     pieces: HashMap<M::Point, Vec<(Bool, Side<M::Point>)>>,
@@ -64,18 +66,40 @@ pub struct Comparison<'a, M: Machine> {
     parents: HashMap<Word, u32>,
 }
 
+/// An answer in one state.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Concrete {
+    /// The number of an action
+    Action(u64),
+    /// The bits of each value
+    Values(Vec<u32>),
+}
+
+impl fmt::Display for Concrete {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Action(action) => write!(f, "action {action}"),
+            Self::Values(values) => {
+                let values: Vec<_> = values.iter().map(|&bits| f32::from_bits(bits)).collect();
+                write!(f, "{values:?}")
+            }
+        }
+    }
+}
+
 type Ends<Point> = Vec<(Bool, Side<Point>)>;
 
 impl<'a, M: Machine> Comparison<'a, M> {
-    /// A comparison for all states, or for those in ranges.
-    pub fn new(graph: &'a Graph, machine: &'a mut M, ranges: &[[f32; 2]], effort: Effort) -> Self {
+    /// A comparison in an empty table, for all states or for those in ranges.
+    pub fn new(graph: &'a Graph, machine: &'a mut M, terms: Terms, ranges: &[[f32; 2]], effort: Effort) -> Self {
         Self {
-            terms: Terms::new(),
+            terms,
             graph,
             meaning: Meaning::new(graph),
             machine,
             intervals: Intervals::new(ranges),
             effort,
+            evaluator: Evaluator::default(),
             work: Work::default(),
             pieces: HashMap::new(),
             combined: HashMap::new(),
@@ -363,6 +387,42 @@ impl<'a, M: Machine> Comparison<'a, M> {
             }
         }
         found.into_iter().map(|(word, conditions)| (self.terms.any(conditions), Side::Action(word))).collect()
+    }
+
+    /// The answers of the graph and of the code in one state.
+    ///
+    /// # Errors
+    /// What cannot be executed.
+    pub fn answers_for(&mut self, state: &[u32]) -> Result<(Concrete, Concrete), Missing> {
+        self.evaluator.set(state);
+        let mut place = self.graph.start();
+        while let Destination::Team(team) = place {
+            let winners = self.meaning.winners(&mut self.terms, team)?;
+            let won = winners.iter().find(|(condition, _)| self.evaluator.truth(&self.terms, *condition));
+            place = won.ok_or_else(|| Missing::new(self.graph.name(place), "a winner"))?.1;
+        }
+        let expected = match place {
+            Destination::Leaf(leaf) => {
+                let values = self.meaning.values(&mut self.terms, leaf)?;
+                Concrete::Values(values.iter().map(|&value| self.evaluator.bits(&self.terms, value)).collect())
+            }
+            Destination::Action(action) => Concrete::Action(u64::from(action)),
+            Destination::Team(_) => return Err(Missing::new(self.graph.name(place), "an answer")),
+        };
+        let mut side = Side::At(self.machine.entry(&mut self.terms)?);
+        while let Side::At(_) = side {
+            let ends = self.ends(&side)?.unwrap_or_default();
+            let taken = ends.into_iter().find(|(condition, _)| self.evaluator.truth(&self.terms, *condition));
+            side = taken.ok_or_else(|| Missing::new(self.name(&side, place), "a way on in every state"))?.1;
+        }
+        let found = match side {
+            Side::Action(word) => Concrete::Action(self.evaluator.word(&self.terms, word)),
+            Side::Values(values) => {
+                Concrete::Values(values.iter().map(|&value| self.evaluator.bits(&self.terms, value)).collect())
+            }
+            Side::At(_) => return Err(Missing::new("the code", "an answer")),
+        };
+        Ok((expected, found))
     }
 
     /// Proves that every answer is in its range, for every state.

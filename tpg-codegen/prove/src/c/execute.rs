@@ -39,14 +39,14 @@ pub struct Code {
     file: String,
     program: Program,
     interface: Interface,
-    /// Where jumps go
+    /// Where jumps go, and where execution may be cut
     joins: BTreeSet<usize>,
     /// The cells at first
     first: Vec<Cell>,
     /// The points that were reached at a place with the same integers
     reached: HashMap<(usize, Vec<(u32, Cell)>), BTreeMap<u32, Float>>,
-    /// Elements of tables whose index is known to be in bounds
-    in_bounds: BTreeSet<Word>,
+    /// This text defines what functions mean: that its indices are in bounds is known
+    defines: bool,
 }
 
 impl Code {
@@ -55,7 +55,7 @@ impl Code {
             Operation::Branch(_, to) | Operation::Jump(to, _) => Some(*to),
             _ => None,
         });
-        let joins = targets.collect();
+        let joins = targets.chain(program.heads.keys().copied()).collect();
         let first = vec![Cell::Undefined; program.cells as usize];
         Self {
             file: file.to_owned(),
@@ -64,8 +64,13 @@ impl Code {
             joins,
             first,
             reached: HashMap::new(),
-            in_bounds: BTreeSet::new(),
+            defines: false,
         }
+    }
+
+    /// Code that defines a function.
+    pub(super) fn definition(file: &str, program: Program) -> Self {
+        Self { defines: true, ..Self::new(file, program, &Interface::default()) }
     }
 
     fn missing(&self, at: usize, what: impl Into<String>) -> Missing {
@@ -259,10 +264,15 @@ impl Code {
             }
             Value::Below(a, length) => {
                 let a = self.word(terms, at, cells, a)?;
-                if largest(terms, a) >= u64::from(*length) && !self.in_bounds.contains(&a) {
-                    return Err(self.missing(at, "an index that is in bounds"));
+                let largest = largest(terms, a);
+                if largest >= u64::from(*length) {
+                    if self.defines {
+                        terms.grant(a, *length);
+                    } else if !terms.is_granted(a, *length) {
+                        return Err(self.missing(at, "an index that is in bounds"));
+                    }
                 }
-                a
+                if largest < FEW && terms.numbers(a).is_none() { each(terms, a, largest) } else { a }
             }
             Value::Moved(address, offset) => {
                 let (address, offset) = (self.word(terms, at, cells, address)?, self.word(terms, at, cells, offset)?);
@@ -561,6 +571,20 @@ impl Code {
         }
         Ok(())
     }
+}
+
+/// Symbolic indices up to here become choices of constants.
+const FEW: u64 = 4;
+
+/// A word as a choice of the numbers up to the largest.
+fn each(terms: &mut Terms, word: Word, largest: u64) -> Word {
+    let mut result = terms.number(largest);
+    for number in (0..largest).rev() {
+        let number = terms.number(number);
+        let is = terms.same(Width::W32, word, number);
+        result = terms.choose_word(is, number, result);
+    }
+    result
 }
 
 /// A number that a word is at most.

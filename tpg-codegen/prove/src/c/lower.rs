@@ -392,6 +392,8 @@ impl<'u> Lowering<'u> {
                     self.statement(statement)?;
                 }
                 self.leave();
+                let here = self.here();
+                self.program.heads.entry(here).or_insert(false);
             }
             StatementKind::Declare(variables) => {
                 for variable in variables {

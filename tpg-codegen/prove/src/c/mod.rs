@@ -53,8 +53,8 @@ pub fn read_with(
     Ok(Code::new(file, program, interface))
 }
 
-/// Executes a function of one float from a text.
-pub(crate) fn function(
+/// Executes a function of one float from a text that defines what it means.
+pub(crate) fn definition(
     file: &str,
     text: &str,
     name: &str,
@@ -63,5 +63,5 @@ pub(crate) fn function(
 ) -> Result<Float, Missing> {
     let unit = parse::parse(file, token::tokens(file, text, &|_| None)?)?;
     let program = lower::function(file, &unit, name)?;
-    Code::new(file, program, &Interface::default()).of_float(terms, argument)
+    Code::definition(file, program).of_float(terms, argument)
 }

@@ -82,6 +82,17 @@ impl Graph {
         self.start
     }
 
+    /// The numbers that programs name.
+    #[must_use]
+    pub fn constants(&self) -> Vec<f32> {
+        let operands = self.programs.iter().flatten().flat_map(|line| &line.operands);
+        let constants = operands.filter_map(|operand| match operand {
+            Operand::Constant(value) => Some(*value),
+            _ => None,
+        });
+        constants.collect()
+    }
+
     /// The number of teams.
     #[must_use]
     pub fn teams(&self) -> usize {

@@ -22,6 +22,9 @@ impl Terms {
 
     /// A value of the state.
     pub fn source(&mut self, index: u32) -> Float {
+        if let Some(&bits) = self.state.as_ref().and_then(|state| state.get(index as usize)) {
+            return self.constant_bits(bits);
+        }
         Float(self.node(Node::Source(index)))
     }
 

@@ -16,7 +16,7 @@ pub use evaluate::Evaluator;
 pub use rank::{INFINITY, NAN, NEGATIVE_ZERO, is_nan_bits, next_above, next_below, rank};
 pub(crate) use word::computed;
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::rc::Rc;
 
 /// A truth value. Its lowest bit negates the node that the others name.
@@ -142,6 +142,9 @@ pub struct Terms {
     zero_free: HashMap<Float, Float>,
     leaves: HashMap<u32, Rc<[u32]>>,
     unknowns: u32,
+    granted: HashSet<(Word, u32)>,
+    /// The bits of the sources, if only one state is looked at
+    state: Option<Vec<u32>>,
 }
 
 impl Default for Terms {
@@ -154,6 +157,8 @@ impl Default for Terms {
             zero_free: HashMap::new(),
             leaves: HashMap::new(),
             unknowns: 0,
+            granted: HashSet::new(),
+            state: None,
         };
         terms.node(Node::True);
         terms
@@ -170,6 +175,22 @@ impl Terms {
     #[must_use]
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Makes an empty table for one state, given as bits: every source is a constant, and so is all that is computed.
+    #[must_use]
+    pub fn for_state(state: &[u32]) -> Self {
+        Self { state: Some(state.to_vec()), ..Self::default() }
+    }
+
+    /// Records that an index is below a length, because a definition uses it so.
+    pub(crate) fn grant(&mut self, index: Word, length: u32) {
+        self.granted.insert((index, length));
+    }
+
+    /// Tests whether a definition uses an index below a length.
+    pub(crate) fn is_granted(&self, index: Word, length: u32) -> bool {
+        self.granted.contains(&(index, length))
     }
 
     fn node(&mut self, node: Node) -> u32 {

@@ -6,8 +6,6 @@ use super::rank::{INFINITY, NEGATIVE_ZERO, is_nan_bits};
 use super::{Arithmetic, Bool, Float, Node, Operator, Terms, Width, Word};
 use std::rc::Rc;
 
-/// Operations go into choices of at most so many words, if not all are constants.
-const LIFTED: usize = 8;
 /// Operations of two choices of constants go into both if there are at most so many pairs.
 const PAIRS: usize = 4096;
 
@@ -127,6 +125,12 @@ impl Terms {
         Some(numbers)
     }
 
+    /// The number of constants that a word is chosen from; 0 if it is chosen from others, too.
+    fn constants(&mut self, word: Word) -> usize {
+        let leaves = self.word_leaves(word);
+        if leaves.iter().all(|&leaf| self.number_of(Word(leaf)).is_some()) { leaves.len() } else { 0 }
+    }
+
     fn word_leaves(&mut self, word: Word) -> Rc<[u32]> {
         let &Node::WordIf(_, a, b) = self.of_word(word) else { return Rc::new([word.0]) };
         if let Some(known) = self.leaves.get(&word.0) {
@@ -233,21 +237,23 @@ impl Terms {
         if let (Some(a), Some(b)) = (self.number_of(a), self.number_of(b)) {
             return self.number(computed(operator, width, a, b));
         }
-        let (first, second) = (self.word_leaves(a), self.word_leaves(b));
-        let constant = |terms: &Self, leaves: &[u32]| leaves.iter().all(|&leaf| terms.number_of(Word(leaf)).is_some());
-        let limit = if constant(self, &first) && constant(self, &second) { PAIRS } else { LIFTED };
-        if (first.len() > 1 || second.len() > 1) && first.len() * second.len() <= limit {
+        // masks and numbers that are chosen from go into the operation; what they are applied to stays whole
+        let (first, second) = (self.constants(a), self.constants(b));
+        if first.max(1) * second.max(1) <= PAIRS {
             if let (&Node::WordIf(x, a1, a2), &Node::WordIf(y, b1, b2)) = (self.of_word(a), self.of_word(b))
                 && x == y
+                && first > 0
+                && second > 0
             {
                 let (a, b) = (self.apply(operator, width, a1, b1), self.apply(operator, width, a2, b2));
                 return self.choose_word(x, a, b);
             }
-            return if first.len() > 1 {
-                self.mapped(a, &mut |terms, a| terms.apply(operator, width, a, b))
-            } else {
-                self.mapped(b, &mut |terms, b| terms.apply(operator, width, a, b))
-            };
+            if second > 1 {
+                return self.mapped(b, &mut |terms, b| terms.apply(operator, width, a, b));
+            }
+            if first > 1 {
+                return self.mapped(a, &mut |terms, a| terms.apply(operator, width, a, b));
+            }
         }
         self.simplified(operator, width, a, b)
     }

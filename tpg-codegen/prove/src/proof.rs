@@ -1,0 +1,165 @@
+//! Three answers: proven for all inputs, different in a state, or not decided.
+
+use crate::graph::Graph;
+use crate::machine::{Machine, Missing};
+use crate::product::{Comparison, Effort, Work};
+use crate::states::Stream;
+use crate::term::Terms;
+use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// States in which a difference is looked for if there is no proof.
+const STATES: u64 = 20_000;
+
+/// A state in which the code answers something else. Both answers were computed anew for that state alone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// The values of the state, then those of the memory
+    pub state: Vec<f32>,
+    /// The graph's answer
+    pub expected: String,
+    /// The code's answer
+    pub found: String,
+}
+
+/// The result of a proof.
+#[derive(Clone, Debug)]
+pub enum Verdict {
+    /// The code answers what the graph does, for all inputs
+    Proven,
+    /// It does not
+    Different(Difference),
+    /// Nothing is known
+    Undecided(Missing),
+}
+
+/// What was found, and what was done for it.
+#[derive(Clone, Debug)]
+pub struct Proof {
+    /// The result
+    pub verdict: Verdict,
+    /// The work
+    pub work: Work,
+    /// The rules that were applied, with how often each was
+    pub lemmas: BTreeMap<&'static str, u64>,
+    /// Every answer is a number in its range, for all inputs; nothing for actions
+    pub in_range: Option<bool>,
+    /// Only states in the declared ranges are claimed
+    pub assumed_ranges: bool,
+}
+
+impl fmt::Display for Proof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let inputs = if self.assumed_ranges { "all inputs in the declared ranges" } else { "all inputs" };
+        match &self.verdict {
+            Verdict::Proven => write!(f, "proven equal to the graph for {inputs}")?,
+            Verdict::Undecided(missing) => write!(f, "not decided: {missing}")?,
+            Verdict::Different(Difference { state, expected, found }) => {
+                write!(f, "different: the code answers {found} instead of {expected} for {state:?}")?;
+            }
+        }
+        if self.in_range == Some(true) {
+            write!(f, "; every answer is a number in its range for {inputs}")?;
+        }
+        Ok(())
+    }
+}
+
+/// Compares code with a graph. The code is read anew for each attempt.
+///
+/// # Errors
+/// Code that cannot be read.
+pub fn prove<M: Machine>(
+    graph: &Graph,
+    read: &dyn Fn() -> Result<M, Missing>,
+    assume_ranges: bool,
+    effort: Effort,
+) -> Result<Proof, Missing> {
+    let ranges = if assume_ranges { graph.ranges() } else { &[] };
+    let mut machine = read()?;
+    let mut comparison = Comparison::new(graph, &mut machine, Terms::new(), ranges, effort);
+    let verdict = match comparison.prove() {
+        Ok(()) => Verdict::Proven,
+        Err(missing) => match difference(&mut comparison, graph, assume_ranges) {
+            Some(state) => match replayed(graph, &state, read) {
+                Some(difference) => Verdict::Different(difference),
+                None => Verdict::Undecided(missing),
+            },
+            None => Verdict::Undecided(missing),
+        },
+    };
+    let in_range = (graph.leaves() > 0).then(|| comparison.ranges().is_ok());
+    let (work, lemmas) = (comparison.work.clone(), comparison.terms.lemmas().clone());
+    Ok(Proof { verdict, work, lemmas, in_range, assumed_ranges: assume_ranges })
+}
+
+/// A state in which code and graph differ, among many.
+fn difference<M: Machine>(comparison: &mut Comparison<'_, M>, graph: &Graph, inside: bool) -> Option<Vec<u32>> {
+    let special = graph.constants();
+    let mut stream = Stream::new(1);
+    for _ in 0..STATES {
+        let state = stream.state(graph.ranges(), &special, inside);
+        let (expected, found) = comparison.answers_for(&state).ok()?;
+        if expected != found {
+            return Some(state);
+        }
+    }
+    None
+}
+
+/// The difference in a state, computed with that state's numbers from the start on.
+fn replayed<M: Machine>(graph: &Graph, state: &[u32], read: &dyn Fn() -> Result<M, Missing>) -> Option<Difference> {
+    let mut machine = read().ok()?;
+    let mut comparison = Comparison::new(graph, &mut machine, Terms::for_state(state), &[], Effort::default());
+    let (expected, found) = comparison.answers_for(state).ok()?;
+    let state = state.iter().map(|&bits| f32::from_bits(bits)).collect();
+    (expected != found).then(|| Difference { state, expected: expected.to_string(), found: found.to_string() })
+}
+
+/// The SHA-256 of a file's bytes.
+#[must_use]
+pub fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// Assumptions of every proof.
+const ASSUMPTIONS: [&str; 5] = [
+    "binary32 arithmetic as IEEE 754 defines it, rounded to nearest, ties to even",
+    "subnormal numbers are not flushed to zero",
+    "sign and payload of a NaN are not observed",
+    "the terms' rules, each an identity over all bit patterns (docs/proven.md)",
+    "this tool",
+];
+
+impl Proof {
+    /// A certificate. The files are named with their SHA-256.
+    #[must_use]
+    pub fn certificate(&self, files: &[(&str, &[u8])], more_assumptions: &[&str]) -> Value {
+        let (result, details) = match &self.verdict {
+            Verdict::Proven => ("proven", Value::Null),
+            Verdict::Undecided(missing) => ("not decided", json!(missing.to_string())),
+            Verdict::Different(difference) => {
+                let state: Vec<_> = difference.state.iter().map(|value| format!("{value:?}")).collect();
+                ("different", json!({ "state": state, "graph": difference.expected, "code": difference.found }))
+            }
+        };
+        let files: serde_json::Map<_, _> =
+            files.iter().map(|&(name, bytes)| (name.to_owned(), json!({ "sha256": sha256(bytes) }))).collect();
+        let ranges = self.assumed_ranges.then_some("every value of the state is a number in its declared range");
+        let assumptions: Vec<_> = ASSUMPTIONS.iter().chain(more_assumptions).copied().chain(ranges).collect();
+        json!({
+            "tool": { "name": env!("CARGO_PKG_NAME"), "version": env!("CARGO_PKG_VERSION") },
+            "files": files,
+            "result": result,
+            "details": details,
+            "outputs_in_range": self.in_range,
+            "pairs": self.work.pairs,
+            "pieces": self.work.pieces,
+            "cases": self.work.cases,
+            "lemmas": self.lemmas,
+            "assumptions": assumptions,
+        })
+    }
+}

@@ -1,0 +1,49 @@
+//! States to look for a difference in: in the ranges, at their ends and beyond, ties, NaN, infinities and any bits.
+
+/// A stream of numbers: SplitMix64.
+#[derive(Clone, Debug)]
+pub(crate) struct Stream(u64);
+
+impl Stream {
+    pub(crate) fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut mixed = self.0;
+        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        mixed ^ (mixed >> 31)
+    }
+
+    /// A number from 0 to 1.
+    fn share(&mut self) -> f32 {
+        (self.next() >> 40) as f32 / 16_777_216.0
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        (self.next() % count.max(1) as u64) as usize
+    }
+
+    /// A state as bits; `special` are numbers of which some are taken.
+    pub(crate) fn state(&mut self, ranges: &[[f32; 2]], special: &[f32], inside: bool) -> Vec<u32> {
+        let mut state: Vec<f32> = Vec::new();
+        for &[low, high] in ranges {
+            let within = low + (high - low) * self.share();
+            let value = match self.below(16) {
+                0..8 => within,
+                8 => [low, high][self.below(2)],
+                9 => [0.0, -0.0, 1.0, -1.0][self.below(4)],
+                10 if !special.is_empty() => special[self.below(special.len())] * [1.0, -1.0][self.below(2)],
+                11 if !state.is_empty() => state[self.below(state.len())] * [1.0, -1.0][self.below(2)],
+                12 => (self.share() - 0.5) * 4.0,
+                13 => (self.share() - 0.5) * 1000.0,
+                14 => [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, f32::MIN_POSITIVE][self.below(5)],
+                _ => f32::from_bits(self.next() as u32),
+            };
+            state.push(if inside && !(low..=high).contains(&value) { within } else { value });
+        }
+        state.into_iter().map(f32::to_bits).collect()
+    }
+}
