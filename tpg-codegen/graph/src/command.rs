@@ -13,6 +13,8 @@ pub enum Verdict {
     Good,
     /// A check failed: exit status 1.
     Failed,
+    /// Nothing could be decided: exit status 3.
+    Undecided,
     /// Ctrl-C stopped a run that can be resumed: exit status 130.
     Interrupted,
 }
@@ -85,6 +87,7 @@ pub fn exit_code(result: Result<Verdict, CommandError>) -> ExitCode {
     match result {
         Ok(Verdict::Good) => ExitCode::SUCCESS,
         Ok(Verdict::Failed) => ExitCode::from(1),
+        Ok(Verdict::Undecided) => ExitCode::from(3),
         Ok(Verdict::Interrupted) => {
             eprintln!("stopped; --resume continues from the checkpoint");
             ExitCode::from(130)

@@ -134,6 +134,13 @@ const ASSUMPTIONS: [&str; 5] = [
 ];
 
 impl Proof {
+    /// Nothing is known of code that cannot be read.
+    #[must_use]
+    pub fn undecided(missing: Missing) -> Self {
+        let (work, lemmas) = (Work::default(), BTreeMap::new());
+        Self { verdict: Verdict::Undecided(missing), work, lemmas, in_range: None, assumed_ranges: false }
+    }
+
     /// A certificate. The files are named with their SHA-256.
     #[must_use]
     pub fn certificate(&self, files: &[(&str, &[u8])], more_assumptions: &[&str]) -> Value {

@@ -17,6 +17,12 @@ Examples:
   tpg-codegen verify graph.json --lang c --profile fast --states 1000000
   tpg-codegen verify policy.dot --sidecar policy.toml --expect recorded.csv";
 
+pub(super) const PROVE: &str = "\
+Examples:
+  tpg-codegen prove graph.json
+  tpg-codegen prove graph.json --source firmware/pole.c --certificate pole.proof.json
+  tpg-codegen prove graph.json --object pole.o --symbol pole_infer";
+
 pub(super) const REPORT: &str = "\
 Examples:
   tpg-codegen report graph.json

@@ -1,7 +1,8 @@
-//! `tpg-codegen GRAPH`: writes code, reports its size, and proves it.
+//! `tpg-codegen GRAPH`: writes code, reports its size, compares it and proves it.
 
 use super::code::CodeArgs;
 use super::flash::check_flash;
+use super::prove::proven;
 use super::verify::{prove, sentences, verdict};
 use crate::emit::{Code, File};
 use crate::options::Language;
@@ -88,17 +89,18 @@ impl GenerateArgs {
         check_flash(c, Target::CortexM4, limit)
     }
 
-    /// Proves the texts that were written, and no others.
+    /// Compares and proves the texts that were written, and no others.
     fn prove(&self, codes: &[Code<'_>]) -> Result<Verdict, CommandError> {
         let proof = prove(codes, STATES, SEED)?;
-        let sentences = sentences(&proof);
+        let (proven, of_all) = proven(codes);
+        let sentences = sentences(&proof) + &proven;
         // Standard output holds either the code or the report, never both.
         if self.to_stdout() {
             command::note(sentences.trim_end());
         } else if !command::is_quiet() {
             command::print(sentences).map_err(CommandError::other)?;
         }
-        Ok(verdict(&proof))
+        Ok(if of_all == Verdict::Failed { of_all } else { verdict(&proof) })
     }
 
     fn stale(&self, files: &[&File]) -> Verdict {

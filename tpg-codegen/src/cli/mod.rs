@@ -8,6 +8,7 @@ mod flash;
 mod generate;
 mod package;
 mod policy;
+mod prove;
 mod report;
 mod scalar;
 mod schema;
@@ -26,10 +27,10 @@ use tpg_graph::command::{be_quiet, exit_code};
 use tpg_graph::error::InputError;
 use tpg_graph::import;
 
-/// Compiles tangled program graphs into C and no_std Rust, and proves the result equal to the graph.
+/// Compiles tangled program graphs into C and no_std Rust, and proves the C equal to the graph.
 ///
 /// `tpg-codegen GRAPH` is short for `tpg-codegen generate GRAPH`.
-/// Exit status: 0 good, 1 a check failed, 2 bad input.
+/// Exit status: 0 good, 1 a check failed, 2 bad input, 3 not decided.
 #[derive(Debug, Parser)]
 #[command(version, arg_required_else_help = true, after_help = examples::ALL)]
 pub struct Cli {
@@ -42,12 +43,15 @@ pub struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Generate code, say how big it is, and prove it equal to the interpreter
+    /// Generate code, say how big it is, compare it with the interpreter, and prove the C
     #[command(after_help = examples::GENERATE)]
     Generate(GenerateArgs),
     /// Compile the generated code and compare it with the interpreter
     #[command(after_help = examples::VERIFY)]
     Verify(verify::VerifyArgs),
+    /// Prove that C or machine code decides like the graph, for every input
+    #[command(after_help = examples::PROVE)]
+    Prove(prove::ProveArgs),
     /// Report the flash, RAM, stack and operations of a graph's code, and what was removed from it
     #[command(after_help = examples::REPORT)]
     Report(report::ReportArgs),
@@ -127,6 +131,7 @@ impl Cli {
         exit_code(match self.command {
             Command::Generate(args) => args.run(),
             Command::Verify(args) => args.run(),
+            Command::Prove(args) => args.run(),
             Command::Report(args) => args.run(),
             Command::Convert(args) => args.run(),
             Command::Policy(args) => args.run(),

@@ -1,6 +1,7 @@
 //! `tpg-codegen package`: a policy as a package of an ecosystem.
 
 use super::GraphArgs;
+use super::prove::proven;
 use super::scalar::{Chosen, ScalarArgs, StatesArgs};
 use super::verify::{prove, sentences, verdict};
 use crate::options::{Options, Prefix, Profile};
@@ -84,9 +85,11 @@ impl PackageArgs {
         if self.no_verify {
             return Ok(Verdict::Good);
         }
-        let proof = prove(&[made.code], STATES, SEED)?;
-        print!("{}", sentences(&proof));
-        Ok(verdict(&proof))
+        let codes = [made.code];
+        let proof = prove(&codes, STATES, SEED)?;
+        let (proven, of_all) = proven(&codes);
+        print!("{}{proven}", sentences(&proof));
+        Ok(if of_all == Verdict::Failed { of_all } else { verdict(&proof) })
     }
 
     fn license(&self) -> Result<License, InputError> {

@@ -1,0 +1,176 @@
+//! `tpg-codegen prove`: code decides like the graph, for every input.
+
+use super::GraphArgs;
+use crate::emit::{Code, Language, Options, Prefix, Profile, Style};
+use crate::program::compile;
+use clap::Args;
+use std::fs;
+use std::path::{Path, PathBuf};
+use tpg_graph::command::{self, CommandError, Verdict};
+use tpg_graph::error::{InputError, Place};
+use tpg_graph::output;
+use tpg_prove::c;
+use tpg_prove::execute::Object;
+use tpg_prove::graph::Graph;
+use tpg_prove::machine::Missing;
+use tpg_prove::product::Effort;
+use tpg_prove::proof::{self, Proof};
+
+/// Prove that code decides like the graph, for every input, NaN and infinities included.
+///
+/// The prover shares nothing with the compiler: it reads the graph, the C and the machine code by itself. Without --source and
+/// --object, the C that `generate` writes is proven, in every profile.
+/// Exit status: 0 proven, 1 different (a state is printed), 2 bad input, 3 not decided (what is missing is printed).
+#[derive(Clone, Debug, Args)]
+pub(super) struct ProveArgs {
+    #[command(flatten)]
+    graph: GraphArgs,
+    /// A file of C with the policy's function
+    #[arg(long, value_name = "C", conflicts_with = "object")]
+    source: Option<PathBuf>,
+    /// An object or ELF file for a Cortex-M with single-precision floating point
+    #[arg(long, value_name = "O", requires = "symbol")]
+    object: Option<PathBuf>,
+    /// The name of the function [default in C: the one that ends in _infer]
+    #[arg(long, value_name = "S")]
+    symbol: Option<String>,
+    /// Claim it only for states in the declared ranges
+    #[arg(long)]
+    assume_ranges: bool,
+    /// Write a certificate as JSON: hashes of all files, the work, the rules that were applied, the assumptions
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
+}
+
+/// Files by their names, for a certificate.
+type Files = Vec<(String, Vec<u8>)>;
+
+impl ProveArgs {
+    pub(super) fn run(&self) -> Result<Verdict, CommandError> {
+        let loaded = self.graph.load()?;
+        let text = loaded.to_json();
+        let name = self.graph.graph.display().to_string();
+        let graph = Graph::read(&name, &text).map_err(CommandError::other)?;
+        let mut proofs: Vec<(String, Proof, Files)> = Vec::new();
+        let with = |files: Files| [vec![(name.clone(), text.clone().into_bytes())], files].concat();
+        match (&self.source, &self.object) {
+            (Some(path), _) => {
+                let bytes = read(path)?;
+                let source = String::from_utf8_lossy(&bytes);
+                let read = || c::read(path, &source, self.symbol.as_deref(), graph.interface());
+                let proof = proof::prove(&graph, &read, self.assume_ranges, Effort::default());
+                let file = path.display().to_string();
+                proofs.push((file.clone(), undecided(proof), with(vec![(file, bytes)])));
+            }
+            (None, Some(path)) => {
+                let bytes = read(path)?;
+                let file = path.display().to_string();
+                let symbol = self.symbol.as_deref().unwrap_or_default();
+                Object::new(&bytes, symbol, graph.interface().clone()).map_err(|error| {
+                    InputError::new(
+                        file.clone(),
+                        Place::Whole,
+                        error.to_string(),
+                        "an object for ARM with that function",
+                    )
+                })?;
+                let read = || {
+                    Object::new(&bytes, symbol, graph.interface().clone())
+                        .map_err(|error| Missing::new(file.clone(), error.to_string()))
+                };
+                let proof = proof::prove(&graph, &read, self.assume_ranges, Effort::default());
+                proofs.push((file.clone(), undecided(proof), with(vec![(file.clone(), bytes.clone())])));
+            }
+            (None, None) => {
+                for profile in Profile::ALL {
+                    let prefix = Prefix::of_file(&self.graph.graph);
+                    let options = Options { style: Style::Pure, profile: Some(profile), ..Options::new(prefix) };
+                    let code = Code::of(compile(&loaded, &options, Language::C));
+                    let proof = of_code(&code, &graph, self.assume_ranges, Effort::default());
+                    let files = code.files.iter().map(|file| (file.name.clone(), file.text.clone().into_bytes()));
+                    proofs.push((code.program.name(), undecided(proof), with(files.collect())));
+                }
+            }
+        }
+        for (name, proof, _) in &proofs {
+            command::print(format!("{name}: {proof}\n")).map_err(CommandError::other)?;
+        }
+        if let Some(path) = &self.certificate {
+            self.certify(path, &proofs)?;
+        }
+        let verdicts = proofs.iter().map(|(_, proof, _)| match proof.verdict {
+            proof::Verdict::Proven => Verdict::Good,
+            proof::Verdict::Different(_) => Verdict::Failed,
+            proof::Verdict::Undecided(_) => Verdict::Undecided,
+        });
+        Ok(verdicts
+            .max_by_key(|verdict| match verdict {
+                Verdict::Failed => 2,
+                Verdict::Undecided => 1,
+                _ => 0,
+            })
+            .unwrap_or(Verdict::Good))
+    }
+
+    fn certify(&self, path: &Path, proofs: &[(String, Proof, Files)]) -> Result<(), CommandError> {
+        let more: &[&str] = if self.object.is_some() {
+            &["the processor executes instructions as the ARM v7-M manual says, with the default FPSCR"]
+        } else {
+            &["the C compiler keeps to C99 and IEEE 754, and defines no macro of its own that the text asks for"]
+        };
+        let certificates: Vec<_> = (proofs.iter())
+            .map(|(_, proof, files)| {
+                let files: Vec<_> = files.iter().map(|(name, bytes)| (name.as_str(), bytes.as_slice())).collect();
+                proof.certificate(&files, more)
+            })
+            .collect();
+        let text = match &certificates[..] {
+            [only] => format!("{only:#}\n"),
+            all => format!("{:#}\n", serde_json::Value::from(all.to_vec())),
+        };
+        Ok(output::write_atomically(path, text.as_bytes())?)
+    }
+}
+
+fn read(path: &Path) -> Result<Vec<u8>, InputError> {
+    fs::read(path).map_err(|error| InputError::io(path, &error, "a file that can be read"))
+}
+
+/// Code that cannot be read is not decided.
+fn undecided(proof: Result<Proof, Missing>) -> Proof {
+    proof.unwrap_or_else(Proof::undecided)
+}
+
+/// Proves generated C.
+fn of_code(code: &Code<'_>, graph: &Graph, assume_ranges: bool, effort: Effort) -> Result<Proof, Missing> {
+    let text = |name: &str| code.files.iter().find(|file| file.name == name).map(|file| file.text.clone());
+    let source = code.files.iter().find(|file| file.name.ends_with(".c"));
+    let source = source.ok_or_else(|| Missing::new(code.program.name(), "a file of C"))?;
+    let read = || c::read_with(&source.name, &source.text, &text, None, graph.interface());
+    proof::prove(graph, &read, assume_ranges, effort)
+}
+
+/// The work that `generate` and `package` do for a proof: that of some seconds at most.
+const QUICK: Effort = Effort { cases: 200_000, pairs: 5_000 };
+
+/// Sentences about generated code: proven for all inputs, or different. Nothing where that is not decided.
+pub(super) fn proven(codes: &[Code<'_>]) -> (String, Verdict) {
+    let (mut text, mut verdict) = (String::new(), Verdict::Good);
+    for code in codes {
+        let options = &code.program.options;
+        if code.program.language != Language::C || options.style != Style::Pure {
+            continue;
+        }
+        let Ok(graph) = Graph::read("graph.json", &code.program.graph().to_json()) else { continue };
+        match of_code(code, &graph, false, QUICK) {
+            Ok(proof) if !matches!(proof.verdict, proof::Verdict::Undecided(_)) => {
+                if matches!(proof.verdict, proof::Verdict::Different(_)) {
+                    verdict = Verdict::Failed;
+                }
+                text += &format!("{}: {proof}\n", code.program.name());
+            }
+            _ => {}
+        }
+    }
+    (text, verdict)
+}
