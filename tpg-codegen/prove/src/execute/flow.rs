@@ -35,6 +35,8 @@ pub(super) struct Node {
     pub(super) live: Live,
     /// True where several paths meet.
     pub(super) joins: bool,
+    /// True where paths meet or part.
+    pub(super) begins: bool,
 }
 
 /// The control flow of a function.
@@ -76,7 +78,8 @@ impl Flow {
                 let falls = target == address + instruction.size;
                 work.push((target, if falls { after } else { Block::default() }));
             }
-            let node = Node { instruction, next, callee, order: 0, loops: Vec::new(), live: 0, joins: false };
+            let node =
+                Node { instruction, next, callee, order: 0, loops: Vec::new(), live: 0, joins: false, begins: false };
             flow.nodes.insert(address, node);
         }
         flow.arrange();
@@ -177,10 +180,13 @@ impl Flow {
                 path.push((to, 0));
             }
         }
+        let parting = self.nodes.values().filter(|node| node.next.len() > 1);
+        let parted: HashSet<u32> = parting.flat_map(|node| node.next.iter().copied()).collect();
         for (order, address) in (0..).zip(finished.iter().rev()) {
             if let Some(node) = self.nodes.get_mut(address) {
                 node.order = order;
                 node.joins = before.get(address).map_or(0, BTreeSet::len) > 1;
+                node.begins = node.joins || parted.contains(address);
             }
         }
         let heads: BTreeSet<u32> = back.iter().map(|&(_, head)| head).collect();

@@ -10,7 +10,7 @@ mod value;
 
 use crate::elf::{Address, Error, Function, Image};
 use crate::machine::{Interface, Machine, Missing, Step};
-use crate::term::{Bool, Node, Terms, Width, Word};
+use crate::term::{Bool, Terms, Width, Word};
 use crate::thumb::{PC, REGISTERS, Register, SP};
 use flow::{FLAGS, FLOAT_FLAGS, Flow};
 use std::collections::{BTreeMap, HashMap};
@@ -142,48 +142,38 @@ impl Object {
         Ok(())
     }
 
-    /// Splits a state at a point where many paths meet: integers become constants. None if it is no such point.
+    /// Splits a state where the next piece begins: integers become constants. None if the piece goes on.
     fn cut(&mut self, terms: &mut Terms, state: &State) -> Result<Option<Vec<(Bool, Point)>>, Missing> {
         let point = &state.point;
         let flow = self.flow(point.function)?;
         let node = &flow.nodes[&point.address];
-        if !point.callers.is_empty() || !node.joins {
+        if !point.callers.is_empty() || !node.begins {
             return Ok(None);
         }
-        let is_loop = node.loops.first() == Some(&node.order);
         let mut cases = vec![(state.guard, point.clone())];
-        let slots: Vec<Value> = point.registers.iter().flatten().chain(point.memory.values()).copied().collect();
-        for value in slots {
-            match value {
-                Value::Float(float) if !is_loop && matches!(terms.of_float(float), Node::FloatIf(..)) => {
-                    return Ok(None);
-                }
-                Value::Word(word) | Value::Pointer(_, word) => {
-                    let Some(numbers) = terms.numbers(word) else { return Ok(None) };
-                    if numbers.len() == 1 {
-                        continue;
-                    }
-                    if !is_loop {
-                        return Ok(None);
-                    }
-                    let mut split = Vec::new();
-                    for number in numbers {
-                        let constant = terms.number(number);
-                        let same = terms.same(Width::W32, word, constant);
-                        for (guard, point) in &cases {
-                            let guard = terms.and(*guard, same);
-                            if guard != Terms::FALSE {
-                                split.push((guard, point.with(word, constant)));
-                            }
-                        }
-                    }
-                    cases = split;
-                }
-                _ => {}
+        let mut words = Vec::new();
+        for value in point.registers.iter().flatten().chain(point.memory.values()) {
+            if let Value::Word(word) | Value::Pointer(_, word) = value
+                && terms.number_of(*word).is_none()
+                && !words.contains(word)
+            {
+                words.push(*word);
             }
         }
-        if matches!(point.flags, Flags::If(..)) || matches!(point.float_flags, Flags::If(..)) {
-            return Ok(None);
+        for word in words {
+            let Some(numbers) = terms.numbers(word) else { return Ok(None) };
+            let mut split = Vec::new();
+            for number in numbers {
+                let constant = terms.number(number);
+                let same = terms.same(Width::W32, word, constant);
+                for (guard, point) in &cases {
+                    let guard = terms.and(*guard, same);
+                    if guard != Terms::FALSE {
+                        split.push((guard, point.with(word, constant)));
+                    }
+                }
+            }
+            cases = split;
         }
         Ok(Some(cases))
     }
@@ -295,7 +285,7 @@ impl Machine for Object {
                 }
                 let mut followers = self.step(terms, state)?;
                 if let [Next::At(next)] = &followers[..]
-                    && !self.flow(next.point.function)?.nodes[&next.point.address].joins
+                    && !self.flow(next.point.function)?.nodes[&next.point.address].begins
                     && let Some(Next::At(next)) = followers.pop()
                 {
                     state = next;

@@ -461,4 +461,6 @@ fn restrict(terms: &Terms, point: &mut Point, condition: Bool) {
     for value in point.registers.iter_mut().flatten().chain(point.memory.values_mut()) {
         *value = restricted(terms, *value, &facts);
     }
+    point.flags = point.flags.restricted(&facts).clone();
+    point.float_flags = point.float_flags.restricted(&facts).clone();
 }

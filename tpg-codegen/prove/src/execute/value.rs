@@ -128,9 +128,17 @@ impl Flags {
         if a == b {
             return a.clone();
         }
-        match (a, b) {
-            (Self::Unknown, _) | (_, Self::Unknown) => Self::Unknown,
-            _ => Self::If(condition, Rc::new([a.clone(), b.clone()])),
+        Self::If(condition, Rc::new([a.clone(), b.clone()]))
+    }
+
+    /// Returns the flags without the choices that are decided where the conditions hold.
+    pub(super) fn restricted(&self, facts: &[Bool]) -> &Self {
+        match self {
+            Self::If(condition, flags) => match decided(facts, *condition) {
+                Some(holds) => flags[usize::from(!holds)].restricted(facts),
+                None => self,
+            },
+            _ => self,
         }
     }
 }

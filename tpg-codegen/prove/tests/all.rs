@@ -1,0 +1,5 @@
+//! The tests of this crate from outside, as one program: each file is a subject.
+
+mod emulator;
+mod instructions;
+mod objects;
