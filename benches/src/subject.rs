@@ -139,7 +139,7 @@ fn recorded(folder: &Path, path: &Path) -> Subject {
         let tasks = data::tasks(&folder.join(targets))?;
         let ends = path.with_file_name(format!("{}.ends.csv", name.trim_end_matches(".cleaned")));
         let ends = data::ends(&ends, &tasks)?;
-        let binding = Binding::of(&name, &graph)?;
+        let binding = Binding::of_graph(&name, &graph)?;
         Ok((graph, tasks, ends, binding))
     };
     let (graph, tasks, ends, binding) = read().unwrap_or_else(|error| panic!("{error}"));

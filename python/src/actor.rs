@@ -48,6 +48,6 @@ pub(crate) fn train_network(
         let (network, result) = trained.map_err(error::input)?;
         let policy = network.quantised(&gym, kind, seed).map_err(error::input)?;
         failed()?;
-        Ok((Network::of(policy), result.score))
+        Ok((Network::new_fixed(policy), result.score))
     })
 }

@@ -14,7 +14,9 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::sync::{Mutex, MutexGuard};
 use std::thread::JoinHandle;
 use std::time::Duration;
-use tpg_engine::{Choices, Ending, EngineOptions, Environment, Evaluator, LocalThreads, Moments, Played, PolicyGraph};
+use tpg_engine::{
+    Choices, EngineOptions, Environment, EpisodeResult, Evaluator, LocalThreads, Moments, Played, PolicyGraph,
+};
 use tpg_graph::ScalarType;
 use tpg_problems::{Number, Problem};
 use tpg_runtime::ops::{Maths, Own};
@@ -162,10 +164,10 @@ impl Evolution {
     /// Replies to `evaluate`: for each policy the return, the number of actions and the success of each seed's episode.
     fn endings(&self, py: Python<'_>, endings: Vec<Vec<Told>>) -> PyResult<()> {
         let lengths = (endings.len(), endings.first().map_or(0, Vec::len));
-        if endings.iter().any(|of| of.len() != lengths.1) {
+        if endings.iter().any(|results| results.len() != lengths.1) {
             return Err(error::input("another number of endings for each policy; accepted: one for each seed"));
         }
-        let endings = endings.into_iter().map(|of| of.into_iter().map(ending).collect()).collect();
+        let endings = endings.into_iter().map(|results| results.into_iter().map(ending).collect()).collect();
         self.reply(py, lengths, Reply::Endings(endings))
     }
 
@@ -211,8 +213,8 @@ impl Evolution {
 /// An episode's return, number of actions and success.
 type Told = (f64, u32, Option<bool>);
 
-fn ending((score, actions, success): Told) -> Ending {
-    Ending { outcome: 0, success, score, measure: 0.0, actions }
+fn ending((score, actions, success): Told) -> EpisodeResult {
+    EpisodeResult { outcome: 0, success, score, measure: 0.0, actions }
 }
 
 impl Evolution {

@@ -3,7 +3,7 @@
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender};
-use tpg_engine::{Ending, EvaluationError, Evaluator, Play, Played, UnitResult, Visit, Work};
+use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Play, Played, UnitResult, Visit, Work};
 
 /// A message of the run.
 pub(crate) enum Event<Report> {
@@ -20,7 +20,7 @@ pub(crate) enum Event<Report> {
 /// A reply of Python.
 pub(crate) enum Reply {
     /// Endings of each unit on each task.
-    Endings(Vec<Vec<Ending>>),
+    Endings(Vec<Vec<EpisodeResult>>),
     /// States of each visit.
     States(Vec<Vec<Vec<f64>>>),
     /// Results of each episode.

@@ -151,11 +151,11 @@ impl Running {
     fn description(&self) -> String {
         let sources = self.environment.sources();
         let sources: Vec<_> =
-            sources.iter().map(|of| json!({"name": of.name, "unit": of.unit, "ranges": of.ranges})).collect();
+            sources.iter().map(|item| json!({"name": item.name, "unit": item.unit, "ranges": item.ranges})).collect();
         let (actions, outputs) = match self.environment.actions() {
-            ActionSpace::Discrete(actions) => (actions.into_iter().map(|of| of.name).collect(), Vec::new()),
+            ActionSpace::Discrete(actions) => (actions.into_iter().map(|item| item.name).collect(), Vec::new()),
             ActionSpace::Box(outputs) => {
-                (Vec::new(), outputs.iter().map(|of| json!([of.name, of.min, of.max])).collect())
+                (Vec::new(), outputs.iter().map(|item| json!([item.name, item.min, item.max])).collect())
             }
             ActionSpace::MultiDiscrete(_) => (Vec::new(), Vec::new()),
         };

@@ -133,7 +133,7 @@ impl Network {
 
 impl Network {
     /// Wraps a network.
-    pub(crate) fn of(policy: QuantisedPolicy) -> Self {
+    pub(crate) fn new_fixed(policy: QuantisedPolicy) -> Self {
         Self(policy)
     }
 }

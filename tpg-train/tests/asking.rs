@@ -132,7 +132,7 @@ fn evaluation_counts_the_asks_that_training_pays_for() {
     let graph = Graph::from_json("asks.json", ASKS).expect("a graph");
     let problem = OwnProblem::<f32, Own, _>::new("pendulum", Choices::new(asking, None).expect("named actions"));
     let episodes = Episodes { set: TaskSet::Test, count: 50, seed: 1, file: None };
-    let paid = problem.trial(Acting::Graph(&("asks.json".to_owned(), graph)), episodes).expect("they run").endings;
+    let paid = problem.play(Acting::Graph(&("asks.json".to_owned(), graph)), episodes).expect("they run").endings;
     let paid = paid.iter().map(|ending| ending.score).sum::<f64>() / 50.0;
     assert!((paid - (number("mean_score") - 2.0 * asks)).abs() < 1e-9, "{paid} {report}");
 

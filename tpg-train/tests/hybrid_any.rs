@@ -276,11 +276,11 @@ fn every_trigger_hands_over_in_an_environment_of_ones_own() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let (problem, hybrid) = line(folder.path());
     let report = |setting: Setting| {
-        let done = problem.trial(Acting::Both(&hybrid.graph, &hybrid.network, &setting), EPISODES).expect("it runs");
+        let done = problem.play(Acting::Both(&hybrid.graph, &hybrid.network, &setting), EPISODES).expect("it runs");
         let causes = ["guard", "drift", "stall", "cycle"].into_iter().zip(done.hand_overs);
-        (Summary::of(&done.endings).success, causes.collect::<BTreeMap<_, _>>())
+        (Summary::new(&done.endings).success, causes.collect::<BTreeMap<_, _>>())
     };
-    let alone = problem.trial(Acting::Graph(&hybrid.graph), EPISODES).expect("it runs");
+    let alone = problem.play(Acting::Graph(&hybrid.graph), EPISODES).expect("it runs");
     assert!(alone.endings.iter().all(|ending| ending.success == Some(false)), "the graph alone never arrives");
 
     let none = Setting { detector: Detector::None, hand_back_after: Span::NEVER, ..hybrid.setting.clone() };
@@ -324,8 +324,8 @@ fn an_environment_of_ones_own_has_studies_and_reports() {
     study_on(&problem, &args).expect("it runs");
     let chosen = Hybrid::read(&out.join("hybrid.toml")).expect("a good file");
     assert_eq!((chosen.problem.as_deref(), chosen.setting.detector), (Some("line"), Detector::Visited), "it has keys");
-    let done = problem.trial(Acting::Both(&chosen.graph, &chosen.network, &chosen.setting), EPISODES).expect("it runs");
-    assert_eq!(Summary::of(&done.endings).success, Some(1.0));
+    let done = problem.play(Acting::Both(&chosen.graph, &chosen.network, &chosen.setting), EPISODES).expect("it runs");
+    assert_eq!(Summary::new(&done.endings).success, Some(1.0));
 
     let page = folder.path().join("report.html");
     let args = ReportArgs { runs: vec![out], out: page.clone(), episodes: 30, seed: 1 };

@@ -504,8 +504,8 @@ fn restarts_keep_the_best_and_go_on_where_they_stopped() {
     run.wait().expect("it ends");
     assert!(train(&stopped, &config, &arguments).status().expect("it runs").success());
     for seed in 1..4 {
-        let of = |folder: &Path| results(&folder.join(format!("seed-{seed}")));
-        assert!(of(&stopped) == of(&all), "seed {seed}, resumed, gives other bytes");
+        let bytes = |folder: &Path| results(&folder.join(format!("seed-{seed}")));
+        assert!(bytes(&stopped) == bytes(&all), "seed {seed}, resumed, gives other bytes");
     }
     assert!(graph(&stopped) == graph(&all) && fs::read_to_string(stopped.join("restarts.csv")).ok() == Some(text));
 }

@@ -126,7 +126,7 @@ fn a_trained_network_is_evaluated_put_into_integers_and_reported() {
     let (float, fixed) = (eval(&float), eval(&fixed));
     assert_eq!(float["mean_steps"], 200.0);
     assert!(float["success_rate"].is_null());
-    let score = |of: &Value| of["mean_score"].as_f64().expect("a number");
+    let score = |report: &Value| report["mean_score"].as_f64().expect("a number");
     assert!((score(&float) - score(&fixed)).abs() < 0.1 * score(&float).abs(), "{float} {fixed}");
     let compared: Value = serde_json::from_slice(&fs::read(&report).expect("a report")).expect("JSON");
     assert!(compared["mean_difference"].as_f64().expect("a number") < 0.05, "{compared}");

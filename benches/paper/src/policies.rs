@@ -27,7 +27,7 @@ impl<S: ArmScalar, M: Maths<S>> GraphPolicy<S, M> {
     /// # Errors
     /// If the graph reads sources that the arm does not have, or has actions that do not state their move.
     pub fn new(file: &str, graph: &Graph, arm: &Arm<f64>) -> Result<Self, InputError> {
-        let binding = Binding::of(file, graph)?;
+        let binding = Binding::of_graph(file, graph)?;
         let plan = Plan::new::<M>(&PolicyGraph::from(graph), &graph.state_sources(), EngineOptions::default());
         let state = RefCell::new(vec![S::ZERO; binding.state_length()]);
         Ok(Self { arm: S::arm(arm), single: Single::new(plan), binding, memo: TargetMemo::new(), state })

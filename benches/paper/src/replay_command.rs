@@ -144,7 +144,7 @@ impl ReplayArgs {
     fn of_graph(&self, path: &Path, tasks: &ByRow<Task>) -> Result<(String, String, ByRow<Done>), CommandError> {
         let graph = import::load(path, self.profile_of, self.sidecar.as_deref())?;
         let name = path.display().to_string();
-        let binding = Binding::of(&name, &graph)?;
+        let binding = Binding::of_graph(&name, &graph)?;
         let rules = Rules { max_actions: max_actions(self.problem), tolerance: self.tolerance_mm };
         let mut engine = self.engine.start(path, &graph)?;
         let chain = Chain::new(WIDOWX);

@@ -83,7 +83,7 @@ fn replay_all(folder: &Path, cases: &[Case], engine: EngineArg) -> Totals {
         let tasks = data::tasks(&folder.join(targets)).unwrap();
         let file = folder.join(format!("{}.dot", case.graph));
         let graph = import::load(&file, Some(Profile::Ecta24), None).unwrap();
-        let binding = Binding::of(&case.graph, &graph).unwrap();
+        let binding = Binding::of_graph(&case.graph, &graph).unwrap();
         let ends = data::ends(&folder.join(format!("{}.ends.csv", case.recorded)), &tasks).unwrap();
         let rules = Rules { max_actions: max_actions(case.problem), tolerance: case.tolerance };
         let mut engine = engine.start(&file, &graph).unwrap();

@@ -46,9 +46,9 @@ pub fn bind_to(
             return Err(refuse(path(), found, format!("{length} values")));
         }
         if known[at].counts != source.counts {
-            let of = |is_counts: bool| if is_counts { "counts" } else { "values" };
-            let found = format!("{:?} in {}", source.name, of(!source.counts.is_empty()));
-            let accepted = format!("{}, as the environment gives them", of(!known[at].counts.is_empty()));
+            let kind = |is_counts: bool| if is_counts { "counts" } else { "values" };
+            let found = format!("{:?} in {}", source.name, kind(!source.counts.is_empty()));
+            let accepted = format!("{}, as the environment gives them", kind(!known[at].counts.is_empty()));
             return Err(refuse(format!("$.sources[{number}].counts"), found, accepted));
         }
         let first: usize = known[..at].iter().map(|source| source.length as usize).sum();

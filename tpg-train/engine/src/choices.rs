@@ -1,9 +1,9 @@
 //! Any action space as a list of named actions, for policies that choose among actions.
 
 use crate::action::{Act, ActionSpace, Acts, Output};
-use crate::ending::{Ending, Step};
 use crate::environment::Environment;
 use crate::environment::OneByOne;
+use crate::episode_result::{EpisodeResult, Step};
 use crate::episodes::Episodes;
 use crate::error::EvaluationError;
 use crate::source_set::SourceSet;
@@ -198,7 +198,7 @@ impl<S: Scalar, Task> Episodes<S, Task> for Valued<'_, S, Task> {
     fn begin(&mut self, lane: usize, task: &Task) -> Result<(), EvaluationError> {
         self.episodes.begin(lane, task)
     }
-    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
+    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, EpisodeResult)>) -> Result<(), EvaluationError> {
         let Acts::Choices(actions) = acts else { return self.episodes.step(acts, ended) };
         let outputs = self.levels[0].len();
         let values = actions.iter().map(|action| &self.levels[usize::from(action.0)]);
@@ -212,7 +212,7 @@ impl<S: Scalar, Task> Episodes<S, Task> for Valued<'_, S, Task> {
     fn keys(&self) -> &[u64] {
         self.episodes.keys()
     }
-    fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<Ending> {
+    fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<EpisodeResult> {
         self.episodes.cycle(lane, key, actions)
     }
     fn observe(&mut self, wanted: SourceSet, view: &mut View<'_, S>) -> Result<(), EvaluationError> {

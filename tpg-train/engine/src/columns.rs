@@ -57,7 +57,9 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
             let lasts = match node {
                 Node::Constant(_) => true,
                 Node::Input(input) => constant.contains(input),
-                Node::Operation(_, a, b) => [a, b].into_iter().all(|of| self.lasting[of.index()] == Parts::ALL),
+                Node::Operation(_, a, b) => {
+                    [a, b].into_iter().all(|operand| self.lasting[operand.index()] == Parts::ALL)
+                }
             };
             self.lasting.push(if lasts { Parts::ALL } else { Parts::NONE });
         }

@@ -5,7 +5,7 @@ mod one_by_one;
 pub use one_by_one::OneByOne;
 
 use crate::action::{Act, ActionSpace};
-use crate::ending::{End, Ending, Measure, Preference, Step};
+use crate::episode_result::{End, EpisodeResult, Measure, Preference, Step};
 use crate::episodes::Episodes;
 use crate::extensions::{Drawn, Guarded, Training};
 use crate::random::Stream;
@@ -139,7 +139,7 @@ pub trait Environment<S: Scalar>: Sync {
 
     /// Returns the ending of an episode that came back to `key` at action number `actions`. `None`, the default: it
     /// goes on.
-    fn cycle(&self, _episode: &Self::Episode, _key: u64, _actions: u32) -> Option<Ending> {
+    fn cycle(&self, _episode: &Self::Episode, _key: u64, _actions: u32) -> Option<EpisodeResult> {
         None
     }
 

@@ -1,7 +1,7 @@
 //! Parallel episodes: the interface between lanes and an environment.
 
 use crate::action::Acts;
-use crate::ending::Ending;
+use crate::episode_result::EpisodeResult;
 use crate::error::EvaluationError;
 use crate::source_set::SourceSet;
 use crate::view::View;
@@ -20,13 +20,13 @@ pub trait Episodes<S, Task> {
     fn begin(&mut self, lane: usize, task: &Task) -> Result<(), EvaluationError>;
 
     /// Takes one action in each lane; appends the lanes whose episode ended, in ascending order.
-    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError>;
+    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, EpisodeResult)>) -> Result<(), EvaluationError>;
 
     /// Returns [`Environment::key`](crate::Environment::key) of each lane; empty if the problem has none.
     fn keys(&self) -> &[u64];
 
     /// Returns [`Environment::cycle`](crate::Environment::cycle) of a lane.
-    fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<Ending>;
+    fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<EpisodeResult>;
 
     /// Writes the observation of each lane's policy.
     fn observe(&mut self, wanted: SourceSet, view: &mut View<'_, S>) -> Result<(), EvaluationError>;

@@ -1,8 +1,8 @@
 //! Environments whose type is only known at run time: what works with them is compiled once for all problems.
 
 use crate::action::{Act, ActionSpace, Output};
-use crate::ending::{End, Ending, Measure, Preference, Step};
 use crate::environment::Environment;
+use crate::episode_result::{End, EpisodeResult, Measure, Preference, Step};
 use crate::episodes::Episodes;
 use crate::extensions::{Drawn, Guarded, TaskSet, Training};
 use crate::mapped::Mapped;
@@ -203,7 +203,7 @@ where
     fn key(&self, episode: &AnyEpisode) -> Option<u64> {
         self.0.key(episode.typed())
     }
-    fn cycle(&self, episode: &AnyEpisode, key: u64, actions: u32) -> Option<Ending> {
+    fn cycle(&self, episode: &AnyEpisode, key: u64, actions: u32) -> Option<EpisodeResult> {
         self.0.cycle(episode.typed(), key, actions)
     }
     fn distance(&self, episode: &AnyEpisode) -> Option<f64> {
@@ -234,8 +234,8 @@ where
     fn tasks(&self, set: TaskSet, seed: u64, count: usize) -> Option<Vec<AnyTask>> {
         Some(self.0.training()?.tasks(set, seed, count)?.into_iter().map(AnyTask::new).collect())
     }
-    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Option<Vec<AnyTask>> {
-        Some(self.0.training()?.trial_tasks(stream, count)?.into_iter().map(AnyTask::new).collect())
+    fn evaluation_tasks(&self, stream: &mut Stream, count: usize) -> Option<Vec<AnyTask>> {
+        Some(self.0.training()?.evaluation_tasks(stream, count)?.into_iter().map(AnyTask::new).collect())
     }
     fn task_from(&self, episode: &AnyEpisode) -> Option<AnyTask> {
         self.0.training()?.task_from(episode.typed()).map(AnyTask::new)
@@ -272,7 +272,7 @@ where
     E::Task: 'static,
     E::Episode: 'static,
 {
-    fn figures(&self, endings: &[Ending]) -> Map<String, Value> {
+    fn figures(&self, endings: &[EpisodeResult]) -> Map<String, Value> {
         self.0.drawn().expect(EXTENDED).figures(endings)
     }
     fn moment(&self, episode: &AnyEpisode) -> Vec<f64> {

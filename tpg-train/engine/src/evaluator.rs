@@ -1,8 +1,8 @@
 //! Evaluation of roots behind a trait, so that evolution does not depend on where it runs.
 
 use crate::action::Act;
-use crate::ending::Ending;
 use crate::environment::Environment;
+use crate::episode_result::EpisodeResult;
 use crate::error::EvaluationError;
 use crate::groups::side_by_side;
 use crate::lanes::Lanes;
@@ -37,7 +37,7 @@ pub trait Evaluator<Task> {
     ///
     /// # Errors
     /// If an answer cannot be obtained.
-    fn pieces(&self, work: &Work<Task>, pieces: &[Piece]) -> Result<Vec<Vec<Ending>>, EvaluationError>
+    fn pieces(&self, work: &Work<Task>, pieces: &[Piece]) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError>
     where
         Task: Clone,
     {
@@ -87,7 +87,7 @@ impl<Task, V: Evaluator<Task> + ?Sized> Evaluator<Task> for &V {
         (**self).evaluate(work)
     }
 
-    fn pieces(&self, work: &Work<Task>, pieces: &[Piece]) -> Result<Vec<Vec<Ending>>, EvaluationError>
+    fn pieces(&self, work: &Work<Task>, pieces: &[Piece]) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError>
     where
         Task: Clone,
     {
@@ -226,7 +226,7 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> Evaluator<E::Task> for LocalThre
         Ok(work.units.iter().zip(endings).map(|(unit, endings)| UnitResult { key: unit.key, endings }).collect())
     }
 
-    fn pieces(&self, work: &Work<E::Task>, pieces: &[Piece]) -> Result<Vec<Vec<Ending>>, EvaluationError> {
+    fn pieces(&self, work: &Work<E::Task>, pieces: &[Piece]) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
         let evaluate = |lanes: &mut Lanes<'_, S, M, E>, group: &[Piece]| {
             let before = lanes.steps();
             let policies: Vec<&PolicyGraph> = group.iter().map(|piece| &work.units[piece.unit].policy).collect();
@@ -240,7 +240,7 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> Evaluator<E::Task> for LocalThre
             Ok(endings)
         };
         let groups = side_by_side(work, pieces, self.options.lanes, self.threads());
-        let endings: Result<Vec<Vec<Vec<Ending>>>, _> = self.pool.install(|| {
+        let endings: Result<Vec<Vec<Vec<EpisodeResult>>>, _> = self.pool.install(|| {
             groups.into_par_iter().map_init(|| Lanes::new(self.environment, self.options), evaluate).collect()
         });
         Ok(endings?.into_iter().flatten().collect())

@@ -1,7 +1,7 @@
 //! Optional parts of an environment: tasks for training, a guard, a picture.
 
 use crate::action::{Act, Output};
-use crate::ending::Ending;
+use crate::episode_result::EpisodeResult;
 use crate::random::Stream;
 use serde_json::{Map, Value};
 use tpg_graph::SourceDocument;
@@ -43,7 +43,7 @@ pub trait Training<Task, Episode>: Sync {
     }
 
     /// Returns fresh tasks that show where a policy under training fails, under the rules of tests; `None` if they are drawn.
-    fn trial_tasks(&self, _stream: &mut Stream, _count: usize) -> Option<Vec<Task>> {
+    fn evaluation_tasks(&self, _stream: &mut Stream, _count: usize) -> Option<Vec<Task>> {
         None
     }
 
@@ -78,7 +78,7 @@ pub trait Guarded<S, Episode>: Sync {
 /// A picture of a problem's episodes for reports, beyond score and success: see [`Environment::drawn`].
 pub trait Drawn<Episode>: Sync {
     /// Returns the problem's own figures of some episodes.
-    fn figures(&self, endings: &[Ending]) -> Map<String, Value>;
+    fn figures(&self, endings: &[EpisodeResult]) -> Map<String, Value>;
 
     /// Returns what a picture needs to know of a moment.
     fn moment(&self, episode: &Episode) -> Vec<f64>;

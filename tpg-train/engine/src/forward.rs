@@ -115,7 +115,7 @@ macro_rules! forward {
         }
     };
     (@cycle $this:ident $inner:expr) => {
-        fn cycle(&self, episode: &Self::Episode, key: u64, actions: u32) -> Option<$crate::Ending> {
+        fn cycle(&self, episode: &Self::Episode, key: u64, actions: u32) -> Option<$crate::EpisodeResult> {
             let $this = self;
             $inner.cycle(episode, key, actions)
         }

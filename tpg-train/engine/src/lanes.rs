@@ -5,8 +5,8 @@
 
 use crate::columns::Columns;
 use crate::decide::Decider;
-use crate::ending::Ending;
 use crate::environment::Environment;
+use crate::episode_result::EpisodeResult;
 use crate::episodes::Episodes;
 use crate::error::EvaluationError;
 use crate::history::History;
@@ -67,7 +67,7 @@ pub struct Lanes<'e, S: Scalar, M, E: Environment<S>> {
     /// Index of each lane's start, and of its history: histories stay in place while lanes move.
     running: Vec<(usize, usize)>,
     histories: Vec<History>,
-    ended: Vec<(usize, Ending)>,
+    ended: Vec<(usize, EpisodeResult)>,
     steps: u64,
 }
 
@@ -117,7 +117,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     ///
     /// # Panics
     /// If the plan has several roots: see [`run_roots`](Self::run_roots).
-    pub fn run(&mut self, plan: &Plan<S>, tasks: &[E::Task]) -> Result<Vec<Ending>, EvaluationError> {
+    pub fn run(&mut self, plan: &Plan<S>, tasks: &[E::Task]) -> Result<Vec<EpisodeResult>, EvaluationError> {
         self.run_watched(plan, tasks, |_, _| ())
     }
 
@@ -128,11 +128,15 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     ///
     /// # Panics
     /// If there are not as many lists of tasks as roots.
-    pub fn run_roots(&mut self, plan: &Plan<S>, tasks: &[&[E::Task]]) -> Result<Vec<Vec<Ending>>, EvaluationError> {
+    pub fn run_roots(
+        &mut self,
+        plan: &Plan<S>,
+        tasks: &[&[E::Task]],
+    ) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
         assert_eq!(tasks.len(), plan.roots.len(), "tasks for each root");
         let order = kindred(plan);
-        let of = |&place: &usize| tasks[place].iter().map(move |task| Start { root: plan.roots[place], task });
-        let episodes: Vec<_> = order.iter().flat_map(of).collect();
+        let starts = |&place: &usize| tasks[place].iter().map(move |task| Start { root: plan.roots[place], task });
+        let episodes: Vec<_> = order.iter().flat_map(starts).collect();
         let mut ended = self.run_while(plan, &episodes, |_, _, _, _| true)?.into_iter().map(ended);
         let mut endings = vec![Vec::new(); tasks.len()];
         for place in order {
@@ -153,7 +157,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         plan: &Plan<S>,
         tasks: &[E::Task],
         mut watch: impl FnMut(usize, ActionId),
-    ) -> Result<Vec<Ending>, EvaluationError> {
+    ) -> Result<Vec<EpisodeResult>, EvaluationError> {
         let endings = self.run_while(plan, &starts(plan, tasks), |_, _, task, action| {
             watch(task, action);
             true
@@ -199,7 +203,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         plan: &Plan<S>,
         starts: &[Start<'_, E::Task>],
         watch: impl FnMut(&Columns<S, M>, usize, usize, ActionId) -> bool,
-    ) -> Result<Vec<Option<Ending>>, EvaluationError> {
+    ) -> Result<Vec<Option<EpisodeResult>>, EvaluationError> {
         let result = self.run_all(plan, starts, watch);
         if !self.running.is_empty() {
             // Unfinished episodes of an earlier call must not be continued.
@@ -214,7 +218,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         plan: &Plan<S>,
         starts: &[Start<'_, E::Task>],
         mut watch: impl FnMut(&Columns<S, M>, usize, usize, ActionId) -> bool,
-    ) -> Result<Vec<Option<Ending>>, EvaluationError> {
+    ) -> Result<Vec<Option<EpisodeResult>>, EvaluationError> {
         self.columns.prepare(plan, &self.constants);
         self.decider.prepare(plan);
         let mut endings = vec![None; starts.len()];
@@ -299,6 +303,6 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
 }
 
 /// Returns the ending of a task on which nobody stopped the lanes.
-fn ended(ending: Option<Ending>) -> Ending {
+fn ended(ending: Option<EpisodeResult>) -> EpisodeResult {
     ending.expect("every task was begun and every lane ended")
 }

@@ -1,6 +1,6 @@
 //! The engine: parallel episodes of many roots, millions of steps per second, with the same results as the interpreter.
 //!
-//! [`PolicyGraph`]s → [`Plan`] (distinct nodes, teams in topological order) → [`Lanes`] (parallel episodes) → [`Ending`]s;
+//! [`PolicyGraph`]s → [`Plan`] (distinct nodes, teams in topological order) → [`Lanes`] (parallel episodes) → [`EpisodeResult`]s;
 //! [`LocalThreads`] distributes roots over threads behind the [`Evaluator`] trait. [`Single`] decides for one state at
 //! a time. Problems implement [`Environment`].
 //!
@@ -16,7 +16,7 @@
 //! | [`Choices`] | any action space as a list of named actions |
 //! | [`Remembering`], [`Remembered`] | a memory for policies |
 //! | [`Episodes`], [`OneByOne`], [`Mapped`], [`View`], [`SourceSet`] | parallel episodes |
-//! | [`Ending`], [`Summary`], [`Preference`] | results |
+//! | [`EpisodeResult`], [`Summary`], [`Preference`] | results |
 //! | [`PolicyGraph`], [`Plan`], [`Node`], [`Arena`] | a graph in the engine's own form |
 //! | [`Lanes`], [`Single`], [`EngineOptions`], [`History`] | execution |
 //! | [`Evaluator`], [`LocalThreads`], [`Work`], [`Piece`], [`Visit`], [`Play`], [`Moments`], [`Sample`] | evaluation of many roots, on threads or elsewhere |
@@ -28,8 +28,8 @@ mod binding;
 mod choices;
 mod columns;
 mod decide;
-mod ending;
 mod environment;
+mod episode_result;
 mod episodes;
 mod erased;
 mod error;
@@ -61,8 +61,8 @@ mod work;
 pub use action::{Act, ActionSpace, Acts, Choice, NETWORK, Output};
 pub use binding::{bind, bind_to};
 pub use choices::{Choices, TooManyActions};
-pub use ending::{End, Ending, Measure, Preference, Step, Summary, finite};
 pub use environment::{Environment, OneByOne};
+pub use episode_result::{End, EpisodeResult, Measure, Preference, Step, Summary, finite};
 pub use episodes::Episodes;
 pub use erased::{AnyEnvironment, AnyEpisode, AnyTask, erase};
 pub use error::EvaluationError;

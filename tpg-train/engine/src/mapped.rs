@@ -1,7 +1,7 @@
 //! Parallel episodes behind tasks of another type.
 
 use crate::action::Acts;
-use crate::ending::Ending;
+use crate::episode_result::EpisodeResult;
 use crate::episodes::Episodes;
 use crate::error::EvaluationError;
 use crate::source_set::SourceSet;
@@ -24,13 +24,13 @@ impl<S, Outer, Inner> Episodes<S, Outer> for Mapped<'_, S, Outer, Inner> {
     fn begin(&mut self, lane: usize, task: &Outer) -> Result<(), EvaluationError> {
         self.episodes.begin(lane, (self.task)(task))
     }
-    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
+    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, EpisodeResult)>) -> Result<(), EvaluationError> {
         self.episodes.step(acts, ended)
     }
     fn keys(&self) -> &[u64] {
         self.episodes.keys()
     }
-    fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<Ending> {
+    fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<EpisodeResult> {
         self.episodes.cycle(lane, key, actions)
     }
     fn observe(&mut self, wanted: SourceSet, view: &mut View<'_, S>) -> Result<(), EvaluationError> {

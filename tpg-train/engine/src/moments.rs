@@ -158,8 +158,8 @@ impl Moments {
     /// Returns the moments of some of the values, in the order of `places`.
     #[must_use]
     pub fn select(&self, places: impl Iterator<Item = usize> + Clone) -> Self {
-        let of = |values: &[f64]| places.clone().map(|place| values[place]).collect();
-        Self { count: self.count, means: of(&self.means), squares: of(&self.squares) }
+        let chosen = |values: &[f64]| places.clone().map(|place| values[place]).collect();
+        Self { count: self.count, means: chosen(&self.means), squares: chosen(&self.squares) }
     }
 }
 
@@ -167,7 +167,7 @@ impl Moments {
 mod tests {
     use super::Moments;
 
-    fn of(states: &[[f64; 2]]) -> Moments {
+    fn moments_of(states: &[[f64; 2]]) -> Moments {
         let mut moments = Moments::new(2);
         states.iter().for_each(|state| moments.push(state));
         moments
@@ -176,10 +176,10 @@ mod tests {
     #[test]
     fn merged_moments_are_those_of_all_states() {
         let states = [[1.0, -3.0], [2.0, 1e3], [4.0, 0.5], [-9.0, 0.25], [0.0, 6.0]];
-        let all = of(&states);
+        let all = moments_of(&states);
         for cut in 0..=states.len() {
-            let mut merged = of(&states[..cut]);
-            merged.merge(&of(&states[cut..]));
+            let mut merged = moments_of(&states[..cut]);
+            merged.merge(&moments_of(&states[cut..]));
             assert_eq!(merged.count(), 5);
             for place in 0..2 {
                 assert!((merged.mean(place) - all.mean(place)).abs() < 1e-9, "cut {cut}");
@@ -191,20 +191,20 @@ mod tests {
 
     #[test]
     fn a_state_that_is_not_finite_does_not_count() {
-        assert_eq!(of(&[[1.0, 2.0], [f64::NAN, 0.0], [0.0, f64::INFINITY]]), of(&[[1.0, 2.0]]));
+        assert_eq!(moments_of(&[[1.0, 2.0], [f64::NAN, 0.0], [0.0, f64::INFINITY]]), moments_of(&[[1.0, 2.0]]));
         assert_eq!(Moments::new(2).deviation(0), None);
     }
 
     #[test]
     fn values_are_selected() {
-        let moments = of(&[[1.0, 2.0], [3.0, 5.0]]);
+        let moments = moments_of(&[[1.0, 2.0], [3.0, 5.0]]);
         let (other, first) = (moments.select([1].into_iter()), moments.select([1, 0].into_iter()));
         assert_eq!((other.length(), other.mean(0), first.mean(1)), (1, 3.5, 2.0));
     }
 
     #[test]
     fn impossible_moments_are_refused() {
-        let moments = of(&[[1.0, 2.0], [3.0, 5.0]]);
+        let moments = moments_of(&[[1.0, 2.0], [3.0, 5.0]]);
         let (count, means, squares) = moments.clone().into_parts();
         assert_eq!(Moments::from_parts(count, means.clone(), squares), Some(moments));
         for squares in [vec![1.0], vec![1.0, -1.0], vec![f64::NAN, 1.0]] {

@@ -90,7 +90,7 @@ impl Iterator for Parts {
 mod tests {
     use super::Parts;
 
-    fn of(parts: &[usize]) -> Parts {
+    fn set(parts: &[usize]) -> Parts {
         let mut set = Parts::NONE;
         parts.iter().for_each(|&part| set.insert(part));
         set
@@ -98,12 +98,12 @@ mod tests {
 
     #[test]
     fn parts_come_in_ascending_order() {
-        let parts = of(&[63, 0, 5, 5]);
+        let parts = set(&[63, 0, 5, 5]);
         assert_eq!((parts.lanes(), parts.collect::<Vec<_>>()), (24, vec![0, 5, 63]));
-        assert_eq!(parts.without(of(&[5])), of(&[0, 63]));
+        assert_eq!(parts.without(set(&[5])), set(&[0, 63]));
         let mut kept = parts;
-        kept.keep(of(&[5, 6]));
-        assert_eq!(kept, of(&[5]));
+        kept.keep(set(&[5, 6]));
+        assert_eq!(kept, set(&[5]));
         kept.keep(Parts::NONE);
         assert!(kept.is_empty() && !kept.contains(5) && Parts::ALL.contains(63));
     }
@@ -112,8 +112,8 @@ mod tests {
     fn blocks_come_once_for_both_of_their_parts() {
         let mut last = Parts::NONE;
         last.insert_block(31);
-        assert_eq!(last, of(&[62, 63]));
-        assert_eq!(of(&[1, 4, 5, 62]).blocks().collect::<Vec<_>>(), [0, 2, 31]);
+        assert_eq!(last, set(&[62, 63]));
+        assert_eq!(set(&[1, 4, 5, 62]).blocks().collect::<Vec<_>>(), [0, 2, 31]);
         assert_eq!(Parts::ALL.blocks().collect::<Vec<_>>(), (0..32).collect::<Vec<_>>());
     }
 }

@@ -1,9 +1,9 @@
 //! A memory for policies: values that they compute at one decision and read at the next.
 
 use crate::action::{Act, ActionSpace, Output};
-use crate::ending::{End, Ending, Step};
 use crate::environment::Environment;
 use crate::environment::OneByOne;
+use crate::episode_result::{End, EpisodeResult, Step};
 use crate::episodes::Episodes;
 use crate::extensions::{TaskSet, Training};
 use crate::source_set::SourceSet;
@@ -26,7 +26,7 @@ pub struct Remembered {
 
 impl Remembered {
     /// Returns the memory of a graph.
-    pub fn of(graph: &Graph) -> Vec<Self> {
+    pub fn in_graph(graph: &Graph) -> Vec<Self> {
         let outputs = &graph.outputs()[graph.outputs().len() - graph.memory()..];
         let value = |output: &tpg_graph::Output| Self {
             name: output.name.clone(),
@@ -39,7 +39,7 @@ impl Remembered {
 
     /// Returns `count` values that begin at 0, called `memory0` and so on. Their limits are twice the greatest magnitude that
     /// the sources declare, or 20 where none is known, exact in `f32`.
-    pub fn usual(count: u16, sources: &[SourceDocument]) -> Vec<Self> {
+    pub fn zeros(count: u16, sources: &[SourceDocument]) -> Vec<Self> {
         let ends = sources.iter().flat_map(|source| &source.ranges).flatten().copied();
         let greatest = ends.filter(|end| end.is_finite()).fold(0.0, |most: f64, end| most.max(end.abs()));
         let limit = if greatest > 0.0 { f64::from((2.0 * greatest).min(1e30) as f32) } else { 20.0 };
@@ -77,7 +77,7 @@ impl Remembered {
 /// #     }
 /// # }
 /// // `Motor` observes a speed, and has one output, a torque.
-/// let motor = Remembering::new(Motor, Remembered::usual(1, &Motor.sources()));
+/// let motor = Remembering::new(Motor, Remembered::zeros(1, &Motor.sources()));
 /// let mut episode = motor.start(&0.5);
 /// let mut state = [0.0; 2];
 /// motor.step(&mut episode, Act::Values(&[2.0, 7.0]));
@@ -174,7 +174,7 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {
     fn key(&self, with: &Self::Episode) -> Option<u64> {
         self.environment.key(&with.episode).filter(|_| self.memory.is_empty())
     }
-    fn cycle(&self, with: &Self::Episode, key: u64, actions: u32) -> Option<Ending> {
+    fn cycle(&self, with: &Self::Episode, key: u64, actions: u32) -> Option<EpisodeResult> {
         self.environment.cycle(&with.episode, key, actions)
     }
     fn lanes(&self) -> Box<dyn Episodes<S, E::Task> + '_> {

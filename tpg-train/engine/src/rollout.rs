@@ -1,8 +1,8 @@
 //! One episode of any environment, action by action.
 
 use crate::action::Act;
-use crate::ending::Ending;
 use crate::environment::Environment;
+use crate::episode_result::EpisodeResult;
 use crate::source_set::SourceSet;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
@@ -65,7 +65,7 @@ impl<'e, S: Scalar, E: Environment<S> + ?Sized> Rollout<'e, S, E> {
     }
 
     /// Takes an action; returns the ending if the episode ended.
-    pub fn act(&mut self, act: Act<'_, S>) -> Option<Ending> {
+    pub fn act(&mut self, act: Act<'_, S>) -> Option<EpisodeResult> {
         let step = self.environment.step(&mut self.episode, act);
         self.score += step.reward;
         self.actions += 1;
@@ -73,16 +73,20 @@ impl<'e, S: Scalar, E: Environment<S> + ?Sized> Rollout<'e, S, E> {
         let timeout = || self.environment.timeout(&self.episode);
         let end = step.end.or_else(|| (self.actions >= self.environment.time_limit()).then(timeout))?;
         let (score, actions) = (self.score, self.actions);
-        Some(Ending { outcome: end.outcome, success: end.success, score, measure: end.measure, actions })
+        Some(EpisodeResult { outcome: end.outcome, success: end.success, score, measure: end.measure, actions })
     }
 
     /// Lets a policy act until the end.
-    pub fn run(self, decide: impl FnMut(&[S]) -> Decision<S>) -> Ending {
+    pub fn run(self, decide: impl FnMut(&[S]) -> Decision<S>) -> EpisodeResult {
         self.watch(decide, |_| ())
     }
 
     /// Lets a policy act until the end; `each` sees the episode at its start and after every action.
-    pub fn watch(mut self, mut decide: impl FnMut(&[S]) -> Decision<S>, mut each: impl FnMut(&E::Episode)) -> Ending {
+    pub fn watch(
+        mut self,
+        mut decide: impl FnMut(&[S]) -> Decision<S>,
+        mut each: impl FnMut(&E::Episode),
+    ) -> EpisodeResult {
         each(&self.episode);
         loop {
             let decision = decide(self.observe(SourceSet::ALL));
@@ -107,7 +111,7 @@ impl<'e, S: Scalar, E: Environment<S> + ?Sized> Rollout<'e, S, E> {
     }
 
     /// Returns the ending of an episode that comes back to a key for ever: see [`Environment::cycle`].
-    pub fn cycle(&self, key: u64) -> Option<Ending> {
+    pub fn cycle(&self, key: u64) -> Option<EpisodeResult> {
         self.environment.cycle(&self.episode, key, self.actions)
     }
 

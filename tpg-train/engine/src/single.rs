@@ -81,11 +81,11 @@ impl<S: Scalar, M: Maths<S>> Engine for Single<S, M> {
 
 /// Wraps a graph, computed in its own arithmetic, as an [`Engine`].
 pub fn single(graph: &Graph) -> Box<dyn Engine> {
-    fn of<S: Scalar, M: Maths<S> + 'static>(graph: &Graph) -> Box<dyn Engine> {
+    fn engine<S: Scalar, M: Maths<S> + 'static>(graph: &Graph) -> Box<dyn Engine> {
         let plan = Plan::new::<M>(&PolicyGraph::from(graph), &graph.state_sources(), EngineOptions::default());
         Box::new(Single::<S, M>::new(plan))
     }
-    in_arithmetic_of!(graph, of(graph))
+    in_arithmetic_of!(graph, engine(graph))
 }
 
 #[cfg(test)]

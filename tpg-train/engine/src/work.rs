@@ -1,6 +1,6 @@
 //! Work for evaluators, and its results: plain data, for threads, processes and other machines.
 
-use crate::ending::Ending;
+use crate::episode_result::EpisodeResult;
 use crate::moments::Moments;
 use crate::policy::PolicyGraph;
 use serde::{Deserialize, Serialize};
@@ -68,7 +68,7 @@ pub struct UnitResult {
     /// Identity of the unit.
     pub key: UnitKey,
     /// One ending for each task, in order.
-    pub endings: Vec<Ending>,
+    pub endings: Vec<EpisodeResult>,
 }
 
 /// States to record: those that a policy sees after given numbers of actions on a task.
@@ -96,7 +96,7 @@ pub struct Play<Task> {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Played {
     /// The end.
-    pub ending: Ending,
+    pub ending: EpisodeResult,
     /// Mean and spread of the flat states in which the policy decided.
     pub seen: Moments,
 }

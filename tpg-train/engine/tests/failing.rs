@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fmt;
 use tpg_engine::random::Stream;
 use tpg_engine::{
-    Act, ActionSpace, Acts, Destination, Edge, Ending, EngineOptions, Environment, Episodes, EvaluationError,
+    Act, ActionSpace, Acts, Destination, Edge, EngineOptions, Environment, EpisodeResult, Episodes, EvaluationError,
     Evaluator, LocalThreads, OneByOne, PolicyGraph, SourceSet, Step, UnitKey, View, Work, WorkUnit,
 };
 use tpg_graph::SourceDocument;
@@ -70,7 +70,7 @@ impl Episodes<f32, u32> for Remote<'_> {
         self.fragile |= *task > 100;
         self.inner.begin(lane, task)
     }
-    fn step(&mut self, acts: Acts<'_, f32>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
+    fn step(&mut self, acts: Acts<'_, f32>, ended: &mut Vec<(usize, EpisodeResult)>) -> Result<(), EvaluationError> {
         self.step += 1;
         if self.fragile && self.step == 3 {
             return Err(EvaluationError::new(Unplugged { step: self.step }));
@@ -80,7 +80,7 @@ impl Episodes<f32, u32> for Remote<'_> {
     fn keys(&self) -> &[u64] {
         self.inner.keys()
     }
-    fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<Ending> {
+    fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<EpisodeResult> {
         self.inner.cycle(lane, key, actions)
     }
     fn observe(&mut self, wanted: SourceSet, view: &mut View<'_, f32>) -> Result<(), EvaluationError> {

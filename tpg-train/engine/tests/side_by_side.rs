@@ -3,8 +3,8 @@
 use std::sync::Arc;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Act, ActionSpace, Destination, Edge, End, Ending, EngineOptions, Environment, Evaluator, Lanes, Limits, Line,
-    LocalThreads, Operand, Output, Plan, PolicyGraph, SourceSet, Step, UnitKey, Work, WorkUnit,
+    Act, ActionSpace, Destination, Edge, End, EngineOptions, Environment, EpisodeResult, Evaluator, Lanes, Limits,
+    Line, LocalThreads, Operand, Output, Plan, PolicyGraph, SourceSet, Step, UnitKey, Work, WorkUnit,
 };
 use tpg_graph::SourceDocument;
 use tpg_runtime::ops::{Instruction, Maths, Own};
@@ -109,7 +109,7 @@ fn roots(computes: bool, stream: &mut Stream) -> Vec<PolicyGraph> {
 }
 
 /// Returns endings with the bits of their scores: 0 and −0 are not the same.
-fn bits(endings: &[Ending]) -> Vec<(Ending, u64)> {
+fn bits(endings: &[EpisodeResult]) -> Vec<(EpisodeResult, u64)> {
     endings.iter().map(|ending| (*ending, ending.score.to_bits())).collect()
 }
 
@@ -124,7 +124,7 @@ where
     let tasks: Vec<Vec<u32>> = (0..roots.len())
         .map(|place| (0..place % 8).map(|_| Environment::<S>::draw(&environment, &mut stream)).collect())
         .collect();
-    let alone: Vec<Vec<(Ending, u64)>> = (roots.iter().zip(&tasks))
+    let alone: Vec<Vec<(EpisodeResult, u64)>> = (roots.iter().zip(&tasks))
         .map(|(root, tasks)| {
             let options = EngineOptions { lanes: 1, share: false, lazy: false, ..EngineOptions::default() };
             let plan = Plan::<S>::new::<Own>(root, &sources, options);

@@ -43,10 +43,10 @@ impl<T: Real> Adam<T> {
         self.steps += 1;
         let steps = self.steps as f64;
         let [correction, square_correction] = BETA.map(|beta| 1.0 - libm::pow(beta, steps));
-        let (rate, root) = (T::of(rate / correction), T::of(1.0 / square_correction.sqrt()));
-        let [kept, kept_square] = BETA.map(T::of);
-        let [new, new_square] = BETA.map(|beta| T::of(1.0 - beta));
-        let epsilon = T::of(EPSILON);
+        let (rate, root) = (T::nearest(rate / correction), T::nearest(1.0 / square_correction.sqrt()));
+        let [kept, kept_square] = BETA.map(T::nearest);
+        let [new, new_square] = BETA.map(|beta| T::nearest(1.0 - beta));
+        let epsilon = T::nearest(EPSILON);
         let moments = self.mean.iter_mut().zip(&mut self.square);
         let all = parameters.iter_mut().zip(gradient).zip(moments);
         vectorised(

@@ -127,7 +127,7 @@ impl<T: Real> Agent<T> {
     /// Creates an agent from given networks, with new optimisers and slow copies equal to the critics.
     pub fn new(actor: Mlp<T>, critics: [Mlp<T>; 2], gaussian: Gaussian, log_alpha: f64) -> Self {
         let (slow, critics) = (critics.clone(), critics.map(Learner::new));
-        let (actor, log_alpha, alpha_adam) = (Learner::new(actor), T::of(log_alpha), Adam::new(1));
+        let (actor, log_alpha, alpha_adam) = (Learner::new(actor), T::nearest(log_alpha), Adam::new(1));
         Self { actor, critics, slow, log_alpha, alpha_adam, gaussian }
     }
 
@@ -161,10 +161,10 @@ impl<T: Real> Agent<T> {
         let actor_loss = self.update_actor(space, batch, alpha, rates.learning);
         let mean_density = mean(&space.samples.log_densities);
         let mut log_alpha = [self.log_alpha];
-        self.alpha_adam.step(&mut log_alpha, &[-mean_density - T::of(rates.target_entropy)], rates.temperature);
+        self.alpha_adam.step(&mut log_alpha, &[-mean_density - T::nearest(rates.target_entropy)], rates.temperature);
         [self.log_alpha] = log_alpha;
         for (slow, critic) in self.slow.iter_mut().zip(&self.critics) {
-            slow.follow(&critic.network, T::of(rates.follow));
+            slow.follow(&critic.network, T::nearest(rates.follow));
         }
         UpdateFigures { critic_loss, actor_loss, entropy: -mean_density.wide(), temperature: alpha.wide() }
     }
@@ -208,7 +208,7 @@ impl<T: Real> Agent<T> {
 
     /// Moves both critics towards `space.wanted`.
     fn update_critics(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, rate: f64) -> f64 {
-        let scale = T::of(2.0 / space.wanted.len() as f64);
+        let scale = T::nearest(2.0 / space.wanted.len() as f64);
         let mut loss = 0.0;
         // One tape for both, so that it stays near the processor.
         let ([tape, _], [by_q, _]) = (&mut space.critics, &mut space.by_q);
@@ -232,7 +232,7 @@ impl<T: Real> Agent<T> {
     fn update_actor(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, alpha: T, rate: f64) -> f64 {
         self.judge_own_actions(space, batch.states, batch.noise);
         let size = space.wanted.len();
-        let share = T::one() / T::of(size as f64);
+        let share = T::one() / T::nearest(size as f64);
         let mut loss = T::zero();
         for sample in 0..size {
             let [first, second] = space.critics.each_ref().map(|tape| tape.output()[sample]);
@@ -279,5 +279,5 @@ fn least<T: Real>(a: T, b: T) -> T {
 }
 
 fn mean<T: Real>(values: &[T]) -> T {
-    values.iter().fold(T::zero(), |sum, &value| sum + value) / T::of(values.len() as f64)
+    values.iter().fold(T::zero(), |sum, &value| sum + value) / T::nearest(values.len() as f64)
 }

@@ -62,9 +62,9 @@ impl Gaussian {
     pub(super) fn compute_sample<T: Real>(self, outputs: &[T], noise: &[T], samples: &mut Samples<T>) {
         assert_eq!(outputs.len(), 2 * noise.len(), "noise for another batch");
         let (low, high) = self.spread.range();
-        let (low, high) = (T::of(low), T::of(high));
-        let constant = T::of(0.5 * (2.0 * std::f64::consts::PI).ln());
-        let two = T::of(2.0);
+        let (low, high) = (T::nearest(low), T::nearest(high));
+        let constant = T::nearest(0.5 * (2.0 * std::f64::consts::PI).ln());
+        let two = T::nearest(2.0);
         samples.actions.clear();
         samples.log_densities.clear();
         samples.sigma.clear();
@@ -93,7 +93,7 @@ impl Gaussian {
                 samples.actions.push(if u > T::zero() { squashed } else { -squashed });
                 samples.sigma.push(if inside { sigma } else { -sigma });
                 product *= T::one() + e;
-                let room = two * (T::of(std::f64::consts::LN_2) - u - over);
+                let room = two * (T::nearest(std::f64::consts::LN_2) - u - over);
                 log_density += -noise * noise / two - log_sigma - constant - room;
             }
             samples.log_densities.push(log_density + two * product.logarithm());
@@ -134,7 +134,7 @@ impl Gaussian {
                 let at = sample * self.actions + i;
                 let (action, sigma) = (samples.actions[at], samples.sigma[at]);
                 // d ln π / du = 2 tanh u; da/du = 1 − tanh² u.
-                let by_u = by_actions[at] * (T::one() - action * action) + by_density * T::of(2.0) * action;
+                let by_u = by_actions[at] * (T::one() - action * action) + by_density * T::nearest(2.0) * action;
                 by_means[i] = by_u;
                 by_spreads[i] = if sigma < T::zero() {
                     T::zero()

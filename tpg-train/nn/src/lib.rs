@@ -45,7 +45,7 @@ pub trait Real: SimdFloatElement + Loops + 'static {
         Self::from(1u8)
     }
     /// Returns the value nearest to `value`.
-    fn of(value: f64) -> Self;
+    fn nearest(value: f64) -> Self;
     /// Converts the number exactly to `f64`.
     fn wide(self) -> f64;
     /// Returns e to the power of this number.
@@ -57,7 +57,7 @@ pub trait Real: SimdFloatElement + Loops + 'static {
 }
 
 impl Real for f32 {
-    fn of(value: f64) -> Self {
+    fn nearest(value: f64) -> Self {
         value as f32
     }
     fn wide(self) -> f64 {
@@ -76,7 +76,7 @@ impl Real for f32 {
 }
 
 impl Real for f64 {
-    fn of(value: f64) -> Self {
+    fn nearest(value: f64) -> Self {
         value
     }
     fn wide(self) -> f64 {

@@ -132,7 +132,7 @@ impl<T: Real> Mlp<T> {
         for layer in &layers {
             let bound = 1.0 / (layer.inputs as f64).sqrt();
             for parameter in &mut parameters[layer.weight..layer.bias + layer.outputs] {
-                *parameter = T::of((2.0 * unit() - 1.0) * bound);
+                *parameter = T::nearest((2.0 * unit() - 1.0) * bound);
             }
             if let Some(gain) = layer.norm {
                 parameters[gain..][..layer.outputs].fill(T::one());

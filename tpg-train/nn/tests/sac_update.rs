@@ -55,7 +55,7 @@ fn difference<T: Real>(ours: &[T], theirs: &[f64]) -> f64 {
 
 fn agrees<T: Real>(bound: f64) {
     let fixture = fixture();
-    let narrow = |values: &[f64]| -> Vec<T> { values.iter().map(|&value| T::of(value)).collect() };
+    let narrow = |values: &[f64]| -> Vec<T> { values.iter().map(|&value| T::nearest(value)).collect() };
     let network = |inputs, hidden: &[usize], outputs, parameters: &[f64]| {
         let shape = Shape { inputs, hidden: hidden.to_vec(), outputs, norm: false };
         Mlp::from_parameters(shape, narrow(parameters)).expect("the fixture fits its shape")

@@ -32,7 +32,7 @@ pub(crate) fn sincos<const L: usize>(angles: &[f64; L]) -> [[f64; L]; 2] {
     let mut any_is_other = false;
     for ((&angle, sine), cosine) in angles.iter().zip(&mut sines).zip(&mut cosines) {
         let other;
-        (*sine, *cosine, other) = usual(angle);
+        (*sine, *cosine, other) = reduced(angle);
         any_is_other |= other;
     }
     if any_is_other {
@@ -46,7 +46,7 @@ pub(crate) fn sincos<const L: usize>(angles: &[f64; L]) -> [[f64; L]; 2] {
 /// Sine, cosine, and whether libm may take another way for this angle: one that is −0, huge or no number, or close to where the
 /// quadrant or the way changes. (Of a tiny angle libm returns itself and 1, which is what comes out here, too.)
 #[inline(always)]
-fn usual(angle: f64) -> (f64, f64, bool) {
+fn reduced(angle: f64) -> (f64, f64, bool) {
     let quarters = angle * TURNS;
     let turns = quarters + ROUND;
     let quadrant = turns.to_bits();
@@ -60,8 +60,8 @@ fn usual(angle: f64) -> (f64, f64, bool) {
     // within 5e-6 of a quarter.
     let is_cancelled = angle.abs() > 65536.0 * x.abs();
     let is_close = (quarters - whole).abs() > 0.49999;
-    let is_usual = angle.abs() < HUGE;
-    let other = is_cancelled | is_close | !is_usual | (angle.to_bits() == 1 << 63);
+    let is_moderate = angle.abs() < HUGE;
+    let other = is_cancelled | is_close | !is_moderate | (angle.to_bits() == 1 << 63);
 
     let z = x * x;
     let w = z * z;

@@ -1,7 +1,7 @@
 //! Episodes that are stepped eight at a time, in a form that compilers turn into vectors.
 
 use fearless_simd::{Level, dispatch};
-use tpg_engine::{Acts, End, Ending, Environment, Episodes, EvaluationError, SourceSet, View};
+use tpg_engine::{Acts, End, Environment, EpisodeResult, Episodes, EvaluationError, SourceSet, View};
 use tpg_runtime::scalar::Scalar;
 
 /// A problem whose episodes are `N` numbers each, and whose steps are the same operations for all of them and for policies in any
@@ -102,7 +102,7 @@ impl<'e, E, const N: usize> Eights<'e, E, N> {
     }
 
     /// Returns how a lane's episode has ended, if it has.
-    fn ending<S: Scalar>(&self, lane: usize) -> Option<Ending>
+    fn ending<S: Scalar>(&self, lane: usize) -> Option<EpisodeResult>
     where
         E: ByEight<N> + Environment<S, Episode = <E as ByEight<N>>::State>,
     {
@@ -113,7 +113,7 @@ impl<'e, E, const N: usize> Eights<'e, E, N> {
         let (numbers, score, actions) = self.eights[lane / 8].get(lane % 8);
         let End { outcome, success, measure, .. } =
             if ended[lane % 8] { End::new(0) } else { self.environment.timeout(&E::episode(numbers)) };
-        Some(Ending { outcome, success, score, measure, actions })
+        Some(EpisodeResult { outcome, success, score, measure, actions })
     }
 }
 
@@ -143,7 +143,7 @@ where
         Ok(())
     }
 
-    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
+    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, EpisodeResult)>) -> Result<(), EvaluationError> {
         self.acts.clear();
         match acts {
             Acts::Choices(actions) => self.acts.extend(actions[..self.lanes].iter().map(|action| f64::from(action.0))),
@@ -158,7 +158,7 @@ where
         &[]
     }
 
-    fn cycle(&self, _lane: usize, _key: u64, _actions: u32) -> Option<Ending> {
+    fn cycle(&self, _lane: usize, _key: u64, _actions: u32) -> Option<EpisodeResult> {
         None
     }
 
@@ -186,15 +186,15 @@ where
 pub(crate) mod tests {
     use tpg_engine::random::{Purpose, Stream};
     use tpg_engine::{
-        Destination, Edge, Ending, EngineOptions, Environment, Lanes, Limits, Line, Operand, Plan, PolicyGraph,
+        Destination, Edge, EngineOptions, Environment, EpisodeResult, Lanes, Limits, Line, Operand, Plan, PolicyGraph,
     };
     use tpg_runtime::ops::{Instruction, Maths, Own};
     use tpg_runtime::scalar::Scalar;
 
     /// An environment with the lanes that every problem has.
-    struct Usual<E>(E);
+    struct OneByOne<E>(E);
 
-    impl<S: Scalar, E: Environment<S>> Environment<S> for Usual<E> {
+    impl<S: Scalar, E: Environment<S>> Environment<S> for OneByOne<E> {
         type Task = E::Task;
         type Episode = E::Episode;
 
@@ -218,9 +218,9 @@ pub(crate) mod tests {
     pub(crate) fn same_as_one_by_one<E: Environment<f32> + Environment<f64> + Copy>(
         environment: E,
         policy: &PolicyGraph,
-    ) -> Vec<Ending> {
-        let single = endings::<f32, _>(&Usual(environment), policy, 1);
-        let in_doubles = endings::<f64, _>(&Usual(environment), policy, 1);
+    ) -> Vec<EpisodeResult> {
+        let single = endings::<f32, _>(&OneByOne(environment), policy, 1);
+        let in_doubles = endings::<f64, _>(&OneByOne(environment), policy, 1);
         for lanes in [1, 7, 8, 19, 112] {
             assert_eq!(endings::<f32, _>(&environment, policy, lanes), single, "{lanes} lanes");
             assert_eq!(endings::<f64, _>(&environment, policy, lanes), in_doubles, "{lanes} lanes");
@@ -229,7 +229,11 @@ pub(crate) mod tests {
     }
 
     /// Returns the endings, and the bits of their scores: 0 and −0 are not the same.
-    fn endings<S: Scalar, E: Environment<S>>(environment: &E, policy: &PolicyGraph, lanes: usize) -> Vec<(Ending, u64)>
+    fn endings<S: Scalar, E: Environment<S>>(
+        environment: &E,
+        policy: &PolicyGraph,
+        lanes: usize,
+    ) -> Vec<(EpisodeResult, u64)>
     where
         Own: Maths<S>,
     {

@@ -7,7 +7,7 @@ use crate::dodge;
 use crate::registry::{PROBLEMS, PolicyKind, Problem, ProblemName, ProblemSettings};
 use serde::Deserialize;
 use std::path::Path;
-use tpg_engine::{AnyTask, Ending};
+use tpg_engine::{AnyTask, EpisodeResult};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 
@@ -83,7 +83,7 @@ impl Problem {
                 })
             }
             ProblemSettings::Dodge(_) => {
-                Ok(dodge::file::read_csv(path)?.into_iter().map(|of| AnyTask::new(of.scene)).collect())
+                Ok(dodge::file::read_csv(path)?.into_iter().map(|row| AnyTask::new(row.scene)).collect())
             }
             _ => {
                 let found = format!("tasks from a file for {}", self.name().name());
@@ -128,7 +128,7 @@ impl Problem {
     }
 
     /// Lets a controller do tasks; `None` if the problem has none of that name.
-    pub fn controlled(&self, name: &str, tasks: &[AnyTask]) -> Option<Vec<Ending>> {
+    pub fn controlled(&self, name: &str, tasks: &[AnyTask]) -> Option<Vec<EpisodeResult>> {
         let ProblemSettings::Arm(config) = &self.settings else { return None };
         let tasks: Vec<targets::Task> =
             tasks.iter().filter_map(|task| task.typed::<ArmTask>().map(Into::into)).collect();

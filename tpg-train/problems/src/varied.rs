@@ -127,7 +127,7 @@ impl<T> VariedTask<T> {
 
 /// A running episode.
 #[derive(Clone, Debug)]
-pub struct Trial<S, P, Episode> {
+pub struct VariedEpisode<S, P, Episode> {
     bare: Episode,
     /// None under standard constants without disturbances.
     variation: Option<Box<Variation<S, P>>>,
@@ -162,7 +162,7 @@ impl<S: Scalar, P> Variation<S, P> {
 
 impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>> Environment<S> for Varied<E, C> {
     type Task = VariedTask<E::Task>;
-    type Episode = Trial<S, E::Physics, E::Episode>;
+    type Episode = VariedEpisode<S, E::Physics, E::Episode>;
 
     fn sources(&self) -> Vec<SourceDocument> {
         let mut sources = self.environment.sources();
@@ -182,8 +182,8 @@ impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>> Environmen
         self.environment.outcomes()
     }
 
-    fn timeout(&self, trial: &Self::Episode) -> End {
-        self.environment.timeout(&trial.bare)
+    fn timeout(&self, running: &Self::Episode) -> End {
+        self.environment.timeout(&running.bare)
     }
 
     fn measure(&self) -> Option<Measure> {
@@ -202,7 +202,7 @@ impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>> Environmen
     fn start(&self, task: &Self::Task) -> Self::Episode {
         let (start, seed) = match task {
             VariedTask::Standard(start) if self.is_standard => {
-                return Trial { bare: self.environment.start(start), variation: None };
+                return VariedEpisode { bare: self.environment.start(start), variation: None };
             }
             VariedTask::Standard(start) => (start, 0),
             VariedTask::Varied { start, seed } => (start, *seed),
@@ -223,35 +223,35 @@ impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>> Environmen
             state: vec![S::ZERO; sources.len()],
         };
         variation.draw_noise();
-        Trial { bare: self.environment.start(start), variation: Some(Box::new(variation)) }
+        VariedEpisode { bare: self.environment.start(start), variation: Some(Box::new(variation)) }
     }
 
-    fn observe(&self, trial: &mut Self::Episode, wanted: SourceSet, state: &mut [S]) {
-        let Some(variation) = &mut trial.variation else {
-            return self.environment.observe(&mut trial.bare, wanted, state);
+    fn observe(&self, running: &mut Self::Episode, wanted: SourceSet, state: &mut [S]) {
+        let Some(variation) = &mut running.variation else {
+            return self.environment.observe(&mut running.bare, wanted, state);
         };
-        self.environment.observe(&mut trial.bare, SourceSet::ALL, &mut variation.state);
+        self.environment.observe(&mut running.bare, SourceSet::ALL, &mut variation.state);
         for (slot, &place) in state.iter_mut().zip(&variation.visible) {
             *slot = S::from_f64(variation.state[place].to_f64() + variation.noise[place]);
         }
     }
 
-    fn step(&self, trial: &mut Self::Episode, act: Act<'_, S>) -> Step {
-        let Some(variation) = &mut trial.variation else { return self.environment.step(&mut trial.bare, act) };
+    fn step(&self, running: &mut Self::Episode, act: Act<'_, S>) -> Step {
+        let Some(variation) = &mut running.variation else { return self.environment.step(&mut running.bare, act) };
         variation.draw_noise();
         let physics = variation.physics;
         match act {
             Act::Choice(ActionId(action)) => {
                 variation.late.push_back(action.into());
                 let action = variation.late.pop_front().map_or(action, |action| action as u16);
-                self.environment.step_under(&physics, &mut trial.bare, Act::Choice(ActionId(action)))
+                self.environment.step_under(&physics, &mut running.bare, Act::Choice(ActionId(action)))
             }
             Act::Values(&[value]) => {
                 variation.late.push_back(value.to_f64());
                 let value = variation.late.pop_front().map_or(value, S::from_f64);
-                self.environment.step_under(&physics, &mut trial.bare, Act::Values(&[value]))
+                self.environment.step_under(&physics, &mut running.bare, Act::Values(&[value]))
             }
-            Act::Values(_) | Act::Choices(_) => self.environment.step_under(&physics, &mut trial.bare, act),
+            Act::Values(_) | Act::Choices(_) => self.environment.step_under(&physics, &mut running.bare, act),
         }
     }
 
@@ -259,8 +259,8 @@ impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>> Environmen
         self.environment.training().map(|_| self as _)
     }
 
-    fn distance(&self, trial: &Self::Episode) -> Option<f64> {
-        self.environment.distance(&trial.bare)
+    fn distance(&self, running: &Self::Episode) -> Option<f64> {
+        self.environment.distance(&running.bare)
     }
 
     fn lanes(&self) -> Box<dyn Episodes<S, Self::Task> + '_> {
@@ -272,11 +272,11 @@ impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>> Environmen
 }
 
 impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>>
-    Training<VariedTask<E::Task>, Trial<S, E::Physics, E::Episode>> for Varied<E, C>
+    Training<VariedTask<E::Task>, VariedEpisode<S, E::Physics, E::Episode>> for Varied<E, C>
 {
-    fn task_from(&self, trial: &Trial<S, E::Physics, E::Episode>) -> Option<VariedTask<E::Task>> {
-        let start = self.environment.training()?.task_from(&trial.bare)?;
-        Some(match &trial.variation {
+    fn task_from(&self, running: &VariedEpisode<S, E::Physics, E::Episode>) -> Option<VariedTask<E::Task>> {
+        let start = self.environment.training()?.task_from(&running.bare)?;
+        Some(match &running.variation {
             None => VariedTask::Standard(start),
             Some(variation) => VariedTask::Varied { start, seed: variation.seed },
         })
@@ -339,10 +339,10 @@ mod tests {
         let mass = Amount::Between([0.5, 2.0]);
         let varied = Varied::new(Pendulum, pendulum::Amounts { mass, ..Default::default() }, none());
         let after = |task: &VariedTask<[f64; 2]>| {
-            let mut trial = Environment::<f64>::start(&varied, task);
-            Environment::<f64>::step(&varied, &mut trial, Act::Values(&[2.0]));
+            let mut running = Environment::<f64>::start(&varied, task);
+            Environment::<f64>::step(&varied, &mut running, Act::Values(&[2.0]));
             let mut state = [0.0; 3];
-            varied.observe(&mut trial, SourceSet::ALL, &mut state);
+            varied.observe(&mut running, SourceSet::ALL, &mut state);
             state
         };
         let task = |seed| VariedTask::Varied { start: [0.5, 0.0], seed };
@@ -355,13 +355,13 @@ mod tests {
     #[test]
     fn a_late_action_takes_effect_after_the_delay() {
         let late = Varied::new(MountainCar, mountain_car::Amounts::default(), Disturbance { delay: 2, ..none() });
-        let mut trial = Environment::<f64>::start(&late, &VariedTask::Standard([-0.5, 0.0]));
+        let mut running = Environment::<f64>::start(&late, &VariedTask::Standard([-0.5, 0.0]));
         let mut bare = [-0.5, 0.0];
         // Two steps at rest, then what was decided two steps before.
         for (decided, taken) in [(2, 1), (0, 1), (1, 2), (1, 0)] {
-            Environment::<f64>::step(&late, &mut trial, Act::Choice(ActionId(decided)));
+            Environment::<f64>::step(&late, &mut running, Act::Choice(ActionId(decided)));
             Environment::<f64>::step(&MountainCar, &mut bare, Act::Choice(ActionId(taken)));
-            assert_eq!(trial.bare, bare);
+            assert_eq!(running.bare, bare);
         }
     }
 
@@ -377,10 +377,10 @@ mod tests {
         assert_eq!(names, ["cos_theta", "omega"]);
         let mut errors = Vec::new();
         for seed in 0..2000 {
-            let mut trial = Environment::<f64>::start(&varied, &VariedTask::Varied { start: [0.0, 1.0], seed });
+            let mut running = Environment::<f64>::start(&varied, &VariedTask::Varied { start: [0.0, 1.0], seed });
             let (mut first, mut second) = ([0.0; 2], [0.0; 2]);
-            varied.observe(&mut trial, SourceSet::ALL, &mut first);
-            varied.observe(&mut trial, SourceSet::ALL, &mut second);
+            varied.observe(&mut running, SourceSet::ALL, &mut first);
+            varied.observe(&mut running, SourceSet::ALL, &mut second);
             assert_eq!(first, second);
             assert_eq!(first[0], 1.0, "no noise where none is asked for");
             errors.push(first[1] - 1.0);

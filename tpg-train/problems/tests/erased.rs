@@ -2,7 +2,7 @@
 
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    AnyTask, Destination, Edge, Ending, EngineOptions, Environment, Evaluator, Line, LocalThreads, Operand,
+    AnyTask, Destination, Edge, EngineOptions, Environment, EpisodeResult, Evaluator, Line, LocalThreads, Operand,
     PolicyGraph, SourceSet, UnitKey, Work, WorkUnit, erase,
 };
 use tpg_problems::{CartPole, PROBLEMS, Problem};
@@ -15,7 +15,7 @@ fn falling() -> PolicyGraph {
     PolicyGraph::new(1, 0, vec![vec![edge(0, 0), edge(1, 1)]], vec![vec![], vec![sum]])
 }
 
-fn endings<E: Environment<f32>>(environment: &E) -> Vec<Ending> {
+fn endings<E: Environment<f32>>(environment: &E) -> Vec<EpisodeResult> {
     let draw = |index| environment.draw(&mut Stream::new(7, 0, Purpose::Task, index));
     let units = vec![WorkUnit { key: UnitKey { seed: 7, generation: 0, root: 0 }, policy: falling() }];
     let work = Work { tasks: (0..50).map(draw).collect(), units };

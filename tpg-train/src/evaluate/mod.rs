@@ -4,10 +4,10 @@ mod report;
 
 pub use report::EvaluationReport;
 
+use crate::hybrid::rollout::{Acting, HybridResult};
 use crate::hybrid::setting::{Detector, Hybrid, Setting, UNGUARDED};
 use crate::hybrid::shared::{Episodes, Facts, Shared};
 use crate::hybrid::span::Span;
-use crate::hybrid::trial::{Acting, HybridTrial};
 use crate::run_args::command_line;
 use crate::sac::network::Network;
 use clap::Args;
@@ -102,8 +102,8 @@ pub(crate) fn eval(args: &EvalArgs) -> Result<(), InputError> {
         }
         Policy::Controller(name) => {
             let began = Instant::now();
-            let endings = problem.controlled(name, &episodes.of_problem(&problem)?).unwrap_or_default();
-            let done = HybridTrial::alone(endings);
+            let endings = problem.controlled(name, &episodes.in_problem(&problem)?).unwrap_or_default();
+            let done = HybridResult::alone(endings);
             EvaluationReport::new(&problem, name, episodes, &done, None, began.elapsed().as_secs_f64())
         }
     };
@@ -231,7 +231,7 @@ pub fn evaluate(
         _ => None,
     };
     let began = Instant::now();
-    let done = problem.trial(acting, episodes)?;
+    let done = problem.play(acting, episodes)?;
     Ok(EvaluationReport::new(problem, name, episodes, &done, hybrid, began.elapsed().as_secs_f64()))
 }
 

@@ -1,7 +1,7 @@
 //! The figures that `tpg-train eval` prints.
 
+use crate::hybrid::rollout::{HybridResult, TRIGGERS};
 use crate::hybrid::shared::{Episodes, Facts, Shared};
-use crate::hybrid::trial::{HybridTrial, TRIGGERS};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -80,7 +80,7 @@ pub struct Asks {
 
 impl Asks {
     /// The figures of a trial; none if the graph does not ask.
-    fn of(graph: &Graph, done: &HybridTrial) -> Option<Self> {
+    fn new(graph: &Graph, done: &HybridResult) -> Option<Self> {
         graph.asks().next()?;
         let asks = Sample::new(&done.asks.iter().map(|&asks| asks.into()).collect::<Vec<_>>());
         let scores = Sample::new(&done.endings.iter().map(|ending| finite(ending.score)).collect::<Vec<_>>());
@@ -100,14 +100,14 @@ impl EvaluationReport {
         problem: &dyn Shared,
         policy: &str,
         episodes: Episodes<'_>,
-        done: &HybridTrial,
+        done: &HybridResult,
         hybrid: Option<&Graph>,
         seconds: f64,
     ) -> Self {
         let (endings, Facts { outcomes, measure, .. }) = (&done.endings, problem.facts());
-        let summary = Summary::of(endings);
+        let summary = Summary::new(endings);
         let Summary { score: mean, success, actions, .. } = summary;
-        let of = |place: usize| endings.iter().filter(|ending| usize::from(ending.outcome) == place).count();
+        let count = |place: usize| endings.iter().filter(|ending| usize::from(ending.outcome) == place).count();
         let judged = endings.iter().filter(|ending| ending.success.is_some()).count();
         let measures: Vec<f64> = endings.iter().map(|ending| ending.measure).collect();
         let median = FiveNumbers::of(&measures).map_or(0.0, |five| five.median);
@@ -123,7 +123,7 @@ impl EvaluationReport {
             mean_steps: actions,
             success_rate: success,
             success_ci95: success.map(|rate| confidence(rate, judged)),
-            outcomes: outcomes.iter().enumerate().map(|(place, &name)| (name.to_owned(), of(place))).collect(),
+            outcomes: outcomes.iter().enumerate().map(|(place, &name)| (name.to_owned(), count(place))).collect(),
             ns_per_action: seconds * 1e9 / (actions * endings.len() as f64).max(1.0),
             tpg_action_ratio: done.tpg_action_ratio,
             shield: None,
@@ -131,7 +131,7 @@ impl EvaluationReport {
                 network_actions: done.network_actions,
                 hand_overs: hand_overs.collect(),
                 hand_backs: done.hand_backs,
-                asks: Asks::of(graph, done),
+                asks: Asks::new(graph, done),
             }),
             figures: problem.figures(endings),
             measure: measure.map(|measure| (measure, [summary.measure, median])),
@@ -171,14 +171,14 @@ impl EvaluationReport {
 
 #[cfg(test)]
 mod tests {
-    use super::{Episodes, EvaluationReport, HybridTrial};
-    use tpg_engine::{Ending, TaskSet};
+    use super::{Episodes, EvaluationReport, HybridResult};
+    use tpg_engine::{EpisodeResult, TaskSet};
     use tpg_problems::{Problem, ProblemName};
 
     #[test]
     fn undefined_figures_are_null() {
-        let ending = Ending { outcome: 0, success: None, score: 2.0, measure: 0.0, actions: 3 };
-        let done = HybridTrial::alone(vec![ending, Ending { score: 4.0, ..ending }]);
+        let ending = EpisodeResult { outcome: 0, success: None, score: 2.0, measure: 0.0, actions: 3 };
+        let done = HybridResult::alone(vec![ending, EpisodeResult { score: 4.0, ..ending }]);
         let problem = Problem::new(ProblemName::Pendulum);
         let episodes = Episodes { set: TaskSet::Test, count: 2, seed: 1, file: None };
         let report = EvaluationReport::new(&problem, "graph.json", episodes, &done, None, 0.0);

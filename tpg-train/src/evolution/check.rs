@@ -79,8 +79,9 @@ impl<Task: std::fmt::Debug> State<Task> {
             policy.map_err(|finding| finding.within("policy"))
         };
         self.best.as_ref().map_or(Ok(()), best).map_err(|finding| finding.within("best"))?;
-        (self.hall.iter().enumerate())
-            .try_for_each(|(place, of)| best(of).map_err(|finding| finding.within(&format!("hall[{place}]"))))
+        (self.hall.iter().enumerate()).try_for_each(|(place, candidate)| {
+            best(candidate).map_err(|finding| finding.within(&format!("hall[{place}]")))
+        })
     }
 }
 

@@ -115,8 +115,8 @@ impl Cma {
 
     /// True if the search, read from a file, is one for so many numbers.
     pub(super) fn is_valid(&self, numbers: usize) -> bool {
-        let of = [&self.mean, &self.variances, &self.path, &self.step_path];
-        of.iter().all(|values| values.len() == numbers && values.iter().all(|value| value.is_finite()))
+        let vectors = [&self.mean, &self.variances, &self.path, &self.step_path];
+        vectors.iter().all(|values| values.len() == numbers && values.iter().all(|value| value.is_finite()))
             && (1e-12..=1e6).contains(&self.deviation)
     }
 }

@@ -149,7 +149,7 @@ impl<W: Workplace> Training<'_, W> {
             Some(asking) => &**asking,
             None => &choices,
         };
-        let memory = Remembered::usual(self.config.language.memory, &acting.sources());
+        let memory = Remembered::zeros(self.config.language.memory, &acting.sources());
         let environment = Remembering::new(acting, memory);
         let options = EngineOptions { lanes: self.args.lanes.into(), ..EngineOptions::default() };
         let local = LocalThreads::<S, Own, _>::new(&environment, options, self.args.threads)?;
@@ -174,7 +174,7 @@ impl<W: Workplace> Training<'_, W> {
                 RunOptions { folder, resume, checkpoint_every: args.run.checkpoint_every(CHECKPOINT_SECONDS), goal };
             let bar = Bar::new();
             train(config, seed, environment, &evaluator, &options, |progress| {
-                bar.show(progress.generations, progress.of, || message(progress));
+                bar.show(progress.generations, progress.planned, || message(progress));
                 if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             })
         };
@@ -235,7 +235,8 @@ fn keep_best<S: Number>(
 fn sentence<S: Number>(seed: u64, best: &Best, environment: &impl Environment<S>) -> String {
     let Summary { score, success, measure, episodes, .. } = best.result;
     let success = success.map(|success| format!(", {:.1} % solved", 100.0 * success)).unwrap_or_default();
-    let measure = environment.measure().map(|of| format!(", mean {} {measure:.1} {}", of.name, of.unit));
+    let measure =
+        environment.measure().map(|measured| format!(", mean {} {measure:.1} {}", measured.name, measured.unit));
     format!(
         "seed {seed}: mean score {score:.2} on {episodes} selection episodes{success}{}, found in generation {}",
         measure.unwrap_or_default(),

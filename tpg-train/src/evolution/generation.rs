@@ -12,7 +12,7 @@ use std::collections::VecDeque;
 use std::marker::PhantomData;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Ending, Environment, EvaluationError, Evaluator, Moments, Play, TaskSet, UnitKey, Work, WorkUnit, finite,
+    Environment, EpisodeResult, EvaluationError, Evaluator, Moments, Play, TaskSet, UnitKey, Work, WorkUnit, finite,
 };
 use tpg_graph::error::Finding;
 use tpg_runtime::scalar::Scalar;
@@ -185,10 +185,10 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         tasks: &[E::Task],
         survivors: Option<usize>,
     ) -> Result<Results, EvaluationError> {
-        let mut endings: Vec<Vec<Ending>> = vec![Vec::new(); candidates.len()];
+        let mut endings: Vec<Vec<EpisodeResult>> = vec![Vec::new(); candidates.len()];
         let mut open: Vec<usize> = (0..candidates.len()).collect();
         let racing = survivors.map_or(0, |_| self.config.selection.racing_episodes);
-        let evaluate = |endings: &mut Vec<Vec<Ending>>, open: &[usize], tasks: &[E::Task]| {
+        let evaluate = |endings: &mut Vec<Vec<EpisodeResult>>, open: &[usize], tasks: &[E::Task]| {
             let unit = |&place: &usize| {
                 let Candidate { policy, number, .. } = &candidates[place];
                 let key = UnitKey { seed: moment.seed, generation: moment.generation, root: *number };

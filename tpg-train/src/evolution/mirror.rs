@@ -206,9 +206,9 @@ mod tests {
         let opposed = |genome: &Genome, team| {
             let edges = &genome.team(team).edges;
             let bids = bids(genome, team, [0.5, -1.0, 2.0]);
-            let of =
+            let leaf =
                 |action| edges.iter().position(|edge| edge.to == Destination::Action(action)).map(|place| bids[place]);
-            (of(0), of(1), of(2))
+            (leaf(0), leaf(1), leaf(2))
         };
         assert_eq!(opposed(&genome, parent), (Some(-8.5), Some(8.5), Some(18.5)));
         let others = genome.team(parent).edges.clone();

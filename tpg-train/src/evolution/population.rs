@@ -13,7 +13,7 @@ use super::stage::{Candidate, Context, Episodes, Moment, Results, Stage};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use tpg_engine::random::Purpose;
-use tpg_engine::{Ending, PolicyGraph, Preference, Summary, finite};
+use tpg_engine::{EpisodeResult, PolicyGraph, Preference, Summary, finite};
 use tpg_graph::error::Finding;
 
 /// Teams and programs that breed separately.
@@ -151,7 +151,7 @@ impl Population {
                 let mean = self.record(root).mean - context.line_price * root.lines as f64;
                 let endings = root.candidate.map_or(&[][..], |place| &results.endings[place]);
                 let solved =
-                    |ending: &Ending| context.preference == Preference::Success && ending.success == Some(true);
+                    |ending: &EpisodeResult| context.preference == Preference::Success && ending.success == Some(true);
                 Scored {
                     mean,
                     scores: endings.iter().map(|ending| finite(ending.score)).collect(),
@@ -217,7 +217,7 @@ impl Stage for Population {
         let order = ranked(&self.scored(context, results, None));
         let (best, middle) = (&self.roots[order[0]], &self.roots[order[order.len() / 2]]);
         let endings = best.candidate.map_or(&[][..], |place| &results.endings[place]);
-        let Summary { success, measure, .. } = Summary::of(endings);
+        let Summary { success, measure, .. } = Summary::new(endings);
         let row = Row {
             generation: moment.generation,
             best_score: self.record(best).mean,

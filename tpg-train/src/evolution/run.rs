@@ -49,7 +49,7 @@ pub struct Progress<'a> {
     /// Number of finished generations.
     pub generations: u64,
     /// Number of generations of the whole run, unless it ends early.
-    pub of: u64,
+    pub planned: u64,
     /// Number of actions of all episodes so far.
     pub steps: u64,
     /// Newest row of the logs; none before the first generation.
@@ -199,7 +199,7 @@ fn progress<'a, Task>(
     Progress {
         seed: state.seed,
         generations: state.generation,
-        of: config.learning.nb_generations,
+        planned: config.learning.nb_generations,
         steps: state.steps,
         row: state.rows.last(),
         best: state.best.as_ref(),

@@ -146,7 +146,7 @@ impl Stage for Search {
     }
 
     fn tell(&mut self, context: &Context<'_>, moment: Moment, results: &Results) -> (Row, usize) {
-        let summaries: Vec<Summary> = results.endings.iter().map(|endings| Summary::of(endings)).collect();
+        let summaries: Vec<Summary> = results.endings.iter().map(|endings| Summary::new(endings)).collect();
         let mean = summaries.iter().map(|result| result.score).sum::<f64>() / summaries.len() as f64;
         let score = self.score.map_or(mean, |score| score + NEWEST * (mean - score));
         self.score = Some(score.clamp(-1e30, 1e30));

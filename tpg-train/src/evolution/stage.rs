@@ -5,7 +5,7 @@ use super::config::EvolutionConfig;
 use super::record::{Record, Row};
 use super::vocabulary::Vocabulary;
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Ending, Moments, PolicyGraph, Preference};
+use tpg_engine::{EpisodeResult, Moments, PolicyGraph, Preference};
 
 /// The parts of a run that stages read.
 #[derive(Clone, Copy, Debug)]
@@ -70,7 +70,7 @@ pub(crate) enum Episodes {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Results {
     /// The endings of each candidate.
-    pub endings: Vec<Vec<Ending>>,
+    pub endings: Vec<Vec<EpisodeResult>>,
     /// Moments of the flat states, if each candidate played its own episode.
     pub seen: Moments,
 }

@@ -6,7 +6,7 @@ use super::record::Row;
 use super::search::Search;
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
-use tpg_engine::{Ending, PolicyGraph, Preference, Summary};
+use tpg_engine::{EpisodeResult, PolicyGraph, Preference, Summary};
 
 /// The best root on the selection set so far.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -75,7 +75,7 @@ pub struct State<Task> {
 }
 
 /// Returns the number of actions of episodes.
-fn actions<'a>(endings: impl IntoIterator<Item = &'a Ending>) -> u64 {
+fn actions<'a>(endings: impl IntoIterator<Item = &'a EpisodeResult>) -> u64 {
     endings.into_iter().map(|ending| u64::from(ending.actions)).sum()
 }
 
@@ -101,7 +101,7 @@ impl<Task> State<Task> {
     }
 
     /// Counts the training episodes of a generation, and the length of those of its best candidate.
-    pub(super) fn count_training(&mut self, endings: &[Vec<Ending>], best: usize) {
+    pub(super) fn count_training(&mut self, endings: &[Vec<EpisodeResult>], best: usize) {
         self.steps += actions(endings.iter().flatten());
         if let Some(best) = endings.get(best).filter(|best| !best.is_empty()) {
             self.episode_steps = actions(best).div_ceil(best.len() as u64);
@@ -109,7 +109,7 @@ impl<Task> State<Task> {
     }
 
     /// Counts episodes of validation, which ended so.
-    pub(super) fn count_selection(&mut self, endings: &[Ending]) {
+    pub(super) fn count_selection(&mut self, endings: &[EpisodeResult]) {
         let steps = actions(endings);
         self.steps += steps;
         self.selection_steps += steps;
@@ -117,11 +117,11 @@ impl<Task> State<Task> {
 
     /// Adds the episodes that a policy failed to the pool, which holds the newest `most`; if the problem does not define success,
     /// those with a score below the mean.
-    pub(super) fn remember_hard(&mut self, tasks: &[Task], endings: &[Ending], most: usize)
+    pub(super) fn remember_hard(&mut self, tasks: &[Task], endings: &[EpisodeResult], most: usize)
     where
         Task: Clone + PartialEq,
     {
-        let mean = Summary::of(endings).score;
+        let mean = Summary::new(endings).score;
         for (task, ending) in tasks.iter().zip(endings) {
             let is_hard = ending.success.map_or(ending.score < mean, |success| !success);
             // With duplicates, the pool would fill up with the few episodes that no root can solve.
@@ -138,10 +138,10 @@ impl<Task> State<Task> {
 #[cfg(test)]
 mod tests {
     use super::Best;
-    use tpg_engine::{Destination, Edge, Ending, PolicyGraph, Preference, Summary};
+    use tpg_engine::{Destination, Edge, EpisodeResult, PolicyGraph, Preference, Summary};
 
     fn best(edges: usize, score: f64, generation: u64) -> Best {
-        let result = Summary::of(&[Ending { outcome: 0, success: None, score, measure: 0.0, actions: 1 }]);
+        let result = Summary::new(&[EpisodeResult { outcome: 0, success: None, score, measure: 0.0, actions: 1 }]);
         let team = vec![Edge { program: 0, to: Destination::Action(0) }; edges];
         Best { generation, result, policy: PolicyGraph::new(1, 0, vec![team], vec![vec![]]), ranges: None }
     }

@@ -10,7 +10,8 @@ use super::stage::Candidate;
 use super::state::{Best, State};
 use std::cmp::Ordering;
 use tpg_engine::{
-    Ending, Environment, EvaluationError, Evaluator, PolicyGraph, Summary, UnitKey, UnitResult, Visit, Work, WorkUnit,
+    Environment, EpisodeResult, EvaluationError, Evaluator, PolicyGraph, Summary, UnitKey, UnitResult, Visit, Work,
+    WorkUnit,
 };
 use tpg_runtime::scalar::Scalar;
 
@@ -64,9 +65,9 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         &self,
         state: &mut State<E::Task>,
         policy: PolicyGraph,
-        endings: &[Ending],
+        endings: &[EpisodeResult],
     ) -> Result<Summary, EvaluationError> {
-        let (preference, result) = (self.environment.preference(), Summary::of(endings));
+        let (preference, result) = (self.environment.preference(), Summary::new(endings));
         let ranges = self.learned_ranges(&policy, endings)?;
         let winner = Best { generation: state.generation, result, ranges, policy };
         let is_better =
@@ -115,11 +116,11 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         state: &mut State<E::Task>,
         roots: Vec<(f64, Candidate)>,
         episodes: usize,
-    ) -> Result<(PolicyGraph, Vec<Ending>), EvaluationError> {
+    ) -> Result<(PolicyGraph, Vec<EpisodeResult>), EvaluationError> {
         let (seed, generation) = (state.seed, state.generation);
         let unit =
             |Candidate { policy, number: root, .. }| WorkUnit { key: UnitKey { seed, generation, root }, policy };
-        let mut field: Vec<(WorkUnit, Vec<Ending>)> =
+        let mut field: Vec<(WorkUnit, Vec<EpisodeResult>)> =
             roots.into_iter().map(|(_, root)| (unit(root), Vec::new())).collect();
         let mut done = 0;
         for stage in stages(field.len(), episodes) {
@@ -133,7 +134,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
             done = stage;
             // The sort is stable: among equal results of equal size, the root with the better running mean stays.
             field.sort_by(|(a, of_a), (b, of_b)| {
-                self.compare(state, (&Summary::of(of_a), &a.policy), (&Summary::of(of_b), &b.policy))
+                self.compare(state, (&Summary::new(of_a), &a.policy), (&Summary::new(of_b), &b.policy))
             });
             if stage < episodes {
                 field.truncate(field.len().div_ceil(2));
@@ -148,7 +149,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     fn learned_ranges(
         &self,
         policy: &PolicyGraph,
-        endings: &[Ending],
+        endings: &[EpisodeResult],
     ) -> Result<Option<Vec<[f64; 2]>>, EvaluationError> {
         let sources = self.environment.sources();
         let declared: Vec<[f64; 2]> = sources.into_iter().flat_map(|source| source.ranges).collect();
@@ -179,7 +180,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
 }
 
 /// Returns a visit of `states` evenly spaced states of an episode that ended so.
-fn along<Task: Clone>(policy: &PolicyGraph, task: &Task, ending: &Ending, states: u32) -> Visit<Task> {
+fn along<Task: Clone>(policy: &PolicyGraph, task: &Task, ending: &EpisodeResult, states: u32) -> Visit<Task> {
     let actions = u64::from(ending.actions);
     let after = (0..states).map(|state| (u64::from(state) * actions / u64::from(states)) as u32);
     Visit { policy: policy.clone(), task: task.clone(), after: after.collect() }
@@ -201,7 +202,7 @@ fn widened(declared: [f64; 2], states: &[Vec<f64>], input: usize) -> [f64; 2] {
 mod tests {
     use super::{cost, episodes_left, stages, widened};
     use crate::evolution::state::State;
-    use tpg_engine::Ending;
+    use tpg_engine::EpisodeResult;
 
     #[test]
     fn a_race_halves_its_field_and_its_winner_does_all_episodes() {
@@ -215,7 +216,7 @@ mod tests {
     #[test]
     fn a_share_of_the_steps_is_fewer_episodes_where_they_have_grown_long() {
         let mut state = State::<u64>::new(1, 1);
-        let ending = |actions| Ending { outcome: 0, success: None, score: 0.0, measure: 0.0, actions };
+        let ending = |actions| EpisodeResult { outcome: 0, success: None, score: 0.0, measure: 0.0, actions };
         state.count_training(&[vec![ending(10); 900]], 0);
         state.count_training(&[vec![ending(500); 40], vec![ending(500), ending(499)], vec![ending(499); 58]], 1);
         assert_eq!((state.steps, state.episode_steps), (58_941, 500));

@@ -1,10 +1,10 @@
 //! The cells of a study.
 
+use super::rollout::{Acting, HybridResult};
 use super::setting::{Detector, Setting};
 use super::shared::{Episodes, Shared};
 use super::span::Span;
 use super::study::Study;
-use super::trial::{Acting, HybridTrial};
 use crate::sac::network::Network;
 use serde::{Deserialize, Serialize};
 use tpg_engine::Summary;
@@ -102,8 +102,8 @@ impl Subject<'_> {
     ///
     /// # Errors
     /// If a policy does not fit the problem.
-    pub(crate) fn trial(&self, acting: Acting<'_>) -> Result<HybridTrial, InputError> {
-        self.problem.trial(acting, self.episodes)
+    pub(crate) fn play(&self, acting: Acting<'_>) -> Result<HybridResult, InputError> {
+        self.problem.play(acting, self.episodes)
     }
 }
 
@@ -138,8 +138,8 @@ impl Study for Subject<'_> {
     }
 
     fn cell(&self, tpg: usize, sac: usize, setting: &Setting) -> Result<Cell, InputError> {
-        let done = self.trial(Acting::Both(&self.graphs[tpg], &self.networks[sac], setting))?;
-        let summary = Summary::of(&done.endings);
+        let done = self.play(Acting::Both(&self.graphs[tpg], &self.networks[sac], setting))?;
+        let summary = Summary::new(&done.endings);
         let [hand_overs_guard, hand_overs_drift, hand_overs_stall, hand_overs_cycle] = done.hand_overs;
         Ok(Cell {
             tpg,

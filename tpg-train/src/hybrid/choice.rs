@@ -88,8 +88,9 @@ fn worth(preference: Preference, score: f64, success: Option<f64>) -> f64 {
 /// The choice is, among the settings whose worth (the mean score, or the success rate where the problem prefers it) lies
 /// within one standard error of the highest, the one with the fewest actions of the network; ties go to the first.
 pub(crate) fn summarise(cells: &[Cell], settings: &[Setting], preference: Preference) -> Vec<Summary> {
-    let of = |setting: &Setting| cells.iter().filter(|cell| cell.setting() == *setting).collect::<Vec<_>>();
-    let mut summaries: Vec<Summary> = settings.iter().map(|setting| Summary::new(setting, &of(setting))).collect();
+    let matching = |setting: &Setting| cells.iter().filter(|cell| cell.setting() == *setting).collect::<Vec<_>>();
+    let mut summaries: Vec<Summary> =
+        settings.iter().map(|setting| Summary::new(setting, &matching(setting))).collect();
     let costs: Vec<(f64, f64)> =
         summaries.iter().map(|summary| (summary.worth(preference), summary.network_actions)).collect();
     for (summary, &(worth, actions)) in summaries.iter_mut().zip(&costs) {
@@ -98,7 +99,7 @@ pub(crate) fn summarise(cells: &[Cell], settings: &[Setting], preference: Prefer
     }
     let best = (0..costs.len()).rev().max_by(|&a, &b| costs[a].0.total_cmp(&costs[b].0));
     let Some(best) = best else { return summaries };
-    let least = costs[best].0 - standard_error(&of(&settings[best]), preference);
+    let least = costs[best].0 - standard_error(&matching(&settings[best]), preference);
     let good = (0..costs.len()).filter(|&place| costs[place].0 >= least);
     if let Some(chosen) = good.min_by(|&a, &b| costs[a].1.total_cmp(&costs[b].1)) {
         summaries[chosen].chosen = true;
@@ -118,8 +119,8 @@ fn standard_error(cells: &[&Cell], preference: Preference) -> f64 {
 
 /// Returns the pair with the highest worth under a setting; ties go to the first.
 pub(crate) fn best_pair<'a>(cells: &'a [Cell], setting: &Setting, preference: Preference) -> Option<&'a Cell> {
-    let of = |cell: &Cell| worth(preference, cell.mean_score, cell.success);
-    cells.iter().rev().filter(|cell| cell.setting() == *setting).max_by(|a, b| of(a).total_cmp(&of(b)))
+    let cell_worth = |cell: &Cell| worth(preference, cell.mean_score, cell.success);
+    cells.iter().rev().filter(|cell| cell.setting() == *setting).max_by(|a, b| cell_worth(a).total_cmp(&cell_worth(b)))
 }
 
 #[cfg(test)]

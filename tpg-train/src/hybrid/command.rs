@@ -7,11 +7,11 @@
 use super::cells::{Alone, Cell, Subject, grid};
 use super::choice;
 use super::report;
+use super::rollout::Acting;
 use super::setting::{Detector, HybridFile, Setting, UNGUARDED};
 use super::shared::{Episodes, Facts, Shared};
 use super::span::Span;
 use super::study::{self, Input, absolute, to_csv};
-use super::trial::Acting;
 use crate::run_args::command_line;
 use crate::sac::network::Network;
 use clap::Args;
@@ -132,8 +132,8 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, Input
         separation: separations(args, &subject)?,
         patience: or_spans(&args.patience, &[5, 10, 20, 50], &facts),
         problem: problem.table(),
-        tpg: Input::of(&args.tpg)?,
-        policy: Input::of(&args.policy)?,
+        tpg: Input::read_all(&args.tpg)?,
+        policy: Input::read_all(&args.policy)?,
     };
     let Asked { guards, cycle_detectors, hand_back_after, separation, patience, .. } = &asked;
     subject.settings = grid(guards, cycle_detectors, hand_back_after, separation, patience);
@@ -240,12 +240,12 @@ fn detectors(args: &StudyArgs, facts: &Facts) -> Vec<Detector> {
     }
 }
 
-/// Returns the numbers asked for, or the usual ones that an episode can reach, and never.
-fn or_spans(asked: &[Span], usual: &[u32], facts: &Facts) -> Vec<Span> {
+/// Returns the numbers asked for, or the common ones that an episode can reach, and never.
+fn or_spans(asked: &[Span], common: &[u32], facts: &Facts) -> Vec<Span> {
     if !asked.is_empty() {
         return asked.to_vec();
     }
-    let reached = usual.iter().copied().filter(|&actions| actions < facts.time_limit).map(Span);
+    let reached = common.iter().copied().filter(|&actions| actions < facts.time_limit).map(Span);
     reached.chain([Span::NEVER]).collect()
 }
 
@@ -299,8 +299,8 @@ fn alone(subject: &Subject<'_>) -> Result<Vec<Alone>, InputError> {
     let all: Vec<_> = graphs.chain(networks).collect();
     all.into_par_iter()
         .map(|(place, (kind, file, acting))| {
-            let endings = subject.trial(acting)?.endings;
-            let summary = Summary::of(&endings);
+            let endings = subject.play(acting)?.endings;
+            let summary = Summary::new(&endings);
             Ok(Alone {
                 kind,
                 place,

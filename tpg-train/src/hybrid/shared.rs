@@ -1,12 +1,12 @@
 //! Problems whose episodes a graph and a network can share: the built-in ones, and any other environment.
 
-use super::trial::{Acting, HybridTrial, rises, run};
+use super::rollout::{Acting, HybridResult, rises, run};
 use crate::sac::network::Network;
 use serde_json::{Map, Value};
 use std::marker::PhantomData;
 use std::path::Path;
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{AnyEpisode, AnyTask, Choices, Ending, Environment, Measure, Preference, TaskSet, tasks};
+use tpg_engine::{AnyEpisode, AnyTask, Choices, Environment, EpisodeResult, Measure, Preference, TaskSet, tasks};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::in_arithmetic_of;
@@ -36,7 +36,7 @@ impl Episodes<'_> {
     ///
     /// # Errors
     /// If the file cannot be read.
-    pub fn of_problem(&self, problem: &Problem) -> Result<Vec<AnyTask>, InputError> {
+    pub fn in_problem(&self, problem: &Problem) -> Result<Vec<AnyTask>, InputError> {
         match self.file {
             Some(path) => problem.read_tasks(path, false),
             None => Ok(self.draw(&&*problem.environment::<f32>())),
@@ -62,7 +62,7 @@ pub struct Facts {
 }
 
 impl Facts {
-    fn of<S: Scalar>(environment: &impl Environment<S>) -> Self {
+    fn new<S: Scalar>(environment: &impl Environment<S>) -> Self {
         let task = environment.draw(&mut Stream::new(0, 0, Purpose::Selection, 0));
         Self {
             time_limit: environment.time_limit(),
@@ -87,7 +87,7 @@ pub trait Shared: Sync {
     ///
     /// # Errors
     /// If a policy is not one for this problem.
-    fn trial(&self, acting: Acting<'_>, episodes: Episodes<'_>) -> Result<HybridTrial, InputError>;
+    fn play(&self, acting: Acting<'_>, episodes: Episodes<'_>) -> Result<HybridResult, InputError>;
 
     /// Returns the [`rises`] of a graph's episodes; the network is there for a graph that asks.
     ///
@@ -101,7 +101,7 @@ pub trait Shared: Sync {
     ) -> Result<Vec<f64>, InputError>;
 
     /// Returns the problem's own figures of some episodes.
-    fn figures(&self, _endings: &[Ending]) -> Map<String, Value> {
+    fn figures(&self, _endings: &[EpisodeResult]) -> Map<String, Value> {
         Map::new()
     }
 
@@ -117,10 +117,10 @@ impl Shared for Problem {
     }
 
     fn facts(&self) -> Facts {
-        Facts::of(&&*self.environment::<f32>())
+        Facts::new(&&*self.environment::<f32>())
     }
 
-    fn trial(&self, acting: Acting<'_>, episodes: Episodes<'_>) -> Result<HybridTrial, InputError> {
+    fn play(&self, acting: Acting<'_>, episodes: Episodes<'_>) -> Result<HybridResult, InputError> {
         match acting {
             Acting::Network((file, network)) => {
                 let problem = self.clone().joined(file, &network.settings(), false, true)?;
@@ -129,14 +129,14 @@ impl Shared for Problem {
                     Some(path) => problem.read_tasks(path, true)?,
                     None => episodes.draw(&&*environment),
                 };
-                network.endings(file, &&*environment, &tasks).map(HybridTrial::alone)
+                network.endings(file, &&*environment, &tasks).map(HybridResult::alone)
             }
             Acting::Both((_, graph), (file, network), _) => {
                 let problem = self.clone().joined(file, &network.settings(), false, true)?;
-                in_arithmetic_of!(graph, trial(&problem, graph, acting, episodes))
+                in_arithmetic_of!(graph, play_named(&problem, graph, acting, episodes))
             }
             Acting::Graph((_, graph)) | Acting::Shielded((_, graph), _) => {
-                in_arithmetic_of!(graph, trial(self, graph, acting, episodes))
+                in_arithmetic_of!(graph, play_named(self, graph, acting, episodes))
             }
         }
     }
@@ -150,7 +150,7 @@ impl Shared for Problem {
         in_arithmetic_of!(graph.1, opened_rises(self, graph, network, episodes))
     }
 
-    fn figures(&self, endings: &[Ending]) -> Map<String, Value> {
+    fn figures(&self, endings: &[EpisodeResult]) -> Map<String, Value> {
         self.environment::<f32>().drawn().map(|drawn| drawn.figures(endings)).unwrap_or_default()
     }
 }
@@ -173,13 +173,13 @@ pub(crate) fn opened<S: Number, T>(
 /// A built-in problem's environment.
 pub(crate) type Erased<S> = dyn Environment<S, Task = AnyTask, Episode = AnyEpisode> + Send;
 
-fn trial<S: Number, M: Maths<S>>(
+fn play_named<S: Number, M: Maths<S>>(
     problem: &Problem,
     graph: &Graph,
     acting: Acting<'_>,
     episodes: Episodes<'_>,
-) -> Result<HybridTrial, InputError> {
-    let tasks = episodes.of_problem(problem)?;
+) -> Result<HybridResult, InputError> {
+    let tasks = episodes.in_problem(problem)?;
     opened::<S, _>(problem, graph, |choices| run::<S, M, _>(choices, acting, &tasks))
 }
 
@@ -189,7 +189,7 @@ fn opened_rises<S: Number, M: Maths<S>>(
     network: &(String, Network),
     episodes: Episodes<'_>,
 ) -> Result<Vec<f64>, InputError> {
-    let tasks = episodes.of_problem(problem)?;
+    let tasks = episodes.in_problem(problem)?;
     opened::<S, _>(problem, &graph.1, |choices| rises::<S, M, _>(choices, graph, network, &tasks))
 }
 
@@ -226,10 +226,10 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> Shared for OwnProblem<S, M, E> {
     }
 
     fn facts(&self) -> Facts {
-        Facts::of(&self.choices)
+        Facts::new(&self.choices)
     }
 
-    fn trial(&self, acting: Acting<'_>, episodes: Episodes<'_>) -> Result<HybridTrial, InputError> {
+    fn play(&self, acting: Acting<'_>, episodes: Episodes<'_>) -> Result<HybridResult, InputError> {
         run::<S, M, _>(&self.choices, acting, &episodes.draw(&self.choices))
     }
 

@@ -141,7 +141,7 @@ impl Input {
     ///
     /// # Errors
     /// If one cannot be read.
-    pub(crate) fn of(paths: &[PathBuf]) -> Result<Vec<Self>, InputError> {
+    pub(crate) fn read_all(paths: &[PathBuf]) -> Result<Vec<Self>, InputError> {
         paths.iter().map(|path| Self::read(path)).collect()
     }
 

@@ -4,7 +4,7 @@
 use super::link::Link;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
-use tpg_engine::{Ending, EvaluationError, Evaluator, Piece, Play, Played, PolicyGraph, Work, WorkUnit};
+use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Piece, Play, Played, PolicyGraph, Work, WorkUnit};
 
 /// From rank 0 to a worker.
 #[derive(Serialize, Deserialize)]
@@ -45,7 +45,7 @@ pub(super) enum Reply {
 #[derive(Serialize, Deserialize)]
 pub(super) enum Answer {
     /// The endings of a piece.
-    Endings(Vec<Ending>),
+    Endings(Vec<EpisodeResult>),
     /// The results of an episode.
     Played(Played),
 }

@@ -162,10 +162,10 @@ fn labelled(name: &str, unit: &str) -> String {
 pub(super) fn figures(watched: &Watched) -> Vec<Figure> {
     let longest = watched.episodes.iter().map(|episode| episode.answers.len()).max().unwrap_or(1);
     let x = || Axis::linear("action").between(0.0, longest as f64);
-    let draw = |y: Axis, caption: String, of: &dyn Fn(&Shown) -> Vec<f64>| {
+    let draw = |y: Axis, caption: String, values: &dyn Fn(&Shown) -> Vec<f64>| {
         let mut plot = Plot::new(x(), y);
         for (place, episode) in watched.episodes.iter().enumerate() {
-            let points: Vec<[f64; 2]> = (0..).map(f64::from).zip(of(episode)).map(|(x, y)| [x, y]).collect();
+            let points: Vec<[f64; 2]> = (0..).map(f64::from).zip(values(episode)).map(|(x, y)| [x, y]).collect();
             plot.line(Colour(place), points);
             plot.name(Colour(place), &format!("episode {place}: {}, return {:.1}", episode.outcome, episode.score));
         }

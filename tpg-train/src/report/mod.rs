@@ -78,8 +78,8 @@ fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<&dyn Shared>) 
         .collect::<Result<_, _>>()?;
     let halls: Vec<Vec<(String, &Run, Tested)>> = (groups.iter())
         .map(|group| {
-            let of = group.runs.iter().map(|run| test::hall(run, episodes, seed, own));
-            Ok(of.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
+            let archives = group.runs.iter().map(|run| test::hall(run, episodes, seed, own));
+            Ok(archives.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
         })
         .collect::<Result<_, InputError>>()?;
     let lead = format!(

@@ -8,7 +8,7 @@ use tpg_picture::{Section, Table};
 
 pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Section {
     let measure = tested.iter().flatten().flatten().find_map(|tested| tested.measure);
-    let measure = measure.map_or_else(|| "measure".to_owned(), |of| format!("{} {}", of.name, of.unit));
+    let measure = measure.map_or_else(|| "measure".to_owned(), |measure| format!("{} {}", measure.name, measure.unit));
     let (mean_measure, median_measure) = (format!("mean {measure}"), format!("median {measure}"));
     let mut means = Vec::new();
     let mut rows = Vec::new();

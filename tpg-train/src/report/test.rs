@@ -2,11 +2,11 @@
 
 use super::episode::{WEIGHED, Watched, watch};
 use super::runs::{Kind, Run};
+use crate::hybrid::rollout::{Acting, moments};
 use crate::hybrid::shared::{Episodes, Shared, opened};
-use crate::hybrid::trial::{Acting, moments};
 use crate::sac::network::Network;
 use crate::sac::policy::NetworkPolicy;
-use tpg_engine::{Ending, Environment, Measure, Summary, TaskSet};
+use tpg_engine::{Environment, EpisodeResult, Measure, Summary, TaskSet};
 use tpg_graph::error::InputError;
 use tpg_graph::{Graph, in_arithmetic_of};
 use tpg_picture::Figure;
@@ -20,7 +20,7 @@ const KEPT: [usize; 2] = [3, 3];
 #[derive(Debug)]
 pub(super) struct Tested {
     /// The episodes.
-    pub(super) endings: Vec<Ending>,
+    pub(super) endings: Vec<EpisodeResult>,
     /// Quantity reported in addition to the score, if the problem has one.
     pub(super) measure: Option<Measure>,
     /// Some episodes as the problem draws them.
@@ -32,7 +32,7 @@ pub(super) struct Tested {
 impl Tested {
     /// Returns the means.
     pub(super) fn summary(&self) -> Summary {
-        Summary::of(&self.endings)
+        Summary::new(&self.endings)
     }
 
     /// Returns the measure of each episode.
@@ -66,7 +66,7 @@ pub(super) fn test(run: &Run, count: usize, seed: u64, own: Option<&dyn Shared>)
     let endings = match &run.kind {
         Kind::Tpg { graph, .. } => {
             let graph = (run.name.clone(), (**graph).clone());
-            let endings = problem.trial(Acting::Graph(&graph), episodes)?.endings;
+            let endings = problem.play(Acting::Graph(&graph), episodes)?.endings;
             if let Some(problem) = built_in {
                 (pictures, watched) = in_arithmetic_of!(graph.1, shown(problem, &graph, episodes, &endings))?;
             }
@@ -74,7 +74,7 @@ pub(super) fn test(run: &Run, count: usize, seed: u64, own: Option<&dyn Shared>)
         }
         Kind::Sac { problem: trained, network, contract } => {
             let whole = Network::Float(Box::new(((**network).clone(), (**contract).clone())));
-            let endings = problem.trial(Acting::Network(&(run.name.clone(), whole)), episodes)?.endings;
+            let endings = problem.play(Acting::Network(&(run.name.clone(), whole)), episodes)?.endings;
             let environment = trained.network_environment(0);
             let tasks = tpg_engine::tasks(&*environment, TaskSet::Test, seed, count);
             let policy = NetworkPolicy::new(network, contract.interface());
@@ -88,7 +88,7 @@ pub(super) fn test(run: &Run, count: usize, seed: u64, own: Option<&dyn Shared>)
             endings
         }
         Kind::Hybrid { hybrid, .. } => {
-            problem.trial(Acting::Both(&hybrid.graph, &hybrid.network, &hybrid.setting), episodes)?.endings
+            problem.play(Acting::Both(&hybrid.graph, &hybrid.network, &hybrid.setting), episodes)?.endings
         }
     };
     Ok(Some(Tested { endings, measure: problem.facts().measure, pictures, watched }))
@@ -99,9 +99,9 @@ fn shown<S: Number, M: Maths<S>>(
     problem: &Problem,
     graph: &(String, Graph),
     episodes: Episodes<'_>,
-    endings: &[Ending],
+    endings: &[EpisodeResult],
 ) -> Result<(Vec<Figure>, Option<Watched>), InputError> {
-    let tasks = episodes.of_problem(problem)?;
+    let tasks = episodes.in_problem(problem)?;
     opened::<S, _>(problem, &graph.1, |choices| {
         let Some(drawn) = choices.drawn() else {
             return Ok((Vec::new(), watch::<S, M, _>(&graph.1, choices, &tasks[..WEIGHED.min(tasks.len())])));
@@ -117,18 +117,20 @@ fn shown<S: Number, M: Maths<S>>(
 }
 
 /// Returns the indices of the episodes to draw.
-fn chosen(endings: &[Ending]) -> Vec<usize> {
-    let of = |success: bool, count: usize| {
+fn chosen(endings: &[EpisodeResult]) -> Vec<usize> {
+    let kept = |success: bool, count: usize| {
         (0..endings.len()).filter(move |&place| endings[place].success == Some(success)).take(count)
     };
-    of(true, KEPT[0]).chain(of(false, KEPT[1])).collect()
+    kept(true, KEPT[0]).chain(kept(false, KEPT[1])).collect()
 }
 
-fn figure(problem: &dyn Shared, number: usize, ending: &Ending, svg: String) -> Figure {
+fn figure(problem: &dyn Shared, number: usize, ending: &EpisodeResult, svg: String) -> Figure {
     let facts = problem.facts();
     let outcome = facts.outcomes.get(usize::from(ending.outcome)).copied().unwrap_or("ended");
-    let measure =
-        facts.measure.map(|of| format!(", {} {:.1} {}", of.name, ending.measure, of.unit)).unwrap_or_default();
+    let measure = facts
+        .measure
+        .map(|measured| format!(", {} {:.1} {}", measured.name, ending.measure, measured.unit))
+        .unwrap_or_default();
     let caption = format!("Episode {number}: {outcome} after {} actions{measure}.", ending.actions);
     Figure { svg, caption, ..Figure::default() }
 }

@@ -198,7 +198,7 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
         let measure = self
             .environment
             .measure()
-            .map(|of| format!(", mean {} {measure:.1} {}", of.name, of.unit))
+            .map(|measured| format!(", mean {} {measure:.1} {}", measured.name, measured.unit))
             .unwrap_or_default();
         format!(
             "seed {}: mean score {score:.2} on {episodes} validation episodes{success}{measure}, after {} decisions",

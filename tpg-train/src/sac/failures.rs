@@ -35,7 +35,7 @@ impl<Task: Clone> Failures<Task> {
         let Some(training) = environment.training() else { return };
         let stream = &mut Stream::new(seed, at, Purpose::Retry, 0);
         let drawn = |stream: &mut Stream| (0..retry.episodes).map(|_| environment.draw(stream)).collect();
-        let tasks = training.trial_tasks(stream, retry.episodes).unwrap_or_else(|| drawn(stream));
+        let tasks = training.evaluation_tasks(stream, retry.episodes).unwrap_or_else(|| drawn(stream));
         for task in &tasks {
             let mut visited = Vec::new();
             let ending = policy.watch(environment, task, |episode| visited.push(training.task_from(episode)));

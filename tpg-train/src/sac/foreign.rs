@@ -54,11 +54,13 @@ pub fn from_tensors(mut file: Tensors, inputs: usize, outputs: &[Output]) -> Res
     head.1.extend(bias);
     append(&mut flat, &head, width);
     type Of = fn(&Output) -> f64;
-    let stretch: [(&str, Of); 2] =
-        [("action_scale", |of| 0.5 * (of.max - of.min)), ("action_bias", |of| 0.5 * (of.max + of.min))];
-    for (name, of) in stretch {
+    let stretch: [(&str, Of); 2] = [
+        ("action_scale", |number| 0.5 * (number.max - number.min)),
+        ("action_bias", |number| 0.5 * (number.max + number.min)),
+    ];
+    for (name, number) in stretch {
         let Some(tensor) = file.tensors.remove(name) else { continue };
-        let expected: Vec<f32> = outputs.iter().map(|output| of(output) as f32).collect();
+        let expected: Vec<f32> = outputs.iter().map(|output| number(output) as f32).collect();
         // One number stands for all.
         let fits = tensor.values == expected
             || tensor.values.len() == 1 && expected.iter().all(|value| *value == tensor.values[0]);

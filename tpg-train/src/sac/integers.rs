@@ -53,7 +53,7 @@ pub(crate) fn quantise(
     let layers = deciding_layers(network, contract.outputs.len());
     let inputs = contract.inputs.iter();
     let inputs: Vec<Input> =
-        inputs.map(|of| Input { name: of.name.clone(), offset: of.offset, scale: of.scale }).collect();
+        inputs.map(|item| Input { name: item.name.clone(), offset: item.offset, scale: item.scale }).collect();
     let policy = NetworkPolicy::new(network, contract.interface());
     let mut states = Vec::new();
     for task in tasks(environment, TaskSet::Calibration, seed, CALIBRATION) {
@@ -124,13 +124,14 @@ impl Comparison {
                 let values = float.answer(state);
                 if let Decision::Values(integers) = decided(fixed, state) {
                     let pairs = values.iter().zip(&integers).zip(&interface.outputs);
-                    differences.extend(pairs.map(|((a, b), of)| f64::from((a - b).abs()) / (0.5 * (of.max - of.min))));
+                    differences
+                        .extend(pairs.map(|((a, b), item)| f64::from((a - b).abs()) / (0.5 * (item.max - item.min))));
                 }
                 Decision::Values(values)
             }));
             endings[1].push(Rollout::new(environment, &task).run(|state| decided(fixed, state)));
         }
-        let [float, fixed_result] = endings.map(|endings| Summary::of(&endings));
+        let [float, fixed_result] = endings.map(|endings| Summary::new(&endings));
         Self {
             kind: fixed.kind.clone(),
             bytes: fixed.bytes(),

@@ -8,7 +8,7 @@ use super::weights;
 use sha2::{Digest as _, Sha256};
 use std::path::Path;
 use tpg_codegen::policy::{Output, QuantisedPolicy};
-use tpg_engine::{ActionSpace, Decision, Ending, Environment, Rollout};
+use tpg_engine::{ActionSpace, Decision, Environment, EpisodeResult, Rollout};
 use tpg_graph::SourceDocument;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::files::read_text;
@@ -94,7 +94,7 @@ impl Network {
         file: &str,
         environment: &E,
         tasks: &[E::Task],
-    ) -> Result<Vec<Ending>, InputError> {
+    ) -> Result<Vec<EpisodeResult>, InputError> {
         self.fit(file, &environment.sources(), &environment.actions())?;
         Ok(match self {
             Self::Float(actor) => NetworkPolicy::new(&actor.0, actor.1.interface()).endings(environment, tasks),

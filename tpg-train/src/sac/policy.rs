@@ -2,7 +2,7 @@
 
 use super::interface::Interface;
 use std::cell::{RefCell, RefMut};
-use tpg_engine::{Decision, Ending, Environment, Rollout};
+use tpg_engine::{Decision, Environment, EpisodeResult, Rollout};
 use tpg_nn::{Mlp, Tape};
 
 /// An actor, in `f32`: the same on every machine, and the same as in its training.
@@ -26,7 +26,7 @@ impl<'a> NetworkPolicy<'a> {
     }
 
     /// Lets it do each task.
-    pub(crate) fn endings<E: Environment<f32>>(&self, environment: &E, tasks: &[E::Task]) -> Vec<Ending> {
+    pub(crate) fn endings<E: Environment<f32>>(&self, environment: &E, tasks: &[E::Task]) -> Vec<EpisodeResult> {
         tasks.iter().map(|task| self.watch(environment, task, |_episode| ())).collect()
     }
 
@@ -36,7 +36,7 @@ impl<'a> NetworkPolicy<'a> {
         environment: &E,
         task: &E::Task,
         each: impl FnMut(&E::Episode),
-    ) -> Ending {
+    ) -> EpisodeResult {
         Rollout::new(environment, task).watch(|state| Decision::Values(self.answer(state)), each)
     }
 

@@ -310,7 +310,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     /// is mostly lucky (measured on the arm: chosen at 99.6 %, it did 98.5 % on fresh tasks, the last one 98.7 %).
     pub fn validate(&mut self, tasks: &[E::Task]) -> Summary {
         let environment = self.lanes.environment();
-        let result = Summary::of(&self.policy().endings(environment, tasks));
+        let result = Summary::new(&self.policy().endings(environment, tasks));
         self.last = Some(result);
         let learning = &self.config.learning;
         let settled = self.decisions >= learning.decisions && learning.final_rate < 1.0;
@@ -456,7 +456,7 @@ mod tests {
         let (mut before, mut after) = (Vec::new(), Vec::new());
         seen.map_states(|state| {
             let raw: Vec<f32> =
-                (declared.inputs.iter().zip(&*state)).map(|(of, &x)| x / of.scale + of.offset).collect();
+                (declared.inputs.iter().zip(&*state)).map(|(input, &x)| x / input.scale + input.offset).collect();
             state.copy_from_slice(&raw);
             measured.scale(state);
             before.extend_from_slice(state);

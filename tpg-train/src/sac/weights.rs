@@ -146,7 +146,7 @@ mod tests {
             change(&mut tensors);
             from_tensors(tensors).map(|_| ()).map_err(|finding| finding.key)
         };
-        fn of<'a>(tensors: &'a mut Tensors, name: &str) -> &'a mut Tensor {
+        fn tensor<'a>(tensors: &'a mut Tensors, name: &str) -> &'a mut Tensor {
             tensors.tensors.get_mut(name).expect("a tensor of the example")
         }
         let text = |from: &'static str, to: &'static str| {
@@ -163,8 +163,8 @@ mod tests {
             (&text("\"min\":-2.0", "\"min\":2.0"), "metadata.tpg.outputs"),
             (&text("\"hidden\":[6", "\"hidden\":[640000000"), "metadata.tpg.actor.hidden"),
             (&|t| drop(t.tensors.remove("mean.bias")), "mean.bias"),
-            (&|t| of(t, "hidden.1.weight").shape = vec![6, 5], "hidden.1.weight"),
-            (&|t| of(t, "hidden.0.bias").values[3] = f32::NAN, "hidden.0.bias"),
+            (&|t| tensor(t, "hidden.1.weight").shape = vec![6, 5], "hidden.1.weight"),
+            (&|t| tensor(t, "hidden.0.bias").values[3] = f32::NAN, "hidden.0.bias"),
             (&|t| drop(t.tensors.insert("extra".to_owned(), Tensor::flat(vec![1.0]))), "extra"),
         ] {
             assert_eq!(place(change), Err(expected.to_owned()));

@@ -15,8 +15,8 @@ use tpg_arm::observation::{Observation, Source, TargetMemo};
 use tpg_arm::{Arm, Collision, Invalid, Move, WIDOWX};
 use tpg_codegen::passes::optimise;
 use tpg_engine::{
-    Destination, Edge, Ending, EngineOptions, Environment, Evaluator, Lanes, Line, LocalThreads, Operand, Piece, Plan,
-    PolicyGraph, UnitKey, Work, WorkUnit,
+    Destination, Edge, EngineOptions, Environment, EpisodeResult, Evaluator, Lanes, Line, LocalThreads, Operand, Piece,
+    Plan, PolicyGraph, UnitKey, Work, WorkUnit,
 };
 use tpg_graph::Word;
 use tpg_graph::interpret::Interpreter;
@@ -49,7 +49,7 @@ fn problem(shield: Shield) -> arm::Config {
 
 /// Returns a policy as a run finds it.
 fn found(policy: PolicyGraph) -> Best {
-    Best { generation: 0, result: tpg_engine::Summary::of(&[]), policy, ranges: None }
+    Best { generation: 0, result: tpg_engine::Summary::new(&[]), policy, ranges: None }
 }
 
 struct World<S> {
@@ -149,7 +149,7 @@ fn by_interpreter<S: ArmScalar, M: Maths<S>>(
     }
 }
 
-fn same<S: Lattice>(ending: &Ending, summary: &Summary<S>, outcomes: &[&str]) -> bool {
+fn same<S: Lattice>(ending: &EpisodeResult, summary: &Summary<S>, outcomes: &[&str]) -> bool {
     let name = match summary.outcome {
         Outcome::Reached => "reached",
         Outcome::Cycle => "cycle",

@@ -79,7 +79,7 @@ fn what_does_not_fit_is_refused_at_its_place() {
         change(&mut file.tensors);
         from_tensors(file, inputs.count(), &outputs(4, 1.0)).map(|(_, trainer)| trainer).map_err(|finding| finding.key)
     };
-    fn of<'a>(tensors: &'a mut BTreeMap<String, Tensor>, name: &str) -> &'a mut Tensor {
+    fn tensor<'a>(tensors: &'a mut BTreeMap<String, Tensor>, name: &str) -> &'a mut Tensor {
         tensors.get_mut(name).expect("a tensor of the fixture")
     }
     let features = Inputs::Features;
@@ -90,7 +90,7 @@ fn what_does_not_fit_is_refused_at_its_place() {
     assert_eq!(place("sb3", features, &|t| drop(t.remove("mu.bias"))), refused("mu.bias"));
     assert_eq!(place("sb3", features, &|t| drop(t.remove("mu.weight"))), refused(""));
     assert_eq!(place("sb3", features, &|t| drop(t.remove("log_std.weight"))), refused("log_std.weight"));
-    assert_eq!(place("sb3", features, &|t| of(t, "mu.weight").values[0] = f32::NAN), refused("mu.weight"));
-    assert_eq!(place("cleanrl", features, &|t| of(t, "action_scale").values[0] = 2.0), refused("action_scale"));
+    assert_eq!(place("sb3", features, &|t| tensor(t, "mu.weight").values[0] = f32::NAN), refused("mu.weight"));
+    assert_eq!(place("cleanrl", features, &|t| tensor(t, "action_scale").values[0] = 2.0), refused("action_scale"));
     assert_eq!(place("cleanrl", features, &|t| drop(t.insert("q".into(), Tensor::flat(vec![]))),), refused("q"));
 }

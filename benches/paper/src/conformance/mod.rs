@@ -186,7 +186,7 @@ fn derived(dot: &Path, problem: &ArtifactProblem, runs: &[Run], files: &Files) -
     let ends = data::ends(&table("ends.csv", artifact::ends(runs).as_bytes())?, &tasks)?;
 
     let graph = import::load(dot, Some(Profile::Ecta24), None)?;
-    let binding = Binding::of(&dot.display().to_string(), &graph)?;
+    let binding = Binding::of_graph(&dot.display().to_string(), &graph)?;
     let rules = Rules { max_actions: max_actions(problem.start), tolerance: 3.0 };
     let mut engine = Reference::new(&graph);
     let done = replay::run(&Chain::new(WIDOWX), rules, &tasks, &binding, &mut engine).map_err(CommandError::other)?;

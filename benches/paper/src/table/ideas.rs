@@ -33,7 +33,7 @@ pub fn measure(start: Start, inputs: &ProblemInputs) -> Result<Vec<Row>, InputEr
         Row::of("the actor alone", &[ours.network(&shipped.network)?]),
     ];
     for (name, setting) in settings {
-        let together = ours.trial(Acting::Both(&shipped.graph, &shipped.network, &setting))?;
+        let together = ours.play(Acting::Both(&shipped.graph, &shipped.network, &setting))?;
         rows.push(Row::of_hybrids(&name, &[together]));
     }
     Ok(rows)

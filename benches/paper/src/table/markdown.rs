@@ -158,8 +158,8 @@ fn by_graph(row: &Row) -> String {
 
 /// Tabulates the times of compiled code.
 fn costs(problems: &[ProblemResults]) -> String {
-    let times = |of: f64, by: f64| {
-        let factor = of / by;
+    let times = |time: f64, by: f64| {
+        let factor = time / by;
         if factor >= 10.0 { format!("{factor:.0} times") } else { format!("{factor:.1} times") }
     };
     let column = |problem: &ProblemResults| {
@@ -169,7 +169,7 @@ fn costs(problems: &[ProblemResults]) -> String {
         let episode =
             |name: &str, time: Time| thousands(row(name).map_or(0.0, |row| row.actions.mean) * time.mean / 1e3);
         let planner = problem.rows.first().and_then(|row| row.time);
-        let planned = |of: &dyn Fn(Time) -> String| planner.map_or("–".to_owned(), of);
+        let planned = |time: &dyn Fn(Time) -> String| planner.map_or("–".to_owned(), time);
         let of_the_paper = if problem.start == Start::Fs { "11" } else { "2.8" };
         [
             thousands(shipped.hybrid.mean),

@@ -1,12 +1,12 @@
 //! This project's policies, run by the trainer.
 
 use std::path::Path;
-use tpg_engine::{Ending, TaskSet};
+use tpg_engine::{EpisodeResult, TaskSet};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_problems::Problem;
+use tpg_problems::arm::evaluation::ReachStatistics;
 use tpg_problems::arm::targets::Start;
-use tpg_problems::arm::trial::Trial;
 use tpg_train::{Acting, Episodes, Network, Setting, Shared as _};
 
 /// A problem with its episodes.
@@ -31,26 +31,26 @@ impl<'a> Ours<'a> {
     ///
     /// # Errors
     /// If a policy is not one of the arm.
-    pub fn trial(&self, acting: Acting<'_>) -> Result<(Trial, f64), InputError> {
-        let done = Problem::tested(self.start.into(), None)?.trial(acting, self.episodes)?;
-        let endings: Vec<Ending> = done.endings;
-        Ok((Trial::of(self.start, endings), done.tpg_action_ratio))
+    pub fn play(&self, acting: Acting<'_>) -> Result<(ReachStatistics, f64), InputError> {
+        let done = Problem::tested(self.start.into(), None)?.play(acting, self.episodes)?;
+        let endings: Vec<EpisodeResult> = done.endings;
+        Ok((ReachStatistics::new(self.start, endings), done.tpg_action_ratio))
     }
 
     /// Lets a graph act alone.
     ///
     /// # Errors
     /// As [`trial`](Self::trial).
-    pub fn graph(&self, graph: &(String, Graph)) -> Result<Trial, InputError> {
-        self.trial(Acting::Graph(graph)).map(|(trial, _)| trial)
+    pub fn graph(&self, graph: &(String, Graph)) -> Result<ReachStatistics, InputError> {
+        self.play(Acting::Graph(graph)).map(|(trial, _)| trial)
     }
 
     /// Lets a network act alone.
     ///
     /// # Errors
     /// As [`trial`](Self::trial).
-    pub fn network(&self, network: &(String, Network)) -> Result<Trial, InputError> {
-        self.trial(Acting::Network(network)).map(|(trial, _)| trial)
+    pub fn network(&self, network: &(String, Network)) -> Result<ReachStatistics, InputError> {
+        self.play(Acting::Network(network)).map(|(trial, _)| trial)
     }
 }
 

@@ -12,9 +12,9 @@ use tpg_engine::Sample;
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::files::read_graph;
+use tpg_problems::arm::evaluation::{ReachStatistics, run};
 use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{Start, Task};
-use tpg_problems::arm::trial::{Trial, run};
 use tpg_train::{Acting, Hybrid, Network};
 
 /// One row of the table. Rates lie in 0..1.
@@ -42,9 +42,10 @@ pub struct Row {
 
 impl Row {
     /// Summarises trials.
-    pub fn of(name: &str, trials: &[Trial]) -> Self {
-        let values =
-            |trial: &Trial| [trial.success_rate, trial.collision_rate, trial.mean_distance_mm, trial.mean_actions];
+    pub fn of(name: &str, trials: &[ReachStatistics]) -> Self {
+        let values = |trial: &ReachStatistics| {
+            [trial.success_rate, trial.collision_rate, trial.mean_distance_mm, trial.mean_actions]
+        };
         Self::of_values(name, &trials.iter().map(values).collect::<Vec<_>>())
     }
 
@@ -66,8 +67,8 @@ impl Row {
     }
 
     /// Summarises hybrids, each with the fraction of actions that its graph chose.
-    pub fn of_hybrids(name: &str, hybrids: &[(Trial, f64)]) -> Self {
-        let (trials, ratios): (Vec<Trial>, Vec<f64>) = hybrids.iter().cloned().unzip();
+    pub fn of_hybrids(name: &str, hybrids: &[(ReachStatistics, f64)]) -> Self {
+        let (trials, ratios): (Vec<ReachStatistics>, Vec<f64>) = hybrids.iter().cloned().unzip();
         Self { by_graph: Some(Sample::new(&ratios)), ..Self::of(name, &trials) }
     }
 }
@@ -75,12 +76,12 @@ impl Row {
 /// Returns the size in bytes of a graph's C code on a Cortex-M4F, compiled for size, in profile `fast` and profile
 /// `small`; `None` if the compiler is missing.
 pub fn graph_bytes(graph: &Graph) -> Option<[usize; 2]> {
-    let of = |profile| {
+    let flash = |profile| {
         let options = Options { profile: Some(profile), ..Options::new("policy".parse::<Prefix>().ok()?) };
         let size = size::compile_c(graph, &options, Target::CortexM4).and_then(|object| size::measure(&object)).ok()?;
         Some((size.code + size.constants + size.data) as usize)
     };
-    Some([of(Profile::Fast)?, of(Profile::Small)?])
+    Some([flash(Profile::Fast)?, flash(Profile::Small)?])
 }
 
 /// Name of the classical policy that fits a microcontroller.
@@ -113,11 +114,12 @@ pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task], file: &Path
     let shipped = Hybrid::read(&inputs.shipped)?;
     let ours = Ours::from_file(start, file);
     let actor_bytes = shipped.network.1.bytes();
-    let actor_row = |name: &str, trial: Trial| Row { bytes: Some([actor_bytes; 2]), ..Row::of(name, &[trial]) };
+    let actor_row =
+        |name: &str, trial: ReachStatistics| Row { bytes: Some([actor_bytes; 2]), ..Row::of(name, &[trial]) };
     rows.push(actor_row("SAC, shipped", ours.network(&shipped.network)?));
     let bytes = graph_bytes(&shipped.graph.1);
     rows.push(Row { bytes, ..Row::of("TPG, shipped", &[ours.graph(&shipped.graph)?]) });
-    let both = ours.trial(Acting::Both(&shipped.graph, &shipped.network, &shipped.setting))?;
+    let both = ours.play(Acting::Both(&shipped.graph, &shipped.network, &shipped.setting))?;
     let bytes = bytes.map(|graph| graph.map(|graph| graph + actor_bytes));
     rows.push(Row { bytes, ..Row::of_hybrids("**hybrid, shipped**", &[both]) });
     let compiled = super::compiled::times(start, timed);
@@ -139,7 +141,7 @@ fn of_seeds(inputs: &ProblemInputs, shipped: &Hybrid, ours: &Ours<'_>) -> Result
     let mut together = Vec::new();
     for graph in &graphs {
         for network in &networks {
-            together.push(ours.trial(Acting::Both(graph, network, &shipped.setting))?);
+            together.push(ours.play(Acting::Both(graph, network, &shipped.setting))?);
         }
     }
     let mut rows = vec![

@@ -2,7 +2,7 @@
 
 use super::Environment;
 use crate::action::{Act, Acts};
-use crate::ending::Ending;
+use crate::episode_result::EpisodeResult;
 use crate::episodes::Episodes;
 use crate::error::EvaluationError;
 use crate::source_set::SourceSet;
@@ -52,7 +52,7 @@ impl<S: Scalar, E: Environment<S> + ?Sized> Episodes<S, E::Task> for OneByOne<'_
         Ok(())
     }
 
-    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
+    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, EpisodeResult)>) -> Result<(), EvaluationError> {
         for (place, (lane, act)) in self.lanes.iter_mut().zip(acts.iter()).enumerate() {
             ended.extend(lane.step(self.environment, self.limit, act).map(|ending| (place, ending)));
             self.environment.key(&lane.episode).into_iter().for_each(|key| self.keys[place] = key);
@@ -64,7 +64,7 @@ impl<S: Scalar, E: Environment<S> + ?Sized> Episodes<S, E::Task> for OneByOne<'_
         &self.keys
     }
 
-    fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<Ending> {
+    fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<EpisodeResult> {
         self.environment.cycle(&self.lanes[lane].episode, key, actions)
     }
 
@@ -97,12 +97,12 @@ impl<Episode> Lane<Episode> {
         environment: &E,
         limit: u32,
         act: Act<'_, S>,
-    ) -> Option<Ending> {
+    ) -> Option<EpisodeResult> {
         let step = environment.step(&mut self.episode, act);
         self.score += step.reward;
         self.actions += 1;
         let end = step.end.or_else(|| (self.actions >= limit).then(|| environment.timeout(&self.episode)))?;
-        Some(Ending {
+        Some(EpisodeResult {
             outcome: end.outcome,
             success: end.success,
             score: self.score,

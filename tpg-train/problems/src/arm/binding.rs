@@ -51,7 +51,7 @@ impl Binding {
     ///
     /// # Errors
     /// If a source is not part of the observation, or an action has no move that the arm knows.
-    pub fn of(file: &str, graph: &Graph) -> Result<Self, InputError> {
+    pub fn of_graph(file: &str, graph: &Graph) -> Result<Self, InputError> {
         let (sources, moves) = bind(file, graph)?;
         Ok(Self::new(graph.scalar(), sources, moves))
     }

@@ -8,14 +8,14 @@ mod episode;
 mod group;
 mod guard;
 mod lanes;
-mod usual;
+mod regular;
 
 pub use episode::ArmEpisode;
 
 use crate::arm::binding::bind;
+use crate::arm::evaluation::figures;
 use crate::arm::problem::{ArmProblem, ArmTask, DISTANCE, OUTCOMES, on_the_arm};
 use crate::arm::targets::{self, ReachableSpace, Set};
-use crate::arm::trial::figures;
 use crate::arm::{drawing, motors};
 use clearance::{Clearances, swing};
 use guard::Steering;
@@ -27,8 +27,8 @@ use tpg_arm::observation::{Observation, ReachErrors, Source, derived, shield};
 use tpg_arm::{Arm, JOINTS, Joint, Move, Play, Pose, TICKS_PER_TURN};
 use tpg_engine::random::Stream;
 use tpg_engine::{
-    Act, ActionSpace, Drawn, End, Ending, Environment, Episodes, Guarded, Measure, OneByOne, Preference, SourceSet,
-    Step, TaskSet, Training,
+    Act, ActionSpace, Drawn, End, Environment, EpisodeResult, Episodes, Guarded, Measure, OneByOne, Preference,
+    SourceSet, Step, TaskSet, Training,
 };
 use tpg_graph::error::InputError;
 use tpg_graph::{ActionDocument, Effect, Graph, SourceDocument};
@@ -66,7 +66,7 @@ pub struct ArmEnvironment<S> {
     swing: S,
     /// `None` if sines are computed.
     sines: Option<Box<Sines<S>>>,
-    /// True if lanes take their usual steps all at once.
+    /// True if lanes take their regular steps all at once.
     vectors: bool,
     /// How networks drive the arm.
     steering: Steering,
@@ -117,7 +117,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             description: *arm,
             tolerance: S::from_f64(problem.tolerance),
             problem,
-            clearances: Clearances::of(arm),
+            clearances: Clearances::new(arm),
             swing: S::from_f64(swing(arm, f64::from(shield::STEP))),
             moves,
             places,
@@ -220,12 +220,12 @@ impl<S: ArmScalar> ArmEnvironment<S> {
     }
 
     /// Takes one action and returns the ending if the episode ended. The only reward is the score at the end.
-    fn advance(&self, episode: &mut ArmEpisode<S>, action: usize) -> Option<Ending> {
+    fn advance(&self, episode: &mut ArmEpisode<S>, action: usize) -> Option<EpisodeResult> {
         self.go(episode, self.moves.get(action).copied().unwrap_or(Move::STOP), true)
     }
 
     /// Moves the arm. Rest ends an episode where a graph chose it: it will for ever.
-    fn go(&self, episode: &mut ArmEpisode<S>, wanted: Move, rest_ends: bool) -> Option<Ending> {
+    fn go(&self, episode: &mut ArmEpisode<S>, wanted: Move, rest_ends: bool) -> Option<EpisodeResult> {
         let wanted = Move(wanted.0.map(|ticks| ticks.saturating_mul(episode.roughness as i8)));
         let before = episode.pose;
         let mut moved_plane = None;
@@ -429,7 +429,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         };
         match ending {
             None => Step::reward(0.0),
-            Some(Ending { outcome, success, score, measure, .. }) => {
+            Some(EpisodeResult { outcome, success, score, measure, .. }) => {
                 Step::reward(score).ending(End { outcome, success, measure, truncated: false })
             }
         }
@@ -447,7 +447,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         Some(episode.pose.packed())
     }
 
-    fn cycle(&self, episode: &ArmEpisode<S>, key: u64, actions: u32) -> Option<Ending> {
+    fn cycle(&self, episode: &ArmEpisode<S>, key: u64, actions: u32) -> Option<EpisodeResult> {
         let pose = Pose::from_packed(key);
         let hand = self.plane(pose).hand_in_world(self.base(pose));
         Some(self.problem.ending(Outcome::Cycle, actions, self.distance(episode, pose, hand).to_f64()))
@@ -472,7 +472,7 @@ impl<S: ArmScalar> Training<ArmTask, ArmEpisode<S>> for ArmEnvironment<S> {
 }
 
 impl<S: ArmScalar> Drawn<ArmEpisode<S>> for ArmEnvironment<S> {
-    fn figures(&self, endings: &[Ending]) -> Map<String, Value> {
+    fn figures(&self, endings: &[EpisodeResult]) -> Map<String, Value> {
         figures(endings)
     }
 

@@ -15,7 +15,7 @@
 //! | [`ik`] | inverse kinematics: poses that solve a task |
 //! | [`planner`] | classical controllers |
 //! | [`problem`] | scores and endings |
-//! | [`trial`] | results of one policy on many tasks |
+//! | [`evaluation`] | results of one policy on many tasks |
 
 pub mod arms;
 pub mod binding;
@@ -24,6 +24,7 @@ pub mod config;
 pub mod description;
 mod drawing;
 pub mod environment;
+pub mod evaluation;
 pub mod ik;
 pub mod import;
 pub mod motors;
@@ -31,7 +32,6 @@ pub mod planner;
 pub mod problem;
 pub mod shield;
 pub mod targets;
-pub mod trial;
 
 pub use config::Config;
 pub use description::ArmDescription;

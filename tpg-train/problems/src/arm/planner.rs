@@ -1,13 +1,13 @@
 //! Classical baselines: controllers that use the arm's inverse kinematics and learn nothing.
 
+use crate::arm::evaluation::run;
 use crate::arm::targets::{TOLERANCE, Task};
-use crate::arm::trial::run;
 use crate::arm::{ArmProblem, ik};
 use std::cell::RefCell;
 use tpg_arm::kinematics::{self, Plane};
 use tpg_arm::observation::{Observation, Straight};
 use tpg_arm::{Arm, JOINTS, Move, Pose};
-use tpg_engine::Ending;
+use tpg_engine::EpisodeResult;
 use tpg_runtime::policy::Policy;
 
 /// Rule for choosing among the poses that solve a task.
@@ -25,7 +25,7 @@ pub enum Choice {
 pub const CONTROLLERS: [&str; 3] = ["planner", "nearest-goal", "closed-form"];
 
 /// Lets a controller do tasks; `None` if there is none of that name.
-pub fn controlled(name: &str, arm: &Arm<f64>, problem: &ArmProblem, tasks: &[Task]) -> Option<Vec<Ending>> {
+pub fn controlled(name: &str, arm: &Arm<f64>, problem: &ArmProblem, tasks: &[Task]) -> Option<Vec<EpisodeResult>> {
     let planned = |choice| run(arm, &Planner::within(arm, choice, problem.tolerance), problem.clone(), tasks).endings;
     match name {
         "planner" => Some(planned(Choice::NearestFree)),
@@ -165,8 +165,8 @@ impl Policy for Planner<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::arm::evaluation;
     use crate::arm::targets::{Set, Start, tasks};
-    use crate::arm::trial;
     use tpg_arm::WIDOWX;
     use tpg_arm::observation::Straight;
 
@@ -180,11 +180,11 @@ mod tests {
     fn planning_solves_nearly_everything_and_looking_ahead_helps() {
         for start in [Start::Fs, Start::Rs] {
             let tasks = tasks(&WIDOWX, 4, Set::Validation, start, 100);
-            let success = |choice| trial::run(&WIDOWX, &Planner::new(&WIDOWX, choice), start, &tasks).success_rate;
+            let success = |choice| evaluation::run(&WIDOWX, &Planner::new(&WIDOWX, choice), start, &tasks).success_rate;
             let (nearest, free) = (success(Choice::Nearest), success(Choice::NearestFree));
             assert!(free >= 0.97 && free >= nearest && nearest >= 0.9, "{start:?}: {nearest} {free}");
             // The variant that fits a microcontroller looks at only four poses.
-            let stance = trial::run(&WIDOWX, &Straight::new(&WIDOWX), start, &tasks).success_rate;
+            let stance = evaluation::run(&WIDOWX, &Straight::new(&WIDOWX), start, &tasks).success_rate;
             assert!(nearest >= stance && stance >= 0.85, "{start:?}: {stance}");
         }
     }

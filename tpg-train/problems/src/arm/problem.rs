@@ -7,7 +7,7 @@ use tpg_arm::kinematics::Lattice;
 use tpg_arm::observation::Source;
 use tpg_arm::{Collision, Invalid, JOINTS, Play, Pose, TICKS_PER_TURN};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Ending, Measure};
+use tpg_engine::{EpisodeResult, Measure};
 
 /// The arm's problem and its scoring.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,11 +81,11 @@ impl ArmProblem {
 
     /// Returns the ending of an episode with its score: for a success the bonus plus that for unused actions, for a
     /// failure minus the distance, mm.
-    pub fn ending(&self, outcome: Outcome, actions: u32, distance: f64) -> Ending {
+    pub fn ending(&self, outcome: Outcome, actions: u32, distance: f64) -> EpisodeResult {
         let success = outcome == Outcome::Reached;
         let unused = f64::from(self.max_actions.saturating_sub(actions));
         let score = if success { unused * self.per_unused_action + self.bonus } else { -distance };
-        Ending { outcome: outcome_number(outcome), success: Some(success), score, measure: distance, actions }
+        EpisodeResult { outcome: outcome_number(outcome), success: Some(success), score, measure: distance, actions }
     }
 }
 

@@ -121,7 +121,7 @@ impl ReachableSpace {
     pub fn shared(arm: &Arm<f64>, seed: u64, set: Set) -> Arc<Self> {
         static DRAWN: Mutex<Vec<(u64, Set, Arc<ReachableSpace>)>> = Mutex::new(Vec::new());
         let mut drawn = DRAWN.lock().unwrap_or_else(PoisonError::into_inner);
-        let is_same = |of: &&(u64, Set, Arc<Self>)| (of.0, of.1) == (seed, set) && of.2.arm == *arm;
+        let is_same = |entry: &&(u64, Set, Arc<Self>)| (entry.0, entry.1) == (seed, set) && entry.2.arm == *arm;
         if let Some((.., space)) = drawn.iter().find(is_same) {
             return Arc::clone(space);
         }

@@ -30,7 +30,7 @@ pub struct Dodge {
 
 /// A running episode: the rules' part, and what the controller remembers.
 #[derive(Clone, Debug)]
-pub struct Trial {
+pub struct DodgeEpisode {
     episode: Episode,
     dodger: Dodger,
 }
@@ -50,7 +50,7 @@ impl Dodge {
 
 impl<S: Scalar> Environment<S> for Dodge {
     type Task = Scene;
-    type Episode = Trial;
+    type Episode = DodgeEpisode;
 
     fn sources(&self) -> Vec<SourceDocument> {
         Source::ALL.into_iter().map(document).collect()
@@ -80,7 +80,7 @@ impl<S: Scalar> Environment<S> for Dodge {
         self.generator(Set::Training).draw(stream, self.config.tries).scene
     }
 
-    fn training(&self) -> Option<&dyn Training<Scene, Trial>> {
+    fn training(&self) -> Option<&dyn Training<Scene, DodgeEpisode>> {
         Some(self)
     }
 
@@ -90,34 +90,36 @@ impl<S: Scalar> Environment<S> for Dodge {
         !scene.goals.is_empty() && scene.goals.iter().chain([&scene.start]).all(is_on_the_arm)
     }
 
-    fn start(&self, scene: &Scene) -> Trial {
+    fn start(&self, scene: &Scene) -> DodgeEpisode {
         let episode = Episode::sensed(&self.body, scene, self.config.sensing());
         let dodger = Dodger::new(self.config.settings(), &episode.view(&self.body));
-        Trial { episode, dodger }
+        DodgeEpisode { episode, dodger }
     }
 
-    fn observe(&self, trial: &mut Trial, _wanted: SourceSet, state: &mut [S]) {
-        let values = trial.dodger.observe(&trial.episode.view(&self.body));
+    fn observe(&self, running: &mut DodgeEpisode, _wanted: SourceSet, state: &mut [S]) {
+        let values = running.dodger.observe(&running.episode.view(&self.body));
         state.iter_mut().zip(values).for_each(|(slot, value)| *slot = S::from_f64(f64::from(value)));
     }
 
-    fn step(&self, trial: &mut Trial, act: Act<'_, S>) -> Step {
+    fn step(&self, running: &mut DodgeEpisode, act: Act<'_, S>) -> Step {
         let (behaviour, _) = Behaviour::ALL[act.choice()];
-        let wanted = trial.dodger.act(&trial.episode.view(&self.body), behaviour);
-        let Some(end) = trial.episode.step(&self.body, wanted, self.config.tolerance) else { return Step::reward(0.0) };
-        let distance = f64::from(trial.episode.distance());
-        let left = f64::from(LIMIT - trial.episode.steps());
+        let wanted = running.dodger.act(&running.episode.view(&self.body), behaviour);
+        let Some(end) = running.episode.step(&self.body, wanted, self.config.tolerance) else {
+            return Step::reward(0.0);
+        };
+        let distance = f64::from(running.episode.distance());
+        let left = f64::from(LIMIT - running.episode.steps());
         let success = end == episode::End::Reached;
         let reward = REWARDS[end as usize] + if success { UNUSED * left } else { -FAR * distance };
         Step::reward(reward).ending(End { success: Some(success), measure: distance, ..End::new(end as u8) })
     }
 
-    fn distance(&self, trial: &Trial) -> Option<f64> {
-        Some(trial.episode.distance().into())
+    fn distance(&self, running: &DodgeEpisode) -> Option<f64> {
+        Some(running.episode.distance().into())
     }
 }
 
-impl Training<Scene, Trial> for Dodge {
+impl Training<Scene, DodgeEpisode> for Dodge {
     fn tasks(&self, set: TaskSet, _seed: u64, count: usize) -> Option<Vec<Scene>> {
         let generator = (set == TaskSet::Validation).then(|| self.generator(Set::Validation))?;
         let stream = |index| Stream::new(SEED, (Set::Validation as u64) << 8 | 77, Purpose::Task, index);

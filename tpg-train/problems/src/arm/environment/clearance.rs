@@ -17,7 +17,7 @@ pub(super) struct Clearances<S> {
 
 impl<S: ArmScalar> Clearances<S> {
     /// Computes the clearances of an arm.
-    pub(super) fn of(arm: &Arm<f64>) -> Self {
+    pub(super) fn new(arm: &Arm<f64>) -> Self {
         let shapes = &arm.shapes;
         let widest = |edges: [f64; 2]| edges[0].abs().max(edges[1].abs());
         let (hand, forearm) = (widest(shapes.hand_edges), widest(shapes.forearm_edges));

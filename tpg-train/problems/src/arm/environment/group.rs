@@ -4,16 +4,16 @@ use std::array::from_fn;
 use tpg_arm::{JOINTS, Pose};
 use tpg_engine::{BLOCK, Block};
 
-/// The values of one lane that usual steps need.
+/// The values of one lane that regular steps need.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lane<S> {
     pub(super) ticks: [i32; JOINTS],
     pub(super) target: [S; 3],
     pub(super) hand: [S; 3],
-    /// A squared distance above this is not a success, mm²; NaN if no step is usual.
+    /// A squared distance above this is not a success, mm²; NaN if no step is regular.
     pub(super) far: S,
     pub(super) roughness: i32,
-    /// Remaining actions, minus the last one allowed; from 0 on, steps are not usual.
+    /// Remaining actions, minus the last one allowed; from 0 on, steps are not regular.
     pub(super) left: i32,
 }
 
@@ -28,13 +28,13 @@ pub(super) struct Group<S> {
     pub(super) left: Block<i32>,
     /// Ticks before the last action.
     pub(super) before: [Block<i32>; JOINTS],
-    /// True if the last action was not a usual step.
+    /// True if the last action was not a regular step.
     pub(super) other: Block<bool>,
 }
 
 impl<S: Copy> Group<S> {
     /// Creates a group of equal lanes.
-    pub(super) fn of(lane: Lane<S>) -> Self {
+    pub(super) fn new(lane: Lane<S>) -> Self {
         let ticks = lane.ticks.map(|ticks| [ticks; BLOCK]);
         Self {
             ticks,
@@ -70,7 +70,7 @@ impl<S: Copy> Group<S> {
         self.left[lane] = new.left;
     }
 
-    /// Undoes a lane's last action, which was not a usual step. The hand stays as if it had been done.
+    /// Undoes a lane's last action, which was not a regular step. The hand stays as if it had been done.
     pub(super) fn take_back(&mut self, lane: usize) {
         (0..JOINTS).for_each(|joint| self.ticks[joint][lane] = self.before[joint][lane]);
         self.left[lane] += 1;

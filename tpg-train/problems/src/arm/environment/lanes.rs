@@ -1,18 +1,18 @@
 //! Many arms in parallel.
 //!
-//! Nearly every step is a usual one: a joint moves within its range, the arm stays clear of everything, and the hand is
-//! not yet near the target. [Usual steps](Usual) are vectorised with the same functions; all others go through
+//! Nearly every step is a regular one: a joint moves within its range, the arm stays clear of everything, and the hand is
+//! not yet near the target. [Regular steps](Regular) are vectorised with the same functions; all others go through
 //! [`ArmEnvironment::step`], which alone implements the rules. The most common sources are observed in vectors as well,
 //! the others by [`ArmEnvironment::observe`].
 
 use super::clearance::swing;
 use super::group::{Group, Lane};
-use super::usual::Usual;
+use super::regular::Regular;
 use super::{ArmEnvironment, ArmEpisode, ArmScalar, ArmTask};
 use fearless_simd::{Level, dispatch};
 use tpg_arm::observation::Source;
 use tpg_arm::{JOINTS, Move, Play};
-use tpg_engine::{Acts, BLOCK, Block, Ending, Environment, Episodes, EvaluationError, SourceSet, View};
+use tpg_engine::{Acts, BLOCK, Block, Environment, EpisodeResult, Episodes, EvaluationError, SourceSet, View};
 
 /// [`ArmEnvironment::lanes`].
 pub(super) struct ArmLanes<'e, S> {
@@ -21,7 +21,7 @@ pub(super) struct ArmLanes<'e, S> {
     moves: Vec<[i32; JOINTS]>,
     groups: Vec<Group<S>>,
     keys: Vec<Block<u64>>,
-    /// Data that usual steps do not need; the poses are stale.
+    /// Data that regular steps do not need; the poses are stale.
     episodes: Vec<ArmEpisode<S>>,
     state: Vec<S>,
     level: Level,
@@ -73,7 +73,7 @@ impl<'e, S: ArmScalar> ArmLanes<'e, S> {
             ticks: episode.pose.0.map(i32::from),
             target: episode.target,
             hand: episode.hand,
-            // Wide enough for every rounding error. An arm that collides in its current pose never takes a usual step.
+            // Wide enough for every rounding error. An arm that collides in its current pose never takes a regular step.
             far: if episode.collides { S::from_f64(f64::NAN) } else { tolerance * tolerance * S::from_f64(1.01) },
             roughness: i32::from(episode.roughness as i8),
             left: self.environment.problem.max_actions as i32 - 1 - episode.actions as i32,
@@ -86,7 +86,7 @@ impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
         let episode = self.environment.start(task);
         let (new, key) = (self.lane(&episode), episode.pose.packed());
         if lane / BLOCK == self.groups.len() {
-            self.groups.push(Group::of(new));
+            self.groups.push(Group::new(new));
             self.keys.push([key; BLOCK]);
         }
         if lane == self.episodes.len() {
@@ -99,10 +99,10 @@ impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
         Ok(())
     }
 
-    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
+    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, EpisodeResult)>) -> Result<(), EvaluationError> {
         let actions = acts.choices();
         let Self { environment, moves, groups, keys, .. } = self;
-        dispatch!(self.level, _ => Usual { environment, moves, groups, keys, actions }.take());
+        dispatch!(self.level, _ => Regular { environment, moves, groups, keys, actions }.take());
         for (lane, &action) in actions.iter().enumerate() {
             if !self.groups[lane / BLOCK].other[lane % BLOCK] {
                 continue;
@@ -123,7 +123,7 @@ impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
         &self.keys.as_flattened()[..self.episodes.len()]
     }
 
-    fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<Ending> {
+    fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<EpisodeResult> {
         self.environment.cycle(&self.episodes[lane], key, actions)
     }
 

@@ -31,7 +31,7 @@ pub struct Config {
     pub may_rest: bool,
     /// The fraction of training episodes that start at home; the others start anywhere.
     pub fixed_start_share: f64,
-    /// The fraction of trial episodes, which look for failures, that start at home.
+    /// The fraction of evaluation episodes, which look for failures, that start at home.
     pub trial_fixed_share: f64,
     /// The number of steps after which a training episode is cut off, which is no failure.
     pub max_steps: u32,
@@ -159,9 +159,9 @@ impl Config {
 
     /// Returns the rules of tests that begin at that start.
     pub fn tests(&self, start: Start) -> ArmProblem {
-        let usual = ArmProblem::from(start);
-        let tolerance = self.test_tolerance.unwrap_or(usual.tolerance);
-        ArmProblem { tolerance, backlash: self.backlash, ..usual }
+        let problem = ArmProblem::from(start);
+        let tolerance = self.test_tolerance.unwrap_or(problem.tolerance);
+        ArmProblem { tolerance, backlash: self.backlash, ..problem }
     }
 }
 

@@ -6,33 +6,34 @@
 //! | [`config`] | the section `[problem]` |
 //! | [`inputs`] | the inputs of an actor |
 //! | [`decision`] | from preferences to a move |
-//! | `lesson` | an episode under the rules of training: shaped reward, repeated actions |
-//! | `trial` | an episode under the rules of tests |
+//! | `training` | an episode under the rules of training: shaped reward, repeated actions |
+//! | `evaluation` | an episode under the rules of tests |
 
 pub mod config;
 pub mod decision;
+mod evaluation;
 pub mod inputs;
-mod lesson;
-mod trial;
+mod training;
 
 pub use config::{Config, Reward};
 pub use decision::Discretiser;
 pub use inputs::Inputs;
 
+use super::evaluation::figures;
 use super::problem::{ArmProblem, DISTANCE, OUTCOMES, on_the_arm};
 use super::targets::{self, ReachableSpace, Set, Start};
-use super::trial::figures;
 use super::{drawing, ik};
-use lesson::Lesson;
+use evaluation::EvaluationEpisode;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use tpg_arm::{Arm, JOINTS, Pose};
 use tpg_engine::random::Stream;
 use tpg_engine::{
-    Act, ActionSpace, Drawn, Ending, Environment, Measure, Output, Preference, SourceSet, Step, TaskSet, Training,
+    Act, ActionSpace, Drawn, Environment, EpisodeResult, Measure, Output, Preference, SourceSet, Step, TaskSet,
+    Training,
 };
 use tpg_graph::SourceDocument;
-use trial::Trial;
+use training::TrainingEpisode;
 
 /// The names of the motors, in order.
 pub const MOTORS: [&str; JOINTS] = ["base", "shoulder", "elbow", "wrist"];
@@ -53,7 +54,7 @@ pub(super) fn outputs() -> Vec<Output> {
 /// The arm, driven by a preference of −1 to 1 for each motor.
 ///
 /// Training episodes have a shaped reward, may repeat an action, and are cut off without failing. Episodes of validation
-/// and trial tasks follow the rules of tests: single steps, the paper's score.
+/// and evaluation tasks follow the rules of tests: single steps, the paper's score.
 #[derive(Clone, Debug)]
 pub struct Motors {
     start: Start,
@@ -94,16 +95,16 @@ pub struct MotorsEpisode(Course);
 
 #[derive(Clone, Debug)]
 enum Course {
-    Lesson(Lesson),
-    Trial(Box<Trial>),
+    Training(TrainingEpisode),
+    Evaluation(Box<EvaluationEpisode>),
 }
 
 impl MotorsEpisode {
     /// The arm's pose.
     pub fn pose(&self) -> Pose {
         match &self.0 {
-            Course::Lesson(lesson) => lesson.pose(),
-            Course::Trial(trial) => trial.pose(),
+            Course::Training(training) => training.pose(),
+            Course::Evaluation(evaluation) => evaluation.pose(),
         }
     }
 }
@@ -198,17 +199,21 @@ impl Environment<f32> for Motors {
     }
 
     fn start(&self, task: &MotorsTask) -> MotorsEpisode {
-        let of = targets::Task { start: Pose(task.start), target: task.target };
+        let reach = targets::Task { start: Pose(task.start), target: task.target };
         MotorsEpisode(match task.rules {
-            Rules::Training => Course::Lesson(Lesson::new(&self.config, &self.arm, of.start, of.target)),
-            Rules::Test(start) => Course::Trial(Box::new(Trial::new(&self.arm, self.rules(start), &of))),
+            Rules::Training => {
+                Course::Training(TrainingEpisode::new(&self.config, &self.arm, reach.start, reach.target))
+            }
+            Rules::Test(start) => {
+                Course::Evaluation(Box::new(EvaluationEpisode::new(&self.arm, self.rules(start), &reach)))
+            }
         })
     }
 
     fn observe(&self, episode: &mut MotorsEpisode, _wanted: SourceSet, state: &mut [f32]) {
         let frame = match &episode.0 {
-            Course::Lesson(lesson) => lesson.frame(&self.arm),
-            Course::Trial(trial) => trial.frame(&self.arm),
+            Course::Training(training) => training.frame(&self.arm),
+            Course::Evaluation(evaluation) => evaluation.frame(&self.arm),
         };
         self.config.inputs.observe(&frame, state);
     }
@@ -218,8 +223,8 @@ impl Environment<f32> for Motors {
         let preferences = std::array::from_fn(|joint| libm::atanhf(values[joint]));
         let decide = |pose| self.discretiser.decide(preferences, pose, &self.arm.ranges);
         match &mut episode.0 {
-            Course::Lesson(lesson) => lesson.step(&self.config, &self.arm, decide),
-            Course::Trial(trial) => trial.step(&self.arm, decide, self.config.stuck_ends),
+            Course::Training(training) => training.step(&self.config, &self.arm, decide),
+            Course::Evaluation(evaluation) => evaluation.step(&self.arm, decide, self.config.stuck_ends),
         }
     }
 }
@@ -243,7 +248,7 @@ impl Training<MotorsTask, MotorsEpisode> for Motors {
     }
 
     /// Random starts first, then fixed ones.
-    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Option<Vec<MotorsTask>> {
+    fn evaluation_tasks(&self, stream: &mut Stream, count: usize) -> Option<Vec<MotorsTask>> {
         let fixed = (count as f64 * self.config.trial_fixed_share).round() as usize;
         let mut tasks = Vec::with_capacity(count);
         for (start, count) in [(Start::Rs, count - fixed), (Start::Fs, fixed)] {
@@ -255,8 +260,8 @@ impl Training<MotorsTask, MotorsEpisode> for Motors {
     /// Training begins there, unless the hand is at its target already.
     fn task_from(&self, episode: &MotorsEpisode) -> Option<MotorsTask> {
         let (pose, target, distance) = match &episode.0 {
-            Course::Lesson(lesson) => (lesson.pose(), lesson.target(), lesson.distance()),
-            Course::Trial(trial) => (trial.pose(), trial.target(), trial.distance(&self.arm)),
+            Course::Training(training) => (training.pose(), training.target(), training.distance()),
+            Course::Evaluation(evaluation) => (evaluation.pose(), evaluation.target(), evaluation.distance(&self.arm)),
         };
         let rules = Rules::Training;
         (f64::from(distance) > self.config.tolerance).then_some(MotorsTask { start: pose.0, target, rules })
@@ -264,14 +269,14 @@ impl Training<MotorsTask, MotorsEpisode> for Motors {
 }
 
 impl Drawn<MotorsEpisode> for Motors {
-    fn figures(&self, endings: &[Ending]) -> Map<String, Value> {
+    fn figures(&self, endings: &[EpisodeResult]) -> Map<String, Value> {
         figures(endings)
     }
 
     fn moment(&self, episode: &MotorsEpisode) -> Vec<f64> {
         let target = match &episode.0 {
-            Course::Lesson(lesson) => lesson.target(),
-            Course::Trial(trial) => trial.target(),
+            Course::Training(training) => training.target(),
+            Course::Evaluation(evaluation) => evaluation.target(),
         };
         drawing::moment(episode.pose(), target)
     }

@@ -93,11 +93,11 @@ fn rest_ends_a_test_unless_the_policy_may_leave_it() {
 }
 
 #[test]
-fn trial_tasks_have_both_starts_and_training_goes_on_from_where_one_is() {
+fn evaluation_tasks_have_both_starts_and_training_goes_on_from_where_one_is() {
     let motors = Motors::new(Start::Rs, Config::default(), 7);
-    let tasks = motors.trial_tasks(&mut Stream::new(7, 1, Purpose::Test, 0), 8).expect("its own");
-    let of = |start| tasks.iter().filter(|task| task.rules == Rules::Test(start)).count();
-    assert_eq!((of(Start::Rs), of(Start::Fs)), (6, 2));
+    let tasks = motors.evaluation_tasks(&mut Stream::new(7, 1, Purpose::Test, 0), 8).expect("its own");
+    let count = |start| tasks.iter().filter(|task| task.rules == Rules::Test(start)).count();
+    assert_eq!((count(Start::Rs), count(Start::Fs)), (6, 2));
     let mut episode = motors.start(&tasks[0]);
     motors.step(&mut episode, Act::Values(&[0.5, -0.5, 0.9, 0.1]));
     let from = motors.task_from(&episode).expect("the hand is not at its target");

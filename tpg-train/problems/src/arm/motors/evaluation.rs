@@ -6,18 +6,18 @@ use tpg_arm::cycle::{Brent, CycleDetector as _};
 use tpg_arm::episode::{Outcome, Simulation};
 use tpg_arm::frame::Frame;
 use tpg_arm::{Arm, Move, Pose};
-use tpg_engine::{End, Ending, Step};
+use tpg_engine::{End, EpisodeResult, Step};
 
 /// A test episode under way.
 #[derive(Clone, Debug)]
-pub(super) struct Trial {
+pub(super) struct EvaluationEpisode {
     rules: ArmProblem,
     target: [f64; 3],
     course: Simulation<f32>,
     detector: Brent,
 }
 
-impl Trial {
+impl EvaluationEpisode {
     pub(super) fn new(arm: &Arm<f32>, rules: ArmProblem, task: &Task) -> Self {
         let mut detector = Brent::new();
         detector.reset(task.start);
@@ -52,7 +52,7 @@ impl Trial {
         };
         let Some(outcome) = outcome else { return Step::reward(0.0) };
         let truncated = outcome == Outcome::Timeout;
-        let Ending { outcome, success, score, measure, .. } =
+        let EpisodeResult { outcome, success, score, measure, .. } =
             self.rules.ending(outcome, self.course.actions(), f64::from(self.distance(arm)));
         Step::reward(score).ending(End { outcome, success, measure, truncated })
     }

@@ -1,4 +1,4 @@
-//! The usual step of many arms, computed by the same functions as any step, vectorised over lanes.
+//! The regular step of many arms, computed by the same functions as any step, vectorised over lanes.
 
 use super::group::Group;
 use super::{ArmEnvironment, ArmScalar, base_angle, look_up};
@@ -7,8 +7,8 @@ use tpg_arm::{JOINTS, Pose};
 use tpg_engine::{BLOCK, Block};
 use tpg_runtime::policy::ActionId;
 
-/// The usual steps.
-pub(super) struct Usual<'a, S> {
+/// The regular steps.
+pub(super) struct Regular<'a, S> {
     pub(super) environment: &'a ArmEnvironment<S>,
     /// Move of each action, followed by the move used for actions that do not exist.
     pub(super) moves: &'a [[i32; JOINTS]],
@@ -17,7 +17,7 @@ pub(super) struct Usual<'a, S> {
     pub(super) actions: &'a [ActionId],
 }
 
-impl<S: ArmScalar> Usual<'_, S> {
+impl<S: ArmScalar> Regular<'_, S> {
     /// Takes the steps.
     #[inline(always)]
     pub(super) fn take(self) {
@@ -31,7 +31,7 @@ impl<S: ArmScalar> Usual<'_, S> {
                 }
             }
             match &self.environment.sines {
-                Some(sines) => usual(
+                Some(sines) => regular(
                     self.environment,
                     group,
                     keys,
@@ -39,7 +39,7 @@ impl<S: ArmScalar> Usual<'_, S> {
                     #[inline(always)]
                     |angle| look_up(sines, angle),
                 ),
-                None => usual(self.environment, group, keys, &steps, |angle| self.environment.direction(angle)),
+                None => regular(self.environment, group, keys, &steps, |angle| self.environment.direction(angle)),
             }
         }
     }
@@ -51,7 +51,7 @@ impl<S: ArmScalar> Usual<'_, S> {
     clippy::needless_range_loop,
     reason = "several arrays at the same place, and copies of arrays would stay copies"
 )]
-fn usual<S: ArmScalar>(
+fn regular<S: ArmScalar>(
     environment: &ArmEnvironment<S>,
     group: &mut Group<S>,
     keys: &mut Block<u64>,

@@ -5,7 +5,7 @@ use crate::sac::network::Network;
 use std::cell::RefCell;
 use std::marker::PhantomData;
 use tpg_engine::{
-    ActionSpace, Choices, Decision, Drawn, Ending, EngineOptions, Environment, Lanes, NETWORK, Plan, Remembered,
+    ActionSpace, Choices, Decision, Drawn, EngineOptions, Environment, EpisodeResult, Lanes, NETWORK, Plan, Remembered,
     Remembering, Rollout, Single, SourceDocument, SourceSet, bind, bind_to,
 };
 use tpg_graph::Graph;
@@ -48,9 +48,9 @@ pub(crate) const TRIGGERS: [(&str, Cause); 4] =
 
 /// Results of many episodes.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct HybridTrial {
+pub struct HybridResult {
     /// The ending of each episode.
-    pub endings: Vec<Ending>,
+    pub endings: Vec<EpisodeResult>,
     /// Fraction of all actions that the graph chose.
     pub tpg_action_ratio: f64,
     /// Actions per episode that the network chose.
@@ -71,13 +71,18 @@ pub(crate) fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
     environment: &Choices<S, E>,
     acting: Acting<'_>,
     tasks: &[E::Task],
-) -> Result<HybridTrial, InputError> {
+) -> Result<HybridResult, InputError> {
     let episodes: Vec<Episode> = match acting {
         Acting::Graph(graph) | Acting::Shielded(graph, _) => {
             let shield = if let Acting::Shielded(_, source) = acting { Some(source) } else { None };
             let endings = match graph.1.memory() {
                 0 => alone::<S, M, _>(environment, graph, shield, tasks)?,
-                _ => alone::<S, M, _>(&Remembering::new(environment, Remembered::of(&graph.1)), graph, shield, tasks)?,
+                _ => alone::<S, M, _>(
+                    &Remembering::new(environment, Remembered::in_graph(&graph.1)),
+                    graph,
+                    shield,
+                    tasks,
+                )?,
             };
             let counts = |tpg_actions| Counts { tpg_actions, ..Counts::default() };
             endings.into_iter().map(|ending| (ending, counts(ending.actions), 0)).collect()
@@ -107,7 +112,7 @@ pub(crate) fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
             })
         }
     };
-    Ok(HybridTrial::of(&episodes))
+    Ok(HybridResult::new(&episodes))
 }
 
 fn alone<S: Scalar, M: Maths<S>, E: Environment<S>>(
@@ -115,7 +120,7 @@ fn alone<S: Scalar, M: Maths<S>, E: Environment<S>>(
     (file, graph): &(String, Graph),
     shield: Option<&str>,
     tasks: &[E::Task],
-) -> Result<Vec<Ending>, InputError> {
+) -> Result<Vec<EpisodeResult>, InputError> {
     let (mut policy, sources) = (bind(file, graph, environment)?, environment.sources());
     if let Some(shield) = shield {
         let length = |source: &SourceDocument| source.length as u16;
@@ -191,7 +196,7 @@ pub(crate) fn moments<S: Scalar, M: Maths<S>, E: Environment<S>>(
 }
 
 /// An ending, the counts of the rules, and the number of asks.
-type Episode = (Ending, Counts, u32);
+type Episode = (EpisodeResult, Counts, u32);
 
 /// An episode that two policies look at.
 type State<'e, S, E> = RefCell<Rollout<'e, S, E>>;
@@ -358,14 +363,14 @@ fn network_policy<'e, 'n, S: Scalar, E: Environment<S> + 'e>(
     Deciding(decide, PhantomData)
 }
 
-impl HybridTrial {
+impl HybridResult {
     /// Counts what policies did that acted alone.
-    pub fn alone(endings: Vec<Ending>) -> Self {
-        let counts = |ending: &Ending| Counts { sac_actions: ending.actions, ..Counts::default() };
-        Self::of(&endings.iter().map(|ending| (*ending, counts(ending), 0)).collect::<Vec<_>>())
+    pub fn alone(endings: Vec<EpisodeResult>) -> Self {
+        let counts = |ending: &EpisodeResult| Counts { sac_actions: ending.actions, ..Counts::default() };
+        Self::new(&endings.iter().map(|ending| (*ending, counts(ending), 0)).collect::<Vec<_>>())
     }
 
-    fn of(episodes: &[Episode]) -> Self {
+    fn new(episodes: &[Episode]) -> Self {
         let (mut tpg, mut sac, mut hand_backs, mut causes) = (0.0, 0.0, 0.0, [0.0; CAUSES]);
         for (_, counts, _) in episodes {
             tpg += f64::from(counts.tpg_actions);

@@ -12,7 +12,7 @@ use tpg_engine::{End, Step};
 
 /// A training episode under way.
 #[derive(Clone, Debug)]
-pub(super) struct Lesson {
+pub(super) struct TrainingEpisode {
     pose: Pose,
     target: [f64; 3],
     play: Play,
@@ -26,7 +26,7 @@ pub(super) struct Lesson {
     facing: f32,
 }
 
-impl Lesson {
+impl TrainingEpisode {
     pub(super) fn new(config: &Config, arm: &Arm<f32>, pose: Pose, target: [f64; 3]) -> Self {
         let goals = if config.reward.knows_goals() { ik::goals(&config.arm(), target) } else { Vec::new() };
         let goals: Vec<[i16; JOINTS]> = goals.into_iter().map(|pose| pose.0).collect();

@@ -51,7 +51,7 @@ impl End {
 
 /// The result of a finished episode.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Ending {
+pub struct EpisodeResult {
     /// Index into [`Environment::outcomes`](crate::Environment::outcomes).
     pub outcome: u8,
     /// True if the task was solved; `None` if the problem does not define success.
@@ -87,10 +87,10 @@ pub enum Preference {
 ///
 /// ```
 /// use std::cmp::Ordering;
-/// use tpg_engine::{Ending, Preference, Summary};
+/// use tpg_engine::{EpisodeResult, Preference, Summary};
 ///
-/// let ending = |score| Ending { outcome: 0, success: None, score, measure: 0.0, actions: 10 };
-/// let (good, bad) = (Summary::of(&[ending(4.0), ending(6.0)]), Summary::of(&[ending(4.0), ending(1.0)]));
+/// let ending = |score| EpisodeResult { outcome: 0, success: None, score, measure: 0.0, actions: 10 };
+/// let (good, bad) = (Summary::new(&[ending(4.0), ending(6.0)]), Summary::new(&[ending(4.0), ending(1.0)]));
 /// assert_eq!((good.score, good.success, good.actions), (5.0, None, 10.0));
 /// assert_eq!(good.compare(&bad, Preference::Score), Ordering::Greater);
 /// ```
@@ -102,7 +102,7 @@ pub struct Summary {
     pub score: f64,
     /// Fraction of successes, 0 to 1; `None` if the problem does not define success.
     pub success: Option<f64>,
-    /// Mean of [`Ending::measure`].
+    /// Mean of [`EpisodeResult::measure`].
     pub measure: f64,
     /// Mean number of actions.
     pub actions: f64,
@@ -110,9 +110,10 @@ pub struct Summary {
 
 impl Summary {
     /// Averages `endings`; NaN scores count as the worst, and every score is clamped to ±10³⁰.
-    pub fn of(endings: &[Ending]) -> Self {
-        let mean =
-            |value: &dyn Fn(&Ending) -> f64| endings.iter().map(value).sum::<f64>() / endings.len().max(1) as f64;
+    pub fn new(endings: &[EpisodeResult]) -> Self {
+        let mean = |value: &dyn Fn(&EpisodeResult) -> f64| {
+            endings.iter().map(value).sum::<f64>() / endings.len().max(1) as f64
+        };
         let judged = endings.iter().filter(|ending| ending.success.is_some()).count();
         let solved = endings.iter().filter(|ending| ending.success == Some(true)).count();
         Self {
@@ -125,7 +126,7 @@ impl Summary {
     }
 
     /// Returns the standard deviation of the scores of the same `endings` (of the sample, n − 1); 0 for a single one.
-    pub fn score_deviation(&self, endings: &[Ending]) -> f64 {
+    pub fn score_deviation(&self, endings: &[EpisodeResult]) -> f64 {
         Sample::new(&endings.iter().map(|ending| ending.score).collect::<Vec<_>>()).sample_deviation()
     }
 
@@ -146,23 +147,23 @@ pub fn finite(score: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Ending, Preference, Summary};
+    use super::{EpisodeResult, Preference, Summary};
 
-    fn ending(score: f64, success: Option<bool>) -> Ending {
-        Ending { outcome: 0, success, score, measure: 1.0, actions: 2 }
+    fn ending(score: f64, success: Option<bool>) -> EpisodeResult {
+        EpisodeResult { outcome: 0, success, score, measure: 1.0, actions: 2 }
     }
 
     #[test]
     fn success_is_undefined_where_no_episode_has_one() {
-        assert_eq!(Summary::of(&[ending(1.0, None), ending(3.0, None)]).success, None);
-        assert_eq!(Summary::of(&[ending(1.0, Some(true)), ending(3.0, Some(false))]).success, Some(0.5));
-        assert!(Summary::of(&[ending(f64::NAN, None)]).score < -1e29);
+        assert_eq!(Summary::new(&[ending(1.0, None), ending(3.0, None)]).success, None);
+        assert_eq!(Summary::new(&[ending(1.0, Some(true)), ending(3.0, Some(false))]).success, Some(0.5));
+        assert!(Summary::new(&[ending(f64::NAN, None)]).score < -1e29);
     }
 
     #[test]
     fn success_comes_first_only_where_the_problem_says_so() {
-        let often = Summary::of(&[ending(1.0, Some(true)), ending(1.0, Some(true))]);
-        let high = Summary::of(&[ending(9.0, Some(true)), ending(9.0, Some(false))]);
+        let often = Summary::new(&[ending(1.0, Some(true)), ending(1.0, Some(true))]);
+        let high = Summary::new(&[ending(9.0, Some(true)), ending(9.0, Some(false))]);
         assert!(often.compare(&high, Preference::Score).is_lt());
         assert!(often.compare(&high, Preference::Success).is_gt());
     }

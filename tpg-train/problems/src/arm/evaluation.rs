@@ -9,12 +9,12 @@ use tpg_arm::episode::{Episode, Summary};
 use tpg_arm::kinematics::Lattice;
 use tpg_arm::observation::Observation;
 use tpg_arm::{Arm, Move, Pose};
-use tpg_engine::Ending;
+use tpg_engine::EpisodeResult;
 use tpg_runtime::policy::Policy;
 
 /// Statistics of many episodes of one problem. Rates lie in 0..1, distances are in mm.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Trial {
+pub struct ReachStatistics {
     /// Start of the episodes.
     pub problem: Start,
     /// Number of episodes.
@@ -35,7 +35,7 @@ pub struct Trial {
     pub failures: Failures,
     /// The episodes, in order.
     #[serde(skip)]
-    pub endings: Vec<Ending>,
+    pub endings: Vec<EpisodeResult>,
 }
 
 /// Failed episodes by the kind of their end.
@@ -56,7 +56,7 @@ pub struct Failures {
 }
 
 /// Runs one episode of each task.
-pub fn run<S, P>(arm: &Arm<S>, policy: &P, problem: impl Into<ArmProblem>, tasks: &[Task]) -> Trial
+pub fn run<S, P>(arm: &Arm<S>, policy: &P, problem: impl Into<ArmProblem>, tasks: &[Task]) -> ReachStatistics
 where
     S: Lattice,
     P: Policy<State = Observation<S>, Action = Move> + ?Sized,
@@ -76,15 +76,15 @@ where
 }
 
 /// Computes the statistics of episodes with a problem's scores; a start's are the paper's.
-pub fn summarise<S: Lattice>(problem: impl Into<ArmProblem>, summaries: &[Summary<S>]) -> Trial {
+pub fn summarise<S: Lattice>(problem: impl Into<ArmProblem>, summaries: &[Summary<S>]) -> ReachStatistics {
     let problem = problem.into();
     let ending = |summary: &Summary<S>| problem.ending(summary.outcome, summary.actions, summary.distance.to_f64());
-    Trial::of(problem.start, summaries.iter().map(ending).collect())
+    ReachStatistics::new(problem.start, summaries.iter().map(ending).collect())
 }
 
-impl Trial {
+impl ReachStatistics {
     /// Computes the statistics of the arm's episodes.
-    pub fn of(problem: Start, endings: Vec<Ending>) -> Self {
+    pub fn new(problem: Start, endings: Vec<EpisodeResult>) -> Self {
         let failed = |name: &str| endings.iter().filter(|ending| OUTCOMES[usize::from(ending.outcome)] == name).count();
         let failures = Failures {
             cycle: failed("cycle"),
@@ -94,7 +94,7 @@ impl Trial {
             base: failed("base"),
             timeout: failed("timeout"),
         };
-        let successes: Vec<&Ending> = endings.iter().filter(|ending| ending.success == Some(true)).collect();
+        let successes: Vec<&EpisodeResult> = endings.iter().filter(|ending| ending.success == Some(true)).collect();
         let on_success: f64 = successes.iter().map(|ending| f64::from(ending.actions)).sum();
         let mut distances: Vec<f64> = endings.iter().map(|ending| ending.measure).collect();
         let count = endings.len().max(1) as f64;
@@ -117,8 +117,8 @@ impl Trial {
 }
 
 /// Returns the arm's figures of episodes, for reports.
-pub(super) fn figures(endings: &[Ending]) -> Map<String, Value> {
-    let trial = Trial::of(Start::Fs, endings.to_vec());
+pub(super) fn figures(endings: &[EpisodeResult]) -> Map<String, Value> {
+    let trial = ReachStatistics::new(Start::Fs, endings.to_vec());
     let figures = json!({
         "collision_rate": trial.collision_rate,
         "mean_distance_mm": trial.mean_distance_mm,
