@@ -21,13 +21,8 @@ impl<T: Real> Adam<T> {
     }
 
     /// Returns the number of steps, the running mean of the gradient and that of its square.
-    pub fn state(&self) -> (u64, &[T], &[T]) {
-        (self.steps, &self.mean, &self.square)
-    }
-
-    /// Resumes from a [`state`](Self::state); `None` if the two vectors differ in length.
-    pub fn from_state(steps: u64, mean: Vec<T>, square: Vec<T>) -> Option<Self> {
-        (mean.len() == square.len()).then_some(Self { steps, mean, square })
+    pub fn state_mut(&mut self) -> (&mut u64, &mut [T], &mut [T]) {
+        (&mut self.steps, &mut self.mean, &mut self.square)
     }
 
     /// Takes one step of gradient descent.

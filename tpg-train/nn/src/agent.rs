@@ -258,6 +258,20 @@ impl<T: Real> Agent<T> {
         (loss * share).wide()
     }
 
+    /// Returns all that learning changes: the optimisers' numbers of steps, and every vector of numbers, in a fixed order.
+    pub fn state_mut(&mut self) -> (Vec<&mut u64>, Vec<&mut [T]>) {
+        let (mut counts, mut numbers) = (Vec::new(), vec![std::slice::from_mut(&mut self.log_alpha)]);
+        let learners = [&mut self.actor].into_iter().chain(&mut self.critics);
+        let optimisers = learners.map(|learner| (Some(&mut learner.network), &mut learner.adam));
+        for (network, adam) in optimisers.chain([(None, &mut self.alpha_adam)]) {
+            let (steps, mean, square) = adam.state_mut();
+            counts.push(steps);
+            numbers.extend(network.map(Mlp::parameters_mut).into_iter().chain([mean, square]));
+        }
+        numbers.extend(self.slow.iter_mut().map(Mlp::parameters_mut));
+        (counts, numbers)
+    }
+
     /// Returns the distribution that the actor's outputs parameterise.
     pub fn gaussian(&self) -> Gaussian {
         self.gaussian

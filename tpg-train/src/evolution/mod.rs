@@ -3,6 +3,7 @@
 mod budget;
 mod check;
 pub mod checkpoint;
+mod children;
 mod cma;
 pub(crate) mod command;
 pub(crate) mod config;

@@ -3,13 +3,13 @@
 //! A policy starts as a single leaf: a formula. Children mostly change the programs of a leaf; edges, bids and teams come
 //! and go rarely.
 
+use super::children::add_children;
 use super::config::{ProgramParameters, TpgParameters};
 use super::genome::{Destination, Edge, Genome, Leaf, LeafId, Team, TeamId};
 use super::mutate_program::ProgramMutator;
 use super::refine::Refiner;
 use super::stage::Moment;
-use std::collections::BTreeMap;
-use tpg_engine::random::{Purpose, Stream};
+use tpg_engine::random::Stream;
 
 /// Minimum of the maximum number of lines of a leaf's program.
 const LINES: usize = 32;
@@ -68,30 +68,13 @@ impl LeafMutator<'_> {
         Edge { program: genome.add_program(self.bids.random(stream)), to: Destination::Leaf(leaf) }
     }
 
-    /// Adds children until there are `nbRoots` roots. A child is a changed copy of a root. If an edge of the
-    /// child leads to a root, that team is no longer a root, so roots are counted again.
+    /// Adds children, changed copies of roots.
     pub(super) fn populate(&self, genome: &mut Genome, moment: Moment) {
-        let roots = genome.roots();
         let teams: Vec<TeamId> = genome.teams().keys().copied().collect();
         let leaves: Vec<LeafId> = genome.leaves().keys().copied().collect();
         let before = Before { teams: &teams, leaves: &leaves };
-        let mut is_root: BTreeMap<TeamId, bool> = roots.iter().map(|&root| (root, true)).collect();
-        let mut count = roots.len();
-        let mut children = 0;
-        while count < self.tpg.nb_roots {
-            let mut stream = moment.stream(Purpose::Child, children);
-            let parent = *stream.pick(&roots);
-            let child = self.child(genome, parent, &before, &mut stream);
-            count += 1;
-            for edge in &genome.team(child).edges {
-                if let Destination::Team(to) = edge.to
-                    && std::mem::replace(is_root.entry(to).or_insert(false), false)
-                {
-                    count -= 1;
-                }
-            }
-            children += 1;
-        }
+        let child = |genome: &mut Genome, parent, stream: &mut Stream| self.child(genome, parent, &before, stream);
+        add_children(genome, self.tpg.nb_roots, moment, child);
     }
 
     fn child(&self, genome: &mut Genome, parent: TeamId, before: &Before<'_>, stream: &mut Stream) -> TeamId {

@@ -1,12 +1,12 @@
 //! The first population, and children of roots, with GEGELATI's choices (`mutator/tpgMutator.cpp`).
 
+use super::children::add_children;
 use super::config::TpgParameters;
 use super::genome::{Destination, Edge, Genome, ProgramId, Team, TeamId};
 use super::mirror::Mirror;
 use super::mutate_program::{P_PROGRAM_MUTATION, ProgramMutator};
 use super::refine::Refiner;
 use super::stage::Moment;
-use std::collections::BTreeMap;
 use tpg_engine::random::{Purpose, Stream};
 
 /// GEGELATI's probabilities of deleting and adding one more edge, each less likely by that factor than the one before; the first of
@@ -75,41 +75,23 @@ pub(super) struct TeamMutator<'a> {
 }
 
 impl TeamMutator<'_> {
-    /// Adds children until there are `nbRoots` roots (`TPGMutator::populateTPG`).
-    ///
-    /// A child is a mutated copy of a root; the refiner may make it instead. If an edge of the child leads to a
-    /// root, that team is no longer a root, so roots are counted again after every child.
+    /// Adds children: mutated copies of roots; the refiner or the mirror may make them instead.
     pub(super) fn populate(&self, genome: &mut Genome, moment: Moment) {
         let Self { programs, refiner, mirror, parameters, actions } = *self;
-        let roots = genome.roots();
         let teams: Vec<TeamId> = genome.teams().keys().copied().collect();
         let edges: Vec<Edge> = genome.teams().values().flat_map(|team| team.edges.iter().copied()).collect();
         let before = Before { teams: &teams, edges: &edges, actions };
         let mut to_mutate = Vec::new();
-        let mut is_root: BTreeMap<TeamId, bool> = roots.iter().map(|&root| (root, true)).collect();
-        let mut count = roots.len();
-        let mut children = 0;
-        while count < parameters.nb_roots {
-            let mut stream = moment.stream(Purpose::Child, children);
-            let parent = *stream.pick(&roots);
-            let close = refiner.child(genome, parent, &mut stream);
-            let close = close.or_else(|| mirror.child(genome, parent, &edges, parameters, &mut stream));
-            let close = close.or_else(|| refiner.mutated(genome, parent, &programs, &mut stream));
-            let child = close.unwrap_or_else(|| {
+        add_children(genome, parameters.nb_roots, moment, |genome, parent, stream| {
+            let close = refiner.child(genome, parent, stream);
+            let close = close.or_else(|| mirror.child(genome, parent, &edges, parameters, stream));
+            let close = close.or_else(|| refiner.mutated(genome, parent, &programs, stream));
+            close.unwrap_or_else(|| {
                 let child = genome.add_team(genome.team(parent).clone());
-                mutate_team(genome, child, &before, parameters, &mut to_mutate, &mut stream);
+                mutate_team(genome, child, &before, parameters, &mut to_mutate, stream);
                 child
-            });
-            count += 1;
-            for edge in &genome.team(child).edges {
-                if let Destination::Team(to) = edge.to
-                    && std::mem::replace(is_root.entry(to).or_insert(false), false)
-                {
-                    count -= 1;
-                }
-            }
-            children += 1;
-        }
+            })
+        });
         for (index, new) in (0..).zip(&to_mutate) {
             let mut program = genome.program(*new).clone();
             programs.mutate(&mut program, &mut moment.stream(Purpose::Program, index));

@@ -4,7 +4,6 @@ use super::rollout::{Acting, HybridResult};
 use super::setting::{Detector, Setting};
 use super::shared::{Episodes, Shared};
 use super::span::Span;
-use super::study::Study;
 use crate::sac::network::Network;
 use serde::{Deserialize, Serialize};
 use tpg_engine::Summary;
@@ -62,6 +61,11 @@ impl Cell {
         let Self { hand_back_after, separation, patience, cycle_detector: detector, .. } = *self;
         Setting { hand_back_after, separation, patience, detector, guard: self.guard.clone() }
     }
+
+    /// Returns its identity.
+    pub(crate) fn key(&self) -> Key {
+        key(self.tpg, self.sac, &self.setting())
+    }
 }
 
 /// One row of `alone.csv`: a policy acting alone.
@@ -105,39 +109,12 @@ impl Subject<'_> {
     pub(crate) fn play(&self, acting: Acting<'_>) -> Result<HybridResult, InputError> {
         self.problem.play(acting, self.episodes)
     }
-}
 
-/// Identity of a cell, in the order of `cells.csv`.
-pub(crate) type Key = (usize, usize, String, Detector, Span, u64, Span);
-
-fn key(tpg: usize, sac: usize, setting: &Setting) -> Key {
-    let Setting { hand_back_after, separation, patience, detector, .. } = *setting;
-    // No separation is negative, so their bits are in the order of their values.
-    (tpg, sac, setting.guard.clone(), detector, hand_back_after, separation.to_bits(), patience)
-}
-
-impl Study for Subject<'_> {
-    type Setting = Setting;
-    type Cell = Cell;
-    type Key = Key;
-
-    fn policies(&self) -> [usize; 2] {
-        [self.graphs.len(), self.networks.len()]
-    }
-
-    fn settings(&self) -> &[Setting] {
-        &self.settings
-    }
-
-    fn key(&self, tpg: usize, sac: usize, setting: &Setting) -> Key {
-        key(tpg, sac, setting)
-    }
-
-    fn key_of(&self, cell: &Cell) -> Key {
-        key(cell.tpg, cell.sac, &cell.setting())
-    }
-
-    fn cell(&self, tpg: usize, sac: usize, setting: &Setting) -> Result<Cell, InputError> {
+    /// Computes a cell.
+    ///
+    /// # Errors
+    /// If a policy does not fit the problem.
+    pub(crate) fn cell(&self, tpg: usize, sac: usize, setting: &Setting) -> Result<Cell, InputError> {
         let done = self.play(Acting::Both(&self.graphs[tpg], &self.networks[sac], setting))?;
         let summary = Summary::new(&done.endings);
         let [hand_overs_guard, hand_overs_drift, hand_overs_stall, hand_overs_cycle] = done.hand_overs;
@@ -164,6 +141,16 @@ impl Study for Subject<'_> {
             hand_backs: done.hand_backs,
         })
     }
+}
+
+/// Identity of a cell, in the order of `cells.csv`.
+pub(crate) type Key = (usize, usize, String, Detector, Span, u64, Span);
+
+/// Returns the identity of the cell of a graph, a network and a setting.
+pub(crate) fn key(tpg: usize, sac: usize, setting: &Setting) -> Key {
+    let Setting { hand_back_after, separation, patience, detector, .. } = *setting;
+    // No separation is negative, so their bits are in the order of their values.
+    (tpg, sac, setting.guard.clone(), detector, hand_back_after, separation.to_bits(), patience)
 }
 
 /// Returns the settings of a grid that can hand over, in the order of `cells.csv`.

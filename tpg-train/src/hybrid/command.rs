@@ -150,7 +150,7 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, Input
     let threads = study::threads(args.threads)?;
     let alone = threads.install(|| alone(&subject))?;
     let folder = study::open_folder(&args.out, args.resume, &asked)?;
-    let Some(cells) = study::in_folder(&subject, &folder, &threads)? else { return Ok(Verdict::Interrupted) };
+    let Some(cells) = study::run(&subject, &folder, &threads)? else { return Ok(Verdict::Interrupted) };
     finish(args, &subject, &facts, &cells, &alone)
 }
 

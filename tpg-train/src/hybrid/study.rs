@@ -1,54 +1,22 @@
 //! Studies: every pair of a graph and a network under every setting, in parallel and resumable.
 
+use super::cells::{Cell, Key, Subject, key};
+use super::setting::Setting;
 use crate::folder::{RunFolder, Trainer};
 use crate::interrupt;
 use crate::progress::Bar;
 use rayon::ThreadPool;
 use rayon::prelude::*;
-use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::files::{read_text, write_atomically};
-
-/// A study: its settings, and a cell for each pair and setting.
-pub(crate) trait Study: Sync {
-    /// A setting.
-    type Setting: Sync;
-    /// One row of `cells.csv`.
-    type Cell: Serialize + DeserializeOwned + Send;
-    /// Identity of a cell; `cells.csv` is in this order.
-    type Key: Ord + Send;
-
-    /// Returns the number of graphs and of networks.
-    fn policies(&self) -> [usize; 2];
-
-    /// Returns the settings.
-    fn settings(&self) -> &[Self::Setting];
-
-    /// Returns the identity of the cell of a graph, a network and a setting.
-    fn key(&self, tpg: usize, sac: usize, setting: &Self::Setting) -> Self::Key;
-
-    /// Returns the identity of a cell.
-    fn key_of(&self, cell: &Self::Cell) -> Self::Key;
-
-    /// Computes a cell.
-    ///
-    /// # Errors
-    /// If a policy does not fit the problem.
-    fn cell(&self, tpg: usize, sac: usize, setting: &Self::Setting) -> Result<Self::Cell, InputError>;
-
-    /// Returns the number of cells.
-    fn size(&self) -> usize {
-        self.policies().iter().product::<usize>() * self.settings().len()
-    }
-}
 
 /// Incremented with every change to the content or meaning of checkpoints: the finished cells as CSV.
 pub(crate) const VERSION: u32 = 1;
@@ -56,43 +24,36 @@ pub(crate) const VERSION: u32 = 1;
 /// Interval between saves of finished cells.
 const SAVE_EVERY: Duration = Duration::from_secs(10);
 
-/// Returns graph, network and setting of the cell with a number.
-fn place<T: Study>(study: &T, number: u64) -> (usize, usize, usize) {
-    let (number, settings, [_, sacs]) = (number as usize, study.settings().len(), study.policies());
-    (number / settings / sacs, number / settings % sacs, number % settings)
-}
-
 /// Computes all cells that the folder's checkpoint does not hold yet; `cells.csv` always contains whole rows of finished
-/// cells, in order. `None` if `stop` was set before all were done.
+/// cells, in order. `None` if the user stopped it before all were done.
 ///
 /// # Errors
 /// If the checkpoint does not belong to a study, a policy does not fit the problem, or a file cannot be written.
-pub(crate) fn run<T: Study>(
-    study: &T,
+pub(crate) fn run(
+    study: &Subject<'_>,
     folder: &RunFolder,
     threads: &ThreadPool,
-    stop: &AtomicBool,
-) -> Result<Option<Vec<T::Cell>>, InputError> {
-    let known = folder.load(VERSION, read::<T::Cell>)?.unwrap_or_default();
-    let finished: BTreeMap<T::Key, T::Cell> = known.into_iter().map(|cell| (study.key_of(&cell), cell)).collect();
-    let is_open = |&number: &u64| {
-        let (tpg, sac, setting) = place(study, number);
-        !finished.contains_key(&study.key(tpg, sac, &study.settings()[setting]))
-    };
-    let open: Vec<u64> = (0..study.size() as u64).filter(is_open).collect();
+) -> Result<Option<Vec<Cell>>, InputError> {
+    let stop = interrupt::watch();
+    let known = folder.load(VERSION, read)?.unwrap_or_default();
+    let finished: BTreeMap<Key, Cell> = known.into_iter().map(|cell| (cell.key(), cell)).collect();
+    let pairs = (0..study.graphs.len()).flat_map(|tpg| (0..study.networks.len()).map(move |sac| (tpg, sac)));
+    let all: Vec<(usize, usize, &Setting)> =
+        pairs.flat_map(|(tpg, sac)| study.settings.iter().map(move |setting| (tpg, sac, setting))).collect();
+    let open: Vec<_> =
+        all.iter().filter(|&&(tpg, sac, setting)| !finished.contains_key(&key(tpg, sac, setting))).collect();
     let progress = Bar::new();
     let done = Mutex::new((finished, Instant::now()));
     threads.install(|| {
-        open.par_iter().try_for_each(|&number| {
+        open.par_iter().try_for_each(|&&(tpg, sac, setting)| {
             if stop.load(Ordering::Relaxed) {
                 return Ok(());
             }
-            let (tpg, sac, setting) = place(study, number);
-            let cell = study.cell(tpg, sac, &study.settings()[setting])?;
+            let cell = study.cell(tpg, sac, setting)?;
             let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
             let (finished, saved) = &mut *done;
-            finished.insert(study.key_of(&cell), cell);
-            progress.show(finished.len() as u64, study.size() as u64, String::new);
+            finished.insert(cell.key(), cell);
+            progress.show(finished.len() as u64, all.len() as u64, String::new);
             if saved.elapsed() > SAVE_EVERY {
                 write(folder, finished.values())?;
                 *saved = Instant::now();
@@ -102,7 +63,7 @@ pub(crate) fn run<T: Study>(
     })?;
     let (finished, _) = done.into_inner().unwrap_or_else(PoisonError::into_inner);
     write(folder, finished.values())?;
-    Ok((finished.len() == study.size()).then(|| finished.into_values().collect()))
+    Ok((finished.len() == all.len()).then(|| finished.into_values().collect()))
 }
 
 /// Writes rows as CSV.
@@ -112,16 +73,16 @@ pub(crate) fn to_csv<'a, T: Serialize + 'a>(rows: impl Iterator<Item = &'a T>) -
     writer.into_inner().expect("memory can be written")
 }
 
-fn write<'a, T: Serialize + 'a>(folder: &RunFolder, cells: impl Iterator<Item = &'a T>) -> Result<(), InputError> {
+fn write<'a>(folder: &RunFolder, cells: impl Iterator<Item = &'a Cell>) -> Result<(), InputError> {
     let cells = to_csv(cells);
     write_atomically(&folder.file("cells.csv"), &cells)?;
     folder.save(VERSION, cells)
 }
 
 /// Reads finished cells.
-fn read<T: DeserializeOwned>(name: &str, cells: &[u8]) -> Result<Vec<T>, InputError> {
+fn read(name: &str, cells: &[u8]) -> Result<Vec<Cell>, InputError> {
     let mut reader = csv::Reader::from_reader(cells);
-    let cells: Result<Vec<T>, csv::Error> = reader.deserialize().collect();
+    let cells: Result<Vec<Cell>, csv::Error> = reader.deserialize().collect();
     cells.map_err(|error| {
         let line = error.position().map_or(1, |position| position.line() as usize);
         InputError::new(name, Place::Line(line), error.to_string(), "a row of a study")
@@ -170,19 +131,6 @@ pub(crate) fn open_folder(folder: &Path, resume: bool, asked: &impl Serialize) -
     }
     write_atomically(&path, text.as_bytes())?;
     Ok(opened)
-}
-
-/// Computes the cells of a study in its folder; `None` if it was interrupted.
-///
-/// # Errors
-/// As [`run`].
-pub(crate) fn in_folder<T: Study>(
-    study: &T,
-    folder: &RunFolder,
-    threads: &ThreadPool,
-) -> Result<Option<Vec<T::Cell>>, InputError> {
-    let stop = interrupt::watch();
-    run(study, folder, threads, &stop)
 }
 
 /// Starts threads; 0 for one per core.

@@ -1,26 +1,26 @@
 //! The content of a checkpoint: all that a run needs to end in the same bytes as if it had never stopped.
 //!
-//! The bytes of a safetensors file: networks, optimisers, replay buffer and best candidate as flat tensors, tasks and
-//! counters as JSON. A running episode is stored as its task and its actions so far, which are repeated. There is no random
+//! Postcard's bytes: settings, tasks and counters as one JSON text, then networks, optimisers, replay buffer and best candidate
+//! as vectors of numbers. A running episode is stored as its task and its actions so far, which are repeated. There is no random
 //! state: every stream is a function of the seed and the counters.
 
 use super::config::SacConfig;
 use super::interface::Input;
 use super::lanes::Lanes;
 use super::replay::Replay;
-use super::tensors::{Tensor, Tensors, place};
+use super::tensors::place;
 use super::training::{Best, Recent, Training, agent, interface};
 use serde::{Deserialize, Serialize};
 use tpg_engine::{Environment, Summary};
 use tpg_graph::error::{Finding, InputError};
-use tpg_nn::{Adam, Agent, Mlp, Shape};
+use tpg_nn::Mlp;
 
 /// Incremented with every change to the content or meaning of checkpoints.
 pub const VERSION: u32 = 8;
 /// No run counts further: sums of two such counts do not overflow, and `f64` holds them exactly.
 const MOST: u64 = 1 << 53;
 
-/// Everything except the tensors: networks, replay buffer, actions.
+/// Everything except the numbers: networks, replay buffer, actions.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct State<Task> {
@@ -50,40 +50,19 @@ struct Header {
     seed: u64,
 }
 
+/// The JSON text of a [`State`]; the vectors of the agent, the average and the best actor, the rows of the replay buffer, the actions.
+type Content = (String, Vec<Vec<f32>>, Option<Vec<f32>>, Option<Vec<f32>>, Vec<f32>, Vec<f32>);
+
 /// Returns the content of a checkpoint. `log` is kept for the run's log files.
 ///
 /// # Panics
 /// If a task of the environment cannot be written as JSON.
 pub fn to_bytes<E: Environment<f32>>(training: &Training<'_, E>, log: &[serde_json::Value]) -> Vec<u8> {
     let Training { config, seed, agent, average, replay, lanes, decisions, updates, best, last, recent, .. } = training;
-    let mut tensors = Tensors::default();
-    let mut insert = |name: &str, values: &[f32]| {
-        tensors.tensors.insert(name.to_owned(), Tensor::flat(values.to_vec()));
-    };
-    let mut adam_steps = Vec::new();
-    for (name, learner) in LEARNERS.into_iter().zip([&agent.actor].into_iter().chain(&agent.critics)) {
-        let (steps, mean, square) = learner.adam.state();
-        insert(name, learner.network.parameters());
-        insert(&format!("{name}.adam.mean"), mean);
-        insert(&format!("{name}.adam.square"), square);
-        adam_steps.push(steps);
-    }
-    for (name, network) in ["slow.0", "slow.1"].into_iter().zip(&agent.slow) {
-        insert(name, network.parameters());
-    }
-    if let Some(average) = average {
-        insert("average", average.parameters());
-    }
-    let (steps, mean, square) = agent.alpha_adam.state();
-    adam_steps.push(steps);
-    insert("temperature", &[agent.log_alpha, mean[0], square[0]]);
+    let mut agent = agent.clone();
+    let (adam_steps, agent) = agent.state_mut();
     let (replayed, rows) = replay.state();
-    insert("replay", rows);
-    if let Some(best) = best {
-        insert("best", best.actor.parameters());
-    }
     let actions: Vec<f32> = lanes.lanes.iter().flat_map(|lane| &lane.actions).copied().collect();
-    insert("actions", &actions);
     let state = State {
         config: config.clone(),
         seed: *seed,
@@ -91,7 +70,7 @@ pub fn to_bytes<E: Environment<f32>>(training: &Training<'_, E>, log: &[serde_js
         updates: *updates,
         episodes: lanes.episodes,
         replayed,
-        adam_steps,
+        adam_steps: adam_steps.into_iter().map(|steps| *steps).collect(),
         best: best.as_ref().map(|best| (best.result, best.decisions)),
         last: *last,
         recent: recent.clone(),
@@ -100,12 +79,10 @@ pub fn to_bytes<E: Environment<f32>>(training: &Training<'_, E>, log: &[serde_js
         inputs: lanes.interface().inputs.clone(),
         log: log.to_vec(),
     };
-    tensors.text = Some(serde_json::to_string(&state).expect("plain data"));
-    tensors.to_bytes()
+    let text = serde_json::to_string(&state).expect("plain data");
+    let (average, best) = (average.as_ref().map(Mlp::parameters), best.as_ref().map(|best| best.actor.parameters()));
+    postcard::to_stdvec(&(text, agent, average, best, rows, actions)).expect("plain data")
 }
-
-/// The names of what learns: the actor, then the critics.
-const LEARNERS: [&str; 3] = ["actor", "critic.0", "critic.1"];
 
 /// A run under way, and the rows of its log.
 pub type Loaded<'e, E> = (Training<'e, E>, Vec<serde_json::Value>);
@@ -122,84 +99,54 @@ pub fn from_bytes<'e, E: Environment<f32>>(
     config: &SacConfig,
     seed: u64,
 ) -> Result<Loaded<'e, E>, InputError> {
-    Tensors::from_bytes(content)
-        .and_then(|tensors| restore(tensors, environment, config, seed))
+    let damaged = |error| Finding::new("", error, "a checkpoint written by this version of tpg-train");
+    (postcard::from_bytes(content).map_err(damaged))
+        .and_then(|content| restore(content, environment, config, seed))
         .map_err(|finding| place(file.as_ref(), finding))
 }
 
-/// Takes tensors out of a checkpoint.
-struct Numbers(Tensors);
-
-impl Numbers {
-    fn take(&mut self, name: &str, length: Option<usize>) -> Result<Vec<f32>, Finding> {
-        let tensor = self.0.tensors.remove(name);
-        let values = tensor.ok_or_else(|| Finding::new(name, "nothing", "a tensor"))?.values;
-        match length {
-            Some(length) if length != values.len() => {
-                Err(Finding::new(name, format!("{} numbers", values.len()), format!("{length} numbers")))
-            }
-            _ => Ok(values),
-        }
-    }
-
-    fn network(&mut self, name: &str, shape: &Shape) -> Result<Mlp<f32>, Finding> {
-        let parameters = self.take(name, Some(shape.parameters()))?;
-        Ok(Mlp::from_parameters(shape.clone(), parameters).expect("as many parameters as the shape has"))
-    }
-
-    /// Overwrites an agent's networks and optimisers.
-    fn agent(&mut self, agent: &mut Agent<f32>, adam_steps: &[u64]) -> Result<(), Finding> {
-        let mut steps = adam_steps.iter().copied();
-        let few = || Finding::new("metadata.tpg.adam_steps", "too few", "one for each optimiser");
-        let Agent { actor, critics, slow, .. } = agent;
-        for (name, learner) in LEARNERS.into_iter().zip([actor].into_iter().chain(critics)) {
-            let shape = learner.network.shape().clone();
-            learner.network = self.network(name, &shape)?;
-            let mean = self.take(&format!("{name}.adam.mean"), Some(shape.parameters()))?;
-            let square = self.take(&format!("{name}.adam.square"), Some(shape.parameters()))?;
-            let steps = steps.next().ok_or_else(few)?;
-            learner.adam = Adam::from_state(steps, mean, square).expect("two vectors of one length");
-        }
-        for (name, follower) in ["slow.0", "slow.1"].into_iter().zip(slow) {
-            *follower = self.network(name, &follower.shape().clone())?;
-        }
-        let temperature = self.take("temperature", Some(3))?;
-        let steps = steps.next().ok_or_else(few)?;
-        agent.log_alpha = temperature[0];
-        agent.alpha_adam =
-            Adam::from_state(steps, vec![temperature[1]], vec![temperature[2]]).expect("one number each");
-        Ok(())
-    }
+/// Overwrites numbers with as many others.
+fn overwrite(name: &str, numbers: &mut [f32], read: Option<&Vec<f32>>) -> Result<(), Finding> {
+    let found = read.map_or(0, Vec::len);
+    let read = read.filter(|read| read.len() == numbers.len());
+    let other = || Finding::new(name, format!("{found} numbers"), format!("{} numbers", numbers.len()));
+    numbers.copy_from_slice(read.ok_or_else(other)?);
+    Ok(())
 }
 
 fn restore<'e, E: Environment<f32>>(
-    mut file: Tensors,
+    (text, vectors, average, best, rows, done): Content,
     environment: &'e E,
     config: &SacConfig,
     seed: u64,
 ) -> Result<Loaded<'e, E>, Finding> {
-    let text = file.text.take().unwrap_or_default();
     check_header(&text, config, seed)?;
     let state: State<E::Task> = parse(&text)?;
     let interface = interface(environment, config)?;
     let (inputs, actions) = (interface.inputs.len(), interface.outputs.len());
-    state.check(config, environment, actions).map_err(|finding| finding.within("metadata.tpg"))?;
-    check_inputs(&state.inputs, &interface.inputs).map_err(|finding| finding.within("metadata.tpg"))?;
-    let mut numbers = Numbers(file);
+    state.check(config, environment, actions)?;
+    check_inputs(&state.inputs, &interface.inputs)?;
     // The weights drawn here are all overwritten: only the shapes count.
     let mut agent = agent(config, &interface, seed);
-    numbers.agent(&mut agent, &state.adam_steps)?;
-    let actor = agent.actor.network.shape().clone();
-    let average = config.learning.average.map(|_| numbers.network("average", &actor)).transpose()?;
-    let best = match state.best {
-        None => None,
-        Some((result, decisions)) => Some(Best { result, decisions, actor: numbers.network("best", &actor)? }),
+    let (counts, numbers) = agent.state_mut();
+    if (state.adam_steps.len(), vectors.len()) != (counts.len(), numbers.len()) {
+        return Err(Finding::new("agent", vectors.len(), format!("{} vectors of numbers", numbers.len())));
+    }
+    counts.into_iter().zip(state.adam_steps).for_each(|(count, steps)| *count = steps);
+    numbers.into_iter().zip(&vectors).try_for_each(|(numbers, read)| overwrite("agent", numbers, Some(read)))?;
+    let network = |name: &str, read: Option<Vec<f32>>| {
+        let mut network = agent.actor.network.clone();
+        overwrite(name, network.parameters_mut(), read.as_ref()).map(|()| network)
     };
-    let rows = numbers.take("replay", None)?;
+    let average = config.learning.average.map(|_| network("average", average)).transpose()?;
+    let candidate = |(result, decisions)| Ok::<_, Finding>(Best { result, decisions, actor: network("best", best)? });
+    let best = state.best.map(candidate).transpose()?;
     let replay = Replay::from_state(inputs, actions, config.learning.replay, state.replayed, rows)
         .ok_or_else(|| Finding::new("replay", "another number of rows", "the rows that were replayed from"))?;
+    if done.len() != state.lanes.iter().map(|(_, count)| count).sum::<usize>() {
+        return Err(Finding::new("actions", done.len(), "those of the lanes"));
+    }
     let mut lanes = Lanes::empty(environment, interface, config, seed);
-    let done = numbers.take("actions", Some(state.lanes.iter().map(|(_, count)| count).sum()))?;
     let mut done = done.as_slice();
     for (place, (task, count)) in state.lanes.into_iter().enumerate() {
         let (of_lane, rest) = done.split_at(count);
@@ -207,7 +154,7 @@ fn restore<'e, E: Environment<f32>>(
             return Err(Finding::new("actions", action, "-1 to 1"));
         }
         if !lanes.resume(task, of_lane) {
-            let key = format!("metadata.tpg.lanes[{place}]");
+            let key = format!("lanes[{place}]");
             return Err(Finding::new(key, "actions after the end of the episode", "an episode under way"));
         }
         done = rest;
@@ -227,7 +174,7 @@ fn restore<'e, E: Environment<f32>>(
 
 fn parse<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, Finding> {
     serde_json::from_str(text)
-        .map_err(|error| Finding::new("metadata.tpg", error, "the text that this version of tpg-train writes"))
+        .map_err(|error| Finding::new("", error, "the text that this version of tpg-train writes"))
 }
 
 impl<Task> State<Task> {
@@ -289,10 +236,10 @@ fn check_header(text: &str, config: &SacConfig, seed: u64) -> Result<(), Finding
     let header: Header = parse(text)?;
     if header.config != *config {
         let accepted = "the configuration that the run began with, or another --out";
-        return Err(Finding::new("metadata.tpg.config", "another configuration", accepted));
+        return Err(Finding::new("config", "another configuration", accepted));
     }
     if header.seed != seed {
-        return Err(Finding::new("metadata.tpg.seed", header.seed, seed.to_string()));
+        return Err(Finding::new("seed", header.seed, seed.to_string()));
     }
     Ok(())
 }
@@ -362,6 +309,6 @@ mod tests {
         let mut other = config.clone();
         other.learning.rate = 0.5;
         assert!(refusal(&whole, &other, 9).contains("config"));
-        assert!(refusal(&whole[..whole.len() / 2], &config, 9).contains("safetensors"));
+        assert!(refusal(&whole[..whole.len() / 2], &config, 9).contains("a checkpoint written by this version"));
     }
 }
