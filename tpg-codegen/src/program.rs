@@ -1,5 +1,6 @@
 //! A graph compiled for a language: all decisions are made before any text is printed.
 
+use crate::integers::Integers;
 use crate::ir::{Module, NodeId, topological};
 use crate::options::{Language, Options, Profile, Style};
 use crate::passes::bytecode::{self, Bytecode};
@@ -46,6 +47,8 @@ pub enum Shape {
     Formula(Formula),
     /// See [`Style::Gegelati`].
     Gegelati,
+    /// See [`integers`](crate::integers).
+    Integers(Integers),
 }
 
 /// The outputs of the only leaf.
@@ -137,6 +140,7 @@ impl<'g> Program<'g> {
         let Self { language, options, .. } = self;
         let mut name = match self.shape {
             Shape::Gegelati => "C in GEGELATI's style".to_owned(),
+            Shape::Integers(_) => format!("{}, integers, {}", language.name(), options.profile_in(*language).name()),
             _ => format!("{}, {}", language.name(), options.profile_in(*language).name()),
         };
         if options.conversion.is_some() {

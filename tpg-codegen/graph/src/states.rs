@@ -185,6 +185,12 @@ impl StateSet {
         Self { source: Source::Sampled(sampled), state_length: graph.state_length(), origin }
     }
 
+    /// Takes states that were visited, in the order of the graph's sources.
+    pub fn given(graph: &Graph, states: Vec<f64>) -> Self {
+        let origin = format!("{} given states", states.len() / graph.state_length());
+        Self { source: Source::Recorded(states), state_length: graph.state_length(), origin }
+    }
+
     /// Reads recorded states: see [`trace`].
     ///
     /// # Errors

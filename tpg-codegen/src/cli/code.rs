@@ -2,7 +2,11 @@
 
 use super::GraphArgs;
 use super::scalar::{Chosen, ScalarArgs, StatesArgs};
+use crate::emit::Code;
+use crate::integers;
 use crate::options::{Language, Options, Prefix, Profile, Style};
+use crate::program::compile;
+use crate::quantise::{Request, quantise};
 use clap::{Args, ValueEnum};
 use tpg_graph::Graph;
 use tpg_graph::command::CommandError;
@@ -22,6 +26,12 @@ pub(super) struct CodeArgs {
     /// The goal of the optimisation [default: fast in C, constant-time in Rust; verify: every profile]
     #[arg(long, value_enum)]
     pub(super) profile: Option<Profile>,
+    /// Whole numbers only: integers of 32 bits, by proof, or the value that may not be whole
+    #[arg(long, conflicts_with_all = ["scalar", "style"])]
+    pub(super) integers: bool,
+    /// First put the graph into integers with inputs and weights of so many bits: see `tpg-codegen quantise`
+    #[arg(long, value_name = "BITS", value_parser = clap::value_parser!(u32).range(2..=16), conflicts_with_all = ["scalar", "style"])]
+    fixed: Option<u32>,
     #[command(flatten)]
     scalar: ScalarArgs,
     #[command(flatten)]
@@ -51,7 +61,16 @@ impl LanguageArg {
 impl CodeArgs {
     /// The graph, in the requested scalar type, and the options.
     pub(super) fn load(&self) -> Result<(Graph, Options), CommandError> {
-        let Chosen { graph, conversion } = self.scalar.choose(&self.graph, self.graph.load()?, &self.states)?;
+        let mut graph = self.graph.load()?;
+        if let Some(bits) = self.fixed {
+            let states = self.states.load(&graph)?;
+            let visited = self.states.is_recorded().then_some(&states);
+            let request = Request { inputs: bits, weights: bits, visited, margin: 1.0, compared: &states };
+            let (whole, report) = quantise(&self.file(), &graph, &request)?;
+            tpg_graph::command::note(report.to_string().trim_end());
+            graph = whole;
+        }
+        let Chosen { graph, conversion } = self.scalar.choose(&self.graph, graph, &self.states)?;
         let options = Options {
             style: self.style.unwrap_or_default(),
             profile: self.profile,
@@ -66,9 +85,31 @@ impl CodeArgs {
         Ok((graph, options))
     }
 
+    /// The graph's name in messages.
+    fn file(&self) -> String {
+        self.graph.graph.display().to_string()
+    }
+
+    /// The code in a language: in integers where that is asked for.
+    pub(super) fn code<'g>(
+        &self,
+        graph: &'g Graph,
+        options: &Options,
+        language: Language,
+    ) -> Result<Code<'g>, InputError> {
+        if self.integers || self.fixed.is_some() {
+            integers::code(&self.file(), graph, options, language)
+        } else {
+            Ok(Code::of(compile(graph, options, language)))
+        }
+    }
+
     /// Every combination of language, style and profile that the arguments and the graph admit.
     pub(super) fn shapes(&self, graph: &Graph) -> Vec<(Language, Style, Option<Profile>)> {
-        let profiles = self.profile.map_or(Profile::ALL.to_vec(), |profile| vec![profile]);
+        let is_integers = self.integers || self.fixed.is_some();
+        // In integers, a profile says whether dense sums are tables.
+        let all = if is_integers { vec![Profile::Fast, Profile::Small] } else { Profile::ALL.to_vec() };
+        let profiles = self.profile.map_or(all, |profile| vec![profile]);
         let pure = |language| profiles.iter().map(move |&profile| (language, Style::Pure, Some(profile)));
         let mut shapes = Vec::new();
         for &language in self.lang.languages() {
@@ -76,7 +117,7 @@ impl CodeArgs {
                 (Language::Rust, _) | (Language::C, Some(Style::Pure)) => (false, true),
                 (Language::C, Some(Style::Gegelati)) => (true, false),
                 // GEGELATI's style has no profile.
-                (Language::C, None) => (self.profile.is_none() && graph.outputs().is_empty(), true),
+                (Language::C, None) => (!is_integers && self.profile.is_none() && graph.outputs().is_empty(), true),
             };
             shapes.extend(with_gegelati.then_some((language, Style::Gegelati, None)));
             shapes.extend(pure(language).filter(|_| with_pure));

@@ -8,6 +8,7 @@ Examples:
 pub(super) const GENERATE: &str = "\
 Examples:
   tpg-codegen generate graph.json --lang c --profile small -o firmware
+  tpg-codegen generate graph.json --fixed 16 -o firmware
   tpg-codegen generate graph.json --explain
   tpg-codegen generate graph.json -o firmware --check";
 
@@ -37,6 +38,12 @@ Examples:
 pub(super) const POLICY: &str = "\
 Examples:
   tpg-codegen policy policy.q.json --lang c --prefix actor -o firmware";
+
+pub(super) const QUANTISE: &str = "\
+Examples:
+  tpg-codegen quantise graph.json -o whole.json
+  tpg-codegen quantise graph.json --inputs 12 --weights 8 --ranges visited.csv -o whole.json
+  tpg-codegen generate whole.json --integers --lang c -o firmware";
 
 pub(super) const PACKAGE: &str = "\
 Examples:

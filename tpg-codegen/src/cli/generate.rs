@@ -6,7 +6,6 @@ use super::prove::proven;
 use super::verify::{prove, sentences, verdict};
 use crate::emit::{Code, File};
 use crate::options::Language;
-use crate::program::compile;
 use crate::size::Target;
 use crate::{explain, size};
 use clap::Args;
@@ -60,8 +59,8 @@ impl GenerateArgs {
             return explain_to(path, &explain::explain(&graph, &options));
         }
         let codes: Vec<Code<'_>> = (self.code.lang.languages().iter())
-            .map(|&language| Code::of(compile(&graph, &options, language)))
-            .collect();
+            .map(|&language| self.code.code(&graph, &options, language))
+            .collect::<Result<_, _>>()?;
         self.check_flash(&codes)?;
         let files: Vec<&File> = codes.iter().flat_map(|code| &code.files).collect();
         if self.check {

@@ -9,6 +9,7 @@ mod generate;
 mod package;
 mod policy;
 mod prove;
+mod quantise;
 mod report;
 mod scalar;
 mod schema;
@@ -61,6 +62,9 @@ enum Command {
     /// Write a quantised network, a policy.q.json, as constants of C and Rust
     #[command(after_help = examples::POLICY)]
     Policy(policy::PolicyArgs),
+    /// Put a graph into integers: a graph of whole numbers that sees and answers counts
+    #[command(after_help = examples::QUANTISE)]
+    Quantise(quantise::QuantiseArgs),
     /// Write a package for Arduino, PlatformIO, ESP-IDF, Zephyr, CMake, Meson or Cargo
     #[command(after_help = examples::PACKAGE)]
     Package(package::PackageArgs),
@@ -136,6 +140,7 @@ impl Cli {
             Command::Convert(args) => args.run(),
             Command::Policy(args) => args.run(),
             Command::Package(args) => args.run(),
+            Command::Quantise(args) => args.run(),
             Command::Schema(args) => args.run(),
             Command::Sidecar(args) => args.run(),
             Command::Completions(args) => args.run(Self::command()),

@@ -24,6 +24,11 @@ pub(super) struct StatesArgs {
 }
 
 impl StatesArgs {
+    /// Tests for recorded states.
+    pub(super) fn is_recorded(&self) -> bool {
+        self.trace.is_some()
+    }
+
     pub(super) fn load(&self, graph: &Graph) -> Result<StateSet, InputError> {
         match &self.trace {
             Some(path) => StateSet::recorded(graph, path),

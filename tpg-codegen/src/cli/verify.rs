@@ -4,7 +4,6 @@ use super::code::CodeArgs;
 use super::expected::Expected;
 use crate::emit::Code;
 use crate::options::Options;
-use crate::program::compile;
 use crate::verify::{Comparison, Proof, Stage, Unproven};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -41,9 +40,9 @@ impl VerifyArgs {
         let expected = self.expect.as_deref().map(|path| Expected::check(path, &graph)).transpose()?;
         let codes: Vec<Code<'_>> = (self.code.shapes(&graph).into_iter())
             .map(|(language, style, profile)| {
-                Code::of(compile(&graph, &Options { style, profile, ..options.clone() }, language))
+                self.code.code(&graph, &Options { style, profile, ..options.clone() }, language)
             })
-            .collect();
+            .collect::<Result<_, _>>()?;
         let proof = prove(&codes, self.states, self.seed)?;
         if self.json {
             let Proof { comparisons, unproven } = &proof;

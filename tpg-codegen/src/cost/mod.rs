@@ -115,7 +115,7 @@ impl<'a> Costs<'a> {
         };
         match &program.shape {
             // Every bid of a team is computed by itself.
-            Shape::Small(_) | Shape::Gegelati => {
+            Shape::Small(_) | Shape::Gegelati | Shape::Integers(_) => {
                 let step = |bid: Bid| Step::always(bid, work(&module.nodes, &module.operations_of(bid.value)));
                 Self { teams: in_order(module, step), ..costs }
             }

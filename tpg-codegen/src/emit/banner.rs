@@ -1,14 +1,15 @@
 //! The banner of generated files: their origin, never the time or place of generation.
 
+use crate::integers::Integers;
 use crate::ir::Node;
 use crate::options::{Language, Profile, Style};
-use crate::program::Program;
+use crate::program::{Program, Shape};
 use tpg_graph::conversion::Conversion;
 use tpg_graph::error::counted;
 use tpg_graph::{Graph, MathsProvider, Provenance, ScalarType};
 
 /// The banner's lines, without comment marks.
-pub(super) fn lines(program: &Program<'_>) -> Vec<String> {
+pub(crate) fn lines(program: &Program<'_>) -> Vec<String> {
     let Program { module, language, options, .. } = program;
     let (graph, language) = (program.graph(), *language);
     let operations = module.nodes.iter().filter(|node| matches!(node, Node::Operation(..))).count();
@@ -33,8 +34,14 @@ pub(super) fn lines(program: &Program<'_>) -> Vec<String> {
             counted(module.bidders.len(), "program"),
             counted(operations, "distinct operation"),
         ),
-        format!("Computes in {} with {} maths.", graph.scalar().name(), graph.maths().name()),
+        match &program.shape {
+            Shape::Integers(integers) => computes_in(integers),
+            _ => format!("Computes in {} with {} maths.", graph.scalar().name(), graph.maths().name()),
+        },
     ];
+    if matches!(program.shape, Shape::Integers(_)) {
+        return lines;
+    }
     let has_profile = language == Language::Rust || options.style == Style::Pure;
     if has_profile && options.profile_in(language) == Profile::ConstantTime {
         lines.extend(same_time(graph).map(str::to_owned));
@@ -64,6 +71,16 @@ fn policy(graph: &Graph) -> String {
     }));
     let line: String = about.join(", ").chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
     format!("{}.", line.replace("*/", "* /").replace("/*", "/ *"))
+}
+
+/// The integers that are computed in, and that it is proven to be enough.
+fn computes_in(integers: &Integers) -> String {
+    let wide = match integers.wide() {
+        0 => String::new(),
+        1 => ", of a value in 64".to_owned(),
+        count => format!(", of {count} values in 64"),
+    };
+    format!("Computes in integers of 32 bits{wide}: no state makes any of them overflow.")
 }
 
 /// The limit of constant time that lies outside the code.

@@ -269,7 +269,7 @@ fn product(a: &Expression, b: &Expression) -> Expression {
 }
 
 /// A name that is not taken, which it is then.
-pub(super) fn unused(base: String, taken: &mut BTreeSet<String>) -> String {
+pub(crate) fn unused(base: String, taken: &mut BTreeSet<String>) -> String {
     let others = (2..).map(|number| format!("{base}_{number}"));
     let name = std::iter::once(base.clone()).chain(others).find(|name| !taken.contains(name)).unwrap_or(base);
     taken.insert(name.clone());

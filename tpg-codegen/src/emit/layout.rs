@@ -2,7 +2,7 @@
 
 /// Templates leave blank lines where a block was left out: at most one in a row stays, and none at the
 /// end, behind an opening brace or before a closing one.
-pub(super) fn tidy(text: &str) -> String {
+pub(crate) fn tidy(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut blank = false;
     for line in text.lines().map(str::trim_end) {
@@ -64,7 +64,7 @@ fn split<'a>(expression: &'a str, operators: &str) -> Vec<&'a str> {
 
 /// Indents lines by the braces around them, and by the bracket of an array that ends a line; a line holds whole statements, and a
 /// label begins its line.
-pub(super) fn indent(text: &str) -> String {
+pub(crate) fn indent(text: &str) -> String {
     let mut out = String::with_capacity(text.len() * 2);
     let mut depth = 0_usize;
     for line in text.lines().map(str::trim) {
@@ -96,7 +96,7 @@ const ONE_LINE: usize = 60;
 
 /// The arguments of a call, separated by commas, as rustfmt lays them out on a line indented by `indent`, of which `counted` characters
 /// count with them.
-pub(super) fn arguments(flat: &str, counted: usize, indent: usize) -> String {
+pub(crate) fn arguments(flat: &str, counted: usize, indent: usize) -> String {
     if counted + flat.len() <= ONE_LINE {
         return flat.to_owned();
     }
@@ -107,7 +107,7 @@ pub(super) fn arguments(flat: &str, counted: usize, indent: usize) -> String {
 
 /// A Rust array as rustfmt lays it out on lines indented by `indent`: on one line where it is short, short elements
 /// filled into lines, others, and what is more than a name or a number, a line each.
-pub(super) fn array(elements: &[String], indent: usize) -> String {
+pub(crate) fn array(elements: &[String], indent: usize) -> String {
     const SHORT: usize = 10;
     let flat = elements.join(", ");
     // A single call has its arguments on lines of their own where it is long.

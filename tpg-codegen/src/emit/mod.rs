@@ -2,29 +2,31 @@
 //!
 //! A language is a [`Backend`]; what languages share stands beside them.
 
-mod banner;
-mod block;
+pub(crate) mod banner;
+pub(crate) mod block;
 mod c;
 mod cases;
 mod choice;
 mod helpers;
 mod interface;
-mod layout;
+pub(crate) mod layout;
 mod leaves;
 mod moves;
-mod names;
+pub(crate) mod names;
 mod rust;
 mod syntax;
 mod table;
 mod team;
 
-pub(crate) use c::{compares_in_functions, field::field};
+pub(crate) use c::{comment, compares_in_functions, field::field};
+pub(crate) use rust::one_line;
 
 pub(crate) use interface::written;
 
 pub use crate::options::{Language, Options, Prefix, Profile, Style};
 
-use crate::program::{Program, compile};
+use crate::integers;
+use crate::program::{Program, Shape, compile};
 use tpg_graph::Graph;
 
 /// A file to write.
@@ -62,7 +64,11 @@ pub struct Code<'g> {
 impl<'g> Code<'g> {
     /// Prints a program.
     pub fn of(program: Program<'g>) -> Self {
-        Self { files: backend(program.language).files(&program), program }
+        let files = match &program.shape {
+            Shape::Integers(integers) => integers::files(&program, integers),
+            _ => backend(program.language).files(&program),
+        };
+        Self { files, program }
     }
 }
 

@@ -24,7 +24,7 @@ const TAKEN: [&str; 15] = [
 ];
 
 /// An identifier in lower case for each action: its name, or as much of it as an identifier can hold.
-pub(super) fn actions(graph: &Graph) -> Vec<String> {
+pub(crate) fn actions(graph: &Graph) -> Vec<String> {
     let mut taken: BTreeSet<String> = TAKEN.map(str::to_owned).into();
     let asks = graph.actions().iter().filter_map(|action| Some(format!("asks_{}", action.ask.as_ref()?)));
     taken.extend(["bids", "operations", "maths_calls"].map(|name| format!("worst_{name}")).into_iter().chain(asks));

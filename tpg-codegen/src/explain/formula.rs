@@ -5,6 +5,13 @@ use std::collections::BTreeMap;
 use tpg_graph::{Graph, ScalarType};
 use tpg_runtime::ops::Instruction;
 
+/// The formula of a value, for a message; sums as they are computed.
+pub(crate) fn of(module: &Module<'_>, value: NodeId) -> String {
+    let formulas = Formulas::new(module, &[value], Spelling::Exact);
+    let named = formulas.shared().iter().map(|(name, formula)| format!(", {name} = {formula}"));
+    std::iter::once(formulas.formula(value).to_owned()).chain(named).collect()
+}
+
 /// The spelling of formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Spelling {

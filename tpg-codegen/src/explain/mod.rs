@@ -1,6 +1,6 @@
 //! `--explain`: the removals of each pass, and the remaining bids, team by team, as readable formulas.
 
-mod formula;
+pub(crate) mod formula;
 mod policy;
 
 pub use policy::{BidFormula, LeafFormulas, PolicyFormulas, TeamFormulas};

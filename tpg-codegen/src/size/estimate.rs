@@ -34,7 +34,9 @@ pub fn flash(program: &Program<'_>) -> u64 {
     let Weights { always, team, edge, operation, circular, exponential } = match (graph.scalar(), &program.shape) {
         (ScalarType::F32, Shape::Gegelati) => weights([0, 31, 4, 10, 651, 0]),
         (ScalarType::F64, Shape::Gegelati) => weights([4, 11, 10, 12, 1122, 803]),
-        (ScalarType::F32, Shape::Fast { .. } | Shape::Formula(_)) => weights([0, 80, 2, 32, 873, 0]),
+        (ScalarType::F32, Shape::Fast { .. } | Shape::Formula(_)) | (_, Shape::Integers(_)) => {
+            weights([0, 80, 2, 32, 873, 0])
+        }
         (ScalarType::F64, Shape::Fast { .. }) if compares_in_functions(module) => weights([500, 10, 18, 20, 965, 638]),
         (ScalarType::F64, Shape::Fast { .. } | Shape::Formula(_)) => weights([0, 31, 66, 19, 965, 638]),
         (ScalarType::F32, Shape::Balanced(_)) => weights([150, 2, 3, 16, 650, 400]),

@@ -79,7 +79,7 @@ fn weights(language: Language, scalar: ScalarType, shape: &Shape) -> Option<[i64
         Shape::Balanced(_) => 1,
         Shape::Small(_) => 2,
         Shape::ConstantTime(_) => 3,
-        Shape::Formula(_) | Shape::Gegelati => return None,
+        Shape::Formula(_) | Shape::Gegelati | Shape::Integers(_) => return None,
     };
     Some(WEIGHTS[language as usize][scalar as usize][row])
 }
@@ -155,6 +155,6 @@ fn deciding(module: &Module<'_>, shape: &Shape) -> [usize; 5] {
             let missing = functions::leaf_operations(module, functions).len();
             [module.teams.len(), usize::from(module.teams.len() == 1), challenges, distinct, missing]
         }
-        Shape::Formula(_) | Shape::Gegelati => [0; 5],
+        Shape::Formula(_) | Shape::Gegelati | Shape::Integers(_) => [0; 5],
     }
 }

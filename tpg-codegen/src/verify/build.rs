@@ -1,6 +1,6 @@
 //! Compiles generated code into small programs that decide over a pipe.
 
-use super::process::Process;
+use super::process::{Process, Wire};
 use crate::emit::{Code, File, field};
 use crate::options::{Language, Options};
 use crate::program::{Shape, compile as compile_graph};
@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::{env, fs, io, slice};
 use tempfile::TempDir;
-use tpg_graph::{Graph, ScalarType};
+use tpg_graph::{Counts, Graph, ScalarType, Source};
 use tpg_runtime::standalone;
 
 /// The program around generated C.
@@ -38,16 +38,43 @@ struct PolicyView {
     /// The fields of the memory's values.
     memory: Vec<String>,
     gegelati: bool,
+    /// Every number goes over the pipe in 32 bits: the types of the sources' values, and the outputs.
+    integers: Option<IntegerView>,
+}
+
+/// The types of a policy in integers.
+struct IntegerView {
+    /// The type of each source's values, and in Rust of all.
+    sources: Vec<String>,
+    /// The fields of the outputs, without the memory.
+    outputs: Vec<String>,
+    state: String,
+}
+
+impl IntegerView {
+    fn new(graph: &Graph) -> Self {
+        let bits = |source: &Source| source.counts.iter().map(Counts::container).max().unwrap_or(32);
+        let widest = graph.sources().iter().map(bits).max().unwrap_or(32);
+        let answered = graph.outputs().len() - graph.memory();
+        Self {
+            sources: graph.sources().iter().map(|source| format!("int{}_t", bits(source))).collect(),
+            outputs: graph.outputs()[..answered].iter().map(|output| field(graph, &output.name)).collect(),
+            state: format!("i{widest}"),
+        }
+    }
 }
 
 impl PolicyView {
     fn new(code: &Code<'_>) -> Self {
         let (graph, prefix) = (code.program.graph(), &code.program.options.prefix);
+        let is_integers = matches!(code.program.shape, Shape::Integers(_));
         let (seen, answered) = (graph.sources().len() - graph.memory(), graph.outputs().len() - graph.memory());
         Self {
             prefix: prefix.to_string(),
             name: prefix.camel(),
             scalar: match (code.program.language, graph.scalar()) {
+                (Language::C, _) if is_integers => "int32_t",
+                (Language::Rust, _) if is_integers => "i32",
                 (Language::C, ScalarType::F32) => "float",
                 (Language::C, ScalarType::F64) => "double",
                 (Language::Rust, scalar) => scalar.name(),
@@ -59,6 +86,7 @@ impl PolicyView {
             outputs: graph.outputs().len(),
             memory: graph.outputs()[answered..].iter().map(|value| field(graph, &value.name)).collect(),
             gegelati: code.program.shape == Shape::Gegelati,
+            integers: is_integers.then(|| IntegerView::new(graph)),
         }
     }
 }
@@ -68,6 +96,7 @@ impl PolicyView {
 pub struct Batch {
     program: PathBuf,
     language: Language,
+    wires: Vec<Wire>,
 }
 
 impl Batch {
@@ -76,7 +105,8 @@ impl Batch {
     /// # Errors
     /// When it cannot be started.
     pub fn start(&self, policy: usize, graph: &Graph) -> io::Result<Process> {
-        Process::start(&self.program, policy, format!("{} policy {policy}", self.language.name()), graph)
+        let name = format!("{} policy {policy}", self.language.name());
+        Process::start(&self.program, policy, name, graph, self.wires[policy])
     }
 }
 
@@ -127,7 +157,7 @@ impl Workshop {
     /// See [`BuildError`].
     pub fn start(&self, code: &Code<'_>) -> Result<Process, BuildError> {
         let program = self.build(code.program.language, slice::from_ref(code), None)?;
-        Ok(Process::start(&program, 0, code.program.name(), code.program.graph())?)
+        Ok(Process::start(&program, 0, code.program.name(), code.program.graph(), Wire::of(code))?)
     }
 
     /// Generates code, compiles it and starts the program.
@@ -158,7 +188,21 @@ impl Workshop {
     ) -> Result<Batch, BuildError> {
         let codes: Vec<Code<'_>> =
             policies.iter().map(|(graph, options)| Code::of(compile_graph(graph, options, language))).collect();
-        Ok(Batch { program: self.build(language, &codes, compiler)?, language })
+        self.batch_of(language, &codes, compiler)
+    }
+
+    /// As [`Workshop::batch_by`], of code that is there already, each with a prefix of its own.
+    ///
+    /// # Errors
+    /// See [`BuildError`].
+    pub fn batch_of(
+        &self,
+        language: Language,
+        codes: &[Code<'_>],
+        compiler: Option<&dyn Fn(&Path) -> Command>,
+    ) -> Result<Batch, BuildError> {
+        let wires = codes.iter().map(Wire::of).collect();
+        Ok(Batch { program: self.build(language, codes, compiler)?, language, wires })
     }
 
     /// Compiles code of one language into a program.

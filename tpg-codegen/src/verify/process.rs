@@ -1,8 +1,11 @@
 //! A compiled policy in its own process, driven over a pipe.
 //!
 //! A batch goes in as a little-endian `u32` count and the states' values in the graph's scalar type, native byte order;
-//! out come as many native `u16` actions, or for a policy with outputs the values of each in the graph's scalar type.
+//! out come as many native `u16` actions, or for a policy with outputs the values of each in the graph's scalar type. Policies in
+//! integers get and give 32 bits instead.
 
+use crate::emit::Code;
+use crate::program::Shape;
 use std::io::{self, BufReader, BufWriter, Read, Write};
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
@@ -17,11 +20,27 @@ const BATCH: usize = 1024;
 /// The exit status of a C program whose self-test fails.
 const SELF_TEST_DIFFERS: i32 = 3;
 
+/// The type of the numbers in the pipe.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Wire {
+    Float(ScalarType),
+    Integer,
+}
+
+impl Wire {
+    pub(super) fn of(code: &Code<'_>) -> Self {
+        match code.program.shape {
+            Shape::Integers(_) => Self::Integer,
+            _ => Self::Float(code.program.graph().scalar()),
+        }
+    }
+}
+
 /// A running policy.
 #[derive(Debug)]
 pub struct Process {
     name: String,
-    scalar: ScalarType,
+    wire: Wire,
     state_length: usize,
     /// Values of an answer; 0 for a policy that answers with an action.
     outputs: usize,
@@ -32,7 +51,7 @@ pub struct Process {
 
 impl Process {
     /// Starts `program` as one of its policies.
-    pub(super) fn start(program: &Path, policy: usize, name: String, graph: &Graph) -> io::Result<Self> {
+    pub(super) fn start(program: &Path, policy: usize, name: String, graph: &Graph, wire: Wire) -> io::Result<Self> {
         let mut command = Command::new(program);
         let mut child = command.arg(policy.to_string()).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
         let missing = || io::Error::other("the process has no pipe");
@@ -40,7 +59,7 @@ impl Process {
         let output = child.stdout.take().ok_or_else(missing)?;
         Ok(Self {
             name,
-            scalar: graph.scalar(),
+            wire,
             state_length: graph.state_length(),
             outputs: graph.outputs().len(),
             child,
@@ -66,9 +85,10 @@ impl Process {
         let input = self.input.as_mut().ok_or_else(|| io::Error::other("the process was closed"))?;
         input.write_all(&(count as u32).to_le_bytes())?;
         for &value in states {
-            match self.scalar {
-                ScalarType::F32 => input.write_all(&(value as f32).to_ne_bytes())?,
-                ScalarType::F64 => input.write_all(&value.to_ne_bytes())?,
+            match self.wire {
+                Wire::Float(ScalarType::F32) => input.write_all(&(value as f32).to_ne_bytes())?,
+                Wire::Float(ScalarType::F64) => input.write_all(&value.to_ne_bytes())?,
+                Wire::Integer => input.write_all(&(value as i32).to_ne_bytes())?,
             }
         }
         input.flush()?;
@@ -84,9 +104,10 @@ impl Process {
     }
 
     fn value(&mut self) -> io::Result<f64> {
-        Ok(match self.scalar {
-            ScalarType::F32 => f64::from(f32::from_ne_bytes(self.read()?)),
-            ScalarType::F64 => f64::from_ne_bytes(self.read()?),
+        Ok(match self.wire {
+            Wire::Float(ScalarType::F32) => f64::from(f32::from_ne_bytes(self.read()?)),
+            Wire::Float(ScalarType::F64) => f64::from_ne_bytes(self.read()?),
+            Wire::Integer => f64::from(i32::from_ne_bytes(self.read()?)),
         })
     }
 

@@ -19,7 +19,9 @@ static {{ policy.scalar }} source{{ loop.index }}[{{ length }}];
 
 static int serve_{{ policy.prefix }}(void)
 {
-{%- if policy.outputs == 0 %}
+{%- if policy.integers.is_some() && policy.outputs > 0 %}
+    static int32_t actions[BATCH][{{ policy.outputs }}];
+{%- else if policy.outputs == 0 %}
     static uint16_t actions[BATCH];
 {%- else if policy.memory.is_empty() %}
     static {{ policy.prefix }}_action_t actions[BATCH];
@@ -53,6 +55,39 @@ static int serve_{{ policy.prefix }}(void)
             actions[index] = (uint16_t)inferenceTPG();
 {%- else %}
             {{ policy.prefix }}_state_t state;
+{%- if let Some(integers) = policy.integers %}
+            size_t place;
+{%- for (name, length) in policy.sources %}
+            for (place = 0U; place < {{ length }}U; place++) {
+                state.{{ name }}{% if *length > 1 %}[place]{% endif %} = ({{ integers.sources[loop.index0] }})*value;
+                value++;
+            }
+{%- endfor %}
+{%- if policy.outputs == 0 %}
+            actions[index] = (uint16_t){{ policy.prefix }}_infer(&state);
+{%- else %}
+            {{ policy.prefix }}_action_t action;
+{%- if policy.memory.is_empty() %}
+            {{ policy.prefix }}_infer(&state, &action);
+{%- else %}
+            {{ policy.prefix }}_memory_t memory;
+{%- for name in policy.memory %}
+            memory.{{ name }} = *value;
+            value++;
+{%- endfor %}
+            {{ policy.prefix }}_infer(&state, &memory, &action);
+{%- endif %}
+            place = 0U;
+{%- for name in integers.outputs %}
+            actions[index][place] = action.{{ name }};
+            place++;
+{%- endfor %}
+{%- for name in policy.memory %}
+            actions[index][place] = memory.{{ name }};
+            place++;
+{%- endfor %}
+{%- endif %}
+{%- else %}
 {% for (name, length) in policy.sources %}
             memcpy(&state.{{ name }}, value, sizeof(state.{{ name }}));
             value += {{ length }};
@@ -67,6 +102,7 @@ static int serve_{{ policy.prefix }}(void)
             value++;
 {%- endfor %}
             {{ policy.prefix }}_infer(&state, &actions[index].memory, &actions[index].action);
+{%- endif %}
 {%- endif %}
 {%- endif %}
         }

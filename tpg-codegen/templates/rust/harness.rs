@@ -38,7 +38,15 @@ fn main() -> io::Result<()> {
     match std::env::args().nth(1).and_then(|number| number.parse::<usize>().ok()) {
 {%- for policy in policies %}
         Some({{ loop.index0 }}) => serve({{ policy.scalar }}::from_ne_bytes, |state: &[{{ policy.scalar }}; {{ policy.state_length }}]| {
+{%- if let Some(integers) = policy.integers %}
+            let counts = state.map(|value| value as {{ integers.state }});
 {%- if policy.outputs == 0 %}
+            let ActionId(action) = policy_{{ loop.index0 }}::{{ policy.name }}.decide(&counts);
+            action.to_ne_bytes()
+{%- else %}
+            policy_{{ loop.index0 }}::{{ policy.name }}.decide(&counts).into_iter().flat_map(|value| i32::from(value).to_ne_bytes())
+{%- endif %}
+{%- else if policy.outputs == 0 %}
             let ActionId(action) = policy_{{ loop.index0 }}::{{ policy.name }}.decide(state);
             action.to_ne_bytes()
 {%- else if policy.memory.is_empty() %}

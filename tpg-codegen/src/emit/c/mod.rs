@@ -123,6 +123,7 @@ impl Backend for C {
                 (printer, constant_time::render(&printer, module, functions, &outputs, &upper), true)
             }
             Shape::Formula(formula) => (printer, formula::render(&printer, formula, &outputs), formula.branch_free),
+            Shape::Integers(_) => unreachable!("integers have a back end of their own"),
         };
         let helpers = helpers::render(&printer, branch_free, &body, &upper);
         let banner = banner::lines(program);
@@ -225,7 +226,7 @@ fn observed(source: &SourceView) -> Vec<String> {
 }
 
 /// Text that may stand in a C comment: in one line, with a space in the midst of what would begin or end a comment.
-fn comment(text: &str) -> String {
+pub(crate) fn comment(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for c in text.chars().map(|c| if c.is_control() { ' ' } else { c }) {
         if matches!((safe.chars().next_back(), c), (Some('/'), '*' | '/') | (Some('*'), '/')) {

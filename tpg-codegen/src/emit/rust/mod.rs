@@ -95,7 +95,7 @@ impl Backend for Rust {
                 let body = leaves::formula(&printer, formula, &outputs);
                 ("a formula", Parts { body, items: String::new() })
             }
-            Shape::Gegelati => unreachable!("GEGELATI's style is C's alone"),
+            Shape::Gegelati | Shape::Integers(_) => unreachable!("in C alone, and with a back end of its own"),
         };
         let (observed, first) = (graph.state_length() - graph.memory(), outputs.len() - graph.memory());
         let memory = &outputs[first..];
@@ -146,7 +146,7 @@ fn names(array: &str, count: usize) -> Vec<String> {
     (0..count).map(|place| format!("{array}[{place}]")).collect()
 }
 
-fn one_line(text: &str) -> String {
+pub(crate) fn one_line(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 

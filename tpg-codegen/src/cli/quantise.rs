@@ -1,0 +1,81 @@
+//! `tpg-codegen quantise`: a graph of floats into a graph of whole numbers.
+
+use super::GraphArgs;
+use crate::quantise::{Request, quantise};
+use clap::Args;
+use std::path::{Path, PathBuf};
+use tpg_graph::command::{self, CommandError, Verdict};
+use tpg_graph::output;
+use tpg_graph::states::StateSet;
+
+/// States compared where none are recorded.
+const STATES: usize = 20_000;
+/// The seed they are drawn with.
+const SEED: u64 = 1;
+
+/// Put a graph into integers.
+///
+/// The graph that comes out sees and answers counts; `generate --integers` compiles it, and `tpg-train eval` plays it.
+#[derive(Clone, Debug, Args)]
+pub(super) struct QuantiseArgs {
+    #[command(flatten)]
+    graph: GraphArgs,
+    /// The file to write; - for standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// Bits of the inputs
+    #[arg(long, value_name = "BITS", default_value_t = 16, value_parser = clap::value_parser!(u32).range(2..=16))]
+    inputs: u32,
+    /// Bits of the weights
+    #[arg(long, value_name = "BITS", default_value_t = 16, value_parser = clap::value_parser!(u32).range(2..=16))]
+    weights: u32,
+    /// The ranges that fill the bits: those of recorded states, a CSV with a column for each value, named as in target[0]; or the
+    /// `declared` ranges, which may be wide
+    #[arg(long, value_name = "CSV", default_value = "declared")]
+    ranges: PathBuf,
+    /// The multiple of these ranges that fills the bits
+    #[arg(long, value_name = "M", default_value_t = 1.0, value_parser = margin)]
+    margin: f64,
+    /// Print the report as one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+fn margin(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|margin: &f64| *margin > 0.0 && margin.is_finite());
+    number.ok_or_else(|| "accepted: a number above 0".to_owned())
+}
+
+impl QuantiseArgs {
+    pub(super) fn run(&self) -> Result<Verdict, CommandError> {
+        let graph = self.graph.load()?;
+        let recorded = match self.ranges.to_str() {
+            Some("declared") => None,
+            _ => Some(StateSet::recorded(&graph, &self.ranges)?),
+        };
+        let sampled = StateSet::sampled(&graph, STATES, SEED);
+        let request = Request {
+            inputs: self.inputs,
+            weights: self.weights,
+            visited: recorded.as_ref(),
+            margin: self.margin,
+            compared: recorded.as_ref().unwrap_or(&sampled),
+        };
+        let (whole, report) = quantise(&self.graph.graph.display().to_string(), &graph, &request)?;
+        let report = if self.json {
+            serde_json::to_string(&report).map_err(CommandError::other)? + "\n"
+        } else {
+            report.to_string()
+        };
+        if self.output == Path::new("-") {
+            command::note(report.trim_end());
+            command::print(whole.to_json()).map_err(CommandError::other)?;
+        } else {
+            output::write_atomically(&self.output, whole.to_json().as_bytes())?;
+            if self.json || !command::is_quiet() {
+                command::print(report).map_err(CommandError::other)?;
+            }
+        }
+        Ok(Verdict::Good)
+    }
+}

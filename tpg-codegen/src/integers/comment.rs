@@ -1,0 +1,192 @@
+//! The comment beside a sum: its formula in the units of the sources, and its bound.
+
+use super::Whole;
+use crate::ir::{Module, Node, NodeId};
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use tpg_graph::{Graph, Input};
+use tpg_runtime::ops::Instruction;
+
+/// A sum of multiples of values of the state.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Linear {
+    pub(super) weights: BTreeMap<Input, f64>,
+    pub(super) constant: f64,
+}
+
+impl Linear {
+    /// The sum that a node is, if it is one.
+    pub(super) fn of(module: &Module<'_>, id: NodeId) -> Option<Self> {
+        let mut linear = Self::default();
+        linear.add(module, id, 1.0).then_some(linear)
+    }
+
+    fn add(&mut self, module: &Module<'_>, id: NodeId, factor: f64) -> bool {
+        match module.node(id) {
+            Node::Constant(bits) => self.constant += factor * f64::from_bits(bits),
+            Node::Input(input) => *self.weights.entry(input).or_default() += factor,
+            Node::Operation(Instruction::Add, [a, b]) => {
+                return self.add(module, a, factor) && self.add(module, b, factor);
+            }
+            Node::Operation(Instruction::Sub, [a, b]) => {
+                return self.add(module, a, factor) && self.add(module, b, -factor);
+            }
+            Node::Operation(Instruction::Mul, [a, b]) => {
+                let [x, y] = [a, b].map(|id| module.node(id).as_constant());
+                return match (x, y) {
+                    (Some(x), _) => self.add(module, b, factor * x),
+                    (_, Some(y)) => self.add(module, a, factor * y),
+                    _ => false,
+                };
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    /// The same sum of values instead of counts.
+    fn in_units(&self, graph: &Graph) -> Self {
+        let mut linear = Self { constant: self.constant, ..Self::default() };
+        for (&input, &weight) in &self.weights {
+            let counts = graph.counts_of(input);
+            let scale = counts.map_or(1.0, |counts| counts.scale);
+            linear.constant += weight * counts.map_or(0.0, |counts| counts.offset);
+            linear.weights.insert(input, weight / scale);
+        }
+        linear
+    }
+
+    fn divided(&self, by: f64, less: f64) -> Self {
+        let weights = self.weights.iter().map(|(&input, weight)| (input, weight / by)).collect();
+        Self { weights, constant: self.constant / by - less }
+    }
+
+    fn text(&self, graph: &Graph) -> String {
+        let mut text = String::new();
+        let terms = self.weights.iter().map(|(&input, &weight)| (Some(input), weight));
+        for (input, number) in terms.chain([(None, self.constant)]).filter(|(_, number)| *number != 0.0) {
+            let sign = match (text.is_empty(), number < 0.0) {
+                (true, false) => "",
+                (true, true) => "-",
+                (false, false) => " + ",
+                (false, true) => " - ",
+            };
+            let number = five_digits(number.abs());
+            let term = input.map(|input| {
+                let (source, place) = graph.source_of(input);
+                let place = if source.ranges.len() == 1 { String::new() } else { format!("[{place}]") };
+                let factor = if number == "1" { String::new() } else { format!("{number} * ") };
+                format!("{factor}{}{place}", source.name)
+            });
+            let _ = write!(text, "{sign}{}", term.unwrap_or(number));
+        }
+        text
+    }
+}
+
+/// The comments of a block's sums.
+pub(super) struct Comments<'a> {
+    module: &'a Module<'a>,
+    /// The name of each root, with its formula.
+    names: BTreeMap<NodeId, String>,
+}
+
+impl<'a> Comments<'a> {
+    /// Of a team's bids, with the names of what they bid for: their formulas are in units of a power of two.
+    pub(super) fn of_bids(module: &'a Module<'a>, bids: &[(NodeId, String)]) -> Self {
+        let sums: Vec<_> = bids.iter().filter_map(|(id, name)| Some((*id, name, sum(module, *id)?))).collect();
+        let weights = sums.iter().flat_map(|(.., linear)| linear.weights.values());
+        let greatest = weights.fold(0.0, |most: f64, weight| most.max(weight.abs()));
+        let power = greatest.log2().floor().max(0.0);
+        let unit = power.exp2();
+        let mut names: BTreeMap<NodeId, String> = BTreeMap::new();
+        for (id, name, linear) in sums {
+            let text = linear.divided(unit, 0.0).text(module.graph);
+            let said = names.entry(id).or_default();
+            if said.is_empty() {
+                let unit = if power > 0.0 { format!(", in 2^-{power}") } else { String::new() };
+                *said = format!("{name} bids {text}{unit}");
+            }
+        }
+        Self { module, names }
+    }
+
+    /// Of a leaf's outputs: their formulas are in the outputs' units.
+    pub(super) fn of_outputs(module: &'a Module<'a>, values: &[NodeId]) -> Self {
+        let mut names = BTreeMap::new();
+        for (output, &value) in module.graph.outputs().iter().zip(values) {
+            let scale = output.counts.map_or(1.0, |counts| counts.scale);
+            let offset = output.counts.map_or(0.0, |counts| counts.offset);
+            let (inner, divisor) = match module.node(value) {
+                Node::Operation(Instruction::Quotient, [a, b]) => (a, module.node(b).as_constant()),
+                _ => (value, Some(1.0)),
+            };
+            let (Some(linear), Some(divisor)) = (sum(module, inner), divisor) else { continue };
+            // The half that makes rounding down rounding to the nearest.
+            let half = (divisor / 2.0).floor();
+            let linear = Linear { constant: linear.constant - half, ..linear };
+            let text = linear.divided(divisor / scale, offset * scale).text(module.graph);
+            names.entry(inner).or_insert_with(|| format!("{} = {text}", output.name));
+        }
+        Self { module, names }
+    }
+
+    /// The comment of a node, if there is something to say.
+    pub(super) fn of(&self, id: NodeId, whole: Whole) -> Option<String> {
+        let sums =
+            matches!(self.module.node(id), Node::Operation(Instruction::Add | Instruction::Sub | Instruction::Mul, _));
+        let bound = if whole.fits(32) {
+            format!("at most {} of {}", grouped(whole.magnitude()), grouped(i32::MAX as u64))
+        } else {
+            format!("at most {}: 64 bits", grouped(whole.magnitude()))
+        };
+        match self.names.get(&id) {
+            Some(name) => Some(format!("{name}; {bound}")),
+            None => sums.then_some(bound),
+        }
+    }
+}
+
+/// The sum that a node is, of at least one value, in units.
+fn sum(module: &Module<'_>, id: NodeId) -> Option<Linear> {
+    Linear::of(module, id).filter(|linear| !linear.weights.is_empty()).map(|linear| linear.in_units(module.graph))
+}
+
+/// The worth of a count.
+pub(super) fn worth(scale: f64, unit: &str) -> String {
+    with_unit(&five_digits(scale), unit) + " a count"
+}
+
+/// A number and its unit, if it has one.
+pub(super) fn with_unit(number: &str, unit: &str) -> String {
+    if unit.is_empty() { number.to_owned() } else { format!("{number} {unit}") }
+}
+
+/// A number with five significant digits.
+fn five_digits(number: f64) -> String {
+    format!("{number:.4e}").parse::<f64>().map_or_else(|_| number.to_string(), |number| number.to_string())
+}
+
+/// A number with commas between thousands.
+pub(super) fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{five_digits, grouped};
+
+    #[test]
+    fn numbers_are_short() {
+        assert_eq!([861_784_409, 1000, 999].map(grouped), ["861,784,409", "1,000", "999"]);
+        assert_eq!([8.037_242, 0.000_123_456_7, 11.0].map(five_digits), ["8.0372", "0.00012346", "11"]);
+    }
+}

@@ -1,0 +1,153 @@
+//! Outputs that are sums over the same source: a table of weights and one loop.
+
+use super::comment::Linear;
+use super::lines::Function;
+use super::{Integers, output_bits};
+use crate::ir::{Module, Node};
+use tpg_graph::{Counts, Graph};
+use tpg_runtime::ops::Instruction;
+
+/// Sums of fewer products take less flash one by one.
+const FEW: usize = 12;
+
+/// Sums of all values of one source, each divided by a power of two and limited.
+pub(super) struct Dense<'a> {
+    graph: &'a Graph,
+    rows: Vec<Row>,
+}
+
+struct Row {
+    weights: Vec<i64>,
+    bias: i64,
+    shift: i64,
+}
+
+/// The tables' text.
+pub(super) struct Table {
+    /// The type of a weight.
+    pub(super) weight: &'static str,
+    pub(super) columns: usize,
+    pub(super) rows: Vec<String>,
+    /// The other tables: one number for each row.
+    pub(super) numbers: Vec<(&'static str, String)>,
+    pub(super) comments: Vec<String>,
+}
+
+impl<'a> Dense<'a> {
+    /// The sums of the only leaf, if tables are asked for and take less.
+    pub(super) fn find(module: &'a Module<'a>, integers: &Integers) -> Option<Self> {
+        let graph = module.graph;
+        let [source] = graph.sources() else { return None };
+        let kinds = source.counts.iter().map(Counts::container);
+        let is_one_kind = kinds.min() == source.counts.iter().map(Counts::container).max();
+        let outputs = graph.outputs();
+        let same = outputs.iter().all(|output| output_bits(output) == output_bits(&outputs[0]));
+        if !integers.tables || !is_one_kind || !same {
+            return None;
+        }
+        let rows = module.only_leaf()?.values.iter().map(|&value| {
+            let (sum, divisor) = match module.node(value) {
+                Node::Operation(Instruction::Quotient, [a, b]) => (a, module.node(b).as_constant()? as i64),
+                _ => (value, 1),
+            };
+            let linear = Linear::of(module, sum)?;
+            let weight = |input| linear.weights.get(&input).map_or(0, |&weight| weight as i64);
+            let weights: Vec<i64> = graph.inputs().map(weight).collect();
+            let is_small = weights.iter().all(|weight| i16::try_from(*weight).is_ok());
+            let is_power = divisor > 0 && divisor & (divisor - 1) == 0;
+            // Partial sums are added in another order: their bound is that of all magnitudes.
+            let counts = source.counts.iter().map(|counts| 1_i64 << (counts.container() - 1));
+            let bias = linear.constant as i64;
+            let most: i64 =
+                bias.abs() + weights.iter().zip(counts).map(|(weight, count)| weight.abs() * count).sum::<i64>();
+            (is_small && is_power && most <= i64::from(i32::MAX)).then_some(Row {
+                weights,
+                bias,
+                shift: i64::from(divisor.trailing_zeros()),
+            })
+        });
+        let rows: Vec<Row> = rows.collect::<Option<_>>()?;
+        let products: usize = rows.iter().map(|row| row.weights.iter().filter(|weight| **weight != 0).count()).sum();
+        (products >= FEW && rows.len() > 1).then_some(Self { graph, rows })
+    }
+
+    /// The number that all rows share, or none.
+    fn common(&self, of: impl Fn(usize) -> i64) -> Option<i64> {
+        (0..self.rows.len()).all(|row| of(row) == of(0)).then(|| of(0))
+    }
+
+    fn low(&self, row: usize) -> i64 {
+        self.graph.outputs()[row].range.min as i64
+    }
+
+    fn high(&self, row: usize) -> i64 {
+        self.graph.outputs()[row].range.max as i64
+    }
+
+    /// The tables.
+    pub(super) fn table(&self) -> Table {
+        let list =
+            |numbers: &mut dyn Iterator<Item = i64>| numbers.map(|n| n.to_string()).collect::<Vec<_>>().join(", ");
+        let is_byte = self.rows.iter().flat_map(|row| &row.weights).all(|weight| i8::try_from(*weight).is_ok());
+        let all = 0..self.rows.len();
+        let mut numbers = vec![("biases", list(&mut self.rows.iter().map(|row| row.bias)))];
+        if self.common(|row| self.rows[row].shift).is_none() {
+            numbers.push(("shifts", list(&mut self.rows.iter().map(|row| row.shift))));
+        }
+        if self.common(|row| self.low(row)).is_none() {
+            numbers.push(("lows", list(&mut all.clone().map(|row| self.low(row)))));
+        }
+        if self.common(|row| self.high(row)).is_none() {
+            numbers.push(("highs", list(&mut all.map(|row| self.high(row)))));
+        }
+        let names: Vec<&str> = self.graph.outputs().iter().map(|output| output.name.as_str()).collect();
+        Table {
+            weight: if is_byte { "int8_t" } else { "int16_t" },
+            columns: self.graph.state_length(),
+            rows: self.rows.iter().map(|row| list(&mut row.weights.iter().copied())).collect(),
+            numbers,
+            comments: vec![format!("A row for each of {}.", names.join(", "))],
+        }
+    }
+
+    /// The loop over rows and columns.
+    pub(super) fn body(&self, prefix: &str, mut calls: impl FnMut(Function)) -> String {
+        let upper = prefix.to_ascii_uppercase();
+        let number = |common: Option<i64>, name: &str| match common {
+            Some(number) if number < 0 => format!("({number})"),
+            Some(number) => number.to_string(),
+            None => format!("{upper}_NUMBER(&{prefix}_{name}[row])"),
+        };
+        let source = crate::emit::field(self.graph, &self.graph.sources()[0].name);
+        let first = crate::emit::field(self.graph, &self.graph.outputs()[0].name);
+        let bits = output_bits(&self.graph.outputs()[0]);
+        let shift = self.common(|row| self.rows[row].shift);
+        let shifted = match shift {
+            Some(0) => "sum".to_owned(),
+            Some(bits) => format!("{prefix}_shift(sum, {bits}U)"),
+            None => format!("{prefix}_shift(sum, (uint32_t){upper}_NUMBER(&{prefix}_shifts[row]))"),
+        };
+        if shift != Some(0) {
+            calls(Function::Shift);
+        }
+        calls(Function::Clamp);
+        let (rows, columns) = (self.rows.len(), self.graph.state_length());
+        let [low, high] = [(self.common(|row| self.low(row)), "lows"), (self.common(|row| self.high(row)), "highs")]
+            .map(|(common, name)| number(common, name));
+        format!(
+            "    int{bits}_t *const answers = &action->{first};
+    uint_fast8_t row;
+    uint_fast8_t column;
+
+    for (row = 0U; row < {rows}U; row++) {{
+        int32_t sum = {upper}_NUMBER(&{prefix}_biases[row]);
+
+        for (column = 0U; column < {columns}U; column++) {{
+            sum += (int32_t)state->{source}[column] * {upper}_WEIGHT(&{prefix}_weights[row][column]);
+        }}
+        answers[row] = (int{bits}_t){prefix}_clamp({shifted}, {low}, {high});
+    }}
+"
+        )
+    }
+}

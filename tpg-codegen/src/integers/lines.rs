@@ -1,0 +1,275 @@
+//! Values as statements: a sum with its products is one, everything else a call.
+
+use super::{Integers, Whole};
+use crate::emit::block::unused;
+use crate::ir::{Module, Node, NodeId};
+use std::collections::{BTreeMap, BTreeSet};
+use tpg_graph::Input;
+use tpg_runtime::ops::Instruction;
+
+/// A function that expressions call.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Function {
+    /// Rounded down to a multiple of a power of two, and divided by it.
+    Shift,
+    /// A quotient rounded down, of a divisor that is not 0.
+    Divide,
+    /// [`Instruction::Quotient`].
+    Quotient,
+    Min,
+    Max,
+    Abs,
+    NegateIfLess,
+    Gate,
+    /// Limited to a range.
+    Clamp,
+}
+
+/// A language's spelling.
+pub(super) trait Spelling {
+    /// A value of the state in 32 bits, or in 64.
+    fn input(&self, input: Input, wide: bool) -> String;
+    /// A whole number.
+    fn literal(&self, value: i64, wide: bool) -> String;
+    /// An operand of 32 bits in 64.
+    fn widened(&self, text: &str) -> String;
+    /// An operand of 64 bits that is known to fit 32.
+    fn narrowed(&self, text: &str) -> String;
+    /// A call.
+    fn call(&self, function: Function, wide: bool, arguments: &[String]) -> String;
+    /// The quotient of a number that is not negative by a power of two.
+    fn halved(&self, text: &str, bits: u32, wide: bool) -> String;
+    /// The statement that names a value.
+    fn statement(&self, name: &str, wide: bool, value: &str) -> String;
+}
+
+/// Names that functions have already.
+const TAKEN: [&str; 9] = ["action", "best", "memory", "s", "state", "to", "vertex", "way", "self"];
+/// The width of a line of a sum, and of what stands before its first.
+const WIDTH: usize = 104;
+const FIRST: usize = 20;
+
+/// The statements of some values, and what they call.
+pub(super) struct Lines<'a, S> {
+    module: &'a Module<'a>,
+    integers: &'a Integers,
+    pub(super) spelling: S,
+    /// The names of nodes that have one.
+    named: BTreeMap<NodeId, String>,
+    /// The functions that were called, and whether in 64 bits.
+    called: std::cell::RefCell<BTreeSet<(Function, bool)>>,
+}
+
+impl<'a, S: Spelling> Lines<'a, S> {
+    pub(super) fn new(module: &'a Module<'a>, integers: &'a Integers, spelling: S) -> Self {
+        Self { module, integers, spelling, named: BTreeMap::new(), called: Default::default() }
+    }
+
+    /// Chooses what has a name in the computation of some values.
+    ///
+    /// Returns these nodes, operands before operations. A product or sum that is used once is part of the sum that uses it.
+    pub(super) fn choose(&mut self, roots: &[NodeId]) -> Vec<NodeId> {
+        let mut needed: BTreeSet<NodeId> = BTreeSet::new();
+        let mut uses: BTreeMap<NodeId, usize> = BTreeMap::new();
+        for &root in roots {
+            needed.extend(self.module.operations_of(root));
+            *uses.entry(root).or_default() += 2; // a root has a name
+        }
+        let mut in_sums = BTreeSet::new();
+        for &id in &needed {
+            let Node::Operation(instruction, _) = self.module.node(id) else { continue };
+            for &operand in self.module.node(id).operands() {
+                *uses.entry(operand).or_default() += 1;
+                if is_sum(instruction) || instruction == Instruction::Mul {
+                    in_sums.insert(operand);
+                }
+            }
+        }
+        let is_part = |id: &NodeId| {
+            let arithmetic = matches!(self.module.node(*id), Node::Operation(instruction, _) if is_sum(instruction) || instruction == Instruction::Mul);
+            arithmetic && uses[id] == 1 && in_sums.contains(id)
+        };
+        let named: Vec<NodeId> = needed.iter().copied().filter(|id| !is_part(id)).collect();
+        self.named = named.iter().map(|&id| (id, format!("v{}", id.0))).collect();
+        named
+    }
+
+    /// Gives names to some of what was chosen, the first to each; of equal names, later ones get a number.
+    pub(super) fn name(&mut self, names: Vec<(NodeId, String)>) {
+        let mut taken: BTreeSet<String> = TAKEN.map(str::to_owned).into();
+        let mut done = BTreeSet::new();
+        for (id, name) in names {
+            if let Some(known) = self.named.get_mut(&id)
+                && done.insert(id)
+            {
+                *known = unused(name, &mut taken);
+            }
+        }
+    }
+
+    /// The functions that were called.
+    pub(super) fn called(&self) -> BTreeSet<(Function, bool)> {
+        self.called.borrow().clone()
+    }
+
+    /// The statement of a node.
+    pub(super) fn statement(&self, id: NodeId) -> String {
+        self.spelling.statement(&self.named[&id], self.is_wide(id), &self.expression(id))
+    }
+
+    /// Tests for a value of 64 bits.
+    pub(super) fn is_wide(&self, id: NodeId) -> bool {
+        !self.integers.of(id).fits(32)
+    }
+
+    /// A node as an operand.
+    pub(super) fn operand(&self, id: NodeId, wide: bool) -> String {
+        let text = match self.module.node(id) {
+            Node::Constant(bits) => return self.spelling.literal(f64::from_bits(bits) as i64, wide),
+            Node::Input(input) => return self.spelling.input(input, wide),
+            Node::Operation(..) | Node::Upper(..) => match self.named.get(&id) {
+                Some(name) => name.clone(),
+                None => format!("({})", self.expression(id)),
+            },
+        };
+        if wide && !self.is_wide(id) { self.spelling.widened(&text) } else { text }
+    }
+
+    /// A value limited to a range.
+    pub(super) fn limited(&self, id: NodeId, range: Whole) -> String {
+        let Whole { low, high } = self.integers.of(id);
+        let wide = self.is_wide(id);
+        let value = self.operand(id, wide);
+        if range.low <= low && high <= range.high {
+            return value;
+        }
+        let limits = [range.low, range.high].map(|end| self.spelling.literal(end, wide));
+        let text = self.call(Function::Clamp, wide, &[value, limits[0].clone(), limits[1].clone()]);
+        if wide { self.spelling.narrowed(&text) } else { text }
+    }
+
+    fn call(&self, function: Function, wide: bool, arguments: &[String]) -> String {
+        self.called.borrow_mut().insert((function, wide));
+        self.spelling.call(function, wide, arguments)
+    }
+
+    /// Notes a function of 32 bits that other text calls.
+    pub(super) fn note(&self, function: Function) {
+        self.called.borrow_mut().insert((function, false));
+    }
+
+    /// The expression that computes an operation.
+    fn expression(&self, id: NodeId) -> String {
+        let Node::Operation(instruction, [a, b]) = self.module.node(id) else { return self.operand(id, false) };
+        let operands = &self.module.node(id).operands().to_vec();
+        // Computed in the width of the greatest that takes part.
+        let wide = operands.iter().chain([&id]).any(|&id| self.is_wide(id));
+        let text = match instruction {
+            Instruction::Add | Instruction::Sub => self.sum(id, wide),
+            Instruction::Mul => format!("{} * {}", self.operand(a, wide), self.operand(b, wide)),
+            Instruction::Quotient => self.quotient(a, b, wide),
+            Instruction::Fmod => format!("{} % {}", self.operand(a, wide), self.operand(b, wide)),
+            _ => {
+                let function = match instruction {
+                    Instruction::Min => Function::Min,
+                    Instruction::Max => Function::Max,
+                    Instruction::Abs => Function::Abs,
+                    Instruction::Gate => Function::Gate,
+                    _ => Function::NegateIfLess,
+                };
+                let arguments: Vec<String> = operands.iter().map(|&operand| self.operand(operand, wide)).collect();
+                self.call(function, wide, &arguments)
+            }
+        };
+        if wide && !self.is_wide(id) { self.spelling.narrowed(&format!("({text})")) } else { text }
+    }
+
+    /// A sum of terms, on as many lines as it takes.
+    fn sum(&self, id: NodeId, wide: bool) -> String {
+        let mut terms = Vec::new();
+        self.terms(id, wide, &mut terms);
+        let mut text = String::new();
+        let mut column = FIRST;
+        for (minus, term) in terms {
+            if !text.is_empty() {
+                if column + term.len() + 3 > WIDTH {
+                    text.push_str("\n    ");
+                    column = 0;
+                } else {
+                    text.push(' ');
+                }
+                text.push_str(if minus { "- " } else { "+ " });
+            } else if minus {
+                text.push('-');
+            }
+            column += term.len() + 3;
+            text.push_str(&term);
+        }
+        text
+    }
+
+    /// The terms of a sum in the order in which they are added. Every partial sum is a node, so its bound holds.
+    fn terms(&self, id: NodeId, wide: bool, terms: &mut Vec<(bool, String)>) {
+        let Node::Operation(instruction, [a, b]) = self.module.node(id) else { return };
+        let is_inner = matches!(self.module.node(a), Node::Operation(inner, _) if is_sum(inner));
+        // In another width, it is computed in brackets.
+        if is_inner && !self.named.contains_key(&a) && self.width(a) == wide {
+            self.terms(a, wide, terms);
+        } else if self.constant(a) != Some(0) {
+            terms.push((false, self.term(a, wide)));
+        }
+        let minus = instruction == Instruction::Sub;
+        match self.constant(b) {
+            Some(0) if !terms.is_empty() => {}
+            Some(value) if value < 0 && value > -i64::from(i32::MAX) => {
+                terms.push((!minus, self.spelling.literal(-value, wide)));
+            }
+            _ => terms.push((minus, self.term(b, wide))),
+        }
+    }
+
+    /// A term: a product needs no brackets.
+    fn term(&self, id: NodeId, wide: bool) -> String {
+        let is_product = matches!(self.module.node(id), Node::Operation(Instruction::Mul, _));
+        if is_product && !self.named.contains_key(&id) && self.width(id) == wide {
+            self.expression(id)
+        } else {
+            self.operand(id, wide)
+        }
+    }
+
+    /// Tests for an operation in 64 bits.
+    fn width(&self, id: NodeId) -> bool {
+        self.module.node(id).operands().iter().chain([&id]).any(|&id| self.is_wide(id))
+    }
+
+    fn constant(&self, id: NodeId) -> Option<i64> {
+        self.module.node(id).as_constant().map(|value| value as i64)
+    }
+
+    fn quotient(&self, a: NodeId, b: NodeId, wide: bool) -> String {
+        let divisor = self.integers.of(b);
+        let dividend = self.operand(a, wide);
+        if divisor.contains(0) {
+            return self.call(Function::Quotient, wide, &[dividend, self.operand(b, wide)]);
+        }
+        let is_positive = self.integers.of(a).low >= 0;
+        if let Some(power) = self.constant(b).filter(|&power| power > 1 && power & (power - 1) == 0) {
+            let bits = power.trailing_zeros();
+            if is_positive {
+                return self.spelling.halved(&dividend, bits, wide);
+            }
+            return self.call(Function::Shift, wide, &[dividend, format!("{bits}")]);
+        }
+        let divisor_text = self.operand(b, wide);
+        if is_positive && self.constant(b).is_some_and(|divisor| divisor > 0) {
+            format!("{dividend} / {divisor_text}")
+        } else {
+            self.call(Function::Divide, wide, &[dividend, divisor_text])
+        }
+    }
+}
+
+fn is_sum(instruction: Instruction) -> bool {
+    matches!(instruction, Instruction::Add | Instruction::Sub)
+}

@@ -1,0 +1,133 @@
+//! The comparison of a graph of counts with the graph that it was made from.
+
+use serde::Serialize;
+use std::fmt;
+use tpg_graph::Graph;
+use tpg_graph::interpret::{self, Answer};
+use tpg_graph::states::StateSet;
+
+/// The comparison on some states.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Comparison {
+    /// States compared.
+    pub states: usize,
+    /// Their origin.
+    pub origin: String,
+    /// States with the same action; of a policy with outputs, all.
+    pub same: usize,
+    /// Each output.
+    pub outputs: Vec<OutputDifference>,
+    /// The share of states with a value beyond its counts, and which values these are.
+    pub saturated: f64,
+    /// The values that are, with their shares.
+    pub saturated_inputs: Vec<(String, f64)>,
+}
+
+/// The differences of an output, as shares of its range.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OutputDifference {
+    /// Its name.
+    pub name: String,
+    /// The mean difference.
+    pub mean: f64,
+    /// The greatest.
+    pub greatest: f64,
+    /// The share of states that differ by more than a thousandth.
+    pub different: f64,
+}
+
+impl Comparison {
+    /// Compares on states of values.
+    pub(super) fn new(graph: &Graph, counted: &Graph, set: &StateSet) -> Self {
+        let length = graph.state_length();
+        let answered = graph.outputs().len() - graph.memory();
+        let names: Vec<String> = graph.inputs().map(|input| graph.input_name(input)).collect();
+        let memory: Vec<f64> = (graph.outputs()[answered..].iter().zip(&counted.outputs()[answered..]))
+            .map(|(value, counts)| {
+                counts.range.max.abs().max(counts.range.min.abs()) / value.range.max.abs().max(value.range.min.abs())
+            })
+            .collect();
+        let (mut states, mut same, mut saturated) = (0, 0, 0);
+        let mut of_inputs = vec![0_usize; length];
+        let mut sums = vec![(0.0_f64, 0.0_f64, 0_usize); answered];
+        set.each_batch(|batch| {
+            let mut counts = Vec::with_capacity(batch.len());
+            for state in batch.chunks_exact(length) {
+                let mut beyond = false;
+                for (place, (input, &value)) in graph.inputs().zip(state).enumerate() {
+                    let count = match counted.counts_of(input) {
+                        Some(counts) => {
+                            let count = counts.count(value);
+                            if (counts.value(count) - value).abs() > 0.51 * counts.scale {
+                                of_inputs[place] += 1;
+                                beyond = true;
+                            }
+                            count
+                        }
+                        None => (value * memory[place + memory.len() - length]).round(),
+                    };
+                    counts.push(count);
+                }
+                saturated += usize::from(beyond);
+            }
+            for (float, whole) in interpret::answers(graph, batch).iter().zip(interpret::answers(counted, &counts)) {
+                states += 1;
+                match (float, &whole) {
+                    (Answer::Values(float), Answer::Values(whole)) => {
+                        same += 1;
+                        for (place, sum) in sums.iter_mut().enumerate() {
+                            let (was, is) = (&graph.outputs()[place], &counted.outputs()[place]);
+                            let value = is.counts.map_or(whole[place], |counts| counts.value(whole[place]));
+                            let width = was.range.max - was.range.min;
+                            let share = if width > 0.0 { (value - float[place]).abs() / width } else { 0.0 };
+                            *sum = (sum.0 + share, sum.1.max(share), sum.2 + usize::from(share > 0.001));
+                        }
+                    }
+                    (float, whole) => same += usize::from(float == whole),
+                }
+            }
+        });
+        let share = |count: usize| count as f64 / states.max(1) as f64;
+        let outputs =
+            sums.into_iter().zip(graph.outputs()).map(|((sum, greatest, different), output)| OutputDifference {
+                name: output.name.clone(),
+                mean: sum / states.max(1) as f64,
+                greatest,
+                different: share(different),
+            });
+        let outputs = outputs.collect();
+        let beyond = names.into_iter().zip(of_inputs).filter(|(_, count)| *count > 0);
+        Self {
+            states,
+            origin: set.origin.clone(),
+            same,
+            outputs,
+            saturated: share(saturated),
+            saturated_inputs: beyond.map(|(name, count)| (name, share(count))).collect(),
+        }
+    }
+}
+
+impl fmt::Display for Comparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { states, origin, same, outputs, saturated, saturated_inputs } = self;
+        writeln!(f, "compared on {states} states: {origin}")?;
+        if outputs.is_empty() {
+            let percent = (*same as f64 / (*states).max(1) as f64 * 1e5).floor() / 1e3;
+            writeln!(f, "  {same} of {states} actions are the same ({percent} %)")?;
+        }
+        for OutputDifference { name, mean, greatest, different } in outputs {
+            writeln!(
+                f,
+                "  {name} differs by {:.4} % of its range in the mean, {:.4} % at most; in {:.2} % of states by more than 0.1 %",
+                mean * 100.0,
+                greatest * 100.0,
+                different * 100.0
+            )?;
+        }
+        write!(f, "  {:.3} % of states have a value beyond its counts", saturated * 100.0)?;
+        let names: Vec<String> =
+            saturated_inputs.iter().map(|(name, share)| format!("{name} in {:.3} %", share * 100.0)).collect();
+        if names.is_empty() { writeln!(f) } else { writeln!(f, ": {}", names.join(", ")) }
+    }
+}

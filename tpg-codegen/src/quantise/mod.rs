@@ -1,0 +1,321 @@
+//! From a graph of floats to a graph of whole numbers, which compiles to [integers](crate::integers).
+//!
+//! Every value of the state gets a scale, such that the range that it has fills the bits that it comes in. A sum of inputs is then a sum
+//! of counts with whole weights, `round(weight * scale * K)`: one K for all bids of a team, for they are compared, and one for each
+//! output, the greatest power of two at which weights and sum fit. Nothing else needs rounding but products, quotients and outputs, which
+//! the word `quotient` does.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | `form` | values as sums |
+//! | `build` | values times a scale, in whole numbers |
+//! | `program` | whole numbers as lines of programs |
+//! | `compare` | how far both graphs differ |
+
+mod build;
+mod compare;
+mod form;
+mod program;
+
+pub use compare::{Comparison, OutputDifference};
+
+use crate::ir::{Module, Node, NodeId, Target, reached};
+use crate::passes;
+use build::{Builder, Refusal, memory_scale, power_below};
+use program::Programs;
+use serde::Serialize;
+use std::fmt;
+use tpg_graph::error::{InputError, Place};
+use tpg_graph::states::StateSet;
+use tpg_graph::{
+    Counts, Document, EdgeDocument, Graph, LeafDocument, MathsProvider, MemoryDocument, OutputDocument,
+    ProgramDocument, Provenance, Range, ScalarType, SourceDocument, TeamDocument,
+};
+
+/// Bits of an output.
+const OUTPUT_BITS: u32 = 16;
+
+/// The options.
+#[derive(Clone, Debug)]
+pub struct Request<'a> {
+    /// Bits of the inputs.
+    pub inputs: u32,
+    /// Bits of the weights.
+    pub weights: u32,
+    /// The states whose values fill the bits; without any, the declared ranges do.
+    pub visited: Option<&'a StateSet>,
+    /// The multiple of these ranges that fills the bits.
+    pub margin: f64,
+    /// The states on which both graphs are compared.
+    pub compared: &'a StateSet,
+}
+
+/// The quantisation in figures.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Report {
+    /// Bits of the inputs.
+    pub inputs: u32,
+    /// Bits of the weights.
+    pub weights: u32,
+    /// The greatest magnitude of each team's bids and each output's sum.
+    pub bounds: Vec<(String, u64)>,
+    /// Weights that became 0.
+    pub vanished: usize,
+    /// The comparison of both graphs.
+    pub comparison: Comparison,
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { inputs, weights, bounds, vanished, comparison } = self;
+        writeln!(f, "inputs of {inputs} bits, weights of {weights}; {vanished} weights are 0")?;
+        for (name, bound) in bounds {
+            writeln!(f, "  {name}: at most {bound} of {}", i32::MAX)?;
+        }
+        write!(f, "{comparison}")
+    }
+}
+
+/// Makes the graph of whole numbers; `file` is the graph's name in messages.
+///
+/// # Errors
+/// A value that cannot be put into integers: one whose range has no width or no end, an output without limits that mean something, an
+/// instruction that integers do not have.
+pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Graph, Report), InputError> {
+    let refuse = |place: String, found: String, accepted: &str| {
+        Err(InputError::new(file, Place::Path(place), found, accepted.to_owned()))
+    };
+    if graph.has_counts() {
+        return refuse(
+            "$.sources[0].counts".to_owned(),
+            "a graph of counts".to_owned(),
+            "a graph that is not in integers yet",
+        );
+    }
+    let (module, _) = passes::optimise(graph);
+    let counts = counts(file, graph, &module, request)?;
+    let observed = graph.state_length() - graph.memory();
+    let mut quantiser = Quantiser {
+        graph,
+        module: &module,
+        builder: Builder::new(&module, counts.clone(), observed, request.weights),
+        programs: Programs { registers: 1, ..Programs::default() },
+        bounds: Vec::new(),
+    };
+    let document = match quantiser.document(&counts, request) {
+        Ok(document) => document,
+        Err(Refusal(found)) => {
+            let accepted = "sums, products, quotients, minima, maxima, magnitudes and choices";
+            return refuse("$.programs".to_owned(), found, accepted);
+        }
+    };
+    let Quantiser { builder, bounds, .. } = quantiser;
+    let vanished = builder.vanished;
+    let counted = Graph::from_document(file, document)?;
+    let comparison = Comparison::new(graph, &counted, request.compared);
+    for (output, difference) in graph.outputs().iter().zip(&comparison.outputs) {
+        let counts = OutputScale::of(output.range);
+        if !difference.mean.is_finite() || counts.is_too_coarse(output.range) {
+            let found = format!("{:?} limited to {}", output.name, output.range);
+            return refuse("$.outputs".to_owned(), found, "limits that the actuator has");
+        }
+    }
+    let report = Report { inputs: request.inputs, weights: request.weights, bounds, vanished, comparison };
+    Ok((counted, report))
+}
+
+/// The counts of each value of the state; of memory, those that the graph keeps.
+fn counts(file: &str, graph: &Graph, module: &Module<'_>, request: &Request<'_>) -> Result<Vec<Counts>, InputError> {
+    let mut ranges: Vec<Range> = graph.state_ranges().collect();
+    let observed = graph.state_length() - graph.memory();
+    if let Some(set) = request.visited {
+        ranges.truncate(observed);
+        ranges.fill(Range { min: f64::INFINITY, max: f64::NEG_INFINITY });
+        ranges.extend(graph.state_ranges().skip(observed));
+        set.each_batch(|states| {
+            for state in states.chunks_exact(graph.state_length()) {
+                for (range, &value) in ranges[..observed].iter_mut().zip(state) {
+                    // NaN makes an end NaN, which is refused.
+                    range.min = if range.min <= value { range.min } else { value };
+                    range.max = if range.max >= value { range.max } else { value };
+                }
+            }
+        });
+    }
+    let top = f64::from((1_u32 << (request.inputs - 1)) - 1);
+    (graph.inputs().zip(&ranges))
+        .map(|(input, range)| {
+            let greatest = range.min.abs().max(range.max.abs());
+            if input.index() >= observed {
+                return Ok(Counts { bits: 16, scale: 1.0 / memory_scale(greatest), offset: 0.0 });
+            }
+            let is_read = module.nodes.contains(&Node::Input(input));
+            let width = range.max - range.min;
+            if is_read && !(width > 0.0 && width.is_finite()) {
+                let what = if width == 0.0 { "a range of zero width" } else { "a range without end" };
+                let found = format!("{}: {range}, {what}", graph.input_name(input));
+                let accepted =
+                    if request.visited.is_some() { "states in which it varies, finite" } else { "a range that it has" };
+                return Err(InputError::new(file, Place::Path("$.sources".to_owned()), found, accepted));
+            }
+            let scale = greatest * request.margin / top;
+            Ok(Counts {
+                bits: request.inputs,
+                scale: if scale > 0.0 && scale.is_finite() { scale } else { 1.0 },
+                offset: 0.0,
+            })
+        })
+        .collect()
+}
+
+/// The scale of an output: the greatest power of two at which its range fits.
+struct OutputScale(f64);
+
+impl OutputScale {
+    fn of(range: Range) -> Self {
+        let top = f64::from((1_u32 << (OUTPUT_BITS - 1)) - 1);
+        let greatest = range.min.abs().max(range.max.abs());
+        // One bit is left: as many counts as a Q14 has.
+        Self(if greatest == 0.0 { 1.0 } else { power_below(top / greatest).min(16384.0) })
+    }
+
+    /// Tests for counts of which even one is beyond what any actuator does.
+    fn is_too_coarse(&self, range: Range) -> bool {
+        range.max - range.min > 1e30
+    }
+
+    fn counts(&self, value: f64) -> f64 {
+        (value * self.0).round() + 0.0
+    }
+}
+
+struct Quantiser<'a> {
+    graph: &'a Graph,
+    module: &'a Module<'a>,
+    builder: Builder<'a>,
+    programs: Programs,
+    bounds: Vec<(String, u64)>,
+}
+
+impl Quantiser<'_> {
+    fn document(&mut self, counts: &[Counts], request: &Request<'_>) -> Result<Document, Refusal> {
+        let module = self.module;
+        let is_formula = module.only_leaf().is_some();
+        let teams = if is_formula {
+            Vec::new()
+        } else {
+            (module.teams.iter()).map(|team| self.team(team)).collect::<Result<_, _>>()?
+        };
+        let leaves: Vec<LeafDocument> =
+            reached(&module.leaves).map(|(_, leaf)| self.leaf(leaf, counts)).collect::<Result<_, _>>()?;
+        let programs = std::mem::take(&mut self.programs);
+        let programs_written = (0..).zip(programs.all).map(|(id, (_, lines))| ProgramDocument { id, lines }).collect();
+        let answered = self.graph.outputs().len() - self.graph.memory();
+        let original = self.graph.to_document();
+        let words = programs.words;
+        Ok(Document {
+            version: 2,
+            scalar: ScalarType::F64,
+            maths: MathsProvider::Own,
+            registers: programs.registers,
+            sources: self.sources(counts),
+            instructions: if words.is_empty() { vec!["copy".to_owned()] } else { words.into_iter().collect() },
+            outputs: self.graph.outputs()[..answered].iter().map(output).collect(),
+            memory: original.memory.iter().map(memory).collect(),
+            root: (!is_formula).then(|| module.teams[0].label),
+            teams,
+            leaves,
+            programs: programs_written,
+            provenance: Provenance {
+                note: Some(format!(
+                    "In integers: inputs of {} bits, weights of {}, from the graph {}",
+                    request.inputs,
+                    request.weights,
+                    self.graph.sha256()
+                )),
+                ..original.provenance
+            },
+            ..original
+        })
+    }
+
+    fn sources(&self, counts: &[Counts]) -> Vec<SourceDocument> {
+        let mut counts = counts.iter();
+        let seen = self.graph.sources().len() - self.graph.memory();
+        (self.graph.state_sources().into_iter().take(seen))
+            .map(|source| {
+                let counts: Vec<Counts> = counts.by_ref().take(source.length as usize).copied().collect();
+                let ranges = source.ranges.iter().zip(&counts);
+                let ranges = ranges.map(|(range, counts)| range.map(|end| counts.count(end))).collect();
+                SourceDocument { ranges, counts, ..source }
+            })
+            .collect()
+    }
+
+    /// The bids of a team, all with one scale.
+    fn team(&mut self, team: &crate::ir::Team) -> Result<TeamDocument, Refusal> {
+        let bids: Vec<NodeId> = team.edges.iter().map(|edge| self.module.bidders[edge.bidder].value).collect();
+        let room = bids.iter().map(|&bid| self.builder.room(bid)).fold(f64::INFINITY, f64::min);
+        let scale = power_below(room);
+        let mut bound = 0;
+        let mut edges = Vec::new();
+        for (&bid, edge) in bids.iter().zip(&team.edges) {
+            let value = self.builder.at(bid, scale, 0.0)?;
+            bound = bound.max(self.builder.whole(value).magnitude());
+            let mut written =
+                EdgeDocument { program: self.program(value, format!("{:?}", edge.to)), ..EdgeDocument::default() };
+            match edge.to {
+                Target::Team(to) => written.team = Some(self.module.teams[to].label),
+                Target::Action(end) => match self.module.leaves.get(usize::from(end.0)) {
+                    Some(leaf) => written.leaf = Some(leaf.label),
+                    None => written.action = Some(u32::from(end.0)),
+                },
+            }
+            edges.push(written);
+        }
+        self.bounds.push((format!("team {}", team.label), bound));
+        Ok(TeamDocument { id: team.label, edges })
+    }
+
+    fn leaf(&mut self, leaf: &crate::ir::Leaf, counts: &[Counts]) -> Result<LeafDocument, Refusal> {
+        let observed = self.graph.state_length() - self.graph.memory();
+        let answered = self.graph.outputs().len() - self.graph.memory();
+        let (mut programs, mut memory) = (Vec::new(), Vec::new());
+        for (place, (output, &value)) in self.graph.outputs().iter().zip(&leaf.values).enumerate() {
+            let whole = match place.checked_sub(answered) {
+                Some(place) => self.builder.at(value, 1.0 / counts[observed + place].scale, 0.0)?,
+                None => self.builder.rounded(value, OutputScale::of(output.range).0)?,
+            };
+            let inner = match self.builder.values.node(whole) {
+                Node::Operation(tpg_runtime::ops::Instruction::Quotient, [sum, _]) => sum,
+                _ => whole,
+            };
+            self.bounds.push((format!("leaf {}, {}", leaf.label, output.name), self.builder.whole(inner).magnitude()));
+            let program = self.program(whole, String::new());
+            if place < answered { programs.push(program) } else { memory.push(program) }
+        }
+        Ok(LeafDocument { id: leaf.label, programs, memory })
+    }
+
+    fn program(&mut self, value: NodeId, to: String) -> u32 {
+        self.programs.add(self.graph, &self.builder.values, value, to)
+    }
+}
+
+fn output(output: &tpg_graph::Output) -> OutputDocument {
+    let scale = OutputScale::of(output.range);
+    OutputDocument {
+        name: output.name.clone(),
+        unit: output.unit.clone(),
+        min: scale.counts(output.range.min),
+        max: scale.counts(output.range.max),
+        nan: scale.counts(output.nan),
+        counts: Some(Counts { bits: OUTPUT_BITS, scale: 1.0 / scale.0, offset: 0.0 }),
+    }
+}
+
+fn memory(memory: &MemoryDocument) -> MemoryDocument {
+    let scale = memory_scale(memory.min.abs().max(memory.max.abs()));
+    let [min, max, initial] = [memory.min, memory.max, memory.initial].map(|value| (value * scale).round() + 0.0);
+    MemoryDocument { name: memory.name.clone(), min, max, initial }
+}

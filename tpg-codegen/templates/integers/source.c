@@ -1,0 +1,169 @@
+/*
+{%- for line in banner %}
+ * {{ line }}
+{%- endfor %}
+ */
+#include "{{ prefix }}.h"
+{% if let Some(table) = table %}
+/* On an AVR, tables stay in flash. */
+#ifdef __AVR__
+#include <avr/pgmspace.h>
+#define {{ upper }}_TABLE PROGMEM
+#define {{ upper }}_WEIGHT(place) (({{ table.weight }})pgm_read_{% if table.weight == "int8_t" %}byte{% else %}word{% endif %}(place))
+#define {{ upper }}_NUMBER(place) ((int32_t)pgm_read_dword(place))
+#else
+#define {{ upper }}_TABLE
+#define {{ upper }}_WEIGHT(place) (*(place))
+#define {{ upper }}_NUMBER(place) (*(place))
+#endif
+
+{% for comment in table.comments -%}
+/* {{ comment }} */
+{% endfor -%}
+static const {{ table.weight }} {{ prefix }}_weights[{{ table.rows.len() }}][{{ table.columns }}] {{ upper }}_TABLE = {
+{%- for row in table.rows %}
+    { {{ row }} },
+{%- endfor %}
+};
+{%- for (name, values) in table.numbers %}
+static const int32_t {{ prefix }}_{{ name }}[{{ table.rows.len() }}] {{ upper }}_TABLE = { {{ values }} };
+{%- endfor %}
+{% endif %}
+{%- for wide in widths %}
+{%- let int = self.int(wide) %}
+{%- let bits = self.bits(wide) %}
+{% if self.calls(Function::Shift, wide) %}
+/* value / 2^bits, rounded down. No shift of a negative number: C leaves that to the compiler. */
+static {{ int }} {{ prefix }}_shift{{ bits }}({{ int }} value, uint32_t bits)
+{
+    return (value < 0) ? ~({{ int }})(~(u{{ int }})value >> bits) : ({{ int }})((u{{ int }})value >> bits);
+}
+{% endif %}
+{% if self.calls(Function::Divide, wide) || self.calls(Function::Quotient, wide) %}
+/* a / b, rounded down, of a b that is not 0. */
+static {{ int }} {{ prefix }}_divide{{ bits }}({{ int }} a, {{ int }} b)
+{
+    const {{ int }} quotient = a / b;
+
+    return (((quotient * b) != a) && ((a < 0) != (b < 0))) ? (quotient - 1) : quotient;
+}
+{% endif %}
+{% if self.calls(Function::Quotient, wide) %}
+/* a / b, rounded down. By 0, the greatest integer with the sign of a, and of 0 / 0 the lowest: as a bid, it loses. */
+static {{ int }} {{ prefix }}_quotient{{ bits }}({{ int }} a, {{ int }} b)
+{
+    return (b != 0) ? {{ prefix }}_divide{{ bits }}(a, b) : ((a > 0) ? INT32_MAX : ((a < 0) ? -INT32_MAX : INT32_MIN));
+}
+{% endif %}
+{% if self.calls(Function::Min, wide) %}
+static {{ int }} {{ prefix }}_min{{ bits }}({{ int }} a, {{ int }} b)
+{
+    return (a < b) ? a : b;
+}
+{% endif %}
+{% if self.calls(Function::Max, wide) %}
+static {{ int }} {{ prefix }}_max{{ bits }}({{ int }} a, {{ int }} b)
+{
+    return (a > b) ? a : b;
+}
+{% endif %}
+{% if self.calls(Function::Abs, wide) %}
+static {{ int }} {{ prefix }}_abs{{ bits }}({{ int }} a)
+{
+    return (a < 0) ? -a : a;
+}
+{% endif %}
+{% if self.calls(Function::NegateIfLess, wide) %}
+static {{ int }} {{ prefix }}_negate_if_less{{ bits }}({{ int }} a, {{ int }} b)
+{
+    return (a < b) ? -a : a;
+}
+{% endif %}
+{% if self.calls(Function::Gate, wide) %}
+static {{ int }} {{ prefix }}_gate{{ bits }}({{ int }} a, {{ int }} b)
+{
+    return (b != 0) ? a : 0;
+}
+{% endif %}
+{% if self.calls(Function::Clamp, wide) %}
+static {{ int }} {{ prefix }}_clamp{{ bits }}({{ int }} value, {{ int }} low, {{ int }} high)
+{
+    return (value > high) ? high : ((value < low) ? low : value);
+}
+{% endif %}
+{%- endfor %}
+{% if outputs.is_empty() -%}
+{{ prefix }}_action_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
+{%- else if memory.is_empty() -%}
+void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action)
+{%- else -%}
+void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_memory_t *memory, {{ prefix }}_action_t *action)
+{%- endif %}
+{
+{{ body -}}
+}
+{% if !memory.is_empty() %}
+void {{ prefix }}_reset({{ prefix }}_memory_t *memory)
+{
+{%- for value in memory %}
+    memory->{{ value.field }} = {{ value.initial }};
+{%- endfor %}
+}
+{% endif %}
+#ifndef {{ upper }}_NO_SELFTEST
+
+uint32_t {{ prefix }}_selftest(void)
+{
+    static const {{ prefix }}_state_t states[{{ vectors.len() }}] = {
+{%- for vector in vectors %}
+        {{ vector.state }},
+{%- endfor %}
+    };
+{%- if outputs.is_empty() %}
+    static const {{ prefix }}_action_t actions[{{ vectors.len() }}] = {
+        {% for vector in vectors %}{{ vector.answer }}{% if !loop.last %}, {% endif %}{% endfor %}
+    };
+{%- else %}
+    static const {{ prefix }}_action_t actions[{{ vectors.len() }}] = {
+{%- for vector in vectors %}
+        {{ vector.answer }},
+{%- endfor %}
+    };
+{%- if !memory.is_empty() %}
+    static const {{ prefix }}_memory_t before[{{ vectors.len() }}] = {
+{%- for vector in vectors %}
+        {{ vector.memory }},
+{%- endfor %}
+    };
+    static const {{ prefix }}_memory_t after[{{ vectors.len() }}] = {
+{%- for vector in vectors %}
+        {{ vector.next }},
+{%- endfor %}
+    };
+{%- endif %}
+{%- endif %}
+    uint32_t failures = 0U;
+    uint32_t vector;
+
+    for (vector = 0U; vector < {{ vectors.len() }}U; vector++) {
+{%- if outputs.is_empty() %}
+        if ({{ prefix }}_infer(&states[vector]) != actions[vector]) {
+{%- else %}
+        {{ prefix }}_action_t action;
+{%- if memory.is_empty() %}
+
+        {{ prefix }}_infer(&states[vector], &action);
+        if ({% for output in outputs %}{% if !loop.first %} || {% endif %}(action.{{ output.field }} != actions[vector].{{ output.field }}){% endfor %}) {
+{%- else %}
+        {{ prefix }}_memory_t memory = before[vector];
+
+        {{ prefix }}_infer(&states[vector], &memory, &action);
+        if ({% for output in outputs %}(action.{{ output.field }} != actions[vector].{{ output.field }}) || {% endfor %}{% for value in memory %}{% if !loop.first %} || {% endif %}(memory.{{ value.field }} != after[vector].{{ value.field }}){% endfor %}) {
+{%- endif %}
+{%- endif %}
+            failures++;
+        }
+    }
+    return failures;
+}
+#endif
