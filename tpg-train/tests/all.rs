@@ -2,6 +2,7 @@
 
 mod arms;
 mod asking;
+mod counts;
 mod damaged_checkpoints;
 mod evaluator;
 mod hybrid_any;

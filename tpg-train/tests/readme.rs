@@ -102,6 +102,9 @@ fn run(name: &str) -> usize {
         shell("tpg-codegen convert generated/cartpole/graph.json best.dot", place.path(), &path, name);
         fs::write(place.path().join("recorded.csv"), recorded()).expect("written");
     }
+    if text.contains("visited.csv") {
+        fs::write(place.path().join("visited.csv"), recorded()).expect("written");
+    }
     if text.contains("actor.safetensors") {
         pendulum_actor().write(&place.path().join("actor.safetensors")).expect("written");
     }
@@ -139,6 +142,7 @@ fn the_commands_of_the_guides_run() {
         ("docs/hybrid.md", 5),
         ("docs/importing.md", 9),
         ("docs/codegen.md", 8),
+        ("docs/no-fpu.md", 7),
     ] {
         assert!(run(name) >= least, "{name}: commands were not found");
     }

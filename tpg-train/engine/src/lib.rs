@@ -15,6 +15,7 @@
 //! | [`bind`] | binding of a graph to an environment |
 //! | [`Choices`] | any action space as a list of named actions |
 //! | [`Remembering`], [`Remembered`] | a memory for policies |
+//! | [`Counting`] | counts in place of values, for graphs in integers |
 //! | [`Episodes`], [`OneByOne`], [`Mapped`], [`View`], [`SourceSet`] | parallel episodes |
 //! | [`EpisodeResult`], [`Summary`], [`Preference`] | results |
 //! | [`PolicyGraph`], [`Plan`], [`Node`], [`Arena`] | a graph in the engine's own form |
@@ -27,6 +28,7 @@ mod action;
 mod binding;
 mod choices;
 mod columns;
+mod counting;
 mod decide;
 mod environment;
 mod episode_result;
@@ -61,6 +63,7 @@ mod work;
 pub use action::{Act, ActionSpace, Acts, Choice, NETWORK, Output};
 pub use binding::{bind, bind_to};
 pub use choices::{Choices, TooManyActions};
+pub use counting::Counting;
 pub use environment::{Environment, OneByOne};
 pub use episode_result::{End, EpisodeResult, Measure, Preference, Step, Summary, finite};
 pub use episodes::Episodes;

@@ -5,8 +5,8 @@ use crate::sac::network::Network;
 use std::cell::RefCell;
 use std::marker::PhantomData;
 use tpg_engine::{
-    ActionSpace, Choices, Decision, Drawn, EngineOptions, Environment, EpisodeResult, Lanes, NETWORK, Plan, Remembered,
-    Remembering, Rollout, Single, SourceDocument, SourceSet, bind, bind_to,
+    ActionSpace, Choices, Counting, Decision, Drawn, EngineOptions, Environment, EpisodeResult, Lanes, NETWORK, Plan,
+    Remembered, Remembering, Rollout, Single, SourceDocument, SourceSet, bind, bind_to,
 };
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
@@ -76,6 +76,10 @@ pub(crate) fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
         Acting::Graph(graph) | Acting::Shielded(graph, _) => {
             let shield = if let Acting::Shielded(_, source) = acting { Some(source) } else { None };
             let endings = match graph.1.memory() {
+                _ if graph.1.has_counts() => {
+                    let counting = Counting::new::<S>(environment, &graph.1);
+                    alone::<S, M, _>(&Remembering::new(counting, Remembered::in_graph(&graph.1)), graph, shield, tasks)?
+                }
                 0 => alone::<S, M, _>(environment, graph, shield, tasks)?,
                 _ => alone::<S, M, _>(
                     &Remembering::new(environment, Remembered::in_graph(&graph.1)),
