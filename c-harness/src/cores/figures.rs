@@ -2,7 +2,7 @@
 
 use super::core::{CORES, Core};
 use super::images::EPISODES;
-use super::shipped::{Bits, STATES};
+use super::shipped::{Bits, STATES, WIDTHS};
 use crate::Failure;
 use crate::build;
 use crate::costs::{Cost, Tolerance};
@@ -31,10 +31,10 @@ pub(super) struct Figures {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct OfCore {
-    /// Bytes of flash of the C.
+    /// Bytes of flash of the C; of integers of so many bits, under the policy's name with the bits behind it.
     #[serde(default)]
     flash: BTreeMap<String, u64>,
-    /// Instructions of the C.
+    /// Instructions of the C, named alike.
     #[serde(default)]
     c: BTreeMap<String, Cost>,
     /// Instructions of the Rust.
@@ -155,6 +155,34 @@ impl Figures {
     }
 }
 
+/// Tests for the name of a policy in integers.
+fn is_integers(name: &str) -> bool {
+    WIDTHS.iter().any(|bits| name.ends_with(&format!("_{bits}")))
+}
+
+/// Each policy in floats beside its integers, and the geometric mean of the shares.
+fn in_integers<T>(of: &BTreeMap<String, T>, number: impl Fn(&T) -> f64) -> BTreeMap<String, String> {
+    let mut cells = BTreeMap::new();
+    let mut shares = WIDTHS.map(|_| Vec::new());
+    for (name, one) in of {
+        let whole = WIDTHS.map(|bits| of.get(&format!("{name}_{bits}")));
+        if let [Some(first), Some(second)] = whole {
+            let [float, first, second] = [one, first, second].map(&number);
+            cells.insert(name.clone(), format!("{float:.0} · {first:.0} · {second:.0}"));
+            for (shares, whole) in shares.iter_mut().zip([first, second]) {
+                shares.push((whole / float).ln());
+            }
+        }
+    }
+    if !cells.is_empty() {
+        let mean = |shares: &Vec<f64>| (shares.iter().sum::<f64>() / shares.len() as f64).exp();
+        let means: Vec<String> = shares.iter().map(|shares| format!("{:.3}", mean(shares))).collect();
+        // Behind every name.
+        cells.insert("~ share".to_owned(), means.join(" · "));
+    }
+    cells
+}
+
 fn page() -> PathBuf {
     library::top().join("docs/cores.md")
 }
@@ -163,7 +191,8 @@ fn page() -> PathBuf {
 impl std::fmt::Display for Figures {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let cost = |costs: &BTreeMap<String, Cost>| {
-            costs.iter().map(|(name, one)| (name.clone(), format!("{:.0} · {}", one.mean(), one.worst))).collect()
+            let floats = costs.iter().filter(|(name, _)| !is_integers(name));
+            floats.map(|(name, one)| (name.clone(), format!("{:.0} · {}", one.mean(), one.worst))).collect()
         };
         writeln!(
             f,
@@ -193,7 +222,13 @@ impl std::fmt::Display for Figures {
             f,
             "## Flash of the C\n\nBytes of code and constants, `-Os`. Functions for floats, where a core has no FPU, come once for a \
              whole image.\n\n{}",
-            self.table(|of| of.flash.iter().map(|(name, bytes)| (name.clone(), bytes.to_string())).collect())
+            self.table(|of| {
+                of.flash
+                    .iter()
+                    .filter(|(name, _)| !is_integers(name))
+                    .map(|(name, bytes)| (name.clone(), bytes.to_string()))
+                    .collect()
+            })
         )?;
         writeln!(
             f,
@@ -201,6 +236,14 @@ impl std::fmt::Display for Figures {
              An instruction is not a cycle.\n\n{}",
             self.table(|of| cost(&of.c))
         )?;
+        writeln!(
+            f,
+            "## In integers\n\nThe same policies by `tpg-codegen quantise` with inputs and weights of 16 and of 8 bits, scales from the declared \
+             ranges ([My chip has no FPU](no-fpu.md)), fed by counts. Instructions of the C in the mean, in floats · 16 bits · 8 bits; the last \
+             column is the geometric mean of the shares.\n\n{}",
+            self.table(|of| in_integers(&of.c, Cost::mean))
+        )?;
+        writeln!(f, "Bytes of flash alike.\n\n{}", self.table(|of| in_integers(&of.flash, |&bytes| bytes as f64)))?;
         writeln!(
             f,
             "## Instructions of a decision of the hybrid\n\nMean · worst, in {EPISODES} test episodes from each start: `fs` fixed, `rs` random.\n\n{}",

@@ -1,7 +1,7 @@
 //! The images of a core, and the library in Rust that one of them holds.
 
 use super::core::{Core, Runner};
-use super::shipped::{self, STATES, Shipped};
+use super::shipped::{self, Kind, STATES, Shipped};
 use crate::Failure;
 use crate::build::{generated_c, room, there};
 use std::env;
@@ -9,7 +9,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use tpg_codegen::emit::{File, Language};
+use tpg_codegen::emit::File;
 use tpg_codegen::size;
 use tpg_testing::library;
 
@@ -31,12 +31,14 @@ pub(super) struct Place {
 
 impl Place {
     /// Writes the C of the policies.
-    pub(super) fn new(shipped: &[Shipped]) -> Result<Self, Failure> {
+    pub(super) fn new(shipped: &[Shipped], integers: &[Shipped]) -> Result<Self, Failure> {
         let room = room()?.join("cores");
         let generated = room.join("generated");
         fs::create_dir_all(&generated).map_err(|error| Failure::at(&generated, error))?;
-        let languages = [Language::C, Language::Rust].map(|language| shipped::policies_c(shipped, language));
-        for File { name, text } in shipped.iter().flat_map(Shipped::c).chain(languages) {
+        let asking = [(shipped, Kind::C), (integers, Kind::Integers), (shipped, Kind::Rust)];
+        let asking = asking.map(|(policies, kind)| shipped::policies_c(policies, kind));
+        let code: Vec<Vec<File>> = shipped.iter().chain(integers).map(Shipped::c).collect::<Result<_, _>>()?;
+        for File { name, text } in code.into_iter().flatten().chain(asking) {
             let path = generated.join(name);
             fs::write(&path, text).map_err(|error| Failure::at(&path, error))?;
         }
@@ -88,14 +90,16 @@ impl Place {
     }
 
     /// The images of the policies in C, compiled before.
-    pub(super) fn in_c(&self, core: &Core, shipped: &[Shipped]) -> Result<Vec<PathBuf>, Failure> {
+    pub(super) fn in_c(&self, core: &Core, kind: Kind, shipped: &[Shipped]) -> Result<Vec<PathBuf>, Failure> {
+        // Of integers there are two for each policy.
+        let images = if kind == Kind::Integers { 2 * core.images } else { core.images };
         let image = |image: usize| {
-            let policies = (image..shipped.len()).step_by(core.images);
+            let policies = (image..shipped.len()).step_by(images);
             let chosen = policies.clone().fold(0, |chosen, index| chosen | 1 << index);
             let objects = policies.map(|index| OsString::from(format!("{}.o", shipped[index].prefix))).collect();
-            self.link(core, &format!("states-c-{image}"), "policies.c", chosen, objects)
+            self.link(core, &format!("{}-{image}", kind.file()), kind, chosen, objects)
         };
-        (0..core.images).map(image).collect()
+        (0..images).map(image).collect()
     }
 
     /// The images of the policies in Rust and of the networks; `None` where there is no such target, or it is not installed.
@@ -112,7 +116,7 @@ impl Place {
         let mut compiler = self.compiler(core, &folder);
         compiler.arg(self.firmware.join("cores/layers.c"));
         let layers = self.finish(core, compiler, std::slice::from_ref(&archive), folder.join("layers"))?;
-        let policies = self.link(core, "states-rust", "policies_rust.c", u32::MAX, vec![archive])?;
+        let policies = self.link(core, "states-rust", Kind::Rust, u32::MAX, vec![archive])?;
         Ok(Some([policies, layers]))
     }
 
@@ -121,14 +125,14 @@ impl Place {
         &self,
         core: &Core,
         name: &str,
-        policies: &str,
+        policies: Kind,
         chosen: u32,
         objects: Vec<OsString>,
     ) -> Result<PathBuf, Failure> {
         let folder = self.folder(core)?;
         let mut compiler = self.compiler(core, &folder);
         compiler.arg(format!("-DSTATES={STATES}")).arg(self.firmware.join("cores/states.c"));
-        compiler.arg(format!("-DIN_IMAGE={chosen:#x}U")).arg(self.generated.join(policies));
+        compiler.arg(format!("-DIN_IMAGE={chosen:#x}U")).arg(self.generated.join(policies.file()));
         self.finish(core, compiler, &objects, folder.join(name))
     }
 

@@ -20,16 +20,17 @@ use crate::record::Hash;
 use core::{CORES, Core};
 use figures::{Figures, Program};
 use images::{EPISODES, Place};
-use shipped::{STATES, Shipped};
+use shipped::{Kind, STATES, Shipped};
 use std::fs;
 use tpg_cores::layers;
-use tpg_kernels::Kind;
+use tpg_kernels::Kind as Network;
 
 /// Runs everything on every core whose title holds `only`, and compares it with this machine and with the committed figures.
 pub(crate) fn check(update: bool, only: &str) -> Result<(), Failure> {
     let shipped = shipped::all()?;
     let episodes = episodes()?;
-    let place = Place::new(&shipped)?;
+    let integers = shipped::integers(&shipped)?;
+    let place = Place::new(&shipped, &integers)?;
     let mut figures = Figures::new();
     let mut all = true;
     for core in CORES.iter().filter(|core| core.title().contains(only)) {
@@ -37,7 +38,7 @@ pub(crate) fn check(update: bool, only: &str) -> Result<(), Failure> {
             all = false;
             continue;
         }
-        all &= one(core, &shipped, &episodes, &place, &mut figures)?;
+        all &= one(core, [&shipped, &integers], &episodes, &place, &mut figures)?;
     }
     if update && all {
         return figures.commit();
@@ -70,7 +71,7 @@ fn there(core: &Core) -> bool {
 /// Runs everything on a core; false where a part was skipped.
 fn one(
     core: &Core,
-    shipped: &[Shipped],
+    [shipped, integers]: [&[Shipped]; 2],
     episodes: &[Line],
     place: &Place,
     figures: &mut Figures,
@@ -78,12 +79,19 @@ fn one(
     let run = |image: &std::path::Path| emulate::until_done(&mut core.run(image, &place.wasi()));
     figures.add_flash(core, place.policies(core, shipped)?);
     let mut lines = Vec::new();
-    for image in place.in_c(core, shipped)? {
+    for image in place.in_c(core, Kind::C, shipped)? {
         lines.extend(run(&image)?);
     }
     compare(core, "C", shipped, &lines)?;
     figures.add(core, Program::C, &lines);
-    let mut said = format!("C of {} policies on {STATES} states each", shipped.len());
+    figures.add_flash(core, place.policies(core, integers)?);
+    let mut lines = Vec::new();
+    for image in place.in_c(core, Kind::Integers, integers)? {
+        lines.extend(run(&image)?);
+    }
+    compare(core, "C in integers", integers, &lines)?;
+    figures.add(core, Program::C, &lines);
+    let mut said = format!("C of {} policies on {STATES} states each, in floats and in integers", shipped.len());
     let mut all = true;
     match place.in_rust(core)? {
         Some([policies, layers]) => {
@@ -92,7 +100,7 @@ fn one(
             figures.add(core, Program::Rust, &lines);
             let lines = run(&layers)?;
             networks(core, &lines)?;
-            said.push_str(&format!(", their Rust, networks of {} kinds", Kind::ALL.len()));
+            said.push_str(&format!(", their Rust, networks of {} kinds", Network::ALL.len()));
             figures.add(core, Program::Layers, &lines);
         }
         None => all &= core.target.is_none(),
@@ -122,7 +130,7 @@ fn compare<'a>(
 
 /// Compares what the networks answer with this machine.
 fn networks(core: &Core, lines: &[Line]) -> Result<(), Failure> {
-    for kind in Kind::ALL {
+    for kind in Network::ALL {
         let place = format!("{}, network {}", core.title(), kind.name());
         let here = layers::ask(kind, || (), || 0).ok_or_else(|| Failure(format!("{place}: no model")))?;
         line::check(&place, lines, &format!("layers {}", kind.name()), here.inputs.into(), &Hash(here.hash))?;

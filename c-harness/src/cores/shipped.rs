@@ -7,7 +7,10 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_codegen::emit::{self, File, Language, Options, Prefix};
+use tpg_codegen::integers;
+use tpg_codegen::quantise::{Request, quantise};
 use tpg_graph::interpret::{self, Answer};
+use tpg_graph::states::StateSet;
 use tpg_graph::{Graph, ScalarType, import};
 use tpg_runtime::policy::ActionId;
 use tpg_testing::library;
@@ -46,6 +49,9 @@ pub(super) struct Shipped {
     hashes: [Hash; 2],
 }
 
+/// The bits of integers that each policy is put into.
+pub(super) const WIDTHS: [u32; 2] = [16, 8];
+
 /// The graphs of `generated/`, and one with memory, by name.
 pub(super) fn all() -> Result<Vec<Shipped>, Failure> {
     let generated = library::top().join("generated");
@@ -55,6 +61,21 @@ pub(super) fn all() -> Result<Vec<Shipped>, Failure> {
     paths.push(library::top().join("c-harness/pendulum/recall.json"));
     paths.sort();
     paths.iter().map(|path| Shipped::load(path)).collect()
+}
+
+/// The policies that have no memory in integers, each of every width, with the width behind its name.
+pub(super) fn integers(shipped: &[Shipped]) -> Result<Vec<Shipped>, Failure> {
+    let mut integers = Vec::new();
+    for one in shipped.iter().filter(|one| one.graph.memory() == 0) {
+        for bits in WIDTHS {
+            let compared = StateSet::sampled(&one.graph, 1, 1);
+            let request = Request { inputs: bits, weights: bits, visited: None, margin: 1.0, compared: &compared };
+            let (graph, _) = quantise(&one.prefix.to_string(), &one.graph, &request).map_err(Failure::new)?;
+            let prefix = format!("{}_{bits}", one.prefix).parse().map_err(Failure::new)?;
+            integers.push(Shipped::new(prefix, graph));
+        }
+    }
+    Ok(integers)
 }
 
 /// The low end and a 16,777,216th of the range of each input.
@@ -67,18 +88,25 @@ fn ranges(graph: &Graph) -> [Vec<f32>; 2] {
 /// The states that `states.c` draws.
 fn states(graph: &Graph, kind: Bits) -> Vec<f64> {
     let [low, step] = ranges(graph);
+    let most = |input| graph.counts_of(input).map(|counts| counts.limits()[1] as f32);
+    let most: Vec<Option<f32>> = graph.inputs().map(most).collect();
     let mut bits = 1u32;
     let mut states = Vec::with_capacity(STATES * low.len());
     for index in 0..STATES {
-        for (low, step) in low.iter().zip(&step) {
+        for ((low, step), most) in low.iter().zip(&step).zip(&most) {
             bits ^= bits << 13;
             bits ^= bits >> 17;
             bits ^= bits << 5;
             let value = if index % 3 == 0 { f32::from_bits(kind.apply(bits)) } else { low + (bits >> 8) as f32 * step };
-            states.push(f64::from(value));
+            states.push(f64::from(most.map_or(value, |most| counted(value, most))));
         }
     }
     states
+}
+
+/// A value as the count that `policies_integers.c` makes of it: cut off, and clipped.
+fn counted(value: f32, most: f32) -> f32 {
+    if value.is_nan() { 0.0 } else { value.clamp(-most, most).trunc() + 0.0 }
 }
 
 /// A hash of the interpreter's answers.
@@ -87,6 +115,9 @@ fn hash(graph: &Graph, states: &[f64]) -> Hash {
     for answer in interpret::answers(graph, states) {
         match answer {
             Answer::Action(ActionId(action)) => hash.add_bits(u32::from(action)),
+            Answer::Values(values) if graph.has_counts() => {
+                values.iter().for_each(|&count| hash.add_bits((count as i32).cast_unsigned()));
+            }
             Answer::Values(values) => values.iter().for_each(|&value| hash.add_bits((value as f32).to_bits())),
         }
     }
@@ -102,8 +133,12 @@ impl Shipped {
         if graph.state_length() as u32 > MOST_VALUES {
             return Err(Failure::at(path, format!("a state of more than {MOST_VALUES} values: see policies.h")));
         }
+        Ok(Self::new(Prefix::of_file(path), graph))
+    }
+
+    fn new(prefix: Prefix, graph: Graph) -> Self {
         let hashes = [Bits::Any, Bits::NeitherTinyNorHuge].map(|bits| hash(&graph, &states(&graph, bits)));
-        Ok(Self { prefix: Prefix::of_file(path), graph, hashes })
+        Self { prefix, graph, hashes }
     }
 
     /// The hash of its answers to states with such bits.
@@ -113,8 +148,16 @@ impl Shipped {
     }
 
     /// The generated C.
-    pub(super) fn c(&self) -> Vec<File> {
-        emit::emit(&self.graph, Language::C, &Options::new(self.prefix.clone()))
+    ///
+    /// # Errors
+    /// A graph of counts that is no graph of whole numbers.
+    pub(super) fn c(&self) -> Result<Vec<File>, Failure> {
+        let options = Options::new(self.prefix.clone());
+        if self.graph.has_counts() {
+            let code = integers::code(&self.prefix.to_string(), &self.graph, &options, Language::C);
+            return code.map(|code| code.files).map_err(Failure::new);
+        }
+        Ok(emit::emit(&self.graph, Language::C, &options))
     }
 
     /// True where `tpg-generated` has it in Rust.
@@ -155,6 +198,38 @@ impl Shipped {
         )
     }
 
+    /// The same of generated C in integers.
+    fn ask_integers(&self) -> String {
+        let name = &self.prefix;
+        let mut place = 0;
+        let mut seen = String::new();
+        for source in self.graph.sources() {
+            let most = source.counts.iter().map(|counts| counts.limits()[1]).fold(0.0, f64::max);
+            let length = source.ranges.len();
+            for at in 0..length {
+                let element = if length == 1 { String::new() } else { format!("[{at}]") };
+                let _ = writeln!(seen, "    seen.{}{element} = counted(state[{place}], {most}.0F);", source.name);
+                place += 1;
+            }
+        }
+        let outputs = self.graph.outputs();
+        let answer = if outputs.is_empty() {
+            format!(
+                "    action = {name}_infer(&seen);\n    count = platform_count();\n    bits[0] = (uint32_t)action;\n"
+            )
+        } else {
+            let bits = outputs.iter().enumerate().fold(String::new(), |mut text, (at, output)| {
+                let _ = writeln!(text, "    bits[{at}] = (uint32_t)(int32_t)action.{};", output.name);
+                text
+            });
+            format!("    {name}_infer(&seen, &action);\n    count = platform_count();\n{bits}")
+        };
+        format!(
+            "static uint32_t {name}_answer(const float *state, uint32_t *bits)\n{{\n    {name}_state_t seen;\n    {name}_action_t action;\n    \
+             uint32_t count;\n\n{seen}    platform_count_from();\n{answer}    return count;\n}}\n"
+        )
+    }
+
     /// The same of the generated Rust, which `cores/lib.rs` exports.
     fn ask_rust(&self) -> String {
         let name = &self.prefix;
@@ -177,17 +252,47 @@ impl Shipped {
     }
 }
 
-/// `policies.c`, of generated C or of generated Rust.
-pub(super) fn policies_c(shipped: &[Shipped], language: Language) -> File {
-    let shipped: Vec<&Shipped> = shipped.iter().filter(|one| language == Language::C || one.in_rust()).collect();
+/// The code whose policies a file asks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    C,
+    Integers,
+    Rust,
+}
+
+impl Kind {
+    /// The name of the file.
+    pub(super) const fn file(self) -> &'static str {
+        match self {
+            Self::C => "policies.c",
+            Self::Integers => "policies_integers.c",
+            Self::Rust => "policies_rust.c",
+        }
+    }
+}
+
+/// A number as a sensor would give it: cut off, and clipped; no number is 0.
+const COUNTED: &str = "static int16_t counted(float value, float most)\n{\n    int16_t count = 0;\n\n    if (value >= most) {\n        \
+                       count = (int16_t)most;\n    } else if (value <= -most) {\n        count = (int16_t)(-most);\n    } else if ((value > -most) && \
+                       (value < most)) {\n        count = (int16_t)value;\n    } else {\n        /* no number */\n    }\n    return count;\n}\n\n";
+
+/// `policies.c`, of generated C, in floats or integers, or of generated Rust.
+pub(super) fn policies_c(shipped: &[Shipped], kind: Kind) -> File {
+    let shipped: Vec<&Shipped> = shipped.iter().filter(|one| kind != Kind::Rust || one.in_rust()).collect();
     let mut text = "#include \"policies.h\"\n#include \"platform.h\"\n\n#include <string.h>\n\n".to_owned();
+    if kind == Kind::Integers {
+        text.push_str(COUNTED);
+    }
     let mut entries = String::new();
     for (index, one) in shipped.iter().enumerate() {
         // Not all fit into the flash of every core at once.
         let within = format!("#if (IN_IMAGE & {}U) != 0U", 1 << index);
-        let include =
-            if language == Language::C { format!("#include \"{}.h\"\n\n", one.prefix) } else { String::new() };
-        let ask = if language == Language::C { one.ask_c() } else { one.ask_rust() };
+        let include = if kind == Kind::Rust { String::new() } else { format!("#include \"{}.h\"\n\n", one.prefix) };
+        let ask = match kind {
+            Kind::C => one.ask_c(),
+            Kind::Integers => one.ask_integers(),
+            Kind::Rust => one.ask_rust(),
+        };
         let (constants, entry) = one.entry();
         let _ = write!(text, "{within}\n{include}{constants}{ask}#endif\n\n");
         let _ = write!(entries, "{within}\n{entry}#endif\n");
@@ -196,6 +301,5 @@ pub(super) fn policies_c(shipped: &[Shipped], language: Language) -> File {
         text,
         "const policy_t policies[] = {{\n{entries}}};\nconst uint8_t policy_count = sizeof policies / sizeof policies[0];\n"
     );
-    let name = if language == Language::C { "policies.c" } else { "policies_rust.c" };
-    File { name: name.to_owned(), text }
+    File { name: kind.file().to_owned(), text }
 }
