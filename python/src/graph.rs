@@ -6,11 +6,15 @@ use pyo3::prelude::*;
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 use tpg_codegen::emit::Code;
+use tpg_codegen::integers;
 use tpg_codegen::options::{Language, Options, Prefix, Profile, Style};
+use tpg_codegen::quantise::{Request, quantise};
 use tpg_codegen::size::Target;
 use tpg_codegen::verify::Proof;
 use tpg_codegen::{compile, explain, report};
 use tpg_engine::PolicyGraph;
+use tpg_graph::Counts;
+use tpg_graph::error::InputError;
 use tpg_graph::files::{read_graph, write_atomically};
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::output::write_folder;
@@ -135,12 +139,43 @@ impl Graph {
         Ok((report.to_string(), serde_json::to_string(&report).map_err(error::input)?))
     }
 
-    /// Returns the generated files, names and texts. `language` is "c" or "rust"; `profile` is "fast", "balanced", "small" or
+    /// Returns the graph in integers, with inputs and weights of so many bits, and a report. The ranges of `states` fill the bits, or the
+    /// declared ones.
+    fn quantise(
+        &self,
+        py: Python<'_>,
+        bits: u32,
+        states: Option<PyReadonlyArray2<'_, f64>>,
+    ) -> PyResult<(Self, String)> {
+        if !Counts::BITS.contains(&bits) {
+            let (low, high) = Counts::BITS.into_inner();
+            return Err(error::input(format!("{bits} bits; accepted: {low} to {high}")));
+        }
+        let (length, sampled) = (self.0.state_length(), StateSet::sampled(&self.0, STATES, SEED));
+        let visited = match states {
+            Some(states) if states.shape()[1] != length || states.shape()[0] == 0 => {
+                return Err(error::input(format!(
+                    "states of {} values; accepted: rows of {length}",
+                    states.shape()[1]
+                )));
+            }
+            Some(states) => Some(StateSet::given(&self.0, states.as_array().iter().copied().collect())),
+            None => None,
+        };
+        let quantised = py.detach(|| {
+            let compared = visited.as_ref().unwrap_or(&sampled);
+            let request = Request { inputs: bits, weights: bits, visited: visited.as_ref(), margin: 1.0, compared };
+            quantise("graph", &self.0, &request)
+        });
+        quantised.map(|(graph, report)| (Self(graph), report.to_string())).map_err(error::input)
+    }
+
+    /// Returns the generated files, names and texts, in integers where the graph is. `language` is "c" or "rust"; `profile` is "fast", "balanced", "small" or
     /// "constant-time".
     fn code(&self, py: Python<'_>, language: &str, prefix: &str, profile: &str) -> PyResult<Vec<(String, String)>> {
         let (language, options) = (language_of(language)?, options(prefix, profile)?);
-        let files = py.detach(|| Code::of(compile(&self.0, &options, language)).files);
-        Ok(files.into_iter().map(|file| (file.name, file.text)).collect())
+        let code = py.detach(|| compiled(&self.0, &options, language)).map_err(error::input)?;
+        Ok(code.files.into_iter().map(|file| (file.name, file.text)).collect())
     }
 
     /// Writes the generated files into a folder, which appears with all of them or not at all; returns their paths.
@@ -172,10 +207,10 @@ impl Graph {
             }
         }
         let proof = py.detach(|| {
-            let code = |(language, options): &(Language, Options)| Code::of(compile(&self.0, options, *language));
-            Proof::of(&shapes.iter().map(code).collect::<Vec<_>>(), states, seed)
-        });
-        let proof = proof.map_err(error::training)?;
+            let code = |(language, options): &(Language, Options)| compiled(&self.0, options, *language);
+            let codes = shapes.iter().map(code).collect::<Result<Vec<_>, _>>().map_err(error::input)?;
+            Proof::of(&codes, states, seed).map_err(error::training)
+        })?;
         Ok((serde_json::to_string(&proof).map_err(error::input)?, proof.holds()))
     }
 
@@ -188,6 +223,15 @@ impl Graph {
         let ends = if self.0.outputs().is_empty() { "actions" } else { "leaves" };
         let (teams, programs) = (self.0.teams().len(), self.0.programs().len());
         format!("<Graph of {teams} teams, {programs} programs, {} {ends}>", self.0.ends())
+    }
+}
+
+/// Compiles a graph, to integers where it is one of counts.
+fn compiled<'g>(graph: &'g tpg_graph::Graph, options: &Options, language: Language) -> Result<Code<'g>, InputError> {
+    if graph.has_counts() {
+        integers::code("graph", graph, options, language)
+    } else {
+        Ok(Code::of(compile(graph, options, language)))
     }
 }
 

@@ -67,6 +67,18 @@ def test_values_are_float32_in_the_box(swing: TPG) -> None:
     assert "torque" in swing.formula()
 
 
+def test_a_policy_in_integers_has_no_float(pole: TPG, tmp_path: Path) -> None:
+    for path in [*pole.export_c(tmp_path / "fixed", prefix="cart", fixed=16), *pole.export_rust(tmp_path / "rust", fixed=8)]:
+        lines = [line for line in path.read_text().splitlines() if "SHA-256" not in line]
+        assert not any(word in line for word in ("float", "double", "f32", "f64", "math.h") for line in lines)
+    states = np.random.default_rng(1).normal(size=(500, 4)) * 0.1
+    whole = pole.quantise(bits=12, states=states)
+    assert "of 500 actions are the same" in whole.said and '"counts"' in whole.to_json()
+    for bits, given in [(1, None), (8, np.zeros((3, 2))), (8, np.zeros((3, 4)))]:
+        with pytest.raises(InputError):
+            pole.quantise(bits=bits, states=given)
+
+
 def test_the_c_answers_as_the_interpreter_in_whole_episodes(pole: TPG, tmp_path: Path) -> None:
     compiler = tools.program("cc")
     paths = pole.export_c(tmp_path / "policy", prefix="cart")

@@ -550,16 +550,35 @@ class TPG:
         text, data = self._best().report(list(targets) or ["cortex-m4", "host"])
         return Report(text, json.loads(data))
 
-    def export_c(self, folder: PathLike, prefix: str | None = None, profile: str = "fast") -> list[Path]:
-        """Writes C99 into a folder and returns the paths. `profile` is "fast", "balanced", "small" or "constant-time"."""
-        return self._export(folder, "c", prefix, profile)
+    def quantise(self, bits: int = 16, states: Any = None) -> _GraphView:
+        """Returns the policy in integers, for chips without an FPU: a graph of whole numbers, with its report in `said`.
 
-    def export_rust(self, folder: PathLike, prefix: str | None = None, profile: str = "constant-time") -> list[Path]:
+        The ranges of `states`, a row for each visited state, fill the bits of the inputs; without any, the declared ranges do, which may
+        be much wider than what happens.
+        """
+        rows = None if states is None else np.ascontiguousarray(states, dtype=np.float64)
+        return _GraphView(*self._best().quantise(bits, rows))
+
+    def export_c(
+        self, folder: PathLike, prefix: str | None = None, profile: str = "fast", fixed: int | None = None
+    ) -> list[Path]:
+        """Writes C99 into a folder and returns the paths. `profile` is "fast", "balanced", "small" or "constant-time".
+
+        With `fixed`, the C computes in integers, from inputs and weights of so many bits: see `quantise`.
+        """
+        return self._export(folder, "c", prefix, profile, fixed)
+
+    def export_rust(
+        self, folder: PathLike, prefix: str | None = None, profile: str = "constant-time", fixed: int | None = None
+    ) -> list[Path]:
         """Writes `no_std` Rust into a folder and returns the paths."""
-        return self._export(folder, "rust", prefix, profile)
+        return self._export(folder, "rust", prefix, profile, fixed)
 
-    def _export(self, folder: PathLike, language: str, prefix: str | None, profile: str) -> list[Path]:
-        return [Path(path) for path in self._best().export(Path(folder), language, prefix or self._prefix(), profile)]
+    def _export(
+        self, folder: PathLike, language: str, prefix: str | None, profile: str, fixed: int | None
+    ) -> list[Path]:
+        graph = self._best() if fixed is None else self._best().quantise(fixed, None)[0]
+        return [Path(path) for path in graph.export(Path(folder), language, prefix or self._prefix(), profile)]
 
     def _prefix(self) -> str:
         return _name(self._interface.name)[:40]
@@ -661,8 +680,9 @@ def _check_graph(graph: Graph, file: str, interface: Interface, is_named: bool) 
 class _GraphView:
     """The best graph of a model: `str()` gives its formulas, a notebook its picture."""
 
-    def __init__(self, graph: Graph) -> None:
+    def __init__(self, graph: Graph, said: str = "") -> None:
         self._graph = graph
+        self.said = said
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._graph, name)
