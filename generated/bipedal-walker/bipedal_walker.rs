@@ -1,7 +1,7 @@
-//! A policy, score 323.31 in validation, trained by tpg-train 0.1.0 with seed 1.
+//! A policy for BipedalWalker-v3 of Gymnasium, score 323.31 in validation, trained by tpg-train 0.1.0 with seed 1.
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix bipedal_walker --profile constant-time
-//! Graph SHA-256: 4f4840a071e9cbd3270c7e2b84410b98290b8ae8140d5ce381fa057ab6707938
+//! Graph SHA-256: a4252b5f0871f219a653b338582873eff37eec58fb175698e9f91914781fbd30
 //! 1 team, 1 edge, 1 program, 192 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]

@@ -1,7 +1,7 @@
-//! A policy, score 9359.83 in validation, trained by tpg-train 0.1.0 with seed 1.
+//! A policy for InvertedDoublePendulum-v5 of Gymnasium, score 9359.83 in validation, trained by tpg-train 0.1.0 with seed 1.
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix inverted_double_pendulum --profile constant-time
-//! Graph SHA-256: 54b4fcc888a4892eaaf6d4c2d75aec5976a1ea8b1482f1f280e6532ef4f8b1b7
+//! Graph SHA-256: 22c6e0c5790477b413058aa7d382911138409eb07621253796a613ac3f96de41
 //! 1 team, 1 edge, 1 program, 14 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]

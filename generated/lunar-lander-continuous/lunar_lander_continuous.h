@@ -1,8 +1,8 @@
 /*
- * A policy, score 284.81 in validation, trained by tpg-train 0.1.0 with seed 1.
+ * A policy for LunarLanderContinuous-v3 of Gymnasium, score 284.81 in validation, trained by tpg-train 0.1.0 with seed 1.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix lunar_lander_continuous --profile fast
- * Graph SHA-256: 2829f3081a97ae0c23db69ad8c7d287c2a53a4d2960e13cfea0b2474dabb8ec6
+ * Graph SHA-256: b5b83263924c08a1b2516be8257a92637c3dd560f8f7429b4027588581888b90
  * 1 team, 1 edge, 1 program, 12 distinct operations.
  * Computes in f32 with own maths.
  */

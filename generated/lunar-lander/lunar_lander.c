@@ -1,8 +1,8 @@
 /*
- * A policy, score 264.01 in validation, trained by tpg-train 0.1.0 with seed 10.
+ * A policy for LunarLander-v3 of Gymnasium, score 264.01 in validation, trained by tpg-train 0.1.0 with seed 10.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix lunar_lander --profile fast
- * Graph SHA-256: 148580e123d006073038af77b72477ac3970e56c9e789553ffde24538361c42c
+ * Graph SHA-256: ad96108fa65d5dffc581ce1af877a56cad69189aa93145c12a119d53a26e489d
  * 1 team, 4 edges, 4 programs, 23 distinct operations.
  * Computes in f32 with own maths.
  */

@@ -1,8 +1,8 @@
 /*
- * A policy, score 358.95 in validation, trained by tpg-train 0.1.0 with seed 4.
+ * A policy for Swimmer-v5 of Gymnasium, score 358.95 in validation, trained by tpg-train 0.1.0 with seed 4.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix swimmer --profile fast
- * Graph SHA-256: 4cccb62e34d57b7198d85b0850adcce2ea9adf85490cdc0c738711eb604c821c
+ * Graph SHA-256: 095336965ef6ceea06bec0d7e7b0935bcd6bdf25f3aa4006ec2b3978cd7c444c
  * 1 team, 1 edge, 1 program, 28 distinct operations.
  * Computes in f32 with own maths.
  */

@@ -273,8 +273,8 @@ def test_names_of_a_nested_observation_are_in_the_formula() -> None:
     model = TPG(environments.DictCart, **SMALL)
     assert [part.name for part in model._interface.parts] == ["cart_v", "cart_x", "side"]
     assert model.learn(20_000).graph.inputs == ["cart_v[0]", "cart_x[0]", "side[0]", "side[1]"]
-    named = TPG(environments.Cart, input_names=["place", "speed"], **SMALL).learn(20_000)
-    assert named.graph.inputs == ["place[0]", "speed[0]"]
+    named = TPG(environments.Cart, input_names=["place", "speed"], action_names=["brake", "push"], **SMALL).learn(20_000)
+    assert named.graph.inputs == ["place[0]", "speed[0]"] and named.graph.actions == ["brake", "push"]
     assert model.predict({"cart": {"x": np.zeros(1), "v": np.zeros(())}, "side": 0})[0] in (0, 1)
 
 
@@ -329,6 +329,8 @@ def test_settings_and_presets_are_checked() -> None:
         ({"settings": {"tpg.nb_roots": 0}}, "nb_roots"),
         ({"scalar": "f16"}, "f16.*expected `f32` or `f64`"),
         ({"input_names": ["x"]}, "1 input_names; accepted: 2"),
+        ({"action_names": ["x"]}, "1 action_names; accepted: 2"),
+        ({"action_names": ["x", "x"]}, "action_names x, x; accepted: each name once"),
     ]:
         with pytest.raises(InputError, match=message):
             TPG(environments.Cart, **arguments)

@@ -175,6 +175,11 @@ impl<'g> Module<'g> {
         }
     }
 
+    /// The number of edges of all teams.
+    pub fn edges(&self) -> usize {
+        self.teams.iter().map(|team| team.edges.len()).sum()
+    }
+
     /// The operations that `value` needs, operands before operations.
     pub fn operations_of(&self, value: NodeId) -> Vec<NodeId> {
         needed(&self.nodes, value, |_| true)

@@ -13,7 +13,6 @@ pub(crate) fn lines(program: &Program<'_>) -> Vec<String> {
     let Program { module, language, options, .. } = program;
     let (graph, language) = (program.graph(), *language);
     let operations = module.nodes.iter().filter(|node| matches!(node, Node::Operation(..))).count();
-    let edges: usize = module.teams.iter().map(|team| team.edges.len()).sum();
     let (name, style) = match (language, options.style) {
         (Language::C, Style::Gegelati) => ("c", " --style gegelati".to_owned()),
         (Language::C, Style::Pure) => ("c", format!(" --profile {}", options.profile_in(language).name())),
@@ -30,7 +29,7 @@ pub(crate) fn lines(program: &Program<'_>) -> Vec<String> {
         format!(
             "{}{walk}, {}, {}, {}.",
             counted(module.teams.len(), "team"),
-            counted(edges, "edge"),
+            counted(module.edges(), "edge"),
             counted(module.bidders.len(), "program"),
             counted(operations, "distinct operation"),
         ),
@@ -59,8 +58,9 @@ pub(crate) fn lines(program: &Program<'_>) -> Vec<String> {
 
 /// What the policy is for, its score, and where it comes from, as far as the graph says so.
 fn policy(graph: &Graph) -> String {
-    let Provenance { tool, version, seed, config, scores, .. } = graph.provenance();
-    let problem = config.as_ref().and_then(|config| config.pointer("/problem/name")?.as_str());
+    let Provenance { tool, version, seed, config, scores, note } = graph.provenance();
+    let named = config.as_ref().and_then(|config| config.pointer("/problem/name")?.as_str());
+    let problem = named.or(note.as_deref());
     let score = ["validation_score", "score"].iter().find_map(|name| scores.get(*name));
     let mut about = vec![problem.map_or_else(|| "A policy".to_owned(), |problem| format!("A policy for {problem}"))];
     about.extend(score.map(|score| format!("score {} in validation", (score * 100.0).round() / 100.0)));

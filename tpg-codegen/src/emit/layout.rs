@@ -22,12 +22,14 @@ pub(crate) fn tidy(text: &str) -> String {
 /// The width of a line.
 const WIDTH: usize = 100;
 
-/// Breaks assignments that are wider than a line as rustfmt does: behind the sign, or else before the operators that bind least.
-pub(super) fn wrap(text: &str) -> String {
-    text.lines().map(|line| if line.len() > WIDTH { broken(line) } else { line.to_owned() } + "\n").collect()
+/// Breaks assignments that are wider than a line: behind the sign, or else before operators that bind least: all of them, or as rustfmt
+/// does only the last ones that are the same, where what is before them fits into the line.
+pub(super) fn wrap(text: &str, as_rustfmt: bool) -> String {
+    let broken = |line: &str| if line.len() > WIDTH { broken(line, as_rustfmt) } else { line.to_owned() };
+    text.lines().map(|line| broken(line) + "\n").collect()
 }
 
-fn broken(line: &str) -> String {
+fn broken(line: &str, as_rustfmt: bool) -> String {
     let Some((to, expression)) = line.split_once(" = ").filter(|(_, value)| value.ends_with(';')) else {
         return line.to_owned();
     };
@@ -36,7 +38,17 @@ fn broken(line: &str) -> String {
         return format!("{to} =\n{space}{expression}");
     }
     let terms = ["+-", "*/"].map(|operators| split(expression, operators)).into_iter().find(|terms| terms.len() > 1);
-    format!("{to} = {}", terms.unwrap_or_else(|| vec![expression]).join(&format!("\n{space}")))
+    let terms = terms.unwrap_or_else(|| vec![expression]);
+    let mut first = 1;
+    let width = |count: usize| to.len() + " = ".len() + terms[..count].join(" ").len();
+    if as_rustfmt {
+        // The longest beginning that ends where the operator changes and fits.
+        let changes = (1..terms.len()).filter(|&place| place == 1 || terms[place][..1] != terms[place - 1][..1]);
+        first = changes.filter(|&count| width(count) <= WIDTH).last().unwrap_or(1);
+    }
+    let lines: Vec<String> =
+        [terms[..first].join(" ")].into_iter().chain(terms[first..].iter().map(|&term| term.to_owned())).collect();
+    format!("{to} = {}", lines.join(&format!("\n{space}")))
 }
 
 /// The parts of an expression between the operators outside of parentheses, each with the operator before it.
@@ -142,11 +154,12 @@ pub(crate) fn array(elements: &[String], indent: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{indent, wrap};
+    use super::indent;
 
     #[test]
     fn long_sums_take_lines_of_their_own() {
         let term = format!("{}(a + b)", "x".repeat(40));
+        let wrap = |text: &str| super::wrap(text, true);
         assert_eq!(wrap("    a = b + c;\n"), "    a = b + c;\n");
         let [once, thrice] = [1, 3].map(|count| vec![&*term; count]);
         let flat = format!("    const float long_name_of_a_value_0123456789012345678901 = {} - c;\n", once.join(" + "));
@@ -155,6 +168,9 @@ mod tests {
         assert_eq!(wrap(&sum), sum.replace(" + x", "\n        + x"));
         let product = format!("    a = {};\n", thrice.join(" * "));
         assert_eq!(wrap(&product), product.replace(" * x", "\n        * x"));
+        // rustfmt breaks before the last operators that are the same.
+        let mixed = format!("    a = b - c + {term} - {term};\n");
+        assert_eq!(wrap(&mixed), mixed.replace(" - x", "\n        - x"));
     }
 
     #[test]

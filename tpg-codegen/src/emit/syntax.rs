@@ -37,11 +37,10 @@ pub(super) trait Syntax {
     /// A whole number.
     fn index(&self, number: usize) -> String;
 
-    /// The prefix of the functions that compare bids with a team's best bid, which is in the structure `lead`. Without it,
-    /// expressions compare them.
-    fn lead_prefix(&self) -> Option<&str> {
-        None
-    }
+    /// Functions compare bids with a team's best bid, which is in the structure `lead`; otherwise expressions do.
+    fn leads(&self) -> bool;
+    /// The condition under which a bid that is not above a bound can win: of an edge, or of one after all others.
+    fn can_win(&self, bound: &str, edge: Option<&str>) -> String;
 
     /// A bid that is always computed has braces around it, too.
     const BRACES: bool;

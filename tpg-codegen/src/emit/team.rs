@@ -72,13 +72,13 @@ pub(super) fn view<D: Destinations>(syntax: &impl Syntax, plan: &TeamSchedule, t
     let targets = plan.destinations();
     let ascending = plan.is_ascending();
     let answers: Option<Vec<String>> = targets.iter().map(|&target| to.answer(target)).collect();
-    let answers = answers.filter(|_| ascending && syntax.lead_prefix().is_none());
+    let answers = answers.filter(|_| ascending && !syntax.leads());
     let ranks = match &answers {
         Some(answers) => answers.clone(),
         None => (1..=targets.len()).map(|number| syntax.index(number)).collect(),
     };
     let is_direct = answers.is_some();
-    let chooses_of_two = plan.eager.len() == 2 && plan.targets.len() == 2 && syntax.lead_prefix().is_none();
+    let chooses_of_two = plan.eager.len() == 2 && plan.targets.len() == 2 && !syntax.leads();
     // Only a number that another bid is compared with later is hidden.
     let hides_zeros = !chooses_of_two && syntax.hides_zeros();
     let mut team =
@@ -112,11 +112,11 @@ pub(super) fn view<D: Destinations>(syntax: &impl Syntax, plan: &TeamSchedule, t
     };
     TeamView {
         label: plan.label,
-        winner: match syntax.lead_prefix() {
-            Some(_) => "lead.winner",
-            None if is_direct => to.winner(),
-            None if ascending => "next",
-            None => "edge",
+        winner: match is_direct {
+            _ if syntax.leads() => "lead.winner",
+            true => to.winner(),
+            false if ascending => "next",
+            false => "edge",
         },
         nobody: if ascending { team.rank_of(targets.len() - 1) } else { syntax.index(0) },
         first,
@@ -205,17 +205,16 @@ impl<S: Syntax> Team<'_, S> {
         let outside = considered.is_some().then(|| self.block.known.clone());
         let bound_statements = bound.map_or_else(Vec::new, |bound| self.block.statements(bound));
         // Also true where the bound is NaN and says nothing.
-        let can_win = |bound: String| match (self.syntax.lead_prefix(), bid.ascending) {
-            (Some(prefix), true) => format!("{prefix}_can(&lead, {bound}) != 0U"),
-            (Some(prefix), false) => format!("{prefix}_can_at(&lead, {bound}, {rank}) != 0U"),
-            (None, true) => format!("!(best > {bound})"),
-            (None, false) => format!("!((best > {bound}) || ((best >= {bound}) && (edge >= {rank})))"),
+        let can_win = |bound: String| match bid.ascending {
+            _ if self.syntax.leads() => self.syntax.can_win(&bound, (!bid.ascending).then_some(&*rank)),
+            true => format!("!(best > {bound})"),
+            false => format!("!((best > {bound}) || ((best >= {bound}) && (edge >= {rank})))"),
         };
         let guard = match bound {
             Some(bound) => Some(can_win(self.block.value(*bound))),
             // Nothing is higher than infinity; in ascending order, an equal bid wins.
             None if bid.ascending => None,
-            None if self.syntax.lead_prefix().is_some() => Some(can_win(self.syntax.literal(f64::INFINITY))),
+            None if self.syntax.leads() => Some(can_win(self.syntax.literal(f64::INFINITY))),
             None => Some(format!("(best < {}) || (edge < {rank})", self.syntax.literal(f64::INFINITY))),
         };
         let stays = guard.is_none() && !S::BRACES;
@@ -249,6 +248,6 @@ impl<S: Syntax> Team<'_, S> {
 /// The condition under which an argument is low and the best bid is not.
 pub(super) fn low(syntax: &impl Syntax, Sparing { at_most, below, .. }: Sparing, argument: &str) -> String {
     let [at_most, below] = [at_most, below].map(|number| syntax.literal(number));
-    let best = if syntax.lead_prefix().is_some() { "lead.best" } else { "best" };
+    let best = if syntax.leads() { "lead.best" } else { "best" };
     format!("({argument} <= {at_most}) && ({best} >= {below})")
 }

@@ -34,6 +34,8 @@ pub(super) struct Bounds<'a> {
     /// Flags for the module's cheap nodes.
     cheap: &'a [bool],
     values: &'a mut Values,
+    /// Logarithms and exponentials of what the policy computes are estimated.
+    estimates: bool,
     /// The bounds of the module's nodes computed so far.
     known: Vec<Option<Bound>>,
 }
@@ -45,9 +47,10 @@ impl<'a> Bounds<'a> {
         intervals: &'a [Interval],
         cheap: &'a [bool],
         values: &'a mut Values,
+        estimates: bool,
     ) -> Self {
         let known = vec![None; values.nodes().len()];
-        Self { arithmetic, intervals, cheap, values, known }
+        Self { arithmetic, intervals, cheap, values, estimates, known }
     }
 
     /// An upper bound of a node, if there is a finite one.
@@ -174,7 +177,7 @@ impl<'a> Bounds<'a> {
     fn function(&mut self, instruction: Instruction, argument: Bound) -> Option<NodeId> {
         let argument = self.high(argument)?;
         let known = self.values.node(argument).as_constant().is_some();
-        (!known).then(|| self.values.intern(Node::Upper(instruction, argument)))
+        (!known && self.estimates).then(|| self.values.intern(Node::Upper(instruction, argument)))
     }
 
     fn both(

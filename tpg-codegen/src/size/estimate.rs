@@ -54,7 +54,6 @@ pub fn flash(program: &Program<'_>) -> u64 {
         (ScalarType::F32, _) => 150,
         (ScalarType::F64, _) => 250,
     };
-    let edges: usize = module.teams.iter().map(|team| team.edges.len()).sum();
     let (operations, tables) = match &program.shape {
         // Each operation occurs once in the text; the tables come on top.
         Shape::Small(code) => (used.len() as u64, code.bytes(graph.scalar())),
@@ -65,7 +64,7 @@ pub fn flash(program: &Program<'_>) -> u64 {
     };
     always
         + team * module.teams.len() as u64
-        + edge * edges as u64
+        + edge * module.edges() as u64
         + operation * operations
         + circular * own(&[Instruction::Sin, Instruction::Cos, Instruction::Tan])
         + exponential * own(&[Instruction::Ln, Instruction::Exp])

@@ -9,16 +9,13 @@ use crate::ir::{Module, Node, NodeId, reached};
 use crate::options::Language;
 use crate::passes::cases::{Cases, Kind};
 use crate::passes::functions;
-use crate::passes::schedule::Schedule;
+use crate::passes::schedule::{FEW_EDGES, Schedule};
 use crate::program::Shape;
 use tpg_graph::{MathsProvider, ScalarType};
 use tpg_runtime::ops::Instruction;
 
 /// The number of parts.
 const PARTS: usize = 16;
-
-/// The maximum number of edges of a graph that is not certain to be smallest as tables.
-const FEW_EDGES: usize = 64;
 
 /// Bytes of flash for each part, by language, scalar type and shape: fast, balanced, small, constant-time.
 #[rustfmt::skip]
@@ -68,7 +65,7 @@ pub(crate) fn smallest(module: &Module<'_>, language: Language, shapes: [Shape; 
 
 /// Tests for a graph so small that other shapes than tables may be smaller.
 pub(crate) fn is_small(module: &Module<'_>) -> bool {
-    module.teams.iter().map(|team| team.edges.len()).sum::<usize>() <= FEW_EDGES
+    module.edges() <= FEW_EDGES
 }
 
 fn weights(language: Language, scalar: ScalarType, shape: &Shape) -> Option<[i64; PARTS]> {

@@ -24,8 +24,14 @@ fn team_{{ team.label }}(s: &[{{ scalar }}; {{ state_length }}]) -> {{ answer }}
 {%- match team.decision %}
 {%- when Decision::Winner | Decision::Ways(_) %}
 {%- if let Some(first) = team.first %}
+{%- if leads %}
+let mut lead = Lead::new({{ first.value }}, {{ first.rank }});
+{%- else %}
 let mut best = {{ first.value }};
 let mut {{ team.winner }} = {{ first.rank }};
+{%- endif %}
+{%- else if leads %}
+let mut lead = Lead::new({{ scalar }}::MIN, {{ team.nobody }});
 {%- else %}
 let mut best = {{ scalar }}::MIN;
 let mut {{ team.winner }} = {{ team.nobody }};
@@ -38,10 +44,7 @@ let mut {{ team.winner }} = {{ team.nobody }};
 {%- endfor %}
 {%- match team.decision %}
 {%- when Decision::Winner | Decision::Ways(_) %}
-if {{ bid.wins }} {
-best = {{ bid.value }};
-{{ team.winner }} = {{ bid.rank }};
-}
+{% include "rust/fast_win.rs" %}
 {%- when _ %}
 {%- endmatch %}
 {%- endfor %}
@@ -61,10 +64,7 @@ if {{ guard }} {
 {%- for statement in bid.statements %}
 {{ statement }}
 {%- endfor %}
-if {{ bid.wins }} {
-best = {{ bid.value }};
-{{ team.winner }} = {{ bid.rank }};
-}
+{% include "rust/fast_win.rs" %}
 {%- if bid.guard.is_some() %}
 }
 {%- endif %}

@@ -58,3 +58,48 @@ fn exp_upper(x: {{ scalar }}) -> {{ scalar }} {
     }
 }
 {% endif %}
+{% if printer.leads %}
+/// The best bid of a team so far, and its edge or way. Where a
+/// comparison is a call of its own, as on most processors of 32 bits, the functions keep code small.
+struct Lead {
+    best: {{ scalar }},
+    winner: u32,
+}
+
+#[allow(dead_code, reason = "not every graph has bids of each kind")]
+impl Lead {
+    fn new(best: {{ scalar }}, winner: u32) -> Self {
+        Self { best, winner }
+    }
+
+    /// A bid of a later edge than the others wins if none is higher.
+    #[cfg_attr(target_pointer_width = "32", inline(never))]
+    fn take(&mut self, bid: {{ scalar }}, winner: u32) {
+        if bid >= self.best {
+            self.best = bid;
+            self.winner = winner;
+        }
+    }
+
+    /// A bid wins if none is higher; of equal bids the later edge's wins.
+    #[cfg_attr(target_pointer_width = "32", inline(never))]
+    fn take_at(&mut self, bid: {{ scalar }}, winner: u32) {
+        if bid >= self.best && (bid > self.best || self.winner < winner) {
+            self.best = bid;
+            self.winner = winner;
+        }
+    }
+
+    /// Tests whether a bid of a later edge than the others can win; also where the bound is NaN and says nothing.
+    #[cfg_attr(target_pointer_width = "32", inline(never))]
+    fn can(&self, bound: {{ scalar }}) -> bool {
+        !(self.best > bound)
+    }
+
+    /// The same for a bid of any edge.
+    #[cfg_attr(target_pointer_width = "32", inline(never))]
+    fn can_at(&self, bound: {{ scalar }}, winner: u32) -> bool {
+        !(self.best > bound || self.best >= bound && self.winner >= winner)
+    }
+}
+{% endif %}

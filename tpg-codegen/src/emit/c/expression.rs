@@ -85,8 +85,15 @@ impl Syntax for Printer<'_> {
         format!("{number}U")
     }
 
-    fn lead_prefix(&self) -> Option<&str> {
-        self.leads.then_some(self.prefix)
+    fn leads(&self) -> bool {
+        self.leads
+    }
+
+    fn can_win(&self, bound: &str, edge: Option<&str>) -> String {
+        match edge {
+            Some(edge) => format!("{}_can_at(&lead, {bound}, {edge}) != 0U", self.prefix),
+            None => format!("{}_can(&lead, {bound}) != 0U", self.prefix),
+        }
     }
 
     const BRACES: bool = true;

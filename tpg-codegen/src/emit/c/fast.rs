@@ -28,8 +28,7 @@ const EDGES: usize = 32;
 /// Tests for a graph whose bids are compared in functions: on a processor without doubles a comparison is a call, and with its
 /// arguments and what follows from it, it takes most of the code of a team.
 pub(crate) fn compares_in_functions(module: &Module<'_>) -> bool {
-    let edges = module.teams.iter().map(|team| team.edges.len()).sum::<usize>();
-    module.graph.scalar() == ScalarType::F64 && module.leaves.is_empty() && edges >= EDGES
+    module.graph.scalar() == ScalarType::F64 && module.leaves.is_empty() && module.edges() >= EDGES
 }
 
 #[derive(Template)]

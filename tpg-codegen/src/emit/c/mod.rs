@@ -171,7 +171,8 @@ impl Backend for C {
             observed,
             gegelati,
         };
-        let text = |text: askama::Result<String>| layout::wrap(&layout::tidy(&text.expect("the template renders")));
+        let text =
+            |text: askama::Result<String>| layout::wrap(&layout::tidy(&text.expect("the template renders")), false);
         vec![
             File { name: format!("{prefix}.h"), text: text(header.render()) },
             File { name: format!("{prefix}.c"), text: text(source.render()) },

@@ -9,10 +9,10 @@ use tpg_runtime::ops::Instruction;
 
 /// Keywords of Rust, and the variables and functions of generated code.
 #[rustfmt::skip] // a line for each word otherwise
-const TAKEN: [&str; 84] = [
+const TAKEN: [&str; 85] = [
     "abstract", "action", "as", "async", "await", "become", "best", "bid", "bidder", "bool", "box", "break", "char",
     "const", "continue", "core", "cos", "crate", "ct", "do", "dyn", "edge", "else", "enum", "exp", "exp_upper", "extern",
-    "f32", "f64", "false", "final", "fn", "for", "frame", "gen", "if", "impl", "in", "leaf", "let", "ln", "ln_upper", "loop",
+    "f32", "f64", "false", "final", "fn", "for", "frame", "gen", "if", "impl", "in", "lead", "leaf", "let", "ln", "ln_upper", "loop",
     "macro", "match", "memory", "mod", "move", "mut", "next", "operand", "ops", "out", "override", "priv", "program", "pub",
     "ref", "return", "run", "s", "self", "sin", "span", "state", "static", "struct", "super", "tan", "trait", "true",
     "try", "type", "typeof", "unsafe", "unsized", "use", "vertex", "virtual", "walk", "where", "while", "yield", "zero",
@@ -28,6 +28,8 @@ pub(super) struct Printer<'a> {
     pub(super) short_cuts: bool,
     /// No branches: instructions with a comparison go through `ct`, a `ConstantTime`.
     pub(super) branch_free: bool,
+    /// A structure's functions compare bids, as in C.
+    pub(super) leads: bool,
 }
 
 impl Syntax for Printer<'_> {
@@ -80,6 +82,17 @@ impl Syntax for Printer<'_> {
 
     fn index(&self, number: usize) -> String {
         number.to_string()
+    }
+
+    fn leads(&self) -> bool {
+        self.leads
+    }
+
+    fn can_win(&self, bound: &str, edge: Option<&str>) -> String {
+        match edge {
+            Some(edge) => format!("lead.can_at({bound}, {edge})"),
+            None => format!("lead.can({bound})"),
+        }
     }
 
     const BRACES: bool = false;

@@ -30,6 +30,7 @@ struct Fast<'a> {
     scalar: &'a str,
     state_length: usize,
     many: bool,
+    leads: bool,
     /// The type of an answer.
     answer: String,
     leaves: Vec<LeafView>,
@@ -99,6 +100,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, schedule: &Sche
         scalar: printer.scalar(),
         state_length: printer.graph.state_length(),
         many: schedule.plans.len() > MANY,
+        leads: printer.leads,
         answer,
         leaves: views(printer, &schedule.leaves, outputs, false),
         teams: schedule.plans.iter().map(|plan| team::view(printer, plan, &calls)).collect(),

@@ -9,7 +9,7 @@ mod leaves;
 mod small;
 
 use super::interface::{OutputView, SourceView, asks, outputs, sources};
-use super::{Backend, File, banner, layout, moves::moves, names};
+use super::{Backend, File, banner, compares_in_functions, layout, moves::moves, names};
 use crate::cost::{Cost, Costs};
 use crate::program::{Program, Shape};
 use askama::Template;
@@ -70,11 +70,12 @@ impl Backend for Rust {
     /// The file.
     fn files(&self, program: &Program<'_>) -> Vec<File> {
         let (graph, module, prefix) = (program.graph(), &program.module, &program.options.prefix);
-        let printer = Printer { graph, nodes: &module.nodes, short_cuts: false, branch_free: false };
+        let printer = Printer { graph, nodes: &module.nodes, short_cuts: false, branch_free: false, leads: false };
         let outputs = outputs(&printer, one_line);
         let (title, parts) = match &program.shape {
             Shape::Fast { schedule, .. } => {
-                let printer = Printer { nodes: &schedule.nodes, short_cuts: true, ..printer };
+                let leads = compares_in_functions(module);
+                let printer = Printer { nodes: &schedule.nodes, short_cuts: true, leads, ..printer };
                 (
                     "expensive bids are computed only where they can win",
                     fast::render(&printer, module, schedule, &outputs),
@@ -122,7 +123,7 @@ impl Backend for Rust {
             body: parts.body.trim_matches('\n').to_owned(),
             items: parts.items,
         };
-        let text = layout::wrap(&layout::tidy(&policy.render().expect("the template renders")));
+        let text = layout::wrap(&layout::tidy(&policy.render().expect("the template renders")), true);
         vec![File { name: format!("{prefix}.rs"), text }]
     }
 }
