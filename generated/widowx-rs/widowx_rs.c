@@ -11,8 +11,11 @@
 #include <float.h>
 #include <math.h>
 
-#ifdef __FAST_MATH__
-#error "fast-math reorders operations and drops NaN: the policy would act differently"
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
+#error "fast-math, or a part of it, reorders operations: the policy would act differently"
+#endif
+#if defined(__FINITE_MATH_ONLY__) && (__FINITE_MATH_ONLY__ > 0)
+#error "-ffinite-math-only drops NaN and infinities: the policy would act differently"
 #endif
 /* 16 widens what is narrower than float, and no float. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD != 0) && (FLT_EVAL_METHOD != 16)
@@ -25,6 +28,9 @@
 #pragma fp_contract(off)
 #else
 #pragma STDC FP_CONTRACT OFF
+#endif
+#if defined(__clang_major__) && (__clang_major__ >= 13) /* no macro tells of -fassociative-math */
+#pragma clang fp reassociate(off)
 #endif
 
 static float widowx_rs_negate_if_less(float a, float b)
@@ -1830,6 +1836,33 @@ team_44:
 
 #ifndef WIDOWX_RS_NO_SELFTEST
 
+/* Counts the rules of arithmetic that do not hold: of some flags, such as clang's -fno-honor-nans and -ffp-contract=fast, no macro
+ * tells, nor of a processor that flushes small numbers to 0. */
+static uint32_t widowx_rs_arithmetic(void)
+{
+    const volatile float numbers[6] = { 0.0f, FLT_MAX, 1.0002441f, 16777216.0f, 41.0f, FLT_MIN };
+    const float zero = numbers[0];
+    const float most = numbers[1];
+    const float near_one = numbers[2];
+    const float large = numbers[3];
+    const float dividend = numbers[4];
+    const float smallest = numbers[5];
+    const float infinite = most + most;
+    const float nan = infinite * zero;
+    const float fused = (near_one * near_one) - 1.0004883f;
+    const float reordered = (large + 1.0f) - large;
+    const float quotient = dividend / 41.0f;
+    uint32_t wrong = 0U;
+
+    wrong += ((nan >= zero) || (nan <= zero)) ? 1U : 0U;
+    wrong += (infinite > FLT_MAX) ? 0U : 1U;
+    wrong += (fused > zero) ? 1U : 0U;
+    wrong += (reordered > zero) ? 1U : 0U;
+    wrong += (quotient < 1.0f) ? 1U : 0U;
+    wrong += ((smallest * 0.5f) > zero) ? 0U : 1U;
+    return wrong;
+}
+
 uint32_t widowx_rs_selftest(void)
 {
     static const widowx_rs_state_t states[16] = {
@@ -1868,7 +1901,7 @@ uint32_t widowx_rs_selftest(void)
         WIDOWX_RS_ELBOW_UP,
         WIDOWX_RS_BASE_UP,
     };
-    uint32_t failures = 0U;
+    uint32_t failures = widowx_rs_arithmetic();
     uint32_t vector;
 
     for (vector = 0U; vector < 16U; vector++) {

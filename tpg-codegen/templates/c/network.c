@@ -5,9 +5,7 @@
  */
 #include "{{ prefix }}.h"
 
-#ifdef __FAST_MATH__
-#error "compile without -ffast-math: it would change the results"
-#endif
+{% include "c/flags.c" %}
 {% include "c/contraction.c" %}
 {% for layer in layers %}
 static const int{{ layer.bits() }}_t weights_{{ loop.index0 }}[{{ layer.weights.len() }}] = {

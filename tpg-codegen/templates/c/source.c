@@ -13,9 +13,7 @@
 #include <string.h>
 {%- endif %}
 
-#ifdef __FAST_MATH__
-#error "fast-math reorders operations and drops NaN: the policy would act differently"
-#endif
+{% include "c/flags.c" %}
 /* 16 widens what is narrower than float, and no float. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD != 0) && (FLT_EVAL_METHOD != 16){% if f64 %} && (FLT_EVAL_METHOD != 1){% endif %}
 #error "{{ scalar }} expressions must be computed in {{ scalar }}: the policy would act differently"
@@ -73,6 +71,8 @@ typedef struct {{ prefix }}_vector {
 {%- endfor %}
 } {{ prefix }}_vector_t;
 {% endif %}
+{% include "c/arithmetic.c" %}
+
 uint32_t {{ prefix }}_selftest(void)
 {
     static const {% if gegelati %}{{ prefix }}_vector_t{% else %}{{ entry.state }}{% endif %} states[{{ vectors.len() }}] = {
@@ -89,7 +89,7 @@ uint32_t {{ prefix }}_selftest(void)
     /* Read anew: a compiler that knew the states would compute the platform's maths itself, and round another way. */
     const {% if gegelati %}{{ prefix }}_vector_t{% else %}{{ entry.state }}{% endif %} *const volatile hidden = states;
 {%- endif %}
-    uint32_t failures = 0U;
+    uint32_t failures = {{ prefix }}_arithmetic();
     uint32_t vector;
 {%- if gegelati %}
 {%- for source in sources %}
