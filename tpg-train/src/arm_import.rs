@@ -31,6 +31,9 @@ struct ImportArgs {
     /// A joint that is held at an angle, rad
     #[arg(long, value_name = "JOINT=RAD", value_parser = held)]
     fix: Vec<(String, f64)>,
+    /// A joint's limits, rad, within those of the file: for a joint that turns without end, or by more than a turn
+    #[arg(long, value_name = "JOINT=LOW,HIGH", value_parser = limited, allow_hyphen_values = true)]
+    limit: Vec<(String, [f64; 2])>,
     /// Half the thickness of forearm and hand in the collision test, mm: a URDF's shapes are not read
     #[arg(long, value_name = "MM", default_value_t = 20.0, value_parser = radius)]
     radius: f64,
@@ -48,6 +51,15 @@ fn held(text: &str) -> Result<(String, f64), String> {
     Ok((joint.to_owned(), angle))
 }
 
+fn limited(text: &str) -> Result<(String, [f64; 2]), String> {
+    let accepted = "a joint's name, `=` and its limits in rad, as in wrist=-3.1,3.1";
+    let (joint, limits) = text.split_once('=').ok_or(accepted)?;
+    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|angle| angle.is_finite());
+    let ends = limits.split_once(',').and_then(|(low, high)| Some([number(low)?, number(high)?]));
+    let ends = ends.filter(|[low, high]| low < high).ok_or(accepted)?;
+    Ok((joint.to_owned(), ends))
+}
+
 fn radius(text: &str) -> Result<f64, String> {
     let accepted = "a number of mm, 1 to 500";
     text.parse().ok().filter(|radius| (1.0..=500.0).contains(radius)).ok_or_else(|| accepted.to_owned())
@@ -61,7 +73,8 @@ pub(crate) fn execute(args: &ArmArgs) -> Result<(), InputError> {
     let ArmCommand::Import(args) = &args.command;
     let text = read_text(&args.file, "a URDF")?;
     let radii = Radii { link: args.radius, base: args.base_radius };
-    let Imported { text, not_planar } = import(&args.file.display().to_string(), &text, &args.tip, &args.fix, radii)?;
+    let Imported { text, not_planar } =
+        import(&args.file.display().to_string(), &text, &args.tip, &args.fix, &args.limit, radii)?;
     if let Some(reason) = not_planar {
         tpg_graph::command::note(format_args!("a [chain], which cannot be trained: not a planar arm: {reason}"));
     }

@@ -46,7 +46,7 @@ pub fn scenes(data: &[u8]) {
 pub fn urdf(data: &[u8]) {
     let text = String::from_utf8_lossy(data);
     let radii = Radii { link: 20.0, base: 60.0 };
-    match import("fuzzed.urdf", &text, "tip", &[("roll".to_owned(), 0.0)], radii) {
+    match import("fuzzed.urdf", &text, "tip", &[("roll".to_owned(), 0.0)], &[], radii) {
         Ok(Imported { text, not_planar: None }) => drop(text.parse::<toml::Table>().expect("the section is TOML")),
         Ok(Imported { text, not_planar: Some(_) }) => {
             drop(ChainDescription::from_toml("imported.toml", &text).expect("a chain that is read again"));

@@ -16,6 +16,7 @@ mod urdf;
 
 pub use section::Radii;
 use tpg_graph::error::{Finding, InputError, Place};
+use urdf::Requests;
 
 /// An imported arm.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,13 +28,20 @@ pub struct Imported {
 }
 
 /// Returns the section for a URDF's text. `file` is its name in messages, `tip` the link whose origin must reach
-/// targets, `fix` the joints that are held, each at an angle in rad.
+/// targets, `fix` the joints that are held, each at an angle in rad, and `limit` those whose limits are narrowed, rad.
 ///
 /// # Errors
 /// A text that is no URDF, a link or joint that it does not have, a joint that does not turn within limits, an arm that cannot be.
-pub fn import(file: &str, text: &str, tip: &str, fix: &[(String, f64)], radii: Radii) -> Result<Imported, InputError> {
-    let joints = urdf::chain(file, text, tip, fix)?;
-    let held = section::held(fix);
+pub fn import(
+    file: &str,
+    text: &str,
+    tip: &str,
+    fix: &[(String, f64)],
+    limit: &[(String, [f64; 2])],
+    radii: Radii,
+) -> Result<Imported, InputError> {
+    let joints = urdf::chain(file, text, tip, Requests { held: fix, limited: limit })?;
+    let held = section::held(fix) + &section::limited(limit);
     let refuse = |Finding { key, found, accepted }: Finding| {
         InputError::new(file, Place::Whole, format!("an arm whose {key} = {found}"), accepted)
     };

@@ -92,13 +92,18 @@ fn axes(file: &str, base: &Turning, others: [&Turning; 3]) -> Result<Vector, Inp
     let lean = norm(cross(base.axis, Z));
     if lean > PARALLEL {
         let found = format!("an axis that leans by {:.2} degrees", libm::asin(lean.min(1.0)).to_degrees());
-        return Err(at_joint(file, &base.name, found, "a vertical axis: the base of a planar arm"));
+        return Err(at_joint(file, base.place(), found, "a vertical axis: the base of a planar arm"));
     }
     let [shoulder, ..] = others;
     for joint in others {
         if joint.axis[2].abs() > PARALLEL || norm(cross(joint.axis, shoulder.axis)) > PARALLEL {
             let found = format!("an axis that is not level, or not parallel to that of {}", shoulder.name);
-            return Err(at_joint(file, &joint.name, found, "three parallel level axes behind the base: a planar arm"));
+            return Err(at_joint(
+                file,
+                joint.place(),
+                found,
+                "three parallel level axes behind the base: a planar arm",
+            ));
         }
     }
     let [x, y, _] = shoulder.axis;
@@ -129,7 +134,7 @@ fn position(file: &str, joint: &Turning, sign: f64, zero: f64) -> Result<Positio
     if low < 0.0 || high >= turn || low >= high {
         let found =
             format!("limits that are positions {low} to {high} where 2048 is the arm upright and stretched ahead");
-        return Err(at_joint(file, &joint.name, found, "positions 0 to 4095: half a turn to either side"));
+        return Err(at_joint(file, joint.place(), found, "positions 0 to 4095: half a turn to either side"));
     }
     Ok(Position { name: joint.name.clone(), sign, zero, range: [low as i16, high as i16] })
 }

@@ -43,6 +43,11 @@ pub(super) fn held(fix: &[(String, f64)]) -> String {
     fix.iter().map(|(joint, angle)| format!(", {} held at {angle} rad", one_line(joint))).collect()
 }
 
+/// Lists the joints whose limits are narrowed.
+pub(super) fn limited(limit: &[(String, [f64; 2])]) -> String {
+    limit.iter().map(|(joint, [low, high])| format!(", {} within {low} to {high} rad", one_line(joint))).collect()
+}
+
 /// Returns the section as text.
 pub(super) fn text(file: &str, tip: &str, held: &str, arm: &Planar, description: &ArmDescription) -> String {
     // Adding 0 takes the sign of what is rounded to −0.

@@ -39,19 +39,24 @@ fn held() -> Vec<(String, f64)> {
     vec![("roll".to_owned(), 0.0)]
 }
 
+/// Requests to hold joints.
+fn holding(held: &[(String, f64)]) -> Requests<'_> {
+    Requests { held, ..Requests::default() }
+}
+
 fn refusal(text: &str, tip: &str, fix: &[(String, f64)]) -> String {
-    import("five.urdf", text, tip, fix, RADII).expect_err("it is wrong").to_string()
+    import("five.urdf", text, tip, fix, &[], RADII).expect_err("it is wrong").to_string()
 }
 
 fn planar_section(text: &str) -> String {
-    let Imported { text, not_planar } = import("five.urdf", text, "tip", &held(), RADII).expect("an arm");
+    let Imported { text, not_planar } = import("five.urdf", text, "tip", &held(), &[], RADII).expect("an arm");
     assert_eq!(not_planar, None);
     text
 }
 
 #[test]
 fn lengths_zeros_and_ranges_are_those_of_the_urdf() {
-    let chain = urdf::chain("five.urdf", ARM, "tip", &held()).expect("a chain");
+    let chain = urdf::chain("five.urdf", ARM, "tip", holding(&held())).expect("a chain");
     let arm = planar::recognise("five.urdf", &chain).expect("a planar arm");
     let links = arm.links;
     assert_eq!([links.base, links.shoulder_radial], [110.0, 30.0]);
@@ -69,13 +74,14 @@ fn tips_are_where_the_urdf_puts_them() {
     let chain = |angles: [f64; 4]| {
         let names = ["pan", "lift", "bend", "tilt"].map(str::to_owned);
         let held = held().into_iter().chain(names.into_iter().zip(angles)).collect::<Vec<_>>();
-        urdf::chain("five.urdf", ARM, "tip", &held).expect("a chain").tip
+        urdf::chain("five.urdf", ARM, "tip", holding(&held)).expect("a chain").tip
     };
     let section = planar_section(ARM);
     let own = Problem::from_toml("own.toml", &format!("[problem]\nname = \"fs\"\n{section}")).expect("an arm");
     let ProblemSettings::Arm(config) = own.settings else { panic!("an arm's problem") };
     let arm = config.arm();
-    let recognised = planar::recognise("five.urdf", &urdf::chain("five.urdf", ARM, "tip", &held()).expect("a chain"));
+    let recognised =
+        planar::recognise("five.urdf", &urdf::chain("five.urdf", ARM, "tip", holding(&held())).expect("a chain"));
     let joints = recognised.expect("planar").joints;
     let mut poses = 0;
     for index in 0..256 {
@@ -93,7 +99,7 @@ fn tips_are_where_the_urdf_puts_them() {
 #[test]
 fn an_arm_that_stretches_ahead_at_0_has_no_bracket() {
     let text = ARM.replace("0.025 0.007 0.11", "0.11 0.007 0").replace("upper=\"1.6\"", "upper=\"1.5\"");
-    let chain = urdf::chain("five.urdf", &text, "tip", &held());
+    let chain = urdf::chain("five.urdf", &text, "tip", holding(&held()));
     let arm = planar::recognise("five.urdf", &chain.expect("a chain")).expect("a planar arm");
     assert_eq!([arm.links.upper_arm, arm.links.elbow_offset], [110.0, 0.0]);
     assert!((arm.joints[1].zero - std::f64::consts::FRAC_PI_2).abs() < 1e-12);
@@ -103,31 +109,43 @@ fn an_arm_that_stretches_ahead_at_0_has_no_bracket() {
 fn what_is_no_arm_is_refused_with_file_and_joint() {
     let lift = "<axis xyz=\"0 1 0\"/><limit lower=\"-1.2\" upper=\"1.6\" effort=\"1\" velocity=\"1\"/>";
     for (from, to, expected) in [
-        (lift, "<axis xyz=\"0 1 0\"/>", "five.urdf: joint lift: no limits; accepted: a revolute joint with limits"),
+        (
+            lift,
+            "<axis xyz=\"0 1 0\"/>",
+            "five.urdf: line 7: joint lift: no limits; accepted: a revolute joint with limits",
+        ),
         (
             "lower=\"-1.2\" upper=\"1.6\"",
             "lower=\"-7\" upper=\"7\"",
-            "five.urdf: joint lift: limits of -7 to 7 rad, which",
+            "five.urdf: line 7: joint lift: limits of -7 to 7 rad, which",
         ),
-        ("lower=\"-1.2\" upper=\"1.6\"", "lower=\"2\" upper=\"1\"", "five.urdf: joint lift: limits of 2 to 1 rad"),
+        (
+            "lower=\"-1.2\" upper=\"1.6\"",
+            "lower=\"2\" upper=\"1\"",
+            "five.urdf: line 7: joint lift: limits of 2 to 1 rad",
+        ),
         (
             "name=\"lift\" type=\"revolute\"",
             "name=\"lift\" type=\"continuous\"",
-            "five.urdf: joint lift: a continuous joint",
+            "five.urdf: line 7: joint lift: a continuous joint",
         ),
         (
             "name=\"lift\" type=\"revolute\"",
             "name=\"lift\" type=\"prismatic\"",
-            "five.urdf: joint lift: a joint that does not",
+            "five.urdf: line 7: joint lift: a joint that does not",
         ),
-        (lift, "<axis xyz=\"0 1 0\"/><mimic joint=\"pan\"/>", "five.urdf: joint lift: it mimics the joint \"pan\""),
-        (lift, &lift.replace("0 1 0", "0 0 0"), "five.urdf: joint lift: an axis without a direction"),
-        ("<parent link=\"root\"/>", "<parent link=\"tip\"/>", "five.urdf: joint"),
+        (
+            lift,
+            "<axis xyz=\"0 1 0\"/><mimic joint=\"pan\"/>",
+            "five.urdf: line 7: joint lift: it mimics the joint \"pan\"",
+        ),
+        (lift, &lift.replace("0 1 0", "0 0 0"), "five.urdf: line 7: joint lift: an axis without a direction"),
+        ("<parent link=\"root\"/>", "<parent link=\"tip\"/>", "five.urdf: line"),
         ("0.05 -0.003", "${width} -0.003", "five.urdf: line 20: a xacro that is not expanded"),
         ("</robot>", "", "five.urdf: line "),
         ("<robot", "<robots", "five.urdf: line "),
-        ("0.05 -0.003", "0.05 x", "five.urdf: joint "),
-        ("type=\"prismatic\"", "type=\"telescope\"", "five.urdf: joint finger: line 23: the type \"telescope\""),
+        ("0.05 -0.003", "0.05 x", "five.urdf: line 20: joint roll"),
+        ("type=\"prismatic\"", "type=\"telescope\"", "five.urdf: line 23: joint finger: the type \"telescope\""),
     ] {
         let text = ARM.replacen(from, to, 1);
         assert_ne!(text, ARM, "{from} is in the text");
@@ -141,14 +159,71 @@ fn what_is_no_arm_is_refused_with_file_and_joint() {
     let twist = [("roll".to_owned(), 0.0), ("twist".to_owned(), 0.0)];
     assert!(
         refusal(ARM, "tip", &twist)
-            .starts_with("five.urdf: no joint \"twist\" between the root and \"tip\", to be held")
+            .starts_with("five.urdf: no joint \"twist\" between the root and \"tip\"; accepted: one of pan")
     );
-    assert!(refusal(ARM, "tip", &[]).starts_with("five.urdf: joint roll: a continuous joint"));
+    assert!(refusal(ARM, "tip", &[]).starts_with("five.urdf: line 19: joint roll: a continuous joint"));
+}
+
+#[test]
+fn limits_on_request_narrow_wide_ones_and_stop_endless_joints() {
+    let limit = |joint: &str, limits: [f64; 2]| vec![(joint.to_owned(), limits)];
+    let wide = ARM.replace("lower=\"-1.2\" upper=\"1.6\"", "lower=\"-6.2832\" upper=\"1.6\"");
+    let chain = |text: &str, limited: &[(String, [f64; 2])], held: &[(String, f64)]| {
+        urdf::chain("five.urdf", text, "tip", Requests { held, limited }).map(|chain| chain.joints)
+    };
+    let joints = chain(&wide, &limit("lift", [-1.25, 3.0]), &held()).expect("a chain");
+    assert_eq!(joints[1].limits, [-1.25, 1.6], "the file's own end stays");
+    let joints = chain(ARM, &limit("roll", [-3.0, 3.0]), &[]).expect("a chain");
+    assert_eq!(joints[4].limits, [-3.0, 3.0]);
+    let none = ARM.replace("<limit lower=\"-1.2\" upper=\"1.6\" effort=\"1\" velocity=\"1\"/>", "");
+    assert_eq!(chain(&none, &limit("lift", [-1.0, 1.0]), &held()).expect("a chain")[1].limits, [-1.0, 1.0]);
+
+    let refused =
+        |text: &str, limited: &[(String, [f64; 2])]| chain(text, limited, &held()).expect_err("refused").to_string();
+    let says = refused(&wide, &[]);
+    assert!(
+        says.contains("which are more than a turn; accepted: ") && says.contains("--limit lift=LOW,HIGH"),
+        "{says}"
+    );
+    assert!(refused(&wide, &limit("lift", [2.0, 3.0])).contains("which --limit does not meet"));
+    assert!(refused(&wide, &limit("twist", [2.0, 3.0])).contains("no joint \"twist\""));
+
+    let imported = import("five.urdf", &wide, "tip", &held(), &limit("lift", [-1.25, 1.5]), RADII).expect("an arm");
+    assert_eq!(imported.not_planar, None);
+    assert!(
+        imported.text.starts_with("# From \"five.urdf\", tip tip, roll held at 0 rad, lift within -1.25 to 1.5 rad.\n")
+    );
+}
+
+#[test]
+fn what_is_not_read_does_not_matter() {
+    let expected = planar_section(ARM);
+    for (from, to) in [
+        (
+            "<link name=\"root\"/>",
+            "<link name=\"root\"><visual><geometry><mesh/></geometry><material/><material/></visual></link>",
+        ),
+        ("<link name=\"jaw\"/>", "<!-- was rpy=\"${pi/2} 0 0\" <xacro:arm/> --><link name=\"jaw\"/>"),
+        (
+            "<link name=\"jaw\"/>",
+            "<link name=\"jaw\"/><gazebo><plugin><ns>$(arg ns)</ns><sensor:camera/></plugin></gazebo>",
+        ),
+        (" effort=\"1\" velocity=\"1\"", ""),
+        ("<robot", "\n  <robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\""),
+    ] {
+        let text = ARM.replace(from, to);
+        assert_ne!(text, ARM, "{from} is in the text");
+        assert_eq!(planar_section(&text), expected, "{to}");
+    }
+    for xacro in ["<xacro:property name=\"a\" value=\"1\"/>", "<link name=\"${prefix}a\"/>"] {
+        let text = ARM.replace("<link name=\"jaw\"/>", xacro);
+        assert!(refusal(&text, "tip", &held()).contains("a xacro that is not expanded"), "{xacro}");
+    }
 }
 
 /// The section is read back, and puts the tip where the URDF's own frames do, at every pose of a grid.
 fn chain_is_the_urdfs<const N: usize>(text: &str, fix: &[(String, f64)], reason: &str) {
-    let Imported { text: section, not_planar } = import("five.urdf", text, "tip", fix, RADII).expect("an arm");
+    let Imported { text: section, not_planar } = import("five.urdf", text, "tip", fix, &[], RADII).expect("an arm");
     assert!(not_planar.is_some_and(|found| found.starts_with(reason)), "{reason}");
     assert!(section.contains(&format!("# Not a planar arm: {reason}")), "{section}");
     let described = ChainDescription::from_toml("own.toml", &section).unwrap_or_else(|error| panic!("{error}"));
@@ -159,7 +234,7 @@ fn chain_is_the_urdfs<const N: usize>(text: &str, fix: &[(String, f64)], reason:
         let angles = ticks.map(|ticks| f64::from(ticks) * std::f64::consts::TAU / 4096.0);
         let turned = described.links.iter().map(|link| link.name.clone()).zip(angles);
         let held: Vec<_> = fix.iter().cloned().chain(turned).collect();
-        let tip = urdf::chain("five.urdf", text, "tip", &held).expect("a chain").tip;
+        let tip = urdf::chain("five.urdf", text, "tip", holding(&held)).expect("a chain").tip;
         let off = distance(chain.place(pose).tip, tip);
         assert!(off < 5e-3, "{reason}, {angles:?}: {off} mm");
     }
@@ -172,11 +247,19 @@ fn what_is_no_planar_arm_becomes_a_chain() {
         (
             lift,
             lift.replace("0 1 0", "1 0 0"),
-            "joint bend: an axis that is not level, or not parallel to that of lift",
+            "line 11: joint bend: an axis that is not level, or not parallel to that of lift",
         ),
-        (lift, lift.replace("0 1 0", "1 2 -3"), "joint lift: an axis that is not level"),
-        (lift, lift.replace("-1.2", "0").replace("1.6", "4"), "joint lift: limits that are positions 2048 to 4655"),
-        ("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 1 1\"/>".to_owned(), "joint pan: an axis that leans by 45.00 degrees"),
+        (lift, lift.replace("0 1 0", "1 2 -3"), "line 7: joint lift: an axis that is not level"),
+        (
+            lift,
+            lift.replace("-1.2", "0").replace("1.6", "4"),
+            "line 7: joint lift: limits that are positions 2048 to 4655",
+        ),
+        (
+            "<axis xyz=\"0 0 1\"/>",
+            "<axis xyz=\"0 1 1\"/>".to_owned(),
+            "line 3: joint pan: an axis that leans by 45.00 degrees",
+        ),
         ("0.05 -0.003 -0.01", "0.05 0.003 -0.01".to_owned(), "a tip that is 6.000 mm beside the arm's plane"),
     ] {
         chain_is_the_urdfs::<4>(&ARM.replacen(from, &to, 1), &held(), reason);

@@ -2,6 +2,8 @@
 
 use super::space::{NO_ROTATION, Rotation, Vector, X, Y, Z, about, compose, direction, plus, rotate};
 use roxmltree::{Document, Node};
+use std::borrow::Cow;
+use std::f64::consts::TAU;
 use tpg_graph::error::{InputError, Place};
 
 /// A joint that turns, with every other joint at 0 or where it is held.
@@ -9,6 +11,8 @@ use tpg_graph::error::{InputError, Place};
 pub(super) struct Turning {
     /// Its name.
     pub(super) name: String,
+    /// The line of the file that it begins on.
+    pub(super) line: u32,
     /// A point of its axis, mm, in the root's frame.
     pub(super) at: Vector,
     /// Its axis, in the root's frame.
@@ -34,6 +38,7 @@ struct Robot {
 
 struct Joint {
     name: String,
+    line: u32,
     kind: JointType,
     parent: String,
     child: String,
@@ -54,16 +59,46 @@ enum JointType {
     Other,
 }
 
-/// Returns the error at a joint.
-pub(super) fn at_joint(file: &str, joint: &str, found: impl Into<String>, accepted: &str) -> InputError {
-    InputError::new(file, Place::Path(format!("joint {joint}")), found, accepted)
+impl Joint {
+    /// Returns its name and line.
+    fn place(&self) -> (&str, u32) {
+        (&self.name, self.line)
+    }
+}
+
+impl Turning {
+    /// Returns its name and line.
+    pub(super) fn place(&self) -> (&str, u32) {
+        (&self.name, self.line)
+    }
+}
+
+/// Returns the error at a joint of this name, on this line.
+pub(super) fn at_joint(
+    file: &str,
+    joint: (&str, u32),
+    found: impl Into<String>,
+    accepted: impl Into<String>,
+) -> InputError {
+    let (name, line) = joint;
+    InputError::new(file, Place::Path(format!("line {line}: joint {name}")), found, accepted)
+}
+
+/// What is done with joints on request.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Requests<'r> {
+    /// Joints that are held, each at an angle in rad.
+    pub(super) held: &'r [(String, f64)],
+    /// Joints whose limits are narrowed, rad.
+    pub(super) limited: &'r [(String, [f64; 2])],
 }
 
 /// Reads the chain that ends at a link.
 ///
 /// # Errors
 /// A text that is no URDF or an unexpanded xacro, an unknown link or joint, a joint that does not turn within limits.
-pub(super) fn chain(file: &str, text: &str, tip: &str, held: &[(String, f64)]) -> Result<Chain, InputError> {
+pub(super) fn chain(file: &str, text: &str, tip: &str, requests: Requests<'_>) -> Result<Chain, InputError> {
+    let Requests { held, limited } = requests;
     let robot = read(file, text)?;
     if !robot.links.iter().any(|link| link == tip) {
         let links = robot.links.join(", ");
@@ -75,8 +110,9 @@ pub(super) fn chain(file: &str, text: &str, tip: &str, held: &[(String, f64)]) -
         ));
     }
     let path = path(file, &robot, tip)?;
-    if let Some((unknown, _)) = held.iter().find(|(name, _)| !path.iter().any(|joint| joint.name == *name)) {
-        let found = format!("no joint {unknown:?} between the root and {tip:?}, to be held");
+    let named = held.iter().map(|(name, _)| name).chain(limited.iter().map(|(name, _)| name));
+    if let Some(unknown) = named.into_iter().find(|name| !path.iter().any(|joint| joint.name == **name)) {
+        let found = format!("no joint {unknown:?} between the root and {tip:?}");
         let joints = path.iter().map(|joint| joint.name.as_str()).collect::<Vec<_>>().join(", ");
         return Err(InputError::new(file, Place::Whole, found, format!("one of {joints}")));
     }
@@ -87,28 +123,38 @@ pub(super) fn chain(file: &str, text: &str, tip: &str, held: &[(String, f64)]) -
         at = plus(at, rotate(&frame, place));
         frame = compose(&frame, &turned);
         let axis = || {
-            direction(joint.axis)
-                .ok_or_else(|| at_joint(file, &joint.name, "an axis without a direction", "an axis such as \"0 0 1\""))
+            direction(joint.axis).ok_or_else(|| {
+                at_joint(file, joint.place(), "an axis without a direction", "an axis such as \"0 0 1\"")
+            })
         };
         if let Some((_, angle)) = held.iter().find(|(name, _)| *name == joint.name) {
-            frame = compose(&frame, &about(axis()?, *angle));
+            if joint.kind == JointType::Other && *angle != 0.0 {
+                let found = format!("a joint that does not turn about one axis, held at {angle}");
+                return Err(at_joint(file, joint.place(), found, "0, where the file puts it"));
+            }
+            if *angle != 0.0 {
+                frame = compose(&frame, &about(axis()?, *angle));
+            }
         } else if joint.kind != JointType::Fixed {
-            let limits = limits(file, joint)?;
-            joints.push(Turning { name: joint.name.clone(), at, axis: rotate(&frame, axis()?), limits });
+            let narrowed = limited.iter().find(|(name, _)| *name == joint.name).map(|(_, limits)| *limits);
+            let limits = limits(file, joint, narrowed)?;
+            let (name, line) = (joint.name.clone(), joint.line);
+            joints.push(Turning { name, line, at, axis: rotate(&frame, axis()?), limits });
         }
     }
     Ok(Chain { joints, tip: at })
 }
 
 fn read(file: &str, text: &str) -> Result<Robot, InputError> {
-    const XACRO: [&str; 4] = ["<xacro:", "${", "$(arg", "$(find"];
-    if let Some(line) = text.lines().position(|line| XACRO.iter().any(|sign| line.contains(sign))) {
-        let accepted = "a URDF: expand the xacro first, `xacro FILE.xacro > FILE.urdf`";
-        return Err(InputError::new(file, Place::Line(line + 1), "a xacro that is not expanded", accepted));
-    }
-    let document = Document::parse(text)
+    let text = with_namespaces(text.trim_start_matches(['\u{feff}', ' ', '\t', '\r']));
+    let document = Document::parse(&text)
         .map_err(|error| InputError::new(file, Place::Line(error.pos().row as usize), error.to_string(), "a URDF"))?;
     let root = document.root_element();
+    if let Some(node) = root.children().find_map(xacro) {
+        let line = document.text_pos_at(node.range().start).row as usize;
+        let accepted = "a URDF: expand the xacro first, `xacro FILE.xacro > FILE.urdf`";
+        return Err(InputError::new(file, Place::Line(line), "a xacro that is not expanded", accepted));
+    }
     if !root.has_tag_name("robot") {
         let found = format!("an element <{}>", root.tag_name().name());
         return Err(InputError::new(file, Place::Whole, found, "a URDF: <robot>"));
@@ -119,12 +165,35 @@ fn read(file: &str, text: &str) -> Result<Robot, InputError> {
     Ok(Robot { links, joints })
 }
 
+/// Declares the prefixes that a text uses without a declaration, as simulators' extensions do.
+fn with_namespaces(text: &str) -> Cow<'_, str> {
+    const MOST: usize = 16;
+    let mut text = Cow::Borrowed(text);
+    for _ in 0..MOST {
+        let Err(roxmltree::Error::UnknownNamespace(prefix, _)) = Document::parse(&text) else { break };
+        let Some(place) = text.find("<robot").map(|start| start + "<robot".len()) else { break };
+        text.to_mut().insert_str(place, &format!(" xmlns:{prefix}=\"{prefix}\""));
+    }
+    text
+}
+
+/// Returns what xacro would replace: an element of its own, or a link or a part of a joint with an expression. Comments and what
+/// is not read do not count.
+fn xacro<'a, 'i>(node: Node<'a, 'i>) -> Option<Node<'a, 'i>> {
+    let of_xacro = |node: Node<'_, '_>| node.tag_name().namespace().is_some_and(|name| name.contains("xacro"));
+    let has_expression = |node: Node<'_, '_>| {
+        node.attributes().any(|attribute| ["${", "$(arg", "$(find"].iter().any(|sign| attribute.value().contains(sign)))
+    };
+    if node.has_tag_name("joint") {
+        return node.descendants().find(|part| of_xacro(*part) || has_expression(*part));
+    }
+    (of_xacro(node) || (node.has_tag_name("link") && has_expression(node))).then_some(node)
+}
+
 fn read_joint(file: &str, node: Node<'_, '_>) -> Result<Joint, InputError> {
     let name = node.attribute("name").unwrap_or_default();
-    let refuse = |at: Node<'_, '_>, found: String, accepted: &str| {
-        let line = at.document().text_pos_at(at.range().start).row;
-        at_joint(file, name, format!("line {line}: {found}"), accepted)
-    };
+    let line = |at: Node<'_, '_>| at.document().text_pos_at(at.range().start).row;
+    let refuse = |at: Node<'_, '_>, found: String, accepted: &str| at_joint(file, (name, line(at)), found, accepted);
     let part = |tag: &'static str| node.children().find(move |part| part.has_tag_name(tag));
     let link = |tag: &'static str| {
         let link = part(tag).and_then(|part| part.attribute("link"));
@@ -155,6 +224,7 @@ fn read_joint(file: &str, node: Node<'_, '_>) -> Result<Joint, InputError> {
     };
     Ok(Joint {
         name: name.to_owned(),
+        line: line(node),
         kind,
         parent: link("parent")?,
         child: link("child")?,
@@ -170,7 +240,7 @@ fn path<'a>(file: &str, robot: &'a Robot, tip: &str) -> Result<Vec<&'a Joint>, I
     let (mut path, mut link) = (Vec::new(), tip);
     while let Some(joint) = robot.joints.iter().find(|joint| joint.child == link) {
         if path.len() == robot.joints.len() {
-            return Err(at_joint(file, &joint.name, "a loop of joints", "a tree of links"));
+            return Err(at_joint(file, joint.place(), "a loop of joints", "a tree of links"));
         }
         path.push(joint);
         link = &joint.parent;
@@ -186,23 +256,39 @@ fn origin(joint: &Joint) -> (Vector, Rotation) {
     (place.map(|metres| 1000.0 * metres), turned)
 }
 
-fn limits(file: &str, joint: &Joint) -> Result<[f64; 2], InputError> {
-    const ACCEPTED: &str = "a revolute joint with limits of at most a turn, or --fix";
-    let refuse = |found: String| Err(at_joint(file, &joint.name, found, ACCEPTED));
+/// Returns a joint's limits, narrowed on request.
+fn limits(file: &str, joint: &Joint, narrowed: Option<[f64; 2]>) -> Result<[f64; 2], InputError> {
+    let accepted = format!(
+        "a revolute joint with limits of at most a turn; --limit {name}=LOW,HIGH narrows them, --fix {name}=RAD holds the joint",
+        name = joint.name
+    );
+    let refuse = |found: String| Err(at_joint(file, joint.place(), found, &accepted));
     if let Some(other) = &joint.mimics {
         return refuse(format!("it mimics the joint {other:?}"));
     }
     let [lower, upper] = joint.limits;
-    match joint.kind {
-        JointType::Revolute if lower == 0.0 && upper == 0.0 || !(lower.is_finite() && upper.is_finite()) => {
-            refuse("no limits".to_owned())
+    let none = (lower == 0.0 && upper == 0.0) || !(lower.is_finite() && upper.is_finite());
+    let [lower, upper] = match (joint.kind, narrowed) {
+        (JointType::Fixed | JointType::Other, _) => {
+            return refuse("a joint that does not turn about one axis".to_owned());
         }
-        JointType::Revolute if lower >= upper => refuse(format!("limits of {lower} to {upper} rad")),
-        JointType::Revolute if upper - lower > std::f64::consts::TAU + 1e-3 => {
-            refuse(format!("limits of {lower} to {upper} rad, which are more than a turn"))
+        (JointType::Revolute, _) if !none && lower >= upper => {
+            return refuse(format!("limits of {lower} to {upper} rad"));
         }
-        JointType::Revolute => Ok([lower, upper]),
-        JointType::Continuous => refuse("a continuous joint, which has no limits".to_owned()),
-        _ => refuse("a joint that does not turn about one axis".to_owned()),
+        (JointType::Revolute, Some([low, high])) if !none => [low.max(lower), high.min(upper)],
+        (_, Some(narrowed)) => narrowed,
+        (JointType::Revolute, None) if none => return refuse("no limits".to_owned()),
+        (JointType::Revolute, None) => [lower, upper],
+        (JointType::Continuous, None) => return refuse("a continuous joint, which has no limits".to_owned()),
+    };
+    if lower >= upper {
+        return refuse(format!(
+            "limits of {} to {} rad, which --limit does not meet",
+            joint.limits[0], joint.limits[1]
+        ));
     }
+    if upper - lower > TAU + 1e-3 {
+        return refuse(format!("limits of {lower} to {upper} rad, which are more than a turn"));
+    }
+    Ok([lower, upper])
 }
