@@ -92,24 +92,24 @@ impl Driver {
     /// Runs one episode for each seed.
     fn run(&self, py: Python<'_>, policy: &Policy, seeds: Vec<u64>) -> PyResult<Vec<Played>> {
         match policy.scalar() {
-            ScalarType::F32 => self.run_in(py, &policy.single::<f32>(), seeds),
-            ScalarType::F64 => self.run_in(py, &policy.single::<f64>(), seeds),
+            ScalarType::F32 => self.run_in::<f32>(py, policy, seeds),
+            ScalarType::F64 => self.run_in::<f64>(py, policy, seeds),
         }
     }
 
     /// Returns the observations after given numbers of actions, ascending.
     fn visit(&self, py: Python<'_>, policy: &Policy, seed: u64, after: Vec<u32>) -> PyResult<Vec<Vec<f64>>> {
         match policy.scalar() {
-            ScalarType::F32 => self.visit_in(py, &policy.single::<f32>(), seed, &after),
-            ScalarType::F64 => self.visit_in(py, &policy.single::<f64>(), seed, &after),
+            ScalarType::F32 => self.visit_in::<f32>(py, policy, seed, &after),
+            ScalarType::F64 => self.visit_in::<f64>(py, policy, seed, &after),
         }
     }
 
     /// Runs one episode and returns its result with the moments of the observations.
     fn play(&self, py: Python<'_>, policy: &Policy, seed: u64) -> PyResult<(Played, Parts)> {
         match policy.scalar() {
-            ScalarType::F32 => self.play_in(py, &policy.single::<f32>(), seed),
-            ScalarType::F64 => self.play_in(py, &policy.single::<f64>(), seed),
+            ScalarType::F32 => self.play_in::<f32>(py, policy, seed),
+            ScalarType::F64 => self.play_in::<f64>(py, policy, seed),
         }
     }
 }
@@ -119,25 +119,21 @@ impl Driver {
         self.shape.iter().product()
     }
 
-    fn run_in<S: Scalar>(&self, py: Python<'_>, single: &Single<S, Own>, seeds: Vec<u64>) -> PyResult<Vec<Played>>
+    fn run_in<S: Scalar>(&self, py: Python<'_>, policy: &Policy, seeds: Vec<u64>) -> PyResult<Vec<Played>>
     where
         Own: Maths<S>,
     {
-        seeds.into_iter().map(|seed| self.episode(py, single, seed, |_, _| true)).collect()
+        let single = policy.single::<S>();
+        let memory = self.memory(policy);
+        seeds.into_iter().map(|seed| self.episode(py, &single, memory, seed, |_, _| true)).collect()
     }
 
-    fn visit_in<S: Scalar>(
-        &self,
-        py: Python<'_>,
-        single: &Single<S, Own>,
-        seed: u64,
-        after: &[u32],
-    ) -> PyResult<Vec<Vec<f64>>>
+    fn visit_in<S: Scalar>(&self, py: Python<'_>, policy: &Policy, seed: u64, after: &[u32]) -> PyResult<Vec<Vec<f64>>>
     where
         Own: Maths<S>,
     {
         let mut seen = Vec::with_capacity(after.len());
-        self.episode(py, single, seed, |step, state| {
+        self.episode(py, &policy.single::<S>(), self.memory(policy), seed, |step, state| {
             while after.get(seen.len()) == Some(&step) {
                 seen.push(state.iter().map(|value| value.to_f64()).collect());
             }
@@ -152,12 +148,12 @@ impl Driver {
         }
     }
 
-    fn play_in<S: Scalar>(&self, py: Python<'_>, single: &Single<S, Own>, seed: u64) -> PyResult<(Played, Parts)>
+    fn play_in<S: Scalar>(&self, py: Python<'_>, policy: &Policy, seed: u64) -> PyResult<(Played, Parts)>
     where
         Own: Maths<S>,
     {
-        let (mut seen, mut values) = (Moments::new(self.inputs()), Vec::with_capacity(self.inputs()));
-        let played = self.episode(py, single, seed, |_, state| {
+        let (mut seen, mut values) = (Moments::new(policy.inputs()), Vec::with_capacity(policy.inputs()));
+        let played = self.episode(py, &policy.single::<S>(), self.memory(policy), seed, |_, state| {
             values.clear();
             values.extend(state.iter().map(|value| value.to_f64()));
             seen.push(&values);
@@ -166,24 +162,35 @@ impl Driver {
         Ok((played, seen.into_parts()))
     }
 
-    /// Runs one episode; `watch` sees each observation before the action, and ends the episode with false.
+    /// Returns the number of values that a policy remembers.
+    fn memory(&self, policy: &Policy) -> usize {
+        policy.inputs().saturating_sub(self.inputs())
+    }
+
+    /// Runs one episode of a policy that remembers so many values; `watch` sees each state before the action, and ends the episode
+    /// with false.
     fn episode<S: Scalar>(
         &self,
         py: Python<'_>,
         single: &Single<S, Own>,
+        memory: usize,
         seed: u64,
         mut watch: impl FnMut(u32, &[S]) -> bool,
     ) -> PyResult<Played>
     where
         Own: Maths<S>,
     {
-        let mut state = Vec::with_capacity(self.inputs());
+        let mut state = Vec::with_capacity(self.inputs() + memory);
         self.begin(py, seed, &mut state)?;
+        let mut memory = vec![S::ZERO; memory];
+        state.extend(&memory);
         let (mut score, mut actions, mut success) = (0.0, 0, None);
         while actions < self.limit && watch(actions, &state) {
             actions += 1;
             let at = || format!("seed {seed}, step {actions}");
-            let told = self.advance(self.act(py, single, &state)?, &mut state, at)?;
+            let action = self.act(py, single, &state, &mut memory)?;
+            let told = self.advance(action, &mut state, at)?;
+            state.extend(&memory);
             score += told.reward;
             if let Some(end) = told.end {
                 success = end.success;
@@ -230,7 +237,13 @@ impl Driver {
         Ok(Told { reward, end: None })
     }
 
-    fn act<'py, S: Scalar>(&self, py: Python<'py>, single: &Single<S, Own>, state: &[S]) -> PyResult<Bound<'py, PyAny>>
+    fn act<'py, S: Scalar>(
+        &self,
+        py: Python<'py>,
+        single: &Single<S, Own>,
+        state: &[S],
+        memory: &mut [S],
+    ) -> PyResult<Bound<'py, PyAny>>
     where
         Own: Maths<S>,
     {
@@ -238,7 +251,9 @@ impl Driver {
             let action = actions[usize::from(single.decide(state).0)].bind(py);
             return if *arrays { action.call_method0("copy") } else { Ok(action.clone()) };
         }
-        let Answer::Values(values) = single.answer(state) else { unreachable!("a policy of a box has outputs") };
+        let Answer::Values(mut values) = single.answer(state) else { unreachable!("a policy of a box has outputs") };
+        let remembered = values.split_off(values.len().saturating_sub(memory.len()));
+        memory.iter_mut().zip(remembered).for_each(|(to, value)| *to = S::from_f64(value));
         self.values(py, values)
     }
 

@@ -9,15 +9,18 @@ use crate::space::Space;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::sync::{Mutex, MutexGuard};
 use std::thread::JoinHandle;
 use std::time::Duration;
 use tpg_engine::{
     Choices, EngineOptions, Environment, EpisodeResult, Evaluator, LocalThreads, Moments, Played, PolicyGraph,
+    Remembered, Remembering,
 };
 use tpg_graph::ScalarType;
+use tpg_graph::error::InputError;
+use tpg_graph::files::read_text;
 use tpg_problems::{Number, Problem};
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
@@ -26,6 +29,8 @@ use tpg_train::{
     train,
 };
 
+/// The preset that a file of settings differs from.
+const DEFAULT: &str = "quick";
 /// Time between two looks for Ctrl-C.
 const WAIT: Duration = Duration::from_millis(50);
 
@@ -95,21 +100,49 @@ impl Settings {
 /// `tpg.nb_roots` to values.
 #[pyfunction]
 pub(crate) fn configuration(preset: &str, settings: &str) -> PyResult<String> {
-    let table = EvolutionConfig::table(preset).ok_or_else(|| {
-        let names = EvolutionConfig::PRESETS.iter().map(|preset| preset.name).collect::<Vec<_>>().join(", ");
-        error::input(format!("the preset {preset:?}; accepted: {names}"))
-    })?;
-    let config = with_settings(preset, table, settings)?.read(EvolutionConfig::from_toml);
-    Ok(config.map_err(error::input)?.to_toml())
+    let mut layers = match EvolutionConfig::table(preset) {
+        Some(table) => Layers::new(preset, table),
+        None if Path::new(preset).is_file() => of_file(Path::new(preset)).map_err(error::input)?,
+        None => {
+            let names = EvolutionConfig::PRESETS.iter().map(|preset| preset.name).collect::<Vec<_>>().join(", ");
+            return Err(error::input(format!("the preset {preset:?}; accepted: {names}, or a file")));
+        }
+    };
+    set_all(&mut layers, settings)?;
+    let mut config = layers.read(EvolutionConfig::from_toml).map_err(error::input)?;
+    // The environment is the problem.
+    config.problem = toml::Table::new();
+    Ok(config.to_toml())
+}
+
+/// Returns the settings of a file above those of the preset that it differs from.
+fn of_file(path: &Path) -> Result<Layers, InputError> {
+    let (file, text) = (path.display().to_string(), read_text(path, "settings as `tpg-train config` prints")?);
+    let (other, base) = match EvolutionConfig::from_other(&file, &text).transpose()? {
+        Some((table, preset)) => (Some(table), preset),
+        None => (None, DEFAULT),
+    };
+    let mut layers = Layers::new(base, EvolutionConfig::table(base).unwrap_or_default());
+    match other {
+        Some(table) => layers.add_table(&file, table),
+        None => layers.add_file(&file, &text)?,
+    }
+    Ok(layers)
 }
 
 /// Returns a preset's settings with other values of some of them.
 pub(crate) fn with_settings(name: &str, mut preset: toml::Table, settings: &str) -> PyResult<Layers> {
     preset.remove("problem");
     let mut layers = Layers::new(name, preset);
+    set_all(&mut layers, settings)?;
+    Ok(layers)
+}
+
+/// Sets the values of a JSON object from keys such as `tpg.nb_roots`.
+fn set_all(layers: &mut Layers, settings: &str) -> PyResult<()> {
     let settings: toml::Table = serde_json::from_str(settings).map_err(error::input)?;
     settings.into_iter().for_each(|(key, value)| layers.set(&key, value));
-    Ok(layers)
+    Ok(())
 }
 
 /// Returns the number of steps of the run in a folder; 0 if there is none.
@@ -125,7 +158,9 @@ impl Evolution {
     fn start(space: &Space, settings: Settings) -> PyResult<Self> {
         let (config, options) = settings.read()?;
         let (space, seed) = (space.clone(), settings.seed);
-        let (inputs, scalar) = (space.length(), config.language.scalar);
+        let memory = Remembered::usual(config.language.memory, &Environment::<f32>::sources(&space));
+        let (inputs, scalar) = (space.length() + memory.len(), config.language.scalar);
+        let space = Remembering::new(space, memory);
         Ok(Self::spawn(inputs, scalar, move |mailbox| match scalar {
             ScalarType::F32 => evolve::<f32, _, _>(&config, seed, &space, mailbox, &options, mailbox),
             ScalarType::F64 => evolve::<f64, _, _>(&config, seed, &space, mailbox, &options, mailbox),
@@ -283,7 +318,8 @@ impl Evolution {
             None => return Err(error::training("the run has ended")),
             Some(Err(_)) => return Err(error::training("the run ended by a defect of the trainer")),
             Some(Ok(Err(RunError::Evaluation(failed)))) => return Err(error::training(failed)),
-            Some(Ok(Err(failed))) => return Err(error::input(failed)),
+            // The library speaks of its command line.
+            Some(Ok(Err(failed))) => return Err(error::input(failed.to_string().replace("--resume", "resume=True"))),
             Some(Ok(Ok(RunEnd::Finished(_)))) => true,
             Some(Ok(Ok(RunEnd::Interrupted))) => false,
         };
@@ -328,8 +364,10 @@ where
 {
     let environment = problem.environment::<S>();
     let choices = Choices::new(&*environment, problem.levels()).map_err(tpg_engine::EvaluationError::new)?;
-    let evaluator = LocalThreads::<S, Own, _>::new(&choices, EngineOptions::default(), threads)?;
-    evolve(config, seed, &choices, &evaluator, options, mailbox)
+    let memory = Remembered::usual(config.language.memory, &choices.sources());
+    let environment = Remembering::new(choices, memory);
+    let evaluator = LocalThreads::<S, Own, _>::new(&environment, EngineOptions::default(), threads)?;
+    evolve(config, seed, &environment, &evaluator, options, mailbox)
 }
 
 /// A run that reports to a mailbox.

@@ -89,6 +89,12 @@ impl Graph {
         self.0.outputs().iter().map(|output| (output.name.clone(), output.range.min, output.range.max)).collect()
     }
 
+    /// The number of the outputs, the last ones, that are remembered until the next decision, which reads them as its last inputs.
+    #[getter]
+    fn memory(&self) -> usize {
+        self.0.memory()
+    }
+
     /// "f32" or "f64": what the graph computes in.
     #[getter]
     fn scalar(&self) -> &'static str {

@@ -50,6 +50,11 @@ impl Policy {
         Self { policy, inputs, scalar, acting: Mutex::new(None) }
     }
 
+    /// Returns the number of values that it reads: observations, and what it remembers.
+    pub(crate) fn inputs(&self) -> usize {
+        self.inputs
+    }
+
     /// Returns what it computes in.
     pub(crate) fn scalar(&self) -> ScalarType {
         self.scalar
@@ -89,6 +94,12 @@ impl Policy {
     fn to_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         let bytes = serde_json::to_vec(&(self.inputs, self.scalar, &self.policy)).map_err(error::input)?;
         Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// The number of values that it reads: observations, and what it remembers.
+    #[getter(inputs)]
+    fn length(&self) -> usize {
+        self.inputs
     }
 
     /// Returns the moments of flat states, as the policy reads these.

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import copy
+import gc
 import itertools
 import pickle
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +19,7 @@ from gymnasium import spaces
 from tpg_train import TPG, InputError
 from tpg_train._tpg import Policy, success_of
 from tpg_train.spaces import Interface
+from tpg_train.wrappers import Differences
 
 SMALL: dict[str, Any] = {"population": 12, "episodes": 2, "settings": {"selection.validation_episodes": 4}}
 
@@ -231,3 +234,111 @@ def test_a_model_is_copied_and_pickled_with_its_run() -> None:
         assert steps > model.num_timesteps
     assert model.learn(300).graph.sha256 == other.graph.sha256 and model.num_timesteps == steps
     assert len(list(itertools.islice(model.folder.iterdir(), 1))) == 1
+
+
+def test_a_budget_is_kept_but_for_an_episode_of_each_policy() -> None:
+    class Endless(environments.Cart):
+        def step(self, action: Any) -> Any:
+            observation, reward, _, _, info = super().step(action)
+            return observation, reward, False, False, info
+
+    arguments = {**SMALL, "episodes": 10}
+    model = TPG(Endless, max_episode_steps=100, **arguments).learn(4_000)
+    # Two demes of twelve roots, at first twice as many; half of what was asked for; and a validation of as much.
+    assert 4_000 <= model.num_timesteps <= 12_000
+    with pytest.warns(UserWarning, match=r"learn\(500\) made \d+ steps: .*max_episode_steps= makes them shorter"):
+        TPG(Endless, max_episode_steps=500, **arguments).learn(500)
+
+
+def test_what_a_model_made_is_closed_with_it() -> None:
+    closed: list[str] = []
+
+    class Cart(environments.Cart):
+        def close(self) -> None:
+            closed.append("")
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", ResourceWarning)
+        with TPG(Cart, **SMALL) as model:
+            folder = model.learn(100).folder
+            assert folder.exists()
+        assert not folder.exists() and len(closed) == 1
+        model = TPG(Cart, **SMALL).learn(100)
+        folder = model.folder
+        del model
+        gc.collect()
+        assert not folder.exists() and len(closed) == 2
+        TPG(Cart(), **SMALL).close()
+        assert len(closed) == 2, "an environment object is its maker's"
+
+
+def test_a_file_of_settings_is_a_preset(tmp_path: Path) -> None:
+    own = tmp_path / "own.toml"
+    own.write_text("[tpg]\nnb_roots = 14\n")
+    assert "nb_roots = 14" in TPG(environments.Cart, preset=own)._config
+    params = tmp_path / "params.json"
+    params.write_text('{ // GEGELATI\n"mutation": {"tpg": {"nbRoots": 37}}}')
+    config = TPG(environments.Cart, preset=str(params))._config
+    assert "nb_roots = 37" in config and "max_program_size = 96" in config
+    own.write_text("[tpg]\nnb_rots = 14\n")
+    with pytest.raises(InputError, match=r"own.toml: line 2: unknown field `nb_rots`"):
+        TPG(environments.Cart, preset=own)
+    with pytest.raises(InputError, match="the preset 'slow'; accepted: .*, or a file"):
+        TPG(environments.Cart, preset="slow")
+
+
+def test_python_speaks_of_its_own_arguments(tmp_path: Path) -> None:
+    TPG(environments.Cart, folder=tmp_path / "run", **SMALL).learn(100)
+    with pytest.raises(InputError, match="an empty folder, or resume=True"):
+        TPG(environments.Cart, folder=tmp_path / "run", **SMALL).learn(100)
+
+
+def test_differences_of_a_dict_keep_its_keys() -> None:
+    class Cart(environments.Cart):
+        observation_space = spaces.Dict({"x": spaces.Box(-9, 9, (1,), np.float32), "v": spaces.Box(-2, 2, (1,), np.float32)})
+
+        def observe(self) -> Any:
+            return {"x": np.array([self.x], np.float32), "v": np.array([self.v], np.float32)}
+
+    env = Differences(Cart())
+    assert [name for name, _ in Interface.of(env).sources()] == ["change_v", "change_x", "now_v", "now_x"]
+    first, _ = env.reset(seed=1)
+    second = env.step(1)[0]
+    assert first["change"]["x"] == 0 and second["change"]["v"] == second["now"]["v"] - first["now"]["v"]
+    assert env.observation_space.contains(second) and TPG(env, **SMALL).learn(100).has_graph
+    with pytest.raises(ValueError, match="or a Dict of them"):
+        Differences(environments.DictCart())
+
+
+def test_a_policy_with_memory_acts_in_predict_as_in_training(tmp_path: Path) -> None:
+    class Cart(environments.Cart):
+        """Tells its position alone."""
+
+        observation_space = spaces.Box(-9, 9, (1,), np.float32)
+        action_space = spaces.Box(-0.1, 0.1, (1,), np.float32)
+
+        def observe(self) -> Any:
+            return np.array([self.x], np.float32)
+
+        def push(self, action: Any) -> float:
+            return float(action[0])
+
+    with pytest.raises(InputError, match="language.memory = 1; accepted: 0, for a problem without outputs"):
+        TPG(environments.Cart, **{**SMALL, "settings": {"language.memory": 1}}).learn(100)
+    settings = {"selection.validation_episodes": 4, "language.memory": 2}
+    model = TPG(Cart, **{**SMALL, "settings": settings}).learn(3000)
+    assert model.graph.memory == 2 and model.graph.inputs[1:] == ["memory0[0]", "memory1[0]"]
+    env, total = Cart(), 0.0
+    for seed in range(4):
+        (observation, _), memory, done = env.reset(seed=seed), None, False
+        while not done:
+            action, memory = model.predict(observation, memory)
+            observation, reward, _, done, _ = env.step(action)
+            total += reward
+    played = Interface.of(env).driver(env).run(Policy.of(model.graph._graph), list(range(4)))
+    assert total == pytest.approx(sum(score for score, _, _ in played))
+    batch, memories = model.predict(np.array([[0.5], [-0.5]], np.float32), np.ones((2, 2)), episode_start=[True, False])
+    assert batch[0] == model.predict(np.array([0.5], np.float32))[0] and memories.shape == (2, 2)
+    model.save(tmp_path / "graph.json")
+    assert (TPG.load(tmp_path / "graph.json", Cart).predict(observation)[0] == model.predict(observation)[0]).all()
+    assert TPG.load(tmp_path / "graph.json").predict(observation)[0].shape == (1,)

@@ -349,8 +349,11 @@ def test_training_goes_on_and_the_same_seed_gives_the_same_graph(tmp_path: Path)
     same = TPG(environments.Cart, **SMALL).learn(30_000)
     assert same.graph.sha256 == whole.graph.sha256
     assert TPG(environments.Cart, seed=2, **SMALL).learn(30_000).graph.sha256 != whole.graph.sha256
-    resumed = TPG(environments.Cart, folder=tmp_path / "a", resume=True, **SMALL).learn(10_000)
-    assert resumed.num_timesteps >= whole.num_timesteps + 10_000
+    resumed = TPG(environments.Cart, folder=tmp_path / "a", resume=True, **SMALL)
+    assert resumed.num_timesteps == whole.num_timesteps
+    # A script that was stopped is run again as it is: the run has these steps already.
+    assert resumed.learn(30_000).num_timesteps == whole.num_timesteps
+    assert resumed.learn(10_000).num_timesteps >= whole.num_timesteps + 10_000
     with pytest.raises(InputError, match="resume"):
         TPG(environments.Cart, folder=tmp_path / "a", **SMALL).learn(10)
 

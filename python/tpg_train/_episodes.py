@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import concurrent.futures
 import hashlib
 import multiprocessing
@@ -84,6 +85,7 @@ def _work(token: str, made_by: bytes, pieces: list[_Piece]) -> list[Any]:
     if driver is None:
         factory, settings = cloudpickle.loads(made_by)
         env = factory()
+        atexit.register(env.close)
         driver = _kept.drivers[token] = Interface.of(env, **settings).driver(env)
     return [getattr(driver, method)(Policy.from_bytes(policy), *more) for method, policy, more in pieces]
 

@@ -9,8 +9,10 @@ import json
 import logging
 import os
 import secrets
+import shutil
 import tempfile
 import warnings
+import weakref
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -24,8 +26,8 @@ from gymnasium.envs.registration import EnvSpec
 from . import _tpg
 from ._episodes import Episodes, Here, Workers, first_difference
 from ._tpg import Evolution, Graph, InputError, Policy, TrainingError
-from .comparing import Comparison, compare
 from .callbacks import BaseCallback, MaybeCallback, _Bar, _TensorBoard, as_list
+from .comparing import Comparison, compare
 from .reports import Evaluation, HallEntry, Proof, Report
 from .spaces import Interface, _name
 
@@ -72,13 +74,14 @@ class Candidate:
         self._policy, self._interface, self._place = policy, interface, place
         self._after, self._keeps_all = after, keeps_all
         self._seen: list[list[float]] = []
+        self._memory = [0.0] * (policy.inputs - interface.inputs)
 
     def predict(self, observation: Any) -> Any:
         """Returns the action for an observation of this episode."""
         states, is_batch = self._interface.states(observation)
         if is_batch:
             raise InputError("a batch of observations; accepted: one, of this candidate's own episode")
-        state = states[0].tolist()
+        state = states[0].tolist() + self._memory
         if self._after is not None:
             while len(self._seen) < len(self._after) and self._after[len(self._seen)] == self.steps:
                 self._seen.append(state)
@@ -86,7 +89,9 @@ class Candidate:
             self._seen.append(state)
         self.steps += 1
         action, values = self._policy.answer(state)
-        answer = np.asarray([values], dtype=np.float64) if action is None else np.asarray([action])
+        outputs = len(values) - len(self._memory)
+        self._memory = values[outputs:]
+        answer = np.asarray([values[:outputs]], dtype=np.float64) if action is None else np.asarray([action])
         return self._interface.to_actions(answer, False)
 
 
@@ -112,11 +117,14 @@ class TPG:
         native: runs a plain id of Gymnasium's own that is built in as the built-in problem, a hundred times as fast. An
             environment object, a function and an id with `env_kwargs` are always used as they are.
         n_workers: worker processes; 0 runs the episodes in this process (built-in problems: on all cores).
-        preset: a configuration that `tpg-train config` prints: "quick" has few steps of the environment for each decision.
+        preset: a configuration that `tpg-train config` prints, "quick" having few steps of the environment for each decision;
+            or a file: settings that differ from those of "quick", or GEGELATI's params.json.
         settings: other values of the preset's settings, such as `{"tpg.nb_roots": 50}`.
         population: roots of a generation. episodes: episodes of each root in a generation. With either of them everything
             begins at random; without, a search for the weights of sums comes first, which needs fewer steps.
         folder: keeps the run, for `resume=True` in a later process and for `tpg-train report`; by default temporary.
+        resume: goes on with the run in the folder: `num_timesteps` is that run's, and the first `learn(total)` makes the run
+            `total` steps long, so that a script that was stopped ends as it would have; later calls add steps.
         max_episode_steps: cuts episodes; by default the environment's own limit, or 10,000.
         input_names: names of the observation's values, for formulas.
         action_names: names of the actions, or of the values of a `Box`, for formulas and code.
@@ -131,7 +139,7 @@ class TPG:
         seed: int | None = 1,
         native: bool = True,
         n_workers: int = 0,
-        preset: str = "quick",
+        preset: PathLike = "quick",
         settings: Mapping[str, Any] | None = None,
         population: int | None = None,
         episodes: int | None = None,
@@ -154,14 +162,32 @@ class TPG:
         self.native: str | None = known if native and given == (None, None, None) else None
         if self.native is not None:
             self._say(f"{self._interface.name} runs as the built-in problem {known}; native=False runs Gymnasium's")
-        self._config = self._configuration(preset, settings or {}, population, episodes, scalar)
-        self._temporary = tempfile.TemporaryDirectory(prefix="tpg-") if folder is None else None
-        self.folder = Path(folder if folder is not None else os.path.join(self._temporary.name, "run"))  # type: ignore[union-attr]
-        self._resume = resume
+        self._config = self._configuration(os.fspath(preset), settings or {}, population, episodes, scalar)
+        self._keep(folder, self._env if isinstance(env, (str, EnvSpec)) or _is_function(env) else None)
+        self._resume = self._counts_total = resume
+        if resume:
+            self.num_timesteps = _tpg.steps_of(self.folder)
         self._graph: Graph | None = None
         self._hall: list[HallEntry] = []
         self._asked: _Asked | None = None
         self._checked = False
+
+    def _keep(self, folder: PathLike | None, own_env: Environment | None) -> None:
+        """Takes the run's folder, a temporary one for None, and closes what is the model's own with the model."""
+        self._temporary = tempfile.mkdtemp(prefix="tpg-") if folder is None else None
+        self.folder = Path(folder if folder is not None else os.path.join(cast(str, self._temporary), "run"))
+        self._let_go = weakref.finalize(self, _let_go, self._temporary, own_env)
+
+    def close(self) -> None:
+        """Closes the environment if the model made it, and removes a temporary run. A model that is deleted does so itself."""
+        self._leave_asking()
+        self._let_go()
+
+    def __enter__(self) -> TPG:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
 
     # The environment
 
@@ -295,7 +321,7 @@ class TPG:
         tensorboard_log: PathLike | None = None,
     ) -> TPG:
         """Evolves for about `total_timesteps` more steps of the environment, a whole number, also as a float such as `1e5`: a
-        generation is always finished.
+        generation is always finished, with fewer episodes where all would take more than half of that.
 
         A second call goes on where the first one stopped, also one that an exception or Ctrl-C stopped: what was learned up to
         the last generation is kept.
@@ -318,7 +344,9 @@ class TPG:
         callbacks = as_list(callback, more)
         callbacks.init_callback(self)
         figures: dict[str, Any] = {"self": self, "progress": {}}
-        evolution = self._start(target, self._known_steps() + total_timesteps)
+        before = 0 if self._counts_total else self.num_timesteps
+        self._counts_total = False
+        evolution = self._start(target, before + total_timesteps)
         episodes: Episodes | None = None
         began = False
         try:
@@ -361,13 +389,14 @@ class TPG:
             if began:
                 callbacks.on_training_end()
             self._read_best()
+        made = self.num_timesteps - before
+        if made > 2 * total_timesteps:
+            warnings.warn(
+                f"learn({total_timesteps}) made {made} steps: an episode of each policy takes that many. max_episode_steps= "
+                "makes them shorter, population= fewer",
+                stacklevel=2,
+            )
         return self
-
-    def _known_steps(self) -> int:
-        """Returns the steps of the run so far, also of one that an earlier process began."""
-        if self.num_timesteps == 0 and self._resume:
-            self.num_timesteps = _tpg.steps_of(self.folder)
-        return self.num_timesteps
 
     def _note(self, says: dict[str, Any]) -> None:
         """Takes the figures of a generation."""
@@ -485,13 +514,25 @@ class TPG:
         state: Any = None,
         episode_start: Any = None,
         deterministic: bool = True,
-    ) -> tuple[Any, None]:
-        """Returns the action for an observation, or the actions for a batch; and None, in place of a recurrent state.
+    ) -> tuple[Any, Any]:
+        """Returns the action for an observation, or the actions for a batch; and the policy's memory for the next call, None
+        without one. `state` is the memory that the last call returned, None at an episode's first; it begins anew where
+        `episode_start` says so.
 
         The policy is deterministic whatever `deterministic` says.
         """
         states, is_batch = self._interface.states(observation)
-        return self._interface.to_actions(self._best().answers(np.ascontiguousarray(states)), is_batch), None
+        graph = self._best()
+        if graph.memory == 0:
+            return self._interface.to_actions(graph.answers(np.ascontiguousarray(states)), is_batch), None
+        memory = np.zeros((len(states), graph.memory)) if state is None else np.array(state, dtype=np.float64, ndmin=2)
+        if memory.shape != (len(states), graph.memory):
+            raise InputError(f"a state of shape {memory.shape}; accepted: {(len(states), graph.memory)}")
+        if episode_start is not None:
+            memory[np.broadcast_to(np.asarray(episode_start, dtype=bool), len(states))] = 0.0
+        answers = graph.answers(np.ascontiguousarray(np.hstack([states, memory])))
+        outputs = answers.shape[1] - graph.memory
+        return self._interface.to_actions(answers[:, :outputs], is_batch), answers[:, outputs:]
 
     @overload
     def evaluate(
@@ -632,16 +673,14 @@ class TPG:
         run = {}
         if self._temporary is not None and self.folder.exists():
             run = {path.name: path.read_bytes() for path in self.folder.iterdir() if path.suffix != ".lock"}
-        kept = {key: value for key, value in self.__dict__.items() if key not in ("_temporary", "_env", "_factory")}
+        kept = {key: value for key, value in self.__dict__.items() if key not in ("_temporary", "_let_go", "_env", "_factory")}
         return {"kept": kept, "env": cloudpickle.dumps((self._env, self._factory)), "run": run if self._temporary else None}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state["kept"])
         self._env, self._factory = cloudpickle.loads(state["env"])
-        self._temporary = None
+        self._keep(self.folder if state["run"] is None else None, self._env)
         if state["run"] is not None:
-            self._temporary = tempfile.TemporaryDirectory(prefix="tpg-")
-            self.folder = Path(self._temporary.name, "run")
             for name, content in state["run"].items():
                 self.folder.mkdir(exist_ok=True)
                 (self.folder / name).write_bytes(content)
@@ -657,18 +696,22 @@ def _check_graph(graph: Graph, file: str, interface: Interface, is_named: bool) 
     Names given for the file's graph alone are taken as they are: an observation of one unnamed Box has none of its own.
     """
     sources = [(name, ends) for name, values in interface.sources() for ends in values]
-    if len(graph.inputs) != len(sources):
-        raise InputError(f"{file}: a graph of {len(graph.inputs)} inputs; accepted: {len(sources)}, as {interface.name} has")
+    inputs, outputs_of_graph = (
+        graph.inputs[: len(graph.inputs) - graph.memory],
+        graph.outputs[: len(graph.outputs) - graph.memory],
+    )
+    if len(inputs) != len(sources):
+        raise InputError(f"{file}: a graph of {len(inputs)} inputs; accepted: {len(sources)}, as {interface.name} has")
     own = [f"{name}[{place}]" for name, values in interface.sources() for place in range(len(values))]
-    if graph.inputs != own and (is_named or len(interface.parts) > 1):
-        raise InputError(f"{file}: a graph of the inputs {', '.join(graph.inputs)}; accepted: {', '.join(own)}")
+    if inputs != own and (is_named or len(interface.parts) > 1):
+        raise InputError(f"{file}: a graph of the inputs {', '.join(inputs)}; accepted: {', '.join(own)}")
     choices, outputs = interface.actions()
-    found, accepted = len(graph.actions) or len(graph.outputs), len(choices) or len(outputs)
+    found, accepted = len(graph.actions) or len(outputs_of_graph), len(choices) or len(outputs)
     if bool(graph.actions) != bool(choices) or found != accepted:
         kinds = [f"{count} {'actions' if named else 'outputs'}" for count, named in ((found, graph.actions), (accepted, choices))]
         raise InputError(f"{file}: a graph of {kinds[0]}; accepted: {kinds[1]}, as {interface.name} has")
     own_bounds = sources + [(name, (low, high)) for name, low, high in outputs]
-    bounds = list(graph.ranges) + [(low, high) for _, low, high in graph.outputs]
+    bounds = list(graph.ranges)[: len(inputs)] + [(low, high) for _, low, high in outputs_of_graph]
     for (name, ends), known in zip(own_bounds, bounds, strict=True):
         # An end that the environment does not declare was estimated.
         if any(np.isfinite(end) and np.float32(end) != np.float32(one) for end, one in zip(ends, known, strict=True)):
@@ -701,10 +744,10 @@ class _Described(gymnasium.Env[Any, Any]):
     """An environment that only describes what a graph reads and answers."""
 
     def __init__(self, graph: Graph) -> None:
-        low, high = np.asarray(graph.ranges, dtype=np.float64).T
+        low, high = np.asarray(graph.ranges[: len(graph.ranges) - graph.memory], dtype=np.float64).T
         self.observation_space = gymnasium.spaces.Box(low, high, dtype=np.float64)
         if graph.outputs:
-            _, least, most = zip(*graph.outputs, strict=True)
+            _, least, most = zip(*graph.outputs[: len(graph.outputs) - graph.memory], strict=True)
             self.action_space = gymnasium.spaces.Box(np.array(least, np.float32), np.array(most, np.float32))
         else:
             self.action_space = gymnasium.spaces.Discrete(len(graph.actions))
@@ -714,6 +757,13 @@ class _Described(gymnasium.Env[Any, Any]):
 
     def step(self, action: Any) -> Any:
         raise InputError("a model that was loaded without its environment; accepted: TPG.load(path, env)")
+
+
+def _let_go(folder: str | None, env: Environment | None) -> None:
+    if env is not None:
+        env.close()
+    if folder is not None:
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 def _is_function(env: Any) -> bool:

@@ -13,6 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Union
 
+import cloudpickle  # type: ignore[import-untyped, unused-ignore]
 import gymnasium
 import numpy as np
 from gymnasium import spaces
@@ -22,7 +23,7 @@ from ._tpg import InputError, Network
 from ._tpg import train_network as train
 from .comparing import controller, play
 from .model import VerificationError
-from .reports import Evaluation
+from .reports import Evaluation, Report
 from .spaces import Interface, _name
 
 PathLike = Union[str, "os.PathLike[str]"]
@@ -106,6 +107,13 @@ class NetworkPolicy:
         if differences:
             raise VerificationError(f"the C differs from the network on {differences} of {states} states")
         return states
+
+    def report(self) -> Report:
+        """Returns what a decision costs."""
+        data = {"bytes": self.bytes, "multiplications": self.multiplications}
+        return Report(
+            f"{self.bytes} bytes of constants, {self.multiplications} multiplications of a weight for each decision", data
+        )
 
     def save(self, path: PathLike) -> None:
         """Writes a `policy.q.json`, which `tpg-codegen policy` reads."""
@@ -383,7 +391,11 @@ def _env_of(model: Any) -> gymnasium.Env[Any, Any]:
         )
     spec = vector.get_attr("spec", 0)[0]
     if spec is None:
-        raise InputError("an environment without an id; accepted: from_sb3(model, env=...)")
+        own = getattr(inner, "envs", None)
+        if not own:
+            raise InputError("an environment without an id; accepted: from_sb3(model, env=...)")
+        copy: gymnasium.Env[Any, Any] = cloudpickle.loads(cloudpickle.dumps(own[0]))
+        return copy
     # Stable-Baselines3's own wrapper only counts.
     wrappers = tuple(wrapper for wrapper in spec.additional_wrappers if wrapper.name != "Monitor")
     return gymnasium.make(dataclasses.replace(spec, additional_wrappers=wrappers))

@@ -61,8 +61,8 @@ class Evaluation:
         low, high = self.ci95
         success = "" if self.success_rate is None else f", {100 * self.success_rate:.1f} % solved"
         return (
-            f"{self.mean:.2f} ± {self.std:.2f} on {self.episodes} episodes of {self.environment} (mean between {low:.2f} and "
-            f"{high:.2f}, least {self.min:.2f}){success}"
+            f"{self.mean:.2f} on {self.episodes} episodes of {self.environment} (95 % interval of the mean {low:.2f} to "
+            f"{high:.2f}, standard deviation {self.std:.2f}, lowest {self.min:.2f}){success}"
         )
 
 

@@ -10,7 +10,6 @@ import gymnasium
 import numpy as np
 from gymnasium import spaces
 from gymnasium.wrappers import FlattenObservation
-from numpy.typing import NDArray
 
 __all__ = ["Differences", "FlattenObservation", "Fresh"]
 
@@ -18,20 +17,16 @@ __all__ = ["Differences", "FlattenObservation", "Fresh"]
 class Differences(gymnasium.ObservationWrapper[Any, Any, Any], gymnasium.utils.RecordConstructorArgs):
     """Adds the change of each value since the last step: what a policy without memory needs where speeds are hidden.
 
-    The observation becomes a Dict of `now` and `change`, whose names formulas keep. On the firmware's side the caller
-    subtracts the last observation from the new one; the first change is 0.
+    The observation becomes a Dict of `now` and `change`, whose names formulas keep; of a Dict observation each is a Dict of the
+    same keys. On the firmware's side the caller subtracts the last observation from the new one; the first change is 0.
     """
 
     def __init__(self, env: gymnasium.Env[Any, Any]) -> None:
         gymnasium.utils.RecordConstructorArgs.__init__(self)
         super().__init__(env)
         space = env.observation_space
-        if not isinstance(space, spaces.Box) or len(space.shape) != 1:
-            raise ValueError(f"the observation space {space}; accepted: a flat Box, as FlattenObservation gives it")
-        reach = np.subtract(space.high, space.low, dtype=np.float32)
-        change = spaces.Box(-reach, reach, dtype=np.float32)
-        self.observation_space = spaces.Dict({"now": space, "change": change})
-        self._last: NDArray[np.float32] | None = None
+        self.observation_space = spaces.Dict({"now": space, "change": _changes(space)})
+        self._last: Any = None
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         """Starts an episode."""
@@ -40,10 +35,35 @@ class Differences(gymnasium.ObservationWrapper[Any, Any, Any], gymnasium.utils.R
 
     def observation(self, observation: Any) -> dict[str, Any]:
         """Returns the values and their changes."""
-        now = np.asarray(observation, dtype=np.float32)
-        change = np.zeros_like(now) if self._last is None else now - self._last
-        self._last = now.copy()
+        now = _numbers(observation)
+        change = _difference(now, now if self._last is None else self._last)
+        self._last = now
         return {"now": observation, "change": change}
+
+
+def _changes(space: spaces.Space[Any]) -> spaces.Space[Any]:
+    """Returns the space of differences of two observations."""
+    if isinstance(space, spaces.Dict):
+        return spaces.Dict({key: _changes(inner) for key, inner in space.spaces.items()})
+    if not isinstance(space, spaces.Box) or len(space.shape) != 1:
+        raise ValueError(
+            f"the observation space {space}; accepted: a flat Box, as FlattenObservation gives it, or a Dict of them"
+        )
+    reach = np.subtract(space.high, space.low, dtype=np.float32)
+    return spaces.Box(-reach, reach, dtype=np.float32)
+
+
+def _numbers(observation: Any) -> Any:
+    """Returns a copy of an observation that no environment changes."""
+    if isinstance(observation, dict):
+        return {key: _numbers(value) for key, value in observation.items()}
+    return np.array(observation, dtype=np.float32)
+
+
+def _difference(now: Any, before: Any) -> Any:
+    if isinstance(now, dict):
+        return {key: _difference(value, before[key]) for key, value in now.items()}
+    return now - before
 
 
 class Fresh(gymnasium.Wrapper[Any, Any, Any, Any]):

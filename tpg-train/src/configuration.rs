@@ -64,6 +64,11 @@ pub trait Configuration: Sized + Serialize {
     /// Returns the name of the preset used for a problem by default.
     fn default_preset(problem: ProblemName) -> &'static str;
 
+    /// Returns the settings in a file of another program, and the name of the preset that they belong to; none for TOML.
+    fn from_other(_file: &str, _text: &str) -> Option<Result<(toml::Table, &'static str), InputError>> {
+        None
+    }
+
     /// Reads and checks a configuration, except for its section `problem`.
     ///
     /// # Errors
@@ -143,6 +148,11 @@ impl Layers {
         let table: toml::Table = settings::from_toml(file, text, "TOML")?;
         self.add(Layer { name: file.to_owned(), text: Some(text.to_owned()), table });
         Ok(())
+    }
+
+    /// Adds settings that are no text of a user's.
+    pub fn add_table(&mut self, name: &str, table: toml::Table) {
+        self.add(Layer { name: name.to_owned(), text: None, table });
     }
 
     /// Sets one key, such as `tpg.nb_roots`.
@@ -248,7 +258,8 @@ impl<C: Configuration> Chosen<C> {
             }
             None => None,
         };
-        let mut name = run.preset.clone();
+        let other = file.as_ref().and_then(|(file, text)| C::from_other(file, text)).transpose()?;
+        let mut name = run.preset.clone().or(other.as_ref().map(|(_, preset)| (*preset).to_owned()));
         if name.is_none() {
             let in_file = || {
                 let table: toml::Table = settings::from_toml(&file.as_ref()?.0, &file.as_ref()?.1, "TOML").ok()?;
@@ -262,8 +273,10 @@ impl<C: Configuration> Chosen<C> {
         };
         let table = C::preset(&name).map(|_| C::table(&name))?;
         let mut layers = Layers::new(&format!("<preset {name}>"), table.unwrap_or_default());
-        if let Some((file, text)) = &file {
-            layers.add_file(file, text)?;
+        match (&file, other) {
+            (Some((file, _)), Some((table, _))) => layers.add_table(file, table),
+            (Some((file, text)), None) => layers.add_file(file, text)?,
+            (None, _) => {}
         }
         for setting in &run.set {
             let (key, value) = setting

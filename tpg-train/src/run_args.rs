@@ -12,8 +12,8 @@ pub struct RunArgs {
     /// A configuration included with the trainer, instead of the problem's default one; `tpg-train config --list` names them
     #[arg(long, value_name = "NAME")]
     pub preset: Option<String>,
-    /// A file of settings that differ from the preset's
-    #[arg(long, value_name = "FILE")]
+    /// A file of settings that differ from the preset's; tpg reads GEGELATI's params.json, too, for the preset gegelati
+    #[arg(long, visible_alias = "params", value_name = "FILE")]
     pub config: Option<PathBuf>,
     /// A setting that differs from these, such as tpg.nb_roots=100; may be repeated
     #[arg(long, value_name = "KEY=VALUE")]

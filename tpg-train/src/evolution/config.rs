@@ -7,8 +7,8 @@
 mod check;
 
 use super::linear::{LinearWriter, ProgramKind};
-use super::presets;
 use super::vocabulary::Vocabulary;
+use super::{params, presets};
 use crate::configuration::{Configuration, Preset};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -332,6 +332,10 @@ impl Configuration for EvolutionConfig {
 
     fn default_preset(problem: ProblemName) -> &'static str {
         presets::default_for(problem)
+    }
+
+    fn from_other(file: &str, text: &str) -> Option<Result<(toml::Table, &'static str), InputError>> {
+        params::is_json(text).then(|| Ok((params::settings(file, text)?, params::PRESET)))
     }
 
     /// Reads a configuration; what it leaves out has the default.

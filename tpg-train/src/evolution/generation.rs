@@ -6,7 +6,7 @@ use super::mirror::opposites;
 use super::record::Row;
 use super::search::Search;
 use super::stage::{Candidate, Context, Episodes, Moment, Results, Stage};
-use super::state::State;
+use super::state::{State, actions};
 use super::vocabulary::Vocabulary;
 use std::collections::VecDeque;
 use std::marker::PhantomData;
@@ -150,8 +150,10 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         let tasks = self.tasks(&state.pool, moment, count);
         let results = match stage.episodes() {
             Episodes::Own => self.own_episodes(&candidates, &tasks)?,
-            Episodes::Same => self.same_episodes(moment, &candidates, &tasks, None)?,
-            Episodes::Racing => self.same_episodes(moment, &candidates, &tasks, Some(survivors))?,
+            Episodes::Same => self.same_episodes(moment, &candidates, &tasks, None, state.episode_steps)?,
+            Episodes::Racing => {
+                self.same_episodes(moment, &candidates, &tasks, Some(survivors), state.episode_steps)?
+            }
         };
         let (row, best) = stage.tell(context, moment, &results);
         state.count_training(&results.endings, best);
@@ -176,14 +178,16 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         Ok(results)
     }
 
-    /// Lets the candidates play the same episodes. In a race only the better ones by running mean play on after some of them, at least
-    /// `survivors`.
+    /// Lets the candidates play the same episodes, fewer where these take more than the run has to spend. In a race only the better
+    /// ones by running mean play on after some of them, at least `survivors`. An episode is expected to take `episode_steps`; 0 if
+    /// that is not known.
     fn same_episodes(
         &self,
         moment: Moment,
         candidates: &[Candidate],
         tasks: &[E::Task],
         survivors: Option<usize>,
+        episode_steps: u64,
     ) -> Result<Results, EvaluationError> {
         let mut endings: Vec<Vec<EpisodeResult>> = vec![Vec::new(); candidates.len()];
         let mut open: Vec<usize> = (0..candidates.len()).collect();
@@ -200,8 +204,19 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
             }
             Ok::<_, EvaluationError>(())
         };
+        let (mut tasks, mut done) = (tasks, 0);
+        let expected = episode_steps.saturating_mul((candidates.len() * tasks.len()) as u64);
+        if self.most_steps().is_some_and(|most| expected == 0 || expected > most / 4) && tasks.len() > 1 {
+            evaluate(&mut endings, &open, &tasks[..1])?;
+            done = 1;
+            tasks = &tasks[..self.affordable(actions(endings.iter().flatten()), tasks.len())];
+        }
+        let racing = racing.min(tasks.len());
         if racing > 0 && !open.is_empty() {
-            evaluate(&mut endings, &open, &tasks[..racing])?;
+            if done < racing {
+                evaluate(&mut endings, &open, &tasks[done..racing])?;
+                done = racing;
+            }
             let mean = |place: usize| {
                 let mut record = candidates[place].record;
                 record.add(endings[place].iter().map(|ending| finite(ending.score)));
@@ -213,8 +228,22 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
             let limit = means[share.max(survivors.unwrap_or(0)).min(means.len()) - 1];
             open.retain(|&place| mean(place) >= limit);
         }
-        evaluate(&mut endings, &open, &tasks[racing..])?;
+        if done < tasks.len() {
+            evaluate(&mut endings, &open, &tasks[done..])?;
+        }
         Ok(Results { endings, ..Results::default() })
+    }
+
+    /// Returns the maximum number of steps of a generation's training, and of its validation, unless one episode of each policy takes
+    /// more: half of the run's.
+    fn most_steps(&self) -> Option<u64> {
+        self.goal.max_steps.map(|most| most / 2)
+    }
+
+    /// Returns how many of `count` rounds, each of so many steps, a generation has the steps for; at least one.
+    pub(super) fn affordable(&self, steps: u64, count: usize) -> usize {
+        let most = self.most_steps().map_or(u64::MAX, |most| most / steps.max(1));
+        most.clamp(1, count.max(1) as u64) as usize
     }
 
     /// Returns the tasks of a generation.

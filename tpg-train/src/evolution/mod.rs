@@ -16,6 +16,7 @@ mod mirror;
 mod mutate_leaf;
 mod mutate_program;
 mod mutate_team;
+mod params;
 mod population;
 pub(crate) mod presets;
 mod products;

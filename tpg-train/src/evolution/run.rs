@@ -137,7 +137,13 @@ pub fn train<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     mut watch: impl FnMut(&Progress<'_>) -> ControlFlow<()>,
 ) -> Result<RunEnd, RunError> {
     config.check_environment(environment)?;
+    let asked = config.start.share;
     let config = &config.fitted(environment);
+    if asked > 0.0 && config.start.share == 0.0 {
+        tpg_graph::command::note(
+            "a sum of all inputs is too long for a program: no search for weights, the run starts at random",
+        );
+    }
     let folder = RunFolder::open(&options.folder, Trainer::Tpg, options.resume)?;
     let found = folder
         .load(checkpoint::VERSION, |file, content| checkpoint::from_bytes(file, content, config, seed, environment))?;

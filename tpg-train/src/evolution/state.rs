@@ -75,7 +75,7 @@ pub struct State<Task> {
 }
 
 /// Returns the number of actions of episodes.
-fn actions<'a>(endings: impl IntoIterator<Item = &'a EpisodeResult>) -> u64 {
+pub(super) fn actions<'a>(endings: impl IntoIterator<Item = &'a EpisodeResult>) -> u64 {
     endings.into_iter().map(|ending| u64::from(ending.actions)).sum()
 }
 

@@ -103,7 +103,10 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         let left = episodes_left(state, selection.validation_share);
         if self.is_last(state) {
             let affordable = (all as u64 * left / cost.max(1)) as usize;
-            return Some(affordable.clamp(MIN_EPISODES.min(all), all));
+            // A race of so many roots costs a multiple of its episodes.
+            let each = self::cost(roots, MIN_EPISODES).div_ceil(MIN_EPISODES as u64);
+            let least = self.affordable(each * state.episode_steps, MIN_EPISODES.min(all));
+            return Some(affordable.clamp(least, all));
         }
         let training = state.steps - state.selection_steps;
         let promising = self.goal.target.is_some_and(|target| best >= target)
