@@ -29,6 +29,14 @@ fn quiet_prints_no_sentence_about_success() {
     let words = ["verify", GRAPH, "--lang", "rust", "--profile", "fast", "--states", "100"];
     assert!(codegen(&words).contains("= interpreter on 100 states"));
     assert_eq!(codegen(&[&words[..], &["--quiet"]].concat()), "");
+    for quiet in ["-q", "--quiet"] {
+        assert_eq!(codegen(&[&[quiet], &words[..]].concat()), "");
+        assert!(codegen(&[quiet, "schema"]).starts_with('{'));
+        let folder = tempfile::tempdir().expect("a folder");
+        let out = folder.path().to_str().expect("a name");
+        assert_eq!(codegen(&[quiet, GRAPH, "-o", out, "--lang", "c", "--no-verify"]), "");
+        assert!(folder.path().join("cartpole.c").exists());
+    }
 }
 
 #[test]

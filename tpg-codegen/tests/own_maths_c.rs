@@ -30,13 +30,13 @@ const FLAGS: [&str; 12] = [
     "-Werror",
 ];
 
-/// Reads numbers and writes the five results of each.
+/// Reads numbers and writes the results of each.
 const MAIN: &str = "
 int main(void)
 {
     NUMBER x;
     while (fread(&x, sizeof x, 1, stdin) == 1) {
-        const NUMBER y[5] = {tpg_sin(x), tpg_cos(x), tpg_tan(x), tpg_ln(x), tpg_exp(x)};
+        const NUMBER y[7] = {tpg_sin(x), tpg_cos(x), tpg_tan(x), tpg_ln(x), tpg_exp(x), tpg_atan(x), tpg_tanh(x)};
         if (fwrite(y, sizeof y, 1, stdout) != 1) {
             return 1;
         }
@@ -64,7 +64,7 @@ fn run(compiler: &[&str], program: &[(String, String)], input: Vec<u8>) -> Optio
         std::fs::write(directory.path().join(name), text).unwrap();
     }
     let mut command = Command::new(compiler[0]);
-    command.args(&compiler[1..]).args(FLAGS).arg(&source).arg("-o").arg(&binary);
+    command.args(&compiler[1..]).args(FLAGS).arg(&source).arg("-o").arg(&binary).arg("-lm");
     assert!(command.status().unwrap().success(), "{command:?}");
 
     let mut child = Command::new(&binary).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
@@ -88,7 +88,7 @@ fn random_bits() -> impl Iterator<Item = u64> {
 
 macro_rules! same_bits {
     ($module:ident, $float:ident, $scalar:expr, $number:literal, $inputs:expr) => {{
-        use own::$module::{cos, exp, ln, sin, tan};
+        use own::$module::{atan, cos, exp, ln, sin, tan, tanh};
         let program = program($scalar, $number);
         let inputs: Vec<$float> = $inputs.map($float::from_bits).collect();
         let bytes: Vec<u8> = inputs.iter().flat_map(|x| x.to_ne_bytes()).collect();
@@ -98,9 +98,17 @@ macro_rules! same_bits {
                 continue;
             };
             let (results, rest) = output.as_chunks();
-            assert_eq!((results.len(), rest.len()), (5 * inputs.len(), 0), "{compiler:?}");
-            for (&x, results) in inputs.iter().zip(results.chunks_exact(5)) {
-                let expected = [("sin", sin(x)), ("cos", cos(x)), ("tan", tan(x)), ("ln", ln(x)), ("exp", exp(x))];
+            assert_eq!((results.len(), rest.len()), (7 * inputs.len(), 0), "{compiler:?}");
+            for (&x, results) in inputs.iter().zip(results.chunks_exact(7)) {
+                let expected = [
+                    ("sin", sin(x)),
+                    ("cos", cos(x)),
+                    ("tan", tan(x)),
+                    ("ln", ln(x)),
+                    ("exp", exp(x)),
+                    ("atan", atan(x)),
+                    ("tanh", tanh(x)),
+                ];
                 for ((function, expected), &got) in expected.into_iter().zip(results) {
                     let got = $float::from_ne_bytes(got);
                     let same = got.to_bits() == expected.to_bits() || (got.is_nan() && expected.is_nan());

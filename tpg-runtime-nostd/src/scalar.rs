@@ -4,6 +4,24 @@ use crate::ops::remainder;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+/// The square roots: of the processor where there is `std`, else of the crate `libm`. IEEE 754 leaves no choice.
+mod root {
+    #[cfg(not(feature = "std"))]
+    pub(super) use libm::{sqrt as f64, sqrtf as f32};
+
+    #[cfg(feature = "std")]
+    #[inline(always)]
+    pub(super) fn f32(x: f32) -> f32 {
+        x.sqrt()
+    }
+
+    #[cfg(feature = "std")]
+    #[inline(always)]
+    pub(super) fn f64(x: f64) -> f64 {
+        x.sqrt()
+    }
+}
+
 /// `f32` or `f64`, with exactly the operations the runtime needs.
 ///
 /// Every operation is the IEEE-754 one, rounded to nearest even; nothing is fused or reassociated.
@@ -40,6 +58,8 @@ pub trait Scalar:
     /// The remainder of a division by `divisor`, with the sign of this number, exactly: see
     /// [`Instruction::Fmod`](crate::ops::Instruction::Fmod).
     fn fmod(self, divisor: Self) -> Self;
+    /// The square root, correctly rounded: see [`Instruction::Sqrt`](crate::ops::Instruction::Sqrt).
+    fn square_root(self) -> Self;
     /// Truncated towards zero; the nearest end where `i32` has no such number, 0 for a NaN.
     fn to_i32(self) -> i32;
     /// The greatest whole number that is not above this one, never −0; infinities and NaN stay.
@@ -96,6 +116,10 @@ impl Scalar for f32 {
     fn fmod(self, divisor: Self) -> Self {
         remainder::fmod_f32(self, divisor)
     }
+    #[inline(always)]
+    fn square_root(self) -> Self {
+        root::f32(self)
+    }
 }
 
 impl Scalar for f64 {
@@ -140,5 +164,9 @@ impl Scalar for f64 {
     #[inline]
     fn fmod(self, divisor: Self) -> Self {
         remainder::fmod_f64(self, divisor)
+    }
+    #[inline(always)]
+    fn square_root(self) -> Self {
+        root::f64(self)
     }
 }

@@ -67,6 +67,16 @@ fn f32_exp_is_within_its_bound() {
 }
 
 #[test]
+fn f32_atan_and_tanh_are_within_their_bounds() {
+    for (kernel, reference, bound) in
+        [(own::f32::atan as fn(f32) -> f32, f64::atan as fn(f64) -> f64, 2.1), (own::f32::tanh, f64::tanh, 1.5)]
+    {
+        let (_, ulps) = worst_f32(kernel, reference);
+        assert!(ulps <= bound, "{ulps} ulp");
+    }
+}
+
+#[test]
 fn f64_is_within_its_bounds_at_the_hard_points() {
     let hexadecimal = |text: &str| u64::from_str_radix(text, 16).unwrap();
     let mut counts = [0; 4];
@@ -116,12 +126,14 @@ fn random_doubles() -> impl Iterator<Item = f64> {
 #[test]
 fn f64_is_near_the_platforms_functions() {
     // They are correct to an ulp or so themselves.
-    let pairs: [(Function, Function, u64); 5] = [
+    let pairs: [(Function, Function, u64); 7] = [
         (own::f64::sin, f64::sin, 3),
         (own::f64::cos, f64::cos, 3),
         (own::f64::ln, f64::ln, 3),
         (own::f64::exp, f64::exp, 3),
         (own::f64::tan, f64::tan, 5),
+        (own::f64::atan, f64::atan, 3),
+        (own::f64::tanh, f64::tanh, 3),
     ];
     for x in random_doubles().take(500_000) {
         for (index, (kernel, reference, ulps)) in pairs.into_iter().enumerate() {
@@ -136,12 +148,19 @@ fn f64_is_near_the_platforms_functions() {
 fn special_values() {
     macro_rules! check {
         ($module:ident, $float:ident) => {{
-            use own::$module::{cos, exp, ln, sin, tan};
+            use own::$module::{atan, cos, exp, ln, sin, tan, tanh};
             const INFINITY: $float = $float::INFINITY;
             for x in [INFINITY, -INFINITY, $float::NAN, -$float::NAN] {
                 assert!(sin(x).is_nan() && cos(x).is_nan() && tan(x).is_nan(), "{x}");
             }
-            assert!(exp($float::NAN).is_nan() && exp(-$float::NAN).is_nan());
+            for x in [$float::NAN, -$float::NAN] {
+                assert!(exp(x).is_nan() && atan(x).is_nan() && tanh(x).is_nan());
+            }
+            for x in [0.0, $float::from_bits(1)] {
+                assert_eq!([atan(x), tanh(x)].map($float::to_bits), [x.to_bits(); 2]);
+            }
+            let half: $float = std::f64::consts::FRAC_PI_2 as $float;
+            assert_eq!((atan(INFINITY), atan($float::MAX), tanh(INFINITY), tanh($float::MAX)), (half, half, 1.0, 1.0));
             for x in [-INFINITY, -1.0, -$float::MIN_POSITIVE, -$float::from_bits(1), $float::NAN, -$float::NAN] {
                 assert!(ln(x).is_nan(), "{x}");
             }
@@ -173,12 +192,18 @@ fn sine_is_odd_cosine_even_and_both_are_bounded() {
     for x in random_doubles().filter(|x| x.is_finite()).take(500_000) {
         assert_eq!(own::f64::sin(-x).to_bits(), (-own::f64::sin(x)).to_bits());
         assert_eq!(own::f64::cos(-x).to_bits(), own::f64::cos(x).to_bits());
+        assert_eq!(own::f64::atan(-x).to_bits(), (-own::f64::atan(x)).to_bits());
+        assert_eq!(own::f64::tanh(-x).to_bits(), (-own::f64::tanh(x)).to_bits());
+        assert!(own::f64::tanh(x).abs() <= 1.0);
         assert!(own::f64::sin(x).abs() <= 1.0 && own::f64::cos(x).abs() <= 1.0);
     }
     for x in random_bits().map(|bits| f32::from_bits(bits as u32)).filter(|x| x.is_finite()).take(500_000) {
         assert_eq!(own::f32::sin(-x).to_bits(), (-own::f32::sin(x)).to_bits());
         assert_eq!(own::f32::tan(-x).to_bits(), (-own::f32::tan(x)).to_bits());
         assert_eq!(own::f32::cos(-x).to_bits(), own::f32::cos(x).to_bits());
+        assert_eq!(own::f32::atan(-x).to_bits(), (-own::f32::atan(x)).to_bits());
+        assert_eq!(own::f32::tanh(-x).to_bits(), (-own::f32::tanh(x)).to_bits());
+        assert!(own::f32::tanh(x).abs() <= 1.0);
         assert!(own::f32::sin(x).abs() <= 1.0 && own::f32::cos(x).abs() <= 1.0);
     }
     // Where the quadrants meet, rounding must not carry a result past ±1.

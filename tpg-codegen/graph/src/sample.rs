@@ -67,7 +67,7 @@ pub enum Constants {
 }
 
 impl Default for Shape {
-    /// Returns the shape of a graph about as large as the paper's, with every instruction but the quotient.
+    /// Returns the shape of a graph about as large as the paper's, with every instruction but rare ones.
     fn default() -> Self {
         Self {
             teams: 20,
@@ -101,8 +101,10 @@ impl Shape {
         let mut instructions: Vec<Word> = words().collect();
         instructions.shuffle(&mut random);
         instructions.truncate(random.random_range(1..=instructions.len()));
-        if seed.is_multiple_of(4) {
-            instructions.push(Instruction::Quotient.into());
+        match seed % 4 {
+            0 => instructions.push(RARE[0].into()),
+            1 => instructions.extend(RARE[1..].iter().map(|&rare| Word::from(rare))),
+            _ => {}
         }
         let constants = [Constants::None, Constants::Integers, Constants::Reals];
         Self {
@@ -123,9 +125,12 @@ impl Shape {
     }
 }
 
-/// Every word but the quotient, which only some random graphs have.
+/// Instructions that only some random graphs have.
+const RARE: [Instruction; 4] = [Instruction::Quotient, Instruction::Sqrt, Instruction::Atan, Instruction::Tanh];
+
+/// Every word but the rare instructions.
 fn words() -> impl Iterator<Item = Word> {
-    Word::ALL.into_iter().filter(|&word| word != Word::Instruction(Instruction::Quotient))
+    Word::ALL.into_iter().filter(|word| RARE.iter().all(|&rare| *word != rare.into()))
 }
 
 /// Returns a random graph of the given shape.

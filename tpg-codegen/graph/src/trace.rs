@@ -1,8 +1,8 @@
 //! Recorded states: the observations of a policy, one per row, and what the policy answered.
 //!
 //! The file is CSV with a header. A column holds a value of the state and has its name in the graph, `target[0]`; columns
-//! may come in any order, and others are ignored. Where answers are read too, the column `action` holds the number of the
-//! action; for a policy with outputs, the column of each output's name holds its value.
+//! may come in any order, and others are ignored. Where answers are read too, the column `action` holds the number or the name of
+//! the action; for a policy with outputs, the column of each output's name holds its value.
 
 use crate::error::{InputError, Place};
 use crate::import;
@@ -39,7 +39,7 @@ pub fn load(path: &Path, graph: &Graph) -> Result<(Vec<f64>, String), InputError
 /// # Errors
 /// As [`load`].
 pub fn from_text(file: &str, text: &str, graph: &Graph) -> Result<Vec<f64>, InputError> {
-    let rows = Rows::read(file, text, &state_columns(graph))?;
+    let rows = Rows::read(file, text, &state_columns(graph), |_| None)?;
     Ok(rows.values.iter().map(|&value| graph.scalar().round(value)).collect())
 }
 
@@ -63,7 +63,8 @@ pub fn recording_from_text(file: &str, text: &str, graph: &Graph) -> Result<Reco
         [] => columns.push(ACTION.to_owned()),
         outputs => columns.extend(outputs.iter().map(|output| output.name.clone())),
     }
-    let Rows { values, lines } = Rows::read(file, text, &columns)?;
+    let action = |name: &str| graph.actions().iter().position(|action| action.name == name);
+    let Rows { values, lines } = Rows::read(file, text, &columns, action)?;
     let mut recording = Recording { states: Vec::new(), answers: Vec::new(), lines };
     let round = |value: &f64| graph.scalar().round(*value);
     for (row, &line) in values.chunks_exact(columns.len()).zip(&recording.lines) {
@@ -95,9 +96,15 @@ struct Rows {
 }
 
 impl Rows {
-    fn read(file: &str, text: &str, names: &[String]) -> Result<Self, InputError> {
+    /// Reads the columns of these names. `action` finds the number of an action by its name.
+    fn read(
+        file: &str,
+        text: &str,
+        names: &[String],
+        action: impl Fn(&str) -> Option<usize>,
+    ) -> Result<Self, InputError> {
         let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
-        let header = reader.headers().map_err(|error| malformed(file, &error))?.clone();
+        let header = reader.headers().map_err(|error| malformed(file, text, &error))?.clone();
         let mut columns = Vec::with_capacity(names.len());
         for name in names {
             let mut found = (0..header.len()).filter(|&column| header.get(column) == Some(name));
@@ -111,13 +118,16 @@ impl Rows {
             }
         }
         let mut rows = Self { values: Vec::new(), lines: Vec::new() };
+        let mut lines = Lines { text, line: 1, counted: 0 };
         for record in reader.records() {
-            let record = record.map_err(|error| malformed(file, &error))?;
-            let line = record.position().map_or(1, |position| position.line() as usize);
+            let record = record.map_err(|error| malformed(file, text, &error))?;
+            let line = record.position().map_or(1, |position| lines.of(position));
             rows.lines.push(line);
             for (&column, name) in columns.iter().zip(names) {
                 let text = record.get(column).unwrap_or_default();
-                rows.values.push(text.parse().map_err(|_| {
+                let number = text.parse().ok();
+                let named = || action(text).filter(|_| name == ACTION).map(|action| action as f64);
+                rows.values.push(number.or_else(named).ok_or_else(|| {
                     InputError::new(file, Place::Line(line), format!("{text:?} in column {name:?}"), "a number")
                 })?);
             }
@@ -129,8 +139,29 @@ impl Rows {
     }
 }
 
-fn malformed(file: &str, error: &csv::Error) -> InputError {
-    let place = error.position().map_or(Place::Whole, |position| Place::Line(position.line() as usize));
+/// Counts lines: a reader's own count is behind where lines end with CR and LF.
+struct Lines<'t> {
+    text: &'t str,
+    /// The line of the first byte that has not been counted.
+    line: usize,
+    counted: usize,
+}
+
+impl Lines<'_> {
+    /// Returns the line, from 1, on which the record at a position begins; positions ascend.
+    fn of(&mut self, position: &csv::Position) -> usize {
+        let bytes = self.text.as_bytes();
+        let mut start = (position.byte() as usize).clamp(self.counted, bytes.len());
+        start += bytes[start..].iter().take_while(|byte| b"\r\n".contains(byte)).count();
+        self.line += bytes[self.counted..start].iter().filter(|&&byte| byte == b'\n').count();
+        self.counted = start;
+        self.line
+    }
+}
+
+fn malformed(file: &str, text: &str, error: &csv::Error) -> InputError {
+    let line = |position: &csv::Position| Lines { text, line: 1, counted: 0 }.of(position);
+    let place = error.position().map_or(Place::Whole, |position| Place::Line(line(position)));
     let found = match error.kind() {
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
             format!("{len} fields under {expected_len} columns")
@@ -162,6 +193,9 @@ mod tests {
         assert_eq!((&states[..3], lines), (&[1.0, 0.5, -3.0][..], vec![2, 3]));
         assert!(states[3].is_nan());
         assert_eq!(answers, [2, 0].map(|action| Answer::Action(ActionId(action))));
+        let named = format!("action,s0[0],s0[1]\r\n\r\n{},1,0.5\r\n", graph.actions()[1].name);
+        let recording = recording_from_text("t.csv", &named, &graph).expect("an action by its name");
+        assert_eq!((recording.answers, recording.lines), (vec![Answer::Action(ActionId(1))], vec![3]));
         for bad in ["3", "-1", "0.5", "nan"] {
             let text = format!("action,s0[0],s0[1]\n{bad},1,2\n");
             let error = recording_from_text("t.csv", &text, &graph).expect_err(bad).to_string();
@@ -184,7 +218,7 @@ mod tests {
     #[test]
     fn what_is_wrong_is_said() {
         let graph = sample::graph(&Shape { sources: vec![2], ..Shape::default() }, 1);
-        let refused = |text| from_text("t.csv", text, &graph).expect_err("refused").to_string();
+        let refused = |text: &str| from_text("t.csv", text, &graph).expect_err("refused").to_string();
         assert!(refused("s0[0]\n1\n").starts_with("t.csv: line 1: no column \"s0[1]\"; accepted: "));
         assert!(refused("s0[0],s0[1],s0[1]\n").contains("more than one column \"s0[1]\""));
         assert!(
@@ -192,6 +226,12 @@ mod tests {
                 .starts_with("t.csv: line 3: \"x\" in column \"s0[1]\"; accepted: a number")
         );
         assert!(refused("s0[0],s0[1]\n1,2\n3\n").starts_with("t.csv: line 3: 1 fields under 2 columns"));
+        for ends in ["\n", "\r\n"] {
+            let text = ["s0[0],s0[1]", "1,2", "3,4", "5,x"].join(ends);
+            assert!(refused(&text).starts_with("t.csv: line 4: \"x\""), "{ends:?}");
+            let text = ["s0[0],s0[1]", "1,2", "3,4", "5"].join(ends);
+            assert!(refused(&text).starts_with("t.csv: line 4: 1 fields"), "{ends:?}");
+        }
         assert!(refused("s0[0],s0[1]\n").starts_with("t.csv: no states"));
         assert!(refused("").contains("no column"));
     }

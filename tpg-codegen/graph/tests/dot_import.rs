@@ -5,7 +5,7 @@ use tpg_graph::Word;
 use tpg_graph::error::InputError;
 use tpg_graph::export;
 use tpg_graph::import::{self, Profile, Sidecar};
-use tpg_graph::interpret::Interpreter;
+use tpg_graph::interpret::{Answer, Interpreter};
 use tpg_graph::{Destination, Graph, Line, Operand};
 use tpg_runtime::ops::{Instruction, Maths, Own};
 
@@ -207,6 +207,70 @@ fn an_action_node_repeated_with_another_action_is_refused() {
         1,
     );
     assert!(read_second(&text).expect_err("two actions").to_string().contains("A101 a second time"));
+}
+
+/// A distance in space, an angle and a constant, as instructions of a robot's programs have them.
+#[test]
+fn instructions_of_six_operands_have_roots() {
+    let instructions = r#"instructions = ["sub", "cos",
+    { name = "distance", is = "sqrt(add(add(mul(sub(a, b), sub(a, b)), mul(sub(c, d), sub(c, d))), mul(sub(e, f), sub(e, f))))" },
+    { name = "angle", is = "atan(div(a, b))" }]"#;
+    let sidecar = SIDECAR.replace("instructions = [\"sub\", \"cos\"]", instructions);
+    let sidecar = Sidecar::from_toml("x.toml", &sidecar).unwrap_or_else(|error| panic!("{error}"));
+    let lines = "2|1&1|0#1|1#1|2#2|0#2|1#0|3&#92;n3|2&1|0#1|1#1|0#1|0#1|0#1|0&#92;n0|0&0|1#0|2#1|0#1|0#1|0#1|0&#92;n";
+    let text = SMALL.replace("0|1&2|3#0|6&#92;n1|0&1|4#9|9&#92;n", lines);
+    let graph = import::from_text("x.dot", &text, Some(&sidecar)).unwrap_or_else(|error| panic!("{error}"));
+    let program = graph.programs().iter().find(|program| !program.lines.is_empty()).expect("a program");
+    let [a, b, c, d, e] = [3.5_f64, -0.25, 7.0, 1e3, 512.0];
+    let distance = ((a - b) * (a - b) + (c - d) * (c - d) + (e - 0.0) * (e - 0.0)).sqrt();
+    let expected = distance - <Own as Maths<f64>>::atan(a / b);
+    assert_eq!(Interpreter::<f64, Own>::new(&graph).run(program, &[a, b, c, d, e]), expected);
+
+    let five = text.replace("#2|0#2|1#0|3&#92;n3", "#2|0#2|1&#92;n3");
+    let error = import::from_text("x.dot", &five, Some(&sidecar)).expect_err("an operand is missing");
+    assert!(error.to_string().contains("program line 1: 5 operands of distance; accepted: at least 6"), "{error}");
+}
+
+/// A formula without a team, as MAPLE exports it: each line has constants of its own, the value is squashed.
+const MAPLE: &str = r##"// File exported with GEGELATI v1.4.0
+digraph{
+	graph[pad = "0.212, 0.055" bgcolor = lightgray]
+	node[shape=circle style = filled label = ""]
+		A7 [fillcolor="#ff3366" shape=box margin=0.03 width=0 height=0 label="0"]
+		P3 [fillcolor="#cccccc" shape=point label="1"] //
+		I3 [shape=box style=invis label="0|1&1|0#1|1&#92;n1|0&0|1#1|5&#92;n"] //0.5|-0.25|0.75|0.125|
+		P3 -> I3[style=invis]
+		A7 -> P3
+}
+"##;
+
+const MAPLE_SIDECAR: &str = r#"
+scalar = "f64"
+maths = "own"
+registers = 8
+sources = [{ name = "obs", length = 2, unit = "", range = [-1, 1] }]
+instructions = [{ name = "minus", is = "sub(mul(a, k0), mul(b, k1))" }, { name = "sine", is = "sin(mul(a, k0))" }]
+outputs = [{ name = "torque", unit = "", min = -1, max = 1, nan = -1, is = "tanh(a)" }]
+"#;
+
+#[test]
+fn constants_of_lines_are_those_of_their_line() {
+    let read =
+        |text: &str, sidecar: &str| import::from_text("x.dot", text, Some(&Sidecar::from_toml("x.toml", sidecar)?));
+    let graph = read(MAPLE, MAPLE_SIDECAR).unwrap_or_else(|error| panic!("{error}"));
+    let interpreter = Interpreter::<f64, Own>::new(&graph);
+    let state = [0.75, -3.0];
+    let difference = state[0] * 0.5 - state[1] * -0.25;
+    let expected = <Own as Maths<f64>>::tanh(<Own as Maths<f64>>::sin(difference * 0.75));
+    assert_eq!(interpreter.answer(&state), Answer::Values(vec![expected]));
+
+    let refused = |text: &str, sidecar: &str| read(text, sidecar).expect_err("refused").to_string();
+    let odd = refused(&MAPLE.replace("0.75|0.125|", "0.75|"), MAPLE_SIDECAR);
+    assert!(odd.starts_with("x.dot: line 7: 3 constants on 2 lines; accepted: as many for each line"), "{odd}");
+    let one = refused(&MAPLE.replace("0.5|-0.25|0.75|0.125|", "0.5|0.75|"), MAPLE_SIDECAR);
+    assert!(one.contains("program line 1: 1 constant of a line for minus; accepted: at least 2"), "{one}");
+    let output = refused(MAPLE, &MAPLE_SIDECAR.replace("tanh(a)", "tanh(mul(a, k0))"));
+    assert!(output.contains("accepted: a call on the value a alone"), "{output}");
 }
 
 /// The guards of GEGELATI's own programs, for every kind of number: the compositions that docs/graph-json.md gives for them.

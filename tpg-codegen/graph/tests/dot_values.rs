@@ -214,7 +214,7 @@ fn a_window_must_fit() {
     let cases = [
         ("a = [2, 2]", "a = [3, 2]", "a window of 3 by 2 on 2 by 4 values"),
         ("a = [2] }", "a = [2], b = [0] }", "a window of [0]"),
-        ("a = [2] }", "e = [2] }", "a window \"e\""),
+        ("a = [2] }", "g = [2] }", "a window \"g\""),
         ("a[1][1]", "a[1][2]", "a[1][2] of a window of 2 by 2"),
         ("a[1][1]", "a", "a of a window of 2 by 2"),
         ("windows = { a = [2] }", "windows = {}", "a[1] of a number"),

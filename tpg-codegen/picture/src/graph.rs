@@ -55,9 +55,10 @@ pub fn figure(graph: &Graph) -> Figure {
         }
     }
     let edges: usize = graph.teams().iter().map(|team| team.edges.len()).sum();
+    let moves = graph.actions().iter().any(|action| action.effect.is_some());
     let caption = format!(
         "The graph: {}, {}, {}, {}. A circle is a team with its number of edges, the root \
-         is filled; edges to actions have the colour of the joint; several edges between the same two are one thick line.",
+         is filled; edges to actions have the colour of the {}; several edges between the same two are one thick line.",
         counted(graph.teams().len(), "team"),
         counted(edges, "edge"),
         counted(graph.programs().len(), "program"),
@@ -65,7 +66,14 @@ pub fn figure(graph: &Graph) -> Figure {
             (ends, true) => counted(ends, "action"),
             (1, false) => "1 leaf".to_owned(),
             (ends, false) => format!("{ends} leaves"),
-        }
+        },
+        if moves {
+            "joint"
+        } else if graph.outputs().is_empty() {
+            "action"
+        } else {
+            "leaf"
+        },
     );
     let is_broad = places.len() > BROAD;
     Figure { svg: svg.finish("the graph"), caption, is_broad }
@@ -73,8 +81,8 @@ pub fn figure(graph: &Graph) -> Figure {
 
 /// Draws a graph as an SVG element that needs no page: for a notebook, say.
 pub fn standalone(graph: &Graph) -> String {
-    let style = format!("<style>{}</style>", super::STYLE);
-    figure(graph).svg.replacen('>', &format!(">{style}"), 1)
+    let head = format!(" style=\"background: var(--paper)\"><style>{}{}</style>", super::COLOURS, super::STYLE);
+    figure(graph).svg.replacen('>', &head, 1)
 }
 
 /// Returns the colour of an action: actions that move the same joint share a colour.
@@ -160,6 +168,9 @@ mod tests {
             let svg = standalone(&sample::graph(&shape, 1));
             assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"), "{svg}");
             assert!(svg.contains("<style>") && svg.contains(".c0 {"), "{svg}");
+            for name in svg.split("var(--").skip(1).filter_map(|rest| rest.split_once(')')) {
+                assert!(svg.contains(&format!("--{}: #", name.0)), "{} has no colour", name.0);
+            }
         }
     }
 }

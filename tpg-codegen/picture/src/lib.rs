@@ -9,6 +9,8 @@ mod page;
 mod plot;
 mod svg;
 
+/// The colours by name, as CSS.
+const COLOURS: &str = include_str!("../templates/colours.css");
 /// Colours and lines of pictures, as CSS.
 const STYLE: &str = include_str!("../templates/picture.css");
 

@@ -106,7 +106,8 @@ impl GraphArgs {
 }
 
 impl Cli {
-    /// Reads the command line; `generate` is implied if the first word names a file. Another word is taken for a misspelt command.
+    /// Reads the command line; `generate` is implied if the first word behind `--quiet` names a file. Another word is taken for a
+    /// misspelt command.
     pub fn from_args(args: impl IntoIterator<Item = OsString>) -> Self {
         Self::parse_from(Self::completed(args))
     }
@@ -123,8 +124,10 @@ impl Cli {
             let text = word.to_string_lossy();
             text.starts_with('-') || text.contains(['.', '/', '\\']) || Path::new(word).exists()
         };
-        if args.get(1).is_some_and(|word| !known(word) && names_a_file(word)) {
-            args.insert(1, "generate".into());
+        let is_quiet = |word: &&OsString| ["-q", "--quiet"].iter().any(|&name| *word == name);
+        let first = 1 + args.iter().skip(1).take_while(is_quiet).count();
+        if args.get(first).is_some_and(|word| !known(word) && names_a_file(word)) {
+            args.insert(first, "generate".into());
         }
         args
     }

@@ -2,7 +2,7 @@
 
 use crate::ir::{Module, Node, NodeId};
 use std::collections::BTreeMap;
-use tpg_graph::{Graph, ScalarType};
+use tpg_graph::{Graph, ScalarType, Word};
 use tpg_runtime::ops::Instruction;
 
 /// The formula of a value, for a message; sums as they are computed.
@@ -28,6 +28,8 @@ pub(super) struct Formulas {
     terms: BTreeMap<NodeId, Term>,
     shared: Vec<(String, String)>,
     spelling: Spelling,
+    /// The graph has C++'s minimum, or maximum, and no other.
+    of_cpp: [bool; 2],
 }
 
 #[derive(Clone)]
@@ -55,7 +57,10 @@ impl Formulas {
         for &id in operands.chain(bids) {
             *uses.entry(id).or_default() += 1;
         }
-        let mut formulas = Self { terms: BTreeMap::new(), shared: Vec::new(), spelling };
+        let has = |word: Word| module.graph.instructions().contains(&word);
+        let of_cpp = [(Instruction::Min, Word::StdMin), (Instruction::Max, Word::StdMax)];
+        let of_cpp = of_cpp.map(|(own, cpp)| has(cpp) && !has(own.into()));
+        let mut formulas = Self { terms: BTreeMap::new(), shared: Vec::new(), spelling, of_cpp };
         for &id in bids.iter().chain(needed.iter().flat_map(|id| module.nodes[id.index()].operands())) {
             if let Some(term) = leaf(module.graph, module.node(id), spelling) {
                 formulas.terms.insert(id, term);
@@ -93,6 +98,10 @@ impl Formulas {
             let right = if b.rank <= rank { format!("({})", b.text) } else { b.text.clone() };
             Term { text: format!("{left} {operator} {right}"), rank }
         };
+        let call = |name: &str, operands: &[&Term]| {
+            let operands: Vec<&str> = operands.iter().map(|term| term.text.as_str()).collect();
+            Term { text: format!("{name}({})", operands.join(", ")), rank: Rank::Atom }
+        };
         match instruction {
             // Only the sign of a zero differs, which no comparison sees.
             Instruction::Add if self.spelling == Spelling::Short && a.text == "0" => b.clone(),
@@ -103,10 +112,10 @@ impl Formulas {
             Instruction::Sub => infix("-", Rank::Sum),
             Instruction::Mul => infix("*", Rank::Product),
             Instruction::Div => infix("/", Rank::Product),
-            _ if instruction.arity() == 1 => {
-                Term { text: format!("{}({})", instruction.name(), a.text), rank: Rank::Atom }
-            }
-            _ => Term { text: format!("{}({}, {})", instruction.name(), a.text, b.text), rank: Rank::Atom },
+            // C++'s have their operands the other way round.
+            Instruction::Min if self.of_cpp[0] => call("std_min", &[b, a]),
+            Instruction::Max if self.of_cpp[1] => call("std_max", &[b, a]),
+            _ => call(instruction.name(), &[a, b][..instruction.arity()]),
         }
     }
 }
@@ -145,11 +154,13 @@ mod tests {
     use tpg_graph::{Graph, Input};
     use tpg_runtime::ops::Instruction::{self, Abs, Add, Div, Exp, Max, Mul, Sub};
 
+    const FIXTURE: &str = include_str!("../../tests/fixtures/all_instructions.json");
+
     fn formulas(
+        text: &str,
         build: impl Fn(&mut dyn FnMut(Instruction, NodeId, NodeId) -> NodeId, NodeId, NodeId) -> Vec<NodeId>,
     ) -> Vec<String> {
-        let graph =
-            Graph::from_json("fixture", include_str!("../../tests/fixtures/all_instructions.json")).expect("valid");
+        let graph = Graph::from_json("fixture", text).expect("valid");
         let mut values = Values::default();
         let x = values.intern(Node::Input(Input(0)));
         let two = values.intern(Node::constant(-2.0));
@@ -162,14 +173,14 @@ mod tests {
 
     #[test]
     fn brackets_stand_where_the_order_of_operations_needs_them() {
-        let found = formulas(|op, x, two| {
+        let found = formulas(FIXTURE, |op, x, two| {
             let sum = op(Add, x, two);
             let square = op(Mul, x, x);
             let product = op(Mul, sum, square);
             vec![op(Sub, x, product)]
         });
         assert_eq!(found, ["target[0] - (target[0] + (-2)) * (target[0] * target[0])"]);
-        let found = formulas(|op, x, two| {
+        let found = formulas(FIXTURE, |op, x, two| {
             let quotient = op(Div, two, x);
             let inner = op(Sub, x, quotient);
             let absolute = op(Abs, inner, inner);
@@ -180,8 +191,16 @@ mod tests {
     }
 
     #[test]
+    fn minima_of_cpp_have_their_names_and_their_order() {
+        let text = FIXTURE.replace("\"min\"", "\"std_min\"").replace("\"max\"", "\"std_max\"");
+        let extremes = |text: &str| formulas(text, |op, x, two| vec![op(Instruction::Min, x, two), op(Max, x, two)]);
+        assert_eq!(extremes(&text), ["std_min(-2, target[0])", "std_max(-2, target[0])"]);
+        assert_eq!(extremes(FIXTURE), ["min(target[0], -2)", "max(target[0], -2)"]);
+    }
+
+    #[test]
     fn what_occurs_twice_has_a_name_so_formulas_stay_short() {
-        let found = formulas(|op, x, _| {
+        let found = formulas(FIXTURE, |op, x, _| {
             let mut value = op(Exp, x, x);
             for _ in 0..40 {
                 value = op(Add, value, value);

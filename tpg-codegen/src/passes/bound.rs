@@ -143,7 +143,9 @@ impl<'a> Bounds<'a> {
                     _ => UNKNOWN,
                 }
             }
-            Instruction::Tan | Instruction::Quotient => UNKNOWN,
+            Instruction::Tan | Instruction::Quotient | Instruction::Sqrt | Instruction::Atan | Instruction::Tanh => {
+                UNKNOWN
+            }
             // Not farther from 0 than the first operand.
             Instruction::NegateIfLess | Instruction::Abs | Instruction::Fmod | Instruction::Gate => {
                 self.magnitude(a).map_or(UNKNOWN, Bound::Magnitude)

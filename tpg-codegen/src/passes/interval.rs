@@ -1,7 +1,7 @@
 //! Interval analysis, with NaN.
 //!
 //! Rounding to nearest is monotone, so the ends of a sum, difference, product or quotient are the rounded results on the
-//! ends of its operands, computed in the graph's own scalar type: no widening is needed. Results of sin, cos, tan, ln and exp
+//! ends of its operands, computed in the graph's own scalar type: no widening is needed. Results of transcendental functions
 //! depend on the provider; those are widened by more than any provider is off.
 
 use super::arithmetic::Arithmetic;
@@ -131,6 +131,20 @@ pub fn apply(arithmetic: Arithmetic, instruction: Instruction, a: Interval, b: I
             let high = widened_up(arithmetic, a.high.exp());
             Interval { low, high: if high > arithmetic.greatest() { infinite } else { high }, nan: a.nan }
         }
+        Instruction::Sqrt => {
+            let root = |end: f64| if end > 0.0 { arithmetic.exact(instruction, end, end) } else { 0.0 };
+            Interval { low: root(a.low), high: root(a.high), nan: a.nan || a.low < 0.0 }
+        }
+        Instruction::Atan => Interval {
+            low: widened_down(arithmetic, a.low.atan()),
+            high: widened_up(arithmetic, a.high.atan()),
+            nan: a.nan,
+        },
+        Instruction::Tanh => Interval {
+            low: widened_down(arithmetic, a.low.tanh()).max(-1.0),
+            high: widened_up(arithmetic, a.high.tanh()).min(1.0),
+            nan: a.nan,
+        },
         Instruction::Abs => {
             let low = if a.contains_zero() { 0.0 } else { a.low.abs().min(a.high.abs()) };
             Interval { low, high: a.magnitude(), nan: a.nan }
@@ -231,7 +245,7 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
         #[test]
         fn results_lie_in_the_interval(
-            a in interval(), b in interval(), which in 0..12_usize,
+            a in interval(), b in interval(), which in 0..Instruction::ALL.len(),
             choices in any::<[u8; 2]>(), units in [0.0..1.0_f64, 0.0..1.0_f64], single in any::<bool>(),
         ) {
             let scalar = if single { ScalarType::F32 } else { ScalarType::F64 };

@@ -151,7 +151,7 @@ pub fn schedule(module: &Module<'_>) -> Schedule {
     Schedule { nodes, plans, leaves }
 }
 
-/// The nodes that need no sine, cosine, tangent, logarithm or exponential.
+/// The nodes that need no transcendental function.
 fn cheap_nodes(module: &Module<'_>) -> Vec<bool> {
     let mut cheap: Vec<bool> = Vec::with_capacity(module.nodes.len());
     for node in &module.nodes {
@@ -168,10 +168,11 @@ pub fn cost(node: &Node) -> u32 {
         Instruction::NegateIfLess | Instruction::Min | Instruction::Max | Instruction::Gate => 2,
         Instruction::Div => 4,
         Instruction::Quotient => 6,
+        Instruction::Sqrt => 8,
         Instruction::Fmod => 12,
         Instruction::Exp => 20,
-        Instruction::Ln => 25,
-        Instruction::Cos | Instruction::Sin => 30,
+        Instruction::Ln | Instruction::Atan => 25,
+        Instruction::Cos | Instruction::Sin | Instruction::Tanh => 30,
         Instruction::Tan => 60,
     }
 }

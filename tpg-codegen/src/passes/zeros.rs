@@ -73,7 +73,8 @@ fn passes(instruction: Instruction, constants: [Option<f64>; 2], seen: bool) -> 
         Instruction::Sub => [seen && !decides(1, 0.0), seen && !decides(0, -0.0)],
         // A quotient by 0 is infinite, and has its sign.
         Instruction::Div => [seen, true],
-        Instruction::Mul | Instruction::Min | Instruction::Max | Instruction::Sin | Instruction::Tan => [seen, seen],
+        Instruction::Mul | Instruction::Min | Instruction::Max => [seen, seen],
+        Instruction::Sin | Instruction::Tan | Instruction::Sqrt | Instruction::Atan | Instruction::Tanh => [seen, seen],
         // The second operand is compared, or is a divisor whose remainder has the sign of the first.
         Instruction::NegateIfLess | Instruction::Fmod | Instruction::Gate => [seen, false],
         // Of either zero they are 0, 1, 1 and −∞; a quotient is never −0, and by either zero the same.

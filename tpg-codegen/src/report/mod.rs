@@ -27,7 +27,7 @@ pub struct Report {
     pub graph_sha256: String,
     /// The scalar type of the code.
     pub scalar: ScalarType,
-    /// The provider of sin, cos, tan, ln and exp.
+    /// The provider of the transcendental functions.
     pub maths: MathsProvider,
     /// The change of scalar type, if there was one.
     pub conversion: Option<Conversion>,

@@ -67,7 +67,7 @@ pub fn flash(program: &Program<'_>) -> u64 {
         + edge * module.edges() as u64
         + operation * operations
         + circular * own(&[Instruction::Sin, Instruction::Cos, Instruction::Tan])
-        + exponential * own(&[Instruction::Ln, Instruction::Exp])
+        + exponential * own(&[Instruction::Ln, Instruction::Exp, Instruction::Atan, Instruction::Tanh])
         + remainder * u64::from(used.contains(&Instruction::Fmod))
         + tables
 }

@@ -78,11 +78,11 @@ impl RustForCortexM4 {
 
 /// Stubs for the functions of the crate libm that the runtime calls.
 fn libm() -> String {
-    let functions = |scalar: &str, names: [&str; 5]| {
+    let functions = |scalar: &str, names: [&str; 8]| {
         names.map(|name| format!("#[inline(never)]\npub fn {name}(x: {scalar}) -> {scalar} {{\n    x\n}}\n")).concat()
     };
-    let single = functions("f32", ["sinf", "cosf", "tanf", "logf", "expf"]);
-    format!("#![no_std]\n{single}{}", functions("f64", ["sin", "cos", "tan", "log", "exp"]))
+    let single = functions("f32", ["sinf", "cosf", "tanf", "logf", "expf", "atanf", "tanhf", "sqrtf"]);
+    format!("#![no_std]\n{single}{}", functions("f64", ["sin", "cos", "tan", "log", "exp", "atan", "tanh", "sqrt"]))
 }
 
 fn compile(folder: &Path, level: &str, arguments: &[&str]) -> io::Result<()> {

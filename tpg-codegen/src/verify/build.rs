@@ -259,7 +259,7 @@ impl Workshop {
 pub(crate) fn c_compiler() -> Result<cc::Tool, BuildError> {
     let host = env!("TPG_HOST");
     let mut build = cc::Build::new();
-    build.target(host).host(host).opt_level(2).debug(false).warnings(false).cargo_metadata(false);
+    build.target(host).host(host).opt_level(2).debug(false).warnings(false).cargo_metadata(false).cargo_warnings(false);
     build.try_get_compiler().map_err(|error| BuildError::Missing {
         language: "C",
         command: env::var_os("CC").unwrap_or_else(|| "cc".into()),

@@ -5,7 +5,7 @@
 #define {{ upper }}_INLINE static inline
 #endif
 {% endif %}
-{% if self.selects() || self.compares() || self.calls("fmod") %}
+{% if self.selects() || self.compares() || self.any(["fmod", "sqrt"]) %}
 /* A mask that chooses, hidden from the optimiser: where it knows that a mask is a sign, it may make a condition of it. */
 {{ storage }} {{ key }} {{ prefix }}_opaque({{ key }} mask)
 {
@@ -113,6 +113,23 @@
     whole = {{ prefix }}_select(small, whole, quotient);
     (void)memcpy(&bits, &b, sizeof bits);
     return {{ prefix }}_select({{ prefix }}_opaque(0U - (((bits & ~{{ sign }}) - 1U) >> {{ top }})), by_zero, whole);
+}
+{% endif %}
+{% if self.calls("sqrt") %}
+
+/* The square root of the magnitude, which no compiler tests; NaN of a negative number. */
+{{ storage }} {{ scalar }} {{ prefix }}_sqrt({{ scalar }} x)
+{
+    const {{ scalar }} root = {{ printer.function("sqrt") }}({{ printer.function("fabs") }}(x));
+    {{ key }} bits;
+    {{ key }} bits_of_root;
+    {{ scalar }} result;
+    (void)memcpy(&bits, &x, sizeof bits);
+    (void)memcpy(&bits_of_root, &root, sizeof bits_of_root);
+    bits_of_root |= bits & {{ sign }};
+    bits_of_root |= {{ prefix }}_opaque(0U - ((({{ sign }} - bits) & bits) >> {{ top }})) & ~{{ sign }}; /* beyond -0 */
+    (void)memcpy(&result, &bits_of_root, sizeof result);
+    return result;
 }
 {% endif %}
 {% if self.calls("clamp") %}

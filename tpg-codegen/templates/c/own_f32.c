@@ -1,4 +1,4 @@
-/* sin, cos, tan, ln and exp in float: the same statements, and so the same bits, as tpg-runtime's ops::own::f32, where the
+/* Own maths in float: the same statements, and so the same bits, as tpg-runtime's ops::own::f32, where the
  * method and the error bounds are described. Needs round to nearest, FLT_EVAL_METHOD 0 or 16, and that nothing is fused. */
 
 static uint32_t {{ prefix }}_bits(float x)
@@ -210,5 +210,69 @@ static float {{ prefix }}_exp(float x)
     p = p * first;
     p = p * second;
     return {{ prefix }}_float({{ prefix }}_bits(p) | (not_a_number & 0x7fc00000U));
+}
+{% endif %}
+{% if self.calls("atan") %}
+
+/* The bits of the number for this range: below sqrt(2) - 1, above sqrt(2) + 1, or between them. */
+static float {{ prefix }}_of_range(uint32_t low, uint32_t high, float of_low, float of_middle, float of_high)
+{
+    const uint32_t upper = {{ prefix }}_choose(high, {{ prefix }}_bits(of_high), {{ prefix }}_bits(of_middle));
+    return {{ prefix }}_float({{ prefix }}_choose(low, {{ prefix }}_bits(of_low), upper));
+}
+
+static float {{ prefix }}_atan(float x)
+{
+    const uint32_t bits = {{ prefix }}_bits(x);
+    const uint32_t magnitude = bits & 0x7fffffffU;
+    const float a = {{ prefix }}_float(magnitude);
+
+    /* pi/4 + arctan((a - 1) / (a + 1)), pi/2 + arctan(-1 / a): whichever leaves a small argument */
+    const uint32_t low = {{ prefix }}_mask(magnitude - 0x3ed413cdU);
+    const uint32_t high = {{ prefix }}_mask(0x401a827aU - magnitude);
+    const float above = {{ prefix }}_of_range(low, high, a, a - 1.0f, -1.0f);
+    const float below = {{ prefix }}_of_range(low, high, 1.0f, a + 1.0f, a);
+    const float offset = {{ prefix }}_of_range(low, high, 0.0f, {{ own.quarters[0] }}, {{ own.quarters[2] }});
+    const float rest = {{ prefix }}_of_range(low, high, 0.0f, {{ own.quarters[1] }}, {{ own.quarters[3] }});
+    const float t = above / below;
+    const float s = t * t;
+    float p = {{ own.atan[3] }} * s;
+    p = p + {{ own.atan[2] }};
+    p = p * s;
+    p = p + {{ own.atan[1] }};
+    p = p * s;
+    p = p + {{ own.atan[0] }};
+    p = p * s;
+    p = p * t;
+    p = p + rest;
+    p = t + p;
+    p = offset + p;
+    return {{ prefix }}_float({{ prefix }}_bits(p) | (bits & 0x80000000U));
+}
+{% endif %}
+{% if self.calls("tanh") %}
+
+static float {{ prefix }}_tanh(float x)
+{
+    const uint32_t bits = {{ prefix }}_bits(x);
+    const uint32_t magnitude = bits & 0x7fffffffU;
+    const float a = {{ prefix }}_float(magnitude);
+
+    /* 1 - 2 / (e^2a + 1), where that does not cancel */
+    const float grown = {{ prefix }}_exp(a + a);
+    const float part = 2.0f / (grown + 1.0f);
+    const float far = 1.0f - part;
+    const uint32_t small = {{ prefix }}_mask(magnitude - 0x3f0ccccdU); /* below 0.55 */
+    const float s = a * a;
+    float p = {{ own.tanh[3] }} * s;
+    p = p + {{ own.tanh[2] }};
+    p = p * s;
+    p = p + {{ own.tanh[1] }};
+    p = p * s;
+    p = p + {{ own.tanh[0] }};
+    p = p * s;
+    p = p * a;
+    p = a + p;
+    return {{ prefix }}_float({{ prefix }}_choose(small, {{ prefix }}_bits(p), {{ prefix }}_bits(far)) | (bits & 0x80000000U));
 }
 {% endif %}

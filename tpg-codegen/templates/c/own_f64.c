@@ -1,4 +1,4 @@
-/* sin, cos, tan, ln and exp in double: the same statements, and so the same bits, as tpg-runtime's ops::own::f64, where the
+/* Own maths in double: the same statements, and so the same bits, as tpg-runtime's ops::own::f64, where the
  * method and the error bounds are described. Needs round to nearest, FLT_EVAL_METHOD 0, 1 or 16, and that nothing is fused. */
 
 static uint64_t {{ prefix }}_bits(double x)
@@ -20,7 +20,7 @@ static uint64_t {{ prefix }}_mask(uint64_t bits)
 {
     return 0U - (bits >> 63);
 }
-{% if self.calls("sin") || self.calls("cos") || self.calls("ln") %}
+{% if self.any(["sin", "cos", "ln", "atan", "tanh"]) %}
 
 /* a where the mask is all ones, b where it is 0. */
 static uint64_t {{ prefix }}_choose(uint64_t mask, uint64_t a, uint64_t b)
@@ -283,5 +283,93 @@ static double {{ prefix }}_exp(double x)
     p = p * first;
     p = p * second;
     return {{ prefix }}_double({{ prefix }}_bits(p) | (not_a_number & quiet));
+}
+{% endif %}
+{% if self.calls("atan") %}
+
+/* The bits of the number for this range: below sqrt(2) - 1, above sqrt(2) + 1, or between them. */
+static double {{ prefix }}_of_range(uint64_t low, uint64_t high, double of_low, double of_middle, double of_high)
+{
+    const uint64_t upper = {{ prefix }}_choose(high, {{ prefix }}_bits(of_high), {{ prefix }}_bits(of_middle));
+    return {{ prefix }}_double({{ prefix }}_choose(low, {{ prefix }}_bits(of_low), upper));
+}
+
+static double {{ prefix }}_atan(double x)
+{
+    const uint64_t bits = {{ prefix }}_bits(x);
+    const uint64_t magnitude = bits & 0x7fffffffffffffffULL;
+    const double a = {{ prefix }}_double(magnitude);
+
+    /* pi/4 + arctan((a - 1) / (a + 1)), pi/2 + arctan(-1 / a): whichever leaves a small argument */
+    const uint64_t low = {{ prefix }}_mask(magnitude - 0x3fda827999fcef32ULL);
+    const uint64_t high = {{ prefix }}_mask(0x4003504f333f9de6ULL - magnitude);
+    const double above = {{ prefix }}_of_range(low, high, a, a - 1.0, -1.0);
+    const double below = {{ prefix }}_of_range(low, high, 1.0, a + 1.0, a);
+    const double offset = {{ prefix }}_of_range(low, high, 0.0, {{ own.quarters[0] }}, {{ own.quarters[2] }});
+    const double rest = {{ prefix }}_of_range(low, high, 0.0, {{ own.quarters[1] }}, {{ own.quarters[3] }});
+    const double t = above / below;
+    const double s = t * t;
+    double p = {{ own.atan[9] }} * s;
+    p = p + {{ own.atan[8] }};
+    p = p * s;
+    p = p + {{ own.atan[7] }};
+    p = p * s;
+    p = p + {{ own.atan[6] }};
+    p = p * s;
+    p = p + {{ own.atan[5] }};
+    p = p * s;
+    p = p + {{ own.atan[4] }};
+    p = p * s;
+    p = p + {{ own.atan[3] }};
+    p = p * s;
+    p = p + {{ own.atan[2] }};
+    p = p * s;
+    p = p + {{ own.atan[1] }};
+    p = p * s;
+    p = p + {{ own.atan[0] }};
+    p = p * s;
+    p = p * t;
+    p = p + rest;
+    p = t + p;
+    p = offset + p;
+    return {{ prefix }}_double({{ prefix }}_bits(p) | (bits & 0x8000000000000000ULL));
+}
+{% endif %}
+{% if self.calls("tanh") %}
+
+static double {{ prefix }}_tanh(double x)
+{
+    const uint64_t bits = {{ prefix }}_bits(x);
+    const uint64_t magnitude = bits & 0x7fffffffffffffffULL;
+    const double a = {{ prefix }}_double(magnitude);
+
+    /* 1 - 2 / (e^2a + 1), where that does not cancel */
+    const double grown = {{ prefix }}_exp(a + a);
+    const double part = 2.0 / (grown + 1.0);
+    const double far = 1.0 - part;
+    const uint64_t small = {{ prefix }}_mask(magnitude - 0x3fe199999999999aULL); /* below 0.55 */
+    const double s = a * a;
+    double p = {{ own.tanh[9] }} * s;
+    p = p + {{ own.tanh[8] }};
+    p = p * s;
+    p = p + {{ own.tanh[7] }};
+    p = p * s;
+    p = p + {{ own.tanh[6] }};
+    p = p * s;
+    p = p + {{ own.tanh[5] }};
+    p = p * s;
+    p = p + {{ own.tanh[4] }};
+    p = p * s;
+    p = p + {{ own.tanh[3] }};
+    p = p * s;
+    p = p + {{ own.tanh[2] }};
+    p = p * s;
+    p = p + {{ own.tanh[1] }};
+    p = p * s;
+    p = p + {{ own.tanh[0] }};
+    p = p * s;
+    p = p * a;
+    p = a + p;
+    return {{ prefix }}_double({{ prefix }}_choose(small, {{ prefix }}_bits(p), {{ prefix }}_bits(far)) | (bits & 0x8000000000000000ULL));
 }
 {% endif %}

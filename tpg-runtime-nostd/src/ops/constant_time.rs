@@ -70,6 +70,18 @@ macro_rules! constant_time {
                 Self::choose(self.mask(magnitude.wrapping_sub(1)), by_zero, of_number)
             }
 
+            /// [`Instruction::Sqrt`](super::Instruction::Sqrt): of the magnitude, which no compiler tests, and NaN below 0.
+            #[inline(always)]
+            pub fn sqrt(self, a: $scalar) -> $scalar {
+                let bits = a.to_bits().cast_signed();
+                let magnitude = bits & $key::MAX;
+                let negative = self.mask(bits) & !self.mask(magnitude.wrapping_sub(1));
+                let root = super::sqrt($scalar::from_bits(magnitude.cast_unsigned()));
+                $scalar::from_bits(
+                    root.to_bits() | (bits & $key::MIN).cast_unsigned() | (negative & $key::MAX).cast_unsigned(),
+                )
+            }
+
             /// [`clamp`](super::clamp).
             #[inline(always)]
             pub fn clamp(self, value: $scalar, low: $scalar, high: $scalar, nan: $scalar) -> $scalar {
@@ -200,6 +212,18 @@ impl ConstantTime<f32> {
     pub fn exp(self, x: f32) -> f32 {
         own::f32::exp_by(self.top, x)
     }
+
+    /// Arctangent.
+    #[inline(always)]
+    pub fn atan(self, x: f32) -> f32 {
+        own::f32::atan_by(self.top, x)
+    }
+
+    /// Hyperbolic tangent.
+    #[inline(always)]
+    pub fn tanh(self, x: f32) -> f32 {
+        own::f32::tanh_by(self.top, x)
+    }
 }
 
 impl ConstantTime<f64> {
@@ -230,6 +254,8 @@ mod tests {
                     prop_assert_eq!(ct.gate(a, b).to_bits(), ops::gate(a, b).to_bits());
                     let (quotient, expected) = (ct.quotient(a, b), ops::quotient(a, b));
                     prop_assert!(quotient.to_bits() == expected.to_bits() || (quotient.is_nan() && expected.is_nan()));
+                    let (root, expected) = (ct.sqrt(a), ops::sqrt(a));
+                    prop_assert!(root.to_bits() == expected.to_bits() || (root.is_nan() && expected.is_nan()));
                     let (rest, expected) = (ct.fmod(a, b), ops::fmod(a, b));
                     prop_assert!(rest.to_bits() == expected.to_bits() || (rest.is_nan() && expected.is_nan()));
                     for (low, high, nan) in [(-1.0, 1.0, 0.0), (-0.0, 0.0, -0.0), (0.0, $scalar::MAX, 0.0), (2.0, 3.0, 3.0)] {
@@ -267,10 +293,10 @@ mod tests {
     fn own_maths_is_the_same() {
         let ct = ConstantTime::<f32>::default();
         for x in (0..=u32::MAX).step_by(9973).map(f32::from_bits).chain(SPECIAL) {
-            let own =
-                [ops::own::f32::sin, ops::own::f32::cos, ops::own::f32::tan, ops::own::f32::ln, ops::own::f32::exp];
-            let masked = [ct.sin(x), ct.cos(x), ct.tan(x), ct.ln(x), ct.exp(x)];
-            assert_eq!(masked.map(f32::to_bits), own.map(|kernel| kernel(x).to_bits()), "{x:e}");
+            use ops::own::f32::{atan, cos, exp, ln, sin, tan, tanh};
+            let own = [sin(x), cos(x), tan(x), ln(x), exp(x), atan(x), tanh(x)];
+            let masked = [ct.sin(x), ct.cos(x), ct.tan(x), ct.ln(x), ct.exp(x), ct.atan(x), ct.tanh(x)];
+            assert_eq!(masked.map(f32::to_bits), own.map(f32::to_bits), "{x:e}");
         }
     }
 }

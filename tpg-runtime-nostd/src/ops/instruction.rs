@@ -45,6 +45,12 @@ pub enum Instruction {
     ///
     /// Of whole numbers it is exact: in `f64` up to magnitudes of 2⁵², in `f32` of 2²³.
     Quotient,
+    /// `√a`, correctly rounded. NaN of a negative number; of −0 it is −0.
+    Sqrt,
+    /// `arctan a`
+    Atan,
+    /// `tanh a`
+    Tanh,
 }
 
 /// [`Instruction::Quotient`] of a positive number by 0: what infinity is in integers.
@@ -54,7 +60,7 @@ pub const ZERO_BY_ZERO: i32 = i32::MIN;
 
 impl Instruction {
     /// Every instruction, in the order of the enumeration.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 19] = [
         Self::Sub,
         Self::Add,
         Self::Mul,
@@ -71,6 +77,9 @@ impl Instruction {
         Self::Fmod,
         Self::Gate,
         Self::Quotient,
+        Self::Sqrt,
+        Self::Atan,
+        Self::Tanh,
     ];
 
     /// The name in `graph.json`, in sidecars and in messages.
@@ -92,6 +101,9 @@ impl Instruction {
             Self::Fmod => "fmod",
             Self::Gate => "gate",
             Self::Quotient => "quotient",
+            Self::Sqrt => "sqrt",
+            Self::Atan => "atan",
+            Self::Tanh => "tanh",
         }
     }
 
@@ -103,15 +115,17 @@ impl Instruction {
     /// Number of operands that it reads: 1 or 2. With 1, the second operand is ignored.
     pub const fn arity(self) -> usize {
         match self {
-            Self::Cos | Self::Sin | Self::Ln | Self::Exp | Self::Abs | Self::Tan => 1,
+            Self::Cos | Self::Sin | Self::Tan | Self::Ln | Self::Exp | Self::Atan | Self::Tanh => 1,
+            Self::Abs | Self::Sqrt => 1,
             Self::Sub | Self::Add | Self::Mul | Self::Div => 2,
             Self::NegateIfLess | Self::Min | Self::Max | Self::Fmod | Self::Gate | Self::Quotient => 2,
         }
     }
 
-    /// Returns true of sine, cosine, tangent, logarithm and exponential: the business of [`Maths`], and expensive.
+    /// Returns true of the functions that [`Maths`] provides, which are expensive: `cos`, `sin`, `tan`, `ln`, `exp`, `atan` and
+    /// `tanh`.
     pub const fn is_transcendental(self) -> bool {
-        matches!(self, Self::Cos | Self::Sin | Self::Tan | Self::Ln | Self::Exp)
+        matches!(self, Self::Cos | Self::Sin | Self::Tan | Self::Ln | Self::Exp | Self::Atan | Self::Tanh)
     }
 
     /// Computes the instruction with the transcendental functions of `M`.
@@ -134,6 +148,9 @@ impl Instruction {
             Self::Fmod => a.fmod(b),
             Self::Gate => gate(a, b),
             Self::Quotient => quotient(a, b),
+            Self::Sqrt => a.square_root(),
+            Self::Atan => M::atan(a),
+            Self::Tanh => M::tanh(a),
         }
     }
 }
@@ -180,6 +197,12 @@ pub fn quotient<S: Scalar>(a: S, b: S) -> S {
     } else {
         S::from_i32(ZERO_BY_ZERO)
     }
+}
+
+/// [`Instruction::Sqrt`].
+#[inline(always)]
+pub fn sqrt<S: Scalar>(a: S) -> S {
+    a.square_root()
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The providers of sine, cosine, tangent, logarithm and exponential.
+//! The providers of the transcendental functions.
 
 use super::{eight, own};
 use crate::scalar::Scalar;
@@ -15,6 +15,10 @@ pub trait Maths<S: Scalar>: Copy + Default + Send + Sync + 'static {
     fn ln(x: S) -> S;
     /// Exponential.
     fn exp(x: S) -> S;
+    /// Arctangent, in radians.
+    fn atan(x: S) -> S;
+    /// Hyperbolic tangent.
+    fn tanh(x: S) -> S;
     /// Replaces at least the first `used` numbers by their sines, with the same bits as one by one.
     #[inline]
     fn sines(numbers: &mut [S; 8], used: usize) {
@@ -40,6 +44,16 @@ pub trait Maths<S: Scalar>: Copy + Default + Send + Sync + 'static {
     fn exponentials(numbers: &mut [S; 8], used: usize) {
         numbers[..used].iter_mut().for_each(|x| *x = Self::exp(*x));
     }
+    /// As [`sines`](Self::sines), arctangents.
+    #[inline]
+    fn arctangents(numbers: &mut [S; 8], used: usize) {
+        numbers[..used].iter_mut().for_each(|x| *x = Self::atan(*x));
+    }
+    /// As [`sines`](Self::sines), hyperbolic tangents.
+    #[inline]
+    fn hyperbolic_tangents(numbers: &mut [S; 8], used: usize) {
+        numbers[..used].iter_mut().for_each(|x| *x = Self::tanh(*x));
+    }
 }
 
 /// This project's kernels: no loop, no table search, the same bits on every machine and in generated C.
@@ -54,30 +68,16 @@ pub struct Own;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct System;
 
-/// Implements a provider by its five functions in one scalar type, and more.
+/// Implements a provider by its functions in one scalar type, and more.
 macro_rules! provider {
-    ($provider:ty, $scalar:ty, [$sin:path, $cos:path, $tan:path, $ln:path, $exp:path] $($more:item)*) => {
+    ($provider:ty, $scalar:ty, [$($function:ident = $path:path),+] $($more:item)*) => {
         impl Maths<$scalar> for $provider {
-            #[inline]
-            fn sin(x: $scalar) -> $scalar {
-                $sin(x)
-            }
-            #[inline]
-            fn cos(x: $scalar) -> $scalar {
-                $cos(x)
-            }
-            #[inline]
-            fn tan(x: $scalar) -> $scalar {
-                $tan(x)
-            }
-            #[inline]
-            fn ln(x: $scalar) -> $scalar {
-                $ln(x)
-            }
-            #[inline]
-            fn exp(x: $scalar) -> $scalar {
-                $exp(x)
-            }
+            $(
+                #[inline]
+                fn $function(x: $scalar) -> $scalar {
+                    $path(x)
+                }
+            )+
             $($more)*
         }
     };
@@ -89,7 +89,15 @@ macro_rules! own_kernels {
         provider! {
             Own,
             $scalar,
-            [own::$scalar::sin, own::$scalar::cos, own::$scalar::tan, own::$scalar::ln, own::$scalar::exp]
+            [
+                sin = own::$scalar::sin,
+                cos = own::$scalar::cos,
+                tan = own::$scalar::tan,
+                ln = own::$scalar::ln,
+                exp = own::$scalar::exp,
+                atan = own::$scalar::atan,
+                tanh = own::$scalar::tanh
+            ]
             #[inline(always)]
             fn sines(numbers: &mut [$scalar; 8], _used: usize) {
                 eight::$scalar::sines(numbers);
@@ -106,6 +114,14 @@ macro_rules! own_kernels {
             fn exponentials(numbers: &mut [$scalar; 8], _used: usize) {
                 numbers.iter_mut().for_each(|x| *x = own::$scalar::exp(*x));
             }
+            #[inline(always)]
+            fn arctangents(numbers: &mut [$scalar; 8], _used: usize) {
+                numbers.iter_mut().for_each(|x| *x = own::$scalar::atan(*x));
+            }
+            #[inline(always)]
+            fn hyperbolic_tangents(numbers: &mut [$scalar; 8], _used: usize) {
+                numbers.iter_mut().for_each(|x| *x = own::$scalar::tanh(*x));
+            }
         }
     };
 }
@@ -113,11 +129,55 @@ macro_rules! own_kernels {
 own_kernels!(f32);
 own_kernels!(f64);
 
+/// Implements [`System`] by the functions of the standard library.
 #[cfg(feature = "std")]
-provider!(System, f32, [f32::sin, f32::cos, f32::tan, f32::ln, f32::exp]);
+macro_rules! platform {
+    ($scalar:ident) => {
+        provider!(
+            System,
+            $scalar,
+            [
+                sin = $scalar::sin,
+                cos = $scalar::cos,
+                tan = $scalar::tan,
+                ln = $scalar::ln,
+                exp = $scalar::exp,
+                atan = $scalar::atan,
+                tanh = $scalar::tanh
+            ]
+        );
+    };
+}
+
 #[cfg(feature = "std")]
-provider!(System, f64, [f64::sin, f64::cos, f64::tan, f64::ln, f64::exp]);
+platform!(f32);
+#[cfg(feature = "std")]
+platform!(f64);
 #[cfg(not(feature = "std"))]
-provider!(System, f32, [libm::sinf, libm::cosf, libm::tanf, libm::logf, libm::expf]);
+provider!(
+    System,
+    f32,
+    [
+        sin = libm::sinf,
+        cos = libm::cosf,
+        tan = libm::tanf,
+        ln = libm::logf,
+        exp = libm::expf,
+        atan = libm::atanf,
+        tanh = libm::tanhf
+    ]
+);
 #[cfg(not(feature = "std"))]
-provider!(System, f64, [libm::sin, libm::cos, libm::tan, libm::log, libm::exp]);
+provider!(
+    System,
+    f64,
+    [
+        sin = libm::sin,
+        cos = libm::cos,
+        tan = libm::tan,
+        ln = libm::log,
+        exp = libm::exp,
+        atan = libm::atan,
+        tanh = libm::tanh
+    ]
+);

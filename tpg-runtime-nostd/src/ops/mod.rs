@@ -10,7 +10,7 @@ mod maths;
 pub mod own;
 pub(crate) mod remainder;
 
-pub use instruction::{BY_ZERO, Instruction, ZERO_BY_ZERO, fmod, gate, max, min, negate_if_less, quotient};
+pub use instruction::{BY_ZERO, Instruction, ZERO_BY_ZERO, fmod, gate, max, min, negate_if_less, quotient, sqrt};
 pub use maths::{Maths, Own, System};
 
 /// A bid as teams compare it: a NaN counts as −∞ (GEGELATI, `tpgExecutionEngine.cpp`).

@@ -176,7 +176,7 @@ fn compute_column<S: Scalar, M: Maths<S>>(
         };
     }
     loops!(
-        short: Sub Add Mul Div NegateIfLess Abs Min Max Gate Fmod Quotient;
-        long: Cos cosines Sin sines Tan tangents Ln logarithms Exp exponentials
+        short: Sub Add Mul Div NegateIfLess Abs Min Max Gate Fmod Quotient Sqrt;
+        long: Cos cosines Sin sines Tan tangents Ln logarithms Exp exponentials Atan arctangents Tanh hyperbolic_tangents
     );
 }

@@ -338,12 +338,13 @@ fn facts<S: Scalar>(nodes: &[Node<S>], lazy: bool) -> Vec<Fact<S>> {
 /// every rounded sum.
 fn most<S: Scalar>(instruction: Instruction, a: Option<S>, b: Option<S>) -> Option<S> {
     match instruction {
-        Instruction::Cos | Instruction::Sin => Some(S::ONE),
+        Instruction::Cos | Instruction::Sin | Instruction::Tanh => Some(S::ONE),
+        Instruction::Atan => Some(S::from_f64(1.6)),
         Instruction::Abs | Instruction::NegateIfLess | Instruction::Fmod | Instruction::Gate => a,
         Instruction::Add | Instruction::Sub => Some(a? + b?),
         Instruction::Min | Instruction::Max => Some(if a? > b? { a? } else { b? }),
-        Instruction::Mul | Instruction::Div | Instruction::Quotient | Instruction::Tan => None,
-        Instruction::Ln | Instruction::Exp => None,
+        Instruction::Mul | Instruction::Div | Instruction::Quotient | Instruction::Sqrt => None,
+        Instruction::Tan | Instruction::Ln | Instruction::Exp => None,
     }
 }
 

@@ -16,7 +16,10 @@ pub(crate) struct Operator {
 }
 
 /// The operands that a line can have, by name.
-pub(crate) const OPERANDS: [&str; 4] = ["a", "b", "c", "d"];
+pub(crate) const OPERANDS: [&str; 6] = ["a", "b", "c", "d", "e", "f"];
+
+/// The constants of a line, by name: GEGELATI's `%0` and `%1`.
+pub(crate) const CONSTANTS: [&str; 4] = ["k0", "k1", "k2", "k3"];
 
 /// The extent of each operand that is a window on an array: `[3]`, or rows and columns `[3, 3]`. Empty for a number.
 pub(crate) type Windows = [Vec<u32>; OPERANDS.len()];
@@ -26,15 +29,25 @@ pub(crate) type Windows = [Vec<u32>; OPERANDS.len()];
 pub(crate) enum Expression {
     /// The operand at this place, `a` is 0, `b` is 1; and which of its values, 0 but for a window.
     Operand(usize, usize),
+    /// The constant of the line at this place: `k0` is 0.
+    Constant(usize),
     /// A number.
     Number(f64),
     /// A word and its operands.
     Call(Word, Vec<Expression>),
 }
 
+/// What a line gives to its instruction.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Given<'l> {
+    /// The operands; each has as many values as its window, or one.
+    pub(crate) operands: &'l [Vec<OperandDocument>],
+    /// The constants of the line.
+    pub(crate) constants: &'l [f64],
+}
+
 /// The accepted form, for messages.
-pub(crate) const FORM: &str =
-    "a word with its operands in brackets, each of them a to d, a number or such a call: mul(a, div(b, 10))";
+pub(crate) const FORM: &str = "a word with its operands in brackets, each of them a to f, a constant of the line k0 to k3, a number or such a call: mul(a, div(b, 10))";
 
 impl Expression {
     /// Returns the expression that a word stands for by itself.
@@ -56,8 +69,17 @@ impl Expression {
     pub(crate) fn arity(&self) -> usize {
         match self {
             Self::Operand(place, _) => place + 1,
-            Self::Number(_) => 0,
+            Self::Number(_) | Self::Constant(_) => 0,
             Self::Call(_, operands) => operands.iter().map(Self::arity).max().unwrap_or(0),
+        }
+    }
+
+    /// Returns the number of constants that a line must have: 2 if `k1` occurs and no later one.
+    pub(crate) fn constants(&self) -> usize {
+        match self {
+            Self::Constant(place) => place + 1,
+            Self::Operand(..) | Self::Number(_) => 0,
+            Self::Call(_, operands) => operands.iter().map(Self::constants).max().unwrap_or(0),
         }
     }
 
@@ -80,18 +102,18 @@ impl Expression {
             .unwrap_or(0)
     }
 
-    /// Appends the lines that leave the value in register `to`. Registers from `free` on are for intermediate values. An
-    /// operand has as many values as its window, or one.
-    pub(crate) fn lines(&self, operands: &[Vec<OperandDocument>], to: u32, free: u32, lines: &mut Vec<LineDocument>) {
+    /// Appends the lines that leave the value in register `to`. Registers from `free` on are for intermediate values.
+    pub(crate) fn lines(&self, given: Given<'_>, to: u32, free: u32, lines: &mut Vec<LineDocument>) {
         let Self::Call(word, inner) = self else { return };
         let mut held = free;
         let args = inner
             .iter()
             .map(|operand| match operand {
-                Self::Operand(place, value) => operands[*place][*value].clone(),
+                Self::Operand(place, value) => given.operands[*place][*value].clone(),
+                Self::Constant(place) => OperandDocument::Constant(given.constants[*place]),
                 Self::Number(value) => OperandDocument::Constant(*value),
                 Self::Call(..) => {
-                    operand.lines(operands, held, held + 1, lines);
+                    operand.lines(given, held, held + 1, lines);
                     held += 1;
                     OperandDocument::Place(format!("r{}", held - 1))
                 }
@@ -111,12 +133,15 @@ impl<'t> Parser<'t> {
         let text = self.word();
         if !self.takes('(') {
             let name = text.split('[').next().unwrap_or_default();
-            return match OPERANDS.iter().position(|operand| *operand == name) {
-                Some(place) => self.operand(place, &text[name.len()..]).map(|value| Expression::Operand(place, value)),
-                None => match text.parse::<f64>() {
-                    Ok(value) if value.is_finite() => Ok(Expression::Number(value)),
-                    _ => Err(format!("{text:?}, which is neither an operand nor a finite number")),
-                },
+            if let Some(place) = OPERANDS.iter().position(|operand| *operand == name) {
+                return self.operand(place, &text[name.len()..]).map(|value| Expression::Operand(place, value));
+            }
+            if let Some(place) = CONSTANTS.iter().position(|constant| *constant == text) {
+                return Ok(Expression::Constant(place));
+            }
+            return match text.parse::<f64>() {
+                Ok(value) if value.is_finite() => Ok(Expression::Number(value)),
+                _ => Err(format!("{text:?}, which is neither an operand nor a finite number")),
             };
         }
         // A register that is written and read needs a line of its own.
@@ -178,14 +203,14 @@ impl<'t> Parser<'t> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Expression, Windows};
+    use super::{Expression, Given, Windows};
     use crate::model::OperandDocument;
 
     fn written(text: &str) -> Vec<String> {
         let expression = Expression::parse(text, &Windows::default()).expect("an expression");
         let operands = ["x[0]", "r3"].map(|place| vec![OperandDocument::Place(place.to_owned())]);
         let mut lines = Vec::new();
-        expression.lines(&operands, 1, 8, &mut lines);
+        expression.lines(Given { operands: &operands, constants: &[0.5, -2.0] }, 1, 8, &mut lines);
         let highest = lines.iter().map(|line| line.to).filter(|&to| to >= 8).map(|to| to - 7).max().unwrap_or(0);
         assert_eq!(expression.scratch(), highest, "{text}");
         let operand = |operand: &OperandDocument| match operand {
@@ -202,6 +227,8 @@ mod tests {
     fn calls_become_lines() {
         assert_eq!(written("mul(a, div(b, 10))"), ["r8 = div(r3, 10)", "r1 = mul(x[0], r8)"]);
         assert_eq!(written("copy(3.25)"), ["r1 = copy(3.25)"]);
+        let weighted = ["r8 = mul(x[0], 0.5)", "r9 = mul(r3, -2)", "r1 = sub(r8, r9)"];
+        assert_eq!(written("sub(mul(a, k0), mul(b, k1))"), weighted);
         let nested = ["r8 = sin(x[0])", "r9 = cos(r3)", "r10 = abs(r9)", "r9 = add(r10, 1)", "r1 = sub(r8, r9)"];
         let found = written(" sub( sin(a), add(abs(cos(b)) ,1) ) ");
         assert_eq!(found.len(), nested.len(), "{found:?}");
@@ -218,7 +245,8 @@ mod tests {
             "mul(a, b",
             "plus(a, b)",
             "mul(a, b) c",
-            "mul(a, e)",
+            "mul(a, g)",
+            "mul(a, k4)",
             "mul(a, nan)",
             "multiply_add(a, b)",
         ];
@@ -229,7 +257,7 @@ mod tests {
 
     #[test]
     fn values_of_windows_have_a_place() {
-        let windows: Windows = [vec![3], vec![2, 3], Vec::new(), Vec::new()];
+        let windows: Windows = [vec![3], vec![2, 3], vec![], vec![], vec![], vec![]];
         let parse = |text: &str| Expression::parse(text, &windows);
         let Ok(Expression::Call(_, operands)) = parse("sub(a[2], b[1][0])") else { panic!("a call") };
         assert_eq!(operands, [Expression::Operand(0, 2), Expression::Operand(1, 3)]);

@@ -189,6 +189,11 @@ impl Sidecar {
         &self.activations
     }
 
+    /// Tests for instructions that read constants of their line: those behind a program's lines then belong to the lines.
+    pub(super) fn constants_of_lines(&self) -> bool {
+        self.instructions.iter().filter_map(|operator| operator.value.as_ref()).any(|value| value.constants() > 0)
+    }
+
     /// Returns where the values of outputs come from.
     pub(super) fn values(&self) -> Values {
         self.values
@@ -276,8 +281,8 @@ impl Sidecar {
                 let path = format!("$.outputs[{index}].is");
                 let value =
                     Expression::parse(text, &Windows::default()).map_err(|found| self.error(&path, found, FORM))?;
-                match value.arity() {
-                    0 | 1 => Ok(Some(value)),
+                match (value.arity(), value.constants()) {
+                    (0 | 1, 0) => Ok(Some(value)),
                     _ => Err(self.error(&path, format!("{text:?}"), "a call on the value a alone")),
                 }
             })

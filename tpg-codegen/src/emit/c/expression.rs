@@ -18,6 +18,8 @@ pub(super) struct Printer<'a> {
     pub(super) gegelati: bool,
     /// Calls of the platform's logarithm and exponential go through helpers that handle the simple cases themselves.
     pub(super) short_cuts: bool,
+    /// No branches: instructions with a comparison go through functions that choose by masks.
+    pub(super) branch_free: bool,
     /// [Functions](super::fast::compares_in_functions) compare bids.
     pub(super) leads: bool,
 }
@@ -121,7 +123,10 @@ impl Syntax for Printer<'_> {
             Instruction::Tan => self.maths("tan", "tan", false),
             Instruction::Ln => self.maths("ln", "log", true),
             Instruction::Exp => self.maths("exp", "exp", true),
+            Instruction::Atan => self.maths("atan", "atan", false),
+            Instruction::Tanh => self.maths("tanh", "tanh", false),
             Instruction::Abs => self.function("fabs"),
+            Instruction::Sqrt if !self.branch_free => self.function("sqrt"),
             _ => format!("{}_{}", self.prefix, instruction.name()),
         };
         format!("{function}({arguments})")

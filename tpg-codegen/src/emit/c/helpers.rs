@@ -83,8 +83,8 @@ impl Helpers<'_> {
         self.called.contains(name)
     }
 
-    fn any<const N: usize>(&self, names: [&str; N]) -> bool {
-        names.into_iter().any(|name| self.calls(name))
+    fn any(&self, names: &[&str]) -> bool {
+        names.iter().any(|name| self.calls(name))
     }
 
     fn literal(&self, value: &f64) -> String {
@@ -92,19 +92,19 @@ impl Helpers<'_> {
     }
 
     fn finds_nan(&self) -> bool {
-        self.any(["number", "clamp"])
+        self.any(&["number", "clamp"])
     }
 
     fn compares(&self) -> bool {
-        self.any(["challenge", "negate_if_less", "min", "max", "quotient"])
+        self.any(&["challenge", "negate_if_less", "min", "max", "quotient"])
     }
 
     fn compares_bids(&self) -> bool {
-        self.any(["take", "take_at"])
+        self.any(&["take", "take_at"])
     }
 
     fn selects(&self) -> bool {
-        self.any(["challenge", "clamp", "pick", "min", "max", "gate", "quotient"])
+        self.any(&["challenge", "clamp", "pick", "min", "max", "gate", "quotient"])
     }
 }
 
@@ -116,7 +116,8 @@ const MASKS: [&str; 9] = ["challenge", "number", "clamp", "pick", "min", "max", 
 const FEW: usize = 24;
 
 /// Renders what nodes and the body call.
-pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str, upper: &str) -> String {
+pub(super) fn render(printer: &Printer<'_>, body: &str, upper: &str) -> String {
+    let branch_free = printer.branch_free;
     let count = |name: &str| body.matches(&format!("{}_{name}(", printer.prefix)).count();
     let mut called = called(printer.nodes);
     called.extend(OF_BODIES.into_iter().filter(|name| count(name) > 0));
@@ -124,7 +125,10 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str, upper
     if is_own && called.contains("tan") {
         called.extend(["sin", "cos"]);
     }
-    let calls_own = is_own && ["sin", "cos", "ln", "exp"].iter().any(|name| called.contains(name));
+    if is_own && called.contains("tanh") {
+        called.insert("exp");
+    }
+    let calls_own = is_own && ["sin", "cos", "ln", "exp", "atan"].iter().any(|name| called.contains(name));
     let scalar = printer.graph.scalar();
     let (key, signed, unsigned_suffix, top, exponent_end, sign, infinity) = match scalar {
         ScalarType::F32 => ("uint32_t", "int32_t", "U", 31, 9, "0x80000000U", "0x7f800000U"),
@@ -155,7 +159,7 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str, upper
         same_nan: printer.same_nan().map(|nan| printer.literal(nan)),
     };
     let inline = format!("{upper}_INLINE");
-    let chooses = helpers.compares() || helpers.any(["clamp", "pick"]);
+    let chooses = helpers.compares() || helpers.any(&["clamp", "pick"]);
     if branch_free && chooses && MASKS.iter().map(|name| count(name)).sum::<usize>() <= FEW {
         (helpers.inlined, helpers.storage) = (true, &inline);
     }

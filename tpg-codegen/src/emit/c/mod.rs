@@ -100,10 +100,16 @@ impl Backend for C {
         let prefix = program.options.prefix.lower();
         let upper = program.options.prefix.upper();
         let gegelati = program.shape == Shape::Gegelati;
-        let printer = Printer { graph, nodes: &module.nodes, prefix, gegelati, short_cuts: false, leads: false };
+        let branch_free = match &program.shape {
+            Shape::ConstantTime(_) => true,
+            Shape::Formula(formula) => formula.branch_free,
+            _ => false,
+        };
+        let printer =
+            Printer { graph, nodes: &module.nodes, prefix, gegelati, short_cuts: false, branch_free, leads: false };
         let outputs = outputs(&printer, comment);
-        let (printer, body, branch_free) = match &program.shape {
-            Shape::Gegelati => (printer, gegelati::render(&printer, module, &upper), false),
+        let (printer, body) = match &program.shape {
+            Shape::Gegelati => (printer, gegelati::render(&printer, module, &upper)),
             Shape::Fast { schedule, functions } => {
                 let printer = Printer {
                     nodes: &schedule.nodes,
@@ -112,20 +118,20 @@ impl Backend for C {
                     ..printer
                 };
                 let body = fast::render(&printer, module, schedule, functions, &outputs, &upper);
-                (printer, body, false)
+                (printer, body)
             }
             Shape::Balanced(cases) => {
                 let printer = Printer { nodes: &cases.nodes, ..printer };
-                (printer, balanced::render(&printer, cases, &outputs, &upper), false)
+                (printer, balanced::render(&printer, cases, &outputs, &upper))
             }
-            Shape::Small(code) => (printer, small::render(&printer, code, &outputs, &upper), false),
+            Shape::Small(code) => (printer, small::render(&printer, code, &outputs, &upper)),
             Shape::ConstantTime(functions) => {
-                (printer, constant_time::render(&printer, module, functions, &outputs, &upper), true)
+                (printer, constant_time::render(&printer, module, functions, &outputs, &upper))
             }
-            Shape::Formula(formula) => (printer, formula::render(&printer, formula, &outputs), formula.branch_free),
+            Shape::Formula(formula) => (printer, formula::render(&printer, formula, &outputs)),
             Shape::Integers(_) => unreachable!("integers have a back end of their own"),
         };
-        let helpers = helpers::render(&printer, branch_free, &body, &upper);
+        let helpers = helpers::render(&printer, &body, &upper);
         let banner = banner::lines(program);
         let sources = sources(graph, comment);
         let seen = &sources[..sources.len() - graph.memory()];
@@ -182,7 +188,7 @@ impl Backend for C {
 
 /// Tests whether C uses something of `<math.h>`, which a chip without a C library may not have.
 fn uses_maths(text: &str) -> bool {
-    const FUNCTIONS: [&str; 6] = ["cos", "exp", "fabs", "log", "sin", "tan"];
+    const FUNCTIONS: [&str; 9] = ["atan", "cos", "exp", "fabs", "log", "sin", "sqrt", "tan", "tanh"];
     let word = |word: &str| {
         let function = word.strip_suffix('f').unwrap_or(word);
         ["INFINITY", "NAN", "isnan"].contains(&word) || FUNCTIONS.contains(&function)

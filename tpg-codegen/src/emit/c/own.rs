@@ -16,6 +16,10 @@ pub(super) struct OwnMaths {
     pub(super) log2_e: String,
     pub(super) ln: Vec<String>,
     pub(super) exp: Vec<String>,
+    pub(super) atan: Vec<String>,
+    /// π/4, what is missing from it, and the same of π/2.
+    pub(super) quarters: Vec<String>,
+    pub(super) tanh: Vec<String>,
 }
 
 /// Entries of the `f32` table of 2/π that are read; the zeros after them save a bounds check in Rust.
@@ -40,6 +44,9 @@ impl OwnMaths {
             log2_e: number(std::f32::consts::LOG2_E),
             ln: single::LN.map(number).to_vec(),
             exp: single::EXP.map(number).to_vec(),
+            atan: single::ATAN.map(number).to_vec(),
+            quarters: single::QUARTERS.as_flattened().iter().copied().map(number).collect(),
+            tanh: single::TANH.map(number).to_vec(),
         }
     }
 
@@ -59,6 +66,9 @@ impl OwnMaths {
             log2_e: number(std::f64::consts::LOG2_E),
             ln: double::LN.map(number).to_vec(),
             exp: double::EXP.map(number).to_vec(),
+            atan: double::ATAN.map(number).to_vec(),
+            quarters: double::QUARTERS.as_flattened().iter().copied().map(number).collect(),
+            tanh: double::TANH.map(number).to_vec(),
         }
     }
 }

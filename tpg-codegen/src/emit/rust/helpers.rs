@@ -40,7 +40,8 @@ pub(super) fn render(printer: &Printer<'_>) -> String {
     let short = printer.short_cuts && printer.graph.maths() == MathsProvider::System;
     let called = called(printer.nodes);
     let (signed, unsigned) = if scalar == ScalarType::F32 { ("i32", "u32") } else { ("i64", "u64") };
-    let plain = if short { &["sin", "cos", "tan"][..] } else { &["sin", "cos", "tan", "ln", "exp"] };
+    let plain = ["sin", "cos", "tan", "atan", "tanh", "ln", "exp"];
+    let plain = &plain[..if short { 5 } else { 7 }];
     let helpers = Helpers {
         printer,
         scalar: scalar.name(),

@@ -109,6 +109,38 @@ pub const EXP: [f64; 10] = [
     2.5004611754833166e-8,
 ];
 
+/// `arctan t = t + t·s·P(s)` for `s = t²`, `|t| ≤ √2 − 1`.
+pub const ATAN: [f64; 10] = [
+    -0.3333333333333015,
+    0.19999999999088877,
+    -0.14285714195251434,
+    0.11111106653086021,
+    -0.09090782399126085,
+    0.07690068094282802,
+    -0.06641119271625745,
+    0.05692528390008857,
+    -0.043590632806563986,
+    0.021259438808884975,
+];
+
+/// π/4 and π/2, and what is missing from each.
+pub const QUARTERS: [[f64; 2]; 2] =
+    [[0.7853981633974483, 3.061616997868383e-17], [1.5707963267948966, 6.123233995736766e-17]];
+
+/// `tanh a = a + a·s·P(s)` for `s = a²`, `|a| ≤ 0.55`.
+pub const TANH: [f64; 10] = [
+    -0.3333333333333231,
+    0.1333333333316823,
+    -0.05396825387584104,
+    0.021869485969040346,
+    -0.008863194425735858,
+    0.003591719057288698,
+    -0.0014532135485340425,
+    0.0005791273666274685,
+    -0.00021028641902203225,
+    5.1010280057259665e-5,
+];
+
 /// Sine of `x` radians: off by at most 1.7e-16, and by at most 1.5 ulp, for every finite `x`; odd, and never beyond ±1.
 pub fn sin(x: f64) -> f64 {
     let bits = x.to_bits();
@@ -341,4 +373,90 @@ pub fn exp(x: f64) -> f64 {
 
     let not_a_number = mask(INFINITY.wrapping_sub(magnitude));
     f64::from_bits(value.to_bits() | (not_a_number & NAN))
+}
+
+/// Arctangent: off by at most 2.5 ulp; odd.
+pub fn atan(x: f64) -> f64 {
+    let bits = x.to_bits();
+    let magnitude = bits & MAGNITUDE;
+    let a = f64::from_bits(magnitude);
+
+    // arctan a = π/4 + arctan((a − 1) / (a + 1)) = π/2 + arctan(−1 / a): whichever leaves a small argument.
+    let low = mask(magnitude.wrapping_sub(0x3fda_8279_99fc_ef32)); // √2 − 1
+    let high = mask(0x4003_504f_333f_9de6_u64.wrapping_sub(magnitude)); // √2 + 1
+    let pick = |of_low: f64, of_middle: f64, of_high: f64| {
+        f64::from_bits(choose(low, of_low.to_bits(), choose(high, of_high.to_bits(), of_middle.to_bits())))
+    };
+    let [[quarter, quarter_rest], [half, half_rest]] = QUARTERS;
+    let above = pick(a, a - 1.0, -1.0);
+    let below = pick(1.0, a + 1.0, a);
+    let t = above / below;
+    let offset = pick(0.0, quarter, half);
+    let rest = pick(0.0, quarter_rest, half_rest);
+
+    let [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9] = ATAN;
+    let s = t * t;
+    let p = c9 * s;
+    let p = p + c8;
+    let p = p * s;
+    let p = p + c7;
+    let p = p * s;
+    let p = p + c6;
+    let p = p * s;
+    let p = p + c5;
+    let p = p * s;
+    let p = p + c4;
+    let p = p * s;
+    let p = p + c3;
+    let p = p * s;
+    let p = p + c2;
+    let p = p * s;
+    let p = p + c1;
+    let p = p * s;
+    let p = p + c0;
+    let p = p * s;
+    let p = p * t;
+    let p = p + rest;
+    let p = t + p;
+    let value = offset + p;
+    f64::from_bits(value.to_bits() | (bits & SIGN))
+}
+
+/// Hyperbolic tangent: off by at most 2.5 ulp; odd, and never beyond ±1.
+pub fn tanh(x: f64) -> f64 {
+    let bits = x.to_bits();
+    let magnitude = bits & MAGNITUDE;
+    let a = f64::from_bits(magnitude);
+
+    // 1 − 2 / (e²ᵃ + 1), where that does not cancel.
+    let grown = exp(a + a);
+    let part = 2.0 / (grown + 1.0);
+    let far = 1.0 - part;
+
+    let [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9] = TANH;
+    let s = a * a;
+    let p = c9 * s;
+    let p = p + c8;
+    let p = p * s;
+    let p = p + c7;
+    let p = p * s;
+    let p = p + c6;
+    let p = p * s;
+    let p = p + c5;
+    let p = p * s;
+    let p = p + c4;
+    let p = p * s;
+    let p = p + c3;
+    let p = p * s;
+    let p = p + c2;
+    let p = p * s;
+    let p = p + c1;
+    let p = p * s;
+    let p = p + c0;
+    let p = p * s;
+    let p = p * a;
+    let near = a + p;
+
+    let small = mask(magnitude.wrapping_sub(0x3fe1_9999_9999_999a)); // 0.55
+    f64::from_bits(choose(small, near.to_bits(), far.to_bits()) | (bits & SIGN))
 }

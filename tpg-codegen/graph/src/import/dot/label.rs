@@ -78,8 +78,18 @@ mod tests {
         let operand = |source, location| OperandText { source, location };
         let none = operand(0, 0);
         let expected = [
-            ProgramLine { instruction: 7, to: 5, written: 2, operands: [operand(1, 1), operand(4, 70), none, none] },
-            ProgramLine { instruction: 1, to: 3, written: 3, operands: [none, operand(4, 5), operand(9, 9), none] },
+            ProgramLine {
+                instruction: 7,
+                to: 5,
+                written: 2,
+                operands: [operand(1, 1), operand(4, 70), none, none, none, none],
+            },
+            ProgramLine {
+                instruction: 1,
+                to: 3,
+                written: 3,
+                operands: [none, operand(4, 5), operand(9, 9), none, none, none],
+            },
         ];
         assert_eq!(found, expected);
         assert_eq!(lines("").expect("no line"), []);

@@ -8,6 +8,7 @@ use super::lines::{Lines, ProgramLines};
 use super::resolve::Resolver;
 use crate::Word;
 use crate::error::{InputError, counted};
+use crate::import::composed::Given;
 use crate::import::sidecar::Values;
 use crate::model::{LeafDocument, LineDocument, OperandDocument, ProgramDocument, TeamDocument};
 use std::collections::{BTreeMap, BTreeSet};
@@ -153,7 +154,8 @@ impl Builder<'_, '_> {
             lines.push(LineDocument { to: 0, op: Word::Copy.name().to_owned(), args: vec![value(register)] });
         }
         if let Some(activation) = activation {
-            activation.lines(&[vec![value(0)]], 0, sidecar.registers(), &mut lines);
+            let given = Given { operands: &[vec![value(0)]], constants: &[] };
+            activation.lines(given, 0, sidecar.registers(), &mut lines);
         }
         let (id, node) = (self.next, self.resolver.declared.close);
         self.next = self.next.saturating_add(1);

@@ -8,7 +8,7 @@
 //! statement   = "graph" attributes | "node" attributes                           drawing only
 //!             | "T"n attributes                                                  a team
 //!             | "P"n attributes "//" (number "|")*                               a program, its constants
-//!             | "I"n "[… label="line*"]" ["//" (number "|")*]                    its lines; or its constants here
+//!             | "I"n "[… label="line*"]" ["//" (number "|")*]                    its lines; or its constants here, or theirs
 //!             | "P"n "->" "I"n attributes                                        redundant
 //!             | "A"n "[… label="action"]"                                        an action; equal labels are one action
 //!             | "A"n "[… label="class("-"class)*"]"                              a leaf, and what its programs compute

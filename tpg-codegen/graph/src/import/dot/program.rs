@@ -3,7 +3,7 @@
 use super::Fault;
 use super::declared::{OperandText, ProgramLine};
 use crate::error::counted;
-use crate::import::composed::{FORM, Operator};
+use crate::import::composed::{FORM, Given, Operator};
 use crate::model::{Document, LineDocument, OperandDocument};
 
 /// Context that gives the numbers in a program's lines their meaning.
@@ -19,20 +19,28 @@ pub(super) struct Meaning<'d> {
     pub(super) registers: u32,
     /// Constants of the program. If programs have any, they are source 1, before the environment's sources.
     pub(super) constants: &'d [f64],
+    /// Constants of the lines, as many for each; empty where no instruction reads one.
+    pub(super) of_lines: &'d [f64],
 }
 
 impl Meaning<'_> {
     /// Translates all lines of the program.
     pub(super) fn lines(&self, lines: &[ProgramLine]) -> Result<Vec<LineDocument>, Fault> {
+        let each = self.of_lines.len().checked_div(lines.len()).unwrap_or(0);
+        if each * lines.len() != self.of_lines.len() {
+            let found = format!("{} on {}", counted(self.of_lines.len(), "constant"), counted(lines.len(), "line"));
+            return Err(Fault::new(found, "as many for each line: instructions of the sidecar read k0"));
+        }
         let mut document = Vec::new();
         for (place, line) in (1..).zip(lines) {
-            self.line(line, &mut document)
+            let constants = &self.of_lines[(place - 1) * each..place * each];
+            self.line(line, constants, &mut document)
                 .map_err(|fault| Fault::new(format!("program line {place}: {}", fault.found), fault.accepted))?;
         }
         Ok(document)
     }
 
-    fn line(&self, line: &ProgramLine, document: &mut Vec<LineDocument>) -> Result<(), Fault> {
+    fn line(&self, line: &ProgramLine, constants: &[f64], document: &mut Vec<LineDocument>) -> Result<(), Fault> {
         let Some(Operator { name, value, windows }) = self.instructions.get(line.instruction as usize) else {
             let known: Vec<&str> = self.instructions.iter().map(|operator| &*operator.name).collect();
             let known = known.join(", ");
@@ -53,13 +61,18 @@ impl Meaning<'_> {
             let found = format!("{} of {name}", counted(line.written, "operand"));
             return Err(Fault::new(found, format!("at least {arity}")));
         };
+        let needed = value.constants();
+        if constants.len() < needed {
+            let found = format!("{} of a line for {name}", counted(constants.len(), "constant"));
+            return Err(Fault::new(found, format!("at least {needed}")));
+        }
         let operands = (operands.iter().zip(windows))
             .map(|(operand, window)| match window.as_slice() {
                 [] => Ok(vec![self.operand(*operand)?]),
                 window => self.window(*operand, window),
             })
             .collect::<Result<Vec<_>, _>>()?;
-        value.lines(&operands, line.to, self.registers, document);
+        value.lines(Given { operands: &operands, constants }, line.to, self.registers, document);
         Ok(())
     }
 

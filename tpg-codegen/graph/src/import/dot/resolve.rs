@@ -168,6 +168,7 @@ impl Resolver<'_> {
             };
             let (constants, line) = match (node.constants.as_slice(), content.constants.as_slice()) {
                 (integers, []) => (integers, node.line),
+                (integers, _) if self.sidecar.constants_of_lines() => (integers, node.line),
                 ([], reals) => (reals, content.line),
                 _ => {
                     let accepted = format!("constants in one place, on line {} or here", node.line);
@@ -187,6 +188,7 @@ impl Resolver<'_> {
                 shapes: self.sidecar.shapes(),
                 registers: self.sidecar.registers(),
                 constants,
+                of_lines: if self.sidecar.constants_of_lines() { &content.constants } else { &[] },
             };
             let document = meaning.lines(&content.lines).map_err(|fault| fault.on(self.file, content.line))?;
             programs.push(ProgramDocument { id: number, lines: document });
