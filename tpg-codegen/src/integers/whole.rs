@@ -131,7 +131,10 @@ impl Whole {
             | Instruction::Sin
             | Instruction::Tan
             | Instruction::Ln
-            | Instruction::Exp => Err(Unfit::NotWhole),
+            | Instruction::Exp
+            | Instruction::Sqrt
+            | Instruction::Atan
+            | Instruction::Tanh => Err(Unfit::NotWhole),
         }
     }
 }
