@@ -23,6 +23,7 @@ mod own_maths_c;
 mod packages;
 mod passes;
 mod policy_kinds;
+mod prove;
 mod proven;
 mod random_graphs;
 mod report;

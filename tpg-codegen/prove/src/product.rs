@@ -410,7 +410,12 @@ impl<'a, M: Machine> Comparison<'a, M> {
             Destination::Team(_) => return Err(Missing::new(self.graph.name(place), "an answer")),
         };
         let mut side = Side::At(self.machine.entry(&mut self.terms)?);
+        let mut steps = 0;
         while let Side::At(_) = side {
+            steps += 1;
+            if steps > self.effort.pairs {
+                return Err(Missing::new(self.name(&side, place), "code that ends soon"));
+            }
             let ends = self.ends(&side)?.unwrap_or_default();
             let taken = ends.into_iter().find(|(condition, _)| self.evaluator.truth(&self.terms, *condition));
             side = taken.ok_or_else(|| Missing::new(self.name(&side, place), "a way on in every state"))?.1;
@@ -422,6 +427,9 @@ impl<'a, M: Machine> Comparison<'a, M> {
             }
             Side::At(_) => return Err(Missing::new("the code", "an answer")),
         };
+        if self.evaluator.has_guessed() {
+            return Err(Missing::new("the code", "all values that the answer depends on"));
+        }
         Ok((expected, found))
     }
 

@@ -109,6 +109,17 @@ fn difference<M: Machine>(comparison: &mut Comparison<'_, M>, graph: &Graph, ins
     None
 }
 
+/// A difference in one of so many states, each computed by itself: nothing that a proof uses has a part in it.
+pub fn sampled<M: Machine>(
+    graph: &Graph,
+    read: &dyn Fn() -> Result<M, Missing>,
+    states: u64,
+    seed: u64,
+) -> Option<Difference> {
+    let (special, mut stream) = (graph.constants(), Stream::new(seed));
+    (0..states).find_map(|_| replayed(graph, &stream.state(graph.ranges(), &special, false), read))
+}
+
 /// The difference in a state, computed with that state's numbers from the start on.
 fn replayed<M: Machine>(graph: &Graph, state: &[u32], read: &dyn Fn() -> Result<M, Missing>) -> Option<Difference> {
     let mut machine = read().ok()?;

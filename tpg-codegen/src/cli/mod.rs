@@ -50,12 +50,12 @@ enum Command {
     /// Compile the generated code and compare it with the interpreter
     #[command(after_help = examples::VERIFY)]
     Verify(verify::VerifyArgs),
-    /// Prove that C or machine code decides like the graph, for every input
-    #[command(after_help = examples::PROVE)]
-    Prove(prove::ProveArgs),
     /// Report the flash, RAM, stack and operations of a graph's code, and what was removed from it
     #[command(after_help = examples::REPORT)]
     Report(report::ReportArgs),
+    /// Prove that C or machine code decides like the graph, for every input
+    #[command(after_help = examples::PROVE)]
+    Prove(prove::ProveArgs),
     /// Convert a graph to graph.json, or to a GEGELATI .dot file and its sidecar
     #[command(after_help = examples::CONVERT)]
     Convert(convert::ConvertArgs),

@@ -50,7 +50,13 @@ impl ProveArgs {
         let loaded = self.graph.load()?;
         let text = loaded.to_json();
         let name = self.graph.graph.display().to_string();
-        let graph = Graph::read(&name, &text).map_err(CommandError::other)?;
+        let graph = match Graph::read(&name, &text) {
+            Ok(graph) => graph,
+            Err(error) => {
+                command::print(format!("not decided: {error}\n")).map_err(CommandError::other)?;
+                return Ok(Verdict::Undecided);
+            }
+        };
         let mut proofs: Vec<(String, Proof, Files)> = Vec::new();
         let with = |files: Files| [vec![(name.clone(), text.clone().into_bytes())], files].concat();
         match (&self.source, &self.object) {

@@ -23,7 +23,6 @@ pub(super) enum Value {
     If(Box<Condition>, Box<Value>, Box<Value>),
     OfCondition(Box<Condition>),
     OfInteger(bool, Box<Value>),
-    Truncated(Box<Value>),
     /// A number that must be below a length
     Below(Box<Value>, u32),
     /// An address moved by cells; both must be in one object

@@ -215,6 +215,10 @@ impl Code {
                 .collect();
             let offset = terms.number(base - u64::from(object.start));
             let index = terms.apply(Operator::Add, Width::W32, index, offset);
+            let length = object.end - object.start;
+            if largest(terms, index) >= u64::from(length) && !terms.is_granted(index, length) {
+                return Err(self.missing(at, "an index that is in bounds"));
+            }
             return Ok(terms.element(&table, index));
         }
         Err(self.missing(at, "an index that is a constant"))
@@ -257,10 +261,6 @@ impl Code {
             Value::OfCondition(condition) => {
                 let condition = self.condition(terms, at, cells, condition)?;
                 terms.word_of(condition)
-            }
-            Value::Truncated(a) => {
-                let a = self.float(terms, at, cells, a)?;
-                terms.truncated(a)
             }
             Value::Below(a, length) => {
                 let a = self.word(terms, at, cells, a)?;

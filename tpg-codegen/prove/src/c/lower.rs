@@ -1038,7 +1038,7 @@ impl<'u> Lowering<'u> {
             (Type::Integer(bytes, signed), Type::Float) if *bytes <= 4 => {
                 Ok(Value::OfInteger(*signed, Box::new(value)))
             }
-            (Type::Float, Type::Integer(4, true)) => Ok(Value::Truncated(Box::new(value))),
+            (Type::Float, Type::Integer(..)) => Err(self.missing("a float that is in the range of an integer")),
             (Type::Integer(a, signed), Type::Integer(b, to_signed)) => Ok(match (a, b) {
                 (8, 8) => value,
                 (_, 8) if *signed => {

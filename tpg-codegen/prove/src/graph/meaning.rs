@@ -70,6 +70,9 @@ impl<'g> Meaning<'g> {
             ("copy", &[a]) => a,
             ("abs", &[a]) => terms.magnitude(a),
             (word, &[a]) => match Function::named(word) {
+                Some(_) if !self.graph.own_maths => {
+                    return Err(Missing::new("graph", format!("the meaning of the platform's `{word}`")));
+                }
                 Some(function) => self.maths.apply(terms, function, a)?,
                 None => return Err(Missing::new("graph", format!("the meaning of the word `{word}`"))),
             },

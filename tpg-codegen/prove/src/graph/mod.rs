@@ -54,6 +54,8 @@ pub struct Graph {
     interface: Interface,
     ranges: Vec<[f32; 2]>,
     registers: usize,
+    /// Sine and the like are this project's own, not the platform's
+    own_maths: bool,
     programs: Vec<Vec<Line>>,
     teams: Vec<Team>,
     /// For each leaf its programs: of outputs, then of memory

@@ -27,6 +27,15 @@ impl<'a> At<'a> {
         At { file: self.file, place: format!("{}.{name}", self.place), value }
     }
 
+    /// Refuses members that are none of these: what is not read could change what the graph means.
+    fn only(&self, names: &[&str]) -> Result<(), InputError> {
+        let members = self.value.as_object().into_iter().flatten();
+        match members.map(|(name, _)| name).find(|name| !names.contains(&name.as_str())) {
+            None => Ok(()),
+            Some(other) => Err(self.member(other).error(&format!("none but {}", names.join(", ")))),
+        }
+    }
+
     fn list(&self) -> Result<Vec<At<'a>>, InputError> {
         match self.value {
             Value::Null => Ok(Vec::new()),
@@ -89,6 +98,7 @@ impl Names {
     }
 
     fn line(&self, at: &At<'_>) -> Result<Line, InputError> {
+        at.only(&["to", "op", "args"])?;
         let to = at.member("to");
         let register = usize::try_from(to.number()?).ok().filter(|&register| register < self.registers);
         let to = register.ok_or_else(|| to.error("a register"))?;
@@ -112,6 +122,23 @@ impl Graph {
         };
         let value: Value = serde_json::from_str(text).map_err(|error| fault(error.to_string()))?;
         let top = At { file, place: "graph".to_owned(), value: &value };
+        top.only(&[
+            "format",
+            "version",
+            "scalar",
+            "maths",
+            "registers",
+            "sources",
+            "instructions",
+            "actions",
+            "outputs",
+            "memory",
+            "root",
+            "teams",
+            "leaves",
+            "programs",
+            "provenance",
+        ])?;
         for (member, accepted) in [("format", &["tpg-graph"][..]), ("scalar", &["f32"])] {
             let at = top.member(member);
             if !accepted.contains(&at.text()?) {
@@ -130,6 +157,7 @@ impl Graph {
         let registers = registers.ok_or_else(|| top.member("registers").error("1 to 256"))?;
         let (mut interface, mut ranges, mut values) = (Interface::default(), Vec::new(), HashMap::new());
         for source in top.member("sources").list()? {
+            source.only(&["name", "length", "unit", "ranges"])?;
             let (name, length) = (source.member("name").text()?, source.member("length"));
             let length = u32::try_from(length.number()?).map_err(|_| length.error("fewer values"))?;
             let declared = source.member("ranges").list()?;
@@ -142,10 +170,12 @@ impl Graph {
         }
         let (mut limits, state) = (Vec::new(), interface.state_length());
         for output in top.member("outputs").list()? {
+            output.only(&["name", "unit", "min", "max", "nan"])?;
             interface.outputs.push(output.member("name").text()?.to_owned());
             limits.push(["min", "max", "nan"].map(|member| output.member(member).float()));
         }
         for (number, memory) in (state..).zip(top.member("memory").list()?) {
+            memory.only(&["name", "min", "max", "initial"])?;
             let name = memory.member("name").text()?;
             values.insert(format!("{name}[0]"), number);
             interface.memory.push(name.to_owned());
@@ -159,6 +189,7 @@ impl Graph {
         let program_ids = ids(&written)?;
         let mut programs = Vec::new();
         for program in &written {
+            program.only(&["id", "lines"])?;
             programs
                 .push(program.member("lines").list()?.iter().map(|line| names.line(line)).collect::<Result<_, _>>()?);
         }
@@ -166,6 +197,7 @@ impl Graph {
         let leaf_ids = ids(&written)?;
         let mut leaves = Vec::new();
         for leaf in &written {
+            leaf.only(&["id", "programs", "memory"])?;
             let mut all = Vec::new();
             for (member, count) in [("programs", interface.outputs.len()), ("memory", interface.memory.len())] {
                 let list = leaf.member(member);
@@ -181,7 +213,13 @@ impl Graph {
         }
         let actions = top.member("actions").list()?.len() as u64;
         let (teams, start) = teams(top, &program_ids, &leaf_ids, actions)?;
-        let graph = Self { interface, ranges, registers, programs, teams, leaves, limits, start };
+        let maths = top.member("maths");
+        let own_maths = match maths.text()? {
+            "own" => true,
+            "system" => false,
+            _ => return Err(maths.error("own or system")),
+        };
+        let graph = Self { interface, ranges, registers, own_maths, programs, teams, leaves, limits, start };
         graph.leads_forward(top)?;
         Ok(graph)
     }
@@ -225,8 +263,10 @@ fn teams(
     let team_ids = ids(&written)?;
     let mut teams = Vec::new();
     for team in &written {
+        team.only(&["id", "edges"])?;
         let mut edges = Vec::new();
         for edge in team.member("edges").list()? {
+            edge.only(&["program", "team", "action", "leaf"])?;
             let program = edge.member("program").index(programs, "program")?;
             let [to_team, action, leaf] = ["team", "action", "leaf"].map(|member| edge.member(member));
             let to = match [&to_team, &action, &leaf].map(|end| !end.value.is_null()) {

@@ -11,6 +11,7 @@ pub struct Evaluator {
     values: Vec<(u32, u64)>,
     round: u32,
     state: Vec<u32>,
+    guessed: bool,
 }
 
 impl Evaluator {
@@ -22,8 +23,15 @@ impl Evaluator {
         evaluator
     }
 
+    /// Tests whether a value was asked for of which nothing is known, since the state was set.
+    #[must_use]
+    pub fn has_guessed(&self) -> bool {
+        self.guessed
+    }
+
     /// Goes on with another state.
     pub fn set(&mut self, state: &[u32]) {
+        self.guessed = false;
         self.round += 1;
         self.state = state.iter().map(|&bits| if is_nan_bits(bits) { NAN } else { bits }).collect();
     }
@@ -76,7 +84,10 @@ impl Evaluator {
             }
             Node::Constant(bits) => u64::from(bits),
             Node::Source(index) => u64::from(self.state.get(index as usize).copied().unwrap_or_default()),
-            Node::Unknown(_) => u64::from(NAN),
+            Node::Unknown(_) => {
+                self.guessed = true;
+                u64::from(NAN)
+            }
             Node::Arithmetic(operation, a, b) => {
                 let [a, b] = [a, b].map(|term| f32::from_bits(self.bits(terms, term)));
                 canonical(rounded(operation, a, b).to_bits())

@@ -1,0 +1,146 @@
+//! The three answers, for C that a person could have written.
+
+use tpg_prove::c;
+use tpg_prove::graph::Graph;
+use tpg_prove::product::Effort;
+use tpg_prove::proof::{Proof, Verdict, prove, sampled};
+
+/// Left is bid `x - y`, right is bid 0.5, stay is bid `|y|`.
+const GRAPH: &str = r#"{ "format": "tpg-graph", "version": 1, "scalar": "f32", "maths": "own", "registers": 2,
+  "sources": [{ "name": "x", "length": 1, "unit": "m", "ranges": [[-1, 1]] }, { "name": "y", "length": 2, "unit": "m", "ranges": [[-1, 1]] }],
+  "instructions": ["sub", "copy", "abs", "exp"],
+  "actions": [{ "id": 0, "name": "left" }, { "id": 1, "name": "right" }, { "id": 2, "name": "stay" }],
+  "root": 7,
+  "teams": [{ "id": 7, "edges": [{ "program": 0, "action": 0 }, { "program": 1, "action": 1 }, { "program": 2, "action": 2 }] }],
+  "programs": [
+    { "id": 0, "lines": [{ "to": 0, "op": "sub", "args": ["x[0]", "y[1]"] }] },
+    { "id": 1, "lines": [{ "to": 0, "op": "copy", "args": [0.5] }] },
+    { "id": 2, "lines": [{ "to": 0, "op": "abs", "args": ["y[1]"] }] } ] }"#;
+
+const HEAD: &str = "#include <stdint.h>
+#include <math.h>
+typedef struct state { float x; float y[2]; } state_t;
+enum action { LEFT, RIGHT, STAY };
+";
+
+fn proof_of(graph: &str, body: &str) -> Proof {
+    let graph = Graph::read("graph.json", graph).expect("a graph");
+    let text = format!("{HEAD}{body}");
+    let read = || c::read_with("policy.c", &text, &|_| None, None, graph.interface());
+    let proof = prove(&graph, &read, false, Effort::default()).unwrap_or_else(Proof::undecided);
+    // whatever is proven never differs in a state that is computed by itself
+    if matches!(proof.verdict, Verdict::Proven) {
+        assert_eq!(sampled(&graph, &read, 500, 3), None, "{body}");
+    }
+    proof
+}
+
+const GOOD: &str = "uint16_t pole_infer(const state_t *s)
+{
+    const float stay = fabsf(s->y[1]);
+    float best = s->x - s->y[1];
+    uint32_t way = LEFT;
+    if (!(best > 0.5f)) { best = 0.5f; way = RIGHT; }
+    if (stay >= best) way = STAY;
+    return (uint16_t)way;
+}";
+
+#[test]
+fn another_way_to_find_the_winner_is_proven() {
+    let proof = proof_of(GRAPH, GOOD);
+    assert!(matches!(proof.verdict, Verdict::Proven), "{proof}");
+    let nested = "static float larger(float a, float b) { return a > b ? a : b; }
+        enum action pole_infer(const state_t *s)
+        {
+            switch ((fabsf(s->y[1]) >= larger(s->x - s->y[1], 0.5f)) ? 1 : 0) {
+            case 1: return STAY;
+            default: break;
+            }
+            for (int i = 0; i < 3; i++) { if (i == 2) goto end; }
+        end:
+            return s->x - s->y[1] > 0.5f ? LEFT : RIGHT;
+        }";
+    let proof = proof_of(GRAPH, nested);
+    assert!(matches!(proof.verdict, Verdict::Proven), "{proof}");
+    let bits = "#include <string.h>
+        uint16_t pole_infer(const state_t *s)
+        {
+            union { float f; uint32_t u; } difference;
+            uint32_t magnitude;
+            (void)memcpy(&magnitude, &s->y[1], sizeof magnitude);
+            difference.f = s->x - s->y[1];
+            /* numbers as large as 0.5, by their bits; no NaN */
+            magnitude &= 0x7fffffffU;
+            const float best = (difference.u > 0x3f000000U && difference.u <= 0x7f800000U) ? difference.f : 0.5f;
+            float stay;
+            (void)memcpy(&stay, &magnitude, sizeof stay);
+            return stay >= best ? STAY : difference.f > 0.5f ? LEFT : RIGHT;
+        }";
+    let proof = proof_of(GRAPH, bits);
+    assert!(!matches!(proof.verdict, Verdict::Different(_)), "{proof}");
+}
+
+#[test]
+fn a_difference_has_a_state() {
+    for (from, to) in [
+        ("best > 0.5f", "best >= 0.5f"),
+        ("0.5f; way", "0.25f; way"),
+        ("s->x - s->y[1]", "s->x - s->y[0]"),
+        (">= best", "> best"),
+    ] {
+        let proof = proof_of(GRAPH, &GOOD.replace(from, to));
+        let Verdict::Different(difference) = &proof.verdict else {
+            // a tie of these bids is a state that is rarely met
+            assert!(matches!(proof.verdict, Verdict::Undecided(_)) && to.contains("best"), "{from}: {proof}");
+            continue;
+        };
+        assert_eq!(difference.state.len(), 3);
+        assert_ne!(difference.expected, difference.found);
+    }
+}
+
+#[test]
+fn what_is_missing_is_named() {
+    let none = |body: &str, what: &str| {
+        let proof = proof_of(GRAPH, body);
+        assert!(matches!(&proof.verdict, Verdict::Undecided(missing) if missing.to_string().contains(what)), "{proof}");
+    };
+    none(
+        "uint16_t pole_infer(const state_t *s) { float best; return best > s->x ? LEFT : STAY; }",
+        "not set on every way",
+    );
+    none("uint16_t pole_infer(const state_t *s) { return s->y[2] > 0.0f ? LEFT : STAY; }", "in bounds");
+    none("uint16_t pole_infer(const state_t *s) { return s->x > 0.0 ? LEFT : STAY; }", "binary64");
+    none("uint16_t pole_infer(const state_t *s) { return sqrtf(s->x) > 0.0f ? LEFT : STAY; }", "`sqrtf`");
+    none("uint16_t pole_infer(const state_t *s) { return pole_infer(s); }", "calls itself");
+    none("uint16_t pole_infer(const state_t *s) { return (uint16_t)(uint32_t)s->x; }", "range of an integer");
+    none("#include \"absent.h\"\nuint16_t pole_infer(const state_t *s) { return 0; }", "absent.h");
+}
+
+#[test]
+fn own_maths_is_compared_as_it_is_written() {
+    let graph = GRAPH.replace(r#""op": "abs""#, r#""op": "exp""#);
+    let maths = include_str!("../src/own_maths.c");
+    let body = GOOD.replace("fabsf", "own_exp");
+    let proof = proof_of(&graph, &format!("{maths}\n{body}"));
+    assert!(matches!(proof.verdict, Verdict::Proven), "{proof}");
+    let other = maths.replace("0.008368675f", "0.008368674f");
+    assert_ne!(maths, other);
+    let proof = proof_of(&graph, &format!("{other}\n{body}"));
+    assert!(!matches!(proof.verdict, Verdict::Proven), "{proof}");
+}
+
+#[test]
+fn bad_graphs_are_refused_with_their_place() {
+    for (from, to, place) in [
+        (r#""root": 7"#, r#""root": 8"#, "graph.root"),
+        (r#""f32""#, r#""f64""#, "graph.scalar"),
+        (r#""action": 2"#, r#""team": 7"#, "graph.teams"),
+        (r#""action": 1"#, r#""action": 3"#, "graph.teams[0].edges[1].action"),
+        ("y[1]", "y[2]", "graph.programs[0].lines[0].args[1]"),
+        (r#""unit": "m","#, r#""unit": "m", "counts": [],"#, "graph.sources[0].counts"),
+    ] {
+        let error = Graph::read("graph.json", &GRAPH.replacen(from, to, 1)).expect_err(place);
+        assert_eq!((error.file.as_str(), error.place.as_str()), ("graph.json", place));
+    }
+}

@@ -1,0 +1,172 @@
+//! The prover: shipped policies are proven in every profile, mutants never are, random graphs are proven or named.
+
+use crate::common::shaped;
+use std::time::Instant;
+use tpg_codegen::emit::{self, File, Language, Profile, Style};
+use tpg_graph::sample::{self, Shape};
+use tpg_graph::{MathsProvider, ScalarType};
+use tpg_prove::c;
+use tpg_prove::graph::Graph as Meaning;
+use tpg_prove::machine::Missing;
+use tpg_prove::product::Effort;
+use tpg_prove::proof::{self, Proof, Verdict};
+use tpg_testing::amount;
+
+/// The shipped graphs.
+const SHIPPED: [&str; 14] = [
+    "acrobot",
+    "bipedal-walker",
+    "cartpole",
+    "dodge",
+    "hopper",
+    "inverted-double-pendulum",
+    "lunar-lander",
+    "lunar-lander-continuous",
+    "mountain-car",
+    "mountain-car-continuous",
+    "pendulum",
+    "swimmer",
+    "widowx-fs",
+    "widowx-rs",
+];
+
+fn shipped(name: &str) -> String {
+    let path = tpg_testing::library::top().join("generated").join(name).join("graph.json");
+    std::fs::read_to_string(path).expect("a shipped graph")
+}
+
+/// The files of C of a graph.
+fn c_of(text: &str, profile: Profile) -> Vec<File> {
+    let graph = Graph::from_json("graph.json", text).expect("a graph");
+    emit::emit(&graph, Language::C, &shaped("policy", (Style::Pure, Some(profile))))
+}
+
+fn proof_of(text: &str, files: &[File]) -> Result<Proof, Missing> {
+    let graph = Meaning::read("graph.json", text).expect("a graph in binary32");
+    with(&graph, files, &|graph, read| proof::prove(graph, read, false, Effort::default()))
+}
+
+/// Calls a function with a graph and with what reads the code.
+fn with<R>(graph: &Meaning, files: &[File], call: &dyn Fn(&Meaning, &dyn Fn() -> Result<c::Code, Missing>) -> R) -> R {
+    let text = |name: &str| files.iter().find(|file| file.name == name).map(|file| file.text.clone());
+    let source = text("policy.c").expect("a file of C");
+    call(graph, &|| c::read_with("policy.c", &source, &text, None, graph.interface()))
+}
+
+/// With `--nocapture` it prints the table of times.
+#[test]
+fn shipped_policies_are_proven_in_every_profile() {
+    for name in SHIPPED {
+        let text = shipped(name);
+        let mut times = Vec::new();
+        for profile in Profile::ALL {
+            let files = c_of(&text, profile);
+            let start = Instant::now();
+            let proof = proof_of(&text, &files).expect("C that is read");
+            times.push(format!("{:.3} s", start.elapsed().as_secs_f32()));
+            assert!(matches!(proof.verdict, Verdict::Proven), "{name} {profile:?}: {proof}");
+            assert!(proof.in_range != Some(false), "{name}: outputs in their ranges");
+        }
+        println!("| {name} | {} |", times.join(" | "));
+    }
+}
+
+/// Replaces one token of the function in each possible way: numbers, comparisons, operators, names of fields.
+fn mutants(source: &str) -> Vec<String> {
+    let start = source.find("policy_infer(const").expect("the function");
+    let end = source.find("#ifndef POLICY_NO_SELFTEST").expect("its end");
+    let body = &source[start..end];
+    let mut mutants = Vec::new();
+    let mut change = |at: usize, length: usize, by: &str| {
+        mutants.push([&source[..start + at], by, &source[start + at + length..]].concat());
+    };
+    let swaps = [
+        (" >= ", " > "),
+        (" > ", " >= "),
+        (" <= ", " < "),
+        (" < ", " <= "),
+        (" == ", " != "),
+        (" + ", " - "),
+        (" - ", " + "),
+        (" * ", " / "),
+        (" / ", " * "),
+        ("[0]", "[1]"),
+        ("[1]", "[0]"),
+        ("-FLT_MAX", "0.0f"),
+        ("(-", "("),
+        ("1U", "2U"),
+        ("2U", "1U"),
+        (" ? ", " ? -"),
+    ];
+    for (from, to) in swaps {
+        for (at, _) in body.match_indices(from) {
+            change(at, from.len(), to);
+        }
+    }
+    for (at, _) in body.match_indices(|letter: char| letter.is_ascii_digit()) {
+        let before = body[..at].chars().next_back().unwrap_or(' ');
+        let length = body[at..].find(|letter: char| !(letter.is_ascii_digit() || letter == '.')).unwrap_or(0);
+        let number = &body[at..at + length];
+        if number.contains('.') && !(before.is_ascii_alphanumeric() || before == '.' || before == '_') {
+            let value: f32 = number.parse().expect("a number");
+            change(at, length, &format!("{:?}", value * 1.000_001 + f32::MIN_POSITIVE));
+            change(at, length, &format!("{:?}", value * 1.01 + 0.01));
+        }
+    }
+    mutants
+}
+
+/// Every constant, comparison and operator of the small policies, changed: none that differs in a sampled state is called proven.
+#[test]
+fn no_mutant_that_differs_is_called_proven() {
+    let (mut refuted, mut undecided, mut equal, mut unread) = (0, 0, 0, 0);
+    for name in &SHIPPED[..12] {
+        let text = shipped(name);
+        let graph = Meaning::read(name, &text).expect("a graph");
+        let files = c_of(&text, Profile::Fast);
+        let source = &files.iter().find(|file| file.name == "policy.c").expect("C").text;
+        let all = mutants(source);
+        let step = amount(all.len().div_ceil(12), 1);
+        for mutant in all.into_iter().step_by(step) {
+            let mut files = files.clone();
+            files.iter_mut().filter(|file| file.name == "policy.c").for_each(|file| file.text.clone_from(&mutant));
+            match proof_of(&text, &files) {
+                Err(_) => unread += 1,
+                Ok(Proof { verdict: Verdict::Proven, .. }) => {
+                    let states = amount(500, 20_000);
+                    let found = with(&graph, &files, &|graph, read| proof::sampled(graph, read, states, 7));
+                    assert!(found.is_none(), "{name}: proven, but {found:?} in\n{mutant}");
+                    equal += 1;
+                }
+                Ok(Proof { verdict: Verdict::Different(_), .. }) => refuted += 1,
+                Ok(Proof { verdict: Verdict::Undecided(_), .. }) => undecided += 1,
+            }
+        }
+    }
+    println!("refuted {refuted}, not decided {undecided}, proven equal {equal}, not read {unread}");
+    assert!(refuted > 5 * equal, "mutants differ: {refuted} refuted, {equal} equal");
+}
+
+/// Random graphs of arithmetic words in each profile: proven, or named as not decided, and never called different.
+#[test]
+fn random_graphs_are_proven_or_named() {
+    let count = amount(12, 250);
+    let (mut proven, mut open) = (0, Vec::new());
+    for seed in 0..count {
+        let shape = if seed % 2 == 0 { Shape::random(seed) } else { Shape::random_with_outputs(seed) };
+        let arithmetic = |word: &Word| !["sin", "cos", "tan", "ln", "exp", "fmod"].contains(&word.name());
+        let instructions = shape.instructions.iter().copied().filter(arithmetic).collect();
+        let teams = shape.teams.min(8);
+        let shape = Shape { teams, instructions, scalar: ScalarType::F32, maths: MathsProvider::Own, ..shape };
+        let text = sample::graph(&shape, seed).to_json();
+        for profile in Profile::ALL {
+            match proof_of(&text, &c_of(&text, profile)).unwrap_or_else(Proof::undecided).verdict {
+                Verdict::Proven => proven += 1,
+                Verdict::Different(difference) => panic!("seed {seed}, {profile:?}: {difference:?}"),
+                Verdict::Undecided(missing) => open.push(format!("seed {seed}, {profile:?}: {missing}")),
+            }
+        }
+    }
+    println!("proven {proven}, open {}:\n{}", open.len(), open.join("\n"));
+    assert!(proven > 0);
+}
