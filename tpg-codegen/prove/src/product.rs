@@ -6,7 +6,7 @@
 use crate::graph::{Destination, Graph, Meaning};
 use crate::interval::Intervals;
 use crate::machine::{Answer, Machine, Missing, Step};
-use crate::order::together;
+use crate::order::{Together, together};
 use crate::term::{Bool, Evaluator, Float, Node, Terms, Word};
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::fmt;
@@ -14,7 +14,7 @@ use std::fmt;
 /// A bound on the work of a proof.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
-    /// Cases of one pair
+    /// Cases that are told apart, in all
     pub cases: u64,
     /// Pairs
     pub pairs: u64,
@@ -230,6 +230,14 @@ impl<'a, M: Machine> Comparison<'a, M> {
         next
     }
 
+    /// Finds what can hold together, within the work that is left.
+    fn combinations(&mut self, assumed: Bool, sides: [&[Bool]; 2]) -> Option<Together> {
+        let left = self.effort.cases.saturating_sub(self.work.cases);
+        let found = together(&mut self.terms, &mut self.intervals, assumed, sides, left).ok();
+        self.work.cases += found.as_ref().map_or(left, |found| found.cases);
+        found
+    }
+
     fn together(
         &mut self,
         side: &Side<M::Point>,
@@ -243,16 +251,17 @@ impl<'a, M: Machine> Comparison<'a, M> {
         if let Some(known) = self.combined.get(&key) {
             return Ok(known.clone());
         }
-        let found = together(&mut self.terms, &mut self.intervals, assumed, [conditions, &key.2], self.effort.cases);
-        let found = found.map_err(|_| {
-            Missing::new(self.name(side, place), format!("a decision in at most {} cases", self.effort.cases))
-        })?;
-        self.work.cases += found.cases;
+        let found = self.combinations(assumed, [conditions, &key.2]);
+        let found = found.ok_or_else(|| self.too_many((side, place)))?;
         if found.incomplete {
             return Err(Missing::new(self.name(side, place), "a way on in every state"));
         }
         self.combined.insert(key, found.pairs.clone());
         Ok(found.pairs)
+    }
+
+    fn too_many(&self, (side, place): (&Side<M::Point>, Destination)) -> Missing {
+        Missing::new(self.name(side, place), format!("a proof of at most {} cases", self.effort.cases))
     }
 
     /// Compares answers. They are compared where the assumption can hold, which was found before.
@@ -294,11 +303,8 @@ impl<'a, M: Machine> Comparison<'a, M> {
         let (first, second) = (self.cases(a), self.cases(b));
         let conditions = |cases: &[(Bool, Float)]| cases.iter().map(|&(condition, _)| condition).collect::<Vec<_>>();
         let sides = [&conditions(&first)[..], &conditions(&second)];
-        let found = together(&mut self.terms, &mut self.intervals, assumed, sides, self.effort.cases);
-        let found = found.map_err(|_| {
-            Missing::new(self.name(side, place), format!("a decision in at most {} cases", self.effort.cases))
-        })?;
-        self.work.cases += found.cases;
+        let found = self.combinations(assumed, sides);
+        let found = found.ok_or_else(|| self.too_many((side, place)))?;
         Ok(!found.incomplete && found.pairs.iter().all(|&(x, y)| first[x].1 == second[y].1))
     }
 
@@ -441,8 +447,8 @@ impl<'a, M: Machine> Comparison<'a, M> {
         for leaf in 0..self.graph.leaves() {
             let inside = self.meaning.in_range(&mut self.terms, leaf)?;
             let sides = [&[inside, !inside][..], &[Terms::TRUE]];
-            let found = together(&mut self.terms, &mut self.intervals, Terms::TRUE, sides, self.effort.cases);
-            if !found.is_ok_and(|found| !found.incomplete && !found.pairs.contains(&(1, 0))) {
+            let found = self.combinations(Terms::TRUE, sides);
+            if !found.is_some_and(|found| !found.incomplete && !found.pairs.contains(&(1, 0))) {
                 return Err(Missing::new(
                     self.graph.name(Destination::Leaf(leaf)),
                     "a proof that its values are in range",

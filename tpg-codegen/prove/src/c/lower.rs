@@ -936,7 +936,7 @@ impl<'u> Lowering<'u> {
     }
 
     fn compared(&mut self, sign: &str, (a, x): (Value, Type), (b, y): (Value, Type)) -> Result<Condition, Missing> {
-        if x == Type::Float || y == Type::Float {
+        if self.common(&x, &y)? == Type::Float {
             let (a, b) = (self.converted(a, &x, &Type::Float)?, self.converted(b, &y, &Type::Float)?);
             return Ok(match sign {
                 "==" => Condition::Equal(a, b),

@@ -63,6 +63,7 @@ impl Closure {
     ) -> Option<Facts> {
         let places: HashMap<_, _> = elements.iter().enumerate().map(|(at, &element)| (element, at)).collect();
         let constants: Vec<u32> = elements.iter().map_while(|&element| terms.bits_of(element)).collect();
+        let mut roots = HashMap::new();
         for at in 1..constants.len() {
             if !self.link(at - 1, at, true) {
                 return None;
@@ -90,19 +91,19 @@ impl Closure {
                 return None;
             }
             facts.lowest[at] = reaches(interval.low).filter(|&low| low > 0);
-            self.relate(terms, &places, (at, element), &mut facts);
+            let root = Self::relate(terms, &places, (at, element), &mut facts);
+            facts.nan_as.push((at, *roots.entry(root).or_insert(at)));
         }
         Some(facts)
     }
 
-    /// Learns how an operation's result depends on its operands.
+    /// Learns how an operation's result depends on its operands. Returns what is NaN exactly where the result is.
     fn relate(
-        &self,
         terms: &mut Terms,
         places: &HashMap<Float, usize>,
         (at, element): (usize, Float),
         facts: &mut Facts,
-    ) {
+    ) -> Float {
         let mut inner = element;
         loop {
             let next = match *terms.of_float(inner) {
@@ -116,7 +117,7 @@ impl Closure {
             inner = terms.zero_free(next);
             facts.nan_as.extend(places.get(&inner).map(|&other| (at, other)));
         }
-        let Node::Arithmetic(operation, a, b) = *terms.of_float(element) else { return };
+        let Node::Arithmetic(operation, a, b) = *terms.of_float(element) else { return inner };
         let [a, b] = [a, b].map(|operand| terms.zero_free(operand));
         for operand in [a, b] {
             let mirrored = terms.negate(operand);
@@ -133,6 +134,7 @@ impl Closure {
                 }
             }
         }
+        inner
     }
 
     /// Tests whether an element is at most as high as another, if that is known.

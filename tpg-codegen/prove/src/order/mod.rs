@@ -91,7 +91,7 @@ fn elements(terms: &mut Terms, roots: &[Bool]) -> Vec<Float> {
             _ => {}
         }
     }
-    floats.insert(terms.constant_bits(crate::term::NAN));
+    floats.extend([terms.constant_bits(crate::term::NAN), terms.constant(0.0)]);
     let mut elements: Vec<_> = floats.into_iter().collect();
     elements.sort_by_key(|&element| {
         terms.bits_of(element).map_or((1, i64::from(u32::MAX), element), |bits| (0, crate::term::rank(bits), element))

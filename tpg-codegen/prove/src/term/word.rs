@@ -165,6 +165,15 @@ impl Terms {
                 let (a, b) = (self.of_bits(a), self.of_bits(b));
                 self.choose_float(condition, a, b)
             }
+            // the sign turned, and the sign taken off
+            Node::Apply(Operator::Xor, Width::W32, a, b) if self.number_of(b) == Some(u64::from(NEGATIVE_ZERO)) => {
+                let float = self.of_bits(a);
+                self.negate(float)
+            }
+            Node::Apply(Operator::And, Width::W32, a, b) if self.number_of(b) == Some(u64::from(!NEGATIVE_ZERO)) => {
+                let float = self.of_bits(a);
+                self.magnitude(float)
+            }
             _ => Float(self.node(Node::OfBits(word))),
         }
     }
@@ -239,15 +248,13 @@ impl Terms {
         }
         // masks and numbers that are chosen from go into the operation; what they are applied to stays whole
         let (first, second) = (self.constants(a), self.constants(b));
+        if let (&Node::WordIf(x, a1, a2), &Node::WordIf(y, b1, b2)) = (self.of_word(a), self.of_word(b))
+            && x == y
+        {
+            let (a, b) = (self.apply(operator, width, a1, b1), self.apply(operator, width, a2, b2));
+            return self.choose_word(x, a, b);
+        }
         if first.max(1) * second.max(1) <= PAIRS {
-            if let (&Node::WordIf(x, a1, a2), &Node::WordIf(y, b1, b2)) = (self.of_word(a), self.of_word(b))
-                && x == y
-                && first > 0
-                && second > 0
-            {
-                let (a, b) = (self.apply(operator, width, a1, b1), self.apply(operator, width, a2, b2));
-                return self.choose_word(x, a, b);
-            }
             if second > 1 {
                 return self.mapped(b, &mut |terms, b| terms.apply(operator, width, a, b));
             }
@@ -255,7 +262,26 @@ impl Terms {
                 return self.mapped(a, &mut |terms, a| terms.apply(operator, width, a, b));
             }
         }
+        if matches!(operator, Operator::And | Operator::Or | Operator::Xor) {
+            for (choice, other) in [(b, a), (a, b)] {
+                if let &Node::WordIf(condition, x, y) = self.of_word(choice)
+                    && self.cancels(width, choice, other)
+                {
+                    let (x, y) = (self.apply(operator, width, other, x), self.apply(operator, width, other, y));
+                    return self.choose_word(condition, x, y);
+                }
+            }
+        }
         self.simplified(operator, width, a, b)
+    }
+
+    /// Tests whether a bitwise operation of a choice and another word becomes simpler in some case.
+    fn cancels(&mut self, width: Width, choice: Word, other: Word) -> bool {
+        self.word_leaves(choice).iter().any(|&leaf| match *self.of_word(Word(leaf)) {
+            Node::Number(number) => number == 0 || number == width.mask(),
+            Node::Apply(Operator::Xor, _, p, q) => p == other || q == other,
+            _ => leaf == other.0,
+        })
     }
 
     fn simplified(&mut self, operator: Operator, width: Width, a: Word, b: Word) -> Word {
