@@ -7,7 +7,7 @@
 mod closure;
 
 use crate::interval::Intervals;
-use crate::term::{Bool, Float, Node, Terms};
+use crate::term::{Bool, Float, INFINITY, NAN, NEGATIVE_ZERO, Node, Terms, is_nan_bits, next_above, rank};
 use closure::Closure;
 use std::collections::{BTreeSet, HashMap};
 
@@ -91,10 +91,10 @@ fn elements(terms: &mut Terms, roots: &[Bool]) -> Vec<Float> {
             _ => {}
         }
     }
-    floats.extend([terms.constant_bits(crate::term::NAN), terms.constant(0.0)]);
+    floats.insert(terms.constant_bits(crate::term::NAN));
     let mut elements: Vec<_> = floats.into_iter().collect();
     elements.sort_by_key(|&element| {
-        terms.bits_of(element).map_or((1, i64::from(u32::MAX), element), |bits| (0, crate::term::rank(bits), element))
+        terms.bits_of(element).map_or((1, i64::from(u32::MAX), element), |bits| (0, rank(bits), element))
     });
     elements
 }
