@@ -149,6 +149,10 @@ fn forms() -> Vec<String> {
         "sub sp, #16; mov r6, sp; vstr s1, [sp, #8]; vstmia r6!, {s2, s3}; vldr s4, [sp, #8]; ldr r4, [r6, #-4]; add sp, #16",
         "sub sp, #16; mov r6, sp; stmia r6!, {r1, r2}; vldmdb r6!, {s4}; ldr r4, [r6]; add sp, #16",
         "sub sp, sp, #32; add r6, sp, #8; str r1, [r6, #4]!; str r2, [r6], #4; sub r6, #4; ldr r4, [r6]; add sp, sp, #32",
+        "sub sp, #8; str r1, [sp, #4]; strb r2, [sp, #1]; strh r3, [sp, #6]; ldrsb r4, [sp, #1]; ldrh r5, [sp, #6]; add r4, r5; add sp, #8",
+        "sub sp, #8; strh r1, [sp]; strb r2, [sp, #3]; ldrsh r4, [sp]; ldrb r5, [sp, #3]; adds r4, r5; add sp, #8",
+        "movs r5, #2; adr r6, 9f; ldrb r4, [r5, r6]; subs r5, r6, r6; adds r4, r5; b 8f; .balign 4; 9: .word 0xfedcba98; 8:",
+        "mov r6, r7; adds r6, #4; vstr s1, [r6]; vldr s4, [r7, #4]",
         "vldr s4, 9f; ldr r4, 9f; b 8f; .balign 4; 9: .word 0x3fc00001; 8:",
         "adr r6, 9f; ldrb r4, [r6, #1]; ldrsb r5, [r6, #3]; adds r4, r5; ldrh r5, [r6, #2]; adds r4, r5; ldrsh r5, [r6, #2]; \
          eors r4, r5; b 8f; .balign 4; 9: .word 0xfedcba98; 8:",

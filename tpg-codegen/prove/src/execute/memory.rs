@@ -84,11 +84,18 @@ impl Object {
             let base = self.register(point, at, place.base)?;
             self.unknowns.pointer(terms, base)
         };
-        let offset = match place.offset {
-            Offset::Number(number) => terms.number(u64::from(number as u32)),
+        let (base, offset) = match place.offset {
+            Offset::Number(number) => (base, terms.number(u64::from(number as u32))),
             Offset::Register(register, shift) => {
-                let (word, shift) = (self.word(terms, point, at, register)?, terms.number(shift.into()));
-                terms.apply(Operator::ShiftLeft, Bits::W32, word, shift)
+                let value = self.register(point, at, register)?;
+                match (self.unknowns.pointer(terms, value), base) {
+                    // The address is the register that is added.
+                    (value @ Value::Pointer(..), Value::Word(word)) if shift == 0 => (value, word),
+                    _ => {
+                        let (word, shift) = (self.word(terms, point, at, register)?, terms.number(shift.into()));
+                        (base, terms.apply(Operator::ShiftLeft, Bits::W32, word, shift))
+                    }
+                }
             }
         };
         let sum = moved(terms, base, offset).ok_or_else(|| refuse(at, "not an address"))?;
@@ -152,9 +159,16 @@ impl Object {
                 let number = if width.signed { ((number << unused) as i32 >> unused) as u32 } else { number };
                 Some(Value::Word(terms.number(number.into())))
             }
-            _ if !is_word => None,
+            Region::State if !is_word => None,
             Region::State => (index < sources).then(|| Value::Float(terms.source(index))),
-            _ => point.memory.get(&(region, offset)).copied(),
+            _ => {
+                let value = *point.memory.get(&(region, offset, width.bytes))?;
+                let Value::Word(word) = value else { return Some(value) };
+                let unused = terms.number(32 - 8 * u64::from(width.bytes));
+                let high = terms.apply(Operator::ShiftLeft, Bits::W32, word, unused);
+                let extended = terms.apply(Operator::ShiftArithmetic, Bits::W32, high, unused);
+                Some(Value::Word(if width.signed { extended } else { word }))
+            }
         }
     }
 
@@ -176,14 +190,24 @@ impl Object {
             Region::Stack if (offset as i32) < 0 => usize::MAX,
             _ => 0,
         };
-        if width.bytes != 4
-            || !offset.is_multiple_of(4)
-            || (region != Region::Stack && (offset / 4) as usize >= length)
-            || length == 0
-        {
+        // Parts of words are stored on the stack only.
+        let bytes = u32::from(width.bytes);
+        let aligned = offset.is_multiple_of(bytes) && (bytes == 4 || region == Region::Stack);
+        if !aligned || (region != Region::Stack && (offset / 4) as usize >= length) || length == 0 {
             return Err(refuse(at, format_args!("stores to {region:?}, offset {}", offset as i32)));
         }
-        point.memory.insert((region, offset), value);
+        let value = if bytes == 4 {
+            value
+        } else {
+            let word = super::value::word(terms, value).ok_or_else(|| refuse(at, "stores a part of no number"))?;
+            let mask = terms.number((1 << (8 * bytes)) - 1);
+            Value::Word(terms.apply(Operator::And, Bits::W32, word, mask))
+        };
+        let last = |offset: u32, bytes: u32| offset.wrapping_add(bytes - 1);
+        point.memory.retain(|&(other, at, size), _| {
+            other != region || last(at, size.into()) < offset || last(offset, bytes) < at
+        });
+        point.memory.insert((region, offset, width.bytes), value);
         Ok(())
     }
 

@@ -15,7 +15,7 @@ use crate::thumb::{PC, REGISTERS, Register, SP};
 use flow::{FLAGS, FLOAT_FLAGS, Flow};
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
-use value::{Flags, Region, Unknowns, Value, facts, restricted};
+use value::{Cell, Flags, Region, Unknowns, Value, facts, restricted};
 
 /// So many instructions are executed at most between two points.
 const LIMIT: usize = 2_000_000;
@@ -27,7 +27,7 @@ pub struct Point {
     registers: [Option<Value>; REGISTERS],
     flags: Flags,
     float_flags: Flags,
-    memory: BTreeMap<(Region, u32), Value>,
+    memory: BTreeMap<Cell, Value>,
     /// The function that is executed, and the callers with the addresses of their next instructions.
     function: Address,
     callers: Vec<(Address, u32)>,
@@ -135,7 +135,7 @@ impl Object {
         // What is below the stack pointer is lost; offsets are negative.
         let lost =
             |region, offset| region == Region::Stack && top.is_some_and(|top| (offset as i32) < top as u32 as i32);
-        point.memory.retain(|&(region, offset), _| !lost(region, offset));
+        point.memory.retain(|&(region, offset, _), _| !lost(region, offset));
         for value in point.memory.values_mut() {
             *value = restricted(terms, *value, &facts);
         }
@@ -248,7 +248,7 @@ impl Machine for Object {
         let mut memory = BTreeMap::new();
         for (index, _) in (0..).zip(&self.interface.memory) {
             let value = terms.source(self.interface.state_length() + index);
-            memory.insert((Region::Memory, 4 * index), Value::Float(value));
+            memory.insert((Region::Memory, 4 * index, 4), Value::Float(value));
         }
         Ok(Point {
             address,

@@ -338,20 +338,30 @@ impl Object {
         let number = |terms: &mut Terms, value| word(terms, value).ok_or_else(|| refuse(at, "computes with no number"));
         let copies = matches!(name, Integer::Mov | Integer::Mvn);
         let a = if copies { Value::Word(terms.number(0)) } else { self.register(point, at, left)? };
-        // Addresses are moved, and nothing else is done with them.
-        if let (Integer::Add | Integer::Sub, false) = (name, flags) {
-            match (a, b) {
-                (Value::Pointer(..), b) => {
-                    let b = number(terms, b)?;
-                    let distance = if name == Integer::Add { b } else { negated(terms, b) };
-                    return moved(terms, a, distance).ok_or_else(|| refuse(at, "not an address"));
-                }
-                (a, Value::Pointer(..)) if name == Integer::Add => {
-                    let a = number(terms, a)?;
-                    return moved(terms, b, a).ok_or_else(|| refuse(at, "not an address"));
-                }
-                _ => {}
+        if let (Integer::Sub, Value::Pointer(first, a), Value::Pointer(second, b)) = (name, a, b)
+            && first == second
+        {
+            let distance = terms.apply(Operator::Subtract, W, a, b);
+            if flags {
+                point.flags = Flags::Result(distance);
             }
+            return Ok(Value::Word(distance));
+        }
+        // Addresses are moved, and nothing else is done with them; their bits set no flags.
+        if let Integer::Add | Integer::Sub = name
+            && (matches!(a, Value::Pointer(..)) || matches!(b, Value::Pointer(..)))
+        {
+            let (address, distance) = if matches!(a, Value::Pointer(..)) { (a, b) } else { (b, a) };
+            let distance = number(terms, distance)?;
+            let distance = match name {
+                Integer::Add => distance,
+                _ if address == a => negated(terms, distance),
+                _ => return Err(refuse(at, "subtracts an address")),
+            };
+            if flags {
+                point.flags = Flags::Unknown;
+            }
+            return moved(terms, address, distance).ok_or_else(|| refuse(at, "not an address"));
         }
         let (a, b) = (number(terms, a)?, number(terms, b)?);
         let ones = terms.number(0xffff_ffff);

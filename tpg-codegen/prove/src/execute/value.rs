@@ -23,6 +23,9 @@ pub(super) enum Region {
     Section(usize),
 }
 
+/// A place in memory, and its bytes; cells do not overlap.
+pub(super) type Cell = (Region, u32, u8);
+
 /// 32 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Value {
