@@ -8,7 +8,7 @@ use crate::interval::Intervals;
 use crate::machine::{Answer, Machine, Missing, Step};
 use crate::order::{Together, together};
 use crate::term::{Bool, Evaluator, Float, Node, Terms, Word};
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap};
 use std::fmt;
 
 /// A bound on the work of a proof.
@@ -121,10 +121,14 @@ impl<'a, M: Machine> Comparison<'a, M> {
 
     fn walk(&mut self, forgetful: bool) -> Result<(), Missing> {
         let start = Side::At(self.machine.entry(&mut self.terms)?);
-        let first = (start, self.graph.start(), Terms::TRUE);
-        let mut seen = HashSet::from([first.clone()]);
-        let mut open = vec![first];
-        while let Some((side, place, assumed)) = open.pop() {
+        let mut pairs = vec![(start, self.graph.start(), Terms::TRUE)];
+        let mut numbers = HashMap::from([(pairs[0].clone(), 0)]);
+        // Of each pair those that come after it, and of each the number of those before it.
+        let mut after: Vec<Vec<usize>> = Vec::new();
+        let mut before = vec![0_usize];
+        let mut open = vec![0];
+        while let Some(number) = open.pop() {
+            let (side, place, assumed) = pairs[number].clone();
             self.work.pairs += 1;
             if self.work.pairs > self.effort.pairs {
                 return Err(Missing::new(
@@ -132,14 +136,34 @@ impl<'a, M: Machine> Comparison<'a, M> {
                     format!("a proof of at most {} pairs", self.effort.pairs),
                 ));
             }
-            for (side, place, assumed) in self.follow(side, place, assumed, forgetful)? {
-                let next = (side, place, assumed);
-                if seen.insert(next.clone()) {
-                    open.push(next);
+            let mut next = Vec::new();
+            for pair in self.follow(side, place, assumed, forgetful)? {
+                let to = *numbers.entry(pair.clone()).or_insert_with(|| {
+                    open.push(pairs.len());
+                    before.push(0);
+                    pairs.push(pair);
+                    pairs.len() - 1
+                });
+                before[to] += 1;
+                next.push(to);
+            }
+            after.resize(pairs.len(), Vec::new());
+            after[number] = next;
+        }
+        // Where pairs form a circle, the code might never answer.
+        let mut ready: Vec<usize> = (0..pairs.len()).filter(|&pair| before[pair] == 0).collect();
+        while let Some(pair) = ready.pop() {
+            for &to in &after[pair] {
+                before[to] -= 1;
+                if before[to] == 0 {
+                    ready.push(to);
                 }
             }
         }
-        Ok(())
+        match before.iter().position(|&left| left > 0) {
+            None => Ok(()),
+            Some(pair) => Err(Missing::new(self.name(&pairs[pair].0, pairs[pair].1), "a proof that the code ends")),
+        }
     }
 
     fn name(&self, side: &Side<M::Point>, place: Destination) -> String {

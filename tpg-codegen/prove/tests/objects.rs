@@ -121,6 +121,19 @@ fn changed_objects_are_proven_only_where_they_are_equal() {
 }
 
 #[test]
+fn code_that_never_answers_is_not_proven() {
+    if !tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "code that never ends") {
+        return;
+    }
+    let folder = tempfile::TempDir::new().expect("a temporary folder");
+    let (mut file, symbol) = compiled(folder.path(), "cartpole", "-Os");
+    let bytes = bytes_of(&file, &symbol);
+    // b .
+    file[bytes.start..bytes.start + 2].copy_from_slice(&[0xfe, 0xe7]);
+    assert!(prove(&file, &symbol, &graph("cartpole")).is_err());
+}
+
+#[test]
 fn files_that_are_no_objects_are_refused() {
     if !tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "damaged objects") {
         return;

@@ -18,7 +18,7 @@ use std::rc::Rc;
 use value::{Cell, Flags, Region, Unknowns, Value, facts, restricted};
 
 /// So many instructions are executed at most between two points.
-const LIMIT: usize = 2_000_000;
+const LIMIT: usize = 200_000;
 
 /// A place in machine code, with everything that is alive there.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
