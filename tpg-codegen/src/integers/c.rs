@@ -1,8 +1,9 @@
 //! C99 in integers: counts in, counts out.
 
-use super::comment::{Comments, with_unit, worth};
+use super::comment::Comments;
 use super::dense::{Dense, Table};
 use super::lines::{Function, Lines, Spelling};
+use super::view::{self, FieldView, VectorView, actions, sources, vectors};
 use super::{Integers, Whole, input_bits, output_bits};
 use crate::emit::{File, banner, comment, field, layout, names};
 use crate::ir::{Node, NodeId, Target, reached, topological};
@@ -10,14 +11,8 @@ use crate::program::Program;
 use askama::Template;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use tpg_graph::interpret::{self, Answer};
-use tpg_graph::{Graph, Input, states};
+use tpg_graph::{Graph, Input};
 use tpg_runtime::ops::Instruction;
-
-/// States in the self-test.
-const VECTORS: usize = 16;
-/// The seed they are drawn with.
-const VECTOR_SEED: u64 = 1;
 
 #[derive(Template)]
 #[template(path = "integers/header.h", escape = "none")]
@@ -60,32 +55,6 @@ impl Source<'_> {
     fn bits(&self, wide: &bool) -> &'static str {
         suffix(*wide)
     }
-}
-
-/// A field of a structure.
-struct FieldView {
-    field: String,
-    kind: String,
-    /// Values; 0 for one that is no array.
-    length: usize,
-    /// The worth of a count.
-    meaning: Vec<String>,
-    initial: String,
-}
-
-impl FieldView {
-    /// The member of the structure: a value, or an array of more than one.
-    fn member(&self) -> String {
-        if self.length == 1 { self.field.clone() } else { format!("{}[{}]", self.field, self.length) }
-    }
-}
-
-/// A state of the self-test, its memory, and the answer to it.
-struct VectorView {
-    state: String,
-    memory: String,
-    answer: String,
-    next: String,
 }
 
 /// The spelling of C.
@@ -183,7 +152,7 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
         None => body.decide(),
     }
     let banner = banner::lines(program);
-    let (outputs, memory) = (outputs(graph, false), outputs(graph, true));
+    let (outputs, memory) = (view::outputs(graph, false), view::outputs(graph, true));
     let header = Header {
         banner: &banner,
         prefix,
@@ -200,8 +169,8 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
         called: body.lines.called(),
         widths: [false, true],
         table: dense.map(|dense| dense.table()),
-        outputs: self::outputs(graph, false),
-        memory: self::outputs(graph, true),
+        outputs: view::outputs(graph, false),
+        memory: view::outputs(graph, true),
         body: body.text,
         vectors: vectors(graph, &upper),
     };
@@ -210,62 +179,6 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
         File { name: format!("{prefix}.h"), text: text(header.render()) },
         File { name: format!("{prefix}.c"), text: text(source.render()) },
     ]
-}
-
-/// The constant of each action, and its name where the constant does not say it.
-fn actions(graph: &Graph, upper: &str) -> Vec<(String, String)> {
-    let said = |(action, name): (&tpg_graph::Action, String)| {
-        let shown = comment(&action.to_string());
-        (format!("{upper}_{}", name.to_ascii_uppercase()), if shown == name { String::new() } else { shown })
-    };
-    graph.actions().iter().zip(names::actions(graph)).map(said).collect()
-}
-
-fn sources(graph: &Graph) -> Vec<FieldView> {
-    let seen = &graph.sources()[..graph.sources().len() - graph.memory()];
-    let view = |source: &tpg_graph::Source| {
-        let bits = source.counts.iter().map(|counts| counts.container()).max().unwrap_or(16);
-        let meaning = |(counts, range): (&tpg_graph::Counts, &tpg_graph::Range)| {
-            let offset = if counts.offset == 0.0 { String::new() } else { format!(" from {} on", counts.offset) };
-            format!("{}{offset}: {} to {}", worth(counts.scale, &comment(&source.unit)), range.min, range.max)
-        };
-        let mut meaning: Vec<String> = source.counts.iter().zip(&source.ranges).map(meaning).collect();
-        if meaning.iter().all(|one| *one == meaning[0]) {
-            meaning.truncate(1);
-        }
-        FieldView {
-            field: field(graph, &source.name),
-            kind: format!("int{bits}_t"),
-            length: source.ranges.len(),
-            meaning,
-            initial: String::new(),
-        }
-    };
-    seen.iter().map(view).collect()
-}
-
-fn outputs(graph: &Graph, of_memory: bool) -> Vec<FieldView> {
-    let (answers, memory) = graph.outputs().split_at(graph.outputs().len() - graph.memory());
-    let view = |output: &tpg_graph::Output| {
-        let meaning = match output.counts {
-            Some(counts) => {
-                let [low, high] = [output.range.min, output.range.max].map(|end| counts.value(end));
-                let unit = comment(&output.unit);
-                let [low, high] = [low, high].map(|end| with_unit(&end.to_string(), &unit));
-                let worth = worth(counts.scale, &unit);
-                format!("{worth}: {} ({low}) to {} ({high})", output.range.min, output.range.max)
-            }
-            None => format!("{}; at first {}", output.range, output.nan),
-        };
-        FieldView {
-            field: field(graph, &output.name),
-            kind: format!("int{}_t", output_bits(output)),
-            length: 0,
-            meaning: vec![meaning],
-            initial: output.nan.to_string(),
-        }
-    };
-    (if of_memory { memory } else { answers }).iter().map(view).collect()
 }
 
 /// The body of the function.
@@ -478,39 +391,4 @@ fn wrapped(text: &str, width: usize) -> Vec<String> {
         }
     }
     lines.into_iter().map(|line| line.replace('\u{a0}', " ")).collect()
-}
-
-fn vectors(graph: &Graph, upper: &str) -> Vec<VectorView> {
-    let constants = actions(graph, upper);
-    let states = states::sample(graph, VECTORS, VECTOR_SEED);
-    let answers = interpret::answers(graph, &states);
-    let seen = graph.state_length() - graph.memory();
-    let list = |values: &[f64]| values.iter().map(|value| whole(*value)).collect::<Vec<_>>().join(", ");
-    (states.chunks_exact(graph.state_length()).zip(answers))
-        .map(|(state, answer)| {
-            let mut values = state.iter().copied();
-            let members = graph.sources()[..graph.sources().len() - graph.memory()].iter().map(|source| {
-                let values: Vec<f64> = values.by_ref().take(source.ranges.len()).collect();
-                if let [value] = values[..] { whole(value) } else { format!("{{ {} }}", list(&values)) }
-            });
-            let state_text = format!("{{ {} }}", members.collect::<Vec<_>>().join(", "));
-            let (answer, next) = match answer {
-                Answer::Action(action) => (constants[usize::from(action.0)].0.clone(), String::new()),
-                Answer::Values(values) => {
-                    let (answer, next) = values.split_at(values.len() - graph.memory());
-                    (format!("{{ {} }}", list(answer)), format!("{{ {} }}", list(next)))
-                }
-            };
-            let memory = format!("{{ {} }}", list(&state[seen..]));
-            VectorView { state: state_text, memory, answer, next }
-        })
-        .collect()
-}
-
-/// A whole number; 0 for −0.
-fn whole(value: f64) -> String {
-    match value as i64 {
-        -2_147_483_648 => "INT32_MIN".to_owned(),
-        value => value.to_string(),
-    }
 }

@@ -11,13 +11,14 @@
 //! | `lines` | values as statements: one sum a line |
 //! | `comment` | the formula in the units of the sources, and the bound |
 //! | `dense` | outputs that are sums of the same values, as a table and a loop |
-//! | `c`, `rust` | text |
+//! | `c`, `view`, `rust` | text |
 
 mod c;
 mod comment;
 mod dense;
 mod lines;
 mod rust;
+mod view;
 mod whole;
 
 pub use whole::{Unfit, Whole};
