@@ -3,13 +3,17 @@
 use crate::common::shaped;
 use std::time::Instant;
 use tpg_codegen::emit::{self, File, Language, Profile, Style};
+use tpg_graph::interpret::Interpreter;
 use tpg_graph::sample::{self, Shape};
 use tpg_graph::{Graph, MathsProvider, ScalarType, Word};
 use tpg_prove::c;
-use tpg_prove::graph::Graph as Meaning;
+use tpg_prove::graph::{self, Graph as Meaning};
 use tpg_prove::machine::Missing;
 use tpg_prove::product::Effort;
 use tpg_prove::proof::{self, Proof, Verdict};
+use tpg_prove::term::{Evaluator, Terms};
+use tpg_runtime::ops::Own;
+use tpg_runtime::policy::ActionId;
 use tpg_testing::amount;
 
 /// The shipped graphs.
@@ -180,4 +184,32 @@ fn random_graphs_are_proven_or_named() {
     }
     println!("proven {proven}, open {}:\n{}", open.len(), open.join("\n"));
     assert!(proven > 0);
+}
+
+/// The prover's own definition of sine and the like is that of the runtime, bit for bit.
+#[test]
+fn own_maths_is_the_runtimes() {
+    let mut bits: Vec<u32> = (0..amount(2_000, 60_000)).map(|at: u32| at.wrapping_mul(0x9e37_79b9)).collect();
+    bits.extend(
+        [0, 1, 0x7f7f_ffff, 0x7f80_0000, 0x7fc0_0000, 0x3f80_0000, 0x42d0_0000].map(|bits: u32| bits | 0x8000_0000),
+    );
+    for word in ["sin", "cos", "tan", "ln", "exp"] {
+        let text = format!(
+            r#"{{ "format": "tpg-graph", "version": 2, "scalar": "f32", "maths": "own", "registers": 1,
+            "sources": [{{ "name": "x", "length": 1, "unit": "", "ranges": [[-4, 4]] }}], "instructions": ["{word}"],
+            "outputs": [{{ "name": "y", "unit": "", "min": -3.4028234663852886e38, "max": 3.4028234663852886e38, "nan": 7 }}],
+            "leaves": [{{ "id": 0, "programs": [0] }}],
+            "programs": [{{ "id": 0, "lines": [{{ "to": 0, "op": "{word}", "args": ["x[0]"] }}] }}] }}"#
+        );
+        let (graph, reference) =
+            (Meaning::read(word, &text).expect("a graph"), Graph::from_json(word, &text).expect("a graph"));
+        let interpreter = Interpreter::<f32, Own>::new(&reference);
+        for &bits in &bits {
+            let mut terms = Terms::for_state(&[bits]);
+            let values = graph::Meaning::new(&graph).values(&mut terms, 0).expect("the definition");
+            let found = Evaluator::new(&[bits]).bits(&terms, values[0]);
+            let expected = interpreter.outputs(ActionId(0), &[f32::from_bits(bits)])[0];
+            assert_eq!(found, expected.to_bits(), "{word} of {bits:#x}");
+        }
+    }
 }

@@ -91,7 +91,17 @@ fn elements(terms: &mut Terms, roots: &[Bool]) -> Vec<Float> {
             _ => {}
         }
     }
-    floats.insert(terms.constant_bits(crate::term::NAN));
+    // constants with what is next to them, and all of that mirrored
+    let constants: Vec<_> = floats.iter().filter_map(|&float| terms.bits_of(float)).collect();
+    for bits in constants.into_iter().filter(|&bits| !is_nan_bits(bits) && bits != INFINITY) {
+        for bits in [bits, next_above(bits)] {
+            for bits in [bits, bits ^ NEGATIVE_ZERO] {
+                let constant = terms.constant_bits(bits);
+                floats.insert(terms.zero_free(constant));
+            }
+        }
+    }
+    floats.extend([terms.constant_bits(NAN), terms.constant(0.0)]);
     let mut elements: Vec<_> = floats.into_iter().collect();
     elements.sort_by_key(|&element| {
         terms.bits_of(element).map_or((1, i64::from(u32::MAX), element), |bits| (0, rank(bits), element))
