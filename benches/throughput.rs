@@ -80,7 +80,10 @@ fn one<S: ArmScalar, M: Maths<S>>(
     let unit = WorkUnit { key: UnitKey { seed: 0, generation: 0, root: 0 }, policy: PolicyGraph::from(graph) };
     let work = Work { tasks, units: vec![unit] };
     println!("{name}: {} episodes", work.tasks.len());
-    table(&environment, extent, |evaluator: &LocalThreads<'_, S, M, _>, _| Ok(drop(evaluator.evaluate(&work)?)))
+    table(&environment, extent, |evaluator: &LocalThreads<'_, S, M, _>, _| {
+        evaluator.evaluate(&work)?;
+        Ok(())
+    })
 }
 
 /// Prints a row for every set of options.

@@ -44,7 +44,7 @@ fn broken(line: &str, as_rustfmt: bool) -> String {
     if as_rustfmt {
         // The longest beginning that ends where the operator changes and fits.
         let changes = (1..terms.len()).filter(|&place| place == 1 || terms[place][..1] != terms[place - 1][..1]);
-        first = changes.filter(|&count| width(count) <= WIDTH).last().unwrap_or(1);
+        first = changes.rev().find(|&count| width(count) <= WIDTH).unwrap_or(1);
     }
     let lines: Vec<String> =
         [terms[..first].join(" ")].into_iter().chain(terms[first..].iter().map(|&term| term.to_owned())).collect();

@@ -1,5 +1,7 @@
 //! The kernels in `f32`. No operation is wider than `f32` and `u64`: a Cortex-M4F runs all of it in hardware.
 
+use core::f32::consts::{FRAC_PI_2, FRAC_PI_4};
+
 /// The place of the top bit.
 pub(in crate::ops) const TOP: u32 = 31;
 /// Everything but the sign.
@@ -80,7 +82,7 @@ pub const EXP: [f32; 5] = [0.4999999, 0.16666521, 0.041668963, 0.008368675, 0.00
 pub const ATAN: [f32; 4] = [-0.3333295, 0.19977732, -0.13877875, 0.08054265];
 
 /// π/4 and π/2, and what is missing from each.
-pub const QUARTERS: [[f32; 2]; 2] = [[0.7853982, -2.1855694e-8], [1.5707964, -4.371139e-8]];
+pub const QUARTERS: [[f32; 2]; 2] = [[FRAC_PI_4, -2.1855694e-8], [FRAC_PI_2, -4.371139e-8]];
 
 /// `tanh a = a + a·s·P(s)` for `s = a²`, `|a| ≤ 0.55`; relative error of the polynomial 3.7e-8.
 pub const TANH: [f32; 4] = [-0.33332947, 0.13320726, -0.052671693, 0.0164371];

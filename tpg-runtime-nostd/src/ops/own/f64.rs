@@ -1,5 +1,7 @@
 //! The kernels in `f64`. On a core without doubles each operation is a call, but there is no loop all the same.
 
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
 /// Everything but the sign.
 pub(in crate::ops) const MAGNITUDE: u64 = 0x7fff_ffff_ffff_ffff;
 pub(in crate::ops) const SIGN: u64 = 0x8000_0000_0000_0000;
@@ -124,8 +126,7 @@ pub const ATAN: [f64; 10] = [
 ];
 
 /// π/4 and π/2, and what is missing from each.
-pub const QUARTERS: [[f64; 2]; 2] =
-    [[0.7853981633974483, 3.061616997868383e-17], [1.5707963267948966, 6.123233995736766e-17]];
+pub const QUARTERS: [[f64; 2]; 2] = [[FRAC_PI_4, 3.061616997868383e-17], [FRAC_PI_2, 6.123233995736766e-17]];
 
 /// `tanh a = a + a·s·P(s)` for `s = a²`, `|a| ≤ 0.55`.
 pub const TANH: [f64; 10] = [
