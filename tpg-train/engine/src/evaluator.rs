@@ -82,34 +82,6 @@ pub trait Evaluator<Task> {
     }
 }
 
-impl<Task, V: Evaluator<Task> + ?Sized> Evaluator<Task> for &V {
-    fn evaluate(&self, work: &Work<Task>) -> Result<Vec<UnitResult>, EvaluationError> {
-        (**self).evaluate(work)
-    }
-
-    fn pieces(&self, work: &Work<Task>, pieces: &[Piece]) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError>
-    where
-        Task: Clone,
-    {
-        (**self).pieces(work, pieces)
-    }
-
-    fn visit(&self, visits: &[Visit<Task>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
-        (**self).visit(visits)
-    }
-
-    fn play(&self, plays: &[Play<Task>]) -> Result<Vec<Played>, EvaluationError>
-    where
-        Task: Clone,
-    {
-        (**self).play(plays)
-    }
-
-    fn steps(&self) -> u64 {
-        (**self).steps()
-    }
-}
-
 /// Evaluation on the threads of this machine.
 ///
 /// ```

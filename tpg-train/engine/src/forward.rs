@@ -7,123 +7,69 @@
 #[macro_export]
 macro_rules! forward {
     (@sources $this:ident $inner:expr) => {
-        fn sources(&self) -> Vec<$crate::SourceDocument> {
-            let $this = self;
-            $inner.sources()
-        }
+        $crate::forward!(@method $this $inner, sources() -> Vec<$crate::SourceDocument>);
     };
     (@actions $this:ident $inner:expr) => {
-        fn actions(&self) -> $crate::ActionSpace {
-            let $this = self;
-            $inner.actions()
-        }
+        $crate::forward!(@method $this $inner, actions() -> $crate::ActionSpace);
     };
     (@time_limit $this:ident $inner:expr) => {
-        fn time_limit(&self) -> u32 {
-            let $this = self;
-            $inner.time_limit()
-        }
+        $crate::forward!(@method $this $inner, time_limit() -> u32);
     };
     (@draw $this:ident $inner:expr) => {
-        fn draw(&self, stream: &mut $crate::random::Stream) -> Self::Task {
-            let $this = self;
-            $inner.draw(stream)
-        }
+        $crate::forward!(@method $this $inner, draw(stream: &mut $crate::random::Stream) -> Self::Task);
     };
     (@start $this:ident $inner:expr) => {
-        fn start(&self, task: &Self::Task) -> Self::Episode {
-            let $this = self;
-            $inner.start(task)
-        }
+        $crate::forward!(@method $this $inner, start(task: &Self::Task) -> Self::Episode);
     };
     (@observe $this:ident $inner:expr) => {
-        fn observe(&self, episode: &mut Self::Episode, wanted: $crate::SourceSet, state: &mut [S]) {
-            let $this = self;
-            $inner.observe(episode, wanted, state);
-        }
+        $crate::forward!(@method $this $inner, observe(episode: &mut Self::Episode, wanted: $crate::SourceSet, state: &mut [S]) -> ());
     };
     (@step $this:ident $inner:expr) => {
-        fn step(&self, episode: &mut Self::Episode, act: $crate::Act<'_, S>) -> $crate::Step {
-            let $this = self;
-            $inner.step(episode, act)
-        }
+        $crate::forward!(@method $this $inner, step(episode: &mut Self::Episode, act: $crate::Act<'_, S>) -> $crate::Step);
     };
     (@outcomes $this:ident $inner:expr) => {
-        fn outcomes(&self) -> &'static [&'static str] {
-            let $this = self;
-            $inner.outcomes()
-        }
+        $crate::forward!(@method $this $inner, outcomes() -> &'static [&'static str]);
     };
     (@timeout $this:ident $inner:expr) => {
-        fn timeout(&self, episode: &Self::Episode) -> $crate::End {
-            let $this = self;
-            $inner.timeout(episode)
-        }
+        $crate::forward!(@method $this $inner, timeout(episode: &Self::Episode) -> $crate::End);
     };
     (@measure $this:ident $inner:expr) => {
-        fn measure(&self) -> Option<$crate::Measure> {
-            let $this = self;
-            $inner.measure()
-        }
+        $crate::forward!(@method $this $inner, measure() -> Option<$crate::Measure>);
     };
     (@preference $this:ident $inner:expr) => {
-        fn preference(&self) -> $crate::Preference {
-            let $this = self;
-            $inner.preference()
-        }
+        $crate::forward!(@method $this $inner, preference() -> $crate::Preference);
     };
     (@constants $this:ident $inner:expr) => {
-        fn constants(&self) -> Vec<u16> {
-            let $this = self;
-            $inner.constants()
-        }
+        $crate::forward!(@method $this $inner, constants() -> Vec<u16>);
     };
     (@training $this:ident $inner:expr) => {
-        fn training(&self) -> Option<&dyn $crate::Training<Self::Task, Self::Episode>> {
-            let $this = self;
-            $inner.training()
-        }
+        $crate::forward!(@method $this $inner, training() -> Option<&dyn $crate::Training<Self::Task, Self::Episode>>);
     };
     (@guarded $this:ident $inner:expr) => {
-        fn guarded(&self) -> Option<&dyn $crate::Guarded<S, Self::Episode>> {
-            let $this = self;
-            $inner.guarded()
-        }
+        $crate::forward!(@method $this $inner, guarded() -> Option<&dyn $crate::Guarded<S, Self::Episode>>);
     };
     (@drawn $this:ident $inner:expr) => {
-        fn drawn(&self) -> Option<&dyn $crate::Drawn<Self::Episode>> {
-            let $this = self;
-            $inner.drawn()
-        }
+        $crate::forward!(@method $this $inner, drawn() -> Option<&dyn $crate::Drawn<Self::Episode>>);
     };
     (@accepts $this:ident $inner:expr) => {
-        fn accepts(&self, task: &Self::Task) -> bool {
-            let $this = self;
-            $inner.accepts(task)
-        }
+        $crate::forward!(@method $this $inner, accepts(task: &Self::Task) -> bool);
     };
     (@lanes $this:ident $inner:expr) => {
-        fn lanes(&self) -> Box<dyn $crate::Episodes<S, Self::Task> + '_> {
-            let $this = self;
-            $inner.lanes()
-        }
+        $crate::forward!(@method $this $inner, lanes() -> Box<dyn $crate::Episodes<S, Self::Task> + '_>);
     };
     (@key $this:ident $inner:expr) => {
-        fn key(&self, episode: &Self::Episode) -> Option<u64> {
-            let $this = self;
-            $inner.key(episode)
-        }
+        $crate::forward!(@method $this $inner, key(episode: &Self::Episode) -> Option<u64>);
     };
     (@cycle $this:ident $inner:expr) => {
-        fn cycle(&self, episode: &Self::Episode, key: u64, actions: u32) -> Option<$crate::EpisodeResult> {
-            let $this = self;
-            $inner.cycle(episode, key, actions)
-        }
+        $crate::forward!(@method $this $inner, cycle(episode: &Self::Episode, key: u64, actions: u32) -> Option<$crate::EpisodeResult>);
     };
     (@distance $this:ident $inner:expr) => {
-        fn distance(&self, episode: &Self::Episode) -> Option<f64> {
+        $crate::forward!(@method $this $inner, distance(episode: &Self::Episode) -> Option<f64>);
+    };
+    (@method $this:ident $inner:expr, $name:ident($($argument:ident: $type:ty),*) -> $result:ty) => {
+        fn $name(&self, $($argument: $type),*) -> $result {
             let $this = self;
-            $inner.distance(episode)
+            $inner.$name($($argument),*)
         }
     };
     ($this:ident => $inner:expr; $($method:ident)*) => {

@@ -173,7 +173,7 @@ impl<W: Workplace> Training<'_, W> {
             let options =
                 RunOptions { folder, resume, checkpoint_every: args.run.checkpoint_every(CHECKPOINT_SECONDS), goal };
             let bar = Bar::new();
-            train(config, seed, environment, &evaluator, &options, |progress| {
+            train(config, seed, environment, evaluator, &options, |progress| {
                 bar.show(progress.generations, progress.planned, || message(progress));
                 if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             })

@@ -26,7 +26,7 @@ const LUCK: f64 = 0.9;
 
 /// A run on one problem, independent of where its candidates are evaluated.
 #[derive(Debug)]
-pub struct Evolution<'e, S: Scalar, E: Environment<S>, V> {
+pub struct Evolution<'e, S: Scalar, E: Environment<S>, V: ?Sized> {
     pub(super) config: &'e EvolutionConfig,
     vocabulary: Vocabulary,
     pub(super) environment: &'e E,
@@ -47,7 +47,7 @@ pub struct Goal {
     pub max_steps: Option<u64>,
 }
 
-impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E, V> {
+impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'e, S, E, V> {
     /// Creates a run with the given configuration, [fitted](EvolutionConfig::fitted) to the environment; literals have the units of
     /// [`State::scales`].
     ///

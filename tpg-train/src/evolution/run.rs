@@ -128,7 +128,7 @@ pub enum RunError {
 /// # Errors
 /// If the folder contains another run or another process uses it, its checkpoints are damaged, files cannot be written,
 /// or roots cannot be evaluated.
-pub fn train<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
+pub fn train<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized>(
     config: &EvolutionConfig,
     seed: u64,
     environment: &E,

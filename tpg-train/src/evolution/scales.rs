@@ -23,7 +23,7 @@ const VERY_RARE: f64 = 0.025;
 ///
 /// # Errors
 /// If the episodes cannot be run.
-pub(super) fn scales<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
+pub(super) fn scales<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized>(
     config: &EvolutionConfig,
     environment: &E,
     evaluator: &V,
@@ -71,7 +71,7 @@ fn visited_unit(states: &[Vec<f64>], input: usize) -> Option<f64> {
 }
 
 /// Returns states visited by random roots.
-fn explore<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
+fn explore<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized>(
     config: &EvolutionConfig,
     environment: &E,
     evaluator: &V,

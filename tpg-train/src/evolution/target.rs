@@ -16,7 +16,7 @@ fn stages(episodes: usize) -> impl Iterator<Item = usize> {
     doubled.take_while(move |&stage| stage < episodes).chain([episodes])
 }
 
-impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V> {
+impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_, S, E, V> {
     /// Lets a policy play the selection episodes and enters it, if their mean reaches the run's target after each stage. `found`
     /// is what training has found of it: a trial is due where that reaches the target, and where no more steps have been
     /// spent on selection than on training.

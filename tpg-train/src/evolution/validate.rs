@@ -49,7 +49,7 @@ fn episodes_left<Task>(state: &State<Task>, share: f64) -> u64 {
     ((share / (1.0 - share) * training) as u64).saturating_sub(state.selection_steps) / state.episode_steps.max(1)
 }
 
-impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V> {
+impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_, S, E, V> {
     /// Validates if it is time to; returns the result of the winner, and updates the best root so far.
     pub(super) fn validate(&self, state: &mut State<E::Task>) -> Result<Option<Summary>, EvaluationError> {
         let mut roots = state.population.survivors(&self.context(state));
