@@ -61,8 +61,7 @@ fn with<R>(graph: &Meaning, files: &[File], call: &dyn Fn(&Meaning, &dyn Fn() ->
 }
 
 /// Not decided: bits of differences of choices, for which a rule is missing.
-const OPEN: [(&str, Profile); 3] =
-    [("pendulum", Profile::ConstantTime), ("widowx-fs", Profile::ConstantTime), ("widowx-rs", Profile::ConstantTime)];
+const OPEN: [(&str, Profile); 2] = [("widowx-fs", Profile::ConstantTime), ("widowx-rs", Profile::ConstantTime)];
 
 /// With `--nocapture` it prints the table of times.
 #[test]

@@ -41,6 +41,9 @@ pub enum Step<Point> {
     Return(Answer),
 }
 
+/// The ways on from a point, each with its condition.
+pub type Ways<Point> = Vec<(Bool, Step<Point>)>;
+
 /// Something that a proof lacks: a construct that is not read, or a fact that no rule gives. Nothing is claimed then.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{place}: {what}")]
@@ -77,7 +80,7 @@ pub trait Machine {
     ///
     /// # Errors
     /// What cannot be executed.
-    fn run(&mut self, terms: &mut Terms, from: &Self::Point) -> Result<Vec<(Bool, Step<Self::Point>)>, Missing>;
+    fn run(&mut self, terms: &mut Terms, from: &Self::Point) -> Result<Ways<Self::Point>, Missing>;
 
     /// The place of a point, for people.
     fn place(&self, point: &Self::Point) -> String;

@@ -46,6 +46,15 @@ enum Side<Point> {
     Values(Vec<Float>),
 }
 
+/// The sides that follow from a point, each with its condition.
+type Pieces<Point> = HashMap<Point, Vec<(Bool, Side<Point>)>>;
+
+/// What can hold together, by what was assumed.
+type Combined = HashMap<(Bool, Vec<Bool>, Vec<Bool>), BTreeSet<(usize, usize)>>;
+
+/// Pairs of a side and a place of the graph, each with its condition.
+type Pairs<Point> = Vec<(Side<Point>, Destination, Bool)>;
+
 /// Compares code with a graph.
 #[derive(Debug)]
 pub struct Comparison<'a, M: Machine> {
@@ -59,9 +68,8 @@ pub struct Comparison<'a, M: Machine> {
     evaluator: Evaluator,
     /// What was done
     pub work: Work,
-    pieces: HashMap<M::Point, Vec<(Bool, Side<M::Point>)>>,
-    /// What can hold together, by what was assumed
-    combined: HashMap<(Bool, Vec<Bool>, Vec<Bool>), BTreeSet<(usize, usize)>>,
+    pieces: Pieces<M::Point>,
+    combined: Combined,
     /// How often a word is a part of an answer
     parents: HashMap<Word, u32>,
 }
@@ -181,7 +189,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         place: Destination,
         assumed: Bool,
         forgetful: bool,
-    ) -> Result<Vec<(Side<M::Point>, Destination, Bool)>, Missing> {
+    ) -> Result<Pairs<M::Point>, Missing> {
         let ends = self.ends(&side)?;
         let team = match place {
             Destination::Team(team) => self.meaning.winners(&mut self.terms, team)?,

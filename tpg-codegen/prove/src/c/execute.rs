@@ -33,6 +33,12 @@ struct State {
     agreed: bool,
 }
 
+/// The floats of points that were reached at a place with the same integers.
+type Reached = HashMap<(usize, Vec<(u32, Cell)>), BTreeMap<u32, Float>>;
+
+/// Called with every return: its place in the code, and the state there.
+type Returned<'a> = dyn FnMut(&Code, &mut Terms, usize, &State) -> Result<(), Missing> + 'a;
+
 /// A function of C, ready to be executed.
 #[derive(Debug)]
 pub struct Code {
@@ -44,7 +50,7 @@ pub struct Code {
     /// The cells at first
     first: Vec<Cell>,
     /// The points that were reached at a place with the same integers
-    reached: HashMap<(usize, Vec<(u32, Cell)>), BTreeMap<u32, Float>>,
+    reached: Reached,
     /// This text defines what functions mean: that its indices are in bounds is known
     defines: bool,
 }
@@ -346,7 +352,7 @@ impl Code {
         &mut self,
         terms: &mut Terms,
         from: &Point,
-        returned: &mut dyn FnMut(&Self, &mut Terms, usize, &State) -> Result<(), Missing>,
+        returned: &mut Returned<'_>,
     ) -> Result<Vec<(Bool, Point)>, Missing> {
         let mut cells = self.first.clone();
         for &(address, cell) in from.cells.iter() {
@@ -373,7 +379,7 @@ impl Code {
         (round, mut at): (u64, usize),
         mut state: State,
         pending: &mut BTreeMap<(u64, usize), State>,
-        returned: &mut dyn FnMut(&Self, &mut Terms, usize, &State) -> Result<(), Missing>,
+        returned: &mut Returned<'_>,
         steps: &mut u64,
     ) -> Result<(), Missing> {
         let start = at;

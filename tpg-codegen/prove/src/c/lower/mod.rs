@@ -1,0 +1,324 @@
+//! Lowers the syntax tree of a function into operations.
+
+mod expression;
+mod memory;
+mod statement;
+
+use crate::c::code::{Constant, Operation, Program, Scalar, Value};
+use crate::c::syntax::{Function, Type, Unit};
+use crate::machine::{Interface, Missing};
+use crate::term::Width;
+use std::collections::HashMap;
+
+#[derive(Clone, Debug)]
+struct Place {
+    address: u32,
+    of: Type,
+}
+
+/// What `break` and `continue` of a loop or switch refer to.
+#[derive(Default)]
+struct Target {
+    breaks: Vec<usize>,
+    /// None in a switch
+    continues: Option<Vec<usize>>,
+    scopes: usize,
+}
+
+/// A function that is being inlined.
+struct Frame {
+    labels: HashMap<String, (usize, Vec<usize>)>,
+    gotos: Vec<(usize, String, Vec<usize>, u32)>,
+    returns: Vec<usize>,
+    result: Option<Place>,
+    scopes: usize,
+    targets: Vec<Target>,
+}
+
+/// A case of a switch: its number, none for the default, and where it is.
+type Case = (Option<u64>, usize);
+
+pub(super) struct Lowering<'u> {
+    file: &'u str,
+    unit: &'u Unit,
+    program: Program,
+    names: Vec<HashMap<String, Place>>,
+    scopes: Vec<usize>,
+    frames: Vec<Frame>,
+    calls: Vec<&'u str>,
+    cases: Vec<Vec<Case>>,
+    statics: HashMap<(u32, String), u32>,
+    line: u32,
+}
+
+/// Lowers a function that has the interface of a policy.
+pub(super) fn policy(file: &str, unit: &Unit, name: &str, interface: &Interface) -> Result<Program, Missing> {
+    let mut lowering = Lowering::new(file, unit)?;
+    lowering.policy(name, interface)?;
+    Ok(lowering.finished())
+}
+
+/// Lowers a function of one float, which is cell 0.
+pub(super) fn function(file: &str, unit: &Unit, name: &str) -> Result<Program, Missing> {
+    let mut lowering = Lowering::new(file, unit)?;
+    let argument = lowering.allocate(&Type::Float);
+    let load = Value::Load(Box::new(Value::Number(u64::from(argument))), Scalar::Float);
+    let called = lowering.function(name)?;
+    let result = lowering.inlined(called, vec![(load, Type::Float)])?;
+    lowering.program.result = result.map(|place| place.address);
+    lowering.emit(Operation::Return);
+    Ok(lowering.finished())
+}
+
+fn number(number: u32) -> Value {
+    Value::Number(u64::from(number))
+}
+
+impl<'u> Lowering<'u> {
+    fn new(file: &'u str, unit: &'u Unit) -> Result<Self, Missing> {
+        let mut lowering = Self {
+            file,
+            unit,
+            program: Program::default(),
+            names: vec![HashMap::new()],
+            scopes: Vec::new(),
+            frames: Vec::new(),
+            calls: Vec::new(),
+            cases: Vec::new(),
+            statics: HashMap::new(),
+            line: 0,
+        };
+        for variable in &unit.variables {
+            lowering.line = variable.line;
+            lowering.constant(variable)?;
+        }
+        Ok(lowering)
+    }
+
+    fn finished(mut self) -> Program {
+        self.program.objects.sort_by_key(|object| object.start);
+        self.program
+    }
+
+    fn missing(&self, what: impl Into<String>) -> Missing {
+        Missing::new(format!("{}:{}", self.file, self.line), what)
+    }
+
+    fn function(&self, name: &str) -> Result<&'u Function, Missing> {
+        let found = self.unit.functions.iter().find(|function| function.name == name);
+        found.ok_or_else(|| self.missing(format!("the meaning of the function `{name}`")))
+    }
+
+    fn policy(&mut self, name: &str, interface: &Interface) -> Result<(), Missing> {
+        let function = self.function(name)?;
+        let mut arguments = Vec::new();
+        let mut structures = Vec::new();
+        for (_, of) in &function.parameters {
+            let Type::Pointer(target) = of else { return Err(self.missing("a parameter that is a pointer")) };
+            let address = self.allocate(target);
+            structures.push((address, (**target).clone()));
+            arguments.push((number(address), of.clone()));
+        }
+        let memory = !interface.memory.is_empty();
+        let values = !interface.outputs.is_empty();
+        if structures.len() != 1 + usize::from(memory) + usize::from(values) {
+            return Err(self.missing(format!("other parameters of `{name}`")));
+        }
+        let sources: Vec<_> = interface.sources.iter().map(|(name, length)| (name.clone(), *length)).collect();
+        let single = |names: &[String]| names.iter().map(|name| (name.clone(), 1)).collect::<Vec<_>>();
+        self.fields(&structures[0].1, &sources)?;
+        self.program.state = structures[0].0;
+        if memory {
+            self.fields(&structures[1].1, &single(&interface.memory))?;
+            self.program.memory = Some(structures[1].0);
+        }
+        if values {
+            let (address, of) = &structures[structures.len() - 1];
+            self.program.action = Some(*address);
+            self.fields(&of.clone(), &single(&interface.outputs))?;
+        }
+        let result = self.inlined(function, arguments)?;
+        self.program.result = result.map(|place| place.address);
+        if self.program.result.is_none() != values {
+            return Err(self.missing(format!("another result of `{name}`")));
+        }
+        self.emit(Operation::Return);
+        Ok(())
+    }
+
+    /// Checks that a structure holds floats with these names, in this order; underscores may follow a name.
+    fn fields(&self, of: &Type, names: &[(String, u32)]) -> Result<(), Missing> {
+        let Type::Struct(number) = of else { return Err(self.missing("a pointer to a structure")) };
+        let members = &self.unit.structs[*number].members;
+        let fits = |member: &(String, Type), (name, length): &(String, u32)| {
+            let floats = match &member.1 {
+                Type::Float => 1,
+                Type::Array(of, count) if **of == Type::Float => *count,
+                _ => 0,
+            };
+            floats == *length && member.0.trim_end_matches('_') == name.trim_end_matches('_')
+        };
+        let all = members.len() == names.len() && members.iter().zip(names).all(|(member, name)| fits(member, name));
+        if all { Ok(()) } else { Err(self.missing(format!("a structure of the floats {names:?}"))) }
+    }
+
+    fn emit(&mut self, operation: Operation) -> usize {
+        self.program.operations.push((self.line, operation));
+        self.program.operations.len() - 1
+    }
+
+    fn here(&self) -> usize {
+        self.program.operations.len()
+    }
+
+    fn land(&mut self, jumps: &[usize]) {
+        let here = self.here();
+        for &jump in jumps {
+            match &mut self.program.operations[jump].1 {
+                Operation::Jump(to, _) | Operation::Branch(_, to) => *to = here,
+                _ => {}
+            }
+        }
+    }
+
+    fn jump(&mut self, from_scope: usize) -> usize {
+        let left = self.scopes[from_scope..].to_vec();
+        self.emit(Operation::Jump(usize::MAX, left))
+    }
+
+    fn enter(&mut self) {
+        self.scopes.push(self.program.scopes.len());
+        self.program.scopes.push((self.program.cells, self.program.cells));
+        self.names.push(HashMap::new());
+    }
+
+    fn leave(&mut self) {
+        self.names.pop();
+        if let Some(scope) = self.scopes.pop() {
+            self.program.scopes[scope].1 = self.program.cells;
+            self.emit(Operation::Leave(scope));
+        }
+    }
+
+    /// Inlines a call. The result's place, if it has one.
+    fn inlined(&mut self, function: &'u Function, arguments: Vec<(Value, Type)>) -> Result<Option<Place>, Missing> {
+        if self.calls.contains(&function.name.as_str()) {
+            return Err(self.missing(format!("`{}` calls itself", function.name)));
+        }
+        if arguments.len() != function.parameters.len() {
+            return Err(self.missing(format!("arguments of `{}`", function.name)));
+        }
+        let line = self.line;
+        let result = (function.result != Type::Void)
+            .then(|| Place { address: self.allocate(&function.result), of: function.result.clone() });
+        let outside = std::mem::take(&mut self.names);
+        self.names.push(outside[0].clone());
+        let scopes = self.scopes.len();
+        self.enter();
+        for ((value, from), (name, of)) in arguments.into_iter().zip(&function.parameters) {
+            let value = self.converted(value, &from, of)?;
+            let place = Place { address: self.allocate(of), of: of.clone() };
+            self.store(number(place.address), value, of)?;
+            self.bind(name.clone(), place);
+        }
+        self.calls.push(&function.name);
+        self.frames.push(Frame {
+            labels: HashMap::new(),
+            gotos: Vec::new(),
+            returns: Vec::new(),
+            result: result.clone(),
+            scopes,
+            targets: Vec::new(),
+        });
+        for statement in &function.body {
+            self.statement(statement)?;
+        }
+        self.leave();
+        self.calls.pop();
+        if let Some(frame) = self.frames.pop() {
+            for (jump, label, left, line) in frame.gotos {
+                let Some((to, inside)) = frame.labels.get(&label) else {
+                    self.line = line;
+                    return Err(self.missing(format!("the label `{label}`")));
+                };
+                let left = left.into_iter().filter(|scope| !inside.contains(scope)).collect();
+                self.program.operations[jump].1 = Operation::Jump(*to, left);
+            }
+            self.land(&frame.returns);
+            if frame.returns.len() > 1 {
+                let here = self.here();
+                self.program.heads.entry(here).or_insert(false);
+            }
+        }
+        self.names = outside;
+        self.line = line;
+        Ok(result)
+    }
+
+    fn store(&mut self, address: Value, value: Value, of: &Type) -> Result<(), Missing> {
+        let scalar = self.scalar(of)?;
+        self.emit(Operation::Set(address, value, scalar));
+        Ok(())
+    }
+
+    fn scalar(&self, of: &Type) -> Result<Scalar, Missing> {
+        match of {
+            Type::Float => Ok(Scalar::Float),
+            Type::Integer(8, _) => Ok(Scalar::Word(Width::W64)),
+            Type::Integer(..) | Type::Pointer(_) => Ok(Scalar::Word(Width::W32)),
+            Type::Double => Err(self.missing("arithmetic in binary64")),
+            _ => Err(self.missing("a scalar")),
+        }
+    }
+}
+
+fn is_float(of: &Type) -> bool {
+    match of {
+        Type::Array(of, _) => is_float(of),
+        of => *of == Type::Float,
+    }
+}
+
+fn moved(address: Value, offset: Value) -> Value {
+    Value::Moved(Box::new(address), Box::new(offset))
+}
+
+fn promoted(of: &Type) -> Type {
+    match of {
+        Type::Integer(1 | 2, _) => Type::INT,
+        of => of.clone(),
+    }
+}
+
+fn width(of: &Type) -> Width {
+    match of {
+        Type::Integer(8, _) => Width::W64,
+        _ => Width::W32,
+    }
+}
+
+/// The constant that a value is.
+fn constant_of(value: &Value) -> Option<Constant> {
+    match value {
+        Value::Number(number) => Some(Constant::Number(*number)),
+        Value::Float(bits) => Some(Constant::Float(*bits)),
+        Value::Negative(inner) => match constant_of(inner)? {
+            Constant::Float(bits) => Some(Constant::Float(bits ^ 0x8000_0000)),
+            Constant::Number(_) => None,
+        },
+        Value::Apply(operator, width, a, b) => match (constant_of(a)?, constant_of(b)?) {
+            (Constant::Number(a), Constant::Number(b)) => {
+                Some(Constant::Number(crate::term::computed(*operator, *width, a, b)))
+            }
+            _ => None,
+        },
+        Value::OfInteger(signed, inner) => match constant_of(inner)? {
+            Constant::Number(number) => {
+                let value = if *signed { number as u32 as i32 as f32 } else { number as u32 as f32 };
+                Some(Constant::Float(value.to_bits()))
+            }
+            Constant::Float(_) => None,
+        },
+        _ => None,
+    }
+}
