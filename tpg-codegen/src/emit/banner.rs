@@ -60,9 +60,14 @@ pub(crate) fn lines(program: &Program<'_>) -> Vec<String> {
 fn policy(graph: &Graph) -> String {
     let Provenance { tool, version, seed, config, scores, note } = graph.provenance();
     let named = config.as_ref().and_then(|config| config.pointer("/problem/name")?.as_str());
-    let problem = named.or(note.as_deref());
+    // A note of the trainer names the task; one by hand is a sentence of its own.
+    let problem = named.or(note.as_deref().filter(|_| tool.is_some()));
     let score = ["validation_score", "score"].iter().find_map(|name| scores.get(*name));
-    let mut about = vec![problem.map_or_else(|| "A policy".to_owned(), |problem| format!("A policy for {problem}"))];
+    let mut about = vec![match (problem, note) {
+        (Some(problem), _) => format!("A policy for {problem}"),
+        (None, Some(note)) => note.trim_end_matches('.').to_owned(),
+        (None, None) => "A policy".to_owned(),
+    }];
     about.extend(score.map(|score| format!("score {} in validation", (score * 100.0).round() / 100.0)));
     about.extend(tool.as_ref().map(|tool| {
         let version = version.as_ref().map_or_else(String::new, |version| format!(" {version}"));
