@@ -149,7 +149,13 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
     let mut body = Body { program, integers, lines, constants, text: String::new() };
     match &dense {
         Some(dense) => body.text = dense.body(prefix, |function| body.lines.note(function)),
-        None => body.decide(),
+        None => {
+            body.decide();
+            // What no walk reads may still be a node.
+            if !body.text.contains("state->") {
+                body.text.insert_str(0, "    (void)state;\n");
+            }
+        }
     }
     let banner = banner::lines(program);
     let (outputs, memory) = (view::outputs(graph, false), view::outputs(graph, true));
@@ -198,10 +204,6 @@ impl Body<'_, '_> {
 
     fn decide(&mut self) {
         let module = &self.program.module;
-        let reads = |input: &NodeId| matches!(module.node(*input), Node::Input(input) if self.program.graph().counts_of(input).is_some());
-        if !(0..module.nodes.len()).any(|place| reads(&NodeId(place as u32))) {
-            self.line(1, "(void)state;");
-        }
         if let Some(leaf) = module.only_leaf() {
             return self.leaf(&leaf.values.clone(), 1);
         }

@@ -24,12 +24,13 @@ use crate::passes;
 use build::{Builder, Refusal, memory_scale, power_below};
 use program::Programs;
 use serde::Serialize;
+use serde_json::{Value, json};
 use std::fmt;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::states::StateSet;
 use tpg_graph::{
     Counts, Document, EdgeDocument, Graph, LeafDocument, MathsProvider, MemoryDocument, OutputDocument,
-    ProgramDocument, Provenance, Range, ScalarType, SourceDocument, TeamDocument,
+    ProgramDocument, Range, ScalarType, SourceDocument, TeamDocument,
 };
 
 /// Bits of an output.
@@ -212,6 +213,14 @@ impl Quantiser<'_> {
         let programs_written = (0..).zip(programs.all).map(|(id, (_, lines))| ProgramDocument { id, lines }).collect();
         let answered = self.graph.outputs().len() - self.graph.memory();
         let original = self.graph.to_document();
+        let mut provenance = original.provenance.clone();
+        let said = json!({ "inputs": request.inputs, "weights": request.weights, "graph_sha256": self.graph.sha256() });
+        match &mut provenance.config {
+            Some(Value::Object(config)) => {
+                config.insert("quantised".to_owned(), said);
+            }
+            config => *config = Some(json!({ "quantised": said })),
+        }
         let words = programs.words;
         Ok(Document {
             version: 2,
@@ -226,15 +235,7 @@ impl Quantiser<'_> {
             teams,
             leaves,
             programs: programs_written,
-            provenance: Provenance {
-                note: Some(format!(
-                    "In integers: inputs of {} bits, weights of {}, from the graph {}",
-                    request.inputs,
-                    request.weights,
-                    self.graph.sha256()
-                )),
-                ..original.provenance
-            },
+            provenance,
             ..original
         })
     }
