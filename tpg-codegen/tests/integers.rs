@@ -193,10 +193,7 @@ fn shipped_policies_keep_their_decisions_and_are_the_interpreters() {
             let found = &report.comparison;
             assert!(found.same as f64 >= same * found.states as f64, "{name} at {bits} bits: {report}");
             assert!(found.outputs.iter().all(|output| output.mean <= mean), "{name} at {bits} bits: {report}");
-            assert!(
-                report.bounds.iter().all(|(_, bound)| *bound <= 1 << 31),
-                "{name} at {bits} bits: {report}"
-            );
+            assert!(report.bounds.iter().all(|(_, bound)| *bound <= 1 << 31), "{name} at {bits} bits: {report}");
             let program =
                 integers::compile(name, &graph, &options(0, Profile::Fast), Language::C).expect("whole numbers");
             let tpg_codegen::program::Shape::Integers(found) = &program.shape else { panic!("integers") };
