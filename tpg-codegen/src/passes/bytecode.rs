@@ -222,8 +222,8 @@ mod tests {
         let graph = Graph::from_json("fixture", text).expect("a valid graph");
         assert_eq!(graph.scalar(), ScalarType::F64);
         let code = encode(&optimise(&graph).0);
-        // Program 3, which teams 7 and 9 share, bids 0, and no other program does: eleven programs for twelve edges.
-        assert_eq!((code.bidders.len(), code.programs.len() - 1, code.teams), (12, 11, vec![0, 5, 8, 12]));
+        // Program 3, which teams 7 and 9 share, bids 0, and no other program does: twelve programs for thirteen edges.
+        assert_eq!((code.bidders.len(), code.programs.len() - 1, code.teams), (13, 12, vec![0, 5, 8, 13]));
         assert_eq!(code.bidders[2], code.bidders[7]);
         // Ten values of the state, then the constants, then the longest program's results, of three lines.
         assert_eq!(code.first_result, 10 + code.constants.len());
