@@ -158,7 +158,7 @@ impl Evolution {
     fn start(space: &Space, settings: Settings) -> PyResult<Self> {
         let (config, options) = settings.read()?;
         let (space, seed) = (space.clone(), settings.seed);
-        let memory = Remembered::usual(config.language.memory, &Environment::<f32>::sources(&space));
+        let memory = Remembered::zeros(config.language.memory, &Environment::<f32>::sources(&space));
         let (inputs, scalar) = (space.length() + memory.len(), config.language.scalar);
         let space = Remembering::new(space, memory);
         Ok(Self::spawn(inputs, scalar, move |mailbox| match scalar {
@@ -364,7 +364,7 @@ where
 {
     let environment = problem.environment::<S>();
     let choices = Choices::new(&*environment, problem.levels()).map_err(tpg_engine::EvaluationError::new)?;
-    let memory = Remembered::usual(config.language.memory, &choices.sources());
+    let memory = Remembered::zeros(config.language.memory, &choices.sources());
     let environment = Remembering::new(choices, memory);
     let evaluator = LocalThreads::<S, Own, _>::new(&environment, EngineOptions::default(), threads)?;
     evolve(config, seed, &environment, &evaluator, options, mailbox)
