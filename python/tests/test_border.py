@@ -283,7 +283,7 @@ def test_a_file_of_settings_is_a_preset(tmp_path: Path) -> None:
     own.write_text("[tpg]\nnb_rots = 14\n")
     with pytest.raises(InputError, match=r"own.toml: line 2: unknown field `nb_rots`"):
         TPG(environments.Cart, preset=own)
-    with pytest.raises(InputError, match="the preset 'slow'; accepted: .*, or a file"):
+    with pytest.raises(InputError, match='the preset "slow"; accepted: .*, or a file'):
         TPG(environments.Cart, preset="slow")
 
 

@@ -594,8 +594,8 @@ class TPG:
     def quantise(self, bits: int = 16, states: Any = None) -> _GraphView:
         """Returns the policy in integers, for chips without an FPU: a graph of whole numbers, with its report in `said`.
 
-        The ranges of `states`, a row for each visited state, fill the bits of the inputs; without any, the declared ranges do, which may
-        be much wider than what happens.
+        The ranges of `states`, a row for each visited state, fill the bits of the inputs; without any, the declared ranges do,
+        which may be much wider than what happens.
         """
         rows = None if states is None else np.ascontiguousarray(states, dtype=np.float64)
         return _GraphView(*self._best().quantise(bits, rows))
@@ -615,9 +615,7 @@ class TPG:
         """Writes `no_std` Rust into a folder and returns the paths."""
         return self._export(folder, "rust", prefix, profile, fixed)
 
-    def _export(
-        self, folder: PathLike, language: str, prefix: str | None, profile: str, fixed: int | None
-    ) -> list[Path]:
+    def _export(self, folder: PathLike, language: str, prefix: str | None, profile: str, fixed: int | None) -> list[Path]:
         graph = self._best() if fixed is None else self._best().quantise(fixed, None)[0]
         return [Path(path) for path in graph.export(Path(folder), language, prefix or self._prefix(), profile)]
 

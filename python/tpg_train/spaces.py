@@ -147,9 +147,9 @@ class Interface:
                 stacklevel=2,
             )
         choices, outputs = interface.actions()
-        found = [*choices, *(name for name, _, _ in outputs)]
-        if len(set(found)) < len(found):
-            raise InputError(f"action_names {', '.join(found)}; accepted: each name once")
+        ended = [*choices, *(name for name, _, _ in outputs)]
+        if len(set(ended)) < len(ended):
+            raise InputError(f"action_names {', '.join(ended)}; accepted: each name once")
         return interface
 
     @property

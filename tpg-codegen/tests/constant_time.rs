@@ -99,6 +99,12 @@ fn builds() -> Vec<(Language, &'static str)> {
     BUILDS.into_iter().filter(|&(language, _)| has_rust || language == Language::C).collect()
 }
 
+/// Tests whether a build is claimed to take the same time: in Rust a square root is libm's, which branches.
+fn is_claimed(graph: &Graph, language: Language) -> bool {
+    let is_root = |word: &str| word.starts_with("sqrt");
+    language == Language::C || !graph.to_json().split(|c: char| !c.is_ascii_alphanumeric()).any(is_root)
+}
+
 /// Emits a graph in C into a folder.
 fn emit_c(folder: &Path, graph: &Graph, profile: Profile) {
     for file in emit::emit(graph, Language::C, &shaped("ct", (Style::Pure, Some(profile)))) {
@@ -161,7 +167,7 @@ fn nothing_in_the_object_decides_by_data_what_runs() {
         disassemble(&folder.path().join("ct.o")).expect("a listing")
     };
     for (name, graph) in graphs() {
-        for build in builds() {
+        for build in builds().into_iter().filter(|build| is_claimed(&graph, build.0)) {
             let listing = listing(&graph, Profile::ConstantTime, build);
             let mut analyser = Analyser::new(&listing, &bounds);
             let sites = analyser.decisions("ct_infer").unwrap_or_else(|refusal| panic!("{name} {build:?}: {refusal}"));
@@ -320,7 +326,7 @@ fn every_state_takes_the_instructions_of_the_static_bound() {
             .map(|state| state[..graph.state_length() - graph.memory()].to_vec())
             .collect();
         let expected = hash_of(&graph, &seen);
-        for build in builds() {
+        for build in builds().into_iter().filter(|build| is_claimed(&graph, build.0)) {
             let folder = TempDir::new().expect("a temporary folder");
             let image = image(folder.path(), &graph, &seen, build);
             let listing = disassemble(&image).expect("a listing");

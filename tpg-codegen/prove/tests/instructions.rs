@@ -228,7 +228,7 @@ fn forms_compute_what_the_processor_does() {
     if !tools("the meaning of instructions against QEMU") {
         return;
     }
-    let states = tpg_testing::amount(200, 200_000);
+    let states = tpg_testing::amount(200, 2_000);
     let forms = forms();
     let folder = tempfile::TempDir::new().expect("a temporary folder");
     std::fs::write(folder.path().join("forms.s"), assembly(&forms)).expect("the folder can be written");

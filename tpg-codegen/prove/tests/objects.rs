@@ -86,8 +86,7 @@ fn results(folder: &Path, file: &[u8], symbol: &str, graph: &Graph) -> Option<Ve
     run(folder, "arm-none-eabi-objcopy", &["--redefine-sym", &format!("{symbol}=form_0"), "mutant.o", "form.o"]);
     let interface = graph.interface();
     let (operands, results) = (interface.state_length() as usize, interface.outputs.len());
-    let form =
-        Forms { objects: &["form.o"], count: 1, operands, results, states: tpg_testing::amount(20_000, 1_000_000) };
+    let form = Forms { objects: &["form.o"], count: 1, operands, results, states: tpg_testing::amount(5_000, 20_000) };
     Some(form.emulated(folder, None))
 }
 
@@ -98,7 +97,7 @@ fn changed_objects_are_proven_only_where_they_are_equal() {
         return;
     }
     let folder = tempfile::TempDir::new().expect("a temporary folder");
-    let stride = tpg_testing::amount(37, 1);
+    let stride = tpg_testing::amount(149, 37);
     let (mut turned, mut proven) = (0, 0);
     for policy in SMALL {
         let graph = graph(policy);
@@ -144,7 +143,7 @@ fn files_that_are_no_objects_are_refused() {
     assert!(prove(b"", &symbol, &graph).is_err());
     assert!(prove(&file, "nothing", &graph).is_err_and(|text| text.contains("there are: cartpole_infer")));
     let mut random = Operands(7);
-    for _ in 0..tpg_testing::amount(2_000, 100_000) {
+    for _ in 0..tpg_testing::amount(500, 5_000) {
         let mut damaged = file.clone();
         for _ in 0..1 + random.next() % 8 {
             let at = random.next() as usize % damaged.len();
@@ -166,7 +165,7 @@ fn random_code_is_executed_or_refused() {
     let (file, symbol) = compiled(folder.path(), "dodge", "-Os");
     let bytes = bytes_of(&file, &symbol);
     let mut random = Operands(9);
-    for _ in 0..tpg_testing::amount(2_000, 100_000) {
+    for _ in 0..tpg_testing::amount(500, 5_000) {
         let mut changed = file.clone();
         let from = bytes.start + random.next() as usize % (bytes.len() / 2) / 2 * 2;
         let count = random.next() as usize % 64;

@@ -7,6 +7,7 @@ use crate::program::{Program, Shape};
 use tpg_graph::conversion::Conversion;
 use tpg_graph::error::counted;
 use tpg_graph::{Graph, MathsProvider, Provenance, ScalarType};
+use tpg_runtime::ops::Instruction;
 
 /// The banner's lines, without comment marks.
 pub(crate) fn lines(program: &Program<'_>) -> Vec<String> {
@@ -44,6 +45,10 @@ pub(crate) fn lines(program: &Program<'_>) -> Vec<String> {
     let has_profile = language == Language::Rust || options.style == Style::Pure;
     if has_profile && options.profile_in(language) == Profile::ConstantTime {
         lines.extend(same_time(graph).map(str::to_owned));
+        let roots = |node: &Node| matches!(node, Node::Operation(Instruction::Sqrt, ..));
+        if language == Language::Rust && graph.maths() == MathsProvider::Own && module.nodes.iter().any(roots) {
+            lines.push("Every decision takes the same time as far as libm's square root does.".to_owned());
+        }
     }
     if let Some(Conversion { from, maths, agreement, .. }) = &options.conversion {
         lines.push(format!(

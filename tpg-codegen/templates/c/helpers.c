@@ -9,6 +9,20 @@ static {{ scalar }} {{ prefix }}_hidden({{ scalar }} number)
 {% if let Some(own) = own %}
 {% if f64 %}{% include "c/own_f64.c" %}{% else %}{% include "c/own_f32.c" %}{% endif %}
 {% endif %}
+{% if self.has_root() %}
+
+/* The square root, by the FPU where there is one: a library tests for errno first. */
+static float {{ prefix }}_root(float x)
+{
+#if defined(__GNUC__) && defined(__ARM_FP) && !defined(__aarch64__)
+    float root;
+    __asm__("vsqrt.f32 %0, %1" : "=t"(root) : "t"(x));
+    return root;
+#else
+    return sqrtf(x);
+#endif
+}
+{% endif %}
 {% if branch_free %}
 {% include "c/keys.c" %}
 {% else %}

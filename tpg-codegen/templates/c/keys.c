@@ -120,7 +120,7 @@
 /* The square root of the magnitude, which no compiler tests; NaN of a negative number. */
 {{ storage }} {{ scalar }} {{ prefix }}_sqrt({{ scalar }} x)
 {
-    const {{ scalar }} root = {{ printer.function("sqrt") }}({{ printer.function("fabs") }}(x));
+    const {{ scalar }} root = {{ printer.root() }}({{ printer.function("fabs") }}(x));
     {{ key }} bits;
     {{ key }} bits_of_root;
     {{ scalar }} result;

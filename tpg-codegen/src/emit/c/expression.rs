@@ -126,7 +126,7 @@ impl Syntax for Printer<'_> {
             Instruction::Atan => self.maths("atan", "atan", false),
             Instruction::Tanh => self.maths("tanh", "tanh", false),
             Instruction::Abs => self.function("fabs"),
-            Instruction::Sqrt if !self.branch_free => self.function("sqrt"),
+            Instruction::Sqrt if !self.branch_free => self.root(),
             _ => format!("{}_{}", self.prefix, instruction.name()),
         };
         format!("{function}({arguments})")
@@ -158,6 +158,14 @@ impl Printer<'_> {
         match self.graph.maths() {
             MathsProvider::System if !(self.short_cuts && has_short_cut) => self.function(system),
             MathsProvider::System | MathsProvider::Own => format!("{}_{own}", self.prefix),
+        }
+    }
+
+    /// The name of the function that computes a square root: of `<math.h>`, or one that needs no library where an FPU has it.
+    pub(super) fn root(&self) -> String {
+        match (self.graph.scalar(), self.graph.maths()) {
+            (ScalarType::F32, MathsProvider::Own) => format!("{}_root", self.prefix),
+            _ => self.function("sqrt"),
         }
     }
 

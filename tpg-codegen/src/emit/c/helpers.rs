@@ -83,6 +83,10 @@ impl Helpers<'_> {
         self.called.contains(name)
     }
 
+    fn has_root(&self) -> bool {
+        self.calls("sqrt") && self.printer.root() != self.printer.function("sqrt")
+    }
+
     fn any(&self, names: &[&str]) -> bool {
         names.iter().any(|name| self.calls(name))
     }
