@@ -29,25 +29,23 @@ pub(crate) fn train_network(
     let config = settings.read(SacConfig::from_toml).map_err(error::input)?;
     let (gym, kind) = (Gym::new(space.clone(), make), kind_of(kind)?);
     py.detach(|| {
-        let (mut ticks, mut interrupted) = (0_u64, Ok(()));
+        let (mut ticks, mut stopped) = (0_u64, Ok(()));
         let watch = || {
             ticks += 1;
-            if ticks.is_multiple_of(LOOK) {
-                interrupted = Python::attach(|py| py.check_signals());
+            if let Some(error) = gym.failed() {
+                stopped = Err(error);
+            } else if ticks.is_multiple_of(LOOK) {
+                stopped = Python::attach(|py| py.check_signals());
             }
-            if gym.failed().is_some() || interrupted.is_err() {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
+            if stopped.is_err() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let trained = tpg_train::train_network(&gym, config, "long", seed, watch);
-        interrupted?;
-        let failed = || gym.failed().map_or(Ok(()), Err);
-        failed()?;
+        stopped?;
         let (network, result) = trained.map_err(error::input)?;
         let policy = network.quantised(&gym, kind, seed).map_err(error::input)?;
-        failed()?;
+        if let Some(error) = gym.failed() {
+            return Err(error);
+        }
         Ok((Network::new_fixed(policy), result.score))
     })
 }
