@@ -99,10 +99,11 @@ fn builds() -> Vec<(Language, &'static str)> {
     BUILDS.into_iter().filter(|&(language, _)| has_rust || language == Language::C).collect()
 }
 
-/// Tests whether a build is claimed to take the same time: in Rust a square root is libm's, which branches.
+/// Tests whether a build is claimed to take the same time: in Rust a square root is libm's, which branches, and optimisers see
+/// through masks of the other words.
 fn is_claimed(graph: &Graph, language: Language) -> bool {
-    let is_root = |word: &str| word.starts_with("sqrt");
-    language == Language::C || !graph.to_json().split(|c: char| !c.is_ascii_alphanumeric()).any(is_root)
+    let is_not = |word: &str| ["sqrt", "atan", "tanh", "quotient"].contains(&word);
+    language == Language::C || !graph.to_json().split(|c: char| !c.is_ascii_alphanumeric()).any(is_not)
 }
 
 /// Emits a graph in C into a folder.

@@ -45,9 +45,14 @@ pub(crate) fn lines(program: &Program<'_>) -> Vec<String> {
     let has_profile = language == Language::Rust || options.style == Style::Pure;
     if has_profile && options.profile_in(language) == Profile::ConstantTime {
         lines.extend(same_time(graph).map(str::to_owned));
-        let roots = |node: &Node| matches!(node, Node::Operation(Instruction::Sqrt, ..));
-        if language == Language::Rust && graph.maths() == MathsProvider::Own && module.nodes.iter().any(roots) {
-            lines.push("Every decision takes the same time as far as libm's square root does.".to_owned());
+        let is_open = |node: &Node| {
+            use Instruction::{Atan, Quotient, Sqrt, Tanh};
+            matches!(node, Node::Operation(Sqrt | Atan | Tanh | Quotient, ..))
+        };
+        if language == Language::Rust && graph.maths() == MathsProvider::Own && module.nodes.iter().any(is_open) {
+            lines.push(
+                "It is not shown that sqrt, atan, tanh and quotient take the same time for every state.".to_owned(),
+            );
         }
     }
     if let Some(Conversion { from, maths, agreement, .. }) = &options.conversion {

@@ -61,8 +61,13 @@ macro_rules! constant_time {
                 let small = self
                     .mask((quotient.to_bits().cast_signed() & $key::MAX) - $scalar::to_bits($all_whole).cast_signed());
                 let within = Self::choose(small, quotient, 0.0);
-                let whole = within as $key as $scalar;
-                let floor = whole - Self::choose(self.above(whole, within), 1.0, 0.0);
+                // The nearest whole number: a conversion to an integer is followed by a test.
+                let all_whole: $scalar = $all_whole;
+                let nearest =
+                    ($scalar::from_bits(within.to_bits() & $key::MAX.cast_unsigned()) + all_whole) - all_whole;
+                let whole = $scalar::from_bits(nearest.to_bits() | (within.to_bits() & $key::MIN.cast_unsigned()));
+                // Less 0 is −0 of −0, and more 0 is 0.
+                let floor = whole - Self::choose(self.above(whole, within), 1.0, 0.0) + 0.0;
                 let of_number = Self::choose(small, floor, quotient);
                 let not_positive = Self::choose(self.above(0.0, a), -(BY_ZERO as $scalar), ZERO_BY_ZERO as $scalar);
                 let by_zero = Self::choose(self.above(a, 0.0), BY_ZERO as $scalar, not_positive);
