@@ -107,7 +107,8 @@ fn axes(file: &str, base: &Turning, others: [&Turning; 3]) -> Result<Vector, Inp
         }
     }
     let [x, y, _] = shoulder.axis;
-    Ok(direction([x, y, 0.0]).expect("a level axis"))
+    let level = direction([x, y, 0.0]);
+    level.ok_or_else(|| at_joint(file, shoulder.place(), format!("the axis {x} {y}"), "finite numbers, not both 0"))
 }
 
 /// The side on which the shoulder stands, or the tip where the shoulder stands on the base's axis; x where both do.
