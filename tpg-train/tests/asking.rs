@@ -160,7 +160,10 @@ fn what_cannot_be_asked_is_refused() {
     costly.ask.as_mut().expect("a section").price = -1.0;
     refuses(&costly, &["ask.toml:", "ask.price = -1", "accepted: 0 to 1000000000"]);
     refuses(&config(ProblemName::Cartpole, NETWORK), &["policy.q.json", "cos_theta", "accepted: x v theta omega"]);
-    refuses(&config(ProblemName::Fs, NETWORK), &["ask = a section [ask] for fs", "a problem whose hybrid has no guard"]);
+    refuses(
+        &config(ProblemName::Fs, NETWORK),
+        &["ask = a section [ask] for fs", "a problem whose hybrid has no guard"],
+    );
     refuses(&config(ProblemName::Pendulum, "none.q.json"), &["none.q.json", "a policy.q.json"]);
     let network = folder.path().join("network");
     let mut sac = tpg_train(&["sac", "--problem", "pendulum", "--max-steps", "300", "--out"]);
