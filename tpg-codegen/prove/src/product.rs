@@ -169,7 +169,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
             }
         }
         match before.iter().position(|&left| left > 0) {
-            None => Ok(()),
+            None => self.terms.complete(|| "the graph".to_owned()),
             Some(pair) => Err(Missing::new(self.name(&pairs[pair].0, pairs[pair].1), "a proof that the code ends")),
         }
     }
@@ -307,6 +307,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
             }
             (Side::Values(values), Destination::Leaf(leaf)) => {
                 let expected = self.meaning.values(&mut self.terms, leaf)?;
+                self.terms.complete(|| self.graph.name(place))?;
                 if values.len() != expected.len() {
                     return Err(different(self.name(side, place)));
                 }
@@ -370,6 +371,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
                 }
                 self.work.pieces += 1;
                 let ends = self.machine.run(&mut self.terms, point)?;
+                self.terms.complete(|| self.machine.place(point))?;
                 let mut sides: Ends<M::Point> = Vec::new();
                 for (condition, step) in ends {
                     if condition == Terms::FALSE {
@@ -465,6 +467,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
             }
             Side::At(_) => return Err(Missing::new("the code", "an answer")),
         };
+        self.terms.complete(|| "the code".to_owned())?;
         if self.evaluator.has_guessed() {
             return Err(Missing::new("the code", "all values that the answer depends on"));
         }
@@ -478,6 +481,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     pub fn ranges(&mut self) -> Result<(), Missing> {
         for leaf in 0..self.graph.leaves() {
             let inside = self.meaning.in_range(&mut self.terms, leaf)?;
+            self.terms.complete(|| self.graph.name(Destination::Leaf(leaf)))?;
             let sides = [&[inside, !inside][..], &[Terms::TRUE]];
             let found = self.combinations(Terms::TRUE, sides);
             if !found.is_some_and(|found| !found.incomplete && !found.pairs.contains(&(1, 0))) {

@@ -143,7 +143,7 @@ fn files_that_are_no_objects_are_refused() {
     assert!(prove(b"", &symbol, &graph).is_err());
     assert!(prove(&file, "nothing", &graph).is_err_and(|text| text.contains("there are: cartpole_infer")));
     let mut random = Operands(7);
-    for _ in 0..tpg_testing::amount(500, 5_000) {
+    for _ in 0..tpg_testing::amount(500, 2_000) {
         let mut damaged = file.clone();
         for _ in 0..1 + random.next() % 8 {
             let at = random.next() as usize % damaged.len();
@@ -165,7 +165,7 @@ fn random_code_is_executed_or_refused() {
     let (file, symbol) = compiled(folder.path(), "dodge", "-Os");
     let bytes = bytes_of(&file, &symbol);
     let mut random = Operands(9);
-    for _ in 0..tpg_testing::amount(500, 5_000) {
+    for _ in 0..tpg_testing::amount(500, 2_000) {
         let mut changed = file.clone();
         let from = bytes.start + random.next() as usize % (bytes.len() / 2) / 2 * 2;
         let count = random.next() as usize % 64;

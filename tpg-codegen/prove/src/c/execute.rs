@@ -391,6 +391,7 @@ impl Code {
             if *steps > LONGEST {
                 return Err(self.missing(at, "a loop that ends soon"));
             }
+            terms.complete(|| self.missing(at, "").place)?;
             match &self.program.operations[at].1 {
                 Operation::Set(address, value, scalar) => {
                     let address = self.word(terms, at, &state.cells, address)?;

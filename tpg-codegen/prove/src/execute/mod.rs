@@ -283,7 +283,9 @@ impl Machine for Object {
                 if count > LIMIT {
                     return Err(Missing::new(self.place(&state.point), "more instructions than can be looked at"));
                 }
+                let address = state.point.address;
                 let mut followers = self.step(terms, state)?;
+                terms.complete(|| format!("{address:#x}"))?;
                 if let [Next::At(next)] = &followers[..]
                     && !self.flow(next.point.function)?.nodes[&next.point.address].begins
                     && let Some(Next::At(next)) = followers.pop()

@@ -16,6 +16,7 @@ pub use evaluate::Evaluator;
 pub use rank::{INFINITY, NAN, NEGATIVE_ZERO, is_nan_bits, next_above, next_below, rank};
 pub(crate) use word::computed;
 
+use crate::machine::Missing;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::rc::Rc;
 
@@ -132,10 +133,47 @@ pub enum Node {
     Element(Rc<[u64]>, Word),
 }
 
+impl Node {
+    /// Returns a node of the same kind without parts.
+    fn simplest(&self) -> Self {
+        match self {
+            Self::True
+            | Self::And(_)
+            | Self::AtMost(..)
+            | Self::IsNegativeZero(_)
+            | Self::IsNegativeNan(_)
+            | Self::Within(..)
+            | Self::Below(..) => Self::True,
+            Self::Constant(_)
+            | Self::Source(_)
+            | Self::Unknown(_)
+            | Self::Arithmetic(..)
+            | Self::Negative(_)
+            | Self::Magnitude(_)
+            | Self::FloatIf(..)
+            | Self::OfBits(_)
+            | Self::OfInteger(..) => Self::Constant(NAN),
+            Self::Number(_)
+            | Self::WordIf(..)
+            | Self::Bits(_)
+            | Self::Truncated(_)
+            | Self::Apply(..)
+            | Self::Element(..) => Self::Number(0),
+        }
+    }
+}
+
+/// The depth up to which terms are built: the rules walk down them by recursion.
+const DEEPEST: u16 = 2_000;
+
 /// The table of terms.
 #[derive(Debug)]
 pub struct Terms {
     nodes: Vec<Node>,
+    /// The depth of each node
+    depths: Vec<u16>,
+    /// A node had to be left out
+    too_deep: bool,
     index: HashMap<Node, u32>,
     lemmas: BTreeMap<&'static str, u64>,
     at_most: HashMap<(Float, Float), Bool>,
@@ -151,6 +189,8 @@ impl Default for Terms {
     fn default() -> Self {
         let mut terms = Self {
             nodes: Vec::new(),
+            depths: Vec::new(),
+            too_deep: false,
             index: HashMap::new(),
             lemmas: BTreeMap::new(),
             at_most: HashMap::new(),
@@ -199,9 +239,41 @@ impl Terms {
         }
         let at = u32::try_from(self.nodes.len()).unwrap_or(u32::MAX);
         assert!(at < u32::MAX / 2, "the table of terms is full");
+        let depth = self.deepest_part(&node) + 1;
+        if depth > DEEPEST {
+            self.too_deep = true;
+            return self.node(node.simplest());
+        }
         self.nodes.push(node.clone());
+        self.depths.push(depth);
         self.index.insert(node, at);
         at
+    }
+
+    /// Returns the depth of the deepest part of a node; 0 where it has none.
+    fn deepest_part(&self, node: &Node) -> u16 {
+        let deepest = |parts: &[u32]| parts.iter().map(|&part| self.depths[part as usize]).max().unwrap_or(0);
+        match *node {
+            Node::True | Node::Constant(_) | Node::Source(_) | Node::Unknown(_) | Node::Number(_) => 0,
+            Node::And(ref parts) => parts.iter().map(|part| self.depths[(part.0 >> 1) as usize]).max().unwrap_or(0),
+            Node::AtMost(a, b) | Node::Arithmetic(_, a, b) => deepest(&[a.0, b.0]),
+            Node::IsNegativeZero(a)
+            | Node::IsNegativeNan(a)
+            | Node::Negative(a)
+            | Node::Magnitude(a)
+            | Node::Bits(a)
+            | Node::Truncated(a) => deepest(&[a.0]),
+            Node::Within(a, _) | Node::OfBits(a) | Node::OfInteger(_, a) | Node::Element(_, a) => deepest(&[a.0]),
+            Node::Below(_, _, a, b) | Node::Apply(_, _, a, b) => deepest(&[a.0, b.0]),
+            Node::FloatIf(condition, a, b) => deepest(&[condition.0 >> 1, a.0, b.0]),
+            Node::WordIf(condition, a, b) => deepest(&[condition.0 >> 1, a.0, b.0]),
+        }
+    }
+
+    /// Returns an error if a term was too deep to be built: nothing can be claimed with these terms then.
+    pub(crate) fn complete(&self, place: impl FnOnce() -> String) -> Result<(), Missing> {
+        let missing = || Missing::new(place(), format!("a proof with expressions of at most {DEEPEST} levels"));
+        if self.too_deep { Err(missing()) } else { Ok(()) }
     }
 
     fn uses(&mut self, lemma: &'static str) {
@@ -241,5 +313,36 @@ impl Terms {
     #[must_use]
     pub fn of_word(&self, term: Word) -> &Node {
         &self.nodes[term.0 as usize]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Arithmetic, DEEPEST, Operator, Terms, Width};
+
+    #[test]
+    fn terms_that_are_too_deep_for_the_rules_are_named() {
+        let mut terms = Terms::new();
+        let (mut sum, source) = (terms.source(0), terms.source(1));
+        for _ in 1..DEEPEST {
+            sum = terms.arithmetic(Arithmetic::Add, sum, source);
+        }
+        assert!(terms.complete(String::new).is_ok());
+        terms.arithmetic(Arithmetic::Add, sum, source);
+        let missing = terms.complete(|| "line 3".to_owned()).expect_err("it is too deep");
+        assert_eq!(missing.to_string(), "line 3: a proof with expressions of at most 2000 levels");
+
+        // A choice of a choice, and so on, whose bits are read: the rule for bits goes down all of them.
+        let mut terms = Terms::new();
+        let (zero, one) = (terms.source(0), terms.source(1));
+        let mut chosen = terms.bits(zero);
+        for number in 0..100_000 {
+            let (condition, float) = (terms.at_most(zero, one), terms.source(number + 2));
+            let bits = terms.bits(float);
+            let other = terms.apply(Operator::Add, Width::W32, chosen, bits);
+            chosen = terms.choose_word(condition, other, bits);
+        }
+        let _ = terms.of_bits(chosen);
+        assert!(terms.complete(String::new).is_err());
     }
 }
