@@ -171,7 +171,7 @@ def from_sb3(model: Any, *, env: gymnasium.Env[Any, Any] | None = None, kind: st
     PPO, A2C, DQN, SAC and TD3 with `MlpPolicy`. Hidden layers with ReLU are taken as they are; a tanh, the default of PPO
     and A2C, becomes a polyline of eight pieces, which makes the next layer eight times as wide: train with
     `policy_kwargs={"activation_fn": torch.nn.ReLU}` where size matters. The statistics of a `VecNormalize`, or of a
-    `NormalizeObservation` around `env`, become part of the first layer: the integers and the exported code read raw values.
+    `NormalizeObservation` around `env`, and `clip_obs`, become part of the inputs: the exported code reads raw values.
 
     Args:
         env: calibrates the integers; by default one made from the id of the model's own.
@@ -188,7 +188,6 @@ def from_sb3(model: Any, *, env: gymnasium.Env[Any, Any] | None = None, kind: st
     inputs = layers[0][0].shape[1]
     if interface.inputs != inputs:
         raise InputError(f"{name}: a network of {inputs} inputs; accepted: {interface.inputs}, as {interface.name} has")
-    layers[0] = normaliser.fold(*layers[0])
     choices, outputs = interface.actions()
     layers[-1] = _combined(*layers[-1], interface, name)
     seen, states = _visited(_Normalised(model, normaliser), env, interface, seed)
@@ -196,7 +195,8 @@ def from_sb3(model: Any, *, env: gymnasium.Env[Any, Any] | None = None, kind: st
     names = [
         part.name if len(part.low) == 1 else f"{part.name}[{place}]" for part in interface.parts for place in range(len(part.low))
     ]
-    network = Network.quantise(_scaled(names, states, layers), layers, values, choices, states, kind, _sha256(layers))
+    scaled, calibration = _scaled(names, states, layers, normaliser, kind)
+    network = Network.quantise(scaled, layers, values, choices, calibration, kind, _sha256(layers))
     policy = NetworkPolicy(network, interface, states, {})
     policy.agreement.update(_agreement(_Normalised(model, normaliser), policy, interface, seen))
     equal, apart = (policy.agreement.get(key) for key in ("equal_actions", "mean_difference"))
@@ -210,7 +210,7 @@ def from_sb3(model: Any, *, env: gymnasium.Env[Any, Any] | None = None, kind: st
 
 @dataclasses.dataclass(frozen=True)
 class _Normaliser:
-    """What a wrapper makes of an observation before the network sees it."""
+    """The wrapper between an observation and the network: subtracts a mean, divides by a deviation, clips."""
 
     mean: NDArray[np.float64] | None = None
     deviation: NDArray[np.float64] | None = None
@@ -220,16 +220,6 @@ class _Normaliser:
         if self.mean is None or self.deviation is None:
             return observation
         return np.clip((np.asarray(observation) - self.mean) / self.deviation, -self.clip, self.clip).astype(np.float32)
-
-    def fold(self, weights: Floats, bias: Floats) -> tuple[Floats, Floats]:
-        """Returns a layer that reads raw values."""
-        if self.mean is None or self.deviation is None:
-            return weights, bias
-        raw = weights / self.deviation.ravel()[None]
-        return (
-            np.ascontiguousarray(raw, dtype=np.float32),
-            np.ascontiguousarray(bias - raw @ self.mean.ravel(), dtype=np.float32),
-        )
 
 
 class _Normalised:
@@ -250,8 +240,10 @@ def _raw(model: Any, env: gymnasium.Env[Any, Any]) -> tuple[gymnasium.Env[Any, A
     while vector is not None and hasattr(vector, "venv"):
         if type(vector).__name__ == "VecNormalize" and vector.norm_obs:
             statistics = vector.obs_rms
-            deviation = np.sqrt(np.asarray(statistics.var, np.float64) + vector.epsilon)
-            return env, _Normaliser(np.asarray(statistics.mean, np.float64), deviation, float(vector.clip_obs))
+            deviation, clip = np.sqrt(np.asarray(statistics.var, np.float64) + vector.epsilon), float(vector.clip_obs)
+            if not clip > 0.0:
+                raise InputError(f"a VecNormalize of clip_obs = {clip}; accepted: above 0")
+            return env, _Normaliser(np.asarray(statistics.mean, np.float64), deviation, clip)
         vector = vector.venv
     inner: Any = env
     while isinstance(inner, gymnasium.Wrapper):
@@ -419,15 +411,34 @@ def _visited(model: Any, env: gymnasium.Env[Any, Any], interface: Interface, see
     return seen, np.ascontiguousarray(np.stack(states), dtype=np.float32)
 
 
-def _scaled(names: Sequence[str], states: Floats, layers: Layers) -> list[tuple[str, np.float32, np.float32]]:
-    """Scales inputs that do not fit ±8, or that would be coarse in multiples of 1/4096; the first layer undoes it."""
-    most = np.abs(states).max(axis=0)
-    scale = np.where((most > 4.0) | (most < 0.25), 1.0 / np.maximum(most, 1e-6), 1.0)
+def _scaled(
+    names: Sequence[str], states: Floats, layers: Layers, normaliser: _Normaliser, kind: str
+) -> tuple[list[tuple[str, np.float32, np.float32]], Floats]:
+    """Returns the inputs with offset and scale, which the first layer undoes, and the states with what is clipped.
+
+    The integers clip an input at ±8, or at ±4 with 8 bits: a normaliser's bound is put there. Without a bound, or with one so
+    wide that inputs would be coarse, an input is scaled if it does not fit or would be coarse: up to twice the greatest that
+    calibration saw, it is not clipped (with 8 bits, up to the greatest).
+    """
+    offset = np.zeros(len(names)) if normaliser.mean is None else normaliser.mean.ravel()
+    deviation = np.ones(len(names)) if normaliser.deviation is None else normaliser.deviation.ravel()
+    seen = np.clip((states - offset) / deviation, -normaliser.clip, normaliser.clip)
+    most = np.abs(seen).max(axis=0)
     # A power of two: the division by it is exact.
-    scale = np.exp2(np.floor(np.log2(scale))).astype(np.float32)
+    free = np.exp2(np.floor(np.log2(np.where((most > 4.0) | (most < 0.25), 1.0 / np.maximum(most, 1e-6), 1.0))))
+    bound = (127 / 32 if kind == "w8a8" else 8.0) / normaliser.clip
+    bounded = most * bound >= 0.25
+    scale = np.where(bounded, bound, free)
+    if bounded.any() and kind != "w8a8":
+        # Each input at its bounds, too: activations have room for them.
+        rows, places = np.arange(len(seen)), np.flatnonzero(bounded)
+        pushed = seen.copy()
+        pushed[rows, places[rows % len(places)]] = np.where(rows // len(places) % 2, normaliser.clip, -normaliser.clip)
+        seen = np.concatenate([seen, pushed])
     weights, bias = layers[0]
     layers[0] = (np.ascontiguousarray(weights / scale[None], dtype=np.float32), bias)
-    return [(name, np.float32(0.0), factor) for name, factor in zip(names, scale, strict=True)]
+    inputs = zip(names, offset.astype(np.float32), (scale / deviation).astype(np.float32), strict=True)
+    return list(inputs), np.ascontiguousarray(seen * deviation + offset, dtype=np.float32)
 
 
 def _sha256(layers: Layers) -> str:
