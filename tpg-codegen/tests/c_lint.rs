@@ -152,13 +152,13 @@ fn the_linters_see_what_is_bad() {
     // An octal constant, and a null pointer read.
     fs::write(folder.path().join("bad.c"), "int main(void)\n{\n    int *p = 0;\n    return *p + 010;\n}\n")
         .expect("the folder can be written");
-    if tpg_testing::exists("clang-tidy") {
+    if tpg_testing::tool("clang-tidy", "clang-tidy", "clang-tidy on bad C") {
         let mut command = Command::new("clang-tidy");
         command.current_dir(folder.path()).args(["--quiet", "--warnings-as-errors=*"]).arg(format!("--checks={TIDY}"));
         let found = run(command.args(["bad.c", "--", "-std=c99"]));
         assert!(found.as_ref().is_err_and(|text| text.contains("clang-analyzer-core.NullDereference")), "{found:?}");
     }
-    if tpg_testing::exists("cppcheck") {
+    if tpg_testing::tool("cppcheck", "cppcheck", "cppcheck on bad C") {
         let mut command = Command::new("cppcheck");
         command.current_dir(folder.path()).args(["--enable=all", "--addon=misra", "--quiet", "--error-exitcode=1"]);
         let found = run(command.arg("bad.c"));

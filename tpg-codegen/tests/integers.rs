@@ -115,8 +115,8 @@ fn assert_equal(language: Language, profile: Profile, graphs: &[Graph], states: 
         assert!(lines.all(|line| !floats.iter().any(|word| line.contains(word))), "{}", file.text);
     }
     let workshop = Workshop::new().expect("a temporary folder");
-    let sanitizer: Option<&dyn Fn(&Path) -> Command> =
-        if language == Language::C && tpg_testing::exists("gcc") { Some(&sanitized) } else { None };
+    let is_sanitized = language == Language::C && tpg_testing::tool("gcc", "gcc", "whole numbers under a sanitizer");
+    let sanitizer: Option<&dyn Fn(&Path) -> Command> = if is_sanitized { Some(&sanitized) } else { None };
     let batch = workshop.batch_of(language, &codes, sanitizer).expect("generated code compiles");
     for (place, graph) in graphs.iter().enumerate() {
         let mut process = batch.start(place, graph).expect("the program starts");

@@ -7,12 +7,12 @@ use tpg_codegen::emit::{self, Language, Profile, Style};
 use tpg_graph::{MathsProvider, ScalarType};
 use tpg_runtime::ops::own;
 
-/// C99 and C++11, of whoever provides them; the system's `cc` must be there.
-const COMPILERS: [&[&str]; 4] = [
-    &["cc", "-std=c99", "-Wstrict-prototypes"],
-    &["clang", "-std=c99", "-Wstrict-prototypes"],
-    &["g++", "-x", "c++", "-std=c++11"],
-    &["clang++", "-x", "c++", "-std=c++11"],
+/// Compilers of C99 and C++11: program, package, arguments.
+const COMPILERS: [(&str, &str, &[&str]); 4] = [
+    ("cc", "gcc", &["-std=c99", "-Wstrict-prototypes"]),
+    ("clang", "clang", &["-std=c99", "-Wstrict-prototypes"]),
+    ("g++", "g++", &["-x", "c++", "-std=c++11"]),
+    ("clang++", "clang", &["-x", "c++", "-std=c++11"]),
 ];
 
 const FLAGS: [&str; 12] = [
@@ -55,16 +55,15 @@ fn program(scalar: ScalarType, number: &str) -> [(String, String); 2] {
     [(header.name, header.text), ("own.c".to_owned(), text)]
 }
 
-/// The compiled program's answers, or `None` where there is no such compiler.
-fn run(compiler: &[&str], program: &[(String, String)], input: Vec<u8>) -> Option<Vec<u8>> {
-    Command::new(compiler[0]).arg("--version").stdout(Stdio::null()).status().ok()?;
+/// The compiled program's answers.
+fn run(compiler: &str, arguments: &[&str], program: &[(String, String)], input: Vec<u8>) -> Vec<u8> {
     let directory = tempfile::tempdir().unwrap();
     let (source, binary) = (directory.path().join("own.c"), directory.path().join("own"));
     for (name, text) in program {
         std::fs::write(directory.path().join(name), text).unwrap();
     }
-    let mut command = Command::new(compiler[0]);
-    command.args(&compiler[1..]).args(FLAGS).arg(&source).arg("-o").arg(&binary).arg("-lm");
+    let mut command = Command::new(compiler);
+    command.args(arguments).args(FLAGS).arg(&source).arg("-o").arg(&binary).arg("-lm");
     assert!(command.status().unwrap().success(), "{command:?}");
 
     let mut child = Command::new(&binary).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
@@ -73,8 +72,8 @@ fn run(compiler: &[&str], program: &[(String, String)], input: Vec<u8>) -> Optio
     let mut output = Vec::new();
     child.stdout.take().unwrap().read_to_end(&mut output).unwrap();
     writer.join().unwrap();
-    assert!(child.wait().unwrap().success(), "{compiler:?}");
-    Some(output)
+    assert!(child.wait().unwrap().success(), "{compiler}");
+    output
 }
 
 /// Random bits (xorshift): the same ones in every run.
@@ -92,11 +91,11 @@ macro_rules! same_bits {
         let program = program($scalar, $number);
         let inputs: Vec<$float> = $inputs.map($float::from_bits).collect();
         let bytes: Vec<u8> = inputs.iter().flat_map(|x| x.to_ne_bytes()).collect();
-        for compiler in COMPILERS {
-            let Some(output) = run(compiler, &program, bytes.clone()) else {
-                assert_ne!(compiler[0], "cc", "no C compiler");
+        for (compiler, package, arguments) in COMPILERS {
+            if !tpg_testing::tool(compiler, package, "own maths in C") {
                 continue;
-            };
+            }
+            let output = run(compiler, arguments, &program, bytes.clone());
             let (results, rest) = output.as_chunks();
             assert_eq!((results.len(), rest.len()), (7 * inputs.len(), 0), "{compiler:?}");
             for (&x, results) in inputs.iter().zip(results.chunks_exact(7)) {

@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 use tpg_testing::library::TARGETS;
 
 /// Debian packages, each with a program that shows whether it is installed.
-const PACKAGES: [(&str, &str); 32] = [
+const PACKAGES: [(&str, &str); 33] = [
     ("gcc", "/usr/bin/gcc"),
     ("g++", "/usr/bin/g++"),
     ("clang", "/usr/bin/clang"),
@@ -30,6 +30,7 @@ const PACKAGES: [(&str, &str); 32] = [
     ("qemu-user", "/usr/bin/qemu-ppc"),
     ("valgrind", "/usr/bin/valgrind"),
     ("cmake", "/usr/bin/cmake"),
+    ("make", "/usr/bin/make"),
     ("meson", "/usr/bin/meson"),
     ("pkg-config", "/usr/bin/pkg-config"),
     ("frama-c-base", "/usr/bin/frama-c"),

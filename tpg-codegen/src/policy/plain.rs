@@ -179,10 +179,7 @@ mod tests {
             for (seed, output) in (1..).zip(outputs) {
                 let network = network(seed, output, 2);
                 let policy = network.quantise(&states[..4], kind, "0".repeat(64)).expect("ordinary numbers");
-                match differences(&policy, &states) {
-                    Ok(found) => assert_eq!(found, 0, "{}", kind.name()),
-                    Err(error) => tpg_testing::skip(&error.to_string()),
-                }
+                assert_eq!(differences(&policy, &states).expect("it compiles"), 0, "{}", kind.name());
             }
         }
     }

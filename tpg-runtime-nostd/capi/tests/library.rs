@@ -220,7 +220,8 @@ fn cmake_and_pkg_config_find_it() {
     let folder = TempDir::new().expect("a temporary folder");
     let main = "#include \"tpg_runtime.h\"\nint main(void) { return (tpg_version() == TPG_VERSION) ? 0 : 1; }\n";
     fs::write(folder.path().join("main.c"), main).expect("the folder can be written");
-    if tpg_testing::tool("pkg-config", "pkg-config", "tpg_runtime.pc") {
+    let pkg_config = [("pkg-config", "pkg-config"), ("gcc", "gcc")];
+    if pkg_config.into_iter().all(|(program, package)| tpg_testing::tool(program, package, "tpg_runtime.pc")) {
         let search = library::dist().join("lib").join(library::host()).join("pkgconfig");
         let mut command = Command::new("pkg-config");
         let (good, flags) = run(command.env("PKG_CONFIG_PATH", search).args(["--cflags", "--libs", "tpg_runtime"]));

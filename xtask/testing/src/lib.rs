@@ -44,29 +44,55 @@ pub fn skipped(log: &std::path::Path) -> Vec<String> {
     fs::read_to_string(log).map(|text| text.lines().map(str::to_owned).collect()).unwrap_or_default()
 }
 
-/// True if a program can be started; otherwise `what` is [skipped](skip), naming the package to install.
+/// A second thing that a program needs.
+enum Beside {
+    /// A file that a compiler finds by itself.
+    File(&'static str),
+    /// Another program.
+    Program(&'static str),
+}
+
+/// Programs that are of no use alone, what they need, and its package.
+const BESIDE: [(&str, Beside, &str); 5] = [
+    ("arm-none-eabi-gcc", Beside::File("libc.a"), "libnewlib-arm-none-eabi"),
+    ("avr-gcc", Beside::File("libc.a"), "avr-libc"),
+    ("avr-g++", Beside::File("libc.a"), "avr-libc"),
+    ("riscv64-unknown-elf-gcc", Beside::File("picolibc.specs"), "picolibc-riscv64-unknown-elf"),
+    ("cmake", Beside::Program("make"), "make"),
+];
+
+/// True if a program works, with what it needs [beside](BESIDE) it; otherwise `what` is [skipped](skip), naming the package
+/// to install.
 ///
 /// # Panics
-/// If the program is missing and [`REQUIRE`] is `1`.
+/// If something is missing and [`REQUIRE`] is `1`.
 pub fn tool(program: &str, package: &str, what: &str) -> bool {
-    if exists(program) {
-        return true;
-    }
-    let message = format!("{what}: {program} not found (cargo xtask setup installs it from {package})");
+    let mut needs = BESIDE.iter().filter(|(name, ..)| *name == program);
+    let missing = match exists(program) {
+        false => Some((program, package)),
+        true => needs.find_map(|(_, beside, package)| match beside {
+            Beside::File(file) => (!finds(program, file)).then_some((*file, *package)),
+            Beside::Program(other) => (!exists(other)).then_some((*other, *package)),
+        }),
+    };
+    let Some((missing, package)) = missing else { return true };
+    let message = format!("{what}: {missing} not found (cargo xtask setup installs it from {package})");
     assert!(!required(), "{message}");
     skip(&message);
     false
 }
 
-/// True if a program can be started.
+/// True if a program works. That it starts is not enough: rustup leaves a program for each component that is not installed.
 pub fn exists(program: &str) -> bool {
-    Command::new(program)
-        .arg("--version")
-        .stdin(Stdio::null())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .status()
-        .is_ok()
+    let mut command = Command::new(program);
+    command.arg("--version").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    command.status().is_ok_and(|status| status.success())
+}
+
+/// True if a compiler finds a file of its libraries: it answers with the path, or with what it was asked.
+fn finds(compiler: &str, file: &str) -> bool {
+    let output = Command::new(compiler).arg(format!("-print-file-name={file}")).output();
+    output.is_ok_and(|output| output.stdout.trim_ascii() != file.as_bytes())
 }
 
 /// Names the variable by which nothing is shortened.
