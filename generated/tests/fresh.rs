@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_codegen::compile;
 use tpg_codegen::emit::{self, Language, Options, Prefix, Profile};
-use tpg_codegen::explain;
+use tpg_codegen::report;
 use tpg_codegen::size::{Target, build_c, measure};
 use tpg_generated::acrobot::Acrobot;
 use tpg_generated::bipedal_walker::BipedalWalker;
@@ -109,7 +109,7 @@ fn explained() -> Vec<(PathBuf, String)> {
 fn provenance_has_the_formulas_of_todays_code() {
     for (folder, text) in explained() {
         let options = Options::new(Prefix::of_file(&folder.join("graph.json")));
-        let formulas = explain::formulas(&graph(&folder), &options);
+        let formulas = report::formulas(&graph(&folder), &options);
         assert!(
             text.contains(&format!("```text\n{}\n```", formulas.trim())),
             "{}/PROVENANCE.md: `tpg-codegen generate graph.json --explain` says\n{formulas}",

@@ -6,12 +6,11 @@ use pyo3::prelude::*;
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 use tpg_codegen::emit::Code;
-use tpg_codegen::integers;
-use tpg_codegen::options::{Language, Options, Prefix, Profile, Style};
+use tpg_codegen::emit::{Language, Options, Prefix, Profile, Style};
 use tpg_codegen::quantise::{Request, quantise};
 use tpg_codegen::size::Target;
 use tpg_codegen::verify::Proof;
-use tpg_codegen::{compile, explain, report};
+use tpg_codegen::{compile, report};
 use tpg_engine::PolicyGraph;
 use tpg_graph::Counts;
 use tpg_graph::error::InputError;
@@ -132,7 +131,7 @@ impl Graph {
 
     /// Returns what the policy computes, as formulas.
     fn formula(&self, py: Python<'_>) -> String {
-        py.detach(|| explain::formulas(&self.0, &Options::new(prefix_of("policy"))))
+        py.detach(|| report::formulas(&self.0, &Options::new(prefix_of("policy"))))
     }
 
     /// Returns what the code costs on `targets`, "cortex-m4" and "host", as text and as JSON.
@@ -235,7 +234,7 @@ impl Graph {
 /// Compiles a graph, to integers where it is one of counts.
 fn compiled<'g>(graph: &'g tpg_graph::Graph, options: &Options, language: Language) -> Result<Code<'g>, InputError> {
     if graph.has_counts() {
-        integers::code("graph", graph, options, language)
+        Code::in_integers("graph", graph, options, language)
     } else {
         Ok(Code::of(compile(graph, options, language)))
     }

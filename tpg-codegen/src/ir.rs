@@ -14,18 +14,18 @@ use tpg_runtime::policy::ActionId;
 
 /// The place of a node in [`Module::nodes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct NodeId(pub(crate) u32);
+pub(crate) struct NodeId(pub(crate) u32);
 
 impl NodeId {
     /// The index in [`Module::nodes`].
-    pub fn index(self) -> usize {
+    pub(crate) fn index(self) -> usize {
         self.0 as usize
     }
 }
 
 /// A value that programs compute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Node {
+pub(crate) enum Node {
     /// A number, by the bits of its `f64`: 0 and −0 are different constants.
     Constant(u64),
     /// A value of the state.
@@ -38,12 +38,12 @@ pub enum Node {
 
 impl Node {
     /// The node of a number.
-    pub fn constant(value: f64) -> Self {
+    pub(crate) fn constant(value: f64) -> Self {
         Self::Constant(value.to_bits())
     }
 
     /// The nodes that must be computed before.
-    pub fn operands(&self) -> &[NodeId] {
+    pub(crate) fn operands(&self) -> &[NodeId] {
         match self {
             Self::Constant(_) | Self::Input(_) => &[],
             Self::Operation(instruction, operands) => &operands[..instruction.arity()],
@@ -52,24 +52,24 @@ impl Node {
     }
 
     /// Tests for a computed value: neither a constant nor an input.
-    pub fn is_computed(&self) -> bool {
+    pub(crate) fn is_computed(&self) -> bool {
         matches!(self, Self::Operation(..) | Self::Upper(..))
     }
 
     /// Tests for a sine, cosine, tangent, logarithm or exponential.
-    pub fn is_transcendental(&self) -> bool {
+    pub(crate) fn is_transcendental(&self) -> bool {
         matches!(self, Self::Operation(instruction, _) if instruction.is_transcendental())
     }
 
     /// The number of a constant.
-    pub fn as_constant(self) -> Option<f64> {
+    pub(crate) fn as_constant(self) -> Option<f64> {
         if let Self::Constant(bits) = self { Some(f64::from_bits(bits)) } else { None }
     }
 }
 
 /// A bidder of the lowered graph.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Bidder {
+pub(crate) struct Bidder {
     /// The program's id in the source file.
     pub label: u32,
     /// The value of the bid.
@@ -78,7 +78,7 @@ pub struct Bidder {
 
 /// An edge of the lowered graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Edge {
+pub(crate) struct Edge {
     /// The place of the bidder in [`Module::bidders`].
     pub bidder: usize,
     /// The destination.
@@ -87,7 +87,7 @@ pub struct Edge {
 
 /// The destination of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Target {
+pub(crate) enum Target {
     /// To the team at this place of [`Module::teams`].
     Team(usize),
     /// To an action, or to the leaf at this place of [`Module::leaves`].
@@ -96,7 +96,7 @@ pub enum Target {
 
 /// A leaf of the lowered graph.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Leaf {
+pub(crate) struct Leaf {
     /// Its id in the source file.
     pub label: u32,
     /// The value of each output before it is limited; a constant is within its output's range. Empty for a leaf that no
@@ -106,7 +106,7 @@ pub struct Leaf {
 
 /// A team of the lowered graph.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Team {
+pub(crate) struct Team {
     /// Its id in the source file.
     pub label: u32,
     /// Its edges, in the order that decides ties.
@@ -115,7 +115,7 @@ pub struct Team {
 
 /// A lowered graph.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Module<'g> {
+pub(crate) struct Module<'g> {
     /// The graph: its scalar type and maths, its sources and actions stay what they are.
     pub graph: &'g Graph,
     /// Every value once, operands before operations.
@@ -132,7 +132,7 @@ pub struct Module<'g> {
 
 impl<'g> Module<'g> {
     /// Lowers a graph.
-    pub fn lower(graph: &'g Graph) -> Self {
+    pub(crate) fn lower(graph: &'g Graph) -> Self {
         Lowering::new(graph).module()
     }
 
@@ -142,7 +142,7 @@ impl<'g> Module<'g> {
     }
 
     /// A node.
-    pub fn node(&self, id: NodeId) -> Node {
+    pub(crate) fn node(&self, id: NodeId) -> Node {
         self.nodes[id.index()]
     }
 
@@ -155,7 +155,7 @@ impl<'g> Module<'g> {
     }
 
     /// The vertex of a target: teams are numbered from 0, the root, and the actions or leaves follow them.
-    pub fn vertex(&self, target: Target) -> usize {
+    pub(crate) fn vertex(&self, target: Target) -> usize {
         match target {
             Target::Team(team) => team,
             Target::Action(action) => self.teams.len() + usize::from(action.0),
@@ -163,12 +163,12 @@ impl<'g> Module<'g> {
     }
 
     /// The number of vertices.
-    pub fn vertices(&self) -> usize {
+    pub(crate) fn vertices(&self) -> usize {
         self.teams.len() + self.graph.ends()
     }
 
     /// The leaf that every walk ends at, if there is one and nothing to decide.
-    pub fn only_leaf(&self) -> Option<&Leaf> {
+    pub(crate) fn only_leaf(&self) -> Option<&Leaf> {
         match &*reached(&self.leaves).collect::<Vec<_>>() {
             [(_, leaf)] if self.teams.len() == 1 => Some(leaf),
             _ => None,
@@ -176,23 +176,23 @@ impl<'g> Module<'g> {
     }
 
     /// The number of edges of all teams.
-    pub fn edges(&self) -> usize {
+    pub(crate) fn edges(&self) -> usize {
         self.teams.iter().map(|team| team.edges.len()).sum()
     }
 
     /// The operations that `value` needs, operands before operations.
-    pub fn operations_of(&self, value: NodeId) -> Vec<NodeId> {
+    pub(crate) fn operations_of(&self, value: NodeId) -> Vec<NodeId> {
         needed(&self.nodes, value, |_| true)
     }
 }
 
 /// The leaves that walks end at, with their numbers.
-pub fn reached(leaves: &[Leaf]) -> impl Iterator<Item = (usize, &Leaf)> {
+pub(crate) fn reached(leaves: &[Leaf]) -> impl Iterator<Item = (usize, &Leaf)> {
     leaves.iter().enumerate().filter(|(_, leaf)| !leaf.values.is_empty())
 }
 
 /// The operations needed for `value`, operands before operations; nodes that are not `missing` are not visited.
-pub fn needed(nodes: &[Node], value: NodeId, missing: impl Fn(NodeId) -> bool) -> Vec<NodeId> {
+pub(crate) fn needed(nodes: &[Node], value: NodeId, missing: impl Fn(NodeId) -> bool) -> Vec<NodeId> {
     let mut found = BTreeSet::new();
     let mut open = vec![value];
     while let Some(id) = open.pop() {
@@ -280,33 +280,33 @@ impl<'g> Lowering<'g> {
 /// Nodes under construction: each is made once (hash-consing), so that equal expressions have equal ids. That is value
 /// numbering over the whole graph: a node names what is computed, not where.
 #[derive(Clone, Debug, Default)]
-pub struct Values {
+pub(crate) struct Values {
     nodes: HashCons<Node>,
 }
 
 impl Values {
     /// The nodes of a module, to be added to.
-    pub fn new(nodes: Vec<Node>) -> Self {
+    pub(crate) fn new(nodes: Vec<Node>) -> Self {
         Self { nodes: nodes.into_iter().collect() }
     }
 
     /// The id of a node, whose operands have been interned.
-    pub fn intern(&mut self, node: Node) -> NodeId {
+    pub(crate) fn intern(&mut self, node: Node) -> NodeId {
         NodeId(self.nodes.intern(node))
     }
 
     /// The node of an id.
-    pub fn node(&self, id: NodeId) -> Node {
+    pub(crate) fn node(&self, id: NodeId) -> Node {
         self.nodes()[id.index()]
     }
 
     /// All nodes, operands before operations.
-    pub fn nodes(&self) -> &[Node] {
+    pub(crate) fn nodes(&self) -> &[Node] {
         self.nodes.nodes()
     }
 
     /// All nodes, operands before operations.
-    pub fn into_nodes(self) -> Vec<Node> {
+    pub(crate) fn into_nodes(self) -> Vec<Node> {
         self.nodes.into_nodes()
     }
 }

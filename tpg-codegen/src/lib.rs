@@ -1,35 +1,46 @@
 //! Compiles tangled program graphs into C and `no_std` Rust, and proves the result equal to the graph.
 //!
+//! [`compile`] turns a graph into a [`Program`] with the [`Options`] of a compilation; everything else reads that program.
+//!
+//! ```
+//! use tpg_codegen::emit::{Code, Language};
+//! use tpg_codegen::{Options, compile};
+//! use tpg_graph::sample::{self, Shape};
+//!
+//! let graph = sample::graph(&Shape::default(), 7);
+//! let code = Code::of(compile(&graph, &Options::new("arm".parse()?), Language::C));
+//! assert_eq!(code.files[1].name, "arm.c");
+//! # Ok::<(), String>(())
+//! ```
+//!
 //! # Map
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`cli`] | the program `tpg-codegen`: its commands and exit codes |
-//! | [`options`], [`program`] | the options, and [`compile`], which turns a graph into a [`Program`] |
-//! | [`ir`], [`passes`] | the lowered graph, and the passes that make it small and fast without changing its behaviour |
-//! | [`explain`] | the removals of each pass, and the remaining bids as formulas |
-//! | [`emit`] | from a program to text |
-//! | [`quantise`], [`integers`] | from floats to whole numbers; whole numbers in integers, by proof |
-//! | [`package`] | code as a package of an ecosystem: CMake, Arduino, Cargo and others |
-//! | [`cost`], [`size`], [`report`] | the resources of the code: operations, bytes, stack |
+//! | [`emit`] | from a graph to text |
 //! | [`verify`] | compiles generated code and compares it with the interpreter |
+//! | [`report`] | the resources of the code, the removals of the passes, the policy as formulas and as a table |
+//! | [`size`] | bytes and stack of compiled code |
+//! | [`quantise`] | from floats to whole numbers, which compile to integers |
 //! | [`policy`] | quantised networks: `policy.q.json` into C and Rust |
+//! | [`Cli`], [`shell`] | the program `tpg-codegen`; completions and manual pages of any program |
 
-pub mod cli;
-pub mod cost;
+mod cli;
+mod cost;
 pub mod emit;
-pub mod explain;
-pub mod integers;
-pub mod ir;
-pub mod options;
-pub mod package;
-pub mod passes;
+mod explain;
+mod integers;
+mod ir;
+mod options;
+mod package;
+mod passes;
 pub mod policy;
-pub mod program;
+mod program;
 pub mod quantise;
 pub mod report;
 pub mod size;
 pub mod verify;
 
+pub use cli::{Cli, shell};
 pub use options::Options;
 pub use program::{Program, compile};

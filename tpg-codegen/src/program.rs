@@ -7,7 +7,7 @@ use crate::passes::bytecode::{self, Bytecode};
 use crate::passes::cases::{self, Cases};
 use crate::passes::functions::{self, Function};
 use crate::passes::schedule::{self, Schedule};
-use crate::passes::{self, Log};
+use crate::passes::{self, Log, Removed};
 use crate::size::least;
 use std::collections::BTreeSet;
 use tpg_graph::Graph;
@@ -16,20 +16,20 @@ use tpg_graph::Graph;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program<'g> {
     /// The lowered graph, optimised but in GEGELATI's style.
-    pub module: Module<'g>,
+    pub(crate) module: Module<'g>,
     /// The language it is for.
-    pub language: Language,
+    pub(crate) language: Language,
     /// The options it was compiled with.
-    pub options: Options,
+    pub(crate) options: Options,
     /// The shape of the code.
-    pub shape: Shape,
+    pub(crate) shape: Shape,
     /// The removals of the passes.
-    pub log: Log,
+    pub(crate) log: Log,
 }
 
 /// The shape of code, with the results of its passes.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Shape {
+pub(crate) enum Shape {
     /// See [`Profile::Fast`].
     Fast {
         /// The order of each team's bids.
@@ -53,7 +53,7 @@ pub enum Shape {
 
 /// The outputs of the only leaf.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Formula {
+pub(crate) struct Formula {
     /// The value of each output, before it is limited.
     pub values: Vec<NodeId>,
     /// The operations that they need, operands before operations.
@@ -76,18 +76,14 @@ impl Formula {
 /// If the graph has outputs and the style is GEGELATI's, which answers with an action.
 ///
 /// ```
-/// use tpg_codegen::cost::Costs;
-/// use tpg_codegen::emit::Code;
-/// use tpg_codegen::options::{Language, Options};
-/// use tpg_codegen::compile;
+/// use tpg_codegen::emit::Language;
+/// use tpg_codegen::{Options, compile};
 /// use tpg_graph::sample::{self, Shape};
 ///
 /// let graph = sample::graph(&Shape::default(), 7);
 /// let program = compile(&graph, &Options::new("arm".parse()?), Language::C);
 /// assert_eq!(program.name(), "C, fast");
-/// assert!(Costs::of(&program).worst().teams <= program.module.teams.len() as u64);
-/// let code = Code::of(program);
-/// assert_eq!(code.files[1].name, "arm.c");
+/// assert_eq!(program.graph_sha256(), graph.sha256());
 /// # Ok::<(), String>(())
 /// ```
 pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> Program<'g> {
@@ -96,7 +92,7 @@ pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> P
         assert!(graph.outputs().is_empty(), "GEGELATI's style has no outputs");
         return program(Module::lower(graph), Shape::Gegelati, Log::default());
     }
-    let (module, log) = passes::optimise_logged(graph);
+    let (module, log) = passes::optimise(graph);
     // If no bid matters any more, tables and masks gain nothing: the plainest text is the best, and has no condition.
     let chooses = module.teams.iter().any(|team| team.edges.iter().any(|edge| edge.to != team.edges[0].to));
     if let Some(formula) = Formula::new(&module, options.profile_in(language)) {
@@ -128,6 +124,11 @@ impl<'g> Program<'g> {
     /// The graph.
     pub fn graph(&self) -> &'g Graph {
         self.module.graph
+    }
+
+    /// The removals of the passes.
+    pub fn removed(&self) -> Removed {
+        self.log.counts()
     }
 
     /// The SHA-256 of the graph as it was given, before any change of its scalar type.

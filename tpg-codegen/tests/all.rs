@@ -21,7 +21,6 @@ mod optimisers;
 mod outputs;
 mod own_maths_c;
 mod packages;
-mod passes;
 mod policy_kinds;
 mod prove;
 mod proven;

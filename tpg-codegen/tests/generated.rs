@@ -4,7 +4,7 @@ use crate::common::{COMBINATIONS, emit_into, fixture, options, run, shaped};
 use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{self, Language, Profile, Style};
-use tpg_codegen::explain::explain;
+use tpg_codegen::report::explain;
 use tpg_graph::sample::{self, Shape};
 use tpg_graph::{Document, Graph, MathsProvider, ScalarType};
 

@@ -9,7 +9,6 @@ use std::path::Path;
 use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{Code, Language, Options, Profile};
-use tpg_codegen::integers;
 use tpg_codegen::quantise::{Report, Request, quantise};
 use tpg_codegen::verify::{self, Workshop};
 use tpg_graph::sample::{self, Constants, Shape};
@@ -101,11 +100,16 @@ fn options(number: usize, profile: Profile) -> Options {
     Options { profile: Some(profile), ..Options::new(format!("p{number}").parse().expect("a prefix")) }
 }
 
+/// Tests for values in 64 bits.
+fn is_wide(code: &Code<'_>) -> bool {
+    code.files.iter().any(|file| file.text.contains("int64_t"))
+}
+
 /// Compares the code of graphs with the interpreter; returns how many values needed 64 bits.
 fn assert_equal(language: Language, profile: Profile, graphs: &[Graph], states: usize) {
     let codes: Vec<Code<'_>> = (graphs.iter().enumerate())
         .map(|(number, graph)| {
-            integers::code("graph", graph, &options(number, profile), language).expect("whole numbers")
+            Code::in_integers("graph", graph, &options(number, profile), language).expect("whole numbers")
         })
         .collect();
     let floats = ["float", "double", "math.h", "f32", "f64"];
@@ -132,11 +136,10 @@ fn random_graphs_of_whole_numbers_are_the_interpreters_and_never_overflow() {
     let (mut graphs, mut refused, mut wide) = (Vec::new(), 0, 0);
     for seed in 0.. {
         let graph = whole(seed);
-        match integers::compile("random", &graph, &options(0, Profile::Fast), Language::C) {
-            Ok(program) => {
-                let tpg_codegen::program::Shape::Integers(integers) = &program.shape else { panic!("integers") };
-                wide += usize::from(integers.wide() > 0);
-                drop(program);
+        match Code::in_integers("random", &graph, &options(0, Profile::Fast), Language::C) {
+            Ok(code) => {
+                wide += usize::from(is_wide(&code));
+                drop(code);
                 graphs.push(graph);
             }
             Err(error) => {
@@ -194,11 +197,9 @@ fn shipped_policies_keep_their_decisions_and_are_the_interpreters() {
             assert!(found.same as f64 >= same * found.states as f64, "{name} at {bits} bits: {report}");
             assert!(found.outputs.iter().all(|output| output.mean <= mean), "{name} at {bits} bits: {report}");
             assert!(report.bounds.iter().all(|(_, bound)| *bound <= 1 << 31), "{name} at {bits} bits: {report}");
-            let program =
-                integers::compile(name, &graph, &options(0, Profile::Fast), Language::C).expect("whole numbers");
-            let tpg_codegen::program::Shape::Integers(found) = &program.shape else { panic!("integers") };
-            assert_eq!(found.wide(), 0, "{name} at {bits} bits needs no 64");
-            drop(program);
+            let code = Code::in_integers(name, &graph, &options(0, Profile::Fast), Language::C).expect("whole numbers");
+            assert!(!is_wide(&code), "{name} at {bits} bits needs no 64");
+            drop(code);
             graphs.push(graph);
         }
     }
@@ -227,7 +228,7 @@ fn the_code_reads_as_an_engineer_would_write_it() {
     {
         let (graph, _) = quantised(name, 16);
         let options = Options { profile: Some(profile), ..Options::new("policy".parse().expect("a prefix")) };
-        let code = integers::code(name, &graph, &options, Language::C).expect("whole numbers");
+        let code = Code::in_integers(name, &graph, &options, Language::C).expect("whole numbers");
         let text: String = code.files.iter().map(|file| format!("{}\n{}\n", file.name, file.text)).collect();
         insta::assert_snapshot!(
             format!("integers-{name}.c"),
@@ -243,7 +244,7 @@ fn refused(change: impl Fn(&mut Document)) -> String {
     document.instructions = Word::ALL.map(Word::name).map(str::to_owned).to_vec();
     change(&mut document);
     let graph = Graph::from_document("graph.json", document).unwrap_or_else(|error| panic!("{error}"));
-    let error = integers::compile("graph.json", &graph, &options(0, Profile::Fast), Language::C).map(|_| ());
+    let error = Code::in_integers("graph.json", &graph, &options(0, Profile::Fast), Language::C).map(|_| ());
     error.expect_err("no whole number").to_string()
 }
 
@@ -265,7 +266,7 @@ fn what_does_not_fit_is_named() {
     assert!(refused(line("mul", 1e13)).contains("can reach"), "{}", refused(line("mul", 1e13)));
     assert!(refused(line("fmod", 0.0)).contains("may divide by 0"), "{}", refused(line("fmod", 0.0)));
     let error =
-        integers::compile("pole.json", &shipped("cartpole"), &options(0, Profile::Fast), Language::C).map(|_| ());
+        Code::in_integers("pole.json", &shipped("cartpole"), &options(0, Profile::Fast), Language::C).map(|_| ());
     assert_eq!(
         error.expect_err("floats").to_string(),
         "pole.json: $.scalar: f32; accepted: f64, which holds every whole number to 2^53"

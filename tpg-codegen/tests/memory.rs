@@ -1,7 +1,7 @@
 //! Policies with memory: their code. `random_graphs` runs them over whole episodes.
 
 use tpg_codegen::emit::{self, Language, Options, Profile};
-use tpg_codegen::explain::explain;
+use tpg_codegen::report::explain;
 use tpg_graph::Graph;
 
 /// A controller of a pendulum that sees no velocity: it remembers the last angle.

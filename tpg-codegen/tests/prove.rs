@@ -8,10 +8,11 @@ use tpg_graph::sample::{self, Shape};
 use tpg_graph::{Graph, MathsProvider, ScalarType, Word};
 use tpg_prove::c;
 use tpg_prove::graph::{self, Graph as Meaning};
-use tpg_prove::machine::Missing;
+use tpg_prove::input::Missing;
 use tpg_prove::product::Effort;
 use tpg_prove::proof::{self, Proof, Verdict};
-use tpg_prove::term::{Evaluator, Terms};
+use tpg_prove::term::Terms;
+use tpg_prove::term::evaluate::Evaluator;
 use tpg_runtime::ops::Own;
 use tpg_runtime::policy::ActionId;
 use tpg_testing::amount;
@@ -208,7 +209,7 @@ fn own_maths_is_the_runtimes() {
         let interpreter = Interpreter::<f32, Own>::new(&reference);
         for &bits in &bits {
             let mut terms = Terms::for_state(&[bits]);
-            let values = graph::Meaning::new(&graph).values(&mut terms, 0).expect("the definition");
+            let values = graph::meaning::Meaning::new(&graph).values(&mut terms, 0).expect("the definition");
             let found = Evaluator::new(&[bits]).bits(&terms, values[0]);
             let expected = interpreter.outputs(ActionId(0), &[f32::from_bits(bits)])[0];
             assert_eq!(found, expected.to_bits(), "{word} of {bits:#x}");

@@ -17,7 +17,7 @@ use crate::sac::import::{ImportArgs, import};
 use crate::targets::{TargetsArgs, print_targets};
 use clap::{CommandFactory as _, Parser, Subcommand};
 use std::process::ExitCode;
-use tpg_codegen::cli::shell::{CompletionsArgs, ManArgs};
+use tpg_codegen::shell::{CompletionsArgs, ManArgs};
 use tpg_graph::command::{CommandError, Verdict, be_quiet, exit_code};
 
 /// Trains policies for control problems: tangled program graphs, soft actor-critics, and hybrids of both.
@@ -106,7 +106,7 @@ impl Cli {
 mod tests {
     use super::Cli;
     use clap::{CommandFactory as _, Parser as _};
-    use tpg_codegen::cli::shell;
+    use tpg_codegen::shell;
 
     #[test]
     fn every_command_has_examples_and_each_is_accepted() {

@@ -6,8 +6,7 @@ use crate::record::Hash;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
-use tpg_codegen::emit::{self, File, Language, Options, Prefix};
-use tpg_codegen::integers;
+use tpg_codegen::emit::{self, Code, File, Language, Options, Prefix};
 use tpg_codegen::quantise::{Request, quantise};
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::states::StateSet;
@@ -154,7 +153,7 @@ impl Shipped {
     pub(super) fn c(&self) -> Result<Vec<File>, Failure> {
         let options = Options::new(self.prefix.clone());
         if self.graph.has_counts() {
-            let code = integers::code(&self.prefix.to_string(), &self.graph, &options, Language::C);
+            let code = Code::in_integers(&self.prefix.to_string(), &self.graph, &options, Language::C);
             return code.map(|code| code.files).map_err(Failure::new);
         }
         Ok(emit::emit(&self.graph, Language::C, &options))

@@ -1,4 +1,4 @@
-//! Faults of input: what is not a graph, not C of the subset, or not an object.
+//! Faults of input, and what a proof lacks.
 
 use std::path::PathBuf;
 
@@ -30,4 +30,21 @@ pub enum Error {
         /// The reason
         error: std::io::Error,
     },
+}
+
+/// Something that a proof lacks: a construct that is not read, or a fact that no rule gives. Nothing is claimed then.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{place}: {what}")]
+pub struct Missing {
+    /// A line of the source, an address, or a team
+    pub place: String,
+    /// What is missing
+    pub what: String,
+}
+
+impl Missing {
+    /// Says what is missing where.
+    pub fn new(place: impl Into<String>, what: impl Into<String>) -> Self {
+        Self { place: place.into(), what: what.into() }
+    }
 }

@@ -96,10 +96,7 @@ impl Intervals {
     /// The bounds of a term where a condition holds.
     fn where_holds(&mut self, terms: &mut Terms, condition: Bool, term: Float) -> Bounds {
         let mut bounds = self.bounds(terms, term);
-        let conditions: Vec<Bool> = match terms.of_bool(condition) {
-            (Node::And(members), false) => members.to_vec(),
-            _ => vec![condition],
-        };
+        let conditions = terms.parts(condition);
         let term = terms.zero_free(term);
         let mirrored = terms.negate(term);
         for condition in conditions {

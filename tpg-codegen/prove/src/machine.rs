@@ -1,5 +1,6 @@
 //! Code that is executed over terms: what a reader of C and a decoder of machine code have in common.
 
+use crate::input::Missing;
 use crate::term::{Bool, Float, Terms, Word};
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -43,23 +44,6 @@ pub enum Step<Point> {
 
 /// The ways on from a point, each with its condition.
 pub type Ways<Point> = Vec<(Bool, Step<Point>)>;
-
-/// Something that a proof lacks: a construct that is not read, or a fact that no rule gives. Nothing is claimed then.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{place}: {what}")]
-pub struct Missing {
-    /// A line of the source, an address, or a team
-    pub place: String,
-    /// What is missing
-    pub what: String,
-}
-
-impl Missing {
-    /// Says what is missing where.
-    pub fn new(place: impl Into<String>, what: impl Into<String>) -> Self {
-        Self { place: place.into(), what: what.into() }
-    }
-}
 
 /// Code that can be executed piece by piece.
 ///

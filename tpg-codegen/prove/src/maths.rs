@@ -1,7 +1,7 @@
 //! Functions of own maths as terms: those that the file `own_maths.c` computes.
 
 use crate::c;
-use crate::machine::Missing;
+use crate::input::Missing;
 use crate::term::{Float, Terms};
 use std::collections::HashMap;
 

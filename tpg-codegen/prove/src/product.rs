@@ -3,11 +3,14 @@
 //! For each pair all combinations are found in which the code and the graph can go on together. What held on the way is forgotten
 //! where both have decided: a pair stands for every state that leads to it.
 
-use crate::graph::{Destination, Graph, Meaning};
+use crate::graph::meaning::Meaning;
+use crate::graph::{Destination, Graph};
+use crate::input::Missing;
 use crate::interval::Intervals;
-use crate::machine::{Answer, Machine, Missing, Step};
+use crate::machine::{Answer, Machine, Step};
 use crate::order::{Together, together};
-use crate::term::{Bool, Evaluator, Float, Node, Terms, Word};
+use crate::term::evaluate::Evaluator;
+use crate::term::{Bool, Float, Node, Terms, Word};
 use std::collections::{BTreeSet, HashMap};
 use std::fmt;
 

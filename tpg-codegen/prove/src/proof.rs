@@ -1,7 +1,8 @@
 //! Three answers: proven for all inputs, different in a state, or not decided.
 
 use crate::graph::Graph;
-use crate::machine::{Machine, Missing};
+use crate::input::Missing;
+use crate::machine::Machine;
 use crate::product::{Comparison, Effort, Work};
 use crate::states::Stream;
 use crate::term::Terms;

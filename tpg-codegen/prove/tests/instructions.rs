@@ -4,7 +4,8 @@ use crate::emulator::{Forms, Operands, run, tools};
 use std::fmt::Write as _;
 use tpg_prove::execute::{Object, Point};
 use tpg_prove::machine::{Answer, Interface, Machine as _, Step};
-use tpg_prove::term::{Evaluator, Float, Terms};
+use tpg_prove::term::evaluate::Evaluator;
+use tpg_prove::term::{Float, Terms};
 
 const CONDITIONS: [&str; 14] = ["eq", "ne", "cs", "cc", "mi", "pl", "vs", "vc", "hi", "ls", "ge", "lt", "gt", "le"];
 /// The forms: each computes r4 and s4 from r1 to r3 and s1 to s3, which are the bits of three values of the state; r5 and r6

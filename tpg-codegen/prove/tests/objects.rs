@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_prove::execute::Object;
 use tpg_prove::graph::Graph;
-use tpg_prove::machine::Missing;
+use tpg_prove::input::Missing;
 use tpg_prove::product::{Comparison, Effort};
 use tpg_prove::term::Terms;
 

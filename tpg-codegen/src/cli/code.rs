@@ -3,7 +3,6 @@
 use super::GraphArgs;
 use super::scalar::{Chosen, ScalarArgs, StatesArgs};
 use crate::emit::Code;
-use crate::integers;
 use crate::options::{Language, Options, Prefix, Profile, Style};
 use crate::program::compile;
 use crate::quantise::{Request, quantise};
@@ -98,7 +97,7 @@ impl CodeArgs {
         language: Language,
     ) -> Result<Code<'g>, InputError> {
         if self.integers || self.fixed.is_some() {
-            integers::code(&self.file(), graph, options, language)
+            Code::in_integers(&self.file(), graph, options, language)
         } else {
             Ok(Code::of(compile(graph, options, language)))
         }

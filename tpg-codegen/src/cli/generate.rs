@@ -21,7 +21,7 @@ const SEED: u64 = 1;
 
 /// Generate code.
 #[derive(Clone, Debug, Args)]
-pub struct GenerateArgs {
+pub(crate) struct GenerateArgs {
     #[command(flatten)]
     code: CodeArgs,
     /// The output folder, created if it does not exist; - for standard output
@@ -53,7 +53,7 @@ impl GenerateArgs {
     ///
     /// # Errors
     /// Bad input, an output that cannot be written, or a limit that is exceeded.
-    pub fn run(&self) -> Result<Verdict, CommandError> {
+    pub(crate) fn run(&self) -> Result<Verdict, CommandError> {
         let (graph, options) = self.code.load()?;
         if let Some(path) = &self.explain {
             return explain_to(path, &explain::explain(&graph, &options));

@@ -17,7 +17,7 @@ pub mod shell;
 mod sidecar;
 mod verify;
 
-pub use generate::GenerateArgs;
+pub(crate) use generate::GenerateArgs;
 
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
@@ -84,7 +84,7 @@ enum Command {
 
 /// The graph to read, and the description that a `.dot` file lacks.
 #[derive(Clone, Debug, Args)]
-pub struct GraphArgs {
+pub(crate) struct GraphArgs {
     /// A graph.json or a GEGELATI .dot file; - for standard input
     pub graph: PathBuf,
     /// A built-in description of the data that a .dot file lacks
@@ -100,7 +100,7 @@ impl GraphArgs {
     ///
     /// # Errors
     /// The first defect of the input.
-    pub fn load(&self) -> Result<Graph, InputError> {
+    pub(crate) fn load(&self) -> Result<Graph, InputError> {
         import::load(&self.graph, self.profile_of, self.sidecar.as_deref())
     }
 }

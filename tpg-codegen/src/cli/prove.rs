@@ -12,7 +12,7 @@ use tpg_graph::output;
 use tpg_prove::c;
 use tpg_prove::execute::Object;
 use tpg_prove::graph::Graph;
-use tpg_prove::machine::Missing;
+use tpg_prove::input::Missing;
 use tpg_prove::product::Effort;
 use tpg_prove::proof::{self, Proof};
 

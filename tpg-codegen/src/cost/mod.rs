@@ -87,7 +87,7 @@ impl Step {
 
 /// The work of a program, decision by decision.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Costs<'a> {
+pub(crate) struct Costs<'a> {
     module: &'a Module<'a>,
     /// The nodes that steps name: the module's, and bounds after them.
     nodes: &'a [Node],
@@ -103,7 +103,7 @@ pub struct Costs<'a> {
 
 impl<'a> Costs<'a> {
     /// Counts a program.
-    pub fn of(program: &'a Program<'a>) -> Self {
+    pub(crate) fn of(program: &'a Program<'a>) -> Self {
         let module = &program.module;
         let costs = Self {
             module,
@@ -144,7 +144,7 @@ impl<'a> Costs<'a> {
     }
 
     /// The worst case of each number by itself: the walk with most operations need not be the one with most teams.
-    pub fn worst(&self) -> Cost<u64> {
+    pub(crate) fn worst(&self) -> Cost<u64> {
         let heaviest = |weight: fn(&Step) -> u64| {
             let team = |team: usize| self.teams[team].iter().map(weight).sum::<u64>();
             if self.all_teams { (0..self.teams.len()).map(team).sum() } else { heaviest_walk(&self.module.teams, team) }

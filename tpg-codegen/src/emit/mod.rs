@@ -1,6 +1,4 @@
 //! From a finished [`Program`] to text. Decisions are made before; here they are only written down.
-//!
-//! A language is a [`Backend`]; what languages share stands beside them.
 
 pub(crate) mod banner;
 pub(crate) mod block;
@@ -28,6 +26,7 @@ pub use crate::options::{Language, Options, Prefix, Profile, Style};
 use crate::integers;
 use crate::program::{Program, Shape, compile};
 use tpg_graph::Graph;
+use tpg_graph::error::InputError;
 
 /// A file to write.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -36,20 +35,6 @@ pub struct File {
     pub name: String,
     /// Its text.
     pub text: String,
-}
-
-/// A language that programs are written in.
-pub trait Backend {
-    /// The files of a program. The same program gives the same bytes.
-    fn files(&self, program: &Program<'_>) -> Vec<File>;
-}
-
-/// The back end of a language.
-pub fn backend(language: Language) -> &'static dyn Backend {
-    match language {
-        Language::C => &c::C,
-        Language::Rust => &rust::Rust,
-    }
 }
 
 /// A program and its text: what is written is what is measured and proven.
@@ -64,11 +49,25 @@ pub struct Code<'g> {
 impl<'g> Code<'g> {
     /// Prints a program.
     pub fn of(program: Program<'g>) -> Self {
-        let files = match &program.shape {
-            Shape::Integers(integers) => integers::files(&program, integers),
-            _ => backend(program.language).files(&program),
+        let files = match (&program.shape, program.language) {
+            (Shape::Integers(integers), _) => integers::files(&program, integers),
+            (_, Language::C) => c::files(&program),
+            (_, Language::Rust) => rust::files(&program),
         };
         Self { files, program }
+    }
+
+    /// Compiles a graph of whole numbers to integers and prints it; `file` is its name in messages.
+    ///
+    /// # Errors
+    /// The first value that is not known to be whole.
+    pub fn in_integers(
+        file: &str,
+        graph: &'g Graph,
+        options: &Options,
+        language: Language,
+    ) -> Result<Self, InputError> {
+        integers::compile(file, graph, options, language).map(Self::of)
     }
 }
 

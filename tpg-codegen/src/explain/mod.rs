@@ -2,8 +2,10 @@
 
 pub(crate) mod formula;
 mod policy;
+mod table;
 
 pub use policy::{BidFormula, LeafFormulas, PolicyFormulas, TeamFormulas};
+pub use table::{Bids, Destination, Value};
 
 use crate::ir::Module;
 use crate::options::{Language, Options, Profile, Style};

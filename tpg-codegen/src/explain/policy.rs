@@ -58,7 +58,7 @@ impl PolicyFormulas {
     /// The formulas of a graph. A value of a source with one value has the source's name.
     ///
     /// ```
-    /// use tpg_codegen::explain::PolicyFormulas;
+    /// use tpg_codegen::report::PolicyFormulas;
     /// use tpg_codegen::Options;
     /// use tpg_graph::sample::{self, Shape};
     ///

@@ -21,9 +21,9 @@ mod rust;
 mod view;
 mod whole;
 
-pub use whole::{Unfit, Whole};
+pub(crate) use whole::{Unfit, Whole};
 
-use crate::emit::{Code, File};
+use crate::emit::File;
 use crate::explain::formula;
 use crate::ir::{Module, Node, NodeId, reached};
 use crate::options::{Language, Options, Profile};
@@ -34,7 +34,7 @@ use tpg_graph::{Graph, Input, ScalarType};
 
 /// A module whose every value is whole.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Integers {
+pub(crate) struct Integers {
     /// The interval of each node.
     pub values: Vec<Whole>,
     /// Dense sums are tables.
@@ -43,12 +43,12 @@ pub struct Integers {
 
 impl Integers {
     /// The interval of a node.
-    pub fn of(&self, id: NodeId) -> Whole {
+    pub(crate) fn of(&self, id: NodeId) -> Whole {
         self.values[id.index()]
     }
 
     /// The number of values that need 64 bits.
-    pub fn wide(&self) -> usize {
+    pub(crate) fn wide(&self) -> usize {
         self.values.iter().filter(|whole| !whole.fits(32)).count()
     }
 }
@@ -57,13 +57,13 @@ impl Integers {
 ///
 /// # Errors
 /// The first value that is not known to be whole.
-pub fn compile<'g>(
+pub(crate) fn compile<'g>(
     file: &str,
     graph: &'g Graph,
     options: &Options,
     language: Language,
 ) -> Result<Program<'g>, InputError> {
-    let (module, log) = passes::optimise_logged(graph);
+    let (module, log) = passes::optimise(graph);
     let tables = options.profile_in(language) == Profile::Small;
     let integers = Integers { values: analyse(file, &module)?, tables };
     Ok(Program { module, language, options: options.clone(), shape: Shape::Integers(integers), log })
@@ -75,14 +75,6 @@ pub(crate) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
         Language::C => c::files(program, integers),
         Language::Rust => rust::files(program, integers),
     }
-}
-
-/// Compiles and prints.
-///
-/// # Errors
-/// As [`compile`].
-pub fn code<'g>(file: &str, graph: &'g Graph, options: &Options, language: Language) -> Result<Code<'g>, InputError> {
-    compile(file, graph, options, language).map(Code::of)
 }
 
 /// The interval of every node.

@@ -4,7 +4,7 @@ use tpg_runtime::ops::{BY_ZERO, Instruction, ZERO_BY_ZERO};
 
 /// Every value is a whole number from `low` to `high`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Whole {
+pub(crate) struct Whole {
     /// The lowest value.
     pub low: i64,
     /// The highest value.
@@ -13,7 +13,7 @@ pub struct Whole {
 
 /// The reason that a result is not known to be a whole number that an `f64` holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unfit {
+pub(crate) enum Unfit {
     /// A fraction is possible.
     NotWhole,
     /// The magnitude can reach this.
@@ -24,10 +24,10 @@ pub enum Unfit {
 
 impl Whole {
     /// From here on an `f64` does not hold every whole number.
-    pub const MOST: i64 = 1 << 53;
+    pub(crate) const MOST: i64 = 1 << 53;
 
     /// The integers of a type of so many bits.
-    pub const fn of_bits(bits: u32) -> Self {
+    pub(crate) const fn of_bits(bits: u32) -> Self {
         Self { low: -1 << (bits - 1), high: (1 << (bits - 1)) - 1 }
     }
 
@@ -35,7 +35,7 @@ impl Whole {
     ///
     /// # Errors
     /// A fraction, or a number that is too great.
-    pub fn exactly(value: f64) -> Result<Self, Unfit> {
+    pub(crate) fn exactly(value: f64) -> Result<Self, Unfit> {
         if !value.is_finite() {
             return Err(Unfit::ByZero);
         }
@@ -49,23 +49,23 @@ impl Whole {
     ///
     /// # Errors
     /// As [`exactly`](Self::exactly).
-    pub fn between(low: f64, high: f64) -> Result<Self, Unfit> {
+    pub(crate) fn between(low: f64, high: f64) -> Result<Self, Unfit> {
         Ok(Self { low: Self::exactly(low)?.low, high: Self::exactly(high)?.high })
     }
 
     /// The greatest magnitude.
-    pub fn magnitude(self) -> u64 {
+    pub(crate) fn magnitude(self) -> u64 {
         self.low.unsigned_abs().max(self.high.unsigned_abs())
     }
 
     /// Tests for integers that a type of so many bits holds.
-    pub fn fits(self, bits: u32) -> bool {
+    pub(crate) fn fits(self, bits: u32) -> bool {
         let Self { low, high } = Self::of_bits(bits);
         low <= self.low && self.high <= high
     }
 
     /// Tests for a possible value.
-    pub fn contains(self, value: i64) -> bool {
+    pub(crate) fn contains(self, value: i64) -> bool {
         self.low <= value && value <= self.high
     }
 
@@ -98,7 +98,7 @@ impl Whole {
     ///
     /// # Errors
     /// If a result may be a fraction, or of a magnitude above [`MOST`](Self::MOST).
-    pub fn apply(instruction: Instruction, a: Self, b: Self) -> Result<Self, Unfit> {
+    pub(crate) fn apply(instruction: Instruction, a: Self, b: Self) -> Result<Self, Unfit> {
         let corners = |f: fn(i128, i128) -> i128| {
             let [[p, q], [r, s]] = [[a.low, a.high], [b.low, b.high]].map(|ends| ends.map(i128::from));
             Self::hull([f(p, r), f(p, s), f(q, r), f(q, s)])

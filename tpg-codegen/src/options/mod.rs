@@ -74,7 +74,7 @@ impl Profile {
 /// The options of a compilation.
 ///
 /// ```
-/// use tpg_codegen::options::{Language, Options, Profile};
+/// use tpg_codegen::emit::{Language, Options, Profile};
 ///
 /// let options = Options::new("arm".parse()?);
 /// assert_eq!(options.profile_in(Language::C), Profile::Fast);

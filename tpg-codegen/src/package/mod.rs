@@ -16,7 +16,7 @@ use tpg_graph::Graph;
 
 /// An ecosystem that takes packages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, clap::ValueEnum)]
-pub enum Ecosystem {
+pub(crate) enum Ecosystem {
     /// A library for the Arduino IDE: `library.properties`.
     Arduino,
     /// A library for PlatformIO: `library.json`.
@@ -34,12 +34,8 @@ pub enum Ecosystem {
 }
 
 impl Ecosystem {
-    /// Every ecosystem.
-    pub const ALL: [Self; 7] =
-        [Self::Arduino, Self::Platformio, Self::EspIdf, Self::Zephyr, Self::Cmake, Self::Meson, Self::Cargo];
-
     /// The language of its packages.
-    pub const fn language(self) -> Language {
+    pub(crate) const fn language(self) -> Language {
         match self {
             Self::Cargo => Language::Rust,
             _ => Language::C,
@@ -49,7 +45,7 @@ impl Ecosystem {
 
 /// A licence: its SPDX expression, and its texts by file name.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct License {
+pub(crate) struct License {
     /// For example `MIT`.
     pub spdx: String,
     /// File names and texts; at least one.
@@ -69,7 +65,7 @@ impl Default for License {
 
 /// Entries of a manifest beside the policy.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Details {
+pub(crate) struct Details {
     /// The package's version: three numbers.
     pub version: String,
     /// Its publisher.
@@ -82,7 +78,7 @@ pub struct Details {
 
 /// A package: the code that it holds, and all of its files by path in the package.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Package<'g> {
+pub(crate) struct Package<'g> {
     /// The code.
     pub code: Code<'g>,
     /// Paths with `/`, and texts.
@@ -91,7 +87,7 @@ pub struct Package<'g> {
 
 /// Makes the package of a graph. The same graph and options give the same bytes but for the figures in its README, which depend
 /// on the compilers that are installed.
-pub fn package<'g>(graph: &'g Graph, options: &Options, ecosystem: Ecosystem, details: &Details) -> Package<'g> {
+pub(crate) fn package<'g>(graph: &'g Graph, options: &Options, ecosystem: Ecosystem, details: &Details) -> Package<'g> {
     let code = Code::of(compile(graph, options, ecosystem.language()));
     let facts = Facts::new(&code, graph, options, details);
     let files = layout::files(&facts, ecosystem, &code);

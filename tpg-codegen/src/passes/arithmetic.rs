@@ -6,7 +6,7 @@ use tpg_runtime::scalar::Scalar;
 
 /// The arithmetic of a graph: its scalar type and who computes its transcendental functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Arithmetic {
+pub(crate) struct Arithmetic {
     /// The type programs compute in.
     pub scalar: ScalarType,
     /// The provider of the transcendental functions.
@@ -15,7 +15,7 @@ pub struct Arithmetic {
 
 impl Arithmetic {
     /// The arithmetic of a graph.
-    pub fn new(graph: &Graph) -> Self {
+    pub(crate) fn new(graph: &Graph) -> Self {
         Self { scalar: graph.scalar(), maths: graph.maths() }
     }
 
@@ -24,7 +24,7 @@ impl Arithmetic {
     /// The arithmetic ones and comparisons are IEEE 754's and the own kernels are the same statements on every machine.
     /// The platform's libm is another one on another platform, so its calls stay, but for what the C standard (F.10)
     /// fixes: NaN, infinities, zeros, and the logarithm of one and of what is negative.
-    pub fn evaluate(self, instruction: Instruction, a: f64, b: f64) -> Option<f64> {
+    pub(crate) fn evaluate(self, instruction: Instruction, a: f64, b: f64) -> Option<f64> {
         let transcendental = instruction.is_transcendental();
         if transcendental && self.maths == MathsProvider::System && !is_fixed_by_the_standard(instruction, a) {
             return None;
@@ -36,7 +36,7 @@ impl Arithmetic {
     }
 
     /// The result of an instruction that is not transcendental.
-    pub fn exact(self, instruction: Instruction, a: f64, b: f64) -> f64 {
+    pub(crate) fn exact(self, instruction: Instruction, a: f64, b: f64) -> f64 {
         debug_assert!(!instruction.is_transcendental());
         match self.scalar {
             ScalarType::F32 => apply::<f32>(instruction, a, b),
@@ -45,7 +45,7 @@ impl Arithmetic {
     }
 
     /// The greatest finite number.
-    pub fn greatest(self) -> f64 {
+    pub(crate) fn greatest(self) -> f64 {
         match self.scalar {
             ScalarType::F32 => f64::from(f32::MAX),
             ScalarType::F64 => f64::MAX,
@@ -54,7 +54,7 @@ impl Arithmetic {
 
     /// The reciprocal of `divisor`, if multiplying by it equals dividing bit for bit: for a power of two, both are the one
     /// correctly rounded result.
-    pub fn reciprocal(self, divisor: f64) -> Option<f64> {
+    pub(crate) fn reciprocal(self, divisor: f64) -> Option<f64> {
         let (power_of_two, reciprocal) = match self.scalar {
             ScalarType::F32 => {
                 let narrow = divisor as f32;

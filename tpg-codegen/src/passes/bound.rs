@@ -248,7 +248,7 @@ impl<'a> Bounds<'a> {
 }
 
 /// Above the first number, every libm's exponential is infinite; below the second, 0. Many are slow there.
-pub fn beyond_exponentials(scalar: ScalarType) -> (f64, f64) {
+pub(crate) fn beyond_exponentials(scalar: ScalarType) -> (f64, f64) {
     match scalar {
         ScalarType::F32 => (90.0, -105.0),
         ScalarType::F64 => (710.0, -750.0),

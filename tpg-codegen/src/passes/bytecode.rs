@@ -7,7 +7,7 @@ use tpg_runtime::ops::Instruction;
 
 /// The tables.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Bytecode {
+pub(crate) struct Bytecode {
     /// Instructions: from the lowest bits on, two operands and an operation.
     pub code: Vec<u64>,
     /// The start of each program in [`code`](Self::code), and the end of the last.
@@ -34,7 +34,7 @@ pub struct Bytecode {
 
 impl Bytecode {
     /// The size of the tables and constants.
-    pub fn bytes(&self, scalar: ScalarType) -> u64 {
+    pub(crate) fn bytes(&self, scalar: ScalarType) -> u64 {
         let tables = [&self.code, &self.programs, &self.bidders, &self.targets, &self.teams, &self.leaves];
         let bytes = |table: &Vec<u64>| u64::from(Width::covering(table).bits() / 8) * table.len() as u64;
         let constant = if scalar == ScalarType::F32 { 4 } else { 8 };
@@ -44,16 +44,16 @@ impl Bytecode {
 
 /// The smallest unsigned integer type for some values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Width(u32);
+pub(crate) struct Width(u32);
 
 impl Width {
     /// The width of a table's values.
-    pub fn covering(values: &[u64]) -> Self {
+    pub(crate) fn covering(values: &[u64]) -> Self {
         Self::up_to(values.iter().copied().max().unwrap_or(0))
     }
 
     /// The width of values up to `greatest`.
-    pub fn up_to(greatest: u64) -> Self {
+    pub(crate) fn up_to(greatest: u64) -> Self {
         Self(match greatest {
             0..=0xff => 8,
             0x100..=0xffff => 16,
@@ -63,13 +63,13 @@ impl Width {
     }
 
     /// The number of bits: 8, 16, 32 or 64.
-    pub fn bits(self) -> u32 {
+    pub(crate) fn bits(self) -> u32 {
         self.0
     }
 }
 
 /// Encodes a module. Programs that bid the same value share one entry.
-pub fn encode(module: &Module<'_>) -> Bytecode {
+pub(crate) fn encode(module: &Module<'_>) -> Bytecode {
     let constants = constants(module);
     let state_length = module.graph.state_length();
     let first_result = state_length + constants.len();

@@ -12,7 +12,7 @@ use tpg_runtime::ops::Instruction;
 
 /// A distinct bid.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Case {
+pub(crate) struct Case {
     /// The value of the bid.
     pub value: NodeId,
     /// The way it is computed.
@@ -21,7 +21,7 @@ pub struct Case {
 
 /// The way a bid is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
+pub(crate) enum Kind {
     /// At once.
     Plain,
     /// Unless the best bid is above this upper bound.
@@ -32,7 +32,7 @@ pub enum Kind {
 
 /// A function of an argument.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Function {
+pub(crate) struct Function {
     /// The function.
     pub instruction: Instruction,
     /// Its argument.
@@ -45,7 +45,7 @@ pub struct Function {
 
 /// The tables, and the bids and leaves that they name.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Cases {
+pub(crate) struct Cases {
     /// The distinct bids; functions come last, each kind together.
     pub bids: Vec<Case>,
     /// The bid of each edge, by the order of evaluation in its team.
@@ -66,7 +66,7 @@ pub struct Cases {
 
 impl Cases {
     /// The operations of a bid: those that are computed always, and the others.
-    pub fn operations(&self, case: Case) -> [Vec<NodeId>; 2] {
+    pub(crate) fn operations(&self, case: Case) -> [Vec<NodeId>; 2] {
         let always = match case.kind {
             Kind::Plain => case.value,
             Kind::Bounded(bound) => bound,
@@ -78,7 +78,7 @@ impl Cases {
     }
 
     /// The cases that a team's edges name, in order of evaluation, each with its place.
-    pub fn team(&self, team: usize) -> impl Iterator<Item = (usize, Case)> {
+    pub(crate) fn team(&self, team: usize) -> impl Iterator<Item = (usize, Case)> {
         let edges = self.teams[team] as usize..self.teams[team + 1] as usize;
         let first = edges.start;
         edges.map(move |edge| {
@@ -88,7 +88,7 @@ impl Cases {
     }
 
     /// The functions behind the switch: each with the number of its first bid, the highest first.
-    pub fn functions(&self) -> Vec<(usize, Function)> {
+    pub(crate) fn functions(&self) -> Vec<(usize, Function)> {
         let mut functions: Vec<(usize, Function)> = Vec::new();
         for (number, case) in self.bids.iter().enumerate() {
             if let Kind::Function(function) = case.kind
@@ -103,7 +103,7 @@ impl Cases {
 }
 
 /// Builds the tables over a schedule's plans.
-pub fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
+pub(crate) fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
     let Schedule { nodes, plans, leaves } = schedule;
     let mut bids: BTreeMap<NodeId, Kind> = BTreeMap::new();
     let mut edges = Vec::new();

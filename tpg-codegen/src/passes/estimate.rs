@@ -10,7 +10,7 @@ use tpg_runtime::ops::Instruction;
 
 /// The numbers that estimates are made with, in a scalar type. All are exact in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Estimate {
+pub(crate) struct Estimate {
     /// Between these, an exponential is estimated from bits. Above, it nears infinity, below 0.
     pub exp_between: (f64, f64),
     /// Bits of a number are about this, times its logarithm …
@@ -28,10 +28,10 @@ pub struct Estimate {
 }
 
 /// A logarithm is at least its estimate, less this.
-pub const LN_LESS: f64 = 0.0625;
+pub(crate) const LN_LESS: f64 = 0.0625;
 
 /// The numbers of a scalar type.
-pub const fn numbers(scalar: ScalarType) -> Estimate {
+pub(crate) const fn numbers(scalar: ScalarType) -> Estimate {
     match scalar {
         ScalarType::F32 => Estimate {
             exp_between: (-87.0, 88.0),
@@ -55,7 +55,7 @@ pub const fn numbers(scalar: ScalarType) -> Estimate {
 }
 
 /// The estimate that generated code computes: not below the function's value, or NaN.
-pub fn upper(scalar: ScalarType, instruction: Instruction, x: f64) -> f64 {
+pub(crate) fn upper(scalar: ScalarType, instruction: Instruction, x: f64) -> f64 {
     let Estimate { exp_between: (least, greatest), exp_scale, exp_offset, .. } = numbers(scalar);
     let Estimate { exp_below, exp_infinite_above, ln_scale, ln_offset, .. } = numbers(scalar);
     if instruction == Instruction::Exp {

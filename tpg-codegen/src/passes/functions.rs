@@ -17,7 +17,7 @@ pub(crate) fn together(teams: usize) -> usize {
 
 /// Some teams, and the values they need.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Function {
+pub(crate) struct Function {
     /// By their places in the module.
     pub teams: Range<usize>,
     /// The distinct bids that decide something.

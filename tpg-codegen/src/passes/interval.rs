@@ -11,7 +11,7 @@ use tpg_runtime::ops::Instruction;
 
 /// Every value lies in `low..=high` or is NaN, and NaN only where `nan` says so.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Interval {
+pub(crate) struct Interval {
     /// The lowest value.
     pub low: f64,
     /// The highest value.
@@ -22,20 +22,20 @@ pub struct Interval {
 
 impl Interval {
     /// Anything at all.
-    pub const ANYTHING: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY, nan: true };
+    pub(crate) const ANYTHING: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY, nan: true };
 
     /// One value.
-    pub fn exactly(value: f64) -> Self {
+    pub(crate) fn exactly(value: f64) -> Self {
         if value.is_nan() { Self::ANYTHING } else { Self { low: value, high: value, nan: false } }
     }
 
     /// The greatest magnitude.
-    pub fn magnitude(self) -> f64 {
+    pub(crate) fn magnitude(self) -> f64 {
         self.low.abs().max(self.high.abs())
     }
 
     /// The bid it is certain to reach: a NaN counts as −∞.
-    pub fn certain_bid(self) -> f64 {
+    pub(crate) fn certain_bid(self) -> f64 {
         if self.nan { f64::NEG_INFINITY } else { self.low }
     }
 
@@ -53,7 +53,7 @@ impl Interval {
 }
 
 /// The interval of every node, for any state.
-pub fn analyse(module: &Module<'_>) -> Vec<Interval> {
+pub(crate) fn analyse(module: &Module<'_>) -> Vec<Interval> {
     let arithmetic = Arithmetic::new(module.graph);
     let mut intervals: Vec<Interval> = Vec::with_capacity(module.nodes.len());
     for node in &module.nodes {
@@ -73,7 +73,7 @@ pub fn analyse(module: &Module<'_>) -> Vec<Interval> {
 }
 
 /// The interval of an instruction's result.
-pub fn apply(arithmetic: Arithmetic, instruction: Instruction, a: Interval, b: Interval) -> Interval {
+pub(crate) fn apply(arithmetic: Arithmetic, instruction: Instruction, a: Interval, b: Interval) -> Interval {
     let infinite = f64::INFINITY;
     let ends = |x: f64, y: f64| arithmetic.exact(instruction, x, y);
     let nan = a.nan || b.nan;

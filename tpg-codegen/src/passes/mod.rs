@@ -5,20 +5,22 @@
 //! found from the root), **intron removal** (dead lines leave no node) and **value numbering** (equal expressions are one
 //! node, whichever programs compute them).
 
-pub mod arithmetic;
-pub mod bound;
-pub mod bytecode;
-pub mod cases;
+pub(crate) mod arithmetic;
+pub(crate) mod bound;
+pub(crate) mod bytecode;
+pub(crate) mod cases;
 mod collect;
 mod duplicates;
-pub mod estimate;
+pub(crate) mod estimate;
 pub(crate) mod evaluate;
 mod fold;
-pub mod functions;
+pub(crate) mod functions;
 mod hopeless;
-pub mod interval;
-pub mod schedule;
+pub(crate) mod interval;
+pub(crate) mod schedule;
 mod teams;
+#[cfg(test)]
+mod tests;
 mod zeros;
 
 use crate::ir::{Module, Node, Team};
@@ -46,7 +48,7 @@ pub struct Removed {
 
 /// An edge that bids the same as a later one of its team. Teams and programs by their ids in the source file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct DuplicateBid {
+pub(crate) struct DuplicateBid {
     /// The team.
     pub team: u32,
     /// The program whose edge was removed.
@@ -57,7 +59,7 @@ pub struct DuplicateBid {
 
 /// An edge whose bid provably never wins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct HopelessBid {
+pub(crate) struct HopelessBid {
     /// The team.
     pub team: u32,
     /// The program whose edge was removed.
@@ -66,7 +68,7 @@ pub struct HopelessBid {
 
 /// A team that is equivalent to another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TwinTeam {
+pub(crate) struct TwinTeam {
     /// The removed team.
     pub team: u32,
     /// The remaining team.
@@ -75,7 +77,7 @@ pub struct TwinTeam {
 
 /// The removals of the passes, in order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Log {
+pub(crate) struct Log {
     /// See [`Removed::operations`].
     pub operations: usize,
     /// See [`Removed::duplicate_bids`].
@@ -92,7 +94,7 @@ pub struct Log {
 
 impl Log {
     /// The number of each.
-    pub fn counts(&self) -> Removed {
+    pub(crate) fn counts(&self) -> Removed {
         Removed {
             operations: self.operations,
             duplicate_bids: self.duplicate_bids.len(),
@@ -105,13 +107,7 @@ impl Log {
 }
 
 /// Lowers a graph and optimises it.
-pub fn optimise(graph: &Graph) -> (Module<'_>, Removed) {
-    let (module, log) = optimise_logged(graph);
-    (module, log.counts())
-}
-
-/// As [`optimise`], with the removals themselves.
-pub fn optimise_logged(graph: &Graph) -> (Module<'_>, Log) {
+pub(crate) fn optimise(graph: &Graph) -> (Module<'_>, Log) {
     let arithmetic = Arithmetic::new(graph);
     let mut module = Module::lower(graph);
     let mut log = Log::default();

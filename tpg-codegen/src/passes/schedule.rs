@@ -13,7 +13,7 @@ use tpg_runtime::ops::Instruction;
 
 /// A bid of a team.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Bid {
+pub(crate) struct Bid {
     /// Its place in the team.
     pub place: usize,
     /// The value of the bid.
@@ -24,7 +24,7 @@ pub struct Bid {
 
 /// A logarithm or an exponential is not above a number where its argument is not above another.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sparing {
+pub(crate) struct Sparing {
     /// The argument, which is cheap.
     pub argument: NodeId,
     /// If the argument is at most this …
@@ -35,7 +35,7 @@ pub struct Sparing {
 
 impl Sparing {
     /// The rule for a logarithm or an exponential of an argument: numbers far enough apart for every provider.
-    pub fn new(instruction: Instruction, argument: NodeId) -> Option<Self> {
+    pub(crate) fn new(instruction: Instruction, argument: NodeId) -> Option<Self> {
         match instruction {
             Instruction::Exp => Some(Self { argument, at_most: 2.0, below: 7.5 }),
             Instruction::Ln => Some(Self { argument, at_most: 8000.0, below: 9.0 }),
@@ -46,7 +46,7 @@ impl Sparing {
 
 /// A bid that may be skipped.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LazyBid {
+pub(crate) struct LazyBid {
     /// The bid.
     pub bid: Bid,
     /// Skips even the bound.
@@ -57,7 +57,7 @@ pub struct LazyBid {
 
 /// The evaluation plan of a team.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TeamSchedule {
+pub(crate) struct TeamSchedule {
     /// The team's id in the source file.
     pub label: u32,
     /// Bids that are always computed, by place.
@@ -70,7 +70,7 @@ pub struct TeamSchedule {
 
 impl TeamSchedule {
     /// The distinct destinations of the edges; the last is the last edge's, which is taken if no bid wins.
-    pub fn destinations(&self) -> Vec<Target> {
+    pub(crate) fn destinations(&self) -> Vec<Target> {
         let mut destinations = Vec::new();
         for &target in self.targets.iter().rev() {
             if !destinations.contains(&target) {
@@ -82,13 +82,13 @@ impl TeamSchedule {
     }
 
     /// Tests whether the first bid is a finite number, which leads whatever the state is.
-    pub fn leads_at_first(&self, nodes: &[Node]) -> bool {
+    pub(crate) fn leads_at_first(&self, nodes: &[Node]) -> bool {
         let number = |bid: &Bid| nodes[bid.value.index()].as_constant();
         self.eager.first().and_then(number).is_some_and(f64::is_finite)
     }
 
     /// Every value that the team's code mentions: none with one way to go, where no bid matters.
-    pub fn values(&self) -> impl Iterator<Item = NodeId> {
+    pub(crate) fn values(&self) -> impl Iterator<Item = NodeId> {
         let lazy = self.lazy.iter().flat_map(|LazyBid { bid, sparing, bound }| {
             sparing.map(|sparing| sparing.argument).into_iter().chain(*bound).chain([bid.value])
         });
@@ -97,19 +97,19 @@ impl TeamSchedule {
     }
 
     /// Tests for bids that are evaluated in the order that decides ties.
-    pub fn is_ascending(&self) -> bool {
+    pub(crate) fn is_ascending(&self) -> bool {
         self.bids().all(|bid| bid.ascending)
     }
 
     /// Every bid, in order of evaluation.
-    pub fn bids(&self) -> impl Iterator<Item = Bid> {
+    pub(crate) fn bids(&self) -> impl Iterator<Item = Bid> {
         self.eager.iter().copied().chain(self.lazy.iter().map(|lazy| lazy.bid))
     }
 }
 
 /// The plans of a policy.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Schedule {
+pub(crate) struct Schedule {
     /// The module's nodes, and bounds after them.
     pub nodes: Vec<Node>,
     /// A plan for each team.
@@ -125,7 +125,7 @@ const CHEAP: u32 = 8;
 pub(crate) const FEW_EDGES: usize = 64;
 
 /// Plans every team.
-pub fn schedule(module: &Module<'_>) -> Schedule {
+pub(crate) fn schedule(module: &Module<'_>) -> Schedule {
     let arithmetic = Arithmetic::new(module.graph);
     let intervals = interval::analyse(module);
     let cheap = cheap_nodes(module);
@@ -161,7 +161,7 @@ fn cheap_nodes(module: &Module<'_>) -> Vec<bool> {
 }
 
 /// The rough cost of a node, in additions.
-pub fn cost(node: &Node) -> u32 {
+pub(crate) fn cost(node: &Node) -> u32 {
     let Node::Operation(instruction, _) = node else { return 0 };
     match instruction {
         Instruction::Sub | Instruction::Add | Instruction::Mul | Instruction::Abs => 1,

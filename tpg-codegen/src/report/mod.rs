@@ -4,11 +4,15 @@
 pub mod html;
 mod text;
 
+pub use crate::explain::{
+    BidFormula, Bids, Destination, LeafFormulas, PolicyFormulas, TeamFormulas, Value, explain, formulas,
+};
+pub use crate::passes::Removed;
+
 use crate::cost::{Cost, Costs};
 use crate::emit::Code;
 use crate::ir::{Module, Node};
 use crate::options::{Language, Options, Profile, Style};
-use crate::passes::Removed;
 use crate::program::{Program, compile};
 use crate::size::{self, RustForCortexM4, Size, Stack, Target};
 use serde::Serialize;
@@ -143,7 +147,7 @@ pub fn report(graph: &Graph, options: &Options, targets: &[Target], set: &StateS
     let costs = codes.iter().zip(&forms).zip(means);
     let costs = costs.map(|(((shape, _), form), mean)| ShapeCost { profile: shape, worst: form.worst(), mean });
     let sizes = targets.iter().flat_map(|&target| codes.iter().map(move |(shape, code)| size_of(code, target, shape)));
-    let Program { module: optimised, log, .. } = &codes[0].1.program;
+    let Program { module: optimised, .. } = &codes[0].1.program;
     Report {
         version: env!("CARGO_PKG_VERSION"),
         graph_sha256: codes[0].1.program.graph_sha256(),
@@ -153,7 +157,7 @@ pub fn report(graph: &Graph, options: &Options, targets: &[Target], set: &StateS
         graph: counts(optimised),
         asks: graph.asks().map(str::to_owned).collect(),
         dead_inputs: dead_inputs(optimised),
-        removed: log.counts(),
+        removed: codes[0].1.program.removed(),
         states: set.origin.clone(),
         costs: costs.collect(),
         sizes: sizes.collect(),

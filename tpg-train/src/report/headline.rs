@@ -3,7 +3,7 @@
 use super::runs::{Group, Kind, Run};
 use super::test::Tested;
 use tpg_codegen::emit::Code;
-use tpg_codegen::options::Language;
+use tpg_codegen::emit::Language;
 use tpg_codegen::{Options, compile, size};
 use tpg_engine::{Sample, confidence, finite};
 use tpg_graph::Graph;

@@ -4,7 +4,7 @@ use super::episode;
 use super::headline::options;
 use super::runs::{Kind, Run};
 use super::test::Tested;
-use tpg_codegen::explain::PolicyFormulas;
+use tpg_codegen::report::PolicyFormulas;
 use tpg_graph::Graph;
 use tpg_picture::{Formulas, Section, graph};
 

@@ -13,7 +13,8 @@ use tpg_arm::kinematics::Lattice;
 use tpg_arm::observation::shield::{ALLOWED, SHIELDED};
 use tpg_arm::observation::{Observation, Source, TargetMemo};
 use tpg_arm::{Arm, Collision, Invalid, Move, WIDOWX};
-use tpg_codegen::passes::optimise;
+use tpg_codegen::emit::Language;
+use tpg_codegen::{Options, compile};
 use tpg_engine::{
     Destination, Edge, EngineOptions, Environment, EpisodeResult, Evaluator, Lanes, Line, LocalThreads, Operand, Piece,
     Plan, PolicyGraph, UnitKey, Work, WorkUnit,
@@ -270,7 +271,7 @@ fn under_a_shield_equal_programs_for_different_actions_stay_two_bids() {
     let shielded = policy.shielded(|action| vocabulary.bound(action));
     assert_eq!(shielded.programs.len(), 2, "one for each action");
     let graph = graph_of(&config, 1, &found(shielded), &environment).expect("a valid graph");
-    let (_, removed) = optimise(&graph);
+    let removed = compile(&graph, &Options::new("policy".parse().expect("a prefix")), Language::C).removed();
     assert_eq!(removed.duplicate_bids, 1, "the first of three");
     let interpreter = Interpreter::<f32, Own>::new(&graph);
     let mut state = vec![0.0f32; graph.state_length()];

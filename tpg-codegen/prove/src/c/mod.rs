@@ -5,14 +5,18 @@
 
 mod code;
 mod execute;
+mod expression;
 mod lower;
 mod parse;
+mod parser;
 mod syntax;
 mod token;
+mod value;
 
 pub use execute::{Code, Point};
 
-use crate::machine::{Interface, Missing};
+use crate::input::Missing;
+use crate::machine::Interface;
 use crate::term::{Float, Terms};
 use std::path::Path;
 

@@ -1,18 +1,10 @@
-//! A parser of the subset of C, by recursive descent.
+//! A parser of declarations and statements of C, by recursive descent.
 
+use super::parser::Parser;
 use super::syntax::{Expression, Function, Kind, Statement, StatementKind, Struct, Type, Unit, Variable};
 use super::token::{Placed, Token};
-use crate::machine::Missing;
+use crate::input::Missing;
 use std::collections::HashMap;
-
-struct Parser<'a> {
-    file: &'a str,
-    tokens: Vec<Placed>,
-    at: usize,
-    unit: Unit,
-    types: HashMap<String, Type>,
-    tags: HashMap<String, usize>,
-}
 
 /// What stands before declarators.
 struct Specifiers {
@@ -37,86 +29,8 @@ pub(super) fn parse(file: &str, tokens: Vec<Placed>) -> Result<Unit, Missing> {
     Ok(parser.unit)
 }
 
-/// Binary operators from the loosest on.
-const LEVELS: [&[&str]; 10] = [
-    &["||"],
-    &["&&"],
-    &["|"],
-    &["^"],
-    &["&"],
-    &["==", "!="],
-    &["<", ">", "<=", ">="],
-    &["<<", ">>"],
-    &["+", "-"],
-    &["*", "/", "%"],
-];
-
 impl Parser<'_> {
-    fn peek(&self) -> &Token {
-        &self.tokens[self.at].token
-    }
-
-    fn line(&self) -> u32 {
-        self.tokens[self.at].line
-    }
-
-    fn next(&mut self) -> Token {
-        let token = self.tokens[self.at].token.clone();
-        self.at = (self.at + 1).min(self.tokens.len() - 1);
-        token
-    }
-
-    fn missing(&self, what: impl Into<String>) -> Missing {
-        Missing::new(format!("{}:{}", self.file, self.line()), what)
-    }
-
-    fn accept(&mut self, sign: &str) -> bool {
-        let is = matches!(self.peek(), Token::Sign(found) if *found == sign);
-        if is {
-            self.next();
-        }
-        is
-    }
-
-    fn accept_word(&mut self, word: &str) -> bool {
-        let is = matches!(self.peek(), Token::Name(found) if found == word);
-        if is {
-            self.next();
-        }
-        is
-    }
-
-    fn expect(&mut self, sign: &str) -> Result<(), Missing> {
-        if self.accept(sign) { Ok(()) } else { Err(self.missing(format!("`{sign}`, found {:?}", self.peek()))) }
-    }
-
-    fn name(&mut self) -> Result<String, Missing> {
-        match self.next() {
-            Token::Name(name) => Ok(name),
-            other => Err(self.missing(format!("a name, found {other:?}"))),
-        }
-    }
-
-    /// Skips `__attribute__((...))` and the like; they ask for no other results.
-    fn attributes(&mut self) -> Result<(), Missing> {
-        while self.accept_word("__attribute__") {
-            let mut depth = 0;
-            loop {
-                match self.next() {
-                    Token::Sign("(") => depth += 1,
-                    Token::Sign(")") => depth -= 1,
-                    Token::End => return Err(self.missing("`)`")),
-                    _ => {}
-                }
-                if depth == 0 {
-                    break;
-                }
-            }
-        }
-        Ok(())
-    }
-
-    fn starts_type(&self) -> bool {
+    pub(super) fn starts_type(&self) -> bool {
         const WORDS: [&str; 17] = [
             "const", "volatile", "static", "inline", "extern", "typedef", "struct", "union", "enum", "void", "float",
             "double", "int", "unsigned", "signed", "char", "short",
@@ -267,7 +181,7 @@ impl Parser<'_> {
         Ok(Type::Array(Box::new(self.brackets(of)?), count))
     }
 
-    fn type_name(&mut self) -> Result<Type, Missing> {
+    pub(super) fn type_name(&mut self) -> Result<Type, Missing> {
         let of = self.specifiers()?.of;
         let (name, of) = self.declarator(of)?;
         if name.is_empty() { Ok(of) } else { Err(self.missing("a type without a name")) }
@@ -351,7 +265,7 @@ impl Parser<'_> {
         Ok(variables)
     }
 
-    fn initialiser(&mut self) -> Result<Expression, Missing> {
+    pub(super) fn initialiser(&mut self) -> Result<Expression, Missing> {
         let line = self.line();
         if !self.accept("{") {
             return self.assignment();
@@ -474,180 +388,10 @@ impl Parser<'_> {
         Ok(StatementKind::Evaluate(expression))
     }
 
-    fn bracketed(&mut self) -> Result<Expression, Missing> {
+    pub(super) fn bracketed(&mut self) -> Result<Expression, Missing> {
         self.expect("(")?;
         let inner = self.expression()?;
         self.expect(")")?;
         Ok(inner)
-    }
-
-    fn expression(&mut self) -> Result<Expression, Missing> {
-        self.assignment()
-    }
-
-    fn assignment(&mut self) -> Result<Expression, Missing> {
-        const COMPOUND: [&str; 10] = ["+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="];
-        let line = self.line();
-        let target = self.conditional()?;
-        let Token::Sign(sign) = *self.peek() else { return Ok(target) };
-        let operator = if sign == "=" {
-            None
-        } else if COMPOUND.contains(&sign) {
-            Some(&sign[..sign.len() - 1])
-        } else {
-            return Ok(target);
-        };
-        self.next();
-        let value = self.assignment()?;
-        Ok(Expression { line, kind: Kind::Assign(operator, Box::new(target), Box::new(value)) })
-    }
-
-    fn conditional(&mut self) -> Result<Expression, Missing> {
-        let line = self.line();
-        let condition = self.binary(0)?;
-        if !self.accept("?") {
-            return Ok(condition);
-        }
-        let first = self.expression()?;
-        self.expect(":")?;
-        let second = self.conditional()?;
-        let kind = Kind::Conditional(Box::new(condition), Box::new(first), Box::new(second));
-        Ok(Expression { line, kind })
-    }
-
-    fn binary(&mut self, level: usize) -> Result<Expression, Missing> {
-        let Some(operators) = LEVELS.get(level) else { return self.unary() };
-        let mut left = self.binary(level + 1)?;
-        while let Token::Sign(sign) = *self.peek()
-            && operators.contains(&sign)
-        {
-            let line = self.line();
-            self.next();
-            let right = self.binary(level + 1)?;
-            left = Expression { line, kind: Kind::Binary(sign, Box::new(left), Box::new(right)) };
-        }
-        Ok(left)
-    }
-
-    fn unary(&mut self) -> Result<Expression, Missing> {
-        let line = self.line();
-        for sign in ["-", "+", "!", "~", "&", "*"] {
-            if self.accept(sign) {
-                let inner = Box::new(self.unary()?);
-                return Ok(Expression { line, kind: Kind::Unary(sign, inner) });
-            }
-        }
-        for (sign, up) in [("++", true), ("--", false)] {
-            if self.accept(sign) {
-                let inner = Box::new(self.unary()?);
-                return Ok(Expression { line, kind: Kind::Step(up, false, inner) });
-            }
-        }
-        if self.accept_word("sizeof") {
-            let bracket = *self.peek() == Token::Sign("(");
-            self.at += usize::from(bracket);
-            if bracket && self.starts_type() {
-                let of = self.type_name()?;
-                self.expect(")")?;
-                return Ok(Expression { line, kind: Kind::SizeOfType(of) });
-            }
-            self.at -= usize::from(bracket);
-            let inner = Box::new(self.unary()?);
-            return Ok(Expression { line, kind: Kind::SizeOf(inner) });
-        }
-        if *self.peek() == Token::Sign("(") {
-            self.next();
-            if self.starts_type() {
-                let of = self.type_name()?;
-                self.expect(")")?;
-                let inner = Box::new(self.unary()?);
-                return Ok(Expression { line, kind: Kind::Cast(of, inner) });
-            }
-            let inner = self.expression()?;
-            self.expect(")")?;
-            return self.postfix(inner);
-        }
-        let primary = self.primary()?;
-        self.postfix(primary)
-    }
-
-    fn postfix(&mut self, mut inner: Expression) -> Result<Expression, Missing> {
-        loop {
-            let line = self.line();
-            let kind = if self.accept("[") {
-                let index = self.expression()?;
-                self.expect("]")?;
-                Kind::Index(Box::new(inner), Box::new(index))
-            } else if self.accept(".") {
-                Kind::Member(Box::new(inner), self.name()?)
-            } else if self.accept("->") {
-                let target = Expression { line, kind: Kind::Unary("*", Box::new(inner)) };
-                Kind::Member(Box::new(target), self.name()?)
-            } else if self.accept("++") {
-                Kind::Step(true, true, Box::new(inner))
-            } else if self.accept("--") {
-                Kind::Step(false, true, Box::new(inner))
-            } else {
-                return Ok(inner);
-            };
-            inner = Expression { line, kind };
-        }
-    }
-
-    fn primary(&mut self) -> Result<Expression, Missing> {
-        let line = self.line();
-        let kind = match self.next() {
-            Token::Number(text) => self.number(&text)?,
-            Token::Name(name) if name == "__infinity" => Kind::Float(f64::INFINITY, Type::Float),
-            Token::Name(name) if name == "__nan" => Kind::Float(f64::NAN, Type::Float),
-            Token::Name(name) if self.accept("(") => {
-                let mut arguments = Vec::new();
-                while !self.accept(")") {
-                    arguments.push(self.assignment()?);
-                    if !self.accept(",") {
-                        self.expect(")")?;
-                        break;
-                    }
-                }
-                Kind::Call(name, arguments)
-            }
-            Token::Name(name) => Kind::Name(name),
-            other => return Err(self.missing(format!("an expression, found {other:?}"))),
-        };
-        Ok(Expression { line, kind })
-    }
-
-    fn number(&self, text: &str) -> Result<Kind, Missing> {
-        let fault = || self.missing(format!("the number {text}"));
-        let lower = text.to_ascii_lowercase();
-        if !lower.starts_with("0x") && lower.contains(['.', 'e']) {
-            return match lower.strip_suffix('f') {
-                Some(digits) => {
-                    let value: f32 = digits.parse().map_err(|_| fault())?;
-                    Ok(Kind::Float(f64::from(value), Type::Float))
-                }
-                None => Ok(Kind::Float(lower.parse().map_err(|_| fault())?, Type::Double)),
-            };
-        }
-        let digits = lower.trim_end_matches(['u', 'l']);
-        let suffix = &lower[digits.len()..];
-        let value = match digits.strip_prefix("0x") {
-            Some(digits) => u64::from_str_radix(digits, 16),
-            None if digits.len() > 1 && digits.starts_with('0') => u64::from_str_radix(digits, 8),
-            None => digits.parse(),
-        };
-        let value = value.map_err(|_| fault())?;
-        let unsigned = suffix.contains('u');
-        let long = suffix.contains("ll") || value > u64::from(u32::MAX);
-        let of = if long {
-            Type::Integer(8, !unsigned)
-        } else if unsigned || value > i32::MAX as u64 && digits.starts_with("0x") {
-            Type::UNSIGNED
-        } else if value > i32::MAX as u64 {
-            Type::Integer(8, true)
-        } else {
-            Type::INT
-        };
-        Ok(Kind::Integer(value, of))
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! The text is read as a compiler reads it that defines no macro of its own: neither GCC's nor fast maths'.
 
-use crate::machine::Missing;
+use crate::input::Missing;
 use std::collections::{HashMap, HashSet};
 
 /// A token.

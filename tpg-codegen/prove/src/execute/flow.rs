@@ -1,9 +1,10 @@
 //! Control flow of one function: instructions, an order that follows it, loops, and what is alive where.
 
 use crate::elf::{Address, Function, Image, Part};
-use crate::machine::Missing;
+use crate::input::Missing;
+use crate::thumb::decode::decode;
 use crate::thumb::{
-    Binary, Block, Condition, Instruction, Integer, LR, Offset, Operand, Operation, PC, Place, Register, S0, SP, decode,
+    Binary, Block, Condition, Instruction, Integer, LR, Offset, Operand, Operation, PC, Place, Register, S0, SP,
 };
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 

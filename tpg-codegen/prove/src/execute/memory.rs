@@ -3,7 +3,8 @@
 use super::value::{Region, Value};
 use super::{Object, Point, State};
 use crate::elf::{Address, Part};
-use crate::machine::{Answer, Missing};
+use crate::input::Missing;
+use crate::machine::Answer;
 use crate::term::{Float, Operator, Terms, Width as Bits, Word};
 use crate::thumb::{Index, Instruction, Offset, PC, Place, Register, SP, Width};
 

@@ -9,13 +9,14 @@ mod step;
 mod value;
 
 use crate::elf::{Address, Error, Function, Image};
-use crate::machine::{Interface, Machine, Missing, Step};
+use crate::input::Missing;
+use crate::machine::{Interface, Machine, Step};
 use crate::term::{Bool, Terms, Width, Word};
 use crate::thumb::{PC, REGISTERS, Register, SP};
 use flow::{FLAGS, FLOAT_FLAGS, Flow};
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
-use value::{Cell, Flags, Region, Unknowns, Value, facts, restricted};
+use value::{Cell, Flags, Region, Unknowns, Value, restricted};
 
 /// So many instructions are executed at most between two points.
 const LIMIT: usize = 200_000;
@@ -112,7 +113,7 @@ impl Object {
 
     /// Forgets what is not read any more, and the choices that the guard decides.
     fn tidied(&mut self, terms: &Terms, state: &mut State) -> Result<(), Missing> {
-        let facts = facts(terms, state.guard);
+        let facts = terms.parts(state.guard);
         let point = &mut state.point;
         let mut live = self.flow(point.function)?.nodes[&point.address].live;
         for &(function, address) in &point.callers {
@@ -205,7 +206,7 @@ impl Object {
 
 /// Returns a condition that tells two guards apart: without what they share.
 fn distinguishing(terms: &mut Terms, a: Bool, b: Bool) -> Bool {
-    let (first, second) = (facts(terms, a), facts(terms, b));
+    let (first, second) = (terms.parts(a), terms.parts(b));
     if let Some(&fact) = first.iter().find(|&&fact| second.contains(&!fact)) {
         return fact;
     }

@@ -1,10 +1,10 @@
 //! Meanings of instructions.
 
 use super::memory::{moved, refuse};
-use super::value::{Flags, Region, Value, facts, restricted, word};
+use super::value::{Flags, Region, Value, restricted, word};
 use super::{Next, Object, Point, State};
 use crate::elf::{Address, Part};
-use crate::machine::Missing;
+use crate::input::Missing;
 use crate::term::{Bool, Operator, Terms, Width, Word};
 use crate::thumb::{
     Binary, Condition, Instruction, Integer, LR, Offset, Operand, Operation, PC, Register, Shift, Unary,
@@ -467,7 +467,7 @@ fn under(terms: &mut Terms, state: &State, condition: Bool) -> Option<State> {
 
 /// Resolves the choices that a condition decides.
 fn restrict(terms: &Terms, point: &mut Point, condition: Bool) {
-    let facts = facts(terms, condition);
+    let facts = terms.parts(condition);
     for value in point.registers.iter_mut().flatten().chain(point.memory.values_mut()) {
         *value = restricted(terms, *value, &facts);
     }

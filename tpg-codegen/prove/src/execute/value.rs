@@ -248,11 +248,3 @@ fn decided(facts: &[Bool], condition: Bool) -> Option<bool> {
     }
     facts.contains(&!condition).then_some(false)
 }
-
-/// Returns the conditions that hold where one does.
-pub(super) fn facts(terms: &Terms, guard: Bool) -> Vec<Bool> {
-    match terms.of_bool(guard) {
-        (Node::And(members), false) => members.to_vec(),
-        _ => vec![guard],
-    }
-}

@@ -1,7 +1,7 @@
 //! The meaning of a graph as terms, declaratively: an edge wins if no earlier bid is higher and no later one is as high.
 
 use super::{Destination, Graph, Line, Operand};
-use crate::machine::Missing;
+use crate::input::Missing;
 use crate::maths::{Function, Maths};
 use crate::term::{Bool, Float, Terms};
 use std::collections::HashMap;

@@ -1,9 +1,7 @@
 //! Graphs, read by this crate's own reader, and their meaning as terms.
 
-mod meaning;
+pub mod meaning;
 mod read;
-
-pub use meaning::Meaning;
 
 use crate::machine::Interface;
 

@@ -2,7 +2,8 @@
 
 use super::float::rounded;
 use super::rank::{NAN, NEGATIVE_ZERO, is_nan_bits, rank};
-use super::word::{computed, holds};
+use super::set::holds;
+use super::word::computed;
 use super::{Bool, Float, Node, Terms, Word};
 
 /// Evaluates terms of one table, state after state. Values of inner nodes are kept for the state that they were computed for.

@@ -7,16 +7,15 @@
 
 mod boolean;
 mod compare;
-mod evaluate;
+pub mod evaluate;
 mod float;
 mod rank;
-mod word;
+mod set;
+pub(crate) mod word;
 
-pub use evaluate::Evaluator;
 pub use rank::{INFINITY, NAN, NEGATIVE_ZERO, is_nan_bits, next_above, next_below, rank};
-pub(crate) use word::computed;
 
-use crate::machine::Missing;
+use crate::input::Missing;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::rc::Rc;
 

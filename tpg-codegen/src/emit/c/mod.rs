@@ -16,7 +16,7 @@ mod walk;
 
 use super::interface::{OutputView, SourceView, asks, outputs, sources};
 use super::syntax::Syntax;
-use super::{Backend, File, banner, layout, moves::moves, names};
+use super::{File, banner, layout, moves::moves, names};
 use crate::cost::{Cost, Costs};
 use crate::program::{Program, Shape};
 use askama::Template;
@@ -90,100 +90,90 @@ struct VectorView {
     answer: String,
 }
 
-/// C99, which is C++11 too.
-pub(super) struct C;
-
-impl Backend for C {
-    /// The two files.
-    fn files(&self, program: &Program<'_>) -> Vec<File> {
-        let (graph, module) = (program.graph(), &program.module);
-        let prefix = program.options.prefix.lower();
-        let upper = program.options.prefix.upper();
-        let gegelati = program.shape == Shape::Gegelati;
-        let branch_free = match &program.shape {
-            Shape::ConstantTime(_) => true,
-            Shape::Formula(formula) => formula.branch_free,
-            _ => false,
-        };
-        let printer =
-            Printer { graph, nodes: &module.nodes, prefix, gegelati, short_cuts: false, branch_free, leads: false };
-        let outputs = outputs(&printer, comment);
-        let (printer, body) = match &program.shape {
-            Shape::Gegelati => (printer, gegelati::render(&printer, module, &upper)),
-            Shape::Fast { schedule, functions } => {
-                let printer = Printer {
-                    nodes: &schedule.nodes,
-                    short_cuts: true,
-                    leads: compares_in_functions(module),
-                    ..printer
-                };
-                let body = fast::render(&printer, module, schedule, functions, &outputs, &upper);
-                (printer, body)
-            }
-            Shape::Balanced(cases) => {
-                let printer = Printer { nodes: &cases.nodes, ..printer };
-                (printer, balanced::render(&printer, cases, &outputs, &upper))
-            }
-            Shape::Small(code) => (printer, small::render(&printer, code, &outputs, &upper)),
-            Shape::ConstantTime(functions) => {
-                (printer, constant_time::render(&printer, module, functions, &outputs, &upper))
-            }
-            Shape::Formula(formula) => (printer, formula::render(&printer, formula, &outputs)),
-            Shape::Integers(_) => unreachable!("integers have a back end of their own"),
-        };
-        let helpers = helpers::render(&printer, &body, &upper);
-        let banner = banner::lines(program);
-        let sources = sources(graph, comment);
-        let seen = &sources[..sources.len() - graph.memory()];
-        let (answers, memory) = outputs.split_at(outputs.len() - graph.memory());
-        let observed = if memory.is_empty() { Vec::new() } else { seen.iter().flat_map(observed).collect() };
-        let header = Header {
-            banner: &banner,
-            prefix,
-            upper: &upper,
-            scalar: printer.scalar(),
-            sources: seen,
-            actions: actions(&printer),
-            asks: asks(graph),
-            outputs: answers,
-            memory,
-            teams: module.teams.len(),
-            depth: module.depth,
-            worst: Costs::of(program).worst(),
-            gegelati,
-            system_maths: graph.maths() == MathsProvider::System,
-            arm: arm_view(graph),
-        };
-        let vectors = vectors(&printer);
-        let shown = vectors.iter().flat_map(|vector| [&vector.state, &vector.answer]);
-        let needs_math = [&helpers, &body].into_iter().chain(shown).any(|text| uses_maths(text));
-        let needs_string = [&helpers, &body].into_iter().chain(&observed).any(|text| text.contains("memcpy"));
-        let source = Source {
-            banner: &banner,
-            prefix,
-            upper: &upper,
-            scalar: printer.scalar(),
-            f64: graph.scalar() == ScalarType::F64,
-            needs_math,
-            needs_string,
-            helpers,
-            body,
-            entry: Entry::new(&printer),
-            sources: &sources,
-            vectors,
-            system_maths: graph.maths() == MathsProvider::System,
-            outputs: &outputs,
-            parts: (answers, memory),
-            observed,
-            gegelati,
-        };
-        let text =
-            |text: askama::Result<String>| layout::wrap(&layout::tidy(&text.expect("the template renders")), false);
-        vec![
-            File { name: format!("{prefix}.h"), text: text(header.render()) },
-            File { name: format!("{prefix}.c"), text: text(source.render()) },
-        ]
-    }
+/// The two files.
+pub(super) fn files(program: &Program<'_>) -> Vec<File> {
+    let (graph, module) = (program.graph(), &program.module);
+    let prefix = program.options.prefix.lower();
+    let upper = program.options.prefix.upper();
+    let gegelati = program.shape == Shape::Gegelati;
+    let branch_free = match &program.shape {
+        Shape::ConstantTime(_) => true,
+        Shape::Formula(formula) => formula.branch_free,
+        _ => false,
+    };
+    let printer =
+        Printer { graph, nodes: &module.nodes, prefix, gegelati, short_cuts: false, branch_free, leads: false };
+    let outputs = outputs(&printer, comment);
+    let (printer, body) = match &program.shape {
+        Shape::Gegelati => (printer, gegelati::render(&printer, module, &upper)),
+        Shape::Fast { schedule, functions } => {
+            let printer =
+                Printer { nodes: &schedule.nodes, short_cuts: true, leads: compares_in_functions(module), ..printer };
+            let body = fast::render(&printer, module, schedule, functions, &outputs, &upper);
+            (printer, body)
+        }
+        Shape::Balanced(cases) => {
+            let printer = Printer { nodes: &cases.nodes, ..printer };
+            (printer, balanced::render(&printer, cases, &outputs, &upper))
+        }
+        Shape::Small(code) => (printer, small::render(&printer, code, &outputs, &upper)),
+        Shape::ConstantTime(functions) => {
+            (printer, constant_time::render(&printer, module, functions, &outputs, &upper))
+        }
+        Shape::Formula(formula) => (printer, formula::render(&printer, formula, &outputs)),
+        Shape::Integers(_) => unreachable!("integers have a back end of their own"),
+    };
+    let helpers = helpers::render(&printer, &body, &upper);
+    let banner = banner::lines(program);
+    let sources = sources(graph, comment);
+    let seen = &sources[..sources.len() - graph.memory()];
+    let (answers, memory) = outputs.split_at(outputs.len() - graph.memory());
+    let observed = if memory.is_empty() { Vec::new() } else { seen.iter().flat_map(observed).collect() };
+    let header = Header {
+        banner: &banner,
+        prefix,
+        upper: &upper,
+        scalar: printer.scalar(),
+        sources: seen,
+        actions: actions(&printer),
+        asks: asks(graph),
+        outputs: answers,
+        memory,
+        teams: module.teams.len(),
+        depth: module.depth,
+        worst: Costs::of(program).worst(),
+        gegelati,
+        system_maths: graph.maths() == MathsProvider::System,
+        arm: arm_view(graph),
+    };
+    let vectors = vectors(&printer);
+    let shown = vectors.iter().flat_map(|vector| [&vector.state, &vector.answer]);
+    let needs_math = [&helpers, &body].into_iter().chain(shown).any(|text| uses_maths(text));
+    let needs_string = [&helpers, &body].into_iter().chain(&observed).any(|text| text.contains("memcpy"));
+    let source = Source {
+        banner: &banner,
+        prefix,
+        upper: &upper,
+        scalar: printer.scalar(),
+        f64: graph.scalar() == ScalarType::F64,
+        needs_math,
+        needs_string,
+        helpers,
+        body,
+        entry: Entry::new(&printer),
+        sources: &sources,
+        vectors,
+        system_maths: graph.maths() == MathsProvider::System,
+        outputs: &outputs,
+        parts: (answers, memory),
+        observed,
+        gegelati,
+    };
+    let text = |text: askama::Result<String>| layout::wrap(&layout::tidy(&text.expect("the template renders")), false);
+    vec![
+        File { name: format!("{prefix}.h"), text: text(header.render()) },
+        File { name: format!("{prefix}.c"), text: text(source.render()) },
+    ]
 }
 
 /// Tests whether C uses something of `<math.h>`, which a chip without a C library may not have.

@@ -9,7 +9,7 @@ mod leaves;
 mod small;
 
 use super::interface::{OutputView, SourceView, asks, outputs, sources};
-use super::{Backend, File, banner, compares_in_functions, layout, moves::moves, names};
+use super::{File, banner, compares_in_functions, layout, moves::moves, names};
 use crate::cost::{Cost, Costs};
 use crate::program::{Program, Shape};
 use askama::Template;
@@ -63,69 +63,61 @@ struct Parts {
     items: String,
 }
 
-/// `no_std` Rust.
-pub(super) struct Rust;
-
-impl Backend for Rust {
-    /// The file.
-    fn files(&self, program: &Program<'_>) -> Vec<File> {
-        let (graph, module, prefix) = (program.graph(), &program.module, &program.options.prefix);
-        let printer = Printer { graph, nodes: &module.nodes, short_cuts: false, branch_free: false, leads: false };
-        let outputs = outputs(&printer, one_line);
-        let (title, parts) = match &program.shape {
-            Shape::Fast { schedule, .. } => {
-                let leads = compares_in_functions(module);
-                let printer = Printer { nodes: &schedule.nodes, short_cuts: true, leads, ..printer };
-                (
-                    "expensive bids are computed only where they can win",
-                    fast::render(&printer, module, schedule, &outputs),
-                )
-            }
-            Shape::Balanced(cases) => {
-                let printer = Printer { nodes: &cases.nodes, ..printer };
-                ("tables of teams over native bids", balanced::render(&printer, module, cases, &outputs))
-            }
-            Shape::Small(code) => ("tables and one small evaluator", small::render(&printer, module, code, &outputs)),
-            Shape::ConstantTime(functions) => {
-                let printer = Printer { branch_free: true, ..printer };
-                let parts = constant_time::render(&printer, module, functions, &outputs);
-                ("branch-free, the same time for every state", parts)
-            }
-            Shape::Formula(formula) => {
-                let printer = Printer { branch_free: formula.branch_free, ..printer };
-                let body = leaves::formula(&printer, formula, &outputs);
-                ("a formula", Parts { body, items: String::new() })
-            }
-            Shape::Gegelati | Shape::Integers(_) => unreachable!("in C alone, and with a back end of its own"),
-        };
-        let (observed, first) = (graph.state_length() - graph.memory(), outputs.len() - graph.memory());
-        let memory = &outputs[first..];
-        let policy = Policy {
-            banner: &banner::lines(program),
-            name: prefix.camel(),
-            title,
-            scalar: graph.scalar().name(),
-            imports: imports(&printer, &parts),
-            state_length: graph.state_length(),
-            sources: sources(graph, one_line),
-            actions: graph.actions().iter().map(|action| one_line(&action.to_string())).collect(),
-            constants: names::actions(graph).into_iter().map(|name| name.to_ascii_uppercase()).collect(),
-            asks: asks(graph),
-            outputs: &outputs,
-            memory,
-            initial: memory.iter().map(|value| value.initial.clone()).collect(),
-            seen: [names("state", observed), names("memory", memory.len())].concat(),
-            remembered: memory.iter().map(leaves::element).collect(),
-            answered: outputs[..first].iter().map(leaves::element).collect(),
-            arm: arm_view(graph),
-            depth: module.depth,
-            worst: Costs::of(program).worst(),
-            body: parts.body.trim_matches('\n').to_owned(),
-            items: parts.items,
-        };
-        let text = layout::wrap(&layout::tidy(&policy.render().expect("the template renders")), true);
-        vec![File { name: format!("{prefix}.rs"), text }]
-    }
+/// The file.
+pub(super) fn files(program: &Program<'_>) -> Vec<File> {
+    let (graph, module, prefix) = (program.graph(), &program.module, &program.options.prefix);
+    let printer = Printer { graph, nodes: &module.nodes, short_cuts: false, branch_free: false, leads: false };
+    let outputs = outputs(&printer, one_line);
+    let (title, parts) = match &program.shape {
+        Shape::Fast { schedule, .. } => {
+            let leads = compares_in_functions(module);
+            let printer = Printer { nodes: &schedule.nodes, short_cuts: true, leads, ..printer };
+            ("expensive bids are computed only where they can win", fast::render(&printer, module, schedule, &outputs))
+        }
+        Shape::Balanced(cases) => {
+            let printer = Printer { nodes: &cases.nodes, ..printer };
+            ("tables of teams over native bids", balanced::render(&printer, module, cases, &outputs))
+        }
+        Shape::Small(code) => ("tables and one small evaluator", small::render(&printer, module, code, &outputs)),
+        Shape::ConstantTime(functions) => {
+            let printer = Printer { branch_free: true, ..printer };
+            let parts = constant_time::render(&printer, module, functions, &outputs);
+            ("branch-free, the same time for every state", parts)
+        }
+        Shape::Formula(formula) => {
+            let printer = Printer { branch_free: formula.branch_free, ..printer };
+            let body = leaves::formula(&printer, formula, &outputs);
+            ("a formula", Parts { body, items: String::new() })
+        }
+        Shape::Gegelati | Shape::Integers(_) => unreachable!("in C alone, and with a back end of its own"),
+    };
+    let (observed, first) = (graph.state_length() - graph.memory(), outputs.len() - graph.memory());
+    let memory = &outputs[first..];
+    let policy = Policy {
+        banner: &banner::lines(program),
+        name: prefix.camel(),
+        title,
+        scalar: graph.scalar().name(),
+        imports: imports(&printer, &parts),
+        state_length: graph.state_length(),
+        sources: sources(graph, one_line),
+        actions: graph.actions().iter().map(|action| one_line(&action.to_string())).collect(),
+        constants: names::actions(graph).into_iter().map(|name| name.to_ascii_uppercase()).collect(),
+        asks: asks(graph),
+        outputs: &outputs,
+        memory,
+        initial: memory.iter().map(|value| value.initial.clone()).collect(),
+        seen: [names("state", observed), names("memory", memory.len())].concat(),
+        remembered: memory.iter().map(leaves::element).collect(),
+        answered: outputs[..first].iter().map(leaves::element).collect(),
+        arm: arm_view(graph),
+        depth: module.depth,
+        worst: Costs::of(program).worst(),
+        body: parts.body.trim_matches('\n').to_owned(),
+        items: parts.items,
+    };
+    let text = layout::wrap(&layout::tidy(&policy.render().expect("the template renders")), true);
+    vec![File { name: format!("{prefix}.rs"), text }]
 }
 
 /// The imports from `tpg_runtime::ops` that the parts need.

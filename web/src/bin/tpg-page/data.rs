@@ -1,12 +1,12 @@
 //! The data of the page: the policies as formulas, their code, and what a decision costs.
 
-use crate::bids::Table;
+use crate::bids::bids;
 use crate::policies::{ARM, POLICIES, Policy, read, top};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io;
 use tpg_arm::dodge::Behaviour;
-use tpg_codegen::explain::PolicyFormulas;
+use tpg_codegen::report::{Bids, PolicyFormulas};
 use tpg_problems::dodge::draw::Certified;
 use tpg_problems::dodge::file::read_csv;
 use tpg_web::balls::numbers;
@@ -24,7 +24,7 @@ struct Data {
 /// The graph of the arm: what its teams compare, in words and as a table that the page evaluates.
 #[derive(Serialize)]
 struct Graph {
-    table: Table,
+    table: Bids,
     #[serde(flatten)]
     formulas: PolicyFormulas,
 }
@@ -78,7 +78,7 @@ pub(crate) fn text() -> io::Result<String> {
     let problems = POLICIES.iter().map(problem).collect::<io::Result<_>>()?;
     let costs = costs()?;
     let balls = balls(costs["balls"].worst)?;
-    let arm = Graph { table: Table::of(&ARM)?, formulas: PolicyFormulas::of(&ARM.graph()?, &ARM.options()?) };
+    let arm = Graph { table: bids(&ARM)?, formulas: PolicyFormulas::of(&ARM.graph()?, &ARM.options()?) };
     let text = serde_json::to_string(&Data { costs, arm, balls, problems }).map_err(io::Error::other)?;
     Ok(text + "\n")
 }

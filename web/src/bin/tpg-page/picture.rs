@@ -3,7 +3,7 @@
 use crate::policies::{POLICIES, Policy};
 use std::fmt::Write as _;
 use std::io;
-use tpg_codegen::explain::{BidFormula, PolicyFormulas};
+use tpg_codegen::report::{BidFormula, PolicyFormulas};
 use tpg_web::control;
 
 const WIDTH: usize = 1000;

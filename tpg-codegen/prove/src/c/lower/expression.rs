@@ -3,7 +3,7 @@
 use super::{Lowering, constant_of, moved, number, promoted, width};
 use crate::c::code::{Condition, Constant, Operation, Scalar, Value};
 use crate::c::syntax::{Expression, Kind, Type};
-use crate::machine::Missing;
+use crate::input::Missing;
 use crate::term::{Arithmetic, Operator, Width};
 
 impl<'u> Lowering<'u> {

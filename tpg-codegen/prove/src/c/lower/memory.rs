@@ -3,7 +3,7 @@
 use super::{Lowering, Place, constant_of, is_float};
 use crate::c::code::{CONSTANTS, Constant, Object};
 use crate::c::syntax::{Expression, Kind, Type, Variable};
-use crate::machine::Missing;
+use crate::input::Missing;
 
 impl<'u> Lowering<'u> {
     /// The cells of a type.

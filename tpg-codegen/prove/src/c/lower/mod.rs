@@ -6,7 +6,8 @@ mod statement;
 
 use crate::c::code::{Constant, Operation, Program, Scalar, Value};
 use crate::c::syntax::{Function, Type, Unit};
-use crate::machine::{Interface, Missing};
+use crate::input::Missing;
+use crate::machine::Interface;
 use crate::term::Width;
 use std::collections::HashMap;
 
@@ -308,7 +309,7 @@ fn constant_of(value: &Value) -> Option<Constant> {
         },
         Value::Apply(operator, width, a, b) => match (constant_of(a)?, constant_of(b)?) {
             (Constant::Number(a), Constant::Number(b)) => {
-                Some(Constant::Number(crate::term::computed(*operator, *width, a, b)))
+                Some(Constant::Number(crate::term::word::computed(*operator, *width, a, b)))
             }
             _ => None,
         },

@@ -3,7 +3,7 @@
 use super::{Lowering, Place, Target, constant_of, number};
 use crate::c::code::{Condition, Constant, Operation, Scalar, Value};
 use crate::c::syntax::{Expression, Kind, Statement, StatementKind, Type, Variable};
-use crate::machine::Missing;
+use crate::input::Missing;
 use crate::term::Width;
 
 impl<'u> Lowering<'u> {

@@ -1,8 +1,8 @@
 //! Properties that the fast profile relies on: its plans look at every bid once, and the bids they leave out cannot win.
 
-use tpg_codegen::ir::{Module, Node, NodeId, needed};
-use tpg_codegen::passes::schedule::{Bid, Schedule, Sparing, TeamSchedule, schedule};
-use tpg_codegen::passes::{estimate, optimise};
+use crate::ir::{Module, Node, NodeId, needed};
+use crate::passes::schedule::{Bid, Schedule, Sparing, TeamSchedule, schedule};
+use crate::passes::{Removed, estimate, optimise};
 use tpg_graph::sample::{self, Shape};
 use tpg_graph::states;
 use tpg_graph::{Graph, MathsProvider, ScalarType};
@@ -127,4 +127,21 @@ fn bids_are_the_modules_and_bounds_are_on_their_side_of_them() {
         }
     }
     assert!(spared > 1000 && low > 1000, "{spared} finite bounds, {low} low arguments");
+}
+
+#[test]
+fn the_passes_find_something_in_them() {
+    let mut total = Removed::default();
+    for seed in 0..200 {
+        let graph = sample::graph(&Shape::random(seed), seed);
+        let removed = optimise(&graph).1.counts();
+        total.operations += removed.operations;
+        total.duplicate_bids += removed.duplicate_bids;
+        total.hopeless_bids += removed.hopeless_bids;
+        total.teams_without_choice += removed.teams_without_choice;
+        total.unreachable_teams += removed.unreachable_teams;
+    }
+    let Removed { operations, duplicate_bids, hopeless_bids, teams_without_choice, unreachable_teams, .. } = total;
+    let found = [operations, duplicate_bids, hopeless_bids, teams_without_choice, unreachable_teams];
+    assert!(found.iter().all(|&count| count > 0), "every pass has work in random graphs: {total:?}");
 }
