@@ -318,7 +318,11 @@ fn image(folder: &Path, graph: &Graph, seen: &[Vec<f64>], build: (Language, &'st
 
 #[test]
 fn every_state_takes_the_instructions_of_the_static_bound() {
-    let emulator = [("arm-none-eabi-gcc", "gcc-arm-none-eabi"), ("qemu-system-arm", "qemu-system-arm")];
+    let emulator = [
+        ("arm-none-eabi-gcc", "gcc-arm-none-eabi"),
+        ("arm-none-eabi-objdump", "gcc-arm-none-eabi"),
+        ("qemu-system-arm", "qemu-system-arm"),
+    ];
     if !tools("instructions of constant-time code under QEMU", &emulator) {
         return;
     }

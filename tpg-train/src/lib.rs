@@ -35,7 +35,7 @@ mod tests;
 
 pub use cli::Cli;
 pub use configuration::{Configuration, Layers, Preset};
-pub use evaluate::{EvaluationReport, evaluate};
+pub use evaluate::{Against, EvaluationReport, evaluate};
 pub use evolution::checkpoint::steps_of;
 pub use evolution::command::{TpgArgs, execute as evolve};
 pub use evolution::config::{AskConfig, EvolutionConfig as Config, Units};

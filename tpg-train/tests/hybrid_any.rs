@@ -373,3 +373,29 @@ fn a_network_that_chooses_helps_on_the_cartpole() {
     assert!(alone < 12.0 && helper > 400.0, "graph {alone}, network {helper}");
     assert!(both > 3.0 * alone, "graph {alone}, together {both}");
 }
+
+#[test]
+fn two_policies_are_compared_on_the_same_episodes() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let graph = weak_graph(folder.path());
+    let name = graph.display().to_string();
+    let (alone, network) = (evaluated(&["--tpg"], &[&graph]), evaluated(&["--policy", NETWORK], &[]));
+    let score = |report: &Value| report["mean_score"].as_f64().expect("a number");
+    let both = evaluated(&["--against", NETWORK, "--tpg"], &[&graph]);
+    let difference = |report: &Value| report["against"]["difference"].as_f64().expect("a number");
+    assert_eq!((score(&both), score(&both["against"]["other"])), (score(&alone), score(&network)));
+    assert!((difference(&both) - (score(&alone) - score(&network))).abs() < 1e-9, "{both}");
+    let other = evaluated(&["--against", &name, "--policy", NETWORK], &[]);
+    assert!((difference(&both) + difference(&other)).abs() < 1e-9, "{other}");
+    let interval: [f64; 2] = serde_json::from_value(both["against"]["difference_ci95"].clone()).expect("two numbers");
+    assert!(interval[0] < difference(&both) && difference(&both) < interval[1] && interval[1] < 0.0, "{both}");
+    let same = evaluated(&["--against", &name, "--tpg"], &[&graph]);
+    assert_eq!(same["against"]["difference_ci95"], serde_json::json!([0.0, 0.0]), "the episodes are the same");
+
+    for (more, found) in [(&["--against", "none.json"][..], "none.json"), (&["--against", "none.toml"], "none.toml")] {
+        let mut eval = tpg_train();
+        let eval = eval.args(["eval", "--problem", "pendulum", "--policy", NETWORK]).args(more).assert().code(2);
+        let said = String::from_utf8_lossy(&eval.get_output().stderr).into_owned();
+        assert!(said.contains(found), "{said}");
+    }
+}

@@ -89,7 +89,7 @@ fn a_folder_without_a_run_is_refused_by_name() {
     let place = tempfile::tempdir().expect("a temporary folder");
     for (name, files, found) in [
         ("nothing", &[][..], "no run nor restarts"),
-        ("empty", &[], "neither"),
+        ("empty", &[], "no run"),
         ("half", &[("config.toml", "")], "no run"),
         ("torn", &[("config.toml", ""), ("log.jsonl", "{\"decisions\": 1}\n{")], "line 2"),
     ] {

@@ -67,6 +67,17 @@ impl Problem {
         Ok(self)
     }
 
+    /// Tests for the same settings, whatever network takes part: policies do the same episodes under the same rules.
+    pub fn has_same_episodes(&self, other: &Self) -> bool {
+        let mut pair = [self, other].map(Clone::clone);
+        for problem in &mut pair {
+            if let ProblemSettings::Arm(config) = &mut problem.settings {
+                config.network = None;
+            }
+        }
+        pair[0] == pair[1]
+    }
+
     /// Reads tasks as [`print_tasks`](Self::print_tasks) prints them, for a network alone or for anything else.
     ///
     /// # Errors

@@ -2,7 +2,7 @@
 
 mod report;
 
-pub use report::EvaluationReport;
+pub use report::{Against, EvaluationReport};
 
 use crate::hybrid::rollout::{Acting, HybridResult};
 use crate::hybrid::setting::{Detector, Hybrid, Setting, UNGUARDED};
@@ -13,7 +13,7 @@ use crate::sac::network::Network;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use tpg_engine::TaskSet;
+use tpg_engine::{EpisodeResult, TaskSet};
 use tpg_graph::Graph;
 use tpg_graph::error::{Finding, InputError, Place};
 use tpg_graph::files::{read_graph, read_text};
@@ -66,6 +66,10 @@ pub(crate) struct EvalArgs {
     /// Add a shield to a graph that has none: actions that would be refused cannot be chosen
     #[arg(long, value_name = "SHIELD", conflicts_with_all = ["policy", "hybrid"])]
     pub shield: Option<String>,
+    /// Let another policy do the same episodes, and print the difference of the scores with its interval: a graph, a network, a
+    /// hybrid.toml, or a controller that the problem brings
+    #[arg(long, value_name = "POLICY")]
+    pub against: Option<String>,
     /// One JSON object instead of a table
     #[arg(long)]
     pub json: bool,
@@ -86,28 +90,17 @@ enum Policy {
 /// If the policy or the episodes cannot be read, or do not go with the problem.
 pub(crate) fn eval(args: &EvalArgs) -> Result<(), InputError> {
     let (policy, problem) = asked(args)?;
-    let episodes =
-        Episodes { set: TaskSet::Test, count: args.episodes, seed: args.seed, file: args.targets.as_deref() };
-    let mut report = match &policy {
-        Policy::Graph(graph) => {
-            let acting = match args.shield.as_deref().filter(|shield| *shield != UNSHIELDED) {
-                Some(shield) => Acting::Shielded(graph, shield_source(&problem, graph, shield)?),
-                None => Acting::Graph(graph),
-            };
-            evaluate(&problem, &graph.0, acting, episodes)?
+    let (mut report, endings) = played(args, &policy, &problem)?;
+    if let Some(other) = &args.against {
+        let args = alone(args, other, &problem);
+        let (policy, its) = asked(&args)?;
+        if !problem.has_same_episodes(&its) {
+            let accepted = "a policy for the same settings of the problem; --config FILE gives them to both";
+            return Err(command_line(format!("--against {other}, which brings other settings"), accepted));
         }
-        Policy::Network(network) => evaluate(&problem, &network.0, Acting::Network(network), episodes)?,
-        Policy::Hybrid(name, hybrid) => {
-            evaluate(&problem, name, Acting::Both(&hybrid.graph, &hybrid.network, &hybrid.setting), episodes)?
-        }
-        Policy::Controller(name) => {
-            let began = Instant::now();
-            let endings = problem.controlled(name, &episodes.in_problem(&problem)?).unwrap_or_default();
-            let done = HybridResult::alone(endings);
-            EvaluationReport::new(&problem, name, episodes, &done, None, began.elapsed().as_secs_f64())
-        }
-    };
-    report.shield = shield_of(&problem, &policy, args.shield.as_deref());
+        let (other, theirs) = played(&args, &policy, &its)?;
+        report.against = Some(Box::new(Against::new(other, &endings, &theirs)));
+    }
     let text = if args.json {
         serde_json::to_string(&report).expect("a report is plain data") + "\n"
     } else {
@@ -115,6 +108,50 @@ pub(crate) fn eval(args: &EvalArgs) -> Result<(), InputError> {
     };
     let written = tpg_graph::command::print(&text);
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
+}
+
+/// Returns the arguments that let another policy do the same episodes.
+fn alone(args: &EvalArgs, other: &str, problem: &Problem) -> EvalArgs {
+    let mut args = EvalArgs { tpg: None, policy: None, hybrid: None, shield: None, against: None, ..args.clone() };
+    match other {
+        _ if problem.controllers().contains(&other) => args.policy = Some(other.to_owned()),
+        _ if other.ends_with(".toml") => args.hybrid = Some(other.into()),
+        _ if other.ends_with(".q.json") || other.ends_with(".safetensors") => args.policy = Some(other.to_owned()),
+        _ => args.tpg = Some(other.into()),
+    }
+    args
+}
+
+/// Lets a policy do the episodes that the arguments ask for.
+fn played(
+    args: &EvalArgs,
+    policy: &Policy,
+    problem: &Problem,
+) -> Result<(EvaluationReport, Vec<EpisodeResult>), InputError> {
+    let episodes =
+        Episodes { set: TaskSet::Test, count: args.episodes, seed: args.seed, file: args.targets.as_deref() };
+    let (mut report, endings) = match policy {
+        Policy::Graph(graph) => {
+            let acting = match args.shield.as_deref().filter(|shield| *shield != UNSHIELDED) {
+                Some(shield) => Acting::Shielded(graph, shield_source(problem, graph, shield)?),
+                None => Acting::Graph(graph),
+            };
+            play(problem, &graph.0, acting, episodes)?
+        }
+        Policy::Network(network) => play(problem, &network.0, Acting::Network(network), episodes)?,
+        Policy::Hybrid(name, hybrid) => {
+            play(problem, name, Acting::Both(&hybrid.graph, &hybrid.network, &hybrid.setting), episodes)?
+        }
+        Policy::Controller(name) => {
+            let began = Instant::now();
+            let endings = problem.controlled(name, &episodes.in_problem(problem)?).unwrap_or_default();
+            let done = HybridResult::alone(endings);
+            let report = EvaluationReport::new(problem, name, episodes, &done, None, began.elapsed().as_secs_f64());
+            (report, done.endings)
+        }
+    };
+    report.shield = shield_of(problem, policy, args.shield.as_deref());
+    Ok((report, endings))
 }
 
 /// Reads the policies that the arguments name, and the problem that they are tested on.
@@ -222,6 +259,15 @@ pub fn evaluate(
     acting: Acting<'_>,
     episodes: Episodes<'_>,
 ) -> Result<EvaluationReport, InputError> {
+    play(problem, name, acting, episodes).map(|(report, _)| report)
+}
+
+fn play(
+    problem: &dyn Shared,
+    name: &str,
+    acting: Acting<'_>,
+    episodes: Episodes<'_>,
+) -> Result<(EvaluationReport, Vec<EpisodeResult>), InputError> {
     let hybrid = match acting {
         Acting::Both((_, graph), _, setting) => {
             let facts = problem.facts();
@@ -232,7 +278,8 @@ pub fn evaluate(
     };
     let began = Instant::now();
     let done = problem.play(acting, episodes)?;
-    Ok(EvaluationReport::new(problem, name, episodes, &done, hybrid, began.elapsed().as_secs_f64()))
+    let report = EvaluationReport::new(problem, name, episodes, &done, hybrid, began.elapsed().as_secs_f64());
+    Ok((report, done.endings))
 }
 
 /// The name for no shield.

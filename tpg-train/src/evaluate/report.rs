@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use tpg_engine::{Measure, Sample, Summary, confidence, finite};
+use tpg_engine::{EpisodeResult, Measure, Sample, Summary, confidence, finite};
 use tpg_graph::Graph;
 use tpg_picture::FiveNumbers;
 
@@ -25,7 +25,7 @@ pub struct EvaluationReport {
     pub mean_score: f64,
     /// The standard deviation of the scores, over the episodes (of the sample, n − 1).
     pub std_score: f64,
-    /// The least score.
+    /// The lowest score.
     pub min_score: f64,
     /// The mean number of actions.
     pub mean_steps: f64,
@@ -51,6 +51,40 @@ pub struct EvaluationReport {
     /// The name and unit of the problem's measure, its mean and its median.
     #[serde(skip)]
     pub measure: Option<(Measure, [f64; 2])>,
+    /// The comparison with another policy; absent if none was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub against: Option<Box<Against>>,
+}
+
+/// Another policy on the same episodes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Against {
+    /// The result of the other policy.
+    pub other: EvaluationReport,
+    /// The mean of the score less the other's, episode by episode.
+    pub difference: f64,
+    /// Its 95 % interval.
+    pub difference_ci95: [f64; 2],
+}
+
+impl Against {
+    /// Compares episodes with those of another policy, pair by pair.
+    pub fn new(other: EvaluationReport, these: &[EpisodeResult], others: &[EpisodeResult]) -> Self {
+        let pairs = these.iter().zip(others);
+        let differences: Vec<f64> = pairs.map(|(this, other)| finite(this.score) - finite(other.score)).collect();
+        let sample = Sample::new(&differences);
+        Self { other, difference: sample.mean, difference_ci95: sample.interval() }
+    }
+
+    fn to_table(&self) -> String {
+        let Self { other, difference, difference_ci95: [low, high] } = self;
+        let words = match (*low > 0.0, *high < 0.0) {
+            (true, _) => "the first is better",
+            (_, true) => "the second is better",
+            _ => "no clear difference",
+        };
+        format!("\n{}\ndifference     {difference:+.2} (95 %: {low:+.2} to {high:+.2}): {words}\n", other.to_table())
+    }
 }
 
 /// Figures that only a hybrid has.
@@ -135,6 +169,7 @@ impl EvaluationReport {
             }),
             figures: problem.figures(endings),
             measure: measure.map(|measure| (measure, [summary.measure, median])),
+            against: None,
         }
     }
 
@@ -144,7 +179,7 @@ impl EvaluationReport {
         let mut row = |name: &str, value: String| {
             let _ = writeln!(text, "{name:14} {value}");
         };
-        row("score", format!("{:.2} mean, ± {:.2} sd, {:.2} least", self.mean_score, self.std_score, self.min_score));
+        row("score", format!("{:.2} mean, ± {:.2} sd, {:.2} lowest", self.mean_score, self.std_score, self.min_score));
         if let (Some(rate), Some([low, high])) = (self.success_rate, self.success_ci95) {
             row("success", format!("{:.1} % (95 %: {:.1} to {:.1})", 100.0 * rate, 100.0 * low, 100.0 * high));
         }
@@ -165,13 +200,13 @@ impl EvaluationReport {
         let ends = self.outcomes.iter().filter(|(_, count)| **count > 0);
         row("ends", ends.map(|(name, count)| format!("{name} {count}")).collect::<Vec<_>>().join(", "));
         row("time", format!("{:.1} ns per action, all lanes together", self.ns_per_action));
-        text
+        text + &self.against.as_ref().map(|against| against.to_table()).unwrap_or_default()
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Episodes, EvaluationReport, HybridResult};
+    use super::{Against, Episodes, EvaluationReport, HybridResult};
     use tpg_engine::{EpisodeResult, TaskSet};
     use tpg_problems::{Problem, ProblemName};
 
@@ -186,6 +221,31 @@ mod tests {
         assert_eq!((&json["mean_score"], &json["min_score"]), (&3.0.into(), &2.0.into()));
         assert!((json["std_score"].as_f64().expect("a number") - 2f64.sqrt()).abs() < 1e-12);
         assert!(json["success_rate"].is_null() && json["success_ci95"].is_null());
-        assert!(json.get("mean_distance_mm").is_none() && json.get("shield").is_none());
+        assert!(
+            json.get("mean_distance_mm").is_none() && json.get("shield").is_none() && json.get("against").is_none()
+        );
+    }
+
+    #[test]
+    fn a_difference_is_that_of_pairs() {
+        let ending = |score| EpisodeResult { outcome: 0, success: None, score, measure: 0.0, actions: 3 };
+        let (these, others) = ([1.0, 102.0, 7.0].map(ending), [0.0, 101.0, 5.5].map(ending));
+        let episodes = Episodes { set: TaskSet::Test, count: 3, seed: 1, file: None };
+        let problem = Problem::new(ProblemName::Pendulum);
+        let report = |endings: &[EpisodeResult]| {
+            let done = HybridResult::alone(endings.to_vec());
+            EvaluationReport::new(&problem, "graph.json", episodes, &done, None, 0.0)
+        };
+        let against = |others: &[EpisodeResult]| Against::new(report(others), &these, others);
+        let found = against(&others);
+        assert!((found.difference - 3.5 / 3.0).abs() < 1e-12);
+        let half = 1.959_964 * (1.0f64 / 12.0).sqrt() / 3f64.sqrt();
+        assert!((found.difference_ci95[0] - (3.5 / 3.0 - half)).abs() < 1e-6, "{found:?}");
+        assert!(found.to_table().ends_with("difference     +1.17 (95 %: +0.84 to +1.49): the first is better\n"));
+        assert!(
+            against(&these).to_table().ends_with("difference     +0.00 (95 %: +0.00 to +0.00): no clear difference\n")
+        );
+        let better = against(&[2.0, 103.0, 8.5].map(ending));
+        assert!(better.to_table().ends_with(": the second is better\n"), "{}", better.to_table());
     }
 }

@@ -164,7 +164,7 @@ fn with_restarts(folder: &Path) -> Result<Vec<(PathBuf, String)>, InputError> {
     if restarts.is_empty() {
         let accepted =
             "the folder of a run, with config.toml, of a study, with study.toml, or of restarts, with seed-S";
-        return Err(InputError::new(folder.display().to_string(), Place::Whole, "neither", accepted));
+        return Err(InputError::new(folder.display().to_string(), Place::Whole, "no run", accepted));
     }
     Ok(restarts.into_iter().map(|path| (path.clone(), format!("{name}/{}", last(&path)))).collect())
 }
