@@ -60,11 +60,19 @@ fn forward(stream: Option<impl Read + Send + 'static>, sender: Sender<String>) {
     let Some(stream) = stream else { return };
     thread::spawn(move || {
         for line in BufReader::new(stream).split(b'\n').map_while(Result::ok) {
-            if sender.send(String::from_utf8_lossy(&line).into_owned()).is_err() {
+            if sender.send(plain(&String::from_utf8_lossy(&line)).to_owned()).is_err() {
                 return;
             }
         }
     });
+}
+
+/// Takes off what simavr puts around a line: colours, and a dot for its end.
+fn plain(line: &str) -> &str {
+    match line.rsplit_once("\u{1b}[32m") {
+        Some((_, coloured)) => coloured.strip_suffix('.').unwrap_or(coloured),
+        None => line,
+    }
 }
 
 #[cfg(test)]
@@ -75,7 +83,8 @@ mod tests {
     #[test]
     fn a_machine_that_does_not_end_is_ended_and_one_that_says_nothing_is_a_failure() {
         let run = |script: &str| until_done(Command::new("sh").args(["-c", script]));
-        let lines = run("echo one a=1; echo two >&2; echo done; sleep 1000").expect("it is done");
+        let lines =
+            run("echo one a=1; echo two >&2; printf '\\033[0m\\033[32mdone.\\n'; sleep 1000").expect("it is done");
         assert!(lines.iter().any(|line| line.number("a") == 1) && lines.len() >= 2, "{lines:?}");
         let error = run("echo half; exit 3").expect_err("it is not done").0;
         assert!(error.contains("half") && error.contains("exit status: 3"), "{error}");

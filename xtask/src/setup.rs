@@ -27,6 +27,7 @@ const PACKAGES: [(&str, &str); 33] = [
     ("libclang-rt-14-dev-wasm32", "/usr/lib/llvm-14/lib/clang/14.0.6/lib/wasi/libclang_rt.builtins-wasm32.a"),
     ("qemu-system-arm", "/usr/bin/qemu-system-arm"),
     ("qemu-system-misc", "/usr/bin/qemu-system-riscv32"),
+    ("simavr", "/usr/bin/simavr"),
     ("qemu-user", "/usr/bin/qemu-ppc"),
     ("valgrind", "/usr/bin/valgrind"),
     ("cmake", "/usr/bin/cmake"),

@@ -4,7 +4,7 @@ use super::shipped::Bits;
 use std::path::Path;
 use std::process::Command;
 
-/// A core, on a board that QEMU has.
+/// A core, on a board that an emulator has.
 #[derive(Debug)]
 pub(super) struct Core {
     /// The name in tables.
@@ -30,7 +30,7 @@ pub(super) enum Runner {
     Arm(Memories, u32),
     /// `qemu-system-riscv32`.
     RiscV(Memories),
-    /// `qemu-system-avr`.
+    /// `simavr`: QEMU's AVR answers wrongly where integers are multiplied.
     Avr,
     /// Node, by WASI.
     Wasm,
@@ -88,7 +88,7 @@ const AN505: (Memories, u32) = (memories((0x1000_0000, "4M"), (0x3800_0000, "4M"
 const RV32IMAC: &[&str] = &["-march=rv32imac", "-mabi=ilp32", "-mcmodel=medany"];
 
 /// Every core.
-pub(super) const CORES: [Core; 17] = [
+pub(super) const CORES: [Core; 16] = [
     arm(
         "Cortex-M0",
         "microbit",
@@ -169,11 +169,7 @@ pub(super) const CORES: [Core; 17] = [
     Core {
         images: 2,
         figures: true,
-        ..only_c("AVR ATmega328P", "uno", Runner::Avr, &["-mmcu=atmega328p", "-DF_CPU=16000000UL"])
-    },
-    Core {
-        figures: true,
-        ..only_c("AVR ATmega2560", "mega2560", Runner::Avr, &["-mmcu=atmega2560", "-DF_CPU=16000000UL"])
+        ..only_c("AVR ATmega328P", "atmega328p", Runner::Avr, &["-mmcu=atmega328p", "-DF_CPU=16000000UL"])
     },
     Core {
         target: Some("wasm32-unknown-unknown"),
@@ -207,7 +203,7 @@ impl Core {
         match self.runner {
             Runner::Arm(..) => Some(("qemu-system-arm", "qemu-system-arm")),
             Runner::RiscV(_) => Some(("qemu-system-riscv32", "qemu-system-misc")),
-            Runner::Avr => Some(("qemu-system-avr", "qemu-system-misc")),
+            Runner::Avr => Some(("simavr", "simavr")),
             Runner::Wasm => Some(("node", "nodejs")),
             Runner::Host => None,
             Runner::User => Some(("qemu-ppc", "qemu-user")),
@@ -245,9 +241,9 @@ impl Core {
         if matches!(self.runner, Runner::Avr) { Bits::NeitherTinyNorHuge } else { Bits::Any }
     }
 
-    /// True where instructions are counted.
+    /// True where instructions, or an AVR's cycles, are counted.
     pub(super) fn counts(&self) -> bool {
-        matches!(self.runner, Runner::Arm(..) | Runner::RiscV(_))
+        matches!(self.runner, Runner::Arm(..) | Runner::RiscV(_) | Runner::Avr)
     }
 
     /// The command that runs an image; its last line is `done`.
@@ -265,7 +261,7 @@ impl Core {
                 command.args(semihosting).arg(image);
             }
             Runner::Avr => {
-                command.args(system).args(["-serial", "stdio", "-bios"]).arg(image);
+                command.args(["-m", self.machine, "-f", "16000000"]).arg(image);
             }
             Runner::Wasm => {
                 command.arg("--no-warnings").arg(wasi).arg(image);

@@ -2,7 +2,7 @@
 
 use super::core::{CORES, Core};
 use super::images::EPISODES;
-use super::shipped::{Bits, STATES, WIDTHS};
+use super::shipped::{Bits, FEWER_STATES, STATES, WIDTHS};
 use crate::Failure;
 use crate::build;
 use crate::costs::{Cost, Tolerance};
@@ -197,7 +197,7 @@ impl std::fmt::Display for Figures {
         writeln!(
             f,
             "# Cores\n\n\
-             Generated code on every core that QEMU has, compared with the interpreter bit for bit by `cargo xtask cores`\n\
+             Generated code on emulated cores, compared with the interpreter bit for bit by `cargo xtask cores`\n\
              (`--update` writes this page).\n\n\
              ## What acts the same\n\n\
              - C: each shipped policy and one with memory, profile `fast`, GNU C, `-Os`, {STATES} states, a third of them any bits.\n\
@@ -215,8 +215,9 @@ impl std::fmt::Display for Figures {
         }
         writeln!(
             f,
-            "\nOn an AVR states are zeros, infinities, NaN and magnitudes from 2⁻³¹ to 2³²: avr-libc rounds denormal quotients differently, in\n\
-             the last bit.\n"
+            "\nAn AVR decides {} states: zeros, infinities, NaN and magnitudes from 2⁻³¹ to 2³²: avr-libc rounds denormal quotients differently, in\n\
+             the last bit.\n",
+            FEWER_STATES
         )?;
         writeln!(
             f,
@@ -232,15 +233,15 @@ impl std::fmt::Display for Figures {
         )?;
         writeln!(
             f,
-            "## Instructions of the C\n\nMean · worst of {STATES} states, counted by QEMU with `-icount`; it has no such counter for AVR. \
-             An instruction is not a cycle.\n\n{}",
+            "## Instructions of the C\n\nMean · worst of {STATES} states, counted by QEMU with `-icount`. An instruction is not a cycle; for an AVR \
+             it is cycles, by simavr.\n\n{}",
             self.table(|of| cost(&of.c))
         )?;
         writeln!(
             f,
             "## In integers\n\nThe same policies by `tpg-codegen quantise` with inputs and weights of 16 and of 8 bits, scales from the declared \
-             ranges ([My chip has no FPU](no-fpu.md)), fed by counts. Instructions of the C in the mean, in floats · 16 bits · 8 bits; the last \
-             column is the geometric mean of the shares.\n\n{}",
+             ranges ([My chip has no FPU](no-fpu.md)), fed by counts. Instructions (AVR: cycles) of the C in the mean, in floats · 16 bits · 8 bits\n\
+             ({FEWER_STATES} states); the last column is the geometric mean of the shares.\n\n{}",
             self.table(|of| in_integers(&of.c, Cost::mean))
         )?;
         writeln!(f, "Bytes of flash alike.\n\n{}", self.table(|of| in_integers(&of.flash, |&bytes| bytes as f64)))?;

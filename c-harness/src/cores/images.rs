@@ -1,7 +1,7 @@
 //! The images of a core, and the library in Rust that one of them holds.
 
 use super::core::{Core, Runner};
-use super::shipped::{self, Kind, STATES, Shipped};
+use super::shipped::{self, Kind, Shipped};
 use crate::Failure;
 use crate::build::{generated_c, room, there};
 use std::env;
@@ -133,7 +133,9 @@ impl Place {
     ) -> Result<PathBuf, Failure> {
         let folder = self.folder(core)?;
         let mut compiler = self.compiler(core, &folder);
-        compiler.arg(format!("-DSTATES={STATES}")).arg(self.firmware.join("cores/states.c"));
+        compiler
+            .arg(format!("-DSTATES={}U", core.bits().states(policies == Kind::Integers)))
+            .arg(self.firmware.join("cores/states.c"));
         compiler.arg(format!("-DIN_IMAGE={chosen:#x}U")).arg(self.generated.join(policies.file()));
         self.finish(core, compiler, &objects, folder.join(name))
     }

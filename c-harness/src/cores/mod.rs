@@ -20,7 +20,7 @@ use crate::record::Hash;
 use core::{CORES, Core};
 use figures::{Figures, Program};
 use images::{EPISODES, Place};
-use shipped::{Kind, STATES, Shipped};
+use shipped::{Kind, Shipped};
 use std::fs;
 use tpg_cores::layers;
 use tpg_kernels::Kind as Network;
@@ -91,7 +91,8 @@ fn one(
     }
     compare(core, "C in integers", integers, &lines)?;
     figures.add(core, Program::C, &lines);
-    let mut said = format!("C of {} policies on {STATES} states each, in floats and in integers", shipped.len());
+    let [states, fewer] = [false, true].map(|integers| core.bits().states(integers));
+    let mut said = format!("C of {} policies on {states} states each, in integers on {fewer}", shipped.len());
     let mut all = true;
     match place.in_rust(core)? {
         Some([policies, layers]) => {
@@ -123,7 +124,13 @@ fn compare<'a>(
 ) -> Result<(), Failure> {
     let place = format!("{}, {language}", core.title());
     for one in shipped {
-        line::check(&place, lines, &format!("policy {}", one.prefix), STATES as u64, one.expected(core.bits()))?;
+        line::check(
+            &place,
+            lines,
+            &format!("policy {}", one.prefix),
+            one.states(core.bits()) as u64,
+            one.expected(core.bits()),
+        )?;
     }
     Ok(())
 }

@@ -14,8 +14,11 @@ use tpg_graph::{Graph, ScalarType, import};
 use tpg_runtime::policy::ActionId;
 use tpg_testing::library;
 
-/// States of each policy.
+/// States of each policy on most cores.
 pub(super) const STATES: usize = 10_000;
+
+/// States of each policy in integers, and of each on an AVR.
+pub(super) const FEWER_STATES: usize = 2_000;
 
 /// Values that `policies.h` has room for.
 const MOST_VALUES: u32 = 24;
@@ -30,6 +33,14 @@ pub(super) enum Bits {
 }
 
 impl Bits {
+    /// States of each policy: fewer of those in integers, and on an AVR, whose emulator is slow.
+    pub(super) const fn states(self, integers: bool) -> usize {
+        match self {
+            Self::Any if !integers => STATES,
+            _ => FEWER_STATES,
+        }
+    }
+
     fn apply(self, bits: u32) -> u32 {
         match (self, bits >> 23 & 255) {
             (Self::Any, _) | (_, 255) => bits,
@@ -90,8 +101,9 @@ fn states(graph: &Graph, kind: Bits) -> Vec<f64> {
     let most = |input| graph.counts_of(input).map(|counts| counts.limits()[1] as f32);
     let most: Vec<Option<f32>> = graph.inputs().map(most).collect();
     let mut bits = 1u32;
-    let mut states = Vec::with_capacity(STATES * low.len());
-    for index in 0..STATES {
+    let count = kind.states(graph.has_counts());
+    let mut states = Vec::with_capacity(count * low.len());
+    for index in 0..count {
         for ((low, step), most) in low.iter().zip(&step).zip(&most) {
             bits ^= bits << 13;
             bits ^= bits >> 17;
@@ -144,6 +156,11 @@ impl Shipped {
     pub(super) fn expected(&self, bits: Bits) -> &Hash {
         let [any, neither] = &self.hashes;
         if bits == Bits::Any { any } else { neither }
+    }
+
+    /// The number of its states with such bits.
+    pub(super) fn states(&self, bits: Bits) -> usize {
+        bits.states(self.graph.has_counts())
     }
 
     /// The generated C.
