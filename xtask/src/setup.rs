@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 use tpg_testing::library::TARGETS;
 
 /// Debian packages, each with a program that shows whether it is installed.
-const PACKAGES: [(&str, &str); 33] = [
+const PACKAGES: &[(&str, &str)] = &[
     ("gcc", "/usr/bin/gcc"),
     ("g++", "/usr/bin/g++"),
     ("clang", "/usr/bin/clang"),

@@ -15,6 +15,7 @@ mod rust;
 mod syntax;
 mod table;
 mod team;
+pub(crate) mod vectors;
 
 pub(crate) use c::{comment, compares_in_functions, field::field};
 pub(crate) use rust::one_line;

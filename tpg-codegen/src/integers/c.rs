@@ -3,8 +3,9 @@
 use super::comment::Comments;
 use super::dense::{Dense, Table};
 use super::lines::{Function, Lines, Spelling};
-use super::view::{self, FieldView, VectorView, actions, sources, vectors};
+use super::view::{self, FieldView, VectorView, actions, sources};
 use super::{Integers, Whole, input_bits, output_bits};
+use crate::emit::vectors::vectors;
 use crate::emit::{File, banner, comment, field, layout, names};
 use crate::ir::{Node, NodeId, Target, reached, topological};
 use crate::program::Program;
@@ -25,6 +26,8 @@ struct Header<'a> {
     actions: Vec<(String, String)>,
     outputs: Vec<FieldView>,
     memory: Vec<FieldView>,
+    /// The quality of the self-test.
+    quality: Option<String>,
 }
 
 #[derive(Template)]
@@ -159,6 +162,7 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
     }
     let banner = banner::lines(program);
     let (outputs, memory) = (view::outputs(graph, false), view::outputs(graph, true));
+    let chosen = vectors(graph);
     let header = Header {
         banner: &banner,
         prefix,
@@ -167,6 +171,7 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
         actions: actions(graph, &upper),
         outputs,
         memory,
+        quality: chosen.quality(),
     };
     let source = Source {
         banner: &banner,
@@ -178,7 +183,7 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
         outputs: view::outputs(graph, false),
         memory: view::outputs(graph, true),
         body: body.text,
-        vectors: vectors(graph, &upper),
+        vectors: view::views(graph, &upper, &chosen),
     };
     let text = |text: askama::Result<String>| layout::tidy(&text.expect("the template renders"));
     vec![

@@ -2,14 +2,10 @@
 
 use super::comment::{with_unit, worth};
 use super::output_bits;
+use crate::emit::vectors::Vectors;
 use crate::emit::{comment, field, names};
-use tpg_graph::interpret::{self, Answer};
-use tpg_graph::{Graph, states};
-
-/// States in the self-test.
-const VECTORS: usize = 16;
-/// The seed they are drawn with.
-const VECTOR_SEED: u64 = 1;
+use tpg_graph::Graph;
+use tpg_graph::interpret::Answer;
 
 /// A field of a structure.
 pub(super) struct FieldView {
@@ -96,10 +92,8 @@ pub(super) fn outputs(graph: &Graph, of_memory: bool) -> Vec<FieldView> {
 }
 
 /// The states of the self-test.
-pub(super) fn vectors(graph: &Graph, upper: &str) -> Vec<VectorView> {
+pub(super) fn views(graph: &Graph, upper: &str, Vectors { states, answers, .. }: &Vectors) -> Vec<VectorView> {
     let constants = actions(graph, upper);
-    let states = states::sample(graph, VECTORS, VECTOR_SEED);
-    let answers = interpret::answers(graph, &states);
     let seen = graph.state_length() - graph.memory();
     let list = |values: &[f64]| values.iter().map(|value| whole(*value)).collect::<Vec<_>>().join(", ");
     (states.chunks_exact(graph.state_length()).zip(answers))

@@ -98,8 +98,13 @@ void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_memory_t
 {%- endif %}
 #ifndef {{ upper }}_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
+{%- if let Some(quality) = quality %}
+ * {{ quality }}
+{%- endif %}
 {%- if system_maths %}
  * The graph uses the platform's sin, cos, log and exp: another libm than the generator's may differ in the last bit.
+ */
+{%- else if quality.is_some() %}
  */
 {%- else %} */{% endif %}
 uint32_t {{ prefix }}_selftest(void);

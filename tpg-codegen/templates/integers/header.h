@@ -67,7 +67,11 @@ void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_memory_t
 {% endif %}
 {%- endif %}
 #ifndef {{ upper }}_NO_SELFTEST
-/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good. */
+/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
+{%- if let Some(quality) = quality %}
+ * {{ quality }}
+ */
+{%- else %} */{% endif %}
 uint32_t {{ prefix }}_selftest(void);
 #endif
 

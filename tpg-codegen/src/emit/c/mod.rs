@@ -16,6 +16,7 @@ mod walk;
 
 use super::interface::{OutputView, SourceView, asks, outputs, sources};
 use super::syntax::Syntax;
+use super::vectors::{Vectors, vectors};
 use super::{File, banner, layout, moves::moves, names};
 use crate::cost::{Cost, Costs};
 use crate::program::{Program, Shape};
@@ -23,14 +24,8 @@ use askama::Template;
 use entry::Entry;
 use expression::Printer;
 pub(crate) use fast::compares_in_functions;
-use tpg_graph::interpret::{self, Answer};
-use tpg_graph::states;
+use tpg_graph::interpret::Answer;
 use tpg_graph::{Graph, MathsProvider, ScalarType};
-
-/// States in the self-test.
-const VECTORS: usize = 16;
-/// The seed they are drawn with.
-const VECTOR_SEED: u64 = 1;
 
 #[derive(Template)]
 #[template(path = "c/header.h", escape = "none")]
@@ -52,6 +47,8 @@ struct Header<'a> {
     gegelati: bool,
     system_maths: bool,
     arm: Option<ArmView>,
+    /// The quality of the self-test.
+    quality: Option<String>,
 }
 
 /// The sources and moves of a policy that drives the arm, as initialisers.
@@ -129,6 +126,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let seen = &sources[..sources.len() - graph.memory()];
     let (answers, memory) = outputs.split_at(outputs.len() - graph.memory());
     let observed = if memory.is_empty() { Vec::new() } else { seen.iter().flat_map(observed).collect() };
+    let chosen = vectors(graph);
     let header = Header {
         banner: &banner,
         prefix,
@@ -145,8 +143,9 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         gegelati,
         system_maths: graph.maths() == MathsProvider::System,
         arm: arm_view(graph),
+        quality: chosen.quality(),
     };
-    let vectors = vectors(&printer);
+    let vectors = views(&printer, &chosen);
     let shown = vectors.iter().flat_map(|vector| [&vector.state, &vector.answer]);
     let needs_math = [&helpers, &body].into_iter().chain(shown).any(|text| uses_maths(text));
     let needs_string = [&helpers, &body].into_iter().chain(&observed).any(|text| text.contains("memcpy"));
@@ -234,10 +233,8 @@ pub(crate) fn comment(text: &str) -> String {
     safe
 }
 
-fn vectors(printer: &Printer<'_>) -> Vec<VectorView> {
+fn views(printer: &Printer<'_>, Vectors { states, answers, .. }: &Vectors) -> Vec<VectorView> {
     let (graph, constants) = (printer.graph, printer.constants());
-    let states = states::sample_in_range(graph, VECTORS, VECTOR_SEED);
-    let answers = interpret::answers(graph, &states);
     (states.chunks_exact(graph.state_length()).zip(answers))
         .map(|(state, answer)| {
             let mut values = state.iter();
