@@ -29,8 +29,10 @@ mod cli;
 mod cost;
 pub mod emit;
 mod explain;
+mod formula;
 mod integers;
 mod ir;
+mod least;
 mod options;
 mod package;
 mod passes;
@@ -38,6 +40,7 @@ pub mod policy;
 mod program;
 pub mod quantise;
 pub mod report;
+mod shape;
 pub mod size;
 pub mod verify;
 

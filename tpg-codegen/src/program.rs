@@ -1,16 +1,14 @@
 //! A graph compiled for a language: all decisions are made before any text is printed.
 
-use crate::integers::Integers;
-use crate::ir::{Module, NodeId, topological};
+use crate::integers::{self, Integers};
+use crate::ir::{Module, topological};
+use crate::least;
 use crate::options::{Language, Options, Profile, Style};
-use crate::passes::bytecode::{self, Bytecode};
-use crate::passes::cases::{self, Cases};
-use crate::passes::functions::{self, Function};
-use crate::passes::schedule::{self, Schedule};
-use crate::passes::{self, Log, Removed};
-use crate::size::least;
-use std::collections::BTreeSet;
+use crate::passes::log::{Log, Removed};
+use crate::passes::{self, bytecode, cases, functions, schedule};
+use crate::shape::{Formula, Shape};
 use tpg_graph::Graph;
+use tpg_graph::error::InputError;
 
 /// A compiled graph, which is then printed, costed, measured, explained and proven.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,49 +23,6 @@ pub struct Program<'g> {
     pub(crate) shape: Shape,
     /// The removals of the passes.
     pub(crate) log: Log,
-}
-
-/// The shape of code, with the results of its passes.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Shape {
-    /// See [`Profile::Fast`].
-    Fast {
-        /// The order of each team's bids.
-        schedule: Schedule,
-        /// The teams of each function, in topological order: what a team leads to comes after it.
-        functions: Vec<Vec<usize>>,
-    },
-    /// See [`Profile::Balanced`].
-    Balanced(Cases),
-    /// Tables and an evaluator: [`Profile::Small`], unless another shape of a small graph is less.
-    Small(Bytecode),
-    /// See [`Profile::ConstantTime`].
-    ConstantTime(Vec<Function>),
-    /// Nothing to decide: the outputs of the only leaf. In any profile; without a branch for [`Profile::ConstantTime`].
-    Formula(Formula),
-    /// See [`Style::Gegelati`].
-    Gegelati,
-    /// See [`integers`](crate::integers).
-    Integers(Integers),
-}
-
-/// The outputs of the only leaf.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Formula {
-    /// The value of each output, before it is limited.
-    pub values: Vec<NodeId>,
-    /// The operations that they need, operands before operations.
-    pub operations: BTreeSet<NodeId>,
-    /// No comparison may become a branch.
-    pub branch_free: bool,
-}
-
-impl Formula {
-    fn new(module: &Module<'_>, profile: Profile) -> Option<Self> {
-        let values = module.only_leaf()?.values.clone();
-        let operations = values.iter().flat_map(|&value| module.operations_of(value)).collect();
-        Some(Self { values, operations, branch_free: profile == Profile::ConstantTime })
-    }
 }
 
 /// Compiles a graph.
@@ -112,6 +67,22 @@ pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> P
         shape(profile)
     };
     program(module, shape, log)
+}
+
+/// Compiles a graph of whole numbers to integers; `file` is its name in messages.
+///
+/// # Errors
+/// The first value that is not known to be whole.
+pub(crate) fn compile_integers<'g>(
+    file: &str,
+    graph: &'g Graph,
+    options: &Options,
+    language: Language,
+) -> Result<Program<'g>, InputError> {
+    let (module, log) = passes::optimise(graph);
+    let tables = options.profile_in(language) == Profile::Small;
+    let integers = Integers { values: integers::analyse(file, &module)?, tables };
+    Ok(Program { module, language, options: options.clone(), shape: Shape::Integers(integers), log })
 }
 
 fn fast(module: &Module<'_>) -> Shape {

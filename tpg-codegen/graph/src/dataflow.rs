@@ -110,15 +110,15 @@ pub fn depth_first(
     Ok(finished)
 }
 
-impl Assignment for crate::Line {
+impl Assignment for crate::model::graph::Line {
     fn writes(&self) -> usize {
         self.to.index()
     }
 
     fn reads(&self) -> impl Iterator<Item = usize> {
         let operands = self.operands.iter().take(self.instruction.arity()).filter_map(|operand| match operand {
-            crate::Operand::Register(register) => Some(register.index()),
-            crate::Operand::Input(_) | crate::Operand::Constant(_) => None,
+            crate::model::graph::Operand::Register(register) => Some(register.index()),
+            crate::model::graph::Operand::Input(_) | crate::model::graph::Operand::Constant(_) => None,
         });
         operands.chain(self.instruction.reads_destination().then(|| self.to.index()))
     }

@@ -1,6 +1,6 @@
 //! The options that select code, shared by `generate` and `verify`.
 
-use super::GraphArgs;
+use super::graph::GraphArgs;
 use super::scalar::{Chosen, ScalarArgs, StatesArgs};
 use crate::emit::Code;
 use crate::options::{Language, Options, Prefix, Profile, Style};

@@ -1,6 +1,6 @@
 //! `tpg-codegen convert`: a graph from one format to another.
 
-use super::GraphArgs;
+use super::graph::GraphArgs;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use tpg_graph::Graph;

@@ -6,6 +6,7 @@ mod examples;
 mod expected;
 mod flash;
 mod generate;
+mod graph;
 mod package;
 mod policy;
 mod prove;
@@ -17,16 +18,11 @@ pub mod shell;
 mod sidecar;
 mod verify;
 
-pub(crate) use generate::GenerateArgs;
-
-use clap::{Args, CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
-use tpg_graph::Graph;
 use tpg_graph::command::{be_quiet, exit_code};
-use tpg_graph::error::InputError;
-use tpg_graph::import;
 
 /// Compiles tangled program graphs into C and no_std Rust, and proves the C equal to the graph.
 ///
@@ -46,7 +42,7 @@ pub struct Cli {
 enum Command {
     /// Generate code, say how big it is, compare it with the interpreter, and prove the C
     #[command(after_help = examples::GENERATE)]
-    Generate(GenerateArgs),
+    Generate(generate::GenerateArgs),
     /// Compile the generated code and compare it with the interpreter
     #[command(after_help = examples::VERIFY)]
     Verify(verify::VerifyArgs),
@@ -80,29 +76,6 @@ enum Command {
     /// Print a manual page
     #[command(after_help = examples::MAN)]
     Man(shell::ManArgs),
-}
-
-/// The graph to read, and the description that a `.dot` file lacks.
-#[derive(Clone, Debug, Args)]
-pub(crate) struct GraphArgs {
-    /// A graph.json or a GEGELATI .dot file; - for standard input
-    pub graph: PathBuf,
-    /// A built-in description of the data that a .dot file lacks
-    #[arg(long, value_name = "NAME", conflicts_with = "sidecar")]
-    pub profile_of: Option<import::Profile>,
-    /// A TOML file with the data that a .dot file lacks
-    #[arg(long, value_name = "FILE")]
-    pub sidecar: Option<PathBuf>,
-}
-
-impl GraphArgs {
-    /// Reads and validates the graph.
-    ///
-    /// # Errors
-    /// The first defect of the input.
-    pub(crate) fn load(&self) -> Result<Graph, InputError> {
-        import::load(&self.graph, self.profile_of, self.sidecar.as_deref())
-    }
 }
 
 impl Cli {

@@ -1,6 +1,6 @@
 //! `tpg-codegen package`: a policy as a package of an ecosystem.
 
-use super::GraphArgs;
+use super::graph::GraphArgs;
 use super::prove::proven;
 use super::scalar::{Chosen, ScalarArgs, StatesArgs};
 use super::verify::{prove, sentences, verdict};

@@ -1,8 +1,9 @@
 //! `tpg-codegen prove`: code decides like the graph, for every input.
 
-use super::GraphArgs;
+use super::graph::GraphArgs;
 use crate::emit::{Code, Language, Options, Prefix, Profile, Style};
-use crate::program::{Shape, compile};
+use crate::program::compile;
+use crate::shape::Shape;
 use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};

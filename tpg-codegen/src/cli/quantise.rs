@@ -1,6 +1,6 @@
 //! `tpg-codegen quantise`: a graph of floats into a graph of whole numbers.
 
-use super::GraphArgs;
+use super::graph::GraphArgs;
 use crate::quantise::{Request, quantise};
 use clap::Args;
 use std::path::{Path, PathBuf};

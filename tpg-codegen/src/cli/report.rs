@@ -1,7 +1,7 @@
 //! `tpg-codegen report`: the resources that a graph's code needs.
 
-use super::GraphArgs;
 use super::flash::check_flash;
+use super::graph::GraphArgs;
 use super::scalar::{Chosen, ScalarArgs, StatesArgs};
 use crate::emit::Code;
 use crate::options::{Language, Options, Prefix, Profile};

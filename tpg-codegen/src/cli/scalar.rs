@@ -1,6 +1,6 @@
 //! Options that several commands share: the scalar type, and the states for measurements.
 
-use super::GraphArgs;
+use super::graph::GraphArgs;
 use clap::Args;
 use std::path::PathBuf;
 use tpg_graph::command::CommandError;

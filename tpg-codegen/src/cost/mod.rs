@@ -8,7 +8,8 @@ use crate::options::Language;
 use crate::passes::cases::{Case, Cases, Function, Kind};
 use crate::passes::functions;
 use crate::passes::schedule::{Bid, LazyBid, Sparing, TeamSchedule};
-use crate::program::{Program, Shape};
+use crate::program::Program;
+use crate::shape::Shape;
 use serde::Serialize;
 use std::collections::BTreeSet;
 

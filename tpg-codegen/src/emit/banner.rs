@@ -3,7 +3,8 @@
 use crate::integers::Integers;
 use crate::ir::Node;
 use crate::options::{Language, Profile, Style};
-use crate::program::{Program, Shape};
+use crate::program::Program;
+use crate::shape::Shape;
 use tpg_graph::conversion::Conversion;
 use tpg_graph::error::counted;
 use tpg_graph::{Graph, MathsProvider, Provenance, ScalarType};

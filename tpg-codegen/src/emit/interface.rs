@@ -1,7 +1,7 @@
 //! The sources of a state and the outputs of an answer as generated code documents them.
 
 use super::block::unused;
-use super::field;
+use super::c::field::field;
 use super::syntax::Syntax;
 use std::collections::BTreeSet;
 use tpg_graph::{Graph, Output, Range};

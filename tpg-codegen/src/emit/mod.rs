@@ -2,11 +2,13 @@
 
 pub(crate) mod banner;
 pub(crate) mod block;
-mod c;
+pub(crate) mod c;
 mod cases;
 mod choice;
+pub(crate) mod file;
 mod helpers;
-mod interface;
+mod integers;
+pub(crate) mod interface;
 pub(crate) mod layout;
 mod leaves;
 mod moves;
@@ -14,29 +16,17 @@ pub(crate) mod names;
 mod rust;
 mod syntax;
 mod table;
-mod team;
+pub(crate) mod team;
 pub(crate) mod vectors;
 
-pub(crate) use c::{comment, compares_in_functions, field::field};
-pub(crate) use rust::one_line;
-
-pub(crate) use interface::written;
+pub use file::File;
 
 pub use crate::options::{Language, Options, Prefix, Profile, Style};
 
-use crate::integers;
-use crate::program::{Program, Shape, compile};
+use crate::program::{Program, compile, compile_integers};
+use crate::shape::Shape;
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
-
-/// A file to write.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct File {
-    /// Its name, without folder.
-    pub name: String,
-    /// Its text.
-    pub text: String,
-}
 
 /// A program and its text: what is written is what is measured and proven.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,7 +58,7 @@ impl<'g> Code<'g> {
         options: &Options,
         language: Language,
     ) -> Result<Self, InputError> {
-        integers::compile(file, graph, options, language).map(Self::of)
+        compile_integers(file, graph, options, language).map(Self::of)
     }
 }
 

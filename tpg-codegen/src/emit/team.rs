@@ -2,9 +2,19 @@
 
 use super::block::{Block, unused};
 use super::syntax::Syntax;
-use crate::ir::Target;
+use crate::ir::{Module, Target};
 use crate::passes::schedule::{Bid, LazyBid, Sparing, TeamSchedule};
 use std::collections::{BTreeMap, BTreeSet};
+use tpg_graph::ScalarType;
+
+/// The minimum number of edges whose comparisons are worth functions.
+const EDGES: usize = 32;
+
+/// Tests for a graph whose bids are compared in functions: on a processor without doubles a comparison is a call, and with its
+/// arguments and what follows from it, it takes most of the code of a team.
+pub(crate) fn compares_in_functions(module: &Module<'_>) -> bool {
+    module.graph.scalar() == ScalarType::F64 && module.leaves.is_empty() && module.edges() >= EDGES
+}
 
 /// A team; `J` is a language's jump to a destination.
 pub(super) struct TeamView<J> {

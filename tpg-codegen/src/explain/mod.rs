@@ -1,17 +1,19 @@
 //! `--explain`: the removals of each pass, and the remaining bids, team by team, as readable formulas.
 
-pub(crate) mod formula;
 mod policy;
 mod table;
 
 pub use policy::{BidFormula, LeafFormulas, PolicyFormulas, TeamFormulas};
 pub use table::{Bids, Destination, Value};
 
+use policy::fast;
+
+use crate::formula::Spelling;
 use crate::ir::Module;
-use crate::options::{Language, Options, Profile, Style};
-use crate::passes::Log;
-use crate::program::{Program, Shape, compile};
-use formula::Spelling;
+use crate::options::{Language, Options};
+use crate::passes::log::Log;
+use crate::program::{Program, compile};
+use crate::shape::Shape;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::{self, Write as _};
 use tpg_graph::Word;
@@ -36,10 +38,6 @@ pub fn formulas(graph: &Graph, options: &Options) -> String {
     let program = compile(graph, &fast(options), Language::C);
     Explanation::new(&program).formulas(&mut out).expect("a string takes everything");
     out.trim_start().to_owned()
-}
-
-fn fast(options: &Options) -> Options {
-    Options { style: Style::Pure, profile: Some(Profile::Fast), ..options.clone() }
 }
 
 struct Explanation<'a> {

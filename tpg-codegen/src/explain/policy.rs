@@ -1,10 +1,10 @@
 //! A policy as formulas in a structure: for pages and reports that show it.
 
-use super::fast;
-use super::formula::{Formulas, Spelling};
+use crate::formula::{Formulas, Spelling};
 use crate::ir::{Module, NodeId, Target, reached};
-use crate::options::{Language, Options};
-use crate::program::{Program, Shape, compile};
+use crate::options::{Language, Options, Profile, Style};
+use crate::program::{Program, compile};
+use crate::shape::Shape;
 use serde::Serialize;
 use tpg_graph::Graph;
 
@@ -118,4 +118,9 @@ impl TeamFormulas {
             bids: team.edges.iter().zip(&bids).map(bid).collect(),
         }
     }
+}
+
+/// The options of fast C.
+pub(super) fn fast(options: &Options) -> Options {
+    Options { style: Style::Pure, profile: Some(Profile::Fast), ..options.clone() }
 }

@@ -4,31 +4,13 @@
 //! here shows for every value that it is a whole number, for every state there is, and how great it can be. What fits `int32_t` is
 //! computed in it, what does not in `int64_t`; nothing wraps or saturates, so the integers are the interpreter's. A value that may be
 //! a fraction, or is too great for an `f64` to be exact, is refused: there is no way back to floats.
-//!
-//! | module | subject |
-//! | --- | --- |
-//! | `whole` | exact intervals |
-//! | `lines` | values as statements: one sum a line |
-//! | `comment` | the formula in the units of the sources, and the bound |
-//! | `dense` | outputs that are sums of the same values, as a table and a loop |
-//! | `c`, `view`, `rust` | text |
 
-mod c;
-mod comment;
-mod dense;
-mod lines;
-mod rust;
-mod view;
 mod whole;
 
 pub(crate) use whole::{Unfit, Whole};
 
-use crate::emit::File;
-use crate::explain::formula;
+use crate::formula;
 use crate::ir::{Module, Node, NodeId, reached};
-use crate::options::{Language, Options, Profile};
-use crate::passes;
-use crate::program::{Program, Shape};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Graph, Input, ScalarType};
 
@@ -53,32 +35,8 @@ impl Integers {
     }
 }
 
-/// Compiles a graph of whole numbers to integers; `file` is its name in messages.
-///
-/// # Errors
-/// The first value that is not known to be whole.
-pub(crate) fn compile<'g>(
-    file: &str,
-    graph: &'g Graph,
-    options: &Options,
-    language: Language,
-) -> Result<Program<'g>, InputError> {
-    let (module, log) = passes::optimise(graph);
-    let tables = options.profile_in(language) == Profile::Small;
-    let integers = Integers { values: analyse(file, &module)?, tables };
-    Ok(Program { module, language, options: options.clone(), shape: Shape::Integers(integers), log })
-}
-
-/// The files of a program in integers.
-pub(crate) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
-    match program.language {
-        Language::C => c::files(program, integers),
-        Language::Rust => rust::files(program, integers),
-    }
-}
-
 /// The interval of every node.
-fn analyse(file: &str, module: &Module<'_>) -> Result<Vec<Whole>, InputError> {
+pub(crate) fn analyse(file: &str, module: &Module<'_>) -> Result<Vec<Whole>, InputError> {
     let refuse = |path: String, found: String, accepted: &str| {
         Err(InputError::new(file, Place::Path(path), found, accepted.to_owned()))
     };
@@ -168,12 +126,12 @@ fn user(module: &Module<'_>, id: NodeId) -> String {
 }
 
 /// The type of a value of the state in bits: 8, 16 or 32.
-fn input_bits(graph: &Graph, input: Input) -> u32 {
+pub(crate) fn input_bits(graph: &Graph, input: Input) -> u32 {
     let (source, place) = graph.source_of(input);
     source.counts.get(place).map_or(32, tpg_graph::Counts::container)
 }
 
 /// The type of an output in bits: 8, 16, or 32 for memory.
-fn output_bits(output: &tpg_graph::Output) -> u32 {
+pub(crate) fn output_bits(output: &tpg_graph::Output) -> u32 {
     output.counts.map_or(32, |counts| counts.container())
 }

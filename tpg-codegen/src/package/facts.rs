@@ -1,8 +1,10 @@
 //! Facts about a policy for the templates of packages.
 
-use super::Details;
+use super::details::Details;
 use crate::cost::{Cost, Costs};
-use crate::emit::{Code, field, written};
+use crate::emit::Code;
+use crate::emit::c::field::field;
+use crate::emit::interface::written;
 use crate::options::{Language, Options};
 use crate::program::compile;
 use crate::size::{self, Target};

@@ -1,6 +1,6 @@
 //! The files of each ecosystem.
 
-use super::Ecosystem;
+use super::details::Ecosystem;
 use super::facts::Facts;
 use crate::emit::Code;
 use askama::Template;

@@ -2,7 +2,7 @@
 //! whatever their destinations. (So a compiled policy has no second choice if an action is rejected afterwards: actions must
 //! be masked in the graph.)
 
-use super::DuplicateBid;
+use super::log::DuplicateBid;
 use crate::ir::{Edge, Module};
 use std::collections::BTreeMap;
 
@@ -32,7 +32,7 @@ pub(super) fn run(module: &mut Module<'_>) -> Vec<DuplicateBid> {
 mod tests {
     use super::run;
     use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
-    use crate::passes::DuplicateBid;
+    use crate::passes::log::DuplicateBid;
     use tpg_graph::sample::{self, Shape};
     use tpg_graph::{ActionId, Input};
 

@@ -1,8 +1,8 @@
 //! Bids that provably never win: those whose highest value is below what another bid of their team is certain to reach.
 //! A bid that can only equal it stays, for it may come later.
 
-use super::HopelessBid;
 use super::interval::Interval;
+use super::log::HopelessBid;
 use crate::ir::Module;
 
 /// Removes them and returns them.
@@ -29,8 +29,8 @@ pub(super) fn run(module: &mut Module<'_>, intervals: &[Interval]) -> Vec<Hopele
 mod tests {
     use super::run;
     use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
-    use crate::passes::HopelessBid;
     use crate::passes::interval::Interval;
+    use crate::passes::log::HopelessBid;
     use tpg_graph::sample::{self, Shape};
     use tpg_graph::{ActionId, Input};
 

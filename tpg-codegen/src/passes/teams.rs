@@ -4,7 +4,7 @@
 //! destinations are merged. Each rule can enable the other, so teams are visited in reverse topological order: successors
 //! first.
 
-use super::TwinTeam;
+use super::log::TwinTeam;
 use crate::ir::{Module, NodeId, Target, ends_first, longest_walk};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -107,7 +107,7 @@ fn renumber(module: &mut Module<'_>) {
 mod tests {
     use super::{Removed, run};
     use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
-    use crate::passes::TwinTeam;
+    use crate::passes::log::TwinTeam;
     use tpg_graph::sample::{self, Shape};
     use tpg_graph::{ActionId, Input};
 

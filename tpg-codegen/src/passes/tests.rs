@@ -1,8 +1,9 @@
 //! Properties that the fast profile relies on: its plans look at every bid once, and the bids they leave out cannot win.
 
 use crate::ir::{Module, Node, NodeId, needed};
+use crate::passes::log::Removed;
 use crate::passes::schedule::{Bid, Schedule, Sparing, TeamSchedule, schedule};
-use crate::passes::{Removed, estimate, optimise};
+use crate::passes::{estimate, optimise};
 use tpg_graph::sample::{self, Shape};
 use tpg_graph::states;
 use tpg_graph::{Graph, MathsProvider, ScalarType};

@@ -1,6 +1,8 @@
 //! A network in integers as Rust constants: for `tpg_runtime::net`, and for `tpg_arm::sac` where it is the arm's.
 
-use super::{Layer, Output, Preferences, QuantisedLayer, QuantisedPolicy, model, to_words};
+use super::meaning::{Output, Preferences};
+use super::model::{self, to_words};
+use super::network::{Layer, QuantisedLayer, QuantisedPolicy};
 use askama::Template;
 use tpg_graph::error::InputError;
 use tpg_runtime::net::Kind;

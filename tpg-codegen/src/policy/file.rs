@@ -1,6 +1,7 @@
 //! `policy.q.json`: version 1 for networks of the arm's preferences, version 2 for every other network.
 
-use super::{Input, Output, Preferences, QuantisedLayer, QuantisedPolicy, ROUNDING, meaning};
+use super::meaning::{self, Input, Output, Preferences};
+use super::network::{QuantisedLayer, QuantisedPolicy, ROUNDING};
 use serde::{Deserialize, Serialize};
 use tpg_graph::error::{InputError, Place};
 use tpg_runtime::net::{INPUT_ONE, Kind, PREFERENCE_ONE};

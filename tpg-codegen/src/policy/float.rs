@@ -1,19 +1,9 @@
 //! A network in floating point: a multilayer perceptron with a ReLU behind every hidden layer.
 
-use super::quantise::{LastLayer, QuantiseError, quantise_layers};
-use super::{Input, Output, QuantisedPolicy, ValueOutput};
+use super::meaning::{Input, Output, ValueOutput};
+use super::network::QuantisedPolicy;
+use super::quantise::{FloatLayer, LastLayer, QuantiseError, quantise_layers};
 use tpg_runtime::net::{Kind, Squash};
-
-/// A linear layer in floating point.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FloatLayer {
-    /// Values in.
-    pub inputs: usize,
-    /// Row-major, outputs × inputs.
-    pub weights: Vec<f32>,
-    /// One a row.
-    pub bias: Vec<f32>,
-}
 
 /// A value that an output becomes.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,7 @@
 //! A network in integers as one array of words, and C that holds it.
 
-use super::{Output, QuantisedPolicy, meaning};
+use super::meaning::{self, Output};
+use super::network::QuantisedPolicy;
 use crate::emit::{File, Prefix};
 use askama::Template;
 use tpg_graph::error::{InputError, Place};

@@ -1,7 +1,8 @@
 //! A network in integers as C that needs nothing else: C99 with its own arithmetic, bit for bit [`QuantisedPolicy`]'s.
 
+use super::meaning::Output;
 use super::model::{banner, files};
-use super::{Layer, Output, QuantisedPolicy};
+use super::network::{Layer, QuantisedPolicy};
 use crate::emit::{File, Prefix};
 use crate::verify::{BuildError, Workshop, c_command, compile};
 use askama::Template;

@@ -15,9 +15,19 @@
 //! | `w16a16` | 0.0007 | 0.001 |
 //! | `w8a8` | 0.043 | 0.08 |
 
-use super::float::FloatLayer;
-use super::{QuantisedLayer, layer_kind};
+use super::network::{QuantisedLayer, layer_kind};
 use tpg_runtime::net::{INPUT_ONE, Kind, PREFERENCE_ONE};
+
+/// A linear layer in floating point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FloatLayer {
+    /// Values in.
+    pub inputs: usize,
+    /// Row-major, outputs × inputs.
+    pub weights: Vec<f32>,
+    /// One a row.
+    pub bias: Vec<f32>,
+}
 
 /// A reason not to put a network into integers.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

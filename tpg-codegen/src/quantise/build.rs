@@ -1,7 +1,7 @@
 //! Values times a scale, in whole numbers, with the bound of each.
 
 use super::form::{Form, forms};
-use crate::explain::formula;
+use crate::formula;
 use crate::integers::{Unfit, Whole};
 use crate::ir::{Module, Node, NodeId, Values};
 use tpg_graph::Counts;

@@ -3,7 +3,7 @@
 use super::{GraphCounts, Report, ShapeCost, ShapeSize};
 use crate::explain::PolicyFormulas;
 use crate::options::Options;
-use crate::passes::Removed;
+use crate::passes::log::Removed;
 use crate::size::Target;
 use tpg_graph::error::counted;
 use tpg_graph::interpret::{Answer, answers};

@@ -7,7 +7,7 @@ mod text;
 pub use crate::explain::{
     BidFormula, Bids, Destination, LeafFormulas, PolicyFormulas, TeamFormulas, Value, explain, formulas,
 };
-pub use crate::passes::Removed;
+pub use crate::passes::log::Removed;
 
 use crate::cost::{Cost, Costs};
 use crate::emit::Code;

@@ -1,7 +1,7 @@
 //! The report for people.
 
 use super::{GraphCounts, Report, ShapeCost, ShapeSize};
-use crate::passes::Removed;
+use crate::passes::log::Removed;
 use crate::size::Target;
 use std::fmt;
 use tpg_graph::MathsProvider;

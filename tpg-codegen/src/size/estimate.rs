@@ -1,9 +1,10 @@
 //! An estimate of generated C's flash on a Cortex-M4F, for machines without its compiler.
 
 use crate::cost::Costs;
-use crate::emit::compares_in_functions;
+use crate::emit::team::compares_in_functions;
 use crate::ir::Node;
-use crate::program::{Program, Shape};
+use crate::program::Program;
+use crate::shape::Shape;
 use std::collections::BTreeSet;
 use tpg_graph::{MathsProvider, ScalarType};
 use tpg_runtime::ops::Instruction;

@@ -1,6 +1,6 @@
 //! The size of generated Rust on a Cortex-M4F, if the Rust compiler has that target.
 
-use super::{Size, measure_reached};
+use super::object::{Size, measure_reached};
 use crate::emit::Code;
 use crate::verify::{self, BuildError};
 use std::path::Path;

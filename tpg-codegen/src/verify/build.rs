@@ -1,9 +1,11 @@
 //! Compiles generated code into small programs that decide over a pipe.
 
 use super::process::{Process, Wire};
-use crate::emit::{Code, File, field};
+use crate::emit::c::field::field;
+use crate::emit::{Code, File};
 use crate::options::{Language, Options};
-use crate::program::{Shape, compile as compile_graph};
+use crate::program::compile as compile_graph;
+use crate::shape::Shape;
 use askama::Template;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};

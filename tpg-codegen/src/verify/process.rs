@@ -5,7 +5,7 @@
 //! integers get and give 32 bits instead.
 
 use crate::emit::Code;
-use crate::program::Shape;
+use crate::shape::Shape;
 use std::io::{self, BufReader, BufWriter, Read, Write};
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};

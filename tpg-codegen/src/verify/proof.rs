@@ -1,6 +1,8 @@
 //! Proof by comparison: generated text compiled, run, and compared with the interpreter.
 
-use super::{BuildError, Comparison, Process, Workshop, compare};
+use super::build::{BuildError, Workshop};
+use super::compare::{Comparison, compare};
+use super::process::Process;
 use crate::emit::Code;
 use serde::{Serialize, Serializer};
 use std::{io, ptr};

@@ -92,9 +92,9 @@ impl Serialize for Number {
     }
 }
 
-impl From<super::ActionDocument> for WrittenAction {
-    fn from(action: super::ActionDocument) -> Self {
-        let super::ActionDocument { id, name, effect, ask } = action;
+impl From<super::document::ActionDocument> for WrittenAction {
+    fn from(action: super::document::ActionDocument) -> Self {
+        let super::document::ActionDocument { id, name, effect, ask } = action;
         match effect {
             Some(effect) if effect.name == Effect::MOVE => {
                 Self { id, name, moves: Some(Numbers(effect.values)), effect: None, ask }
@@ -104,7 +104,7 @@ impl From<super::ActionDocument> for WrittenAction {
     }
 }
 
-impl TryFrom<WrittenAction> for super::ActionDocument {
+impl TryFrom<WrittenAction> for super::document::ActionDocument {
     type Error = &'static str;
 
     fn try_from(written: WrittenAction) -> Result<Self, &'static str> {

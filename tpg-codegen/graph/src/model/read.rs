@@ -1,7 +1,7 @@
 //! Reading `graph.json`, with errors by line and column or by JSON path.
 
-use super::Graph;
 use super::document::{Document, VERSIONS};
+use super::graph::Graph;
 use crate::error::{InputError, Place, serde_message};
 
 /// The accepted form, where nothing more specific can be said.

@@ -1,6 +1,6 @@
 //! The JSON Schema of `graph.json`.
 
-use super::Document;
+use super::document::Document;
 
 /// Returns the schema as text, the same for the same version of this crate. It is committed as `graph.schema.json`.
 pub fn schema() -> String {

@@ -6,15 +6,18 @@ mod values;
 use super::document::{
     ActionDocument, Document, EdgeDocument, FORMAT, LineDocument, OperandDocument, SourceDocument, VERSIONS,
 };
-use super::read::other_version;
-use super::{
-    Action, ActionId, Destination, Edge, Effect, Graph, Input, Leaf, Line, Operand, Output, Program, ProgramId, Range,
-    Reg, Source, Team, TeamId, name,
+use super::effect::Effect;
+use super::graph::{
+    Action, Destination, Edge, Graph, Input, Leaf, Line, Operand, Output, Program, ProgramId, Range, Reg, Source, Team,
+    TeamId,
 };
-use crate::Word;
+use super::name;
+use super::read::other_version;
 use crate::dataflow::{Cycle, depth_first};
 use crate::error::{InputError, Place, counted};
+use crate::word::Word;
 use std::collections::{BTreeMap, BTreeSet};
+use tpg_runtime::policy::ActionId;
 
 /// Maximum number of registers of a program, as in GEGELATI's line format.
 const MAX_REGISTERS: u32 = 256;

@@ -4,7 +4,7 @@ use super::document::{
     ActionDocument, Document, EdgeDocument, FORMAT, LeafDocument, LineDocument, MemoryDocument, OperandDocument,
     OutputDocument, ProgramDocument, SourceDocument, TeamDocument,
 };
-use super::{Action, Destination, Edge, Graph, Line, Operand, Output, ProgramId, Source};
+use super::graph::{Action, Destination, Edge, Graph, Line, Operand, Output, ProgramId, Source};
 
 impl Graph {
     /// Returns the sources of a flat state as documents, those of the memory among them.

@@ -20,16 +20,6 @@ use crate::ir::{Module, Target};
 use crate::passes::schedule::Schedule;
 use askama::Template;
 use std::collections::BTreeSet;
-use tpg_graph::ScalarType;
-
-/// The minimum number of edges whose comparisons are worth functions.
-const EDGES: usize = 32;
-
-/// Tests for a graph whose bids are compared in functions: on a processor without doubles a comparison is a call, and with its
-/// arguments and what follows from it, it takes most of the code of a team.
-pub(crate) fn compares_in_functions(module: &Module<'_>) -> bool {
-    module.graph.scalar() == ScalarType::F64 && module.leaves.is_empty() && module.edges() >= EDGES
-}
 
 #[derive(Template)]
 #[template(path = "c/fast.c", escape = "none")]

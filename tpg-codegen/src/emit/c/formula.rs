@@ -6,7 +6,7 @@ use super::leaves;
 use crate::emit::block::Block;
 use crate::emit::interface::OutputView;
 use crate::emit::syntax::Syntax;
-use crate::program::Formula;
+use crate::shape::Formula;
 use askama::Template;
 
 #[derive(Template)]

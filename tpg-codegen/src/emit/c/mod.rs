@@ -14,16 +14,17 @@ mod own;
 mod small;
 mod walk;
 
+use super::file::{File, comment};
 use super::interface::{OutputView, SourceView, asks, outputs, sources};
 use super::syntax::Syntax;
 use super::vectors::{Vectors, vectors};
-use super::{File, banner, layout, moves::moves, names};
+use super::{banner, layout, moves::moves, names, team::compares_in_functions};
 use crate::cost::{Cost, Costs};
-use crate::program::{Program, Shape};
+use crate::program::Program;
+use crate::shape::Shape;
 use askama::Template;
 use entry::Entry;
 use expression::Printer;
-pub(crate) use fast::compares_in_functions;
 use tpg_graph::interpret::Answer;
 use tpg_graph::{Graph, MathsProvider, ScalarType};
 
@@ -221,18 +222,6 @@ fn observed(source: &SourceView) -> Vec<String> {
     }
 }
 
-/// Text that may stand in a C comment: in one line, with a space in the midst of what would begin or end a comment.
-pub(crate) fn comment(text: &str) -> String {
-    let mut safe = String::with_capacity(text.len());
-    for c in text.chars().map(|c| if c.is_control() { ' ' } else { c }) {
-        if matches!((safe.chars().next_back(), c), (Some('/'), '*' | '/') | (Some('*'), '/')) {
-            safe.push(' ');
-        }
-        safe.push(c);
-    }
-    safe
-}
-
 fn views(printer: &Printer<'_>, Vectors { states, answers, .. }: &Vectors) -> Vec<VectorView> {
     let (graph, constants) = (printer.graph, printer.constants());
     (states.chunks_exact(graph.state_length()).zip(answers))
@@ -258,17 +247,4 @@ fn views(printer: &Printer<'_>, Vectors { states, answers, .. }: &Vectors) -> Ve
             VectorView { state, answer }
         })
         .collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::comment;
-
-    #[test]
-    fn only_what_begins_or_ends_a_comment_is_taken_apart() {
-        assert_eq!(comment("rad/s, N*m"), "rad/s, N*m");
-        assert_eq!(comment("a */ b /* c // d"), "a * / b / * c / / d");
-        assert_eq!(comment("/*/**//"), "/ * / ** / /");
-        assert_eq!(comment("a\n*\r/"), "a * /");
-    }
 }

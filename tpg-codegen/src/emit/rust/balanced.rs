@@ -1,8 +1,8 @@
 //! The profile `balanced`: tables of teams over native bids, each distinct one an arm of one `match`.
 
-use super::Parts;
 use super::expression::Printer;
 use super::leaves;
+use super::parts::Parts;
 use crate::emit::cases::{self, CaseView, FunctionView};
 use crate::emit::interface::OutputView;
 use crate::emit::layout;

@@ -3,7 +3,7 @@
 //! (`tpg_runtime::ops::constant_time`): it has no condition to make a branch or an IT block of. Where there are
 //! many teams, they are in several functions, each of which returns what its teams decide.
 
-use super::Parts;
+use super::parts::Parts;
 use super::{expression::Printer, leaves};
 use crate::emit::block::Block;
 use crate::emit::choice::{self, KeyView, TeamView};

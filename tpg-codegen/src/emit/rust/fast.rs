@@ -7,8 +7,9 @@
 //! A bid of 0 goes through `black_box` where another may be `max(0, x)`: see [`Syntax::hides_zeros`].
 
 use super::expression::Printer;
+use super::helpers;
 use super::leaves;
-use super::{Parts, helpers};
+use super::parts::Parts;
 use crate::emit::interface::OutputView;
 use crate::emit::layout;
 use crate::emit::leaves::{LeafView, views};

@@ -5,7 +5,7 @@ use crate::emit::block::Block;
 use crate::emit::interface::OutputView;
 use crate::emit::layout::array;
 use crate::emit::syntax::Syntax;
-use crate::program::Formula;
+use crate::shape::Formula;
 
 /// The values, each limited to its output's range, as an array in the body of a method; `value` names an output's.
 pub(super) fn limited(printer: &Printer<'_>, outputs: &[OutputView], value: impl Fn(&OutputView) -> String) -> String {

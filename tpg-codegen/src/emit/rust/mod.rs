@@ -6,14 +6,18 @@ mod expression;
 mod fast;
 mod helpers;
 mod leaves;
+mod parts;
 mod small;
 
+use super::file::{File, one_line};
 use super::interface::{OutputView, SourceView, asks, outputs, sources};
-use super::{File, banner, compares_in_functions, layout, moves::moves, names};
+use super::{banner, layout, moves::moves, names, team::compares_in_functions};
 use crate::cost::{Cost, Costs};
-use crate::program::{Program, Shape};
+use crate::program::Program;
+use crate::shape::Shape;
 use askama::Template;
 use expression::Printer;
+use parts::Parts;
 use tpg_graph::Graph;
 
 #[derive(Template)]
@@ -53,14 +57,6 @@ struct ArmView {
     sources: Vec<String>,
     joints: usize,
     moves: Vec<String>,
-}
-
-/// A profile's part of the file.
-struct Parts {
-    /// The statements that decide.
-    body: String,
-    /// The items they call.
-    items: String,
 }
 
 /// The file.
@@ -137,10 +133,6 @@ fn imports(printer: &Printer<'_>, parts: &Parts) -> Vec<String> {
 /// The names of an array's elements.
 fn names(array: &str, count: usize) -> Vec<String> {
     (0..count).map(|place| format!("{array}[{place}]")).collect()
-}
-
-pub(crate) fn one_line(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 
 fn arm_view(graph: &Graph) -> Option<ArmView> {

@@ -1,6 +1,6 @@
 //! The profile `small`: the policy as tables, and one small evaluator.
 
-use super::Parts;
+use super::parts::Parts;
 use super::{expression::Printer, leaves};
 use crate::emit::interface::OutputView;
 use crate::emit::layout;

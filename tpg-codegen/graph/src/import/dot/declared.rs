@@ -1,6 +1,6 @@
 //! The nodes and edges that a file declares.
 
-use super::Fault;
+use super::fault::Fault;
 use crate::import::composed::OPERANDS;
 use std::collections::BTreeMap;
 use std::fmt;

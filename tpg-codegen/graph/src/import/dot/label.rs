@@ -1,7 +1,7 @@
 //! Parsing of program lines and constants from labels and comments.
 
-use super::Fault;
 use super::declared::{OperandText, ProgramLine};
+use super::fault::Fault;
 use super::lexer::quote;
 use crate::import::composed::OPERANDS;
 use std::str::FromStr;

@@ -1,6 +1,6 @@
 //! Tokens of one line.
 
-use super::Fault;
+use super::fault::Fault;
 
 /// A token.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

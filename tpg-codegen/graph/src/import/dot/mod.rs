@@ -21,6 +21,8 @@
 //! ```
 
 mod declared;
+mod document;
+mod fault;
 mod label;
 mod leaves;
 mod lexer;
@@ -33,26 +35,9 @@ use super::sidecar::Sidecar;
 use crate::error::{InputError, Place};
 use crate::model::Graph;
 
-/// An error on one line.
-#[derive(Debug)]
-struct Fault {
-    found: String,
-    accepted: String,
-}
-
-impl Fault {
-    fn new(found: impl Into<String>, accepted: impl Into<String>) -> Self {
-        Self { found: found.into(), accepted: accepted.into() }
-    }
-
-    fn on(self, file: &str, line: usize) -> InputError {
-        InputError::new(file, Place::Line(line), self.found, self.accepted)
-    }
-}
-
 /// Reads a `.dot` file whose sources, instructions and actions are described by `sidecar`.
 pub(super) fn read(file: &str, text: &str, sidecar: &Sidecar) -> Result<Graph, InputError> {
-    let (document, lines) = resolve::document(file, parser::declared(file, text)?, sidecar)?;
+    let (document, lines) = document::document(file, parser::declared(file, text)?, sidecar)?;
     Graph::from_document(file, document).map_err(|error| match &error.place {
         Place::Path(path) => match lines.line(path) {
             Some(line) => InputError { place: Place::Line(line), ..error },

@@ -1,7 +1,7 @@
 //! From text to what it declares, one line at a time.
 
-use super::Fault;
 use super::declared::{Action, Declared, Edge, Kind, Lines, Node, Program, Rank, Team};
+use super::fault::Fault;
 use super::label;
 use super::lexer::{self, Token, quote};
 use crate::error::InputError;

@@ -1,7 +1,7 @@
 //! Translation of programs from the numbers of the file to the names of the document.
 
-use super::Fault;
 use super::declared::{OperandText, ProgramLine};
+use super::fault::Fault;
 use crate::error::counted;
 use crate::import::composed::{FORM, Given, Operator};
 use crate::model::{Document, LineDocument, OperandDocument};

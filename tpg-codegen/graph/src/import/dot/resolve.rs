@@ -1,36 +1,13 @@
 //! Translation of statements to a document: numbers of the file become names and ids.
 
-use super::Fault;
 use super::declared::{Action, Declared, Edge, Kind, Node, Rank};
-use super::leaves;
+use super::fault::Fault;
 use super::lines::{Lines, ProgramLines, TeamLines};
 use super::program::Meaning;
 use crate::error::{InputError, counted};
 use crate::import::sidecar::Sidecar;
 use crate::model::{Document, EdgeDocument, ProgramDocument, TeamDocument};
 use std::collections::BTreeMap;
-
-/// Builds a document from what a whole file declares and records where its elements are located.
-pub(super) fn document(file: &str, declared: Declared, sidecar: &Sidecar) -> Result<(Document, Lines), InputError> {
-    let resolver = Resolver { file, document: sidecar.document(), sidecar, declared };
-    resolver.is_something()?;
-    resolver.links()?;
-    let mut lines = Lines::default();
-    let mut teams = resolver.teams(&mut lines)?;
-    let mut programs = resolver.programs(&mut lines)?;
-    let root = resolver.root(&teams, &mut lines)?;
-    let leaves = if resolver.has_values() {
-        leaves::resolve(&resolver, &mut teams, &mut programs, &mut lines)?
-    } else {
-        Vec::new()
-    };
-    let mut provenance = resolver.document.provenance.clone();
-    if let (false, Some((tool, version))) = (sidecar.has_provenance(), &resolver.declared.exporter) {
-        provenance.tool = Some(tool.clone());
-        provenance.version = Some(version.clone());
-    }
-    Ok((Document { root, teams, leaves, programs, provenance, ..resolver.document.clone() }, lines))
-}
 
 /// Destination of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,9 +19,9 @@ enum Destination {
 }
 
 pub(super) struct Resolver<'s> {
-    file: &'s str,
+    pub(super) file: &'s str,
     /// The document described by the sidecar.
-    document: &'s Document,
+    pub(super) document: &'s Document,
     pub(super) sidecar: &'s Sidecar,
     pub(super) declared: Declared,
 }
@@ -55,11 +32,11 @@ impl Resolver<'_> {
     }
 
     /// Tests for a policy that answers with values.
-    fn has_values(&self) -> bool {
+    pub(super) fn has_values(&self) -> bool {
         !self.document.outputs.is_empty()
     }
 
-    fn is_something(&self) -> Result<(), InputError> {
+    pub(super) fn is_something(&self) -> Result<(), InputError> {
         let missing =
             |what: &str| Err(self.error(self.declared.close, format!("a graph without {what}"), "at least one"));
         match (self.declared.teams.items(), self.declared.programs.items()) {
@@ -70,7 +47,7 @@ impl Resolver<'_> {
     }
 
     /// Checks the links. They are redundant, but the nodes that they name must exist.
-    fn links(&self) -> Result<(), InputError> {
+    pub(super) fn links(&self) -> Result<(), InputError> {
         self.declared.links.iter().try_for_each(|&(line, program)| self.program_exists(line, program))
     }
 
@@ -84,7 +61,7 @@ impl Resolver<'_> {
     }
 
     /// Builds the teams. Each team keeps its edges in file order, which decides ties.
-    fn teams(&self, lines: &mut Lines) -> Result<Vec<TeamDocument>, InputError> {
+    pub(super) fn teams(&self, lines: &mut Lines) -> Result<Vec<TeamDocument>, InputError> {
         let destinations = self.destinations()?;
         let mut teams = Vec::new();
         for team in self.declared.teams.items() {
@@ -157,7 +134,7 @@ impl Resolver<'_> {
         self.error(line, format!("T{team}, which does not exist"), "a team that the file declares")
     }
 
-    fn programs(&self, lines: &mut Lines) -> Result<Vec<ProgramDocument>, InputError> {
+    pub(super) fn programs(&self, lines: &mut Lines) -> Result<Vec<ProgramDocument>, InputError> {
         let mut programs = Vec::new();
         let mut constants_of_first = None;
         for node in self.declared.programs.items() {
@@ -199,7 +176,7 @@ impl Resolver<'_> {
 
     /// Finds the root. It is the root that the file declares, if any (the export of a sub-graph declares none), and it
     /// must be the only team without incoming edges. The graph's validation checks that there is exactly one such team.
-    fn root(&self, teams: &[TeamDocument], lines: &mut Lines) -> Result<Option<u32>, InputError> {
+    pub(super) fn root(&self, teams: &[TeamDocument], lines: &mut Lines) -> Result<Option<u32>, InputError> {
         if teams.is_empty() {
             return self.only_action().map(|()| None);
         }

@@ -2,7 +2,8 @@
 
 use super::Validator;
 use crate::error::{InputError, counted};
-use crate::model::{Counts, OutputDocument, SourceDocument};
+use crate::model::counts::Counts;
+use crate::model::document::{OutputDocument, SourceDocument};
 
 impl Validator<'_> {
     /// Tests for a graph of counts.

@@ -1,10 +1,12 @@
 //! Outputs and leaves: the part of a document that makes a policy answer with values.
 
-use super::super::{Edge, Leaf, Output, ProgramId, Range, Team};
 use super::{MAX_NUMBERED, Names, Validator, name};
 use crate::error::{InputError, counted};
-use crate::model::{ActionId, Destination, MemoryDocument, OutputDocument};
+use crate::model::document::{MemoryDocument, OutputDocument};
+use crate::model::graph::Destination;
+use crate::model::graph::{Edge, Leaf, Output, ProgramId, Range, Team};
 use std::collections::{BTreeMap, BTreeSet};
+use tpg_runtime::policy::ActionId;
 
 impl Validator<'_> {
     pub(super) fn outputs(&self) -> Result<Vec<Output>, InputError> {

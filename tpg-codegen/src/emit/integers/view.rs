@@ -1,9 +1,11 @@
 //! The interface of the C in integers: fields with the worth of a count, constants of actions, states of the self-test.
 
 use super::comment::{with_unit, worth};
-use super::output_bits;
+use crate::emit::c::field::field;
+use crate::emit::file::comment;
+use crate::emit::names;
 use crate::emit::vectors::Vectors;
-use crate::emit::{comment, field, names};
+use crate::integers::output_bits;
 use tpg_graph::Graph;
 use tpg_graph::interpret::Answer;
 

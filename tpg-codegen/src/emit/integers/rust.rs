@@ -2,8 +2,9 @@
 
 use super::comment::{Comments, worth};
 use super::lines::{Function, Lines, Spelling};
-use super::{Integers, Whole, input_bits, output_bits};
-use crate::emit::{File, banner, layout, names, one_line};
+use crate::emit::file::{File, one_line};
+use crate::emit::{banner, layout, names};
+use crate::integers::{Integers, Whole, input_bits, output_bits};
 use crate::ir::{NodeId, Target, reached, topological};
 use crate::program::Program;
 use askama::Template;

@@ -10,7 +10,7 @@ use crate::options::Language;
 use crate::passes::cases::{Cases, Kind};
 use crate::passes::functions;
 use crate::passes::schedule::{FEW_EDGES, Schedule};
-use crate::program::Shape;
+use crate::shape::Shape;
 use tpg_graph::{MathsProvider, ScalarType};
 use tpg_runtime::ops::Instruction;
 

@@ -2,7 +2,8 @@
 
 use super::comment::Linear;
 use super::lines::Function;
-use super::{Integers, output_bits};
+use crate::emit::c::field::field;
+use crate::integers::{Integers, output_bits};
 use crate::ir::{Module, Node};
 use tpg_graph::{Counts, Graph};
 use tpg_runtime::ops::Instruction;
@@ -118,8 +119,8 @@ impl<'a> Dense<'a> {
             Some(number) => number.to_string(),
             None => format!("{upper}_NUMBER(&{prefix}_{name}[row])"),
         };
-        let source = crate::emit::field(self.graph, &self.graph.sources()[0].name);
-        let first = crate::emit::field(self.graph, &self.graph.outputs()[0].name);
+        let source = field(self.graph, &self.graph.sources()[0].name);
+        let first = field(self.graph, &self.graph.outputs()[0].name);
         let bits = output_bits(&self.graph.outputs()[0]);
         let shift = self.common(|row| self.rows[row].shift);
         let shifted = match shift {

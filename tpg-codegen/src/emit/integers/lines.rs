@@ -1,7 +1,7 @@
 //! Values as statements: a sum with its products is one, everything else a call.
 
-use super::{Integers, Whole};
 use crate::emit::block::unused;
+use crate::integers::{Integers, Whole};
 use crate::ir::{Module, Node, NodeId};
 use std::collections::{BTreeMap, BTreeSet};
 use tpg_graph::Input;

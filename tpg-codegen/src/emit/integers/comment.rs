@@ -1,6 +1,6 @@
 //! The comment beside a sum: its formula in the units of the sources, and its bound.
 
-use super::Whole;
+use crate::integers::Whole;
 use crate::ir::{Module, Node, NodeId};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;

@@ -14,7 +14,7 @@ pub(crate) fn of(module: &Module<'_>, value: NodeId) -> String {
 
 /// The spelling of formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Spelling {
+pub(crate) enum Spelling {
     /// Every value of the state with its place, `theta[0]`; sums as they are computed.
     Exact,
     /// As a person writes: `theta` where a source has one value, `a - 1` for `a + (-1)` and `a` for `0 + a`, which are the same
@@ -23,7 +23,7 @@ pub(super) enum Spelling {
 }
 
 /// The formulas of a team's bids. What occurs more than once has a name, so that no formula is longer than its program.
-pub(super) struct Formulas {
+pub(crate) struct Formulas {
     /// The term of each node: a name, or its expression.
     terms: BTreeMap<NodeId, Term>,
     shared: Vec<(String, String)>,
@@ -48,7 +48,7 @@ enum Rank {
 
 impl Formulas {
     /// Formulas of the values that a team's edges bid.
-    pub(super) fn new(module: &Module<'_>, bids: &[NodeId], spelling: Spelling) -> Self {
+    pub(crate) fn new(module: &Module<'_>, bids: &[NodeId], spelling: Spelling) -> Self {
         let mut needed: Vec<NodeId> = bids.iter().flat_map(|&bid| module.operations_of(bid)).collect();
         needed.sort_unstable();
         needed.dedup();
@@ -81,12 +81,12 @@ impl Formulas {
     }
 
     /// The named subexpressions.
-    pub(super) fn shared(&self) -> &[(String, String)] {
+    pub(crate) fn shared(&self) -> &[(String, String)] {
         &self.shared
     }
 
     /// The formula of a bid.
-    pub(super) fn formula(&self, bid: NodeId) -> &str {
+    pub(crate) fn formula(&self, bid: NodeId) -> &str {
         &self.terms[&bid].text
     }
 
@@ -154,7 +154,7 @@ mod tests {
     use tpg_graph::{Graph, Input};
     use tpg_runtime::ops::Instruction::{self, Abs, Add, Div, Exp, Max, Mul, Sub};
 
-    const FIXTURE: &str = include_str!("../../tests/fixtures/all_instructions.json");
+    const FIXTURE: &str = include_str!("../tests/fixtures/all_instructions.json");
 
     fn formulas(
         text: &str,

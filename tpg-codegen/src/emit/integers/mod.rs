@@ -1,0 +1,28 @@
+//! Programs in integers as text.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | `lines` | values as statements: one sum a line |
+//! | `comment` | the formula in the units of the sources, and the bound |
+//! | `dense` | outputs that are sums of the same values, as a table and a loop |
+//! | `c`, `view`, `rust` | text |
+
+mod c;
+mod comment;
+mod dense;
+mod lines;
+mod rust;
+mod view;
+
+use super::file::File;
+use crate::integers::Integers;
+use crate::options::Language;
+use crate::program::Program;
+
+/// The files of a program in integers.
+pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
+    match program.language {
+        Language::C => c::files(program, integers),
+        Language::Rust => rust::files(program, integers),
+    }
+}
