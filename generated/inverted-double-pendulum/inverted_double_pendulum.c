@@ -85,22 +85,24 @@ static uint32_t inverted_double_pendulum_arithmetic(void)
 
 uint32_t inverted_double_pendulum_selftest(void)
 {
-    static const inverted_double_pendulum_state_t states[4] = {
+    static const inverted_double_pendulum_state_t states[5] = {
         { { 0.0211067f, -0.12018729f, 0.014646072f, 0.99559784f, 0.9959746f, 0.08444619f, -0.07498883f, -0.20602275f, 0.00018739054f } },
         { { 0.16145936f, -0.014980235f, 0.009544096f, 0.99473846f, 0.99582976f, -0.062123664f, -0.19881363f, 0.37727702f, 0.00020617747f } },
         { { 0.27244136f, -0.10638329f, -0.052025657f, 0.99746895f, 0.9968069f, -0.31277797f, -0.3571786f, -0.18342711f, 1.2762486e-5f } },
         { { -0.040894106f, -0.1180896f, -0.11615404f, 1.0011306f, 0.9989869f, -0.25888783f, 0.0061992044f, 0.1961848f, 0.00010232527f } },
+        { { -0.04626462f, 0.07975637f, 0.07271474f, 0.99738246f, 0.9966867f, 0.14861381f, 0.1651704f, 0.27195576f, 0.00016246014f } },
     };
-    static const inverted_double_pendulum_action_t actions[4] = {
+    static const inverted_double_pendulum_action_t actions[5] = {
         { 0.42537805f },
         { -0.25483772f },
         { 1.0f },
         { 0.9496311f },
+        { -1.0f },
     };
     uint32_t failures = inverted_double_pendulum_arithmetic();
     uint32_t vector;
 
-    for (vector = 0U; vector < 4U; vector++) {
+    for (vector = 0U; vector < 5U; vector++) {
         inverted_double_pendulum_action_t action;
 
         inverted_double_pendulum_infer(&states[vector], &action);

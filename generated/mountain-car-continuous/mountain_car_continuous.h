@@ -40,7 +40,7 @@ void mountain_car_continuous_infer(const mountain_car_continuous_state_t *state,
 
 #ifndef MOUNTAIN_CAR_CONTINUOUS_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * They notice 2 of 2 constants of the graph that are changed by 1 %.
+ * They notice 2 of 4 numbers of the graph that are changed by 1 %.
  */
 uint32_t mountain_car_continuous_selftest(void);
 #endif

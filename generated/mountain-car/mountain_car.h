@@ -41,7 +41,7 @@ mountain_car_action_t mountain_car_infer(const mountain_car_state_t *state);
 
 #ifndef MOUNTAIN_CAR_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * They notice 8 of 12 constants of the graph that are changed by 1 %.
+ * They notice 8 of 12 numbers of the graph that are changed by 1 %.
  */
 uint32_t mountain_car_selftest(void);
 #endif

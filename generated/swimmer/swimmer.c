@@ -94,22 +94,26 @@ static uint32_t swimmer_arithmetic(void)
 
 uint32_t swimmer_selftest(void)
 {
-    static const swimmer_state_t states[4] = {
+    static const swimmer_state_t states[6] = {
         { { -0.20323594f, -1.1910177f, 0.2598124f, -0.36338776f, -1.4888479f, 1.5853858f, -0.41966468f, -5.7735367f } },
         { { 0.8981445f, 0.6243391f, -0.058569092f, 0.5969186f, -2.7539806f, -1.7633986f, -0.49815387f, -3.723551f } },
         { { 1.1692394f, 1.2207154f, 1.2448785f, -0.5943667f, -1.0768665f, -0.14119682f, -1.0756276f, -8.006371f } },
         { { -1.0277425f, -0.88737875f, 0.060203478f, -0.23242228f, -2.8298142f, -2.988855f, 5.0327764f, 2.941224f } },
+        { { 0.56269425f, -0.1615916f, -0.55035204f, 1.4780854f, -3.0694587f, 0.97678906f, 4.0207562f, -6.8373165f } },
+        { { -1.0565478f, -0.9770789f, 1.2294828f, 1.1927146f, -2.20877f, 0.8217478f, -4.2435904f, 2.136793f } },
     };
-    static const swimmer_action_t actions[4] = {
+    static const swimmer_action_t actions[6] = {
         { -0.44940814f, -1.0f },
         { 0.60968125f, -0.4070042f },
         { 0.3507906f, -1.0f },
         { -0.20341079f, 1.0f },
+        { 1.0f, -0.95032704f },
+        { -1.0f, -1.0f },
     };
     uint32_t failures = swimmer_arithmetic();
     uint32_t vector;
 
-    for (vector = 0U; vector < 4U; vector++) {
+    for (vector = 0U; vector < 6U; vector++) {
         swimmer_action_t action;
 
         swimmer_infer(&states[vector], &action);

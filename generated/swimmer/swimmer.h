@@ -40,7 +40,7 @@ void swimmer_infer(const swimmer_state_t *state, swimmer_action_t *action);
 
 #ifndef SWIMMER_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * They notice 16 of 16 constants of the graph that are changed by 1 %.
+ * They notice 20 of 20 numbers of the graph that are changed by 1 %.
  */
 uint32_t swimmer_selftest(void);
 #endif

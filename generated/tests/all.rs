@@ -4,4 +4,5 @@ mod dodge;
 mod fresh;
 mod generated_policy;
 mod paper;
+mod self_test;
 mod test_targets;

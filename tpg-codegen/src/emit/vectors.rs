@@ -1,4 +1,4 @@
-//! The states of the self-test: chosen until each constant of the graph is noticed if it is changed by a hundredth.
+//! The states of the self-test: chosen until each number of the graph is noticed if it is changed by a hundredth.
 //!
 //! Looked at are states in the declared ranges, the same states nearer to zero, where fewer outputs are at their limits, and
 //! neighbours of which each gets another action.
@@ -13,7 +13,7 @@ const FIRST: usize = 4;
 /// The number of states to choose from, in the ranges and again nearer to zero, for a small graph.
 const SAMPLES: usize = 400;
 const SEED: u64 = 1;
-/// The number of constants that are changed at most, one after another.
+/// The count of numbers that are changed at most, one after another.
 const CHANGES: usize = 1_000;
 /// The number of lines of programs that are run at most in a search for states.
 const WORK: usize = 4_000_000;
@@ -24,18 +24,18 @@ pub(crate) struct Vectors {
     pub(crate) states: Vec<f64>,
     /// The answer to each.
     pub(crate) answers: Vec<Answer>,
-    /// The number of constants that were changed.
+    /// The number of constants and limits that were changed.
     pub(crate) changes: usize,
     /// The number of changes that a state notices.
     pub(crate) noticed: usize,
 }
 
 impl Vectors {
-    /// Says how good the states are; nothing where the graph has no constants.
+    /// Says how good the states are; nothing where the graph has none.
     pub(crate) fn quality(&self) -> Option<String> {
         let Self { changes, noticed, .. } = self;
         (*changes > 0)
-            .then(|| format!("They notice {noticed} of {changes} constants of the graph that are changed by 1 %."))
+            .then(|| format!("They notice {noticed} of {changes} numbers of the graph that are changed by 1 %."))
     }
 }
 
@@ -128,28 +128,46 @@ fn borders(graph: &Graph, states: &[f64]) -> Vec<f64> {
     borders
 }
 
-/// The graph with each of its constants changed in turn, where a program's result depends on it.
+/// A number of a graph.
+#[derive(Clone, Copy)]
+enum Place {
+    /// A constant: program, line and operand.
+    Operand(usize, usize, usize),
+    /// The lower or upper limit of an output.
+    Limit(usize, bool),
+}
+
+/// The graph with each of its numbers changed in turn: constants that a program's result depends on, and limits of outputs.
 fn changed(graph: &Graph) -> Vec<Graph> {
     let document = graph.to_document();
-    let mut places = Vec::new();
+    let limits = (0..document.outputs.len()).flat_map(|output| [false, true].map(|upper| Place::Limit(output, upper)));
+    let mut places: Vec<Place> = limits.collect();
     for (program, code) in graph.programs().iter().enumerate() {
         let read = dataflow::effective(usize::from(graph.registers()), &code.lines);
         for (line, _) in read.into_iter().enumerate().filter(|(_, read)| *read) {
-            let operands = &document.programs[program].lines[line].args;
-            let constant =
-                |operand: &OperandDocument| matches!(operand, OperandDocument::Constant(value) if *value != 0.0);
-            let constants = operands.iter().enumerate().filter(|(_, operand)| constant(operand));
-            places.extend(constants.map(|(operand, _)| (program, line, operand)));
+            let operands = 0..document.programs[program].lines[line].args.len();
+            places.extend(operands.map(|operand| Place::Operand(program, line, operand)));
         }
     }
-    let step = places.len().div_ceil(CHANGES).max(1);
-    let change = |&(program, line, operand): &(usize, usize, usize)| {
+    let change = |place: Place| {
         let mut document = document.clone();
-        if let OperandDocument::Constant(value) = &mut document.programs[program].lines[line].args[operand] {
-            let more = exact(graph, *value * 1.01);
-            *value = if more == *value { *value + value.signum() } else { more };
-        }
+        let (value, share) = match place {
+            Place::Operand(program, line, operand) => match &mut document.programs[program].lines[line].args[operand] {
+                OperandDocument::Constant(value) => (value, 1.01),
+                OperandDocument::Place(_) => return None,
+            },
+            // nearer to zero, where the rest of the output stays valid
+            Place::Limit(output, false) => (&mut document.outputs[output].min, 0.99),
+            Place::Limit(output, true) => (&mut document.outputs[output].max, 0.99),
+        };
+        let more = exact(graph, *value * share);
+        *value = match more == *value {
+            true if *value == 0.0 => return None,
+            true => *value + value.signum() * (share - 1.0).signum(),
+            false => more,
+        };
         Graph::from_document("the self-test", document).ok()
     };
-    places.iter().step_by(step).filter_map(change).collect()
+    let step = places.len().div_ceil(CHANGES).max(1);
+    places.into_iter().step_by(step).filter_map(change).collect()
 }
