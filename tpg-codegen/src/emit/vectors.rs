@@ -13,7 +13,7 @@ const FIRST: usize = 4;
 /// The number of states to choose from, in the ranges and again nearer to zero, for a small graph.
 const SAMPLES: usize = 400;
 const SEED: u64 = 1;
-/// The count of numbers that are changed at most, one after another.
+/// The count of numbers that are changed at most, one after another, in a small graph.
 const CHANGES: usize = 1_000;
 /// The number of lines of programs that are run at most in a search for states.
 const WORK: usize = 4_000_000;
@@ -51,7 +51,7 @@ pub(crate) fn vectors(graph: &Graph) -> Vectors {
         answers[..] != expected[candidate..=candidate]
     };
     let mut left = WORK;
-    let mut open = changed(graph);
+    let mut open = changed(graph, (WORK / 20 / lines).clamp(1, CHANGES));
     let changes = open.len();
     let mut chosen = Vec::new();
     let mut noticed = 0;
@@ -138,7 +138,7 @@ enum Place {
 }
 
 /// The graph with each of its numbers changed in turn: constants that a program's result depends on, and limits of outputs.
-fn changed(graph: &Graph) -> Vec<Graph> {
+fn changed(graph: &Graph, most: usize) -> Vec<Graph> {
     let document = graph.to_document();
     let limits = (0..document.outputs.len()).flat_map(|output| [false, true].map(|upper| Place::Limit(output, upper)));
     let mut places: Vec<Place> = limits.collect();
@@ -168,6 +168,6 @@ fn changed(graph: &Graph) -> Vec<Graph> {
         };
         Graph::from_document("the self-test", document).ok()
     };
-    let step = places.len().div_ceil(CHANGES).max(1);
+    let step = places.len().div_ceil(most).max(1);
     places.into_iter().step_by(step).filter_map(change).collect()
 }
