@@ -54,8 +54,11 @@ fn proof_of(text: &str, files: &[File], effort: Effort) -> Result<Proof, Missing
     with(&graph, files, &|graph, read| proof::prove(graph, read, false, effort))
 }
 
+/// Reads the code anew.
+type Reader<'a> = &'a dyn Fn() -> Result<c::Code, Missing>;
+
 /// Calls a function with a graph and with what reads the code.
-fn with<R>(graph: &Meaning, files: &[File], call: &dyn Fn(&Meaning, &dyn Fn() -> Result<c::Code, Missing>) -> R) -> R {
+fn with<R>(graph: &Meaning, files: &[File], call: &dyn Fn(&Meaning, Reader<'_>) -> R) -> R {
     let text = |name: &str| files.iter().find(|file| file.name == name).map(|file| file.text.clone());
     let source = text("policy.c").expect("a file of C");
     call(graph, &|| c::read_with("policy.c", &source, &text, None, graph.interface()))
