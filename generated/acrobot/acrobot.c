@@ -106,7 +106,7 @@ static uint32_t acrobot_arithmetic(void)
 
 uint32_t acrobot_selftest(void)
 {
-    static const acrobot_state_t states[8] = {
+    static const acrobot_state_t states[24] = {
         { -0.19502868f, -0.83923256f, 0.19312036f, -0.5613508f, -5.4364486f, 11.909728f },
         { -0.077823654f, -0.6946946f, 0.74956214f, 0.41324815f, -0.42079356f, 4.366074f },
         { -0.80108094f, -0.47216487f, -0.09308055f, -0.43954256f, 12.34099f, 23.318121f },
@@ -115,8 +115,24 @@ uint32_t acrobot_selftest(void)
         { -0.08403872f, 0.64652467f, -0.97819173f, -0.42278814f, 5.181203f, 5.3633847f },
         { -0.81921196f, -0.5176666f, -0.5353048f, 0.14006776f, 4.465238f, -9.147562f },
         { -0.81921196f, -0.5176666f, -0.5353048f, 0.14006776f, 4.4652386f, -9.147562f },
+        { 0.149315f, -0.47528398f, 0.065581545f, 0.45966673f, 8.708905f, 13.425913f },
+        { 0.149315f, -0.47528398f, 0.065581545f, 0.45966673f, 8.708904f, 13.425913f },
+        { -0.93091834f, 0.22297108f, -0.96875715f, -0.05454752f, -8.058701f, -21.63081f },
+        { -0.93091834f, 0.22297108f, -0.96875715f, -0.05454752f, -8.058701f, -21.630808f },
+        { -0.08057103f, -0.037815593f, 0.5196743f, -0.45046628f, 0.28779703f, -8.837265f },
+        { -0.080571026f, -0.037815593f, 0.5196743f, -0.45046628f, 0.28779703f, -8.837265f },
+        { -0.087255776f, -0.10546856f, 0.52744234f, -0.44668323f, -0.45583346f, -10.732405f },
+        { -0.087255776f, -0.10546856f, 0.52744234f, -0.44668323f, -0.4558335f, -10.732405f },
+        { 0.9256835f, 0.18963873f, 0.2702074f, -0.50520563f, 0.4663645f, -0.81937593f },
+        { 0.9256835f, 0.18963873f, 0.2702074f, -0.50520563f, 0.4663645f, -0.819376f },
+        { -0.28740084f, -0.041983984f, 0.7362236f, 0.13804492f, 1.4199258f, -8.222328f },
+        { -0.28740084f, -0.041983984f, 0.7362236f, 0.13804492f, 1.4199257f, -8.222328f },
+        { -0.6225854f, 0.066108935f, 0.53745174f, 0.25331536f, -0.052606724f, -10.009249f },
+        { -0.6225854f, 0.06610894f, 0.53745174f, 0.25331533f, -0.052606724f, -10.009249f },
+        { -0.15973002f, -0.2656517f, 0.09010545f, 0.31783742f, 7.4976444f, 6.106856f },
+        { -0.15973002f, -0.2656517f, 0.090105444f, 0.31783742f, 7.4976444f, 6.1068563f },
     };
-    static const acrobot_action_t actions[8] = {
+    static const acrobot_action_t actions[24] = {
         ACROBOT_TORQUE_1,
         ACROBOT_TORQUE_1,
         ACROBOT_TORQUE_1,
@@ -125,11 +141,27 @@ uint32_t acrobot_selftest(void)
         ACROBOT_TORQUE_1,
         ACROBOT_TORQUE_1,
         ACROBOT_TORQUE_MINUS_1,
+        ACROBOT_TORQUE_MINUS_1,
+        ACROBOT_TORQUE_1,
+        ACROBOT_TORQUE_MINUS_1,
+        ACROBOT_TORQUE_1,
+        ACROBOT_TORQUE_1,
+        ACROBOT_TORQUE_MINUS_1,
+        ACROBOT_TORQUE_MINUS_1,
+        ACROBOT_TORQUE_1,
+        ACROBOT_TORQUE_1,
+        ACROBOT_TORQUE_MINUS_1,
+        ACROBOT_TORQUE_MINUS_1,
+        ACROBOT_TORQUE_1,
+        ACROBOT_TORQUE_1,
+        ACROBOT_TORQUE_MINUS_1,
+        ACROBOT_TORQUE_MINUS_1,
+        ACROBOT_TORQUE_1,
     };
     uint32_t failures = acrobot_arithmetic();
     uint32_t vector;
 
-    for (vector = 0U; vector < 8U; vector++) {
+    for (vector = 0U; vector < 24U; vector++) {
         if (acrobot_infer(&states[vector]) != actions[vector]) {
             failures++;
         }

@@ -93,22 +93,62 @@ static uint32_t mountain_car_continuous_arithmetic(void)
 
 uint32_t mountain_car_continuous_selftest(void)
 {
-    static const mountain_car_continuous_state_t states[4] = {
+    static const mountain_car_continuous_state_t states[24] = {
         { -0.47552583f, -0.058746282f },
         { -0.12619168f, -0.03929456f },
         { -0.689357f, 0.02948543f },
         { -0.3700413f, -0.048628625f },
+        { -0.4596662f, -0.0f },
+        { -0.4596662f, -1e-45f },
+        { -0.5112884f, -1e-45f },
+        { -0.5112884f, -0.0f },
+        { -0.87772655f, 0.0f },
+        { -0.87772655f, -1e-45f },
+        { -0.5249338f, -1e-45f },
+        { -0.5249338f, -0.0f },
+        { -0.9393909f, 0.0f },
+        { -0.9393909f, -1e-45f },
+        { -0.089292645f, -1e-45f },
+        { -0.089292645f, -0.0f },
+        { -0.4164105f, 0.0f },
+        { -0.4164105f, -1e-45f },
+        { -0.9285363f, -1e-45f },
+        { -0.9285363f, 0.0f },
+        { -0.93450916f, -0.0f },
+        { -0.93450916f, -1e-45f },
+        { 0.47084665f, -1e-45f },
+        { 0.47084665f, 0.0f },
     };
-    static const mountain_car_continuous_action_t actions[4] = {
+    static const mountain_car_continuous_action_t actions[24] = {
         { -0.10714554f },
         { -0.08769382f },
         { 0.14290509f },
         { -0.09702788f },
+        { 0.0f },
+        { -0.04839926f },
+        { -0.04839926f },
+        { 0.0f },
+        { 0.0f },
+        { -0.04839926f },
+        { -0.04839926f },
+        { 0.0f },
+        { 0.0f },
+        { -0.04839926f },
+        { -0.04839926f },
+        { 0.0f },
+        { 0.0f },
+        { -0.04839926f },
+        { -0.04839926f },
+        { 0.0f },
+        { 0.0f },
+        { -0.04839926f },
+        { -0.04839926f },
+        { 0.0f },
     };
     uint32_t failures = mountain_car_continuous_arithmetic();
     uint32_t vector;
 
-    for (vector = 0U; vector < 4U; vector++) {
+    for (vector = 0U; vector < 24U; vector++) {
         mountain_car_continuous_action_t action;
 
         mountain_car_continuous_infer(&states[vector], &action);

@@ -125,7 +125,7 @@ static uint32_t mountain_car_arithmetic(void)
 
 uint32_t mountain_car_selftest(void)
 {
-    static const mountain_car_state_t states[10] = {
+    static const mountain_car_state_t states[24] = {
         { -0.47552583f, -0.058746282f },
         { -0.12619168f, -0.03929456f },
         { -0.689357f, 0.02948543f },
@@ -136,8 +136,22 @@ uint32_t mountain_car_selftest(void)
         { -0.322906f, 0.018861968f },
         { -0.4356211f, 0.011925351f },
         { -0.43562108f, 0.011925351f },
+        { -0.93421817f, -0.010221928f },
+        { -0.93421817f, -0.010221929f },
+        { -0.30607378f, 0.018457185f },
+        { -0.30607378f, 0.018457187f },
+        { -0.78873765f, -0.0070157354f },
+        { -0.78873765f, -0.007015736f },
+        { -0.12322046f, 0.014059919f },
+        { -0.12322046f, 0.01405992f },
+        { -0.053916134f, 0.0123932855f },
+        { -0.053916134f, 0.012393285f },
+        { -0.9660803f, -0.010924128f },
+        { -0.9660803f, -0.010924127f },
+        { -0.9646678f, -0.010892997f },
+        { -0.9646678f, -0.0108929975f },
     };
-    static const mountain_car_action_t actions[10] = {
+    static const mountain_car_action_t actions[24] = {
         MOUNTAIN_CAR_LEFT,
         MOUNTAIN_CAR_LEFT,
         MOUNTAIN_CAR_RIGHT,
@@ -146,13 +160,27 @@ uint32_t mountain_car_selftest(void)
         MOUNTAIN_CAR_LEFT,
         MOUNTAIN_CAR_RIGHT,
         MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_RIGHT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_RIGHT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_RIGHT,
+        MOUNTAIN_CAR_RIGHT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_RIGHT,
+        MOUNTAIN_CAR_RIGHT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_RIGHT,
         MOUNTAIN_CAR_RIGHT,
         MOUNTAIN_CAR_LEFT,
     };
     uint32_t failures = mountain_car_arithmetic();
     uint32_t vector;
 
-    for (vector = 0U; vector < 10U; vector++) {
+    for (vector = 0U; vector < 24U; vector++) {
         if (mountain_car_infer(&states[vector]) != actions[vector]) {
             failures++;
         }

@@ -1652,24 +1652,62 @@ static uint32_t widowx_fs_arithmetic(void)
 
 uint32_t widowx_fs_selftest(void)
 {
-    static const widowx_fs_state_t states[5] = {
+    static const widowx_fs_state_t states[24] = {
         { { -87.56787f, -376.81543f, 86.711044f } },
         { { -252.04652f, -194.24585f, 189.12798f } },
         { { -34.94282f, -311.91788f, 336.5534f } },
         { { 185.54842f, -15.035073f, 69.33381f } },
-        { { 1.6421789f, -278.0816f, -426.30225f } },
+        { { 344.07086f, -313.66815f, 0.75822246f } },
+        { { 344.07086f, -313.66815f, 0.7582224f } },
+        { { 129.0018f, -163.81705f, 0.7582224f } },
+        { { 129.0018f, -163.81705f, 0.75822246f } },
+        { { -207.84515f, 248.81186f, 0.75822246f } },
+        { { -207.84515f, 248.81186f, 0.7582224f } },
+        { { -277.7295f, 227.08527f, 0.7582224f } },
+        { { -277.7295f, 227.08527f, 0.75822246f } },
+        { { -130.9661f, 246.20493f, 0.75822246f } },
+        { { -130.9661f, 246.20493f, 0.7582224f } },
+        { { 89.127884f, 36.226364f, 0.7582224f } },
+        { { 89.127884f, 36.226364f, 0.75822246f } },
+        { { -88.368454f, -6.1471615f, 0.75822246f } },
+        { { -88.368454f, -6.1471615f, 0.7582224f } },
+        { { -0.015102315f, 6.7071295f, -90.75621f } },
+        { { -0.015102314f, 6.7071295f, -90.75621f } },
+        { { -98.78519f, 141.60703f, 0.75822246f } },
+        { { -98.78519f, 141.60703f, 0.7582224f } },
+        { { -0.24300118f, -191.31375f, -12.3139f } },
+        { { -0.24300116f, -191.31375f, -12.3139f } },
     };
-    static const widowx_fs_action_t actions[5] = {
+    static const widowx_fs_action_t actions[24] = {
+        WIDOWX_FS_ELBOW_UP,
         WIDOWX_FS_ELBOW_UP,
         WIDOWX_FS_ELBOW_UP,
         WIDOWX_FS_ELBOW_UP,
         WIDOWX_FS_ELBOW_UP,
         WIDOWX_FS_BASE_UP,
+        WIDOWX_FS_BASE_UP,
+        WIDOWX_FS_ELBOW_UP,
+        WIDOWX_FS_ELBOW_UP,
+        WIDOWX_FS_BASE_DOWN,
+        WIDOWX_FS_BASE_DOWN,
+        WIDOWX_FS_ELBOW_UP,
+        WIDOWX_FS_ELBOW_UP,
+        WIDOWX_FS_BASE_DOWN,
+        WIDOWX_FS_BASE_UP,
+        WIDOWX_FS_ELBOW_UP,
+        WIDOWX_FS_ELBOW_UP,
+        WIDOWX_FS_BASE_DOWN,
+        WIDOWX_FS_BASE_DOWN,
+        WIDOWX_FS_SHOULDER_DOWN,
+        WIDOWX_FS_ELBOW_UP,
+        WIDOWX_FS_BASE_DOWN,
+        WIDOWX_FS_BASE_DOWN,
+        WIDOWX_FS_ELBOW_DOWN,
     };
     uint32_t failures = widowx_fs_arithmetic();
     uint32_t vector;
 
-    for (vector = 0U; vector < 5U; vector++) {
+    for (vector = 0U; vector < 24U; vector++) {
         if (widowx_fs_infer(&states[vector]) != actions[vector]) {
             failures++;
         }

@@ -1865,24 +1865,62 @@ static uint32_t widowx_rs_arithmetic(void)
 
 uint32_t widowx_rs_selftest(void)
 {
-    static const widowx_rs_state_t states[5] = {
+    static const widowx_rs_state_t states[24] = {
         { { -798.6424f, -2578.1226f, 593.26575f, -1148.5238f }, 171.9165f },
         { { 1724.8977f, -239.07426f, -2134.1018f, 1533.6041f }, 428.2142f },
         { { -137.12389f, 474.37292f, -2460.9207f, -966.0493f }, 274.7966f },
         { { -1799.9268f, 3016.9028f, 2533.5088f, 1829.6047f }, 80.74581f },
-        { { -530.8798f, 2368.2012f, -1225.9177f, -403.24817f }, 527.5049f },
+        { { 2770.1958f, 791.25854f, 781.719f, 874.266f }, 135.45453f },
+        { { 2770.1958f, 791.2586f, 781.71893f, 874.2659f }, 135.45453f },
+        { { 1e-45f, 2297.0288f, 158.40417f, 1059.7322f }, 202.84442f },
+        { { 0.0f, 2297.0288f, 158.40417f, 1059.7322f }, 202.84442f },
+        { { -3513.4033f, 1017.0205f, 1877.0833f, 11.3844385f }, 465.25122f },
+        { { -3513.4033f, 1017.0205f, 1877.0833f, 11.384438f }, 465.25122f },
+        { { -1407.2656f, 1233.272f, -1975.935f, 11.98397f }, 120.22174f },
+        { { -1407.2656f, 1233.272f, -1975.935f, 11.983971f }, 120.22174f },
+        { { -1306.8396f, 534.8196f, -2316.1567f, 14.047401f }, 183.25998f },
+        { { -1306.8396f, 534.8196f, -2316.1567f, 14.0474f }, 183.25998f },
+        { { -3579.0815f, 344.3875f, -1317.6948f, 7.9917684f }, 453.00287f },
+        { { -3579.0815f, 344.3875f, -1317.6948f, 7.991769f }, 453.00287f },
+        { { -945.9846f, 1171.2344f, -1861.9207f, 11.292478f }, 325.847f },
+        { { -945.9846f, 1171.2344f, -1861.9207f, 11.292477f }, 325.847f },
+        { { 3470.6924f, -1779.6653f, 1558.7356f, -1708.751f }, 139.53455f },
+        { { 3470.6924f, -1779.6653f, 1558.7356f, -1708.751f }, 139.53456f },
+        { { -241.50284f, 189.03079f, 1856.5781f, 11.260075f }, 378.23035f },
+        { { -241.50284f, 189.03079f, 1856.5781f, 11.260076f }, 378.23035f },
+        { { 1734.0598f, 1148.0017f, 1138.4622f, 1429.7783f }, 201.20264f },
+        { { 1734.0598f, 1148.0017f, 1138.462f, 1429.7783f }, 201.20264f },
     };
-    static const widowx_rs_action_t actions[5] = {
+    static const widowx_rs_action_t actions[24] = {
         WIDOWX_RS_BASE_DOWN,
         WIDOWX_RS_BASE_UP,
         WIDOWX_RS_BASE_DOWN,
         WIDOWX_RS_WRIST_UP,
+        WIDOWX_RS_ELBOW_UP,
+        WIDOWX_RS_BASE_UP,
+        WIDOWX_RS_BASE_UP,
+        WIDOWX_RS_WRIST_UP,
+        WIDOWX_RS_WRIST_UP,
         WIDOWX_RS_BASE_DOWN,
+        WIDOWX_RS_BASE_DOWN,
+        WIDOWX_RS_WRIST_UP,
+        WIDOWX_RS_WRIST_UP,
+        WIDOWX_RS_BASE_DOWN,
+        WIDOWX_RS_BASE_DOWN,
+        WIDOWX_RS_WRIST_UP,
+        WIDOWX_RS_WRIST_UP,
+        WIDOWX_RS_BASE_DOWN,
+        WIDOWX_RS_BASE_UP,
+        WIDOWX_RS_SHOULDER_DOWN,
+        WIDOWX_RS_BASE_DOWN,
+        WIDOWX_RS_WRIST_UP,
+        WIDOWX_RS_ELBOW_UP,
+        WIDOWX_RS_BASE_UP,
     };
     uint32_t failures = widowx_rs_arithmetic();
     uint32_t vector;
 
-    for (vector = 0U; vector < 5U; vector++) {
+    for (vector = 0U; vector < 24U; vector++) {
         if (widowx_rs_infer(&states[vector]) != actions[vector]) {
             failures++;
         }

@@ -51,7 +51,7 @@ widowx_rs_action_t widowx_rs_infer(const widowx_rs_state_t *state);
 
 #ifndef WIDOWX_RS_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * They notice 1 of 198 numbers of the graph that are changed by 1 %.
+ * They notice 2 of 89 numbers of the graph that are changed by 1 %.
  */
 uint32_t widowx_rs_selftest(void);
 #endif

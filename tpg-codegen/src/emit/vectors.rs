@@ -53,25 +53,35 @@ pub(crate) fn vectors(graph: &Graph) -> Vectors {
     let mut left = WORK;
     let mut open = changed(graph, (WORK / 20 / lines).clamp(1, CHANGES));
     let changes = open.len();
-    let mut chosen = Vec::new();
-    let mut noticed = 0;
-    let mut take = |candidate: usize, open: &mut Vec<Graph>| {
-        let before = open.len();
-        open.retain(|changed| !differs(changed, candidate));
-        noticed += before - open.len();
-        chosen.push(candidate);
-        chosen.len() < MOST
-    };
-    let mut more = (0..FIRST).fold(true, |_, candidate| take(candidate, &mut open));
-    while more && let Some(changed) = open.pop() {
-        let Some(rest) = left.checked_sub(lines * expected.len()) else { break };
-        left = rest;
-        let answers = interpret::answers(&changed, &candidates);
-        if let Some(candidate) = answers.iter().zip(&expected).position(|(answer, expected)| answer != expected) {
-            open.push(changed);
-            more = take(candidate, &mut open);
+    let mut chosen: Vec<usize> = (0..FIRST).collect();
+    open.retain(|changed| !chosen.iter().any(|&candidate| differs(changed, candidate)));
+    let mut missed = Vec::new();
+    while chosen.len() < MOST
+        && let Some(changed) = open.pop()
+    {
+        let cost = lines * expected.len();
+        let answers = if cost <= left { interpret::answers(&changed, &candidates) } else { Vec::new() };
+        left = left.saturating_sub(cost);
+        match answers.iter().zip(&expected).position(|(answer, expected)| answer != expected) {
+            Some(candidate) => {
+                chosen.push(candidate);
+                open.retain(|changed| !differs(changed, candidate));
+            }
+            None => missed.push(changed),
         }
     }
+    // the rest may be noticed where actions meet
+    missed.append(&mut open);
+    for candidate in FIRST..expected.len() {
+        if chosen.len() == MOST || changes > 0 && missed.is_empty() {
+            break;
+        }
+        if !chosen.contains(&candidate) {
+            chosen.push(candidate);
+            missed.retain(|changed| !differs(changed, candidate));
+        }
+    }
+    let noticed = changes - missed.len();
     let states = chosen.iter().flat_map(|&candidate| state(candidate)).copied().collect();
     let answers = chosen.iter().map(|&candidate| expected[candidate].clone()).collect();
     Vectors { states, answers, changes, noticed }
