@@ -79,9 +79,11 @@ fn code(svg: &mut String, policy: &Policy) -> Drawn {
     panel(svg, CODE, "compiled to C, proven equal")?;
     let text = policy.code()?;
     let body =
-        text.split("    {\n        float best").nth(1).and_then(|rest| rest.split("\n        if (way ==").next());
-    let body = format!("        float best{}", body.ok_or("CartPole's C has another shape now")?);
-    let lines = body.lines().map(|line| line.strip_prefix("        ").unwrap_or(line)).filter(|line| !line.is_empty());
+        text.split("_infer(const cartpole_state_t *state)\n{\n").nth(1).and_then(|rest| rest.split("\n}").next());
+    let body = body.ok_or("CartPole's C has another shape now")?;
+    // A line of C may be wider than the panel.
+    let body = body.replace(" && ", "\n        && ").replace(" ? ", "\n        ? ").replace(" : ", "\n        : ");
+    let lines = body.lines().map(|line| line.strip_prefix("    ").unwrap_or(line)).filter(|line| !line.is_empty());
     for (line, place) in lines.zip(0..) {
         let y = TOP.0 + 28 + LINE * place;
         writeln!(svg, "<text class=\"code\" x=\"{}\" y=\"{y}\">{}</text>", CODE.0 + 14, escaped(line))?;
