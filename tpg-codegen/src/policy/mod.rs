@@ -1,7 +1,7 @@
 //! Networks in integers: `policy.q.json`, made from a trained network's weights.
 //!
 //! The arithmetic is [`tpg_runtime::net`]'s, which this module calls: weights with a scale for each row, `i32` accumulators
-//! that are proven not to overflow, one rounding rule. The [kind](Kind) says how many bits weights and activations have:
+//! that are proven not to overflow, one rounding rule. The kind says how many bits weights and activations have:
 //!
 //! | kind | weights | hidden activations | inputs |
 //! | --- | --- | --- | --- |

@@ -1,4 +1,4 @@
-//! From a graph of floats to a graph of whole numbers, which compiles to [integers](crate::integers).
+//! From a graph of floats to a graph of whole numbers, which compiles to integers.
 //!
 //! Every value of the state gets a scale, such that the range that it has fills the bits that it comes in. A sum of inputs is then a sum
 //! of counts with whole weights, `round(weight * scale * K)`: one K for all bids of a team, for they are compared, and one for each

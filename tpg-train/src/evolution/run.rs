@@ -56,7 +56,7 @@ pub struct Progress<'a> {
     pub row: Option<&'a Row>,
     /// Best root on the selection set so far.
     pub best: Option<&'a Best>,
-    /// The best roots of each size: see [`State::hall`].
+    /// The best roots of each size.
     pub hall: &'a [Best],
     to_graph: &'a dyn Fn(&Best) -> Result<Graph, InputError>,
 }

@@ -109,7 +109,7 @@ pub(crate) fn execute(args: &HybridArgs) -> Result<Verdict, InputError> {
 /// Runs a study on a problem, such as [an environment of your own](super::shared::OwnProblem).
 ///
 /// # Errors
-/// As [`execute`].
+/// Files that are not policies of the problem, settings that it does not have, files that cannot be written.
 pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, InputError> {
     let facts = problem.facts();
     let read_networks = args.policy.iter().map(|path| Ok((path.display().to_string(), Network::read(path)?)));

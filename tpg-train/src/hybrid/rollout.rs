@@ -55,7 +55,7 @@ pub struct HybridResult {
     pub tpg_action_ratio: f64,
     /// Actions per episode that the network chose.
     pub network_actions: f64,
-    /// Hand-overs per episode, by cause, in the order of [`TRIGGERS`].
+    /// Hand-overs per episode, by cause, in the order of `TRIGGERS`.
     pub hand_overs: [f64; TRIGGERS.len()],
     /// Number of times per episode that the network handed back.
     pub hand_backs: f64,

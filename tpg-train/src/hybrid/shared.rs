@@ -89,7 +89,7 @@ pub trait Shared: Sync {
     /// If a policy is not one for this problem.
     fn play(&self, acting: Acting<'_>, episodes: Episodes<'_>) -> Result<HybridResult, InputError>;
 
-    /// Returns the [`rises`] of a graph's episodes; the network is there for a graph that asks.
+    /// Returns the rises of a graph's episodes; the network is there for a graph that asks.
     ///
     /// # Errors
     /// If the graph is not one for this problem.

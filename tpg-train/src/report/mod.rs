@@ -52,7 +52,7 @@ pub(crate) fn report(args: &ReportArgs) -> Result<(), InputError> {
 /// Writes the report; `own` tests the runs on an environment that is not built in.
 ///
 /// # Errors
-/// As [`report`].
+/// A run that cannot be read, or a report that cannot be written.
 pub fn report_with(args: &ReportArgs, own: Option<&dyn Shared>) -> Result<(), InputError> {
     let groups = runs::read(&args.runs)?;
     let page = page(&groups, args.episodes as usize, args.seed, own)?;

@@ -1,4 +1,4 @@
-//! `policy.safetensors`: a trained actor with its [contract](super::contract).
+//! `policy.safetensors`: a trained actor with its contract.
 //!
 //! Tensors, in PyTorch's orientation (a `Linear`'s weight is outputs × inputs): `hidden.0.weight`, `hidden.0.bias`,
 //! and so on for each hidden layer; `mean.weight`,

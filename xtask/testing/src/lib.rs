@@ -61,7 +61,7 @@ const BESIDE: [(&str, Beside, &str); 5] = [
     ("cmake", Beside::Program("make"), "make"),
 ];
 
-/// True if a program works, with what it needs [beside](BESIDE) it; otherwise `what` is [skipped](skip), naming the package
+/// True if a program works, with what it needs beside it; otherwise `what` is [skipped](skip), naming the package
 /// to install.
 ///
 /// # Panics
