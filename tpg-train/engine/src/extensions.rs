@@ -28,7 +28,7 @@ pub fn bid_bounds(sources: &[SourceDocument]) -> Option<usize> {
     sources.last().filter(|source| source.unit == BID_BOUND).map(|_| sources.len() - 1)
 }
 
-/// Tasks beyond those that are [drawn](Environment::draw): see [`Environment::training`].
+/// Tasks beyond those that are drawn: see [`Environment::training`](crate::Environment::training).
 pub trait Training<Task, Episode>: Sync {
     /// Returns the same task in coarser steps, `factor` times as large.
     ///
@@ -54,12 +54,12 @@ pub trait Training<Task, Episode>: Sync {
 }
 
 /// An environment whose graphs and networks see and do different things, and which can refuse an action before it is
-/// taken: see [`Environment::guarded`].
+/// taken: see [`Environment::guarded`](crate::Environment::guarded).
 pub trait Guarded<S, Episode>: Sync {
     /// Returns the sources of networks.
     fn network_sources(&self) -> Vec<SourceDocument>;
 
-    /// Returns the outputs of networks; [`Environment::step`] takes their values beside the named actions of graphs.
+    /// Returns the outputs of networks; [`Environment::step`](crate::Environment::step) takes their values beside the named actions of graphs.
     fn network_outputs(&self) -> Vec<Output>;
 
     /// Writes the flat state of networks.
@@ -75,7 +75,7 @@ pub trait Guarded<S, Episode>: Sync {
     fn mend(&self, guard: &str, episode: &Episode, values: &mut [S]) -> bool;
 }
 
-/// A picture of a problem's episodes for reports, beyond score and success: see [`Environment::drawn`].
+/// A picture of a problem's episodes for reports, beyond score and success: see [`Environment::drawn`](crate::Environment::drawn).
 pub trait Drawn<Episode>: Sync {
     /// Returns the problem's own figures of some episodes.
     fn figures(&self, endings: &[EpisodeResult]) -> Map<String, Value>;

@@ -40,7 +40,7 @@ impl<'a> Ours<'a> {
     /// Lets a graph act alone.
     ///
     /// # Errors
-    /// As [`trial`](Self::trial).
+    /// A policy that cannot be read.
     pub fn graph(&self, graph: &(String, Graph)) -> Result<ReachStatistics, InputError> {
         self.play(Acting::Graph(graph)).map(|(trial, _)| trial)
     }
@@ -48,7 +48,7 @@ impl<'a> Ours<'a> {
     /// Lets a network act alone.
     ///
     /// # Errors
-    /// As [`trial`](Self::trial).
+    /// A policy that cannot be read.
     pub fn network(&self, network: &(String, Network)) -> Result<ReachStatistics, InputError> {
         self.play(Acting::Network(network)).map(|(trial, _)| trial)
     }
