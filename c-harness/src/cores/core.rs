@@ -30,7 +30,7 @@ pub(super) enum Runner {
     Arm(Memories, u32),
     /// `qemu-system-riscv32`.
     RiscV(Memories),
-    /// `simavr`: QEMU's AVR answers wrongly where integers are multiplied.
+    /// `simavr`: QEMU 7.2 hangs in libgcc's multiplication of integers.
     Avr,
     /// Node, by WASI.
     Wasm,
