@@ -82,11 +82,15 @@ pub fn tool(program: &str, package: &str, what: &str) -> bool {
     false
 }
 
-/// True if a program works. That it starts is not enough: rustup leaves a program for each component that is not installed.
+/// Programs that know no `--version` and answer it with an error.
+const WITHOUT_VERSION: [&str; 1] = ["simavr"];
+
+/// True if a program works. For most, that it starts is not enough: rustup leaves a program for each component that is
+/// not installed.
 pub fn exists(program: &str) -> bool {
     let mut command = Command::new(program);
     command.arg("--version").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-    command.status().is_ok_and(|status| status.success())
+    command.status().is_ok_and(|status| status.success() || WITHOUT_VERSION.contains(&program))
 }
 
 /// True if a compiler finds a file of its libraries: it answers with the path, or with what it was asked.
