@@ -57,6 +57,35 @@ fn more_teams_than_one_switch_takes() {
     assert_equal(&sample::graph(&shape, 1), 20_000);
 }
 
+/// Where no bid is a number, the last edge wins: also where bids are not compared in the order of the edges, and where the code
+/// of another edge's team follows.
+#[test]
+fn nobody_wins_beside_a_bid_that_is_compared_late() {
+    let text = r#"{
+        "format": "tpg-graph", "version": 1, "scalar": "f64", "maths": "system", "registers": 1,
+        "sources": [{"name": "x", "length": 3, "unit": "", "ranges": [[-1, 1], [-1, 1], [-1, 1]]}],
+        "instructions": ["exp", "copy", "sub"],
+        "actions": [{"id": 0, "name": "a"}, {"id": 1, "name": "b"}, {"id": 2, "name": "c"}],
+        "root": 0,
+        "teams": [
+            {"id": 0, "edges": [{"program": 0, "action": 0}, {"program": 1, "team": 1}, {"program": 2, "action": 1}]},
+            {"id": 1, "edges": [{"program": 4, "action": 2}, {"program": 3, "action": 0}]}
+        ],
+        "programs": [
+            {"id": 0, "lines": [{"to": 0, "op": "exp", "args": ["x[0]"]}]},
+            {"id": 1, "lines": [{"to": 0, "op": "copy", "args": ["x[1]"]}]},
+            {"id": 2, "lines": [{"to": 0, "op": "copy", "args": ["x[2]"]}]},
+            {"id": 3, "lines": [{"to": 0, "op": "sub", "args": ["x[0]", "x[2]"]}]},
+            {"id": 4, "lines": [{"to": 0, "op": "copy", "args": ["x[1]"]}]}
+        ]
+    }"#;
+    let document: Document = serde_json::from_str(text).expect("a document");
+    for maths in [MathsProvider::System, MathsProvider::Own] {
+        let graph = Graph::from_document("nobody", Document { maths, ..document.clone() }).expect("a valid graph");
+        assert_equal(&graph, 5000);
+    }
+}
+
 #[test]
 fn a_different_policy_is_found_out() {
     let graph = fixture(ScalarType::F64, MathsProvider::System);

@@ -24,6 +24,19 @@ pub fn sample(graph: &Graph, count: usize, seed: u64) -> Vec<f64> {
     states
 }
 
+/// Replaces one state in 16 by one of special values, almost all of them: a graph may need so many before no bid of a team
+/// is a number. The draws are the same for the same graph and seed.
+pub fn replace_by_special(graph: &Graph, states: &mut [f64], seed: u64) {
+    const EVERY: usize = 16;
+    let mut random = ChaCha8Rng::seed_from_u64(!seed);
+    let values = values_of(graph);
+    for state in states.chunks_exact_mut(values.len()).skip(EVERY - 1).step_by(EVERY) {
+        for (place, value) in state.iter_mut().zip(&values) {
+            *place = value.draw(Kind::AllSpecial, &mut random);
+        }
+    }
+}
+
 /// The values that an input can have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Value {
@@ -77,6 +90,8 @@ enum Kind {
     Boundary,
     /// In range; one in eight is special.
     Special,
+    /// Special, half of them NaN; one in eight is in range.
+    AllSpecial,
     /// Arbitrary bits.
     Anything,
 }
@@ -121,7 +136,11 @@ impl Kind {
                 _ => inside,
             },
             Self::Special if random.random_range(0..8) == 0 => SPECIAL[random.random_range(0..SPECIAL.len())],
-            Self::Special => inside,
+            Self::AllSpecial if random.random_range(0..8) != 0 => match random.random_bool(0.5) {
+                true => f64::NAN,
+                false => SPECIAL[random.random_range(0..SPECIAL.len())],
+            },
+            Self::Special | Self::AllSpecial => inside,
             // Half of all doubles exceed the range of f32, so draw the bits of both types.
             Self::Anything if random.random_bool(0.5) => f64::from(f32::from_bits(random.next_u32())),
             Self::Anything => f64::from_bits(random.next_u64()),

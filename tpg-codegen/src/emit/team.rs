@@ -38,7 +38,7 @@ pub(super) enum Decision<J> {
     Either(String, J, J),
     /// The winner is the answer.
     Winner,
-    /// The winners of each destination; the last is taken if no bid wins.
+    /// The winners of each destination; nobody is among the last's, which is taken if no bid wins.
     Ways(Vec<(Vec<String>, J)>),
 }
 
@@ -188,7 +188,9 @@ impl<S: Syntax> Team<'_, S> {
             true => vec![self.rank_of(number)],
             false => {
                 let leads = self.plan.targets.iter().enumerate().filter(|&(_, &to)| to == target);
-                leads.map(|(place, _)| self.syntax.index(place + 1)).collect()
+                let nobody = (number + 1 == self.targets.len() && !self.plan.leads_at_first(self.syntax.nodes()))
+                    .then(|| self.syntax.index(0));
+                nobody.into_iter().chain(leads.map(|(place, _)| self.syntax.index(place + 1))).collect()
             }
         };
         self.targets.iter().enumerate().map(|way| (ranks(way), to.jump(*way.1))).collect()

@@ -48,7 +48,9 @@ pub fn compare(graph: &Graph, engines: &mut [&mut dyn Engine], count: usize, see
     let length = states::batch(graph.state_length(), BATCH);
     for (batch, start) in (0..count).step_by(length).enumerate() {
         // Each batch has its own stream, so that a run of more states begins with the states of a shorter one.
-        let states = states::sample(graph, length.min(count - start), seed.wrapping_add((batch as u64) << 32));
+        let seed = seed.wrapping_add((batch as u64) << 32);
+        let mut states = states::sample(graph, length.min(count - start), seed);
+        states::replace_by_special(graph, &mut states, seed);
         let mut expected = Vec::new();
         reference.answer(&states, &mut expected)?;
         for (engine, comparison) in engines.iter_mut().zip(&mut comparisons) {
