@@ -26,11 +26,12 @@ fn recorded(graph: &Graph) -> String {
 }
 
 /// Runs `verify --expect` and returns its exit status and its first line.
-fn verify(folder: &Path, sidecar: &str) -> (Option<i32>, String) {
+fn verify(folder: &Path, sidecar: &str, options: &[&str]) -> (Option<i32>, String) {
     fs::write(folder.join("x.toml"), sidecar).expect("written");
     let mut command = Command::cargo_bin("tpg-codegen").expect("the program is built");
     command.current_dir(folder).args(["verify", "x.dot", "--sidecar", "x.toml", "--expect", "x.csv"]);
-    let output = command.args(["--lang", "c", "--profile", "fast", "--states", "100"]).output().expect("it starts");
+    command.args(["--lang", "c", "--profile", "fast", "--states", "100"]).args(options);
+    let output = command.output().expect("it starts");
     let said = String::from_utf8([output.stdout, output.stderr].concat()).expect("text");
     (output.status.code(), said.lines().next().unwrap_or_default().to_owned())
 }
@@ -44,19 +45,22 @@ fn a_wrong_sidecar_is_found() {
     fs::write(folder.path().join("x.dot"), export::dot::text(&graph).expect("no memory")).expect("written");
     fs::write(folder.path().join("x.csv"), recorded(&graph)).expect("written");
     let sidecar = export::sidecar::text(&graph);
-    assert_eq!(verify(folder.path(), &sidecar), (Some(0), "interpreter = x.csv on 200 states".to_owned()));
+    assert_eq!(verify(folder.path(), &sidecar, &[]), (Some(0), "interpreter = x.csv on 200 states".to_owned()));
+    assert_eq!(verify(folder.path(), &sidecar, &["--quiet"]), (Some(0), String::new()));
 
     let reordered = sidecar.replace(r#""sub", "add""#, r#""add", "sub""#);
     assert_ne!(reordered, sidecar);
-    let (code, said) = verify(folder.path(), &reordered);
-    assert_eq!(code, Some(1), "{said}");
-    assert!(
-        said.starts_with("interpreter differs from x.csv on ") && said.contains(" of 200 states; the first, line ")
-    );
+    for options in [&[][..], &["--quiet"]] {
+        let (code, said) = verify(folder.path(), &reordered, options);
+        assert_eq!(code, Some(1), "{said}");
+        assert!(
+            said.starts_with("interpreter differs from x.csv on ") && said.contains(" of 200 states; the first, line ")
+        );
+    }
 
     let without = recorded(&graph).replace("action", "act");
     fs::write(folder.path().join("x.csv"), without).expect("written");
-    let (code, said) = verify(folder.path(), &sidecar);
+    let (code, said) = verify(folder.path(), &sidecar, &[]);
     assert_eq!(code, Some(2), "{said}");
 }
 

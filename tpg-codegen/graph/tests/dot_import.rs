@@ -269,6 +269,13 @@ fn constants_of_lines_are_those_of_their_line() {
     assert!(odd.starts_with("x.dot: line 7: 3 constants on 2 lines; accepted: as many for each line"), "{odd}");
     let one = refused(&MAPLE.replace("0.5|-0.25|0.75|0.125|", "0.5|0.75|"), MAPLE_SIDECAR);
     assert!(one.contains("program line 1: 1 constant of a line for minus; accepted: at least 2"), "{one}");
+    for of_another in ["sin(mul(a, k0))", "sin(a)"] {
+        let operands = MAPLE_SIDECAR.replace("k0), mul(b, k1)", "c), mul(b, d)").replace("sin(mul(a, k0))", of_another);
+        let missing = refused(MAPLE, &operands);
+        let hint =
+            "program line 1: 2 operands of minus; accepted: at least 4; constants of the line itself are k0 to k3";
+        assert!(missing.contains(hint), "{missing}");
+    }
     let output = refused(MAPLE, &MAPLE_SIDECAR.replace("tanh(a)", "tanh(mul(a, k0))"));
     assert!(output.contains("accepted: a call on the value a alone"), "{output}");
 }

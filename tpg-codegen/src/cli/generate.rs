@@ -92,11 +92,12 @@ impl GenerateArgs {
     fn prove(&self, codes: &[Code<'_>]) -> Result<Verdict, CommandError> {
         let proof = prove(codes, STATES, SEED)?;
         let (proven, of_all) = proven(codes);
-        let sentences = sentences(&proof) + &proven;
+        let told = if of_all == Verdict::Failed || !command::is_quiet() { proven } else { String::new() };
+        let sentences = sentences(&proof) + &told;
         // Standard output holds either the code or the report, never both.
         if self.to_stdout() {
-            command::note(sentences.trim_end());
-        } else if !command::is_quiet() {
+            eprint!("{sentences}");
+        } else {
             command::print(sentences).map_err(CommandError::other)?;
         }
         Ok(if of_all == Verdict::Failed { of_all } else { verdict(&proof) })

@@ -51,8 +51,9 @@ impl VerifyArgs {
                 "graph_sha256": sha256, "expected": expected, "comparisons": comparisons, "unproven": unproven,
             });
             command::print(format!("{text}\n")).map_err(CommandError::other)?;
-        } else if !command::is_quiet() {
-            let expected = expected.as_ref().map_or_else(String::new, |expected| format!("{expected}\n"));
+        } else {
+            let expected = expected.as_ref().filter(|expected| expected.differences > 0 || !command::is_quiet());
+            let expected = expected.map_or_else(String::new, |expected| format!("{expected}\n"));
             command::print(expected + &sentences(&proof)).map_err(CommandError::other)?;
         }
         let as_recorded = expected.is_none_or(|expected| expected.differences == 0);
@@ -93,9 +94,10 @@ pub(super) fn verdict(proof: &Proof) -> Verdict {
     if proof.holds() { Verdict::Good } else { Verdict::Failed }
 }
 
-/// A line for each comparison.
+/// A line for each comparison; if the program shall be quiet, for each that found a difference.
 pub(super) fn sentences(proof: &Proof) -> String {
-    proof.comparisons.iter().fold(String::new(), |mut text, comparison| {
+    let told = proof.comparisons.iter().filter(|comparison| comparison.differences > 0 || !command::is_quiet());
+    told.fold(String::new(), |mut text, comparison| {
         let _ = writeln!(text, "{}", sentence(comparison));
         text
     })

@@ -2,6 +2,7 @@
 
 use super::declared::{OperandText, ProgramLine};
 use super::fault::Fault;
+use crate::Word;
 use crate::error::counted;
 use crate::import::composed::{FORM, Given, Operator};
 use crate::model::{Document, LineDocument, OperandDocument};
@@ -59,7 +60,12 @@ impl Meaning<'_> {
         let arity = value.arity();
         let Some(operands) = line.operands.get(..arity).filter(|_| arity <= line.written) else {
             let found = format!("{} of {name}", counted(line.written, "operand"));
-            return Err(Fault::new(found, format!("at least {arity}")));
+            let has_constants = !self.constants.is_empty() || !constants.is_empty();
+            let hint = match Word::from_name(name) {
+                None if has_constants => "; constants of the line itself are k0 to k3, not operands",
+                _ => "",
+            };
+            return Err(Fault::new(found, format!("at least {arity}{hint}")));
         };
         let needed = value.constants();
         if constants.len() < needed {
