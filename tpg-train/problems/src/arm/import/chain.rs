@@ -70,7 +70,9 @@ fn positions(file: &str, joint: &Turning) -> Result<(i16, [i16; 2]), InputError>
     let last = last.min(f64::from(TICKS_PER_TURN - 1));
     if first >= last || zero.abs() > f64::from(i16::MAX) {
         let found = format!("limits of {} to {} rad", joint.limits[0], joint.limits[1]);
-        return Err(at_joint(file, joint.place(), found, "limits that are at least a tick of 1/4096 turn apart"));
+        let accepted = "limits that are at least a tick of 1/4096 turn apart";
+        let accepted = format!("{accepted}; --fix {}=RAD holds the joint", joint.name);
+        return Err(at_joint(file, joint.place(), found, accepted));
     }
     Ok((zero as i16, [first as i16, last as i16]))
 }

@@ -165,6 +165,33 @@ fn what_is_no_arm_is_refused_with_file_and_joint() {
 }
 
 #[test]
+fn one_message_names_every_joint_that_needs_an_option() {
+    let text = ARM.replace("lower=\"-1.2\" upper=\"1.6\"", "lower=\"1\" upper=\"-1\"").replace(
+        "<joint name=\"mount\" type=\"fixed\">",
+        "<joint name=\"mount\" type=\"prismatic\"><limit lower=\"0\" upper=\"1\"/>",
+    );
+    assert_eq!(
+        refusal(&text, "tip", &[]),
+        "five.urdf: line 7: joint lift: limits of 1 to -1 rad; accepted: a revolute joint with limits of at most a turn; \
+         --limit lift=LOW,HIGH narrows them, --fix lift=RAD holds the joint; \
+         the same for --limit roll=LOW,HIGH --fix mount=0"
+    );
+    let limits = [("lift".to_owned(), [-1.2, 1.6]), ("roll".to_owned(), [-3.0, 3.0])];
+    let requests = Requests { held: &[("mount".to_owned(), 0.0)], limited: &limits };
+    let joints = urdf::chain("five.urdf", &text, "tip", requests).expect("a chain").joints;
+    assert_eq!([joints[1].limits, joints[4].limits], [[-1.2, 1.6], [-3.0, 3.0]]);
+    let slides =
+        refusal(&text.replace("name=\"pan\" type=\"revolute\"", "name=\"pan\" type=\"prismatic\""), "tip", &[]);
+    assert!(slides.contains("at most a turn; --fix pan=0 holds the joint; the same for --limit lift"), "{slides}");
+    let narrow = refusal(
+        &ARM.replace("lower=\"-1.2\" upper=\"1.6\"", "lower=\"0\" upper=\"0.001\"").replace("0 -1 0", "1 0 0"),
+        "tip",
+        &held(),
+    );
+    assert!(narrow.ends_with("at least a tick of 1/4096 turn apart; --fix lift=RAD holds the joint"), "{narrow}");
+}
+
+#[test]
 fn limits_on_request_narrow_wide_ones_and_stop_endless_joints() {
     let limit = |joint: &str, limits: [f64; 2]| vec![(joint.to_owned(), limits)];
     let wide = ARM.replace("lower=\"-1.2\" upper=\"1.6\"", "lower=\"-6.2832\" upper=\"1.6\"");

@@ -117,7 +117,7 @@ pub(super) fn chain(file: &str, text: &str, tip: &str, requests: Requests<'_>) -
         return Err(InputError::new(file, Place::Whole, found, format!("one of {joints}")));
     }
     let (mut at, mut frame) = ([0.0; 3], NO_ROTATION);
-    let mut joints = Vec::new();
+    let (mut joints, mut refused) = (Vec::new(), Vec::new());
     for joint in path {
         let (place, turned) = origin(joint);
         at = plus(at, rotate(&frame, place));
@@ -137,12 +137,49 @@ pub(super) fn chain(file: &str, text: &str, tip: &str, requests: Requests<'_>) -
             }
         } else if joint.kind != JointType::Fixed {
             let narrowed = limited.iter().find(|(name, _)| *name == joint.name).map(|(_, limits)| *limits);
-            let limits = limits(file, joint, narrowed)?;
-            let (name, line) = (joint.name.clone(), joint.line);
-            joints.push(Turning { name, line, at, axis: rotate(&frame, axis()?), limits });
+            match limits(joint, narrowed) {
+                Ok(limits) => {
+                    let (name, line) = (joint.name.clone(), joint.line);
+                    joints.push(Turning { name, line, at, axis: rotate(&frame, axis()?), limits });
+                }
+                Err(refusal) => refused.push((joint, refusal)),
+            }
         }
     }
-    Ok(Chain { joints, tip: at })
+    match &refused[..] {
+        [] => Ok(Chain { joints, tip: at }),
+        [(joint, first), others @ ..] => {
+            let mut accepted = first.accepted(&joint.name);
+            if !others.is_empty() {
+                let options: Vec<String> = others.iter().map(|(joint, other)| other.option(&joint.name)).collect();
+                accepted += &format!("; the same for {}", options.join(" "));
+            }
+            Err(at_joint(file, joint.place(), first.found.clone(), accepted))
+        }
+    }
+}
+
+/// A joint that does not turn within limits.
+struct Refusal {
+    found: String,
+    /// It could turn within limits on request.
+    turns: bool,
+}
+
+impl Refusal {
+    /// Returns the option of the command that mends it.
+    fn option(&self, name: &str) -> String {
+        if self.turns { format!("--limit {name}=LOW,HIGH") } else { format!("--fix {name}=0") }
+    }
+
+    fn accepted(&self, name: &str) -> String {
+        let accepted = "a revolute joint with limits of at most a turn";
+        let option = self.option(name);
+        match self.turns {
+            true => format!("{accepted}; {option} narrows them, --fix {name}=RAD holds the joint"),
+            false => format!("{accepted}; {option} holds the joint"),
+        }
+    }
 }
 
 fn read(file: &str, text: &str) -> Result<Robot, InputError> {
@@ -256,39 +293,33 @@ fn origin(joint: &Joint) -> (Vector, Rotation) {
     (place.map(|metres| 1000.0 * metres), turned)
 }
 
-/// Returns a joint's limits, narrowed on request.
-fn limits(file: &str, joint: &Joint, narrowed: Option<[f64; 2]>) -> Result<[f64; 2], InputError> {
-    let accepted = format!(
-        "a revolute joint with limits of at most a turn; --limit {name}=LOW,HIGH narrows them, --fix {name}=RAD holds the joint",
-        name = joint.name
-    );
-    let refuse = |found: String| Err(at_joint(file, joint.place(), found, &accepted));
+/// Returns a joint's limits, narrowed on request; limits that contain nothing count for none then.
+fn limits(joint: &Joint, narrowed: Option<[f64; 2]>) -> Result<[f64; 2], Refusal> {
+    let refuse = |turns: bool, found: String| Err(Refusal { found, turns });
     if let Some(other) = &joint.mimics {
-        return refuse(format!("it mimics the joint {other:?}"));
+        return refuse(false, format!("it mimics the joint {other:?}"));
     }
     let [lower, upper] = joint.limits;
     let none = (lower == 0.0 && upper == 0.0) || !(lower.is_finite() && upper.is_finite());
     let [lower, upper] = match (joint.kind, narrowed) {
         (JointType::Fixed | JointType::Other, _) => {
-            return refuse("a joint that does not turn about one axis".to_owned());
+            return refuse(false, "a joint that does not turn about one axis".to_owned());
         }
-        (JointType::Revolute, _) if !none && lower >= upper => {
-            return refuse(format!("limits of {lower} to {upper} rad"));
-        }
-        (JointType::Revolute, Some([low, high])) if !none => [low.max(lower), high.min(upper)],
+        (JointType::Revolute, Some([low, high])) if !none && lower < upper => [low.max(lower), high.min(upper)],
         (_, Some(narrowed)) => narrowed,
-        (JointType::Revolute, None) if none => return refuse("no limits".to_owned()),
+        (JointType::Continuous, None) => return refuse(true, "a continuous joint, which has no limits".to_owned()),
+        (JointType::Revolute, None) if none => return refuse(true, "no limits".to_owned()),
+        (JointType::Revolute, None) if lower >= upper => {
+            return refuse(true, format!("limits of {lower} to {upper} rad"));
+        }
         (JointType::Revolute, None) => [lower, upper],
-        (JointType::Continuous, None) => return refuse("a continuous joint, which has no limits".to_owned()),
     };
     if lower >= upper {
-        return refuse(format!(
-            "limits of {} to {} rad, which --limit does not meet",
-            joint.limits[0], joint.limits[1]
-        ));
+        let found = format!("limits of {} to {} rad, which --limit does not meet", joint.limits[0], joint.limits[1]);
+        return refuse(true, found);
     }
     if upper - lower > TAU + 1e-3 {
-        return refuse(format!("limits of {lower} to {upper} rad, which are more than a turn"));
+        return refuse(true, format!("limits of {lower} to {upper} rad, which are more than a turn"));
     }
     Ok([lower, upper])
 }
