@@ -5,11 +5,14 @@ use std::collections::BTreeMap;
 use tpg_graph::error::counted;
 use tpg_graph::{ActionId, Destination, Graph};
 
-const WIDTH: f64 = 960.0;
+/// The width of a column of a page, in which labels are shown in their own size.
+const COLUMN: f64 = 480.0;
+/// The largest width, of a graph that takes the whole width of a page.
+const BROAD: f64 = 960.0;
+/// The room that an action takes.
+const ACTION: f64 = 96.0;
 const LAYER: f64 = 84.0;
 const TOP: f64 = 24.0;
-/// A graph of more vertices takes the whole width of a page.
-const BROAD: usize = 12;
 /// Number of passes that sort nodes by the positions of their neighbours above; more passes change little.
 const SWEEPS: usize = 4;
 
@@ -23,8 +26,9 @@ enum Node {
 /// Draws a graph for a page.
 pub fn figure(graph: &Graph) -> Figure {
     let layers = layers(graph);
+    let width = width(&layers);
     let places = places(&layers);
-    let mut svg = Svg::new(WIDTH, 2.0 * TOP + LAYER * layers.len() as f64);
+    let mut svg = Svg::new(width, 2.0 * TOP + LAYER * layers.len() as f64);
     for (from, to, count) in edges(graph) {
         let class = match to {
             Node::Action(action) => format!("thin c{}", joint_colour(graph, action)),
@@ -75,8 +79,7 @@ pub fn figure(graph: &Graph) -> Figure {
             "leaf"
         },
     );
-    let is_broad = places.len() > BROAD;
-    Figure { svg: svg.finish("the graph"), caption, is_broad }
+    Figure { svg: svg.finish("the graph"), caption, is_broad: width > COLUMN }
 }
 
 /// Draws a graph as an SVG element that needs no page: for a notebook, say.
@@ -135,7 +138,7 @@ fn layers(graph: &Graph) -> Vec<Vec<Node>> {
             let middle = |node: &Node| {
                 let above = edges.iter().filter(|(_, to, _)| to == node).map(|(from, ..)| places[from][0]);
                 let (sum, count) = above.fold((0.0, 0.0), |(sum, count), x| (sum + x, count + 1.0));
-                if count > 0.0 { sum / count } else { WIDTH / 2.0 }
+                if count > 0.0 { sum / count } else { width(&layers) / 2.0 }
             };
             let mut sorted: Vec<(f64, Node)> = layers[layer].iter().map(|node| (middle(node), *node)).collect();
             sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -145,11 +148,18 @@ fn layers(graph: &Graph) -> Vec<Vec<Node>> {
     layers
 }
 
+/// Returns the width of a picture in which the actions have room, as far as a page has it.
+fn width(layers: &[Vec<Node>]) -> f64 {
+    let widest = layers.iter().map(Vec::len).max().unwrap_or(0);
+    (ACTION * widest as f64).clamp(COLUMN, BROAD)
+}
+
 fn places(layers: &[Vec<Node>]) -> BTreeMap<Node, Point> {
+    let width = width(layers);
     let layer = |(row, nodes): (usize, &Vec<Node>)| {
-        let step = WIDTH / nodes.len().max(1) as f64;
+        let step = width / nodes.len().max(1) as f64;
         // Neighbours alternate between two heights to make room.
-        let dodge = |k: usize| if nodes.len() > 12 && k % 2 == 1 { LAYER / 3.0 } else { 0.0 };
+        let dodge = |k: usize| if step < ACTION && k % 2 == 1 { LAYER / 3.0 } else { 0.0 };
         let place =
             move |(k, node): (usize, &Node)| (*node, [(k as f64 + 0.5) * step, TOP + row as f64 * LAYER + dodge(k)]);
         nodes.iter().enumerate().map(place).collect::<Vec<_>>()
@@ -159,8 +169,19 @@ fn places(layers: &[Vec<Node>]) -> BTreeMap<Node, Point> {
 
 #[cfg(test)]
 mod tests {
-    use super::standalone;
+    use super::{figure, standalone};
     use tpg_graph::sample::{self, Shape};
+
+    #[test]
+    fn a_small_graph_fits_a_column_in_its_own_size_and_a_wide_one_takes_the_page() {
+        let widths = [(2, 3), (20, 9)].map(|(teams, actions)| {
+            let drawn = figure(&sample::graph(&Shape { teams, actions, ..Shape::random(1) }, 1));
+            let width = drawn.svg.split("width=\"").nth(1).and_then(|rest| rest.split('"').next()?.parse::<f64>().ok());
+            (drawn.is_broad, width.expect("a width"))
+        });
+        assert_eq!(widths[0], (false, 480.0));
+        assert!(widths[1].0 && widths[1].1 > 480.0, "{widths:?}");
+    }
 
     #[test]
     fn a_standalone_picture_brings_its_colours() {
