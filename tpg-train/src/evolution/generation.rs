@@ -131,6 +131,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         if state.budget.ended.is_some() {
             (state.search, state.stalled) = (None, None);
         }
+        row.steps = state.steps;
         state.rows.push(row);
         state.generation += 1;
         Ok(())

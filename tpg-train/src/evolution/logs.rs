@@ -14,8 +14,9 @@ use tpg_graph::files::write_atomically;
 /// # Errors
 /// If they cannot be written.
 pub(crate) fn write(folder: &Path, rows: &[Row]) -> Result<(), InputError> {
-    const HEADER: [&str; 11] = [
+    const HEADER: [&str; 12] = [
         "generation",
+        "steps",
         "best_score",
         "median_score",
         "best_success",
@@ -31,6 +32,7 @@ pub(crate) fn write(folder: &Path, rows: &[Row]) -> Result<(), InputError> {
         let validation = |value: fn(&Summary) -> f64| optional(row.validation.as_ref().map(value));
         [
             row.generation.to_string(),
+            row.steps.to_string(),
             row.best_score.to_string(),
             row.median_score.to_string(),
             optional(row.best_success),

@@ -220,6 +220,7 @@ impl Stage for Population {
         let Summary { success, measure, .. } = Summary::new(endings);
         let row = Row {
             generation: moment.generation,
+            steps: 0,
             best_score: self.record(best).mean,
             median_score: self.record(middle).mean,
             best_success: success,

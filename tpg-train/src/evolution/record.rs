@@ -31,6 +31,8 @@ impl Record {
 pub struct Row {
     /// The generation, from 0.
     pub generation: u64,
+    /// Steps of the environment that the run has made with it, those of validation included.
+    pub steps: u64,
     /// Best running mean of a root.
     pub best_score: f64,
     /// Median of the roots' running means.

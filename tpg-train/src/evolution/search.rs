@@ -169,6 +169,7 @@ impl Stage for Search {
         let best = &summaries[order[0]];
         let row = Row {
             generation: moment.generation,
+            steps: 0,
             best_score: best.score,
             median_score: summaries[order[order.len() / 2]].score,
             best_success: best.success,

@@ -1,7 +1,6 @@
 //! Learning curves: mean over the seeds of a group, with a band of one standard deviation.
 
-use super::runs::{Group, Run};
-use std::collections::BTreeMap;
+use super::runs::Group;
 use tpg_engine::Sample;
 use tpg_picture::{Axis, Colour, Figure, Plot, Section};
 
@@ -50,7 +49,7 @@ pub(super) fn sections(groups: &[Group]) -> Vec<Section> {
     ];
     let mut sections = Vec::new();
     for (kind, title, x, shown) in
-        [("TPG", "Evolution", "generation", &tpg[..]), ("SAC", "Soft actor-critic", "decisions", &sac[..])]
+        [("TPG", "Evolution", "steps", &tpg[..]), ("SAC", "Soft actor-critic", "decisions", &sac[..])]
     {
         let groups = of_kind(kind);
         let mut problems: Vec<String> = groups.iter().map(|group| group.problem()).collect();
@@ -83,7 +82,8 @@ fn section(title: &str, x: &str, groups: &[&Group], shown: &[Shown]) -> Option<S
         let y = scores.filter(|_| y.label == SCORE).map_or(y.clone(), |[low, high]| y.clone().between(low, high));
         let mut plot = Plot::new(Axis::linear(x).between(0.0, end), y);
         for (colour, group) in (0..).map(Colour).zip(groups) {
-            let points = over_seeds(&group.runs, curve);
+            let curves = group.runs.iter().filter_map(|run| run.curves.get(curve)).filter(|curve| !curve.is_empty());
+            let points = over_seeds(&curves.map(Vec::as_slice).collect::<Vec<_>>());
             plot.band(colour, points.iter().filter_map(|&(x, mean, sd)| Some([x, mean - sd?, mean + sd?])).collect());
             plot.line(colour, points.iter().map(|&(x, mean, _)| [x, mean]).collect());
             plot.name(colour, &format!("{} ({})", group.name, group.runs.len()));
@@ -110,16 +110,32 @@ fn ends_of_scores(groups: &[&Group], shown: &[Shown]) -> Option<[f64; 2]> {
     (low < high).then_some([low, high])
 }
 
-/// Returns x, mean and standard deviation wherever a run has a value.
-fn over_seeds(runs: &[Run], curve: &str) -> Vec<(f64, f64, Option<f64>)> {
-    // x values are counts, so their bits sort in the same order.
-    let mut at: BTreeMap<u64, Vec<f64>> = BTreeMap::new();
-    for [x, y] in runs.iter().filter_map(|run| run.curves.get(curve)).flatten() {
-        at.entry(x.to_bits()).or_default().push(*y);
-    }
-    let point = |(x, values): (u64, Vec<f64>)| {
-        let sample = Sample::new(&values);
-        (f64::from_bits(x), sample.mean, (sample.count > 1).then(|| sample.sample_deviation()))
+/// Returns x, mean and standard deviation wherever a curve has a value, from where all have begun; a curve keeps a value until its
+/// next one, so that runs with generations of different length have a mean. No curve may be empty.
+fn over_seeds(curves: &[&[[f64; 2]]]) -> Vec<(f64, f64, Option<f64>)> {
+    let begin = curves.iter().map(|curve| curve[0][0]).fold(f64::NEG_INFINITY, f64::max);
+    let mut all: Vec<f64> = curves.iter().copied().flatten().map(|&[x, _]| x).filter(|&x| x >= begin).collect();
+    all.sort_by(f64::total_cmp);
+    all.dedup();
+    let point = |x: f64| {
+        let value = |curve: &&[[f64; 2]]| curve[curve.partition_point(|&[at, _]| at <= x) - 1][1];
+        let sample = Sample::new(&curves.iter().map(value).collect::<Vec<_>>());
+        (x, sample.mean, (sample.count > 1).then(|| sample.sample_deviation()))
     };
-    at.into_iter().map(point).collect()
+    all.into_iter().map(point).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::over_seeds;
+
+    #[test]
+    fn the_mean_of_curves_with_values_at_different_places_begins_where_all_have_begun() {
+        let one = over_seeds(&[&[[10.0, 1.0], [20.0, 3.0]]]);
+        assert_eq!(one, [(10.0, 1.0, None), (20.0, 3.0, None)]);
+        let two = over_seeds(&[&[[10.0, 1.0], [20.0, 3.0]], &[[15.0, 5.0], [20.0, 5.0], [30.0, 9.0]]]);
+        let means: Vec<(f64, f64)> = two.iter().map(|&(x, mean, _)| (x, mean)).collect();
+        assert_eq!(means, [(15.0, 3.0), (20.0, 4.0), (30.0, 6.0)]);
+        assert!(over_seeds(&[]).is_empty());
+    }
 }

@@ -27,8 +27,8 @@ fn headline(group: &Group, run: &Run, tested: Option<&Tested>) -> Headline {
             result(tested)
         }
         None => {
-            notes.push("not tested: the environment is not built in".to_owned());
-            "–".to_owned()
+            notes.push("on the episodes that chose it; not tested, as the environment is not built in".to_owned());
+            run.validated().map_or_else(|| "–".to_owned(), |score| format!("return {score:.2}"))
         }
     };
     notes.push(match &run.kind {

@@ -82,11 +82,15 @@ fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<&dyn Shared>) 
             Ok(archives.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
         })
         .collect::<Result<_, InputError>>()?;
-    let lead = format!(
-        "Tested on {episodes} episodes of the test set with seed {seed}, which no training and no selection reads. In the tables ± \
-         is the standard deviation over the seeds of a group."
-    );
-    let best: Vec<Option<usize>> = tested.iter().map(|tested| best(tested)).collect();
+    let mut lead = "In the tables ± is the standard deviation over the seeds of a group.".to_owned();
+    if tested.iter().flatten().any(Option::is_some) {
+        let test = format!(
+            "Tested on {episodes} episodes of the test set with seed {seed}, which no training and no selection reads."
+        );
+        lead = format!("{test} {lead}");
+    }
+    let best: Vec<Option<usize>> =
+        groups.iter().zip(&tested).map(|(group, tested)| best(&group.runs, tested)).collect();
     let mut sections = vec![tables::section(groups, &tested)];
     sections.extend(curves::sections(groups));
     sections.extend(size::section(groups, &tested, &halls));
@@ -99,13 +103,13 @@ fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<&dyn Shared>) 
     Ok(Page { title, lead, headlines: headline::headlines(groups, &tested, &best), sections })
 }
 
-/// Returns the run with the highest success rate, if defined, then with the highest mean score; the first one if none
-/// was tested.
-fn best(tested: &[Option<Tested>]) -> Option<usize> {
+/// Returns the run with the highest success rate, if defined, then with the highest mean score, in validation where there was no
+/// test; the first of equals.
+fn best(runs: &[Run], tested: &[Option<Tested>]) -> Option<usize> {
     let worth = |place: &usize| {
         let summary = tested[*place].as_ref().map(Tested::summary);
-        summary.map_or((-1.0, f64::NEG_INFINITY), |summary| (summary.success.unwrap_or(0.0), summary.score))
+        let validated = || runs[*place].validated().unwrap_or(f64::NEG_INFINITY);
+        summary.map_or_else(|| (-1.0, validated()), |summary| (summary.success.unwrap_or(0.0), summary.score))
     };
-    // Ties go to the first.
     (0..tested.len()).rev().max_by(|a, b| worth(a).partial_cmp(&worth(b)).unwrap_or(std::cmp::Ordering::Equal))
 }

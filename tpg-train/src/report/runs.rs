@@ -79,6 +79,17 @@ impl Group {
     }
 }
 
+impl Run {
+    /// Returns the mean score on the episodes by which training chose the policy.
+    pub(super) fn validated(&self) -> Option<f64> {
+        match &self.kind {
+            Kind::Tpg { graph, .. } => graph.provenance().scores.get("validation_score").copied(),
+            Kind::Sac { contract, .. } => contract.provenance.validation.map(|result| result.score),
+            Kind::Hybrid { .. } => None,
+        }
+    }
+}
+
 impl Kind {
     /// Returns the graph that evolution has found: its bytes can be compared. `None` for a network, and for a hybrid of a graph and
     /// rules, which was put together later.
@@ -190,7 +201,7 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
     let graph = Graph::from_json(&path.display().to_string(), &read_text(&path, "the graph of a run")?)?;
     let hall = hall(&folder.join("hall.jsonl"), &graph)?;
     let curve = |value: &dyn Fn(&Row) -> Option<f64>| {
-        rows.iter().filter_map(|row| Some([row.generation as f64, value(row)?])).collect::<Vec<_>>()
+        rows.iter().filter_map(|row| Some([row.steps as f64, value(row)?])).collect::<Vec<_>>()
     };
     let curves = BTreeMap::from([
         ("best score", curve(&|row| Some(row.best_score))),

@@ -82,11 +82,6 @@ fn row(run: &Run, tested: Option<&Tested>) -> Vec<String> {
         }
         Kind::Hybrid { hybrid, .. } => hybrid.setting.sentence(),
     };
-    let selection = match &run.kind {
-        Kind::Tpg { graph, .. } => graph.provenance().scores.get("validation_score").copied(),
-        Kind::Sac { contract, .. } => contract.provenance.validation.map(|result| result.score),
-        Kind::Hybrid { .. } => None,
-    };
     let text = |value: Option<f64>| value.map_or_else(String::new, one_decimal);
     let summary = tested.map(Tested::summary);
     let measured = tested.filter(|tested| tested.measure.is_some());
@@ -100,7 +95,7 @@ fn row(run: &Run, tested: Option<&Tested>) -> Vec<String> {
         text(measured.map(|tested| tested.summary().measure)),
         text(median),
         text(summary.map(|summary| summary.actions)),
-        text(selection),
+        text(run.validated()),
         text(run.cpu),
     ]
 }

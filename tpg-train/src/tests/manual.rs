@@ -7,10 +7,11 @@ use crate::sac::config::SacConfig;
 use schemars::JsonSchema;
 use serde_json::Value;
 use std::fmt::Write as _;
-use toml::Table;
 use tpg_problems::arm::arms::ARMS;
 use tpg_problems::{acrobot, arm, cartpole, dodge, mountain_car, mountain_car_continuous, pendulum};
 use tpg_testing::book::page;
+
+const HEAD: &str = "| key | type | default | meaning |\n| --- | --- | --- | --- |\n";
 
 #[test]
 fn the_page_of_configurations_is_fresh() {
@@ -22,14 +23,10 @@ comments, `tpg-train config --schema` a schema for editors. An unknown key, a va
 their place and what is accepted.
 "
     .to_owned();
-    text += "\n## `tpg-train tpg`\n\nThe default is the preset `thorough`.\n";
-    let values: Vec<(&str, Table)> =
-        ["quick", "gegelati"].map(|name| (name, EvolutionConfig::table(name).expect("a preset"))).to_vec();
-    tables::<EvolutionConfig>(&mut text, &values);
+    text += "\n## `tpg-train tpg`\n\nThe default is the preset `thorough`; others are `quick` and `gegelati`.\n";
+    tables::<EvolutionConfig>(&mut text);
     text += "\n## `tpg-train sac`\n";
-    let values: Vec<(&str, Table)> =
-        ["general", "long", "best-fs"].map(|name| (name, SacConfig::table(name).expect("a preset"))).to_vec();
-    tables::<SacConfig>(&mut text, &values);
+    tables::<SacConfig>(&mut text);
 
     text += "\n## The section `[problem]`\n\n`name` is the problem's, as `tpg-train problems` lists them. Its other keys:\n";
     problem::<cartpole::Config>(&mut text, "cartpole");
@@ -46,39 +43,29 @@ their place and what is accepted.
 }
 
 fn problem<T: JsonSchema>(text: &mut String, name: &str) {
-    let _ = write!(text, "\n### `{name}`\n\n| key | type | default | meaning |\n| --- | --- | --- | --- |\n");
+    let _ = write!(text, "\n### `{name}`\n\n{HEAD}");
     let schema = schema::<T>();
-    rows(text, &schema, &schema, "", &[], false);
+    rows(text, &schema, &schema, "", false);
 }
 
 /// Writes a table for each section.
-fn tables<T: JsonSchema>(text: &mut String, presets: &[(&str, Table)]) {
+fn tables<T: JsonSchema>(text: &mut String) {
     let schema = schema::<T>();
-    for (section, value) in properties(&schema) {
-        if section == "problem" {
-            continue;
-        }
-        let columns: String = presets.iter().map(|(name, _)| format!(" `{name}` |")).collect();
-        let line = " --- |".repeat(presets.len());
-        let _ = write!(
-            text,
-            "\n### `[{section}]`\n\n{}\n\n| key | type | default |{columns} meaning |\n| --- | --- | --- |{line} --- |\n",
-            description(&schema, value)
-        );
-        let here: Vec<Option<&Table>> =
-            presets.iter().map(|(_, table)| table.get(section).and_then(toml::Value::as_table)).collect();
-        rows(text, &schema, resolved(&schema, value), "", &here, true);
+    for (section, value) in properties(&schema).filter(|&(section, _)| section != "problem") {
+        let description = description(&schema, value);
+        let _ = write!(text, "\n### `[{section}]`\n\n{description}\n\n{HEAD}");
+        rows(text, &schema, resolved(&schema, value), "", true);
     }
 }
 
 /// Writes a row for each key; those of tables inside have a dot.
-fn rows(text: &mut String, schema: &Value, value: &Value, before: &str, presets: &[Option<&Table>], section: bool) {
+fn rows(text: &mut String, schema: &Value, value: &Value, before: &str, section: bool) {
     let required: Vec<&str> = value["required"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
     for (key, property) in properties(value) {
         let inner = resolved(schema, property);
         let meaning = description(schema, property).replace('|', "\\|");
         if inner.get("properties").is_some() && !section {
-            rows(text, schema, inner, &format!("{before}{key}."), &[], false);
+            rows(text, schema, inner, &format!("{before}{key}."), false);
             continue;
         }
         let default = match &property["default"] {
@@ -86,14 +73,9 @@ fn rows(text: &mut String, schema: &Value, value: &Value, before: &str, presets:
             Value::Null => "left out".to_owned(),
             value => format!("`{value}`"),
         };
-        let columns: String = (presets.iter())
-            .map(|preset| {
-                preset.and_then(|table| table.get(key)).map_or(" |".to_owned(), |value| format!(" `{value}` |"))
-            })
-            .collect();
         let _ = writeln!(
             text,
-            "| `{before}{key}` | {} | {default} |{columns} {meaning} |",
+            "| `{before}{key}` | {} | {default} | {meaning} |",
             kind(schema, property).replace('|', "\\|")
         );
     }
