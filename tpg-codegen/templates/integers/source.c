@@ -33,10 +33,10 @@ static const int32_t {{ prefix }}_{{ name }}[{{ table.rows.len() }}] {{ upper }}
 {%- let int = self.int(wide) %}
 {%- let bits = self.bits(wide) %}
 {% if self.calls(Function::Shift, wide) %}
-/* value / 2^bits, rounded down. No shift of a negative number: C leaves that to the compiler. */
+/* value / 2^bits, rounded down. No shift of a negative number: C leaves that to the compiler, which makes one shift of this. */
 static {{ int }} {{ prefix }}_shift{{ bits }}({{ int }} value, uint32_t bits)
 {
-    return (value < 0) ? ~({{ int }})(~(u{{ int }})value >> bits) : ({{ int }})((u{{ int }})value >> bits);
+    return (value < 0) ? ~(~value >> bits) : (value >> bits);
 }
 {% endif %}
 {% if self.calls(Function::Divide, wide) || self.calls(Function::Quotient, wide) %}
