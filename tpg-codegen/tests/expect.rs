@@ -67,7 +67,7 @@ fn a_wrong_sidecar_is_found() {
 #[test]
 fn an_example_of_a_sidecar_is_printed() {
     let mut command = Command::cargo_bin("tpg-codegen").expect("the program is built");
-    let output = command.args(["sidecar", "--example"]).output().expect("it starts");
+    let output = command.args(["sidecar"]).output().expect("it starts");
     let text = String::from_utf8(output.stdout).expect("text");
     Sidecar::from_toml("printed", &text).expect("a sidecar");
 }

@@ -57,7 +57,7 @@ Examples:
 
 pub(super) const SIDECAR: &str = "\
 Examples:
-  tpg-codegen sidecar --example";
+  tpg-codegen sidecar";
 
 pub(super) const COMPLETIONS: &str = "\
 Examples:

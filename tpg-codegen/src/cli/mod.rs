@@ -13,16 +13,15 @@ mod prove;
 mod quantise;
 mod report;
 mod scalar;
-mod schema;
 pub mod shell;
-mod sidecar;
 mod verify;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
 use std::path::Path;
 use std::process::ExitCode;
-use tpg_graph::command::{be_quiet, exit_code};
+use tpg_graph::command::{CommandError, Verdict, be_quiet, exit_code, print};
+use tpg_graph::import::Sidecar;
 
 /// Compiles tangled program graphs into C and no_std Rust, and proves the C equal to the graph.
 ///
@@ -66,10 +65,10 @@ enum Command {
     Package(package::PackageArgs),
     /// Print the JSON Schema of graph.json
     #[command(after_help = examples::SCHEMA)]
-    Schema(schema::SchemaArgs),
-    /// Print an example of a sidecar, the description that a .dot file lacks
+    Schema,
+    /// Print an example of a sidecar, the description that a .dot file lacks, with a comment on each field
     #[command(after_help = examples::SIDECAR)]
-    Sidecar(sidecar::SidecarArgs),
+    Sidecar,
     /// Print completions for a shell
     #[command(after_help = examples::COMPLETIONS)]
     Completions(shell::CompletionsArgs),
@@ -117,8 +116,8 @@ impl Cli {
             Command::Policy(args) => args.run(),
             Command::Package(args) => args.run(),
             Command::Quantise(args) => args.run(),
-            Command::Schema(args) => args.run(),
-            Command::Sidecar(args) => args.run(),
+            Command::Schema => print(tpg_graph::schema()).map(|()| Verdict::Good).map_err(CommandError::other),
+            Command::Sidecar => print(Sidecar::EXAMPLE).map(|()| Verdict::Good).map_err(CommandError::other),
             Command::Completions(args) => args.run(Self::command()),
             Command::Man(args) => args.run(Self::command()),
         })

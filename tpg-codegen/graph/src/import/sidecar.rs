@@ -146,7 +146,7 @@ impl Sidecar {
                 file,
                 place,
                 found,
-                accepted.unwrap_or("the fields that a sidecar has: `tpg-codegen sidecar --example` prints one"),
+                accepted.unwrap_or("the fields that a sidecar has: `tpg-codegen sidecar` prints one"),
             )
         })?;
         let has_provenance = described.provenance.is_some();
