@@ -18,10 +18,9 @@ pub(super) fn section(run: &Run, tested: Option<&Tested>) -> Section {
     let mut figures: Vec<_> = graph.map(graph::figure).into_iter().collect();
     figures.extend(tested.map(|tested| tested.pictures.clone()).unwrap_or_default());
     figures.extend(tested.and_then(|tested| tested.watched.as_ref()).map(episode::figures).unwrap_or_default());
-    let text = match graph {
-        Some(graph) => format!("The best of the group on the test episodes. It sees {}.", seen(graph)),
-        None => "The best of the group on the test episodes.".to_owned(),
-    };
+    let episodes = if tested.is_some() { "the test episodes" } else { "the episodes that chose it" };
+    let mut text = format!("The best of the group on {episodes}.");
+    text.extend(graph.map(|graph| format!(" It sees {}.", seen(graph))));
     let formulas = graph.map(formulas).unwrap_or_default();
     Section { title: format!("Policy of {}", run.name), text, formulas, figures, ..Section::default() }
 }

@@ -1,6 +1,5 @@
 //! The book's page of configurations, made from the program's types.
 
-use crate::configuration::Configuration as _;
 use crate::configuration::schema::{description, properties, resolved, schema};
 use crate::evolution::config::EvolutionConfig;
 use crate::sac::config::SacConfig;
