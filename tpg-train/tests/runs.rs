@@ -101,6 +101,11 @@ fn a_finished_run_is_not_overwritten_and_another_configuration_not_resumed() {
     fs::write(&config, small_config().to_toml()).expect("it can be written");
     assert!(train(&folder, &config, &["--generations", "2"]).status().expect("it runs").success());
     let before = results(&folder);
+    let log = fs::read_to_string(folder.join("generations.csv")).expect("the log");
+    let steps = log.lines().skip(1).map(|row| row.split(',').nth(1).and_then(|steps| steps.parse().ok()));
+    let steps: Vec<u64> = steps.collect::<Option<_>>().expect("counts of steps");
+    assert!(steps[0] > 0 && steps.is_sorted_by(|a, b| a < b), "{steps:?}");
+    assert_eq!(steps.last().copied(), tpg_train::steps_of(&folder).ok(), "those of the run");
     assert!(refusal(train(&folder, &config, &["--generations", "2"])).contains("--resume"));
     let mut changed = small_config();
     changed.tpg.nb_roots = 25;
