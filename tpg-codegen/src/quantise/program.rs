@@ -42,7 +42,7 @@ impl Programs {
             |id: NodeId| matches!(values.node(id), Node::Operation(Instruction::Mul, _)) && uses.get(&id) == Some(&1);
         // Products that are added to a sum are part of its line.
         let mut added = BTreeSet::new();
-        for &id in &operations {
+        for (place, &id) in operations.iter().enumerate() {
             if let Node::Operation(Instruction::Add, [a, b]) = values.node(id)
                 && is_product(b)
                 && values.node(a).is_computed()
@@ -50,6 +50,10 @@ impl Programs {
                 && !added.contains(&a)
             {
                 added.insert(b);
+                // The factors are read where the sum is.
+                for &factor in values.node(b).operands() {
+                    last.entry(factor).and_modify(|last| *last = place.max(*last));
+                }
             }
         }
         let mut registers: BTreeMap<NodeId, u32> = BTreeMap::new();
