@@ -62,10 +62,9 @@ impl Policy for {{ name }} {
 {{ body }}
     }
 }
-{% for wide in widths %}
-{%- let int = self.int(wide) %}
-{%- let bits = self.bits(wide) %}
-{% if self.calls(Function::Divide, wide) || self.calls(Function::Quotient, wide) %}
+{% for helper in helpers %}
+{%- let (int, bits) = (helper.int, helper.end) %}
+{% if helper.calls(Function::Divide) %}
 /// a / b, rounded down, of a b that is not 0.
 fn divide{{ bits }}(a: {{ int }}, b: {{ int }}) -> {{ int }} {
     // Not the operator, which could panic as far as the compiler knows.
@@ -73,7 +72,7 @@ fn divide{{ bits }}(a: {{ int }}, b: {{ int }}) -> {{ int }} {
     if quotient * b != a && (a < 0) != (b < 0) { quotient - 1 } else { quotient }
 }
 {% endif %}
-{% if self.calls(Function::Quotient, wide) %}
+{% if helper.calls(Function::Quotient) %}
 /// a / b, rounded down. By 0, the greatest integer with the sign of a, and of 0 / 0 the lowest: as a bid, it loses.
 fn quotient{{ bits }}(a: {{ int }}, b: {{ int }}) -> {{ int }} {
     match (b, a.signum()) {
@@ -84,12 +83,12 @@ fn quotient{{ bits }}(a: {{ int }}, b: {{ int }}) -> {{ int }} {
     }
 }
 {% endif %}
-{% if self.calls(Function::NegateIfLess, wide) %}
+{% if helper.calls(Function::NegateIfLess) %}
 fn negate_if_less{{ bits }}(a: {{ int }}, b: {{ int }}) -> {{ int }} {
     if a < b { -a } else { a }
 }
 {% endif %}
-{% if self.calls(Function::Gate, wide) %}
+{% if helper.calls(Function::Gate) %}
 fn gate{{ bits }}(a: {{ int }}, b: {{ int }}) -> {{ int }} {
     if b != 0 { a } else { 0 }
 }

@@ -29,17 +29,16 @@ static const {{ table.weight }} {{ prefix }}_weights[{{ table.rows.len() }}][{{ 
 static const int32_t {{ prefix }}_{{ name }}[{{ table.rows.len() }}] {{ upper }}_TABLE = { {{ values }} };
 {%- endfor %}
 {% endif %}
-{%- for wide in widths %}
-{%- let int = self.int(wide) %}
-{%- let bits = self.bits(wide) %}
-{% if self.calls(Function::Shift, wide) %}
+{%- for helper in helpers %}
+{%- let (int, bits) = (helper.int, helper.end) %}
+{% if helper.calls(Function::Shift) %}
 /* value / 2^bits, rounded down. No shift of a negative number: C leaves that to the compiler, which makes one shift of this. */
 static {{ int }} {{ prefix }}_shift{{ bits }}({{ int }} value, uint32_t bits)
 {
     return (value < 0) ? ~(~value >> bits) : (value >> bits);
 }
 {% endif %}
-{% if self.calls(Function::Divide, wide) || self.calls(Function::Quotient, wide) %}
+{% if helper.calls(Function::Divide) %}
 /* a / b, rounded down, of a b that is not 0. */
 static {{ int }} {{ prefix }}_divide{{ bits }}({{ int }} a, {{ int }} b)
 {
@@ -48,44 +47,44 @@ static {{ int }} {{ prefix }}_divide{{ bits }}({{ int }} a, {{ int }} b)
     return (((quotient * b) != a) && ((a < 0) != (b < 0))) ? (quotient - 1) : quotient;
 }
 {% endif %}
-{% if self.calls(Function::Quotient, wide) %}
+{% if helper.calls(Function::Quotient) %}
 /* a / b, rounded down. By 0, the greatest integer with the sign of a, and of 0 / 0 the lowest: as a bid, it loses. */
 static {{ int }} {{ prefix }}_quotient{{ bits }}({{ int }} a, {{ int }} b)
 {
     return (b != 0) ? {{ prefix }}_divide{{ bits }}(a, b) : ((a > 0) ? INT32_MAX : ((a < 0) ? -INT32_MAX : INT32_MIN));
 }
 {% endif %}
-{% if self.calls(Function::Min, wide) %}
+{% if helper.calls(Function::Min) %}
 static {{ int }} {{ prefix }}_min{{ bits }}({{ int }} a, {{ int }} b)
 {
     return (a < b) ? a : b;
 }
 {% endif %}
-{% if self.calls(Function::Max, wide) %}
+{% if helper.calls(Function::Max) %}
 static {{ int }} {{ prefix }}_max{{ bits }}({{ int }} a, {{ int }} b)
 {
     return (a > b) ? a : b;
 }
 {% endif %}
-{% if self.calls(Function::Abs, wide) %}
+{% if helper.calls(Function::Abs) %}
 static {{ int }} {{ prefix }}_abs{{ bits }}({{ int }} a)
 {
     return (a < 0) ? -a : a;
 }
 {% endif %}
-{% if self.calls(Function::NegateIfLess, wide) %}
+{% if helper.calls(Function::NegateIfLess) %}
 static {{ int }} {{ prefix }}_negate_if_less{{ bits }}({{ int }} a, {{ int }} b)
 {
     return (a < b) ? -a : a;
 }
 {% endif %}
-{% if self.calls(Function::Gate, wide) %}
+{% if helper.calls(Function::Gate) %}
 static {{ int }} {{ prefix }}_gate{{ bits }}({{ int }} a, {{ int }} b)
 {
     return (b != 0) ? a : 0;
 }
 {% endif %}
-{% if self.calls(Function::Clamp, wide) %}
+{% if helper.calls(Function::Clamp) %}
 static {{ int }} {{ prefix }}_clamp{{ bits }}({{ int }} value, {{ int }} low, {{ int }} high)
 {
     return (value > high) ? high : ((value < low) ? low : value);

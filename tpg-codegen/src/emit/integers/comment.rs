@@ -4,7 +4,7 @@ use crate::integers::Whole;
 use crate::ir::{Module, Node, NodeId};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use tpg_graph::{Graph, Input};
+use tpg_graph::{Counts, Graph, Input};
 use tpg_runtime::ops::Instruction;
 
 /// A sum of multiples of values of the state.
@@ -155,6 +155,12 @@ fn sum(module: &Module<'_>, id: NodeId) -> Option<Linear> {
 /// The worth of a count.
 pub(super) fn worth(scale: f64, unit: &str) -> String {
     with_unit(&five_digits(scale), unit) + " a count"
+}
+
+/// The worth of a count, and the value of the count 0 unless that is 0.
+pub(super) fn worth_from(counts: &Counts, unit: &str) -> String {
+    let offset = if counts.offset == 0.0 { String::new() } else { format!(" from {} on", counts.offset) };
+    worth(counts.scale, unit) + &offset
 }
 
 /// A number and its unit, if it has one.

@@ -1,7 +1,7 @@
 //! Outputs that are sums over the same source: a table of weights and one loop.
 
 use super::comment::Linear;
-use super::lines::Function;
+use super::spelling::{Called, Function};
 use crate::emit::c::field::field;
 use crate::integers::{Integers, output_bits};
 use crate::ir::{Module, Node};
@@ -111,8 +111,8 @@ impl<'a> Dense<'a> {
         }
     }
 
-    /// The loop over rows and columns.
-    pub(super) fn body(&self, prefix: &str, mut calls: impl FnMut(Function)) -> String {
+    /// The loop over rows and columns, and the functions that it calls.
+    pub(super) fn body(&self, prefix: &str) -> (String, Called) {
         let upper = prefix.to_ascii_uppercase();
         let number = |common: Option<i64>, name: &str| match common {
             Some(number) if number < 0 => format!("({number})"),
@@ -128,14 +128,12 @@ impl<'a> Dense<'a> {
             Some(bits) => format!("{prefix}_shift(sum, {bits}U)"),
             None => format!("{prefix}_shift(sum, (uint32_t){upper}_NUMBER(&{prefix}_shifts[row]))"),
         };
-        if shift != Some(0) {
-            calls(Function::Shift);
-        }
-        calls(Function::Clamp);
+        let shifts = (shift != Some(0)).then_some((Function::Shift, false));
+        let called = shifts.into_iter().chain([(Function::Clamp, false)]).collect();
         let (rows, columns) = (self.rows.len(), self.graph.state_length());
         let [low, high] = [(self.common(|row| self.low(row)), "lows"), (self.common(|row| self.high(row)), "highs")]
             .map(|(common, name)| number(common, name));
-        format!(
+        let text = format!(
             "    int{bits}_t *const answers = &action->{first};
     uint_fast8_t row;
     uint_fast8_t column;
@@ -149,6 +147,7 @@ impl<'a> Dense<'a> {
         answers[row] = (int{bits}_t){prefix}_clamp({shifted}, {low}, {high});
     }}
 "
-        )
+        );
+        (text, called)
     }
 }

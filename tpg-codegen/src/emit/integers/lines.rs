@@ -1,47 +1,11 @@
 //! Values as statements: a sum with its products is one, everything else a call.
 
+use super::spelling::{Called, Function, Spelling};
 use crate::emit::block::unused;
 use crate::integers::{Integers, Whole};
 use crate::ir::{Module, Node, NodeId};
 use std::collections::{BTreeMap, BTreeSet};
-use tpg_graph::Input;
 use tpg_runtime::ops::Instruction;
-
-/// A function that expressions call.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Function {
-    /// Rounded down to a multiple of a power of two, and divided by it.
-    Shift,
-    /// A quotient rounded down, of a divisor that is not 0.
-    Divide,
-    /// [`Instruction::Quotient`].
-    Quotient,
-    Min,
-    Max,
-    Abs,
-    NegateIfLess,
-    Gate,
-    /// Limited to a range.
-    Clamp,
-}
-
-/// A language's spelling.
-pub(super) trait Spelling {
-    /// A value of the state in 32 bits, or in 64.
-    fn input(&self, input: Input, wide: bool) -> String;
-    /// A whole number.
-    fn literal(&self, value: i64, wide: bool) -> String;
-    /// An operand of 32 bits in 64.
-    fn widened(&self, text: &str) -> String;
-    /// An operand of 64 bits that is known to fit 32.
-    fn narrowed(&self, text: &str) -> String;
-    /// A call.
-    fn call(&self, function: Function, wide: bool, arguments: &[String]) -> String;
-    /// The quotient of a number that is not negative by a power of two.
-    fn halved(&self, text: &str, bits: u32, wide: bool) -> String;
-    /// The statement that names a value.
-    fn statement(&self, name: &str, wide: bool, value: &str) -> String;
-}
 
 /// Names that functions have already.
 const TAKEN: [&str; 9] = ["action", "best", "memory", "s", "state", "to", "vertex", "way", "self"];
@@ -50,18 +14,18 @@ const WIDTH: usize = 104;
 const FIRST: usize = 20;
 
 /// The statements of some values, and what they call.
-pub(super) struct Lines<'a, S> {
+pub(super) struct Lines<'a> {
     module: &'a Module<'a>,
     integers: &'a Integers,
-    pub(super) spelling: S,
+    spelling: &'a Spelling<'a>,
     /// The names of nodes that have one.
     named: BTreeMap<NodeId, String>,
     /// The functions that were called, and whether in 64 bits.
-    called: std::cell::RefCell<BTreeSet<(Function, bool)>>,
+    called: std::cell::RefCell<Called>,
 }
 
-impl<'a, S: Spelling> Lines<'a, S> {
-    pub(super) fn new(module: &'a Module<'a>, integers: &'a Integers, spelling: S) -> Self {
+impl<'a> Lines<'a> {
+    pub(super) fn new(module: &'a Module<'a>, integers: &'a Integers, spelling: &'a Spelling<'a>) -> Self {
         Self { module, integers, spelling, named: BTreeMap::new(), called: Default::default() }
     }
 
@@ -108,8 +72,8 @@ impl<'a, S: Spelling> Lines<'a, S> {
     }
 
     /// The functions that were called.
-    pub(super) fn called(&self) -> BTreeSet<(Function, bool)> {
-        self.called.borrow().clone()
+    pub(super) fn called(self) -> Called {
+        self.called.into_inner()
     }
 
     /// The statement of a node.
@@ -149,13 +113,10 @@ impl<'a, S: Spelling> Lines<'a, S> {
     }
 
     fn call(&self, function: Function, wide: bool, arguments: &[String]) -> String {
-        self.called.borrow_mut().insert((function, wide));
+        // A quotient divides where its divisor is not 0.
+        let divides = (function == Function::Quotient).then_some(Function::Divide);
+        self.called.borrow_mut().extend(divides.into_iter().chain([function]).map(|function| (function, wide)));
         self.spelling.call(function, wide, arguments)
-    }
-
-    /// Notes a function of 32 bits that other text calls.
-    pub(super) fn note(&self, function: Function) {
-        self.called.borrow_mut().insert((function, false));
     }
 
     /// The expression that computes an operation.

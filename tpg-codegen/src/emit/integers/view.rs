@@ -1,6 +1,6 @@
 //! The interface of the C in integers: fields with the worth of a count, constants of actions, states of the self-test.
 
-use super::comment::{with_unit, worth};
+use super::comment::{with_unit, worth, worth_from};
 use crate::emit::c::field::field;
 use crate::emit::file::comment;
 use crate::emit::names;
@@ -50,8 +50,7 @@ pub(super) fn sources(graph: &Graph) -> Vec<FieldView> {
     let view = |source: &tpg_graph::Source| {
         let bits = source.counts.iter().map(|counts| counts.container()).max().unwrap_or(16);
         let meaning = |(counts, range): (&tpg_graph::Counts, &tpg_graph::Range)| {
-            let offset = if counts.offset == 0.0 { String::new() } else { format!(" from {} on", counts.offset) };
-            format!("{}{offset}: {} to {}", worth(counts.scale, &comment(&source.unit)), range.min, range.max)
+            format!("{}: {range}", worth_from(counts, &comment(&source.unit)))
         };
         let mut meaning: Vec<String> = source.counts.iter().zip(&source.ranges).map(meaning).collect();
         if meaning.iter().all(|one| *one == meaning[0]) {
