@@ -90,7 +90,7 @@ def footprint(source: Path, function: str, folder: Path, *define: str) -> Footpr
 def report(graph: Path) -> int:
     """Returns the flash of a graph's C in the profile fast, as `tpg-codegen report` says."""
     told = subprocess.run(
-        [str(CODEGEN), "report", str(graph), "--target", "thumbv7em", "--json"],
+        [str(CODEGEN), "report", str(graph), "--target", "m4f", "--json"],
         check=True,
         capture_output=True,
         text=True,

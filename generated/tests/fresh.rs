@@ -134,7 +134,7 @@ fn provenance_has_the_flash_of_todays_code() {
         };
         let graph = graph(&folder);
         let code = emit::Code::of(compile(&graph, &options, Language::C));
-        let built = build_c(&code, Target::CortexM4).expect("it compiles");
+        let built = build_c(&code, Target::M4f).expect("it compiles");
         let flash = measure(&built.object).expect("an object file").flash();
         let (_, said) = text
             .split_once("| C, profile `fast` | ")

@@ -52,6 +52,6 @@ if __name__ == "__main__":
     model.learn(total_timesteps=150_000)
     print(model.evaluate(50))
     print(model.formula())
-    print(model.report("cortex-m4"))
+    print(model.report("m4f"))
     model.export_c("policy", prefix="buck")
     print(model.verify())

@@ -21,7 +21,7 @@ print("Gymnasium: ", model.evaluate(20, native=False))
 
 # %%
 print(model.formula())
-print(model.report("cortex-m4"))
+print(model.report("m4f"))
 model.graph
 
 # %% [markdown]

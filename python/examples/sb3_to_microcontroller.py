@@ -28,4 +28,4 @@ print(f"equal bits on {network.verify()} states")
 # %%
 graph = TPG("CartPole-v1", seed=1).learn(500_000, target=475)
 print(evaluate_policy(graph, gymnasium.make("CartPole-v1"), n_eval_episodes=5, warn=False))  # type: ignore[arg-type, unused-ignore]
-print(graph.report("cortex-m4"))
+print(graph.report("m4f"))

@@ -134,13 +134,14 @@ impl Graph {
         py.detach(|| report::formulas(&self.0, &Options::new(prefix_of("policy"))))
     }
 
-    /// Returns what the code costs on `targets`, "cortex-m4" and "host", as text and as JSON.
+    /// Returns what the code costs on `targets`, named as by `tpg-codegen report`, as text and as JSON.
     fn report(&self, py: Python<'_>, targets: Vec<String>) -> PyResult<(String, String)> {
         let targets = targets.iter().map(|name| target(name)).collect::<PyResult<Vec<_>>>()?;
         let report = py.detach(|| {
             let states = StateSet::sampled(&self.0, STATES, SEED);
-            report::report(&self.0, &Options::new(prefix_of("policy")), &targets, &states)
+            report::report("graph", &self.0, &Options::new(prefix_of("policy")), &targets, &states, None)
         });
+        let report = report.map_err(error::input)?;
         Ok((report.to_string(), serde_json::to_string(&report).map_err(error::input)?))
     }
 
@@ -268,9 +269,10 @@ fn language_of(name: &str) -> PyResult<Language> {
 }
 
 fn target(name: &str) -> PyResult<Target> {
-    match name {
-        "cortex-m4" => Ok(Target::CortexM4),
-        "host" => Ok(Target::Host),
-        _ => Err(error::input(format!("the target {name:?}; accepted: cortex-m4, host"))),
-    }
+    <Target as clap::ValueEnum>::from_str(name, false).map_err(|_| {
+        let accepted = Target::value_variants()
+            .iter()
+            .filter_map(|target| Some(target.to_possible_value()?.get_name().to_owned()));
+        error::input(format!("the target {name:?}; accepted: {}", accepted.collect::<Vec<_>>().join(", ")))
+    })
 }

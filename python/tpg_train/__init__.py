@@ -4,7 +4,7 @@ from tpg_train import TPG
 
 model = TPG("CartPole-v1", seed=1)
 model.learn(total_timesteps=200_000, target=475)
-print(model.evaluate(1000), model.formula(), model.report("cortex-m4"))
+print(model.evaluate(1000), model.formula(), model.report("m4f"))
 model.export_c("policy/", prefix="cart")
 model.verify()
 """

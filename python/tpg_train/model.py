@@ -587,8 +587,11 @@ class TPG:
         return self._best().formula()
 
     def report(self, *targets: str) -> Report:
-        """Returns flash, RAM, stack and operations of the code on "cortex-m4" or "host", by default both."""
-        text, data = self._best().report(list(targets) or ["cortex-m4", "host"])
+        """Returns flash, RAM, stack, operations and the most instructions of the code on the targets, by default "m4f" and "host".
+
+        Others are "m0", "m3", "m4", "m7", "m33", "rv32imac", "rv32imafc", "rp2040", "esp32-c3" and "atmega328p".
+        """
+        text, data = self._best().report(list(targets) or ["m4f", "host"])
         return Report(text, json.loads(data))
 
     def quantise(self, bits: int = 16, states: Any = None) -> _GraphView:

@@ -9,7 +9,7 @@ use tpg_graph::{Graph, MathsProvider, ScalarType};
 
 /// Symbols that the object file needs from elsewhere, without GEGELATI's own inputs.
 fn undefined(graph: &Graph, shape: Shape) -> Vec<String> {
-    let object = size::compile_c(graph, &shaped("arm", shape), Target::CortexM4).expect("it compiles");
+    let object = size::compile_c(graph, &shaped("arm", shape), Target::M4f).expect("it compiles");
     let file = object::File::parse(&*object).expect("an object file");
     let names = file.symbols().filter(|symbol| symbol.is_undefined()).map(|symbol| symbol.name().expect("a name"));
     let input = |name: &str| name.strip_prefix("in").is_some_and(|number| number.parse::<u32>().is_ok());

@@ -94,7 +94,7 @@ const MARGIN: f64 = 1.1;
 fn no_profile_in_c_is_smaller() {
     if tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "the profile small beside the others") {
         assert_least(Language::C, &KNOWN, tpg_testing::amount(5, 30) as u64, |code| {
-            let built = build_c(code, Target::CortexM4).expect("it compiles");
+            let built = build_c(code, Target::M4f).expect("it compiles");
             measure(&built.object).expect("an object file").flash()
         });
     }

@@ -4,6 +4,10 @@ use assert_cmd::Command;
 use serde_json::Value;
 use std::fs;
 use tempfile::TempDir;
+use tpg_codegen::emit::{Code, Language};
+use tpg_codegen::size::{Target, build_c};
+use tpg_codegen::{Options, compile};
+use tpg_graph::Graph;
 
 fn folder() -> TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -35,7 +39,7 @@ fn sizes_come_from_the_compiler() {
         assert_eq!(size["ram"], 0, "{size}");
     }
     if tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "the report's sizes on a Cortex-M4F") {
-        for size in json(&folder, &["--target", "thumbv7em"])["sizes"].as_array().expect("sizes") {
+        for size in json(&folder, &["--target", "m4f"])["sizes"].as_array().expect("sizes") {
             assert!(size["flash"].as_u64().is_some_and(|flash| flash > 300), "{size}");
             assert!(size["stack"]["bytes"].as_u64().is_some_and(|stack| stack > 0), "{size}");
             let calls = size["stack"]["without"].as_array().expect("names");
@@ -50,7 +54,7 @@ fn the_rust_has_a_size_on_a_cortex_m4() {
         return;
     }
     let folder = folder();
-    let report = json(&folder, &["--target", "thumbv7em"]);
+    let report = json(&folder, &["--target", "m4f"]);
     let sizes = report["rust_sizes"].as_array().expect("sizes");
     let profiles: Vec<&str> = sizes.iter().filter_map(|size| size["profile"].as_str()).collect();
     assert_eq!(profiles, ["fast", "balanced", "small", "constant-time"]);
@@ -107,12 +111,127 @@ fn a_limit_is_a_verdict() {
     report(&folder, &["--target", "host", "--max-flash", "1000000", "--profile", "small"], 0);
 }
 
+/// The path of a shipped policy.
+fn shipped(name: &str) -> String {
+    format!("{}/../generated/{name}/graph.json", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The report of a shipped policy on some targets, its sizes.
+fn sizes_of(name: &str, targets: &str) -> Vec<Value> {
+    let mut tool = Command::cargo_bin("tpg-codegen").expect("the program is built");
+    let tool = tool.args(["report", &shipped(name), "--json", "--fixed", "16", "--target", targets]);
+    let report: Value = serde_json::from_slice(&tool.assert().success().get_output().stdout).expect("one JSON object");
+    report["sizes"].as_array().expect("sizes").clone()
+}
+
+fn has_cross_compilers(what: &str) -> bool {
+    let tools = [
+        ("arm-none-eabi-gcc", "gcc-arm-none-eabi"),
+        ("riscv64-unknown-elf-gcc", "gcc-riscv64-unknown-elf"),
+        ("avr-gcc", "gcc-avr"),
+    ];
+    tools.into_iter().all(|(tool, package)| tpg_testing::tool(tool, package, what))
+}
+
+#[test]
+fn every_chip_has_figures_with_its_library_functions() {
+    if !has_cross_compilers("reports on every chip") {
+        return;
+    }
+    const ARM: &str = "m0,m3,m4,m4f,m7,m33,rp2040";
+    for size in sizes_of("cartpole", &format!("{ARM},rv32imac,rv32imafc,esp32-c3,atmega328p")) {
+        let (target, profile) = (size["target"].as_str().expect("a name"), size["profile"].as_str().expect("a name"));
+        let number = |key: &str| size[key].as_u64();
+        if profile == "gegelati" {
+            assert_eq!(number("linked_flash"), None, "its inputs lie elsewhere: {size}");
+            continue;
+        }
+        let (flash, linked) = (number("flash").expect("bytes"), number("linked_flash").expect("bytes"));
+        let is_soft = matches!(target, "m0" | "m3" | "m4" | "rp2040" | "rv32imac" | "esp32-c3" | "atmega328p");
+        let takes_library = is_soft && !profile.starts_with("integers");
+        assert_eq!(linked > flash + 400, takes_library, "{size}");
+        match number("instructions") {
+            Some(instructions) => {
+                assert_eq!(instructions > 100, takes_library, "{size}");
+                assert!(size["stack"]["without"].as_array().expect("names").is_empty(), "the stack of all: {size}");
+            }
+            None => assert_eq!(target, "atmega328p", "{size}"),
+        }
+    }
+    let sizes = sizes_of("widowx-fs", "atmega328p");
+    let ram = |profile: &str| sizes.iter().find(|size| size["profile"] == profile).expect("a profile")["ram"].as_u64();
+    assert_eq!(ram("fast"), Some(0));
+    assert!(ram("small") > Some(500), "tables are copied to RAM");
+}
+
+/// `docs/cores.md` has the instructions that QEMU counted of the same C.
+#[test]
+fn no_core_took_more_instructions_than_the_bound() {
+    if !has_cross_compilers("bounds beside counted instructions") {
+        return;
+    }
+    const CORES: [(&str, Target); 7] = [
+        ("Cortex-M0", Target::M0),
+        ("Cortex-M3", Target::M3),
+        ("Cortex-M4F", Target::M4f),
+        ("Cortex-M7", Target::M7),
+        ("Cortex-M33", Target::M33),
+        ("RISC-V rv32imac", Target::Rv32imac),
+        ("RISC-V rv32imafc", Target::Rv32imafc),
+    ];
+    let page = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/cores.md")).expect("a page");
+    let (_, table) = page.split_once("## Instructions of the C\n").expect("a table");
+    let rows: Vec<Vec<&str>> = (table.lines().skip_while(|line| !line.starts_with('|')))
+        .take_while(|line| line.starts_with('|'))
+        .map(|line| line.split('|').map(|cell| cell.trim().trim_matches('`')).collect())
+        .collect();
+    let mut compared = 0;
+    let few = ["cartpole", "dodge", "widowx_rs"];
+    let is_taken = |name: &str| name != "recall" && (tpg_testing::amount(few.contains(&name), true));
+    for (column, name) in rows[0].iter().enumerate().skip(2).filter(|(_, name)| !name.is_empty() && is_taken(name)) {
+        let file = shipped(&name.replace('_', "-"));
+        let graph = Graph::from_json(&file, &fs::read_to_string(&file).expect("a graph")).expect("a graph");
+        let code = Code::of(compile(&graph, &Options::new("policy".parse().expect("a prefix")), Language::C));
+        for row in &rows {
+            let Some((core, target)) = CORES.into_iter().find(|(core, _)| *core == row[1]) else { continue };
+            let (_, worst) = row[column].split_once(" · ").expect("a mean and a worst case");
+            let linked =
+                build_c(&code, target).and_then(|built| built.link(&code)).expect("it links").expect("an image");
+            let bound = linked.bound.expect("it is analysed").expect("a bound").instructions;
+            let worst = worst.parse().expect("a number");
+            assert!(bound >= worst, "{name} on {core}: counted {worst}, at most {bound}");
+            compared += 1;
+        }
+    }
+    assert!(compared >= 3 * CORES.len(), "{compared}");
+}
+
+#[test]
+fn the_most_instructions_are_a_limit_too() {
+    if !tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "a limit on instructions") {
+        return;
+    }
+    let run = |args: &[&str], code: i32| {
+        let mut tool = Command::cargo_bin("tpg-codegen").expect("the program is built");
+        let tool = tool.args(["report", &shipped("cartpole")]).args(args);
+        String::from_utf8(tool.assert().code(code).get_output().stderr.clone()).expect("text")
+    };
+    run(&["--target", "m0,m4f", "--max-instructions", "1000", "--max-flash", "4000"], 0);
+    let refused = run(&["--target", "m4f,m0", "--max-instructions", "100"], 1);
+    assert!(refused.contains("instructions of a decision at most on Cortex-M0"), "{refused}");
+    run(&["--target", "m4f,m0", "--max-instructions", "100", "--fixed", "16"], 0);
+    let refused = run(&["--target", "m0", "--max-flash", "500"], 1);
+    assert!(refused.contains("bytes of flash on Cortex-M0"), "with soft floats: {refused}");
+    let refused = run(&["--target", "host", "--max-instructions", "100"], 1);
+    assert!(refused.contains("accepted are Cortex-M and RISC-V"), "{refused}");
+}
+
 #[test]
 fn without_a_cross_compiler_it_is_an_estimate_and_says_so() {
     let folder = folder();
     let run = |args: &[&str]| {
         let mut tool = Command::cargo_bin("tpg-codegen").expect("the program is built");
-        let tool = tool.current_dir(&folder).args(["report", "arm.json", "--target", "thumbv7em"]).args(args);
+        let tool = tool.current_dir(&folder).args(["report", "arm.json", "--target", "m4f"]).args(args);
         String::from_utf8(tool.env("PATH", "").assert().success().get_output().stdout.clone()).expect("text")
     };
     assert!(run(&[]).contains("\nbytes on Cortex-M4F: an ESTIMATE, for arm-none-eabi-gcc: "));

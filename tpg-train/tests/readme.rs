@@ -141,7 +141,7 @@ fn the_commands_of_the_guides_run() {
         ("docs/training.md", 12),
         ("docs/hybrid.md", 5),
         ("docs/importing.md", 9),
-        ("docs/codegen.md", 8),
+        ("docs/codegen.md", 10),
         ("docs/no-fpu.md", 7),
     ] {
         assert!(run(name) >= least, "{name}: commands were not found");

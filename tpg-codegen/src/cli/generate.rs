@@ -1,7 +1,7 @@
 //! `tpg-codegen GRAPH`: writes code, reports its size, compares it and proves it.
 
 use super::code::CodeArgs;
-use super::flash::check_flash;
+use super::limits::LimitArgs;
 use super::prove::proven;
 use super::verify::{prove, sentences, verdict};
 use crate::emit::{Code, File};
@@ -30,9 +30,8 @@ pub(crate) struct GenerateArgs {
     /// Write nothing; exit with status 1 if the files in the output folder differ from those that would be written
     #[arg(long)]
     check: bool,
-    /// Write nothing and exit with status 1 if the C compiled for a Cortex-M4F takes more flash
-    #[arg(long, value_name = "BYTES")]
-    max_flash: Option<u64>,
+    #[command(flatten)]
+    limits: LimitArgs,
     /// Instead of generating, explain what each pass removed and what every team computes, on standard output or in a file
     #[arg(
         long,
@@ -40,7 +39,7 @@ pub(crate) struct GenerateArgs {
         num_args = 0..=1,
         require_equals = true,
         default_missing_value = "-",
-        conflicts_with_all = ["check", "max_flash", "style"]
+        conflicts_with_all = ["check", "max_flash", "max_instructions", "style"]
     )]
     explain: Option<PathBuf>,
     /// Do not compile the code and compare it with the interpreter
@@ -61,7 +60,7 @@ impl GenerateArgs {
         let codes: Vec<Code<'_>> = (self.code.lang.languages().iter())
             .map(|&language| self.code.code(&graph, &options, language))
             .collect::<Result<_, _>>()?;
-        self.check_flash(&codes)?;
+        self.check_limits(&codes)?;
         let files: Vec<&File> = codes.iter().flat_map(|code| &code.files).collect();
         if self.check {
             return Ok(self.stale(&files));
@@ -81,11 +80,13 @@ impl GenerateArgs {
         self.output == Path::new("-")
     }
 
-    fn check_flash(&self, codes: &[Code<'_>]) -> Result<(), CommandError> {
-        let Some(limit) = self.max_flash else { return Ok(()) };
-        let accepted = "--max-flash measures the C; accepted with --lang c and --lang all";
+    fn check_limits(&self, codes: &[Code<'_>]) -> Result<(), CommandError> {
+        if !self.limits.any() {
+            return Ok(());
+        }
+        let accepted = "limits are those of the C; accepted with --lang c and --lang all";
         let c = c_of(codes).ok_or_else(|| CommandError::Other(accepted.to_owned()))?;
-        check_flash(c, Target::CortexM4, limit)
+        self.limits.check(c, Target::M4f)
     }
 
     /// Compares and proves the texts that were written, and no others.

@@ -1,35 +1,40 @@
 //! `tpg-codegen report`: the resources that a graph's code needs.
 
-use super::flash::check_flash;
 use super::graph::GraphArgs;
+use super::limits::LimitArgs;
 use super::scalar::{Chosen, ScalarArgs, StatesArgs};
 use crate::emit::Code;
 use crate::options::{Language, Options, Prefix, Profile};
 use crate::program::compile;
+use crate::quantise::{Request, quantise};
 use crate::report;
 use crate::size::Target;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use tpg_graph::command::{self, CommandError, Verdict};
-use tpg_graph::output;
+use tpg_graph::error::InputError;
+use tpg_graph::states::StateSet;
+use tpg_graph::{Graph, output};
 
 /// Report the flash, RAM, stack and operations of a graph's code, and what was removed from it.
 #[derive(Clone, Debug, Args)]
 pub(super) struct ReportArgs {
     #[command(flatten)]
     graph: GraphArgs,
-    /// The target [default: both]
-    #[arg(long, value_enum)]
-    target: Option<Target>,
+    /// Targets, with a comma between them [default: m4f,host]
+    #[arg(long, value_enum, value_delimiter = ',')]
+    target: Vec<Target>,
+    /// Report the C in integers, too, with inputs and weights of so many bits: see `tpg-codegen quantise`
+    #[arg(long, value_name = "BITS", value_parser = clap::value_parser!(u32).range(2..=16))]
+    fixed: Option<u32>,
     #[command(flatten)]
     scalar: ScalarArgs,
     #[command(flatten)]
     states: StatesArgs,
-    /// Exit with status 1 if the C of --profile takes more flash on the target (without --target, a Cortex-M4F)
-    #[arg(long, value_name = "BYTES")]
-    max_flash: Option<u64>,
-    /// The profile that --max-flash limits
-    #[arg(long, value_enum, default_value_t = Profile::Fast, requires = "max_flash")]
+    #[command(flatten)]
+    limits: LimitArgs,
+    /// The profile of the C that the limits are about; with --fixed, it is in integers
+    #[arg(long, value_enum, default_value_t = Profile::Fast)]
     profile: Profile,
     /// Print one JSON object
     #[arg(long)]
@@ -43,9 +48,11 @@ impl ReportArgs {
     pub(super) fn run(&self) -> Result<Verdict, CommandError> {
         let Chosen { graph, conversion } = self.scalar.choose(&self.graph, self.graph.load()?, &self.states)?;
         let options = Options { conversion, ..Options::new(Prefix::of_file(&self.graph.graph)) };
-        let targets = self.target.map_or(Target::ALL.to_vec(), |target| vec![target]);
+        let targets = if self.target.is_empty() { &Target::DEFAULT[..] } else { &self.target };
         let states = self.states.load(&graph)?;
-        let report = report::report(&graph, &options, &targets, &states);
+        let whole = self.integers(&graph, &states)?;
+        let file = self.graph.graph.display().to_string();
+        let report = report::report(&file, &graph, &options, targets, &states, whole.as_ref())?;
         if let Some(path) = &self.html {
             let name =
                 self.graph.graph.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
@@ -64,11 +71,24 @@ impl ReportArgs {
             };
             command::print(text).map_err(CommandError::other)?;
         }
-        let options = Options { profile: Some(self.profile), ..options };
-        if let Some(limit) = self.max_flash {
-            let code = Code::of(compile(&graph, &options, Language::C));
-            check_flash(&code, self.target.unwrap_or(Target::CortexM4), limit)?;
+        if self.limits.any() {
+            let options = Options { profile: Some(self.profile), ..options };
+            let whole = whole.as_ref().or_else(|| graph.has_counts().then_some(&graph));
+            let code = match whole {
+                Some(whole) => Code::in_integers(&file, whole, &options, Language::C)?,
+                None => Code::of(compile(&graph, &options, Language::C)),
+            };
+            let targets = if self.target.is_empty() { &[Target::M4f][..] } else { &self.target };
+            targets.iter().try_for_each(|&target| self.limits.check(&code, target))?;
         }
         Ok(Verdict::Good)
+    }
+
+    /// Returns the graph in integers, if it is asked for.
+    fn integers(&self, graph: &Graph, states: &StateSet) -> Result<Option<Graph>, InputError> {
+        let Some(bits) = self.fixed else { return Ok(None) };
+        let visited = self.states.is_recorded().then_some(states);
+        let request = Request { inputs: bits, weights: bits, visited, margin: 1.0, compared: states };
+        Ok(Some(quantise(&self.graph.graph.display().to_string(), graph, &request)?.0))
     }
 }

@@ -1,6 +1,7 @@
 //! The ecosystems, and what a manifest says beside the policy.
 
 use crate::options::Language;
+use crate::size::Target;
 
 /// An ecosystem that takes packages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, clap::ValueEnum)]
@@ -22,6 +23,15 @@ pub(crate) enum Ecosystem {
 }
 
 impl Ecosystem {
+    /// The chip that its README gives figures of.
+    pub(crate) const fn target(self) -> Target {
+        match self {
+            Self::Arduino => Target::Atmega328p,
+            Self::EspIdf => Target::Esp32C3,
+            _ => Target::M4f,
+        }
+    }
+
     /// The language of its packages.
     pub(crate) const fn language(self) -> Language {
         match self {

@@ -7,7 +7,8 @@ use crate::emit::c::field::field;
 use crate::emit::interface::written;
 use crate::options::{Language, Options};
 use crate::program::compile;
-use crate::size::{self, Target};
+use crate::size::{self, Linked, Target};
+use cortex_bound::Bound;
 use tpg_graph::{Graph, MathsProvider, ScalarType};
 
 /// The facts.
@@ -53,7 +54,13 @@ fn cell(text: &str) -> String {
 }
 
 impl<'a> Facts<'a> {
-    pub(super) fn new(code: &Code<'_>, graph: &Graph, options: &'a Options, details: &'a Details) -> Self {
+    pub(super) fn new(
+        code: &Code<'_>,
+        graph: &Graph,
+        options: &'a Options,
+        details: &'a Details,
+        target: Target,
+    ) -> Self {
         let seen = graph.sources().len() - graph.memory();
         let seen = &graph.sources()[..seen];
         let answered = &graph.outputs()[..graph.outputs().len() - graph.memory()];
@@ -107,7 +114,7 @@ impl<'a> Facts<'a> {
                 .map(|r| middle(&r))
                 .collect::<Vec<_>>()
                 .join(", "),
-            figures: figures(graph, options),
+            figures: figures(graph, options, target),
             worst: Costs::of(&code.program).worst(),
             sha256: code.program.graph_sha256(),
             runtime: env!("CARGO_PKG_VERSION"),
@@ -117,16 +124,25 @@ impl<'a> Facts<'a> {
     }
 }
 
-/// Memory that the C needs on a Cortex-M4F: measured where its compiler is installed, else an estimate.
-fn figures(graph: &Graph, options: &Options) -> Vec<String> {
+/// What the C needs on the package's chip, with the library functions that it calls: measured where its compiler is installed, else an
+/// estimate for a Cortex-M4F.
+fn figures(graph: &Graph, options: &Options, target: Target) -> Vec<String> {
     let code = Code::of(compile(graph, options, Language::C));
-    let measured =
-        size::build_c(&code, Target::CortexM4).and_then(|built| Ok((size::measure(&built.object)?, built.stack)));
-    let Ok((size, stack)) = measured else {
+    let linked = size::build_c(&code, target).and_then(|built| Ok((built.link(&code)?, built.stack)));
+    let Ok((Some(Linked { size, bound }), stack)) = linked else {
         let flash = size::estimated_flash(&code.program);
         return vec![format!("C on a Cortex-M4F: about {flash} bytes of flash (an estimate), no RAM")];
     };
-    let mut figures = vec![format!("C on a Cortex-M4F, `-Os`: {} bytes of flash, {} of RAM", size.flash(), size.ram())];
-    figures.extend(stack.map(|stack| format!("stack of a decision there: {} bytes", stack.bytes)));
+    let (flash, ram) = (size.flash(), size.ram());
+    let mut figures = vec![format!(
+        "C on {}, `-Os`, with the library functions that it calls: {flash} bytes of flash, {ram} of RAM",
+        target.name()
+    )];
+    match (bound, stack) {
+        (Some(Ok(Bound { instructions, stack })), _) => figures.push(format!(
+            "a decision there: at most {instructions} instructions, {stack} bytes of stack, by analysis of the machine code"
+        )),
+        (_, stack) => figures.extend(stack.map(|stack| format!("stack of a decision there: {} bytes", stack.bytes))),
+    }
     figures
 }

@@ -30,7 +30,7 @@ pub(crate) struct Package<'g> {
 /// on the compilers that are installed.
 pub(crate) fn package<'g>(graph: &'g Graph, options: &Options, ecosystem: Ecosystem, details: &Details) -> Package<'g> {
     let code = Code::of(compile(graph, options, ecosystem.language()));
-    let facts = Facts::new(&code, graph, options, details);
+    let facts = Facts::new(&code, graph, options, details, ecosystem.target());
     let files = layout::files(&facts, ecosystem, &code);
     Package { code, files }
 }

@@ -41,7 +41,7 @@ fn table(header: &[&str], rows: Vec<Vec<String>>) -> Table {
 }
 
 fn headlines(report: &Report) -> Vec<Headline> {
-    let cortex = |size: &&ShapeSize| size.target == Target::CortexM4 && size.flash.is_some();
+    let cortex = |size: &&ShapeSize| size.target == Target::M4f && size.flash.is_some();
     let least = report.sizes.iter().filter(cortex).min_by_key(|size| size.flash);
     let size = least.map(|size| Headline {
         name: "least flash on a Cortex-M4F".to_owned(),

@@ -14,11 +14,13 @@ use crate::emit::Code;
 use crate::ir::{Module, Node};
 use crate::options::{Language, Options, Profile, Style};
 use crate::program::{Program, compile};
-use crate::size::{self, RustForCortexM4, Size, Stack, Target};
+use crate::size::{self, Linked, RustForCortexM4, Size, Stack, Target};
+use cortex_bound::Bound;
 use serde::Serialize;
 use std::collections::BTreeSet;
 use tpg_graph::conversion::Conversion;
 use tpg_graph::dataflow::effective;
+use tpg_graph::error::InputError;
 use tpg_graph::states::StateSet;
 use tpg_graph::{Graph, Input, MathsProvider, ScalarType};
 
@@ -114,15 +116,19 @@ pub struct ShapeSize {
     pub profile: &'static str,
     /// Bytes of flash: code, constants and initialised variables.
     pub flash: Option<u64>,
-    /// Bytes of RAM, without the stack.
+    /// Bytes of flash with the library functions that it calls, if it could be linked.
+    pub linked_flash: Option<u64>,
+    /// Bytes of RAM, without the stack; of linked code with that of library functions.
     pub ram: Option<u64>,
+    /// Instructions of a decision at most, library functions included, if there is a bound.
+    pub instructions: Option<u64>,
     /// Bytes of stack, if the compiler reports them.
     pub stack: Option<Stack>,
     /// The sections that the compiler made.
     pub sections: Option<Size>,
     /// The numbers are estimates, because there is no compiler.
     pub estimated: bool,
-    /// The reason for having no compiler's numbers.
+    /// The reason for having no compiler's numbers, or none of linked code.
     pub unavailable: Option<String>,
 }
 
@@ -137,8 +143,27 @@ pub struct RustSize {
     pub unavailable: Option<String>,
 }
 
-/// Puts a report together; means are taken over `set`.
-pub fn report(graph: &Graph, options: &Options, targets: &[Target], set: &StateSet) -> Report {
+/// Puts a report together; means are taken over `set`. `whole` is the policy in integers, whose sizes are reported, too; a graph that is
+/// in integers itself is.
+///
+/// # Errors
+/// A value of the policy in integers that is not known to be whole; `file` is its name.
+pub fn report(
+    file: &str,
+    graph: &Graph,
+    options: &Options,
+    targets: &[Target],
+    set: &StateSet,
+    whole: Option<&Graph>,
+) -> Result<Report, InputError> {
+    let whole = whole.or_else(|| graph.has_counts().then_some(graph));
+    let in_integers = |(name, profile): (&'static str, Profile)| {
+        let options = Options { profile: Some(profile), style: Style::Pure, conversion: None, ..options.clone() };
+        Ok((name, Code::in_integers(file, whole.unwrap_or(graph), &options, Language::C)?))
+    };
+    let names = [("integers", Profile::Fast), ("integers, small", Profile::Small)];
+    let integers: Vec<(&str, Code<'_>)> =
+        names.into_iter().filter(|_| whole.is_some()).map(in_integers).collect::<Result<_, InputError>>()?;
     let codes: Vec<(&str, Code<'_>)> = (shapes(graph, options, Language::C).into_iter())
         .map(|(shape, options)| (shape, Code::of(compile(graph, &options, Language::C))))
         .collect();
@@ -146,9 +171,13 @@ pub fn report(graph: &Graph, options: &Options, targets: &[Target], set: &StateS
     let means = Costs::means(&forms, set);
     let costs = codes.iter().zip(&forms).zip(means);
     let costs = costs.map(|(((shape, _), form), mean)| ShapeCost { profile: shape, worst: form.worst(), mean });
-    let sizes = targets.iter().flat_map(|&target| codes.iter().map(move |(shape, code)| size_of(code, target, shape)));
+    // A graph in integers is compiled to floats only to be interpreted.
+    let floats = if graph.has_counts() { &[][..] } else { &codes };
+    let sizes = targets.iter().flat_map(|&target| {
+        floats.iter().chain(&integers).map(move |(shape, code)| size_of(code, target, shape)).collect::<Vec<_>>()
+    });
     let Program { module: optimised, .. } = &codes[0].1.program;
-    Report {
+    Ok(Report {
         version: env!("CARGO_PKG_VERSION"),
         graph_sha256: codes[0].1.program.graph_sha256(),
         scalar: graph.scalar(),
@@ -161,8 +190,8 @@ pub fn report(graph: &Graph, options: &Options, targets: &[Target], set: &StateS
         states: set.origin.clone(),
         costs: costs.collect(),
         sizes: sizes.collect(),
-        rust_sizes: if targets.contains(&Target::CortexM4) { rust_sizes(graph, options) } else { Vec::new() },
-    }
+        rust_sizes: if targets.contains(&Target::M4f) { rust_sizes(graph, options) } else { Vec::new() },
+    })
 }
 
 fn counts(optimised: &Module<'_>) -> GraphCounts {
@@ -212,22 +241,41 @@ fn dead_inputs(optimised: &Module<'_>) -> Vec<String> {
 }
 
 fn size_of(code: &Code<'_>, target: Target, profile: &'static str) -> ShapeSize {
-    let built = size::build_c(code, target).and_then(|built| Ok((size::measure(&built.object)?, built.stack)));
+    let built = size::build_c(code, target).and_then(|built| Ok((size::measure(&built.object)?, built)));
     let none = ShapeSize {
         target,
         profile,
         flash: None,
+        linked_flash: None,
         ram: None,
+        instructions: None,
         stack: None,
         sections: None,
         estimated: false,
         unavailable: None,
     };
     match built {
-        Ok((size, stack)) => {
-            ShapeSize { flash: Some(size.flash()), ram: Some(size.ram()), stack, sections: Some(size), ..none }
+        Ok((size, built)) => {
+            let measured = ShapeSize { flash: Some(size.flash()), ram: Some(size.ram()), sections: Some(size), ..none };
+            let stack = built.stack.clone();
+            match built.link(code) {
+                Ok(None) => ShapeSize { stack, ..measured },
+                Ok(Some(Linked { size, bound })) => {
+                    let linked = ShapeSize { linked_flash: Some(size.flash()), ram: Some(size.ram()), ..measured };
+                    match bound {
+                        Some(Ok(Bound { instructions, stack })) => ShapeSize {
+                            instructions: Some(instructions),
+                            stack: Some(Stack { bytes: stack, without: Vec::new() }),
+                            ..linked
+                        },
+                        Some(Err(error)) => ShapeSize { stack, unavailable: Some(error), ..linked },
+                        None => ShapeSize { stack, ..linked },
+                    }
+                }
+                Err(error) => ShapeSize { stack, unavailable: Some(error.to_string()), ..measured },
+            }
         }
-        Err(error) if target == Target::CortexM4 => ShapeSize {
+        Err(error) if target == Target::M4f => ShapeSize {
             flash: Some(size::estimated_flash(&code.program)),
             ram: Some(0), // there is no variable outside of functions in any shape
             estimated: true,

@@ -47,8 +47,8 @@ impl fmt::Display for Report {
         writeln!(f, "lines     {lines}; {introns} introns removed ({})", percent(introns, lines))?;
         self.removed(f)?;
         self.costs(f)?;
-        for target in Target::ALL {
-            self.sizes(f, target)?;
+        for sizes in self.sizes.chunk_by(|a, b| a.target == b.target) {
+            self.sizes(f, sizes)?;
         }
         Ok(())
     }
@@ -104,41 +104,63 @@ impl Report {
         }
     }
 
-    fn sizes(&self, f: &mut fmt::Formatter<'_>, target: Target) -> fmt::Result {
-        let sizes: Vec<&ShapeSize> = self.sizes.iter().filter(|size| size.target == target).collect();
+    /// The sizes on one target.
+    fn sizes(&self, f: &mut fmt::Formatter<'_>, sizes: &[ShapeSize]) -> fmt::Result {
         let Some(first) = sizes.first() else { return Ok(()) };
+        let name = first.target.name();
         if let Some(why) = first.unavailable.as_ref().filter(|_| sizes.iter().all(|size| size.flash.is_none())) {
-            return writeln!(f, "\nbytes on {}: not known: {why}", target.name());
+            return writeln!(f, "\nbytes on {name}: not known: {why}");
         }
         match first.unavailable.as_ref().filter(|_| sizes.iter().all(|size| size.estimated)) {
-            Some(why) => writeln!(f, "\nbytes on {}: an ESTIMATE, for {why}", target.name())?,
-            None => {
-                writeln!(f, "\nbytes on {}, compiled with -Os, without the libraries that are called", target.name())?
-            }
+            Some(why) => writeln!(f, "\nbytes on {name}: an ESTIMATE, for {why}")?,
+            None => writeln!(f, "\nbytes on {name}, compiled with -Os{}", explanation(sizes))?,
         }
-        let rust = if target == Target::CortexM4 { &self.rust_sizes[..] } else { &[] };
-        let head = if rust.iter().any(|size| size.flash.is_some()) { "flash, Rust" } else { "" };
-        writeln!(f, "{}", format!("{:<16}{:>9}{:>9}{:>9}{head:>14}", "", "flash", "RAM", "stack").trim_end())?;
+        let rust = if first.target == Target::M4f { &self.rust_sizes[..] } else { &[] };
+        let flash_of_rust =
+            |size: &ShapeSize| rust.iter().find(|rust| rust.profile == size.profile).and_then(|rust| rust.flash);
+        let columns: [(&str, &dyn Fn(&ShapeSize) -> Option<u64>); 6] = [
+            ("flash", &|size| size.flash),
+            ("linked", &|size| size.linked_flash),
+            ("RAM", &|size| size.ram),
+            ("stack", &|size| size.stack.as_ref().map(|stack| stack.bytes)),
+            ("instructions", &|size| size.instructions),
+            ("flash, Rust", &flash_of_rust),
+        ];
+        let (always, known) = (["flash", "RAM", "stack"], |column: &dyn Fn(&ShapeSize) -> Option<u64>| {
+            sizes.iter().any(|size| column(size).is_some())
+        });
+        let columns: Vec<_> =
+            columns.into_iter().filter(|(name, column)| always.contains(name) || known(column)).collect();
+        let width = |name: &str| 3 + name.len().max(6);
+        let heads = columns.iter().map(|(name, _)| format!("{name:>width$}", width = width(name)));
+        writeln!(f, "{:<16}{}", "", heads.collect::<String>())?;
         for size in sizes {
-            let number = |number: Option<u64>| number.map_or_else(|| "?".to_owned(), |number| number.to_string());
-            let stack = size.stack.as_ref();
-            write!(f, "{:<16}{:>9}{:>9}", size.profile, number(size.flash), number(size.ram))?;
-            write!(f, "{:>9}", number(stack.map(|stack| stack.bytes)))?;
-            if let Some(flash) = rust.iter().find(|rust| rust.profile == size.profile).and_then(|rust| rust.flash) {
-                write!(f, "{flash:>14}")?;
-            }
-            let without = stack.map(|stack| stack.without.join(", ")).filter(|names| !names.is_empty());
-            let note = size
-                .unavailable
-                .clone()
-                .filter(|_| !size.estimated)
-                .or(without.map(|names| format!("and that of {names}")));
-            writeln!(f, "{}", note.map_or_else(String::new, |note| format!("  {note}")))?;
+            let cells = columns.iter().map(|(name, column)| {
+                let number = column(size).map_or_else(|| "?".to_owned(), |number| number.to_string());
+                format!("{number:>width$}", width = width(name))
+            });
+            let without = size.stack.as_ref().map(|stack| stack.without.join(", ")).filter(|names| !names.is_empty());
+            let why = size.unavailable.clone().filter(|_| !size.estimated);
+            let note = why.or(without.map(|names| format!("and the stack of {names}")));
+            let note = note.map_or_else(String::new, |note| format!("  {note}"));
+            writeln!(f, "{:<16}{}{note}", size.profile, cells.collect::<String>())?;
         }
         if let Some(why) = rust.iter().find_map(|size| size.unavailable.as_ref()) {
             writeln!(f, "bytes of the Rust: not known: {}", why.lines().next().unwrap_or(""))?;
         }
         Ok(())
+    }
+}
+
+/// Explains the columns.
+fn explanation(sizes: &[ShapeSize]) -> &'static str {
+    let any = |known: fn(&ShapeSize) -> bool| sizes.iter().any(known);
+    match (any(|size| size.linked_flash.is_some()), any(|size| size.instructions.is_some())) {
+        (false, _) => ", without the libraries that are called",
+        (true, false) => "; linked: with the library functions that are called",
+        (true, true) => {
+            "; linked: with the library functions that are called;\ninstructions: of a decision and what it calls, at most, by analysis of the machine code"
+        }
     }
 }
 

@@ -103,7 +103,7 @@ mod tests {
                     continue; // most of it was found to be idle
                 }
                 compared += 1;
-                let built = build_c(&code, Target::CortexM4).expect("it compiles");
+                let built = build_c(&code, Target::M4f).expect("it compiles");
                 let real = measure(&built.object).expect("an object file").flash() as f64;
                 let ratio = flash(&code.program) as f64 / real;
                 assert!((0.625..1.6).contains(&ratio), "graph {seed}: {ratio} of {real} bytes, {options:?}");

@@ -1,54 +1,30 @@
-//! The size of compiled code, without its self-test and the libraries it calls.
+//! The size of compiled code, without its self-test: alone, and with the library functions that it calls.
 
 mod estimate;
+mod linked;
 mod object;
 mod rust;
 mod stack;
+mod target;
 
 pub use self::object::{Size, measure};
 pub use estimate::flash as estimated_flash;
+pub use linked::Linked;
 pub use rust::RustForCortexM4;
 pub use stack::Stack;
+pub use target::Target;
 
 use crate::emit::Code;
 use crate::options::{Language, Options, Style};
 use crate::program::compile;
-use crate::verify;
-use serde::Serialize;
 use std::fs;
 use std::io;
-use std::process::Command;
 use tempfile::TempDir;
 use tpg_graph::Graph;
 
-/// A target of generated code.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, clap::ValueEnum)]
-pub enum Target {
-    /// On a Cortex-M4 with FPU, built by `arm-none-eabi-gcc`.
-    #[value(name = "thumbv7em")]
-    #[serde(rename = "thumbv7em")]
-    CortexM4,
-    /// On this machine, built by its C compiler.
-    #[serde(rename = "host")]
-    Host,
-}
-
-impl Target {
-    /// Every target.
-    pub const ALL: [Self; 2] = [Self::CortexM4, Self::Host];
-
-    /// The name in reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Host => "this machine",
-            Self::CortexM4 => "Cortex-M4F",
-        }
-    }
-}
-
 /// The size of the compiled C on each target, a line each; if a compiler is missing, its line says so.
 pub fn describe_c(code: &Code<'_>) -> Vec<String> {
-    [Target::Host, Target::CortexM4]
+    [Target::Host, Target::M4f]
         .map(|target| match build_c(code, target).and_then(|built| measure(&built.object)) {
             Ok(size) => format!("size on {} (-Os): {size}", target.name()),
             Err(error) => format!("size on {}: not available: {error}", target.name()),
@@ -65,12 +41,27 @@ pub fn compile_c(graph: &Graph, options: &Options, target: Target) -> io::Result
 }
 
 /// Generated C, compiled.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Debug)]
 pub struct Built {
     /// The object file.
     pub object: Vec<u8>,
     /// The stack that a decision needs; only GCC reports it.
     pub stack: Option<Stack>,
+    folder: TempDir,
+    target: Target,
+    entry: String,
+}
+
+impl Built {
+    /// Links the code with the library functions that it calls; not for this machine, and not in GEGELATI's style, whose inputs lie elsewhere.
+    ///
+    /// # Errors
+    /// When the compiler refuses, or a library is missing.
+    pub fn link(&self, code: &Code<'_>) -> io::Result<Option<Linked>> {
+        let link = || linked::link(self.folder.path(), self.target, &self.entry, &code.program);
+        let is_whole = code.program.options.style == Style::Pure;
+        (self.target != Target::Host && is_whole).then(link).transpose()
+    }
 }
 
 /// Compiles generated C for size, without its self-test, and asks the compiler for the stack.
@@ -84,17 +75,7 @@ pub fn build_c(code: &Code<'_>, target: Target) -> io::Result<Built> {
     for file in files {
         fs::write(folder.path().join(&file.name), &file.text)?;
     }
-    let (mut command, writes_call_graph) = match target {
-        Target::Host => {
-            let tool = verify::c_compiler().map_err(io::Error::other)?;
-            (tool.to_command(), tool.is_like_gnu())
-        }
-        Target::CortexM4 => {
-            let mut command = Command::new("arm-none-eabi-gcc");
-            command.args(["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"]);
-            (command, true)
-        }
-    };
+    let (mut command, writes_call_graph) = target.compiler()?;
     command.current_dir(folder.path()).args(["-std=c99", "-Os"]);
     // What a debugger or an unwinder reads is not the policy.
     command.args(["-g0", "-fno-asynchronous-unwind-tables"]).arg(format!("-D{}_NO_SELFTEST", options.prefix.upper()));
@@ -115,13 +96,13 @@ pub fn build_c(code: &Code<'_>, target: Target) -> io::Result<Built> {
     };
     let call_graph = fs::read_to_string(folder.path().join("policy.ci")).ok();
     let stack = call_graph.and_then(|text| stack::deepest(&text, &entry));
-    Ok(Built { object: fs::read(folder.path().join("policy.o"))?, stack })
+    Ok(Built { object: fs::read(folder.path().join("policy.o"))?, stack, folder, target, entry })
 }
 
 /// Returns the flash of a piece of C on a Cortex-M4F, bytes, and true if no compiler for it is there and the number is an
 /// estimate.
 pub fn flash_of_c(code: &Code<'_>) -> (u64, bool) {
-    match build_c(code, Target::CortexM4).and_then(|built| measure(&built.object)) {
+    match build_c(code, Target::M4f).and_then(|built| measure(&built.object)) {
         Ok(size) => (size.flash(), false),
         Err(_) => (estimated_flash(&code.program), true),
     }

@@ -36,7 +36,8 @@ impl Size {
                 &mut self.constants
             }
             SectionKind::Data => &mut self.data,
-            SectionKind::UninitializedData => &mut self.bss,
+            // A library's linker script reserves a stack.
+            SectionKind::UninitializedData if section.name() != Ok(".stack") => &mut self.bss,
             _ => return,
         };
         *bytes += section.size();

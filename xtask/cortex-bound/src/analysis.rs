@@ -1,6 +1,6 @@
 //! Analysis of a function together with its callees.
 
-use super::facts::{Calls, Limit, LoopBounds, Turns};
+use super::facts::{Calls, Limit, LoopBounds, Turns, in_libgcc};
 use super::flow::Flow;
 use super::instruction::is_decision;
 use super::listing::Listing;
@@ -225,10 +225,16 @@ impl<'a> Analyser<'a> {
         let name = self.name(place);
         let nodes = headers.iter().map(|header| header.node);
         Ok(match self.bounds.get(name) {
-            None => BTreeMap::new(),
+            None => {
+                let known = |header: &Header| Some((header.node, in_libgcc(name, header.is_tangled)?));
+                headers.iter().filter_map(known).collect()
+            }
             Some(Turns::Every(turns)) => nodes.map(|node| (node, *turns)).collect(),
             Some(Turns::Each(turns)) if turns.len() == headers.len() => nodes.zip(turns.iter().copied()).collect(),
-            Some(Turns::Each(turns)) => {
+            Some(Turns::Nested(turns)) if headers.iter().all(|header| header.depth < turns.len()) => {
+                headers.iter().map(|header| (header.node, turns[header.depth])).collect()
+            }
+            Some(Turns::Each(turns) | Turns::Nested(turns)) => {
                 let lines = &self.listing.functions()[place].lines;
                 let found = nodes.map(|node| lines[node].address).collect();
                 return Err(Refusal::OtherLoops { function: name.to_owned(), found, given: turns.len() });

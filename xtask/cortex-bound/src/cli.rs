@@ -4,10 +4,11 @@ use crate::{Analyser, Calls, Limit, Listing, LoopBounds, Refusal, Share, Turns, 
 use clap::Args;
 use std::path::PathBuf;
 
-/// Print the worst case of functions of a Cortex-M object or image: instructions and bytes of stack, including callees.
+/// Print the worst case of functions of a Cortex-M object or image, or of a RISC-V image: instructions and bytes of stack, including
+/// callees.
 #[derive(Clone, Debug, Args)]
 pub struct WcetArgs {
-    /// An object file or a linked image for a Cortex-M
+    /// An object file or a linked image for a Cortex-M, a linked image for a RISC-V
     object: PathBuf,
     /// The functions; by default every function of the object
     functions: Vec<String>,

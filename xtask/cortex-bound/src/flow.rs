@@ -72,12 +72,27 @@ impl Flow {
                 }
             }
             Kind::Call => {
-                self.calls[index] = match target(listing, function, line)? {
-                    To::Function(callee) => vec![callee],
+                match target(listing, function, line)? {
+                    To::Function(callee) => {
+                        self.calls[index] = vec![callee];
+                        let callee = &listing.functions()[callee].name;
+                        if callee.starts_with("__gnu_thumb1_case") {
+                            let targets = table(function, line, callee);
+                            let targets = targets.ok_or(Refusal::JumpTable { function: name(), address, text })?;
+                            self.jump(function, place, index, targets)?;
+                            goes_on = false;
+                        } else {
+                            // A call that no instruction follows never returns.
+                            goes_on = follower(function, index).is_some();
+                        }
+                    }
+                    // Thumb of a Cortex-M0 jumps far by `bl`, in functions that have saved the register of the return.
+                    To::Here(address) if function.saves_return() => {
+                        self.next[index].push(*place.get(&address).ok_or_else(|| astray(function, line))?);
+                        goes_on = false;
+                    }
                     To::Here(_) => return Err(astray(function, line)),
-                };
-                // A call that no instruction follows never returns.
-                goes_on = follower(function, index).is_some();
+                }
             }
             Kind::Return { conditional } => goes_on = conditional,
             Kind::Trap => goes_on = false,
@@ -92,18 +107,31 @@ impl Flow {
                 goes_on = and_on;
             }
             Kind::JumpTable => {
-                let targets = table(function, line).ok_or(Refusal::JumpTable { function: name(), address, text })?;
-                for target in targets {
-                    self.next[index].push(*place.get(&target).ok_or_else(|| astray(function, line))?);
-                }
-                self.next[index].sort_unstable();
-                self.next[index].dedup();
+                let targets = table(function, line, "").or_else(|| table_elsewhere(listing, function, index));
+                let targets = targets.ok_or(Refusal::JumpTable { function: name(), address, text })?;
+                self.jump(function, place, index, targets)?;
                 goes_on = false;
             }
         }
         if goes_on {
             self.next[index].push(follower(function, index).ok_or_else(|| astray(function, line))?);
         }
+        Ok(())
+    }
+
+    /// Adds the targets of a table.
+    fn jump(
+        &mut self,
+        function: &Function,
+        place: &BTreeMap<u64, usize>,
+        index: usize,
+        targets: Vec<u64>,
+    ) -> Result<(), Refusal> {
+        for target in targets {
+            self.next[index].push(*place.get(&target).ok_or_else(|| astray(function, &function.lines[index]))?);
+        }
+        self.next[index].sort_unstable();
+        self.next[index].dedup();
         Ok(())
     }
 }
@@ -115,30 +143,81 @@ fn goes_by_register(line: &Line) -> bool {
 /// Returns the instruction directly after another one, with no data in between.
 fn follower(function: &Function, index: usize) -> Option<usize> {
     let [here, next] = [function.lines.get(index)?, function.lines.get(index + 1)?];
-    (next.address - here.address <= 4).then_some(index + 1)
+    (1..=4).contains(&next.address.wrapping_sub(here.address)).then_some(index + 1)
 }
 
-/// Returns the targets of a `tbb` or `tbh`: every entry of the table that follows it. Other data in that place is also
-/// read as entries, which either adds paths or leads to an invalid target.
-fn table(function: &Function, line: &Line) -> Option<Vec<u64>> {
-    let width = match line.mnemonic.as_str() {
-        "tbb" => 1,
-        "tbh" => 2,
+/// Returns the addresses outside a function at which it goes on without a call: the middles of others that it branches to, and what
+/// follows its end.
+pub(super) fn continues_at(function: &Function) -> BTreeSet<u64> {
+    let end = function.lines.last();
+    let runs_on = end.is_some_and(|line| match kind(line) {
+        Kind::Plain => true,
+        Kind::Branch { conditional } | Kind::Return { conditional } => conditional,
+        _ => false,
+    });
+    let after = |line: &Line| [line.address + 2, line.address + 4];
+    let branches =
+        function.lines.iter().filter(|line| matches!(kind(line), Kind::Branch { .. }) && line.symbol.is_none());
+    let targets = branches.filter_map(address).chain(end.filter(|_| runs_on).into_iter().flat_map(after));
+    let inside: BTreeSet<u64> = function.lines.iter().map(|line| line.address).collect();
+    targets.filter(|target| !inside.contains(target)).collect()
+}
+
+/// Returns the address that an instruction branches to, its last operand: `10 <f+0x8>`.
+fn address(line: &Line) -> Option<u64> {
+    let operands = line.operands.split(" <").next().unwrap_or_default();
+    u64::from_str_radix(operands.rsplit(',').next().unwrap_or_default().trim(), 16).ok()
+}
+
+/// Returns the targets of a `tbb` or `tbh`, or of a call of the function that does the same on a Cortex-M0: every entry of the table that
+/// follows it. Other data behind it ends the table, or adds paths.
+fn table(function: &Function, line: &Line, callee: &str) -> Option<Vec<u64>> {
+    let (width, is_signed) = match (line.mnemonic.as_str(), callee) {
+        ("tbb", _) | (_, "__gnu_thumb1_case_uqi") => (1, false),
+        ("tbh", _) | (_, "__gnu_thumb1_case_uhi") => (2, false),
+        (_, "__gnu_thumb1_case_sqi") => (1, true),
+        (_, "__gnu_thumb1_case_shi") => (2, true),
+        (_, "__gnu_thumb1_case_si") => (4, true),
         _ => return None,
     };
-    if !line.operands.starts_with("[pc,") {
+    if kind(line) != Kind::Call && !line.operands.starts_with("[pc,") {
         return None;
     }
-    let base = line.address + 4;
-    let mut bytes: Vec<u8> = (base..).map_while(|address| function.data.get(&address).copied()).collect();
-    // Alignment of the following code, a nop. As entries it would lead into the table, or 97 KB away.
-    while bytes.len().is_multiple_of(2) && bytes.ends_with(&[0x00, 0xbf]) {
-        bytes.truncate(bytes.len() - 2);
-    }
-    let entries = bytes.chunks_exact(width).map(|entry| entry.iter().rfold(0, |sum, &byte| sum << 8 | u64::from(byte)));
-    // An entry of 0 would lead into the table: it aligns the following code.
-    let targets: Vec<u64> = entries.filter(|&entry| entry > 0).map(|entry| base + 2 * entry).collect();
+    // Entries are in halfwords, but those of four bytes, which are aligned.
+    let (base, unit) = if width == 4 { ((line.address + 4).next_multiple_of(4), 1) } else { (line.address + 4, 2) };
+    let bytes: Vec<u8> = (base..).map_while(|address| function.data.get(&address).copied()).collect();
+    let number = |entry: &[u8]| match *entry {
+        [byte] if is_signed => i64::from(byte.cast_signed()),
+        [byte] => i64::from(byte),
+        [low, high] if is_signed => i64::from(i16::from_le_bytes([low, high])),
+        [low, high] => i64::from(u16::from_le_bytes([low, high])),
+        [a, b, c, d] => i64::from(i32::from_le_bytes([a, b, c, d]) & !1),
+        _ => 0,
+    };
+    let addresses: BTreeSet<u64> = function.lines.iter().map(|line| line.address).collect();
+    let targets = bytes.chunks_exact(width).map(|entry| base.wrapping_add_signed(unit * number(entry)));
+    let targets: Vec<u64> = targets.take_while(|target| addresses.contains(target)).collect();
     (!targets.is_empty()).then_some(targets)
+}
+
+/// Returns the targets of a jump whose table lies elsewhere: the one whose address was computed last with no branch in between, or any
+/// whose address the function computes. An entry is a target, or its distance from the table.
+fn table_elsewhere(listing: &Listing, function: &Function, index: usize) -> Option<Vec<u64>> {
+    let addresses: BTreeSet<u64> = function.lines.iter().map(|line| line.address).collect();
+    let target = |base: u64, word: u32| {
+        let targets = [word & !1, word.wrapping_add(base as u32)].map(u64::from);
+        targets.into_iter().find(|target| addresses.contains(target))
+    };
+    let table = |address: u64| -> Vec<u64> {
+        // Thumb reads the table's address from beside the code.
+        let bases = [Some(address), listing.words_from(address).next().map(u64::from)];
+        let entries = |base| listing.words_from(base).map_while(|word| target(base, word)).collect::<Vec<u64>>();
+        bases.into_iter().flatten().map(entries).find(|entries| !entries.is_empty()).unwrap_or_default()
+    };
+    let before = function.lines[..index].iter().rev().take_while(|line| kind(line) == Kind::Plain);
+    let nearest = before.filter_map(|line| line.refers_to).map(table).find(|table| !table.is_empty());
+    let all = || function.lines.iter().filter_map(|line| line.refers_to).flat_map(table).collect();
+    Some(nearest.unwrap_or_else(all)).filter(|targets| !targets.is_empty())
 }
 
 enum To {
@@ -156,10 +235,7 @@ fn target(listing: &Listing, function: &Function, line: &Line) -> Result<To, Ref
             callee: symbol.clone(),
         });
     }
-    // The last operand is the target: `10 <f+0x8>`.
-    let operand = line.operands.rsplit(", ").next().unwrap_or_default();
-    let number = operand.split_whitespace().next().unwrap_or_default();
-    let address = u64::from_str_radix(number, 16).map_err(|_| astray(function, line))?;
+    let address = address(line).ok_or_else(|| astray(function, line))?;
     let inside = function.lines.iter().any(|line| line.address == address);
     match listing.at(&function.section, address) {
         // A branch to the function's own start is a loop, a call of it is a recursion.

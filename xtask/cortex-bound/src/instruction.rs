@@ -1,5 +1,5 @@
-//! Effects of Thumb-2 instructions on control flow and stack, derived from mnemonics and operands in objdump's
-//! notation.
+//! Effects of Thumb-2 and RISC-V instructions on control flow and stack, derived from mnemonics and operands in objdump's
+//! notation. A mnemonic that both have means the same in both: `beq`, `blt`.
 
 use super::listing::Line;
 
@@ -40,11 +40,17 @@ pub fn kind(line: &Line) -> Kind {
     if matches!(name, "cbz" | "cbnz") {
         return Kind::Branch { conditional: true };
     }
-    if matches!(name, "tbb" | "tbh") {
-        return Kind::JumpTable;
-    }
-    if name == "udf" {
-        return Kind::Trap;
+    match name {
+        "tbb" | "tbh" | "jr" => return Kind::JumpTable,
+        "udf" | "unimp" | "ebreak" => return Kind::Trap,
+        "j" => return Kind::Branch { conditional: false },
+        "beqz" | "bnez" | "bltz" | "bgez" | "blez" | "bgtz" | "bltu" | "bgeu" | "bleu" | "bgtu" => {
+            return Kind::Branch { conditional: true };
+        }
+        "jal" => return Kind::Call,
+        "jalr" => return Kind::Indirect { goes_on: true },
+        "ret" => return Kind::Return { conditional: false },
+        _ => {}
     }
     if let Some(conditional) = is(name, "b") {
         return Kind::Branch { conditional };
@@ -116,6 +122,13 @@ pub fn stack(line: &Line) -> Stack {
     }
     if !operands.starts_with("sp,") {
         return Stack::Same;
+    }
+    // RISC-V: a number without a mark.
+    if let Some(amount) = operands.strip_prefix("sp,sp,").filter(|_| matches!(name, "add" | "addi")) {
+        return match amount.strip_prefix('-') {
+            Some(bytes) => number(Some(bytes)).map_or(Stack::Unknown, Stack::Down),
+            None => number(Some(amount)).map_or(Stack::Unknown, |_| Stack::Same),
+        };
     }
     let by_number = || number(operands.rsplit('#').next().filter(|_| operands.contains('#')));
     if is(name, "sub").is_some() || is(name, "subw").is_some() || is(name, "subs").is_some() {
@@ -199,7 +212,7 @@ mod tests {
 
     fn line(text: &str) -> Line {
         let (mnemonic, operands) = text.split_once(' ').unwrap_or((text, ""));
-        Line { address: 0, mnemonic: mnemonic.to_owned(), operands: operands.to_owned(), symbol: None }
+        Line { address: 0, mnemonic: mnemonic.to_owned(), operands: operands.to_owned(), symbol: None, refers_to: None }
     }
 
     #[test]
@@ -227,6 +240,35 @@ mod tests {
         for table in ["tbb [pc, r0]", "tbh [pc, r0, lsl #1]", "ldr.w pc, [r1, r0, lsl #2]", "mov pc, r0", "add pc, r1"]
         {
             assert!(is_decision(&line(table)), "{table}");
+        }
+    }
+
+    #[test]
+    fn risc_v() {
+        let kinds = [
+            ("beqz a0,1000 <f>", Kind::Branch { conditional: true }),
+            ("bgeu a0,a1,1000 <f>", Kind::Branch { conditional: true }),
+            ("blt a0,a1,1000 <f>", Kind::Branch { conditional: true }),
+            ("j 1000 <f>", Kind::Branch { conditional: false }),
+            ("jal 1000 <f>", Kind::Call),
+            ("jalr a5", Kind::Indirect { goes_on: true }),
+            ("jr a5", Kind::JumpTable),
+            ("ret", Kind::Return { conditional: false }),
+            ("unimp", Kind::Trap),
+            ("lw a1,-1956(a5)", Kind::Plain),
+            ("mv a0,s1", Kind::Plain),
+        ];
+        for (text, expected) in kinds {
+            assert_eq!(kind(&line(text)), expected, "{text}");
+        }
+        for (text, expected) in [
+            ("add sp,sp,-16", Stack::Down(16)),
+            ("add sp,sp,32", Stack::Same),
+            ("add sp,sp,t0", Stack::Unknown),
+            ("mv sp,s0", Stack::Unknown),
+            ("sw ra,12(sp)", Stack::Same),
+        ] {
+            assert_eq!(stack(&line(text)), expected, "{text}");
         }
     }
 

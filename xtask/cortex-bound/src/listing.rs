@@ -1,9 +1,10 @@
 //! Output of `objdump -dr`, as functions of instructions.
 
-use std::collections::BTreeMap;
-use std::io;
+use super::flow::continues_at;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::process::Command;
+use std::{fs, io};
 
 /// An instruction as printed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -16,6 +17,8 @@ pub struct Line {
     pub operands: String,
     /// The symbol to be inserted by the linker, for a relocation.
     pub symbol: Option<String>,
+    /// The address that the instruction computes or reads, if the code says so.
+    pub refers_to: Option<u64>,
 }
 
 impl Line {
@@ -34,10 +37,17 @@ pub struct Function {
     pub section: String,
     /// Start address.
     pub address: u64,
-    /// Its instructions.
+    /// Its instructions; after them those of functions that it continues in, as hand-written code does.
     pub lines: Vec<Line>,
     /// Bytes of data between the instructions: constants, tables.
     pub data: BTreeMap<u64, u8>,
+}
+
+impl Function {
+    /// Tests if it begins by saving the register that holds the return address.
+    pub(crate) fn saves_return(&self) -> bool {
+        self.lines.first().is_some_and(|line| line.mnemonic.starts_with("push") && line.operands.contains("lr"))
+    }
 }
 
 /// All functions of an object.
@@ -46,6 +56,8 @@ pub struct Listing {
     functions: Vec<Function>,
     by_name: BTreeMap<String, usize>,
     by_address: BTreeMap<(String, u64), usize>,
+    /// The words of a linked image, by their addresses: tables of jumps are among them.
+    words: BTreeMap<u64, u32>,
 }
 
 impl Listing {
@@ -53,9 +65,15 @@ impl Listing {
     pub fn parse(text: &str) -> Self {
         let mut listing = Self::default();
         let mut section = String::new();
+        let mut is_data = false;
         for line in text.lines() {
-            if let Some(name) = line.strip_prefix("Disassembly of section ") {
+            if let Some(name) = line.strip_prefix("Contents of section ") {
+                is_data = [".text", ".rodata", ".data"].iter().any(|section| name.starts_with(section));
+            } else if let Some(name) = line.strip_prefix("Disassembly of section ") {
                 section = name.trim_end_matches(':').to_owned();
+                is_data = false;
+            } else if is_data {
+                listing.words.extend(words(line));
             } else if let Some((address, name)) = header(line) {
                 let section = section.clone();
                 listing.begin(Function { name, section, address, lines: Vec::new(), data: BTreeMap::new() });
@@ -64,7 +82,39 @@ impl Listing {
                 function.data.extend(data(line).into_iter().flatten());
             }
         }
+        listing.join();
         listing
+    }
+
+    /// Appends to each function those whose middle it branches to, or that it runs into.
+    fn join(&mut self) {
+        let alone = self.functions.clone();
+        let starts: BTreeMap<(&str, u64), usize> = alone
+            .iter()
+            .zip(0..)
+            .map(|(function, place)| ((function.section.as_str(), function.address), place))
+            .collect();
+        let around = |section: &str, address: u64| {
+            let (&(other, _), &place) = starts.range(..=(section, address)).next_back()?;
+            let lines = &alone[place].lines;
+            let is_inside = lines.binary_search_by_key(&address, |line| line.address).is_ok();
+            (other == section && is_inside).then_some(place)
+        };
+        for (place, function) in self.functions.iter_mut().enumerate() {
+            let mut joined = BTreeSet::from([place]);
+            let mut open = vec![place];
+            while let Some(place) = open.pop() {
+                let part = &alone[place];
+                let others = continues_at(part).into_iter().filter_map(|address| around(&part.section, address));
+                for other in others.collect::<Vec<_>>() {
+                    if joined.insert(other) {
+                        function.lines.extend(alone[other].lines.iter().cloned());
+                        function.data.extend(&alone[other].data);
+                        open.push(other);
+                    }
+                }
+            }
+        }
     }
 
     fn begin(&mut self, function: Function) {
@@ -84,19 +134,38 @@ impl Listing {
         self.by_name.get(name).copied()
     }
 
+    /// Returns the words from an address on.
+    pub(crate) fn words_from(&self, address: u64) -> impl Iterator<Item = u32> {
+        (address..).step_by(4).map_while(|address| self.words.get(&address).copied())
+    }
+
     /// Returns the index of the function that starts at the address.
     pub fn at(&self, section: &str, address: u64) -> Option<usize> {
         self.by_address.get(&(section.to_owned(), address)).copied()
     }
 }
 
-/// Disassembles an object or image.
+/// The place of `e_type` in an ELF file, and its value for an object that is not linked.
+const TYPE: (usize, [u8; 2]) = (16, [1, 0]);
+/// The place of `e_machine`, and its value for RISC-V.
+const MACHINE: (usize, [u8; 2]) = (18, [243, 0]);
+
+/// Disassembles an object or image for a Cortex-M, or an image for a RISC-V.
 ///
 /// # Errors
-/// If `arm-none-eabi-objdump` is missing or finds nothing to read.
+/// If `arm-none-eabi-objdump` or `riscv64-unknown-elf-objdump` is missing or finds nothing to read; an object for a RISC-V, whose
+/// calls are known only when it is linked.
 pub fn disassemble(object: &Path) -> io::Result<Listing> {
-    let program = "arm-none-eabi-objdump";
-    let output = Command::new(program).args(["-d", "-r", "-z", "--no-show-raw-insn", "-w"]).arg(object).output();
+    let bytes = fs::read(object)?;
+    let says = |(at, value): (usize, [u8; 2])| bytes.get(at..at + 2) == Some(&value[..]);
+    let is_linked = !says(TYPE);
+    if says(MACHINE) && !is_linked {
+        return Err(io::Error::other("an object for a RISC-V; accepted: a linked image"));
+    }
+    let program = if says(MACHINE) { "riscv64-unknown-elf-objdump" } else { "arm-none-eabi-objdump" };
+    let contents = is_linked.then_some("-s");
+    let arguments = ["-d", "-r", "-z", "--no-show-raw-insn", "-w"].into_iter().chain(contents);
+    let output = Command::new(program).args(arguments).arg(object).output();
     let output = output.map_err(|error| io::Error::new(error.kind(), format!("{program}: {error}")))?;
     if !output.status.success() {
         return Err(io::Error::other(String::from_utf8_lossy(&output.stderr).trim().to_owned()));
@@ -120,10 +189,22 @@ fn instruction(line: &str) -> Option<Line> {
     let mnemonic = fields.next()?;
     let is_code = mnemonic.starts_with(|first: char| first.is_ascii_lowercase());
     let operands = fields.next().unwrap_or_default();
-    let operands = operands.split(['@', ';']).next().unwrap_or_default().trim();
+    let operands = operands.split(['@', ';']).next().unwrap_or_default();
+    let operands = operands.split(" # ").next().unwrap_or_default().trim();
+    // A comment: `@ (85e8 <f+0x10>)`, `# 1000085c <table>`.
+    let comment = rest.rsplit_once(['@', '#']).and_then(|(_, comment)| comment.split_once(" <"));
+    let refers_to = comment.and_then(|(text, _)| u64::from_str_radix(text.rsplit([' ', '(']).next()?, 16).ok());
     let relocation = fields.find(|field| field.contains(": R_ARM_THM_"));
     let symbol = relocation.and_then(|_| fields.next()).map(str::to_owned);
-    is_code.then(|| Line { address, mnemonic: mnemonic.to_owned(), operands: operands.to_owned(), symbol })
+    is_code.then(|| Line { address, mnemonic: mnemonic.to_owned(), operands: operands.to_owned(), symbol, refers_to })
+}
+
+/// Returns the words of a line of a section's contents: an address, up to four groups of bytes, and their characters.
+fn words(line: &str) -> impl Iterator<Item = (u64, u32)> + '_ {
+    let mut fields = line.split_whitespace();
+    let address = fields.next().and_then(|address| u64::from_str_radix(address, 16).ok());
+    let words = fields.take(4).filter(|group| group.len() == 8).filter_map(|group| u32::from_str_radix(group, 16).ok());
+    address.into_iter().flat_map(|address| (address..).step_by(4)).zip(words.map(u32::swap_bytes))
 }
 
 /// Returns the bytes of a line of data, `12: .short 0x0302` with tabs in between, with their addresses.

@@ -2,7 +2,8 @@
 //!
 //! A loop is a strongly connected component with one entry, its header. Each iteration costs at most the longest path
 //! from the header back to it; a loop of at most n iterations costs n − 1 of those plus the longest path from the
-//! header to the exit. Nested loops are found by removing the edges back to the header.
+//! header to the exit. Nested loops are found by removing the edges back to the header. In a loop with several entries, as hand-written
+//! code has, every instruction counts n times.
 
 use super::path::{Paths, Step};
 use std::collections::BTreeMap;
@@ -43,6 +44,10 @@ pub(super) fn longest(
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Header {
     pub(super) node: usize,
+    /// Number of loops around it.
+    pub(super) depth: usize,
+    /// The loop has other entries, too; the node is its first.
+    pub(super) is_tangled: bool,
     pub(super) entered_from: Vec<usize>,
 }
 
@@ -68,6 +73,8 @@ struct Search<'a> {
     /// If `None`, every loop has one iteration: used to find the loops.
     turns: Option<&'a BTreeMap<usize, u64>>,
     headers: Vec<Header>,
+    /// Number of loops around the subgraph that is walked.
+    depth: usize,
     paths: Paths,
 }
 
@@ -79,6 +86,7 @@ impl<'a> Search<'a> {
             cost: cost.iter().copied().chain([0]).collect(),
             turns,
             headers: Vec::new(),
+            depth: 0,
             paths: Paths::default(),
         }
     }
@@ -118,19 +126,28 @@ impl<'a> Search<'a> {
     /// Handles a loop.
     fn turn(&mut self, part: &[usize], before: &[Option<Reach>], found: &mut [Option<Reach>]) -> Result<(), Endless> {
         let mut entries = part.iter().copied().filter(|&node| before[node].is_some());
-        let (Some(header), None) = (entries.next(), entries.next()) else {
-            return Err(Endless::Tangled(part[0]));
-        };
+        let first = entries.next();
+        let is_tangled = entries.next().is_some();
+        let header = first.filter(|_| !is_tangled).unwrap_or(part[0]);
         let turns = match self.turns {
-            Some(turns) => *turns.get(&header).ok_or(Endless::Loop(header))?,
+            Some(turns) => {
+                let endless = if is_tangled { Endless::Tangled } else { Endless::Loop };
+                *turns.get(&header).ok_or(endless(header))?
+            }
             None => 1,
         };
         let mut body = vec![false; self.next.len()];
         part.iter().for_each(|&node| body[node] = true);
         // Excludes the virtual first node, which is not an instruction.
         let outside = (0..self.next.len() - 1).filter(|&node| !body[node] && self.next[node].contains(&header));
-        self.headers.push(Header { node: header, entered_from: outside.collect() });
+        self.headers.push(Header { node: header, depth: self.depth, is_tangled, entered_from: outside.collect() });
+        if is_tangled {
+            self.every_instruction(part, turns, before, found);
+            return Ok(());
+        }
+        self.depth += 1;
         let within = self.walk(&body, header)?;
+        self.depth -= 1;
         let latches = part.iter().filter(|&&node| self.next[node].contains(&header));
         let turn = latches.filter_map(|&node| within[node]).max_by_key(|reach| reach.cost);
         let Reach { cost, path } = before[header].unwrap_or(Reach { cost: 0, path: None });
@@ -143,6 +160,18 @@ impl<'a> Search<'a> {
                 within[node].map(|reach| Reach { cost: base + reach.cost, path: self.paths.join(path, reach.path) });
         }
         Ok(())
+    }
+}
+
+impl Search<'_> {
+    /// Handles a loop with several entries: each of its instructions is reached at most `turns` times.
+    fn every_instruction(&mut self, part: &[usize], turns: u64, before: &[Option<Reach>], found: &mut [Option<Reach>]) {
+        let entries = part.iter().filter_map(|&node| before[node]);
+        let Reach { cost, path } = entries.max_by_key(|reach| reach.cost).unwrap_or(Reach { cost: 0, path: None });
+        let all = part.iter().fold(None, |path, &node| Some(self.paths.then(path, node)));
+        let once: u64 = part.iter().map(|&node| self.cost[node]).sum();
+        let reach = Reach { cost: cost + turns * once, path: self.paths.repeat(path, all, turns) };
+        part.iter().for_each(|&node| found[node] = Some(reach));
     }
 }
 
@@ -245,8 +274,8 @@ mod tests {
     #[test]
     fn each_loop_has_its_own_bound() {
         let next = graph(&[&[1], &[2], &[2, 3], &[1, 4], &[]]);
-        let expected = vec![Header { node: 1, entered_from: vec![0] }, Header { node: 2, entered_from: vec![1] }];
-        assert_eq!(headers(&next, 0), Ok(expected));
+        let header = |node, depth| Header { node, depth, is_tangled: false, entered_from: vec![node - 1] };
+        assert_eq!(headers(&next, 0), Ok(vec![header(1, 0), header(2, 1)]));
         let turns = BTreeMap::from([(1, 3), (2, 7)]);
         let found = longest(&next, &[1, 10, 100, 1000, 1], 0, &turns).expect("bounded");
         assert_eq!(found.visits, [1, 3, 21, 3, 1]);
@@ -260,7 +289,9 @@ mod tests {
     }
 
     #[test]
-    fn two_entries_are_refused() {
-        assert_eq!(most(&[&[1, 2], &[2], &[1, 3], &[]], Some(9)), Err(Endless::Tangled(1)));
+    fn with_two_entries_everything_counts_each_time() {
+        let tangled: &[&[usize]] = &[&[1, 2], &[2], &[1, 3], &[]];
+        assert_eq!(most(tangled, None), Err(Endless::Tangled(1)));
+        assert_eq!(most(tangled, Some(9)), Ok(1 + 9 * 2 + 1));
     }
 }

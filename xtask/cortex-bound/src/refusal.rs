@@ -33,7 +33,7 @@ pub enum Refusal {
         /// Number of bounds given.
         given: usize,
     },
-    /// A loop with several entries: no bound can be given for it.
+    /// A loop with several entries, without a bound.
     TangledLoop {
         /// The function.
         function: String,
@@ -120,7 +120,8 @@ impl std::fmt::Display for Refusal {
             Self::TangledLoop { function, address } => {
                 write!(
                     f,
-                    "{function} has a loop with several entries at {address:#x}: its iterations cannot be bounded"
+                    "{function} has a loop with several entries at {address:#x}; accepted: --loop-bound {function}=N if \
+                     none of its instructions is reached more than N times"
                 )
             }
             Self::Recursion { functions } => write!(f, "recursion: {}", functions.join(" calls ")),
@@ -137,8 +138,7 @@ impl std::fmt::Display for Refusal {
             Self::JumpTable { function, address, text } => {
                 write!(
                     f,
-                    "{function} jumps through a table at {address:#x} ({text}) that does not directly follow it: \
-                     -fno-jump-tables avoids them"
+                    "{function} jumps through a table at {address:#x} ({text}) that is not found: -fno-jump-tables avoids them"
                 )
             }
             Self::DynamicStack { function, address, text } => {

@@ -267,6 +267,137 @@ fn each_loop_is_bounded_for_itself() {
 }
 
 #[test]
+fn loops_are_bounded_by_their_depth() {
+    // The outer loop begins at 4, the inner one at 6.
+    let listing = listing(
+        "
+        f:
+        movs r0, #9
+        movs r1, #9
+        subs r1, #1
+        bne.n 6 <f+0x6>
+        subs r0, #1
+        bne.n 4 <f+0x4>
+        bx lr",
+    );
+    let of = |turns: &[u64]| {
+        let bounds = LoopBounds::from([("f".to_owned(), Turns::Nested(turns.to_vec()))]);
+        Analyser::new(&listing, &bounds).bound("f").map(|bound| bound.instructions)
+    };
+    assert_eq!(of(&[10, 4]), Ok(2 + 10 * (1 + 4 * 2 + 2) + 1));
+    assert_eq!(of(&[10]), Err(Refusal::OtherLoops { function: "f".to_owned(), found: vec![4, 6], given: 1 }));
+}
+
+#[test]
+fn a_cortex_m0_jumps_by_the_return_of_a_call() {
+    // The table after the call at 4 has the entries 12 and 18; the data behind them are none.
+    let text = "Disassembly of section .text:
+
+00000000 <f>:
+   0:\tpush\t{r4, lr}
+   2:\tmovs\tr0, r0
+   4:\tbl\t20 <__gnu_thumb1_case_uqi>
+   8:\t.byte\t0x05
+   9:\t.byte\t0x08
+   a:\t.short\t0xffff
+  12:\tadds\tr0, r0, r1
+  14:\tadds\tr0, r0, r1
+  16:\tpop\t{r4, pc}
+  18:\tpop\t{r4, pc}
+
+00000020 <__gnu_thumb1_case_uqi>:
+  20:\tpush\t{r1}
+  22:\tpop\t{r1}
+  24:\tbx\tlr
+";
+    let listing = Listing::parse(text);
+    let found = Analyser::new(&listing, &LoopBounds::new()).bound("f");
+    assert_eq!(found, Ok(Bound { instructions: 3 + 3 + 3, stack: 8 + 4 }));
+}
+
+#[test]
+fn functions_that_share_their_ends_are_joined() {
+    // g runs on into h, and f branches into the middle of it.
+    let text = "
+        f:
+        add r0, r1
+        b.n a <h+0x2>
+        g:
+        add r0, r1
+        h:
+        add r0, r1
+        add r0, r1
+        bx lr";
+    // Labels are instructions, too: f 0, g 6, h a.
+    assert_eq!(bound(text, "f").map(|bound| bound.instructions), Ok(3 + 4));
+    assert_eq!(bound(text, "g").map(|bound| bound.instructions), Ok(2 + 4));
+}
+
+#[test]
+fn a_far_jump_within_a_function_is_no_call() {
+    let text = "
+        f:
+        push {r4, lr}
+        bl 8 <f+0x8>
+        add r0, r1
+        pop {r4, pc}";
+    let refused = bound(text, "f").unwrap_err();
+    assert!(matches!(refused, Refusal::Astray { .. }), "nothing is pushed first: {refused}");
+    let text = "Disassembly of section .text:
+
+00000000 <f>:
+   0:\tpush\t{r4, lr}
+   2:\tbl\t8 <f+0x8>
+   6:\tadds\tr0, r0, r1
+   8:\tpop\t{r4, pc}
+";
+    let listing = Listing::parse(text);
+    let found = Analyser::new(&listing, &LoopBounds::new()).bound("f");
+    assert_eq!(found, Ok(Bound { instructions: 3, stack: 8 }));
+}
+
+#[test]
+fn a_risc_v_is_compiled_and_linked() {
+    if !tpg_testing::tool("riscv64-unknown-elf-gcc", "gcc-riscv64-unknown-elf", "bounds of a RISC-V") {
+        return;
+    }
+    let folder = TempDir::new().expect("a folder");
+    // A switch becomes a table of distances; the loop needs a bound, and so does the division of floats not.
+    let source = "
+        float divide(float a, float b) { return a / b; }
+        int choose(int n, int a) {
+            switch (n) {
+            case 0: return a * 3; case 1: return a ^ 77; case 2: return a - 9; case 3: return a / 5;
+            case 4: return a << 7; case 5: return -a; case 6: return a % 11; case 7: return a | 5; default: return 1;
+            }
+        }
+        int sum(const int *a, int n) { int s = 0; for (int i = 0; i < n; i++) { s += a[i]; } return s; }
+        int entry(int n, int a, const int *b) { return choose(n, a) + sum(b, 8) + (int)divide(n, a); }
+    ";
+    fs::write(folder.path().join("a.c"), source).expect("written");
+    let compile = |args: &[&str]| {
+        let flags = ["-march=rv32imac", "-mabi=ilp32", "-O1", "-fno-inline", "a.c"];
+        let gcc = Command::new("riscv64-unknown-elf-gcc").current_dir(&folder).args(flags).args(args).status();
+        assert!(gcc.expect("a compiler").success());
+    };
+    compile(&["-c", "-o", "a.o"]);
+    let refused = disassemble(&folder.path().join("a.o")).unwrap_err();
+    assert!(refused.to_string().contains("accepted: a linked image"), "{refused}");
+    compile(&["-nostdlib", "-Wl,-e,entry", "-o", "image", "-lgcc"]);
+    let listing = disassemble(&folder.path().join("image")).expect("a listing");
+    let bounds = LoopBounds::from([("sum".to_owned(), Turns::Every(9))]);
+    let of = |name: &str| Analyser::new(&listing, &bounds).bound(name);
+    let [choose, sum, divide, entry] = ["choose", "sum", "divide", "entry"].map(|name| of(name).expect("a bound"));
+    assert!((6..20).contains(&choose.instructions), "{choose:?}");
+    assert!((9 * 4..9 * 8).contains(&sum.instructions), "{sum:?}");
+    assert!((60..400).contains(&divide.instructions) && divide.stack > 0, "{divide:?}");
+    let parts = choose.instructions + sum.instructions + divide.instructions;
+    assert!(entry.instructions > parts && entry.stack > divide.stack, "{entry:?}");
+    let refused = Analyser::new(&listing, &LoopBounds::new()).bound("entry").unwrap_err();
+    assert!(matches!(refused, Refusal::Loop { .. }), "{refused}");
+}
+
+#[test]
 fn limits_count_a_function_no_more_than_it_runs() {
     // f calls g twice and h once; h calls g as well.
     let listing = listing(

@@ -78,7 +78,7 @@ impl Row {
 pub fn graph_bytes(graph: &Graph) -> Option<[usize; 2]> {
     let flash = |profile| {
         let options = Options { profile: Some(profile), ..Options::new("policy".parse::<Prefix>().ok()?) };
-        let size = size::compile_c(graph, &options, Target::CortexM4).and_then(|object| size::measure(&object)).ok()?;
+        let size = size::compile_c(graph, &options, Target::M4f).and_then(|object| size::measure(&object)).ok()?;
         Some((size.code + size.constants + size.data) as usize)
     };
     Some([flash(Profile::Fast)?, flash(Profile::Small)?])

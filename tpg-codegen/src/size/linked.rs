@@ -1,0 +1,66 @@
+//! Compiled C linked with the library functions that it calls: the flash that they take, and the worst case of a decision.
+
+use super::object::{Size, measure};
+use super::target::Target;
+use crate::program::Program;
+use crate::shape::Shape;
+use cortex_bound::{Analyser, Bound, Listing, LoopBounds, Turns, disassemble};
+use std::path::Path;
+use std::{fs, io};
+use tpg_graph::ScalarType;
+
+/// The parts of an image that a decision reaches.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Linked {
+    /// Bytes, with those of library functions.
+    pub size: Size,
+    /// The worst case of a decision; none for cores that are not analysed, and the reason where there is none.
+    pub bound: Option<Result<Bound, String>>,
+}
+
+/// Links an object file of a folder, from `entry` on.
+pub(super) fn link(folder: &Path, target: Target, entry: &str, program: &Program<'_>) -> io::Result<Linked> {
+    let (mut command, _) = target.compiler()?;
+    let name = command.get_program().to_string_lossy().into_owned();
+    command.current_dir(folder).args(["-nostartfiles", "-Wl,--gc-sections"]).arg(format!("-Wl,-e,{entry}"));
+    let output = command.args(["policy.o", "-o", "image", "-lm"]).output()?;
+    if !output.status.success() {
+        let message = String::from_utf8_lossy(&output.stderr);
+        let first = message.lines().find(|line| line.contains("undefined") || line.contains("cannot"));
+        return Err(io::Error::other(format!("{name} cannot link it: {}", first.unwrap_or("it says nothing"))));
+    }
+    let image = folder.join("image");
+    let size = measure(&fs::read(&image)?)?;
+    let bound = target.has_bound().then(|| {
+        let listing = disassemble(&image).map_err(|error| error.to_string())?;
+        let loops = loops(program, entry, &listing);
+        Analyser::new(&listing, &loops).bound(entry).map_err(|refusal| refusal.to_string())
+    });
+    Ok(Linked { size, bound })
+}
+
+/// The turns of the loops in generated C: control comes once more to a loop's first instruction than to its body.
+fn loops(program: &Program<'_>, entry: &str, listing: &Listing) -> LoopBounds {
+    let module = &program.module;
+    let edges = module.teams.iter().map(|team| team.edges.len() as u64).max().unwrap_or(0);
+    let turns = |counts: &[u64]| Turns::Nested(counts.iter().map(|count| count + 1).collect());
+    let depth = module.depth as u64;
+    let mut loops = LoopBounds::new();
+    let walk = match &program.shape {
+        Shape::Small(code) => {
+            let longest = code.programs.windows(2).map(|ends| ends[1] - ends[0]).max().unwrap_or(0);
+            let value = if program.graph().scalar() == ScalarType::F32 { 4 } else { 8 };
+            loops.insert("memcpy".to_owned(), Turns::Every(value * code.first_result as u64 + 1));
+            // Programs run in a function of their own, of which the compiler makes variants, or in the loops of the walk and after it.
+            let run = format!("{}_run", program.options.prefix);
+            let names = listing.functions().iter().map(|function| &function.name).filter(|name| name.starts_with(&run));
+            loops.extend(names.map(|name| (name.clone(), turns(&[longest]))));
+            turns(&[depth.max(longest), edges.max(longest), longest])
+        }
+        // The table of a dense sum.
+        Shape::Integers(_) => turns(&[module.graph.outputs().len() as u64, module.graph.state_length() as u64]),
+        _ => turns(&[depth, edges]),
+    };
+    loops.insert(entry.to_owned(), walk);
+    loops
+}
