@@ -118,7 +118,7 @@ impl Report {
         let rust = if first.target == Target::M4f { &self.rust_sizes[..] } else { &[] };
         let flash_of_rust =
             |size: &ShapeSize| rust.iter().find(|rust| rust.profile == size.profile).and_then(|rust| rust.flash);
-        let columns: [(&str, &dyn Fn(&ShapeSize) -> Option<u64>); 6] = [
+        let columns: [Column<'_>; 6] = [
             ("flash", &|size| size.flash),
             ("linked", &|size| size.linked_flash),
             ("RAM", &|size| size.ram),
@@ -151,6 +151,9 @@ impl Report {
         Ok(())
     }
 }
+
+/// A column: its head, and its number of a row.
+type Column<'a> = (&'static str, &'a dyn Fn(&ShapeSize) -> Option<u64>);
 
 /// Explains the columns.
 fn explanation(sizes: &[ShapeSize]) -> &'static str {
