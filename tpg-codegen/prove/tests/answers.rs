@@ -139,8 +139,16 @@ fn bad_graphs_are_refused_with_their_place() {
         (r#""action": 1"#, r#""action": 3"#, "graph.teams[0].edges[1].action"),
         ("y[1]", "y[2]", "graph.programs[0].lines[0].args[1]"),
         (r#""unit": "m","#, r#""unit": "m", "counts": [],"#, "graph.sources[0].counts"),
+        (r#""version": 1"#, r#""version": 3"#, "graph.version"),
+        (r#""root": 7"#, r#""root": -7"#, "graph.root"),
+        (r#""id": 2, "lines""#, r#""id": 1, "lines""#, "graph.programs[2].id"),
+        (r#""program": 1"#, r#""program": 9"#, "graph.teams[0].edges[1].program"),
+        (r#""action": 1"#, r#""action": 1, "team": 7"#, "graph.teams[0].edges[1]"),
+        ("0.5]", "1e39]", "graph.programs[1].lines[0].args[0]"),
+        (r#""to": 0"#, r#""to": 2"#, "graph.programs[0].lines[0].to"),
+        (r#"["y[1]"] }] } ] }"#, r#"["y[1]"] }] } ] } }"#, "the end"),
     ] {
         let error = Graph::read("graph.json", &GRAPH.replacen(from, to, 1)).expect_err(place);
-        assert_eq!((error.file.as_str(), error.place.as_str()), ("graph.json", place));
+        assert_eq!((error.file.as_str(), error.place.as_str()), ("graph.json", place), "{error}");
     }
 }

@@ -1,6 +1,6 @@
 //! The meaning of a graph as terms, declaratively: an edge wins if no earlier bid is higher and no later one is as high.
 
-use super::{Destination, Graph, Line, Operand};
+use super::{Destination, Graph, GraphLine, GraphOperand};
 use crate::input::Missing;
 use crate::maths::{Function, Maths};
 use crate::term::{Bool, Float, Terms};
@@ -33,9 +33,9 @@ impl<'g> Meaning<'g> {
         for line in &self.graph.programs[program] {
             let operands: Vec<_> = (line.operands.iter())
                 .map(|&operand| match operand {
-                    Operand::Register(register) => registers[register],
-                    Operand::Source(index) => terms.source(index),
-                    Operand::Constant(value) => terms.constant(value),
+                    GraphOperand::Register(register) => registers[register],
+                    GraphOperand::Source(index) => terms.source(index),
+                    GraphOperand::Constant(value) => terms.constant(value),
                 })
                 .collect();
             registers[line.to] = self.line(terms, line, registers[line.to], &operands)?;
@@ -45,7 +45,7 @@ impl<'g> Meaning<'g> {
     }
 
     /// A line's result; `to` is what its register holds before.
-    fn line(&mut self, terms: &mut Terms, line: &Line, to: Float, operands: &[Float]) -> Result<Float, Missing> {
+    fn line(&mut self, terms: &mut Terms, line: &GraphLine, to: Float, operands: &[Float]) -> Result<Float, Missing> {
         let result = match (line.word.as_str(), operands) {
             ("add", &[a, b]) => terms.add(a, b),
             ("sub", &[a, b]) => terms.subtract(a, b),

@@ -18,33 +18,33 @@ pub enum Destination {
 
 /// An operand of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Operand {
+enum GraphOperand {
     Register(usize),
     Source(u32),
     Constant(f32),
 }
 
 #[derive(Clone, Debug, PartialEq)]
-struct Line {
+struct GraphLine {
     to: usize,
     word: String,
-    operands: Vec<Operand>,
+    operands: Vec<GraphOperand>,
 }
 
 #[derive(Clone, Debug)]
-struct Edge {
+struct GraphEdge {
     program: usize,
     to: Destination,
 }
 
 #[derive(Clone, Debug)]
-struct Team {
+struct GraphTeam {
     id: u64,
-    edges: Vec<Edge>,
+    edges: Vec<GraphEdge>,
 }
 
 /// The lowest and highest value of an output or of memory, and the one in place of NaN.
-type Limits = [f32; 3];
+type ValueLimits = [f32; 3];
 
 /// A graph as it is written. All numbers of programs, teams and leaves are places in the lists here.
 #[derive(Clone, Debug)]
@@ -54,12 +54,12 @@ pub struct Graph {
     registers: usize,
     /// Sine and the like are this project's own, not the platform's
     own_maths: bool,
-    programs: Vec<Vec<Line>>,
-    teams: Vec<Team>,
+    programs: Vec<Vec<GraphLine>>,
+    teams: Vec<GraphTeam>,
     /// For each leaf its programs: of outputs, then of memory
     leaves: Vec<Vec<usize>>,
     /// Of outputs, then of memory
-    limits: Vec<Limits>,
+    limits: Vec<ValueLimits>,
     start: Destination,
 }
 
@@ -87,7 +87,7 @@ impl Graph {
     pub fn constants(&self) -> Vec<f32> {
         let operands = self.programs.iter().flatten().flat_map(|line| &line.operands);
         let constants = operands.filter_map(|operand| match operand {
-            Operand::Constant(value) => Some(*value),
+            GraphOperand::Constant(value) => Some(*value),
             _ => None,
         });
         constants.collect()

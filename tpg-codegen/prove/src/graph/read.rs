@@ -1,110 +1,180 @@
 //! A reader of `graph.json`, versions 1 and 2, in binary32.
 
-use super::{Destination, Edge, Graph, Line, Operand, Team};
+use super::{Destination, Graph, GraphEdge, GraphLine, GraphOperand, GraphTeam, ValueLimits};
 use crate::input::InputError;
 use crate::machine::Interface;
-use serde_json::Value;
+use serde::Deserialize;
+use serde::de::IgnoredAny;
 use std::collections::HashMap;
 
-/// A JSON value and its place in the file.
-struct At<'a> {
-    file: &'a str,
-    place: String,
-    value: &'a Value,
+/// The file. What is not read could change what the graph means: it is refused.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+#[expect(dead_code, reason = "some members are read to be checked")]
+struct GraphJson {
+    format: FormatJson,
+    version: u32,
+    scalar: ScalarJson,
+    maths: MathsJson,
+    registers: usize,
+    #[serde(default)]
+    sources: Vec<SourceJson>,
+    instructions: IgnoredAny,
+    #[serde(default)]
+    actions: Vec<IgnoredAny>,
+    #[serde(default)]
+    outputs: Vec<OutputJson>,
+    #[serde(default)]
+    memory: Vec<MemoryJson>,
+    root: Option<u64>,
+    #[serde(default)]
+    teams: Vec<TeamJson>,
+    #[serde(default)]
+    leaves: Vec<LeafJson>,
+    programs: Vec<ProgramJson>,
+    provenance: Option<IgnoredAny>,
 }
 
-impl<'a> At<'a> {
-    fn error(&self, accepted: &str) -> InputError {
-        let mut found = self.value.to_string();
-        if found.chars().count() > 60 {
-            found = found.chars().take(57).chain("...".chars()).collect();
-        }
-        InputError { file: self.file.to_owned(), place: self.place.clone(), found, accepted: accepted.to_owned() }
-    }
+#[derive(Deserialize)]
+enum FormatJson {
+    #[serde(rename = "tpg-graph")]
+    Graph,
+}
 
-    fn member(&self, name: &str) -> At<'a> {
-        let value = self.value.get(name).unwrap_or(&Value::Null);
-        At { file: self.file, place: format!("{}.{name}", self.place), value }
-    }
+#[derive(Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum ScalarJson {
+    F32,
+}
 
-    /// Refuses members that are none of these: what is not read could change what the graph means.
-    fn only(&self, names: &[&str]) -> Result<(), InputError> {
-        let members = self.value.as_object().into_iter().flatten();
-        match members.map(|(name, _)| name).find(|name| !names.contains(&name.as_str())) {
-            None => Ok(()),
-            Some(other) => Err(self.member(other).error(&format!("none but {}", names.join(", ")))),
-        }
-    }
+#[derive(Deserialize, PartialEq)]
+#[serde(rename_all = "lowercase")]
+enum MathsJson {
+    Own,
+    System,
+}
 
-    fn list(&self) -> Result<Vec<At<'a>>, InputError> {
-        match self.value {
-            Value::Null => Ok(Vec::new()),
-            Value::Array(items) => Ok((0..).zip(items).map(|(at, value): (usize, _)| self.item(at, value)).collect()),
-            _ => Err(self.error("a list")),
-        }
-    }
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+#[expect(dead_code, reason = "a unit is for people")]
+struct SourceJson {
+    name: String,
+    length: u32,
+    unit: Option<IgnoredAny>,
+    #[serde(default)]
+    ranges: Vec<[NumberJson; 2]>,
+}
 
-    fn item(&self, at: usize, value: &'a Value) -> At<'a> {
-        At { file: self.file, place: format!("{}[{at}]", self.place), value }
-    }
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+#[expect(dead_code, reason = "a unit is for people")]
+struct OutputJson {
+    name: String,
+    unit: Option<IgnoredAny>,
+    min: NumberJson,
+    max: NumberJson,
+    nan: NumberJson,
+}
 
-    fn text(&self) -> Result<&'a str, InputError> {
-        self.value.as_str().ok_or_else(|| self.error("a text"))
-    }
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MemoryJson {
+    name: String,
+    min: NumberJson,
+    max: NumberJson,
+    initial: NumberJson,
+}
 
-    fn number(&self) -> Result<u64, InputError> {
-        self.value.as_u64().ok_or_else(|| self.error("a whole number"))
-    }
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TeamJson {
+    id: u64,
+    edges: Vec<EdgeJson>,
+}
 
-    /// The binary32 number nearest to the binary64 number nearest to what is written, as the format says.
-    fn float(&self) -> Result<f32, InputError> {
-        let value = self.value.as_f64().map(|value| value as f32);
-        value.filter(|value| value.is_finite()).ok_or_else(|| self.error("a finite number of binary32"))
-    }
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct EdgeJson {
+    program: u64,
+    team: Option<u64>,
+    action: Option<u32>,
+    leaf: Option<u64>,
+}
 
-    fn index(&self, of: &HashMap<u64, usize>, what: &str) -> Result<usize, InputError> {
-        let id = self.number()?;
-        of.get(&id).copied().ok_or_else(|| self.error(&format!("the id of a {what}")))
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LeafJson {
+    id: u64,
+    #[serde(default)]
+    programs: Vec<u64>,
+    #[serde(default)]
+    memory: Vec<u64>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ProgramJson {
+    id: u64,
+    lines: Vec<LineJson>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LineJson {
+    to: usize,
+    op: String,
+    args: Vec<OperandJson>,
+}
+
+#[derive(Deserialize)]
+#[serde(
+    untagged,
+    expecting = "something else, expected a finite number of binary32, a register or a value of a source or memory"
+)]
+enum OperandJson {
+    Number(NumberJson),
+    Name(String),
+}
+
+/// The binary32 number nearest to the binary64 number nearest to what is written, as the format says.
+#[derive(Clone, Copy, Deserialize)]
+#[serde(try_from = "f64")]
+struct NumberJson(f32);
+
+impl TryFrom<f64> for NumberJson {
+    type Error = String;
+
+    fn try_from(value: f64) -> Result<Self, String> {
+        let number = Some(Self(value as f32)).filter(|number| number.0.is_finite());
+        number.ok_or_else(|| format!("{value}, expected a finite number of binary32"))
     }
+}
+
+/// A fault of the file that is being read.
+fn fault(place: String, found: impl ToString, accepted: &str) -> InputError {
+    InputError { file: String::new(), place, found: found.to_string(), accepted: accepted.to_owned() }
 }
 
 /// The places of a list's items by their ids.
-fn ids(items: &[At<'_>]) -> Result<HashMap<u64, usize>, InputError> {
-    let mut places = HashMap::new();
-    for (place, item) in items.iter().enumerate() {
-        let id = item.member("id");
-        if places.insert(id.number()?, place).is_some() {
-            return Err(id.error("an id that no other has"));
-        }
-    }
-    Ok(places)
+struct Ids {
+    list: &'static str,
+    places: HashMap<u64, usize>,
 }
 
-/// The operands' numbers by their names.
-struct Names {
-    values: HashMap<String, u32>,
-    registers: usize,
-}
-
-impl Names {
-    fn operand(&self, at: &At<'_>) -> Result<Operand, InputError> {
-        let Some(name) = at.value.as_str() else { return at.float().map(Operand::Constant) };
-        if let Some(&index) = self.values.get(name) {
-            return Ok(Operand::Source(index));
+impl Ids {
+    fn new(list: &'static str, ids: impl Iterator<Item = u64>) -> Result<Self, InputError> {
+        let mut places = HashMap::new();
+        for (place, id) in ids.enumerate() {
+            if places.insert(id, place).is_some() {
+                return Err(fault(format!("graph.{list}[{place}].id"), id, "an id that no other has"));
+            }
         }
-        let register = name.strip_prefix('r').and_then(|number| number.parse().ok());
-        let register = register.filter(|&register| register < self.registers);
-        register.map(Operand::Register).ok_or_else(|| at.error("a number, a register or a value of a source or memory"))
+        Ok(Self { list, places })
     }
 
-    fn line(&self, at: &At<'_>) -> Result<Line, InputError> {
-        at.only(&["to", "op", "args"])?;
-        let to = at.member("to");
-        let register = usize::try_from(to.number()?).ok().filter(|&register| register < self.registers);
-        let to = register.ok_or_else(|| to.error("a register"))?;
-        let operands =
-            at.member("args").list()?.iter().map(|operand| self.operand(operand)).collect::<Result<_, _>>()?;
-        Ok(Line { to, word: at.member("op").text()?.to_owned(), operands })
+    fn find(&self, id: u64, place: impl FnOnce() -> String) -> Result<usize, InputError> {
+        let known = self.places.get(&id).copied();
+        known.ok_or_else(|| fault(place(), id, &format!("an id of {}", self.list)))
     }
 }
 
@@ -114,190 +184,150 @@ impl Graph {
     /// # Errors
     /// The first fault.
     pub fn read(file: &str, text: &str) -> Result<Self, InputError> {
-        let fault = |found: String| InputError {
-            file: file.to_owned(),
-            place: "the file".to_owned(),
-            found,
-            accepted: "a graph in JSON".to_owned(),
-        };
-        let value: Value = serde_json::from_str(text).map_err(|error| fault(error.to_string()))?;
-        let top = At { file, place: "graph".to_owned(), value: &value };
-        top.only(&[
-            "format",
-            "version",
-            "scalar",
-            "maths",
-            "registers",
-            "sources",
-            "instructions",
-            "actions",
-            "outputs",
-            "memory",
-            "root",
-            "teams",
-            "leaves",
-            "programs",
-            "provenance",
-        ])?;
-        for (member, accepted) in [("format", &["tpg-graph"][..]), ("scalar", &["f32"])] {
-            let at = top.member(member);
-            if !accepted.contains(&at.text()?) {
-                return Err(at.error(&accepted.join(" or ")));
-            }
-        }
-        if !(1..=2).contains(&top.member("version").number()?) {
-            return Err(top.member("version").error("1 or 2"));
-        }
-        Self::parts(&top)
+        let mut json = serde_json::Deserializer::from_str(text);
+        let read = serde_path_to_error::deserialize(&mut json).map_err(|error| {
+            let (path, message) = (error.path().to_string(), error.inner().to_string());
+            let (found, accepted) = message.split_once(", expected ").unwrap_or((&message, "a graph in JSON"));
+            let place = if path == "." { "graph".to_owned() } else { format!("graph.{path}") };
+            fault(place, found, accepted)
+        });
+        let end = |written| json.end().map(|()| written).map_err(|error| fault("the end".to_owned(), error, "nothing"));
+        let graph = read.and_then(end).and_then(|written| Self::resolve(&written));
+        graph.map_err(|error| InputError { file: file.to_owned(), ..error })
     }
 
-    fn parts(top: &At<'_>) -> Result<Self, InputError> {
-        let registers = top.member("registers").number()?;
-        let registers = usize::try_from(registers).ok().filter(|count| (1..=256).contains(count));
-        let registers = registers.ok_or_else(|| top.member("registers").error("1 to 256"))?;
+    fn resolve(written: &GraphJson) -> Result<Self, InputError> {
+        if !(1..=2).contains(&written.version) {
+            return Err(fault("graph.version".to_owned(), written.version, "1 or 2"));
+        }
+        let registers = written.registers;
+        if !(1..=256).contains(&registers) {
+            return Err(fault("graph.registers".to_owned(), registers, "1 to 256"));
+        }
         let (mut interface, mut ranges, mut values) = (Interface::default(), Vec::new(), HashMap::new());
-        for source in top.member("sources").list()? {
-            source.only(&["name", "length", "unit", "ranges"])?;
-            let (name, length) = (source.member("name").text()?, source.member("length"));
-            let length = u32::try_from(length.number()?).map_err(|_| length.error("fewer values"))?;
-            let declared = source.member("ranges").list()?;
-            for at in 0..length {
+        for SourceJson { name, length, ranges: declared, .. } in &written.sources {
+            for at in 0..*length {
                 values.insert(format!("{name}[{at}]"), interface.state_length() + at);
                 let range = declared.get(at as usize).or(declared.first());
-                ranges.push(range.map_or(Ok([f32::NEG_INFINITY, f32::INFINITY]), ends)?);
+                ranges.push(range.map_or([f32::NEG_INFINITY, f32::INFINITY], |ends| ends.map(|end| end.0)));
             }
-            interface.sources.push((name.to_owned(), length));
+            interface.sources.push((name.clone(), *length));
         }
-        let (mut limits, state) = (Vec::new(), interface.state_length());
-        for output in top.member("outputs").list()? {
-            output.only(&["name", "unit", "min", "max", "nan"])?;
-            interface.outputs.push(output.member("name").text()?.to_owned());
-            limits.push(["min", "max", "nan"].map(|member| output.member(member).float()));
+        let mut limits: Vec<ValueLimits> = Vec::new();
+        for OutputJson { name, min, max, nan, .. } in &written.outputs {
+            interface.outputs.push(name.clone());
+            limits.push([min.0, max.0, nan.0]);
         }
-        for (number, memory) in (state..).zip(top.member("memory").list()?) {
-            memory.only(&["name", "min", "max", "initial"])?;
-            let name = memory.member("name").text()?;
+        let state = interface.state_length();
+        for (number, MemoryJson { name, min, max, initial }) in (state..).zip(&written.memory) {
             values.insert(format!("{name}[0]"), number);
-            interface.memory.push(name.to_owned());
-            let [low, high, initial] = ["min", "max", "initial"].map(|member| memory.member(member).float());
-            ranges.push([low.clone()?, high.clone()?]);
-            limits.push([low, high, initial]);
+            interface.memory.push(name.clone());
+            ranges.push([min.0, max.0]);
+            limits.push([min.0, max.0, initial.0]);
         }
-        let limits = limits.into_iter().map(|[low, high, nan]| Ok([low?, high?, nan?])).collect::<Result<_, _>>()?;
-        let names = Names { values, registers };
-        let written = top.member("programs").list()?;
-        let program_ids = ids(&written)?;
-        let mut programs = Vec::new();
-        for program in &written {
-            program.only(&["id", "lines"])?;
-            programs
-                .push(program.member("lines").list()?.iter().map(|line| names.line(line)).collect::<Result<_, _>>()?);
-        }
-        let written = top.member("leaves").list()?;
-        let leaf_ids = ids(&written)?;
+        let programs = (written.programs.iter().enumerate()).map(|(place, program)| {
+            let lines = program.lines.iter().enumerate();
+            lines
+                .map(|(line, it)| it.read(&format!("graph.programs[{place}].lines[{line}]"), &values, registers))
+                .collect()
+        });
+        let programs = programs.collect::<Result<_, _>>()?;
+        let program_ids = Ids::new("programs", written.programs.iter().map(|program| program.id))?;
+        let leaf_ids = Ids::new("leaves", written.leaves.iter().map(|leaf| leaf.id))?;
         let mut leaves = Vec::new();
-        for leaf in &written {
-            leaf.only(&["id", "programs", "memory"])?;
+        for (place, leaf) in written.leaves.iter().enumerate() {
             let mut all = Vec::new();
-            for (member, count) in [("programs", interface.outputs.len()), ("memory", interface.memory.len())] {
-                let list = leaf.member(member);
-                let members = list.list()?;
-                if members.len() != count {
-                    return Err(list.error(&format!("{count} programs")));
+            for (member, ids, count) in
+                [("programs", &leaf.programs, written.outputs.len()), ("memory", &leaf.memory, written.memory.len())]
+            {
+                let list = format!("graph.leaves[{place}].{member}");
+                if ids.len() != count {
+                    return Err(fault(list, format!("{} programs", ids.len()), &format!("{count} programs")));
                 }
-                for program in members {
-                    all.push(program.index(&program_ids, "program")?);
+                for (at, &id) in ids.iter().enumerate() {
+                    all.push(program_ids.find(id, || format!("{list}[{at}]"))?);
                 }
             }
             leaves.push(all);
         }
-        let actions = top.member("actions").list()?.len() as u64;
-        let (teams, start) = teams(top, &program_ids, &leaf_ids, actions)?;
-        let maths = top.member("maths");
-        let own_maths = match maths.text()? {
-            "own" => true,
-            "system" => false,
-            _ => return Err(maths.error("own or system")),
+        let team_ids = Ids::new("teams", written.teams.iter().map(|team| team.id))?;
+        let mut teams = Vec::new();
+        for (place, team) in written.teams.iter().enumerate() {
+            let mut edges = Vec::new();
+            for (at, edge) in team.edges.iter().enumerate() {
+                let place = |member: &str| format!("graph.teams[{place}].edges[{at}]{member}");
+                let to = match (edge.team, edge.action, edge.leaf) {
+                    (Some(id), None, None) => Destination::Team(team_ids.find(id, || place(".team"))?),
+                    (None, Some(action), None) if (action as usize) < written.actions.len() => {
+                        Destination::Action(action)
+                    }
+                    (None, Some(action), None) => return Err(fault(place(".action"), action, "the id of an action")),
+                    (None, None, Some(id)) => Destination::Leaf(leaf_ids.find(id, || place(".leaf"))?),
+                    _ => return Err(fault(place(""), "none of them or several", "a team, an action or a leaf")),
+                };
+                edges.push(GraphEdge { program: program_ids.find(edge.program, || place(".program"))?, to });
+            }
+            if edges.is_empty() {
+                return Err(fault(format!("graph.teams[{place}].edges"), "none", "at least one edge"));
+            }
+            teams.push(GraphTeam { id: team.id, edges });
+        }
+        let start = match (written.root, leaves.len()) {
+            (Some(id), _) => Destination::Team(team_ids.find(id, || "graph.root".to_owned())?),
+            (None, 1) => Destination::Leaf(0),
+            (None, _) => return Err(fault("graph.root".to_owned(), "none", "the id of a team")),
         };
+        let own_maths = written.maths == MathsJson::Own;
         let graph = Self { interface, ranges, registers, own_maths, programs, teams, leaves, limits, start };
-        graph.leads_forward(top)?;
+        graph.leads_forward()?;
         Ok(graph)
     }
 
-    /// Refuses teams that lead back.
-    fn leads_forward(&self, top: &At<'_>) -> Result<(), InputError> {
-        // 1: on the way, 2: done
-        let mut seen = vec![0; self.teams.len()];
-        let Destination::Team(start) = self.start else { return Ok(()) };
-        let mut way = vec![(start, 0)];
-        seen[start] = 1;
-        while let Some((team, next)) = way.last_mut() {
-            let Some(edge) = self.teams[*team].edges.get(*next) else {
-                seen[*team] = 2;
-                way.pop();
-                continue;
-            };
-            *next += 1;
-            if let Destination::Team(to) = edge.to {
-                match seen[to] {
-                    0 => {
-                        seen[to] = 1;
-                        way.push((to, 0));
-                    }
-                    1 => return Err(top.member("teams").error("teams that never lead back")),
-                    _ => {}
+    /// Refuses teams that lead back: every team must come before those that it leads to.
+    fn leads_forward(&self) -> Result<(), InputError> {
+        let targets = |team: usize| {
+            let to = |edge: &GraphEdge| if let Destination::Team(to) = edge.to { Some(to) } else { None };
+            self.teams[team].edges.iter().filter_map(to)
+        };
+        let mut entering = vec![0_usize; self.teams.len()];
+        for to in (0..self.teams.len()).flat_map(targets) {
+            entering[to] += 1;
+        }
+        let mut ready: Vec<usize> = (0..self.teams.len()).filter(|&team| entering[team] == 0).collect();
+        while let Some(team) = ready.pop() {
+            for to in targets(team) {
+                entering[to] -= 1;
+                if entering[to] == 0 {
+                    ready.push(to);
                 }
             }
         }
-        Ok(())
+        match entering.iter().all(|&edges| edges == 0) {
+            true => Ok(()),
+            false => Err(fault("graph.teams".to_owned(), "a circle of teams", "teams that never lead back")),
+        }
     }
 }
 
-fn teams(
-    top: &At<'_>,
-    programs: &HashMap<u64, usize>,
-    leaves: &HashMap<u64, usize>,
-    actions: u64,
-) -> Result<(Vec<Team>, Destination), InputError> {
-    let written = top.member("teams").list()?;
-    let team_ids = ids(&written)?;
-    let mut teams = Vec::new();
-    for team in &written {
-        team.only(&["id", "edges"])?;
-        let mut edges = Vec::new();
-        for edge in team.member("edges").list()? {
-            edge.only(&["program", "team", "action", "leaf"])?;
-            let program = edge.member("program").index(programs, "program")?;
-            let [to_team, action, leaf] = ["team", "action", "leaf"].map(|member| edge.member(member));
-            let to = match [&to_team, &action, &leaf].map(|end| !end.value.is_null()) {
-                [true, false, false] => Destination::Team(to_team.index(&team_ids, "team")?),
-                [false, true, false] => {
-                    let number = action.number()?;
-                    let number = u32::try_from(number).ok().filter(|_| number < actions);
-                    Destination::Action(number.ok_or_else(|| action.error("the id of an action"))?)
-                }
-                [false, false, true] => Destination::Leaf(leaf.index(leaves, "leaf")?),
-                _ => return Err(edge.error("an edge to a team, an action or a leaf")),
+impl LineJson {
+    /// The line at a place, of the numbers of values by their names.
+    fn read(&self, place: &str, values: &HashMap<String, u32>, registers: usize) -> Result<GraphLine, InputError> {
+        if self.to >= registers {
+            return Err(fault(format!("{place}.to"), self.to, "a register"));
+        }
+        let operand = |(at, operand): (usize, &OperandJson)| {
+            let name = match operand {
+                OperandJson::Number(number) => return Ok(GraphOperand::Constant(number.0)),
+                OperandJson::Name(name) => name,
             };
-            edges.push(Edge { program, to });
-        }
-        if edges.is_empty() {
-            return Err(team.member("edges").error("at least one edge"));
-        }
-        teams.push(Team { id: team.member("id").number()?, edges });
-    }
-    let root = top.member("root");
-    let start = match (root.value.is_null(), leaves.len()) {
-        (false, _) => Destination::Team(root.index(&team_ids, "team")?),
-        (true, 1) => Destination::Leaf(0),
-        _ => return Err(root.error("the id of a team")),
-    };
-    Ok((teams, start))
-}
-
-fn ends(range: &At<'_>) -> Result<[f32; 2], InputError> {
-    match range.list()?[..] {
-        [ref low, ref high] => Ok([low.float()?, high.float()?]),
-        _ => Err(range.error("[lowest, highest]")),
+            let register = name.strip_prefix('r').and_then(|number| number.parse().ok());
+            let register = register.filter(|&register| register < registers).map(GraphOperand::Register);
+            let value = values.get(name).map(|&index| GraphOperand::Source(index)).or(register);
+            value.ok_or_else(|| {
+                fault(format!("{place}.args[{at}]"), name, "a register or a value of a source or memory")
+            })
+        };
+        let operands = self.args.iter().enumerate().map(operand).collect::<Result<_, _>>()?;
+        Ok(GraphLine { to: self.to, word: self.op.clone(), operands })
     }
 }
