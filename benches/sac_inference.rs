@@ -124,7 +124,7 @@ fn main() {
 
     let seen = Observation::at(&ARM, Pose([1500, 2100, 1900, 2300]), [120.0, 260.0, 140.0]);
     let input = nanoseconds(|| {
-        black_box(quantise(&features(&Frame::of(&ARM, black_box(&seen)))));
+        black_box(quantise(&features(&Frame::new(&ARM, black_box(&seen)))));
     });
     println!("the features of an observation, as integers: {input:.0}");
     let policy = FixedPolicy { arm: &ARM, network: &widowx_sac::NETWORK, decision: widowx_sac::DECISION };

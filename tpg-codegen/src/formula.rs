@@ -6,7 +6,7 @@ use tpg_graph::{Graph, ScalarType, Word};
 use tpg_runtime::ops::Instruction;
 
 /// The formula of a value, for a message; sums as they are computed.
-pub(crate) fn of(module: &Module<'_>, value: NodeId) -> String {
+pub(crate) fn text(module: &Module<'_>, value: NodeId) -> String {
     let formulas = Formulas::new(module, &[value], Spelling::Exact);
     let named = formulas.shared().iter().map(|(name, formula)| format!(", {name} = {formula}"));
     std::iter::once(formulas.formula(value).to_owned()).chain(named).collect()
@@ -35,12 +35,12 @@ pub(crate) struct Formulas {
 #[derive(Clone)]
 struct Term {
     text: String,
-    rank: Rank,
+    rank: Precedence,
 }
 
 /// The precedence of a term.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Rank {
+enum Precedence {
     Sum,
     Product,
     Atom,
@@ -73,7 +73,7 @@ impl Formulas {
             if uses.get(&id).is_some_and(|&uses| uses > 1) {
                 let name = format!("t{}", formulas.shared.len() + 1);
                 formulas.shared.push((name.clone(), term.text));
-                term = Term { text: name, rank: Rank::Atom };
+                term = Term { text: name, rank: Precedence::Atom };
             }
             formulas.terms.insert(id, term);
         }
@@ -92,7 +92,7 @@ impl Formulas {
 
     fn operation(&self, instruction: Instruction, [a, b]: [NodeId; 2]) -> Term {
         let [a, b] = [a, b].map(|id| &self.terms[&id]);
-        let infix = |operator: &str, rank: Rank| {
+        let infix = |operator: &str, rank: Precedence| {
             // Nothing is associative: a + (b + c) is not (a + b) + c.
             let left = if a.rank < rank { format!("({})", a.text) } else { a.text.clone() };
             let right = if b.rank <= rank { format!("({})", b.text) } else { b.text.clone() };
@@ -100,18 +100,18 @@ impl Formulas {
         };
         let call = |name: &str, operands: &[&Term]| {
             let operands: Vec<&str> = operands.iter().map(|term| term.text.as_str()).collect();
-            Term { text: format!("{name}({})", operands.join(", ")), rank: Rank::Atom }
+            Term { text: format!("{name}({})", operands.join(", ")), rank: Precedence::Atom }
         };
         match instruction {
             // Only the sign of a zero differs, which no comparison sees.
             Instruction::Add if self.spelling == Spelling::Short && a.text == "0" => b.clone(),
             Instruction::Add if self.spelling == Spelling::Short && is_negative(b) => {
-                Term { text: format!("{} - {}", a.text, &b.text[1..]), rank: Rank::Sum }
+                Term { text: format!("{} - {}", a.text, &b.text[1..]), rank: Precedence::Sum }
             }
-            Instruction::Add => infix("+", Rank::Sum),
-            Instruction::Sub => infix("-", Rank::Sum),
-            Instruction::Mul => infix("*", Rank::Product),
-            Instruction::Div => infix("/", Rank::Product),
+            Instruction::Add => infix("+", Precedence::Sum),
+            Instruction::Sub => infix("-", Precedence::Sum),
+            Instruction::Mul => infix("*", Precedence::Product),
+            Instruction::Div => infix("/", Precedence::Product),
             // C++'s have their operands the other way round.
             Instruction::Min if self.of_cpp[0] => call("std_min", &[b, a]),
             Instruction::Max if self.of_cpp[1] => call("std_max", &[b, a]),
@@ -140,11 +140,11 @@ fn leaf(graph: &Graph, node: Node, spelling: Spelling) -> Option<Term> {
             };
             let text = text.strip_suffix(".0").map_or(text.clone(), str::to_owned);
             // A sign in the middle of a formula reads badly.
-            return Some(Term { rank: if text.starts_with('-') { Rank::Sum } else { Rank::Atom }, text });
+            return Some(Term { rank: if text.starts_with('-') { Precedence::Sum } else { Precedence::Atom }, text });
         }
         Node::Operation(..) | Node::Upper(..) => return None,
     };
-    Some(Term { text, rank: Rank::Atom })
+    Some(Term { text, rank: Precedence::Atom })
 }
 
 #[cfg(test)]

@@ -133,7 +133,7 @@ pub(crate) struct Module<'g> {
 impl<'g> Module<'g> {
     /// Lowers a graph.
     pub(crate) fn lower(graph: &'g Graph) -> Self {
-        Lowering::new(graph).module()
+        ModuleBuilder::new(graph).module()
     }
 
     #[cfg(test)]
@@ -204,12 +204,12 @@ pub(crate) fn needed(nodes: &[Node], value: NodeId, missing: impl Fn(NodeId) -> 
     found.into_iter().collect()
 }
 
-struct Lowering<'g> {
+struct ModuleBuilder<'g> {
     graph: &'g Graph,
     values: Values,
 }
 
-impl<'g> Lowering<'g> {
+impl<'g> ModuleBuilder<'g> {
     fn new(graph: &'g Graph) -> Self {
         Self { graph, values: Values::default() }
     }

@@ -119,13 +119,13 @@ pub trait Configuration: Sized + Serialize {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Layers {
-    layers: Vec<Layer>,
+    layers: Vec<PresetLayer>,
     merged: toml::Table,
 }
 
 /// Settings from one place.
 #[derive(Clone, Debug)]
-struct Layer {
+struct PresetLayer {
     /// Its name in messages.
     name: String,
     /// Its text, if it is a file.
@@ -137,7 +137,7 @@ impl Layers {
     /// Begins with the settings of a preset.
     pub fn new(name: &str, table: toml::Table) -> Self {
         let merged = table.clone();
-        Self { layers: vec![Layer { name: name.to_owned(), text: None, table }], merged }
+        Self { layers: vec![PresetLayer { name: name.to_owned(), text: None, table }], merged }
     }
 
     /// Adds the settings of a file.
@@ -146,13 +146,13 @@ impl Layers {
     /// If the text is not TOML.
     pub fn add_file(&mut self, file: &str, text: &str) -> Result<(), InputError> {
         let table: toml::Table = settings::from_toml(file, text, "TOML")?;
-        self.add(Layer { name: file.to_owned(), text: Some(text.to_owned()), table });
+        self.add(PresetLayer { name: file.to_owned(), text: Some(text.to_owned()), table });
         Ok(())
     }
 
     /// Adds settings that are no text of a user's.
     pub fn add_table(&mut self, name: &str, table: toml::Table) {
-        self.add(Layer { name: name.to_owned(), text: None, table });
+        self.add(PresetLayer { name: name.to_owned(), text: None, table });
     }
 
     /// Sets one key, such as `tpg.nb_roots`.
@@ -163,10 +163,10 @@ impl Layers {
         let table = sections
             .rev()
             .fold(inner, |inner, section| toml::Table::from_iter([(section.to_owned(), toml::Value::Table(inner))]));
-        self.add(Layer { name: format!("the setting {key}"), text: None, table });
+        self.add(PresetLayer { name: format!("the setting {key}"), text: None, table });
     }
 
-    fn add(&mut self, layer: Layer) {
+    fn add(&mut self, layer: PresetLayer) {
         let name = |table: &toml::Table| table.get("problem").and_then(|problem| problem.get("name")).cloned();
         // Settings of another problem are none of this one.
         if name(&layer.table).is_some_and(|new| name(&self.merged).is_some_and(|old| old != new)) {
@@ -190,7 +190,7 @@ impl Layers {
 
     /// Puts an error about a key where its value comes from.
     fn located(&self, key: &str, error: InputError) -> InputError {
-        let has = |layer: &&Layer, key: &str| {
+        let has = |layer: &&PresetLayer, key: &str| {
             let mut value = layer.table.get(key.split('.').next().unwrap_or_default());
             for part in key.split('.').skip(1) {
                 value = value.and_then(|value| value.get(part));
@@ -200,18 +200,19 @@ impl Layers {
         let section = key.rsplit_once('.').map_or(key, |(section, _)| section);
         let newest = |key: &str| self.layers.iter().rev().find(|layer| has(layer, key));
         match newest(key).or_else(|| newest(section)) {
-            Some(Layer { name, text: Some(text), .. }) => {
+            Some(PresetLayer { name, text: Some(text), .. }) => {
                 let place = settings::place(name, text, Finding::new(key, "", "")).place;
                 InputError { file: name.clone(), place, ..error }
             }
-            Some(Layer { name, .. }) => InputError { file: name.clone(), place: Place::Whole, ..error },
+            Some(PresetLayer { name, .. }) => InputError { file: name.clone(), place: Place::Whole, ..error },
             None => error,
         }
     }
 
     /// Returns the problem's name, and the layer that it comes from.
-    fn problem(&self) -> Option<&Layer> {
-        let named = |layer: &&Layer| layer.table.get("problem").is_some_and(|problem| problem.get("name").is_some());
+    fn problem(&self) -> Option<&PresetLayer> {
+        let named =
+            |layer: &&PresetLayer| layer.table.get("problem").is_some_and(|problem| problem.get("name").is_some());
         self.layers.iter().rev().find(named)
     }
 }

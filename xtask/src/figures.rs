@@ -33,7 +33,7 @@ struct Task {
     /// Published returns with their sources.
     published: String,
     by_default: Option<Default>,
-    linear: Linear,
+    linear: LinearFit,
     trees: Trees,
 }
 
@@ -56,7 +56,7 @@ struct Default {
 /// Weighted sums: return and bytes.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Linear {
+struct LinearFit {
     random_search: (f64, u32),
     covariance: (f64, u32),
 }

@@ -51,13 +51,13 @@ impl Chain {
         let links = &arm.links;
         let straight = |axis, length| Segment { axis, tip: [0.0, 0.0, length], tip_rotation: IDENTITY };
         let [wrist, rotation, gripper] = HAND_SEGMENTS;
-        let half_turn = Turn::of(PI).about(Axis::Z);
+        let half_turn = Turn::new(PI).about(Axis::Z);
         let segments = [
             Segment { tip_rotation: half_turn, ..straight(Axis::Z, links.base) },
             Segment {
                 axis: Axis::X,
                 tip: [0.0, -links.elbow_offset, links.upper_arm],
-                tip_rotation: product(&Turn::of(FRAC_PI_2).about(Axis::X), &half_turn),
+                tip_rotation: product(&Turn::new(FRAC_PI_2).about(Axis::X), &half_turn),
             },
             straight(Axis::X, links.forearm),
             straight(Axis::X, wrist),
@@ -94,13 +94,13 @@ impl Chain {
 }
 
 impl Turn {
-    fn of(radians: f64) -> Self {
+    fn new(radians: f64) -> Self {
         Self { cos: radians.cos(), sin: radians.sin() }
     }
 
     /// Returns the turn of a motor position; the order of operations is the artifact's.
     fn at(ticks: i32) -> Self {
-        Self::of((f64::from(ticks) * (360.0 / 4096.0) - 180.0) * PI / 180.0)
+        Self::new((f64::from(ticks) * (360.0 / 4096.0) - 180.0) * PI / 180.0)
     }
 
     fn about(self, axis: Axis) -> Matrix {

@@ -93,13 +93,13 @@ impl<'a> Episode<'a> {
 
     /// Returns the current end state.
     pub fn end_state(&self) -> EndState {
-        EndState::of(self.rules, self.observation.distance(), self.collided, self.actions)
+        EndState::new(self.rules, self.observation.distance(), self.collided, self.actions)
     }
 }
 
 impl EndState {
     /// Returns the end state of an episode with the given final distance, mm, and number of actions.
-    pub fn of(rules: Rules, distance: f64, collision: bool, actions: u32) -> Self {
+    pub fn new(rules: Rules, distance: f64, collision: bool, actions: u32) -> Self {
         let success = distance < rules.tolerance;
         let score = if success {
             let left = f64::from(rules.max_actions) - f64::from(actions);

@@ -77,12 +77,12 @@ impl Figures {
         if !core.figures || !core.counts() {
             return;
         }
-        let of = self.core.entry(core.name.to_owned()).or_default();
+        let figures = self.core.entry(core.name.to_owned()).or_default();
         let costs = match program {
-            Program::C => &mut of.c,
-            Program::Rust => &mut of.rust,
-            Program::Hybrid => &mut of.hybrid,
-            Program::Layers => &mut of.layers,
+            Program::C => &mut figures.c,
+            Program::Rust => &mut figures.rust,
+            Program::Hybrid => &mut figures.hybrid,
+            Program::Layers => &mut figures.layers,
         };
         for line in lines {
             if let [first, name, rest @ ..] = &*line.words
@@ -161,11 +161,11 @@ fn is_integers(name: &str) -> bool {
 }
 
 /// Each policy in floats beside its integers, and the geometric mean of the shares.
-fn in_integers<T>(of: &BTreeMap<String, T>, number: impl Fn(&T) -> f64) -> BTreeMap<String, String> {
+fn in_integers<T>(figures: &BTreeMap<String, T>, number: impl Fn(&T) -> f64) -> BTreeMap<String, String> {
     let mut cells = BTreeMap::new();
     let mut shares = WIDTHS.map(|_| Vec::new());
-    for (name, one) in of {
-        let whole = WIDTHS.map(|bits| of.get(&format!("{name}_{bits}")));
+    for (name, one) in figures {
+        let whole = WIDTHS.map(|bits| figures.get(&format!("{name}_{bits}")));
         if let [Some(first), Some(second)] = whole {
             let [float, first, second] = [one, first, second].map(&number);
             cells.insert(name.clone(), format!("{float:.0} · {first:.0} · {second:.0}"));
@@ -223,8 +223,9 @@ impl std::fmt::Display for Figures {
             f,
             "## Flash of the C\n\nBytes of code and constants, `-Os`. Functions for floats, where a core has no FPU, come once for a \
              whole image.\n\n{}",
-            self.table(|of| {
-                of.flash
+            self.table(|figures| {
+                figures
+                    .flash
                     .iter()
                     .filter(|(name, _)| !is_integers(name))
                     .map(|(name, bytes)| (name.clone(), bytes.to_string()))
@@ -235,26 +236,30 @@ impl std::fmt::Display for Figures {
             f,
             "## Instructions of the C\n\nMean · worst of {STATES} states, counted by QEMU with `-icount`. An instruction is not a cycle; for an AVR \
              it is cycles, by simavr.\n\n{}",
-            self.table(|of| cost(&of.c))
+            self.table(|figures| cost(&figures.c))
         )?;
         writeln!(
             f,
             "## In integers\n\nThe same policies by `tpg-codegen quantise` with inputs and weights of 16 and of 8 bits, scales from the declared \
              ranges ([My chip has no FPU](no-fpu.md)), fed by counts. Instructions (AVR: cycles) of the C in the mean, in floats · 16 bits · 8 bits\n\
              ({FEWER_STATES} states); the last column is the geometric mean of the shares.\n\n{}",
-            self.table(|of| in_integers(&of.c, Cost::mean))
+            self.table(|figures| in_integers(&figures.c, Cost::mean))
         )?;
-        writeln!(f, "Bytes of flash alike.\n\n{}", self.table(|of| in_integers(&of.flash, |&bytes| bytes as f64)))?;
+        writeln!(
+            f,
+            "Bytes of flash alike.\n\n{}",
+            self.table(|figures| in_integers(&figures.flash, |&bytes| bytes as f64))
+        )?;
         writeln!(
             f,
             "## Instructions of a decision of the hybrid\n\nMean · worst, in {EPISODES} test episodes from each start: `fs` fixed, `rs` random.\n\n{}",
-            self.table(|of| cost(&of.hybrid))
+            self.table(|figures| cost(&figures.hybrid))
         )?;
         write!(
             f,
             "## Instructions of a network\n\nMean · worst of {INPUTS} inputs of a network 38-64-64-4 in integers (6,912 multiplications), by bits of \
              weights and activations\n([what a core could do](performance.md#networks-on-small-cores)).\n\n{}",
-            self.table(|of| cost(&of.layers))
+            self.table(|figures| cost(&figures.layers))
         )
     }
 }

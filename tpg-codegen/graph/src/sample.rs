@@ -144,7 +144,7 @@ pub fn graph(shape: &Shape, seed: u64) -> Graph {
 
 /// Destination of a program: a team by index, or an action.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Destination {
+enum SampledEnd {
     Team(usize),
     Action(u32),
 }
@@ -154,7 +154,7 @@ enum Destination {
 struct Sampler<'s> {
     shape: &'s Shape,
     random: ChaCha8Rng,
-    programs: Vec<(Destination, Vec<LineDocument>)>,
+    programs: Vec<(SampledEnd, Vec<LineDocument>)>,
 }
 
 impl Sampler<'_> {
@@ -167,9 +167,9 @@ impl Sampler<'_> {
         let edge = |&program: &usize| {
             let mut edge = EdgeDocument { program: program_ids[program], ..EdgeDocument::default() };
             match self.programs[program].0 {
-                Destination::Team(team) => edge.team = Some(team_ids[team]),
-                Destination::Action(action) if shape.outputs == 0 => edge.action = Some(action),
-                Destination::Action(leaf) => edge.leaf = Some(leaf),
+                SampledEnd::Team(team) => edge.team = Some(team_ids[team]),
+                SampledEnd::Action(action) if shape.outputs == 0 => edge.action = Some(action),
+                SampledEnd::Action(leaf) => edge.leaf = Some(leaf),
             }
             edge
         };
@@ -216,7 +216,7 @@ impl Sampler<'_> {
         let mut edges: Vec<Vec<usize>> = vec![Vec::new(); self.shape.teams];
         for team in 1..self.shape.teams {
             let above = if self.shape.chain { team - 1 } else { self.random.random_range(0..team) };
-            let program = self.program(Destination::Team(team));
+            let program = self.program(SampledEnd::Team(team));
             edges[above].push(program);
         }
         for (team, edges) in edges.iter_mut().enumerate() {
@@ -235,8 +235,8 @@ impl Sampler<'_> {
             return Vec::new();
         }
         let ends = self.programs.iter().filter_map(|&(to, _)| match to {
-            Destination::Action(leaf) => Some(leaf),
-            Destination::Team(_) => None,
+            SampledEnd::Action(leaf) => Some(leaf),
+            SampledEnd::Team(_) => None,
         });
         let mut reached: BTreeSet<u32> = ends.collect();
         if self.shape.teams == 0 {
@@ -252,7 +252,7 @@ impl Sampler<'_> {
         if other < self.programs.len() && self.random.random_ratio(1, 4) {
             other
         } else {
-            self.program(Destination::Action(leaf))
+            self.program(SampledEnd::Action(leaf))
         }
     }
 
@@ -267,22 +267,22 @@ impl Sampler<'_> {
         }
     }
 
-    fn destination(&mut self, from: usize) -> Destination {
+    fn destination(&mut self, from: usize) -> SampledEnd {
         let below = from + 1..self.shape.teams;
         if !self.shape.chain && !below.is_empty() && self.random.random_ratio(1, 3) {
-            Destination::Team(self.random.random_range(below))
+            SampledEnd::Team(self.random.random_range(below))
         } else {
-            Destination::Action(self.random.random_range(0..self.shape.actions))
+            SampledEnd::Action(self.random.random_range(0..self.shape.actions))
         }
     }
 
-    fn program(&mut self, to: Destination) -> usize {
+    fn program(&mut self, to: SampledEnd) -> usize {
         let count = self.random.random_range(self.shape.lines.clone());
         let lines = (0..count).map(|_| self.line()).collect();
         self.add(to, lines)
     }
 
-    fn add(&mut self, to: Destination, lines: Vec<LineDocument>) -> usize {
+    fn add(&mut self, to: SampledEnd, lines: Vec<LineDocument>) -> usize {
         self.programs.push((to, lines));
         self.programs.len() - 1
     }
@@ -331,10 +331,10 @@ impl Sampler<'_> {
     }
 }
 
-fn may_lead(from: usize, to: Destination) -> bool {
+fn may_lead(from: usize, to: SampledEnd) -> bool {
     match to {
-        Destination::Team(to) => to > from,
-        Destination::Action(_) => true,
+        SampledEnd::Team(to) => to > from,
+        SampledEnd::Action(_) => true,
     }
 }
 

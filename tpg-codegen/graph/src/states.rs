@@ -18,7 +18,7 @@ pub fn sample(graph: &Graph, count: usize, seed: u64) -> Vec<f64> {
     let values = values_of(graph);
     let mut states = Vec::with_capacity(count * values.len());
     for _ in 0..count {
-        let kind = Kind::draw(&mut random);
+        let kind = SetKind::draw(&mut random);
         states.extend(values.iter().map(|value| value.draw(kind, &mut random)));
     }
     states
@@ -32,22 +32,22 @@ pub fn replace_by_special(graph: &Graph, states: &mut [f64], seed: u64) {
     let values = values_of(graph);
     for state in states.chunks_exact_mut(values.len()).skip(EVERY - 1).step_by(EVERY) {
         for (place, value) in state.iter_mut().zip(&values) {
-            *place = value.draw(Kind::AllSpecial, &mut random);
+            *place = value.draw(SetKind::AllSpecial, &mut random);
         }
     }
 }
 
 /// The values that an input can have.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Value {
+struct ValueRange {
     range: Range,
     scalar: ScalarType,
     /// Of counts, and of memory beside them: whole numbers in these limits.
     whole: Option<Range>,
 }
 
-impl Value {
-    fn of(graph: &Graph, input: Input, range: Range) -> Self {
+impl ValueRange {
+    fn new(graph: &Graph, input: Input, range: Range) -> Self {
         let counts = graph.counts_of(input).map(|counts| {
             let [min, max] = Counts { bits: counts.container(), ..counts }.limits();
             Range { min, max }
@@ -55,7 +55,7 @@ impl Value {
         Self { range, scalar: graph.scalar(), whole: counts.or_else(|| graph.has_counts().then_some(range)) }
     }
 
-    fn draw(self, kind: Kind, random: &mut impl Rng) -> f64 {
+    fn draw(self, kind: SetKind, random: &mut impl Rng) -> f64 {
         let value = self.scalar.round(kind.value(self.range, random));
         match self.whole {
             None => value,
@@ -65,13 +65,13 @@ impl Value {
     }
 }
 
-fn values_of(graph: &Graph) -> Vec<Value> {
-    graph.inputs().zip(graph.state_ranges()).map(|(input, range)| Value::of(graph, input, range)).collect()
+fn values_of(graph: &Graph) -> Vec<ValueRange> {
+    graph.inputs().zip(graph.state_ranges()).map(|(input, range)| ValueRange::new(graph, input, range)).collect()
 }
 
 /// Samples flat states inside the declared ranges, as used by the embedded self-test.
 pub fn sample_in_range(graph: &Graph, count: usize, seed: u64) -> Vec<f64> {
-    Sampled { state: values_of(graph), count, seed }.values().collect()
+    SampledStates { state: values_of(graph), count, seed }.values().collect()
 }
 
 /// Number of states of that length to hold at a time, at most `most`: 64 MiB of values, and at least one state.
@@ -81,7 +81,7 @@ pub fn batch(state_length: usize, most: usize) -> usize {
 
 /// Distribution of the values of one state.
 #[derive(Clone, Copy)]
-enum Kind {
+enum SetKind {
     /// Uniform in the declared ranges.
     InRange,
     /// Whole numbers in the declared ranges, which make equal bids most likely.
@@ -111,7 +111,7 @@ const SPECIAL: [f64; 12] = [
     1e30,
 ];
 
-impl Kind {
+impl SetKind {
     fn draw(random: &mut impl Rng) -> Self {
         match random.random_range(0..10) {
             0..4 => Self::InRange,
@@ -164,32 +164,32 @@ impl Kind {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateSet {
-    source: Source,
+    source: StateOrigin,
     state_length: usize,
     /// Origin of the states, for human readers, without a path or a time.
     pub origin: String,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-enum Source {
+enum StateOrigin {
     Recorded(Vec<f64>),
-    Sampled(Sampled),
+    Sampled(SampledStates),
 }
 
 /// States drawn inside ranges.
 #[derive(Clone, Debug, PartialEq)]
-struct Sampled {
-    state: Vec<Value>,
+struct SampledStates {
+    state: Vec<ValueRange>,
     count: usize,
     seed: u64,
 }
 
-impl Sampled {
+impl SampledStates {
     /// Returns the values of all states, one after another.
     fn values(&self) -> impl Iterator<Item = f64> + '_ {
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         let state = (0..self.count).flat_map(|_| &self.state);
-        state.map(move |value| value.draw(Kind::InRange, &mut random))
+        state.map(move |value| value.draw(SetKind::InRange, &mut random))
     }
 }
 
@@ -200,14 +200,14 @@ impl StateSet {
     /// Samples states inside the declared ranges.
     pub fn sampled(graph: &Graph, count: usize, seed: u64) -> Self {
         let origin = format!("{count} states sampled uniformly in the declared ranges, seed {seed}");
-        let sampled = Sampled { state: values_of(graph), count, seed };
-        Self { source: Source::Sampled(sampled), state_length: graph.state_length(), origin }
+        let sampled = SampledStates { state: values_of(graph), count, seed };
+        Self { source: StateOrigin::Sampled(sampled), state_length: graph.state_length(), origin }
     }
 
     /// Takes states that were visited, in the order of the graph's sources.
     pub fn given(graph: &Graph, states: Vec<f64>) -> Self {
         let origin = format!("{} given states", states.len() / graph.state_length());
-        Self { source: Source::Recorded(states), state_length: graph.state_length(), origin }
+        Self { source: StateOrigin::Recorded(states), state_length: graph.state_length(), origin }
     }
 
     /// Reads recorded states: see [`trace`].
@@ -219,22 +219,22 @@ impl StateSet {
         let count = states.len() / graph.state_length();
         let hash = Sha256::digest(text).iter().take(8).fold(String::new(), |hex, byte| format!("{hex}{byte:02x}"));
         let origin = format!("{count} recorded states, SHA-256 {hash}...");
-        Ok(Self { source: Source::Recorded(states), state_length: graph.state_length(), origin })
+        Ok(Self { source: StateOrigin::Recorded(states), state_length: graph.state_length(), origin })
     }
 
     /// Returns the number of states.
     pub fn count(&self) -> usize {
         match &self.source {
-            Source::Recorded(states) => states.len() / self.state_length,
-            Source::Sampled(sampled) => sampled.count,
+            StateOrigin::Recorded(states) => states.len() / self.state_length,
+            StateOrigin::Sampled(sampled) => sampled.count,
         }
     }
 
     /// Returns all flat states, concatenated.
     pub fn all(&self) -> Cow<'_, [f64]> {
         match &self.source {
-            Source::Recorded(states) => Cow::Borrowed(states),
-            Source::Sampled(sampled) => sampled.values().collect::<Vec<_>>().into(),
+            StateOrigin::Recorded(states) => Cow::Borrowed(states),
+            StateOrigin::Sampled(sampled) => sampled.values().collect::<Vec<_>>().into(),
         }
     }
 
@@ -242,8 +242,8 @@ impl StateSet {
     pub fn each_batch(&self, mut use_batch: impl FnMut(&[f64])) {
         let length = batch(self.state_length, BATCH) * self.state_length;
         match &self.source {
-            Source::Recorded(states) => states.chunks(length).for_each(use_batch),
-            Source::Sampled(sampled) => {
+            StateOrigin::Recorded(states) => states.chunks(length).for_each(use_batch),
+            StateOrigin::Sampled(sampled) => {
                 let mut values = sampled.values();
                 let mut states = Vec::new();
                 loop {

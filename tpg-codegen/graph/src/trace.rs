@@ -39,7 +39,7 @@ pub fn load(path: &Path, graph: &Graph) -> Result<(Vec<f64>, String), InputError
 /// # Errors
 /// As [`load`].
 pub fn from_text(file: &str, text: &str, graph: &Graph) -> Result<Vec<f64>, InputError> {
-    let rows = Rows::read(file, text, &state_columns(graph), |_| None)?;
+    let rows = TraceRows::read(file, text, &state_columns(graph), |_| None)?;
     Ok(rows.values.iter().map(|&value| graph.scalar().round(value)).collect())
 }
 
@@ -64,7 +64,7 @@ pub fn recording_from_text(file: &str, text: &str, graph: &Graph) -> Result<Reco
         outputs => columns.extend(outputs.iter().map(|output| output.name.clone())),
     }
     let action = |name: &str| graph.actions().iter().position(|action| action.name == name);
-    let Rows { values, lines } = Rows::read(file, text, &columns, action)?;
+    let TraceRows { values, lines } = TraceRows::read(file, text, &columns, action)?;
     let mut recording = Recording { states: Vec::new(), answers: Vec::new(), lines };
     let round = |value: &f64| graph.scalar().round(*value);
     for (row, &line) in values.chunks_exact(columns.len()).zip(&recording.lines) {
@@ -90,12 +90,12 @@ fn state_columns(graph: &Graph) -> Vec<String> {
 }
 
 /// Some columns of a file, row by row.
-struct Rows {
+struct TraceRows {
     values: Vec<f64>,
     lines: Vec<usize>,
 }
 
-impl Rows {
+impl TraceRows {
     /// Reads the columns of these names. `action` finds the number of an action by its name.
     fn read(
         file: &str,
@@ -118,10 +118,10 @@ impl Rows {
             }
         }
         let mut rows = Self { values: Vec::new(), lines: Vec::new() };
-        let mut lines = Lines { text, line: 1, counted: 0 };
+        let mut lines = LineNumbers { text, line: 1, counted: 0 };
         for record in reader.records() {
             let record = record.map_err(|error| malformed(file, text, &error))?;
-            let line = record.position().map_or(1, |position| lines.of(position));
+            let line = record.position().map_or(1, |position| lines.number(position));
             rows.lines.push(line);
             for (&column, name) in columns.iter().zip(names) {
                 let text = record.get(column).unwrap_or_default();
@@ -140,16 +140,16 @@ impl Rows {
 }
 
 /// Counts lines: a reader's own count is behind where lines end with CR and LF.
-struct Lines<'t> {
+struct LineNumbers<'t> {
     text: &'t str,
     /// The line of the first byte that has not been counted.
     line: usize,
     counted: usize,
 }
 
-impl Lines<'_> {
+impl LineNumbers<'_> {
     /// Returns the line, from 1, on which the record at a position begins; positions ascend.
-    fn of(&mut self, position: &csv::Position) -> usize {
+    fn number(&mut self, position: &csv::Position) -> usize {
         let bytes = self.text.as_bytes();
         let mut start = (position.byte() as usize).clamp(self.counted, bytes.len());
         start += bytes[start..].iter().take_while(|byte| b"\r\n".contains(byte)).count();
@@ -160,7 +160,7 @@ impl Lines<'_> {
 }
 
 fn malformed(file: &str, text: &str, error: &csv::Error) -> InputError {
-    let line = |position: &csv::Position| Lines { text, line: 1, counted: 0 }.of(position);
+    let line = |position: &csv::Position| LineNumbers { text, line: 1, counted: 0 }.number(position);
     let place = error.position().map_or(Place::Whole, |position| Place::Line(line(position)));
     let found = match error.kind() {
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {

@@ -18,7 +18,7 @@ const SWEEPS: usize = 4;
 
 /// A team or an action, by its index in the graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Node {
+enum DrawnNode {
     Team(usize),
     Action(usize),
 }
@@ -31,8 +31,8 @@ pub fn figure(graph: &Graph) -> Figure {
     let mut svg = Svg::new(width, 2.0 * TOP + LAYER * layers.len() as f64);
     for (from, to, count) in edges(graph) {
         let class = match to {
-            Node::Action(action) => format!("thin c{}", joint_colour(graph, action)),
-            Node::Team(_) => "thin c7".to_owned(),
+            DrawnNode::Action(action) => format!("thin c{}", joint_colour(graph, action)),
+            DrawnNode::Team(_) => "thin c7".to_owned(),
         };
         // Two edges between the same nodes would hide each other, so a bundle is drawn once, and thicker.
         let class = if count > 1 { class.replace("thin", "line") } else { class };
@@ -40,7 +40,7 @@ pub fn figure(graph: &Graph) -> Figure {
     }
     for (&node, &at) in &places {
         match node {
-            Node::Team(team) => {
+            DrawnNode::Team(team) => {
                 let of_team = &graph.teams()[team];
                 let hint = format!("team {}: {} edges", of_team.label, of_team.edges.len());
                 let root = team == graph.root().index();
@@ -48,7 +48,7 @@ pub fn figure(graph: &Graph) -> Figure {
                 let class = if root { "middle on" } else { "middle" };
                 svg.text(class, [at[0], at[1] + 4.0], &of_team.edges.len().to_string());
             }
-            Node::Action(action) => {
+            DrawnNode::Action(action) => {
                 let name = match graph.actions().get(action) {
                     Some(action) => action.to_string(),
                     None => graph.end_name(ActionId(action as u16)),
@@ -96,22 +96,22 @@ fn joint_colour(graph: &Graph, action: usize) -> usize {
 }
 
 /// Merges edges with equal ends and counts them.
-fn edges(graph: &Graph) -> Vec<(Node, Node, usize)> {
-    let mut counts: BTreeMap<(Node, Node), usize> = BTreeMap::new();
+fn edges(graph: &Graph) -> Vec<(DrawnNode, DrawnNode, usize)> {
+    let mut counts: BTreeMap<(DrawnNode, DrawnNode), usize> = BTreeMap::new();
     for (from, team) in graph.teams().iter().enumerate() {
         for edge in &team.edges {
             let to = match edge.to {
-                Destination::Team(team) => Node::Team(team.index()),
-                Destination::Action(action) => Node::Action(usize::from(action.0)),
+                Destination::Team(team) => DrawnNode::Team(team.index()),
+                Destination::Action(action) => DrawnNode::Action(usize::from(action.0)),
             };
-            *counts.entry((Node::Team(from), to)).or_default() += 1;
+            *counts.entry((DrawnNode::Team(from), to)).or_default() += 1;
         }
     }
     counts.into_iter().map(|((from, to), count)| (from, to, count)).collect()
 }
 
 /// Returns teams by their longest path from the root, then the actions; each layer is sorted to reduce crossings.
-fn layers(graph: &Graph) -> Vec<Vec<Node>> {
+fn layers(graph: &Graph) -> Vec<Vec<DrawnNode>> {
     let edges = edges(graph);
     let mut depth = vec![0usize; graph.teams().len()];
     // Graphs are acyclic, so this ends after at most as many rounds as there are layers.
@@ -119,7 +119,7 @@ fn layers(graph: &Graph) -> Vec<Vec<Node>> {
     while changed {
         changed = false;
         for &(from, to, _) in &edges {
-            if let (Node::Team(from), Node::Team(to)) = (from, to)
+            if let (DrawnNode::Team(from), DrawnNode::Team(to)) = (from, to)
                 && depth[to] <= depth[from]
             {
                 depth[to] = depth[from] + 1;
@@ -128,19 +128,19 @@ fn layers(graph: &Graph) -> Vec<Vec<Node>> {
         }
     }
     let deepest = depth.iter().copied().max().unwrap_or(0);
-    let of_depth = |layer| (0..depth.len()).filter(|&team| depth[team] == layer).map(Node::Team).collect();
-    let mut layers: Vec<Vec<Node>> = (0..=deepest).map(of_depth).collect();
-    let used = |action: &Node| edges.iter().any(|(_, to, _)| to == action);
-    layers.push((0..graph.ends()).map(Node::Action).filter(used).collect());
+    let of_depth = |layer| (0..depth.len()).filter(|&team| depth[team] == layer).map(DrawnNode::Team).collect();
+    let mut layers: Vec<Vec<DrawnNode>> = (0..=deepest).map(of_depth).collect();
+    let used = |action: &DrawnNode| edges.iter().any(|(_, to, _)| to == action);
+    layers.push((0..graph.ends()).map(DrawnNode::Action).filter(used).collect());
     for _ in 0..SWEEPS {
         for layer in 1..layers.len() - 1 {
             let places = places(&layers);
-            let middle = |node: &Node| {
+            let middle = |node: &DrawnNode| {
                 let above = edges.iter().filter(|(_, to, _)| to == node).map(|(from, ..)| places[from][0]);
                 let (sum, count) = above.fold((0.0, 0.0), |(sum, count), x| (sum + x, count + 1.0));
                 if count > 0.0 { sum / count } else { width(&layers) / 2.0 }
             };
-            let mut sorted: Vec<(f64, Node)> = layers[layer].iter().map(|node| (middle(node), *node)).collect();
+            let mut sorted: Vec<(f64, DrawnNode)> = layers[layer].iter().map(|node| (middle(node), *node)).collect();
             sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             layers[layer] = sorted.into_iter().map(|(_, node)| node).collect();
         }
@@ -149,19 +149,20 @@ fn layers(graph: &Graph) -> Vec<Vec<Node>> {
 }
 
 /// Returns the width of a picture in which the actions have room, as far as a page has it.
-fn width(layers: &[Vec<Node>]) -> f64 {
+fn width(layers: &[Vec<DrawnNode>]) -> f64 {
     let widest = layers.iter().map(Vec::len).max().unwrap_or(0);
     (ACTION * widest as f64).clamp(COLUMN, BROAD)
 }
 
-fn places(layers: &[Vec<Node>]) -> BTreeMap<Node, Point> {
+fn places(layers: &[Vec<DrawnNode>]) -> BTreeMap<DrawnNode, Point> {
     let width = width(layers);
-    let layer = |(row, nodes): (usize, &Vec<Node>)| {
+    let layer = |(row, nodes): (usize, &Vec<DrawnNode>)| {
         let step = width / nodes.len().max(1) as f64;
         // Neighbours alternate between two heights to make room.
         let dodge = |k: usize| if step < ACTION && k % 2 == 1 { LAYER / 3.0 } else { 0.0 };
-        let place =
-            move |(k, node): (usize, &Node)| (*node, [(k as f64 + 0.5) * step, TOP + row as f64 * LAYER + dodge(k)]);
+        let place = move |(k, node): (usize, &DrawnNode)| {
+            (*node, [(k as f64 + 0.5) * step, TOP + row as f64 * LAYER + dodge(k)])
+        };
         nodes.iter().enumerate().map(place).collect::<Vec<_>>()
     };
     layers.iter().enumerate().flat_map(layer).collect()

@@ -36,7 +36,7 @@ pub struct FiveNumbers {
 
 impl FiveNumbers {
     /// Summarises a sample; `None` if it is empty.
-    pub fn of(sample: &[f64]) -> Option<Self> {
+    pub fn new(sample: &[f64]) -> Option<Self> {
         let mut sorted = sample.to_vec();
         sorted.sort_by(f64::total_cmp);
         let last = sorted.len().checked_sub(1)?;
@@ -113,7 +113,7 @@ impl Plot {
         let rows = self.legend.len().div_ceil(2) as f64;
         let mut svg = Svg::new(width, height + rows * LEGEND_ROW);
         let (xs, ys): (Vec<f64>, Vec<f64>) = self.extent().into_iter().map(|[x, y]| (x, y)).unzip();
-        let mut frame = Frame { x: self.x.fit(xs.into_iter()), y: self.y.fit(ys.into_iter()) };
+        let mut frame = PlotFrame { x: self.x.fit(xs.into_iter()), y: self.y.fit(ys.into_iter()) };
         if self.marks.iter().any(|(_, mark)| matches!(mark, Mark::Points(_))) {
             (frame.x, frame.y) = (frame.x.roomy(), frame.y.roomy());
         }
@@ -144,7 +144,7 @@ impl Plot {
             .collect()
     }
 
-    fn axes(&self, svg: &mut Svg, frame: &Frame<'_>) {
+    fn axes(&self, svg: &mut Svg, frame: &PlotFrame<'_>) {
         let [left, top, right, bottom] = MARGIN;
         let [width, height] = SIZE;
         for (value, text) in frame.y.ticks() {
@@ -163,12 +163,12 @@ impl Plot {
 }
 
 /// Both axes: maps values to positions in the picture.
-struct Frame<'a> {
+struct PlotFrame<'a> {
     x: Fitted<'a>,
     y: Fitted<'a>,
 }
 
-impl Frame<'_> {
+impl PlotFrame<'_> {
     fn at(&self, [x, y]: Point) -> Point {
         let [left, top, right, bottom] = MARGIN;
         let [width, height] = SIZE;
@@ -177,7 +177,7 @@ impl Frame<'_> {
 }
 
 impl Mark {
-    fn draw(&self, svg: &mut Svg, frame: &Frame<'_>, colour: &str) {
+    fn draw(&self, svg: &mut Svg, frame: &PlotFrame<'_>, colour: &str) {
         match self {
             Self::Line(points) => {
                 let points: Vec<Point> = points.iter().map(|&point| frame.at(point)).collect();
@@ -229,8 +229,8 @@ mod tests {
     fn five_numbers_of_a_hundred_and_one() {
         let sample: Vec<f64> = (0..=100).rev().map(f64::from).collect();
         let expected = FiveNumbers { low: 5.0, first: 25.0, median: 50.0, third: 75.0, high: 95.0 };
-        assert_eq!(FiveNumbers::of(&sample), Some(expected));
-        assert_eq!(FiveNumbers::of(&[]), None);
+        assert_eq!(FiveNumbers::new(&sample), Some(expected));
+        assert_eq!(FiveNumbers::new(&[]), None);
     }
 
     #[test]

@@ -20,7 +20,7 @@ impl Svg {
 
     /// Adds a straight line.
     pub fn line(&mut self, class: &str, from: Point, to: Point) {
-        let ([x1, y1], [x2, y2]) = (from.map(Number), to.map(Number));
+        let ([x1, y1], [x2, y2]) = (from.map(SvgNumber), to.map(SvgNumber));
         self.put(format_args!("<line class=\"{class}\" x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\"/>"));
     }
 
@@ -36,22 +36,22 @@ impl Svg {
 
     /// Adds a curve that starts and ends vertically.
     pub fn curve(&mut self, class: &str, [x, y]: Point, [to_x, to_y]: Point) {
-        let middle = Number((y + to_y) / 2.0);
-        let [x, y, to_x, to_y] = [x, y, to_x, to_y].map(Number);
+        let middle = SvgNumber((y + to_y) / 2.0);
+        let [x, y, to_x, to_y] = [x, y, to_x, to_y].map(SvgNumber);
         let path = format_args!("M{x} {y}C{x} {middle} {to_x} {middle} {to_x} {to_y}");
         self.put(format_args!("<path class=\"{class}\" d=\"{path}\"/>"));
     }
 
     /// Adds a rectangle, given by its upper left corner, width and height; `hint` is its tooltip.
     pub fn rect(&mut self, class: &str, corner: Point, size: [f64; 2], hint: &str) {
-        let ([x, y], [width, height]) = (corner.map(Number), size.map(Number));
+        let ([x, y], [width, height]) = (corner.map(SvgNumber), size.map(SvgNumber));
         let shape = format_args!("class=\"{class}\" x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"");
         self.put(format_args!("<rect {shape}>{}</rect>", Hint(hint)));
     }
 
     /// Adds a circle; `hint` is its tooltip.
     pub fn circle(&mut self, class: &str, centre: Point, radius: f64, hint: &str) {
-        let ([x, y], radius) = (centre.map(Number), Number(radius));
+        let ([x, y], radius) = (centre.map(SvgNumber), SvgNumber(radius));
         self.put(format_args!(
             "<circle class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{radius}\">{}</circle>",
             Hint(hint)
@@ -60,20 +60,20 @@ impl Svg {
 
     /// Adds a short text. The classes `middle` and `end` select which part of it is placed at `at`.
     pub fn text(&mut self, class: &str, at: Point, text: &str) {
-        let [x, y] = at.map(Number);
+        let [x, y] = at.map(SvgNumber);
         self.put(format_args!("<text class=\"{class}\" x=\"{x}\" y=\"{y}\">{}</text>", Escaped(text)));
     }
 
     /// Adds a short text that reads upwards.
     pub fn upright_text(&mut self, class: &str, at: Point, text: &str) {
-        let [x, y] = at.map(Number);
+        let [x, y] = at.map(SvgNumber);
         let turn = format_args!("transform=\"translate({x} {y}) rotate(-90)\"");
         self.put(format_args!("<text class=\"{class}\" {turn}>{}</text>", Escaped(text)));
     }
 
     /// Returns the picture as an element of a page; `title` describes it to screen readers.
     pub fn finish(self, title: &str) -> String {
-        let [width, height] = self.size.map(Number);
+        let [width, height] = self.size.map(SvgNumber);
         let title = Escaped(title);
         format!(
             "<svg viewBox=\"0 0 {width} {height}\" width=\"{width}\" role=\"img\" aria-label=\"{title}\">\n{}</svg>",
@@ -87,9 +87,9 @@ impl Svg {
 }
 
 /// A coordinate with one decimal, which is enough even in print.
-struct Number(f64);
+struct SvgNumber(f64);
 
-impl fmt::Display for Number {
+impl fmt::Display for SvgNumber {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let tenths = (self.0 * 10.0).round();
         // −0 would make equal pictures differ, and NaN or infinities would make invalid text.
@@ -102,7 +102,7 @@ struct Points<'a>(&'a [Point]);
 
 impl fmt::Display for Points<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (place, [x, y]) in self.0.iter().map(|point| point.map(Number)).enumerate() {
+        for (place, [x, y]) in self.0.iter().map(|point| point.map(SvgNumber)).enumerate() {
             write!(f, "{}{x},{y}", if place > 0 { " " } else { "" })?;
         }
         Ok(())

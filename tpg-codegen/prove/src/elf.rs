@@ -77,7 +77,7 @@ pub enum Error {
 }
 
 #[derive(Clone, Debug)]
-struct Section {
+struct ElfSection {
     start: u32,
     bytes: Vec<u8>,
     constant: bool,
@@ -86,7 +86,7 @@ struct Section {
 /// An object or linked image.
 #[derive(Clone, Debug)]
 pub struct Image {
-    sections: Vec<Section>,
+    sections: Vec<ElfSection>,
     relocations: BTreeMap<Address, Relocation>,
     functions: HashMap<String, Vec<Option<Function>>>,
     linked: bool,
@@ -116,7 +116,7 @@ impl Image {
             let start = u32::try_from(section.address()).map_err(|error| format(&error))?;
             let constant = !sh_flags.contains(elf::SHF_WRITE);
             numbers.insert(section.index(), image.sections.len());
-            image.sections.push(Section { start, bytes, constant });
+            image.sections.push(ElfSection { start, bytes, constant });
         }
         image.find_functions(&file, &numbers);
         if !linked {
@@ -276,7 +276,7 @@ impl Image {
 
     /// Returns the place of an address in the memory of a linked image.
     pub(crate) fn locate(&self, absolute: u32) -> Option<Address> {
-        let inside = |section: &Section| (absolute.wrapping_sub(section.start) as usize) < section.bytes.len();
+        let inside = |section: &ElfSection| (absolute.wrapping_sub(section.start) as usize) < section.bytes.len();
         let section = self.sections.iter().position(inside).filter(|_| self.linked)?;
         Some(Address { section, offset: absolute - self.sections[section].start })
     }

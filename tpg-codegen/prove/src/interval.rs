@@ -18,20 +18,20 @@ pub struct Interval {
 
 /// The same in numbers; no number where `low > high`.
 #[derive(Clone, Copy, Debug)]
-struct Bounds {
+struct FloatBounds {
     low: f32,
     high: f32,
     nan: bool,
 }
 
-const ANY: Bounds = Bounds { low: f32::NEG_INFINITY, high: f32::INFINITY, nan: true };
-const NOTHING: Bounds = Bounds { low: f32::INFINITY, high: f32::NEG_INFINITY, nan: false };
+const ANY: FloatBounds = FloatBounds { low: f32::NEG_INFINITY, high: f32::INFINITY, nan: true };
+const NOTHING: FloatBounds = FloatBounds { low: f32::INFINITY, high: f32::NEG_INFINITY, nan: false };
 
 /// The intervals of terms of one table.
 #[derive(Debug, Default)]
 pub struct Intervals {
     ranges: Vec<[f32; 2]>,
-    known: HashMap<Float, Bounds>,
+    known: HashMap<Float, FloatBounds>,
 }
 
 impl Intervals {
@@ -42,13 +42,13 @@ impl Intervals {
     }
 
     /// The interval of a term.
-    pub fn of(&mut self, terms: &mut Terms, term: Float) -> Interval {
+    pub fn interval(&mut self, terms: &mut Terms, term: Float) -> Interval {
         let bounds = self.bounds(terms, term);
         let bounds = if bounds.low > bounds.high && !bounds.nan { ANY } else { bounds };
         Interval { low: bounds.low.to_bits(), high: bounds.high.to_bits(), nan: bounds.nan }
     }
 
-    fn bounds(&mut self, terms: &mut Terms, term: Float) -> Bounds {
+    fn bounds(&mut self, terms: &mut Terms, term: Float) -> FloatBounds {
         if let Some(&known) = self.known.get(&term) {
             return known;
         }
@@ -56,13 +56,13 @@ impl Intervals {
             Node::Constant(bits) => {
                 let value = f32::from_bits(bits);
                 if value.is_nan() {
-                    Bounds { nan: true, ..NOTHING }
+                    FloatBounds { nan: true, ..NOTHING }
                 } else {
-                    Bounds { low: value, high: value, nan: false }
+                    FloatBounds { low: value, high: value, nan: false }
                 }
             }
             Node::Source(index) => match self.ranges.get(index as usize) {
-                Some(&[low, high]) => Bounds { low, high, nan: false },
+                Some(&[low, high]) => FloatBounds { low, high, nan: false },
                 None => ANY,
             },
             Node::Arithmetic(operation, a, b) => {
@@ -72,20 +72,20 @@ impl Intervals {
             }
             Node::Negative(a) => {
                 let a = self.bounds(terms, a);
-                Bounds { low: -a.high, high: -a.low, nan: a.nan }
+                FloatBounds { low: -a.high, high: -a.low, nan: a.nan }
             }
             Node::Magnitude(a) => {
-                let Bounds { low, high, nan } = self.bounds(terms, a);
+                let FloatBounds { low, high, nan } = self.bounds(terms, a);
                 if low > high {
-                    Bounds { nan, ..NOTHING }
+                    FloatBounds { nan, ..NOTHING }
                 } else {
                     let least = if low <= 0.0 && high >= 0.0 { 0.0 } else { low.abs().min(high.abs()) };
-                    Bounds { low: least, high: low.abs().max(high.abs()), nan }
+                    FloatBounds { low: least, high: low.abs().max(high.abs()), nan }
                 }
             }
             Node::FloatIf(condition, a, b) => {
                 let (a, b) = (self.where_holds(terms, condition, a), self.where_holds(terms, !condition, b));
-                Bounds { low: a.low.min(b.low), high: a.high.max(b.high), nan: a.nan || b.nan }
+                FloatBounds { low: a.low.min(b.low), high: a.high.max(b.high), nan: a.nan || b.nan }
             }
             _ => ANY,
         };
@@ -94,7 +94,7 @@ impl Intervals {
     }
 
     /// The bounds of a term where a condition holds.
-    fn where_holds(&mut self, terms: &mut Terms, condition: Bool, term: Float) -> Bounds {
+    fn where_holds(&mut self, terms: &mut Terms, condition: Bool, term: Float) -> FloatBounds {
         let mut bounds = self.bounds(terms, term);
         let conditions = terms.parts(condition);
         let term = terms.zero_free(term);
@@ -122,13 +122,13 @@ impl Intervals {
     }
 }
 
-fn combined(operation: Arithmetic, a: Bounds, b: Bounds, same: bool) -> Bounds {
+fn combined(operation: Arithmetic, a: FloatBounds, b: FloatBounds, same: bool) -> FloatBounds {
     let nan = a.nan || b.nan;
     if a.low > a.high || b.low > b.high {
-        return Bounds { nan, ..NOTHING };
+        return FloatBounds { nan, ..NOTHING };
     }
-    let zero = |x: Bounds| x.low <= 0.0 && x.high >= 0.0;
-    let infinite = |x: Bounds| x.low.is_infinite() || x.high.is_infinite();
+    let zero = |x: FloatBounds| x.low <= 0.0 && x.high >= 0.0;
+    let infinite = |x: FloatBounds| x.low.is_infinite() || x.high.is_infinite();
     let corners = |f: fn(f32, f32) -> f32| [f(a.low, b.low), f(a.low, b.high), f(a.high, b.low), f(a.high, b.high)];
     let (corners, undefined) = match operation {
         Arithmetic::Add => {
@@ -146,17 +146,17 @@ fn combined(operation: Arithmetic, a: Bounds, b: Bounds, same: bool) -> Bounds {
         }
         Arithmetic::Multiply => (corners(|x, y| x * y), zero(a) && infinite(b) || zero(b) && infinite(a)),
         Arithmetic::Divide if zero(b) || infinite(b) => {
-            return Bounds { nan: nan || zero(a) && zero(b) || infinite(a) && infinite(b), ..ANY };
+            return FloatBounds { nan: nan || zero(a) && zero(b) || infinite(a) && infinite(b), ..ANY };
         }
         Arithmetic::Divide => (corners(|x, y| x / y), false),
         Arithmetic::Remainder => return ANY,
     };
     if undefined && operation == Arithmetic::Multiply || corners.iter().any(|corner| corner.is_nan()) {
-        return Bounds { nan: nan || undefined, ..ANY };
+        return FloatBounds { nan: nan || undefined, ..ANY };
     }
     let [low, high] =
         [f32::min as fn(f32, f32) -> f32, f32::max].map(|f| corners.into_iter().reduce(f).unwrap_or(f32::NAN));
-    Bounds { low, high, nan: nan || undefined }
+    FloatBounds { low, high, nan: nan || undefined }
 }
 
 #[cfg(test)]
@@ -170,15 +170,15 @@ mod tests {
         let (x, y, one) = (terms.source(0), terms.source(1), terms.constant(1.0));
         let mut intervals = Intervals::new(&[[-2.0, 3.0]]);
         let square = terms.multiply(x, x);
-        let bounds = intervals.of(&mut terms, square);
+        let bounds = intervals.interval(&mut terms, square);
         assert_eq!((bounds.low, bounds.high, bounds.nan), (0, 9.0f32.to_bits(), false));
         let smaller = terms.minimum(y, one);
-        let bounds = intervals.of(&mut terms, smaller);
+        let bounds = intervals.interval(&mut terms, smaller);
         // NaN gives 1
         assert_eq!((bounds.high, bounds.nan), (1.0f32.to_bits(), false));
         let larger = terms.maximum(one, y);
-        assert!(intervals.of(&mut terms, larger).nan, "a NaN that is second is the result");
+        assert!(intervals.interval(&mut terms, larger).nan, "a NaN that is second is the result");
         let any = terms.add(y, y);
-        assert!(intervals.of(&mut terms, any).nan);
+        assert!(intervals.interval(&mut terms, any).nan);
     }
 }

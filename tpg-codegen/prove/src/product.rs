@@ -42,7 +42,7 @@ pub struct Work {
 
 /// Where the code is.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-enum Side<Point> {
+enum ProductSide<Point> {
     At(Point),
     /// It returns this action
     Action(Word),
@@ -50,13 +50,13 @@ enum Side<Point> {
 }
 
 /// The sides that follow from a point, each with its condition.
-type Pieces<Point> = HashMap<Point, Vec<(Bool, Side<Point>)>>;
+type Pieces<Point> = HashMap<Point, Vec<(Bool, ProductSide<Point>)>>;
 
 /// What can hold together, by what was assumed.
 type Combined = HashMap<(Bool, Vec<Bool>, Vec<Bool>), BTreeSet<(usize, usize)>>;
 
 /// Pairs of a side and a place of the graph, each with its condition.
-type Pairs<Point> = Vec<(Side<Point>, Destination, Bool)>;
+type Pairs<Point> = Vec<(ProductSide<Point>, Destination, Bool)>;
 
 /// Compares code with a graph.
 #[derive(Debug)]
@@ -98,7 +98,7 @@ impl fmt::Display for Concrete {
     }
 }
 
-type Ends<Point> = Vec<(Bool, Side<Point>)>;
+type Ends<Point> = Vec<(Bool, ProductSide<Point>)>;
 
 impl<'a, M: Machine> Comparison<'a, M> {
     /// A comparison in an empty table, for all states or for those in ranges.
@@ -131,7 +131,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     }
 
     fn walk(&mut self, forgetful: bool) -> Result<(), Missing> {
-        let start = Side::At(self.machine.entry(&mut self.terms)?);
+        let start = ProductSide::At(self.machine.entry(&mut self.terms)?);
         let mut pairs = vec![(start, self.graph.start(), Terms::TRUE)];
         let mut numbers = HashMap::from([(pairs[0].clone(), 0)]);
         // Of each pair those that come after it, and of each the number of those before it.
@@ -177,10 +177,10 @@ impl<'a, M: Machine> Comparison<'a, M> {
         }
     }
 
-    fn name(&self, side: &Side<M::Point>, place: Destination) -> String {
+    fn name(&self, side: &ProductSide<M::Point>, place: Destination) -> String {
         let code = match side {
-            Side::At(point) => self.machine.place(point),
-            Side::Action(_) | Side::Values(_) => "the answer".to_owned(),
+            ProductSide::At(point) => self.machine.place(point),
+            ProductSide::Action(_) | ProductSide::Values(_) => "the answer".to_owned(),
         };
         format!("{code} and {}", self.graph.name(place))
     }
@@ -188,7 +188,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     /// The pairs after a pair.
     fn follow(
         &mut self,
-        side: Side<M::Point>,
+        side: ProductSide<M::Point>,
         place: Destination,
         assumed: Bool,
         forgetful: bool,
@@ -240,11 +240,11 @@ impl<'a, M: Machine> Comparison<'a, M> {
 
     fn alone(
         &mut self,
-        side: Side<M::Point>,
+        side: ProductSide<M::Point>,
         assumed: Bool,
         team: &[(Bool, Destination)],
         pairs: &BTreeSet<(usize, usize)>,
-    ) -> Vec<(Side<M::Point>, Destination, Bool)> {
+    ) -> Vec<(ProductSide<M::Point>, Destination, Bool)> {
         let mut by_target: HashMap<Destination, Vec<Bool>> = HashMap::new();
         let mut order = Vec::new();
         for &(_, edge) in pairs {
@@ -275,7 +275,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
 
     fn together(
         &mut self,
-        side: &Side<M::Point>,
+        side: &ProductSide<M::Point>,
         place: Destination,
         assumed: Bool,
         conditions: &[Bool],
@@ -295,20 +295,20 @@ impl<'a, M: Machine> Comparison<'a, M> {
         Ok(found.pairs)
     }
 
-    fn too_many(&self, (side, place): (&Side<M::Point>, Destination)) -> Missing {
+    fn too_many(&self, (side, place): (&ProductSide<M::Point>, Destination)) -> Missing {
         Missing::new(self.name(side, place), format!("a proof of at most {} cases", self.effort.cases))
     }
 
     /// Compares answers. They are compared where the assumption can hold, which was found before.
-    fn answers(&mut self, side: &Side<M::Point>, place: Destination, assumed: Bool) -> Result<(), Missing> {
+    fn answers(&mut self, side: &ProductSide<M::Point>, place: Destination, assumed: Bool) -> Result<(), Missing> {
         let different = |what: String| Missing::new(what, "a proof that the answers are equal");
         match (side, place) {
-            (Side::Action(word), Destination::Action(action))
+            (ProductSide::Action(word), Destination::Action(action))
                 if self.terms.number_of(*word) == Some(u64::from(action)) =>
             {
                 Ok(())
             }
-            (Side::Values(values), Destination::Leaf(leaf)) => {
+            (ProductSide::Values(values), Destination::Leaf(leaf)) => {
                 let expected = self.meaning.values(&mut self.terms, leaf)?;
                 self.terms.complete(|| self.graph.name(place))?;
                 if values.len() != expected.len() {
@@ -331,7 +331,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         a: Float,
         b: Float,
         assumed: Bool,
-        (side, place): (&Side<M::Point>, Destination),
+        (side, place): (&ProductSide<M::Point>, Destination),
     ) -> Result<bool, Missing> {
         if a == b {
             return Ok(true);
@@ -363,12 +363,12 @@ impl<'a, M: Machine> Comparison<'a, M> {
     }
 
     /// Where the code can go on from a side; none where it has answered.
-    fn ends(&mut self, side: &Side<M::Point>) -> Result<Option<Ends<M::Point>>, Missing> {
+    fn ends(&mut self, side: &ProductSide<M::Point>) -> Result<Option<Ends<M::Point>>, Missing> {
         match side {
-            Side::Values(_) => Ok(None),
-            Side::Action(word) if self.terms.number_of(*word).is_some() => Ok(None),
-            Side::Action(word) => Ok(Some(self.choices(*word))),
-            Side::At(point) => {
+            ProductSide::Values(_) => Ok(None),
+            ProductSide::Action(word) if self.terms.number_of(*word).is_some() => Ok(None),
+            ProductSide::Action(word) => Ok(Some(self.choices(*word))),
+            ProductSide::At(point) => {
                 if let Some(known) = self.pieces.get(point) {
                     return Ok(Some(known.clone()));
                 }
@@ -381,11 +381,11 @@ impl<'a, M: Machine> Comparison<'a, M> {
                         continue;
                     }
                     let side = match step {
-                        Step::To(point) => Side::At(point),
-                        Step::Return(Answer::Values(values)) => Side::Values(values),
+                        Step::To(point) => ProductSide::At(point),
+                        Step::Return(Answer::Values(values)) => ProductSide::Values(values),
                         Step::Return(Answer::Action(word)) => {
                             self.count(word);
-                            Side::Action(word)
+                            ProductSide::Action(word)
                         }
                     };
                     match sides.iter_mut().find(|(_, other)| *other == side) {
@@ -429,7 +429,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
                 }
             }
         }
-        found.into_iter().map(|(word, conditions)| (self.terms.any(conditions), Side::Action(word))).collect()
+        found.into_iter().map(|(word, conditions)| (self.terms.any(conditions), ProductSide::Action(word))).collect()
     }
 
     /// The answers of the graph and of the code in one state.
@@ -452,9 +452,9 @@ impl<'a, M: Machine> Comparison<'a, M> {
             Destination::Action(action) => Concrete::Action(u64::from(action)),
             Destination::Team(_) => return Err(Missing::new(self.graph.name(place), "an answer")),
         };
-        let mut side = Side::At(self.machine.entry(&mut self.terms)?);
+        let mut side = ProductSide::At(self.machine.entry(&mut self.terms)?);
         let mut steps = 0;
-        while let Side::At(_) = side {
+        while let ProductSide::At(_) = side {
             steps += 1;
             if steps > self.effort.pairs {
                 return Err(Missing::new(self.name(&side, place), "code that ends soon"));
@@ -464,11 +464,11 @@ impl<'a, M: Machine> Comparison<'a, M> {
             side = taken.ok_or_else(|| Missing::new(self.name(&side, place), "a way on in every state"))?.1;
         }
         let found = match side {
-            Side::Action(word) => Concrete::Action(self.evaluator.word(&self.terms, word)),
-            Side::Values(values) => {
+            ProductSide::Action(word) => Concrete::Action(self.evaluator.word(&self.terms, word)),
+            ProductSide::Values(values) => {
                 Concrete::Values(values.iter().map(|&value| self.evaluator.bits(&self.terms, value)).collect())
             }
-            Side::At(_) => return Err(Missing::new("the code", "an answer")),
+            ProductSide::At(_) => return Err(Missing::new("the code", "an answer")),
         };
         self.terms.complete(|| "the code".to_owned())?;
         if self.evaluator.has_guessed() {

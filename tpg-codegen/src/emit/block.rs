@@ -24,13 +24,13 @@ enum Level {
 
 /// An expression.
 #[derive(Clone, Debug)]
-struct Expression {
+struct BlockExpression {
     text: String,
     level: Level,
     is_number: bool,
 }
 
-impl Expression {
+impl BlockExpression {
     fn atom(text: String) -> Self {
         Self { text, level: Level::Atom, is_number: false }
     }
@@ -48,16 +48,16 @@ impl Expression {
 
 /// The inputs that a value is made of.
 #[derive(Clone, Copy, PartialEq)]
-enum Of {
+enum Origin {
     Nothing,
     One(Input),
     Several,
 }
 
-impl Of {
+impl Origin {
     fn and(self, other: Self) -> Self {
         match (self, other) {
-            (Self::Nothing, of) | (of, Self::Nothing) => of,
+            (Self::Nothing, origin) | (origin, Self::Nothing) => origin,
             (a, b) if a == b => a,
             _ => Self::Several,
         }
@@ -68,13 +68,13 @@ impl Of {
 pub(super) struct Block<'a, S> {
     syntax: &'a S,
     /// The operations that are written where they are read.
-    inline: BTreeMap<NodeId, Expression>,
+    inline: BTreeMap<NodeId, BlockExpression>,
     /// The names of the others, and the expressions that compute them.
     named: BTreeMap<NodeId, (String, String)>,
     /// Named operations in scope.
     pub(super) known: BTreeSet<NodeId>,
     /// The inputs of the operations.
-    made_of: BTreeMap<NodeId, Of>,
+    made_of: BTreeMap<NodeId, Origin>,
     /// Names in use.
     taken: BTreeSet<String>,
 }
@@ -105,14 +105,14 @@ impl<'a, S: Syntax> Block<'a, S> {
             taken: wanted.values().cloned().collect(),
         };
         for id in operations {
-            let of = nodes[id.index()].operands().iter().fold(Of::Nothing, |of, operand| {
-                of.and(match nodes[operand.index()] {
-                    Node::Input(input) => Of::One(input),
-                    Node::Constant(_) => Of::Nothing,
+            let origin = nodes[id.index()].operands().iter().fold(Origin::Nothing, |origin, operand| {
+                origin.and(match nodes[operand.index()] {
+                    Node::Input(input) => Origin::One(input),
+                    Node::Constant(_) => Origin::Nothing,
                     Node::Operation(..) | Node::Upper(..) => block.made_of[operand],
                 })
             });
-            block.made_of.insert(id, of);
+            block.made_of.insert(id, origin);
             let expression = block.operation(id);
             if let Some(name) = wanted.remove(&id) {
                 block.named.insert(id, (name, expression.text));
@@ -131,11 +131,11 @@ impl<'a, S: Syntax> Block<'a, S> {
     fn name(&mut self, id: NodeId) {
         let Some(expression) = self.inline.remove(&id) else { return };
         let base = match self.made_of[&id] {
-            Of::One(input) => match self.syntax.graph().source_of(input) {
+            Origin::One(input) => match self.syntax.graph().source_of(input) {
                 (source, _) if source.ranges.len() == 1 => format!("{}_term", source.name),
                 (source, place) => format!("{}_{place}_term", source.name),
             },
-            Of::Nothing | Of::Several => "term".to_owned(),
+            Origin::Nothing | Origin::Several => "term".to_owned(),
         };
         self.named.insert(id, (unused(base, &mut self.taken), expression.text));
     }
@@ -170,21 +170,21 @@ impl<'a, S: Syntax> Block<'a, S> {
         (statements, value)
     }
 
-    fn operand(&self, id: NodeId) -> Expression {
+    fn operand(&self, id: NodeId) -> BlockExpression {
         match self.syntax.nodes()[id.index()] {
             Node::Constant(bits) => {
-                Expression { is_number: true, ..Expression::atom(self.syntax.literal(f64::from_bits(bits))) }
+                BlockExpression { is_number: true, ..BlockExpression::atom(self.syntax.literal(f64::from_bits(bits))) }
             }
-            Node::Input(input) => Expression::atom(self.syntax.input(input)),
+            Node::Input(input) => BlockExpression::atom(self.syntax.input(input)),
             Node::Operation(..) | Node::Upper(..) => match self.named.get(&id) {
-                Some((name, _)) => Expression::atom(name.clone()),
+                Some((name, _)) => BlockExpression::atom(name.clone()),
                 None => self.inline[&id].clone(),
             },
         }
     }
 
     /// An operand, which gets a name if it is longer than the limit.
-    fn within(&mut self, id: NodeId, limit: usize) -> Expression {
+    fn within(&mut self, id: NodeId, limit: usize) -> BlockExpression {
         if self.inline.get(&id).is_some_and(|expression| expression.text.len() > limit) {
             self.name(id);
         }
@@ -192,7 +192,7 @@ impl<'a, S: Syntax> Block<'a, S> {
     }
 
     /// The expression that computes an operation.
-    fn operation(&mut self, id: NodeId) -> Expression {
+    fn operation(&mut self, id: NodeId) -> BlockExpression {
         let node = self.syntax.nodes()[id.index()];
         match node {
             Node::Operation(instruction @ (Instruction::Add | Instruction::Sub), [a, b]) => {
@@ -213,18 +213,18 @@ impl<'a, S: Syntax> Block<'a, S> {
             Node::Operation(Instruction::Div, [a, b]) => {
                 let (a, b) = (self.within(a, LONGEST_FACTOR), self.within(b, LONGEST_FACTOR));
                 let text = format!("{} / {}", a.at(Level::Product), b.at(Level::Atom));
-                Expression { text, level: Level::Product, is_number: false }
+                BlockExpression { text, level: Level::Product, is_number: false }
             }
             Node::Operation(instruction, _) => {
                 let total: usize = node.operands().iter().map(|&id| self.value(id).len() + 2).sum();
                 let limit = if total > LONGEST_ARGUMENTS { LONGEST_ARGUMENTS / 3 } else { LONGEST_ARGUMENTS };
                 let arguments: Vec<String> =
                     node.operands().iter().map(|&id| self.call_argument(node, id, limit)).collect();
-                Expression::atom(self.syntax.call(instruction, &arguments.join(", ")))
+                BlockExpression::atom(self.syntax.call(instruction, &arguments.join(", ")))
             }
             Node::Upper(instruction, value) => {
                 let value = self.within(value, LONGEST_ARGUMENTS).text;
-                Expression::atom(self.syntax.upper(instruction, &value))
+                BlockExpression::atom(self.syntax.upper(instruction, &value))
             }
             Node::Constant(_) | Node::Input(_) => self.operand(id),
         }
@@ -241,31 +241,31 @@ impl<'a, S: Syntax> Block<'a, S> {
 
 /// A sum. To add a negative number, or a product with one, is to subtract the positive one, bit for bit; a number comes last, a sum
 /// first.
-fn sum(a: &Expression, b: &Expression) -> Expression {
+fn sum(a: &BlockExpression, b: &BlockExpression) -> BlockExpression {
     let swap = a.is_number && !b.is_number || b.level == Level::Sum && a.level != Level::Sum;
     let (a, b) = if swap { (b, a) } else { (a, b) };
     let text = match b.negated() {
         Some(positive) => format!("{} - {positive}", a.text),
         None => format!("{} + {}", a.text, b.at(Level::Product)),
     };
-    Expression { text, level: Level::Sum, is_number: false }
+    BlockExpression { text, level: Level::Sum, is_number: false }
 }
 
 /// A difference, which to a negative number is a sum.
-fn difference(a: &Expression, b: &Expression) -> Expression {
+fn difference(a: &BlockExpression, b: &BlockExpression) -> BlockExpression {
     let text = match b.negated() {
         Some(positive) => format!("{} + {positive}", a.text),
         None => format!("{} - {}", a.text, b.at(Level::Product)),
     };
-    Expression { text, level: Level::Sum, is_number: false }
+    BlockExpression { text, level: Level::Sum, is_number: false }
 }
 
 /// A product: a number comes first, or a product.
-fn product(a: &Expression, b: &Expression) -> Expression {
+fn product(a: &BlockExpression, b: &BlockExpression) -> BlockExpression {
     let swap = b.is_number && !a.is_number || b.level == Level::Product && a.level != Level::Product;
     let (a, b) = if swap { (b, a) } else { (a, b) };
     let text = format!("{} * {}", a.at(Level::Product), b.at(Level::Atom));
-    Expression { text, level: Level::Product, is_number: false }
+    BlockExpression { text, level: Level::Product, is_number: false }
 }
 
 /// A name that is not taken, which it is then.

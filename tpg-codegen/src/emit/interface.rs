@@ -115,17 +115,17 @@ mod tests {
 
     #[test]
     fn each_value_has_its_own_range_where_they_differ() {
-        let of = |min, max| Range { min, max };
-        assert_eq!(range(&[of(-1.0, 1.0)]), "-1 to 1");
-        assert_eq!(range(&[of(-1.0, 1.0), of(-1.0, 1.0)]), "-1 to 1");
-        assert_eq!(range(&[of(-1.0, 1.0), of(-0.0, 2.5)]), "-1 to 1; 0 to 2.5");
+        let between = |min, max| Range { min, max };
+        assert_eq!(range(&[between(-1.0, 1.0)]), "-1 to 1");
+        assert_eq!(range(&[between(-1.0, 1.0), between(-1.0, 1.0)]), "-1 to 1");
+        assert_eq!(range(&[between(-1.0, 1.0), between(-0.0, 2.5)]), "-1 to 1; 0 to 2.5");
     }
 
     #[test]
     fn a_range_has_the_digits_that_it_needs() {
-        let of = |min, max| super::meaning("", &range(&[Range { min, max }]));
-        assert_eq!(of(f64::from(-4.8_f32), f64::from(4.8_f32)), "-4.8 to 4.8");
-        assert_eq!(of(-4.8, 4.8), "-4.8 to 4.8");
-        assert_eq!(of(0.1, 1e6), "0.1 to 1000000");
+        let text = |min, max| super::meaning("", &range(&[Range { min, max }]));
+        assert_eq!(text(f64::from(-4.8_f32), f64::from(4.8_f32)), "-4.8 to 4.8");
+        assert_eq!(text(-4.8, 4.8), "-4.8 to 4.8");
+        assert_eq!(text(0.1, 1e6), "0.1 to 1000000");
     }
 }

@@ -22,7 +22,7 @@ pub(super) struct TeamView<J> {
     /// The variable that holds the winner: its destination, or its place.
     pub(super) winner: &'static str,
     /// Its value before a bid wins.
-    pub(super) nobody: String,
+    pub(super) initial: String,
     /// The first bid, where it is a number: it leads without a test.
     pub(super) first: Option<BidView>,
     pub(super) eager: Vec<BidView>,
@@ -38,7 +38,7 @@ pub(super) enum Decision<J> {
     Either(String, J, J),
     /// The winner is the answer.
     Winner,
-    /// The winners of each destination; nobody is among the last's, which is taken if no bid wins.
+    /// The winners of each destination; the last is also taken if no bid wins.
     Ways(Vec<(Vec<String>, J)>),
 }
 
@@ -92,7 +92,7 @@ pub(super) fn view<D: Destinations>(syntax: &impl Syntax, plan: &TeamSchedule, t
     // Only a number that another bid is compared with later is hidden.
     let hides_zeros = !chooses_of_two && syntax.hides_zeros();
     let mut team =
-        Team { syntax, plan, targets: &targets, ranks, ascending, hides_zeros, block: block(syntax, plan, to) };
+        TeamBuilder { syntax, plan, targets: &targets, ranks, ascending, hides_zeros, block: block(syntax, plan, to) };
     let (mut eager, mut lazy, mut first) = (Vec::new(), Vec::new(), None);
     // With one way to go, no bid matters.
     if targets.len() > 1 {
@@ -128,7 +128,7 @@ pub(super) fn view<D: Destinations>(syntax: &impl Syntax, plan: &TeamSchedule, t
             false if ascending => "next",
             false => "edge",
         },
-        nobody: if ascending { team.rank_of(targets.len() - 1) } else { syntax.index(0) },
+        initial: if ascending { team.rank_of(targets.len() - 1) } else { syntax.index(0) },
         first,
         eager,
         lazy,
@@ -157,7 +157,7 @@ fn block<'a, S: Syntax>(syntax: &'a S, plan: &TeamSchedule, to: &impl Destinatio
     Block::new(syntax, reads)
 }
 
-struct Team<'a, S> {
+struct TeamBuilder<'a, S> {
     syntax: &'a S,
     plan: &'a TeamSchedule,
     /// The distinct destinations of the edges; the last is the last edge's.
@@ -170,7 +170,7 @@ struct Team<'a, S> {
     block: Block<'a, S>,
 }
 
-impl<S: Syntax> Team<'_, S> {
+impl<S: Syntax> TeamBuilder<'_, S> {
     fn rank_of(&self, destination: usize) -> String {
         self.ranks[destination].clone()
     }
@@ -188,9 +188,9 @@ impl<S: Syntax> Team<'_, S> {
             true => vec![self.rank_of(number)],
             false => {
                 let leads = self.plan.targets.iter().enumerate().filter(|&(_, &to)| to == target);
-                let nobody = (number + 1 == self.targets.len() && !self.plan.leads_at_first(self.syntax.nodes()))
+                let no_winner = (number + 1 == self.targets.len() && !self.plan.leads_at_first(self.syntax.nodes()))
                     .then(|| self.syntax.index(0));
-                nobody.into_iter().chain(leads.map(|(place, _)| self.syntax.index(place + 1))).collect()
+                no_winner.into_iter().chain(leads.map(|(place, _)| self.syntax.index(place + 1))).collect()
             }
         };
         self.targets.iter().enumerate().map(|way| (ranks(way), to.jump(*way.1))).collect()

@@ -97,16 +97,16 @@ fn candidates(graph: &Graph, samples: usize) -> Vec<f64> {
         states::sample_in_range(graph, FIRST, SEED)
     };
     let inside = states::sample_in_range(graph, samples, SEED + 1);
-    let nearer = inside.chunks_exact(length).zip(1..).flat_map(|(state, number)| {
+    let shrunk = inside.chunks_exact(length).zip(1..).flat_map(|(state, number)| {
         let share = 0.5_f64.powi(number % 12);
         state.iter().map(move |&value| value * share)
     });
-    let nearer: Vec<f64> = nearer.map(|value| exact(graph, value)).collect();
+    let shrunk: Vec<f64> = shrunk.map(|value| exact(graph, value)).collect();
     // The platform's functions may round to the other side of a border.
     let rounds = |word: &Word| matches!(word, Word::Instruction(instruction) if instruction.is_transcendental());
     let is_exact = graph.maths() == MathsProvider::Own || !graph.instructions().iter().any(rounds);
     let borders = if is_exact { borders(graph, &inside) } else { Vec::new() };
-    [first, borders, nearer, inside].concat()
+    [first, borders, shrunk, inside].concat()
 }
 
 /// The value of the graph's type, or the count, that is nearest.
@@ -140,7 +140,7 @@ fn borders(graph: &Graph, states: &[f64]) -> Vec<f64> {
 
 /// A number of a graph.
 #[derive(Clone, Copy)]
-enum Place {
+enum CheckedPlace {
     /// A constant: program, line and operand.
     Operand(usize, usize, usize),
     /// The lower or upper limit of an output.
@@ -150,25 +150,28 @@ enum Place {
 /// The graph with each of its numbers changed in turn: constants that a program's result depends on, and limits of outputs.
 fn changed(graph: &Graph, most: usize) -> Vec<Graph> {
     let document = graph.to_document();
-    let limits = (0..document.outputs.len()).flat_map(|output| [false, true].map(|upper| Place::Limit(output, upper)));
-    let mut places: Vec<Place> = limits.collect();
+    let limits =
+        (0..document.outputs.len()).flat_map(|output| [false, true].map(|upper| CheckedPlace::Limit(output, upper)));
+    let mut places: Vec<CheckedPlace> = limits.collect();
     for (program, code) in graph.programs().iter().enumerate() {
         let read = dataflow::effective(usize::from(graph.registers()), &code.lines);
         for (line, _) in read.into_iter().enumerate().filter(|(_, read)| *read) {
             let operands = 0..document.programs[program].lines[line].args.len();
-            places.extend(operands.map(|operand| Place::Operand(program, line, operand)));
+            places.extend(operands.map(|operand| CheckedPlace::Operand(program, line, operand)));
         }
     }
-    let change = |place: Place| {
+    let change = |place: CheckedPlace| {
         let mut document = document.clone();
         let (value, share) = match place {
-            Place::Operand(program, line, operand) => match &mut document.programs[program].lines[line].args[operand] {
-                OperandDocument::Constant(value) => (value, 1.01),
-                OperandDocument::Place(_) => return None,
-            },
+            CheckedPlace::Operand(program, line, operand) => {
+                match &mut document.programs[program].lines[line].args[operand] {
+                    OperandDocument::Constant(value) => (value, 1.01),
+                    OperandDocument::Place(_) => return None,
+                }
+            }
             // nearer to zero, where the rest of the output stays valid
-            Place::Limit(output, false) => (&mut document.outputs[output].min, 0.99),
-            Place::Limit(output, true) => (&mut document.outputs[output].max, 0.99),
+            CheckedPlace::Limit(output, false) => (&mut document.outputs[output].min, 0.99),
+            CheckedPlace::Limit(output, true) => (&mut document.outputs[output].max, 0.99),
         };
         let more = exact(graph, *value * share);
         *value = match more == *value {

@@ -25,7 +25,7 @@ pub(crate) struct Integers {
 
 impl Integers {
     /// The interval of a node.
-    pub(crate) fn of(&self, id: NodeId) -> Whole {
+    pub(crate) fn interval(&self, id: NodeId) -> Whole {
         self.values[id.index()]
     }
 
@@ -57,7 +57,7 @@ pub(crate) fn analyse(file: &str, module: &Module<'_>) -> Result<Vec<Whole>, Inp
             Ok(value) => values.push(value),
             Err(unfit) => {
                 let id = NodeId(place as u32);
-                let formula = formula::of(module, id);
+                let formula = formula::text(module, id);
                 let (why, accepted) = match unfit {
                     Unfit::NotWhole => {
                         ("may be a fraction".to_owned(), "whole numbers: quotient(a, b) divides and rounds down")

@@ -204,15 +204,15 @@ mod tests {
 
     #[test]
     fn ends_are_reached() {
-        let of = |low, high| Whole { low, high };
+        let between = |low, high| Whole { low, high };
         let apply = Whole::apply;
-        assert_eq!(apply(Instruction::Quotient, of(-7, 7), of(2, 3)), Ok(of(-4, 3)));
-        assert_eq!(apply(Instruction::Quotient, of(5, 7), of(0, 0)), Ok(of(2147483647, 2147483647)));
-        assert_eq!(apply(Instruction::Quotient, of(0, 7), of(-1, 1)), Ok(of(-2147483648, 2147483647)));
-        assert_eq!(apply(Instruction::NegateIfLess, of(-5, 3), of(0, 0)), Ok(of(0, 5)));
-        assert_eq!(apply(Instruction::Mul, of(0, 1 << 40), of(0, 1 << 40)), Err(Unfit::TooGreat(1 << 80)));
-        assert_eq!(apply(Instruction::Div, of(1, 2), of(1, 1)), Err(Unfit::NotWhole));
-        assert_eq!(apply(Instruction::Fmod, of(1, 2), of(0, 1)), Err(Unfit::ByZero));
+        assert_eq!(apply(Instruction::Quotient, between(-7, 7), between(2, 3)), Ok(between(-4, 3)));
+        assert_eq!(apply(Instruction::Quotient, between(5, 7), between(0, 0)), Ok(between(2147483647, 2147483647)));
+        assert_eq!(apply(Instruction::Quotient, between(0, 7), between(-1, 1)), Ok(between(-2147483648, 2147483647)));
+        assert_eq!(apply(Instruction::NegateIfLess, between(-5, 3), between(0, 0)), Ok(between(0, 5)));
+        assert_eq!(apply(Instruction::Mul, between(0, 1 << 40), between(0, 1 << 40)), Err(Unfit::TooGreat(1 << 80)));
+        assert_eq!(apply(Instruction::Div, between(1, 2), between(1, 1)), Err(Unfit::NotWhole));
+        assert_eq!(apply(Instruction::Fmod, between(1, 2), between(0, 1)), Err(Unfit::ByZero));
         assert_eq!(Whole::exactly(0.5), Err(Unfit::NotWhole));
         assert_eq!(Whole::exactly(f64::INFINITY), Err(Unfit::ByZero));
         assert_eq!((Whole::of_bits(16).low, Whole::of_bits(16).high), (-32768, 32767));

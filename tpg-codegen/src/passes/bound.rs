@@ -15,7 +15,7 @@ use tpg_runtime::ops::Instruction;
 
 /// A bound on a value by cheap nodes, valid wherever these are not NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Bound {
+enum UpperBound {
     /// The value itself is cheap.
     Exact(NodeId),
     /// Its magnitude is at most this.
@@ -24,7 +24,7 @@ enum Bound {
     Between(Option<NodeId>, Option<NodeId>),
 }
 
-const UNKNOWN: Bound = Bound::Between(None, None);
+const UNKNOWN: UpperBound = UpperBound::Between(None, None);
 
 /// Makes bounds of a module's values.
 pub(super) struct Bounds<'a> {
@@ -37,7 +37,7 @@ pub(super) struct Bounds<'a> {
     /// Logarithms and exponentials of what the policy computes are estimated.
     estimates: bool,
     /// The bounds of the module's nodes computed so far.
-    known: Vec<Option<Bound>>,
+    known: Vec<Option<UpperBound>>,
 }
 
 impl<'a> Bounds<'a> {
@@ -60,7 +60,7 @@ impl<'a> Bounds<'a> {
     }
 
     /// The bound of a node, operands first: expressions can be deeper than the stack.
-    fn bound(&mut self, id: NodeId) -> Bound {
+    fn bound(&mut self, id: NodeId) -> UpperBound {
         let mut open = vec![id];
         while let Some(&id) = open.last() {
             if self.known[id.index()].is_some() {
@@ -74,7 +74,7 @@ impl<'a> Bounds<'a> {
                 open.push(operand);
                 continue;
             }
-            let bound = if cheap { Bound::Exact(id) } else { self.operation(node) };
+            let bound = if cheap { UpperBound::Exact(id) } else { self.operation(node) };
             self.known[id.index()] = Some(self.at_least_static(id, bound));
             open.pop();
         }
@@ -82,64 +82,68 @@ impl<'a> Bounds<'a> {
     }
 
     /// Falls back on what holds for every state.
-    fn at_least_static(&mut self, id: NodeId, bound: Bound) -> Bound {
+    fn at_least_static(&mut self, id: NodeId, bound: UpperBound) -> UpperBound {
         let Interval { low, high, .. } = self.intervals[id.index()];
         let mut number = |end: f64| end.is_finite().then(|| self.values.intern(Node::constant(end)));
         match bound {
-            Bound::Between(known_low, known_high) => {
-                Bound::Between(known_low.or_else(|| number(low)), known_high.or_else(|| number(high)))
+            UpperBound::Between(known_low, known_high) => {
+                UpperBound::Between(known_low.or_else(|| number(low)), known_high.or_else(|| number(high)))
             }
-            Bound::Exact(_) | Bound::Magnitude(_) => bound,
+            UpperBound::Exact(_) | UpperBound::Magnitude(_) => bound,
         }
     }
 
-    fn operation(&mut self, node: Node) -> Bound {
+    fn operation(&mut self, node: Node) -> UpperBound {
         let Node::Operation(instruction, ids) = node else {
             return UNKNOWN;
         };
         let [a, b] = ids.map(|id| self.known[id.index()].unwrap_or(UNKNOWN));
         match instruction {
             Instruction::Add => match (a, b) {
-                (Bound::Magnitude(a), Bound::Magnitude(b)) => Bound::Magnitude(self.make(Instruction::Add, a, b)),
+                (UpperBound::Magnitude(a), UpperBound::Magnitude(b)) => {
+                    UpperBound::Magnitude(self.make(Instruction::Add, a, b))
+                }
                 _ => {
                     let high = self.both(Instruction::Add, Self::high, a, Self::high, b);
                     let low = match (a, b) {
-                        (a, Bound::Magnitude(b)) => self.low(a).map(|a| self.make(Instruction::Sub, a, b)),
-                        (Bound::Magnitude(a), b) => self.low(b).map(|b| self.make(Instruction::Sub, b, a)),
+                        (a, UpperBound::Magnitude(b)) => self.low(a).map(|a| self.make(Instruction::Sub, a, b)),
+                        (UpperBound::Magnitude(a), b) => self.low(b).map(|b| self.make(Instruction::Sub, b, a)),
                         (a, b) => self.both(Instruction::Add, Self::low, a, Self::low, b),
                     };
-                    Bound::Between(low, high)
+                    UpperBound::Between(low, high)
                 }
             },
             Instruction::Sub => match (a, b) {
-                (Bound::Magnitude(a), Bound::Magnitude(b)) => Bound::Magnitude(self.make(Instruction::Add, a, b)),
-                (a, Bound::Magnitude(b)) => {
+                (UpperBound::Magnitude(a), UpperBound::Magnitude(b)) => {
+                    UpperBound::Magnitude(self.make(Instruction::Add, a, b))
+                }
+                (a, UpperBound::Magnitude(b)) => {
                     let high = self.high(a).map(|a| self.make(Instruction::Add, a, b));
                     let low = self.low(a).map(|a| self.make(Instruction::Sub, a, b));
-                    Bound::Between(low, high)
+                    UpperBound::Between(low, high)
                 }
                 (a, b) => {
                     let high = self.both(Instruction::Sub, Self::high, a, Self::low, b);
                     // The lower end of a magnitude is its negative, which has no node: leave it.
-                    let low = if matches!(a, Bound::Magnitude(_)) {
+                    let low = if matches!(a, UpperBound::Magnitude(_)) {
                         None
                     } else {
                         self.both(Instruction::Sub, Self::low, a, Self::high, b)
                     };
-                    Bound::Between(low, high)
+                    UpperBound::Between(low, high)
                 }
             },
             Instruction::Mul => match (self.magnitude(a), self.magnitude(b)) {
-                (Some(a), Some(b)) => Bound::Magnitude(self.make(Instruction::Mul, a, b)),
+                (Some(a), Some(b)) => UpperBound::Magnitude(self.make(Instruction::Mul, a, b)),
                 _ => UNKNOWN,
             },
             Instruction::Div => {
                 let divisor = match b {
-                    Bound::Exact(b) => Some(self.abs(b)),
-                    Bound::Magnitude(_) | Bound::Between(..) => self.least_magnitude(ids[1]),
+                    UpperBound::Exact(b) => Some(self.abs(b)),
+                    UpperBound::Magnitude(_) | UpperBound::Between(..) => self.least_magnitude(ids[1]),
                 };
                 match (self.magnitude(a), divisor) {
-                    (Some(a), Some(b)) => Bound::Magnitude(self.make(Instruction::Div, a, b)),
+                    (Some(a), Some(b)) => UpperBound::Magnitude(self.make(Instruction::Div, a, b)),
                     _ => UNKNOWN,
                 }
             }
@@ -148,35 +152,35 @@ impl<'a> Bounds<'a> {
             }
             // Not farther from 0 than the first operand.
             Instruction::NegateIfLess | Instruction::Abs | Instruction::Fmod | Instruction::Gate => {
-                self.magnitude(a).map_or(UNKNOWN, Bound::Magnitude)
+                self.magnitude(a).map_or(UNKNOWN, UpperBound::Magnitude)
             }
-            Instruction::Cos | Instruction::Sin => Bound::Magnitude(self.values.intern(Node::constant(1.0))),
+            Instruction::Cos | Instruction::Sin => UpperBound::Magnitude(self.values.intern(Node::constant(1.0))),
             Instruction::Ln => {
                 let high = self.function(Instruction::Ln, a);
                 // The estimate is near only where its argument is the logarithm's own.
-                let low = high.filter(|_| matches!(a, Bound::Exact(_))).map(|high| {
+                let low = high.filter(|_| matches!(a, UpperBound::Exact(_))).map(|high| {
                     let less = self.values.intern(Node::constant(estimate::LN_LESS));
                     self.make(Instruction::Sub, high, less)
                 });
-                Bound::Between(low, high)
+                UpperBound::Between(low, high)
             }
             Instruction::Exp => {
                 let zero = self.values.intern(Node::constant(0.0));
-                Bound::Between(Some(zero), self.function(Instruction::Exp, a))
+                UpperBound::Between(Some(zero), self.function(Instruction::Exp, a))
             }
             // Never above the second operand, NaN or not.
-            Instruction::Min => Bound::Between(None, self.high(b)),
+            Instruction::Min => UpperBound::Between(None, self.high(b)),
             // Of a NaN, it is the second; of numbers, one of both: the sum of their magnitudes is not below either, and NaN
             // where one of them is.
             Instruction::Max => match (self.magnitude(a), self.magnitude(b)) {
-                (Some(a), Some(b)) => Bound::Magnitude(self.make(Instruction::Add, a, b)),
+                (Some(a), Some(b)) => UpperBound::Magnitude(self.make(Instruction::Add, a, b)),
                 _ => UNKNOWN,
             },
         }
     }
 
     /// An estimate at the argument's bound. `None` if that is constant: interval analysis has a tighter result.
-    fn function(&mut self, instruction: Instruction, argument: Bound) -> Option<NodeId> {
+    fn function(&mut self, instruction: Instruction, argument: UpperBound) -> Option<NodeId> {
         let argument = self.high(argument)?;
         let known = self.values.node(argument).as_constant().is_some();
         (!known && self.estimates).then(|| self.values.intern(Node::Upper(instruction, argument)))
@@ -185,41 +189,41 @@ impl<'a> Bounds<'a> {
     fn both(
         &mut self,
         instruction: Instruction,
-        end_of_a: fn(&mut Self, Bound) -> Option<NodeId>,
-        a: Bound,
-        end_of_b: fn(&mut Self, Bound) -> Option<NodeId>,
-        b: Bound,
+        end_of_a: fn(&mut Self, UpperBound) -> Option<NodeId>,
+        a: UpperBound,
+        end_of_b: fn(&mut Self, UpperBound) -> Option<NodeId>,
+        b: UpperBound,
     ) -> Option<NodeId> {
         let a = end_of_a(self, a)?;
         let b = end_of_b(self, b)?;
         Some(self.make(instruction, a, b))
     }
 
-    fn high(&mut self, bound: Bound) -> Option<NodeId> {
+    fn high(&mut self, bound: UpperBound) -> Option<NodeId> {
         match bound {
-            Bound::Exact(id) | Bound::Magnitude(id) => Some(id),
-            Bound::Between(_, high) => high,
+            UpperBound::Exact(id) | UpperBound::Magnitude(id) => Some(id),
+            UpperBound::Between(_, high) => high,
         }
     }
 
     /// The lower end, where it has a node: −m has none unless m is a number.
-    fn low(&mut self, bound: Bound) -> Option<NodeId> {
+    fn low(&mut self, bound: UpperBound) -> Option<NodeId> {
         match bound {
-            Bound::Exact(id) => Some(id),
-            Bound::Magnitude(id) => {
+            UpperBound::Exact(id) => Some(id),
+            UpperBound::Magnitude(id) => {
                 let number = self.values.node(id).as_constant()?;
                 Some(self.values.intern(Node::constant(-number)))
             }
-            Bound::Between(low, _) => low,
+            UpperBound::Between(low, _) => low,
         }
     }
 
     /// A node that the magnitude is not above.
-    fn magnitude(&mut self, bound: Bound) -> Option<NodeId> {
+    fn magnitude(&mut self, bound: UpperBound) -> Option<NodeId> {
         match bound {
-            Bound::Exact(id) => Some(self.abs(id)),
-            Bound::Magnitude(id) => Some(id),
-            Bound::Between(low, high) => {
+            UpperBound::Exact(id) => Some(self.abs(id)),
+            UpperBound::Magnitude(id) => Some(id),
+            UpperBound::Between(low, high) => {
                 let (low, high) = (low?, high?);
                 if self.values.node(low).as_constant().is_some_and(|low| low >= 0.0) {
                     return Some(high);

@@ -220,11 +220,11 @@ mod tests {
                     };
                     assert!(depth(id).into_iter().flatten().all(|operand| depth(operand).is_none()), "one is enough");
                     for input in VALUES {
-                        let of = |[a, b]: [f64; 2]| F64.evaluate(instruction, a, b).expect("own maths");
+                        let applied = |[a, b]: [f64; 2]| F64.evaluate(instruction, a, b).expect("own maths");
                         let order = |swapped: bool, [a, b]: [f64; 2]| if swapped { [b, a] } else { [a, b] };
-                        let inner = of(order(inner_swapped, [input, constant]));
+                        let inner = applied(order(inner_swapped, [input, constant]));
                         let other = if of_constant { constant } else { input };
-                        let expected = of(order(outer_swapped, [inner, other]));
+                        let expected = applied(order(outer_swapped, [inner, other]));
                         let found = value(&values, id, input);
                         let equal = expected.to_bits() == found.to_bits() || (expected.is_nan() && found.is_nan());
                         assert!(equal, "{instruction:?} of {input} and {constant}, way {way}: {expected} but {found}");

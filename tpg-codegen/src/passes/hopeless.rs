@@ -36,12 +36,12 @@ mod tests {
 
     #[test]
     fn only_bids_that_are_always_lower_go() {
-        let of = |low, high, nan| Interval { low, high, nan };
+        let interval = |low, high, nan| Interval { low, high, nan };
         let intervals = [
-            of(0.0, 10.0, false), // certain to reach 0
-            of(-5.0, 0.0, false), // can equal that
-            of(-5.0, -0.1, true), // cannot
-            of(50.0, 60.0, true), // may be NaN: certain of nothing
+            interval(0.0, 10.0, false), // certain to reach 0
+            interval(-5.0, 0.0, false), // can equal that
+            interval(-5.0, -0.1, true), // cannot
+            interval(50.0, 60.0, true), // may be NaN: certain of nothing
         ];
         let bidders = (0..4).map(|n| Bidder { label: n, value: NodeId(n) }).collect();
         let edge = |bidder| Edge { bidder, to: Target::Action(ActionId(0)) };

@@ -269,13 +269,13 @@ mod tests {
     #[test]
     fn known_bounds_are_tight() {
         let arithmetic = Arithmetic { scalar: ScalarType::F64, maths: MathsProvider::System };
-        let of = |low, high| Interval { low, high, nan: false };
-        let motor = of(0.0, 4095.0);
-        assert_eq!(apply(arithmetic, Instruction::Cos, motor, motor), of(-1.0, 1.0));
-        assert_eq!(apply(arithmetic, Instruction::Sub, motor, of(-600.0, 600.0)), of(-600.0, 4695.0));
-        assert_eq!(apply(arithmetic, Instruction::Mul, motor, of(-2.0, 1.0)), of(-8190.0, 4095.0));
+        let between = |low, high| Interval { low, high, nan: false };
+        let motor = between(0.0, 4095.0);
+        assert_eq!(apply(arithmetic, Instruction::Cos, motor, motor), between(-1.0, 1.0));
+        assert_eq!(apply(arithmetic, Instruction::Sub, motor, between(-600.0, 600.0)), between(-600.0, 4695.0));
+        assert_eq!(apply(arithmetic, Instruction::Mul, motor, between(-2.0, 1.0)), between(-8190.0, 4095.0));
         let ln = apply(arithmetic, Instruction::Ln, motor, motor);
         assert!(ln.low == f64::NEG_INFINITY && (8.3..8.4).contains(&ln.high) && !ln.nan, "{ln:?}");
-        assert_eq!(apply(arithmetic, Instruction::NegateIfLess, motor, of(-5.0, -1.0)), motor);
+        assert_eq!(apply(arithmetic, Instruction::NegateIfLess, motor, between(-5.0, -1.0)), motor);
     }
 }

@@ -142,7 +142,9 @@ impl FloatNetwork {
         let outputs = self.activations(state).pop().unwrap_or_default();
         match &self.output {
             FloatOutput::Argmax(_) => outputs,
-            FloatOutput::Values(values) => values.iter().zip(outputs).map(|(value, output)| value.of(output)).collect(),
+            FloatOutput::Values(values) => {
+                values.iter().zip(outputs).map(|(value, output)| value.squashed(output)).collect()
+            }
         }
     }
 }
@@ -153,7 +155,7 @@ impl FloatValue {
         [(min + max) / 2.0, (max - min) / 2.0]
     }
 
-    fn of(&self, output: f64) -> f64 {
+    fn squashed(&self, output: f64) -> f64 {
         let [middle, half] = self.middle_and_half();
         match self.squash {
             Squash::Tanh => middle + half * output.tanh(),

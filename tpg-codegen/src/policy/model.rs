@@ -9,7 +9,7 @@ use tpg_runtime::net::{self, Kind, LayerRows, Meaning, Model, Rescale, Weights};
 
 #[derive(Template)]
 #[template(path = "c/model.c", escape = "none")]
-struct Source<'a> {
+struct ModelSource<'a> {
     banner: &'a [String],
     prefix: &'a str,
     upper: &'a str,
@@ -18,7 +18,7 @@ struct Source<'a> {
 
 #[derive(Template)]
 #[template(path = "c/model.h", escape = "none")]
-struct Header<'a> {
+struct ModelHeader<'a> {
     banner: &'a [String],
     prefix: &'a str,
     upper: &'a str,
@@ -103,8 +103,9 @@ pub fn to_c(policy: &QuantisedPolicy, prefix: &Prefix, wide: bool) -> Result<Vec
         Output::Argmax(_) => format!("{inputs} inputs, the greatest of {outputs} outputs."),
     });
     let (banner, upper, prefix_text) = (&*banner, &*prefix.upper(), prefix.lower());
-    let header = Header { banner, prefix: prefix_text, upper, words: words.len(), scratch: scratch(words), policy };
-    Ok(files(prefix, &header, &Source { banner, prefix: prefix_text, upper, words }))
+    let header =
+        ModelHeader { banner, prefix: prefix_text, upper, words: words.len(), scratch: scratch(words), policy };
+    Ok(files(prefix, &header, &ModelSource { banner, prefix: prefix_text, upper, words }))
 }
 
 #[cfg(test)]

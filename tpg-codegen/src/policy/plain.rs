@@ -17,7 +17,7 @@ const TABLE: i32 = 194;
 
 #[derive(Template)]
 #[template(path = "c/network.h", escape = "none")]
-struct Header<'a> {
+struct NetworkHeader<'a> {
     banner: &'a [String],
     prefix: &'a str,
     upper: &'a str,
@@ -26,7 +26,7 @@ struct Header<'a> {
 
 #[derive(Template)]
 #[template(path = "c/network.c", escape = "none")]
-struct Source<'a> {
+struct NetworkSource<'a> {
     banner: &'a [String],
     prefix: &'a str,
     policy: &'a QuantisedPolicy,
@@ -63,8 +63,8 @@ pub fn to_plain_c(policy: &QuantisedPolicy, prefix: &Prefix) -> Result<Vec<File>
     let layers = policy.described();
     let values = policy.output.values();
     let is_squashed = values.iter().any(|value| value.squash == Squash::Tanh);
-    let header = Header { banner, prefix: prefix.lower(), upper: &prefix.upper(), policy };
-    let source = Source {
+    let header = NetworkHeader { banner, prefix: prefix.lower(), upper: &prefix.upper(), policy };
+    let source = NetworkSource {
         banner,
         prefix: prefix.lower(),
         policy,
@@ -78,7 +78,7 @@ pub fn to_plain_c(policy: &QuantisedPolicy, prefix: &Prefix) -> Result<Vec<File>
     Ok(files(prefix, &header, &source))
 }
 
-impl Source<'_> {
+impl NetworkSource<'_> {
     fn widest(&self) -> usize {
         self.layers.iter().flat_map(|layer| [layer.inputs, layer.outputs]).max().unwrap_or(1)
     }

@@ -306,7 +306,7 @@ impl<'a> Builder<'a> {
                 let result = self.operation(instruction, a, b)?;
                 self.signed(result, scale)
             }
-            _ => Err(Refusal(format!("{}, for which there are no integers yet", formula::of(self.module, id)))),
+            _ => Err(Refusal(format!("{}, for which there are no integers yet", formula::text(self.module, id)))),
         }
     }
 

@@ -115,7 +115,7 @@ pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Gra
     let counted = Graph::from_document(file, document)?;
     let comparison = Comparison::new(graph, &counted, request.compared);
     for (output, difference) in graph.outputs().iter().zip(&comparison.outputs) {
-        let counts = OutputScale::of(output.range);
+        let counts = OutputScale::new(output.range);
         if !difference.mean.is_finite() || counts.is_too_coarse(output.range) {
             let found = format!("{:?} limited to {}", output.name, output.range);
             return refuse("$.outputs".to_owned(), found, "limits that the actuator has");
@@ -173,7 +173,7 @@ fn counts(file: &str, graph: &Graph, module: &Module<'_>, request: &Request<'_>)
 struct OutputScale(f64);
 
 impl OutputScale {
-    fn of(range: Range) -> Self {
+    fn new(range: Range) -> Self {
         let top = f64::from((1_u32 << (OUTPUT_BITS - 1)) - 1);
         let greatest = range.min.abs().max(range.max.abs());
         // One bit is left: as many counts as a Q14 has.
@@ -285,7 +285,7 @@ impl Quantiser<'_> {
         for (place, (output, &value)) in self.graph.outputs().iter().zip(&leaf.values).enumerate() {
             let whole = match place.checked_sub(answered) {
                 Some(place) => self.builder.at(value, 1.0 / counts[observed + place].scale, 0.0)?,
-                None => self.builder.rounded(value, OutputScale::of(output.range).0)?,
+                None => self.builder.rounded(value, OutputScale::new(output.range).0)?,
             };
             let inner = match self.builder.values.node(whole) {
                 Node::Operation(tpg_runtime::ops::Instruction::Quotient, [sum, _]) => sum,
@@ -304,7 +304,7 @@ impl Quantiser<'_> {
 }
 
 fn output(output: &tpg_graph::Output) -> OutputDocument {
-    let scale = OutputScale::of(output.range);
+    let scale = OutputScale::new(output.range);
     OutputDocument {
         name: output.name.clone(),
         unit: output.unit.clone(),

@@ -159,7 +159,7 @@ impl Workshop {
     /// See [`BuildError`].
     pub fn start(&self, code: &Code<'_>) -> Result<Process, BuildError> {
         let program = self.build(code.program.language, slice::from_ref(code), None)?;
-        Ok(Process::start(&program, 0, code.program.name(), code.program.graph(), Wire::of(code))?)
+        Ok(Process::start(&program, 0, code.program.name(), code.program.graph(), Wire::new(code))?)
     }
 
     /// Generates code, compiles it and starts the program.
@@ -203,7 +203,7 @@ impl Workshop {
         codes: &[Code<'_>],
         compiler: Option<&dyn Fn(&Path) -> Command>,
     ) -> Result<Batch, BuildError> {
-        let wires = codes.iter().map(Wire::of).collect();
+        let wires = codes.iter().map(Wire::new).collect();
         Ok(Batch { program: self.build(language, codes, compiler)?, language, wires })
     }
 

@@ -28,7 +28,7 @@ pub(super) enum Wire {
 }
 
 impl Wire {
-    pub(super) fn of(code: &Code<'_>) -> Self {
+    pub(super) fn new(code: &Code<'_>) -> Self {
         match code.program.shape {
             Shape::Integers(_) => Self::Integer,
             _ => Self::Float(code.program.graph().scalar()),

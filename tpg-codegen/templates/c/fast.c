@@ -48,10 +48,10 @@ team_{{ team.view.label }}:
         {{ team.winner_type }} {{ team.view.winner }} = {{ first.rank }};
 {%- endif %}
 {%- else if leads %}
-        {{ prefix }}_lead_t lead = { {{ lowest }}, {{ team.view.nobody }} };
+        {{ prefix }}_lead_t lead = { {{ lowest }}, {{ team.view.initial }} };
 {%- else %}
         {{ scalar }} best = {{ lowest }};
-        {{ team.winner_type }} {{ team.view.winner }} = {{ team.view.nobody }};
+        {{ team.winner_type }} {{ team.view.winner }} = {{ team.view.initial }};
 {%- endif %}
 {%- endif %}
 {%- for bid in team.view.eager %}

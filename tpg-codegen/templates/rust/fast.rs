@@ -31,10 +31,10 @@ let mut best = {{ first.value }};
 let mut {{ team.winner }} = {{ first.rank }};
 {%- endif %}
 {%- else if leads %}
-let mut lead = Lead::new({{ scalar }}::MIN, {{ team.nobody }});
+let mut lead = Lead::new({{ scalar }}::MIN, {{ team.initial }});
 {%- else %}
 let mut best = {{ scalar }}::MIN;
-let mut {{ team.winner }} = {{ team.nobody }};
+let mut {{ team.winner }} = {{ team.initial }};
 {%- endif %}
 {%- when _ %}
 {%- endmatch %}

@@ -22,7 +22,7 @@ proptest! {
     #[test]
     fn errors_are_those_of_the_world_turned_by_the_base(pose in poses(), target in targets()) {
         let observation = Observation::at(&WIDOWX, pose, target);
-        let frame = Frame::of(&WIDOWX, &observation);
+        let frame = Frame::new(&WIDOWX, &observation);
         let angle: f64 = kinematics::radians(pose, Joint(0));
         let [hx, hy, hz] = observation.hand;
         prop_assert!((hx + frame.radius() * angle.sin()).abs() < 1e-9);

@@ -44,7 +44,7 @@ fn a_million_observations_answer_the_same_packed_and_not() {
         let pose = Pose([joint(2, 4094), joint(1025, 3071), joint(1025, 3071), joint(1025, 3071)]);
         let target = [0; 3].map(|_: i32| numbers.within(45_000) as f32 / 100.0);
         let seen = Observation::at(&ARM, pose, target);
-        let values = quantise(&features(&Frame::of(&ARM, &seen)));
+        let values = quantise(&features(&Frame::new(&ARM, &seen)));
         assert_eq!(model.preferences(&values, &mut scratch), network.preferences(&values));
         assert_eq!(packed.decide(&seen), plain.decide(&seen));
     }

@@ -164,11 +164,11 @@ pub unsafe extern "C" fn tpg_chain_place(
             memory::write(placed),
         )
     };
-    let of = |links: &[tpg_link_t]| {
+    let locate = |links: &[tpg_link_t]| {
         let (tip, ticks) = (*tip?, ticks?);
         for_joints!(joints, place(links, tip, ticks))
     };
-    code::answer(links.and_then(of), placed)
+    code::answer(links.and_then(locate), placed)
 }
 
 /// Writes the motion of a placed chain's tip by each joint, x, y, z in mm a radian, into `jacobian` of `length` floats.
@@ -198,12 +198,12 @@ pub unsafe extern "C" fn tpg_chain_near(
     // SAFETY: the header's contract.
     let (placed, ball, near) =
         unsafe { (memory::read(placed), memory::read(ball.cast::<[f32; 4]>()), memory::write(near)) };
-    let of = |placed: &tpg_placed_t| {
+    let measure = |placed: &tpg_placed_t| {
         let joints = placed.joints as usize;
         // SAFETY: the header's contract: one for each joint.
         let radii = unsafe { memory::array(radii, joints.min(TPG_CHAIN_JOINTS)) }?;
         let [x, y, z, radius] = *ball?;
         for_joints!(joints, nearest(placed, radii, [x, y, z], radius))
     };
-    code::answer(placed.and_then(of), near)
+    code::answer(placed.and_then(measure), near)
 }

@@ -48,12 +48,12 @@ use tpg_runtime::scalar::Scalar;
 pub struct Choices<S, E> {
     environment: E,
     actions: ActionSpace,
-    meaning: Meaning<S>,
+    meaning: ChoiceMeaning<S>,
 }
 
 /// The action of the inner environment for each named action.
 #[derive(Clone, Debug)]
-enum Meaning<S> {
+enum ChoiceMeaning<S> {
     Same,
     Values(Vec<Vec<S>>),
     Options(Vec<Vec<u16>>),
@@ -84,7 +84,7 @@ impl<S: Scalar, E: Environment<S>> Choices<S, E> {
     /// If `levels` is below 2.
     pub fn new(environment: E, levels: Option<u16>) -> Result<Self, TooManyActions> {
         let (actions, meaning) = match (environment.actions(), levels) {
-            (space @ ActionSpace::Discrete(_), _) | (space @ ActionSpace::Box(_), None) => (space, Meaning::Same),
+            (space @ ActionSpace::Discrete(_), _) | (space @ ActionSpace::Box(_), None) => (space, ChoiceMeaning::Same),
             (ActionSpace::Box(outputs), Some(levels)) => {
                 assert!(levels >= 2, "an output has at least its lowest and its highest value");
                 let combinations = combinations(&vec![levels; outputs.len()])?;
@@ -104,7 +104,7 @@ impl<S: Scalar, E: Environment<S>> Choices<S, E> {
                     values: values.iter().map(|value| value.to_f64()).collect(),
                 };
                 let effects: Vec<Effect> = values.iter().map(effect).collect();
-                let meaning = Meaning::Values(values);
+                let meaning = ChoiceMeaning::Values(values);
                 (named(combinations.iter().map(name), &effects), meaning)
             }
             (ActionSpace::MultiDiscrete(choices), _) => {
@@ -116,7 +116,7 @@ impl<S: Scalar, E: Environment<S>> Choices<S, E> {
                         parts.map(|(choice, &at)| format!("{} {}", choice.name, choice.options[usize::from(at)]));
                     part.collect::<Vec<_>>().join(", ")
                 };
-                (named(combinations.iter().map(name), &[]), Meaning::Options(combinations))
+                (named(combinations.iter().map(name), &[]), ChoiceMeaning::Options(combinations))
             }
         };
         Ok(Self { environment, actions, meaning })
@@ -168,19 +168,19 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Choices<S, E> {
     }
     fn step(&self, episode: &mut E::Episode, act: Act<'_, S>) -> Step {
         let inner = match (&self.meaning, act) {
-            (Meaning::Values(values), Act::Choice(action)) => Act::Values(&values[usize::from(action.0)]),
-            (Meaning::Options(options), Act::Choice(action)) => Act::Choices(&options[usize::from(action.0)]),
+            (ChoiceMeaning::Values(values), Act::Choice(action)) => Act::Values(&values[usize::from(action.0)]),
+            (ChoiceMeaning::Options(options), Act::Choice(action)) => Act::Choices(&options[usize::from(action.0)]),
             (_, act) => act,
         };
         self.environment.step(episode, inner)
     }
     fn lanes(&self) -> Box<dyn Episodes<S, E::Task> + '_> {
         match &self.meaning {
-            Meaning::Same => self.environment.lanes(),
-            Meaning::Values(levels) => {
+            ChoiceMeaning::Same => self.environment.lanes(),
+            ChoiceMeaning::Values(levels) => {
                 Box::new(Valued { episodes: self.environment.lanes(), levels, values: Vec::new() })
             }
-            Meaning::Options(_) => Box::new(OneByOne::new(self)),
+            ChoiceMeaning::Options(_) => Box::new(OneByOne::new(self)),
         }
     }
 }

@@ -65,16 +65,16 @@ pub struct AnyTask(Arc<Forms>);
 /// A task's forms; at least one is there, the other is made when it is needed.
 #[derive(Default)]
 struct Forms {
-    typed: OnceLock<Box<dyn Object>>,
+    typed: OnceLock<Box<dyn ErasedEnvironment>>,
     json: OnceLock<Box<RawValue>>,
 }
 
 /// A task that can be written.
-trait Object: Any + Send + Sync {
+trait ErasedEnvironment: Any + Send + Sync {
     fn to_json(&self) -> Box<RawValue>;
 }
 
-impl<T: Serialize + Send + Sync + 'static> Object for T {
+impl<T: Serialize + Send + Sync + 'static> ErasedEnvironment for T {
     fn to_json(&self) -> Box<RawValue> {
         serde_json::value::to_raw_value(self).expect("a task is plain data")
     }
@@ -83,7 +83,10 @@ impl<T: Serialize + Send + Sync + 'static> Object for T {
 impl AnyTask {
     /// Hides the type of a task.
     pub fn new<T: Serialize + Send + Sync + 'static>(task: T) -> Self {
-        Self(Arc::new(Forms { typed: OnceLock::from(Box::new(task) as Box<dyn Object>), json: OnceLock::new() }))
+        Self(Arc::new(Forms {
+            typed: OnceLock::from(Box::new(task) as Box<dyn ErasedEnvironment>),
+            json: OnceLock::new(),
+        }))
     }
 
     fn json(&self) -> &RawValue {

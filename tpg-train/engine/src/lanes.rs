@@ -72,15 +72,15 @@ pub struct Lanes<'e, S: Scalar, M, E: Environment<S>> {
 }
 
 /// The start of an episode: a task, and the place of the root that acts.
-struct Start<'t, Task> {
+struct LaneStart<'t, Task> {
     root: u32,
     task: &'t Task,
 }
 
 /// Returns the starts of a plan's only root.
-fn starts<'t, S, Task>(plan: &Plan<S>, tasks: &'t [Task]) -> Vec<Start<'t, Task>> {
+fn starts<'t, S, Task>(plan: &Plan<S>, tasks: &'t [Task]) -> Vec<LaneStart<'t, Task>> {
     let &[root] = &plan.roots[..] else { panic!("a plan of one root; this one has {}", plan.roots.len()) };
-    tasks.iter().map(|task| Start { root, task }).collect()
+    tasks.iter().map(|task| LaneStart { root, task }).collect()
 }
 
 impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
@@ -135,7 +135,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     ) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
         assert_eq!(tasks.len(), plan.roots.len(), "tasks for each root");
         let order = kindred(plan);
-        let starts = |&place: &usize| tasks[place].iter().map(move |task| Start { root: plan.roots[place], task });
+        let starts = |&place: &usize| tasks[place].iter().map(move |task| LaneStart { root: plan.roots[place], task });
         let episodes: Vec<_> = order.iter().flat_map(starts).collect();
         let mut ended = self.run_while(plan, &episodes, |_, _, _, _| true)?.into_iter().map(ended);
         let mut endings = vec![Vec::new(); tasks.len()];
@@ -201,7 +201,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     fn run_while(
         &mut self,
         plan: &Plan<S>,
-        starts: &[Start<'_, E::Task>],
+        starts: &[LaneStart<'_, E::Task>],
         watch: impl FnMut(&Columns<S, M>, usize, usize, ActionId) -> bool,
     ) -> Result<Vec<Option<EpisodeResult>>, EvaluationError> {
         let result = self.run_all(plan, starts, watch);
@@ -216,7 +216,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     fn run_all(
         &mut self,
         plan: &Plan<S>,
-        starts: &[Start<'_, E::Task>],
+        starts: &[LaneStart<'_, E::Task>],
         mut watch: impl FnMut(&Columns<S, M>, usize, usize, ActionId) -> bool,
     ) -> Result<Vec<Option<EpisodeResult>>, EvaluationError> {
         self.columns.prepare(plan, &self.constants);
@@ -259,9 +259,9 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     }
 
     /// Starts a lane's episode.
-    fn begin(&mut self, starts: &[Start<'_, E::Task>], lane: usize) -> Result<(), EvaluationError> {
+    fn begin(&mut self, starts: &[LaneStart<'_, E::Task>], lane: usize) -> Result<(), EvaluationError> {
         let (start, history) = self.running[lane];
-        let Start { root, task } = starts[start];
+        let LaneStart { root, task } = starts[start];
         self.episodes.begin(lane, task)?;
         self.decider.begin(lane, root);
         self.columns.forget();

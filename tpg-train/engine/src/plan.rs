@@ -17,12 +17,12 @@ use tpg_runtime::scalar::Scalar;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct PlannedEdge {
     bid: NodeId,
-    to: Target,
+    to: PlannedTarget,
 }
 
 /// The destination of an edge, numbered among the distinct ones of all roots, in the order in which they were found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Target {
+enum PlannedTarget {
     Team(u32),
     Action(u32),
 }
@@ -166,9 +166,9 @@ impl<S: Scalar> Plan<S> {
         let count = teams.nodes().len() as u32;
         // Edges lead to teams that were known before.
         let team_place = |team: u32| count - 1 - team;
-        let place = |target: Target| match target {
-            Target::Team(team) => team_place(team),
-            Target::Action(action) => count + action,
+        let place = |target: PlannedTarget| match target {
+            PlannedTarget::Team(team) => team_place(team),
+            PlannedTarget::Action(action) => count + action,
         };
         let teams = teams.nodes().iter().rev().map(|edges| planned_team(arena.nodes(), &facts, edges, place)).collect();
         let leaf = |(_, values): &(ActionId, Vec<NodeId>)| PlannedLeaf {
@@ -240,8 +240,8 @@ impl Known {
             let edges = edges.iter().map(|edge| PlannedEdge {
                 bid: bids[edge.program as usize],
                 to: match edge.to {
-                    Destination::Team(team) => Target::Team(numbers[team as usize]),
-                    Destination::Action(action) => Target::Action(self.action(policy, action, &bids)),
+                    Destination::Team(team) => PlannedTarget::Team(numbers[team as usize]),
+                    Destination::Action(action) => PlannedTarget::Action(self.action(policy, action, &bids)),
                 },
             });
             let mut edges: Vec<PlannedEdge> = edges.collect();
@@ -280,7 +280,7 @@ fn planned_team<S: Scalar>(
     nodes: &[Node<S>],
     facts: &[Fact<S>],
     edges: &[PlannedEdge],
-    place: impl Fn(Target) -> u32,
+    place: impl Fn(PlannedTarget) -> u32,
 ) -> PlannedTeam<S> {
     let codes: Vec<Code> = (0u32..).zip(edges).map(|(edge, planned)| Code::new(edge, place(planned.to))).collect();
     let (mut eager, mut lazy) = (Vec::new(), Vec::new());

@@ -20,7 +20,7 @@ pub struct Shape {
 
 /// Offsets of one layer's parameters in the flat vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Layer {
+struct MlpLayer {
     inputs: usize,
     outputs: usize,
     /// Weights, column-major `outputs` × `inputs`.
@@ -30,7 +30,7 @@ struct Layer {
     norm: Option<usize>,
 }
 
-impl Layer {
+impl MlpLayer {
     fn weight<'a, T: Real>(&self, parameters: &'a [T]) -> Factor<'a, T> {
         Factor::new(&parameters[self.weight..][..self.inputs * self.outputs], self.outputs, self.inputs)
     }
@@ -41,7 +41,7 @@ impl Layer {
 }
 
 impl Shape {
-    fn layers(&self) -> Vec<Layer> {
+    fn layers(&self) -> Vec<MlpLayer> {
         let mut at = 0;
         let mut inputs = self.inputs;
         let sizes = self.hidden.iter().chain([&self.outputs]).enumerate();
@@ -51,7 +51,7 @@ impl Shape {
                 at = bias + outputs;
                 let norm = (self.norm && index < self.hidden.len()).then_some(at);
                 at += if norm.is_some() { 2 * outputs } else { 0 };
-                let layer = Layer { inputs, outputs, weight, bias, norm };
+                let layer = MlpLayer { inputs, outputs, weight, bias, norm };
                 inputs = outputs;
                 layer
             })
@@ -74,7 +74,7 @@ impl Shape {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mlp<T> {
     shape: Shape,
-    layers: Vec<Layer>,
+    layers: Vec<MlpLayer>,
     parameters: Vec<T>,
 }
 
@@ -163,7 +163,7 @@ impl<T: Real> Mlp<T> {
 
     /// Returns weights (row-major, outputs × inputs) and bias of each layer, first to last.
     pub fn weights(&self) -> Vec<(Vec<T>, Vec<T>)> {
-        let row_major = |layer: &Layer| {
+        let row_major = |layer: &MlpLayer| {
             let weights = &self.parameters[layer.weight..][..layer.inputs * layer.outputs];
             let rows = 0..layer.outputs;
             let row = |o: usize| weights.iter().skip(o).step_by(layer.outputs).copied();
@@ -174,7 +174,7 @@ impl<T: Real> Mlp<T> {
 
     /// Returns gain and shift of the LayerNorm that follows a hidden layer.
     pub fn norm(&self, layer: usize) -> Option<(&[T], &[T])> {
-        let &Layer { norm, outputs, .. } = self.layers.get(layer)?;
+        let &MlpLayer { norm, outputs, .. } = self.layers.get(layer)?;
         Some(self.parameters[norm?..][..2 * outputs].split_at(outputs))
     }
 

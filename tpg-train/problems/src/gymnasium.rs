@@ -79,7 +79,7 @@ impl Recorded for MountainCarContinuous {
 
 /// Counts of what agreed with Gymnasium and of what did not.
 #[derive(Debug, Default)]
-struct Tally {
+struct GymnasiumTally {
     episodes: usize,
     steps: usize,
     /// Numbers of observations, and those whose bits differ.
@@ -90,9 +90,9 @@ struct Tally {
 }
 
 /// Steps the problem from each recorded state.
-fn compare<E: Recorded>(environment: &E, rows: impl Read) -> Tally {
+fn compare<E: Recorded>(environment: &E, rows: impl Read) -> GymnasiumTally {
     let inputs = environment.sources().len();
-    let mut tally = Tally::default();
+    let mut tally = GymnasiumTally::default();
     let mut before: Vec<f64> = Vec::new();
     let mut steps = 0;
     for row in BufReader::new(rows).lines() {

@@ -49,7 +49,7 @@ fn scenes_keep_the_generators_rules() {
         counts[scene.balls.len() - 1] += 1;
         for (index, goal) in scene.goals.iter().enumerate() {
             let posture = body.at(Pose(*goal));
-            let Clearance { hand, forearm } = Clearance::of(&posture.plane(), &body.arm.shapes);
+            let Clearance { hand, forearm } = Clearance::new(&posture.plane(), &body.arm.shapes);
             assert!(body.is_free(&posture) && hand > 0.0 && forearm > 0.0);
             assert!(distance(posture.hand(), scene.target) < 2.7);
             assert!(scene.goals[..index].iter().all(|other| steps(Pose(*goal), Pose(*other)) > 20));

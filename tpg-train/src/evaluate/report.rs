@@ -144,7 +144,7 @@ impl EvaluationReport {
         let count = |place: usize| endings.iter().filter(|ending| usize::from(ending.outcome) == place).count();
         let judged = endings.iter().filter(|ending| ending.success.is_some()).count();
         let measures: Vec<f64> = endings.iter().map(|ending| ending.measure).collect();
-        let median = FiveNumbers::of(&measures).map_or(0.0, |five| five.median);
+        let median = FiveNumbers::new(&measures).map_or(0.0, |five| five.median);
         let hand_overs = TRIGGERS.iter().zip(done.hand_overs).map(|((name, _), count)| ((*name).to_owned(), count));
         Self {
             problem: problem.name(),

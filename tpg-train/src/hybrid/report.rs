@@ -97,7 +97,7 @@ fn together(cells: &[Cell], summaries: &[Summary], alone: &[Alone]) -> Section {
     let names = ["graph alone", "network alone", "hybrid"].map(str::to_owned).into();
     let mut plot = Plot::new(Axis::names("", names), Axis::linear("score"));
     for (place, sample) in [kind("tpg"), kind("sac"), hybrid].into_iter().enumerate() {
-        if let Some(five) = FiveNumbers::of(&sample) {
+        if let Some(five) = FiveNumbers::new(&sample) {
             plot.five(Colour(place), place as f64, five);
         }
         let points = sample.iter().map(|&value| ([place as f64, value], format!("{value:.2}")));

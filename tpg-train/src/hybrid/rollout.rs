@@ -72,7 +72,7 @@ pub(crate) fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
     acting: Acting<'_>,
     tasks: &[E::Task],
 ) -> Result<HybridResult, InputError> {
-    let episodes: Vec<Episode> = match acting {
+    let episodes: Vec<PlayedEpisode> = match acting {
         Acting::Graph(graph) | Acting::Shielded(graph, _) => {
             let shield = if let Acting::Shielded(_, source) = acting { Some(source) } else { None };
             let endings = match graph.1.memory() {
@@ -200,7 +200,7 @@ pub(crate) fn moments<S: Scalar, M: Maths<S>, E: Environment<S>>(
 }
 
 /// An ending, the counts of the rules, and the number of asks.
-type Episode = (EpisodeResult, Counts, u32);
+type PlayedEpisode = (EpisodeResult, Counts, u32);
 
 /// An episode that two policies look at.
 type State<'e, S, E> = RefCell<Rollout<'e, S, E>>;
@@ -211,7 +211,7 @@ fn together<'e, S: Scalar, E: Environment<S>, T, P>(
     task: &E::Task,
     hybrid: &Pair<T, P>,
     setting: &Setting,
-) -> Episode
+) -> PlayedEpisode
 where
     T: Policy<State = State<'e, S, E>, Action = Answer<Decision<S>>>,
     P: Policy<State = State<'e, S, E>, Action = Decision<S>>,
@@ -234,7 +234,7 @@ fn watched<'e, S: Scalar, E: Environment<S>, T, P>(
     setting: &Setting,
     detector: impl CycleDetector<u64>,
     mut seen: impl FnMut(f64),
-) -> Episode
+) -> PlayedEpisode
 where
     T: Policy<State = State<'e, S, E>, Action = Answer<Decision<S>>>,
     P: Policy<State = State<'e, S, E>, Action = Decision<S>>,
@@ -374,7 +374,7 @@ impl HybridResult {
         Self::new(&endings.iter().map(|ending| (*ending, counts(ending), 0)).collect::<Vec<_>>())
     }
 
-    fn new(episodes: &[Episode]) -> Self {
+    fn new(episodes: &[PlayedEpisode]) -> Self {
         let (mut tpg, mut sac, mut hand_backs, mut causes) = (0.0, 0.0, 0.0, [0.0; CAUSES]);
         for (_, counts, _) in episodes {
             tpg += f64::from(counts.tpg_actions);

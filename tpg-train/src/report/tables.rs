@@ -85,7 +85,7 @@ fn row(run: &Run, tested: Option<&Tested>) -> Vec<String> {
     let text = |value: Option<f64>| value.map_or_else(String::new, one_decimal);
     let summary = tested.map(Tested::summary);
     let measured = tested.filter(|tested| tested.measure.is_some());
-    let median = measured.and_then(|tested| tpg_picture::FiveNumbers::of(&tested.measures())).map(|five| five.median);
+    let median = measured.and_then(|tested| tpg_picture::FiveNumbers::new(&tested.measures())).map(|five| five.median);
     vec![
         run.name.clone(),
         run.seed.map_or_else(String::new, |seed| seed.to_string()),

@@ -76,7 +76,7 @@ struct EndColumns {
 }
 
 impl EndColumns {
-    fn of(table: &Table) -> Result<Self, InputError> {
+    fn new(table: &Table) -> Result<Self, InputError> {
         let [row, score, distance] = columns(table, ["row", "score_x1000", "distance_um"])?;
         let [success, collision, actions] = columns(table, ["success", "collision", "nb_actions"])?;
         let tpg_actions = table.column_if_there("nb_tpg_actions")?;
@@ -103,7 +103,7 @@ impl EndColumns {
 /// Any error in the file, with its line.
 pub fn ends(path: &Path, tasks: &ByRow<Task>) -> Result<ByRow<End>, InputError> {
     let table = Table::read(path)?;
-    let columns = EndColumns::of(&table)?;
+    let columns = EndColumns::new(&table)?;
     by_row(&table, columns.row, |line| columns.read(line, tasks))
 }
 
@@ -134,7 +134,7 @@ const NO_SEPARATION: f64 = 10_000.0;
 pub fn hybrid_ends(path: &Path, tasks: &ByRow<Task>) -> Result<Vec<HybridEnd>, InputError> {
     let table = Table::read(path)?;
     let [tpg_seed, sac_seed, separation, hand_back] = columns(&table, ["tpg_seed", "sac_seed", "sep_mm", "nb_it"])?;
-    let ends = EndColumns::of(&table)?;
+    let ends = EndColumns::new(&table)?;
     table.column("nb_tpg_actions")?;
     let read = |line: Row<'_>| {
         let separation_mm: f64 = line.number(separation, 0.0..=NO_SEPARATION)?;

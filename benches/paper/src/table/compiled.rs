@@ -95,7 +95,7 @@ impl Policy for Wide {
 
     fn decide(&self, seen: &Observation<f32>) -> Move {
         let mut tape = self.tape.borrow_mut();
-        Inputs::PaperFs.observe(&Frame::of(&ARM, seen), tape.input_mut());
+        Inputs::PaperFs.observe(&Frame::new(&ARM, seen), tape.input_mut());
         self.network.forward(&mut tape);
         let means = std::array::from_fn(|joint| tape.output()[joint]);
         self.discretiser.decide(means, seen.pose, &ARM.ranges)

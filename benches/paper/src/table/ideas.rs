@@ -29,8 +29,8 @@ pub fn measure(start: Start, inputs: &ProblemInputs) -> Result<Vec<Row>, InputEr
         (format!("shipped: {}", shipped.setting.sentence()), shipped.setting.clone()),
     ];
     let mut rows = vec![
-        Row::of("the graph alone", &[ours.graph(&shipped.graph)?]),
-        Row::of("the actor alone", &[ours.network(&shipped.network)?]),
+        Row::new("the graph alone", &[ours.graph(&shipped.graph)?]),
+        Row::new("the actor alone", &[ours.network(&shipped.network)?]),
     ];
     for (name, setting) in settings {
         let together = ours.play(Acting::Both(&shipped.graph, &shipped.network, &setting))?;

@@ -42,7 +42,7 @@ pub struct Row {
 
 impl Row {
     /// Summarises trials.
-    pub fn of(name: &str, trials: &[ReachStatistics]) -> Self {
+    pub fn new(name: &str, trials: &[ReachStatistics]) -> Self {
         let values = |trial: &ReachStatistics| {
             [trial.success_rate, trial.collision_rate, trial.mean_distance_mm, trial.mean_actions]
         };
@@ -69,7 +69,7 @@ impl Row {
     /// Summarises hybrids, each with the fraction of actions that its graph chose.
     pub fn of_hybrids(name: &str, hybrids: &[(ReachStatistics, f64)]) -> Self {
         let (trials, ratios): (Vec<ReachStatistics>, Vec<f64>) = hybrids.iter().cloned().unzip();
-        Self { by_graph: Some(Sample::new(&ratios)), ..Self::of(name, &trials) }
+        Self { by_graph: Some(Sample::new(&ratios)), ..Self::new(name, &trials) }
     }
 }
 
@@ -103,22 +103,22 @@ pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task], file: &Path
         let planner = Planner::new(&WIDOWX, choice);
         let trial = run(&WIDOWX, &planner, start, tasks);
         let time = timing::of_policy(&WIDOWX, &planner, start, &tasks[..TIMED_PLANNER.min(tasks.len())]);
-        rows.push(Row { time: Some(time), ..Row::of(name, &[trial]) });
+        rows.push(Row { time: Some(time), ..Row::new(name, &[trial]) });
     }
     let timed = &tasks[..TIMED.min(tasks.len())];
     let straight = Straight::new(&arm);
     let time = Some(timing::of_policy(&arm, &straight, start, timed));
-    rows.push(Row { time, ..Row::of(STRAIGHT, &[run(&arm, &straight, start, tasks)]) });
+    rows.push(Row { time, ..Row::new(STRAIGHT, &[run(&arm, &straight, start, tasks)]) });
     let classical = rows.len();
 
     let shipped = Hybrid::read(&inputs.shipped)?;
     let ours = Ours::from_file(start, file);
     let actor_bytes = shipped.network.1.bytes();
     let actor_row =
-        |name: &str, trial: ReachStatistics| Row { bytes: Some([actor_bytes; 2]), ..Row::of(name, &[trial]) };
+        |name: &str, trial: ReachStatistics| Row { bytes: Some([actor_bytes; 2]), ..Row::new(name, &[trial]) };
     rows.push(actor_row("SAC, shipped", ours.network(&shipped.network)?));
     let bytes = graph_bytes(&shipped.graph.1);
-    rows.push(Row { bytes, ..Row::of("TPG, shipped", &[ours.graph(&shipped.graph)?]) });
+    rows.push(Row { bytes, ..Row::new("TPG, shipped", &[ours.graph(&shipped.graph)?]) });
     let both = ours.play(Acting::Both(&shipped.graph, &shipped.network, &shipped.setting))?;
     let bytes = bytes.map(|graph| graph.map(|graph| graph + actor_bytes));
     rows.push(Row { bytes, ..Row::of_hybrids("**hybrid, shipped**", &[both]) });
@@ -145,8 +145,8 @@ fn of_seeds(inputs: &ProblemInputs, shipped: &Hybrid, ours: &Ours<'_>) -> Result
         }
     }
     let mut rows = vec![
-        Row::of("SAC, all seeds", &ending),
-        Row::of("TPG, all seeds", &alone),
+        Row::new("SAC, all seeds", &ending),
+        Row::new("TPG, all seeds", &alone),
         Row::of_hybrids("hybrid, all pairs", &together),
     ];
     // Groups with a single policy are already listed above.

@@ -169,11 +169,11 @@ fn parts(counter: &mut Counter, problems: &[ReachTask<f32>]) {
     let mut numbers = Numbers(3);
     for problem in problems {
         let seen = Observation::at(&ARM, problem.start, problem.target);
-        let (frame, instructions) = counter.measure(|| Frame::of(&ARM, black_box(&seen)));
+        let (frame, instructions) = counter.measure(|| Frame::new(&ARM, black_box(&seen)));
         frames.add(instructions);
         let (values, instructions) = counter.measure(|| features(black_box(&frame)));
         made.add(instructions);
-        let (_, instructions) = counter.measure(|| Clearance::of(black_box(frame.plane()), &ARM.shapes));
+        let (_, instructions) = counter.measure(|| Clearance::new(black_box(frame.plane()), &ARM.shapes));
         clearances.add(instructions);
         let (_, instructions) = counter.measure(|| fixed::quantise(black_box(&values)));
         rounded.add(instructions);

@@ -50,7 +50,7 @@ impl fmt::Display for Inexpressible {
 
 struct Writer<'g> {
     graph: &'g Graph,
-    constants: Vec<Constants>,
+    constants: Vec<DotConstants>,
     /// True for what GEGELATI 1 cannot say: constants that are no 32-bit integers, and outputs.
     second: bool,
     /// The programs that compute outputs.
@@ -66,7 +66,7 @@ struct Writer<'g> {
 
 impl<'g> Writer<'g> {
     fn new(graph: &'g Graph) -> Self {
-        let constants: Vec<Constants> = graph.programs().iter().map(Constants::new).collect();
+        let constants: Vec<DotConstants> = graph.programs().iter().map(DotConstants::new).collect();
         let count = constants.iter().map(|constants| constants.values.len()).max().unwrap_or(0);
         let first_source = if count == 0 { 1 } else { 2 };
         Self {
@@ -203,13 +203,13 @@ impl<'g> Writer<'g> {
 }
 
 /// The constants of one program: each once, in the order in which the lines read them.
-struct Constants {
+struct DotConstants {
     values: Vec<f64>,
     /// Keyed by bits because −0 and 0 are different constants.
     places: BTreeMap<u64, usize>,
 }
 
-impl Constants {
+impl DotConstants {
     fn new(program: &Program) -> Self {
         let mut constants = Self { values: Vec::new(), places: BTreeMap::new() };
         let read = program.lines.iter().flat_map(|line| &line.operands[..line.instruction.arity()]);

@@ -57,7 +57,7 @@ impl Expression {
 
     /// Parses a call on operands of which some are windows; the error says what was found.
     pub(crate) fn parse(text: &str, windows: &Windows) -> Result<Self, String> {
-        let mut parser = Parser { rest: text, windows };
+        let mut parser = ComposedParser { rest: text, windows };
         match parser.expression()? {
             call @ Self::Call(..) if parser.rest.trim().is_empty() => Ok(call),
             Self::Call(..) => Err(format!("`{}` after the last bracket", parser.rest.trim())),
@@ -123,12 +123,12 @@ impl Expression {
     }
 }
 
-struct Parser<'t> {
+struct ComposedParser<'t> {
     rest: &'t str,
     windows: &'t Windows,
 }
 
-impl<'t> Parser<'t> {
+impl<'t> ComposedParser<'t> {
     fn expression(&mut self) -> Result<Expression, String> {
         let text = self.word();
         if !self.takes('(') {

@@ -75,18 +75,18 @@ pub fn load(path: &Path, profile: Option<Profile>, sidecar: Option<&Path>) -> Re
 pub fn from_text(file: &str, text: &str, description: Option<&Sidecar>) -> Result<Graph, InputError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text); // the byte order mark that some editors write
     let whole = |found, accepted| Err(InputError::new(file, Place::Whole, found, accepted));
-    match (Format::detect(text), description) {
-        (Format::Empty, _) => whole("an empty file", "a graph.json or a GEGELATI .dot file"),
-        (Format::Json, None) => Graph::from_json(file, text),
-        (Format::Json, Some(_)) => {
+    match (FileFormat::detect(text), description) {
+        (FileFormat::Empty, _) => whole("an empty file", "a graph.json or a GEGELATI .dot file"),
+        (FileFormat::Json, None) => Graph::from_json(file, text),
+        (FileFormat::Json, Some(_)) => {
             whole("a graph.json with --profile-of or --sidecar", "neither: a graph.json is complete in itself")
         }
-        (Format::Dot, Some(description)) => dot::read(file, text, description),
-        (Format::Dot, None) => whole(
+        (FileFormat::Dot, Some(description)) => dot::read(file, text, description),
+        (FileFormat::Dot, None) => whole(
             "a .dot file, which does not say what its sources, instructions and actions are",
             "--profile-of ecta24 for the paper's own graphs, --sidecar FILE for any other",
         ),
-        (Format::Other, _) => whole(
+        (FileFormat::Other, _) => whole(
             "neither JSON nor .dot",
             "a graph.json, which begins with {, or a GEGELATI .dot, which begins with // or digraph",
         ),
@@ -94,14 +94,14 @@ pub fn from_text(file: &str, text: &str, description: Option<&Sidecar>) -> Resul
 }
 
 /// Format of a text, judged by its beginning.
-enum Format {
+enum FileFormat {
     Empty,
     Json,
     Dot,
     Other,
 }
 
-impl Format {
+impl FileFormat {
     fn detect(text: &str) -> Self {
         let start = text.trim_start();
         match start {

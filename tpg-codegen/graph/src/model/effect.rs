@@ -43,7 +43,7 @@ pub(super) struct WrittenAction {
     name: String,
     /// Shorthand for the effect "move", such as changes of motor positions.
     #[serde(rename = "move", default, skip_serializing_if = "Option::is_none")]
-    moves: Option<Numbers>,
+    moves: Option<EffectNumbers>,
     /// Any other effect; at most one of `move` and `effect` is given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     effect: Option<Effect>,
@@ -56,15 +56,15 @@ pub(super) struct WrittenAction {
 
 /// Numbers; whole ones are written without a fraction.
 #[derive(Deserialize)]
-struct Numbers(Vec<f64>);
+struct EffectNumbers(Vec<f64>);
 
-impl Serialize for Numbers {
+impl Serialize for EffectNumbers {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         numbers(&self.0, serializer)
     }
 }
 
-impl JsonSchema for Numbers {
+impl JsonSchema for EffectNumbers {
     fn schema_name() -> Cow<'static, str> {
         Vec::<f64>::schema_name()
     }
@@ -77,12 +77,12 @@ impl JsonSchema for Numbers {
 }
 
 fn numbers<S: Serializer>(values: &[f64], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(values.iter().map(|&value| Number(value)))
+    serializer.collect_seq(values.iter().map(|&value| EffectNumber(value)))
 }
 
-struct Number(f64);
+struct EffectNumber(f64);
 
-impl Serialize for Number {
+impl Serialize for EffectNumber {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         // Compared by bits because −0 differs from 0.
         match self.0 as i32 {
@@ -97,7 +97,7 @@ impl From<super::document::ActionDocument> for WrittenAction {
         let super::document::ActionDocument { id, name, effect, ask } = action;
         match effect {
             Some(effect) if effect.name == Effect::MOVE => {
-                Self { id, name, moves: Some(Numbers(effect.values)), effect: None, ask }
+                Self { id, name, moves: Some(EffectNumbers(effect.values)), effect: None, ask }
             }
             effect => Self { id, name, moves: None, effect, ask },
         }
@@ -111,7 +111,7 @@ impl TryFrom<WrittenAction> for super::document::ActionDocument {
         let WrittenAction { id, name, moves, effect, ask } = written;
         let effect = match (moves, effect) {
             (Some(_), Some(_)) => return Err("both \"move\" and \"effect\""),
-            (Some(Numbers(values)), None) => Some(Effect::new(Effect::MOVE, values)),
+            (Some(EffectNumbers(values)), None) => Some(Effect::new(Effect::MOVE, values)),
             (None, effect) => effect,
         };
         Ok(Self { id, name, effect, ask })

@@ -54,10 +54,10 @@ impl Graph {
 /// A wrong version is reported first, since other versions may have any fields.
 fn json_error(file: &str, text: &str, path: String, error: &serde_json::Error) -> InputError {
     #[derive(serde::Deserialize)]
-    struct Header {
+    struct VersionHeader {
         version: u64,
     }
-    if let Ok(Header { version }) = serde_json::from_str(text)
+    if let Ok(VersionHeader { version }) = serde_json::from_str(text)
         && !VERSIONS.iter().any(|&known| u64::from(known) == version)
     {
         return other_version(file, version);

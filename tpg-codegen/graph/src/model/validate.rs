@@ -51,7 +51,7 @@ struct Validator<'a> {
 }
 
 /// Named elements of the graph, indexed by their names in the file.
-struct Names<'a> {
+struct KnownNames<'a> {
     /// First input and length of each source.
     sources: BTreeMap<&'a str, (usize, usize)>,
     teams: BTreeMap<u32, TeamId>,
@@ -69,7 +69,7 @@ impl Validator<'_> {
         self.header()?;
         let mut sources = self.sources()?;
         let memory = self.memory(&mut sources)?;
-        let names = Names {
+        let names = KnownNames {
             sources,
             instructions: self.instructions()?,
             teams: self.numbered("teams", self.document.teams.iter().map(|team| team.id), TeamId)?,
@@ -260,7 +260,7 @@ impl Validator<'_> {
         })
     }
 
-    fn teams(&self, names: &Names<'_>) -> Result<Vec<Team>, InputError> {
+    fn teams(&self, names: &KnownNames<'_>) -> Result<Vec<Team>, InputError> {
         if self.document.teams.is_empty() {
             return Err(self.error("$.teams", "an empty list", "at least one"));
         }
@@ -278,7 +278,7 @@ impl Validator<'_> {
         Ok(teams)
     }
 
-    fn edge(&self, path: &str, edge: &EdgeDocument, names: &Names<'_>) -> Result<Edge, InputError> {
+    fn edge(&self, path: &str, edge: &EdgeDocument, names: &KnownNames<'_>) -> Result<Edge, InputError> {
         let program = *names.programs.get(&edge.program).ok_or_else(|| {
             let found = format!("program {}, which does not exist", edge.program);
             self.error(format!("{path}.program"), found, "the id of a program")
@@ -350,7 +350,7 @@ impl Validator<'_> {
 
     /// Checks that the declared root is the only team without incoming edges. Together with [`acyclic`](Self::acyclic)
     /// this makes every team reachable.
-    fn root(&self, names: &Names<'_>, teams: &[Team]) -> Result<TeamId, InputError> {
+    fn root(&self, names: &KnownNames<'_>, teams: &[Team]) -> Result<TeamId, InputError> {
         let declared = self.document.root.ok_or_else(|| self.error("$.root", "no root", "the id of a team"))?;
         let root = *names.teams.get(&declared).ok_or_else(|| {
             self.error("$.root", format!("team {declared}, which does not exist"), "the id of a team")
@@ -391,7 +391,7 @@ impl Validator<'_> {
         })
     }
 
-    fn programs(&self, names: &Names<'_>) -> Result<Vec<Program>, InputError> {
+    fn programs(&self, names: &KnownNames<'_>) -> Result<Vec<Program>, InputError> {
         let mut programs = Vec::new();
         for (index, program) in self.document.programs.iter().enumerate() {
             let lines = (program.lines.iter().enumerate())
@@ -402,7 +402,7 @@ impl Validator<'_> {
         Ok(programs)
     }
 
-    fn line(&self, path: &str, line: &LineDocument, names: &Names<'_>) -> Result<Line, InputError> {
+    fn line(&self, path: &str, line: &LineDocument, names: &KnownNames<'_>) -> Result<Line, InputError> {
         let to = self.register(&format!("{path}.to"), Some(line.to), &line.to.to_string())?;
         let declared = |i: &Word| names.instructions.contains(i);
         let instruction = Word::from_name(&line.op).filter(declared).ok_or_else(|| {
@@ -434,7 +434,7 @@ impl Validator<'_> {
         }
     }
 
-    fn operand(&self, path: &str, operand: &OperandDocument, names: &Names<'_>) -> Result<Operand, InputError> {
+    fn operand(&self, path: &str, operand: &OperandDocument, names: &KnownNames<'_>) -> Result<Operand, InputError> {
         let place = match operand {
             OperandDocument::Constant(value) => return self.constant(path, *value),
             OperandDocument::Place(place) => place,

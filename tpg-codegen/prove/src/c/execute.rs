@@ -27,7 +27,7 @@ pub struct Point {
 
 /// Where execution is, and under which condition.
 #[derive(Clone)]
-struct State {
+struct CState {
     guard: Bool,
     cells: Vec<Cell>,
     /// No float that is a variable of its own differed where paths met
@@ -38,7 +38,7 @@ struct State {
 type Reached = HashMap<(usize, Vec<(u32, Cell)>), BTreeMap<u32, Float>>;
 
 /// Called with every return: its place in the code, and the state there.
-type Returned<'a> = dyn FnMut(&Code, &mut Terms, usize, &State) -> Result<(), Missing> + 'a;
+type Returned<'a> = dyn FnMut(&Code, &mut Terms, usize, &CState) -> Result<(), Missing> + 'a;
 
 /// A function of C, ready to be executed.
 #[derive(Debug)]
@@ -120,7 +120,7 @@ impl Code {
             cells[address as usize] = cell;
         }
         let mut pending = BTreeMap::new();
-        pending.insert((0, from.at), State { guard: Terms::TRUE, cells, agreed: true });
+        pending.insert((0, from.at), CState { guard: Terms::TRUE, cells, agreed: true });
         let (mut cuts, mut steps, mut begun) = (Vec::new(), 0, false);
         while let Some(((round, at), state)) = pending.pop_first() {
             if begun && self.is_cut(at, &state) {
@@ -128,7 +128,7 @@ impl Code {
                 continue;
             }
             begun = true;
-            self.straight(terms, (round, at), State { agreed: true, ..state }, &mut pending, returned, &mut steps)?;
+            self.straight(terms, (round, at), CState { agreed: true, ..state }, &mut pending, returned, &mut steps)?;
         }
         Ok(cuts)
     }
@@ -138,8 +138,8 @@ impl Code {
         &self,
         terms: &mut Terms,
         (round, mut at): (u64, usize),
-        mut state: State,
-        pending: &mut BTreeMap<(u64, usize), State>,
+        mut state: CState,
+        pending: &mut BTreeMap<(u64, usize), CState>,
         returned: &mut Returned<'_>,
         steps: &mut u64,
     ) -> Result<(), Missing> {
@@ -187,7 +187,7 @@ impl Code {
                     state.guard = terms.and(state.guard, condition);
                     if other != Terms::FALSE {
                         let round = round + u64::from(*otherwise <= at);
-                        let state = State { guard: other, ..state.clone() };
+                        let state = CState { guard: other, ..state.clone() };
                         self.arrive(terms, (round, *otherwise), state, pending)?;
                     }
                     if state.guard == Terms::FALSE {
@@ -229,8 +229,8 @@ impl Code {
         &self,
         terms: &mut Terms,
         place: (u64, usize),
-        mut state: State,
-        pending: &mut BTreeMap<(u64, usize), State>,
+        mut state: CState,
+        pending: &mut BTreeMap<(u64, usize), CState>,
     ) -> Result<(), Missing> {
         if let Some(other) = pending.remove(&place) {
             state = self.met(terms, place.1, state, other)?;
@@ -240,7 +240,7 @@ impl Code {
     }
 
     /// Makes one state of two. Their conditions exclude each other: what both ask for decides nothing.
-    fn met(&self, terms: &mut Terms, at: usize, a: State, b: State) -> Result<State, Missing> {
+    fn met(&self, terms: &mut Terms, at: usize, a: CState, b: CState) -> Result<CState, Missing> {
         let (first, second) = (terms.parts(a.guard), terms.parts(b.guard));
         let (shared, only): (Vec<_>, Vec<_>) = first.into_iter().partition(|part| second.contains(part));
         let rest: Vec<_> = second.into_iter().filter(|part| !shared.contains(part)).collect();
@@ -263,7 +263,7 @@ impl Code {
                 _ => return Err(self.missing(at, "one kind of value where paths meet")),
             };
         }
-        Ok(State { guard, cells, agreed })
+        Ok(CState { guard, cells, agreed })
     }
 
     fn is_array(&self, address: usize) -> bool {
@@ -271,7 +271,7 @@ impl Code {
     }
 
     /// Tests whether execution is cut here: where nothing is being computed, or at a label that all paths reach with the same floats.
-    fn is_cut(&self, at: usize, state: &State) -> bool {
+    fn is_cut(&self, at: usize, state: &CState) -> bool {
         match self.program.heads.get(&at) {
             None => false,
             Some(true) if state.agreed => true,
@@ -288,7 +288,7 @@ impl Code {
         &mut self,
         terms: &mut Terms,
         at: usize,
-        state: State,
+        state: CState,
         cuts: &mut Vec<(Bool, Point)>,
     ) -> Result<(), Missing> {
         if state.guard == Terms::FALSE {
@@ -308,7 +308,7 @@ impl Code {
                 let cells = (state.cells.iter())
                     .map(|&cell| if cell == Cell::Word(word) { Cell::Word(constant) } else { cell })
                     .collect();
-                self.cut(terms, at, State { guard, cells, ..state }, cuts)?;
+                self.cut(terms, at, CState { guard, cells, ..state }, cuts)?;
             }
             return Ok(());
         }

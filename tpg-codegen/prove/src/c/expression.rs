@@ -86,9 +86,9 @@ impl Parser<'_> {
             let bracket = *self.peek() == Token::Sign("(");
             self.at += usize::from(bracket);
             if bracket && self.starts_type() {
-                let of = self.type_name()?;
+                let ty = self.type_name()?;
                 self.expect(")")?;
-                return Ok(Expression { line, kind: Kind::SizeOfType(of) });
+                return Ok(Expression { line, kind: Kind::SizeOfType(ty) });
             }
             self.at -= usize::from(bracket);
             let inner = Box::new(self.unary()?);
@@ -97,10 +97,10 @@ impl Parser<'_> {
         if *self.peek() == Token::Sign("(") {
             self.next();
             if self.starts_type() {
-                let of = self.type_name()?;
+                let ty = self.type_name()?;
                 self.expect(")")?;
                 let inner = Box::new(self.unary()?);
-                return Ok(Expression { line, kind: Kind::Cast(of, inner) });
+                return Ok(Expression { line, kind: Kind::Cast(ty, inner) });
             }
             let inner = self.expression()?;
             self.expect(")")?;
@@ -178,7 +178,7 @@ impl Parser<'_> {
         let value = value.map_err(|_| fault())?;
         let unsigned = suffix.contains('u');
         let long = suffix.contains("ll") || value > u64::from(u32::MAX);
-        let of = if long {
+        let ty = if long {
             Type::Integer(8, !unsigned)
         } else if unsigned || value > i32::MAX as u64 && digits.starts_with("0x") {
             Type::UNSIGNED
@@ -187,6 +187,6 @@ impl Parser<'_> {
         } else {
             Type::INT
         };
-        Ok(Kind::Integer(value, of))
+        Ok(Kind::Integer(value, ty))
     }
 }

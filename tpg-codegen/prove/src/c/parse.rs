@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 /// What stands before declarators.
 struct Specifiers {
-    of: Type,
+    ty: Type,
     is_static: bool,
     is_typedef: bool,
     is_extern: bool,
@@ -39,8 +39,8 @@ impl Parser<'_> {
     }
 
     fn specifiers(&mut self) -> Result<Specifiers, Missing> {
-        let mut found = Specifiers { of: Type::Void, is_static: false, is_typedef: false, is_extern: false };
-        let (mut of, mut signed) = (None, None);
+        let mut found = Specifiers { ty: Type::Void, is_static: false, is_typedef: false, is_extern: false };
+        let (mut ty, mut signed) = (None, None);
         loop {
             self.attributes()?;
             let Token::Name(word) = self.peek().clone() else { break };
@@ -49,35 +49,35 @@ impl Parser<'_> {
                 "static" => found.is_static = true,
                 "extern" => found.is_extern = true,
                 "typedef" => found.is_typedef = true,
-                "void" => of = Some(Type::Void),
-                "float" => of = Some(Type::Float),
-                "double" => of = Some(Type::Double),
-                "char" => of = Some(Type::Integer(1, false)),
-                "short" => of = Some(Type::Integer(2, true)),
-                "int" => of = of.or(Some(Type::INT)),
+                "void" => ty = Some(Type::Void),
+                "float" => ty = Some(Type::Float),
+                "double" => ty = Some(Type::Double),
+                "char" => ty = Some(Type::Integer(1, false)),
+                "short" => ty = Some(Type::Integer(2, true)),
+                "int" => ty = ty.or(Some(Type::INT)),
                 "unsigned" => signed = Some(false),
                 "signed" => signed = Some(true),
                 "struct" | "union" => {
                     self.next();
-                    of = Some(self.structure(word == "union")?);
+                    ty = Some(self.structure(word == "union")?);
                     continue;
                 }
                 "enum" => {
                     self.next();
-                    of = Some(self.enumeration()?);
+                    ty = Some(self.enumeration()?);
                     continue;
                 }
-                _ if of.is_none() && signed.is_none() && self.types.contains_key(&word) => {
-                    of = self.types.get(&word).cloned();
+                _ if ty.is_none() && signed.is_none() && self.types.contains_key(&word) => {
+                    ty = self.types.get(&word).cloned();
                 }
                 _ => break,
             }
             self.next();
         }
-        found.of = match (of, signed) {
+        found.ty = match (ty, signed) {
             (None, Some(signed)) => Type::Integer(4, signed),
             (Some(Type::Integer(bytes, _)), Some(signed)) => Type::Integer(bytes, signed),
-            (Some(of), None) => of,
+            (Some(ty), None) => ty,
             _ => return Err(self.missing(format!("a type, found {:?}", self.peek()))),
         };
         Ok(found)
@@ -97,10 +97,10 @@ impl Parser<'_> {
         if self.accept("{") {
             let mut members = Vec::new();
             while !self.accept("}") {
-                let of = self.specifiers()?.of;
+                let ty = self.specifiers()?.ty;
                 loop {
-                    let (name, of) = self.declarator(of.clone())?;
-                    members.push((name, of));
+                    let (name, ty) = self.declarator(ty.clone())?;
+                    members.push((name, ty));
                     if !self.accept(",") {
                         break;
                     }
@@ -154,37 +154,37 @@ impl Parser<'_> {
     }
 
     /// A name with the type that stars, brackets and parameters around it make.
-    fn declarator(&mut self, mut of: Type) -> Result<(String, Type), Missing> {
+    fn declarator(&mut self, mut ty: Type) -> Result<(String, Type), Missing> {
         loop {
             self.attributes()?;
             if self.accept("*") {
-                of = Type::Pointer(Box::new(of));
+                ty = Type::Pointer(Box::new(ty));
             } else if !(self.accept_word("const") || self.accept_word("volatile") || self.accept_word("restrict")) {
                 break;
             }
         }
         let name = if let Token::Name(_) = self.peek() { self.name()? } else { String::new() };
-        Ok((name, self.brackets(of)?))
+        Ok((name, self.brackets(ty)?))
     }
 
-    fn brackets(&mut self, of: Type) -> Result<Type, Missing> {
+    fn brackets(&mut self, ty: Type) -> Result<Type, Missing> {
         if !self.accept("[") {
-            return Ok(of);
+            return Ok(ty);
         }
         if self.accept("]") {
             // as many as are written
-            return Ok(Type::Array(Box::new(self.brackets(of)?), 0));
+            return Ok(Type::Array(Box::new(self.brackets(ty)?), 0));
         }
         let count = self.conditional()?;
         let count = u32::try_from(self.constant(&count)?).map_err(|_| self.missing("a length"))?;
         self.expect("]")?;
-        Ok(Type::Array(Box::new(self.brackets(of)?), count))
+        Ok(Type::Array(Box::new(self.brackets(ty)?), count))
     }
 
     pub(super) fn type_name(&mut self) -> Result<Type, Missing> {
-        let of = self.specifiers()?.of;
-        let (name, of) = self.declarator(of)?;
-        if name.is_empty() { Ok(of) } else { Err(self.missing("a type without a name")) }
+        let ty = self.specifiers()?.ty;
+        let (name, ty) = self.declarator(ty)?;
+        if name.is_empty() { Ok(ty) } else { Err(self.missing("a type without a name")) }
     }
 
     fn external(&mut self) -> Result<(), Missing> {
@@ -197,21 +197,21 @@ impl Parser<'_> {
         }
         loop {
             let line = self.line();
-            let (name, of) = self.declarator(specifiers.of.clone())?;
+            let (name, ty) = self.declarator(specifiers.ty.clone())?;
             if specifiers.is_typedef {
-                self.types.insert(name, of);
+                self.types.insert(name, ty);
             } else if self.accept("(") {
                 let parameters = self.parameters()?;
                 self.attributes()?;
                 if self.accept("{") {
                     let body = self.block()?;
-                    self.unit.functions.push(Function { name, result: of, parameters, body });
+                    self.unit.functions.push(Function { name, result: ty, parameters, body });
                     return Ok(());
                 }
             } else {
                 let initial = if self.accept("=") { Some(self.initialiser()?) } else { None };
                 if !specifiers.is_extern {
-                    self.unit.variables.push(Variable { line, name, of, is_static: true, initial });
+                    self.unit.variables.push(Variable { line, name, ty, is_static: true, initial });
                 }
             }
             if self.accept(";") {
@@ -227,12 +227,12 @@ impl Parser<'_> {
             return Ok(parameters);
         }
         loop {
-            let of = self.specifiers()?.of;
-            let (name, of) = self.declarator(of)?;
-            match of {
+            let ty = self.specifiers()?.ty;
+            let (name, ty) = self.declarator(ty)?;
+            match ty {
                 Type::Void => {}
-                Type::Array(of, _) => parameters.push((name, Type::Pointer(of))),
-                of => parameters.push((name, of)),
+                Type::Array(ty, _) => parameters.push((name, Type::Pointer(ty))),
+                ty => parameters.push((name, ty)),
             }
             if self.accept(")") {
                 return Ok(parameters);
@@ -254,9 +254,9 @@ impl Parser<'_> {
         let mut variables = Vec::new();
         while !self.accept(";") {
             let line = self.line();
-            let (name, of) = self.declarator(specifiers.of.clone())?;
+            let (name, ty) = self.declarator(specifiers.ty.clone())?;
             let initial = if self.accept("=") { Some(self.initialiser()?) } else { None };
-            variables.push(Variable { line, name, of, is_static: specifiers.is_static, initial });
+            variables.push(Variable { line, name, ty, is_static: specifiers.is_static, initial });
             if !self.accept(",") {
                 self.expect(";")?;
                 break;

@@ -64,7 +64,7 @@ pub(super) enum Kind {
 pub(super) struct Variable {
     pub(super) line: u32,
     pub(super) name: String,
-    pub(super) of: Type,
+    pub(super) ty: Type,
     pub(super) is_static: bool,
     pub(super) initial: Option<Expression>,
 }

@@ -96,7 +96,7 @@ fn line_tokens(file: &str, text: &str, line: u32) -> Result<Vec<Placed>, Missing
     let mut tokens = Vec::new();
     let mut rest = text.trim_start();
     while let Some(first) = rest.chars().next() {
-        let taken = |of: &dyn Fn(char) -> bool| rest.find(|letter| !of(letter)).unwrap_or(rest.len());
+        let taken = |ty: &dyn Fn(char) -> bool| rest.find(|letter| !ty(letter)).unwrap_or(rest.len());
         let (token, length) = if first.is_ascii_alphabetic() || first == '_' {
             let length = taken(&|letter| letter.is_ascii_alphanumeric() || letter == '_');
             (Token::Name(rest[..length].to_owned()), length)

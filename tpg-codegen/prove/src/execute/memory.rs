@@ -1,7 +1,7 @@
 //! Loads and stores.
 
 use super::value::{Region, Value};
-use super::{Object, Point, State};
+use super::{MachineState, Object, Point};
 use crate::elf::{Address, Part};
 use crate::input::Missing;
 use crate::machine::Answer;
@@ -45,7 +45,7 @@ impl Object {
     pub(super) fn transfer(
         &self,
         terms: &mut Terms,
-        state: &mut State,
+        state: &mut MachineState,
         at: &Instruction,
         (load, width, registers, place): (bool, Width, &[Register], Place),
     ) -> Result<()> {

@@ -36,7 +36,7 @@ pub struct Point {
 
 /// A point on its way, with the condition under which it is reached.
 #[derive(Clone, Debug)]
-struct State {
+struct MachineState {
     point: Point,
     guard: Bool,
     /// Its place in an order in which everything comes after what leads to it: for each call, the iterations of the
@@ -47,11 +47,11 @@ struct State {
 /// A state behind an instruction.
 enum Next {
     /// At the next instruction.
-    At(State),
+    At(MachineState),
     /// Behind a call, where all paths through the function that was called meet.
-    Behind(State),
+    Behind(MachineState),
     /// At the end of the function.
-    Return(State),
+    Return(MachineState),
 }
 
 /// Machine code that is executed.
@@ -87,10 +87,10 @@ impl Object {
     }
 
     /// Joins two states at the same place.
-    fn joined(&mut self, terms: &mut Terms, a: &State, b: &State) -> State {
+    fn joined(&mut self, terms: &mut Terms, a: &MachineState, b: &MachineState) -> MachineState {
         let guard = terms.or(a.guard, b.guard);
         let condition = distinguishing(terms, a.guard, b.guard);
-        State { point: self.merged(terms, condition, &a.point, &b.point), guard, position: a.position.clone() }
+        MachineState { point: self.merged(terms, condition, &a.point, &b.point), guard, position: a.position.clone() }
     }
 
     /// Returns a point that is the first where the condition holds, else the second.
@@ -112,7 +112,7 @@ impl Object {
     }
 
     /// Forgets what is not read any more, and the choices that the guard decides.
-    fn tidied(&mut self, terms: &Terms, state: &mut State) -> Result<(), Missing> {
+    fn tidied(&mut self, terms: &Terms, state: &mut MachineState) -> Result<(), Missing> {
         let facts = terms.parts(state.guard);
         let point = &mut state.point;
         let mut live = self.flow(point.function)?.nodes[&point.address].live;
@@ -144,7 +144,7 @@ impl Object {
     }
 
     /// Splits a state where the next piece begins: integers become constants. None if the piece goes on.
-    fn cut(&mut self, terms: &mut Terms, state: &State) -> Result<Option<Vec<(Bool, Point)>>, Missing> {
+    fn cut(&mut self, terms: &mut Terms, state: &MachineState) -> Result<Option<Vec<(Bool, Point)>>, Missing> {
         let point = &state.point;
         let flow = self.flow(point.function)?;
         let node = &flow.nodes[&point.address];
@@ -180,7 +180,7 @@ impl Object {
     }
 
     /// Moves a state to another instruction of its function.
-    fn moved(&mut self, state: &mut State, to: u32) -> Result<(), Missing> {
+    fn moved(&mut self, state: &mut MachineState, to: u32) -> Result<(), Missing> {
         let from = state.point.address;
         let flow = self.flow(state.point.function)?;
         let (Some(before), Some(after)) = (flow.nodes.get(&from), flow.nodes.get(&to)) else {
@@ -220,7 +220,7 @@ impl Point {
         let mut point = self.clone();
         for place in point.registers.iter_mut().flatten().chain(point.memory.values_mut()) {
             match place {
-                Value::Word(of) | Value::Pointer(_, of) if *of == word => *of = number,
+                Value::Word(found) | Value::Pointer(_, found) if *found == word => *found = number,
                 _ => {}
             }
         }
@@ -264,12 +264,12 @@ impl Machine for Object {
 
     fn run(&mut self, terms: &mut Terms, from: &Point) -> Result<Vec<(Bool, Step<Point>)>, Missing> {
         let flow = self.flow(from.function)?;
-        let mut waiting: BTreeMap<Vec<u32>, State> = BTreeMap::new();
+        let mut waiting: BTreeMap<Vec<u32>, MachineState> = BTreeMap::new();
         let node = &flow.nodes[&from.address];
         let mut position: Vec<u32> = node.loops.iter().flat_map(|&head| [head, 0]).collect();
         position.push(node.order);
         let mut pieces: Vec<(Bool, Step<Point>)> = Vec::new();
-        let mut first = Some(State { point: from.clone(), guard: Terms::TRUE, position });
+        let mut first = Some(MachineState { point: from.clone(), guard: Terms::TRUE, position });
         let mut count = 0;
         while let Some(mut state) = first.take().or_else(|| waiting.pop_first().map(|(_, state)| state)) {
             if count > 0 {

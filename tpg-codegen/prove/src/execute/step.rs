@@ -2,7 +2,7 @@
 
 use super::memory::{moved, refuse};
 use super::value::{Flags, Region, Value, restricted, word};
-use super::{Next, Object, Point, State};
+use super::{MachineState, Next, Object, Point};
 use crate::elf::{Address, Part};
 use crate::input::Missing;
 use crate::term::{Bool, Operator, Terms, Width, Word};
@@ -15,7 +15,7 @@ const W: Width = Width::W32;
 
 impl Object {
     /// Executes an instruction.
-    pub(super) fn step(&mut self, terms: &mut Terms, mut state: State) -> Result<Vec<Next>> {
+    pub(super) fn step(&mut self, terms: &mut Terms, mut state: MachineState) -> Result<Vec<Next>> {
         let flow = self.flow(state.point.function)?;
         let node = &flow.nodes[&state.point.address];
         let at = &node.instruction;
@@ -69,7 +69,7 @@ impl Object {
     fn leave(
         &mut self,
         terms: &mut Terms,
-        mut state: State,
+        mut state: MachineState,
         at: &Instruction,
         callee: Option<Address>,
         followers: &mut Vec<Next>,
@@ -137,7 +137,7 @@ impl Object {
     fn jump(
         &mut self,
         terms: &mut Terms,
-        state: &State,
+        state: &MachineState,
         (word, number, target): (Word, u64, Option<u32>),
         followers: &mut Vec<Next>,
     ) -> Result<()> {
@@ -155,7 +155,13 @@ impl Object {
     }
 
     /// Returns from a function.
-    fn returned(&mut self, terms: &mut Terms, mut state: State, at: &Instruction, target: Value) -> Result<Next> {
+    fn returned(
+        &mut self,
+        terms: &mut Terms,
+        mut state: MachineState,
+        at: &Instruction,
+        target: Value,
+    ) -> Result<Next> {
         if target != return_to(terms, state.point.callers.last().copied()) {
             return Err(refuse(at, "returns to another address"));
         }
@@ -170,7 +176,7 @@ impl Object {
     }
 
     /// Executes an instruction that goes on with the next.
-    fn execute(&mut self, terms: &mut Terms, state: &mut State, at: &Instruction) -> Result<()> {
+    fn execute(&mut self, terms: &mut Terms, state: &mut MachineState, at: &Instruction) -> Result<()> {
         let point = &mut state.point;
         let (to, value) = match &at.operation {
             Operation::Nop | Operation::If => return Ok(()),
@@ -452,7 +458,7 @@ fn shifted(terms: &mut Terms, word: Word, shift: Shift, amount: u64) -> Word {
 }
 
 /// Returns a state where a condition holds, too; none if it cannot.
-fn under(terms: &mut Terms, state: &State, condition: Bool) -> Option<State> {
+fn under(terms: &mut Terms, state: &MachineState, condition: Bool) -> Option<MachineState> {
     let guard = terms.and(state.guard, condition);
     if guard == Terms::FALSE {
         return None;

@@ -225,7 +225,7 @@ pub(super) fn restricted(terms: &Terms, value: Value, facts: &[Bool]) -> Value {
             }
             Value::Float(float)
         }
-        Value::Word(of) => Value::Word(restricted_word(terms, of, facts)),
+        Value::Word(word) => Value::Word(restricted_word(terms, word, facts)),
         Value::Pointer(region, offset) => Value::Pointer(region, restricted_word(terms, offset, facts)),
         _ => value,
     }

@@ -7,7 +7,7 @@ use std::rc::Rc;
 
 /// What is known of the elements for good.
 #[derive(Debug, Default)]
-struct Facts {
+struct OrderFacts {
     /// Where the negated element is
     mirror: Vec<Option<usize>>,
     /// The constant that an element reaches unless it is NaN
@@ -25,7 +25,7 @@ struct Facts {
 /// An order of elements as far as it is known. Element 0 is NaN.
 #[derive(Clone, Debug)]
 pub(super) struct Closure {
-    facts: Rc<Facts>,
+    facts: Rc<OrderFacts>,
     words: usize,
     count: usize,
     /// For each element those that are at least, and those that are higher
@@ -38,9 +38,9 @@ impl Closure {
     pub(super) fn new(terms: &mut Terms, intervals: &mut Intervals, elements: &[Float]) -> Option<Self> {
         let count = elements.len();
         let words = count.div_ceil(64);
-        let facts = Facts { mirror: vec![None; count], lowest: vec![None; count], ..Facts::default() };
+        let facts = OrderFacts { mirror: vec![None; count], lowest: vec![None; count], ..OrderFacts::default() };
         let mut order = Self {
-            facts: Rc::new(Facts::default()),
+            facts: Rc::new(OrderFacts::default()),
             words,
             count,
             reached: vec![0; count * words],
@@ -59,8 +59,8 @@ impl Closure {
         terms: &mut Terms,
         intervals: &mut Intervals,
         elements: &[Float],
-        mut facts: Facts,
-    ) -> Option<Facts> {
+        mut facts: OrderFacts,
+    ) -> Option<OrderFacts> {
         let places: HashMap<_, _> = elements.iter().enumerate().map(|(at, &element)| (element, at)).collect();
         let constants: Vec<u32> = elements.iter().map_while(|&element| terms.bits_of(element)).collect();
         let mut roots = HashMap::new();
@@ -79,7 +79,7 @@ impl Closure {
             if at < constants.len() {
                 continue;
             }
-            let interval = intervals.of(terms, element);
+            let interval = intervals.interval(terms, element);
             let reaches = |bound: u32| constants.iter().rposition(|&constant| rank(constant) <= rank(bound));
             let limits = |bound: u32| constants.iter().position(|&constant| rank(constant) >= rank(bound));
             if let Some(high) = limits(interval.high)
@@ -102,7 +102,7 @@ impl Closure {
         terms: &mut Terms,
         places: &HashMap<Float, usize>,
         (at, element): (usize, Float),
-        facts: &mut Facts,
+        facts: &mut OrderFacts,
     ) -> Float {
         let mut inner = element;
         loop {

@@ -12,7 +12,7 @@ use closure::Closure;
 use std::collections::{BTreeSet, HashMap};
 
 /// Conditions under a truth assignment.
-struct Search<'t> {
+struct OrderSearch<'t> {
     terms: &'t Terms,
     places: HashMap<Float, usize>,
     /// Truth of nodes: 0 where unknown, else 1 for *false* and 2 for *true*
@@ -57,7 +57,7 @@ pub fn together(
     let closure = Closure::new(terms, intervals, &elements);
     let places = elements.iter().enumerate().map(|(place, &element)| (element, place)).collect();
     let count = terms.count();
-    let mut search = Search {
+    let mut search = OrderSearch {
         terms,
         places,
         known: vec![0; count],
@@ -111,12 +111,12 @@ fn elements(terms: &mut Terms, roots: &[Bool]) -> Vec<Float> {
 
 /// The value of a condition, or an atom on which it depends.
 #[derive(Clone, Copy)]
-enum Value {
+enum OrderValue {
     Known(bool),
     Open(u32),
 }
 
-impl Search<'_> {
+impl OrderSearch<'_> {
     /// Records the pairs that are possible in a case.
     fn explore(
         &mut self,
@@ -132,9 +132,9 @@ impl Search<'_> {
         }
         self.evaluation += 1;
         let open = match self.value(closure, assumption) {
-            Value::Known(false) => return Ok(()),
-            Value::Open(atom) => Some(atom),
-            Value::Known(true) => match self.chosen(closure, left) {
+            OrderValue::Known(false) => return Ok(()),
+            OrderValue::Open(atom) => Some(atom),
+            OrderValue::Known(true) => match self.chosen(closure, left) {
                 Err(None) => {
                     self.incomplete = true;
                     None
@@ -151,7 +151,7 @@ impl Search<'_> {
                         // nothing new can be found here
                         let all = (0..right.len()).all(|second| {
                             found.contains(&(first, second))
-                                || matches!(self.value(closure, right[second]), Value::Known(false))
+                                || matches!(self.value(closure, right[second]), OrderValue::Known(false))
                         });
                         if all { None } else { atom }
                     }
@@ -177,9 +177,9 @@ impl Search<'_> {
         let mut first = None;
         for (at, &condition) in conditions.iter().enumerate() {
             match self.value(closure, condition) {
-                Value::Known(true) => return Ok(at),
-                Value::Known(false) => {}
-                Value::Open(atom) => first = first.or(Some(atom)),
+                OrderValue::Known(true) => return Ok(at),
+                OrderValue::Known(false) => {}
+                OrderValue::Open(atom) => first = first.or(Some(atom)),
             }
         }
         Err(first)
@@ -197,49 +197,49 @@ impl Search<'_> {
         self.trail.push(node);
     }
 
-    fn value(&mut self, closure: &Closure, term: Bool) -> Value {
+    fn value(&mut self, closure: &Closure, term: Bool) -> OrderValue {
         let (node, negated) = (term.node_number(), term != term.positive());
         match self.node_value(closure, node) {
-            Value::Known(value) => Value::Known(value != negated),
+            OrderValue::Known(value) => OrderValue::Known(value != negated),
             open => open,
         }
     }
 
-    fn node_value(&mut self, closure: &Closure, node: u32) -> Value {
+    fn node_value(&mut self, closure: &Closure, node: u32) -> OrderValue {
         if let known @ 1.. = self.known[node as usize] {
-            return Value::Known(known == 2);
+            return OrderValue::Known(known == 2);
         }
         let (evaluation, atom) = self.unknown[node as usize];
         if evaluation == self.evaluation {
-            return Value::Open(atom);
+            return OrderValue::Open(atom);
         }
         let terms = self.terms;
         let value = match *terms.node_at(node) {
-            Node::True => Value::Known(true),
+            Node::True => OrderValue::Known(true),
             Node::And(ref members) => {
                 let mut open = None;
                 let mut result = None;
                 for &member in members.iter() {
                     match self.value(closure, member) {
-                        Value::Known(false) => {
-                            result = Some(Value::Known(false));
+                        OrderValue::Known(false) => {
+                            result = Some(OrderValue::Known(false));
                             break;
                         }
-                        Value::Known(true) => {}
-                        Value::Open(atom) => open = open.or(Some(atom)),
+                        OrderValue::Known(true) => {}
+                        OrderValue::Open(atom) => open = open.or(Some(atom)),
                     }
                 }
-                result.unwrap_or_else(|| open.map_or(Value::Known(true), Value::Open))
+                result.unwrap_or_else(|| open.map_or(OrderValue::Known(true), OrderValue::Open))
             }
             Node::AtMost(a, b) => match closure.at_most(self.places[&a], self.places[&b]) {
-                Some(value) => Value::Known(value),
-                None => Value::Open(node),
+                Some(value) => OrderValue::Known(value),
+                None => OrderValue::Open(node),
             },
-            _ => Value::Open(node),
+            _ => OrderValue::Open(node),
         };
         match value {
-            Value::Known(value) => self.set(node, value),
-            Value::Open(atom) => self.unknown[node as usize] = (self.evaluation, atom),
+            OrderValue::Known(value) => self.set(node, value),
+            OrderValue::Open(atom) => self.unknown[node as usize] = (self.evaluation, atom),
         }
         value
     }

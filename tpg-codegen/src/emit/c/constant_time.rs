@@ -18,7 +18,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 #[derive(Template)]
 #[template(path = "c/constant_time.c", escape = "none")]
-struct ConstantTime<'a> {
+struct CConstantTime<'a> {
     entry: Entry,
     prefix: &'a str,
     upper: &'a str,
@@ -41,7 +41,7 @@ struct ConstantTime<'a> {
 /// Some teams, and what they need.
 #[derive(Template)]
 #[template(path = "c/constant_time_teams.c", escape = "none")]
-struct Teams<'a> {
+struct CConstantTimeTeams<'a> {
     prefix: &'a str,
     scalar: &'a str,
     vertex: &'a str,
@@ -75,7 +75,7 @@ pub(super) fn render(
         _ => choice::block(printer, [], &module.leaves),
     };
     let (statements, leaves) = choice::leaves(&mut block, &module.leaves, outputs);
-    let constant_time = ConstantTime {
+    let constant_time = CConstantTime {
         entry: Entry::new(printer),
         prefix: printer.prefix,
         upper,
@@ -116,7 +116,7 @@ fn teams<'a>(
         }
     }
     let key = |bid: NodeId| if challengers.contains(&bid) { names[&bid].clone() } else { block.value(bid) };
-    let teams = Teams {
+    let teams = CConstantTimeTeams {
         prefix: printer.prefix,
         scalar: printer.scalar(),
         vertex,

@@ -3,7 +3,7 @@
 //! functions.
 //!
 //! The best bid starts at the lowest finite number, and a NaN is never as high: so only bids above −∞ win, and where there
-//! is none, nobody wins, which is how the team's last edge does. No bid needs a test for NaN.
+//! is none, the team's last edge is taken. No bid needs a test for NaN.
 //!
 //! A bid of 0 is read from a volatile variable where another may be `max(0, x)`: see [`Syntax::hides_zeros`].
 
@@ -23,7 +23,7 @@ use std::collections::BTreeSet;
 
 #[derive(Template)]
 #[template(path = "c/fast.c", escape = "none")]
-struct Fast<'a> {
+struct CFast<'a> {
     entry: Entry,
     prefix: &'a str,
     upper: &'a str,
@@ -33,7 +33,7 @@ struct Fast<'a> {
     leads: bool,
     /// There is more than one team.
     has_order: bool,
-    functions: Vec<FunctionView>,
+    functions: Vec<CFunctionView>,
     outputs: &'a [OutputView],
     /// The leaves, where the only function computes them after its teams: its walks jump there.
     leaves: Vec<LeafView>,
@@ -48,11 +48,11 @@ struct Fast<'a> {
 const RULE: &str = "The highest bid wins, of equal bids the last; NaN and minus infinity never win.";
 
 /// Some teams, one after another.
-struct FunctionView {
+struct CFunctionView {
     head: String,
     /// The numbers and labels of the teams that other functions lead to; empty if there is only one function.
     entries: Vec<(usize, u32)>,
-    teams: Vec<TeamLines>,
+    teams: Vec<CTeamLines>,
     /// The labels that something goes to.
     gone_to: BTreeSet<String>,
     /// The number after its last team's.
@@ -60,7 +60,7 @@ struct FunctionView {
     reads_state: bool,
 }
 
-impl FunctionView {
+impl CFunctionView {
     fn is_entered(&self, team: &u32) -> bool {
         self.gone_to.contains(&format!("team_{team}")) || self.entries.iter().any(|(_, label)| label == team)
     }
@@ -71,7 +71,7 @@ impl FunctionView {
 }
 
 /// A team, and the statements that go on from it.
-struct TeamLines {
+struct CTeamLines {
     view: TeamView<Jump>,
     /// The winner has a variable.
     keeps_winner: bool,
@@ -244,7 +244,7 @@ pub(super) fn render(
     }
     let mut leaves = if is_whole { views(printer, &schedule.leaves, outputs, true) } else { Vec::new() };
     let in_place = if answers_in_place { std::mem::take(&mut leaves) } else { Vec::new() };
-    let mut printed: Vec<FunctionView> = Vec::new();
+    let mut printed: Vec<CFunctionView> = Vec::new();
     for (number, teams) in functions.iter().enumerate() {
         let to = Places {
             module,
@@ -262,19 +262,19 @@ pub(super) fn render(
             let view = team::view(printer, &schedule.plans[team], &to);
             let decision = decision(&view.decision, view.winner, labels.get(place + 1).map(String::as_str));
             let is_action = is_whole && matches!(view.decision, Decision::Winner);
-            TeamLines {
+            CTeamLines {
                 keeps_winner: matches!(view.decision, Decision::Winner | Decision::Ways(_)),
                 winner_type: if is_action { entry.action.clone() } else { "uint32_t".to_owned() },
                 view,
                 decision,
             }
         };
-        let lines: Vec<TeamLines> = teams.iter().enumerate().map(line).collect();
+        let lines: Vec<CTeamLines> = teams.iter().enumerate().map(line).collect();
         let gotos = lines.iter().flat_map(|team| &team.decision).filter_map(|line| line.strip_prefix("goto "));
         let entered = teams.iter().filter(|team| !is_whole && entries.contains(team));
         let answers = leaves.iter().chain(&in_place).any(|leaf| leaf.reads_state);
         let values: Vec<_> = teams.iter().flat_map(|&team| schedule.plans[team].values()).collect();
-        printed.push(FunctionView {
+        printed.push(CFunctionView {
             head: match is_whole {
                 true => entry.head.clone(),
                 false => format!(
@@ -293,7 +293,7 @@ pub(super) fn render(
         true => String::new(),
         false => leaves::render(printer, &schedule.leaves, outputs),
     };
-    let fast = Fast {
+    let fast = CFast {
         entry,
         prefix: printer.prefix,
         upper,

@@ -11,7 +11,7 @@ use askama::Template;
 
 #[derive(Template)]
 #[template(path = "c/formula.c", escape = "none")]
-struct Straight {
+struct CStraight {
     entry: Entry,
     reads_state: bool,
     statements: Vec<String>,
@@ -30,7 +30,7 @@ pub(super) fn render(printer: &Printer<'_>, formula: &Formula, outputs: &[Output
         let limited = if is_constant { value } else { leaves::limited(printer, output, &value) };
         (output.field.clone(), limited)
     });
-    let straight = Straight {
+    let straight = CStraight {
         entry: Entry::new(printer),
         reads_state: printer.reads_state(&formula.values),
         statements,

@@ -15,7 +15,7 @@ struct Gegelati<'a> {
     scalar: &'a str,
     vertex: String,
     programs: Vec<ProgramView>,
-    teams: Vec<TeamView>,
+    teams: Vec<GegelatiTeamView>,
     /// The entry point.
     walk: String,
 }
@@ -26,7 +26,7 @@ struct ProgramView {
     result: String,
 }
 
-struct TeamView {
+struct GegelatiTeamView {
     label: u32,
     programs: Vec<u32>,
     next: String,
@@ -40,7 +40,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, upper: &str) ->
         vertex: printer.vertex_type(module.vertices()),
         programs: module.bidders.iter().map(|bidder| program(printer, bidder)).collect(),
         teams: (module.teams.iter())
-            .map(|team| TeamView {
+            .map(|team| GegelatiTeamView {
                 label: team.label,
                 programs: team.edges.iter().map(|edge| module.bidders[edge.bidder].label).collect(),
                 next: team

@@ -13,7 +13,7 @@ use tpg_runtime::ops::{BY_ZERO, ZERO_BY_ZERO};
 
 #[derive(Template)]
 #[template(path = "c/helpers.c", escape = "none")]
-struct Helpers<'a> {
+struct CHelpers<'a> {
     printer: &'a Printer<'a>,
     prefix: &'a str,
     scalar: &'a str,
@@ -39,13 +39,13 @@ struct Helpers<'a> {
     signed: &'a str,
     unsigned_suffix: &'a str,
     estimate: Estimate,
-    whole: Whole,
+    whole: CWholeHelpers,
     /// The literal in place of NaN, where every output has the same.
     same_nan: Option<String>,
 }
 
 /// The literals of a quotient.
-struct Whole {
+struct CWholeHelpers {
     zero: String,
     one: String,
     by_zero: String,
@@ -57,7 +57,7 @@ struct Whole {
     most_bits: &'static str,
 }
 
-impl Whole {
+impl CWholeHelpers {
     fn new(printer: &Printer<'_>) -> Self {
         let scalar = printer.graph.scalar();
         let number = |value: f64| printer.literal(scalar.round(value));
@@ -78,7 +78,7 @@ impl Whole {
     }
 }
 
-impl Helpers<'_> {
+impl CHelpers<'_> {
     fn calls(&self, name: &str) -> bool {
         self.called.contains(name)
     }
@@ -138,7 +138,7 @@ pub(super) fn render(printer: &Printer<'_>, body: &str, upper: &str) -> String {
         ScalarType::F32 => ("uint32_t", "int32_t", "U", 31, 9, "0x80000000U", "0x7f800000U"),
         ScalarType::F64 => ("uint64_t", "int64_t", "ULL", 63, 12, "0x8000000000000000ULL", "0x7ff0000000000000ULL"),
     };
-    let mut helpers = Helpers {
+    let mut helpers = CHelpers {
         printer,
         prefix: printer.prefix,
         scalar: printer.scalar(),
@@ -159,7 +159,7 @@ pub(super) fn render(printer: &Printer<'_>, body: &str, upper: &str) -> String {
         signed,
         unsigned_suffix,
         estimate: estimate::numbers(scalar),
-        whole: Whole::new(printer),
+        whole: CWholeHelpers::new(printer),
         same_nan: printer.same_nan().map(|nan| printer.literal(nan)),
     };
     let inline = format!("{upper}_INLINE");

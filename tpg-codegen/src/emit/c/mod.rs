@@ -30,7 +30,7 @@ use tpg_graph::{Graph, MathsProvider, ScalarType};
 
 #[derive(Template)]
 #[template(path = "c/header.h", escape = "none")]
-struct Header<'a> {
+struct CHeader<'a> {
     banner: &'a [String],
     prefix: &'a str,
     upper: &'a str,
@@ -47,20 +47,20 @@ struct Header<'a> {
     worst: Cost<u64>,
     gegelati: bool,
     system_maths: bool,
-    arm: Option<ArmView>,
+    arm: Option<CArmView>,
     /// The quality of the self-test.
     quality: Option<String>,
 }
 
 /// The sources and moves of a policy that drives the arm, as initialisers.
-struct ArmView {
+struct CArmView {
     sources: Vec<String>,
     moves: Vec<String>,
 }
 
 #[derive(Template)]
 #[template(path = "c/source.c", escape = "none")]
-struct Source<'a> {
+struct CSource<'a> {
     banner: &'a [String],
     prefix: &'a str,
     upper: &'a str,
@@ -72,7 +72,7 @@ struct Source<'a> {
     body: String,
     entry: Entry,
     sources: &'a [SourceView],
-    vectors: Vec<VectorView>,
+    vectors: Vec<CVectorView>,
     system_maths: bool,
     /// The outputs, then the next values of the memory.
     outputs: &'a [OutputView],
@@ -83,7 +83,7 @@ struct Source<'a> {
     gegelati: bool,
 }
 
-struct VectorView {
+struct CVectorView {
     state: String,
     answer: String,
 }
@@ -128,7 +128,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let (answers, memory) = outputs.split_at(outputs.len() - graph.memory());
     let observed = if memory.is_empty() { Vec::new() } else { seen.iter().flat_map(observed).collect() };
     let chosen = vectors(graph);
-    let header = Header {
+    let header = CHeader {
         banner: &banner,
         prefix,
         upper: &upper,
@@ -150,7 +150,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let shown = vectors.iter().flat_map(|vector| [&vector.state, &vector.answer]);
     let needs_math = [&helpers, &body].into_iter().chain(shown).any(|text| uses_maths(text));
     let needs_string = [&helpers, &body].into_iter().chain(&observed).any(|text| text.contains("memcpy"));
-    let source = Source {
+    let source = CSource {
         banner: &banner,
         prefix,
         upper: &upper,
@@ -198,14 +198,14 @@ fn actions(printer: &Printer<'_>) -> Vec<(String, String)> {
 }
 
 /// `None` where the runtime's C interface cannot drive the arm with it: it computes in `f32`.
-fn arm_view(graph: &Graph) -> Option<ArmView> {
+fn arm_view(graph: &Graph) -> Option<CArmView> {
     let moves = moves(graph).filter(|_| graph.scalar() == ScalarType::F32)?;
     let sources = graph.sources().iter().map(|source| format!("TPG_SOURCE_{}", source.name.to_ascii_uppercase()));
     let moves = moves.iter().map(|moves| {
         let ticks: Vec<String> = moves.iter().map(i8::to_string).collect();
         format!("{{ {{ {} }} }}", ticks.join(", "))
     });
-    Some(ArmView { sources: sources.collect(), moves: moves.collect() })
+    Some(CArmView { sources: sources.collect(), moves: moves.collect() })
 }
 
 /// The statements that copy a source from a state to a view.
@@ -222,7 +222,7 @@ fn observed(source: &SourceView) -> Vec<String> {
     }
 }
 
-fn views(printer: &Printer<'_>, Vectors { states, answers, .. }: &Vectors) -> Vec<VectorView> {
+fn views(printer: &Printer<'_>, Vectors { states, answers, .. }: &Vectors) -> Vec<CVectorView> {
     let (graph, constants) = (printer.graph, printer.constants());
     (states.chunks_exact(graph.state_length()).zip(answers))
         .map(|(state, answer)| {
@@ -244,7 +244,7 @@ fn views(printer: &Printer<'_>, Vectors { states, answers, .. }: &Vectors) -> Ve
                     format!("{{ {} }}", values.join(", "))
                 }
             };
-            VectorView { state, answer }
+            CVectorView { state, answer }
         })
         .collect()
 }

@@ -15,7 +15,7 @@ use askama::Template;
 
 #[derive(Template)]
 #[template(path = "c/small.c", escape = "none")]
-struct Small<'a> {
+struct CSmall<'a> {
     entry: Entry,
     prefix: &'a str,
     upper: &'a str,
@@ -51,7 +51,7 @@ pub(super) fn render(printer: &Printer<'_>, code: &Bytecode, outputs: &[OutputVi
     let table = |values: &[u64]| table(printer, values, |width| if width.bits() == 64 { "ULL" } else { "U" });
     // The constants are sorted by their bits, of which minus infinity has the highest.
     let constants = code.constants.strip_suffix(&[f64::NEG_INFINITY]).unwrap_or(&code.constants);
-    let small = Small {
+    let small = CSmall {
         entry: Entry::new(printer),
         prefix: printer.prefix,
         upper,

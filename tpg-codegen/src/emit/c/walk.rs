@@ -13,23 +13,23 @@ const GROUP: usize = 64;
 
 #[derive(Template)]
 #[template(path = "c/walk.c", escape = "none")]
-struct Walk<'a> {
+struct CWalk<'a> {
     prefix: &'a str,
     upper: &'a str,
-    groups: Vec<&'a [Case]>,
+    groups: Vec<&'a [CCase]>,
     group_size: usize,
 }
 
-struct Case {
+struct CCase {
     vertex: usize,
     label: u32,
 }
 
 /// Renders GEGELATI's entry point.
 pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, upper: &str) -> String {
-    let cases: Vec<Case> =
-        module.teams.iter().enumerate().map(|(vertex, team)| Case { vertex, label: team.label }).collect();
+    let cases: Vec<CCase> =
+        module.teams.iter().enumerate().map(|(vertex, team)| CCase { vertex, label: team.label }).collect();
     let groups = cases.chunks(GROUP).collect();
-    let walk = Walk { prefix: printer.prefix, upper, groups, group_size: GROUP };
+    let walk = CWalk { prefix: printer.prefix, upper, groups, group_size: GROUP };
     walk.render().expect("the template renders")
 }

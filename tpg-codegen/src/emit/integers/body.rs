@@ -2,7 +2,7 @@
 
 use super::comment::Comments;
 use super::lines::Lines;
-use super::spelling::{Called, Spelling};
+use super::spelling::{Called, IntegerSpelling};
 use crate::emit::names;
 use crate::integers::{Integers, Whole};
 use crate::ir::{Module, Node, NodeId, Target, reached, topological};
@@ -12,13 +12,17 @@ use tpg_graph::ActionId;
 use tpg_runtime::ops::Instruction;
 
 /// The body's text, and the functions that it calls.
-pub(super) fn body<'a>(module: &'a Module<'a>, integers: &'a Integers, spelling: &'a Spelling<'a>) -> (String, Called) {
+pub(super) fn body<'a>(
+    module: &'a Module<'a>,
+    integers: &'a Integers,
+    spelling: &'a IntegerSpelling<'a>,
+) -> (String, Called) {
     let teams = topological(&module.teams);
     let leaf = module.only_leaf();
     let several = leaf.is_none() && (teams.len() > 1 || !module.leaves.is_empty());
     let lines = Lines::new(module, integers, spelling);
     let mut body =
-        Body { module, integers, spelling, lines, several, depth: spelling.either(1, 2), text: String::new() };
+        IntegerBody { module, integers, spelling, lines, several, depth: spelling.either(1, 2), text: String::new() };
     match leaf {
         Some(leaf) => body.leaf(&leaf.values),
         None if several => body.vertices(&teams),
@@ -27,10 +31,10 @@ pub(super) fn body<'a>(module: &'a Module<'a>, integers: &'a Integers, spelling:
     (body.text, body.lines.called())
 }
 
-struct Body<'a> {
+struct IntegerBody<'a> {
     module: &'a Module<'a>,
     integers: &'a Integers,
-    spelling: &'a Spelling<'a>,
+    spelling: &'a IntegerSpelling<'a>,
     lines: Lines<'a>,
     /// There is more than one vertex.
     several: bool,
@@ -39,7 +43,7 @@ struct Body<'a> {
     text: String,
 }
 
-impl Body<'_> {
+impl IntegerBody<'_> {
     fn line(&mut self, text: &str) {
         for line in text.lines() {
             let _ = writeln!(self.text, "{:1$}{line}", "", self.depth * 4);
@@ -118,7 +122,7 @@ impl Body<'_> {
             None => self.label(to).replace('_', " "),
         };
         let said: Vec<_> = bids.iter().zip(edges).map(|(&bid, edge)| (bid, said(edge.to))).collect();
-        let comments = Comments::of_bids(module, &said);
+        let comments = Comments::for_bids(module, &said);
         let wide = bids.iter().any(|&bid| self.lines.is_wide(bid));
         let mut open: BTreeSet<NodeId> = self.lines.choose(&bids).into_iter().collect();
         let names = names::actions(module.graph);
@@ -163,7 +167,7 @@ impl Body<'_> {
     }
 
     fn statement(&mut self, id: NodeId, comments: &Comments<'_>) {
-        if let Some(said) = comments.of(id, self.integers.of(id)) {
+        if let Some(said) = comments.text(id, self.integers.interval(id)) {
             self.line(&self.spelling.comment(&said, self.depth));
         }
         self.line(&self.lines.statement(id));
@@ -172,7 +176,7 @@ impl Body<'_> {
     fn leaf(&mut self, values: &[NodeId]) {
         let module = self.module;
         let outputs = module.graph.outputs();
-        let comments = Comments::of_outputs(module, values);
+        let comments = Comments::for_outputs(module, values);
         let named = self.lines.choose(values);
         let names = outputs.iter().zip(values).filter_map(|(output, &value)| {
             let name = self.spelling.variable(output)?;

@@ -2,7 +2,7 @@
 
 use super::body::body;
 use super::dense::{Dense, Table};
-use super::spelling::{Function, Helpers, Spelling};
+use super::spelling::{Function, IntegerHelpers, IntegerSpelling};
 use super::view::{self, FieldView, VectorView, actions, sources};
 use crate::emit::file::File;
 use crate::emit::vectors::vectors;
@@ -13,7 +13,7 @@ use askama::Template;
 
 #[derive(Template)]
 #[template(path = "integers/header.h", escape = "none")]
-struct Header<'a> {
+struct IntegerHeader<'a> {
     banner: &'a [String],
     prefix: &'a str,
     upper: &'a str,
@@ -28,11 +28,11 @@ struct Header<'a> {
 
 #[derive(Template)]
 #[template(path = "integers/source.c", escape = "none")]
-struct Source<'a> {
+struct IntegerSource<'a> {
     banner: &'a [String],
     prefix: &'a str,
     upper: &'a str,
-    helpers: [Helpers; 2],
+    helpers: [IntegerHelpers; 2],
     table: Option<Table>,
     outputs: Vec<FieldView>,
     memory: Vec<FieldView>,
@@ -44,7 +44,7 @@ struct Source<'a> {
 pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
     let graph = program.graph();
     let (prefix, upper) = (program.options.prefix.lower(), program.options.prefix.upper());
-    let spelling = Spelling::new(program);
+    let spelling = IntegerSpelling::new(program);
     let dense = Dense::find(&program.module, integers);
     let (mut body, called) = match &dense {
         Some(dense) => dense.body(prefix),
@@ -56,7 +56,7 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
     }
     let banner = banner::lines(program);
     let chosen = vectors(graph);
-    let header = Header {
+    let header = IntegerHeader {
         banner: &banner,
         prefix,
         upper: &upper,
@@ -66,7 +66,7 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
         memory: view::outputs(graph, true),
         quality: chosen.quality(),
     };
-    let source = Source {
+    let source = IntegerSource {
         banner: &banner,
         prefix,
         upper: &upper,

@@ -9,14 +9,14 @@ use tpg_runtime::ops::Instruction;
 
 /// A sum of multiples of values of the state.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Linear {
+pub(super) struct LinearSum {
     pub(super) weights: BTreeMap<Input, f64>,
     pub(super) constant: f64,
 }
 
-impl Linear {
+impl LinearSum {
     /// The sum that a node is, if it is one.
-    pub(super) fn of(module: &Module<'_>, id: NodeId) -> Option<Self> {
+    pub(super) fn from_node(module: &Module<'_>, id: NodeId) -> Option<Self> {
         let mut linear = Self::default();
         linear.add(module, id, 1.0).then_some(linear)
     }
@@ -92,8 +92,8 @@ pub(super) struct Comments<'a> {
 }
 
 impl<'a> Comments<'a> {
-    /// Of a team's bids, with the names of what they bid for: their formulas are in units of a power of two.
-    pub(super) fn of_bids(module: &'a Module<'a>, bids: &[(NodeId, String)]) -> Self {
+    /// The comments of a team's bids, with the names of what they bid for: their formulas are in units of a power of two.
+    pub(super) fn for_bids(module: &'a Module<'a>, bids: &[(NodeId, String)]) -> Self {
         let sums: Vec<_> = bids.iter().filter_map(|(id, name)| Some((*id, name, sum(module, *id)?))).collect();
         let weights = sums.iter().flat_map(|(.., linear)| linear.weights.values());
         let greatest = weights.fold(0.0, |most: f64, weight| most.max(weight.abs()));
@@ -111,8 +111,8 @@ impl<'a> Comments<'a> {
         Self { module, names }
     }
 
-    /// Of a leaf's outputs: their formulas are in the outputs' units.
-    pub(super) fn of_outputs(module: &'a Module<'a>, values: &[NodeId]) -> Self {
+    /// The comments of a leaf's outputs: their formulas are in the outputs' units.
+    pub(super) fn for_outputs(module: &'a Module<'a>, values: &[NodeId]) -> Self {
         let mut names = BTreeMap::new();
         for (output, &value) in module.graph.outputs().iter().zip(values) {
             let scale = output.counts.map_or(1.0, |counts| counts.scale);
@@ -124,7 +124,7 @@ impl<'a> Comments<'a> {
             let (Some(linear), Some(divisor)) = (sum(module, inner), divisor) else { continue };
             // The half that makes rounding down rounding to the nearest.
             let half = (divisor / 2.0).floor();
-            let linear = Linear { constant: linear.constant - half, ..linear };
+            let linear = LinearSum { constant: linear.constant - half, ..linear };
             let text = linear.divided(divisor / scale, offset * scale).text(module.graph);
             names.entry(inner).or_insert_with(|| format!("{} = {text}", output.name));
         }
@@ -132,7 +132,7 @@ impl<'a> Comments<'a> {
     }
 
     /// The comment of a node, if there is something to say.
-    pub(super) fn of(&self, id: NodeId, whole: Whole) -> Option<String> {
+    pub(super) fn text(&self, id: NodeId, whole: Whole) -> Option<String> {
         let sums =
             matches!(self.module.node(id), Node::Operation(Instruction::Add | Instruction::Sub | Instruction::Mul, _));
         let bound = if whole.fits(32) {
@@ -148,8 +148,10 @@ impl<'a> Comments<'a> {
 }
 
 /// The sum that a node is, of at least one value, in units.
-fn sum(module: &Module<'_>, id: NodeId) -> Option<Linear> {
-    Linear::of(module, id).filter(|linear| !linear.weights.is_empty()).map(|linear| linear.in_units(module.graph))
+fn sum(module: &Module<'_>, id: NodeId) -> Option<LinearSum> {
+    LinearSum::from_node(module, id)
+        .filter(|linear| !linear.weights.is_empty())
+        .map(|linear| linear.in_units(module.graph))
 }
 
 /// The worth of a count.

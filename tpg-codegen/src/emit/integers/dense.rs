@@ -1,6 +1,6 @@
 //! Outputs that are sums over the same source: a table of weights and one loop.
 
-use super::comment::Linear;
+use super::comment::LinearSum;
 use super::spelling::{Called, Function};
 use crate::emit::c::field::field;
 use crate::integers::{Integers, output_bits};
@@ -14,10 +14,10 @@ const FEW: usize = 12;
 /// Sums of all values of one source, each divided by a power of two and limited.
 pub(super) struct Dense<'a> {
     graph: &'a Graph,
-    rows: Vec<Row>,
+    rows: Vec<DenseRow>,
 }
 
-struct Row {
+struct DenseRow {
     weights: Vec<i64>,
     bias: i64,
     shift: i64,
@@ -51,7 +51,7 @@ impl<'a> Dense<'a> {
                 Node::Operation(Instruction::Quotient, [a, b]) => (a, module.node(b).as_constant()? as i64),
                 _ => (value, 1),
             };
-            let linear = Linear::of(module, sum)?;
+            let linear = LinearSum::from_node(module, sum)?;
             let weight = |input| linear.weights.get(&input).map_or(0, |&weight| weight as i64);
             let weights: Vec<i64> = graph.inputs().map(weight).collect();
             let is_small = weights.iter().all(|weight| i16::try_from(*weight).is_ok());
@@ -61,20 +61,20 @@ impl<'a> Dense<'a> {
             let bias = linear.constant as i64;
             let most: i64 =
                 bias.abs() + weights.iter().zip(counts).map(|(weight, count)| weight.abs() * count).sum::<i64>();
-            (is_small && is_power && most <= i64::from(i32::MAX)).then_some(Row {
+            (is_small && is_power && most <= i64::from(i32::MAX)).then_some(DenseRow {
                 weights,
                 bias,
                 shift: i64::from(divisor.trailing_zeros()),
             })
         });
-        let rows: Vec<Row> = rows.collect::<Option<_>>()?;
+        let rows: Vec<DenseRow> = rows.collect::<Option<_>>()?;
         let products: usize = rows.iter().map(|row| row.weights.iter().filter(|weight| **weight != 0).count()).sum();
         (products >= FEW && rows.len() > 1).then_some(Self { graph, rows })
     }
 
     /// The number that all rows share, or none.
-    fn common(&self, of: impl Fn(usize) -> i64) -> Option<i64> {
-        (0..self.rows.len()).all(|row| of(row) == of(0)).then(|| of(0))
+    fn common(&self, number: impl Fn(usize) -> i64) -> Option<i64> {
+        (0..self.rows.len()).all(|row| number(row) == number(0)).then(|| number(0))
     }
 
     fn low(&self, row: usize) -> i64 {

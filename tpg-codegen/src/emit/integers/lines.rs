@@ -1,6 +1,6 @@
 //! Values as statements: a sum with its products is one, everything else a call.
 
-use super::spelling::{Called, Function, Spelling};
+use super::spelling::{Called, Function, IntegerSpelling};
 use crate::emit::block::unused;
 use crate::integers::{Integers, Whole};
 use crate::ir::{Module, Node, NodeId};
@@ -17,7 +17,7 @@ const FIRST: usize = 20;
 pub(super) struct Lines<'a> {
     module: &'a Module<'a>,
     integers: &'a Integers,
-    spelling: &'a Spelling<'a>,
+    spelling: &'a IntegerSpelling<'a>,
     /// The names of nodes that have one.
     named: BTreeMap<NodeId, String>,
     /// The functions that were called, and whether in 64 bits.
@@ -25,7 +25,7 @@ pub(super) struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    pub(super) fn new(module: &'a Module<'a>, integers: &'a Integers, spelling: &'a Spelling<'a>) -> Self {
+    pub(super) fn new(module: &'a Module<'a>, integers: &'a Integers, spelling: &'a IntegerSpelling<'a>) -> Self {
         Self { module, integers, spelling, named: BTreeMap::new(), called: Default::default() }
     }
 
@@ -83,7 +83,7 @@ impl<'a> Lines<'a> {
 
     /// Tests for a value of 64 bits.
     pub(super) fn is_wide(&self, id: NodeId) -> bool {
-        !self.integers.of(id).fits(32)
+        !self.integers.interval(id).fits(32)
     }
 
     /// A node as an operand.
@@ -101,7 +101,7 @@ impl<'a> Lines<'a> {
 
     /// A value limited to a range.
     pub(super) fn limited(&self, id: NodeId, range: Whole) -> String {
-        let Whole { low, high } = self.integers.of(id);
+        let Whole { low, high } = self.integers.interval(id);
         let wide = self.is_wide(id);
         let value = self.operand(id, wide);
         if range.low <= low && high <= range.high {
@@ -209,12 +209,12 @@ impl<'a> Lines<'a> {
     }
 
     fn quotient(&self, a: NodeId, b: NodeId, wide: bool) -> String {
-        let divisor = self.integers.of(b);
+        let divisor = self.integers.interval(b);
         let dividend = self.operand(a, wide);
         if divisor.contains(0) {
             return self.call(Function::Quotient, wide, &[dividend, self.operand(b, wide)]);
         }
-        let is_positive = self.integers.of(a).low >= 0;
+        let is_positive = self.integers.interval(a).low >= 0;
         if let Some(power) = self.constant(b).filter(|&power| power > 1 && power & (power - 1) == 0) {
             let bits = power.trailing_zeros();
             if is_positive {

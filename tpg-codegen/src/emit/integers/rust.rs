@@ -2,7 +2,7 @@
 
 use super::body::body;
 use super::comment::{worth, worth_from};
-use super::spelling::{Function, Helpers, Spelling, answer_bits, state_bits};
+use super::spelling::{Function, IntegerHelpers, IntegerSpelling, answer_bits, state_bits};
 use crate::emit::file::{File, one_line};
 use crate::emit::{banner, layout};
 use crate::integers::Integers;
@@ -12,7 +12,7 @@ use tpg_graph::{Graph, Input, Output};
 
 #[derive(Template)]
 #[template(path = "integers/policy.rs", escape = "none")]
-struct Policy<'a> {
+struct IntegerPolicy<'a> {
     banner: &'a [String],
     name: String,
     sources: Vec<String>,
@@ -29,13 +29,13 @@ struct Policy<'a> {
     remembered: String,
     answered: String,
     body: String,
-    helpers: [Helpers; 2],
+    helpers: [IntegerHelpers; 2],
 }
 
 /// The file.
 pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
     let (graph, prefix) = (program.graph(), &program.options.prefix);
-    let spelling = Spelling::new(program);
+    let spelling = IntegerSpelling::new(program);
     let (body, called) = body(&program.module, integers, &spelling);
     let memory = graph.memory();
     let (observed, answers) = (graph.state_length() - memory, graph.outputs().len() - memory);
@@ -46,7 +46,7 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
         [] => "ActionId".to_owned(),
         outputs => format!("[i{}; {}]", answer_bits(graph), outputs.len()),
     };
-    let policy = Policy {
+    let policy = IntegerPolicy {
         banner: &banner::lines(program),
         name: prefix.camel(),
         sources: sources(graph),

@@ -32,21 +32,21 @@ pub(super) enum Function {
 pub(super) type Called = BTreeSet<(Function, bool)>;
 
 /// The functions of one width, for a template.
-pub(super) struct Helpers {
+pub(super) struct IntegerHelpers {
     pub(super) int: &'static str,
     /// The end of their names.
     pub(super) end: &'static str,
     called: BTreeSet<Function>,
 }
 
-impl Helpers {
+impl IntegerHelpers {
     pub(super) fn calls(&self, function: Function) -> bool {
         self.called.contains(&function)
     }
 }
 
 /// The spelling of a language.
-pub(super) struct Spelling<'a> {
+pub(super) struct IntegerSpelling<'a> {
     is_c: bool,
     graph: &'a Graph,
     prefix: &'a str,
@@ -54,7 +54,7 @@ pub(super) struct Spelling<'a> {
     constants: Vec<(String, String)>,
 }
 
-impl<'a> Spelling<'a> {
+impl<'a> IntegerSpelling<'a> {
     pub(super) fn new(program: &'a Program<'_>) -> Self {
         let (graph, prefix) = (program.graph(), &program.options.prefix);
         Self {
@@ -71,10 +71,10 @@ impl<'a> Spelling<'a> {
     }
 
     /// The functions of 32 bits, then those of 64.
-    pub(super) fn helpers(&self, called: &Called) -> [Helpers; 2] {
+    pub(super) fn helpers(&self, called: &Called) -> [IntegerHelpers; 2] {
         [false, true].map(|wide| {
             let called = called.iter().filter(|(_, is_wide)| *is_wide == wide).map(|(function, _)| *function);
-            Helpers { int: self.integer(wide), end: self.end(wide), called: called.collect() }
+            IntegerHelpers { int: self.integer(wide), end: self.end(wide), called: called.collect() }
         })
     }
 

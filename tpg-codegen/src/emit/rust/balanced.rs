@@ -21,7 +21,7 @@ struct Tables<'a> {
 
 #[derive(Template)]
 #[template(path = "rust/balanced_walk.rs", escape = "none")]
-struct Walk<'a> {
+struct BalancedWalk<'a> {
     scalar: &'a str,
     state_length: usize,
     places: bool,
@@ -34,7 +34,7 @@ struct Walk<'a> {
 
 #[derive(Template)]
 #[template(path = "rust/balanced_body.rs", escape = "none")]
-struct Body {
+struct BalancedBody {
     teams: usize,
     leaves: Vec<(usize, u32)>,
     limited: String,
@@ -44,7 +44,7 @@ struct Body {
 pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, cases: &Cases, outputs: &[OutputView]) -> Parts {
     let places = !cases.places.is_empty();
     let reached = crate::ir::reached(&cases.leaves);
-    let body = Body {
+    let body = BalancedBody {
         teams: module.teams.len(),
         leaves: reached.map(|(number, leaf)| (number, leaf.label)).collect(),
         limited: leaves::limited(printer, outputs, leaves::element),
@@ -59,7 +59,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, cases: &Cases, 
         tables.push(("PLACES", "The place of each edge in its team, which decides ties.", table(&cases.places)));
         tables.push(("OTHERWISE", "Where each team leads if no bid wins.", table(&cases.otherwise)));
     }
-    let walk = Walk {
+    let walk = BalancedWalk {
         scalar: printer.scalar(),
         state_length: printer.graph.state_length(),
         places,

@@ -21,7 +21,7 @@ use tpg_runtime::ops::constant_time as ct;
 /// All teams in one function.
 #[derive(Template)]
 #[template(path = "rust/constant_time.rs", escape = "none")]
-struct Whole<'a> {
+struct RustConstantTime<'a> {
     decided: &'a str,
     /// There is one team: what it decides is the answer.
     only: bool,
@@ -37,7 +37,7 @@ struct Whole<'a> {
 /// The functions' results, a row each.
 #[derive(Template)]
 #[template(path = "rust/constant_time_rows.rs", escape = "none")]
-struct Rows<'a> {
+struct RustRows<'a> {
     rows: Vec<String>,
     row: usize,
     vertex: &'a str,
@@ -49,7 +49,7 @@ struct Rows<'a> {
 #[derive(Template)]
 #[template(path = "rust/constant_time_items.rs", escape = "none")]
 struct Items<'a> {
-    functions: Vec<FunctionView>,
+    functions: Vec<RustFunctionView>,
     row: usize,
     themselves: Vec<String>,
     scalar: &'a str,
@@ -57,7 +57,7 @@ struct Items<'a> {
     vertex: &'a str,
 }
 
-struct FunctionView {
+struct RustFunctionView {
     decided: String,
     next: Vec<String>,
 }
@@ -65,7 +65,7 @@ struct FunctionView {
 /// The choices of a function's teams.
 #[derive(Template)]
 #[template(path = "rust/constant_time_teams.rs", escape = "none")]
-struct Teams<'a> {
+struct RustTeams<'a> {
     scalar: &'a str,
     only: bool,
     statements: Vec<String>,
@@ -89,7 +89,7 @@ pub(super) fn render(
         let (decided, mut block) = decided(printer, module, function, &names, vertex, &module.leaves);
         let answer = &*answer(printer, module, &mut block, functions, outputs);
         let (only, next) = (teams == 1, next(0..size, teams));
-        let whole = Whole { decided: &decided, only, next, size, vertex, depth, answer };
+        let whole = RustConstantTime { decided: &decided, only, next, size, vertex, depth, answer };
         return Parts { body: whole.render().expect("the template renders"), items: String::new() };
     }
     let answer = &*answer(printer, module, &mut choice::block(printer, [], &module.leaves), functions, outputs);
@@ -97,8 +97,8 @@ pub(super) fn render(
     let count = vertices.div_ceil(row).next_power_of_two();
     let calls = (0..functions.len()).map(|number| format!("teams_{number}(s)"));
     let rows = calls.chain((functions.len()..count).map(|number| format!("themselves({})", number * row))).collect();
-    let rows = Rows { rows, row, vertex, depth, answer };
-    let function = |function: &Function| FunctionView {
+    let rows = RustRows { rows, row, vertex, depth, answer };
+    let function = |function: &Function| RustFunctionView {
         // A function is a level further out than a method.
         decided: decided(printer, module, function, &names, vertex, &[]).0.replace("        ", "    "),
         next: next(function.teams.start..function.teams.start + row, teams),
@@ -172,7 +172,7 @@ fn decided<'a>(
         statements.extend(before);
         keys.push(KeyView { name: names[&bid].clone(), value: key(printer, bid, &value) });
     }
-    let teams = Teams {
+    let teams = RustTeams {
         scalar: printer.graph.scalar().name(),
         only: module.teams.len() == 1,
         statements,

@@ -2,7 +2,7 @@
 //! bids are computed; the others only where a bound says that they can still win.
 //!
 //! The best bid starts at the lowest finite number, and a NaN is never as high: so only bids above −∞ win, and where there
-//! is none, nobody wins, which is how the team's last edge does. No bid needs a test for NaN.
+//! is none, the team's last edge is taken. No bid needs a test for NaN.
 //!
 //! A bid of 0 goes through `black_box` where another may be `max(0, x)`: see [`Syntax::hides_zeros`].
 
@@ -27,7 +27,7 @@ const MANY: usize = 64;
 
 #[derive(Template)]
 #[template(path = "rust/fast.rs", escape = "none")]
-struct Fast<'a> {
+struct RustFast<'a> {
     scalar: &'a str,
     state_length: usize,
     many: bool,
@@ -40,19 +40,19 @@ struct Fast<'a> {
 }
 
 /// The destinations of teams: calls, or the number of an action.
-struct Calls<'a> {
+struct FastCalls<'a> {
     module: &'a Module<'a>,
     /// The names of the actions.
     names: Vec<String>,
 }
 
-impl Calls<'_> {
+impl FastCalls<'_> {
     fn leaf(&self, leaf: ActionId) -> Option<u32> {
         self.module.leaves.get(usize::from(leaf.0)).map(|leaf| leaf.label)
     }
 }
 
-impl Destinations for Calls<'_> {
+impl Destinations for FastCalls<'_> {
     type Jump = String;
 
     fn jump(&self, to: Target) -> String {
@@ -89,7 +89,8 @@ impl Destinations for Calls<'_> {
 
 /// Renders the profile.
 pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, schedule: &Schedule, outputs: &[OutputView]) -> Parts {
-    let calls = Calls { module, names: names::actions(printer.graph).iter().map(|name| printer.local(name)).collect() };
+    let calls =
+        FastCalls { module, names: names::actions(printer.graph).iter().map(|name| printer.local(name)).collect() };
     let root = format!("team_{}(s)", schedule.plans[0].label);
     let (body, answer) = if outputs.is_empty() {
         (format!("        ActionId({root})"), "u16".to_owned())
@@ -97,7 +98,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, schedule: &Sche
         let limited = leaves::limited(printer, outputs, leaves::element);
         (format!("        let out = {root};\n        {limited}"), format!("[{}; {}]", printer.scalar(), outputs.len()))
     };
-    let fast = Fast {
+    let fast = RustFast {
         scalar: printer.scalar(),
         state_length: printer.graph.state_length(),
         many: schedule.plans.len() > MANY,

@@ -11,7 +11,7 @@ use tpg_graph::{MathsProvider, ScalarType};
 
 #[derive(Template)]
 #[template(path = "rust/helpers.rs", escape = "none")]
-struct Helpers<'a> {
+struct RustHelpers<'a> {
     printer: &'a Printer<'a>,
     scalar: &'a str,
     zero: String,
@@ -28,7 +28,7 @@ struct Helpers<'a> {
     estimate: Estimate,
 }
 
-impl Helpers<'_> {
+impl RustHelpers<'_> {
     fn literal(&self, value: &f64) -> String {
         self.printer.literal(*value)
     }
@@ -42,7 +42,7 @@ pub(super) fn render(printer: &Printer<'_>) -> String {
     let (signed, unsigned) = if scalar == ScalarType::F32 { ("i32", "u32") } else { ("i64", "u64") };
     let plain = ["sin", "cos", "tan", "atan", "tanh", "ln", "exp"];
     let plain = &plain[..if short { 5 } else { 7 }];
-    let helpers = Helpers {
+    let helpers = RustHelpers {
         printer,
         scalar: scalar.name(),
         zero: printer.literal(0.0),

@@ -22,7 +22,7 @@ use tpg_graph::Graph;
 
 #[derive(Template)]
 #[template(path = "rust/policy.rs", escape = "none")]
-struct Policy<'a> {
+struct RustPolicy<'a> {
     banner: &'a [String],
     name: String,
     title: &'a str,
@@ -45,7 +45,7 @@ struct Policy<'a> {
     seen: Vec<String>,
     remembered: Vec<String>,
     answered: Vec<String>,
-    arm: Option<ArmView>,
+    arm: Option<RustArmView>,
     depth: usize,
     worst: Cost<u64>,
     body: String,
@@ -53,7 +53,7 @@ struct Policy<'a> {
 }
 
 /// The sources and moves of a policy that drives the arm.
-struct ArmView {
+struct RustArmView {
     sources: Vec<String>,
     joints: usize,
     moves: Vec<String>,
@@ -89,7 +89,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     };
     let (observed, first) = (graph.state_length() - graph.memory(), outputs.len() - graph.memory());
     let memory = &outputs[first..];
-    let policy = Policy {
+    let policy = RustPolicy {
         banner: &banner::lines(program),
         name: prefix.camel(),
         title,
@@ -135,9 +135,9 @@ fn names(array: &str, count: usize) -> Vec<String> {
     (0..count).map(|place| format!("{array}[{place}]")).collect()
 }
 
-fn arm_view(graph: &Graph) -> Option<ArmView> {
+fn arm_view(graph: &Graph) -> Option<RustArmView> {
     let moves = moves(graph)?;
-    Some(ArmView {
+    Some(RustArmView {
         sources: graph.sources().iter().map(|source| format!("{:?}", source.name)).collect(),
         joints: moves.first().map_or(0, Vec::len),
         moves: moves.iter().map(|moves| format!("{moves:?}")).collect(),

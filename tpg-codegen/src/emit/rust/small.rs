@@ -12,7 +12,7 @@ use askama::Template;
 
 #[derive(Template)]
 #[template(path = "rust/small.rs", escape = "none")]
-struct Small<'a> {
+struct RustSmall<'a> {
     scalar: &'a str,
     zero: String,
     /// The type that instructions are taken apart in.
@@ -28,7 +28,7 @@ struct Small<'a> {
 
 #[derive(Template)]
 #[template(path = "rust/small_body.rs", escape = "none")]
-struct Body<'a> {
+struct SmallBody<'a> {
     scalar: &'a str,
     zero: String,
     frame: usize,
@@ -41,7 +41,7 @@ struct Body<'a> {
 /// Renders the profile.
 pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, code: &Bytecode, outputs: &[OutputView]) -> Parts {
     let zero = printer.literal(0.0);
-    let body = Body {
+    let body = SmallBody {
         scalar: printer.scalar(),
         zero: zero.clone(),
         frame: code.frame,
@@ -58,7 +58,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, code: &Bytecode
         ("TARGETS", "Where each edge leads: teams from 0, the root; the actions follow.", table(&code.targets)),
         ("TEAMS", "Where each team's edges begin, and where the last team's end.", table(&code.teams)),
     ];
-    let small = Small {
+    let small = RustSmall {
         scalar: printer.scalar(),
         zero,
         wide: if code.operand_bits * 2 + 4 > 32 { "u64" } else { "u32" },

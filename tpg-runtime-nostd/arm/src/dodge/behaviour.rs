@@ -208,8 +208,8 @@ impl Behaviour {
 
 /// Moves against the nearest ball: the gradient of its clearance at full speed.
 pub fn away<'v>(view: &'v View<'_>) -> Move {
-    let nearer = |best: &'v Nearest, next: &'v Nearest| if next.clearance < best.clearance { next } else { best };
-    let Some(nearest) = view.nearest().map(|(_, nearest)| nearest).reduce(nearer) else { return Move::STOP };
+    let closest = |best: &'v Nearest, next: &'v Nearest| if next.clearance < best.clearance { next } else { best };
+    let Some(nearest) = view.nearest().map(|(_, nearest)| nearest).reduce(closest) else { return Move::STOP };
     let gradient = view.body.gradient(&view.posture, nearest);
     let largest = gradient.iter().fold(1e-3f32, |largest, g| if g.abs() > largest { g.abs() } else { largest });
     let full = f32::from(STEP);

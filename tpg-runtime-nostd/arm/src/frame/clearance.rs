@@ -29,7 +29,7 @@ impl<S: Lattice> Clearance<S> {
     ///
     /// The sides are those of the collision test. Their directions and lengths are known, so that no division is
     /// needed; about 600 additions and multiplications and two square roots.
-    pub fn of(plane: &Plane<S>, shapes: &Shapes<S>) -> Self {
+    pub fn new(plane: &Plane<S>, shapes: &Shapes<S>) -> Self {
         Self::up_to(plane, shapes, S::from_f64(f64::INFINITY))
     }
 
@@ -123,6 +123,6 @@ fn greatest<S: Lattice>(a: S, b: S) -> S {
 impl<S: Lattice> Arm<S> {
     /// The clearance at a pose.
     pub fn clearance(&self, pose: Pose) -> Clearance<S> {
-        Clearance::of(&Plane::at(self, pose), &self.shapes)
+        Clearance::new(&Plane::at(self, pose), &self.shapes)
     }
 }

@@ -47,7 +47,7 @@ pub struct Frame<'a, S> {
 
 impl<'a, S: Lattice> Frame<'a, S> {
     /// The frame of what a policy sees.
-    pub fn of(arm: &'a Arm<S>, observation: &Observation<S>) -> Self {
+    pub fn new(arm: &'a Arm<S>, observation: &Observation<S>) -> Self {
         Self::at(arm, observation.pose, observation.target)
     }
 
@@ -230,7 +230,7 @@ impl<'a, S: Lattice> Frame<'a, S> {
 
     /// Clearance of hand and forearm from the arm's own base.
     pub fn clearance(&self) -> Clearance<S> {
-        Clearance::of(&self.plane, &self.arm.shapes)
+        Clearance::new(&self.plane, &self.arm.shapes)
     }
 
     /// The same where it is less than `horizon`, mm; any number from there on where it is not.

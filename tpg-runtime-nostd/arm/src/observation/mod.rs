@@ -41,7 +41,7 @@ impl<'a, S: Lattice> Parts<'a, S> {
 
     #[inline(always)]
     fn frame(&self) -> Frame<'a, S> {
-        Frame::of(self.arm, self.seen)
+        Frame::new(self.arm, self.seen)
     }
 
     #[inline(never)] // as `bearing`

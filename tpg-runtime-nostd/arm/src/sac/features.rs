@@ -144,7 +144,7 @@ mod tests {
 
     const ARM: Arm<f32> = WIDOWX.to_f32();
 
-    fn of(name: &str, values: &[f32; FEATURES]) -> f32 {
+    fn feature(name: &str, values: &[f32; FEATURES]) -> f32 {
         values[FEATURE_NAMES.iter().position(|&n| n == name).expect("a feature")]
     }
 
@@ -163,11 +163,15 @@ mod tests {
             ("room_above_wrist", 1.0),
             ("hand_clearance", 1.0),
         ] {
-            assert!((of(name, &values).abs() - f32::abs(expected)).abs() < 1e-6, "{name}: {}", of(name, &values));
+            assert!(
+                (feature(name, &values).abs() - f32::abs(expected)).abs() < 1e-6,
+                "{name}: {}",
+                feature(name, &values)
+            );
         }
         // Lowering the elbow's position lowers the hand; pulling the wrist down alike.
-        assert!(of("pull_shoulder", &values) != 0.0);
-        assert!(of("near_height_error", &values) < 0.0);
+        assert!(feature("pull_shoulder", &values) != 0.0);
+        assert!(feature("near_height_error", &values) < 0.0);
     }
 
     proptest! {

@@ -135,7 +135,7 @@ impl<const A: usize, const B: usize> Policy for FixedPolicy<'_, A, B> {
     type Action = Move;
 
     fn decide(&self, seen: &Observation<f32>) -> Move {
-        let features = quantise(&features(&Frame::of(self.arm, seen)));
+        let features = quantise(&features(&Frame::new(self.arm, seen)));
         self.decision.decide(self.network.preferences(&features), seen.pose, &self.arm.ranges)
     }
 }

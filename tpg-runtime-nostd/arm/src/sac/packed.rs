@@ -68,7 +68,7 @@ impl<'a> Model<'a> {
             return Move::STOP;
         }
         let mut inputs = [0; FEATURES];
-        quantise_into(&features(&Frame::of(arm, seen)), &mut inputs);
+        quantise_into(&features(&Frame::new(arm, seen)), &mut inputs);
         self.decision.decide(self.preferences(&inputs, scratch), seen.pose, &arm.ranges)
     }
 }

@@ -54,14 +54,14 @@ impl NamedArm {
     pub fn description(&self) -> ArmDescription {
         /// A file whose section `[problem]` has an arm.
         #[derive(serde::Deserialize)]
-        struct File {
-            problem: Section,
+        struct ArmFile {
+            problem: ArmSection,
         }
         #[derive(serde::Deserialize)]
-        struct Section {
+        struct ArmSection {
             arm: ArmDescription,
         }
-        toml::from_str::<File>(self.text).expect("a section that a test has read").problem.arm
+        toml::from_str::<ArmFile>(self.text).expect("a section that a test has read").problem.arm
     }
 }
 

@@ -114,10 +114,11 @@ impl ChainDescription {
     pub fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
         #[derive(Deserialize)]
         #[serde(deny_unknown_fields)]
-        struct File {
+        struct ChainFile {
             chain: ChainDescription,
         }
-        let File { chain } = settings::from_toml(file, text, "a section [chain] as `tpg-train config wx250s` prints")?;
+        let ChainFile { chain } =
+            settings::from_toml(file, text, "a section [chain] as `tpg-train config wx250s` prints")?;
         chain.check().map_err(|finding| settings::place(file, text, finding))?;
         Ok(chain)
     }

@@ -19,7 +19,7 @@ pub(super) fn picture(arm: &Arm<f64>, moments: &[Vec<f64>]) -> String {
     let (Some(&first), Some(&last), Some(moment)) = (poses.first(), poses.last(), moments.first()) else {
         return String::new();
     };
-    let view = View::new(arm);
+    let view = DrawnView::new(arm);
     let mut svg = Svg::new(2.0 * PANEL, PANEL);
     svg.rect("body", view.side([-view.reach, 0.0]), [PANEL, PANEL - view.side([0.0, 0.0])[1]], "the table");
     for edge in arm.shapes.base {
@@ -59,12 +59,12 @@ fn joints(arm: &Arm<f64>, pose: Pose) -> [Point; 6] {
 }
 
 /// Maps mm to positions in the picture.
-struct View {
+struct DrawnView {
     reach: f64,
     scale: f64,
 }
 
-impl View {
+impl DrawnView {
     fn new(arm: &Arm<f64>) -> Self {
         let reach = 1.03 * arm.reach().max(arm.links.base);
         Self { reach, scale: PANEL / (2.0 * reach) }

@@ -77,7 +77,7 @@ impl<'a> Planner<'a> {
     }
 
     /// True if a walk from `pose` to `goal` has only valid steps. (It stays within the ranges because both ends do.)
-    fn free(&self, mut pose: Pose, goal: Pose, walk: Walk) -> bool {
+    fn free(&self, mut pose: Pose, goal: Pose, walk: PlannedWalk) -> bool {
         while pose != goal {
             let Move(deltas) = walk.step(pose, goal);
             pose = Pose(std::array::from_fn(|joint| pose.0[joint] + i16::from(deltas[joint])));
@@ -90,9 +90,9 @@ impl<'a> Planner<'a> {
 
     /// Returns the first step of the first free walk to one of `goals`.
     fn free_step(&self, pose: Pose, goals: &[Pose]) -> Option<Move> {
-        let straight = nearest_first(pose, goals).map(|goal| (goal, Walk::Straight));
+        let straight = nearest_first(pose, goals).map(|goal| (goal, PlannedWalk::Straight));
         let in_order =
-            nearest_first(pose, goals).flat_map(|goal| orders().map(move |order| (goal, Walk::InOrder(order))));
+            nearest_first(pose, goals).flat_map(|goal| orders().map(move |order| (goal, PlannedWalk::InOrder(order))));
         let mut walks = straight.chain(in_order);
         walks.find(|&(goal, walk)| self.free(pose, goal, walk)).map(|(goal, walk)| walk.step(pose, goal))
     }
@@ -100,14 +100,14 @@ impl<'a> Planner<'a> {
 
 /// A way to walk between two poses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Walk {
+enum PlannedWalk {
     /// All motors move at once, up to three ticks per step, until each has arrived.
     Straight,
     /// One motor moves after another.
     InOrder([usize; JOINTS]),
 }
 
-impl Walk {
+impl PlannedWalk {
     fn step(self, pose: Pose, goal: Pose) -> Move {
         let delta = |joint: usize| (goal.0[joint] - pose.0[joint]).clamp(-STEP, STEP) as i8;
         match self {
@@ -153,7 +153,7 @@ impl Policy for Planner<'_> {
             *solved = (seen.target, self.solve(seen.target));
         }
         let goals = &solved.1;
-        let nearest = || nearest_first(seen.pose, goals).next().map(|goal| Walk::Straight.step(seen.pose, goal));
+        let nearest = || nearest_first(seen.pose, goals).next().map(|goal| PlannedWalk::Straight.step(seen.pose, goal));
         let step = match self.choice {
             Choice::Nearest => nearest(),
             Choice::NearestFree => self.free_step(seen.pose, goals).or_else(nearest),

@@ -158,7 +158,7 @@ impl ReachableSpace {
 /// checks only edges).
 pub fn stands_free(arm: &Arm<f64>, plane: &Plane<f64>) -> bool {
     let outside = || {
-        let Clearance { hand, forearm } = Clearance::of(plane, &arm.shapes);
+        let Clearance { hand, forearm } = Clearance::new(plane, &arm.shapes);
         hand > 0.0 && forearm > 0.0
     };
     plane.collision(&arm.shapes).is_none() && outside()

@@ -88,9 +88,9 @@ pub fn parse_csv(file: &str, text: &str) -> Result<Vec<Certified>, InputError> {
 }
 
 /// The thing found, and the things accepted instead.
-type Refusal = (String, String);
+type DodgeRefusal = (String, String);
 
-fn certified(record: &StringRecord) -> Result<Certified, Refusal> {
+fn certified(record: &StringRecord) -> Result<Certified, DodgeRefusal> {
     let fields: Vec<&str> = record.iter().collect();
     let Ok([start, target, goals, balls, plan]) = <[&str; HEADER.len()]>::try_from(fields) else {
         return Err((format!("{} fields", record.len()), format!("{} fields", HEADER.len())));
@@ -109,7 +109,7 @@ fn certified(record: &StringRecord) -> Result<Certified, Refusal> {
     Ok(Certified { scene: Scene { start: pose(start)?, target, goals, balls }, plan })
 }
 
-fn ball(text: &str) -> Result<Path, Refusal> {
+fn ball(text: &str) -> Result<Path, DodgeRefusal> {
     let [ax, ay, az, bx, by, bz, radius, period, phase, sine] =
         array::<f32, BALL>(text, "mm, steps").and_then(finite)?;
     if radius <= 0.0 || period < 0.0 || !(0.0..=1.0).contains(&phase) || (sine != 0.0 && sine != 1.0) {
@@ -119,27 +119,27 @@ fn ball(text: &str) -> Result<Path, Refusal> {
     Ok(Path { from: [ax, ay, az], to: [bx, by, bz], radius, period, phase, sine: sine == 1.0 })
 }
 
-fn leg(text: &str) -> Result<Leg, Refusal> {
+fn leg(text: &str) -> Result<Leg, DodgeRefusal> {
     let [base, shoulder, elbow, wrist, wait] = array::<i16, { JOINTS + 1 }>(text, "ticks and steps")?;
     let to = on_the_arm([base, shoulder, elbow, wrist])?;
     let wait = u16::try_from(wait).map_err(|_| (wait.to_string(), "at least 0 steps to wait".to_owned()))?;
     Ok(Leg { to: Pose(to), wait })
 }
 
-fn array<T: FromStr, const N: usize>(text: &str, unit: &str) -> Result<[T; N], Refusal> {
+fn array<T: FromStr, const N: usize>(text: &str, unit: &str) -> Result<[T; N], DodgeRefusal> {
     let values: Option<Vec<T>> = text.split(' ').map(|value| value.parse().ok()).collect();
     let values = values.and_then(|values| values.try_into().ok());
     values.ok_or_else(|| (format!("{text:?}"), format!("{N} numbers ({unit}), separated by single spaces")))
 }
 
-fn finite<const N: usize>(values: [f32; N]) -> Result<[f32; N], Refusal> {
+fn finite<const N: usize>(values: [f32; N]) -> Result<[f32; N], DodgeRefusal> {
     match values.iter().find(|value| !value.is_finite()) {
         Some(value) => Err((value.to_string(), "finite numbers".to_owned())),
         None => Ok(values),
     }
 }
 
-fn on_the_arm(pose: [i16; JOINTS]) -> Result<[i16; JOINTS], Refusal> {
+fn on_the_arm(pose: [i16; JOINTS]) -> Result<[i16; JOINTS], DodgeRefusal> {
     match pose.iter().zip(&WIDOWX.ranges).find(|&(&ticks, range)| !range.contains(ticks)) {
         Some((ticks, range)) => Err((ticks.to_string(), format!("ticks from {} to {}", range.min, range.max))),
         None => Ok(pose),

@@ -114,7 +114,7 @@ pub fn candidate(index: usize, from: Pose, goals: &[Pose], random: &mut Stream) 
 pub fn solutions(body: &Body, target: Vector<f32>, start: [i16; JOINTS]) -> Vec<Pose> {
     let free = |pose: Pose| {
         let posture = body.at(pose);
-        let Clearance { hand, forearm } = Clearance::of(&posture.plane(), &body.arm.shapes);
+        let Clearance { hand, forearm } = Clearance::new(&posture.plane(), &body.arm.shapes);
         body.is_free(&posture) && hand > 0.0 && forearm > 0.0 && distance(posture.hand(), target) < 2.7
     };
     let mut poses: Vec<Pose> =

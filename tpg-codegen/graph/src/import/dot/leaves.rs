@@ -22,7 +22,7 @@ pub(super) fn resolve(
 ) -> Result<Vec<LeafDocument>, InputError> {
     let next = programs.iter().map(|program| program.id).max().unwrap_or(0).saturating_add(1);
     let places = programs.iter().enumerate().map(|(place, program)| (program.id, place)).collect();
-    let mut builder = Builder { resolver, programs, places, lines, next, made: BTreeMap::new() };
+    let mut builder = LeafBuilder { resolver, programs, places, lines, next, made: BTreeMap::new() };
     let leaves = match resolver.sidecar.values() {
         Values::Bid => builder.of_bids(teams)?,
         Values::Programs | Values::Registers => builder.of_actions(teams)?,
@@ -31,7 +31,7 @@ pub(super) fn resolve(
     Ok(leaves)
 }
 
-struct Builder<'b, 's> {
+struct LeafBuilder<'b, 's> {
     resolver: &'b Resolver<'s>,
     programs: &'b mut Vec<ProgramDocument>,
     /// The place of each program of the file.
@@ -43,7 +43,7 @@ struct Builder<'b, 's> {
     made: BTreeMap<(Option<u32>, u32, usize), u32>,
 }
 
-impl Builder<'_, '_> {
+impl LeafBuilder<'_, '_> {
     fn outputs(&self) -> usize {
         self.resolver.sidecar.activations().len()
     }

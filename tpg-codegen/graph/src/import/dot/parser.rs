@@ -15,7 +15,7 @@ const STATEMENTS: &str = "a team `T0 […]`, a program `P0 […] //`, its lines 
 /// Reads all statements, skipping those that only affect how the graph is drawn.
 pub(super) fn declared(file: &str, text: &str) -> Result<Declared, InputError> {
     let mut declared = Declared::default();
-    let mut section = Section::Before;
+    let mut section = DotSection::Before;
     let mut tokens = Vec::new();
     let mut last = 1;
     for (line, content) in (1..).zip(text.lines()) {
@@ -26,21 +26,21 @@ pub(super) fn declared(file: &str, text: &str) -> Result<Declared, InputError> {
             .map_err(|fault| fault.on(file, line))?;
     }
     match section {
-        Section::Before => Err(Fault::new("the file ends before its graph begins", "`digraph{`").on(file, last)),
-        Section::Inside => Err(Fault::new("the file ends inside its graph", "the closing }").on(file, last)),
-        Section::After => Ok(declared),
+        DotSection::Before => Err(Fault::new("the file ends before its graph begins", "`digraph{`").on(file, last)),
+        DotSection::Inside => Err(Fault::new("the file ends inside its graph", "the closing }").on(file, last)),
+        DotSection::After => Ok(declared),
     }
 }
 
 /// Section of the file that a line belongs to.
 #[derive(Clone, Copy)]
-enum Section {
+enum DotSection {
     Before,
     Inside,
     After,
 }
 
-impl Section {
+impl DotSection {
     fn statement(
         &mut self,
         declared: &mut Declared,

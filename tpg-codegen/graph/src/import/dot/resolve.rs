@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 
 /// Destination of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Destination {
+enum EdgeEnd {
     Team(u32),
     Action(u32),
     /// By the number of its node.
@@ -79,9 +79,9 @@ impl Resolver<'_> {
             };
             let mut edge = EdgeDocument { program, ..EdgeDocument::default() };
             match *destination {
-                Destination::Team(team) => edge.team = Some(team),
-                Destination::Action(action) => edge.action = Some(action),
-                Destination::Leaf(leaf) => edge.leaf = Some(leaf),
+                EdgeEnd::Team(team) => edge.team = Some(team),
+                EdgeEnd::Action(action) => edge.action = Some(action),
+                EdgeEnd::Leaf(leaf) => edge.leaf = Some(leaf),
             }
             teams[place].edges.push(edge);
             lines.teams[place].edges.push(line);
@@ -91,7 +91,7 @@ impl Resolver<'_> {
 
     /// Finds the destination of each program and the line that states it. GEGELATI clones a program before it changes
     /// the destination, so an edge without a destination is unambiguous.
-    fn destinations(&self) -> Result<BTreeMap<u32, (Destination, usize)>, InputError> {
+    fn destinations(&self) -> Result<BTreeMap<u32, (EdgeEnd, usize)>, InputError> {
         let mut destinations = BTreeMap::new();
         for &Edge { line, program, to, .. } in &self.declared.edges {
             let Some(to) = to else { continue };
@@ -99,9 +99,9 @@ impl Resolver<'_> {
             let (first, first_line) = *destinations.entry(program).or_insert((destination, line));
             if first != destination {
                 let name = |destination| match destination {
-                    Destination::Team(team) => format!("T{team}"),
-                    Destination::Action(action) => format!("action {action}"),
-                    Destination::Leaf(node) => format!("A{node}"),
+                    EdgeEnd::Team(team) => format!("T{team}"),
+                    EdgeEnd::Action(action) => format!("action {action}"),
+                    EdgeEnd::Leaf(node) => format!("A{node}"),
                 };
                 let found =
                     format!("P{program} leads to {}, and on line {first_line} to {}", name(destination), name(first));
@@ -111,16 +111,16 @@ impl Resolver<'_> {
         Ok(destinations)
     }
 
-    fn destination(&self, line: usize, to: Node) -> Result<Destination, InputError> {
+    fn destination(&self, line: usize, to: Node) -> Result<EdgeEnd, InputError> {
         let Node { kind, number } = to;
         if kind == Kind::Team {
             let exists = self.declared.teams.place(number).is_some();
-            return if exists { Ok(Destination::Team(number)) } else { Err(self.no_team(line, number)) };
+            return if exists { Ok(EdgeEnd::Team(number)) } else { Err(self.no_team(line, number)) };
         }
         match self.declared.actions.get(number) {
-            Some(_) if self.has_values() => Ok(Destination::Leaf(number)),
+            Some(_) if self.has_values() => Ok(EdgeEnd::Leaf(number)),
             Some(Action { labels, programs, line, .. }) => match labels.as_slice() {
-                &[action] if programs.is_empty() => Ok(Destination::Action(action)),
+                &[action] if programs.is_empty() => Ok(EdgeEnd::Action(action)),
                 _ => {
                     let accepted = "actions without programs, or outputs instead of actions in the sidecar";
                     Err(self.error(*line, format!("{to}, whose programs compute values"), accepted))

@@ -1,6 +1,6 @@
 //! Outputs and leaves: the part of a document that makes a policy answer with values.
 
-use super::{MAX_NUMBERED, Names, Validator, name};
+use super::{KnownNames, MAX_NUMBERED, Validator, name};
 use crate::error::{InputError, counted};
 use crate::model::document::{MemoryDocument, OutputDocument};
 use crate::model::graph::Destination;
@@ -110,7 +110,7 @@ impl Validator<'_> {
         self.numbered("leaves", self.document.leaves.iter().map(|leaf| leaf.id), |index| ActionId(index as u16))
     }
 
-    pub(super) fn leaves(&self, names: &Names<'_>) -> Result<Vec<Leaf>, InputError> {
+    pub(super) fn leaves(&self, names: &KnownNames<'_>) -> Result<Vec<Leaf>, InputError> {
         let (leaves, outputs) = (&self.document.leaves, self.document.outputs.len());
         match (outputs, leaves.len()) {
             (0, 0) => return Ok(Vec::new()),

@@ -27,29 +27,29 @@ impl<'u> Lowering<'u> {
         target: &'u Expression,
         value: &'u Expression,
     ) -> Result<(), Missing> {
-        let (address, of) = self.place(target)?;
-        if let (Type::Struct(_), None) = (&of, operator) {
+        let (address, ty) = self.place(target)?;
+        if let (Type::Struct(_), None) = (&ty, operator) {
             let (from, _) = self.place(value)?;
-            let count = self.cells(&of);
+            let count = self.cells(&ty);
             self.emit(Operation::Copy(address, from, count));
             return Ok(());
         }
         let (mut value, mut from) = self.value(value)?;
         if let Some(operator) = operator {
-            let before = Value::Load(Box::new(address.clone()), self.scalar(&of)?);
-            (value, from) = self.operated(operator, (before, of.clone()), (value, from))?;
+            let before = Value::Load(Box::new(address.clone()), self.scalar(&ty)?);
+            (value, from) = self.operated(operator, (before, ty.clone()), (value, from))?;
         }
-        let value = self.converted(value, &from, &of)?;
-        self.store(address, value, &of)
+        let value = self.converted(value, &from, &ty)?;
+        self.store(address, value, &ty)
     }
 
     pub(super) fn step(&mut self, up: bool, target: &'u Expression) -> Result<(), Missing> {
-        let (address, of) = self.place(target)?;
-        let before = Value::Load(Box::new(address.clone()), self.scalar(&of)?);
+        let (address, ty) = self.place(target)?;
+        let before = Value::Load(Box::new(address.clone()), self.scalar(&ty)?);
         let one = (Value::Number(1), Type::INT);
-        let (value, from) = self.operated(if up { "+" } else { "-" }, (before, of.clone()), one)?;
-        let value = self.converted(value, &from, &of)?;
-        self.store(address, value, &of)
+        let (value, from) = self.operated(if up { "+" } else { "-" }, (before, ty.clone()), one)?;
+        let value = self.converted(value, &from, &ty)?;
+        self.store(address, value, &ty)
     }
 
     /// `memcpy` of whole scalars; a cell holds its bits, whatever it is read as.
@@ -59,9 +59,9 @@ impl<'u> Lowering<'u> {
         let (size, _) = self.value(size)?;
         let Some(Constant::Number(size)) = constant_of(&size) else { return Err(self.missing("a constant size")) };
         let mut widths = Vec::new();
-        for of in [&to_type, &from_type] {
-            let Type::Pointer(of) = of else { return Err(self.missing("pointers for memcpy")) };
-            widths.push(self.scalar_bytes(of).ok_or_else(|| self.missing("memcpy of mixed scalars"))?);
+        for pointer in [&to_type, &from_type] {
+            let Type::Pointer(ty) = pointer else { return Err(self.missing("pointers for memcpy")) };
+            widths.push(self.scalar_bytes(ty).ok_or_else(|| self.missing("memcpy of mixed scalars"))?);
         }
         if widths[0] != widths[1] || size % u64::from(widths[0]) != 0 {
             return Err(self.missing("memcpy of scalars of one size"));
@@ -72,13 +72,13 @@ impl<'u> Lowering<'u> {
     }
 
     /// The bytes of each scalar in a type, if all have the same.
-    pub(super) fn scalar_bytes(&self, of: &Type) -> Option<u32> {
-        match of {
+    pub(super) fn scalar_bytes(&self, ty: &Type) -> Option<u32> {
+        match ty {
             Type::Integer(bytes, _) => Some(u32::from(*bytes)),
             Type::Float => Some(4),
-            Type::Array(of, _) => self.scalar_bytes(of),
+            Type::Array(ty, _) => self.scalar_bytes(ty),
             Type::Struct(number) => {
-                let mut sizes = self.unit.structs[*number].members.iter().map(|(_, of)| self.scalar_bytes(of));
+                let mut sizes = self.unit.structs[*number].members.iter().map(|(_, ty)| self.scalar_bytes(ty));
                 let first = sizes.next()??;
                 sizes.all(|size| size == Some(first)).then_some(first)
             }
@@ -97,31 +97,31 @@ impl<'u> Lowering<'u> {
             values.push(self.value(argument)?);
         }
         let Some(place) = self.inlined(function, values)? else { return Ok(None) };
-        let load = Value::Load(Box::new(number(place.address)), self.scalar(&place.of)?);
-        Ok(Some((load, place.of)))
+        let load = Value::Load(Box::new(number(place.address)), self.scalar(&place.ty)?);
+        Ok(Some((load, place.ty)))
     }
 
     /// The address of what an expression names, and its type.
     pub(super) fn place(&mut self, expression: &'u Expression) -> Result<(Value, Type), Missing> {
         match &expression.kind {
             Kind::Name(name) => match self.find(name) {
-                Some(place) => Ok((number(place.address), place.of.clone())),
+                Some(place) => Ok((number(place.address), place.ty.clone())),
                 None => Err(self.missing(format!("the name `{name}`"))),
             },
             Kind::Unary("*", pointer) => match self.value(pointer)? {
-                (address, Type::Pointer(of)) => Ok((address, *of)),
+                (address, Type::Pointer(ty)) => Ok((address, *ty)),
                 _ => Err(self.missing("a pointer")),
             },
-            Kind::Member(of, name) => {
-                let (address, of) = self.place(of)?;
-                let Type::Struct(structure) = of else { return Err(self.missing("a structure")) };
+            Kind::Member(structure, name) => {
+                let (address, ty) = self.place(structure)?;
+                let Type::Struct(structure) = ty else { return Err(self.missing("a structure")) };
                 let structure = &self.unit.structs[structure];
                 let mut offset = 0;
-                for (member, of) in &structure.members {
+                for (member, ty) in &structure.members {
                     if member == name {
-                        return Ok((moved(address, number(offset)), of.clone()));
+                        return Ok((moved(address, number(offset)), ty.clone()));
                     }
-                    offset += if structure.union { 0 } else { self.cells(of) };
+                    offset += if structure.union { 0 } else { self.cells(ty) };
                 }
                 Err(self.missing(format!("the member `{name}`")))
             }
@@ -131,19 +131,19 @@ impl<'u> Lowering<'u> {
                     return Err(self.missing("an integer as index"));
                 }
                 let index = self.converted(index, &from, &Type::UNSIGNED)?;
-                let (address, of, index) = match self.try_place(array)? {
-                    Some((address, Type::Array(of, count))) => {
+                let (address, ty, index) = match self.try_place(array)? {
+                    Some((address, Type::Array(ty, count))) => {
                         let index = Value::Below(Box::new(index), count);
-                        (address, *of, index)
+                        (address, *ty, index)
                     }
                     _ => match self.value(array)? {
-                        (address, Type::Pointer(of)) => (address, *of, index),
+                        (address, Type::Pointer(ty)) => (address, *ty, index),
                         _ => return Err(self.missing("an array")),
                     },
                 };
-                let size = number(self.cells(&of));
+                let size = number(self.cells(&ty));
                 let offset = Value::Apply(Operator::Multiply, Width::W32, Box::new(index), Box::new(size));
-                Ok((moved(address, offset), of))
+                Ok((moved(address, offset), ty))
             }
             _ => Err(self.missing("something with an address")),
         }
@@ -162,39 +162,39 @@ impl<'u> Lowering<'u> {
     pub(super) fn value(&mut self, expression: &'u Expression) -> Result<(Value, Type), Missing> {
         self.line = expression.line;
         match &expression.kind {
-            Kind::Integer(number, of) => Ok((Value::Number(*number), of.clone())),
-            Kind::Float(value, of) => Ok((Value::Float((*value as f32).to_bits()), of.clone())),
+            Kind::Integer(number, ty) => Ok((Value::Number(*number), ty.clone())),
+            Kind::Float(value, ty) => Ok((Value::Float((*value as f32).to_bits()), ty.clone())),
             Kind::Name(name) if self.find(name).is_none() => match self.unit.constants.get(name) {
                 Some(&value) => Ok((Value::Number(u64::from(value as u32)), Type::INT)),
                 None => Err(self.missing(format!("the name `{name}`"))),
             },
             Kind::Name(_) | Kind::Index(..) | Kind::Member(..) | Kind::Unary("*", _) => {
-                let (address, of) = self.place(expression)?;
-                match of {
-                    Type::Array(of, _) => Ok((address, Type::Pointer(of))),
-                    of => Ok((Value::Load(Box::new(address), self.scalar(&of)?), of)),
+                let (address, ty) = self.place(expression)?;
+                match ty {
+                    Type::Array(ty, _) => Ok((address, Type::Pointer(ty))),
+                    ty => Ok((Value::Load(Box::new(address), self.scalar(&ty)?), ty)),
                 }
             }
             Kind::Unary("&", inner) => {
-                let (address, of) = self.place(inner)?;
-                Ok((address, Type::Pointer(Box::new(of))))
+                let (address, ty) = self.place(inner)?;
+                Ok((address, Type::Pointer(Box::new(ty))))
             }
             Kind::Unary("!", _) => {
                 let condition = self.condition(expression)?;
                 Ok((Value::OfCondition(Box::new(condition)), Type::INT))
             }
             Kind::Unary(sign, inner) => {
-                let (value, of) = self.value(inner)?;
-                match (*sign, &of) {
-                    ("-", Type::Float) => Ok((Value::Negative(Box::new(value)), of)),
+                let (value, ty) = self.value(inner)?;
+                match (*sign, &ty) {
+                    ("-", Type::Float) => Ok((Value::Negative(Box::new(value)), ty)),
                     ("-", Type::Double) => match value {
-                        Value::Float(bits) => Ok((Value::Float(bits ^ 0x8000_0000), of)),
+                        Value::Float(bits) => Ok((Value::Float(bits ^ 0x8000_0000), ty)),
                         _ => Err(self.missing("arithmetic in binary64")),
                     },
-                    ("+", Type::Float | Type::Double) => Ok((value, of)),
+                    ("+", Type::Float | Type::Double) => Ok((value, ty)),
                     ("-" | "~" | "+", Type::Integer(..)) => {
-                        let wide = promoted(&of);
-                        let value = self.converted(value, &of, &wide)?;
+                        let wide = promoted(&ty);
+                        let value = self.converted(value, &ty, &wide)?;
                         let width = width(&wide);
                         let (operator, first) = match *sign {
                             "-" => (Operator::Subtract, 0),
@@ -216,9 +216,9 @@ impl<'u> Lowering<'u> {
                 self.operated(operator, a, b)
             }
             Kind::Conditional(condition, a, b) => self.chosen(condition, a, b),
-            Kind::Cast(of, inner) => {
+            Kind::Cast(ty, inner) => {
                 let (value, from) = self.value(inner)?;
-                Ok((self.converted(value, &from, of)?, of.clone()))
+                Ok((self.converted(value, &from, ty)?, ty.clone()))
             }
             Kind::Call(name, arguments) => match (name.as_str(), &arguments[..]) {
                 ("fabsf", [inner]) => {
@@ -237,22 +237,22 @@ impl<'u> Lowering<'u> {
                 self.value(target)
             }
             Kind::Step(_, true, target) => {
-                let (value, of) = self.value(target)?;
-                let cell = self.allocate(&of);
-                self.store(number(cell), value, &of)?;
+                let (value, ty) = self.value(target)?;
+                let cell = self.allocate(&ty);
+                self.store(number(cell), value, &ty)?;
                 self.effect(expression)?;
-                Ok((Value::Load(Box::new(number(cell)), self.scalar(&of)?), of))
+                Ok((Value::Load(Box::new(number(cell)), self.scalar(&ty)?), ty))
             }
             Kind::SizeOf(inner) => {
                 let mark = self.here();
-                let of = match self.try_place(inner)? {
-                    Some((_, of)) => of,
+                let ty = match self.try_place(inner)? {
+                    Some((_, ty)) => ty,
                     None => self.value(inner)?.1,
                 };
                 self.program.operations.truncate(mark);
-                Ok((number(self.bytes(&of)), Type::UNSIGNED))
+                Ok((number(self.bytes(&ty)), Type::UNSIGNED))
             }
-            Kind::SizeOfType(of) => Ok((number(self.bytes(of)), Type::UNSIGNED)),
+            Kind::SizeOfType(ty) => Ok((number(self.bytes(ty)), Type::UNSIGNED)),
             Kind::List(_) => Err(self.missing("braces here")),
         }
     }
@@ -266,25 +266,25 @@ impl<'u> Lowering<'u> {
         let condition = self.condition(condition)?;
         let mark = self.here();
         let ((first, x), (second, y)) = (self.value(a)?, self.value(b)?);
-        let of = if x == y && !x.is_integer() { x.clone() } else { self.common(&x, &y)? };
+        let ty = if x == y && !x.is_integer() { x.clone() } else { self.common(&x, &y)? };
         if self.here() == mark {
-            let (first, second) = (self.converted(first, &x, &of)?, self.converted(second, &y, &of)?);
-            return Ok((Value::If(Box::new(condition), Box::new(first), Box::new(second)), of));
+            let (first, second) = (self.converted(first, &x, &ty)?, self.converted(second, &y, &ty)?);
+            return Ok((Value::If(Box::new(condition), Box::new(first), Box::new(second)), ty));
         }
         // something happens on the way: only on the side that is chosen
         self.program.operations.truncate(mark);
-        let cell = self.allocate(&of);
+        let cell = self.allocate(&ty);
         let branch = self.emit(Operation::Branch(condition, usize::MAX));
         let (first, x) = self.value(a)?;
-        let first = self.converted(first, &x, &of)?;
-        self.store(number(cell), first, &of)?;
+        let first = self.converted(first, &x, &ty)?;
+        self.store(number(cell), first, &ty)?;
         let end = self.jump(self.scopes.len());
         self.land(&[branch]);
         let (second, y) = self.value(b)?;
-        let second = self.converted(second, &y, &of)?;
-        self.store(number(cell), second, &of)?;
+        let second = self.converted(second, &y, &ty)?;
+        self.store(number(cell), second, &ty)?;
         self.land(&[end]);
-        Ok((Value::Load(Box::new(number(cell)), self.scalar(&of)?), of))
+        Ok((Value::Load(Box::new(number(cell)), self.scalar(&ty)?), ty))
     }
 
     /// An expression as a condition.
@@ -314,9 +314,9 @@ impl<'u> Lowering<'u> {
                 Ok(Condition::Nan(self.converted(value, &from, &Type::Float)?))
             }
             _ => {
-                let (value, of) = self.value(expression)?;
-                match of {
-                    Type::Integer(..) => Ok(Condition::NonZero(width(&of), value)),
+                let (value, ty) = self.value(expression)?;
+                match ty {
+                    Type::Integer(..) => Ok(Condition::NonZero(width(&ty), value)),
                     Type::Float => Ok(Condition::Not(Box::new(Condition::Equal(value, Value::Float(0))))),
                     _ => Err(self.missing("a condition of another type")),
                 }
@@ -352,10 +352,10 @@ impl<'u> Lowering<'u> {
                 _ => Condition::LessOrEqual(b, a),
             });
         }
-        let of = self.common(&x, &y)?;
-        let (a, b) = (self.converted(a, &x, &of)?, self.converted(b, &y, &of)?);
-        let Type::Integer(_, signed) = of else { return Err(self.missing("a comparison of another type")) };
-        let width = width(&of);
+        let ty = self.common(&x, &y)?;
+        let (a, b) = (self.converted(a, &x, &ty)?, self.converted(b, &y, &ty)?);
+        let Type::Integer(_, signed) = ty else { return Err(self.missing("a comparison of another type")) };
+        let width = width(&ty);
         let not = |condition| Condition::Not(Box::new(condition));
         Ok(match sign {
             "==" => Condition::Same(width, a, b),
@@ -373,16 +373,16 @@ impl<'u> Lowering<'u> {
         (a, x): (Value, Type),
         (b, y): (Value, Type),
     ) -> Result<(Value, Type), Missing> {
-        if let (Type::Pointer(of), "+", Type::Integer(..)) = (&x, sign, &y) {
+        if let (Type::Pointer(ty), "+", Type::Integer(..)) = (&x, sign, &y) {
             let index = self.converted(b, &y, &Type::UNSIGNED)?;
-            let size = number(self.cells(of));
+            let size = number(self.cells(ty));
             let offset = Value::Apply(Operator::Multiply, Width::W32, Box::new(index), Box::new(size));
             return Ok((moved(a, offset), x));
         }
         let shifts = matches!(sign, "<<" | ">>");
-        let of = if shifts { promoted(&x) } else { self.common(&x, &y)? };
-        if of == Type::Float {
-            let (a, b) = (self.converted(a, &x, &of)?, self.converted(b, &y, &of)?);
+        let ty = if shifts { promoted(&x) } else { self.common(&x, &y)? };
+        if ty == Type::Float {
+            let (a, b) = (self.converted(a, &x, &ty)?, self.converted(b, &y, &ty)?);
             let (operation, b) = match sign {
                 "+" => (Arithmetic::Add, b),
                 "-" => (Arithmetic::Add, Value::Negative(Box::new(b))),
@@ -390,9 +390,9 @@ impl<'u> Lowering<'u> {
                 "/" => (Arithmetic::Divide, b),
                 _ => return Err(self.missing(format!("`{sign}` of floats"))),
             };
-            return Ok((Value::Arithmetic(operation, Box::new(a), Box::new(b)), of));
+            return Ok((Value::Arithmetic(operation, Box::new(a), Box::new(b)), ty));
         }
-        let Type::Integer(_, signed) = of else { return Err(self.missing(format!("`{sign}` of this type"))) };
+        let Type::Integer(_, signed) = ty else { return Err(self.missing(format!("`{sign}` of this type"))) };
         let operator = match sign {
             "+" => Operator::Add,
             "-" => Operator::Subtract,
@@ -407,9 +407,9 @@ impl<'u> Lowering<'u> {
             ">>" => Operator::ShiftRight,
             _ => return Err(self.missing(format!("`{sign}` of signed integers"))),
         };
-        let a = self.converted(a, &x, &of)?;
-        let b = if shifts { self.converted(b, &y, &Type::UNSIGNED)? } else { self.converted(b, &y, &of)? };
-        Ok((Value::Apply(operator, width(&of), Box::new(a), Box::new(b)), of))
+        let a = self.converted(a, &x, &ty)?;
+        let b = if shifts { self.converted(b, &y, &Type::UNSIGNED)? } else { self.converted(b, &y, &ty)? };
+        Ok((Value::Apply(operator, width(&ty), Box::new(a), Box::new(b)), ty))
     }
 
     /// The type in which two operands are computed with.

@@ -12,14 +12,14 @@ use crate::term::Width;
 use std::collections::HashMap;
 
 #[derive(Clone, Debug)]
-struct Place {
+struct Lvalue {
     address: u32,
-    of: Type,
+    ty: Type,
 }
 
 /// What `break` and `continue` of a loop or switch refer to.
 #[derive(Default)]
-struct Target {
+struct JumpTarget {
     breaks: Vec<usize>,
     /// None in a switch
     continues: Option<Vec<usize>>,
@@ -27,27 +27,27 @@ struct Target {
 }
 
 /// A function that is being inlined.
-struct Frame {
+struct CallFrame {
     labels: HashMap<String, (usize, Vec<usize>)>,
     gotos: Vec<(usize, String, Vec<usize>, u32)>,
     returns: Vec<usize>,
-    result: Option<Place>,
+    result: Option<Lvalue>,
     scopes: usize,
-    targets: Vec<Target>,
+    targets: Vec<JumpTarget>,
 }
 
 /// A case of a switch: its number, none for the default, and where it is.
-type Case = (Option<u64>, usize);
+type SwitchCase = (Option<u64>, usize);
 
 pub(super) struct Lowering<'u> {
     file: &'u str,
     unit: &'u Unit,
     program: Program,
-    names: Vec<HashMap<String, Place>>,
+    names: Vec<HashMap<String, Lvalue>>,
     scopes: Vec<usize>,
-    frames: Vec<Frame>,
+    frames: Vec<CallFrame>,
     calls: Vec<&'u str>,
-    cases: Vec<Vec<Case>>,
+    cases: Vec<Vec<SwitchCase>>,
     statics: HashMap<(u32, String), u32>,
     line: u32,
 }
@@ -114,11 +114,11 @@ impl<'u> Lowering<'u> {
         let function = self.function(name)?;
         let mut arguments = Vec::new();
         let mut structures = Vec::new();
-        for (_, of) in &function.parameters {
-            let Type::Pointer(target) = of else { return Err(self.missing("a parameter that is a pointer")) };
+        for (_, ty) in &function.parameters {
+            let Type::Pointer(target) = ty else { return Err(self.missing("a parameter that is a pointer")) };
             let address = self.allocate(target);
             structures.push((address, (**target).clone()));
-            arguments.push((number(address), of.clone()));
+            arguments.push((number(address), ty.clone()));
         }
         let memory = !interface.memory.is_empty();
         let values = !interface.outputs.is_empty();
@@ -134,9 +134,9 @@ impl<'u> Lowering<'u> {
             self.program.memory = Some(structures[1].0);
         }
         if values {
-            let (address, of) = &structures[structures.len() - 1];
+            let (address, ty) = &structures[structures.len() - 1];
             self.program.action = Some(*address);
-            self.fields(&of.clone(), &single(&interface.outputs))?;
+            self.fields(&ty.clone(), &single(&interface.outputs))?;
         }
         let result = self.inlined(function, arguments)?;
         self.program.result = result.map(|place| place.address);
@@ -148,13 +148,13 @@ impl<'u> Lowering<'u> {
     }
 
     /// Checks that a structure holds floats with these names, in this order; underscores may follow a name.
-    fn fields(&self, of: &Type, names: &[(String, u32)]) -> Result<(), Missing> {
-        let Type::Struct(number) = of else { return Err(self.missing("a pointer to a structure")) };
+    fn fields(&self, ty: &Type, names: &[(String, u32)]) -> Result<(), Missing> {
+        let Type::Struct(number) = ty else { return Err(self.missing("a pointer to a structure")) };
         let members = &self.unit.structs[*number].members;
         let fits = |member: &(String, Type), (name, length): &(String, u32)| {
             let floats = match &member.1 {
                 Type::Float => 1,
-                Type::Array(of, count) if **of == Type::Float => *count,
+                Type::Array(ty, count) if **ty == Type::Float => *count,
                 _ => 0,
             };
             floats == *length && member.0.trim_end_matches('_') == name.trim_end_matches('_')
@@ -202,7 +202,7 @@ impl<'u> Lowering<'u> {
     }
 
     /// Inlines a call. The result's place, if it has one.
-    fn inlined(&mut self, function: &'u Function, arguments: Vec<(Value, Type)>) -> Result<Option<Place>, Missing> {
+    fn inlined(&mut self, function: &'u Function, arguments: Vec<(Value, Type)>) -> Result<Option<Lvalue>, Missing> {
         if self.calls.contains(&function.name.as_str()) {
             return Err(self.missing(format!("`{}` calls itself", function.name)));
         }
@@ -211,19 +211,19 @@ impl<'u> Lowering<'u> {
         }
         let line = self.line;
         let result = (function.result != Type::Void)
-            .then(|| Place { address: self.allocate(&function.result), of: function.result.clone() });
+            .then(|| Lvalue { address: self.allocate(&function.result), ty: function.result.clone() });
         let outside = std::mem::take(&mut self.names);
         self.names.push(outside[0].clone());
         let scopes = self.scopes.len();
         self.enter();
-        for ((value, from), (name, of)) in arguments.into_iter().zip(&function.parameters) {
-            let value = self.converted(value, &from, of)?;
-            let place = Place { address: self.allocate(of), of: of.clone() };
-            self.store(number(place.address), value, of)?;
+        for ((value, from), (name, ty)) in arguments.into_iter().zip(&function.parameters) {
+            let value = self.converted(value, &from, ty)?;
+            let place = Lvalue { address: self.allocate(ty), ty: ty.clone() };
+            self.store(number(place.address), value, ty)?;
             self.bind(name.clone(), place);
         }
         self.calls.push(&function.name);
-        self.frames.push(Frame {
+        self.frames.push(CallFrame {
             labels: HashMap::new(),
             gotos: Vec::new(),
             returns: Vec::new(),
@@ -256,14 +256,14 @@ impl<'u> Lowering<'u> {
         Ok(result)
     }
 
-    fn store(&mut self, address: Value, value: Value, of: &Type) -> Result<(), Missing> {
-        let scalar = self.scalar(of)?;
+    fn store(&mut self, address: Value, value: Value, ty: &Type) -> Result<(), Missing> {
+        let scalar = self.scalar(ty)?;
         self.emit(Operation::Set(address, value, scalar));
         Ok(())
     }
 
-    fn scalar(&self, of: &Type) -> Result<Scalar, Missing> {
-        match of {
+    fn scalar(&self, ty: &Type) -> Result<Scalar, Missing> {
+        match ty {
             Type::Float => Ok(Scalar::Float),
             Type::Integer(8, _) => Ok(Scalar::Word(Width::W64)),
             Type::Integer(..) | Type::Pointer(_) => Ok(Scalar::Word(Width::W32)),
@@ -273,10 +273,10 @@ impl<'u> Lowering<'u> {
     }
 }
 
-fn is_float(of: &Type) -> bool {
-    match of {
-        Type::Array(of, _) => is_float(of),
-        of => *of == Type::Float,
+fn is_float(ty: &Type) -> bool {
+    match ty {
+        Type::Array(ty, _) => is_float(ty),
+        ty => *ty == Type::Float,
     }
 }
 
@@ -284,15 +284,15 @@ fn moved(address: Value, offset: Value) -> Value {
     Value::Moved(Box::new(address), Box::new(offset))
 }
 
-fn promoted(of: &Type) -> Type {
-    match of {
+fn promoted(ty: &Type) -> Type {
+    match ty {
         Type::Integer(1 | 2, _) => Type::INT,
-        of => of.clone(),
+        ty => ty.clone(),
     }
 }
 
-fn width(of: &Type) -> Width {
-    match of {
+fn width(ty: &Type) -> Width {
+    match ty {
         Type::Integer(8, _) => Width::W64,
         _ => Width::W32,
     }

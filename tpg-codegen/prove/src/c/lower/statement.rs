@@ -1,6 +1,6 @@
 //! Statements: declarations, branches, loops, switches.
 
-use super::{Lowering, Place, Target, constant_of, number};
+use super::{JumpTarget, Lowering, Lvalue, constant_of, number};
 use crate::c::code::{Condition, Constant, Operation, Scalar, Value};
 use crate::c::syntax::{Expression, Kind, Statement, StatementKind, Type, Variable};
 use crate::input::Missing;
@@ -103,8 +103,8 @@ impl<'u> Lowering<'u> {
         match (value, place) {
             (Some(value), Some(place)) => {
                 let (value, from) = self.value(value)?;
-                let value = self.converted(value, &from, &place.of)?;
-                self.store(number(place.address), value, &place.of)?;
+                let value = self.converted(value, &from, &place.ty)?;
+                self.store(number(place.address), value, &place.ty)?;
             }
             (Some(value), None) => self.effect(value)?,
             _ => {}
@@ -121,36 +121,36 @@ impl<'u> Lowering<'u> {
         if variable.is_static {
             return self.constant(variable);
         }
-        let mut of = variable.of.clone();
+        let mut ty = variable.ty.clone();
         if let (Type::Array(_, count @ 0), Some(Expression { kind: Kind::List(items), .. })) =
-            (&mut of, &variable.initial)
+            (&mut ty, &variable.initial)
         {
             *count = u32::try_from(items.len()).map_err(|_| self.missing("a length"))?;
         }
-        let place = Place { address: self.allocate(&of), of };
+        let place = Lvalue { address: self.allocate(&ty), ty };
         if let Some(initial) = &variable.initial {
-            self.initialise(place.address, &place.of, initial)?;
+            self.initialise(place.address, &place.ty, initial)?;
         }
         self.bind(variable.name.clone(), place);
         Ok(())
     }
 
-    pub(super) fn initialise(&mut self, address: u32, of: &Type, initial: &'u Expression) -> Result<(), Missing> {
-        let parts: Vec<Type> = match (of, &initial.kind) {
+    pub(super) fn initialise(&mut self, address: u32, ty: &Type, initial: &'u Expression) -> Result<(), Missing> {
+        let parts: Vec<Type> = match (ty, &initial.kind) {
             (Type::Array(inner, count), Kind::List(_)) => vec![(**inner).clone(); *count as usize],
             (Type::Struct(number), Kind::List(_)) => {
-                self.unit.structs[*number].members.iter().map(|(_, of)| of.clone()).collect()
+                self.unit.structs[*number].members.iter().map(|(_, ty)| ty.clone()).collect()
             }
             (Type::Struct(_), _) => {
                 let (from, _) = self.place(initial)?;
-                let count = self.cells(of);
+                let count = self.cells(ty);
                 self.emit(Operation::Copy(number(address), from, count));
                 return Ok(());
             }
             _ => {
                 let (value, from) = self.value(initial)?;
-                let value = self.converted(value, &from, of)?;
-                return self.store(number(address), value, of);
+                let value = self.converted(value, &from, ty)?;
+                return self.store(number(address), value, ty);
             }
         };
         let Kind::List(items) = &initial.kind else { return Err(self.missing("an initialiser in braces")) };
@@ -158,9 +158,9 @@ impl<'u> Lowering<'u> {
             return Err(self.missing("an initialiser for each part"));
         }
         let mut address = address;
-        for (item, of) in items.iter().zip(&parts) {
-            self.initialise(address, of, item)?;
-            address += self.cells(of);
+        for (item, ty) in items.iter().zip(&parts) {
+            self.initialise(address, ty, item)?;
+            address += self.cells(ty);
         }
         Ok(())
     }
@@ -172,7 +172,7 @@ impl<'u> Lowering<'u> {
         body: &'u Statement,
         body_first: bool,
     ) -> Result<(), Missing> {
-        let target = Target { continues: Some(Vec::new()), scopes: self.scopes.len(), ..Target::default() };
+        let target = JumpTarget { continues: Some(Vec::new()), scopes: self.scopes.len(), ..JumpTarget::default() };
         if let Some(frame) = self.frames.last_mut() {
             frame.targets.push(target);
         }
@@ -209,7 +209,7 @@ impl<'u> Lowering<'u> {
         self.store(number(cell), value, &Type::UNSIGNED)?;
         let dispatch = self.jump(self.scopes.len());
         if let Some(frame) = self.frames.last_mut() {
-            frame.targets.push(Target { scopes: self.scopes.len(), ..Target::default() });
+            frame.targets.push(JumpTarget { scopes: self.scopes.len(), ..JumpTarget::default() });
         }
         self.cases.push(Vec::new());
         self.statement(body)?;

@@ -51,7 +51,7 @@ impl<S: ArmScalar> Guarded<S, ArmEpisode<S>> for ArmEnvironment<S> {
             target: narrow(seen.target),
             difference: narrow(seen.difference),
         };
-        self.steering.inputs.observe(&Frame::of(&self.steering.arm, &seen), state);
+        self.steering.inputs.observe(&Frame::new(&self.steering.arm, &seen), state);
     }
 
     fn guards(&self) -> &'static [&'static str] {

@@ -33,10 +33,10 @@ pub(super) struct Chain {
 /// The elements of a URDF that the chain needs.
 struct Robot {
     links: Vec<String>,
-    joints: Vec<Joint>,
+    joints: Vec<UrdfJoint>,
 }
 
-struct Joint {
+struct UrdfJoint {
     name: String,
     line: u32,
     kind: JointType,
@@ -59,7 +59,7 @@ enum JointType {
     Other,
 }
 
-impl Joint {
+impl UrdfJoint {
     /// Returns its name and line.
     fn place(&self) -> (&str, u32) {
         (&self.name, self.line)
@@ -160,13 +160,13 @@ pub(super) fn chain(file: &str, text: &str, tip: &str, requests: Requests<'_>) -
 }
 
 /// A joint that does not turn within limits.
-struct Refusal {
+struct UrdfRefusal {
     found: String,
     /// It could turn within limits on request.
     turns: bool,
 }
 
-impl Refusal {
+impl UrdfRefusal {
     /// Returns the option of the command that mends it.
     fn option(&self, name: &str) -> String {
         if self.turns { format!("--limit {name}=LOW,HIGH") } else { format!("--fix {name}=0") }
@@ -227,7 +227,7 @@ fn xacro<'a, 'i>(node: Node<'a, 'i>) -> Option<Node<'a, 'i>> {
     (of_xacro(node) || (node.has_tag_name("link") && has_expression(node))).then_some(node)
 }
 
-fn read_joint(file: &str, node: Node<'_, '_>) -> Result<Joint, InputError> {
+fn read_joint(file: &str, node: Node<'_, '_>) -> Result<UrdfJoint, InputError> {
     let name = node.attribute("name").unwrap_or_default();
     let line = |at: Node<'_, '_>| at.document().text_pos_at(at.range().start).row;
     let refuse = |at: Node<'_, '_>, found: String, accepted: &str| at_joint(file, (name, line(at)), found, accepted);
@@ -259,7 +259,7 @@ fn read_joint(file: &str, node: Node<'_, '_>) -> Result<Joint, InputError> {
             return Err(refuse(node, format!("the type {other:?}"), accepted));
         }
     };
-    Ok(Joint {
+    Ok(UrdfJoint {
         name: name.to_owned(),
         line: line(node),
         kind,
@@ -273,7 +273,7 @@ fn read_joint(file: &str, node: Node<'_, '_>) -> Result<Joint, InputError> {
 }
 
 /// The joints from the root to a link.
-fn path<'a>(file: &str, robot: &'a Robot, tip: &str) -> Result<Vec<&'a Joint>, InputError> {
+fn path<'a>(file: &str, robot: &'a Robot, tip: &str) -> Result<Vec<&'a UrdfJoint>, InputError> {
     let (mut path, mut link) = (Vec::new(), tip);
     while let Some(joint) = robot.joints.iter().find(|joint| joint.child == link) {
         if path.len() == robot.joints.len() {
@@ -287,15 +287,15 @@ fn path<'a>(file: &str, robot: &'a Robot, tip: &str) -> Result<Vec<&'a Joint>, I
 }
 
 /// The place of a joint in its parent's frame, mm, and the rotation of its own.
-fn origin(joint: &Joint) -> (Vector, Rotation) {
+fn origin(joint: &UrdfJoint) -> (Vector, Rotation) {
     let [place, [roll, pitch, yaw]] = joint.origin;
     let turned = compose(&compose(&about(Z, yaw), &about(Y, pitch)), &about(X, roll));
     (place.map(|metres| 1000.0 * metres), turned)
 }
 
 /// Returns a joint's limits, narrowed on request; limits that contain nothing count for none then.
-fn limits(joint: &Joint, narrowed: Option<[f64; 2]>) -> Result<[f64; 2], Refusal> {
-    let refuse = |turns: bool, found: String| Err(Refusal { found, turns });
+fn limits(joint: &UrdfJoint, narrowed: Option<[f64; 2]>) -> Result<[f64; 2], UrdfRefusal> {
+    let refuse = |turns: bool, found: String| Err(UrdfRefusal { found, turns });
     if let Some(other) = &joint.mimics {
         return refuse(false, format!("it mimics the joint {other:?}"));
     }

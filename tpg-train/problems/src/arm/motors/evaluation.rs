@@ -38,7 +38,7 @@ impl EvaluationEpisode {
     }
 
     pub(super) fn frame<'a>(&self, arm: &'a Arm<f32>) -> Frame<'a, f32> {
-        Frame::of(arm, self.course.observation())
+        Frame::new(arm, self.course.observation())
     }
 
     /// Takes one step. Rest, and a pose that comes again, end the episode only where `stuck_ends`.
