@@ -4,7 +4,7 @@ use super::object::{Size, measure};
 use super::target::Target;
 use crate::program::Program;
 use crate::shape::Shape;
-use cortex_bound::{Analyser, Bound, Listing, LoopBounds, Turns, disassemble};
+use cortex_bound::{Analyser, Bound, Listing, LoopBounds, Refusal, Turns, disassemble};
 use std::path::Path;
 use std::{fs, io};
 use tpg_graph::ScalarType;
@@ -34,7 +34,9 @@ pub(super) fn link(folder: &Path, target: Target, entry: &str, program: &Program
     let bound = target.has_bound().then(|| {
         let listing = disassemble(&image).map_err(|error| error.to_string())?;
         let loops = loops(program, entry, &listing);
-        Analyser::new(&listing, &loops).bound(entry).map_err(|refusal| refusal.to_string())
+        // What is accepted are options of `cortex-bound`.
+        let reason = |refusal: Refusal| refusal.to_string().split("; accepted").next().unwrap_or_default().to_owned();
+        Analyser::new(&listing, &loops).bound(entry).map_err(reason)
     });
     Ok(Linked { size, bound })
 }

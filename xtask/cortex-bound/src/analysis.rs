@@ -231,10 +231,11 @@ impl<'a> Analyser<'a> {
             }
             Some(Turns::Every(turns)) => nodes.map(|node| (node, *turns)).collect(),
             Some(Turns::Each(turns)) if turns.len() == headers.len() => nodes.zip(turns.iter().copied()).collect(),
-            Some(Turns::Nested(turns)) if headers.iter().all(|header| header.depth < turns.len()) => {
-                headers.iter().map(|header| (header.node, turns[header.depth])).collect()
+            // Deeper loops have no bound.
+            Some(Turns::Nested(turns)) => {
+                headers.iter().filter_map(|header| Some((header.node, *turns.get(header.depth)?))).collect()
             }
-            Some(Turns::Each(turns) | Turns::Nested(turns)) => {
+            Some(Turns::Each(turns)) => {
                 let lines = &self.listing.functions()[place].lines;
                 let found = nodes.map(|node| lines[node].address).collect();
                 return Err(Refusal::OtherLoops { function: name.to_owned(), found, given: turns.len() });

@@ -10,7 +10,7 @@ pub enum Turns {
     /// One bound for each loop, in the order of their first instructions. If the function has a different number of
     /// loops there is no bound: the code has changed since the bounds were determined.
     Each(Vec<u64>),
-    /// One bound for the loops in no other loop, one for those in one loop, and so on. If a loop lies deeper there is no bound.
+    /// One bound for the loops in no other loop, one for those in one loop, and so on. A loop that lies deeper has none.
     Nested(Vec<u64>),
 }
 
@@ -20,7 +20,11 @@ pub(super) fn in_libgcc(function: &str, is_tangled: bool) -> Option<u64> {
     let is = |of_arm: &str, of_all: &str| function.starts_with(of_arm) || function.ends_with(of_all);
     match function {
         // A Cortex-M0 divides 8 bits a turn, the first time 4 or 8.
-        "__udivsi3" | "__divsi3" | "__aeabi_uidiv" | "__aeabi_idiv" if is_tangled => Some(4),
+        "__udivsi3" | "__divsi3" | "__aeabi_uidiv" | "__aeabi_idiv" | "__aeabi_uidivmod" | "__aeabi_idivmod"
+            if is_tangled =>
+        {
+            Some(4)
+        }
         "__mulsi3" | "__udivsi3" | "__umodsi3" | "__divsi3" | "__modsi3" | "sqrtf" | "__ieee754_sqrtf" => Some(32),
         "__muldi3" | "__udivdi3" | "__umoddi3" | "__udivmoddi4" | "sqrt" | "__ieee754_sqrt" => Some(64),
         _ if is("__aeabi_f", "sf3") => Some(27),
