@@ -412,6 +412,7 @@ fn stages_have_the_same_bytes_on_other_threads_and_after_kills() {
         ("actions", ProblemName::Acrobot, 0.0),
         ("random search", ProblemName::Pendulum, 0.3),
         ("random search of actions", ProblemName::Acrobot, 0.3),
+        ("random search with a toll", ProblemName::Cartpole, 0.3),
     ] {
         let place = tempfile::tempdir().expect("a temporary folder");
         let path = place.path().join("config.toml");

@@ -291,7 +291,7 @@ impl CurriculumConfig {
 #[serde(deny_unknown_fields, default)]
 pub struct StartConfig {
     /// Fraction of the run for a random search in small steps, one episode a sample; it ends after a quarter of that if its samples
-    /// are no better than luck. 0 for none; no more than `share`.
+    /// are no better than luck. A toll for each step is tried where steps are rewarded. 0 for none; no more than `share`.
     pub random: f64,
     /// Fraction of the run at which the search ends; 0 for a start at random. After the random search the variances of weights are
     /// adapted; one that stalls is followed by another, in turns for sums and for products of two sums.

@@ -1,7 +1,7 @@
 //! One generation of a run: the stage asks, its candidates play, the stage is told.
 
 use super::budget::{Limits, Point};
-use super::config::EvolutionConfig;
+use super::config::{EvolutionConfig, StartConfig};
 use super::mirror::opposites;
 use super::record::Row;
 use super::search::Search;
@@ -76,7 +76,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
 
     /// Returns what stages know.
     pub fn context(&self, state: &State<E::Task>) -> Context<'_> {
-        let part = self.part(state).map_or(0.0, |part| part / self.config.start.random);
+        let part = self.part(state).map_or(0.0, |part| part / self.start(state).random);
         Context {
             config: self.config,
             vocabulary: &self.vocabulary,
@@ -266,7 +266,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
     /// Spends a generation of the search's budget.
     fn spend(&self, state: &mut State<E::Task>, context: &Context<'_>) -> Result<(), Finding> {
         let Some(search) = &state.search else { return Ok(()) };
-        let start = &self.config.start;
+        let start = self.start(state);
         let luck = state
             .rows
             .first()
@@ -274,11 +274,25 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         let limits = Limits {
             length: search.length(context)?,
             part: if search.is_random() { start.random } else { start.share },
-            luck: search.is_random().then_some(luck),
+            luck: search.is_random().then_some(if search.is_trial() { f64::NEG_INFINITY } else { luck }),
         };
         let (generation, score) = (state.generation + 1, search.score.unwrap_or(f64::NEG_INFINITY));
         state.budget.spend(Point { generation, part: self.part(state), score }, limits);
         Ok(())
+    }
+
+    /// Returns the parts of the run for searches: longer ones where there are outputs and the rest is too short for a generation of
+    /// evolution, with episodes as long as the best sample's.
+    fn start(&self, state: &State<E::Task>) -> StartConfig {
+        let StartConfig { random, share } = self.config.start;
+        let episodes = (self.config.tpg.nb_roots * self.config.demes.count) as f64;
+        let generation = episodes * state.episode_steps as f64;
+        let is_short = self.goal.max_steps.is_some_and(|most| (1.0 - share) * (most as f64) < generation);
+        if is_short && self.actions == 0 && share > 0.0 {
+            StartConfig { random: random / share, share: 1.0 }
+        } else {
+            StartConfig { random, share }
+        }
     }
 
     /// Returns the part of the run that is over after the current generation; none in a run without a limit.
@@ -314,5 +328,46 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
             }
             _ => 0.0,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Evolution, Goal};
+    use crate::evolution::config::{EvolutionConfig, StartConfig};
+    use crate::evolution::state::State;
+    use tpg_engine::{Choices, EngineOptions, LocalThreads};
+    use tpg_problems::Pendulum;
+    use tpg_runtime::ops::Own;
+
+    #[test]
+    fn searches_have_a_run_whose_rest_is_too_short_for_evolution() {
+        let environment: Choices<f32, Pendulum> = Choices::new(Pendulum, None).expect("a torque");
+        let named: Choices<f32, Pendulum> = Choices::new(Pendulum, Some(2)).expect("two torques");
+        let mut config = EvolutionConfig::default();
+        (config.tpg.nb_roots, config.demes.count) = (10, 3);
+        let evaluator = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 1).expect("a thread");
+        let mut state = State::new(1, 1);
+        state.episode_steps = 200;
+        // A quarter of so many steps is enough.
+        let enough = 4 * 10 * 3 * 200;
+        let start = |random, share| StartConfig { random, share };
+        for (asked, max_steps, expected) in [
+            (start(0.5, 0.75), Some(enough), start(0.5, 0.75)),
+            (start(0.375, 0.75), Some(enough - 4), start(0.5, 1.0)),
+            (start(0.0, 0.75), Some(1), start(0.0, 1.0)),
+            (start(0.0, 0.0), Some(1), start(0.0, 0.0)),
+            (start(0.5, 0.75), None, start(0.5, 0.75)),
+        ] {
+            config.start = asked;
+            let goal = Goal { max_steps, target: None };
+            let evolution = Evolution::new(&config, &environment, &evaluator, vec![1.0; 3], goal);
+            assert_eq!(evolution.start(&state), expected, "{max_steps:?}");
+        }
+        config.start = start(0.5, 0.75);
+        let evaluator = LocalThreads::<f32, Own, _>::new(&named, EngineOptions::default(), 1).expect("a thread");
+        let goal = Goal { max_steps: Some(1), target: None };
+        let evolution = Evolution::new(&config, &named, &evaluator, vec![1.0; 3], goal);
+        assert_eq!(evolution.start(&state), config.start, "named actions");
     }
 }
