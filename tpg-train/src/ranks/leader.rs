@@ -2,12 +2,12 @@
 
 use super::dealer::{Dealer, parts};
 use super::link::{Link, Patience};
-use super::worker::{Answer, Order, PackedPlay, Reply, decode, encode, pack_tasks};
+use super::worker::{Answer, Order, Reply, answers, decode, encode, pack_tasks};
 use serde::Serialize;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError, mpsc};
-use tpg_engine::{EvaluationError, Evaluator, Piece, Play, Played, UnitResult, Visit, Work, WorkUnit};
+use tpg_engine::{EvaluationError, Evaluator, Piece, Play, Played, UnitKey, UnitResult, Visit, Work, WorkUnit};
 
 /// The workers, as rank 0 sees them.
 pub(super) struct Crew<'l, L> {
@@ -29,14 +29,14 @@ type Answers = Result<Vec<Answer>, EvaluationError>;
 /// Writes the order by which a rank does some of the jobs.
 type Orders<'j> = dyn Fn(usize, &[usize]) -> Result<Order, EvaluationError> + 'j;
 /// Does some of the jobs on this rank.
-type Local<'j> = dyn Fn(&[usize]) -> Answers + Sync + 'j;
+type LocalAnswers<'j> = dyn Fn(&[usize]) -> Answers + Sync + 'j;
 
 /// Jobs for all ranks.
 struct Jobs<'j> {
     /// The expected cost of each job, in any unit.
     costs: Vec<u64>,
     order: &'j Orders<'j>,
-    local: &'j Local<'j>,
+    local: &'j LocalAnswers<'j>,
 }
 
 impl<'l, L: Link> Crew<'l, L> {
@@ -189,16 +189,37 @@ fn selected<Task>(work: &Work<Task>, pieces: &[Piece], jobs: &[usize]) -> (Vec<W
 pub(super) struct Leader<'l, L, V> {
     crew: &'l Crew<'l, L>,
     local: &'l V,
-    /// The bytes of the newest tasks, and their number.
-    tasks: RefCell<(Vec<u8>, u64)>,
-    /// The number of the tasks that each rank has; 0 for none.
-    known: RefCell<Vec<u64>>,
+    /// The bytes of the newest tasks, and the ranks that have them.
+    tasks: RefCell<(Vec<u8>, Vec<bool>)>,
 }
 
 impl<'l, L: Link, V> Leader<'l, L, V> {
     pub(super) fn new(crew: &'l Crew<'l, L>, local: &'l V) -> Self {
-        let known = RefCell::new(vec![0; crew.threads.len()]);
-        Self { crew, local, tasks: RefCell::new((Vec::new(), 0)), known }
+        Self { crew, local, tasks: RefCell::new((Vec::new(), vec![false; crew.threads.len()])) }
+    }
+
+    /// Answers to pieces of work, in their order, by all ranks.
+    fn answers<Task: Clone + Serialize + Sync>(&self, work: &Work<Task>, pieces: &[Piece], observed: bool) -> Answers
+    where
+        V: Evaluator<Task> + Sync,
+    {
+        let bytes = pack_tasks(&work.tasks)?;
+        if self.tasks.borrow().0 != bytes {
+            *self.tasks.borrow_mut() = (bytes, vec![false; self.crew.threads.len()]);
+        }
+        let order = |rank: usize, jobs: &[usize]| {
+            let (tasks, known) = &mut *self.tasks.borrow_mut();
+            let tasks = (!std::mem::replace(&mut known[rank], true)).then(|| tasks.clone());
+            let (units, pieces) = selected(work, pieces, jobs);
+            Ok(Order::Evaluate { tasks, units, pieces, observed })
+        };
+        let local = self.local;
+        let evaluate = |jobs: &[usize]| {
+            let pieces: Vec<Piece> = jobs.iter().map(|&job| pieces[job].clone()).collect();
+            answers(local, work, &pieces, observed)
+        };
+        let cost = |piece: &Piece| (work.units[piece.unit].policy.size() * piece.tasks.len()) as u64;
+        self.crew.distribute(&Jobs { costs: pieces.iter().map(cost).collect(), order: &order, local: &evaluate })
     }
 }
 
@@ -209,36 +230,11 @@ where
     V: Evaluator<Task> + Sync,
 {
     fn evaluate(&self, work: &Work<Task>) -> Result<Vec<UnitResult>, EvaluationError> {
-        let (local, threads) = (self.local, &self.crew.threads);
-        if threads.len() == 1 {
-            return local.evaluate(work);
-        }
-        let bytes = pack_tasks(&work.tasks)?;
-        let number = {
-            let mut tasks = self.tasks.borrow_mut();
-            if tasks.1 == 0 || tasks.0 != bytes {
-                *tasks = (bytes, tasks.1 + 1);
-            }
-            tasks.1
-        };
-        let parts = parts(work.units.len(), threads.iter().sum());
+        let parts = parts(work.units.len(), self.crew.threads.iter().sum());
         let pieces = Piece::cut(work.units.len(), work.tasks.len(), parts);
-        let order = |rank: usize, jobs: &[usize]| {
-            let is_known = std::mem::replace(&mut self.known.borrow_mut()[rank], number) == number;
-            let tasks = (!is_known).then(|| self.tasks.borrow().0.clone());
-            let (units, pieces) = selected(work, &pieces, jobs);
-            Ok(Order::Evaluate { tasks, units, pieces })
-        };
-        let evaluate = |jobs: &[usize]| {
-            let pieces: Vec<Piece> = jobs.iter().map(|&job| pieces[job].clone()).collect();
-            Ok(local.pieces(work, &pieces)?.into_iter().map(Answer::Endings).collect())
-        };
-        let cost = |piece: &Piece| (work.units[piece.unit].policy.size() * piece.tasks.len()) as u64;
-        let jobs = Jobs { costs: pieces.iter().map(cost).collect(), order: &order, local: &evaluate };
         let mut endings = vec![Vec::new(); work.units.len()];
-        for (piece, answer) in pieces.iter().zip(self.crew.distribute(&jobs)?) {
-            let Answer::Endings(part) = answer else { return Err(EvaluationError::new("another answer than endings")) };
-            endings[piece.unit].extend(part);
+        for (piece, answer) in pieces.iter().zip(self.answers(work, &pieces, false)?) {
+            endings[piece.unit].extend(answer.endings);
         }
         Ok(work.units.iter().zip(endings).map(|(unit, endings)| UnitResult { key: unit.key, endings }).collect())
     }
@@ -249,23 +245,16 @@ where
     }
 
     fn play(&self, plays: &[Play<Task>]) -> Result<Vec<Played>, EvaluationError> {
-        let local = self.local;
-        if self.crew.threads.len() == 1 {
-            return local.play(plays);
-        }
-        let order = |_: usize, jobs: &[usize]| {
-            let packed: Result<Vec<_>, _> = jobs.iter().map(|&job| PackedPlay::new(&plays[job])).collect();
-            Ok(Order::Play(packed?))
+        let unit = |(root, play): (u64, &Play<Task>)| {
+            let key = UnitKey { seed: 0, generation: 0, root };
+            (play.task.clone(), WorkUnit { key, policy: play.policy.clone() })
         };
-        let play = |jobs: &[usize]| {
-            let plays: Vec<Play<Task>> = jobs.iter().map(|&job| plays[job].clone()).collect();
-            Ok(local.play(&plays)?.into_iter().map(Answer::Played).collect())
-        };
-        let costs = plays.iter().map(|play| play.policy.size() as u64).collect();
-        let answers = self.crew.distribute(&Jobs { costs, order: &order, local: &play })?;
-        let played = answers.into_iter().map(|answer| match answer {
-            Answer::Played(played) => Ok(played),
-            Answer::Endings(_) => Err(EvaluationError::new("another answer than results of episodes")),
+        let (tasks, units) = (0..).zip(plays).map(unit).unzip();
+        let pieces: Vec<Piece> = (0..plays.len()).map(|unit| Piece { unit, tasks: unit..unit + 1 }).collect();
+        let answers = self.answers(&Work { tasks, units }, &pieces, true)?.into_iter();
+        let played = answers.map(|Answer { endings, seen }| match (&endings[..], seen) {
+            (&[ending], Some(seen)) => Ok(Played { ending, seen }),
+            _ => Err(EvaluationError::new("another answer than that to an episode")),
         });
         played.collect()
     }

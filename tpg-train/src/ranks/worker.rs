@@ -4,30 +4,16 @@
 use super::link::Link;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
-use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Piece, Play, Played, PolicyGraph, Work, WorkUnit};
+use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Moments, Piece, Play, Played, Work, WorkUnit};
 
 /// From rank 0 to a worker.
 #[derive(Serialize, Deserialize)]
 pub(super) enum Order {
-    /// Evaluate pieces of these units on tasks in JSON; `None`: on those of the order before.
-    Evaluate { tasks: Option<Vec<u8>>, units: Vec<WorkUnit>, pieces: Vec<Piece> },
-    /// Run episodes and record what is seen.
-    Play(Vec<PackedPlay>),
+    /// Evaluate pieces of these units on tasks in JSON; `None`: on those of the order before. Where `observed`, a piece is an
+    /// episode, and what its policy sees is recorded.
+    Evaluate { tasks: Option<Vec<u8>>, units: Vec<WorkUnit>, pieces: Vec<Piece>, observed: bool },
     /// Nothing more comes.
     End,
-}
-
-/// A [`Play`] whose task is JSON.
-#[derive(Serialize, Deserialize)]
-pub(super) struct PackedPlay {
-    policy: PolicyGraph,
-    task: Vec<u8>,
-}
-
-impl PackedPlay {
-    pub(super) fn new<Task: Serialize>(play: &Play<Task>) -> Result<Self, EvaluationError> {
-        Ok(Self { policy: play.policy.clone(), task: pack_tasks(&play.task)? })
-    }
 }
 
 /// From a worker to rank 0: the first one says that it is ready, then there is one for each order.
@@ -41,13 +27,31 @@ pub(super) enum Reply {
     Failed(String),
 }
 
-/// The answer to a job.
+/// The answer to a piece.
 #[derive(Serialize, Deserialize)]
-pub(super) enum Answer {
-    /// The endings of a piece.
-    Endings(Vec<EpisodeResult>),
-    /// The results of an episode.
-    Played(Played),
+pub(super) struct Answer {
+    pub(super) endings: Vec<EpisodeResult>,
+    /// What the policy of an observed episode saw.
+    pub(super) seen: Option<Moments>,
+}
+
+/// The answers of this rank to pieces of work.
+pub(super) fn answers<Task: Clone>(
+    local: &impl Evaluator<Task>,
+    work: &Work<Task>,
+    pieces: &[Piece],
+    observed: bool,
+) -> Result<Vec<Answer>, EvaluationError> {
+    if !observed {
+        let endings = local.pieces(work, pieces)?.into_iter();
+        return Ok(endings.map(|endings| Answer { endings, seen: None }).collect());
+    }
+    let play = |Piece { unit, tasks }: &Piece| Play {
+        policy: work.units[*unit].policy.clone(),
+        task: work.tasks[tasks.start].clone(),
+    };
+    let played = local.play(&pieces.iter().map(play).collect::<Vec<_>>())?.into_iter();
+    Ok(played.map(|Played { ending, seen }| Answer { endings: vec![ending], seen: Some(seen) }).collect())
 }
 
 /// Writes tasks.
@@ -75,40 +79,20 @@ pub(super) fn serve<Task: Clone + DeserializeOwned>(
     // Tasks stay between orders.
     let mut work = Work { tasks: Vec::new(), units: Vec::new() };
     loop {
-        let answers = match decode(&link.receive()?.1) {
+        let answered = match decode(&link.receive()?.1) {
             Ok(Order::End) => return Ok(()),
-            Ok(order) => follow(order, &mut work, local),
+            Ok(Order::Evaluate { tasks, units, pieces, observed }) => {
+                work.units = units;
+                let read = tasks.map_or(Ok(()), |tasks| unpack_tasks(&tasks).map(|tasks| work.tasks = tasks));
+                read.and_then(|()| answers(local, &work, &pieces, observed))
+            }
             Err(error) => Err(error),
         };
-        let reply = match answers {
+        let reply = match answered {
             Ok(answers) => Reply::Done { answers, steps: local.steps() },
             Err(error) => Reply::Failed(error.into_inner().to_string()),
         };
         link.send(0, &encode(&reply)?)?;
-    }
-}
-
-fn follow<Task: Clone + DeserializeOwned>(
-    order: Order,
-    work: &mut Work<Task>,
-    local: &impl Evaluator<Task>,
-) -> Result<Vec<Answer>, EvaluationError> {
-    match order {
-        Order::Evaluate { tasks, units, pieces } => {
-            if let Some(tasks) = tasks {
-                work.tasks = unpack_tasks(&tasks)?;
-            }
-            work.units = units;
-            Ok(local.pieces(work, &pieces)?.into_iter().map(Answer::Endings).collect())
-        }
-        Order::Play(packed) => {
-            let plays = packed
-                .into_iter()
-                .map(|PackedPlay { policy, task }| Ok(Play { policy, task: unpack_tasks(&task)? }))
-                .collect::<Result<Vec<_>, EvaluationError>>()?;
-            Ok(local.play(&plays)?.into_iter().map(Answer::Played).collect())
-        }
-        Order::End => Ok(Vec::new()),
     }
 }
 

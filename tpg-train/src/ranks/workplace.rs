@@ -2,10 +2,10 @@
 
 use super::leader::{Crew, Leader, dismiss};
 use super::link::Link;
-use super::worker::{Reply, decode, encode, serve};
+use super::worker::{Reply, encode, serve};
 use crate::evolution::run::RunError;
 use std::cell::Cell;
-use tpg_engine::{Environment, EvaluationError, Evaluator, LocalThreads};
+use tpg_engine::{Environment, Evaluator, LocalThreads};
 use tpg_graph::command::{CommandError, Verdict};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
@@ -73,17 +73,9 @@ impl<L: Link> Ranks<L> {
             let told = encode(&Reply::Failed(text)).and_then(|bytes| self.link.send(0, &bytes));
             return told.map(|()| Verdict::Good).map_err(CommandError::other);
         }
-        self.dismiss_ready().map_err(CommandError::other).and(result)
-    }
-
-    fn dismiss_ready(&self) -> Result<(), EvaluationError> {
-        for _ in 1..self.link.ranks() {
-            let (rank, bytes) = self.link.receive()?;
-            if let Reply::Ready { .. } = decode(&bytes)? {
-                dismiss(&self.link, [rank])?;
-            }
-        }
-        Ok(())
+        // No run has this identity: all that are ready are dismissed.
+        let _ = Crew::gather(&self.link, "", 0);
+        result
     }
 }
 
