@@ -1,6 +1,7 @@
 //! Action spaces, and the actions that policies take in them.
 
 use crate::policy::Limits;
+use serde::{Deserialize, Serialize};
 use tpg_graph::{ActionDocument, ScalarType};
 use tpg_runtime::policy::ActionId;
 
@@ -19,7 +20,8 @@ pub enum ActionSpace {
 }
 
 /// A continuous output: a torque, a speed.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Output {
     /// Its name.
     pub name: String,

@@ -23,7 +23,7 @@ const MOST: u64 = 1 << 53;
 /// Everything except the numbers: networks, replay buffer, actions.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct State<Task> {
+struct CheckpointState<Task> {
     config: SacConfig,
     seed: u64,
     decisions: u64,
@@ -45,12 +45,12 @@ struct State<Task> {
 
 /// The part that identifies a run, for any problem.
 #[derive(Deserialize)]
-struct Header {
+struct CheckpointHeader {
     config: SacConfig,
     seed: u64,
 }
 
-/// The JSON text of a [`State`]; the vectors of the agent, the average and the best actor, the rows of the replay buffer, the actions.
+/// The JSON text of a [`CheckpointState`]; the vectors of the agent, the average and the best actor, the rows of the replay buffer, the actions.
 type Content = (String, Vec<Vec<f32>>, Option<Vec<f32>>, Option<Vec<f32>>, Vec<f32>, Vec<f32>);
 
 /// Returns the content of a checkpoint. `log` is kept for the run's log files.
@@ -63,7 +63,7 @@ pub fn to_bytes<E: Environment<f32>>(training: &Training<'_, E>, log: &[serde_js
     let (adam_steps, agent) = agent.state_mut();
     let (replayed, rows) = replay.state();
     let actions: Vec<f32> = lanes.lanes.iter().flat_map(|lane| &lane.actions).copied().collect();
-    let state = State {
+    let state = CheckpointState {
         config: config.clone(),
         seed: *seed,
         decisions: *decisions,
@@ -121,7 +121,7 @@ fn restore<'e, E: Environment<f32>>(
     seed: u64,
 ) -> Result<Loaded<'e, E>, Finding> {
     check_header(&text, config, seed)?;
-    let state: State<E::Task> = parse(&text)?;
+    let state: CheckpointState<E::Task> = parse(&text)?;
     let interface = interface(environment, config)?;
     let (inputs, actions) = (interface.inputs.len(), interface.outputs.len());
     state.check(config, environment, actions)?;
@@ -177,7 +177,7 @@ fn parse<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, Finding> {
         .map_err(|error| Finding::new("", error, "the text that this version of tpg-train writes"))
 }
 
-impl<Task> State<Task> {
+impl<Task> CheckpointState<Task> {
     /// Checks what would panic later: counts that overflow, another number of lanes, tasks of another problem.
     fn check<E: Environment<f32, Task = Task>>(
         &self,
@@ -233,7 +233,7 @@ fn check_inputs(found: &[Input], accepted: &[Input]) -> Result<(), Finding> {
 
 /// Refuses the checkpoint of another configuration or seed.
 fn check_header(text: &str, config: &SacConfig, seed: u64) -> Result<(), Finding> {
-    let header: Header = parse(text)?;
+    let header: CheckpointHeader = parse(text)?;
     if header.config != *config {
         let accepted = "the configuration that the run began with, or another --out";
         return Err(Finding::new("config", "another configuration", accepted));
@@ -280,7 +280,7 @@ mod tests {
                 training.tick();
             }
         }
-        assert!(undisturbed.updates() > 40);
+        assert!(undisturbed.updates > 40);
         assert_eq!(undisturbed.lanes.failures.places.len(), config.retry.map_or(0, |retry| retry.remembered));
         assert!(to_bytes(&undisturbed, &[]) == to_bytes(&resumed, &[]), "the checkpoints at the end differ");
     }

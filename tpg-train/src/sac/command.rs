@@ -62,9 +62,9 @@ pub(crate) fn execute(args: &SacArgs) -> Result<Verdict, InputError> {
     }
     let name = preset.unwrap_or_else(|| name_by_content(&config));
     let stop = interrupt::watch();
-    let command = Command { args, name: &name, config, problem: problem.name() };
+    let command = SacCommand { args, name: &name, config, problem: problem.name() };
     let environment = problem.network_environment(args.seed);
-    Run::begin(command, &&*environment)?.finish(&stop)
+    SacRun::begin(command, &&*environment)?.finish(&stop)
 }
 
 /// Returns the name of a configuration from a file: a hash of its content, so that the policy does not depend on where
@@ -75,19 +75,18 @@ fn name_by_content(config: &SacConfig) -> String {
 }
 
 /// The request.
-struct Command<'a> {
+struct SacCommand<'a> {
     args: &'a SacArgs,
     name: &'a str,
     config: SacConfig,
     problem: ProblemName,
 }
 
-struct Run<'a, E: Environment<f32>> {
+struct SacRun<'a, E: Environment<f32>> {
     environment: &'a E,
     folder: RunFolder,
     name: &'a str,
     problem: ProblemName,
-    seed: u64,
     goal: Goal,
     checkpoint_every: Duration,
     training: Training<'a, E>,
@@ -97,9 +96,9 @@ struct Run<'a, E: Environment<f32>> {
     began: Instant,
 }
 
-impl<'a, E: Environment<f32>> Run<'a, E> {
-    fn begin(command: Command<'a>, environment: &'a E) -> Result<Self, InputError> {
-        let Command { args, name, config, problem } = command;
+impl<'a, E: Environment<f32>> SacRun<'a, E> {
+    fn begin(command: SacCommand<'a>, environment: &'a E) -> Result<Self, InputError> {
+        let SacCommand { args, name, config, problem } = command;
         let (seed, folder) = (args.seed, args.run.folder(problem, args.seed));
         let refused = |finding: Finding| {
             command_line(format!("--problem {}: {}", problem.name(), finding.found), finding.accepted)
@@ -113,10 +112,10 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
             Some(found) => found,
             None => (Training::new(environment, config, seed).map_err(refused)?, Vec::new()),
         };
-        write_atomically(&folder.file("config.toml"), training.config().to_toml().as_bytes())?;
+        write_atomically(&folder.file("config.toml"), training.config.to_toml().as_bytes())?;
         let goal = Goal { target: args.target, max_steps: args.max_steps };
         let validation =
-            tpg_engine::tasks(environment, tpg_engine::TaskSet::Validation, 0, training.config().validation.episodes);
+            tpg_engine::tasks(environment, tpg_engine::TaskSet::Validation, 0, training.config.validation.episodes);
         let checkpoint_every = args.run.checkpoint_every(CHECKPOINT_SECONDS);
         let began = Instant::now();
         Ok(Self {
@@ -124,7 +123,6 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
             folder,
             name,
             problem,
-            seed,
             goal,
             checkpoint_every,
             training,
@@ -137,26 +135,26 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
 
     /// True when the run has had all of its decisions.
     fn spent(&self) -> bool {
-        self.training.finished() || self.goal.max_steps.is_some_and(|most| self.training.decisions() >= most)
+        self.training.finished() || self.goal.max_steps.is_some_and(|most| self.training.decisions >= most)
     }
 
     /// True when the last candidate is good enough.
     fn reached(&self) -> bool {
-        self.training.last().zip(self.goal.target).is_some_and(|(result, target)| result.score >= target)
+        self.training.last.as_ref().zip(self.goal.target).is_some_and(|(result, target)| result.score >= target)
     }
 
     fn finish(mut self, stop: &AtomicBool) -> Result<Verdict, InputError> {
-        let every = self.training.config().validation.every;
+        let every = self.training.config.validation.every;
         let mut saved = Instant::now();
         while !self.spent() && !self.reached() {
-            let before = self.training.decisions() / every;
+            let before = self.training.decisions / every;
             self.training.tick();
-            if self.training.decisions() / every > before || self.spent() {
+            if self.training.decisions / every > before || self.spent() {
                 self.validate()?;
             }
-            let whole = self.training.config().learning.decisions;
+            let whole = self.training.config.learning.decisions;
             let whole = self.goal.max_steps.map_or(whole, |most| most.min(whole));
-            self.progress.show(self.training.decisions(), whole, || self.message());
+            self.progress.show(self.training.decisions, whole, || self.message());
             let stopped = stop.load(Ordering::Relaxed);
             if stopped || saved.elapsed() >= self.checkpoint_every {
                 self.save()?;
@@ -167,7 +165,7 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
             }
         }
         self.save()?;
-        if let Some(best) = self.training.best() {
+        if let Some(best) = &self.training.best {
             tpg_graph::command::note(format_args!("{}", self.sentence(best)));
         }
         Ok(Verdict::Good)
@@ -176,7 +174,7 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
     fn validate(&mut self) -> Result<(), InputError> {
         let recent = self.training.take_progress();
         let result = self.training.validate(&self.validation);
-        let best = self.training.best().expect("there was a validation");
+        let best = self.training.best.as_ref().expect("there was a validation");
         let contract = self.training.contract(best, self.name, self.problem.name());
         to_tensors(&best.actor, &contract).write(&self.folder.file("policy.safetensors"))?;
         self.log.push(log::row(&self.training, &recent, &result, self.environment));
@@ -185,7 +183,11 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
 
     fn message(&self) -> String {
         let short = |result: Option<&Summary>| result.map(short).unwrap_or_default();
-        format!("{}, best {}", short(self.training.last()), short(self.training.best().map(|best| &best.result)))
+        format!(
+            "{}, best {}",
+            short(self.training.last.as_ref()),
+            short(self.training.best.as_ref().map(|best| &best.result))
+        )
     }
 
     fn save(&self) -> Result<(), InputError> {
@@ -202,7 +204,7 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
             .unwrap_or_default();
         format!(
             "seed {}: mean score {score:.2} on {episodes} validation episodes{success}{measure}, after {} decisions",
-            self.seed, best.decisions
+            self.training.seed, best.decisions
         )
     }
 }

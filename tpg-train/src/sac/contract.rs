@@ -24,25 +24,11 @@ pub struct Contract {
     /// The network's inputs, in order.
     pub inputs: Vec<Input>,
     /// The outputs, in order: a component of the action, tanh of a mean, is the fraction of half the range.
-    pub outputs: Vec<OutputRange>,
+    pub outputs: Vec<Output>,
     /// The network.
     pub actor: Actor,
     /// The origin of the policy.
     pub provenance: Provenance,
-}
-
-/// An output and its range.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct OutputRange {
-    /// Its name.
-    pub name: String,
-    /// Its unit, for people.
-    pub unit: String,
-    /// The lowest value.
-    pub min: f64,
-    /// The highest value.
-    pub max: f64,
 }
 
 /// The origin of a policy.
@@ -66,18 +52,12 @@ pub struct Provenance {
 impl Contract {
     /// The contract of an actor.
     pub fn new(problem: toml::Table, interface: &Interface, actor: Actor, provenance: Provenance) -> Self {
-        let output = |Output { name, unit, min, max }: &Output| OutputRange {
-            name: name.clone(),
-            unit: unit.clone(),
-            min: *min,
-            max: *max,
-        };
         Self {
             format: FORMAT.to_owned(),
             version: VERSION,
             problem,
             inputs: interface.inputs.clone(),
-            outputs: interface.outputs.iter().map(output).collect(),
+            outputs: interface.outputs.clone(),
             actor,
             provenance,
         }
@@ -85,13 +65,7 @@ impl Contract {
 
     /// The network's inputs and outputs.
     pub fn interface(&self) -> Interface {
-        let output = |OutputRange { name, unit, min, max }: &OutputRange| Output {
-            name: name.clone(),
-            unit: unit.clone(),
-            min: *min,
-            max: *max,
-        };
-        Interface { inputs: self.inputs.clone(), outputs: self.outputs.iter().map(output).collect() }
+        Interface { inputs: self.inputs.clone(), outputs: self.outputs.clone() }
     }
 
     /// Reads the text of a policy file.
@@ -100,13 +74,13 @@ impl Contract {
     /// If there is none, it has another version, or says what no network can be.
     pub(super) fn from_text(text: Option<&str>) -> Result<Self, Finding> {
         #[derive(Deserialize)]
-        struct Header {
+        struct ContractHeader {
             format: String,
             version: u32,
         }
         let accepted = "the contract that `tpg-train sac` writes; `import` adds it to files of others";
         let text = text.ok_or_else(|| Finding::new("metadata.tpg", "nothing", accepted))?;
-        let header: Header =
+        let header: ContractHeader =
             serde_json::from_str(text).map_err(|error| Finding::new("metadata.tpg", error, accepted))?;
         if header.format != FORMAT || header.version != VERSION {
             let found = format!("{:?}, version {}", header.format, header.version);
@@ -126,7 +100,7 @@ impl Contract {
         if let Some(input) = self.inputs.iter().find(|input| !input.offset.is_finite() || !input.scale.is_finite()) {
             return Err(Finding::new("metadata.tpg.inputs", format!("{input:?}"), "finite numbers"));
         }
-        let sound = |output: &&OutputRange| output.min.is_finite() && output.max.is_finite() && output.min < output.max;
+        let sound = |output: &&Output| output.min.is_finite() && output.max.is_finite() && output.min < output.max;
         match self.outputs.iter().find(|output| !sound(output)) {
             Some(output) => {
                 Err(Finding::new("metadata.tpg.outputs", format!("{output:?}"), "a lowest below a highest"))

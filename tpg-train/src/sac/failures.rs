@@ -18,11 +18,6 @@ pub(crate) struct Failures<Task> {
 }
 
 impl<Task: Clone> Failures<Task> {
-    /// Creates an empty list.
-    pub(crate) const fn new() -> Self {
-        Self { places: Vec::new() }
-    }
-
     /// Lets a policy try fresh tasks and remembers where it fails. `at` tells one search of a run from another.
     pub(crate) fn look<E: Environment<f32, Task = Task>>(
         &mut self,
@@ -60,9 +55,9 @@ impl<Task: Clone> Failures<Task> {
     }
 }
 
-impl<Task: Clone> Default for Failures<Task> {
+impl<Task> Default for Failures<Task> {
     fn default() -> Self {
-        Self::new()
+        Self { places: Vec::new() }
     }
 }
 
@@ -72,7 +67,7 @@ mod tests {
 
     #[test]
     fn episodes_leave_their_start_middle_and_last_place_but_one() {
-        let mut failures = Failures::new();
+        let mut failures = Failures::default();
         for (length, expected) in [(1, vec![0]), (2, vec![0]), (3, vec![0, 1]), (10, vec![0, 4, 8])] {
             failures.places.clear();
             failures.remember(&(0..length).map(Some).collect::<Vec<_>>());

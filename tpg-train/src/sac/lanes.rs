@@ -61,7 +61,7 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
     /// Creates the lanes without episodes: see [`resume`](Self::resume).
     pub(crate) fn empty(environment: &'e E, interface: Interface, config: &SacConfig, seed: u64) -> Self {
         let retried = config.retry.map_or(0.0, |retry| retry.share);
-        let (limit, failures) = (environment.time_limit(), Failures::new());
+        let (limit, failures) = (environment.time_limit(), Failures::default());
         let (lasts, discount) = (config.learning.decision_lasts, config.learning.discount as f32);
         let lanes = Vec::new();
         Self { environment, interface, limit, lasts, discount, seed, lanes, episodes: 0, failures, retried }

@@ -19,8 +19,8 @@ pub(crate) fn row<E: Environment<f32>>(
 ) -> Value {
     let means = recent.means();
     let mut row = json!({
-        "decisions": training.decisions(),
-        "updates": training.updates(),
+        "decisions": training.decisions,
+        "updates": training.updates,
         "steps": recent.steps,
         "critic_loss": means.critic_loss,
         "actor_loss": means.actor_loss,

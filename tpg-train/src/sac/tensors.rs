@@ -1,5 +1,6 @@
 //! Safetensors files: named `f32` tensors and one JSON text, checked as they are read.
 
+use super::config::check_widths;
 use safetensors::tensor::{Dtype, SafeTensors, TensorView, serialize};
 use std::collections::{BTreeMap, HashMap};
 use std::fs::File;
@@ -7,6 +8,7 @@ use std::io::Read as _;
 use std::path::Path;
 use tpg_graph::error::{Finding, InputError, Place};
 use tpg_graph::files::write_atomically;
+use tpg_nn::{Mlp, Shape};
 
 /// The metadata key that holds the JSON text. One key alone: several would be written in no fixed order.
 const KEY: &str = "tpg";
@@ -100,6 +102,61 @@ impl Tensors {
             tensors.insert(name.to_owned(), Tensor { shape: view.shape().to_vec(), values: numbers.collect() });
         }
         Ok(Self { tensors, text })
+    }
+
+    /// Takes a tensor of finite numbers.
+    fn take(&mut self, name: String, shape: &[usize]) -> Result<Vec<f32>, Finding> {
+        let Some(tensor) = self.tensors.remove(&name) else {
+            return Err(Finding::new(name, "nothing", format!("a tensor of shape {shape:?}")));
+        };
+        if tensor.shape != shape {
+            return Err(Finding::new(name, format!("shape {:?}", tensor.shape), format!("shape {shape:?}")));
+        }
+        match tensor.values.iter().position(|value| !value.is_finite()) {
+            Some(at) => Err(Finding::new(name, format!("{} at place {at}", tensor.values[at]), "finite numbers")),
+            None => Ok(tensor.values),
+        }
+    }
+
+    /// Takes the network of some inputs and outputs: hidden layers by their names and units, as many as the bias has where that is
+    /// not known, and the two layers behind them, whose outputs are one behind the other.
+    ///
+    /// # Errors
+    /// If a tensor is missing, has another shape, or a number that is not finite.
+    pub(super) fn take_network(
+        &mut self,
+        (inputs, outputs): (usize, usize),
+        hidden: Vec<(String, Option<usize>)>,
+        heads: [&str; 2],
+    ) -> Result<Mlp<f32>, Finding> {
+        let mut shape = Shape { inputs, hidden: Vec::new(), outputs: 2 * outputs, norm: false };
+        let (mut width, mut flat) = (inputs, Vec::new());
+        let mut append = |weights: &[f32], bias: &[f32], width: usize| {
+            // Column-major.
+            (0..width).for_each(|column| flat.extend(weights.iter().skip(column).step_by(width)));
+            flat.extend(bias);
+        };
+        for (name, units) in hidden {
+            let of_bias = || self.tensors.get(&format!("{name}.bias")).map_or(0, |bias| bias.values.len());
+            let units = units.unwrap_or_else(of_bias);
+            check_widths(&format!("{name}.bias"), &[units])?;
+            let weights = self.take(format!("{name}.weight"), &[units, width])?;
+            append(&weights, &self.take(format!("{name}.bias"), &[units])?, width);
+            shape.hidden.push(units);
+            width = units;
+        }
+        let mut both = |part: &str, shape: &[usize]| {
+            let [first, second] = heads.map(|head| self.take(format!("{head}.{part}"), shape));
+            Ok::<_, Finding>([first?, second?].concat())
+        };
+        append(&both("weight", &[outputs, width])?, &both("bias", &[outputs])?, width);
+        Ok(Mlp::from_parameters(shape, flat).expect("every tensor has its shape"))
+    }
+
+    /// Refuses tensors that were not taken.
+    pub(super) fn refuse_rest(&self, accepted: &str) -> Result<(), Finding> {
+        let rest = self.tensors.keys().next();
+        rest.map_or(Ok(()), |name| Err(Finding::new(name, "a tensor of that name", accepted)))
     }
 }
 

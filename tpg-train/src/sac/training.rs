@@ -33,12 +33,12 @@ pub struct Training<'e, E: Environment<f32>> {
     pub(super) last: Option<Summary>,
     /// Sums since the last [`Training::take_progress`].
     pub(super) recent: Recent,
-    space: Space,
+    space: TrainingScratch,
 }
 
 /// The best candidate so far.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Best {
+pub(crate) struct Best {
     /// Its result on the validation tasks.
     pub result: Summary,
     /// The decisions it was trained for.
@@ -62,7 +62,7 @@ pub struct Recent {
 
 /// Scratch memory for acting and learning; not part of a run's state.
 #[derive(Debug)]
-struct Space {
+struct TrainingScratch {
     acting: Tape<f32>,
     samples: Samples<f32>,
     update: Workspace<f32>,
@@ -72,7 +72,7 @@ struct Space {
     before: Vec<f32>,
 }
 
-impl Space {
+impl TrainingScratch {
     fn new(config: &SacConfig, agent: &Agent<f32>) -> Self {
         let (inputs, actions) = (agent.actor.network.shape().inputs, agent.gaussian().actions);
         let (lanes, batch) = (config.learning.lanes, config.learning.batch);
@@ -109,7 +109,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         replay: Replay,
         lanes: Lanes<'e, E>,
     ) -> Self {
-        let space = Space::new(&config, &agent);
+        let space = TrainingScratch::new(&config, &agent);
         let recent = Recent::default();
         let average = config.learning.average.map(|_| agent.actor.network.clone());
         Self {
@@ -126,11 +126,6 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
             recent,
             space,
         }
-    }
-
-    /// Returns the configuration.
-    pub fn config(&self) -> &SacConfig {
-        &self.config
     }
 
     /// Returns the contract of a candidate; `name` is the configuration's, `problem` that of the problem.
@@ -151,29 +146,9 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         self.lanes.interface()
     }
 
-    /// Returns the number of decisions so far, in all lanes together.
-    pub fn decisions(&self) -> u64 {
-        self.decisions
-    }
-
-    /// Returns the number of updates so far.
-    pub fn updates(&self) -> u64 {
-        self.updates
-    }
-
     /// True when the run has its decisions.
     pub fn finished(&self) -> bool {
         self.decisions >= self.config.learning.decisions
-    }
-
-    /// Returns the best candidate so far.
-    pub fn best(&self) -> Option<&Best> {
-        self.best.as_ref()
-    }
-
-    /// Returns the result of the last validation.
-    pub fn last(&self) -> Option<&Summary> {
-        self.last.as_ref()
     }
 
     /// Returns the sums since the last call and resets them.
@@ -361,7 +336,7 @@ pub fn train_network<E: Environment<f32>>(
         }
     }
     let early = || Finding::new("learning.decisions", training.decisions, "enough for a validation");
-    let best = training.best().ok_or_else(early)?;
+    let best = training.best.as_ref().ok_or_else(early)?;
     let network = Network::Float(Box::new((best.actor.clone(), training.contract(best, name, ""))));
     Ok((network, best.result))
 }
@@ -442,7 +417,7 @@ mod tests {
     fn inputs_are_measured_once_after_the_random_decisions() {
         let mut training = Training::new(&Pendulum, long(), 3).expect("a torque");
         let declared = training.interface().clone();
-        while training.decisions() < 498 {
+        while training.decisions < 498 {
             training.tick();
         }
         let mut seen = training.replay.clone();
@@ -475,7 +450,7 @@ mod tests {
         let decisions = tpg_testing::amount(5000, 8000);
         let mut score = || -> [f64; 2] {
             let before: Summary = training.validate(&tasks);
-            while training.decisions() < decisions {
+            while training.decisions < decisions {
                 training.tick();
             }
             [before.score, training.validate(&tasks).score]

@@ -9,7 +9,7 @@ use super::contract::Contract;
 use super::tensors::{Tensor, Tensors, place};
 use std::path::Path;
 use tpg_graph::error::{Finding, InputError};
-use tpg_nn::{Mlp, Shape};
+use tpg_nn::Mlp;
 
 /// No policy file is larger, bytes.
 pub const LIMIT: u64 = 64 << 20;
@@ -56,51 +56,11 @@ pub fn read(path: &Path) -> Result<(Mlp<f32>, Contract), InputError> {
 /// As [`read`].
 pub fn from_tensors(mut file: Tensors) -> Result<(Mlp<f32>, Contract), Finding> {
     let contract = Contract::from_text(file.text.as_deref())?;
-    let actions = contract.outputs.len();
-    let shape = Shape {
-        inputs: contract.inputs.len(),
-        hidden: contract.actor.hidden.clone(),
-        outputs: 2 * actions,
-        norm: false,
-    };
-    let mut take = |name: String, shape: &[usize]| -> Result<Vec<f32>, Finding> {
-        let Some(tensor) = file.tensors.remove(&name) else {
-            return Err(Finding::new(name, "nothing", format!("a tensor of shape {shape:?}")));
-        };
-        if tensor.shape != shape {
-            return Err(Finding::new(name, format!("shape {:?}", tensor.shape), format!("shape {shape:?}")));
-        }
-        match tensor.values.iter().position(|value| !value.is_finite()) {
-            Some(at) => Err(Finding::new(name, format!("{} at place {at}", tensor.values[at]), "finite numbers")),
-            None => Ok(tensor.values),
-        }
-    };
-    let mut inputs = shape.inputs;
-    let mut rest: Vec<Vec<f32>> = Vec::new();
-    let mut all = Vec::new();
-    for (index, &units) in shape.hidden.iter().enumerate() {
-        all.push((take(format!("hidden.{index}.weight"), &[units, inputs])?, inputs));
-        rest.push(take(format!("hidden.{index}.bias"), &[units])?);
-        inputs = units;
-    }
-    let mut heads = take("mean.weight".to_owned(), &[actions, inputs])?;
-    heads.extend(take("spread.weight".to_owned(), &[actions, inputs])?);
-    let mut bias = take("mean.bias".to_owned(), &[actions])?;
-    bias.extend(take("spread.bias".to_owned(), &[actions])?);
-    all.push((heads, inputs));
-    rest.push(bias);
-    // Each layer's weights, turned to column-major, then its bias.
-    let mut flat = Vec::with_capacity(shape.parameters());
-    for ((weights, inputs), rest) in all.into_iter().zip(rest) {
-        let outputs = weights.len() / inputs;
-        flat.extend((0..inputs).flat_map(|i| (0..outputs).map(move |o| (i, o))).map(|(i, o)| weights[o * inputs + i]));
-        flat.extend(rest);
-    }
-    if let Some(unknown) = file.tensors.keys().next() {
-        let accepted = "only the tensors of the contract's network";
-        return Err(Finding::new(unknown, "a tensor of that name", accepted));
-    }
-    let network = Mlp::from_parameters(shape, flat).expect("every tensor has its shape");
+    let hidden = contract.actor.hidden.iter().enumerate();
+    let hidden = hidden.map(|(layer, &units)| (format!("hidden.{layer}"), Some(units))).collect();
+    let sizes = (contract.inputs.len(), contract.outputs.len());
+    let network = file.take_network(sizes, hidden, ["mean", "spread"])?;
+    file.refuse_rest("only the tensors of the contract's network")?;
     Ok((network, contract))
 }
 
@@ -112,6 +72,7 @@ mod tests {
     use crate::sac::contract::Provenance;
     use crate::sac::interface::Interface;
     use tpg_engine::random::{Purpose, Stream};
+    use tpg_nn::Shape;
     use tpg_problems::{Pendulum, Problem, ProblemName};
 
     fn example() -> (Mlp<f32>, Tensors) {
