@@ -56,7 +56,7 @@ impl Compiler {
 
 /// Counts of a compiler at a level.
 #[derive(Clone, Copy, Default)]
-struct Count {
+struct InstructionCount {
     policies: usize,
     decisions: usize,
     differences: usize,
@@ -75,11 +75,11 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
             continue;
         }
         for level in compiler.levels {
-            let mut count = Count::default();
+            let mut count = InstructionCount::default();
             for (graphs, seed) in graphs.chunks(BATCH).zip(0..) {
                 good &= compare(compiler, level, graphs, (states, seed), &mut count)?;
             }
-            let Count { policies, decisions, differences } = count;
+            let InstructionCount { policies, decisions, differences } = count;
             let (program, graphs) = (compiler.program, graphs.len());
             println!("| {program} | {level} | {graphs} | {policies} | {decisions} | {differences} |");
         }
@@ -99,7 +99,7 @@ fn compare(
     level: &str,
     graphs: &[Graph],
     (states, seed): (usize, u64),
-    count: &mut Count,
+    count: &mut InstructionCount,
 ) -> Result<bool, Box<dyn std::error::Error>> {
     let policies: Vec<(&Graph, Options)> = (graphs.iter().enumerate())
         .flat_map(|(number, graph)| Profile::ALL.map(|profile| (graph, options(number, profile))))

@@ -9,11 +9,11 @@ use std::fmt::Write as _;
 #[derive(Clone, Debug, Default)]
 pub struct Table {
     title: String,
-    rows: Vec<Row>,
+    rows: Vec<BenchRow>,
 }
 
 #[derive(Clone, Debug)]
-struct Row {
+struct BenchRow {
     name: String,
     kind: Kind,
     numbers: [Option<f64>; Variant::ALL.len()],
@@ -32,7 +32,7 @@ impl Table {
 
     fn note_named(&mut self, name: &str, kind: Kind, variant: Variant, number: f64) {
         let place = self.rows.iter().position(|row| row.name == name).unwrap_or_else(|| {
-            self.rows.push(Row { name: name.to_owned(), kind, numbers: [None; Variant::ALL.len()] });
+            self.rows.push(BenchRow { name: name.to_owned(), kind, numbers: [None; Variant::ALL.len()] });
             self.rows.len() - 1
         });
         self.rows[place].numbers[column(variant)] = Some(number);
@@ -45,7 +45,7 @@ impl Table {
             let _ = write!(text, " {name} |");
         }
         let _ = writeln!(text, "\n|{}", " --- |".repeat(1 + Variant::ALL.len()));
-        for Row { name, numbers, .. } in &self.rows {
+        for BenchRow { name, numbers, .. } in &self.rows {
             let _ = write!(text, "| {name} |");
             for number in numbers {
                 let ratio = numbers[0].zip(*number).map(|(yardstick, number)| yardstick / number);
@@ -74,7 +74,7 @@ impl Table {
             ("this project's", &|kind| kind == Kind::Own),
         ];
         for (name, belongs) in groups {
-            let rows: Vec<&Row> = self.rows.iter().filter(|row| belongs(row.kind)).collect();
+            let rows: Vec<&BenchRow> = self.rows.iter().filter(|row| belongs(row.kind)).collect();
             if rows.is_empty() {
                 continue;
             }
@@ -102,7 +102,7 @@ struct Ratios {
 
 impl Ratios {
     /// Computes the ratios; `None` if no row has both numbers.
-    fn new(rows: &[&Row], yardstick: Variant, variant: Variant) -> Option<Self> {
+    fn new(rows: &[&BenchRow], yardstick: Variant, variant: Variant) -> Option<Self> {
         let (top, bottom) = (column(yardstick), column(variant));
         let ratios: Vec<f64> = rows.iter().filter_map(|row| Some(row.numbers[top]? / row.numbers[bottom]?)).collect();
         let mean = (ratios.iter().map(|ratio| ratio.ln()).sum::<f64>() / ratios.len() as f64).exp();

@@ -32,12 +32,12 @@ const EPISODES: u64 = 4;
 type Observations = Vec<Vec<f32>>;
 
 /// A graph's name in generated code and reports, and its file.
-type Named = (&'static str, &'static str);
+type NamedPolicy = (&'static str, &'static str);
 
 /// Policies of one problem and its plant.
 pub(crate) struct ClosedLoop {
-    policies: &'static [Named],
-    plant: Named,
+    policies: &'static [NamedPolicy],
+    plant: NamedPolicy,
     /// Actions of an episode.
     steps: usize,
     /// The name of the file with the starts.

@@ -25,7 +25,7 @@ use tpg_testing::library;
 const SCENES: usize = 100;
 
 /// A scene as it went here.
-struct Rollout {
+struct DodgeRollout {
     scene: Scene,
     end: End,
     steps: u32,
@@ -34,7 +34,7 @@ struct Rollout {
 }
 
 /// Runs the scenes here: each, and a hash of every pose.
-fn run() -> Result<(Vec<Rollout>, Hash), Failure> {
+fn run() -> Result<(Vec<DodgeRollout>, Hash), Failure> {
     let config = Config::default();
     let (body, settings) = (config.body(), config.settings());
     let behaviours = Behaviour::ALL.map(|(behaviour, _)| behaviour);
@@ -57,11 +57,11 @@ fn run() -> Result<(Vec<Rollout>, Hash), Failure> {
                 break end;
             }
         };
-        Ok(Rollout { end, steps: episode.steps(), centres, scene })
+        Ok(DodgeRollout { end, steps: episode.steps(), centres, scene })
     };
     let path = library::top().join("generated/test-targets/dodge.csv");
     let scenes = read_csv(&path).map_err(Failure::new)?.into_iter().take(SCENES).map(|certified| certified.scene);
-    let scenes = scenes.map(rollout).collect::<Result<Vec<Rollout>, Failure>>()?;
+    let scenes = scenes.map(rollout).collect::<Result<Vec<DodgeRollout>, Failure>>()?;
     Ok((scenes, poses))
 }
 
@@ -81,26 +81,27 @@ pub(crate) fn files() -> Result<Vec<File>, Failure> {
          steps: usize,\n}\n",
     );
     let mut next = 0;
-    let rows = scenes.iter().map(|Rollout { scene: Scene { start, goals, balls, .. }, steps, centres, .. }| {
-        let first = next;
-        next += centres.len();
-        let mut radii: Vec<f32> = balls.iter().map(|ball| ball.radius).collect();
-        let rust = format!(
-            "Scene {{ start: {start:?}, goals: &{goals:?}, radii: &{radii:?}, first: {first}, steps: {steps} }}"
-        );
-        let pose = |ticks: &[i16; 4]| format!("{{ {{ {}, {}, {}, {} }} }}", ticks[0], ticks[1], ticks[2], ticks[3]);
-        let poses: Vec<String> = (0..GOALS).map(|place| pose(goals.get(place).unwrap_or(&[0; 4]))).collect();
-        radii.resize(BALLS, 0.0);
-        let c = format!(
-            "{{ {}, {{ {} }}, {}U, {}, {}U, {first}U, {steps}U }}",
-            pose(start),
-            poses.join(", "),
-            goals.len(),
-            data::list(&radii),
-            balls.len()
-        );
-        (c, rust)
-    });
+    let rows =
+        scenes.iter().map(|DodgeRollout { scene: Scene { start, goals, balls, .. }, steps, centres, .. }| {
+            let first = next;
+            next += centres.len();
+            let mut radii: Vec<f32> = balls.iter().map(|ball| ball.radius).collect();
+            let rust = format!(
+                "Scene {{ start: {start:?}, goals: &{goals:?}, radii: &{radii:?}, first: {first}, steps: {steps} }}"
+            );
+            let pose = |ticks: &[i16; 4]| format!("{{ {{ {}, {}, {}, {} }} }}", ticks[0], ticks[1], ticks[2], ticks[3]);
+            let poses: Vec<String> = (0..GOALS).map(|place| pose(goals.get(place).unwrap_or(&[0; 4]))).collect();
+            radii.resize(BALLS, 0.0);
+            let c = format!(
+                "{{ {}, {{ {} }}, {}U, {}, {}U, {first}U, {steps}U }}",
+                pose(start),
+                poses.join(", "),
+                goals.len(),
+                data::list(&radii),
+                balls.len()
+            );
+            (c, rust)
+        });
     data.table(["const scene_t scenes[SCENES]", &format!("static SCENES: [Scene; {}]", scenes.len())], rows);
     // The header with the declarations is written by hand: linters would take minutes over all these numbers.
     files.extend(data.files().map(|File { name, text }| File { name: name.replace(".h", ".c"), text }));

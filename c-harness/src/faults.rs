@@ -31,13 +31,13 @@ pub(crate) struct Log {
 }
 
 /// The simulated arm: where the motors are, and have been.
-struct World {
+struct FaultWorld {
     motors: Pose,
     past: [Pose; REMEMBERED],
     steps: usize,
 }
 
-impl World {
+impl FaultWorld {
     /// The measured places of the motors.
     fn reading(&self, phase: &Phase, odd: bool) -> Pose {
         let Pose(mut ticks) = self.motors;
@@ -133,7 +133,7 @@ where
 {
     let home = hybrid.arm.home;
     let mut log = Log { codes: [0; 4], broken: 0, actions: [0; 2], motors: home, hash: Hash::new() };
-    let mut world = World { motors: home, past: [home; REMEMBERED], steps: 0 };
+    let mut world = FaultWorld { motors: home, past: [home; REMEMBERED], steps: 0 };
     let mut control: Option<Control<f32, Brent>> = None;
     let (mut step, mut before) = (0u32, OK);
     for phase in scenario.phases {

@@ -79,7 +79,7 @@ impl Failure {
 /// Builds the firmwares, runs them under QEMU and compares them with the host and with committed figures.
 #[derive(Debug, Parser)]
 #[command(bin_name = "cargo xtask")]
-struct Cli {
+struct HarnessCli {
     #[command(subcommand)]
     command: Check,
 }
@@ -110,7 +110,7 @@ enum Check {
 }
 
 fn main() -> ExitCode {
-    let result = match Cli::parse().command {
+    let result = match HarnessCli::parse().command {
         Check::Qemu { update } => qemu(update),
         Check::Cores { update, only } => cores::check(update, &only),
         Check::Size => size::check(),

@@ -27,7 +27,7 @@ pub(crate) fn stack(ran: &Ran<'_>, Program { name, stack, .. }: &Program) -> Res
 /// `sizes.toml`.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Budget {
+struct SizeBudget {
     /// Bytes of flash.
     flash: u64,
     /// Bytes of RAM, stack included.
@@ -54,7 +54,7 @@ fn flash_and_ram(image: &Path) -> Result<(u64, u64), Failure> {
 
 /// Prints sizes and compares them with the budget.
 pub(crate) fn check() -> Result<(), Failure> {
-    let budget: Budget = toml::from_str(&build::committed("sizes.toml")?).map_err(Failure::new)?;
+    let budget: SizeBudget = toml::from_str(&build::committed("sizes.toml")?).map_err(Failure::new)?;
     println!("{:<28} {:>8} {:>8} {:>8}", "on an STM32F405, bytes", "flash", "data", "stack");
     let Some(image) = build::c(&EXAMPLE, Board::NetduinoPlus2)? else { return Ok(()) };
     let (flash, ram) = flash_and_ram(&image)?;

@@ -8,7 +8,7 @@ use cortex_bound::{Analyser, Bound, Calls, Limit, Listing, LoopBounds, Share, Tu
 use std::path::Path;
 
 /// The facts about an image, by the names that its functions have there.
-struct Told {
+struct WorstTold {
     listing: Listing,
     loops: LoopBounds,
     calls: Calls,
@@ -18,7 +18,7 @@ struct Told {
     stack_roots: Vec<String>,
 }
 
-impl Told {
+impl WorstTold {
     /// Reads an image. A fact that speaks of nothing in it is a failure: it would be believed and say nothing.
     fn read(language: &str, image: &Path) -> Result<Self, Failure> {
         let listing = disassemble(image).map_err(Failure::new)?;
@@ -76,7 +76,7 @@ impl Told {
 
 /// Prints what makes a worst case up, and the loops with their bounds.
 pub(crate) fn explain(language: &str, image: &Path) -> Result<(), Failure> {
-    let told = Told::read(language, image)?;
+    let told = WorstTold::read(language, image)?;
     let mut analyser = told.analyser();
     for name in &told.roots {
         for found in analyser.loops(name).map_err(Failure::new)? {
@@ -100,7 +100,7 @@ fn tree(share: &Share, whole: u64, depth: usize) {
 /// Checks that no measurement exceeds the bound.
 pub(crate) fn check(ran: &Ran<'_>) -> Result<(), Failure> {
     let Ran { language, image, lines } = ran;
-    let bound = Told::read(language, image)?.bound()?;
+    let bound = WorstTold::read(language, image)?.bound()?;
     let most = |first: &str, last: &str, value: &str| {
         let matching = |line: &&Line| line.starts_with(first) && line.words.last().is_some_and(|word| word == last);
         lines.iter().filter(matching).map(|line| line.number(value)).max().unwrap_or(0)

@@ -13,13 +13,13 @@ const DOCUMENTS: [&str; 2] = ["README.md", "docs/experiments.md"];
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Results {
-    tasks: Vec<Task>,
+struct FigureResults {
+    tasks: Vec<FigureTask>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Task {
+struct FigureTask {
     /// The name in Gymnasium.
     id: String,
     /// The folder of the shipped policy under `generated/`.
@@ -70,7 +70,7 @@ struct Trees {
 }
 
 /// Figures of a shipped policy, as its PROVENANCE.md prints them.
-struct Shipped {
+struct ShippedFigures {
     mean: f64,
     interval: f64,
     minimum: String,
@@ -78,7 +78,7 @@ struct Shipped {
     instructions: String,
 }
 
-impl Shipped {
+impl ShippedFigures {
     fn read(folder: &str) -> io::Result<Self> {
         let path = top().join("generated").join(folder).join("PROVENANCE.md");
         let text = fs::read_to_string(&path)?;
@@ -150,12 +150,12 @@ fn interval(values: &[f64]) -> f64 {
 }
 
 /// Formats the mean of seeds.
-fn default_mean(task: &Task, default: &Default) -> String {
+fn default_mean(task: &FigureTask, default: &Default) -> String {
     let whole = default.seeds.iter().any(|seed| seed.abs() >= 1000.0);
     number(mean(&default.seeds), if whole { 0 } else { task.decimals })
 }
 
-impl Results {
+impl FigureResults {
     fn read() -> io::Result<Self> {
         let path = top().join("docs/figures.toml");
         let text = fs::read_to_string(&path)?;
@@ -186,7 +186,7 @@ impl Results {
             "| --- | --: | --: | --: | --: | --: | --: | --- |".into(),
         ];
         for task in &self.tasks {
-            let shipped = Shipped::read(&task.folder)?;
+            let shipped = ShippedFigures::read(&task.folder)?;
             let ours = task.by_default.as_ref().map_or_else(|| "–".into(), |default| default_mean(task, default));
             let linear = brief(task.linear.random_search.0.max(task.linear.covariance.0), 1);
             let network = brief(task.network, 1);
@@ -253,7 +253,7 @@ impl Results {
             "| --- | --- | --: | --: | --: | --- |".into(),
         ];
         for task in &self.tasks {
-            let Shipped { mean, interval, minimum, bytes, instructions } = Shipped::read(&task.folder)?;
+            let ShippedFigures { mean, interval, minimum, bytes, instructions } = ShippedFigures::read(&task.folder)?;
             let [mean, interval] = [mean, interval].map(|value| number(value, task.decimals));
             lines.push(format!(
                 "| {} | {mean} ± {interval} | {minimum} | {bytes} | {instructions} | {} |",
@@ -269,7 +269,7 @@ impl Results {
             "| --- | --- | --- | --- | --- | --- |".into(),
         ];
         for task in &self.tasks {
-            let Shipped { mean, bytes, .. } = Shipped::read(&task.folder)?;
+            let ShippedFigures { mean, bytes, .. } = ShippedFigures::read(&task.folder)?;
             let (linear, trees) = (&task.linear, &task.trees);
             let rivals = [linear.random_search, linear.covariance, trees.leaves_16, trees.leaves_128]
                 .map(|(value, bytes)| format!("{} ({})", brief(value, task.decimals), number(f64::from(bytes), 0)));
@@ -280,14 +280,14 @@ impl Results {
     }
 }
 
-fn seeds(task: &Task, default: &Default) -> String {
+fn seeds(task: &FigureTask, default: &Default) -> String {
     let whole = default.steps.is_some() && default.seeds.iter().all(|seed| *seed == seed.round());
     let decimals = if whole { 0 } else { task.decimals };
     default.seeds.iter().map(|seed| number(*seed, decimals)).collect::<Vec<_>>().join(", ")
 }
 
 /// Returns a document with its tables written anew.
-fn rewritten(results: &Results, path: &Path) -> io::Result<(String, String)> {
+fn rewritten(results: &FigureResults, path: &Path) -> io::Result<(String, String)> {
     let text = fs::read_to_string(path)?;
     let mut lines = text.lines();
     let mut written = String::new();
@@ -309,7 +309,7 @@ fn rewritten(results: &Results, path: &Path) -> io::Result<(String, String)> {
 /// # Errors
 /// If a file cannot be read or written, or results are incomplete.
 pub(crate) fn write() -> io::Result<Vec<PathBuf>> {
-    let results = Results::read()?;
+    let results = FigureResults::read()?;
     let mut changed = Vec::new();
     for document in DOCUMENTS {
         let path = top().join(document);
@@ -328,7 +328,7 @@ mod tests {
 
     #[test]
     fn tables_of_the_documents_are_those_of_the_results() {
-        let results = Results::read().expect("results");
+        let results = FigureResults::read().expect("results");
         let tables: usize = DOCUMENTS
             .iter()
             .map(|document| {

@@ -21,13 +21,13 @@ use tpg_testing::library::{self, Missing};
 /// Sets a machine up for this repository and tests it.
 #[derive(Debug, Parser)]
 #[command(bin_name = "cargo xtask")]
-struct Cli {
+struct XtaskCli {
     #[command(subcommand)]
-    command: Task,
+    command: XtaskCommand,
 }
 
 #[derive(Clone, Debug, Subcommand)]
-enum Task {
+enum XtaskCommand {
     /// Install what is missing: compilers, linters and emulator (apt-get), cross targets (rustup)
     Setup,
     /// Run the tests of every crate; long ones are shortened
@@ -102,30 +102,30 @@ enum Task {
 }
 
 fn main() -> ExitCode {
-    let good = match Cli::parse().command {
-        Task::Setup => setup::run(),
-        Task::Test => check::test(),
-        Task::Check => check::all(),
-        Task::Library { target, out } => library(target, out),
-        Task::Qemu { update } => check::harness(if update { &["qemu", "--update"] } else { &["qemu"] }),
-        Task::Cores { update, only } => {
+    let good = match XtaskCli::parse().command {
+        XtaskCommand::Setup => setup::run(),
+        XtaskCommand::Test => check::test(),
+        XtaskCommand::Check => check::all(),
+        XtaskCommand::Library { target, out } => library(target, out),
+        XtaskCommand::Qemu { update } => check::harness(if update { &["qemu", "--update"] } else { &["qemu"] }),
+        XtaskCommand::Cores { update, only } => {
             let only = only.as_deref().map(|only| ["--only", only]);
             let update = update.then_some("--update");
             check::harness(&["cores"].into_iter().chain(update).chain(only.into_iter().flatten()).collect::<Vec<_>>())
         }
-        Task::Size => check::harness(&["size"]),
-        Task::Lint => check::lint(),
-        Task::Compilers { graphs } => check::compilers(graphs),
-        Task::Fuzz(arguments) => arguments.run(),
-        Task::Miri => nightly::miri(),
-        Task::Sanitize { seeds } => nightly::sanitize(seeds),
-        Task::Python(arguments) => python::run(arguments),
-        Task::Dist(arguments) => arguments.run(),
-        Task::Book { update } => check::book(update),
-        Task::Figures => figures(),
-        Task::Web => web::run(),
-        Task::Wcet(arguments) => arguments.run(),
-        Task::Torture(arguments) => arguments.run(),
+        XtaskCommand::Size => check::harness(&["size"]),
+        XtaskCommand::Lint => check::lint(),
+        XtaskCommand::Compilers { graphs } => check::compilers(graphs),
+        XtaskCommand::Fuzz(arguments) => arguments.run(),
+        XtaskCommand::Miri => nightly::miri(),
+        XtaskCommand::Sanitize { seeds } => nightly::sanitize(seeds),
+        XtaskCommand::Python(arguments) => python::run(arguments),
+        XtaskCommand::Dist(arguments) => arguments.run(),
+        XtaskCommand::Book { update } => check::book(update),
+        XtaskCommand::Figures => figures(),
+        XtaskCommand::Web => web::run(),
+        XtaskCommand::Wcet(arguments) => arguments.run(),
+        XtaskCommand::Torture(arguments) => arguments.run(),
     };
     if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }

@@ -42,14 +42,14 @@ pub enum Order {
 /// Content of the description file of an actor.
 #[derive(Deserialize)]
 struct Description {
-    layout: Vec<Part>,
+    layout: Vec<ActorPart>,
     state_order: String,
     #[serde(default)]
     forward_checks: Vec<ForwardCheck>,
 }
 
 #[derive(Deserialize)]
-struct Part {
+struct ActorPart {
     name: String,
     shape: Vec<usize>,
     offset: usize,

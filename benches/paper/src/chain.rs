@@ -17,21 +17,21 @@ type Matrix = [[f64; 3]; 3];
 
 /// Cosine and sine of a motor's angle.
 #[derive(Clone, Copy, Debug)]
-struct Turn {
+struct ChainTurn {
     cos: f64,
     sin: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Axis {
+enum ChainAxis {
     X,
     Z,
 }
 
 /// One link: a joint, then a fixed tip.
 #[derive(Clone, Copy, Debug)]
-struct Segment {
-    axis: Axis,
+struct ChainSegment {
+    axis: ChainAxis,
     tip: Vector<f64>,
     tip_rotation: Matrix,
 }
@@ -40,31 +40,31 @@ struct Segment {
 #[derive(Clone, Debug)]
 pub struct Chain {
     arm: Arm<f64>,
-    segments: [Segment; 6],
+    segments: [ChainSegment; 6],
     /// Turns of all 4,096 motor positions: cheaper than computing sines at every step.
-    turns: Vec<Turn>,
+    turns: Vec<ChainTurn>,
 }
 
 impl Chain {
     /// Creates the chain of an arm whose hand is as long as the WidowX's.
     pub fn new(arm: Arm<f64>) -> Self {
         let links = &arm.links;
-        let straight = |axis, length| Segment { axis, tip: [0.0, 0.0, length], tip_rotation: IDENTITY };
+        let straight = |axis, length| ChainSegment { axis, tip: [0.0, 0.0, length], tip_rotation: IDENTITY };
         let [wrist, rotation, gripper] = HAND_SEGMENTS;
-        let half_turn = Turn::new(PI).about(Axis::Z);
+        let half_turn = ChainTurn::new(PI).about(ChainAxis::Z);
         let segments = [
-            Segment { tip_rotation: half_turn, ..straight(Axis::Z, links.base) },
-            Segment {
-                axis: Axis::X,
+            ChainSegment { tip_rotation: half_turn, ..straight(ChainAxis::Z, links.base) },
+            ChainSegment {
+                axis: ChainAxis::X,
                 tip: [0.0, -links.elbow_offset, links.upper_arm],
-                tip_rotation: product(&Turn::new(FRAC_PI_2).about(Axis::X), &half_turn),
+                tip_rotation: product(&ChainTurn::new(FRAC_PI_2).about(ChainAxis::X), &half_turn),
             },
-            straight(Axis::X, links.forearm),
-            straight(Axis::X, wrist),
-            straight(Axis::Z, rotation),
-            straight(Axis::Z, gripper),
+            straight(ChainAxis::X, links.forearm),
+            straight(ChainAxis::X, wrist),
+            straight(ChainAxis::Z, rotation),
+            straight(ChainAxis::Z, gripper),
         ];
-        let turns = (0..TICKS_PER_TURN).map(Turn::at).collect();
+        let turns = (0..TICKS_PER_TURN).map(ChainTurn::at).collect();
         Self { arm, segments, turns }
     }
 
@@ -87,13 +87,13 @@ impl Chain {
         position
     }
 
-    fn turn(&self, ticks: i16) -> Turn {
+    fn turn(&self, ticks: i16) -> ChainTurn {
         let tabulated = usize::try_from(ticks).ok().and_then(|index| self.turns.get(index));
-        tabulated.copied().unwrap_or_else(|| Turn::at(i32::from(ticks)))
+        tabulated.copied().unwrap_or_else(|| ChainTurn::at(i32::from(ticks)))
     }
 }
 
-impl Turn {
+impl ChainTurn {
     fn new(radians: f64) -> Self {
         Self { cos: radians.cos(), sin: radians.sin() }
     }
@@ -103,11 +103,11 @@ impl Turn {
         Self::new((f64::from(ticks) * (360.0 / 4096.0) - 180.0) * PI / 180.0)
     }
 
-    fn about(self, axis: Axis) -> Matrix {
+    fn about(self, axis: ChainAxis) -> Matrix {
         let Self { cos, sin } = self;
         match axis {
-            Axis::X => [[1.0, 0.0, 0.0], [0.0, cos, -sin], [0.0, sin, cos]],
-            Axis::Z => [[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]],
+            ChainAxis::X => [[1.0, 0.0, 0.0], [0.0, cos, -sin], [0.0, sin, cos]],
+            ChainAxis::Z => [[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]],
         }
     }
 }

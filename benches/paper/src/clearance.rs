@@ -6,7 +6,7 @@
 use tpg_arm::Shapes;
 use tpg_arm::kinematics::{Plane, Point};
 
-type Segment = (Point<f64>, Point<f64>);
+type LinkSegment = (Point<f64>, Point<f64>);
 
 /// Returns the smallest distance, mm, among everything that the collision test compares: joints and hand corners with
 /// the table's height, and the arm's faces with the base's edges, at the ends of either.
@@ -26,12 +26,12 @@ pub fn clearance(plane: &Plane<f64>, shapes: &Shapes<f64>) -> f64 {
 }
 
 /// Returns the smallest distance from an end of either segment to the other segment.
-fn between_ends(a: Segment, b: Segment) -> f64 {
+fn between_ends(a: LinkSegment, b: LinkSegment) -> f64 {
     let ends = [to_segment(a.0, b), to_segment(a.1, b), to_segment(b.0, a), to_segment(b.1, a)];
     ends.into_iter().fold(f64::INFINITY, f64::min)
 }
 
-fn to_segment(point: Point<f64>, (from, to): Segment) -> f64 {
+fn to_segment(point: Point<f64>, (from, to): LinkSegment) -> f64 {
     let (along_x, along_z) = (to.x - from.x, to.z - from.z);
     let (x, z) = (point.x - from.x, point.z - from.z);
     let length_squared = along_x * along_x + along_z * along_z;

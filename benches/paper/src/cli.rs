@@ -14,11 +14,11 @@ use tpg_graph::command::{CommandError, Verdict, exit_code};
 #[command(version)]
 pub struct Cli {
     #[command(subcommand)]
-    command: Command,
+    command: PaperCommand,
 }
 
 #[derive(Debug, Subcommand)]
-enum Command {
+enum PaperCommand {
     /// Replay recorded episodes and count exact matches
     Replay(ReplayArgs),
     /// Make the folder of recorded data from a clone of the paper's artifact, gegelati/ECTA24
@@ -31,9 +31,9 @@ impl Cli {
     /// Runs the command; errors go to stderr.
     pub fn run(self) -> ExitCode {
         exit_code(match self.command {
-            Command::Replay(args) => args.run(),
-            Command::Conformance(args) => args.run(),
-            Command::Table2(args) => execute_table2(&args).map(|()| Verdict::Good).map_err(CommandError::from),
+            PaperCommand::Replay(args) => args.run(),
+            PaperCommand::Conformance(args) => args.run(),
+            PaperCommand::Table2(args) => execute_table2(&args).map(|()| Verdict::Good).map_err(CommandError::from),
         })
     }
 }

@@ -47,7 +47,7 @@ pub enum ReplayError {
 }
 
 /// A running episode.
-struct Lane<'a> {
+struct ReplayLane<'a> {
     row: u32,
     episode: Episode<'a>,
     poses: Vec<Pose>,
@@ -65,8 +65,8 @@ pub fn run(
     binding: &Binding,
     engine: &mut dyn Engine,
 ) -> Result<ByRow<Done>, ReplayError> {
-    let mut lanes: Vec<Lane<'_>> = (tasks.iter())
-        .map(|(&row, task)| Lane {
+    let mut lanes: Vec<ReplayLane<'_>> = (tasks.iter())
+        .map(|(&row, task)| ReplayLane {
             row,
             episode: Episode::new(chain, rules, task.start, task.target),
             poses: Vec::new(),
@@ -75,7 +75,7 @@ pub fn run(
         .collect();
     let (mut states, mut actions) = (Vec::new(), Vec::new());
     loop {
-        let mut live: Vec<&mut Lane<'_>> = lanes.iter_mut().filter(|lane| !lane.over).collect();
+        let mut live: Vec<&mut ReplayLane<'_>> = lanes.iter_mut().filter(|lane| !lane.over).collect();
         if live.is_empty() {
             break;
         }

@@ -99,7 +99,7 @@ impl EngineArg {
 
 /// Content of the `--json` output.
 #[derive(Clone, Debug, Serialize)]
-struct Report {
+struct ReplayReport {
     graph: String,
     problem: Start,
     engine: String,
@@ -135,7 +135,7 @@ impl ReplayArgs {
             }
         }
         let exact = comparisons.iter().all(Comparison::is_exact);
-        let report = Report { graph: policy, problem: self.problem, engine, comparisons };
+        let report = ReplayReport { graph: policy, problem: self.problem, engine, comparisons };
         report.print(self.json).map_err(CommandError::other)?;
         Ok(if exact { Verdict::Good } else { Verdict::Failed })
     }
@@ -169,7 +169,7 @@ impl ReplayArgs {
     }
 }
 
-impl Report {
+impl ReplayReport {
     fn print(&self, json: bool) -> io::Result<()> {
         let mut out = io::stdout().lock();
         if json {

@@ -32,7 +32,7 @@ struct Args {
 
 /// The outcomes of the scenes.
 #[derive(Default)]
-struct Tally {
+struct DodgeTally {
     ends: [usize; 3],
     /// Of those with a ball that stays: the number, and the successes.
     still: [usize; 2],
@@ -115,9 +115,9 @@ fn show(config: &Config, name: &str, rival: &mut dyn Rival, scenes: &[Certified]
     );
 }
 
-fn run(config: &Config, rival: &mut dyn Rival, scenes: &[Certified]) -> Tally {
+fn run(config: &Config, rival: &mut dyn Rival, scenes: &[Certified]) -> DodgeTally {
     let body = config.body();
-    let mut tally = Tally::default();
+    let mut tally = DodgeTally::default();
     for Certified { scene, .. } in scenes {
         let mut episode = Episode::sensed(&body, scene, config.sensing());
         rival.begin(&body, scene, &episode.view(&body));

@@ -36,9 +36,9 @@ const fn words(kind: Kind) -> usize {
 }
 
 /// Numbers without a pattern.
-struct Numbers(u32);
+struct LayerNumbers(u32);
 
-impl Numbers {
+impl LayerNumbers {
     const fn next(&mut self) -> u32 {
         self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         self.0
@@ -64,7 +64,7 @@ pub const fn write<const WEIGHTS: usize, const WIDTH: usize>(
     meaning: &Meaning<'_>,
     words: &mut [u32],
 ) -> bool {
-    let mut numbers = Numbers(1);
+    let mut numbers = LayerNumbers(1);
     let (bound, shift) = match kind {
         Kind::W8A16 => (250, 22),
         Kind::W16A16 => (400, 22),
@@ -114,7 +114,7 @@ pub fn ask(kind: Kind, from: impl Fn(), count: impl Fn() -> u32) -> Option<Asked
     let mut scratch = [0; SCRATCH];
     from();
     let nothing = count();
-    let mut numbers = Numbers(11);
+    let mut numbers = LayerNumbers(11);
     let mut asked = Asked { hash: 0xcbf2_9ce4_8422_2325, inputs: INPUTS, ..Asked::default() };
     for _ in 0..INPUTS {
         let inputs: [i16; SIZES[0]] = core::array::from_fn(|_| (numbers.next() >> 16) as i16);

@@ -140,7 +140,7 @@ pub struct tpg_dodge_t {
 }
 
 /// A policy's parts, checked.
-struct Chooser {
+struct DodgeChooser {
     infer: unsafe extern "C" fn(state: *const core::ffi::c_void) -> u16,
     sources: &'static [u8],
     behaviours: &'static [u8],
@@ -148,7 +148,7 @@ struct Chooser {
     whole: bool,
 }
 
-impl Chooser {
+impl DodgeChooser {
     /// Checks a policy.
     ///
     /// # Safety
@@ -219,7 +219,7 @@ pub struct tpg_dodger_t {
 pub struct Loop {
     control: Control,
     body: &'static Body,
-    chooser: Chooser,
+    chooser: DodgeChooser,
 }
 
 // SAFETY: any bytes are an array of integers; `initialise` proves that the content fits.
@@ -298,7 +298,7 @@ pub unsafe extern "C" fn tpg_dodger_init(
             )
         };
         // SAFETY: as above.
-        let chooser = unsafe { Chooser::new(policy) }?;
+        let chooser = unsafe { DodgeChooser::new(policy) }?;
         let mut poses = [Pose([0; 4]); GOALS];
         // No more than there is room for are looked at; one more is refused below.
         // SAFETY: the header's contract.

@@ -14,13 +14,13 @@ use tpg_train::{Link, Ranks, TpgArgs, evolve};
 /// `tpg-train` on the ranks of an MPI job: every rank reads the same command line, rank 0 writes the files.
 #[derive(Debug, Parser)]
 #[command(version)]
-struct Cli {
+struct MpiCli {
     #[command(subcommand)]
-    command: Command,
+    command: MpiCommand,
 }
 
 #[derive(Debug, Subcommand)]
-enum Command {
+enum MpiCommand {
     /// Evolve a tangled program graph; every rank evaluates roots. --threads is the number of each rank
     Tpg(TpgArgs),
 }
@@ -32,7 +32,7 @@ fn main() -> ExitCode {
     };
     let world = World(universe.world());
     let (rank, ranks) = (world.rank(), world.ranks());
-    let cli = match Cli::try_parse() {
+    let cli = match MpiCli::try_parse() {
         Ok(cli) => cli,
         Err(error) => {
             if rank == 0 {
@@ -44,7 +44,7 @@ fn main() -> ExitCode {
     };
     abort_on_panic(rank, ranks);
     let place = Ranks::new(world);
-    let Command::Tpg(args) = &cli.command;
+    let MpiCommand::Tpg(args) = &cli.command;
     let result = evolve(args, &place).map_err(CommandError::other);
     exit_code(place.close(result))
 }

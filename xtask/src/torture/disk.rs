@@ -2,14 +2,14 @@
 
 use super::subject::Subject;
 use super::table::Row;
-use super::{Checked, fresh};
+use super::{CheckedRun, fresh};
 use rand_chacha::ChaCha8Rng;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Runs on a disk with half of the space that the run needs, then with enough.
-pub(super) fn full(subject: &Subject, _random: &mut ChaCha8Rng) -> Checked {
+pub(super) fn full(subject: &Subject, _random: &mut ChaCha8Rng) -> CheckedRun {
     let mut row = Row::new(subject.name, "full disk");
     let disk = Disk::mount(&fresh(subject, "full"), subject.size / 2)?;
     let folder = disk.0.join("run");

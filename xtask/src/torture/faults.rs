@@ -2,7 +2,7 @@
 
 use super::subject::Subject;
 use super::table::Row;
-use super::{Checked, fresh};
+use super::{CheckedRun, fresh};
 use rand::RngExt as _;
 use rand_chacha::ChaCha8Rng;
 use std::fs;
@@ -17,7 +17,7 @@ const ROUNDS: u32 = 5;
 const DAMAGED: u32 = 20;
 
 /// Starts a second process while the first one is stopped: it is refused with the first one's number.
-pub(super) fn two_processes(subject: &Subject, _random: &mut ChaCha8Rng) -> Checked {
+pub(super) fn two_processes(subject: &Subject, _random: &mut ChaCha8Rng) -> CheckedRun {
     let mut row = Row::new(subject.name, "two processes");
     for round in 0..ROUNDS {
         let folder = fresh(subject, &format!("twice-{round}"));
@@ -38,7 +38,7 @@ pub(super) fn two_processes(subject: &Subject, _random: &mut ChaCha8Rng) -> Chec
 
 /// Damages the newest checkpoint of a run that was killed: the run goes on from the previous one. With both damaged it is
 /// refused.
-pub(super) fn damaged(subject: &Subject, random: &mut ChaCha8Rng) -> Checked {
+pub(super) fn damaged(subject: &Subject, random: &mut ChaCha8Rng) -> CheckedRun {
     let mut row = Row::new(subject.name, "damaged checkpoint");
     for round in 0..DAMAGED {
         let folder = fresh(subject, &format!("damaged-{round}"));

@@ -2,7 +2,7 @@
 
 use super::subject::{Subject, has_unfinished};
 use super::table::Row;
-use super::{Checked, fresh};
+use super::{CheckedRun, fresh};
 use rand::RngExt as _;
 use rand_chacha::ChaCha8Rng;
 use std::path::Path;
@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 const KILLS_OF_A_RUN: u32 = 8;
 
 /// Kills a subject's runs; each run is then finished and compared.
-pub(super) fn kills(subject: &Subject, count: u32, random: &mut ChaCha8Rng) -> Checked {
+pub(super) fn kills(subject: &Subject, count: u32, random: &mut ChaCha8Rng) -> CheckedRun {
     let mut row = Row::new(subject.name, "killed");
     let mut writing = 0;
     let (mut done, mut run) = (0, 0);

@@ -63,7 +63,7 @@ impl TortureArgs {
 }
 
 /// A check of one subject: the row, or the reason why it was skipped.
-type Checked = Result<Row, String>;
+type CheckedRun = Result<Row, String>;
 
 fn complain(message: &str) -> bool {
     eprintln!("torture: {message}");

@@ -1,6 +1,6 @@
 //! The counts.
 
-use super::Checked;
+use super::CheckedRun;
 use super::subject::Subject;
 use std::path::Path;
 
@@ -51,7 +51,7 @@ pub(super) struct Table {
 
 impl Table {
     /// Adds a row; a check that could not be made is skipped loudly.
-    pub(super) fn add(&mut self, checked: Checked) {
+    pub(super) fn add(&mut self, checked: CheckedRun) {
         match checked {
             Ok(row) => self.rows.push(row),
             Err(reason) => {

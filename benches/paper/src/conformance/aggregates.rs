@@ -13,7 +13,7 @@ const ACTIONS: [u32; 6] = [1, 5, 10, 50, 100, 1000];
 
 /// Means over pairs of the means over rows.
 #[derive(Serialize)]
-struct Cell {
+struct AggregateCell {
     problem: &'static str,
     sep_mm: u32,
     nb_it: u32,
@@ -40,7 +40,7 @@ pub(super) fn json(data: &Path, problems: &[ArtifactProblem]) -> Result<String, 
     Ok(text.lines().map(str::trim_start).collect::<Vec<_>>().join("\n"))
 }
 
-fn of_cell(data: &Path, problem: &ArtifactProblem, sep_mm: u32, nb_it: u32) -> Result<Cell, CommandError> {
+fn of_cell(data: &Path, problem: &ArtifactProblem, sep_mm: u32, nb_it: u32) -> Result<AggregateCell, CommandError> {
     let mut pairs: [Vec<f64>; 5] = Default::default();
     for pair in 0..PAIRS {
         let recording = Recording::read(&cell(data, problem.hybrids, pair, sep_mm, nb_it))?;
@@ -61,7 +61,7 @@ fn of_cell(data: &Path, problem: &ArtifactProblem, sep_mm: u32, nb_it: u32) -> R
     }
     let [distance, success, collision, actions, ratio] = pairs.each_ref().map(|means| mean(means));
     let [dist_sd, success_sd] = [deviation(&pairs[0]), deviation(&pairs[1])];
-    Ok(Cell {
+    Ok(AggregateCell {
         problem: problem.name,
         sep_mm,
         nb_it,

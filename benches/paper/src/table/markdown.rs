@@ -36,13 +36,13 @@ impl ProblemResults {
 /// The page: its prose is `templates/results.md`, its tables are made here.
 #[derive(Template)]
 #[template(path = "results.md", escape = "none")]
-struct Page<'a> {
-    problems: &'a [Section],
+struct MarkdownPage<'a> {
+    problems: &'a [MarkdownSection],
     costs: String,
 }
 
 /// The tables of one problem.
-struct Section {
+struct MarkdownSection {
     title: String,
     episodes: usize,
     table: String,
@@ -55,15 +55,15 @@ struct Section {
 /// # Panics
 /// Never: the template only puts text together.
 pub fn page(problems: &[ProblemResults]) -> String {
-    let section = |problem: &ProblemResults| Section {
+    let section = |problem: &ProblemResults| MarkdownSection {
         title: capital(problem.name()),
         episodes: problem.episodes,
         table: table(&problem.rows, problem.episodes),
         ideas: ideas(&problem.ideas),
         printed: printed(problem.start),
     };
-    let sections: Vec<Section> = problems.iter().map(section).collect();
-    let page = Page { problems: &sections, costs: costs(problems) };
+    let sections: Vec<MarkdownSection> = problems.iter().map(section).collect();
+    let page = MarkdownPage { problems: &sections, costs: costs(problems) };
     page.render().expect("text is put together").trim_end().to_owned() + "\n"
 }
 

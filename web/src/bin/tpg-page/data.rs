@@ -13,17 +13,17 @@ use tpg_web::balls::numbers;
 
 /// The data that the page reads.
 #[derive(Serialize)]
-struct Data {
+struct PageData {
     /// Instructions of an action on a Cortex-M4, by driver.
-    costs: BTreeMap<&'static str, Cost>,
-    arm: Graph,
-    balls: Balls,
-    problems: Vec<Problem>,
+    costs: BTreeMap<&'static str, PageCost>,
+    arm: PageGraph,
+    balls: PageBalls,
+    problems: Vec<PageProblem>,
 }
 
 /// The graph of the arm: what its teams compare, in words and as a table that the page evaluates.
 #[derive(Serialize)]
-struct Graph {
+struct PageGraph {
     table: Bids,
     #[serde(flatten)]
     formulas: PolicyFormulas,
@@ -31,7 +31,7 @@ struct Graph {
 
 /// Scenes among moving balls.
 #[derive(Serialize)]
-struct Balls {
+struct PageBalls {
     /// The first ones of the test scenes, as the module reads them.
     scenes: Vec<Vec<f32>>,
     /// Names of the behaviours.
@@ -44,13 +44,13 @@ struct Balls {
 const SCENES: usize = 24;
 
 #[derive(Serialize)]
-struct Cost {
+struct PageCost {
     mean: f64,
     worst: u64,
 }
 
 #[derive(Serialize)]
-struct Problem {
+struct PageProblem {
     title: &'static str,
     /// The values that the policy sees, with their units.
     sources: Vec<(String, String)>,
@@ -78,43 +78,43 @@ pub(crate) fn text() -> io::Result<String> {
     let problems = POLICIES.iter().map(problem).collect::<io::Result<_>>()?;
     let costs = costs()?;
     let balls = balls(costs["balls"].worst)?;
-    let arm = Graph { table: bids(&ARM)?, formulas: PolicyFormulas::of(&ARM.graph()?, &ARM.options()?) };
-    let text = serde_json::to_string(&Data { costs, arm, balls, problems }).map_err(io::Error::other)?;
+    let arm = PageGraph { table: bids(&ARM)?, formulas: PolicyFormulas::of(&ARM.graph()?, &ARM.options()?) };
+    let text = serde_json::to_string(&PageData { costs, arm, balls, problems }).map_err(io::Error::other)?;
     Ok(text + "\n")
 }
 
-fn balls(worst: u64) -> io::Result<Balls> {
+fn balls(worst: u64) -> io::Result<PageBalls> {
     let scenes = read_csv(&top().join("generated/test-targets/dodge.csv")).map_err(io::Error::other)?;
     let numbers = |scene: &Certified| numbers(&scene.scene).map(Vec::from);
     let scenes = scenes.iter().take(SCENES).map(numbers).collect::<Option<_>>();
     let scenes = scenes.ok_or_else(|| io::Error::other("a scene with too many goals or balls"))?;
-    Ok(Balls { scenes, behaviours: Behaviour::ALL.iter().map(|(_, name)| *name).collect(), worst })
+    Ok(PageBalls { scenes, behaviours: Behaviour::ALL.iter().map(|(_, name)| *name).collect(), worst })
 }
 
-fn costs() -> io::Result<BTreeMap<&'static str, Cost>> {
+fn costs() -> io::Result<BTreeMap<&'static str, PageCost>> {
     #[derive(Deserialize)]
-    struct File {
-        cost: BTreeMap<String, Row>,
+    struct PageFile {
+        cost: BTreeMap<String, PageRow>,
     }
     #[derive(Deserialize)]
-    struct Row {
+    struct PageRow {
         actions: u64,
         instructions: u64,
         worst: u64,
     }
-    let file: File = toml::from_str(&read("c-harness/costs.toml")?).map_err(io::Error::other)?;
+    let file: PageFile = toml::from_str(&read("c-harness/costs.toml")?).map_err(io::Error::other)?;
     let cost = |(driver, name): (&'static str, &str)| {
         let row = file.cost.get(name).ok_or_else(|| io::Error::other(format!("costs.toml: no row {name}")))?;
-        Ok((driver, Cost { mean: row.instructions as f64 / row.actions as f64, worst: row.worst }))
+        Ok((driver, PageCost { mean: row.instructions as f64 / row.actions as f64, worst: row.worst }))
     };
     COSTS.into_iter().map(cost).collect()
 }
 
-fn problem(policy: &Policy) -> io::Result<Problem> {
+fn problem(policy: &Policy) -> io::Result<PageProblem> {
     let graph = policy.graph()?;
     let outputs = graph.outputs().iter().map(|output| (output.name.clone(), output.unit.clone()));
     let answers = graph.actions().iter().map(|action| (action.name.clone(), String::new())).chain(outputs);
-    Ok(Problem {
+    Ok(PageProblem {
         title: policy.title,
         sources: graph.sources().iter().map(|source| (source.name.clone(), source.unit.clone())).collect(),
         answers: answers.collect(),

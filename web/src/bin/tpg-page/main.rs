@@ -13,13 +13,13 @@ use std::{fs, io};
 
 /// Writes what the page and the README show of the shipped policies.
 #[derive(Debug, Parser)]
-struct Cli {
+struct PageCli {
     #[command(subcommand)]
-    command: Command,
+    command: PageCommand,
 }
 
 #[derive(Debug, Subcommand)]
-enum Command {
+enum PageCommand {
     /// Write `web/src/bids.rs`: the bids of the policies as tables
     Bids {
         /// The file [default: that of the repository]
@@ -41,10 +41,10 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let written = match Cli::parse().command {
-        Command::Bids { out } => write(&out.unwrap_or_else(|| top().join("web/src/bids.rs")), bids::text()),
-        Command::Data { out } => write(&out, data::text()),
-        Command::Picture { out } => write(&out.unwrap_or_else(|| top().join("docs/policy.svg")), picture::text()),
+    let written = match PageCli::parse().command {
+        PageCommand::Bids { out } => write(&out.unwrap_or_else(|| top().join("web/src/bids.rs")), bids::text()),
+        PageCommand::Data { out } => write(&out, data::text()),
+        PageCommand::Picture { out } => write(&out.unwrap_or_else(|| top().join("docs/policy.svg")), picture::text()),
     };
     match written {
         Ok(()) => ExitCode::SUCCESS,

@@ -27,7 +27,7 @@ const STYLE: &str = "svg { font: 14px system-ui, 'DejaVu Sans', sans-serif; --te
      .pole { stroke: var(--lit); stroke-width: 6; stroke-linecap: round; } .cart { fill: var(--soft); } \
      .rail, .arrow { stroke: var(--soft); stroke-width: 2; fill: none; }";
 
-type Drawn = Result<(), Box<dyn std::error::Error + Send + Sync>>;
+type DrawnPage = Result<(), Box<dyn std::error::Error + Send + Sync>>;
 
 /// The text of the file.
 pub(crate) fn text() -> io::Result<String> {
@@ -48,14 +48,14 @@ pub(crate) fn text() -> io::Result<String> {
 }
 
 /// A panel with its heading.
-fn panel(svg: &mut String, (left, width): (usize, usize), heading: &str) -> Drawn {
+fn panel(svg: &mut String, (left, width): (usize, usize), heading: &str) -> DrawnPage {
     let (top, height) = TOP;
     writeln!(svg, "<text class=\"head\" x=\"{left}\" y=\"{}\">{heading}</text>", top - 12)?;
     writeln!(svg, "<rect class=\"card\" x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" rx=\"10\"/>")?;
     Ok(())
 }
 
-fn formula(svg: &mut String, policy: &Policy) -> Drawn {
+fn formula(svg: &mut String, policy: &Policy) -> DrawnPage {
     panel(svg, FORMULA, "A policy is a few formulas")?;
     let formulas = PolicyFormulas::of(&policy.graph()?, &policy.options()?);
     let [team] = &formulas.teams[..] else { return Err("CartPole's policy has not one team any more".into()) };
@@ -75,7 +75,7 @@ fn formula(svg: &mut String, policy: &Policy) -> Drawn {
     Ok(())
 }
 
-fn code(svg: &mut String, policy: &Policy) -> Drawn {
+fn code(svg: &mut String, policy: &Policy) -> DrawnPage {
     panel(svg, CODE, "compiled to C, proven equal")?;
     let text = policy.code()?;
     let body =
@@ -93,7 +93,7 @@ fn code(svg: &mut String, policy: &Policy) -> Drawn {
     Ok(())
 }
 
-fn pole(svg: &mut String) -> Drawn {
+fn pole(svg: &mut String) -> DrawnPage {
     panel(svg, POLE, "and drives the pole")?;
     let [mut rig, ..] = control::rigs();
     rig.restart(1);
