@@ -41,28 +41,33 @@ pub(super) fn link(folder: &Path, target: Target, entry: &str, program: &Program
     Ok(Linked { size, bound })
 }
 
-/// The turns of the loops in generated C: control comes once more to a loop's first instruction than to its body.
+/// The turns of the loops in generated C: control comes once more to a loop's first instruction than to its body. Code with other loops has
+/// no bound, for a compiler may merge or remove some.
 fn loops(program: &Program<'_>, entry: &str, listing: &Listing) -> LoopBounds {
     let module = &program.module;
     let edges = module.teams.iter().map(|team| team.edges.len() as u64).max().unwrap_or(0);
     let turns = |counts: &[u64]| Turns::Nested(counts.iter().map(|count| count + 1).collect());
-    let depth = module.depth as u64;
-    let mut loops = LoopBounds::new();
-    let walk = match &program.shape {
+    // A walk of one team is no loop.
+    let walk: Vec<u64> = Some(module.depth as u64).filter(|&depth| depth > 1).into_iter().chain([edges]).collect();
+    match &program.shape {
+        Shape::Balanced(_) => LoopBounds::from([(entry.to_owned(), turns(&walk))]),
         Shape::Small(code) => {
             let longest = code.programs.windows(2).map(|ends| ends[1] - ends[0]).max().unwrap_or(0);
             let value = if program.graph().scalar() == ScalarType::F32 { 4 } else { 8 };
-            loops.insert("memcpy".to_owned(), Turns::Every(value * code.first_result as u64 + 1));
-            // Programs run in a function of their own, of which the compiler makes variants, or in the loops of the walk and after it.
+            // Programs run in a function of their own, of which the compiler makes variants, or in the loops of the walk.
             let run = format!("{}_run", program.options.prefix);
             let names = listing.functions().iter().map(|function| &function.name).filter(|name| name.starts_with(&run));
-            loops.extend(names.map(|name| (name.clone(), turns(&[longest]))));
-            turns(&[depth.max(longest), edges.max(longest), longest])
+            let mut loops: LoopBounds = names.map(|name| (name.clone(), turns(&[longest]))).collect();
+            let inlined = Some(longest).filter(|_| loops.is_empty());
+            loops.insert(entry.to_owned(), turns(&walk.into_iter().chain(inlined).collect::<Vec<_>>()));
+            loops.insert("memcpy".to_owned(), Turns::Every(value * code.first_result as u64 + 1));
+            loops
         }
         // The table of a dense sum.
-        Shape::Integers(_) => turns(&[module.graph.outputs().len() as u64, module.graph.state_length() as u64]),
-        _ => turns(&[depth, edges]),
-    };
-    loops.insert(entry.to_owned(), walk);
-    loops
+        Shape::Integers(integers) if integers.tables => {
+            let (rows, columns) = (module.graph.outputs().len() as u64, module.graph.state_length() as u64);
+            LoopBounds::from([(entry.to_owned(), turns(&[rows, columns]))])
+        }
+        _ => LoopBounds::new(),
+    }
 }

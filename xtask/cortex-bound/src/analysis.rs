@@ -231,11 +231,10 @@ impl<'a> Analyser<'a> {
             }
             Some(Turns::Every(turns)) => nodes.map(|node| (node, *turns)).collect(),
             Some(Turns::Each(turns)) if turns.len() == headers.len() => nodes.zip(turns.iter().copied()).collect(),
-            // Deeper loops have no bound.
-            Some(Turns::Nested(turns)) => {
-                headers.iter().filter_map(|header| Some((header.node, *turns.get(header.depth)?))).collect()
+            Some(Turns::Nested(turns)) if is_chain(headers, turns.len()) => {
+                headers.iter().map(|header| (header.node, turns[header.depth])).collect()
             }
-            Some(Turns::Each(turns)) => {
+            Some(Turns::Each(turns) | Turns::Nested(turns)) => {
                 let lines = &self.listing.functions()[place].lines;
                 let found = nodes.map(|node| lines[node].address).collect();
                 return Err(Refusal::OtherLoops { function: name.to_owned(), found, given: turns.len() });
@@ -335,4 +334,10 @@ impl<'a> Analyser<'a> {
         parts.sort_by_key(|part| std::cmp::Reverse(part.runs * part.each));
         Ok(Share { function: self.name(place).to_owned(), runs, own: runs * own, each: instructions, parts })
     }
+}
+
+/// Tests for so many loops, each but the first in the one before; or none.
+fn is_chain(headers: &[Header], count: usize) -> bool {
+    let depths: BTreeSet<usize> = headers.iter().map(|header| header.depth).collect();
+    headers.is_empty() || headers.len() == count && depths.into_iter().eq(0..count)
 }

@@ -10,7 +10,8 @@ pub enum Turns {
     /// One bound for each loop, in the order of their first instructions. If the function has a different number of
     /// loops there is no bound: the code has changed since the bounds were determined.
     Each(Vec<u64>),
-    /// One bound for the loops in no other loop, one for those in one loop, and so on. A loop that lies deeper has none.
+    /// One bound for each loop of a chain, from the outermost to the innermost. If there are loops, but others, there is no
+    /// bound.
     Nested(Vec<u64>),
 }
 

@@ -285,7 +285,10 @@ fn loops_are_bounded_by_their_depth() {
         Analyser::new(&listing, &bounds).bound("f").map(|bound| bound.instructions)
     };
     assert_eq!(of(&[10, 4]), Ok(2 + 10 * (1 + 4 * 2 + 2) + 1));
-    assert_eq!(of(&[10]), Err(Refusal::Loop { function: "f".to_owned(), address: 6 }));
+    for other in [&[10][..], &[10, 4, 3]] {
+        let refusal = Refusal::OtherLoops { function: "f".to_owned(), found: vec![4, 6], given: other.len() };
+        assert_eq!(of(other), Err(refusal));
+    }
 }
 
 #[test]
