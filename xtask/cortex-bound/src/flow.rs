@@ -200,10 +200,12 @@ fn table(function: &Function, line: &Line, callee: &str) -> Option<Vec<u64>> {
     (!targets.is_empty()).then_some(targets)
 }
 
-/// Returns the targets of a jump whose table lies elsewhere: the one whose address was computed last with no branch in between, or any
-/// whose address the function computes. An entry is a target, or its distance from the table.
+/// Returns the targets of a jump whose table lies elsewhere: the one whose address goes into the jump, or any whose address the function
+/// computes. An entry is a target, or its distance from the table.
 fn table_elsewhere(listing: &Listing, function: &Function, index: usize) -> Option<Vec<u64>> {
     let addresses: BTreeSet<u64> = function.lines.iter().map(|line| line.address).collect();
+    let starts: BTreeSet<u64> =
+        listing.functions().iter().flat_map(|function| &function.lines).filter_map(|line| line.refers_to).collect();
     let target = |base: u64, word: u32| {
         let targets = [word & !1, word.wrapping_add(base as u32)].map(u64::from);
         targets.into_iter().find(|target| addresses.contains(target))
@@ -211,13 +213,44 @@ fn table_elsewhere(listing: &Listing, function: &Function, index: usize) -> Opti
     let table = |address: u64| -> Vec<u64> {
         // Thumb reads the table's address from beside the code.
         let bases = [Some(address), listing.words_from(address).next().map(u64::from)];
-        let entries = |base| listing.words_from(base).map_while(|word| target(base, word)).collect::<Vec<u64>>();
+        // What the code refers to next is another table or a constant.
+        let end = |base| starts.range(base + 1..).next().copied().unwrap_or(u64::MAX);
+        let words = |base| (base..end(base)).step_by(4).zip(listing.words_from(base)).map(|(_, word)| word);
+        let entries = |base| words(base).map_while(|word| target(base, word)).collect::<Vec<u64>>();
         bases.into_iter().flatten().map(entries).find(|entries| !entries.is_empty()).unwrap_or_default()
     };
-    let before = function.lines[..index].iter().rev().take_while(|line| kind(line) == Kind::Plain);
-    let nearest = before.filter_map(|line| line.refers_to).map(table).find(|table| !table.is_empty());
-    let all = || function.lines.iter().filter_map(|line| line.refers_to).flat_map(table).collect();
-    Some(nearest.unwrap_or_else(all)).filter(|targets| !targets.is_empty())
+    let found = |lines: &mut dyn Iterator<Item = &Line>| {
+        lines.filter_map(|line| line.refers_to).flat_map(&table).collect::<Vec<u64>>()
+    };
+    // The registers that the address comes from, backwards to the last branch.
+    let mut from: BTreeSet<&str> = registers(&function.lines[index].operands).collect();
+    for line in function.lines[..index].iter().rev().take_while(|line| kind(line) == Kind::Plain) {
+        if written(line).is_some_and(|register| from.remove(register)) {
+            let nearest = found(&mut std::iter::once(line));
+            if !nearest.is_empty() {
+                return Some(nearest);
+            }
+            from.extend(registers(&line.operands).skip(1));
+        }
+    }
+    let earlier = found(&mut function.lines.iter().filter(|line| written(line).is_some_and(|to| from.contains(to))));
+    let all = || found(&mut function.lines.iter());
+    let targets = if earlier.is_empty() { all() } else { earlier };
+    (!targets.is_empty()).then_some(targets)
+}
+
+/// Returns the names among operands: registers, and the names of shifts.
+fn registers(operands: &str) -> impl Iterator<Item = &str> {
+    let names = operands.split(|c: char| !c.is_ascii_alphanumeric());
+    names.filter(|name| name.starts_with(|c: char| c.is_ascii_lowercase()))
+}
+
+/// Returns the register that an instruction writes: its first operand, but for stores and comparisons.
+fn written(line: &Line) -> Option<&str> {
+    let reads = ["sw", "sh", "sb", "fsw", "cmp", "cmn", "tst", "teq", "push", "vcmp"];
+    let name = line.mnemonic.trim_end_matches(".n").trim_end_matches(".w");
+    let is_read = reads.contains(&name) || name.starts_with("st") || name.starts_with("vst");
+    registers(&line.operands).next().filter(|_| !is_read)
 }
 
 enum To {
