@@ -150,7 +150,9 @@ fn follower(function: &Function, index: usize) -> Option<usize> {
 /// follows its end.
 pub(super) fn continues_at(function: &Function) -> BTreeSet<u64> {
     let end = function.lines.last();
-    let runs_on = end.is_some_and(|line| match kind(line) {
+    // Behind the last instruction there may be padding.
+    let acts = function.lines.iter().rev().find(|line| !line.mnemonic.starts_with("nop"));
+    let runs_on = acts.is_some_and(|line| match kind(line) {
         Kind::Plain => true,
         Kind::Branch { conditional } | Kind::Return { conditional } => conditional,
         _ => false,
@@ -272,7 +274,7 @@ fn target(listing: &Listing, function: &Function, line: &Line) -> Result<To, Ref
     let inside = function.lines.iter().any(|line| line.address == address);
     match listing.at(&function.section, address) {
         // A branch to the function's own start is a loop, a call of it is a recursion.
-        Some(callee) if kind(line) == Kind::Call || !inside => Ok(To::Function(callee)),
+        Some(callee) if kind(line) == Kind::Call || address != function.address => Ok(To::Function(callee)),
         _ if inside => Ok(To::Here(address)),
         _ => Err(astray(function, line)),
     }

@@ -334,6 +334,20 @@ fn functions_that_share_their_ends_are_joined() {
     // Labels are instructions, too: f 0, g 6, h a.
     assert_eq!(bound(text, "f").map(|bound| bound.instructions), Ok(3 + 4));
     assert_eq!(bound(text, "g").map(|bound| bound.instructions), Ok(2 + 4));
+    // Padding leads to g only in appearance: the branch to it is a call, whose loop has the bound of g.
+    let listing = listing(
+        "
+        f:
+        b.n 6 <g>
+        nop
+        g:
+        subs r0, #1
+        bne.n 8 <g+0x2>
+        bx lr",
+    );
+    let bounds = LoopBounds::from([("g".to_owned(), Turns::Every(5))]);
+    let found = Analyser::new(&listing, &bounds).bound("f").map(|bound| bound.instructions);
+    assert_eq!(found, Ok(2 + 1 + 5 * 2 + 1));
 }
 
 #[test]
