@@ -269,10 +269,5 @@ fn language_of(name: &str) -> PyResult<Language> {
 }
 
 fn target(name: &str) -> PyResult<Target> {
-    <Target as clap::ValueEnum>::from_str(name, false).map_err(|_| {
-        let accepted = Target::value_variants()
-            .iter()
-            .filter_map(|target| Some(target.to_possible_value()?.get_name().to_owned()));
-        error::input(format!("the target {name:?}; accepted: {}", accepted.collect::<Vec<_>>().join(", ")))
-    })
+    name.parse().map_err(error::input)
 }

@@ -1,12 +1,14 @@
 //! Cores and chips that generated C is compiled for, with the compiler and flags of each.
 
 use crate::verify;
+use clap::ValueEnum;
 use serde::Serialize;
 use std::io;
 use std::process::Command;
+use std::str::FromStr;
 
 /// A target of generated code.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum Target {
     /// This machine, by its C compiler.
@@ -33,6 +35,18 @@ pub enum Target {
     Esp32C3,
     /// Arduino Uno: AVR.
     Atmega328p,
+}
+
+impl FromStr for Target {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Self, String> {
+        ValueEnum::from_str(name, false).map_err(|_| {
+            let values = Self::value_variants().iter().filter_map(ValueEnum::to_possible_value);
+            let accepted: Vec<String> = values.map(|value| value.get_name().to_owned()).collect();
+            format!("the target {name:?}; accepted: {}", accepted.join(", "))
+        })
+    }
 }
 
 /// A family of compilers.
