@@ -589,7 +589,8 @@ class TPG:
     def report(self, *targets: str) -> Report:
         """Returns flash, RAM, stack, operations and the most instructions of the code on targets.
 
-        By default these are "m4f" and "host"; others are "m0", "m3", "m4", "m7", "m33", "rv32imac", "rv32imafc", "rp2040", "esp32-c3" and "atmega328p".
+        By default these are "m4f" and "host"; others are "m0", "m3", "m4", "m7", "m33", "rv32imac",
+        "rv32imafc", "rp2040", "esp32-c3" and "atmega328p".
         """
         text, data = self._best().report(list(targets) or ["m4f", "host"])
         return Report(text, json.loads(data))
