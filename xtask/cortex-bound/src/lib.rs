@@ -6,8 +6,9 @@
 //! without a bound is rejected, with the place and the reason: loops without a `--loop-bound`, recursion, calls through
 //! registers without `--calls`, jumps through tables that are not found, a stack pointer that changes by an amount known
 //! only at run time, callees that are not in the object. The supplied [`facts`], and those about the loops of GCC's
-//! arithmetic, are trusted: a bound is only as reliable as they are. So is that a table of jumps ends where an entry leads
-//! out of the function, and that a `bl` into the own function is a far jump.
+//! arithmetic, are trusted: a bound is only as reliable as they are. So is that a table of jumps is the
+//! one whose address goes into the jump, and ends where the code refers to something else or an entry leads out of the
+//! function, and that a `bl` into the own function is a far jump.
 //!
 //! Not covered: the duration of an instruction, wait states of the memory, interrupts.
 //!
@@ -15,7 +16,7 @@
 //! | --- | --- |
 //! | [`listing`] | objdump's output, as functions of instructions |
 //! | [`instruction`] | effects of an instruction on control flow and stack |
-//! | `flow` | control flow of one function |
+//! | `flow`, `table` | control flow of one function, and its tables of jumps |
 //! | [`facts`] | facts supplied by the user: loop bounds, targets of calls through registers, limits on runs |
 //! | `longest`, `path` | the longest path through it, and its visits of each instruction |
 //! | [`analysis`] | a function together with its callees |
@@ -29,6 +30,7 @@ pub mod listing;
 mod longest;
 mod path;
 mod refusal;
+mod table;
 
 pub use analysis::{Analyser, Bound, Loop, Share, Site};
 pub use facts::{Calls, Limit, LoopBounds, Turns};
