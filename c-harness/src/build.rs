@@ -149,7 +149,7 @@ pub(crate) fn c(program: &Program, board: Board) -> Result<Option<PathBuf>, Fail
     let board_folder = board_folder(board)?;
     let image = board_folder.join(format!("{}-c.elf", program.name));
     let mut gcc = Command::new("arm-none-eabi-gcc");
-    gcc.current_dir(&board_folder).args(["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"]);
+    gcc.current_dir(&board_folder).args(tpg_codegen::size::Target::M4f.flags());
     gcc.args(["-std=gnu11", "-O2", "-ffp-contract=off", "-ffunction-sections", "-fdata-sections", "-fstack-usage"]);
     // Tables of addresses, unlike the Thumb instruction's own tables, are not read by `cortex_bound`.
     gcc.args(["-fno-jump-tables", "-Wall", "-Wextra", "-Werror", "-nostdlib", "-nostartfiles"]);

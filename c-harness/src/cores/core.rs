@@ -3,6 +3,7 @@
 use super::shipped::Bits;
 use std::path::Path;
 use std::process::Command;
+use tpg_codegen::size::Target;
 
 /// A core, on a board that an emulator has.
 #[derive(Debug)]
@@ -85,7 +86,6 @@ const fn only_c(name: &'static str, machine: &'static str, runner: Runner, flags
 
 /// Memories and ticks of the boards with a Cortex-M33.
 const AN505: (Memories, u32) = (memories((0x1000_0000, "4M"), (0x3800_0000, "4M")), 20_480);
-const RV32IMAC: &[&str] = &["-march=rv32imac", "-mabi=ilp32", "-mcmodel=medany"];
 
 /// Every core.
 pub(super) const CORES: [Core; 16] = [
@@ -93,37 +93,13 @@ pub(super) const CORES: [Core; 16] = [
         "Cortex-M0",
         "microbit",
         (memories((0, "256K"), (0x2000_0000, "16K")), 16_384),
-        &["-mcpu=cortex-m0", "-mthumb", "-mfloat-abi=soft"],
+        Target::M0.flags(),
         "thumbv6m-none-eabi",
     ),
-    arm(
-        "Cortex-M3",
-        "mps2-an385",
-        (MPS2, 25_600),
-        &["-mcpu=cortex-m3", "-mthumb", "-mfloat-abi=soft"],
-        "thumbv7m-none-eabi",
-    ),
-    arm(
-        "Cortex-M4F",
-        "mps2-an386",
-        (MPS2, 25_600),
-        &["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"],
-        "thumbv7em-none-eabihf",
-    ),
-    arm(
-        "Cortex-M7",
-        "mps2-an500",
-        (MPS2, 25_600),
-        &["-mcpu=cortex-m7", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv5-sp-d16"],
-        "thumbv7em-none-eabihf",
-    ),
-    arm(
-        "Cortex-M33",
-        "mps2-an505",
-        AN505,
-        &["-mcpu=cortex-m33", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv5-sp-d16"],
-        "thumbv8m.main-none-eabihf",
-    ),
+    arm("Cortex-M3", "mps2-an385", (MPS2, 25_600), Target::M3.flags(), "thumbv7m-none-eabi"),
+    arm("Cortex-M4F", "mps2-an386", (MPS2, 25_600), Target::M4f.flags(), "thumbv7em-none-eabihf"),
+    arm("Cortex-M7", "mps2-an500", (MPS2, 25_600), Target::M7.flags(), "thumbv7em-none-eabihf"),
+    arm("Cortex-M33", "mps2-an505", AN505, Target::M33.flags(), "thumbv8m.main-none-eabihf"),
     Core {
         figures: false,
         ..arm(
@@ -141,31 +117,21 @@ pub(super) const CORES: [Core; 16] = [
         &["-mcpu=cortex-m55", "-mthumb", "-mfloat-abi=hard", "-mfpu=auto"],
         "thumbv8m.main-none-eabihf",
     ),
-    riscv("RISC-V rv32imac", ("virt", VIRT), RV32IMAC, "riscv32imac-unknown-none-elf"),
+    riscv("RISC-V rv32imac", ("virt", VIRT), Target::Rv32imac.flags(), "riscv32imac-unknown-none-elf"),
     Core {
         figures: false,
         ..riscv(
             "RISC-V rv32imac",
             ("sifive_e", memories((0x2040_0000, "4M"), (0x8000_0000, "16K"))),
-            RV32IMAC,
+            Target::Rv32imac.flags(),
             "riscv32imac-unknown-none-elf",
         )
     },
     Core {
         figures: false,
-        ..riscv(
-            "RISC-V rv32imc",
-            ("virt", VIRT),
-            &["-march=rv32imc", "-mabi=ilp32", "-mcmodel=medany"],
-            "riscv32imc-unknown-none-elf",
-        )
+        ..riscv("RISC-V rv32imc", ("virt", VIRT), Target::Esp32C3.flags(), "riscv32imc-unknown-none-elf")
     },
-    riscv(
-        "RISC-V rv32imafc",
-        ("virt", VIRT),
-        &["-march=rv32imafc", "-mabi=ilp32f", "-mcmodel=medany"],
-        "riscv32imafc-unknown-none-elf",
-    ),
+    riscv("RISC-V rv32imafc", ("virt", VIRT), Target::Rv32imafc.flags(), "riscv32imafc-unknown-none-elf"),
     Core {
         images: 2,
         figures: true,

@@ -63,8 +63,7 @@ impl CodeArgs {
         let mut graph = self.graph.load()?;
         if let Some(bits) = self.fixed {
             let states = self.states.load(&graph)?;
-            let visited = self.states.is_recorded().then_some(&states);
-            let request = Request { inputs: bits, weights: bits, visited, margin: 1.0, compared: &states };
+            let request = Request::of_bits(bits, &states, self.states.is_recorded());
             let (whole, report) = quantise(&self.file(), &graph, &request)?;
             tpg_graph::command::note(report.to_string().trim_end());
             graph = whole;

@@ -87,8 +87,7 @@ impl ReportArgs {
     /// Returns the graph in integers, if it is asked for.
     fn integers(&self, graph: &Graph, states: &StateSet) -> Result<Option<Graph>, InputError> {
         let Some(bits) = self.fixed else { return Ok(None) };
-        let visited = self.states.is_recorded().then_some(states);
-        let request = Request { inputs: bits, weights: bits, visited, margin: 1.0, compared: states };
+        let request = Request::of_bits(bits, states, self.states.is_recorded());
         Ok(Some(quantise(&self.graph.graph.display().to_string(), graph, &request)?.0))
     }
 }

@@ -51,6 +51,13 @@ pub struct Request<'a> {
     pub compared: &'a StateSet,
 }
 
+impl<'a> Request<'a> {
+    /// Inputs and weights of so many bits, compared on some states, whose values fill the bits if they were recorded.
+    pub(crate) fn of_bits(bits: u32, compared: &'a StateSet, is_recorded: bool) -> Self {
+        Self { inputs: bits, weights: bits, visited: is_recorded.then_some(compared), margin: 1.0, compared }
+    }
+}
+
 /// The quantisation in figures.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {

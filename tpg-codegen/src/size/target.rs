@@ -89,7 +89,8 @@ impl Target {
         }
     }
 
-    fn flags(self) -> &'static [&'static str] {
+    /// The compiler's flags for the core.
+    pub const fn flags(self) -> &'static [&'static str] {
         match self {
             Self::Host => &[],
             Self::M0 => &["-mcpu=cortex-m0", "-mthumb", "-mfloat-abi=soft"],
