@@ -73,7 +73,8 @@ pub(crate) fn harness(words: &[&str]) -> bool {
 pub(crate) fn book(update: bool) -> bool {
     let mut run = Run::new();
     if update {
-        let mut command = cargo(&["test", "--quiet", "--test", "all", "--package", "tpg-train", "manual::"]);
+        let crates = ["--package", "tpg-train", "--package", "tpg-harness"];
+        let mut command = cargo(&[&["test", "--quiet", "--lib", "--bins"], &crates[..], &["the_page_of"]].concat());
         command.env(tpg_testing::book::UPDATE, "1");
         run.check("pages made from the programs", command);
     }
