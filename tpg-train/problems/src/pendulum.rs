@@ -24,7 +24,7 @@ const STEP: f64 = 0.05;
 const ACTIONS: u32 = 200;
 
 physics! {
-    /// Acceleration of gravity, m/s², with Gymnasium's value.
+    /// Acceleration of gravity, m/s².
     gravity = 10.0, [0.0, 100.0];
     /// Mass of the rod, kg.
     mass = 1.0, [0.001, 1000.0];
@@ -38,8 +38,7 @@ physics! {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
-    /// Number of torques that a graph chooses among, evenly spaced from −2 to 2 N·m. Without it, a graph computes the
-    /// torque.
+    /// Number of evenly spaced torques from −2 to 2 N·m, as named actions; by default a graph computes the torque.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub levels: Option<u16>,
     /// The constants of the rules.

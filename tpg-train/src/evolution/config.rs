@@ -42,7 +42,7 @@ pub struct EvolutionConfig {
     #[serde(skip_serializing_if = "toml::Table::is_empty")]
     #[schemars(with = "serde_json::Map<String, serde_json::Value>")]
     pub problem: toml::Table,
-    /// One more action: a network decides the step.
+    /// Another action, by which a network decides the step.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ask: Option<AskConfig>,
     /// The language of programs.
@@ -73,11 +73,11 @@ pub struct EvolutionConfig {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AskConfig {
-    /// The network's policy.q.json, from the folder where the command runs.
+    /// The network's policy.q.json.
     pub policy: String,
-    /// Price of one ask, in the unit of the problem's score; 0 or more.
+    /// Price of one ask, in the unit of the score; 0 or more.
     pub price: f64,
-    /// Checksum of the network's file, in hexadecimal digits; a run writes it, and another file is refused.
+    /// Checksum of that file; a run writes it and refuses another file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sha256: Option<String>,
 }
@@ -86,13 +86,13 @@ pub struct AskConfig {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct LanguageConfig {
-    /// `f32` (a Cortex-M4F computes it) or `f64`.
+    /// Precision of all arithmetic; a Cortex-M4F has an FPU for `f32`.
     pub scalar: ScalarType,
-    /// Instruction set, by name; the order gives the numbers.
+    /// Instruction set; the order gives the numbers.
     pub instructions: Vec<String>,
-    /// True if operands may be literal numbers.
+    /// Operands may be literal numbers.
     pub literals: bool,
-    /// Number of values that a policy computes for its next decision; only for problems with outputs.
+    /// Values that a policy keeps for its next decision; needs outputs.
     pub memory: u16,
 }
 
@@ -107,17 +107,17 @@ impl Default for LanguageConfig {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct TpgParameters {
-    /// Number of roots of a deme after populating.
+    /// Roots of a deme.
     pub nb_roots: usize,
-    /// Number of roots of a deme's first population; at least the number of actions.
+    /// Roots of a deme's first population; at least the number of actions.
     pub init_nb_roots: usize,
-    /// Maximum number of edges of a team of the first population.
+    /// Maximum edges of a team at the start.
     pub max_init_outgoing_edges: usize,
-    /// Maximum number of edges of a team; with a search for weights at least the number of actions.
+    /// Maximum edges of a team; with a search for weights at least the number of actions.
     pub max_outgoing_edges: usize,
     /// Probability that a mutated edge gets another destination.
     pub p_edge_destination_change: f64,
-    /// Probability that the new destination is an action.
+    /// Probability that a new destination is an action.
     pub p_edge_destination_is_action: f64,
 }
 
@@ -138,12 +138,11 @@ impl Default for TpgParameters {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct ProgramParameters {
-    /// Maximum number of lines; with a search for weights at least those of a sum of all inputs. Outputs have at least 32.
+    /// Maximum lines of a program; at least 32 for outputs, and with a search for weights at least a sum of all inputs.
     pub max_program_size: usize,
     /// Probability of swapping two lines.
     pub p_swap: f64,
-    /// Probability that a random program is a sum of products of two inputs, and that such a product is inserted instead of a
-    /// line.
+    /// Probability that a random program is a sum of products of two inputs, and that an inserted line is such a product.
     pub p_product: f64,
 }
 
@@ -157,15 +156,15 @@ impl Default for ProgramParameters {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct LearningParameters {
-    /// Number of episodes per root and generation.
+    /// Episodes per root and generation.
     pub nb_iterations_per_policy_evaluation: usize,
-    /// Fraction of `nb_roots` that is deleted in each generation.
+    /// Fraction of `nb_roots` replaced in each generation.
     pub ratio_deleted_roots: f64,
-    /// Number of generations; 0 for no limit: `--max-steps` or `--target` ends the run.
+    /// Generations; 0 for no limit: `--max-steps` or `--target` ends the run.
     pub nb_generations: u64,
-    /// Number of episodes after which a root's score is final.
+    /// Episodes after which a root's score is final.
     pub max_nb_evaluation_per_policy: u64,
-    /// Number of registers of a program; its result is register 0.
+    /// Registers of a program; its result is register 0.
     pub nb_registers: u16,
 }
 
@@ -185,15 +184,15 @@ impl Default for LearningParameters {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct SelectionConfig {
-    /// Number of survivors selected by lexicase; the others are the best by running mean.
+    /// Survivors selected by lexicase; the others are the best by running mean.
     pub lexicase_survivors: usize,
-    /// Number of episodes after which only the best two fifths of the roots play on; 0 for all.
+    /// Episodes after which only the best two fifths of the roots continue; 0 for all.
     pub racing_episodes: usize,
-    /// Number of episodes in the selection set, on which the best policy is chosen.
+    /// Selection episodes, on which the best policy is chosen.
     pub validation_episodes: usize,
-    /// Fraction of a run's steps for that choice.
+    /// Fraction of a run's steps for choosing the best policy.
     pub validation_share: f64,
-    /// Price of a line of a policy, as a fraction of the way from the first generation's median score to the best.
+    /// Price of a line, as a fraction of the way from the first generation's median score to the best.
     pub line_price: f64,
 }
 
@@ -213,7 +212,7 @@ impl Default for SelectionConfig {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Literals {
-    /// Standard deviations in units of an input's half range; each number draws one of them, and an input for the unit.
+    /// Standard deviations, in half ranges of an input; each number draws one of them, and an input.
     pub deviations: Vec<f64>,
     /// The range of an input that gives numbers their unit.
     pub units: Units,
@@ -229,11 +228,10 @@ impl Default for Literals {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Units {
-    /// The declared one; its ends that the problem does not know are those that random policies reach.
+    /// The declared range; unknown ends are those that random policies reach.
     #[default]
     Declared,
-    /// The one where random policies usually are, half of the way to the mean of all inputs: declared ranges are often never
-    /// reached.
+    /// Where random policies are most of the time, moved halfway to the mean of all inputs.
     Visited,
 }
 
@@ -241,9 +239,9 @@ pub enum Units {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct DemeConfig {
-    /// Number of demes; each has `nb_roots` roots.
+    /// Demes; each has `nb_roots` roots.
     pub count: usize,
-    /// Number of generations after which the worse half of the demes ends, again and again; 0 for never.
+    /// Generations after which, each time, the worse half of the demes ends; 0 for never.
     pub halving_interval: u64,
 }
 
@@ -257,7 +255,7 @@ impl Default for DemeConfig {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct PoolConfig {
-    /// Fraction of a generation's episodes that come from the newest 300 of them.
+    /// Fraction of a generation's episodes drawn from the newest 300 of them.
     pub share: f64,
 }
 
@@ -265,9 +263,9 @@ pub struct PoolConfig {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct CurriculumConfig {
-    /// Number of generations with coarser episodes; 0 disables the curriculum.
+    /// Generations with coarser episodes.
     pub generations: u64,
-    /// Initial factor of steps and tolerance; it decreases evenly to 1.
+    /// Initial factor of steps and tolerance; it falls linearly to 1.
     pub roughness: u8,
 }
 
@@ -290,11 +288,10 @@ impl CurriculumConfig {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct StartConfig {
-    /// Fraction of the run for a random search in small steps, one episode a sample; it ends after a quarter of that if its samples
-    /// are no better than luck. A toll for each step is tried where steps are rewarded. 0 for none; no more than `share`.
+    /// Fraction of the run for a random search; it ends after a quarter of that if no better than chance. At most `share`.
     pub random: f64,
-    /// Fraction of the run at which the search ends; 0 for a start at random. After the random search the variances of weights are
-    /// adapted; one that stalls is followed by another, in turns for sums and for products of two sums.
+    /// Fraction of the run after which the search ends; 0 for a random start. After the random search, the variances of weights
+    /// are adapted.
     pub share: f64,
 }
 
@@ -308,14 +305,14 @@ impl Default for StartConfig {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct RefinementConfig {
-    /// Probability that a child only has other constants: all of them, or one.
+    /// Probability that a child differs only in constants: all of them, or one.
     pub p_jitter: f64,
     /// Probability that a child only lacks a line.
     pub p_deletion: f64,
-    /// Probability that another child of a policy with named actions only has one program mutated.
+    /// Probability that another child has one mutated program only; needs named actions.
     pub p_mutation: f64,
-    /// Probability that another child of a policy with named actions bids for one action the opposite of what it bids for the
-    /// action that undoes it, by the actions' effects.
+    /// Probability that another child bids for an action the opposite of its bid for the action that undoes it; needs named
+    /// actions with effects.
     pub p_mirror: f64,
 }
 

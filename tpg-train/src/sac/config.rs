@@ -28,7 +28,7 @@ pub struct SacConfig {
     pub critic: Critic,
     /// The parameters of the algorithm.
     pub learning: Learning,
-    /// Episodes that begin where the actor failed; without it, none does.
+    /// Episodes that begin where the actor failed; optional.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub retry: Option<Retry>,
     /// The choice among candidates.
@@ -39,13 +39,13 @@ pub struct SacConfig {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Actor {
-    /// True if the network reads inputs less the middle of their range, divided by half of it, where both ends are known.
+    /// Scales inputs by their declared ranges, where both ends are known.
     pub scaled_inputs: bool,
     /// Units of each hidden layer.
     pub hidden: Vec<usize>,
-    /// LayerNorm behind each hidden layer: false.
+    /// LayerNorm behind each hidden layer; must be false.
     pub layer_norm: bool,
-    /// The meaning of the second half of its outputs: "log-sigma" or "sigma".
+    /// Second half of its outputs: "log-sigma" or "sigma".
     #[schemars(with = "String")]
     pub spread: Spread,
 }
@@ -62,47 +62,43 @@ pub struct Critic {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Learning {
-    /// The run's length, in decisions of all lanes together.
+    /// Decisions of the run, all lanes together.
     pub decisions: u64,
     /// Episodes side by side.
     pub lanes: usize,
-    /// Actions of the environment that a decision lasts in training, the same one each time; outside of training one. Longer
-    /// decisions differ more in what they lead to, and explore farther.
+    /// Steps of the environment that a decision lasts in training; otherwise one. Longer decisions explore farther.
     #[serde(default = "one", skip_serializing_if = "is_one")]
     pub decision_lasts: u32,
     /// Decisions between two updates.
     pub decisions_per_update: u64,
     /// Random decisions before the first update.
     pub random_decisions: u64,
-    /// True if inputs are scaled once more after the random decisions, by what was seen: less the mean, divided by the standard
-    /// deviation.
+    /// Scales inputs again after the random decisions, by mean and standard deviation of what was seen.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub measured_inputs: bool,
     /// Transitions in an update.
     pub batch: usize,
     /// Transitions remembered.
     pub replay: usize,
-    /// Adam's step at the start.
+    /// Adam's initial step.
     pub rate: f64,
-    /// The fraction of it that is left at the end; it falls linearly.
+    /// Fraction of `rate` that is left at the end; it falls linearly.
     pub final_rate: f64,
-    /// Discount of each step, γ.
+    /// Discount per step, γ.
     pub discount: f64,
-    /// The fraction by which slow copies follow after each update, τ.
+    /// Fraction by which slow copies follow after each update, τ.
     pub follow: f64,
-    /// Target entropy, nats; where it is left out, minus the number of outputs.
+    /// Target entropy, nats; by default minus the number of outputs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub target_entropy: Option<f64>,
-    /// Target entropy of each output at the start, nats; it falls linearly to the other at the end. Without it, the target stays the
-    /// same.
+    /// Initial target entropy of each output, nats; it falls linearly to the final one. By default constant.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub exploring_entropy: Option<f64>,
-    /// Logarithm of the temperature at the start, ln α.
+    /// Initial logarithm of the temperature, ln α.
     pub log_temperature: f64,
     /// Adam's step for ln α.
     pub temperature_rate: f64,
-    /// The actor that is validated and kept is an average: after each update it follows the one that learns by this fraction.
-    /// Without it, the two are one.
+    /// Fraction by which the kept actor follows the learning one after each update; by default they are one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub average: Option<f64>,
 }
@@ -119,13 +115,13 @@ fn is_one(&value: &u32) -> bool {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Retry {
-    /// The fraction of training episodes that begin there, once a failure is known.
+    /// Fraction of training episodes that begin there, once a failure is known.
     pub share: f64,
     /// Decisions between two looks for failures.
     pub every: u64,
     /// Fresh tasks in each look.
     pub episodes: usize,
-    /// The most places that are remembered: the latest.
+    /// Number of latest failures that are remembered.
     pub remembered: usize,
 }
 

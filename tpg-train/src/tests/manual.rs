@@ -17,66 +17,91 @@ fn the_page_of_configurations_is_fresh() {
     let mut text = "# Configuration
 
 Every setting, made from the program's types by a test; do not edit. `--preset NAME`, `--config FILE` and `--set KEY=VALUE` of
-`tpg-train tpg` and `sac` change each other in this order, and a file may have one line. `tpg-train config NAME` prints a preset with
-comments, `tpg-train config --schema` a schema for editors. An unknown key, a value out of range and a contradiction are refused with
-their place and what is accepted.
+`tpg-train tpg` and `sac` change each other in this order. An unknown key, a value out of range and a contradiction are refused with
+their place and what is accepted. `tpg-train config NAME` prints a preset with comments, `tpg-train config --schema` a schema for
+editors.
+
+## `tpg-train tpg`
+
+The default is the preset `thorough`; others are `quick` and `gegelati`.
+
 "
     .to_owned();
-    text += "\n## `tpg-train tpg`\n\nThe default is the preset `thorough`; others are `quick` and `gegelati`.\n";
-    tables::<EvolutionConfig>(&mut text);
-    text += "\n## `tpg-train sac`\n";
-    tables::<SacConfig>(&mut text);
+    sections::<EvolutionConfig>(&mut text);
+    text += "\n## `tpg-train sac`\n\nEvery setting comes from a preset: `tpg-train config --list`.\n\n";
+    sections::<SacConfig>(&mut text);
 
     text += "\n## The section `[problem]`\n\n`name` is the problem's, as `tpg-train problems` lists them. Its other keys:\n";
-    problem::<cartpole::Config>(&mut text, "cartpole");
-    problem::<acrobot::Config>(&mut text, "acrobot");
-    problem::<mountain_car::Config>(&mut text, "mountain-car");
-    problem::<mountain_car_continuous::Config>(&mut text, "mountain-car-continuous");
-    problem::<pendulum::Config>(&mut text, "pendulum");
-    problem::<arm::Config>(&mut text, "fs` and `rs` with `tpg");
+    problem::<cartpole::Config>(&mut text, "CartPole, Acrobot, MountainCar and Pendulum", is_disturbance);
+    text += "\nEach `physics` is a number, or `[low, high]`, from which each episode draws.\n";
+    problem::<cartpole::Config>(&mut text, "`cartpole`", is_own);
+    problem::<acrobot::Config>(&mut text, "`acrobot`", is_own);
+    problem::<mountain_car::Config>(&mut text, "`mountain-car`", is_own);
+    problem::<mountain_car_continuous::Config>(&mut text, "`mountain-car-continuous`", is_own);
+    problem::<pendulum::Config>(&mut text, "`pendulum`", is_own);
+    problem::<arm::Config>(&mut text, "`fs` and `rs` with `tpg`", is_own);
+    problem::<arm::motors::Config>(&mut text, "`fs` and `rs` with `sac`", is_own);
+    problem::<arm::Config>(&mut text, "The arm of `fs` and `rs`", is_arm);
     let names = ARMS.map(|arm| format!("`\"{}\"`", arm.name)).join(", ");
-    let _ = write!(text, "\nIn the place of the section, `arm` may be a name: {names}.\n");
-    problem::<arm::motors::Config>(&mut text, "fs` and `rs` with `sac");
-    problem::<dodge::Config>(&mut text, "dodge");
+    let _ = write!(text, "\nLengths are in mm. Instead of the section, `arm` may be a name: {names}.\n");
+    problem::<dodge::Config>(&mut text, "`dodge`", is_own);
     page("configuration.md", &text);
 }
 
-fn problem<T: JsonSchema>(text: &mut String, name: &str) {
-    let _ = write!(text, "\n### `{name}`\n\n{HEAD}");
-    let schema = schema::<T>();
-    rows(text, &schema, &schema, "", false);
+/// Tests for a key that several problems have alike.
+fn is_disturbance(key: &str) -> bool {
+    key.starts_with("disturbance.")
 }
 
-/// Writes a table for each section.
-fn tables<T: JsonSchema>(text: &mut String) {
+/// Tests for a key that describes an arm.
+fn is_arm(key: &str) -> bool {
+    key.starts_with("arm.")
+}
+
+/// Tests for a key that only one problem has.
+fn is_own(key: &str) -> bool {
+    !is_disturbance(key) && !is_arm(key)
+}
+
+fn problem<T: JsonSchema>(text: &mut String, title: &str, is_shown: fn(&str) -> bool) {
+    let _ = write!(text, "\n### {title}\n\n{HEAD}");
+    let schema = schema::<T>();
+    let mut all = Vec::new();
+    rows(&mut all, &schema, &schema, "");
+    all.iter().filter(|row| is_shown(&row.0)).for_each(|(_, row)| text.push_str(row));
+}
+
+/// Writes a table with a row for each section and for each of its keys.
+fn sections<T: JsonSchema>(text: &mut String) {
+    text.push_str(HEAD);
     let schema = schema::<T>();
     for (section, value) in properties(&schema).filter(|&(section, _)| section != "problem") {
-        let description = description(&schema, value);
-        let _ = write!(text, "\n### `[{section}]`\n\n{description}\n\n{HEAD}");
-        rows(text, &schema, resolved(&schema, value), "", true);
+        let _ = writeln!(text, "| **`[{section}]`** | | | {} |", description(&schema, value));
+        let mut all = Vec::new();
+        rows(&mut all, &schema, resolved(&schema, value), &format!("{section}."));
+        all.iter().for_each(|(_, row)| text.push_str(row));
     }
 }
 
-/// Writes a row for each key; those of tables inside have a dot.
-fn rows(text: &mut String, schema: &Value, value: &Value, before: &str, section: bool) {
+/// Adds a row for each key, with the key; those of tables inside have a dot.
+fn rows(all: &mut Vec<(String, String)>, schema: &Value, value: &Value, before: &str) {
     let required: Vec<&str> = value["required"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
     for (key, property) in properties(value) {
+        let name = format!("{before}{key}");
         let inner = resolved(schema, property);
-        let meaning = description(schema, property).replace('|', "\\|");
-        if inner.get("properties").is_some() && !section {
-            rows(text, schema, inner, &format!("{before}{key}."), false);
+        if inner.get("properties").is_some() {
+            rows(all, schema, inner, &format!("{name}."));
             continue;
         }
         let default = match &property["default"] {
-            Value::Null if required.contains(&key) => "must be given".to_owned(),
-            Value::Null => "left out".to_owned(),
+            Value::Null if required.contains(&key) => "required".to_owned(),
+            Value::Null => "–".to_owned(),
             value => format!("`{value}`"),
         };
-        let _ = writeln!(
-            text,
-            "| `{before}{key}` | {} | {default} | {meaning} |",
-            kind(schema, property).replace('|', "\\|")
-        );
+        let [kind, meaning] =
+            [kind(schema, property), description(schema, property)].map(|text| text.replace('|', "\\|"));
+        let row = format!("| `{name}` | {kind} | {default} | {meaning} |\n");
+        all.push((name, row));
     }
 }
 
@@ -100,13 +125,10 @@ fn kind(schema: &Value, value: &Value) -> String {
         one => one.as_str().unwrap_or_default(),
     };
     match name {
-        "integer" => "whole number".to_owned(),
-        "boolean" => "true or false".to_owned(),
-        "string" => "text".to_owned(),
         "object" => "table".to_owned(),
         "array" => match value["maxItems"].as_u64() {
-            Some(length) => format!("[{}]", vec![kind(schema, &value["items"]); length as usize].join(", ")),
-            None => format!("list of {}", kind(schema, &value["items"])),
+            Some(length) => format!("[{}; {length}]", kind(schema, &value["items"])),
+            None => format!("list of {}s", kind(schema, &value["items"])),
         },
         other => other.to_owned(),
     }

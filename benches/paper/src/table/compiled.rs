@@ -4,9 +4,9 @@ use super::reference::Reference;
 use super::timing::{self, Time};
 use std::cell::RefCell;
 use tpg_arm::binding;
-use tpg_arm::cycle::{Brent, CycleDetector, Visited};
+use tpg_arm::cycle::CycleDetector;
 use tpg_arm::frame::Frame;
-use tpg_arm::hybrid::{Guard, Hybrid, Settings};
+use tpg_arm::hybrid::{Hybrid, Settings};
 use tpg_arm::observation::{ArmPolicy, Observation};
 use tpg_arm::sac::packed::{Model, PackedPolicy};
 use tpg_arm::sac::{Actions, Mask};
@@ -43,10 +43,6 @@ pub struct Times {
 pub struct Costs {
     /// The shipped hybrid and its parts.
     pub shipped: Times,
-    /// The hybrid with each guard, in the order of [`Guard::ALL`].
-    pub guards: [Time; 4],
-    /// The hybrid with the exact set of visited poses, and with Brent's detector.
-    pub detectors: [Time; 2],
     /// The paper's network alone, 13-256-256-4 in `f32`.
     pub reference: Time,
     /// The same shape with the trainer's matrix product, on the widest vectors of the machine.
@@ -75,11 +71,7 @@ pub fn measure(start: Start, tasks: &[Task]) -> Costs {
     let tasks = &tasks[..TIMED.min(tasks.len())];
     let reference = timing::of_policy_along(&ARM, &Reference::random(1), &network(), start, tasks);
     let shipped = times(start, tasks);
-    let (guards, detectors) = match start {
-        Start::Fs => variants(start, tasks, fs(), widowx_fs_hybrid::SETTINGS),
-        Start::Rs => variants(start, tasks, rs(), widowx_rs_hybrid::SETTINGS),
-    };
-    Costs { shipped, guards, detectors, reference, wide: wide(start, tasks) }
+    Costs { shipped, reference, wide: wide(start, tasks) }
 }
 
 /// The paper's network on the trainer's own matrix product.
@@ -146,16 +138,4 @@ where
         sac: timing::of_policy(&ARM, &network(), start, tasks),
         hybrid: timing::of_hybrid(&Hybrid { arm: &ARM, tpg, sac: network(), settings }, detector, start, tasks),
     }
-}
-
-fn variants<T>(start: Start, tasks: &[Task], tpg: T, settings: Settings<f32>) -> ([Time; 4], [Time; 2])
-where
-    T: Policy<State = Observation<f32>, Action = Move> + Clone,
-{
-    let hybrid = |settings| Hybrid { arm: &ARM, tpg: tpg.clone(), sac: network(), settings };
-    let guards =
-        Guard::ALL.map(|guard| timing::of_hybrid(&hybrid(Settings { guard, ..settings }), &Brent::new(), start, tasks));
-    let exact = timing::of_hybrid(&hybrid(settings), &Visited::<4096>::new(), start, tasks);
-    let brent = timing::of_hybrid(&hybrid(settings), &Brent::new(), start, tasks);
-    (guards, [exact, brent])
 }

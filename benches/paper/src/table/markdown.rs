@@ -163,52 +163,34 @@ fn costs(problems: &[ProblemResults]) -> String {
         if factor >= 10.0 { format!("{factor:.0} times") } else { format!("{factor:.1} times") }
     };
     let column = |problem: &ProblemResults| {
-        let Costs { shipped, guards: [none, limits, collisions, both], detectors: [exact, brent], reference, wide } =
-            problem.costs;
+        let Costs { shipped, reference, wide } = problem.costs;
         let row = |name: &str| problem.rows.iter().find(|row| row.name == name);
         let episode =
             |name: &str, time: Time| thousands(row(name).map_or(0.0, |row| row.actions.mean) * time.mean / 1e3);
         let planner = problem.rows.first().and_then(|row| row.time);
-        let planned = |time: &dyn Fn(Time) -> String| planner.map_or("–".to_owned(), time);
         let of_the_paper = if problem.start == Start::Fs { "11" } else { "2.8" };
         [
-            thousands(shipped.hybrid.mean),
             format!("{}; {}", thousands(shipped.tpg.mean), thousands(shipped.tpg_constant_time.mean)),
-            thousands(shipped.sac.mean),
             format!("{}; {}", thousands(reference.mean), thousands(wide.mean)),
-            planned(&|planner| thousands(planner.mean)),
             format!("**{}** ({of_the_paper})", times(reference.mean, shipped.hybrid.mean)),
             times(shipped.sac.mean, shipped.hybrid.mean),
-            planned(&|planner| times(planner.mean, shipped.hybrid.mean)),
-            planned(&|planner| format!("{}; {:.1}", thousands(planner.worst / 1e3), shipped.hybrid.worst / 1e3)),
+            planner.map_or("–".to_owned(), |planner| times(planner.mean, shipped.hybrid.mean)),
             format!("{}; {}", episode("**hybrid, shipped**", shipped.hybrid), episode("SAC, shipped", shipped.sac)),
-            [limits, collisions, both].map(|guard| signed(guard.mean - none.mean)).join("; "),
-            signed(exact.mean - brent.mean),
         ]
     };
-    const NAMES: [&str; 12] = [
-        "hybrid, ns per action",
-        "its graph alone; in constant time, ns",
-        "its network alone, ns",
+    const NAMES: [&str; 6] = [
+        "graph alone; in constant time, ns",
         "the paper's network, 13-256-256-4 in `f32`; with this machine's widest vectors, ns",
-        "classical planner, ns",
         "hybrid faster than the paper's network (the paper reports, corrected)",
         "hybrid faster than the small network alone",
         "hybrid faster than the planner",
-        "slowest action: planner; hybrid, µs",
         "a whole episode: hybrid; small network alone, µs",
-        "guards add to the hybrid: joint limits; collisions too; the network's actions too, ns",
-        "the exact set of visited poses (48 KB) adds to Brent's detector (16 bytes), ns",
     ];
-    let columns: Vec<[String; 12]> = problems.iter().map(column).collect();
+    let columns: Vec<[String; 6]> = problems.iter().map(column).collect();
     let cell = |place: usize, row: usize| columns.get(place).map_or(String::new(), |column| column[row].clone());
     let rows = (0..NAMES.len()).map(|row| [NAMES[row].to_owned(), cell(0, row), cell(1, row)]);
     let title = |place: usize| problems.get(place).map_or("", ProblemResults::name);
     grid(["times", title(0), title(1)], rows)
-}
-
-fn signed(ns: f64) -> String {
-    if ns >= 0.5 { format!("+{ns:.0}") } else { format!("{ns:.0}") }
 }
 
 fn ideas(rows: &[Row]) -> String {

@@ -19,26 +19,25 @@ use tpg_graph::error::Finding;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
-    /// Names of the sources that programs read, in order.
+    /// Sources that programs read, in order.
     pub sources: Vec<String>,
-    /// Actions that are masked for every policy; requires actions of 3 ticks.
+    /// Masked actions; requires `step = 3`.
     pub shield: Shield,
     /// Distance below which the hand has reached its target, mm.
     pub tolerance: f64,
-    /// Each joint stands up to that many ticks beside its motor, drawn for each episode: the play of its gears. Neither the
-    /// policy nor the limits know of it; it moves the hand.
+    /// Play of the gears: maximum ticks of a joint beside its motor, drawn for each episode. Only the hand feels it.
     #[serde(skip_serializing_if = "is_none")]
     pub backlash: i16,
     /// Ticks moved by one action.
     pub step: i8,
-    /// True if there is an action that does nothing and ends the episode.
+    /// Adds an action that ends the episode.
     pub may_stop: bool,
-    /// Maximum number of actions in an episode; the problem's own limit if omitted.
+    /// Maximum actions of an episode; by default the problem's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max_actions: Option<u32>,
     /// Score of a success; a failure scores minus the distance in mm.
     pub bonus_success: f64,
-    /// Bonus added to a success for each unused action.
+    /// Bonus of a success for each unused action.
     pub coef_reward_multiplication: f64,
     /// The arm: a section, or the name of an arm that `tpg-train config --list` shows; the WidowX if omitted.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "arms::named_or_own")]

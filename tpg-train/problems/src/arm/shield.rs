@@ -8,12 +8,12 @@ use tpg_arm::observation::Source;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Shield {
-    /// Masks no action.
+    /// None.
     #[default]
     None,
-    /// Masks actions that would move a joint out of its range.
+    /// Those that leave a joint's range.
     Limits,
-    /// Also masks actions that would cause a collision.
+    /// Also those that collide.
     LimitsAndCollision,
 }
 

@@ -11,44 +11,43 @@ use tpg_graph::error::Finding;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
-    /// Fewest and most balls, 1 to 3; every number between is equally likely.
+    /// Minimum and maximum number of balls, 1 to 3; uniformly drawn.
     pub balls: [u8; 2],
-    /// Least and greatest radius.
+    /// Minimum and maximum radius.
     pub radius: [f64; 2],
-    /// Least and greatest peak speed of a moving ball, mm a step.
+    /// Minimum and maximum peak speed of a moving ball, mm per step.
     pub speed: [f64; 2],
-    /// Share of balls that stay where they are.
+    /// Share of balls that do not move.
     pub share_static: f64,
-    /// Share of balls that pass the arm's straight walk: the first ball, and the others.
+    /// Share of balls that cross the arm's straight walk: the first ball, and the others.
     pub aimed: [f64; 2],
-    /// Greatest distance of such a ball's path from a point of the arm.
+    /// Maximum distance of an aimed ball's path from a point of the arm.
     pub pass_by: f64,
-    /// Shortest and longest way of a ball to either side of the point that it passes.
+    /// Minimum and maximum way of a ball to either side of a point that it passes.
     pub path: [f64; 2],
-    /// Least clearance of a ball from the arm at step 0.
+    /// Minimum clearance from the arm at step 0.
     pub clear_at_start: f32,
-    /// Steps for which an arm that stays at its start is not hit.
+    /// Steps for which an arm at its start is not hit.
     pub rest_free: u16,
-    /// Plans that are tried as a certificate, at most; a scene without one is drawn anew.
+    /// Maximum number of plans that are tried to solve a scene; one without a solution is drawn anew.
     pub tries: u32,
-    /// Clearance that a certificate keeps.
+    /// Clearance that a solving plan keeps.
     pub margin: f32,
     /// Distance below which the hand has reached its target.
     pub tolerance: f32,
     /// Radii of the arm's capsules: shoulder to bracket, bracket to elbow, forearm, hand.
     pub capsules: [f32; 4],
-    /// Standard deviation of each coordinate of a ball that is seen.
+    /// Standard deviation of each seen coordinate of a ball.
     pub noise: f32,
-    /// Steps that pass until a ball's place is seen, at most 20.
+    /// Steps until a ball's place is seen, at most 20.
     pub delay: u8,
-    /// True if a ball's displacement in a step is seen; otherwise it is found from its places.
+    /// A ball's displacement is seen; otherwise it is estimated from places.
     pub velocities: bool,
-    /// Clearance that the search keeps from a ball that moves, and from one that stays.
+    /// Clearance that the search keeps from a moving ball, and from a resting one.
     pub keep: [f64; 2],
-    /// True if the guard that looks ahead replaces steps that would be hit.
+    /// A guard replaces steps that would be hit.
     pub guard: bool,
-    /// The cost that a whole control step may have, in instructions of a Cortex-M4, about: the search takes what seeing, behaviour and
-    /// guard leave.
+    /// Budget of a control step, in Cortex-M4 instructions; the search takes what the rest leaves.
     pub effort: u16,
 }
 

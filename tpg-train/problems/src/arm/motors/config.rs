@@ -19,40 +19,39 @@ pub(super) const TICKS: i8 = 3;
 pub struct Config {
     /// The values that an actor reads.
     pub inputs: Inputs,
-    /// The moves of a motor: "fine" or "coarse".
+    /// Moves of a motor: "fine" or "coarse".
     #[serde(with = "actions_name")]
     #[schemars(with = "String")]
     pub actions: Actions,
-    /// The moves that the policy refuses by itself: "none" or "joint-limits".
+    /// Moves that the policy refuses: "none" or "joint-limits".
     #[serde(with = "mask_name")]
     #[schemars(with = "String")]
     pub mask: Mask,
     /// Lets the arm rest; otherwise the strongest preference moves.
     pub may_rest: bool,
-    /// The fraction of training episodes that start at home; the others start anywhere.
+    /// Fraction of training episodes that start at home.
     pub fixed_start_share: f64,
-    /// The fraction of evaluation episodes, which look for failures, that start at home.
+    /// The same fraction of episodes that look for failures.
     pub trial_fixed_share: f64,
-    /// The number of steps after which a training episode is cut off, which is no failure.
+    /// Steps after which a training episode is cut off, without failure.
     pub max_steps: u32,
-    /// In training an action is repeated for d / this many mm steps.
+    /// Millimetres of distance for each repetition of an action in training.
     pub repeat_per_mm: f32,
-    /// The most steps that an action is repeated for. 1: no repeats.
+    /// Maximum steps of a repeated action; 1: no repeats.
     pub repeat_most: u32,
-    /// Ends a training episode at an invalid step. The paper's training went on after it.
+    /// Ends a training episode at an invalid step.
     pub invalid_ends: bool,
-    /// Ticks of a coarse action in training. Tests always move by 3.
+    /// Ticks of a coarse action in training; tests move by 3.
     pub step: i8,
-    /// The distance below which a training episode succeeds, mm.
+    /// Distance below which a training episode succeeds, mm.
     pub tolerance: f64,
-    /// The distance below which a test episode succeeds, mm; 3 mm if omitted.
+    /// `tolerance` of tests; 3 mm by default.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub test_tolerance: Option<f64>,
-    /// Each joint stands up to that many ticks beside its motor, drawn for each episode: the play of its gears. Neither the
-    /// policy nor the limits know of it; it moves the hand.
+    /// Play of the gears: maximum ticks of a joint beside its motor, drawn for each episode. Only the hand feels it.
     #[serde(skip_serializing_if = "is_none")]
     pub backlash: i16,
-    /// Ends a test at rest, or at a pose that comes again: false for a policy that draws its actions.
+    /// Ends a test at rest or at a repeated pose; false for a policy that draws its actions.
     pub stuck_ends: bool,
     /// The reward of training.
     pub reward: Reward,
@@ -72,18 +71,18 @@ pub struct Reward {
     pub log_distance: f32,
     /// Times (d0 − d1).
     pub distance: f32,
-    /// Times (D0 − D1), D being the steps to the nearest pose that solves the task: privileged knowledge.
+    /// Times (D0 − D1), D being the steps to the nearest solving pose.
     pub steps_to_goal: f32,
-    /// Times (A0 − A1), A being the steps that the base must turn within its range until the arm's front faces the target.
+    /// Times (A0 − A1), A being the steps until the base faces the target.
     #[serde(default)]
     pub azimuth: f32,
-    /// Times d1, unless the action ended the episode.
+    /// Times d1, unless the episode ended.
     pub remaining_distance: f32,
     /// On success.
     pub success: f32,
     /// On an invalid step.
     pub invalid: f32,
-    /// All of it is multiplied by this.
+    /// Factor of the whole reward.
     pub scale: f32,
 }
 
