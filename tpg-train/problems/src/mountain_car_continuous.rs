@@ -24,7 +24,7 @@ const PRICE: f64 = 0.1;
 const ACTIONS: u32 = 999;
 
 physics! {
-    /// Acceleration of the greatest force in one action.
+    /// Acceleration of the maximum force in one action.
     power = 0.0015, [0.0, 1.0];
     /// Acceleration of the steepest slope in one action.
     slope = 0.0025, [0.0, 1.0];
