@@ -5,6 +5,7 @@ use crate::graph::Graph;
 use crate::mailbox::{Event, Mailbox, Reply};
 use crate::native;
 use crate::policy::{Parts, Policy};
+use crate::samples::Samples;
 use crate::space::Space;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -164,6 +165,17 @@ impl Evolution {
         Ok(Self::spawn(inputs, scalar, move |mailbox| match scalar {
             ScalarType::F32 => evolve::<f32, _, _>(&config, seed, &space, mailbox, &options, mailbox),
             ScalarType::F64 => evolve::<f64, _, _>(&config, seed, &space, mailbox, &options, mailbox),
+        }))
+    }
+
+    /// Starts a run on samples, on `threads` threads; 0 for all.
+    #[staticmethod]
+    fn start_samples(samples: &Samples, settings: Settings, threads: usize) -> PyResult<Self> {
+        let (config, options) = settings.read()?;
+        let (samples, seed, scalar) = (samples.clone(), settings.seed, config.language.scalar);
+        Ok(Self::spawn(0, scalar, move |mailbox| match scalar {
+            ScalarType::F32 => evolve_here::<f32, _>(&config, seed, samples, threads, &options, mailbox),
+            ScalarType::F64 => evolve_here::<f64, _>(&config, seed, samples, threads, &options, mailbox),
         }))
     }
 
@@ -364,8 +376,23 @@ where
 {
     let environment = problem.environment::<S>();
     let choices = Choices::new(&*environment, problem.levels()).map_err(tpg_engine::EvaluationError::new)?;
-    let memory = Remembered::zeros(config.language.memory, &choices.sources());
-    let environment = Remembering::new(choices, memory);
+    evolve_here(config, seed, choices, threads, options, mailbox)
+}
+
+/// A run whose episodes this process runs.
+fn evolve_here<S: Scalar, E: Environment<S>>(
+    config: &EvolutionConfig,
+    seed: u64,
+    environment: E,
+    threads: usize,
+    options: &RunOptions,
+    mailbox: &Mailbox<Report>,
+) -> Result<RunEnd, RunError>
+where
+    Own: Maths<S>,
+{
+    let memory = Remembered::zeros(config.language.memory, &environment.sources());
+    let environment = Remembering::new(environment, memory);
     let evaluator = LocalThreads::<S, Own, _>::new(&environment, EngineOptions::default(), threads)?;
     evolve(config, seed, &environment, &evaluator, options, mailbox)
 }

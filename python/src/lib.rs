@@ -8,6 +8,7 @@
 //! | [`policy`] | what a worker is sent |
 //! | [`driver`] | whole episodes of a Gymnasium environment |
 //! | [`space`] | an environment's observations and actions |
+//! | [`samples`] | labelled samples as an environment |
 //! | [`gym`] | an environment that a trainer steps itself |
 //! | [`actor`] | soft actor-critics |
 //! | [`switch`] | turns of a graph and a network |
@@ -25,6 +26,7 @@ mod mailbox;
 mod native;
 mod network;
 mod policy;
+mod samples;
 mod space;
 mod switch;
 
@@ -47,6 +49,7 @@ fn _tpg(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<policy::Policy>()?;
     module.add_class::<driver::Driver>()?;
     module.add_class::<space::Space>()?;
+    module.add_class::<samples::Samples>()?;
     module.add_class::<native::NativeEnv>()?;
     module.add_class::<network::Network>()?;
     module.add_class::<switch::Switch>()?;

@@ -9,6 +9,8 @@ model.export_c("policy/", prefix="cart")
 model.verify()
 """
 
+from typing import TYPE_CHECKING, Any
+
 from ._tpg import Graph, InputError, TrainingError, __version__
 from .asking import Asking
 from .comparing import Comparison, Effort
@@ -17,7 +19,20 @@ from .model import TPG, Candidate, StatefulEnvironmentWarning, VerificationError
 from .network import NetworkPolicy, from_sb3, train_network
 from .reports import Evaluation, HallEntry, Proof, Report
 
+if TYPE_CHECKING:
+    from .classifier import TPGClassifier
+
 register_envs()
+
+
+def __getattr__(name: str) -> Any:
+    """Imports what needs scikit-learn when it is asked for."""
+    if name == "TPGClassifier":
+        from .classifier import TPGClassifier
+
+        return TPGClassifier
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
 
 __all__ = [
     "TPG",
@@ -33,6 +48,7 @@ __all__ = [
     "Proof",
     "Report",
     "StatefulEnvironmentWarning",
+    "TPGClassifier",
     "TrainingError",
     "VerificationError",
     "__version__",

@@ -16,6 +16,7 @@ __all__ = [
     "NativeEnv",
     "Network",
     "Policy",
+    "Samples",
     "Space",
     "Switch",
     "TrainingError",
@@ -103,6 +104,20 @@ class Space:
         asks: bool = False,
     ) -> Space: ...
 
+@final
+class Samples:
+    """Labelled samples, whose episodes the compiled part runs."""
+
+    def __new__(
+        cls,
+        space: Space,
+        rows: NDArray[np.float64],
+        classes: NDArray[np.uint16],
+        scores: NDArray[np.float64],
+        training: int,
+        linear: Sequence[Sequence[Sequence[float]]],
+    ) -> Samples: ...
+
 def flat(observation: Any, shape: Sequence[int]) -> NDArray[np.float64]: ...
 def success_of(info: Any) -> bool | None: ...
 
@@ -129,6 +144,8 @@ class Evolution:
 
     @staticmethod
     def start(space: Space, settings: dict[str, Any]) -> Evolution: ...
+    @staticmethod
+    def start_samples(samples: Samples, settings: dict[str, Any], threads: int) -> Evolution: ...
     @staticmethod
     def start_native(problem: str, settings: dict[str, Any], threads: int) -> Evolution: ...
     def next(self) -> tuple[Literal["evaluate", "visit", "play", "progress", "end"], Any]: ...

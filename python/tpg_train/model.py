@@ -25,7 +25,7 @@ from gymnasium.envs.registration import EnvSpec
 
 from . import _tpg
 from ._episodes import Episodes, Here, Workers, first_difference
-from ._tpg import Evolution, Graph, InputError, Policy, TrainingError
+from ._tpg import Evolution, Graph, InputError, Policy, Samples, TrainingError
 from .callbacks import BaseCallback, MaybeCallback, _Bar, _TensorBoard, as_list
 from .comparing import Comparison, compare
 from .reports import Evaluation, HallEntry, Proof, Report
@@ -160,6 +160,7 @@ class TPG:
         known = self._set_env(env, dict(env_kwargs or {}), max_episode_steps, input_names, action_names)
         given = (max_episode_steps, input_names, action_names)
         self.native: str | None = known if native and given == (None, None, None) else None
+        self._samples: Samples | None = None
         if self.native is not None:
             self._say(f"{self._interface.name} runs as the built-in problem {known}; native=False runs Gymnasium's")
         self._config = self._configuration(os.fspath(preset), settings or {}, population, episodes, scalar)
@@ -283,9 +284,16 @@ class TPG:
             "max_steps": max_steps,
         }
         self._resume = True
+        if self._samples is not None:
+            return Evolution.start_samples(self._samples, settings, self.n_workers)
         if self.native is not None:
             return Evolution.start_native(self.native, settings, self.n_workers)
         return Evolution.start(self._interface.space(), settings)
+
+    @property
+    def _runs_here(self) -> bool:
+        """True if the compiled part runs the episodes."""
+        return self.native is not None or self._samples is not None
 
     def _episodes(self, executor: concurrent.futures.Executor | None, n_workers: int) -> Episodes:
         if executor is None and n_workers == 0:
@@ -294,7 +302,7 @@ class TPG:
 
     def _check_reset(self) -> None:
         """Warns of an environment whose state survives a reset."""
-        if self._checked or self.native is not None:
+        if self._checked or self._runs_here:
             return
         self._checked = True
         difference = first_difference(self._env)
@@ -350,7 +358,7 @@ class TPG:
         episodes: Episodes | None = None
         began = False
         try:
-            if self.native is None:
+            if not self._runs_here:
                 episodes = self._episodes(executor, self.n_workers if n_workers is None else n_workers)
             while True:
                 kind, says = evolution.next()
@@ -658,14 +666,21 @@ class TPG:
         A graph alone cannot be trained further; `TPG(env, folder=..., resume=True)` goes on with a run.
         """
         graph = Graph.load(Path(path))
-        model = cls(_Described(graph) if env is None else env, native=env is not None, **arguments)
         if env is None:
-            model._interface = dataclasses.replace(model._interface, name=Path(path).stem)
-        if env is not None:
-            _check_graph(graph, str(path), model._interface, arguments.get("input_names") is not None)
+            return cls._of(graph, Path(path).stem, [], **arguments)
+        model = cls(env, **arguments)
+        _check_graph(graph, str(path), model._interface, arguments.get("input_names") is not None)
         if model.native is not None and graph.inputs != [f"{one}[0]" for one in _names_of(model.native)[0]]:
             model.native = None
         model._graph = graph
+        return model
+
+    @classmethod
+    def _of(cls, graph: Graph, name: str, hall: list[HallEntry], **arguments: Any) -> TPG:
+        """Returns a model without an environment, which only predicts."""
+        model = cls(_Described.of(graph), native=False, **arguments)
+        model._interface = dataclasses.replace(model._interface, name=name)
+        model._graph, model._hall = graph, hall
         return model
 
     def __getstate__(self) -> dict[str, Any]:
@@ -745,14 +760,18 @@ class _GraphView:
 class _Described(gymnasium.Env[Any, Any]):
     """An environment that only describes what a graph reads and answers."""
 
-    def __init__(self, graph: Graph) -> None:
+    def __init__(self, observation_space: gymnasium.Space[Any], action_space: gymnasium.Space[Any]) -> None:
+        self.observation_space, self.action_space = observation_space, action_space
+
+    @classmethod
+    def of(cls, graph: Graph) -> _Described:
+        """Returns the environment of a graph."""
         low, high = np.asarray(graph.ranges[: len(graph.ranges) - graph.memory], dtype=np.float64).T
-        self.observation_space = gymnasium.spaces.Box(low, high, dtype=np.float64)
-        if graph.outputs:
-            _, least, most = zip(*graph.outputs[: len(graph.outputs) - graph.memory], strict=True)
-            self.action_space = gymnasium.spaces.Box(np.array(least, np.float32), np.array(most, np.float32))
-        else:
-            self.action_space = gymnasium.spaces.Discrete(len(graph.actions))
+        inputs = gymnasium.spaces.Box(low, high, dtype=np.float64)
+        if not graph.outputs:
+            return cls(inputs, gymnasium.spaces.Discrete(len(graph.actions)))
+        _, least, most = zip(*graph.outputs[: len(graph.outputs) - graph.memory], strict=True)
+        return cls(inputs, gymnasium.spaces.Box(np.array(least, np.float32), np.array(most, np.float32)))
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> Any:
         raise InputError("a model that was loaded without its environment; accepted: TPG.load(path, env)")

@@ -42,6 +42,12 @@ pub trait Training<Task, Episode>: Sync {
         None
     }
 
+    /// Returns linear policies with which evolution begins: for each action the weights of its bid, one for each value of the flat state,
+    /// and a constant. None by default.
+    fn linear(&self) -> Vec<Vec<Vec<f64>>> {
+        Vec::new()
+    }
+
     /// Returns fresh tasks that show where a policy under training fails, under the rules of tests; `None` if they are drawn.
     fn evaluation_tasks(&self, _stream: &mut Stream, _count: usize) -> Option<Vec<Task>> {
         None

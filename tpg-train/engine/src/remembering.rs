@@ -192,6 +192,9 @@ impl<S: Scalar, E: Environment<S>> Training<E::Task, WithMemory<E::Episode, S>> 
     fn tasks(&self, set: TaskSet, seed: u64, count: usize) -> Option<Vec<E::Task>> {
         Some(tasks(&self.environment, set, seed, count))
     }
+    fn linear(&self) -> Vec<Vec<Vec<f64>>> {
+        self.environment.training().map_or_else(Vec::new, Training::linear)
+    }
 }
 
 /// Returns the number of values that a policy remembers: its last outputs that are sources, too.

@@ -386,19 +386,20 @@ impl EvolutionConfig {
     }
 
     /// Returns the configuration with the sizes that a problem needs: a root for each action, and room for sums of all inputs if
-    /// their weights are searched for. Without room for that, the run starts at random.
+    /// their weights are searched for or given. Without room for that, the run starts at random.
     #[must_use]
     pub fn fitted<S: Scalar>(&self, environment: &impl Environment<S>) -> Self {
         let mut config = self.clone();
         let actions = environment.actions().count().unwrap_or(0);
         config.start.random = config.start.random.min(config.start.share);
         config.tpg.init_nb_roots = config.tpg.init_nb_roots.max(actions);
-        if config.start.share > 0.0 {
+        let is_given = environment.training().is_some_and(|training| !training.linear().is_empty());
+        if config.start.share > 0.0 || is_given {
             let values = environment.sources().iter().map(|source| source.length as usize).sum();
             let vocabulary = self.vocabulary(environment, vec![1.0; values]);
             let writer = LinearWriter::new(&vocabulary, actions as u16, ProgramKind::Sum);
             match writer {
-                Ok(writer) if writer.is_small() => {
+                Ok(writer) if is_given || writer.is_small() => {
                     config.tpg.max_outgoing_edges = config.tpg.max_outgoing_edges.max(actions);
                     config.program.max_program_size = config.program.max_program_size.max(writer.lines());
                 }

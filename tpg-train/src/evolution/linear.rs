@@ -164,6 +164,17 @@ impl<'a> LinearWriter<'a> {
         genome.add_team(Team { edges })
     }
 
+    /// Adds a policy that bids a sum of the inputs for each action, with the given weights of the flat state's values and a constant.
+    pub(super) fn add_linear(&self, genome: &mut Genome, rows: &[Vec<f64>]) -> TeamId {
+        let program = |row: &Vec<f64>| {
+            let weights = self.inputs.iter().map(|(_, place, unit)| row[usize::from(*place)] * unit);
+            self.program(&weights.chain(row.last().copied()).collect::<Vec<_>>(), 1.0)
+        };
+        let edge = |(action, row)| Edge { program: genome.add_program(program(row)), to: Destination::Action(action) };
+        let edges = (0..).zip(rows).map(edge).collect();
+        genome.add_team(Team { edges })
+    }
+
     /// Returns the program with the given weights, `unit` times its sum or product.
     fn program(&self, weights: &[f64], unit: f64) -> Program {
         let mut lines = Vec::new();
@@ -176,17 +187,17 @@ impl<'a> LinearWriter<'a> {
         Program { lines }
     }
 
-    /// Writes the lines of a sum, whose result is in register `to`.
+    /// Writes the lines of a sum, whose result is in register `to`. An input of weight 0 has none.
     fn write_sum(&self, lines: &mut Vec<GenomeLine>, to: u16, weights: &[f64], unit: f64) {
         let literal = |value: f64| {
             let rounded = self.vocabulary.scalar().round(value);
             self.vocabulary.literal(if rounded.is_finite() { rounded } else { 0.0 })
         };
-        let (spare, sum) = (self.sums() as u16, Gene::register(to));
-        for (place, ((gene, _, of_input), weight)) in self.inputs.iter().zip(weights).enumerate() {
+        let (spare, sum, first) = (self.sums() as u16, Gene::register(to), lines.len());
+        for ((gene, _, of_input), weight) in self.inputs.iter().zip(weights).filter(|(_, weight)| **weight != 0.0) {
             let operands = [*gene, literal(unit * weight / of_input)];
             match self.multiply {
-                Multiply::Alone(instruction) if place > 0 => {
+                Multiply::Alone(instruction) if lines.len() > first => {
                     lines.push(GenomeLine { instruction, to: spare, operands });
                     lines.push(GenomeLine { instruction: self.add, to, operands: [sum, Gene::register(spare)] });
                 }
@@ -266,6 +277,21 @@ mod tests {
             let weights = [3.0, 1.0, -1.0, 0.0, 1.0, 1.0];
             assert_eq!(values(ProgramKind::Product, words, 1, 0, &weights), [15.0]);
             assert_eq!(values(ProgramKind::Product, words, 0, 2, &weights), [0.0, 7.5]);
+        }
+    }
+
+    #[test]
+    fn a_given_policy_bids_its_sums_without_lines_for_weights_of_0() {
+        let [add, mul] = [Instruction::Add, Instruction::Mul].map(Word::from);
+        for words in [&[add, mul][..], &[add, Word::MultiplyAdd]] {
+            let vocabulary = vocabulary(words, 0);
+            let writer = LinearWriter::new(&vocabulary, 2, ProgramKind::Sum).expect("sums can be written");
+            let mut genome = Genome::default();
+            let root = writer.add_linear(&mut genome, &[vec![0.0, 0.25, 1.0], vec![2.0, 0.5, -1.0]]);
+            let programs: Vec<_> = genome.team(root).edges.iter().map(|edge| genome.program(edge.program)).collect();
+            let bids: Vec<f64> = programs.iter().map(|program| program.bid(&vocabulary, &[0.5, 8.0])).collect();
+            assert_eq!(bids, [3.0, 4.0], "in the inputs' own units");
+            assert_eq!(programs[0].lines.len(), 2);
         }
     }
 

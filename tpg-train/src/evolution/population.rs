@@ -1,6 +1,7 @@
 //! Evolution as a stage of a run: demes of roots that breed, are selected, and end where others are better.
 
 use super::genome::{Genome, TeamId};
+use super::linear::ProgramKind;
 use super::mirror::Mirror;
 use super::mutate_leaf::LeafMutator;
 use super::mutate_program::ProgramMutator;
@@ -67,6 +68,17 @@ impl Population {
                 let root = writer.add_root(&mut deme.genome, &search.weights(&writer));
                 deme.records.insert(root, Record { mean: search.score.unwrap_or(f64::MIN), evaluations: 0 });
             }
+        }
+        Ok(())
+    }
+
+    /// Lets half of the demes begin with the linear policies of an environment.
+    pub(super) fn begin_linear(&mut self, context: &Context<'_>, policies: &[Vec<Vec<f64>>]) -> Result<(), Finding> {
+        let writer = context.writer(ProgramKind::Sum)?;
+        let half = self.demes.len().div_ceil(2);
+        for deme in &mut self.demes[..half] {
+            *deme = Deme::default();
+            policies.iter().for_each(|rows| _ = writer.add_linear(&mut deme.genome, rows));
         }
         Ok(())
     }

@@ -4,7 +4,7 @@ use crate::configuration::Preset;
 use tpg_problems::ProblemName;
 
 /// Every preset.
-pub(crate) const PRESETS: [Preset; 11] = [
+pub(crate) const PRESETS: [Preset; 12] = [
     Preset::base("thorough", "for any problem; the default of built-in ones", ""),
     Preset::new(
         "quick",
@@ -17,6 +17,12 @@ pub(crate) const PRESETS: [Preset; 11] = [
         "GEGELATI's parameters and algorithm, for comparison",
         "thorough",
         include_str!("presets/gegelati.toml"),
+    ),
+    Preset::new(
+        "labels",
+        "samples of classes: an episode is one decision",
+        "quick",
+        include_str!("presets/labels.toml"),
     ),
     Preset::new(
         "paper-fs",

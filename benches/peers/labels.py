@@ -1,0 +1,183 @@
+#!/usr/bin/env python3
+"""The classifier of the Python package beside logistic regression and decision trees of emlearn, on scikit-learn's data.
+
+    cargo build --release -p cortex-bound
+    python3 -m venv peers && peers/bin/pip install ./python emlearn==0.23.2 scikit-learn==1.9.1
+    peers/bin/python benches/peers/labels.py [--steps 2000000] [--only wine]
+
+Accuracy is that of all samples in a stratified 5-fold cross-validation, with its 95 % interval (Wilson), on the same folds. Code
+is that of a model of all samples: bytes of code and constants with the library functions that it calls, and the most instructions
+of a decision, on a Cortex-M0 and a Cortex-M4F, `-Os`. The classifier answers in floats and in integers, whose bits the ranges of
+the training samples fill; the trees are inline code over features of 16 bits, called without the vote of a forest. Of trees of 4
+to 256 leaves, the table has the most accurate one whose code fits 2 KB on the Cortex-M0. What scales features to integers counts
+for neither. Prints a table in Markdown.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import emlearn
+import numpy as np
+from sklearn.datasets import load_breast_cancer, load_digits, load_wine
+from sklearn.linear_model import LogisticRegression
+from sklearn.model_selection import StratifiedKFold
+from sklearn.pipeline import make_pipeline
+from sklearn.preprocessing import StandardScaler
+from sklearn.tree import DecisionTreeClassifier
+
+from tpg_train import TPGClassifier
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "control"))
+from generated import BOUND, flash_of  # noqa: E402
+
+DATA = {"digits": load_digits, "wine": load_wine, "breast cancer": load_breast_cancer}
+LEAVES = (4, 8, 16, 32, 64, 128, 256)
+LARGEST = 2048
+CORES = {"m0": ["-mcpu=cortex-m0"], "m4f": ["-mcpu=cortex-m4", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"]}
+
+
+class Integers:
+    """The policy of a classifier in integers."""
+
+    def __init__(self, model: Any, bits: int) -> None:
+        self.graph, self.classes, self.most = model.model_.quantise(bits), model.classes_, 2 ** (bits - 1)
+        counts = [one for source in json.loads(self.graph.to_json())["sources"] for one in source["counts"]]
+        self.scale = np.array([one["scale"] for one in counts])
+        self.offset = np.array([one.get("offset", 0) for one in counts])
+
+    def predict(self, samples: Any) -> Any:
+        counts = np.rint(samples / self.scale + self.offset)
+        return self.classes[self.graph.answers(np.clip(counts, -self.most, self.most - 1))]
+
+
+class Tree:
+    """A decision tree over features of 16 bits."""
+
+    def __init__(self, leaves: int) -> None:
+        self.tree = DecisionTreeClassifier(max_leaf_nodes=leaves, random_state=0)
+
+    def whole(self, samples: Any) -> Any:
+        return np.clip(np.rint((samples - self.low) / self.span * 65534 - 32767), -32768, 32767).astype(np.int16)
+
+    def fit(self, samples: Any, classes: Any) -> Tree:
+        self.low, self.span = samples.min(axis=0), np.ptp(samples, axis=0)
+        self.span[self.span == 0] = 1
+        self.tree.fit(self.whole(samples), classes)
+        return self
+
+    def predict(self, samples: Any) -> Any:
+        return self.tree.predict(self.whole(samples))
+
+    def code(self, core: str) -> tuple[int, int]:
+        """Returns flash and instructions."""
+        with tempfile.TemporaryDirectory() as temporary:
+            folder = Path(temporary)
+            converted = emlearn.convert(self.tree, method="inline", dtype="int16_t")
+            converted.save(file=str(folder / "tree.h"), name="tree", format="c")
+            inputs = len(self.low)
+            glue = f'#include "tree.h"\nint decide(const int16_t *x) {{ return tree_tree_0(x, {inputs}); }}\n'
+            (folder / "tree.c").write_text(glue)
+            gcc = ["arm-none-eabi-gcc", *CORES[core], "-mthumb", "-Os", "-std=c99", f"-I{emlearn.includedir}"]
+            gcc += ["-ffunction-sections", "-fdata-sections", "-c", "tree.c", "-o", "tree.o"]
+            subprocess.run(gcc, check=True, cwd=folder, stderr=subprocess.DEVNULL)
+            # Only what the decision reaches.
+            kept = ["arm-none-eabi-ld", "-r", "--gc-sections", "-e", "decide", "tree.o", "-o", "kept.o"]
+            subprocess.run(kept, check=True, cwd=folder)
+            bound = [str(BOUND), str(folder / "kept.o"), "decide", "--json"]
+            told = subprocess.run(bound, check=True, capture_output=True, text=True).stdout
+            return flash_of(folder / "kept.o"), int(json.loads(told.splitlines()[0])["instructions"])
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Samples with their classes, and the folds of a cross-validation."""
+
+    name: str
+    samples: Any
+    classes: Any
+    folds: list[Any]
+
+    @classmethod
+    def of(cls, name: str) -> Problem:
+        samples, classes = DATA[name](return_X_y=True)
+        return cls(name, samples, classes, list(StratifiedKFold(5, shuffle=True, random_state=0).split(samples, classes)))
+
+    def models(self, make: Any) -> list[Any]:
+        """Returns a model of the training samples of each fold."""
+        return [make(self.samples[train], self.classes[train]) for train, _ in self.folds]
+
+    def right(self, models: list[Any]) -> int:
+        """Returns how many samples the models that were not trained on them classify well."""
+        pairs = zip(models, self.folds, strict=True)
+        return sum(int(np.sum(model.predict(self.samples[test]) == self.classes[test])) for model, (_, test) in pairs)
+
+    def row(self, of: str, right: int, sizes: list[tuple[int, int]] | None) -> None:
+        """Prints a line of the table."""
+        figures = ["–"] * 4 if sizes is None else [f"{figure:,}" for pair in sizes for figure in pair]
+        print("| " + " | ".join([self.name, of, wilson(right, len(self.classes)), *figures]) + " |", flush=True)
+
+
+def wilson(right: int, count: int) -> str:
+    """Returns a share with its 95 % interval, in per cent."""
+    share, z = right / count, 1.96
+    middle, half = share + z * z / (2 * count), z * np.sqrt(share * (1 - share) / count + z * z / (4 * count * count))
+    low, high = ((middle + side * half) / (1 + z * z / count) for side in (-1, 1))
+    return f"{100 * share:.1f} ({100 * low:.1f} to {100 * high:.1f})"
+
+
+def code(graph: Any) -> list[tuple[int, int]]:
+    """Returns flash and instructions of a graph on each core, in the profile that takes fewest instructions."""
+    sizes = json.loads(graph.report(list(CORES))[1])["sizes"]
+    known = [one for one in sizes if one["instructions"] is not None]
+    fastest = [min((one for one in known if one["target"] == core), key=lambda one: one["instructions"]) for core in CORES]
+    return [(one["linked_flash"], one["instructions"]) for one in fastest]
+
+
+def regression(samples: Any, classes: Any) -> Any:
+    return make_pipeline(StandardScaler(), LogisticRegression(max_iter=1000)).fit(samples, classes)
+
+
+def best_tree(problem: Problem) -> tuple[int, list[tuple[int, int]]]:
+    """Returns how many samples trees classify well, and the code of one, of the best number of leaves that fits."""
+    found = []
+    for leaves in LEAVES:
+        make = lambda samples, classes, leaves=leaves: Tree(leaves).fit(samples, classes)  # noqa: E731
+        tree = make(problem.samples, problem.classes)
+        sizes = [tree.code(core) for core in CORES]
+        if sizes[0][0] <= LARGEST:
+            found.append((problem.right(problem.models(make)), sizes))
+    return max(found, key=lambda one: one[0])
+
+
+def main() -> None:
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("--steps", type=int, default=2_000_000)
+    arguments.add_argument("--only", choices=DATA)
+    given = arguments.parse_args()
+
+    def ours(samples: Any, classes: Any) -> Any:
+        return TPGClassifier(total_timesteps=given.steps, random_state=1).fit(samples, classes)
+
+    print("| data | classifier | accuracy, % | flash, M0 | instructions, M0 | flash, M4F | instructions, M4F |")
+    print("| --- | --- | --- | --- | --- | --- | --- |")
+    for name in [given.only] if given.only else DATA:
+        problem = Problem.of(name)
+        models, final = problem.models(ours), ours(problem.samples, problem.classes)
+        problem.row("`TPGClassifier`", problem.right(models), code(final.model_.graph))
+        for bits in (16, 8):
+            whole = problem.right([Integers(model, bits) for model in models])
+            problem.row(f"in integers of {bits} bits", whole, code(Integers(final, bits).graph))
+        problem.row("emlearn, inline tree", *best_tree(problem))
+        problem.row("logistic regression", problem.right(problem.models(regression)), None)
+
+
+if __name__ == "__main__":
+    main()
