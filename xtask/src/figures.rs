@@ -205,7 +205,7 @@ impl FigureResults {
     /// Returns trainings on this project's own simulators.
     fn built_in(&self) -> Vec<String> {
         let mut lines = vec![
-            "| problem | seeds | mean | CPU s a seed | trainer |".into(),
+            "| problem | seeds | mean | CPU s per seed | trainer |".into(),
             "| --- | --- | --: | --- | --- |".into(),
         ];
         let own = self.tasks.iter().filter_map(|task| Some((task, task.by_default.as_ref()?)));
@@ -226,7 +226,7 @@ impl FigureResults {
     /// Returns trainings on Gymnasium.
     fn python(&self) -> Vec<String> {
         let mut lines = vec![
-            "| problem | steps | seeds | mean | CPU s a seed | trainer |".into(),
+            "| problem | steps | seeds | mean | CPU s per seed | trainer |".into(),
             "| --- | --- | --- | --: | --- | --- |".into(),
         ];
         for task in &self.tasks {
