@@ -13,14 +13,14 @@ use std::hint::black_box;
 use std::time::Instant;
 use tpg_arm::frame::Frame;
 use tpg_arm::observation::Observation;
-use tpg_arm::sac::fixed::{FixedPolicy, Network, quantise};
-use tpg_arm::sac::packed::Model;
+use tpg_arm::sac::fixed::{FixedDecision, quantise};
+use tpg_arm::sac::packed::{Model, PackedPolicy};
 use tpg_arm::sac::{FEATURES, features};
-use tpg_arm::{Arm, Pose, WIDOWX};
+use tpg_arm::{Arm, JOINTS, Pose, WIDOWX};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_generated::widowx_sac;
 use tpg_nn::{Mlp, Shape, Tape};
-use tpg_runtime::net::{Layer, Rescale};
+use tpg_runtime::net::{self, Kind, LayerRows, Rescale, Weights};
 use tpg_runtime::policy::Policy as _;
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
@@ -54,29 +54,27 @@ fn float(inputs: usize, units: usize) -> f64 {
     })
 }
 
-/// Creates a layer of arbitrary numbers: its time does not depend on them.
-fn layer<const I: usize, const O: usize>() -> Layer<I, O> {
-    let mut number = 1u32;
-    let mut next = || {
-        number = number.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        (number >> 24) as i8
-    };
-    Layer {
-        weights: std::array::from_fn(|_| std::array::from_fn(|_| next())),
-        bias: [100; O],
-        rescale: [Rescale { factor: 20_000, shift: 24 }; O],
-    }
+/// Packs a network of arbitrary numbers: its time does not depend on them.
+fn model(units: usize) -> Vec<u32> {
+    let meaning = FixedDecision::from_flags(0).meaning();
+    let sizes = [(FEATURES, units), (units, units), (units, JOINTS)];
+    let weights = [1i8, -77, 3, 120].repeat(units * units.max(FEATURES) / 4);
+    let (bias, rescale) =
+        (vec![100; units.max(JOINTS)], vec![Rescale { factor: 20_000, shift: 24 }; units.max(JOINTS)]);
+    let rows = sizes.map(|(inputs, outputs)| LayerRows {
+        inputs,
+        kind: Kind::W8A16,
+        weights: Weights::I8(&weights[..inputs * outputs]),
+        bias: &bias[..outputs],
+        rescale: &rescale[..outputs],
+    });
+    let mut words = vec![0; net::words(&sizes.map(|(inputs, outputs)| (inputs, outputs, Kind::W8A16)), &meaning)];
+    assert!(net::pack(&rows, &meaning, &mut words), "no accumulator overflows");
+    words
 }
 
-fn integers<const A: usize, const B: usize>(network: &Network<A, B>) -> f64 {
-    let input: [i16; FEATURES] = std::array::from_fn(|i| i as i16 * 97 - 1500);
-    nanoseconds(|| {
-        black_box(network.preferences(black_box(&input)));
-    })
-}
-
-/// Times the same network as stored in flash, with the kernels of this machine.
-fn packed(words: &[u32]) -> f64 {
+/// Times a network as stored in flash, with the kernels of this machine.
+fn integers(words: &[u32]) -> f64 {
     let model = Model::parse(words).expect("what was packed");
     let mut scratch = vec![0; model.scratch()];
     let input: [i16; FEATURES] = std::array::from_fn(|i| i as i16 * 97 - 1500);
@@ -112,22 +110,19 @@ fn main() {
         }
         println!();
     }
-    let large = Network { first: layer(), second: layer::<256, 256>(), last: layer() };
-    println!("integers, 38-256-256-4: {:.0}", integers(&large));
-    let words: [u32; Network::<256, 256>::WORDS] = large.pack(&widowx_sac::DECISION);
     let form = tpg_kernels::form();
-    println!("integers, 38-256-256-4, packed, {form}: {:.0}", packed(&words));
-    println!("integers, 38-64-64-4 (widowx-sac): {:.0}", integers(&widowx_sac::NETWORK));
-    println!("integers, 38-64-64-4 (widowx-sac), packed, {form}: {:.0}", packed(&widowx_sac::MODEL));
-    let small = Network { first: layer(), second: layer::<16, 16>(), last: layer() };
-    println!("integers, 38-16-16-4: {:.0}", integers(&small));
+    for units in [256, 16] {
+        println!("integers, 38-{units}-{units}-4, {form}: {:.0}", integers(&model(units)));
+    }
+    println!("integers, 38-64-64-4 (widowx-sac), {form}: {:.0}", integers(&widowx_sac::MODEL));
 
     let seen = Observation::at(&ARM, Pose([1500, 2100, 1900, 2300]), [120.0, 260.0, 140.0]);
     let input = nanoseconds(|| {
         black_box(quantise(&features(&Frame::new(&ARM, black_box(&seen)))));
     });
     println!("the features of an observation, as integers: {input:.0}");
-    let policy = FixedPolicy { arm: &ARM, network: &widowx_sac::NETWORK, decision: widowx_sac::DECISION };
+    let model = Model::parse(&widowx_sac::MODEL).expect("a committed model");
+    let policy = PackedPolicy::<{ widowx_sac::SCRATCH }>::new(&ARM, model).expect("its own scratch memory");
     let decision = nanoseconds(|| {
         black_box(policy.decide(black_box(&seen)));
     });

@@ -1,15 +1,15 @@
 //! Compiles the firmwares.
 
 use crate::Failure;
-use crate::closed_loop::{CARTPOLE, Modules, PENDULUM, load};
 use crate::programs::Program;
-use crate::{dodge, models, network, problems, table};
+use crate::{dodge, network, problems, table};
 use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use tpg_codegen::emit::{self, File, Language, Options};
 use tpg_codegen::policy::{QuantisedPolicy, to_c};
+use tpg_graph::{Graph, import};
 use tpg_testing::library::{self, Missing};
 
 /// The target of both boards.
@@ -66,27 +66,26 @@ fn board_folder(board: Board) -> Result<PathBuf, Failure> {
 pub(crate) fn generated_c() -> Result<PathBuf, Failure> {
     let folder = room()?.join("generated");
     fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;
-    let mut files = vec![models::file()?, table::file()];
+    let mut files = vec![table::file()];
     files.extend(problems::files()?);
     files.extend(network::files()?);
-    files.extend(PENDULUM.files(&folder)?);
-    files.extend(CARTPOLE.files(&folder)?);
     files.extend(dodge::files()?);
-    let mut profiles = Modules::default();
     for start in problems::STARTS.map(problems::name) {
         let graph = load(&format!("generated/widowx-{start}/graph.json"))?;
         let prefix = format!("widowx_{start}").parse().map_err(Failure::new::<String>)?;
         files.extend(emit::emit(&graph, Language::C, &Options::new(prefix)));
-        profiles.add_profiles(&folder, &graph, start)?;
     }
-    files.extend(profiles.files);
-    files.push(File { name: "profiles.rs".to_owned(), text: profiles.text });
     let network = "widowx_sac".parse().map_err(Failure::new::<String>)?;
-    files.extend(to_c(&load_network("generated/widowx-sac/policy.q.json")?, &network, false).map_err(Failure::new)?);
+    files.extend(to_c(&load_network("generated/widowx-sac/policy.q.json")?, &network).map_err(Failure::new)?);
     for File { name, text } in files {
         write_changed(&folder.join(name), text.as_bytes())?;
     }
     Ok(folder)
+}
+
+/// Reads a committed graph.
+pub(crate) fn load(path: &str) -> Result<Graph, Failure> {
+    import::load(&library::top().join(path), None, None).map_err(Failure::new)
 }
 
 /// Reads a committed network in integers.
@@ -122,7 +121,7 @@ fn add_sources(gcc: &mut Command, program: &Program, platform: &[&str], archive:
         gcc.arg(format!("-I{}", folder.display()));
     }
     gcc.arg(harness().join(program.main())).args(platform.iter().map(|name| harness().join(name)));
-    gcc.args(program.generated().iter().map(|name| generated.join(format!("{name}.c")))).arg(archive);
+    gcc.args(program.generated.iter().map(|name| generated.join(format!("{name}.c")))).arg(archive);
     Ok(())
 }
 

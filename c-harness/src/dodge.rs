@@ -4,7 +4,7 @@
 //! A firmware has no model of how balls fly: it gets where they were seen, step by step.
 
 use crate::Failure;
-use crate::closed_loop::load;
+use crate::build::load;
 use crate::data::{self, Data};
 use crate::line;
 use crate::programs::Ran;

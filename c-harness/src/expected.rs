@@ -1,25 +1,46 @@
-//! The same problems on the host: the runtime's own definitions, the network as it was before packing.
+//! The same problems on the host: the runtime's own definitions, the network as its file defines it.
 
 use crate::Failure;
+use crate::build;
 use crate::line::Line;
 use crate::problems::{self, PARTS, problems, settings};
 use crate::record::{Hash, code};
 use crate::table;
+use std::sync::LazyLock;
 use tpg_arm::binding;
 use tpg_arm::cycle::Brent;
 use tpg_arm::episode::{Episode, ReachTask};
+use tpg_arm::frame::Frame;
 use tpg_arm::hybrid::{Hybrid, HybridEpisode};
 use tpg_arm::observation::{ArmPolicy, Observation, Source};
-use tpg_arm::sac::fixed::FixedPolicy;
+use tpg_arm::sac::fixed::{FixedDecision, quantise};
+use tpg_arm::sac::{Actions, Mask, features};
 use tpg_arm::{Arm, Move, Pose, WIDOWX};
-use tpg_generated::{widowx_fs::WidowxFs, widowx_rs::WidowxRs, widowx_sac};
+use tpg_codegen::policy::QuantisedPolicy;
+use tpg_generated::{widowx_fs::WidowxFs, widowx_rs::WidowxRs};
 use tpg_problems::arm::targets::Start;
 use tpg_runtime::policy::Policy;
 
 pub(crate) const ARM: Arm<f32> = WIDOWX.to_f32();
 
-pub(crate) const NETWORK: FixedPolicy<'static, 64, 64> =
-    FixedPolicy { arm: &ARM, network: &widowx_sac::NETWORK, decision: widowx_sac::DECISION };
+static DEFINITION: LazyLock<QuantisedPolicy> =
+    LazyLock::new(|| build::load_network("generated/widowx-sac/policy.q.json").expect("a committed network"));
+
+/// The shipped network, computed as its file defines it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DefinedNetwork(FixedDecision);
+
+pub(crate) const NETWORK: DefinedNetwork = DefinedNetwork(FixedDecision::new(Actions::Fine, Mask::JointLimits, false));
+
+impl Policy for DefinedNetwork {
+    type State = Observation<f32>;
+    type Action = Move;
+
+    fn decide(&self, seen: &Observation<f32>) -> Move {
+        let outputs = DEFINITION.outputs(&quantise(&features(&Frame::new(&ARM, seen))));
+        self.0.decide(std::array::from_fn(|joint| outputs[joint]), seen.pose, &ARM.ranges)
+    }
+}
 
 /// The shipped graph for a fixed start, on the arm.
 pub(crate) fn fs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {

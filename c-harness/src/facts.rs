@@ -28,20 +28,11 @@ const FOURS: u64 = FEATURES as u64 / 4 + 1;
 
 /// Facts about functions of the library, which both images have.
 fn common() -> Facts {
-    let blocks = ["6thumb210w16a16_raw", "6thumb28w8a8_raw", "6thumb29w8a16_raw"].map(|name| (name, vec![COLUMNS]));
-    let layers = [
-        "6thumb210w8a8_pairs",
-        "6thumb210w8a8_split",
-        "6thumb211w8a16_pairs",
-        "6thumb211w8a16_split",
-        "6thumb212w16a16_pairs",
-        "6thumb212w16a16_split",
-    ];
-    let layers = layers.map(|name| (name, vec![BLOCKS, COLUMNS]));
+    let blocks = ["6thumb210w16a16_raw", "6thumb29w8a16_raw"].map(|name| (name, vec![COLUMNS]));
+    let layers = ["6thumb211w8a16_layer", "6thumb212w16a16_layer"].map(|name| (name, vec![BLOCKS, COLUMNS]));
     let mut loops: Vec<_> = blocks.into_iter().chain(layers).collect();
     loops.extend([
         ("11pair_inputs", vec![FOURS]),
-        ("12split_inputs", vec![FOURS]),
         ("5fixed13quantise_into", vec![FEATURES as u64]),
         // The eight actions of a shield: there, but not reached.
         ("6shield9collision", vec![8]),

@@ -13,7 +13,7 @@ fn files() -> Vec<(Vec<String>, bool)> {
     let with = |program: &Program, platform: &[&str]| -> Vec<String> {
         std::iter::once(program.main()).chain(platform.iter().map(|&name| name.to_owned())).collect()
     };
-    let board = programs::all().chain([&EXAMPLE]).map(|program| (with(program, &BOARD), false));
+    let board = programs::all().into_iter().chain([&EXAMPLE]).map(|program| (with(program, &BOARD), false));
     board.chain([&CONTROL, &FAULTS].map(|program| (with(program, &HOST), true))).collect()
 }
 

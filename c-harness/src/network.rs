@@ -2,13 +2,13 @@
 
 use crate::Failure;
 use crate::build::load_network;
-use crate::closed_loop::stream;
 use crate::data::Data;
 use crate::line;
 use crate::programs::Ran;
 use crate::record::Hash;
 use tpg_codegen::emit::{File, Prefix};
 use tpg_codegen::policy::{QuantisedPolicy, to_c, to_words};
+use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Act, Environment, SourceSet};
 use tpg_problems::Pendulum;
 use tpg_runtime::net::Model;
@@ -27,7 +27,7 @@ fn policy() -> Result<QuantisedPolicy, Failure> {
 fn record(policy: &QuantisedPolicy) -> (Vec<[f32; VALUES]>, Hash) {
     let (mut observations, mut hash) = (Vec::new(), Hash::new());
     for index in 0..EPISODES {
-        let task = Environment::<f32>::draw(&Pendulum, &mut stream(index));
+        let task = Environment::<f32>::draw(&Pendulum, &mut Stream::new(1, 0, Purpose::Evaluation, index));
         let mut swing = Environment::<f32>::start(&Pendulum, &task);
         for _ in 0..Environment::<f32>::time_limit(&Pendulum) {
             let mut state = [0f32; VALUES];
@@ -45,7 +45,7 @@ fn record(policy: &QuantisedPolicy) -> (Vec<[f32; VALUES]>, Hash) {
 pub(crate) fn files() -> Result<Vec<File>, Failure> {
     let policy = policy()?;
     let (observations, _) = record(&policy);
-    let words = to_words(&policy, false).map_err(Failure::new)?;
+    let words = to_words(&policy).map_err(Failure::new)?;
     let scratch = Model::parse(&words).map_err(|error| Failure::new(format!("{error:?}")))?.scratch();
     let mut data = Data::new("observations", "");
     data.floats("observations", &observations);
@@ -53,7 +53,7 @@ pub(crate) fn files() -> Result<Vec<File>, Failure> {
     data.rust(&format!("const SCRATCH: usize = {scratch};\n"));
     data.rust(&format!("const OUTPUTS: usize = {};\n", policy.values(&[0.0; VALUES]).len()));
     let prefix = "pendulum".parse::<Prefix>().map_err(Failure::new)?;
-    let mut files = to_c(&policy, &prefix, false).map_err(Failure::new)?;
+    let mut files = to_c(&policy, &prefix).map_err(Failure::new)?;
     files.extend(data.files());
     Ok(files)
 }

@@ -1,9 +1,8 @@
 //! The programs of the firmwares: what each is linked with in C, and what its output must be, in C and in Rust.
 
 use crate::build::{self, Board};
-use crate::closed_loop::{CARTPOLE, PENDULUM, PROFILES};
 use crate::line::Line;
-use crate::{Failure, dodge, expected, models, network, size, table, worst};
+use crate::{Failure, dodge, expected, network, size, table, worst};
 use std::path::{Path, PathBuf};
 
 /// The stack of a C program that the linker script keeps free, bytes.
@@ -12,8 +11,8 @@ pub(crate) const STACK: u64 = 2304;
 /// A program in both languages.
 pub(crate) struct Program {
     pub(crate) name: &'static str,
-    /// The files of generated C that it is linked with; a star is for each profile.
-    generated: &'static [&'static str],
+    /// The files of generated C that it is linked with.
+    pub(crate) generated: &'static [&'static str],
     /// Bytes kept for the stack in C.
     pub(crate) stack: u64,
     check: fn(&Ran<'_>) -> Result<(), Failure>,
@@ -59,17 +58,12 @@ static DODGE: Program = Program {
 /// The control loop that a user copies.
 pub(crate) static EXAMPLE: Program = program("example", &["widowx_fs", "widowx_sac"], |_| Ok(()));
 
-/// Every other program whose output is checked.
-static OTHERS: [Program; 4] = [
-    program("costs", &["fs_*", "rs_*"], models::check),
-    program("network", &["pendulum"], network::check),
-    program("continuous", &["plant", "swing_*", "recall_*"], |ran| PENDULUM.check(ran)),
-    program("cartpole", &["cart", "pole_*"], |ran| CARTPOLE.check(ran)),
-];
+/// The pendulum's network.
+static NETWORK: Program = program("network", &["pendulum"], network::check);
 
 /// Every program whose output is checked.
-pub(crate) fn all() -> impl Iterator<Item = &'static Program> {
-    [&CONTROL, &FAULTS, &DODGE].into_iter().chain(&OTHERS)
+pub(crate) fn all() -> [&'static Program; 4] {
+    [&CONTROL, &FAULTS, &DODGE, &NETWORK]
 }
 
 /// A language of the firmwares, and the builder of its images.
@@ -81,15 +75,6 @@ impl Program {
     /// The file with `main`, in C.
     pub(crate) fn main(&self) -> String {
         if self.name == "example" { "example/main.c".to_owned() } else { format!("firmware-c/{}.c", self.name) }
-    }
-
-    /// The names of the generated C that it is linked with.
-    pub(crate) fn generated(&self) -> Vec<String> {
-        let each = |name: &&str| match name.strip_suffix('*') {
-            Some(start) => PROFILES.iter().map(|(_, profile)| format!("{start}{profile}")).collect(),
-            None => vec![(*name).to_owned()],
-        };
-        self.generated.iter().flat_map(each).collect()
     }
 
     /// Compares what it printed with this machine.

@@ -5,14 +5,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_arm::frame::Frame;
 use tpg_arm::observation::Observation;
-use tpg_arm::sac::fixed::{FixedDecision, FixedPolicy, quantise};
-use tpg_arm::sac::packed::Model;
+use tpg_arm::sac::fixed::{FixedDecision, quantise};
+use tpg_arm::sac::packed::{Model, PackedPolicy};
 use tpg_arm::sac::{Actions, Mask, features};
 use tpg_arm::{Arm, Pose, WIDOWX};
 use tpg_codegen::policy::{Output, Preferences, QuantisedPolicy, to_words};
 use tpg_engine::TaskSet;
 use tpg_engine::random::{Purpose, Stream};
-use tpg_generated::widowx_sac::{DECISION, NETWORK};
+use tpg_generated::widowx_sac::{MODEL, SCRATCH};
 use tpg_problems::{Problem, ProblemName};
 use tpg_runtime::net::Kind;
 use tpg_runtime::policy::Policy;
@@ -85,7 +85,7 @@ fn every_kind_answers_packed_as_its_file_for_any_observation_and_succeeds() {
     });
     let words = policies
         .each_ref()
-        .map(|policy| to_words(policy, false).expect("it packs"));
+        .map(|policy| to_words(policy).expect("it packs"));
     let models = words
         .each_ref()
         .map(|words| Model::parse(words).expect("what was packed"));
@@ -161,12 +161,10 @@ fn the_constants_answer_as_the_file_for_any_observation() {
     };
     let known = Actions::from_name(actions).zip(Mask::from_name(mask));
     let (actions, mask) = known.expect("actions and mask that exist");
-    assert_eq!(DECISION, FixedDecision::new(actions, mask, *may_rest));
-    let constants = FixedPolicy {
-        arm: &ARM,
-        network: &NETWORK,
-        decision: DECISION,
-    };
+    let model = Model::parse(&MODEL).expect("a committed model");
+    let decision = FixedDecision::new(actions, mask, *may_rest);
+    assert_eq!(*model.decision(), decision);
+    let constants = PackedPolicy::<SCRATCH>::new(&ARM, model).expect("its own scratch memory");
     let mut random = Stream::new(3, 0, Purpose::Test, 40);
     for number in 0..observations() {
         let pose = Pose(
@@ -175,17 +173,17 @@ fn the_constants_answer_as_the_file_for_any_observation() {
         );
         let target: [f32; 3] = std::array::from_fn(|_| (random.unit() * 1000.0 - 400.0) as f32);
         let features = quantise(&features(&Frame::at(&ARM, pose, target)));
+        let outputs = policy.outputs(&features);
         assert_eq!(
-            NETWORK.preferences(&features)[..],
-            policy.outputs(&features)[..],
+            model.preferences(&features, &mut [0; SCRATCH])[..],
+            outputs[..],
             "observation {number}"
         );
         if number % 100 == 0 {
-            let seen = Observation::at(&ARM, pose, target);
-            let outputs = std::array::from_fn(|joint| policy.outputs(&features)[joint]);
+            let preferences = std::array::from_fn(|joint| outputs[joint]);
             assert_eq!(
-                constants.decide(&seen),
-                DECISION.decide(outputs, pose, &ARM.ranges),
+                constants.decide(&Observation::at(&ARM, pose, target)),
+                decision.decide(preferences, pose, &ARM.ranges),
                 "observation {number}"
             );
         }

@@ -148,7 +148,7 @@ def in_c(policy: NetworkPolicy, states: NDArray[np.float32], folder: Path) -> ND
     return answers
 
 
-@pytest.mark.parametrize("kind", ["w8a16", "w16a16", "w8a8"])
+@pytest.mark.parametrize("kind", ["w8a16", "w16a16"])
 @pytest.mark.parametrize("clip", [0.5, 2.0, 10.0])
 def test_what_vecnormalize_clips_is_clipped_in_c(clip: float, kind: str, tmp_path: Path) -> None:
     env, mean, var = Short(), np.array([0.1, -0.2]), np.array([1.3, 0.02])
@@ -163,7 +163,7 @@ def test_what_vecnormalize_clips_is_clipped_in_c(clip: float, kind: str, tmp_pat
     half = 0.15
     assert np.abs(unclipped - wanted).max() > half / 4, "the clip decides nothing here"
     found = in_c(policy, states, tmp_path)
-    bound = {"w8a16": 0.1, "w16a16": 0.01, "w8a8": 0.3}[kind] * max(1.0, clip / 2)
+    bound = {"w8a16": 0.1, "w16a16": 0.01}[kind] * max(1.0, clip / 2)
     assert np.abs(found - wanted).max() / half < bound
     assert (found == policy.predict(states)[0]).all()
     assert "the network sees (value - 0.1)" in (tmp_path / "actor.h").read_text()

@@ -148,7 +148,7 @@ def train_network(
         decisions: in training, each of which lasts four actions of the environment (`learning.decision_lasts`).
         hidden: units of each hidden layer of the actor.
         settings: other values of what `tpg-train config --sac long` prints, such as `{"learning.lanes": 4}`.
-        kind: bits of weights and activations: "w8a16", "w16a16" or "w8a8".
+        kind: bits of weights and activations: "w8a16" or "w16a16".
 
     The result's `agreement` has `validation_score`: the mean return on the validation episodes, before the integers.
     """
@@ -175,7 +175,7 @@ def from_sb3(model: Any, *, env: gymnasium.Env[Any, Any] | None = None, kind: st
 
     Args:
         env: calibrates the integers; by default one made from the id of the model's own.
-        kind: bits of weights and activations: "w8a16", "w16a16" or "w8a8".
+        kind: bits of weights and activations: "w8a16" or "w16a16".
 
     Raises:
         InputError: if the model is not one of these, or if the integers act otherwise than the model: equal actions in less
@@ -416,9 +416,9 @@ def _scaled(
 ) -> tuple[list[tuple[str, np.float32, np.float32]], Floats]:
     """Returns the inputs with offset and scale, which the first layer undoes, and the states with what is clipped.
 
-    The integers clip an input at ±8, or at ±4 with 8 bits: a normaliser's bound is put there. Without a bound, or with one so
+    The integers clip an input at ±8: a normaliser's bound is put there. Without a bound, or with one so
     wide that inputs would be coarse, an input is scaled if it does not fit or would be coarse: up to twice the greatest that
-    calibration saw, it is not clipped (with 8 bits, up to the greatest).
+    calibration saw, it is not clipped.
     """
     offset = np.zeros(len(names)) if normaliser.mean is None else normaliser.mean.ravel()
     deviation = np.ones(len(names)) if normaliser.deviation is None else normaliser.deviation.ravel()
@@ -426,10 +426,10 @@ def _scaled(
     most = np.abs(seen).max(axis=0)
     # A power of two: the division by it is exact.
     free = np.exp2(np.floor(np.log2(np.where((most > 4.0) | (most < 0.25), 1.0 / np.maximum(most, 1e-6), 1.0))))
-    bound = (127 / 32 if kind == "w8a8" else 8.0) / normaliser.clip
+    bound = 8.0 / normaliser.clip
     bounded = most * bound >= 0.25
     scale = np.where(bounded, bound, free)
-    if bounded.any() and kind != "w8a8":
+    if bounded.any():
         # Each input at its bounds, too: activations have room for them.
         rows, places = np.arange(len(seen)), np.flatnonzero(bounded)
         pushed = seen.copy()

@@ -70,14 +70,13 @@ const fn bound(kind: Kind) -> f64 {
     match kind {
         Kind::W8A16 => 0.03,
         Kind::W16A16 => 0.001,
-        Kind::W8A8 => 0.08,
     }
 }
 
 #[test]
 fn integers_answer_nearly_what_the_numbers_did_for_any_shape() {
     let seeds = tpg_testing::amount(60, 300);
-    let (mut worst, mut networks) = ([0.0f64; 3], 0);
+    let (mut worst, mut networks) = ([0.0f64; 2], 0);
     for seed in 0..seeds {
         let (network, states) = random(seed);
         for (kind, worst) in Kind::ALL.into_iter().zip(&mut worst) {
@@ -107,7 +106,7 @@ fn integers_answer_nearly_what_the_numbers_did_for_any_shape() {
             }
         }
     }
-    assert!(networks > 8 * seeds / 3, "{networks} networks");
+    assert!(networks > 16 * seeds / 9, "{networks} networks");
     println!("worst, in parts of a range: {worst:?}");
 }
 
@@ -115,11 +114,11 @@ fn integers_answer_nearly_what_the_numbers_did_for_any_shape() {
 fn files_and_words_answer_as_the_policy() {
     for seed in 0..tpg_testing::amount(20, 60) {
         let (network, states) = random(seed);
-        for (kind, wide) in [(Kind::W8A16, false), (Kind::W8A16, true), (Kind::W16A16, false), (Kind::W8A8, false)] {
+        for kind in Kind::ALL {
             let Ok(policy) = network.quantise(&states, kind, "0".repeat(64)) else { continue };
             let again = QuantisedPolicy::from_json("policy.q.json", &policy.to_json());
             assert_eq!(again.as_ref(), Ok(&policy), "network {seed}");
-            let words = to_words(&policy, wide).expect("it packs");
+            let words = to_words(&policy).expect("it packs");
             let model = Model::parse(&words).expect("what was packed");
             let mut scratch = vec![0; model.scratch()];
             let mut values = vec![0.0; model.outputs()];
@@ -151,7 +150,7 @@ fn what_is_written_says_what_goes_in_and_comes_out() {
     };
     let policy = network.quantise(&[vec![1.0; 3]], Kind::W8A16, "0".repeat(64)).expect("it fits");
     let prefix: Prefix = "pendulum".parse().expect("a prefix");
-    let [header, ..] = &to_c(&policy, &prefix, false).expect("it packs")[..] else { panic!("a header") };
+    let [header, ..] = &to_c(&policy, &prefix).expect("it packs")[..] else { panic!("a header") };
     for line in ["tpg_network_init", "2 speed: the network sees (value - 0.5) * 0.125", "0 torque: -2 to 2"] {
         assert!(header.text.contains(line), "{line}:\n{}", header.text);
     }

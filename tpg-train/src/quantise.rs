@@ -25,7 +25,7 @@ pub struct QuantiseArgs {
     /// A Rust module of constants to write beside it
     #[arg(long, value_name = "FILE")]
     pub rust: Option<PathBuf>,
-    /// Bits of weights and activations: w8a16, w16a16 or w8a8
+    /// Bits of weights and activations: w8a16 or w16a16
     #[arg(long, default_value = "w8a16", value_parser = kind)]
     pub kind: Kind,
     /// A report to write, JSON: bytes, multiplications, and both networks on 1,000 validation episodes

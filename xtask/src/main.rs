@@ -9,7 +9,6 @@ mod nightly;
 mod python;
 mod setup;
 mod summary;
-mod torture;
 mod venv;
 mod web;
 
@@ -97,8 +96,6 @@ enum XtaskCommand {
     Web,
     /// The worst case of compiled code for a Cortex-M: instructions and stack
     Wcet(cortex_bound::cli::WcetArgs),
-    /// Kill training runs, fill their disk, damage their checkpoints: in the end they have the bytes of an undisturbed run
-    Torture(torture::TortureArgs),
 }
 
 fn main() -> ExitCode {
@@ -125,7 +122,6 @@ fn main() -> ExitCode {
         XtaskCommand::Figures => figures(),
         XtaskCommand::Web => web::run(),
         XtaskCommand::Wcet(arguments) => arguments.run(),
-        XtaskCommand::Torture(arguments) => arguments.run(),
     };
     if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }

@@ -14,7 +14,6 @@ const MEANING: Meaning<'static> =
 
 static W8A16: [u32; words(Kind::W8A16)] = model(Kind::W8A16);
 static W16A16: [u32; words(Kind::W16A16)] = model(Kind::W16A16);
-static W8A8: [u32; words(Kind::W8A8)] = model(Kind::W8A8);
 
 /// The answer of a network, and the instructions that it took.
 #[repr(C)]
@@ -50,38 +49,26 @@ impl LayerNumbers {
     }
 }
 
-const fn model<const N: usize>(kind: Kind) -> [u32; N] {
-    let mut words = [0; N];
-    assert!(write::<{ 64 * 64 }, 64>(SIZES, kind, &MEANING, &mut words));
-    words
-}
-
-/// Packs a network with weights without a pattern into `words`; true if it fits. No layer has more weights than `WEIGHTS` or more
-/// outputs than `WIDTH`.
-pub const fn write<const WEIGHTS: usize, const WIDTH: usize>(
-    sizes: [usize; 4],
-    kind: Kind,
-    meaning: &Meaning<'_>,
-    words: &mut [u32],
-) -> bool {
+/// A network with weights without a pattern.
+const fn model<const WORDS: usize>(kind: Kind) -> [u32; WORDS] {
+    let mut words = [0; WORDS];
     let mut numbers = LayerNumbers(1);
-    let (bound, shift) = match kind {
-        Kind::W8A16 => (250, 22),
-        Kind::W16A16 => (400, 22),
-        Kind::W8A8 => (250, 23),
+    let bound = match kind {
+        Kind::W8A16 => 250,
+        Kind::W16A16 => 400,
     };
-    let mut weights = [[0i16; WEIGHTS]; 3];
-    let mut biases = [[0i32; WIDTH]; 3];
-    let rescale = [Rescale { factor: 20_000, shift }; WIDTH];
+    let mut weights = [[0i16; 64 * 64]; 3];
+    let mut biases = [[0i32; 64]; 3];
+    let rescale = [Rescale { factor: 20_000, shift: 22 }; 64];
     let mut layer = 0;
     while layer < 3 {
         let mut at = 0;
-        while at < sizes[layer] * sizes[layer + 1] {
+        while at < SIZES[layer] * SIZES[layer + 1] {
             weights[layer][at] = numbers.below(bound) as i16;
             at += 1;
         }
         at = 0;
-        while at < sizes[layer + 1] {
+        while at < SIZES[layer + 1] {
             biases[layer][at] = numbers.below(10_000);
             at += 1;
         }
@@ -90,7 +77,7 @@ pub const fn write<const WEIGHTS: usize, const WIDTH: usize>(
     let mut rows = [LayerRows { inputs: 0, kind, weights: Weights::I16(&[]), bias: &[], rescale: &[] }; 3];
     layer = 0;
     while layer < 3 {
-        let (inputs, outputs) = (sizes[layer], sizes[layer + 1]);
+        let (inputs, outputs) = (SIZES[layer], SIZES[layer + 1]);
         rows[layer] = LayerRows {
             inputs,
             kind,
@@ -100,7 +87,8 @@ pub const fn write<const WEIGHTS: usize, const WIDTH: usize>(
         };
         layer += 1;
     }
-    pack(&rows, meaning, words)
+    assert!(pack(&rows, &MEANING, &mut words));
+    words
 }
 
 /// Asks the network of a kind: `from` starts a count of instructions, `count` says how many since. `None` where it is no model.
@@ -108,7 +96,6 @@ pub fn ask(kind: Kind, from: impl Fn(), count: impl Fn() -> u32) -> Option<Asked
     let words: &[u32] = match kind {
         Kind::W8A16 => &W8A16,
         Kind::W16A16 => &W16A16,
-        Kind::W8A8 => &W8A8,
     };
     let model = Model::parse(words).ok()?;
     let mut scratch = [0; SCRATCH];

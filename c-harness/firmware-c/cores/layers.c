@@ -16,7 +16,7 @@ bool rust_layers(uint32_t code, void (*from)(void), uint32_t (*count)(void), ask
 
 int main(void)
 {
-    static const char *const kinds[] = { "w8a16", "w16a16", "w8a8" };
+    static const char *const kinds[] = { "w8a16", "w16a16" };
     report_t line;
 
     for (uint32_t code = 0U; code < (sizeof kinds / sizeof kinds[0]); code++) {

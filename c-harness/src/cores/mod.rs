@@ -23,7 +23,7 @@ use images::{EPISODES, Place};
 use shipped::{Kind, Shipped};
 use std::fs;
 use tpg_cores::layers;
-use tpg_kernels::Kind as Network;
+use tpg_runtime::net::Kind as Network;
 
 /// Runs everything on every core whose title holds `only`, and compares it with this machine and with the committed figures.
 pub(crate) fn check(update: bool, only: &str) -> Result<(), Failure> {

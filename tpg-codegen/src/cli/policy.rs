@@ -20,9 +20,6 @@ pub(super) struct PolicyArgs {
     /// The name of the C array and of the files [default: from the file's name]
     #[arg(long, value_name = "NAME")]
     prefix: Option<Prefix>,
-    /// In C, store 8-bit weights in 16 bits: nearly twice the flash, a third fewer instructions, the same results
-    #[arg(long)]
-    wide: bool,
     /// The output folder, created if it does not exist
     #[arg(short, long, value_name = "DIR", default_value = ".")]
     output: PathBuf,
@@ -44,9 +41,7 @@ impl PolicyArgs {
         let prefix = self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.policy.with_extension("")));
         let mut files = Vec::new();
         if self.lang != PolicyLanguage::Rust {
-            files.extend(
-                to_c(&policy, &prefix, self.wide)?.into_iter().map(|file| (self.output.join(file.name), file.text)),
-            );
+            files.extend(to_c(&policy, &prefix)?.into_iter().map(|file| (self.output.join(file.name), file.text)));
         }
         if self.lang != PolicyLanguage::C {
             files.push((self.output.join(format!("{prefix}.rs")), to_rust(&policy)?));

@@ -45,7 +45,7 @@ pub enum FloatOutput {
 /// let states = [vec![1.0, 0.0, 0.0], vec![0.9, 0.4, -2.0]];
 /// let policy = network.quantise(&states, Kind::W8A16, "of the weights' file".into())?;
 ///
-/// let words = to_words(&policy, false)?;
+/// let words = to_words(&policy)?;
 /// let model = Model::parse(&words).expect("what was packed");
 /// let mut torque = [0.0];
 /// assert!(model.values(&states[1], &mut vec![0; model.scratch()], &mut torque));
@@ -65,7 +65,7 @@ pub struct FloatNetwork {
 
 impl FloatNetwork {
     /// The network in integers, calibrated on states: activations may grow to twice those of the states before they are
-    /// clipped (with activations of 8 bits, not at all).
+    /// clipped.
     ///
     /// # Errors
     /// If the layers do not fit each other, a number does not fit, or no state makes a hidden layer fire.

@@ -1,15 +1,13 @@
 //! Networks in integers: `policy.q.json`, made from a trained network's weights.
 //!
 //! The arithmetic is [`tpg_runtime::net`]'s, which this module calls: weights with a scale for each row, `i32` accumulators
-//! that are proven not to overflow, one rounding rule. The kind says how many bits weights and activations have:
+//! that are proven not to overflow, one rounding rule. Inputs are multiples
+//! of 1/4096, hidden activations 0 to 32767; the kind says how many bits weights have:
 //!
-//! | kind | weights | hidden activations | inputs |
-//! | --- | --- | --- | --- |
-//! | `w8a16` | −128 to 127 | 0 to 32767 | multiples of 1/4096 |
-//! | `w16a16` | −32768 to 32767 | 0 to 32767 | multiples of 1/4096 |
-//! | `w8a8` | −127 to 127 | 0 to 127 | multiples of 1/32, −127 to 127 |
-//!
-//! The last layer of a `w8a8` network is `w8a16`: it is small, and its outputs would be coarse.
+//! | kind | weights |
+//! | --- | --- |
+//! | `w8a16` | −128 to 127 |
+//! | `w16a16` | −32768 to 32767 |
 //!
 //! | module | subject |
 //! | --- | --- |

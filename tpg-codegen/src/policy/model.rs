@@ -5,7 +5,7 @@ use super::network::QuantisedPolicy;
 use crate::emit::{File, Prefix};
 use askama::Template;
 use tpg_graph::error::{InputError, Place};
-use tpg_runtime::net::{self, Kind, LayerRows, Meaning, Model, Rescale, Weights};
+use tpg_runtime::net::{self, LayerRows, Meaning, Model, Rescale, Weights};
 
 #[derive(Template)]
 #[template(path = "c/model.c", escape = "none")]
@@ -27,22 +27,17 @@ struct ModelHeader<'a> {
     policy: &'a QuantisedPolicy,
 }
 
-/// The network as [`Model`] reads it; `wide` with 16 bits a weight even where they have 8: more flash,
-/// fewer instructions, the same answers.
+/// The network as [`Model`] reads it.
 ///
 /// # Errors
-/// If it has a rescale that is no multiplier of 32 bits, or activations of
-/// 8 bits where `wide` is asked for.
-pub fn to_words(policy: &QuantisedPolicy, wide: bool) -> Result<Vec<u32>, InputError> {
+/// If it has a rescale that is no multiplier of 32 bits.
+pub fn to_words(policy: &QuantisedPolicy) -> Result<Vec<u32>, InputError> {
     let refuse = |path: &str, found: String, accepted: &str| {
         InputError::new("policy.q.json", Place::Path(path.to_owned()), found, accepted)
     };
     let (scales, values) = (meaning::scales(&policy.inputs), policy.output.values());
     let meaning =
         Meaning { contract: policy.contract(), inputs: &scales, answer: policy.output.answer(), values: &values };
-    if wide && policy.kind() == Kind::W8A8 {
-        return Err(refuse("$.kind", "w8a8 to be made wide".to_owned(), "w8a16 or w16a16"));
-    }
     let rescales: Vec<Vec<Rescale>> = policy.layers.iter().map(|layer| layer.rescales()).collect();
     if let Some(at) = rescales.iter().flatten().find(|rescale| rescale.multiplier().is_none()) {
         return Err(refuse("$.layers", format!("{at:?}"), "factor / 2^shift below 1/2, and exact in 32 bits"));
@@ -50,10 +45,9 @@ pub fn to_words(policy: &QuantisedPolicy, wide: bool) -> Result<Vec<u32>, InputE
     let mut sizes = Vec::new();
     let mut rows = Vec::new();
     for (layer, rescale) in policy.described().iter().zip(&rescales) {
-        let kind = if wide { Kind::W16A16 } else { layer.kind };
-        sizes.push((layer.inputs, layer.outputs, kind));
+        sizes.push((layer.inputs, layer.outputs, layer.kind));
         let weights = Weights::I16(&layer.layer.weights);
-        rows.push(LayerRows { inputs: layer.inputs, kind, weights, bias: &layer.layer.bias, rescale });
+        rows.push(LayerRows { inputs: layer.inputs, kind: layer.kind, weights, bias: &layer.layer.bias, rescale });
     }
     let mut words = vec![0; net::words(&sizes, &meaning)];
     if !net::pack(&rows, &meaning, &mut words) {
@@ -91,8 +85,8 @@ pub(super) fn files(prefix: &Prefix, header: &impl Template, source: &impl Templ
 ///
 /// # Errors
 /// As [`to_words`].
-pub fn to_c(policy: &QuantisedPolicy, prefix: &Prefix, wide: bool) -> Result<Vec<File>, InputError> {
-    let words = &to_words(policy, wide)?;
+pub fn to_c(policy: &QuantisedPolicy, prefix: &Prefix) -> Result<Vec<File>, InputError> {
+    let words = &to_words(policy)?;
     let (layers, multiplications, bytes) = (policy.layers.len(), policy.multiplications(), 4 * words.len());
     let mut banner =
         banner(policy, format!("{layers} layers, {multiplications} multiplications a decision, {bytes} bytes."));
@@ -112,6 +106,7 @@ pub fn to_c(policy: &QuantisedPolicy, prefix: &Prefix, wide: bool) -> Result<Vec
 mod tests {
     use super::*;
     use crate::policy::{FloatLayer, Input, Preferences, quantise};
+    use tpg_runtime::net::Kind;
 
     const FEATURES: usize = 38;
 
@@ -136,9 +131,9 @@ mod tests {
 
     #[test]
     fn the_words_answer_what_the_policy_does() {
-        for (kind, wide) in [(Kind::W8A16, false), (Kind::W8A16, true), (Kind::W16A16, false), (Kind::W8A8, false)] {
+        for kind in Kind::ALL {
             let policy = policy(kind);
-            let words = to_words(&policy, wide).expect("it packs");
+            let words = to_words(&policy).expect("it packs");
             let model = Model::parse(&words).expect("what was packed");
             assert_eq!(model.answer(), net::OutputKind::Preferences { flags: 2 });
             let mut scratch = vec![0; model.scratch()];
@@ -153,11 +148,10 @@ mod tests {
     #[test]
     fn c_holds_the_words() {
         let policy = policy(Kind::W8A16);
-        let [header, source] = &to_c(&policy, &"arm_net".parse().expect("a prefix"), false).expect("it packs")[..]
-        else {
+        let [header, source] = &to_c(&policy, &"arm_net".parse().expect("a prefix")).expect("it packs")[..] else {
             panic!("two files")
         };
-        let words = to_words(&policy, false).expect("it packs");
+        let words = to_words(&policy).expect("it packs");
         assert_eq!((header.name.as_str(), source.name.as_str()), ("arm_net.h", "arm_net.c"));
         assert!(header.text.contains(&format!("#define ARM_NET_WORDS {}U", words.len())), "{}", header.text);
         let found = source.text.split(|c: char| !c.is_ascii_alphanumeric());
@@ -171,8 +165,6 @@ mod tests {
         let mut policy = policy(Kind::W8A16);
         policy.layers[1].shift[0] = 3;
         policy.layers[1].factor[0] = 20_000;
-        assert!(to_words(&policy, false).expect_err("no multiplier").to_string().contains("20000"));
-        let narrow = super::tests::policy(Kind::W8A8);
-        assert!(to_words(&narrow, true).expect_err("8 bits cannot be made 16").to_string().contains("w8a8"));
+        assert!(to_words(&policy).expect_err("no multiplier").to_string().contains("20000"));
     }
 }

@@ -4,7 +4,6 @@ use super::meaning::{self, Input, Output};
 use serde::{Deserialize, Serialize};
 use std::ops::Deref;
 use tpg_graph::error::{InputError, Place};
-use tpg_kernels::clip_to_i8;
 use tpg_runtime::net::{HIDDEN, Kind, LAST, LAYERS, LayerRows, Rescale, WIDTH, Weights, accumulate, contract, integer};
 
 /// The rule by which accumulators are rescaled.
@@ -25,18 +24,12 @@ pub struct QuantisedPolicy {
     pub layers: Vec<QuantisedLayer>,
 }
 
-/// The kind of one of `layers` layers: the last one's activations have 16 bits.
-pub(super) fn layer_kind(kind: Kind, index: usize, layers: usize) -> Kind {
-    if kind == Kind::W8A8 && index + 1 == layers { Kind::W8A16 } else { kind }
-}
-
 /// A layer, and what its place in the network makes of it.
 pub(super) struct Layer<'a> {
     pub(super) layer: &'a QuantisedLayer,
     pub(super) kind: Kind,
-    /// The range that its outputs are clipped to.
+    /// The lowest output; the highest is `i16::MAX`.
     pub(super) low: i16,
-    pub(super) high: i16,
 }
 
 impl Deref for Layer<'_> {
@@ -48,22 +41,17 @@ impl Deref for Layer<'_> {
 }
 
 impl Layer<'_> {
-    /// Bits of a weight.
-    pub(super) fn bits(&self) -> usize {
-        if self.kind == Kind::W16A16 { 16 } else { 8 }
-    }
-
     /// The outputs for some inputs.
     pub(super) fn forward(&self, inputs: &[i16]) -> Vec<i16> {
         let rows = self.rows().zip(&self.bias).zip(self.rescales());
         let output = |((weights, &bias), rescale): ((&[i16], &i32), Rescale)| {
-            rescale.apply(accumulate(bias, weights, inputs), self.low).min(self.high)
+            rescale.apply(accumulate(bias, weights, inputs), self.low)
         };
         rows.map(output).collect()
     }
 
     pub(super) fn bytes(&self) -> usize {
-        self.bits() / 8 * self.weights.len() + 4 * self.bias.len() + 2 * self.factor.len() + self.shift.len()
+        self.kind.bits() / 8 * self.weights.len() + 4 * self.bias.len() + 2 * self.factor.len() + self.shift.len()
     }
 }
 
@@ -184,12 +172,8 @@ impl QuantisedPolicy {
 
     /// The layers, first to last: what everything that runs or prints the network is made from.
     pub(super) fn described(&self) -> Vec<Layer<'_>> {
-        let kind = |index| layer_kind(self.kind(), index, self.layers.len());
-        let layer = |(index, layer)| {
-            let is_last = index + 1 == self.layers.len();
-            let (low, high) = if is_last { (LAST, i16::MAX) } else { (HIDDEN, kind(index + 1).activation()) };
-            Layer { layer, kind: kind(index), low, high }
-        };
+        let low = |index| if index + 1 == self.layers.len() { LAST } else { HIDDEN };
+        let layer = |(index, layer)| Layer { layer, kind: self.kind(), low: low(index) };
         self.layers.iter().enumerate().map(layer).collect()
     }
 
@@ -215,12 +199,8 @@ impl QuantisedPolicy {
 
     /// The outputs, for inputs in multiples of 1/4096.
     pub fn outputs(&self, inputs: &[i16]) -> Vec<i32> {
-        let layers = self.described();
         let mut values = inputs.to_vec();
-        if layers.first().is_some_and(|layer| layer.kind == Kind::W8A8) {
-            values.iter_mut().for_each(|value| *value = clip_to_i8(*value));
-        }
-        for layer in &layers {
+        for layer in self.described() {
             values = layer.forward(&values);
         }
         values.into_iter().map(i32::from).collect()

@@ -6,11 +6,10 @@ use super::network::{Layer, QuantisedPolicy};
 use crate::emit::{File, Prefix};
 use crate::verify::{BuildError, Workshop, c_command, compile};
 use askama::Template;
-use std::collections::BTreeSet;
 use std::io::{self, Seek as _, Write as _};
 use std::process::{Command, Stdio};
 use tpg_graph::error::{InputError, Place};
-use tpg_runtime::net::{FRACTION_ONE, Kind, Squash, Value};
+use tpg_runtime::net::{FRACTION_ONE, Squash, Value};
 
 /// Values of the table of tanh, 1/32 apart.
 const TABLE: i32 = 194;
@@ -31,8 +30,8 @@ struct NetworkSource<'a> {
     prefix: &'a str,
     policy: &'a QuantisedPolicy,
     layers: Vec<Layer<'a>>,
-    /// The widths of weights that occur.
-    widths: BTreeSet<usize>,
+    /// Bits of a weight.
+    bits: usize,
     outputs: usize,
     /// The arrays that a layer reads and writes, by turns.
     arrays: [&'a str; 2],
@@ -68,7 +67,7 @@ pub fn to_plain_c(policy: &QuantisedPolicy, prefix: &Prefix) -> Result<Vec<File>
         banner,
         prefix: prefix.lower(),
         policy,
-        widths: layers.iter().map(Layer::bits).collect(),
+        bits: policy.kind().bits(),
         outputs: layers.last().map_or(0, |layer| layer.outputs),
         layers,
         arrays: ["a", "b"],
@@ -81,10 +80,6 @@ pub fn to_plain_c(policy: &QuantisedPolicy, prefix: &Prefix) -> Result<Vec<File>
 impl NetworkSource<'_> {
     fn widest(&self) -> usize {
         self.layers.iter().flat_map(|layer| [layer.inputs, layer.outputs]).max().unwrap_or(1)
-    }
-
-    fn clips_inputs(&self) -> bool {
-        self.layers.first().is_some_and(|layer| layer.kind == Kind::W8A8)
     }
 
     fn has_clamp(&self) -> bool {

@@ -3,8 +3,8 @@
 //! Each row of weights has a scale of its own. Its greatest magnitude becomes the greatest of its kind, or as great as the
 //! accumulator allows: the sum of magnitudes times the greatest activation, and the bias, must fit 31 bits.
 //!
-//! Each hidden layer has one scale. With 16 bits twice the greatest activation that calibration saw becomes 32767, so
-//! that an activation may double before it is clipped; with 8 bits, which leave no room, the greatest becomes 127.
+//! Each hidden layer has one scale: twice the greatest activation that calibration saw becomes 32767, so that an activation may
+//! double before it is clipped.
 //!
 //! Weights and biases are rounded to nearest, halves away from zero. On 300 random networks of up to four hidden layers,
 //! with weights as training begins with, a value is this far from that of floating point, in parts of its range:
@@ -13,9 +13,8 @@
 //! | --- | --- | --- |
 //! | `w8a16` | 0.020 | 0.03 |
 //! | `w16a16` | 0.0007 | 0.001 |
-//! | `w8a8` | 0.043 | 0.08 |
 
-use super::network::{QuantisedLayer, layer_kind};
+use super::network::QuantisedLayer;
 use tpg_runtime::net::{INPUT_ONE, Kind, PREFERENCE_ONE};
 
 /// A linear layer in floating point.
@@ -93,24 +92,18 @@ pub(super) fn quantise_layers(
     last: &LastLayer,
 ) -> Result<(Vec<QuantisedLayer>, Vec<u8>), QuantiseError> {
     assert_eq!(greatest.len() + 1, layers.len(), "one activation for each hidden layer");
-    let layer_kind = |index| layer_kind(kind, index, layers.len());
-    let mut input_one = match layer_kind(0) {
-        Kind::W8A16 | Kind::W16A16 => f64::from(INPUT_ONE),
-        Kind::W8A8 => f64::from(INPUT_ONE) / 128.0, // `clip_to_i8`
-    };
+    let mut input_one = f64::from(INPUT_ONE);
     let mut quantised = Vec::with_capacity(layers.len());
     let mut exponents = Vec::new();
     for (index, layer) in layers.iter().enumerate() {
         check_finite(index, layer)?;
-        let scales = scales(layer, layer_kind(index), input_one);
+        let scales = scales(layer, kind, input_one);
         // An accumulator must be multiplied by less than 1/2 (`Rescale::multiplier`).
         let finest = |scale: f64| 0.499 * input_one * scale;
         let all = finest(scales.iter().copied().fold(f64::MAX, f64::min));
         let output_ones: Vec<f64> = match (greatest.get(index), last) {
             (Some(&greatest), _) if greatest > 0.0 && greatest.is_finite() => {
-                let next = layer_kind(index + 1);
-                let room = if next == Kind::W8A8 { 1.0 } else { 2.0 };
-                let wanted = f64::from(next.activation()) / (room * f64::from(greatest));
+                let wanted = f64::from(i16::MAX) / (2.0 * f64::from(greatest));
                 vec![wanted.min(all); scales.len()]
             }
             (Some(_), _) => return Err(QuantiseError::Silent { layer: index }),
@@ -160,12 +153,8 @@ fn rows(layer: &FloatLayer, input_one: f64, scales: &[f64], output_ones: &[f64])
 
 /// A weight of 1 in integers, row by row.
 fn scales(layer: &FloatLayer, kind: Kind, input_one: f64) -> Vec<f64> {
-    // The greatest weight and input of the kind, and what an accumulator holds in units of that input.
-    let (most_weight, most_input, most_sum) = match kind {
-        Kind::W8A16 => (127.0, 32_768.0, 65_536.0),
-        Kind::W16A16 => (f64::from(i16::MAX), 32_768.0, 65_536.0),
-        Kind::W8A8 => (127.0, 127.0, 66_052.0),
-    };
+    // The greatest weight of the kind and input, and what an accumulator holds in units of that input.
+    let (most_weight, most_input, most_sum) = (f64::from(kind.weights().1), 32_768.0, 65_536.0);
     let scale = |(weights, &bias): (&[f32], &f32)| {
         let magnitudes = weights.iter().map(|&weight| f64::from(weight.abs()));
         let greatest = magnitudes.clone().fold(0.0, f64::max);
@@ -243,9 +232,8 @@ mod tests {
             (0..200).map(|n| (0..FEATURES).map(|i| ((n * 37 + i * 11) % 41) as f32 / 20.0 - 1.0).collect()).collect();
         let seen = inputs.iter().map(|input| float(&layers, input).1);
         let greatest = seen.reduce(|a, b| a.iter().zip(&b).map(|(a, b)| a.max(*b)).collect()).expect("inputs");
-        // Half a step of an 8-bit weight is 0.4 % of the row's greatest: some hundredths over three layers; features in
-        // steps of 1/32 and activations of 7 bits are some times as coarse.
-        for (kind, bound) in [(Kind::W8A16, 0.03), (Kind::W16A16, 0.001), (Kind::W8A8, 0.15)] {
+        // Half a step of an 8-bit weight is 0.4 % of the row's greatest: some hundredths over three layers.
+        for (kind, bound) in [(Kind::W8A16, 0.03), (Kind::W16A16, 0.001)] {
             let quantised = quantise(&layers, &greatest, kind).expect("ordinary numbers");
             let policy = policy(kind, quantised);
             let policy = policy.expect("sound");

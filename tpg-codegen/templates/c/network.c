@@ -8,7 +8,7 @@
 {% include "c/flags.c" %}
 {% include "c/contraction.c" %}
 {% for layer in layers %}
-static const int{{ layer.bits() }}_t weights_{{ loop.index0 }}[{{ layer.weights.len() }}] = {
+static const int{{ bits }}_t weights_{{ loop.index0 }}[{{ layer.weights.len() }}] = {
 {%- for line in layer.weights.chunks(20) %}
     {{ line|join(", ") }},
 {%- endfor %}
@@ -68,16 +68,16 @@ static int16_t integer(float value)
 }
 
 /* (accumulator * factor + 2^(shift - 1)) >> shift, rounded down, clipped. */
-static int16_t rescaled(int32_t accumulator, int16_t factor, uint8_t shift, int16_t low, int16_t high)
+static int16_t rescaled(int32_t accumulator, int16_t factor, uint8_t shift, int16_t low)
 {
     int64_t value = (int64_t)accumulator * factor + ((int64_t)1 << (shift - 1));
     value = value >= 0 ? value >> shift : -1 - ((-1 - value) >> shift);
-    return (int16_t)(value > high ? high : value < low ? low : value);
+    return (int16_t)(value > 32767 ? 32767 : value < low ? low : value);
 }
-{% for bits in widths %}
+
 /* A layer: the exact sum of products of each row, which cannot overflow, rescaled. */
-static void layer_{{ bits }}(const int{{ bits }}_t *weights, const int32_t *bias, const int16_t *factor, const uint8_t *shift, int inputs,
-                    int outputs, const int16_t *from, int16_t *to, int16_t low, int16_t high)
+static void layer(const int{{ bits }}_t *weights, const int32_t *bias, const int16_t *factor, const uint8_t *shift, int inputs,
+                  int outputs, const int16_t *from, int16_t *to, int16_t low)
 {
     int row;
     for (row = 0; row < outputs; row++) {
@@ -87,10 +87,10 @@ static void layer_{{ bits }}(const int{{ bits }}_t *weights, const int32_t *bias
             sum += (int32_t)weights[column] * from[column];
         }
         weights += inputs;
-        to[row] = rescaled(sum, factor[row], shift[row], low, high);
+        to[row] = rescaled(sum, factor[row], shift[row], low);
     }
 }
-{% endfor %}
+
 {% if values.is_empty() %}uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
 {% else %}void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action)
 {% endif %}{
@@ -102,12 +102,9 @@ static void layer_{{ bits }}(const int{{ bits }}_t *weights, const int32_t *bias
 {%- endif %}
     for (i = 0; i < {{ policy.inputs.len() }}; i++) {
         a[i] = integer({% if policy.is_scaled() %}(state->values[i] - offset[i]) * scale[i]{% else %}state->values[i]{% endif %});
-{%- if self.clips_inputs() %}
-        a[i] = rescaled(a[i], 1, 7, -127, 127); /* multiples of 1/32: to nearest, halves upwards, clipped */
-{%- endif %}
     }
 {%- for layer in layers %}
-    layer_{{ layer.bits() }}(weights_{{ loop.index0 }}, bias_{{ loop.index0 }}, factor_{{ loop.index0 }}, shift_{{ loop.index0 }}, {{ layer.inputs }}, {{ layer.outputs }}, {{ arrays[loop.index0 % 2] }}, {{ arrays[loop.index % 2] }}, {{ layer.low }}, {{ layer.high }});
+    layer(weights_{{ loop.index0 }}, bias_{{ loop.index0 }}, factor_{{ loop.index0 }}, shift_{{ loop.index0 }}, {{ layer.inputs }}, {{ layer.outputs }}, {{ arrays[loop.index0 % 2] }}, {{ arrays[loop.index % 2] }}, {{ layer.low }});
 {%- endfor %}
 {%- if values.is_empty() %}
     for (i = 1; i < {{ outputs }}; i++) {

@@ -1,22 +1,53 @@
-//! The arm's network: packed or not, it decides for the same moves.
+//! The arm's network as it lies in flash: it decides as its definition does, and others are refused.
 
 use tpg_arm::observation::Observation;
-use tpg_arm::sac::fixed::{FixedDecision, FixedPolicy, Network, quantise};
+use tpg_arm::sac::fixed::{FixedDecision, quantise};
 use tpg_arm::sac::packed::{Model, PackedPolicy};
 use tpg_arm::sac::{Actions, FEATURES, Mask, features};
-use tpg_arm::{Arm, Pose, WIDOWX, frame::Frame};
-use tpg_runtime::net::{self, Layer, Meaning, ModelError, OutputKind, Rescale};
+use tpg_arm::{Arm, JOINTS, Pose, WIDOWX, frame::Frame};
+use tpg_runtime::net::{
+    self, HIDDEN, Kind, LAST, LayerRows, Meaning, ModelError, OutputKind, Rescale, Weights, accumulate,
+};
 use tpg_runtime::policy::Policy as _;
 use tpg_testing::numbers::Numbers;
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
 
-fn layer<const I: usize, const O: usize>(numbers: &mut Numbers, shift: u8) -> Layer<I, O> {
-    Layer {
-        weights: core::array::from_fn(|_| core::array::from_fn(|_| numbers.within(127) as i8)),
-        bias: core::array::from_fn(|_| numbers.within(100_000)),
-        rescale: [Rescale { factor: 20_000, shift }; O],
+/// A layer of numbers without a pattern.
+struct Layer {
+    inputs: usize,
+    weights: Vec<i8>,
+    bias: Vec<i32>,
+    rescale: Vec<Rescale>,
+}
+
+impl Layer {
+    fn new(inputs: usize, outputs: usize, shift: u8, numbers: &mut Numbers) -> Self {
+        Self {
+            inputs,
+            weights: (0..inputs * outputs).map(|_| numbers.within(127) as i8).collect(),
+            bias: (0..outputs).map(|_| numbers.within(100_000)).collect(),
+            rescale: vec![Rescale { factor: 20_000, shift }; outputs],
+        }
     }
+
+    fn rows(&self) -> LayerRows<'_> {
+        let Self { inputs, weights, bias, rescale } = self;
+        LayerRows { inputs: *inputs, kind: Kind::W8A16, weights: Weights::I8(weights), bias, rescale }
+    }
+
+    fn outputs(&self, inputs: &[i16], low: i16) -> Vec<i16> {
+        let rows = self.weights.chunks_exact(self.inputs).zip(&self.bias).zip(&self.rescale);
+        rows.map(|((weights, &bias), rescale)| rescale.apply(accumulate(bias, weights, inputs), low)).collect()
+    }
+}
+
+fn packed(layers: &[Layer], meaning: &Meaning<'_>) -> Vec<u32> {
+    let sizes: Vec<_> = layers.iter().map(|layer| (layer.inputs, layer.bias.len(), Kind::W8A16)).collect();
+    let rows: Vec<_> = layers.iter().map(Layer::rows).collect();
+    let mut words = vec![0; net::words(&sizes, meaning)];
+    assert!(net::pack(&rows, meaning, &mut words));
+    words
 }
 
 fn decision() -> FixedDecision {
@@ -24,29 +55,25 @@ fn decision() -> FixedDecision {
 }
 
 #[test]
-fn a_million_observations_answer_the_same_packed_and_not() {
+fn a_packed_network_decides_as_its_definition() {
+    const SCRATCH: usize = 40;
     let mut numbers = Numbers(7);
-    let network = Network::<16, 16> {
-        first: layer(&mut numbers, 22),
-        second: layer(&mut numbers, 22),
-        last: layer(&mut numbers, 24),
-    };
-    let words: [u32; Network::<16, 16>::WORDS] = network.pack(&decision());
+    let layers = [(FEATURES, 16, 22), (16, 16, 22), (16, JOINTS, 24)]
+        .map(|(inputs, outputs, shift)| Layer::new(inputs, outputs, shift, &mut numbers));
+    let words = packed(&layers, &decision().meaning());
     let model = Model::parse(&words).expect("what was packed");
-    let wide: [u32; Network::<16, 16>::WIDE_WORDS] = network.pack_wide(&decision());
-    let wide = Model::parse(&wide).map(|model| model.preferences(&[77; FEATURES], &mut [0; 40]));
-    assert_eq!(wide, Ok(network.preferences(&[77; FEATURES])));
-    let packed = PackedPolicy::<{ Network::<16, 16>::SCRATCH }>::new(&ARM, model).expect("it fits");
-    let plain = FixedPolicy { arm: &ARM, network: &network, decision: decision() };
-    let mut scratch = [0; Network::<16, 16>::SCRATCH];
-    for _ in 0..1_000_000 {
+    let policy = PackedPolicy::<SCRATCH>::new(&ARM, model).expect("it fits");
+    for _ in 0..tpg_testing::amount(100_000, 1_000_000) {
         let mut joint = |low: i32, high: i32| (low + (numbers.next_u32() % (high - low + 1) as u32) as i32) as i16;
         let pose = Pose([joint(2, 4094), joint(1025, 3071), joint(1025, 3071), joint(1025, 3071)]);
         let target = [0; 3].map(|_: i32| numbers.within(45_000) as f32 / 100.0);
         let seen = Observation::at(&ARM, pose, target);
         let values = quantise(&features(&Frame::new(&ARM, &seen)));
-        assert_eq!(model.preferences(&values, &mut scratch), network.preferences(&values));
-        assert_eq!(packed.decide(&seen), plain.decide(&seen));
+        let first = layers[1].outputs(&layers[0].outputs(&values, HIDDEN), HIDDEN);
+        let outputs = layers[2].outputs(&first, LAST);
+        let preferences: [i32; JOINTS] = std::array::from_fn(|joint| outputs[joint].into());
+        assert_eq!(model.preferences(&values, &mut [0; SCRATCH]), preferences);
+        assert_eq!(policy.decide(&seen), decision().decide(preferences, pose, &ARM.ranges));
     }
 }
 
@@ -65,23 +92,14 @@ fn every_decision_survives_as_flags() {
 
 #[test]
 fn networks_of_other_problems_are_refused() {
-    let mut numbers = Numbers(9);
-    let layer: Layer<FEATURES, 4> = layer(&mut numbers, 22);
-    let rows = net::LayerRows {
-        inputs: FEATURES,
-        kind: net::Kind::W8A16,
-        weights: net::Weights::I8(layer.weights.as_flattened()),
-        bias: &layer.bias,
-        rescale: &layer.rescale,
-    };
+    let layers = [Layer::new(FEATURES, JOINTS, 22, &mut Numbers(9))];
     let arms = decision().meaning();
     for (meaning, good) in [
         (arms, true),
         (Meaning { contract: arms.contract ^ 1, ..arms }, false),
         (Meaning { answer: OutputKind::Argmax, ..arms }, false),
     ] {
-        let mut words = vec![0; net::words(&[(FEATURES, 4, net::Kind::W8A16)], &meaning)];
-        assert!(net::pack(&[rows], &meaning, &mut words));
+        let words = packed(&layers, &meaning);
         assert_eq!(Model::parse(&words).err(), (!good).then_some(ModelError::Meaning), "{meaning:?}");
     }
 }

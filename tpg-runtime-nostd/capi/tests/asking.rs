@@ -77,7 +77,7 @@ fn the_guides_code_asks_where_the_graph_does_and_answers_as_both() {
     for file in emit::emit(&graph, Language::C, &Options::new(prefix("swing"))) {
         write(&file.name, &file.text);
     }
-    for file in to_c(&network, &prefix("torque"), false).expect("it packs") {
+    for file in to_c(&network, &prefix("torque")).expect("it packs") {
         write(&file.name, &file.text);
     }
     let guide = read("docs/hybrid.md");

@@ -74,7 +74,7 @@ fn c_answers_with_the_same_bits_as_rust_for_any_shape() {
         states.push(vec![f32::NAN; sizes[0]]);
         states.push(vec![f32::INFINITY; sizes[0]]);
         let folder = TempDir::new().expect("a temporary folder");
-        for file in to_c(&policy, &prefix, false).expect("it packs") {
+        for file in to_c(&policy, &prefix).expect("it packs") {
             fs::write(folder.path().join(&file.name), file.text).expect("the folder can be written");
         }
         let mut text = String::from("static const uint32_t states[] = {\n");
@@ -84,7 +84,7 @@ fn c_answers_with_the_same_bits_as_rust_for_any_shape() {
         text.push_str("};\n");
         fs::write(folder.path().join("states.h"), text).expect("the folder can be written");
         let output = linked::output_of("network.c", folder.path(), &["network.c"], &archive);
-        let words = to_words(&policy, false).expect("it packs");
+        let words = to_words(&policy).expect("it packs");
         assert!(output == by_rust(&words, &states), "{sizes:?}, {kind:?}");
     }
 }

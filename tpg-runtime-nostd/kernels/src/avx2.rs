@@ -1,13 +1,12 @@
 //! The kernels on x86-64 with AVX2, which is looked for once: two blocks, and of each two groups of four columns, at once.
 
-use crate::portable::clip;
-use crate::{Form, Kind, ROWS};
+use crate::{Kind, ROWS};
 use core::arch::x86_64::{
     __m128i, __m256i, _mm_add_epi32, _mm_cvtsi128_si64, _mm_max_epi32, _mm_packs_epi32, _mm_set_epi32,
-    _mm_setzero_si128, _mm_srai_epi32, _mm_unpackhi_epi64, _mm256_add_epi32, _mm256_add_epi64,
-    _mm256_broadcastsi128_si256, _mm256_castsi256_si128, _mm256_cvtepi32_epi64, _mm256_extracti128_si256,
-    _mm256_madd_epi16, _mm256_mul_epi32, _mm256_permutevar8x32_epi32, _mm256_set_epi8, _mm256_set_epi32,
-    _mm256_set1_epi64x, _mm256_setzero_si256, _mm256_shuffle_epi8, _mm256_slli_epi16, _mm256_srai_epi16,
+    _mm_setzero_si128, _mm_unpackhi_epi64, _mm256_add_epi32, _mm256_add_epi64, _mm256_broadcastsi128_si256,
+    _mm256_castsi256_si128, _mm256_cvtepi32_epi64, _mm256_extracti128_si256, _mm256_madd_epi16, _mm256_mul_epi32,
+    _mm256_permutevar8x32_epi32, _mm256_set_epi8, _mm256_set_epi32, _mm256_set1_epi64x, _mm256_setzero_si256,
+    _mm256_shuffle_epi8, _mm256_slli_epi16, _mm256_srai_epi16,
 };
 
 cpufeatures::new!(avx2, "avx2");
@@ -19,7 +18,7 @@ pub(crate) fn is_there() -> bool {
 
 /// A hidden layer, as [`crate::hidden`]; `false` where the machine has no AVX2 or blocks or columns do not come in pairs.
 #[expect(unsafe_code, reason = "a call of functions that need AVX2")]
-pub(crate) fn layer(kind: Kind, form: Form, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) -> bool {
+pub(crate) fn layer(kind: Kind, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) -> bool {
     let block = kind.block(inputs.len());
     // Said so that the compiler sees it too: chunks of no words would be a way to panic.
     let Some(pair) = block.checked_mul(2).filter(|&pair| pair > 0) else { return false };
@@ -29,7 +28,7 @@ pub(crate) fn layer(kind: Kind, form: Form, blocks: &[u32], inputs: &[u32], outp
     for (blocks, outputs) in blocks.chunks_exact(pair).zip(outputs.as_chunks_mut::<4>().0) {
         let Some((upper, lower)) = blocks.split_at_checked(block) else { continue };
         // SAFETY: AVX2 was found.
-        *outputs = unsafe { two_blocks(kind, form, [upper, lower], inputs) };
+        *outputs = unsafe { two_blocks(kind, [upper, lower], inputs) };
     }
     true
 }
@@ -37,46 +36,26 @@ pub(crate) fn layer(kind: Kind, form: Form, blocks: &[u32], inputs: &[u32], outp
 /// The outputs of two blocks behind their ReLU, as the next layer's inputs.
 #[inline]
 #[target_feature(enable = "avx2")]
-fn two_blocks(kind: Kind, form: Form, blocks: [&[u32]; 2], inputs: &[u32]) -> [u32; 4] {
+fn two_blocks(kind: Kind, blocks: [&[u32]; 2], inputs: &[u32]) -> [u32; 4] {
     let [a, b] = accumulate(kind, blocks, inputs);
     let [upper, lower] = blocks.map(|block| block.last_chunk::<ROWS>().unwrap_or(&[0; ROWS]));
-    let (a, b) = (rescale(kind, a, upper), rescale(kind, b, lower));
-    match form {
-        Form::Pairs => {
-            // Above 32767 the packing clips, below 0 the maximum.
-            let zero = _mm_setzero_si128();
-            let [first, second] = unpack(_mm_packs_epi32(_mm_max_epi32(a, zero), _mm_max_epi32(b, zero)));
-            [first as u32, (first >> 32) as u32, second as u32, (second >> 32) as u32]
-        }
-        Form::Split => {
-            let [[first, second], [third, fourth]] = [a, b].map(|outputs| {
-                let [low, high] = unpack(outputs);
-                clip(form, [low as i32, (low >> 32) as i32, high as i32, (high >> 32) as i32])
-            });
-            [first, second, third, fourth]
-        }
-    }
+    let (a, b) = (rescale(a, upper), rescale(b, lower));
+    // Above 32767 the packing clips, below 0 the maximum.
+    let zero = _mm_setzero_si128();
+    let words = _mm_packs_epi32(_mm_max_epi32(a, zero), _mm_max_epi32(b, zero));
+    let [first, second] = [_mm_cvtsi128_si64(words), _mm_cvtsi128_si64(_mm_unpackhi_epi64(words, words))];
+    [first as u32, (first >> 32) as u32, second as u32, (second >> 32) as u32]
 }
 
 /// Accumulators times their multipliers, as `portable::rescale`.
 #[inline]
 #[target_feature(enable = "avx2")]
-fn rescale(kind: Kind, accumulators: __m128i, multipliers: &[u32; ROWS]) -> __m128i {
-    let sums = match kind.scale() {
-        0 => accumulators,
-        _ => _mm_srai_epi32::<8>(accumulators),
-    };
+fn rescale(sums: __m128i, multipliers: &[u32; ROWS]) -> __m128i {
     let products = _mm256_mul_epi32(_mm256_cvtepi32_epi64(sums), _mm256_cvtepi32_epi64(quad(multipliers)));
     let rounded = _mm256_add_epi64(products, _mm256_set1_epi64x(1 << 31));
     // The upper halves of the four numbers, side by side.
     let upper = _mm256_permutevar8x32_epi32(rounded, _mm256_set_epi32(7, 7, 7, 7, 7, 5, 3, 1));
     _mm256_castsi256_si128(upper)
-}
-
-#[inline]
-#[target_feature(enable = "avx2")]
-fn unpack(words: __m128i) -> [i64; 2] {
-    [_mm_cvtsi128_si64(words), _mm_cvtsi128_si64(_mm_unpackhi_epi64(words, words))]
 }
 
 /// The accumulators of two blocks' rows.
@@ -87,13 +66,13 @@ fn accumulate(kind: Kind, blocks: [&[u32]; 2], inputs: &[u32]) -> [__m128i; 2] {
     let [upper, lower] = blocks.map(|block| block.split_first_chunk::<ROWS>().unwrap_or((&[0; ROWS], &[])));
     let mut sums = [_mm256_setzero_si256(); 2];
     match kind {
-        Kind::W8A16 | Kind::W8A8 => {
+        Kind::W8A16 => {
             let weights = upper.1.as_chunks::<8>().0.iter().zip(lower.1.as_chunks::<8>().0);
             for ((upper, lower), input) in weights.zip(inputs) {
                 let (first, second) = (spread(input, 0, 2), spread(input, 1, 3));
                 for (sum, words) in sums.iter_mut().zip([upper, lower]) {
                     let words = load(words);
-                    let odd = if matches!(kind, Kind::W8A8) { words } else { _mm256_srai_epi16::<8>(words) };
+                    let odd = _mm256_srai_epi16::<8>(words);
                     let even = _mm256_srai_epi16::<8>(_mm256_slli_epi16::<8>(words));
                     *sum = dual(odd, second, dual(even, first, *sum));
                 }

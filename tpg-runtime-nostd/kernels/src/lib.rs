@@ -9,8 +9,8 @@
 //! | 4 (`i8`) or 8 (`i16`) for every 4 columns | weights, word by word of the four rows |
 //! | 4 | multipliers: an output is (accumulator · multiplier + 2³¹) >> 32 |
 //!
-//! Columns are padded with zeros to a multiple of [`COLUMNS`]. The [`Kind`] says which weights a word holds, and in which
-//! words the inputs then lie. The arithmetic is exact integer arithmetic modulo 2³²: every form of a
+//! Columns are padded with zeros to a multiple of [`COLUMNS`]. The [`Kind`] says which weights a word holds. The
+//! arithmetic is exact integer arithmetic modulo 2³²: every form of a
 //! kernel gives the same bits, whatever the numbers are.
 //!
 //! | form | where | module |
@@ -44,8 +44,8 @@ mod thumb1;
 #[cfg(tpg_thumb2)]
 mod thumb2;
 
-pub use activations::{clip_to_i8, pair_inputs, split_inputs};
-pub use kind::{COLUMNS, Form, Kind, ROWS};
+pub use activations::pair_inputs;
+pub use kind::{COLUMNS, Kind, ROWS};
 pub use root::sqrt;
 
 #[cfg(not(any(tpg_thumb1, tpg_thumb2, tpg_scalar, target_arch = "x86_64")))]
@@ -91,19 +91,19 @@ fn whole(inputs: &[u32]) -> bool {
 /// `blocks` are whole blocks for as many columns as `inputs` has, a multiple of [`COLUMNS`]: for others nothing is written. Two
 /// words come out of every block; what does not fit into `outputs`, or an incomplete block, is left out.
 #[inline(never)] // its loop is not its caller's: a static bound multiplies nested ones
-pub fn hidden(kind: Kind, form: Form, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) {
+pub fn hidden(kind: Kind, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) {
     if !whole(inputs) {
         return;
     }
     #[cfg(target_arch = "x86_64")]
-    if avx2::layer(kind, form, blocks, inputs, outputs) {
+    if avx2::layer(kind, blocks, inputs, outputs) {
         return;
     }
     #[cfg(any(tpg_thumb2, tpg_scalar))]
-    chosen::layer(kind, form, blocks, inputs, outputs);
+    chosen::layer(kind, blocks, inputs, outputs);
     #[cfg(not(any(tpg_thumb2, tpg_scalar)))]
     for (block, outputs) in blocks.chunks_exact(kind.block(inputs.len())).zip(outputs.as_chunks_mut::<2>().0) {
-        *outputs = chosen::hidden(kind, form, block, inputs);
+        *outputs = chosen::hidden(kind, block, inputs);
     }
 }
 
@@ -148,11 +148,7 @@ mod tests {
             prop_assert_eq!(
                 scalar::accumulate(kind, block, inputs), portable::accumulate(kind, block, inputs)
             );
-            for form in [Form::Pairs, Form::Split] {
-                prop_assert_eq!(
-                    chosen::hidden(kind, form, block, inputs), portable::hidden(kind, form, block, inputs)
-                );
-            }
+            prop_assert_eq!(chosen::hidden(kind, block, inputs), portable::hidden(kind, block, inputs));
         }
     }
 
@@ -164,19 +160,17 @@ mod tests {
                     let inputs = eights * 4;
                     (Just(kind), Just(inputs), words(inputs + blocks * kind.block(inputs)))
                 }),
-            pairs in any::<bool>(),
         ) {
             let (inputs, blocks) = layer.split_at(columns);
-            let form = if pairs { Form::Pairs } else { Form::Split };
             let each = blocks.chunks_exact(kind.block(columns));
-            let expected: Vec<u32> = each.flat_map(|block| portable::hidden(kind, form, block, inputs)).collect();
+            let expected: Vec<u32> = each.flat_map(|block| portable::hidden(kind, block, inputs)).collect();
             let mut outputs = std::vec![0; expected.len()];
-            hidden(kind, form, blocks, inputs, &mut outputs);
+            hidden(kind, blocks, inputs, &mut outputs);
             prop_assert_eq!(&outputs, &expected, "{}", super::form());
             #[cfg(target_endian = "little")]
             {
                 outputs.fill(0);
-                scalar::layer(kind, form, blocks, inputs, &mut outputs);
+                scalar::layer(kind, blocks, inputs, &mut outputs);
                 prop_assert_eq!(outputs, expected);
             }
         }
@@ -185,11 +179,11 @@ mod tests {
     #[test]
     fn what_is_too_short_is_left_out() {
         let mut outputs = [7; 5];
-        hidden(Kind::W8A16, Form::Pairs, &[1; 15], &[1; 4], &mut outputs);
+        hidden(Kind::W8A16, &[1; 15], &[1; 4], &mut outputs);
         assert_eq!(outputs, [7; 5], "a block has 16 words");
         assert_eq!(last(Kind::W16A16, &[1; 3], &[1; 4]), [0; 4]);
         for no_turn in [&[][..], &[1; 6]] {
-            hidden(Kind::W8A16, Form::Pairs, &[1; 40], no_turn, &mut outputs);
+            hidden(Kind::W8A16, &[1; 40], no_turn, &mut outputs);
             assert_eq!(outputs, [7; 5]);
             assert_eq!(last(Kind::W8A16, &[1; 40], no_turn), [0; 4]);
         }

@@ -1,7 +1,7 @@
 //! The kernels in plain Rust, which define what all others compute.
 
-use crate::activations::{pairs, split};
-use crate::{Form, Kind, ROWS};
+use crate::activations::pairs;
+use crate::{Kind, ROWS};
 
 /// `a` + the products of the signed halves of two words: the instruction SMLAD.
 #[inline(always)]
@@ -40,13 +40,6 @@ pub fn accumulate(kind: Kind, block: &[u32], inputs: &[u32]) -> [i32; ROWS] {
                 }
             }
         }
-        Kind::W8A8 => {
-            for (words, [first, second]) in weights.as_chunks::<ROWS>().0.iter().zip(inputs) {
-                for (sum, &word) in sums.iter_mut().zip(words) {
-                    *sum = dual(even_bytes(word), *first, dual(word, *second, *sum));
-                }
-            }
-        }
     }
     sums
 }
@@ -58,8 +51,8 @@ pub fn rescale(kind: Kind, block: &[u32], inputs: &[u32], accumulators: [i32; RO
     let Some(multipliers) = block.get(after..).and_then(|rest| rest.first_chunk::<ROWS>()) else { return [0; ROWS] };
     let mut outputs = accumulators;
     for (output, &multiplier) in outputs.iter_mut().zip(multipliers) {
-        let (number, multiplier) = (*output >> kind.scale(), multiplier as i32);
-        *output = if cfg!(tpg_thumb1) { by_halves(number, multiplier) } else { rounded(number, multiplier) };
+        let multiplier = multiplier as i32;
+        *output = if cfg!(tpg_thumb1) { by_halves(*output, multiplier) } else { rounded(*output, multiplier) };
     }
     outputs
 }
@@ -82,17 +75,14 @@ const fn by_halves(a: i32, b: i32) -> i32 {
 
 /// Outputs behind their ReLU, as inputs of a next layer.
 #[inline(always)]
-pub(crate) fn clip(form: Form, outputs: [i32; ROWS]) -> [u32; 2] {
-    match form {
-        Form::Pairs => pairs(outputs.map(|output| output.clamp(0, 32767))),
-        Form::Split => split(outputs.map(|output| output.clamp(0, 127))),
-    }
+pub(crate) fn clip(outputs: [i32; ROWS]) -> [u32; 2] {
+    pairs(outputs.map(|output| output.clamp(0, 32767)))
 }
 
 /// One block of a hidden layer.
 #[inline]
-pub fn hidden(kind: Kind, form: Form, block: &[u32], inputs: &[u32]) -> [u32; 2] {
-    clip(form, rescale(kind, block, inputs, accumulate(kind, block, inputs)))
+pub fn hidden(kind: Kind, block: &[u32], inputs: &[u32]) -> [u32; 2] {
+    clip(rescale(kind, block, inputs, accumulate(kind, block, inputs)))
 }
 
 #[cfg(test)]

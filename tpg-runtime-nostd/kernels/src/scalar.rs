@@ -6,7 +6,7 @@
 //! Words must lie in memory with their lowest byte first.
 
 use crate::portable::{clip, rescale};
-use crate::{Form, Kind, ROWS};
+use crate::{Kind, ROWS};
 
 /// Words as bytes in memory.
 #[expect(unsafe_code, reason = "a view of numbers as smaller ones, which no safe function of core gives")]
@@ -41,25 +41,23 @@ pub(crate) fn accumulate(kind: Kind, block: &[u32], inputs: &[u32]) -> [i32; ROW
     match kind {
         Kind::W8A16 => split_off(block, inputs, w8a16),
         Kind::W16A16 => split_off(block, inputs, w16a16),
-        Kind::W8A8 => split_off(block, inputs, w8a8),
     }
 }
 
 /// A hidden layer.
 #[inline]
-pub(crate) fn layer(kind: Kind, form: Form, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) {
+pub(crate) fn layer(kind: Kind, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) {
     // A loop for each kind, so that none asks which it is.
     match kind {
-        Kind::W8A16 => each(Kind::W8A16, form, blocks, inputs, outputs, w8a16),
-        Kind::W16A16 => each(Kind::W16A16, form, blocks, inputs, outputs, w16a16),
-        Kind::W8A8 => each(Kind::W8A8, form, blocks, inputs, outputs, w8a8),
+        Kind::W8A16 => each(Kind::W8A16, blocks, inputs, outputs, w8a16),
+        Kind::W16A16 => each(Kind::W16A16, blocks, inputs, outputs, w16a16),
     }
 }
 
 #[inline(always)]
-fn each(kind: Kind, form: Form, blocks: &[u32], inputs: &[u32], outputs: &mut [u32], accumulate: Accumulate) {
+fn each(kind: Kind, blocks: &[u32], inputs: &[u32], outputs: &mut [u32], accumulate: Accumulate) {
     for (block, outputs) in blocks.chunks_exact(kind.block(inputs.len())).zip(outputs.as_chunks_mut::<2>().0) {
-        *outputs = clip(form, rescale(kind, block, inputs, split_off(block, inputs, accumulate)));
+        *outputs = clip(rescale(kind, block, inputs, split_off(block, inputs, accumulate)));
     }
 }
 
@@ -84,21 +82,6 @@ fn w16a16(mut sums: [i32; ROWS], weights: &[u32], inputs: &[u32]) -> [i32; ROWS]
         let rows = left.as_chunks::<2>().0.iter().zip(right.as_chunks::<2>().0);
         for (sum, (&[e, f], &[g, h])) in sums.iter_mut().zip(rows) {
             for (weight, input) in [e, f, g, h].into_iter().zip([a, b, c, d]) {
-                *sum = product(i32::from(weight), i32::from(input), *sum);
-            }
-        }
-    }
-    sums
-}
-
-#[inline(always)]
-fn w8a8(mut sums: [i32; ROWS], weights: &[u32], inputs: &[u32]) -> [i32; ROWS] {
-    let inputs = halves(inputs).as_chunks::<4>().0;
-    let (low, whole) = (bytes(weights).as_chunks::<{ 4 * ROWS }>().0, halves(weights).as_chunks::<{ 2 * ROWS }>().0);
-    for ((low, whole), &[a, b, c, d]) in low.iter().zip(whole).zip(inputs) {
-        let rows = low.as_chunks::<4>().0.iter().zip(whole.as_chunks::<2>().0);
-        for (sum, (&[e, _, f, _], &[g, h])) in sums.iter_mut().zip(rows) {
-            for (weight, input) in [i16::from(e), i16::from(f), g, h].into_iter().zip([a, b, c, d]) {
                 *sum = product(i32::from(weight), i32::from(input), *sum);
             }
         }

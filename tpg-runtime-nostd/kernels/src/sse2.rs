@@ -1,7 +1,7 @@
 //! The kernels on x86-64, where SSE2 is always there: four rows in one register.
 
 use crate::portable::{clip, rescale};
-use crate::{Form, Kind, ROWS};
+use crate::{Kind, ROWS};
 use core::arch::x86_64::{
     __m128i, _mm_add_epi32, _mm_cvtsi128_si64, _mm_madd_epi16, _mm_set_epi32, _mm_set1_epi32, _mm_slli_epi16,
     _mm_srai_epi16, _mm_unpackhi_epi64,
@@ -25,7 +25,7 @@ fn with_sse2(kind: Kind, block: &[u32], inputs: &[u32]) -> [i32; ROWS] {
         Kind::W8A16 => {
             for (words, &[first, second]) in weights.as_chunks::<ROWS>().0.iter().zip(inputs) {
                 let words = load(words);
-                sums = dual(even_bytes(words), first, sums);
+                sums = dual(_mm_srai_epi16::<8>(_mm_slli_epi16::<8>(words)), first, sums);
                 sums = dual(_mm_srai_epi16::<8>(words), second, sums);
             }
         }
@@ -36,13 +36,6 @@ fn with_sse2(kind: Kind, block: &[u32], inputs: &[u32]) -> [i32; ROWS] {
                 sums = dual(load(right), second, sums);
             }
         }
-        Kind::W8A8 => {
-            for (words, &[first, second]) in weights.as_chunks::<ROWS>().0.iter().zip(inputs) {
-                let words = load(words);
-                sums = dual(words, second, sums);
-                sums = dual(even_bytes(words), first, sums);
-            }
-        }
     }
     let (low, high) = (_mm_cvtsi128_si64(sums), _mm_cvtsi128_si64(_mm_unpackhi_epi64(sums, sums)));
     [low as i32, (low >> 32) as i32, high as i32, (high >> 32) as i32]
@@ -50,20 +43,14 @@ fn with_sse2(kind: Kind, block: &[u32], inputs: &[u32]) -> [i32; ROWS] {
 
 /// One block of a hidden layer.
 #[inline]
-pub(crate) fn hidden(kind: Kind, form: Form, block: &[u32], inputs: &[u32]) -> [u32; 2] {
-    clip(form, rescale(kind, block, inputs, accumulate(kind, block, inputs)))
+pub(crate) fn hidden(kind: Kind, block: &[u32], inputs: &[u32]) -> [u32; 2] {
+    clip(rescale(kind, block, inputs, accumulate(kind, block, inputs)))
 }
 
 #[inline]
 #[target_feature(enable = "sse2")]
 fn load(&[a, b, c, d]: &[u32; ROWS]) -> __m128i {
     _mm_set_epi32(d as i32, c as i32, b as i32, a as i32)
-}
-
-#[inline]
-#[target_feature(enable = "sse2")]
-fn even_bytes(words: __m128i) -> __m128i {
-    _mm_srai_epi16::<8>(_mm_slli_epi16::<8>(words))
 }
 
 /// The one product that PMADDWD and SMLAD could disagree on, (−2¹⁵)² twice, is 2³¹ modulo 2³² in both.

@@ -2,15 +2,14 @@
 //!
 //! Such a core multiplies in one cycle (or 32), adds in another, and has eight registers for both. So accumulators are in r8–r11,
 //! where only additions reach them, and the low registers hold four inputs, a word of weights and one of them. Eight columns a turn:
-//! 133 instructions for `i8` weights with `i16` activations, 118 for `i16` weights, 116 for `i8` with `i8`, for 32 multiplications
-//! each. A compiler spills.
+//! 133 instructions for `i8` weights, 118 for `i16` weights, for 32 multiplications each. A compiler spills.
 #![expect(unsafe_code, reason = "a compiler keeps no accumulators in the upper registers")]
 
 use crate::portable::{clip, rescale};
-use crate::{Form, Kind, ROWS};
+use crate::{Kind, ROWS};
 use core::arch::naked_asm;
 
-/// Four columns of `i8` weights with `i16` activations.
+/// Four columns of `i8` weights.
 macro_rules! w8a16 {
     () => {
         "
@@ -149,71 +148,6 @@ macro_rules! w16a16 {
     };
 }
 
-/// Four columns of `i8` weights with `i8` activations.
-macro_rules! w8a8 {
-    () => {
-        "
-        ldmia r1!, {{r4, r6}}
-        asrs r5, r4, #16
-        sxth r4, r4
-        asrs r7, r6, #16
-        sxth r6, r6
-        ldmia r0!, {{r2}}
-        sxtb r3, r2
-        muls r3, r4, r3
-        add r8, r3
-        sxth r3, r2
-        muls r3, r6, r3
-        add r8, r3
-        asrs r2, r2, #16
-        sxtb r3, r2
-        muls r3, r5, r3
-        add r8, r3
-        muls r2, r7, r2
-        add r8, r2
-        ldmia r0!, {{r2}}
-        sxtb r3, r2
-        muls r3, r4, r3
-        add r9, r3
-        sxth r3, r2
-        muls r3, r6, r3
-        add r9, r3
-        asrs r2, r2, #16
-        sxtb r3, r2
-        muls r3, r5, r3
-        add r9, r3
-        muls r2, r7, r2
-        add r9, r2
-        ldmia r0!, {{r2}}
-        sxtb r3, r2
-        muls r3, r4, r3
-        add r10, r3
-        sxth r3, r2
-        muls r3, r6, r3
-        add r10, r3
-        asrs r2, r2, #16
-        sxtb r3, r2
-        muls r3, r5, r3
-        add r10, r3
-        muls r2, r7, r2
-        add r10, r2
-        ldmia r0!, {{r2}}
-        sxtb r3, r2
-        muls r3, r4, r3
-        add r11, r3
-        sxth r3, r2
-        muls r3, r6, r3
-        add r11, r3
-        asrs r2, r2, #16
-        sxtb r3, r2
-        muls r3, r5, r3
-        add r11, r3
-        muls r2, r7, r2
-        add r11, r2
-        "
-    };
-}
-
 /// The accumulators of a block: its weights, their inputs, the end of these (whole turns of eight columns, at least one), and the place
 /// of four words. Last the branch to the next turn.
 macro_rules! block {
@@ -258,7 +192,6 @@ macro_rules! block {
 // Too far for a conditional branch of this core.
 block!(w8a16_raw: w8a16, "beq 3f\nb 2b\n3:");
 block!(w16a16_raw: w16a16, "bne 2b");
-block!(w8a8_raw: w8a8, "bne 2b");
 
 /// The accumulators of a whole block's rows, or zeros.
 #[inline]
@@ -274,7 +207,6 @@ pub(crate) fn accumulate(kind: Kind, block: &[u32], inputs: &[u32]) -> [i32; ROW
         match kind {
             Kind::W8A16 => w8a16_raw(block, inputs.start, inputs.end, to),
             Kind::W16A16 => w16a16_raw(block, inputs.start, inputs.end, to),
-            Kind::W8A8 => w8a8_raw(block, inputs.start, inputs.end, to),
         }
     }
     result
@@ -282,6 +214,6 @@ pub(crate) fn accumulate(kind: Kind, block: &[u32], inputs: &[u32]) -> [i32; ROW
 
 /// One block of a hidden layer.
 #[inline]
-pub(crate) fn hidden(kind: Kind, form: Form, block: &[u32], inputs: &[u32]) -> [u32; 2] {
-    clip(form, rescale(kind, block, inputs, accumulate(kind, block, inputs)))
+pub(crate) fn hidden(kind: Kind, block: &[u32], inputs: &[u32]) -> [u32; 2] {
+    clip(rescale(kind, block, inputs, accumulate(kind, block, inputs)))
 }

@@ -1,4 +1,4 @@
-//! Networks in integers, of any shape: `i8` or `i16` weights, `i16` or `i8` activations, `i32` accumulators.
+//! Networks in integers, of any shape: `i8` or `i16` weights, `i16` activations, `i32` accumulators.
 //!
 //! A network is one array of words ([`pack`]) that lies in a target's flash. [`Model::parse`] checks and borrows it, and
 //! answers from states: no heap, no panic, and the same bits in Rust, in C and on every core.
@@ -9,8 +9,8 @@
 //! y = (acc·factor\[o\] + 2^(shift\[o\] − 1)) >> shift\[o\] in `i64`: rounded to nearest, halves upwards;
 //! then clipped to 0..=32767 behind a hidden layer (its ReLU) and to −32767..=32767 behind the last one.
 //!
-//! That is the whole arithmetic, and every kernel that computes it gives the same bits. [`Layer::is_sound`] and [`pack`]
-//! prove at build time that no accumulator can overflow, for any input at all.
+//! That is the whole arithmetic, and every kernel that computes it gives the same bits. [`pack`] proves
+//! at build time that no accumulator can overflow, for any input at all.
 //!
 //! | number | unit |
 //! | --- | --- |
@@ -55,7 +55,7 @@ mod tanh;
 
 pub use crc::of_names as contract;
 pub use input::{INPUT_ONE, integer};
-pub use layer::{HIDDEN, LAST, Layer, PREFERENCE_ONE, Rescale, accumulate, worst_accumulator};
+pub use layer::{HIDDEN, LAST, PREFERENCE_ONE, Rescale, accumulate};
 pub use meaning::{FRACTION_ONE, Meaning, OutputKind, Scaling, Squash, Value};
 pub use model::{Model, ModelError};
 pub use pack::{LAYERS, LayerRows, MAGIC, VERSION, WIDTH, Weights, pack, words};

@@ -3,7 +3,7 @@
 use super::meaning::{OutputKind, Scaling, Squash, Value};
 use super::pack::{ANSWER_ARGMAX, ANSWER_PREFERENCES, ANSWER_VALUES, HEADER, LAYERS, MAGIC, SCALED, VERSION, WIDTH};
 use super::{LAST, crc, integer};
-use tpg_kernels::{COLUMNS, Form, Kind, ROWS};
+use tpg_kernels::{COLUMNS, Kind, ROWS};
 
 /// A reason that words are not a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -295,10 +295,7 @@ impl<'a> Model<'a> {
         let inputs = inputs.get(..self.inputs).unwrap_or(inputs);
         let first = self.first_layer();
         if let Some(words) = words.get_mut(..first.inputs()) {
-            match first.kind.form() {
-                Form::Pairs => tpg_kernels::pair_inputs(inputs, words),
-                Form::Split => tpg_kernels::split_inputs(inputs, words),
-            }
+            tpg_kernels::pair_inputs(inputs, words);
         }
     }
 
@@ -317,10 +314,7 @@ impl<'a> Model<'a> {
                 }
                 number += 1;
             }
-            match first.kind.form() {
-                Form::Pairs => tpg_kernels::pair_inputs(&four, words),
-                Form::Split => tpg_kernels::split_inputs(&four, words),
-            }
+            tpg_kernels::pair_inputs(&four, words);
         }
     }
 
@@ -328,10 +322,9 @@ impl<'a> Model<'a> {
     #[inline(always)]
     fn through_hidden<'s>(&self, mut from: &'s mut [u32], mut to: &'s mut [u32]) -> Option<&'s [u32]> {
         let hidden = self.hidden.get(..self.count).unwrap_or(&[]);
-        for (index, layer) in hidden.iter().enumerate() {
-            let form = hidden.get(index + 1).unwrap_or(&self.last).kind.form();
+        for layer in hidden {
             if let (Some(inputs), Some(outputs)) = (from.get(..layer.inputs()), to.get_mut(..layer.outputs())) {
-                tpg_kernels::hidden(layer.kind, form, layer.blocks, inputs, outputs);
+                tpg_kernels::hidden(layer.kind, layer.blocks, inputs, outputs);
             }
             (from, to) = (to, from);
         }
@@ -352,14 +345,10 @@ impl Model<'_> {
         use tpg_kernels::portable;
         let hidden = &self.hidden[..self.count];
         let mut from = vec![0; self.first_layer().inputs()];
-        match self.first_layer().kind.form() {
-            Form::Pairs => tpg_kernels::pair_inputs(inputs, &mut from),
-            Form::Split => tpg_kernels::split_inputs(inputs, &mut from),
-        }
-        for (index, layer) in hidden.iter().enumerate() {
-            let form = hidden.get(index + 1).unwrap_or(&self.last).kind.form();
+        tpg_kernels::pair_inputs(inputs, &mut from);
+        for layer in hidden {
             let blocks = layer.blocks.chunks_exact(layer.kind.block(from.len()));
-            from = blocks.flat_map(|block| portable::hidden(layer.kind, form, block, &from)).collect::<Vec<_>>();
+            from = blocks.flat_map(|block| portable::hidden(layer.kind, block, &from)).collect::<Vec<_>>();
         }
         let last = &self.last;
         let blocks = last.blocks.chunks_exact(last.kind.block(from.len()));

@@ -81,23 +81,18 @@ impl LayerRows<'_> {
         sizes && count == self.inputs * outputs && self.rescale.len() == outputs
     }
 
-    /// The greatest magnitude that a row's accumulator can take, for any inputs: 256 · the sum of products for `i8`
-    /// activations, which lie in ±127; the sum for `i16` ones.
+    /// The greatest magnitude that a row's accumulator can take, for any inputs.
     ///
     /// # Panics
     /// If there is no such row or not a weight for each of its columns.
     pub const fn worst_accumulator(&self, row: usize) -> i64 {
-        let (greatest, scale) = match self.kind {
-            Kind::W8A8 => (127, 256),
-            Kind::W8A16 | Kind::W16A16 => (32_768, 1),
-        };
         let mut worst = self.bias[row].unsigned_abs() as i64;
         let mut column = 0;
         while column < self.inputs {
-            worst += self.weight(row, column).unsigned_abs() as i64 * greatest;
+            worst += self.weight(row, column).unsigned_abs() as i64 * 32_768;
             column += 1;
         }
-        worst * scale
+        worst
     }
 
     /// Returns true if every weight is one of its kind and no input can overflow an accumulator.
@@ -132,7 +127,6 @@ impl LayerRows<'_> {
         match self.kind {
             Kind::W8A16 => u32::from_le_bytes([w[0] as u8, w[2] as u8, w[1] as u8, w[3] as u8]),
             Kind::W16A16 => halves(w[2 * word], w[2 * word + 1]),
-            Kind::W8A8 => halves(256 * w[2] + w[0], 256 * w[3] + w[1]),
         }
     }
 }
@@ -253,16 +247,15 @@ const fn pack_block(layer: &LayerRows<'_>, row: usize, words: &mut [u32], at: us
     if at + length > words.len() {
         return None;
     }
-    let (scale, words_per_four) = match layer.kind {
-        Kind::W8A16 => (1, 1),
-        Kind::W16A16 => (1, 2),
-        Kind::W8A8 => (256, 1),
+    let words_per_four = match layer.kind {
+        Kind::W8A16 => 1,
+        Kind::W16A16 => 2,
     };
     let mut index = 0;
     while index < ROWS {
         let row = row + index;
         if row < layer.bias.len() {
-            words[at + index] = (layer.bias[row] * scale) as u32;
+            words[at + index] = layer.bias[row] as u32;
             match layer.rescale[row].multiplier() {
                 Some(multiplier) => words[at + length - ROWS + index] = multiplier as u32,
                 None => return None,

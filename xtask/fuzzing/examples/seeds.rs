@@ -40,15 +40,13 @@ fn main() -> std::io::Result<()> {
         put("compiled", &format!("shape_{seed}"), &[[seed + 1; 16], [3 * seed + 2; 16]].concat())?;
     }
 
-    for kind in ["w8a8", "w16a16"] {
-        let text = String::from_utf8_lossy(&read(&format!("tpg-codegen/tests/fixtures/policy-kinds/{kind}.q.json"))?)
-            .into_owned();
-        let policy = QuantisedPolicy::from_json(kind, &text).expect("a policy");
-        put("policy", kind, text.as_bytes())?;
-        let words = policy::to_words(&policy, false).expect("a small network");
-        let bytes: Vec<u8> = [1].into_iter().chain(words.iter().flat_map(|word| word.to_le_bytes())).collect();
-        put("packed_words", kind, &bytes)?;
-    }
+    let kind = "w16a16";
+    let text = read(&format!("tpg-codegen/tests/fixtures/policy-kinds/{kind}.q.json"))?;
+    put("policy", kind, &text)?;
+    let policy = QuantisedPolicy::from_json(kind, &String::from_utf8_lossy(&text)).expect("a policy");
+    let words = policy::to_words(&policy).expect("a small network");
+    let bytes: Vec<u8> = [1].into_iter().chain(words.iter().flat_map(|word| word.to_le_bytes())).collect();
+    put("packed_words", kind, &bytes)?;
     put("safetensors", "arm", &read("generated/seeds/sac-paper-fs-16-units-1.safetensors")?)?;
     for trainer in ["cleanrl", "sb3"] {
         put("safetensors", trainer, &read(&format!("tpg-train/tests/fixtures/foreign-actors/{trainer}.safetensors"))?)?;

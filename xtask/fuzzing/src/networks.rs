@@ -25,8 +25,7 @@ pub fn policy(data: &[u8]) {
     };
     let again = QuantisedPolicy::from_json("written.q.json", &policy.to_json()).expect("what is written is read");
     let inputs = policy.layers.first().map_or(0, |layer| layer.inputs);
-    for wide in [false, true] {
-        let Ok(words) = policy::to_words(&policy, wide) else { continue };
+    if let Ok(words) = policy::to_words(&policy) {
         let model = Model::parse(&words).expect("what is packed is a model");
         assert_eq!((model.inputs(), model.scratch() < 1 << 20), (inputs, true));
         let mut scratch = vec![u32::MAX; model.scratch()];
@@ -41,7 +40,7 @@ pub fn policy(data: &[u8]) {
         }
     }
     let _ = (policy::to_rust(&policy).is_ok(), policy.bytes(), policy.multiplications());
-    let _ = policy::to_c(&policy, &"fuzzed".parse().expect("a prefix"), false).is_ok();
+    let _ = policy::to_c(&policy, &"fuzzed".parse().expect("a prefix")).is_ok();
 }
 
 /// Packed words: the first byte chooses whether the length and the checksum are mended first.

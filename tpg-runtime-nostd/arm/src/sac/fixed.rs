@@ -1,14 +1,9 @@
-//! The arm's network in integers: two hidden layers between the [`features`](super::features()) and four preferences.
-//!
-//! Features enter as whole multiples of 1/4096 ([`quantise`]), preferences leave as multiples of 1/2048. The arithmetic is
-//! [`tpg_runtime::net`]'s.
+//! The arm's network in integers, without its layers: [`features`](super::features()) enter as whole multiples of 1/4096
+//! ([`quantise`]), preferences leave as multiples of 1/2048 and are [decided](FixedDecision) on.
 
-use super::{Actions, Decision, FEATURE_CONTRACT, FEATURES, Mask, TRAINED_COARSE, TRAINED_FINE, features};
-use crate::arm::{Arm, JOINTS, Move};
-use crate::frame::Frame;
-use crate::observation::Observation;
-use tpg_runtime::net::{HIDDEN, LAST, Layer, Meaning, OutputKind, PREFERENCE_ONE, integer};
-use tpg_runtime::policy::Policy;
+use super::{Actions, Decision, FEATURE_CONTRACT, FEATURES, Mask, TRAINED_COARSE, TRAINED_FINE};
+use crate::arm::{JOINTS, Move};
+use tpg_runtime::net::{Meaning, OutputKind, PREFERENCE_ONE, integer};
 
 /// Features as integers: rounded to nearest, halves away from zero, clipped to `i16`; NaN becomes 0.
 #[inline]
@@ -23,31 +18,6 @@ pub fn quantise(features: &[f32; FEATURES]) -> [i16; FEATURES] {
 pub(super) fn quantise_into(features: &[f32; FEATURES], integers: &mut [i16; FEATURES]) {
     for (to, &feature) in integers.iter_mut().zip(features) {
         *to = integer(feature);
-    }
-}
-
-/// A network of two hidden layers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Network<const A: usize, const B: usize> {
-    /// Features to the first hidden layer.
-    pub first: Layer<FEATURES, A>,
-    /// First to second hidden layer.
-    pub second: Layer<A, B>,
-    /// Second hidden layer to the preferences.
-    pub last: Layer<B, JOINTS>,
-}
-
-impl<const A: usize, const B: usize> Network<A, B> {
-    /// Returns true if every layer [is sound](Layer::is_sound).
-    pub const fn is_sound(&self) -> bool {
-        self.first.is_sound() && self.second.is_sound() && self.last.is_sound()
-    }
-
-    /// The preferences, in multiples of 1/2048.
-    pub fn preferences(&self, features: &[i16; FEATURES]) -> [i32; JOINTS] {
-        let first = self.first.forward(features, HIDDEN);
-        let second = self.second.forward(&first, HIDDEN);
-        self.last.forward(&second, LAST).map(i32::from)
     }
 }
 
@@ -119,61 +89,26 @@ impl FixedDecision {
     }
 }
 
-/// A network in integers as a policy of an arm.
-#[derive(Clone, Copy, Debug)]
-pub struct FixedPolicy<'a, const A: usize, const B: usize> {
-    /// The arm whose geometry the features know.
-    pub arm: &'a Arm<f32>,
-    /// The network.
-    pub network: &'a Network<A, B>,
-    /// The decision that follows the network.
-    pub decision: FixedDecision,
-}
-
-impl<const A: usize, const B: usize> Policy for FixedPolicy<'_, A, B> {
-    type State = Observation<f32>;
-    type Action = Move;
-
-    fn decide(&self, seen: &Observation<f32>) -> Move {
-        let features = quantise(&features(&Frame::new(self.arm, seen)));
-        self.decision.decide(self.network.preferences(&features), seen.pose, &self.arm.ranges)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arm::WIDOWX;
+    use crate::arm::{Arm, Pose, WIDOWX};
+    use crate::frame::Frame;
+    use crate::sac::features;
     use proptest::prelude::*;
-    use tpg_runtime::net::Rescale;
 
     const ARM: Arm<f32> = WIDOWX.to_f32();
 
-    fn network() -> impl Strategy<Value = Network<5, 3>> {
-        fn layer<const I: usize, const O: usize>() -> impl Strategy<Value = Layer<I, O>> {
-            let weights = prop::collection::vec(prop_oneof![Just(-128i8), Just(127), any::<i8>()], I * O);
-            let bias = prop::collection::vec(any::<i32>(), O);
-            let rescale = prop::collection::vec((any::<i16>(), any::<u8>()), O);
-            (weights, bias, rescale).prop_map(|(weights, bias, rescale)| Layer {
-                weights: core::array::from_fn(|o| core::array::from_fn(|i| weights[o * I + i])),
-                bias: core::array::from_fn(|o| bias[o]),
-                rescale: core::array::from_fn(|o| Rescale { factor: rescale[o].0, shift: rescale[o].1 }),
-            })
-        }
-        (layer(), layer(), layer()).prop_map(|(first, second, last)| Network { first, second, last })
-    }
-
     proptest! {
         #[test]
-        fn nothing_panics_whatever_weights_and_observation_hold(
-            network in network(),
+        fn nothing_panics_whatever_observation_and_preferences_hold(
             pose in prop::array::uniform4(any::<i16>()),
             target in prop::array::uniform3(any::<f32>()),
+            preferences in prop::array::uniform4(any::<i32>()),
         ) {
+            quantise(&features(&Frame::at(&ARM, Pose(pose), target)));
             let decision = FixedDecision::new(Actions::Fine, Mask::JointLimits, false);
-            let policy = FixedPolicy { arm: &ARM, network: &network, decision };
-            let seen = Observation::at(&ARM, crate::arm::Pose(pose), target);
-            let Move(deltas) = policy.decide(&seen);
+            let Move(deltas) = decision.decide(preferences, Pose(pose), &ARM.ranges);
             prop_assert!(deltas.iter().all(|delta| delta.abs() <= 3));
         }
     }

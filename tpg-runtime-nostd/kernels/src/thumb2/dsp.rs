@@ -1,7 +1,7 @@
-//! By the DSP extension: two products an instruction. Eight columns a turn: 38 instructions for `i8` weights with `i16`
-//! activations, 24 for `i16` weights, 30 for `i8` with `i8`, for 32 multiplications each.
+//! By the DSP extension: two products an instruction. Eight columns a turn: 38 instructions for `i8` weights, 24 for
+//! `i16` weights, for 32 multiplications each.
 
-/// Four columns of `i8` weights with `i16` activations. Uses r3.
+/// Four columns of `i8` weights. Uses r3.
 macro_rules! w8a16 {
     () => {
         "
@@ -46,40 +46,6 @@ macro_rules! w16a16 {
     };
 }
 
-/// Four columns of `i8` weights with `i8` activations.
-macro_rules! w8a8 {
-    () => {
-        "
-        ldmia r0!, {{r4-r7}}
-        ldrd r12, lr, [r1], #8
-        smlad r8, r4, lr, r8
-        sxtb16 r4, r4
-        smlad r9, r5, lr, r9
-        sxtb16 r5, r5
-        smlad r10, r6, lr, r10
-        sxtb16 r6, r6
-        smlad r11, r7, lr, r11
-        sxtb16 r7, r7
-        smlad r8, r4, r12, r8
-        smlad r9, r5, r12, r9
-        smlad r10, r6, r12, r10
-        smlad r11, r7, r12, r11
-        "
-    };
-}
-
-/// Accumulators of `i8` activations are 256 times too great.
-macro_rules! unscale {
-    () => {
-        "
-        asr r8, r8, #8
-        asr r9, r9, #8
-        asr r10, r10, #8
-        asr r11, r11, #8
-        "
-    };
-}
-
 /// Times the multipliers, rounded.
 macro_rules! rescale {
     () => {
@@ -101,22 +67,6 @@ macro_rules! pairs {
         usat r9, #15, r9
         usat r10, #15, r10
         usat r11, #15, r11
-        pkhbt r8, r8, r9, lsl #16
-        pkhbt r9, r10, r11, lsl #16
-        "
-    };
-}
-
-/// The ReLU, and four outputs as the two words of [`Form::Split`].
-macro_rules! split {
-    () => {
-        "
-        usat r8, #7, r8
-        usat r9, #7, r9
-        usat r10, #7, r10
-        usat r11, #7, r11
-        rsb r8, r10, r8, lsl #8
-        rsb r9, r11, r9, lsl #8
         pkhbt r8, r8, r9, lsl #16
         pkhbt r9, r10, r11, lsl #16
         "

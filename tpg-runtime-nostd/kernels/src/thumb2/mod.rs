@@ -15,7 +15,7 @@ mod dsp;
 #[macro_use]
 mod plain;
 
-use crate::{Form, Kind, ROWS, TURN};
+use crate::{Kind, ROWS, TURN};
 use core::arch::naked_asm;
 
 /// A hidden layer: its blocks, their inputs, a number of turns of eight columns, the place of two words for each block, and its
@@ -73,19 +73,14 @@ macro_rules! block {
     };
 }
 
-layer!(w8a16_pairs: w8a16, rescale, pairs);
-layer!(w8a16_split: w8a16, rescale, split);
-layer!(w16a16_pairs: w16a16, rescale, pairs);
-layer!(w16a16_split: w16a16, rescale, split);
-layer!(w8a8_pairs: w8a8, unscale, rescale, pairs);
-layer!(w8a8_split: w8a8, unscale, rescale, split);
+layer!(w8a16_layer: w8a16, rescale, pairs);
+layer!(w16a16_layer: w16a16, rescale, pairs);
 block!(w8a16_raw: w8a16);
 block!(w16a16_raw: w16a16);
-block!(w8a8_raw: w8a8);
 
 /// A hidden layer of whole turns.
 #[inline]
-pub(crate) fn layer(kind: Kind, form: Form, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) {
+pub(crate) fn layer(kind: Kind, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) {
     let count = (blocks.len() / kind.block(inputs.len())).min(outputs.len() / 2);
     let (Some(turns), Some(outputs)) = (turns(inputs), outputs.get_mut(..2 * count)) else { return };
     if outputs.is_empty() {
@@ -95,13 +90,9 @@ pub(crate) fn layer(kind: Kind, form: Form, blocks: &[u32], inputs: &[u32], outp
     // SAFETY: there are `count` blocks for these inputs, and as many pairs of words; each of these functions keeps the registers
     // that the procedure call standard says are its caller's. (Called by name: a static bound does not follow pointers.)
     unsafe {
-        match (kind, form) {
-            (Kind::W8A16, Form::Pairs) => w8a16_pairs(blocks, inputs, turns, to.start, to.end),
-            (Kind::W8A16, Form::Split) => w8a16_split(blocks, inputs, turns, to.start, to.end),
-            (Kind::W16A16, Form::Pairs) => w16a16_pairs(blocks, inputs, turns, to.start, to.end),
-            (Kind::W16A16, Form::Split) => w16a16_split(blocks, inputs, turns, to.start, to.end),
-            (Kind::W8A8, Form::Pairs) => w8a8_pairs(blocks, inputs, turns, to.start, to.end),
-            (Kind::W8A8, Form::Split) => w8a8_split(blocks, inputs, turns, to.start, to.end),
+        match kind {
+            Kind::W8A16 => w8a16_layer(blocks, inputs, turns, to.start, to.end),
+            Kind::W16A16 => w16a16_layer(blocks, inputs, turns, to.start, to.end),
         }
     }
 }
@@ -117,7 +108,6 @@ pub(crate) fn accumulate(kind: Kind, block: &[u32], inputs: &[u32]) -> [i32; ROW
         match kind {
             Kind::W8A16 => w8a16_raw(block, inputs, turns, to),
             Kind::W16A16 => w16a16_raw(block, inputs, turns, to),
-            Kind::W8A8 => w8a8_raw(block, inputs, turns, to),
         }
     }
     result
