@@ -13,7 +13,7 @@
 //! | [`record`] | how an episode is written down, here and in the firmware |
 //! | [`scenarios`], [`faults`], [`table`] | the table of sensor faults: the table, its run in Rust, its comparison |
 //! | [`mod@cores`] | the shipped policies and the hybrid on every core |
-//! | [`frameworks`] | the examples in RTIC and Embassy |
+//! | [`embassy`] | the example in Embassy |
 //! | [`costs`] | instructions beside `costs.toml` |
 //! | [`symbols`] | what must not be in an image |
 //! | [`mod@worst`], [`facts`] | the static worst case of a decision, and what it rests on |
@@ -25,11 +25,11 @@ mod cores;
 mod costs;
 mod data;
 mod dodge;
+mod embassy;
 mod emulate;
 mod expected;
 mod facts;
 mod faults;
-mod frameworks;
 mod line;
 mod lint;
 mod network;
@@ -101,8 +101,6 @@ enum Check {
     Size,
     /// clang-tidy, and cppcheck with its MISRA addon, on the firmwares' and the example's C
     Lint,
-    /// Print the parts of a decision's static worst case; runs nothing
-    Worst,
 }
 
 fn main() -> ExitCode {
@@ -111,7 +109,6 @@ fn main() -> ExitCode {
         Check::Cores { update, only } => cores::check(update, &only),
         Check::Size => size::check(),
         Check::Lint => lint::sees_what_is_bad().and_then(|()| lint::check()),
-        Check::Worst => worst(),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -151,22 +148,10 @@ fn qemu(update: bool) -> Result<(), Failure> {
             expected::check(&format!("{language} on netduinoplus2"), &lines)?;
         }
     }
-    frameworks::check()?;
+    embassy::check()?;
     costs.print();
     if update && all {
         return costs.commit();
     }
     Failure::unless_none(costs.differences()?)
-}
-
-/// Prints the parts of the worst cases.
-fn worst() -> Result<(), Failure> {
-    let mut failures = Vec::new();
-    for (language, builder) in LANGUAGES {
-        if let Some(image) = builder(&CONTROL, Board::Mps2An386)? {
-            println!("\n{language}: {}", image.display());
-            failures.extend(worst::explain(language, &image).err().map(|Failure(message)| message));
-        }
-    }
-    Failure::unless_none(failures)
 }

@@ -4,7 +4,7 @@ use crate::Failure;
 use crate::facts::{self, Facts};
 use crate::line::Line;
 use crate::programs::Ran;
-use cortex_bound::{Analyser, Bound, Calls, Limit, Listing, LoopBounds, Share, Turns, disassemble};
+use cortex_bound::{Analyser, Bound, Calls, Limit, Listing, LoopBounds, Turns, disassemble};
 use std::path::Path;
 
 /// The facts about an image, by the names that its functions have there.
@@ -71,29 +71,6 @@ impl WorstTold {
             worst.stack = worst.stack.max(analyser.bound(name).map_err(Failure::new)?.stack);
         }
         Ok(worst)
-    }
-}
-
-/// Prints what makes a worst case up, and the loops with their bounds.
-pub(crate) fn explain(language: &str, image: &Path) -> Result<(), Failure> {
-    let told = WorstTold::read(language, image)?;
-    let mut analyser = told.analyser();
-    for name in &told.roots {
-        for found in analyser.loops(name).map_err(Failure::new)? {
-            println!("{:>8x}: {:?} turns, {}", found.address, found.turns, found.function);
-        }
-        let share = analyser.explain(name).map_err(Failure::new)?;
-        tree(&share, share.each, 0);
-    }
-    Ok(())
-}
-
-/// Parts of a hundredth and more.
-fn tree(share: &Share, whole: u64, depth: usize) {
-    let total = share.runs * share.each;
-    if total * 100 >= whole {
-        println!("{total:>8} {:indent$}{} × {}, own {}", "", share.runs, share.function, share.own, indent = 2 * depth);
-        share.parts.iter().for_each(|part| tree(part, whole, depth + 1));
     }
 }
 

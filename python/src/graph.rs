@@ -131,7 +131,7 @@ impl Graph {
 
     /// Returns what the policy computes, as formulas.
     fn formula(&self, py: Python<'_>) -> String {
-        py.detach(|| report::formulas(&self.0, &Options::new(prefix_of("policy"))))
+        py.detach(|| report::explain(&self.0, &Options::new(prefix_of("policy"))))
     }
 
     /// Returns what the code costs on `targets`, named as by `tpg-codegen report`, as text and as JSON.

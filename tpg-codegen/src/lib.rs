@@ -32,7 +32,6 @@ mod explain;
 mod formula;
 mod integers;
 mod ir;
-mod least;
 mod options;
 mod package;
 mod passes;

@@ -2,9 +2,8 @@
 
 use crate::integers::{self, Integers};
 use crate::ir::{Module, topological};
-use crate::least;
 use crate::options::{Language, Options, Profile, Style};
-use crate::passes::log::{Log, Removed};
+use crate::passes::removed::Removed;
 use crate::passes::{self, bytecode, cases, functions, schedule};
 use crate::shape::{Formula, Shape};
 use tpg_graph::Graph;
@@ -22,7 +21,7 @@ pub struct Program<'g> {
     /// The shape of the code.
     pub(crate) shape: Shape,
     /// The removals of the passes.
-    pub(crate) log: Log,
+    pub(crate) removed: Removed,
 }
 
 /// Compiles a graph.
@@ -42,16 +41,16 @@ pub struct Program<'g> {
 /// # Ok::<(), String>(())
 /// ```
 pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> Program<'g> {
-    let program = |module, shape, log| Program { module, language, options: options.clone(), shape, log };
+    let program = |module, shape, removed| Program { module, language, options: options.clone(), shape, removed };
     if language == Language::C && options.style == Style::Gegelati {
         assert!(graph.outputs().is_empty(), "GEGELATI's style has no outputs");
-        return program(Module::lower(graph), Shape::Gegelati, Log::default());
+        return program(Module::lower(graph), Shape::Gegelati, Removed::default());
     }
-    let (module, log) = passes::optimise(graph);
+    let (module, removed) = passes::optimise(graph);
     // If no bid matters any more, tables and masks gain nothing: the plainest text is the best, and has no condition.
     let chooses = module.teams.iter().any(|team| team.edges.iter().any(|edge| edge.to != team.edges[0].to));
     if let Some(formula) = Formula::new(&module, options.profile_in(language)) {
-        return program(module, Shape::Formula(formula), log);
+        return program(module, Shape::Formula(formula), removed);
     }
     let profile = if chooses { options.profile_in(language) } else { Profile::Fast };
     let shape = |profile| match profile {
@@ -60,13 +59,22 @@ pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> P
         Profile::Small => Shape::Small(bytecode::encode(&module)),
         Profile::ConstantTime => Shape::ConstantTime(functions::split(&module)),
     };
-    let shape = if profile == Profile::Small && least::is_small(&module) {
-        let shapes = [Profile::Small, Profile::Balanced, Profile::Fast, Profile::ConstantTime].map(shape);
-        least::smallest(&module, language, shapes)
-    } else {
-        shape(profile)
+    let shape = match profile {
+        Profile::Small if module.edges() <= NATIVE_EDGES => smallest([Profile::Fast, Profile::Balanced].map(shape)),
+        _ => shape(profile),
     };
-    program(module, shape, log)
+    program(module, shape, removed)
+}
+
+/// The most edges of a graph whose code is smaller without tables and their evaluator.
+const NATIVE_EDGES: usize = 24;
+
+/// Returns native teams, or tables of teams where guards of expensive bids take more.
+fn smallest([native, tables]: [Shape; 2]) -> Shape {
+    match &native {
+        Shape::Fast { schedule, .. } if schedule.plans.iter().all(|plan| plan.lazy.is_empty()) => native,
+        _ => tables,
+    }
 }
 
 /// Compiles a graph of whole numbers to integers; `file` is its name in messages.
@@ -79,10 +87,10 @@ pub(crate) fn compile_integers<'g>(
     options: &Options,
     language: Language,
 ) -> Result<Program<'g>, InputError> {
-    let (module, log) = passes::optimise(graph);
+    let (module, removed) = passes::optimise(graph);
     let tables = options.profile_in(language) == Profile::Small;
     let integers = Integers { values: integers::analyse(file, &module)?, tables };
-    Ok(Program { module, language, options: options.clone(), shape: Shape::Integers(integers), log })
+    Ok(Program { module, language, options: options.clone(), shape: Shape::Integers(integers), removed })
 }
 
 fn fast(module: &Module<'_>) -> Shape {
@@ -99,7 +107,7 @@ impl<'g> Program<'g> {
 
     /// The removals of the passes.
     pub fn removed(&self) -> Removed {
-        self.log.counts()
+        self.removed
     }
 
     /// The SHA-256 of the graph as it was given, before any change of its scalar type.

@@ -94,8 +94,6 @@ enum XtaskCommand {
     /// Build the page into target/web: the arm and three problems with their policies as WebAssembly; test it under Node and in
     /// a browser
     Web,
-    /// The worst case of compiled code for a Cortex-M: instructions and stack
-    Wcet(cortex_bound::cli::WcetArgs),
 }
 
 fn main() -> ExitCode {
@@ -121,7 +119,6 @@ fn main() -> ExitCode {
         XtaskCommand::Book { update } => check::book(update),
         XtaskCommand::Figures => figures(),
         XtaskCommand::Web => web::run(),
-        XtaskCommand::Wcet(arguments) => arguments.run(),
     };
     if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }

@@ -158,14 +158,6 @@ impl<'a> Costs<'a> {
             maths_calls: self.once.maths_calls + heaviest(|step| step.all().maths_calls) + leaf.maths_calls,
         }
     }
-
-    /// Occurrences of operations in the text, of all teams together.
-    pub(crate) fn written(&self) -> u64 {
-        let steps = self.teams.iter().flatten();
-        self.once.operations
-            + self.leaves.iter().map(|work| work.operations).sum::<u64>()
-            + steps.map(|step| step.all().operations).sum::<u64>()
-    }
 }
 
 /// The steps of teams that evaluate their bids by place.

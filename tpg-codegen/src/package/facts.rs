@@ -124,15 +124,11 @@ impl<'a> Facts<'a> {
     }
 }
 
-/// What the C needs on the package's chip, with the library functions that it calls: measured where its compiler is installed, else an
-/// estimate for a Cortex-M4F.
+/// What the C needs on the package's chip, with the library functions that it calls; nothing where its compiler is not installed.
 fn figures(graph: &Graph, options: &Options, target: Target) -> Vec<String> {
     let code = Code::of(compile(graph, options, Language::C));
     let linked = size::build_c(&code, target).and_then(|built| Ok((built.link(&code)?, built.stack)));
-    let Ok((Some(Linked { size, bound }), stack)) = linked else {
-        let flash = size::estimated_flash(&code.program);
-        return vec![format!("C on a Cortex-M4F: about {flash} bytes of flash (an estimate), no RAM")];
-    };
+    let Ok((Some(Linked { size, bound }), stack)) = linked else { return Vec::new() };
     let (flash, ram) = (size.flash(), size.ram());
     let mut figures = vec![format!(
         "C on {}, `-Os`, with the library functions that it calls: {flash} bytes of flash, {ram} of RAM",

@@ -2,7 +2,6 @@
 
 use crate::ir::{Module, Node, NodeId};
 use std::collections::{BTreeMap, BTreeSet};
-use tpg_graph::ScalarType;
 use tpg_runtime::ops::Instruction;
 
 /// The tables.
@@ -30,16 +29,6 @@ pub(crate) struct Bytecode {
     pub operand_bits: u32,
     /// The operations that occur, by number; `None` copies its first operand.
     pub used: Vec<Option<Instruction>>,
-}
-
-impl Bytecode {
-    /// The size of the tables and constants.
-    pub(crate) fn bytes(&self, scalar: ScalarType) -> u64 {
-        let tables = [&self.code, &self.programs, &self.bidders, &self.targets, &self.teams, &self.leaves];
-        let bytes = |table: &Vec<u64>| u64::from(Width::covering(table).bits() / 8) * table.len() as u64;
-        let constant = if scalar == ScalarType::F32 { 4 } else { 8 };
-        tables.into_iter().map(bytes).sum::<u64>() + constant * self.constants.len() as u64
-    }
 }
 
 /// The smallest unsigned integer type for some values.

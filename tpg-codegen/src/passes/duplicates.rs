@@ -2,27 +2,23 @@
 //! whatever their destinations. (So a compiled policy has no second choice if an action is rejected afterwards: actions must
 //! be masked in the graph.)
 
-use super::log::DuplicateBid;
 use crate::ir::{Edge, Module};
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 /// Removes them and returns them.
-pub(super) fn run(module: &mut Module<'_>) -> Vec<DuplicateBid> {
+pub(super) fn run(module: &mut Module<'_>) -> usize {
     let Module { teams, bidders, .. } = module;
-    let mut removed = Vec::new();
+    let mut removed = 0;
     for team in teams {
-        let mut last = BTreeMap::new();
+        let mut seen = BTreeSet::new();
         let mut kept: Vec<Edge> = Vec::with_capacity(team.edges.len());
         for edge in team.edges.iter().rev() {
-            let bidder = &bidders[edge.bidder];
-            let same_as = *last.entry(bidder.value).or_insert(bidder.label);
-            if last.len() > kept.len() {
+            if seen.insert(bidders[edge.bidder].value) {
                 kept.push(*edge);
-            } else {
-                removed.push(DuplicateBid { team: team.label, program: bidder.label, same_as });
             }
         }
         kept.reverse();
+        removed += team.edges.len() - kept.len();
         team.edges = kept;
     }
     removed
@@ -32,7 +28,6 @@ pub(super) fn run(module: &mut Module<'_>) -> Vec<DuplicateBid> {
 mod tests {
     use super::run;
     use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
-    use crate::passes::log::DuplicateBid;
     use tpg_graph::sample::{self, Shape};
     use tpg_graph::{ActionId, Input};
 
@@ -48,8 +43,7 @@ mod tests {
             teams: vec![Team { label: 1, edges }],
             ..Module::empty(&graph)
         };
-        let removed = |program, same_as| DuplicateBid { team: 1, program, same_as };
-        assert_eq!(run(&mut module), [removed(12, 10), removed(11, 13), removed(10, 10)]);
+        assert_eq!(run(&mut module), 3);
         assert_eq!(module.teams[0].edges, [edge(0, 3), edge(3, 4)]);
     }
 }

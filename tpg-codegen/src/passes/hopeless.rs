@@ -2,25 +2,20 @@
 //! A bid that can only equal it stays, for it may come later.
 
 use super::interval::Interval;
-use super::log::HopelessBid;
 use crate::ir::Module;
 
 /// Removes them and returns them.
-pub(super) fn run(module: &mut Module<'_>, intervals: &[Interval]) -> Vec<HopelessBid> {
+pub(super) fn run(module: &mut Module<'_>, intervals: &[Interval]) -> usize {
     let Module { teams, bidders, .. } = module;
-    let mut removed = Vec::new();
+    let mut removed = 0;
     for team in teams {
         let interval = |bidder: usize| intervals[bidders[bidder].value.index()];
         let certain =
             team.edges.iter().map(|edge| interval(edge.bidder).certain_bid()).fold(f64::NEG_INFINITY, f64::max);
         // The edge that is certain stays itself: its highest value is at least its lowest.
-        team.edges.retain(|edge| {
-            let stays = interval(edge.bidder).high >= certain;
-            if !stays {
-                removed.push(HopelessBid { team: team.label, program: bidders[edge.bidder].label });
-            }
-            stays
-        });
+        let before = team.edges.len();
+        team.edges.retain(|edge| interval(edge.bidder).high >= certain);
+        removed += before - team.edges.len();
     }
     removed
 }
@@ -30,7 +25,6 @@ mod tests {
     use super::run;
     use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
     use crate::passes::interval::Interval;
-    use crate::passes::log::HopelessBid;
     use tpg_graph::sample::{self, Shape};
     use tpg_graph::{ActionId, Input};
 
@@ -49,7 +43,7 @@ mod tests {
         let nodes = (0..4).map(|n| Node::Input(Input(n))).collect();
         let graph = sample::graph(&Shape::default(), 0);
         let mut module = Module { nodes, bidders, teams: vec![team], ..Module::empty(&graph) };
-        assert_eq!(run(&mut module, &intervals), [HopelessBid { team: 1, program: 2 }]);
+        assert_eq!(run(&mut module, &intervals), 1);
         assert_eq!(module.teams[0].edges, [edge(0), edge(1), edge(3)]);
     }
 }

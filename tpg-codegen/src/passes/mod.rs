@@ -17,7 +17,7 @@ mod fold;
 pub(crate) mod functions;
 mod hopeless;
 pub(crate) mod interval;
-pub(crate) mod log;
+pub(crate) mod removed;
 pub(crate) mod schedule;
 mod teams;
 #[cfg(test)]
@@ -26,15 +26,15 @@ mod zeros;
 
 use crate::ir::{Module, Node, Team};
 use arithmetic::Arithmetic;
-use log::Log;
+use removed::Removed;
 use std::collections::BTreeSet;
 use tpg_graph::Graph;
 
 /// Lowers a graph and optimises it.
-pub(crate) fn optimise(graph: &Graph) -> (Module<'_>, Log) {
+pub(crate) fn optimise(graph: &Graph) -> (Module<'_>, Removed) {
     let arithmetic = Arithmetic::new(graph);
     let mut module = Module::lower(graph);
-    let mut log = Log::default();
+    let mut removed = Removed::default();
     let before = operations(&module);
     fold::run(&mut module, arithmetic);
     zeros::run(&mut module, arithmetic);
@@ -45,19 +45,15 @@ pub(crate) fn optimise(graph: &Graph) -> (Module<'_>, Log) {
         let hopeless = hopeless::run(&mut module, &intervals);
         let teams = teams::run(&mut module);
         collect::run(&mut module);
-        let finished = duplicates.is_empty() && hopeless.is_empty() && teams.is_empty();
-        log.duplicate_bids.extend(duplicates);
-        log.hopeless_bids.extend(hopeless);
-        log.teams_without_choice.extend(teams.bypassed);
-        log.twin_teams.extend(teams.merged);
-        log.unreachable_teams.extend(teams.unreachable);
-        if finished {
+        let found = Removed { duplicate_bids: duplicates, hopeless_bids: hopeless, ..teams };
+        if found == Removed::default() {
             break;
         }
+        removed += found;
     }
     drop_idle_bids(&mut module);
-    log.operations = before - operations(&module);
-    (module, log)
+    removed.operations = before - operations(&module);
+    (module, removed)
 }
 
 /// Removes bids that decide nothing: those of teams with one edge, and all where there is only one leaf.

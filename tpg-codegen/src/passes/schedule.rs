@@ -122,7 +122,7 @@ pub(crate) struct Schedule {
 const CHEAP: u32 = 8;
 
 /// The maximum number of edges of a small graph.
-pub(crate) const FEW_EDGES: usize = 64;
+const FEW_EDGES: usize = 64;
 
 /// Plans every team.
 pub(crate) fn schedule(module: &Module<'_>) -> Schedule {

@@ -4,33 +4,15 @@
 //! destinations are merged. Each rule can enable the other, so teams are visited in reverse topological order: successors
 //! first.
 
-use super::log::TwinTeam;
+use super::removed::Removed;
 use crate::ir::{Module, NodeId, Target, ends_first, longest_walk};
-use std::collections::{BTreeMap, BTreeSet};
-
-/// The removed teams.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Removed {
-    /// Teams without a choice.
-    pub(super) bypassed: Vec<u32>,
-    /// Teams that are equivalent to another.
-    pub(super) merged: Vec<TwinTeam>,
-    /// Teams that have become unreachable.
-    pub(super) unreachable: Vec<u32>,
-}
-
-impl Removed {
-    /// Tests for no removals.
-    pub(super) fn is_empty(&self) -> bool {
-        self.bypassed.is_empty() && self.merged.is_empty() && self.unreachable.is_empty()
-    }
-}
+use std::collections::BTreeMap;
 
 /// Redirects edges past such teams, and renumbers the remaining ones breadth first. The root always stays.
 pub(super) fn run(module: &mut Module<'_>) -> Removed {
-    let before: Vec<u32> = module.teams.iter().map(|team| team.label).collect();
+    let before = module.teams.len();
     let mut removed = Removed::default();
-    let mut place: Vec<Target> = (0..before.len()).map(Target::Team).collect();
+    let mut place: Vec<Target> = (0..before).map(Target::Team).collect();
     let mut known: BTreeMap<Vec<(NodeId, Target)>, usize> = BTreeMap::new();
     for index in ends_first(&module.teams) {
         let team = &mut module.teams[index];
@@ -45,23 +27,18 @@ pub(super) fn run(module: &mut Module<'_>) -> Removed {
         let only = team.edges.first().map(|edge| edge.to).filter(|&to| team.edges.iter().all(|edge| edge.to == to));
         if let Some(to) = only {
             place[index] = to;
-            removed.bypassed.push(team.label);
+            removed.teams_without_choice += 1;
             continue;
         }
         let decision = team.edges.iter().map(|edge| (module.bidders[edge.bidder].value, edge.to)).collect();
         let first = *known.entry(decision).or_insert(index);
         if first != index {
             place[index] = Target::Team(first);
-            removed.merged.push(TwinTeam { team: before[index], same_as: before[first] });
+            removed.twin_teams += 1;
         }
     }
     renumber(module);
-    let mut gone: BTreeSet<u32> = before.iter().copied().collect();
-    let known = removed.bypassed.iter().copied().chain(removed.merged.iter().map(|twin| twin.team));
-    for label in known.chain(module.teams.iter().map(|team| team.label)) {
-        gone.remove(&label);
-    }
-    removed.unreachable = before.into_iter().filter(|label| gone.contains(label)).collect();
+    removed.unreachable_teams = before - module.teams.len() - removed.teams_without_choice - removed.twin_teams;
     removed
 }
 
@@ -107,7 +84,6 @@ fn renumber(module: &mut Module<'_>) {
 mod tests {
     use super::{Removed, run};
     use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
-    use crate::passes::log::TwinTeam;
     use tpg_graph::sample::{self, Shape};
     use tpg_graph::{ActionId, Input};
 
@@ -131,9 +107,7 @@ mod tests {
             ..Module::empty(&graph)
         };
         // Successors come first, otherwise edges in their order: the twin that is reached first stays.
-        let removed = run(&mut module);
-        let twin = TwinTeam { team: 103, same_as: 102 };
-        assert_eq!(removed, Removed { bypassed: vec![101], merged: vec![twin], unreachable: Vec::new() });
+        assert_eq!(run(&mut module), Removed { teams_without_choice: 1, twin_teams: 1, ..Removed::default() });
         assert_eq!(module.teams.len(), 2);
         assert_eq!(module.depth, 2);
         assert_eq!(module.teams[0].edges, [to_action(0, 5), to_team(1, 1), to_team(2, 1)]);

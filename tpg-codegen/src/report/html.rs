@@ -3,7 +3,7 @@
 use super::{GraphCounts, Report, ShapeCost, ShapeSize};
 use crate::explain::PolicyFormulas;
 use crate::options::Options;
-use crate::passes::log::Removed;
+use crate::passes::removed::Removed;
 use crate::size::Target;
 use tpg_graph::error::counted;
 use tpg_graph::interpret::{Answer, answers};
@@ -46,11 +46,7 @@ fn headlines(report: &Report) -> Vec<Headline> {
     let size = least.map(|size| Headline {
         name: "least flash on a Cortex-M4F".to_owned(),
         value: format!("{} bytes", size.flash.unwrap_or_default()),
-        note: format!(
-            "C, profile {}{}",
-            size.profile,
-            if size.estimated { ", an estimate" } else { ", compiled with -Os" }
-        ),
+        note: format!("C, profile {}, compiled with -Os", size.profile),
     });
     let quick = report.costs.iter().min_by(|a, b| a.mean.operations.total_cmp(&b.mean.operations));
     let cost = quick.map(|cost| Headline {
@@ -72,21 +68,15 @@ fn sizes(report: &Report) -> Section {
     let number = |number: Option<u64>| number.map_or_else(|| "not known".to_owned(), |number| number.to_string());
     let row = |size: &ShapeSize| {
         let stack = size.stack.as_ref().map(|stack| stack.bytes);
-        let how = match (&size.unavailable, size.estimated) {
-            (_, true) => "estimated",
-            (Some(_), false) => "",
-            (None, false) => "compiled",
-        };
         vec![
             size.profile.to_owned(),
             size.target.name().to_owned(),
             number(size.flash),
             number(size.ram),
             number(stack),
-            how.to_owned(),
         ]
     };
-    let header = ["profile", "target", "flash", "RAM", "stack", "method"];
+    let header = ["profile", "target", "flash", "RAM", "stack"];
     Section {
         title: "Bytes".to_owned(),
         text: "Of the C, with -Os, without the libraries that are called.".to_owned(),

@@ -4,10 +4,8 @@
 pub mod html;
 mod text;
 
-pub use crate::explain::{
-    BidFormula, Bids, Destination, LeafFormulas, PolicyFormulas, TeamFormulas, Value, explain, formulas,
-};
-pub use crate::passes::log::Removed;
+pub use crate::explain::{BidFormula, Bids, Destination, LeafFormulas, PolicyFormulas, TeamFormulas, Value, explain};
+pub use crate::passes::removed::Removed;
 
 use crate::cost::{Cost, Costs};
 use crate::emit::Code;
@@ -126,8 +124,6 @@ pub struct ShapeSize {
     pub stack: Option<Stack>,
     /// The sections that the compiler made.
     pub sections: Option<Size>,
-    /// The numbers are estimates, because there is no compiler.
-    pub estimated: bool,
     /// The reason for having no compiler's numbers, or none of linked code.
     pub unavailable: Option<String>,
 }
@@ -251,7 +247,6 @@ fn size_of(code: &Code<'_>, target: Target, profile: &'static str) -> ShapeSize 
         instructions: None,
         stack: None,
         sections: None,
-        estimated: false,
         unavailable: None,
     };
     match built {
@@ -275,13 +270,6 @@ fn size_of(code: &Code<'_>, target: Target, profile: &'static str) -> ShapeSize 
                 Err(error) => ShapeSize { stack, unavailable: Some(error.to_string()), ..measured },
             }
         }
-        Err(error) if target == Target::M4f => ShapeSize {
-            flash: Some(size::estimated_flash(&code.program)),
-            ram: Some(0), // there is no variable outside of functions in any shape
-            estimated: true,
-            unavailable: Some(error.to_string()),
-            ..none
-        },
         Err(error) => ShapeSize { unavailable: Some(error.to_string()), ..none },
     }
 }

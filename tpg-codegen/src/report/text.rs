@@ -1,7 +1,7 @@
 //! The report for people.
 
 use super::{GraphCounts, Report, ShapeCost, ShapeSize};
-use crate::passes::log::Removed;
+use crate::passes::removed::Removed;
 use crate::size::Target;
 use std::fmt;
 use tpg_graph::MathsProvider;
@@ -111,10 +111,7 @@ impl Report {
         if let Some(why) = first.unavailable.as_ref().filter(|_| sizes.iter().all(|size| size.flash.is_none())) {
             return writeln!(f, "\nbytes on {name}: not known: {why}");
         }
-        match first.unavailable.as_ref().filter(|_| sizes.iter().all(|size| size.estimated)) {
-            Some(why) => writeln!(f, "\nbytes on {name}: an ESTIMATE, for {why}")?,
-            None => writeln!(f, "\nbytes on {name}, compiled with -Os{}", explanation(sizes))?,
-        }
+        writeln!(f, "\nbytes on {name}, compiled with -Os{}", explanation(sizes))?;
         let rust = if first.target == Target::M4f { &self.rust_sizes[..] } else { &[] };
         let flash_of_rust =
             |size: &ShapeSize| rust.iter().find(|rust| rust.profile == size.profile).and_then(|rust| rust.flash);
@@ -140,8 +137,7 @@ impl Report {
                 format!("{number:>width$}", width = width(name))
             });
             let without = size.stack.as_ref().map(|stack| stack.without.join(", ")).filter(|names| !names.is_empty());
-            let why = size.unavailable.clone().filter(|_| !size.estimated);
-            let note = why.or(without.map(|names| format!("and the stack of {names}")));
+            let note = size.unavailable.clone().or(without.map(|names| format!("and the stack of {names}")));
             let note = note.map_or_else(String::new, |note| format!("  {note}"));
             writeln!(f, "{:<16}{}{note}", size.profile, cells.collect::<String>())?;
         }

@@ -1,6 +1,5 @@
 //! The size of compiled code, without its self-test: alone, and with the library functions that it calls.
 
-mod estimate;
 mod linked;
 mod object;
 mod rust;
@@ -8,7 +7,6 @@ mod stack;
 mod target;
 
 pub use self::object::{Size, measure};
-pub use estimate::flash as estimated_flash;
 pub use linked::Linked;
 pub use rust::RustForCortexM4;
 pub use stack::Stack;
@@ -99,11 +97,10 @@ pub fn build_c(code: &Code<'_>, target: Target) -> io::Result<Built> {
     Ok(Built { object: fs::read(folder.path().join("policy.o"))?, stack, folder, target, entry })
 }
 
-/// Returns the flash of a piece of C on a Cortex-M4F, bytes, and true if no compiler for it is there and the number is an
-/// estimate.
-pub fn flash_of_c(code: &Code<'_>) -> (u64, bool) {
-    match build_c(code, Target::M4f).and_then(|built| measure(&built.object)) {
-        Ok(size) => (size.flash(), false),
-        Err(_) => (estimated_flash(&code.program), true),
-    }
+/// Returns the flash of a piece of C on a Cortex-M4F, bytes.
+///
+/// # Errors
+/// When the compiler is missing or refuses.
+pub fn flash_of_c(code: &Code<'_>) -> io::Result<u64> {
+    Ok(measure(&build_c(code, Target::M4f)?.object)?.flash())
 }

@@ -2,6 +2,7 @@
 
 use super::runs::{Group, Kind, Run};
 use super::test::Tested;
+use std::io;
 use tpg_codegen::emit::Code;
 use tpg_codegen::emit::Language;
 use tpg_codegen::{Options, compile, size};
@@ -61,19 +62,19 @@ fn result(tested: &Tested) -> String {
     }
 }
 
-/// The flash of a graph's fast C on a Cortex-M4F, bytes; true if it is an estimate, without the compiler.
-pub(super) fn flash(graph: &Graph) -> (u64, bool) {
+/// Returns the flash of a graph's fast C on a Cortex-M4F, bytes.
+pub(super) fn flash(graph: &Graph) -> io::Result<u64> {
     size::flash_of_c(&Code::of(compile(graph, &options(), Language::C)))
 }
 
 fn flash_in_words(graph: &Graph) -> String {
     match flash(graph) {
-        (bytes, true) => format!("about {bytes} bytes of C on a Cortex-M4F (an estimate: no compiler for it)"),
-        (bytes, false) => format!("{bytes} bytes of C on a Cortex-M4F"),
+        Ok(bytes) => format!("{bytes} bytes of C on a Cortex-M4F"),
+        Err(error) => format!("bytes of C on a Cortex-M4F: not known: {error}"),
     }
 }
 
-/// The options of code that is estimated and explained, and not written.
+/// The options of code that is measured and explained, and not written.
 pub(super) fn options() -> Options {
     Options::new("policy".parse().expect("a prefix"))
 }

@@ -22,7 +22,7 @@ pub(super) fn section(
         title: "Return against size".to_owned(),
         text: "Each point is a graph: the one that a run has chosen, and those of its hall of fame, which nothing smaller was better than on \
                the selection episodes. Its mean return on the test episodes stands against the flash of its fast C on a Cortex-M4F, \
-               compiled with -Os, or estimated where there is no compiler for it; a network that it asks is not counted. Further up and further left is better; a line of \
+               compiled with -Os; a network that it asks is not counted. Further up and further left is better; a line of \
                hall.jsonl is a graph.json."
             .to_owned(),
         figures,
@@ -45,7 +45,7 @@ fn figure(
         let points: Vec<([f64; 2], String)> = (chosen
             .chain(hall.iter().map(|(name, run, tested)| (name, *run, tested))))
         .filter_map(|(name, run, tested)| {
-            let bytes = flash(run.kind.evolved()?).0;
+            let bytes = flash(run.kind.evolved()?).ok()?;
             Some(([bytes as f64, tested.summary().score], name.clone()))
         })
         .collect();

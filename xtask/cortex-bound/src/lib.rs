@@ -22,7 +22,6 @@
 //! | [`analysis`] | a function together with its callees |
 
 pub mod analysis;
-pub mod cli;
 pub mod facts;
 mod flow;
 pub mod instruction;

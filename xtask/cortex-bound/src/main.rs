@@ -1,17 +1,147 @@
-//! The program `cortex-bound`; see [`cortex_bound::cli`].
+//! The program `cortex-bound`.
 
 use clap::Parser;
-use cortex_bound::cli::WcetArgs;
+use cortex_bound::{Analyser, Calls, Limit, Listing, LoopBounds, Refusal, Share, Turns, disassemble};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Bounds the worst case of compiled code for a Cortex-M.
+/// Print the worst case of functions of a Cortex-M object or image, or of a RISC-V image: instructions and bytes of stack, including
+/// callees.
 #[derive(Debug, Parser)]
 #[command(version)]
 struct Cli {
-    #[command(flatten)]
-    arguments: WcetArgs,
+    /// An object file or a linked image for a Cortex-M, a linked image for a RISC-V
+    object: PathBuf,
+    /// The functions; by default every function of the object
+    functions: Vec<String>,
+    /// No loop of this function iterates more than N times; several numbers are bounds for each of its loops, in the
+    /// order of their first instructions
+    #[arg(long, value_name = "FUNCTION=N[,N…]", value_parser = loop_bound)]
+    loop_bound: Vec<(String, Turns)>,
+    /// Calls through a register in this function reach only these functions
+    #[arg(long, value_name = "FUNCTION=CALLEE[,CALLEE…]", value_parser = calls)]
+    calls: Vec<(String, Vec<String>)>,
+    /// While FUNCTION runs once, CALLEE runs no more than N times, regardless of its caller
+    #[arg(long, value_name = "FUNCTION:CALLEE=N", value_parser = limit)]
+    at_most: Vec<Limit>,
+    /// Print the parts of each worst case, and every loop with its bound
+    #[arg(long)]
+    explain: bool,
+    /// Fail if control flow depends on data: branches, predicated blocks, tables
+    #[arg(long)]
+    constant_time: bool,
+    /// Print one JSON object for each function
+    #[arg(long)]
+    json: bool,
 }
 
 fn main() -> ExitCode {
-    if Cli::parse().arguments.run() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    let cli = Cli::parse();
+    match disassemble(&cli.object) {
+        Ok(listing) if cli.report(&listing) => return ExitCode::SUCCESS,
+        Ok(_) => {}
+        Err(error) => eprintln!("{}: {error}", cli.object.display()),
+    }
+    ExitCode::FAILURE
+}
+
+impl Cli {
+    /// Prints the analysis; returns true if every requested function has a bound.
+    fn report(&self, listing: &Listing) -> bool {
+        let bounds: LoopBounds = self.loop_bound.iter().cloned().collect();
+        let calls: Calls = self.calls.iter().cloned().collect();
+        let mut analyser = Analyser::new(listing, &bounds).calling(&calls).limited(&self.at_most);
+        let all = || listing.functions().iter().map(|function| function.name.clone()).collect();
+        let names: Vec<String> = if self.functions.is_empty() { all() } else { self.functions.clone() };
+        let mut good = true;
+        for name in names {
+            match analyser.bound(&name) {
+                Ok(bound) if self.json => {
+                    println!(
+                        "{{\"function\":{name:?},\"instructions\":{},\"stack_bytes\":{}}}",
+                        bound.instructions, bound.stack
+                    );
+                }
+                Ok(bound) => println!("{name}: {} instructions, {} bytes of stack", bound.instructions, bound.stack),
+                Err(refusal) => {
+                    eprintln!("{name}: no bound: {refusal}");
+                    // If all functions are analysed, some may lack a bound: their callers show whether that matters.
+                    good &= self.functions.is_empty();
+                }
+            }
+            if self.explain
+                && let Err(refusal) = explain(&mut analyser, &name)
+            {
+                eprintln!("{name}: {refusal}");
+            }
+            if self.constant_time {
+                match analyser.decisions(&name) {
+                    Ok(sites) => {
+                        good &= sites.is_empty();
+                        for site in sites {
+                            eprintln!(
+                                "{name}: not constant: {} at {:#x} in {}",
+                                site.text, site.address, site.function
+                            );
+                        }
+                    }
+                    Err(refusal) => {
+                        eprintln!("{name}: {refusal}");
+                        good = false;
+                    }
+                }
+            }
+        }
+        good
+    }
+}
+
+/// Prints the loops of a function and its callees and, if there is a bound, its parts.
+fn explain(analyser: &mut Analyser<'_>, name: &str) -> Result<(), Refusal> {
+    for found in analyser.loops(name)? {
+        let turns = found.turns.map_or("no bound".to_owned(), |turns| format!("{turns} turns"));
+        println!("  loop at {:#x}: {turns} ({})", found.address, found.function);
+    }
+    let share = analyser.explain(name)?;
+    tree(&share, share.each.max(1), 1);
+    Ok(())
+}
+
+/// Prints the parts of at least one hundredth.
+fn tree(share: &Share, whole: u64, depth: usize) {
+    let total = share.runs * share.each;
+    println!("{:>8}{:indent$}{} × {} (own {})", total, "", share.runs, share.function, share.own, indent = 2 * depth);
+    for part in share.parts.iter().filter(|part| part.runs * part.each * 100 >= whole) {
+        tree(part, whole, depth + 1);
+    }
+}
+
+fn loop_bound(text: &str) -> Result<(String, Turns), String> {
+    let accepted = || format!("{text:?}; accepted: FUNCTION=N or FUNCTION=N,N,…, whole numbers from 1");
+    let (function, numbers) = text.rsplit_once('=').ok_or_else(accepted)?;
+    let number = |number: &str| number.parse().ok().filter(|&number| number > 0).ok_or_else(accepted);
+    let turns = match numbers.split(',').map(number).collect::<Result<Vec<u64>, _>>()?[..] {
+        [every] => Turns::Every(every),
+        ref each => Turns::Each(each.to_vec()),
+    };
+    Ok((function.to_owned(), turns))
+}
+
+fn calls(text: &str) -> Result<(String, Vec<String>), String> {
+    let accepted = || format!("{text:?}; accepted: FUNCTION=CALLEE or FUNCTION=CALLEE,CALLEE,…");
+    let (function, callees) = text.split_once('=').ok_or_else(accepted)?;
+    let callees: Vec<String> = callees.split(',').map(str::to_owned).collect();
+    if function.is_empty() || callees.iter().any(String::is_empty) {
+        Err(accepted())
+    } else {
+        Ok((function.to_owned(), callees))
+    }
+}
+
+fn limit(text: &str) -> Result<Limit, String> {
+    let accepted = || format!("{text:?}; accepted: FUNCTION:CALLEE=N, N a whole number from 0");
+    let (names, number) = text.rsplit_once('=').ok_or_else(accepted)?;
+    let (within, function) = names.split_once(':').ok_or_else(accepted)?;
+    let times = number.parse().map_err(|_| accepted())?;
+    Ok(Limit { within: within.to_owned(), function: function.to_owned(), times })
 }

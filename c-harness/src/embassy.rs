@@ -1,4 +1,4 @@
-//! The examples in RTIC and in Embassy: they stop where the same loop stops here.
+//! The example in Embassy: it stops where the same loop stops here.
 
 use crate::Failure;
 use crate::build::{self, there};
@@ -16,41 +16,39 @@ use tpg_testing::library;
 
 const TARGET: &str = "thumbv7m-none-eabi";
 const BOARD: &str = "lm3s6965evb";
-/// Names of the frameworks, and of the examples' folders.
-const EXAMPLES: [(&str, &str); 2] = [("RTIC", "example-rtic"), ("Embassy", "example-embassy")];
+/// The example's folder, and the end of its name.
+const EXAMPLE: &str = "example-embassy";
 
-/// As in the examples.
+/// As in the example.
 const WHERE: [f32; 3] = [-250.0, 239.0, 267.0];
 const TOLERANCE_MM: f32 = 3.0;
 const MOST_STEPS: usize = 1707;
 
-/// Builds the examples, runs them, and compares where they stop.
+/// Builds the example, runs it, and compares where it stops.
 pub(crate) fn check() -> Result<(), Failure> {
-    if !library::rust_target(TARGET, "the examples in RTIC and Embassy") {
+    if !library::rust_target(TARGET, "the example in Embassy") {
         return Ok(());
     }
     let expected = expected()?;
-    for (framework, name) in EXAMPLES {
-        let made = library::target_folder().join(name);
-        let mut cargo = build::cargo_here(&library::top().join("c-harness").join(name), &made);
-        if there(library::output(cargo.args(["build", "--quiet", "--release", "--locked"])))?.is_none() {
-            return Ok(());
-        }
-        let image = made.join(TARGET).join("release").join(format!("tpg-{name}"));
-        let lines = emulate::until_done(emulate::arm(BOARD).arg(image))?;
-        if lines.iter().filter(|line| line.words == ["stopped"]).ne([&expected]) {
-            return Err(Failure(format!("the example in {framework} is not the host: {lines:?}, not {expected:?}")));
-        }
-        println!("{framework} on {BOARD}: {} actions, stopped where the host does", expected.number("actions"));
+    let made = library::target_folder().join(EXAMPLE);
+    let mut cargo = build::cargo_here(&library::top().join("c-harness").join(EXAMPLE), &made);
+    if there(library::output(cargo.args(["build", "--quiet", "--release", "--locked"])))?.is_none() {
+        return Ok(());
     }
+    let image = made.join(TARGET).join("release").join(format!("tpg-{EXAMPLE}"));
+    let lines = emulate::until_done(emulate::arm(BOARD).arg(image))?;
+    if lines.iter().filter(|line| line.words == ["stopped"]).ne([&expected]) {
+        return Err(Failure(format!("the example in Embassy is not the host: {lines:?}, not {expected:?}")));
+    }
+    println!("Embassy on {BOARD}: {} actions, stopped where the host does", expected.number("actions"));
     Ok(())
 }
 
-/// The examples' loop on this machine.
+/// The example's loop on this machine.
 fn expected() -> Result<Line, Failure> {
     let hybrid = Hybrid { arm: &ARM, tpg: expected::fs(), sac: NETWORK, settings: settings(Start::Fs) };
     let (mut motors, mut actions) = (ARM.home, 0);
-    let fault = |fault| Failure::new(format!("the examples' loop on this machine: {fault:?}"));
+    let fault = |fault| Failure::new(format!("the example's loop on this machine: {fault:?}"));
     let seen = Observation::at(&ARM, motors, WHERE);
     let mut control = Control::new(&ARM, hybrid.settings, Watch::DEFAULT, Brent::new(), &seen).map_err(fault)?;
     for _ in 0..MOST_STEPS {
