@@ -60,22 +60,21 @@ pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> P
         Profile::ConstantTime => Shape::ConstantTime(functions::split(&module)),
     };
     let shape = match profile {
-        Profile::Small if module.edges() <= NATIVE_EDGES => smallest([Profile::Fast, Profile::Balanced].map(shape)),
+        Profile::Small if module.edges() <= FEW_EDGES => match (shape(Profile::Fast), language) {
+            (Shape::Fast { schedule, .. }, _) if schedule.is_lazy() => shape(Profile::Balanced),
+            (_, Language::C) if module.edges() > NATIVE_EDGES_OF_C => shape(Profile::Balanced),
+            (native, _) => native,
+        },
         _ => shape(profile),
     };
     program(module, shape, removed)
 }
 
-/// The most edges of a graph whose code is smaller without tables and their evaluator.
-const NATIVE_EDGES: usize = 24;
+/// The most edges of a graph whose code is smaller without a small evaluator and its tables.
+const FEW_EDGES: usize = 24;
 
-/// Returns native teams, or tables of teams where guards of expensive bids take more.
-fn smallest([native, tables]: [Shape; 2]) -> Shape {
-    match &native {
-        Shape::Fast { schedule, .. } if schedule.plans.iter().all(|plan| plan.lazy.is_empty()) => native,
-        _ => tables,
-    }
-}
+/// The most edges of a graph whose C is smaller without tables of teams.
+const NATIVE_EDGES_OF_C: usize = 8;
 
 /// Compiles a graph of whole numbers to integers; `file` is its name in messages.
 ///

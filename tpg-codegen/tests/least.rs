@@ -1,4 +1,4 @@
-//! The profile `small` is the least: on a Cortex-M4F at -Os, beside every other profile.
+//! The profile `small` is near the least: on a Cortex-M4F at -Os, beside every other profile.
 
 use std::fs;
 use std::path::Path;
@@ -46,26 +46,29 @@ fn flash(graph: &Graph, language: Language, compiled: impl Fn(&Code<'_>) -> u64)
     Profile::ALL.map(of).to_vec()
 }
 
-/// Holds `small` to the least of known graphs, and to a margin over others together: of those, compilers leave out bids that
-/// a model of size cannot know to be without effect.
-fn assert_least(language: Language, known: &[&str], random: u64, compiled: impl Fn(&Code<'_>) -> u64) {
+/// Holds `small` to the least: near it for each known graph, nearer for all graphs together.
+fn assert_least(language: Language, random: u64, compiled: impl Fn(&Code<'_>) -> u64) {
     let small_and_least = |graph: &Graph| {
         let sizes = flash(graph, language, &compiled);
         let small = sizes.iter().find(|(profile, _)| *profile == Profile::Small).expect("it is a profile").1;
         (small, sizes.iter().map(|(_, flash)| *flash).min().unwrap_or(0))
     };
-    for name in known {
-        let (small, least) = small_and_least(&fixture(name));
-        assert_eq!(small, least, "{name}, {}", language.name());
+    let mut total = (0, 0);
+    for (name, graph) in
+        KNOWN.map(|name| (name, fixture(name))).into_iter().chain((0..random).map(|n| ("random", small(n))))
+    {
+        let (small, least) = small_and_least(&graph);
+        println!("{}, {name}: {small} bytes, at least {least}", language.name());
+        assert!(small as f64 <= FARTHEST * least as f64 || name == "random", "{name}: {small} bytes, at least {least}");
+        total = (total.0 + small, total.1 + least);
     }
-    let others = MISJUDGED.iter().copied().map(fixture).chain((0..random).map(small));
-    let sizes: Vec<(u64, u64)> = others.map(|graph| small_and_least(&graph)).collect();
-    let [total, least] = [sizes.iter().map(|size| size.0).sum::<u64>(), sizes.iter().map(|size| size.1).sum()];
-    assert!(total as f64 <= MARGIN * least as f64, "{}: {total} bytes, at least {least}", language.name());
+    assert!(total.0 as f64 <= MARGIN * total.1 as f64, "{}: {total:?} bytes, and at least", language.name());
 }
 
 /// Graphs of every size: a team of two bids, one formula, some teams with leaves, memory, this project's own, dozens of teams.
-const KNOWN: [&str; 16] = [
+const KNOWN: [&str; 18] = [
+    "../generated/dodge/graph.json",
+    "../generated/lunar-lander/graph.json",
     "tests/fixtures/cartpole.json",
     "tests/fixtures/formula.json",
     "tests/fixtures/swing_up.json",
@@ -84,16 +87,16 @@ const KNOWN: [&str; 16] = [
     "../generated/widowx-rs/graph.json",
 ];
 
-/// Graphs that the model misjudges, held to the margin: in Rust it takes shapes of 447 and 378 bytes where 386 and 314 would do.
-const MISJUDGED: [&str; 2] = ["../generated/dodge/graph.json", "../generated/lunar-lander/graph.json"];
+/// `small` takes at most this times the least of a known graph.
+const FARTHEST: f64 = 1.05;
 
-/// Over the others together, `small` takes at most this times the least.
+/// And of all graphs together.
 const MARGIN: f64 = 1.1;
 
 #[test]
-fn no_profile_in_c_is_smaller() {
+fn no_profile_in_c_is_much_smaller() {
     if tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "the profile small beside the others") {
-        assert_least(Language::C, &KNOWN, tpg_testing::amount(5, 30) as u64, |code| {
+        assert_least(Language::C, tpg_testing::amount(5, 30) as u64, |code| {
             let built = build_c(code, Target::M4f).expect("it compiles");
             measure(&built.object).expect("an object file").flash()
         });
@@ -101,12 +104,12 @@ fn no_profile_in_c_is_smaller() {
 }
 
 #[test]
-fn no_profile_in_rust_is_smaller() {
+fn no_profile_in_rust_is_much_smaller() {
     if !tpg_testing::library::rust_target("thumbv7em-none-eabihf", "the profile small beside the others, in Rust") {
         return;
     }
     let compiler = RustForCortexM4::new("s").expect("the toolchain has the target");
-    assert_least(Language::Rust, &KNOWN, tpg_testing::amount(5, 12) as u64, |code| {
+    assert_least(Language::Rust, tpg_testing::amount(5, 12) as u64, |code| {
         compiler.size(code, "s").expect("it compiles").flash()
     });
 }

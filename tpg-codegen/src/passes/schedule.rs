@@ -118,6 +118,13 @@ pub(crate) struct Schedule {
     pub leaves: Vec<Leaf>,
 }
 
+impl Schedule {
+    /// Tests for guarded bids.
+    pub(crate) fn is_lazy(&self) -> bool {
+        self.plans.iter().any(|plan| !plan.lazy.is_empty())
+    }
+}
+
 /// Bids that cost more than this are guarded.
 const CHEAP: u32 = 8;
 
