@@ -4,7 +4,7 @@ use clap::{Args, Subcommand};
 use std::path::PathBuf;
 use tpg_graph::error::InputError;
 use tpg_graph::files::{read_text, write_atomically};
-use tpg_problems::arm::import::{Imported, Radii, import};
+use tpg_problems::arm::import::{Radii, import};
 
 /// Describe arms
 #[derive(Clone, Debug, Args)]
@@ -15,7 +15,7 @@ pub(crate) struct ArmArgs {
 
 #[derive(Clone, Debug, Subcommand)]
 enum ArmCommand {
-    /// Turn a URDF into the section [problem.arm] of a configuration, or a section [chain] where the arm is not planar
+    /// Turn a URDF into the section [problem.arm] of a configuration
     Import(ImportArgs),
 }
 
@@ -73,11 +73,7 @@ pub(crate) fn execute(args: &ArmArgs) -> Result<(), InputError> {
     let ArmCommand::Import(args) = &args.command;
     let text = read_text(&args.file, "a URDF")?;
     let radii = Radii { link: args.radius, base: args.base_radius };
-    let Imported { text, not_planar } =
-        import(&args.file.display().to_string(), &text, &args.tip, &args.fix, &args.limit, radii)?;
-    if let Some(reason) = not_planar {
-        tpg_graph::command::note(format_args!("a [chain], which cannot be trained: not a planar arm: {reason}"));
-    }
+    let text = import(&args.file.display().to_string(), &text, &args.tip, &args.fix, &args.limit, radii)?;
     match &args.output {
         Some(path) => write_atomically(path, text.as_bytes()),
         None => tpg_graph::command::print(&text)

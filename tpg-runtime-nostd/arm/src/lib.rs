@@ -33,7 +33,6 @@
 //! | [`observation`] | the 13 values a policy sees, and a graph's data sources |
 //! | [`frame`] | quantities derived from an observation: polar errors, gradients, clearances |
 //! | [`binding`] | a graph's names and numbers as sources and moves |
-//! | [`chain`] | arms of any joints that turn, and what the planar arm shares with them |
 //! | [`cycle`] | detection of poses where the arm has been before |
 //! | [`dodge`] | the arm among moving balls: distances, behaviours, the search for a plan |
 //! | [`episode`] | one episode and how it ended |
@@ -47,7 +46,6 @@
 
 mod arm;
 pub mod binding;
-pub mod chain;
 pub mod cycle;
 pub mod dodge;
 pub mod episode;

@@ -2,7 +2,6 @@
 
 mod arm;
 mod behind;
-mod chain;
 mod control_among_balls;
 mod dodge;
 mod episode;

@@ -7,7 +7,7 @@
  * For the arm, everything else: kinematics and steps (tpg_arm_*), observation (tpg_observe, tpg_observation_*, tpg_memo_*),
  * generated policies and networks that drive it (tpg_policy_*, tpg_sac_*), two that share it (tpg_hybrid_*, tpg_switch_*),
  * the watch over its motors (tpg_watchdog_*), the arm among moving balls (tpg_body_*, tpg_dodger_*), episodes in simulation
- * (tpg_episode_*, tpg_hybrid_episode_*). An arm that need not be planar is geometry alone (tpg_chain_*).
+ * (tpg_episode_*, tpg_hybrid_episode_*).
  *
  * Every function answers TPG_OK or says by a code why it did nothing. A pointer that is NULL or misaligned gives TPG_NULL or
  * TPG_MISALIGNED. No other bad pointer can be noticed: one must point to as much memory as its type, and the length beside
@@ -64,18 +64,6 @@
 
 // Hand or forearm would meet the arm's own base; nothing moved.
 #define TPG_COLLISION_BASE 7
-
-// The most joints of a chain.
-#define TPG_CHAIN_JOINTS 8
-
-// A joint turns about the first direction of its frame.
-#define TPG_AXIS_X 0
-
-// A joint turns about the second direction of its frame.
-#define TPG_AXIS_Y 1
-
-// A joint turns about the third direction of its frame.
-#define TPG_AXIS_Z 2
 
 // All went well.
 #define TPG_OK 0
@@ -382,44 +370,6 @@ typedef struct {
   int8_t ticks[TPG_JOINTS];
 } tpg_move_t;
 
-// A joint of a chain and the link that it turns. Lengths in mm, positions in ticks of 1/4096 turn.
-typedef struct {
-  // The joint in the frame of the link before; the first in that of the world.
-  float origin[3];
-  // The rotation of its frame there at `zero`, row by row: times a vector of its own frame, one of the frame before.
-  float turned[3][3];
-  // A code of TPG_AXIS.
-  uint8_t axis;
-  // Not 0 where rising positions turn against the right hand's fingers whose thumb is the axis.
-  uint8_t reversed;
-  // The position at which the joint adds nothing to `turned`.
-  int16_t zero;
-} tpg_link_t;
-
-// A chain at a pose, in the world, mm. Link i reaches from joint i to the next one, the last to the tip.
-typedef struct {
-  // Joints that it has; 1 to TPG_CHAIN_JOINTS.
-  uint32_t joints;
-  // A point of each joint's axis.
-  float points[TPG_CHAIN_JOINTS][3];
-  // The direction of each axis, of length 1: a rising position turns as the right hand's fingers whose thumb it is.
-  float axes[TPG_CHAIN_JOINTS][3];
-  // The tip.
-  float tip[3];
-} tpg_placed_t;
-
-// The place where a ball is nearest to a chain.
-typedef struct {
-  // Distance between the two surfaces, mm; negative where they overlap.
-  float clearance;
-  // Index of the link.
-  uint32_t link;
-  // The nearest point of the line along the link, mm.
-  float point[3];
-  // The change of the clearance of a ball that stays by each joint, mm a radian; 0 beyond the last joint.
-  float gradient[TPG_CHAIN_JOINTS];
-} tpg_near_t;
-
 // An arm whose links are capsules. Opaque; initialised by tpg_body_init, constant from then on.
 typedef struct {
   // The library's.
@@ -647,25 +597,6 @@ int32_t tpg_arm_step(const tpg_arm_t *arm,
                      const tpg_move_t *wanted,
                      tpg_pose_t *after,
                      int32_t *validity);
-
-// Places a chain of `joints` links at a pose, `joints` positions; `tip` is x, y, z in the frame of the last link, mm. Limits are
-// the caller's. TPG_LENGTH for no joint or more than TPG_CHAIN_JOINTS, TPG_ARGUMENT for an unknown axis.
-int32_t tpg_chain_place(const tpg_link_t *links,
-                        size_t joints,
-                        const float *tip,
-                        const int16_t *ticks,
-                        tpg_placed_t *placed);
-
-// Writes the motion of a placed chain's tip by each joint, x, y, z in mm a radian, into `jacobian` of `length` floats.
-// TPG_LENGTH where they are too few, or for a chain that tpg_chain_place did not place.
-int32_t tpg_chain_jacobian(const tpg_placed_t *placed, float *jacobian, size_t length);
-
-// Finds where a ball is nearest to a placed chain, whose links are capsules of `radii`, mm for each joint. `ball` is its
-// centre's x, y, z and its radius, mm. TPG_LENGTH for a chain that tpg_chain_place did not place.
-int32_t tpg_chain_near(const tpg_placed_t *placed,
-                       const float *radii,
-                       const float *ball,
-                       tpg_near_t *near);
 
 // Gives an arm a body: a capsule around each of its links. `radii` are TPG_CAPSULES numbers, mm, or NULL: those of the WidowX.
 // TPG_ARGUMENT for a radius that is not above 0 and at most 1 m.

@@ -9,7 +9,6 @@
 //! | [`code`] | the codes that functions answer |
 //! | [`memory`] | pointers from C, checked; opaque structures |
 //! | [`arm`] | the arm, forward kinematics, collisions, one step |
-//! | [`chain`] | the geometry of an arm that need not be planar |
 //! | [`observation`] | observations, and a graph's sources |
 //! | [`memo`] | the parts of sources that depend on the target alone |
 //! | [`policy`] | the hook for generated code |
@@ -24,7 +23,6 @@
 #![allow(non_camel_case_types, reason = "these are C's names")]
 
 pub mod arm;
-pub mod chain;
 pub mod code;
 pub mod dodge;
 pub mod episode;

@@ -3,7 +3,6 @@
 mod among_balls;
 mod asking;
 mod calls;
-mod chain;
 mod header;
 mod library;
 mod linked;

@@ -6,7 +6,6 @@
 use core::mem::MaybeUninit;
 use core::ptr::{null, null_mut};
 use tpg_runtime_capi::arm::*;
-use tpg_runtime_capi::chain::*;
 use tpg_runtime_capi::code::*;
 use tpg_runtime_capi::episode::*;
 use tpg_runtime_capi::hybrid::*;
@@ -175,44 +174,6 @@ fn every_function_keeps_to_the_memory_that_it_was_given() {
             let mut description = MaybeUninit::<tpg_arm_description_t>::zeroed().assume_init();
             description.home = pose;
             assert_eq!(tpg_arm_init(own, &description), TPG_ARGUMENT);
-        }
-    }
-}
-
-/// Arrays of exactly their size, with any numbers in them.
-#[test]
-fn chains_keep_to_the_memory_that_they_were_given() {
-    let mut numbers = Numbers(2);
-    let mut placed = zeroed::<tpg_placed_t>();
-    for round in 0..if cfg!(miri) { 20 } else { 2000 } {
-        let joints = round % (TPG_CHAIN_JOINTS + 2);
-        let mut link = || tpg_link_t {
-            origin: [0.0; 3].map(|_: f32| any_float(&mut numbers)),
-            turned: [[0.0; 3]; 3].map(|row| row.map(|_: f32| any_float(&mut numbers))),
-            axis: (numbers.next_u32() % 4) as u8,
-            reversed: (numbers.next_u32() % 3) as u8,
-            zero: any_ticks(&mut numbers),
-        };
-        let links: Vec<tpg_link_t> = (0..joints).map(|_| link()).collect();
-        let ticks: Vec<i16> = (0..joints).map(|_| any_ticks(&mut numbers)).collect();
-        let radii: Vec<f32> = (0..joints).map(|_| any_float(&mut numbers)).collect();
-        let (tip, ball) = ([1.0f32, 2.0, 3.0], [0.0; 4].map(|_: f32| any_float(&mut numbers)));
-        let (mut near, mut jacobian) = (raw::<tpg_near_t>(), vec![0.0f32; 3 * joints]);
-        let known = links.iter().all(|link| link.axis <= TPG_AXIS_Z);
-        let wanted = match joints {
-            1..=TPG_CHAIN_JOINTS if known => TPG_OK,
-            1..=TPG_CHAIN_JOINTS => TPG_ARGUMENT,
-            _ => TPG_LENGTH,
-        };
-        // SAFETY: every pointer points to its structure, or to one value for each joint.
-        unsafe {
-            let place = placed.as_mut_ptr();
-            assert_eq!(tpg_chain_place(links.as_ptr(), joints, tip.as_ptr(), ticks.as_ptr(), place), wanted);
-            if wanted == TPG_OK {
-                assert_eq!(tpg_chain_jacobian(place, jacobian.as_mut_ptr(), 3 * joints), TPG_OK);
-                assert_eq!(tpg_chain_near(place, radii.as_ptr(), ball.as_ptr(), near.as_mut_ptr()), TPG_OK);
-            }
-            assert_eq!(tpg_chain_near(null(), radii.as_ptr(), ball.as_ptr(), near.as_mut_ptr()), TPG_NULL);
         }
     }
 }

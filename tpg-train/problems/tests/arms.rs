@@ -1,11 +1,9 @@
 //! The known arms against their makers' own descriptions: tips by another program, from the URDF (`arms/vectors.py`).
 
 use std::f64::consts::{PI, TAU};
-use tpg_arm::chain::Kinematics as _;
 use tpg_arm::kinematics::{Plane, distance, hand, hand_from_radians};
 use tpg_arm::{Arm, JOINTS, Pose, TICKS_PER_TURN};
 use tpg_problems::arm::arms::NamedArm;
-use tpg_problems::arm::chain::{CHAINS, ChainDescription};
 use tpg_problems::arm::ik;
 
 /// An arm with what turns the URDF's angles into its own: own = sign · URDF's + zero, rad.
@@ -109,21 +107,4 @@ fn nearly_every_tip_of_a_free_pose_has_a_goal() {
         }
         assert!(asked > 100 && found + 4 >= asked, "{name}: {found} of {asked}");
     }
-}
-
-/// The table has five decimals of a millimetre: ticks from the middle, then the tip.
-#[test]
-fn the_widowx_250_s_is_where_its_urdf_puts_it() {
-    let text = CHAINS.iter().find(|chain| chain.name == "wx250s").expect("it is known").text;
-    let described = ChainDescription::from_toml("wx250s.toml", text).expect("a chain");
-    let chain = described.chain::<6>().expect("six joints");
-    let mut poses = 0;
-    for row in rows(include_str!("arms/wx250s.csv")) {
-        let [a, b, c, d, e, f, x, y, z] = row[..] else { panic!("nine numbers") };
-        let pose = [a, b, c, d, e, f].map(|ticks| 2048 + ticks as i16);
-        let off = distance(chain.place(pose).tip, [x, y, z]);
-        assert!(chain.allows(pose) && off < 1e-4, "{pose:?}: {off} mm");
-        poses += 1;
-    }
-    assert_eq!(poses, 120);
 }

@@ -7,7 +7,6 @@ use crate::sac::config::SacConfig;
 use clap::Args;
 use tpg_graph::error::{InputError, Place};
 use tpg_problems::arm::arms::ARMS;
-use tpg_problems::arm::chain::CHAINS;
 
 /// Print a commented configuration.
 #[derive(Clone, Debug, Args)]
@@ -43,9 +42,8 @@ fn text(args: &ConfigArgs) -> Result<String, InputError> {
     }
     let own = EvolutionConfig::PRESETS.iter().map(|preset| (preset.name, preset.about, None::<String>));
     let arms = ARMS.iter().map(|arm| (arm.name, arm.about, Some(arm.text.to_owned())));
-    let chains = CHAINS.iter().map(|chain| (chain.name, chain.about, Some(chain.text.to_owned())));
     let networks = SacConfig::PRESETS.iter().map(|preset| (preset.name, preset.about, None));
-    let all: Vec<_> = if args.sac { networks.collect() } else { own.chain(arms).chain(chains).collect() };
+    let all: Vec<_> = if args.sac { networks.collect() } else { own.chain(arms).collect() };
     if args.list {
         return Ok(all.into_iter().map(|(name, about, _)| format!("{name:18} {about}\n")).collect());
     }

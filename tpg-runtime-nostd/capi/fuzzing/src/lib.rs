@@ -3,7 +3,6 @@
 
 use core::ptr::null;
 use tpg_runtime_capi::arm::*;
-use tpg_runtime_capi::chain::*;
 use tpg_runtime_capi::code::*;
 use tpg_runtime_capi::dodge::*;
 use tpg_runtime_capi::episode::*;
@@ -58,13 +57,6 @@ impl Bytes<'_> {
 
     fn ball(&mut self) -> tpg_ball_t {
         tpg_ball_t { at: self.vector(), velocity: self.vector(), radius: self.float() }
-    }
-
-    fn link(&mut self) -> tpg_link_t {
-        let origin = self.vector();
-        let turned = [0; 3].map(|_: u8| self.vector());
-        let [axis, reversed] = self.array();
-        tpg_link_t { origin, turned, axis: axis % 4, reversed, zero: self.ticks() }
     }
 
     fn motion(&mut self) -> tpg_move_t {
@@ -136,7 +128,7 @@ pub fn call(data: &[u8]) {
             if bytes.0.is_empty() {
                 return;
             }
-            match bytes.byte() % 29 {
+            match bytes.byte() % 28 {
                 0 => {
                     let mut description: tpg_arm_description_t = core::mem::zeroed();
                     let memory = (&raw mut description).cast::<u8>();
@@ -282,7 +274,6 @@ pub fn call(data: &[u8]) {
                         known(tpg_dodger_resume(&mut dodger, &pose));
                     }
                 }
-                27 => chain(&mut bytes),
                 _ => {
                     known(tpg_arm_hand(&arm, null(), values.as_mut_ptr()));
                     let misaligned = (&raw const pose).cast::<u8>().wrapping_add(1).cast();
@@ -291,35 +282,6 @@ pub fn call(data: &[u8]) {
                     known(tpg_arm_home(&arm, &mut pose));
                 }
             }
-        }
-    }
-}
-
-/// Places a chain of a fuzzer's joints, and asks for its motion and for the ball nearest to it.
-///
-/// # Panics
-/// If a function answers with an unknown code, writes where it refuses, or names a link that there is not.
-fn chain(bytes: &mut Bytes<'_>) {
-    const MOST: usize = TPG_CHAIN_JOINTS + 1;
-    let (joints, length) = (usize::from(bytes.byte()) % (MOST + 1), usize::from(bytes.byte()) % (3 * MOST));
-    let count = bytes.byte();
-    let links: Vec<tpg_link_t> = (0..joints).map(|_| bytes.link()).collect();
-    let ticks: Vec<i16> = (0..joints).map(|_| bytes.ticks()).collect();
-    let (tip, radii, ball) = (bytes.vector(), [0; MOST].map(|_: u8| bytes.float()), [0; 4].map(|_: u8| bytes.float()));
-    // SAFETY: both are plain data.
-    let (mut placed, mut near): (tpg_placed_t, tpg_near_t) = unsafe { core::mem::zeroed() };
-    let mut jacobian = [f32::NAN; 3 * MOST];
-    // SAFETY: every pointer points to its structure; lengths are those of the memory or less.
-    unsafe {
-        let code = known(tpg_chain_place(links.as_ptr(), joints, tip.as_ptr(), ticks.as_ptr(), &mut placed));
-        assert_eq!(placed.joints, if code == TPG_OK { joints as u32 } else { 0 }, "code {code}");
-        if count.is_multiple_of(8) {
-            placed.joints = u32::from(count / 8);
-        }
-        known(tpg_chain_jacobian(&placed, jacobian.as_mut_ptr(), length));
-        assert!(jacobian[length / 3 * 3..].iter().all(|number| number.is_nan()), "beyond its length");
-        if known(tpg_chain_near(&placed, radii.as_ptr(), ball.as_ptr(), &mut near)) == TPG_OK {
-            assert!(near.link < placed.joints, "{near:?}");
         }
     }
 }

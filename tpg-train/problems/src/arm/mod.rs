@@ -10,7 +10,6 @@
 //! | [`description`] | an arm as a section of a configuration |
 //! | [`arms`] | arms that are known by name |
 //! | [`import`](mod@import) | an arm from its URDF |
-//! | [`chain`] | arms that need not be planar, as a section of a file |
 //! | [`targets`] | tasks over the reachable space |
 //! | [`ik`] | inverse kinematics: poses that solve a task |
 //! | [`planner`] | classical controllers |
@@ -19,7 +18,6 @@
 
 pub mod arms;
 pub mod binding;
-pub mod chain;
 pub mod config;
 pub mod description;
 mod drawing;

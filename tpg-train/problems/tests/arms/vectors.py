@@ -17,8 +17,6 @@ The committed tables come from these files; limits of a turn are 0.00001 rad sho
   open_manipulator_x_arm.urdf.xacro (Apache-2.0) | end_effector_link | joint1 joint2 joint3 joint4 |
 | so101 | TheRobotStudio/SO-ARM100 fda892c, Simulation/SO101/so101_new_calib.urdf (Apache-2.0) | gripper_frame_link | shoulder_pan
   shoulder_lift elbow_flex wrist_flex |
-| wx250s | as px100, wx250s.urdf.xacro | $(arg robot_name)/ee_gripper_link | waist shoulder elbow forearm_roll wrist_angle
-  wrist_rotate |
 """
 
 import math
