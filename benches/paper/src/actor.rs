@@ -44,8 +44,6 @@ pub enum Order {
 struct Description {
     layout: Vec<ActorPart>,
     state_order: String,
-    #[serde(default)]
-    forward_checks: Vec<ForwardCheck>,
 }
 
 #[derive(Deserialize)]
@@ -55,26 +53,10 @@ struct ActorPart {
     offset: usize,
 }
 
-/// A recorded output.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-pub struct ForwardCheck {
-    /// Motor positions, ticks.
-    pub motors: [i16; JOINTS],
-    /// The target, mm.
-    pub target: [f64; 3],
-    /// Input of the actor.
-    pub state: [f32; INPUTS],
-    /// Means.
-    pub mu: [f32; JOINTS],
-    /// Spreads, clipped.
-    pub sigma: [f32; JOINTS],
-}
-
 /// A recorded actor.
 #[derive(Clone, Debug)]
 pub struct RecordedActor {
     order: Order,
-    checks: Vec<ForwardCheck>,
     /// The parts in the order of [`LAYOUT`].
     parts: [Vec<f32>; LAYOUT.len()],
 }
@@ -116,7 +98,7 @@ impl RecordedActor {
             })?;
             *part = values.to_vec();
         }
-        Ok(Self { order, checks: described.forward_checks, parts })
+        Ok(Self { order, parts })
     }
 
     /// Returns the name and shape of each part, in the order of the file.
@@ -124,11 +106,6 @@ impl RecordedActor {
         LAYOUT
             .into_iter()
             .map(|(name, rows, columns)| (name, if columns == 0 { vec![rows] } else { vec![rows, columns] }))
-    }
-
-    /// Returns the recorded outputs.
-    pub fn checks(&self) -> &[ForwardCheck] {
-        &self.checks
     }
 
     /// Returns the actor's input, computed in `f64` and then rounded.

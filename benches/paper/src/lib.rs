@@ -15,29 +15,21 @@
 //! | [`conformance`] | the folder of recorded data, made from a clone of the artifact |
 //! | [`sac`] | episodes of the recorded actors |
 //! | [`actor`] | recorded actors: files and outputs |
-//! | [`hybrid`] | recorded graphs and actors together |
 //! | [`torch_random`] | PyTorch's random numbers |
-//! | [`policies`] | graphs as policies of the arm's observations |
 //! | [`limits`] | action limits of the recorded episodes |
 //! | [`replay`] | all rows of a file in lockstep, compared with the recording |
-//! | [`fk`] | forward kinematics and collisions against recorded values, including the runtime's fast paths |
-//! | [`clearance`] | distance of an arm from a change of its collision result |
 //! | [`replay_command`] | `tpg-paper replay` |
 //! | [`table`] | `tpg-paper table2` |
 //! | [`cli`] | the command line |
 
 pub mod actor;
 pub mod chain;
-pub mod clearance;
 pub mod cli;
 pub mod conformance;
 pub mod data;
 pub mod episode;
-pub mod fk;
-pub mod hybrid;
 pub mod limits;
 pub mod plane;
-pub mod policies;
 pub mod replay;
 pub mod replay_command;
 pub mod sac;

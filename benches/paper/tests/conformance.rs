@@ -1,12 +1,12 @@
 //! Replays the paper's recorded policies and poses: everything must be equal, row by row and step by step.
 
 use crate::support;
+use crate::support::fk::{self, Exactness, Nearness};
 use std::path::Path;
 use tpg_arm::WIDOWX;
 use tpg_graph::import::{self, Profile};
 use tpg_paper::chain::Chain;
 use tpg_paper::episode::Rules;
-use tpg_paper::fk::{self, Exactness, Nearness};
 use tpg_paper::limits::max_actions;
 use tpg_paper::replay_command::EngineArg;
 use tpg_paper::{data, replay};
@@ -162,16 +162,18 @@ fn traced_policies_through_generated_rust() {
 
 #[test]
 fn recorded_poses_come_out_to_the_bit() {
-    let Some(folder) = support::folder("recorded_poses_come_out_to_the_bit") else { return };
-    let recorded = data::reference_poses(&folder.join("fk_collision.csv")).unwrap();
+    let Some(file) = support::foreign_file("recorded_poses_come_out_to_the_bit", "fk_collision.csv") else { return };
+    let recorded = fk::reference_poses(&file);
     let exactness = fk::exactness(&Chain::new(WIDOWX), &recorded);
     assert_eq!(exactness, Exactness { poses: 1_000, exact_hands: 1_000, exact_collisions: 1_000 });
 }
 
 #[test]
 fn recorded_poses_are_near_on_the_lattice() {
-    let Some(folder) = support::folder("recorded_poses_are_near_on_the_lattice") else { return };
-    let recorded = data::reference_poses(&folder.join("fk_collision.csv")).unwrap();
+    let Some(file) = support::foreign_file("recorded_poses_are_near_on_the_lattice", "fk_collision.csv") else {
+        return;
+    };
+    let recorded = fk::reference_poses(&file);
     let chain = Chain::new(WIDOWX);
     let in_f64 = fk::nearness(&chain, &WIDOWX, recorded.iter().copied());
     let in_f32 = fk::nearness(&chain, &WIDOWX.to_f32(), recorded);

@@ -2,6 +2,8 @@
 //! statistics.
 
 use crate::support;
+use crate::support::hybrid::{Determined, HybridDone, HybridEnd, Sampled, determined, episode, hybrid_ends};
+use crate::support::policies::GraphPolicy;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -11,11 +13,9 @@ use tpg_arm::{Move, WIDOWX};
 use tpg_graph::import::{self, Profile};
 use tpg_paper::actor::RecordedActor;
 use tpg_paper::chain::Chain;
-use tpg_paper::data::{self, ByRow, HybridEnd, Task};
+use tpg_paper::data::{self, ByRow, Task};
 use tpg_paper::episode::Rules;
-use tpg_paper::hybrid::{Determined, HybridDone, Sampled, determined, episode};
 use tpg_paper::limits::max_actions;
-use tpg_paper::policies::GraphPolicy;
 use tpg_problems::arm::targets::Start;
 use tpg_runtime::ops::System;
 use tpg_runtime::policy::Policy;
@@ -34,7 +34,7 @@ struct Recorded {
 impl Recorded {
     fn read(folder: &Path, name: &str, problem: Start) -> Self {
         let tasks = data::tasks(&folder.join(format!("targets_{name}.csv"))).expect("recorded targets");
-        let ends = data::hybrid_ends(&folder.join(format!("hybrid_{name}.ends.csv.gz")), &tasks).expect("ends");
+        let ends = hybrid_ends(&folder.join(format!("hybrid_{name}.ends.csv.gz")), &tasks);
         let graph = |seed| {
             let file = folder.join(format!("tpg/{name}_final_s{seed}.dot"));
             import::load(&file, Some(Profile::Ecta24), None).expect("a recorded graph")

@@ -1,10 +1,10 @@
 //! The runtime's kinematics against the paper's matrix chain, over the poses inside the joint limits: the error bounds
 //! that `tpg_arm::kinematics` states, and the collision answers that differ.
 
+use crate::support::fk::{self, CollisionDifference, Nearness};
 use tpg_arm::kinematics::Lattice;
 use tpg_arm::{Arm, Pose, WIDOWX};
 use tpg_paper::chain::Chain;
-use tpg_paper::fk::{self, CollisionDifference, Nearness};
 use tpg_paper::plane;
 
 /// Number of poses drawn. With 20,000,000 the figures stated by `tpg_arm::kinematics` are reproduced.

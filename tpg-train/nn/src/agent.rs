@@ -116,7 +116,7 @@ impl<T: Real> Agent<T> {
         log_alpha: f64,
         mut unit: impl FnMut() -> f64,
     ) -> Self {
-        let shape = |inputs, hidden: &[usize], outputs| Shape { inputs, hidden: hidden.to_vec(), outputs, norm: false };
+        let shape = |inputs, hidden: &[usize], outputs| Shape { inputs, hidden: hidden.to_vec(), outputs };
         let actor = shape(inputs, hidden[0], 2 * gaussian.actions);
         let critic = shape(inputs + gaussian.actions, hidden[1], 1);
         let actor = Mlp::random(actor, &mut unit);

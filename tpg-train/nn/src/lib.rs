@@ -18,7 +18,6 @@ mod agent;
 mod gaussian;
 mod loops;
 mod mlp;
-mod norm;
 mod product;
 mod sum;
 mod vectors;

@@ -1,11 +1,10 @@
 //! A multi-layer perceptron with its parameters in one flat vector.
 
-use super::norm::normalise;
 use super::vectors::vectorised;
 use super::{Factor, Finish, Real, Scratch, multiply};
 use serde::{Deserialize, Serialize};
 
-/// The sizes of a network. A hidden layer is linear, then ReLU and, with `norm`, LayerNorm; the last layer is linear.
+/// The sizes of a network. A hidden layer is linear, then ReLU; the last layer is linear.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Shape {
     /// Number of inputs.
@@ -14,8 +13,6 @@ pub struct Shape {
     pub hidden: Vec<usize>,
     /// Number of outputs.
     pub outputs: usize,
-    /// True if each hidden layer is normalised (ε = 1e-5, with gain and shift), as in the paper.
-    pub norm: bool,
 }
 
 /// Offsets of one layer's parameters in the flat vector.
@@ -26,8 +23,6 @@ struct MlpLayer {
     /// Weights, column-major `outputs` × `inputs`.
     weight: usize,
     bias: usize,
-    /// Gain, then shift, of the LayerNorm that follows; `None` if there is none.
-    norm: Option<usize>,
 }
 
 impl MlpLayer {
@@ -44,15 +39,12 @@ impl Shape {
     fn layers(&self) -> Vec<MlpLayer> {
         let mut at = 0;
         let mut inputs = self.inputs;
-        let sizes = self.hidden.iter().chain([&self.outputs]).enumerate();
+        let sizes = self.hidden.iter().chain([&self.outputs]);
         sizes
-            .map(|(index, &outputs)| {
+            .map(|&outputs| {
                 let (weight, bias) = (at, at + inputs * outputs);
-                at = bias + outputs;
-                let norm = (self.norm && index < self.hidden.len()).then_some(at);
-                at += if norm.is_some() { 2 * outputs } else { 0 };
-                let layer = MlpLayer { inputs, outputs, weight, bias, norm };
-                inputs = outputs;
+                let layer = MlpLayer { inputs, outputs, weight, bias };
+                (at, inputs) = (bias + outputs, outputs);
                 layer
             })
             .collect()
@@ -69,8 +61,7 @@ impl Shape {
     }
 }
 
-/// A network: its shape and its parameters. Each layer has weights (column-major, outputs × inputs), a bias and, if
-/// normalised, gain and shift.
+/// A network: its shape and its parameters. Each layer has weights (column-major, outputs × inputs) and a bias.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mlp<T> {
     shape: Shape,
@@ -124,8 +115,7 @@ impl<T: Real> Tape<T> {
 }
 
 impl<T: Real> Mlp<T> {
-    /// Creates a network with weights and biases uniform in ±1/√inputs, as in PyTorch's `Linear`; gains are 1, shifts
-    /// 0.
+    /// Creates a network with weights and biases uniform in ±1/√inputs, as in PyTorch's `Linear`.
     pub fn random(shape: Shape, mut unit: impl FnMut() -> f64) -> Self {
         let mut parameters = vec![T::zero(); shape.parameters()];
         let layers = shape.layers();
@@ -133,9 +123,6 @@ impl<T: Real> Mlp<T> {
             let bound = 1.0 / (layer.inputs as f64).sqrt();
             for parameter in &mut parameters[layer.weight..layer.bias + layer.outputs] {
                 *parameter = T::nearest((2.0 * unit() - 1.0) * bound);
-            }
-            if let Some(gain) = layer.norm {
-                parameters[gain..][..layer.outputs].fill(T::one());
             }
         }
         Self { shape, layers, parameters }
@@ -170,12 +157,6 @@ impl<T: Real> Mlp<T> {
             (rows.flat_map(row).collect(), layer.bias(&self.parameters).to_vec())
         };
         self.layers.iter().map(row_major).collect()
-    }
-
-    /// Returns gain and shift of the LayerNorm that follows a hidden layer.
-    pub fn norm(&self, layer: usize) -> Option<(&[T], &[T])> {
-        let &MlpLayer { norm, outputs, .. } = self.layers.get(layer)?;
-        Some(self.parameters[norm?..][..2 * outputs].split_at(outputs))
     }
 
     /// Moves every parameter towards another network's by the fraction `rate` (Polyak averaging).
@@ -218,10 +199,6 @@ impl<T: Real> Mlp<T> {
                 return multiply(&mut tape.output, weight, input, Finish::Bias(bias), scratch);
             }
             multiply(&mut after[0], weight, input, Finish::Rectified(bias), scratch);
-            if let Some(gain) = layer.norm {
-                let (gain, shift) = self.parameters[gain..][..2 * layer.outputs].split_at(layer.outputs);
-                normalise(&mut after[0], gain, shift);
-            }
         }
     }
 
@@ -233,7 +210,7 @@ impl<T: Real> Mlp<T> {
     /// rows.
     ///
     /// # Panics
-    /// If the sizes do not match, or the network has LayerNorm, which only forward passes know.
+    /// If the sizes do not match.
     pub fn backward(
         &self,
         tape: &mut Tape<T>,
@@ -252,7 +229,6 @@ impl<T: Real> Mlp<T> {
         by_input: Option<&mut [T]>,
     ) {
         assert_eq!(by_output.len(), self.shape.outputs * tape.batch, "a gradient of another size");
-        assert!(!self.shape.norm, "a network with LayerNorm is not trained");
         let [current, next] = &mut tape.gradient;
         current[..by_output.len()].copy_from_slice(by_output);
         let (batch, scratch) = (tape.batch, &mut tape.scratch);
@@ -303,8 +279,8 @@ mod tests {
     use super::*;
     use tpg_engine::random::{Purpose, Stream};
 
-    fn shape(norm: bool) -> Shape {
-        Shape { inputs: 7, hidden: vec![9, 8], outputs: 3, norm }
+    fn shape() -> Shape {
+        Shape { inputs: 7, hidden: vec![9, 8], outputs: 3 }
     }
 
     /// Σ c·out over a batch of 6, with fixed coefficients c.
@@ -318,7 +294,7 @@ mod tests {
     #[test]
     fn gradients_equal_finite_differences() {
         let mut random = Stream::new(1, 0, Purpose::Test, 20);
-        let mut network = Mlp::<f64>::random(shape(false), || random.unit());
+        let mut network = Mlp::<f64>::random(shape(), || random.unit());
         for parameter in network.parameters_mut() {
             *parameter += 0.1 * random.normal();
         }
@@ -353,7 +329,7 @@ mod tests {
     #[test]
     fn the_gradient_by_the_input_does_not_need_the_one_by_the_parameters() {
         let mut random = Stream::new(1, 0, Purpose::Test, 21);
-        let network = Mlp::<f32>::random(shape(false), || random.unit());
+        let network = Mlp::<f32>::random(shape(), || random.unit());
         let input: Vec<f32> = (0..7 * 6).map(|_| random.normal() as f32).collect();
         let gradient = |wanted: bool| {
             let mut tape = Tape::new(network.shape(), 6);
@@ -369,9 +345,8 @@ mod tests {
 
     #[test]
     fn a_wrong_number_of_parameters_is_refused() {
-        assert_eq!(shape(false).parameters(), 7 * 9 + 9 + 9 * 8 + 8 + 8 * 3 + 3);
-        assert_eq!(shape(true).parameters(), shape(false).parameters() + 2 * (9 + 8));
-        assert_eq!(shape(true).multiplications(), 7 * 9 + 9 * 8 + 8 * 3);
-        assert!(Mlp::from_parameters(shape(false), vec![0.0f32; 5]).is_none());
+        assert_eq!(shape().parameters(), 7 * 9 + 9 + 9 * 8 + 8 + 8 * 3 + 3);
+        assert_eq!(shape().multiplications(), 7 * 9 + 9 * 8 + 8 * 3);
+        assert!(Mlp::from_parameters(shape(), vec![0.0f32; 5]).is_none());
     }
 }

@@ -57,7 +57,7 @@ fn agrees<T: Real>(bound: f64) {
     let fixture = fixture();
     let narrow = |values: &[f64]| -> Vec<T> { values.iter().map(|&value| T::nearest(value)).collect() };
     let network = |inputs, hidden: &[usize], outputs, parameters: &[f64]| {
-        let shape = Shape { inputs, hidden: hidden.to_vec(), outputs, norm: false };
+        let shape = Shape { inputs, hidden: hidden.to_vec(), outputs };
         Mlp::from_parameters(shape, narrow(parameters)).expect("the fixture fits its shape")
     };
     let actor = network(fixture.inputs, &fixture.actor_hidden, 2 * ACTIONS, &fixture.before.actor);

@@ -129,7 +129,7 @@ impl Tensors {
         hidden: Vec<(String, Option<usize>)>,
         heads: [&str; 2],
     ) -> Result<Mlp<f32>, Finding> {
-        let mut shape = Shape { inputs, hidden: Vec::new(), outputs: 2 * outputs, norm: false };
+        let mut shape = Shape { inputs, hidden: Vec::new(), outputs: 2 * outputs };
         let (mut width, mut flat) = (inputs, Vec::new());
         let mut append = |weights: &[f32], bias: &[f32], width: usize| {
             // Column-major.

@@ -78,7 +78,7 @@ mod tests {
     fn example() -> (Mlp<f32>, Tensors) {
         let config = SacConfig::preset("general").expect("a preset");
         let actor = crate::sac::config::Actor { hidden: vec![6, 5], ..config.actor };
-        let shape = Shape { inputs: 3, hidden: actor.hidden.clone(), outputs: 2, norm: false };
+        let shape = Shape { inputs: 3, hidden: actor.hidden.clone(), outputs: 2 };
         let mut random = Stream::new(1, 0, Purpose::Test, 30);
         let mut network = Mlp::random(shape, || random.unit());
         for (index, parameter) in network.parameters_mut().iter_mut().enumerate() {

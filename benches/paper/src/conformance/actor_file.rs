@@ -1,9 +1,12 @@
 //! Weights of an actor in PyTorch's format: a zip archive with the numbers of each tensor in a file.
 
 use super::artifact::read;
+use crate::actor::RecordedActor;
+use serde_json::json;
 use std::io::{Cursor, Read as _};
 use std::path::Path;
 use tpg_graph::error::{InputError, Place};
+use tpg_problems::arm::targets::Start;
 use zip::ZipArchive;
 
 /// The archive's files in the order of this project's weights, and their numbers: the layers come first there, then the
@@ -51,4 +54,27 @@ pub(super) fn weights(path: &Path) -> Result<Vec<u8>, InputError> {
         }
     }
     Ok(weights)
+}
+
+/// Returns the description of an actor's weights.
+pub(super) fn description(start: Start) -> String {
+    let mut offset = 0;
+    let layout: Vec<_> = RecordedActor::layout()
+        .map(|(name, shape)| {
+            let part = json!({"name": name, "shape": shape, "offset": offset});
+            offset += shape.iter().product::<usize>();
+            part
+        })
+        .collect();
+    let order = match start {
+        Start::Fs => "target/100,diff/100,hand/100,motors",
+        Start::Rs => "target/100,hand/100,diff/100,motors",
+    };
+    json!({
+        "dtype": "f32 little endian",
+        "layout": layout,
+        "activation": "fc1->relu->ln1->fc2->relu->ln2->{mu,sigma}; LayerNorm eps 1e-5, sigma=clamp(raw,1e-6,1)",
+        "state_order": order,
+    })
+    .to_string()
 }

@@ -3,12 +3,11 @@
 //!
 //! The artifact carries no licence, so neither its files nor what is made of them can be part of a repository. Most files
 //! are the artifact's own numbers in one form. Step traces that it lacks come from this project's replay, which must end
-//! in every recorded end state. What only other programs could confirm is computed by this project and marked so.
+//! in every recorded end state. Reference values that only other programs can make are not in the folder; tests that need
+//! them are skipped.
 
 mod actor_file;
-mod aggregates;
 mod artifact;
-mod own;
 
 use crate::chain::Chain;
 use crate::data::{self, ByRow, Task};
@@ -123,7 +122,6 @@ impl ConformanceArgs {
         }
         let bytes: usize = files.values().map(Vec::len).sum();
         println!("{}: {} files, {bytes} bytes", self.output.display(), files.len());
-        println!("computed by this project, so that they confirm nothing: {}", own::NAMES.join(", "));
         Ok(Verdict::Good)
     }
 }
@@ -151,9 +149,6 @@ fn files(data: &Path) -> Result<Files, CommandError> {
         files.insert(format!("tpg_traced/{name}.ends.csv"), artifact::ends(&recording.runs).into_bytes());
         files.insert(format!("tpg_traced/{name}.trace.csv.gz"), zipped(&recording.trace()?));
     }
-    files.insert("hybrid_aggregates.json".to_owned(), aggregates::json(data, &PROBLEMS)?.into_bytes());
-    files.insert("rng_torch_normal4.json".to_owned(), own::random_numbers().into_bytes());
-    files.insert("fk_collision.csv".to_owned(), own::poses().into_bytes());
     Ok(files)
 }
 
@@ -215,7 +210,7 @@ fn actors(data: &Path, problem: &ArtifactProblem, files: &mut Files) -> Result<(
         let name = format!("sac/{}_s{seed}", problem.name);
         let weights =
             actor_file::weights(&data.join(format!("{}/seed_{seed}/model/best_model/actor.pt", problem.actors)))?;
-        files.insert(format!("{name}.json"), own::description(&weights, problem.start)?.into_bytes());
+        files.insert(format!("{name}.json"), actor_file::description(problem.start).into_bytes());
         files.insert(format!("{name}.actor.f32"), weights);
         for (mode, place) in problem.episodes {
             let recording = Recording::read(&data.join(format!("{place}/seed_{seed}/{}", problem.file)))?;

@@ -2,23 +2,17 @@
 
 use super::reference::Reference;
 use super::timing::{self, Time};
-use std::cell::RefCell;
 use tpg_arm::binding;
 use tpg_arm::cycle::CycleDetector;
-use tpg_arm::frame::Frame;
 use tpg_arm::hybrid::{Hybrid, Settings};
 use tpg_arm::observation::{ArmPolicy, Observation};
 use tpg_arm::sac::packed::{Model, PackedPolicy};
-use tpg_arm::sac::{Actions, Mask};
-use tpg_arm::{Arm, JOINTS, Move, Pose, WIDOWX};
-use tpg_engine::random::{Purpose, Stream};
+use tpg_arm::{Arm, Move, Pose, WIDOWX};
 use tpg_generated::widowx_fs::WidowxFs;
 use tpg_generated::widowx_fs_fast::WidowxFsFast;
 use tpg_generated::widowx_rs::WidowxRs;
 use tpg_generated::widowx_rs_fast::WidowxRsFast;
 use tpg_generated::{widowx_fs_hybrid, widowx_rs_hybrid, widowx_sac};
-use tpg_nn::{Mlp, Shape, Tape};
-use tpg_problems::arm::motors::{Config, Discretiser, Inputs};
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_runtime::policy::Policy;
 
@@ -45,8 +39,6 @@ pub struct Costs {
     pub shipped: Times,
     /// The paper's network alone, 13-256-256-4 in `f32`.
     pub reference: Time,
-    /// The same shape with the trainer's matrix product, on the widest vectors of the machine.
-    pub wide: Time,
 }
 
 fn network() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
@@ -71,39 +63,7 @@ pub fn measure(start: Start, tasks: &[Task]) -> Costs {
     let tasks = &tasks[..TIMED.min(tasks.len())];
     let reference = timing::of_policy_along(&ARM, &Reference::random(1), &network(), start, tasks);
     let shipped = times(start, tasks);
-    Costs { shipped, reference, wide: wide(start, tasks) }
-}
-
-/// The paper's network on the trainer's own matrix product.
-struct Wide {
-    network: Mlp<f32>,
-    tape: RefCell<Tape<f32>>,
-    discretiser: Discretiser,
-}
-
-impl Policy for Wide {
-    type State = Observation<f32>;
-    type Action = Move;
-
-    fn decide(&self, seen: &Observation<f32>) -> Move {
-        let mut tape = self.tape.borrow_mut();
-        Inputs::PaperFs.observe(&Frame::new(&ARM, seen), tape.input_mut());
-        self.network.forward(&mut tape);
-        let means = std::array::from_fn(|joint| tape.output()[joint]);
-        self.discretiser.decide(means, seen.pose, &ARM.ranges)
-    }
-}
-
-/// Measures the paper's network with the trainer's own matrix product; its weights are random, so it follows the
-/// shipped policy's trajectory.
-fn wide(start: Start, tasks: &[Task]) -> Time {
-    let (actions, mask) = (Actions::Coarse, Mask::None);
-    let discretiser = Discretiser::new(&Config { actions, mask, may_rest: true, ..Config::default() });
-    let shape = Shape { inputs: 13, hidden: vec![256, 256], outputs: 2 * JOINTS, norm: true };
-    let mut random = Stream::new(1, 0, Purpose::Weights, 0);
-    let network = Mlp::random(shape, || random.unit());
-    let tape = RefCell::new(Tape::new(network.shape(), 1));
-    timing::of_policy_along(&ARM, &Wide { network, tape, discretiser }, &self::network(), start, tasks)
+    Costs { shipped, reference }
 }
 
 fn fs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {

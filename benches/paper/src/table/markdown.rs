@@ -163,7 +163,7 @@ fn costs(problems: &[ProblemResults]) -> String {
         if factor >= 10.0 { format!("{factor:.0} times") } else { format!("{factor:.1} times") }
     };
     let column = |problem: &ProblemResults| {
-        let Costs { shipped, reference, wide } = problem.costs;
+        let Costs { shipped, reference } = problem.costs;
         let row = |name: &str| problem.rows.iter().find(|row| row.name == name);
         let episode =
             |name: &str, time: Time| thousands(row(name).map_or(0.0, |row| row.actions.mean) * time.mean / 1e3);
@@ -171,7 +171,7 @@ fn costs(problems: &[ProblemResults]) -> String {
         let of_the_paper = if problem.start == Start::Fs { "11" } else { "2.8" };
         [
             format!("{}; {}", thousands(shipped.tpg.mean), thousands(shipped.tpg_constant_time.mean)),
-            format!("{}; {}", thousands(reference.mean), thousands(wide.mean)),
+            thousands(reference.mean),
             format!("**{}** ({of_the_paper})", times(reference.mean, shipped.hybrid.mean)),
             times(shipped.sac.mean, shipped.hybrid.mean),
             planner.map_or("–".to_owned(), |planner| times(planner.mean, shipped.hybrid.mean)),
@@ -180,7 +180,7 @@ fn costs(problems: &[ProblemResults]) -> String {
     };
     const NAMES: [&str; 6] = [
         "graph alone; in constant time, ns",
-        "the paper's network, 13-256-256-4 in `f32`; with this machine's widest vectors, ns",
+        "the paper's network, 13-256-256-4 in `f32`, ns",
         "hybrid faster than the paper's network (the paper reports, corrected)",
         "hybrid faster than the small network alone",
         "hybrid faster than the planner",

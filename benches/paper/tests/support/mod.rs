@@ -2,7 +2,12 @@
 //!
 //! The data cannot be part of the repository because its source carries no licence. A test that needs it calls
 //! [`folder`] and is skipped if there is none; [`tpg_testing::skip`] reports and counts that. A folder that exists but
-//! lacks a file is a failure, never a skip.
+//! lacks a recorded file is a failure, never a skip.
+
+pub(crate) mod clearance;
+pub(crate) mod fk;
+pub(crate) mod hybrid;
+pub(crate) mod policies;
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -17,6 +22,17 @@ pub(crate) fn folder(test: &str) -> Option<PathBuf> {
         return Some(folder);
     }
     tpg_testing::skip(&format!("tpg-paper, {test}: no folder {} ({VARIABLE} names another)", folder.display()));
+    None
+}
+
+/// Returns a file of the folder that only another program can make; `None` if `test` must be skipped: a folder that
+/// `tpg-paper conformance` made has none.
+pub(crate) fn foreign_file(test: &str, name: &str) -> Option<PathBuf> {
+    let path = folder(test)?.join(name);
+    if path.is_file() {
+        return Some(path);
+    }
+    tpg_testing::skip(&format!("tpg-paper, {test}: no file {}, which other programs make", path.display()));
     None
 }
 

@@ -3,23 +3,68 @@
 //! The artifact did not seed the actors' random numbers here. Everything before the first hand-over is deterministic
 //! and must be exact; the rest can only be compared statistically.
 
-use super::actor::RecordedActor;
-use super::chain::Chain;
-use super::data::Task;
-use super::episode::{EndState, Rules};
-use super::plane;
-use super::torch_random::TorchRandom;
+use serde::Deserialize;
 use std::cell::RefCell;
 use std::collections::HashSet;
+use std::path::Path;
 use tpg_arm::cycle::CycleDetector;
 use tpg_arm::hybrid::{Driver, Hybrid, Switch};
 use tpg_arm::observation::Observation;
 use tpg_arm::{Move, Pose};
+use tpg_paper::actor::RecordedActor;
+use tpg_paper::chain::Chain;
+use tpg_paper::data::{ByRow, End, EndRow, Task, each_row};
+use tpg_paper::episode::{EndState, Rules};
+use tpg_paper::plane;
+use tpg_paper::torch_random::TorchRandom;
 use tpg_runtime::policy::Policy;
+
+/// A recorded end of a hybrid's episode, with the pair and the setting.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct HybridEnd {
+    /// Seed of the graph.
+    pub(crate) tpg_seed: u32,
+    /// Seed of the actor.
+    pub(crate) sac_seed: u32,
+    /// Distance from the best so far at which the network takes over, mm; infinite: never.
+    pub(crate) separation_mm: f64,
+    /// Actions after which the graph drives again.
+    pub(crate) hand_back_after: u32,
+    /// Row of the targets file.
+    pub(crate) row: u32,
+    /// End, with the number of the graph's actions.
+    pub(crate) end: End,
+}
+
+#[derive(Deserialize)]
+struct HybridRow {
+    tpg_seed: u32,
+    sac_seed: u32,
+    sep_mm: f64,
+    nb_it: u32,
+    #[serde(flatten)]
+    end: EndRow,
+}
+
+/// The recorded separation that stands for none.
+const NO_SEPARATION: f64 = 10_000.0;
+
+/// Reads the recorded ends of hybrids.
+pub(crate) fn hybrid_ends(path: &Path, tasks: &ByRow<Task>) -> Vec<HybridEnd> {
+    let mut all = Vec::new();
+    let read = each_row(path, |HybridRow { tpg_seed, sac_seed, sep_mm, nb_it, end }| {
+        let separation_mm = if sep_mm == NO_SEPARATION { f64::INFINITY } else { sep_mm };
+        let (row, end) = (end.row, end.end(tasks)?);
+        all.push(HybridEnd { tpg_seed, sac_seed, separation_mm, hand_back_after: nb_it, row, end });
+        Ok(())
+    });
+    read.expect("recorded ends");
+    all
+}
 
 /// The artifact's set of visited poses, which does not contain the start.
 #[derive(Clone, Debug, Default)]
-pub struct Memory(HashSet<Pose>);
+pub(crate) struct Memory(HashSet<Pose>);
 
 impl CycleDetector<Pose> for Memory {
     fn reset(&mut self, _start: Pose) {
@@ -33,14 +78,14 @@ impl CycleDetector<Pose> for Memory {
 
 /// A recorded actor that samples its actions.
 #[derive(Debug)]
-pub struct Sampled<'a> {
+pub(crate) struct Sampled<'a> {
     actor: &'a RecordedActor,
     random: RefCell<TorchRandom>,
 }
 
 impl<'a> Sampled<'a> {
     /// Creates the policy of an actor with random numbers of the given seed.
-    pub fn new(actor: &'a RecordedActor, seed: u64) -> Self {
+    pub(crate) fn new(actor: &'a RecordedActor, seed: u64) -> Self {
         Self { actor, random: RefCell::new(TorchRandom::new(seed)) }
     }
 }
@@ -56,16 +101,16 @@ impl Policy for Sampled<'_> {
 
 /// Result of an episode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct HybridDone {
+pub(crate) struct HybridDone {
     /// End state by the artifact's rules.
-    pub end: EndState,
+    pub(crate) end: EndState,
     /// Number of actions chosen by the graph.
-    pub tpg_actions: u32,
+    pub(crate) tpg_actions: u32,
 }
 
 /// The deterministic part of an episode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Determined {
+pub(crate) enum Determined {
     /// The graph ended it.
     Whole(EndState),
     /// The network took over after this number of actions.
@@ -73,7 +118,7 @@ pub enum Determined {
 }
 
 /// Runs an episode to its end, or to the first hand-over.
-pub fn determined<T, P>(chain: &Chain, rules: Rules, task: &Task, hybrid: &Hybrid<'_, f64, T, P>) -> Determined
+pub(crate) fn determined<T, P>(chain: &Chain, rules: Rules, task: &Task, hybrid: &Hybrid<'_, f64, T, P>) -> Determined
 where
     T: Policy<State = Observation<f64>, Action = Move>,
     P: Policy<State = Observation<f64>, Action = Move>,
@@ -85,7 +130,7 @@ where
 }
 
 /// Runs an episode to its end.
-pub fn episode<T, P>(chain: &Chain, rules: Rules, task: &Task, hybrid: &Hybrid<'_, f64, T, P>) -> HybridDone
+pub(crate) fn episode<T, P>(chain: &Chain, rules: Rules, task: &Task, hybrid: &Hybrid<'_, f64, T, P>) -> HybridDone
 where
     T: Policy<State = Observation<f64>, Action = Move>,
     P: Policy<State = Observation<f64>, Action = Move>,

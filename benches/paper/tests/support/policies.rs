@@ -13,7 +13,7 @@ use tpg_runtime::policy::Policy;
 
 /// A graph that controls the arm.
 #[derive(Debug)]
-pub struct GraphPolicy<S: Copy, M> {
+pub(crate) struct GraphPolicy<S: Copy, M> {
     arm: Arm<S>,
     single: Single<S, M>,
     binding: Binding,
@@ -26,7 +26,7 @@ impl<S: ArmScalar, M: Maths<S>> GraphPolicy<S, M> {
     ///
     /// # Errors
     /// If the graph reads sources that the arm does not have, or has actions that do not state their move.
-    pub fn new(file: &str, graph: &Graph, arm: &Arm<f64>) -> Result<Self, InputError> {
+    pub(crate) fn new(file: &str, graph: &Graph, arm: &Arm<f64>) -> Result<Self, InputError> {
         let binding = Binding::of_graph(file, graph)?;
         let plan = Plan::new::<M>(&PolicyGraph::from(graph), &graph.state_sources(), EngineOptions::default());
         let state = RefCell::new(vec![S::ZERO; binding.state_length()]);

@@ -12,7 +12,7 @@ type LinkSegment = (Point<f64>, Point<f64>);
 /// the table's height, and the arm's faces with the base's edges, at the ends of either.
 ///
 /// A collision result can change only in a pose where this is 0.
-pub fn clearance(plane: &Plane<f64>, shapes: &Shapes<f64>) -> f64 {
+pub(crate) fn clearance(plane: &Plane<f64>, shapes: &Shapes<f64>) -> f64 {
     let faces = plane.faces(shapes);
     let [(tip_upper, tip_lower), ..] = faces;
     let joints = [plane.bracket, plane.elbow, plane.wrist, plane.tip];
@@ -43,9 +43,9 @@ fn to_segment(point: Point<f64>, (from, to): LinkSegment) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{clearance, to_segment};
-    use crate::plane;
     use tpg_arm::WIDOWX;
     use tpg_arm::kinematics::Point;
+    use tpg_paper::plane;
 
     #[test]
     fn distances_are_to_the_segment_not_to_its_line() {
