@@ -94,8 +94,6 @@ fn table<S: ArmScalar, M: Maths<S>>(
 ) -> Result<(), Box<dyn std::error::Error>> {
     println!("  {:44} {:>9} {:>9} {:>12} {:>8}", "", "CPU s", "wall s", "M steps/CPU s", "");
     let all = EngineOptions::default();
-    let no_tables = environment.clone().without_tables();
-    let no_vectors = environment.clone().without_vectors();
     let rows = [
         ("everything on, 112 lanes, 1 thread", environment, all, 1),
         ("2 threads", environment, all, 2),
@@ -103,10 +101,6 @@ fn table<S: ArmScalar, M: Maths<S>>(
         ("16 lanes", environment, EngineOptions { lanes: 16, ..all }, 1),
         ("1 lane", environment, EngineOptions { lanes: 1, ..all }, 1),
         ("every bid computed", environment, EngineOptions { lazy: false, ..all }, 1),
-        ("no sharing of values", environment, EngineOptions { share: false, ..all }, 1),
-        ("the arm one lane at a time", &no_vectors, all, 1),
-        ("sines by libm instead of tables", &no_tables, all, 1),
-        ("cycles detected only at the timeout", environment, EngineOptions { look_for_cycles: false, ..all }, 1),
     ];
     let mut first = None;
     for (name, environment, options, threads) in rows.into_iter().take(extent.rows) {

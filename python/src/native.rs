@@ -157,7 +157,6 @@ impl Running {
             ActionSpace::Box(outputs) => {
                 (Vec::new(), outputs.iter().map(|item| json!([item.name, item.min, item.max])).collect())
             }
-            ActionSpace::MultiDiscrete(_) => (Vec::new(), Vec::new()),
         };
         let limit = self.environment.time_limit();
         json!({"sources": sources, "actions": actions, "outputs": outputs, "time_limit": limit}).to_string()

@@ -47,9 +47,5 @@ fn actions(space: &ActionSpace) -> String {
             };
             outputs.iter().map(output).collect::<Vec<_>>().join("; ")
         }
-        ActionSpace::MultiDiscrete(choices) => {
-            let choice = |choice: &tpg_engine::Choice| format!("{}: one of {}", choice.name, choice.options.join(", "));
-            choices.iter().map(choice).collect::<Vec<_>>().join("; ")
-        }
     }
 }

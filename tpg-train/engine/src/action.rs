@@ -15,8 +15,6 @@ pub enum ActionSpace {
     Discrete(Vec<ActionDocument>),
     /// A value for each output.
     Box(Vec<Output>),
-    /// A choice among named options, for several choices at once.
-    MultiDiscrete(Vec<Choice>),
 }
 
 /// A continuous output: a torque, a speed.
@@ -31,15 +29,6 @@ pub struct Output {
     pub min: f64,
     /// Highest value, finite and above the lowest.
     pub max: f64,
-}
-
-/// One of several simultaneous choices.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Choice {
-    /// Its name.
-    pub name: String,
-    /// Its options by name, at least one.
-    pub options: Vec<String>,
 }
 
 impl Output {
@@ -99,7 +88,7 @@ impl ActionSpace {
     pub fn outputs(&self) -> &[Output] {
         match self {
             Self::Box(outputs) => outputs,
-            Self::Discrete(_) | Self::MultiDiscrete(_) => &[],
+            Self::Discrete(_) => &[],
         }
     }
 
@@ -107,7 +96,7 @@ impl ActionSpace {
     pub fn count(&self) -> Option<usize> {
         match self {
             Self::Discrete(actions) => Some(actions.len()),
-            Self::Box(_) | Self::MultiDiscrete(_) => None,
+            Self::Box(_) => None,
         }
     }
 }
@@ -119,8 +108,6 @@ pub enum Act<'a, S> {
     Choice(ActionId),
     /// In a [`Box`](ActionSpace::Box): a value for each output, within its range.
     Values(&'a [S]),
-    /// In a [`MultiDiscrete`](ActionSpace::MultiDiscrete) space: one option for each choice.
-    Choices(&'a [u16]),
 }
 
 /// The actions of a policy in all lanes.
@@ -179,7 +166,7 @@ impl<'a, S> Act<'a, S> {
     pub fn choice(self) -> usize {
         match self {
             Self::Choice(ActionId(id)) => usize::from(id),
-            _ => panic!("a discrete environment is given choices"),
+            Self::Values(_) => panic!("a discrete environment is given choices"),
         }
     }
 
@@ -190,18 +177,7 @@ impl<'a, S> Act<'a, S> {
     pub fn values(self) -> &'a [S] {
         match self {
             Self::Values(values) => values,
-            _ => panic!("an environment with outputs is given values"),
-        }
-    }
-
-    /// Returns the options in a space of several choices.
-    ///
-    /// # Panics
-    /// In any other space: the environment declared several choices.
-    pub fn choices(self) -> &'a [u16] {
-        match self {
-            Self::Choices(options) => options,
-            _ => panic!("an environment of several choices is given an option for each"),
+            Self::Choice(_) => panic!("an environment with outputs is given values"),
         }
     }
 }

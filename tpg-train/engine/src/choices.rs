@@ -2,7 +2,6 @@
 
 use crate::action::{Act, ActionSpace, Acts, Output};
 use crate::environment::Environment;
-use crate::environment::OneByOne;
 use crate::episode_result::{EpisodeResult, Step};
 use crate::episodes::Episodes;
 use crate::error::EvaluationError;
@@ -12,7 +11,7 @@ use tpg_graph::{ActionDocument, Effect};
 use tpg_runtime::scalar::Scalar;
 
 /// An environment whose actions are named. Each output of a box takes one of a few evenly spaced levels; every
-/// combination of outputs, or of the options of several choices, is one action. An action of the inner environment is
+/// combination of outputs is one action. An action of the inner environment is
 /// passed on as it is, so that a network and a graph can share an episode.
 ///
 /// ```
@@ -48,15 +47,8 @@ use tpg_runtime::scalar::Scalar;
 pub struct Choices<S, E> {
     environment: E,
     actions: ActionSpace,
-    meaning: ChoiceMeaning<S>,
-}
-
-/// The action of the inner environment for each named action.
-#[derive(Clone, Debug)]
-enum ChoiceMeaning<S> {
-    Same,
-    Values(Vec<Vec<S>>),
-    Options(Vec<Vec<u16>>),
+    /// The values of the outputs for each named action; `None` if actions are passed on as they are.
+    levels: Option<Vec<Vec<S>>>,
 }
 
 /// An action space with more combinations than there are action numbers.
@@ -83,43 +75,24 @@ impl<S: Scalar, E: Environment<S>> Choices<S, E> {
     /// # Panics
     /// If `levels` is below 2.
     pub fn new(environment: E, levels: Option<u16>) -> Result<Self, TooManyActions> {
-        let (actions, meaning) = match (environment.actions(), levels) {
-            (space @ ActionSpace::Discrete(_), _) | (space @ ActionSpace::Box(_), None) => (space, ChoiceMeaning::Same),
-            (ActionSpace::Box(outputs), Some(levels)) => {
-                assert!(levels >= 2, "an output has at least its lowest and its highest value");
-                let combinations = combinations(&vec![levels; outputs.len()])?;
-                let name = |levels_of: &Vec<u16>| {
-                    let parts = outputs.iter().zip(levels_of);
-                    let part =
-                        |(output, &at): (&Output, &u16)| format!("{} {}", output.name, level(output, at, levels));
-                    parts.map(part).collect::<Vec<_>>().join(", ")
-                };
-                let values = |levels_of: &Vec<u16>| {
-                    let parts = outputs.iter().zip(levels_of);
-                    parts.map(|(output, &at)| S::from_f64(level(output, at, levels))).collect()
-                };
-                let values: Vec<Vec<S>> = combinations.iter().map(values).collect();
-                let effect = |values: &Vec<S>| Effect {
-                    name: VALUES.to_owned(),
-                    values: values.iter().map(|value| value.to_f64()).collect(),
-                };
-                let effects: Vec<Effect> = values.iter().map(effect).collect();
-                let meaning = ChoiceMeaning::Values(values);
-                (named(combinations.iter().map(name), &effects), meaning)
-            }
-            (ActionSpace::MultiDiscrete(choices), _) => {
-                let sizes: Vec<u16> = choices.iter().map(|choice| choice.options.len() as u16).collect();
-                let combinations = combinations(&sizes)?;
-                let name = |options: &Vec<u16>| {
-                    let parts = choices.iter().zip(options);
-                    let part =
-                        parts.map(|(choice, &at)| format!("{} {}", choice.name, choice.options[usize::from(at)]));
-                    part.collect::<Vec<_>>().join(", ")
-                };
-                (named(combinations.iter().map(name), &[]), ChoiceMeaning::Options(combinations))
-            }
+        let space = environment.actions();
+        let (ActionSpace::Box(outputs), Some(levels)) = (&space, levels) else {
+            return Ok(Self { environment, actions: space, levels: None });
         };
-        Ok(Self { environment, actions, meaning })
+        assert!(levels >= 2, "an output has at least its lowest and its highest value");
+        let action = |(id, places): (u32, &Vec<u16>)| {
+            let values: Vec<f64> = outputs.iter().zip(places).map(|(output, &at)| level(output, at, levels)).collect();
+            let parts = outputs.iter().zip(&values).map(|(output, value)| format!("{} {value}", output.name));
+            let name = parts.collect::<Vec<_>>().join(", ");
+            let values = values.into_iter().map(|value| S::from_f64(value).to_f64()).collect();
+            ActionDocument { id, name, effect: Some(Effect { name: VALUES.to_owned(), values }), ask: None }
+        };
+        let actions: Vec<ActionDocument> = (0..).zip(&combinations(levels, outputs.len())?).map(action).collect();
+        let values = |action: &ActionDocument| {
+            action.effect.iter().flat_map(|effect| &effect.values).map(|&value| S::from_f64(value)).collect()
+        };
+        let levels = Some(actions.iter().map(values).collect());
+        Ok(Self { environment, actions: ActionSpace::Discrete(actions), levels })
     }
 
     /// Returns the inner environment.
@@ -134,23 +107,15 @@ fn level(output: &Output, at: u16, levels: u16) -> f64 {
     (output.min + share * (output.max - output.min)).clamp(output.min, output.max)
 }
 
-fn named(names: impl Iterator<Item = String>, effects: &[Effect]) -> ActionSpace {
-    let action = |(id, name): (u32, String)| {
-        let effect = effects.get(id as usize).cloned();
-        ActionDocument { id, name, effect, ask: None }
-    };
-    ActionSpace::Discrete((0..).zip(names).map(action).collect())
-}
-
-/// Returns every combination; the last position varies fastest.
-fn combinations(sizes: &[u16]) -> Result<Vec<Vec<u16>>, TooManyActions> {
-    let found = sizes.iter().try_fold(1u128, |product, &size| product.checked_mul(size.into())).unwrap_or(u128::MAX);
+/// Returns every combination of the levels of some outputs; the last position varies fastest.
+fn combinations(levels: u16, outputs: usize) -> Result<Vec<Vec<u16>>, TooManyActions> {
+    let found = u128::from(levels).checked_pow(outputs as u32).unwrap_or(u128::MAX);
     if found > MOST {
         return Err(TooManyActions { found });
     }
     let mut all = vec![Vec::new()];
-    for &size in sizes {
-        all = all.iter().flat_map(|start: &Vec<u16>| (0..size).map(move |at| [&start[..], &[at]].concat())).collect();
+    for _ in 0..outputs {
+        all = all.iter().flat_map(|start: &Vec<u16>| (0..levels).map(move |at| [&start[..], &[at]].concat())).collect();
     }
     Ok(all)
 }
@@ -167,20 +132,16 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Choices<S, E> {
         self.actions.clone()
     }
     fn step(&self, episode: &mut E::Episode, act: Act<'_, S>) -> Step {
-        let inner = match (&self.meaning, act) {
-            (ChoiceMeaning::Values(values), Act::Choice(action)) => Act::Values(&values[usize::from(action.0)]),
-            (ChoiceMeaning::Options(options), Act::Choice(action)) => Act::Choices(&options[usize::from(action.0)]),
+        let inner = match (&self.levels, act) {
+            (Some(levels), Act::Choice(action)) => Act::Values(&levels[usize::from(action.0)]),
             (_, act) => act,
         };
         self.environment.step(episode, inner)
     }
     fn lanes(&self) -> Box<dyn Episodes<S, E::Task> + '_> {
-        match &self.meaning {
-            ChoiceMeaning::Same => self.environment.lanes(),
-            ChoiceMeaning::Values(levels) => {
-                Box::new(Valued { episodes: self.environment.lanes(), levels, values: Vec::new() })
-            }
-            ChoiceMeaning::Options(_) => Box::new(OneByOne::new(self)),
+        match &self.levels {
+            None => self.environment.lanes(),
+            Some(levels) => Box::new(Valued { episodes: self.environment.lanes(), levels, values: Vec::new() }),
         }
     }
 }
@@ -229,9 +190,9 @@ mod tests {
 
     #[test]
     fn combinations_count_like_an_odometer() {
-        assert_eq!(combinations(&[2, 3]).expect("few"), [[0, 0], [0, 1], [0, 2], [1, 0], [1, 1], [1, 2]]);
-        assert_eq!(combinations(&[256, 256]).expect("just as many as allowed").len(), 65_536);
-        assert_eq!(combinations(&[256, 257]), Err(TooManyActions { found: 65_792 }));
-        assert!(combinations(&[u16::MAX; 20]).is_err());
+        assert_eq!(combinations(2, 2).expect("few"), [[0, 0], [0, 1], [1, 0], [1, 1]]);
+        assert_eq!(combinations(256, 2).expect("just as many as allowed").len(), 65_536);
+        assert_eq!(combinations(257, 2), Err(TooManyActions { found: 66_049 }));
+        assert!(combinations(u16::MAX, 20).is_err());
     }
 }

@@ -273,7 +273,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
 
     /// Records the current key of every lane and ends the episodes that came back to an earlier one.
     fn end_cycles(&mut self) {
-        let Self { episodes, running, histories, ended, options, .. } = self;
+        let Self { episodes, running, histories, ended, .. } = self;
         let keys = episodes.keys();
         if keys.is_empty() {
             return;
@@ -283,11 +283,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
             let history = &mut histories[history];
             let ending = already.next_if(|&(other, _)| other == lane).map(|(_, ending)| ending);
             let repeat = match ending {
-                None if options.look_for_cycles => history.push_and_look(key),
-                None => {
-                    history.push(key);
-                    None
-                }
+                None => history.push_and_look(key),
                 // An episode in a cycle never ends by itself, so only a timeout can hide an earlier repeat. A repeat at
                 // the timeout itself counts as a cycle, just as a set of visited keys would report it.
                 Some(ending) if ending.success != Some(true) && ending.actions >= self.environment.time_limit() => {

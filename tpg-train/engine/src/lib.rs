@@ -60,7 +60,7 @@ mod tasks;
 mod view;
 mod work;
 
-pub use action::{Act, ActionSpace, Acts, Choice, NETWORK, Output};
+pub use action::{Act, ActionSpace, Acts, NETWORK, Output};
 pub use binding::{bind, bind_to};
 pub use choices::{Choices, TooManyActions};
 pub use counting::Counting;

@@ -34,7 +34,7 @@ pub enum Node<S> {
 }
 
 /// Key under which equal nodes are merged. Constants compare by bits: 0 and −0 differ, and equal NaNs are the same.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Identity {
     Input(u16),
     Constant(u64),
@@ -45,22 +45,16 @@ enum Identity {
 #[derive(Clone, Debug)]
 pub struct Arena<S, M> {
     nodes: HashCons<Node<S>, Identity>,
-    share: bool,
     maths: PhantomData<M>,
 }
 
-impl std::fmt::Debug for Identity {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str("Identity")
+impl<S, M> Default for Arena<S, M> {
+    fn default() -> Self {
+        Self { nodes: HashCons::default(), maths: PhantomData }
     }
 }
 
 impl<S: Scalar, M: Maths<S>> Arena<S, M> {
-    /// Creates an empty arena. If `share` is false, operations are never merged (an ablation; the values are the same).
-    pub fn new(share: bool) -> Self {
-        Self { nodes: HashCons::default(), share, maths: PhantomData }
-    }
-
     /// Returns the nodes; operands come before their users.
     pub fn nodes(&self) -> &[Node<S>] {
         self.nodes.nodes()
@@ -114,8 +108,7 @@ impl<S: Scalar, M: Maths<S>> Arena<S, M> {
             Node::Constant(value) => Identity::Constant(value.to_f64().to_bits()),
             Node::Operation(instruction, a, b) => Identity::Operation(instruction, a, b),
         };
-        let shared = self.share || !matches!(node, Node::Operation(..));
-        NodeId(if shared { self.nodes.intern_by(identity, node) } else { self.nodes.push(node) })
+        NodeId(self.nodes.intern_by(identity, node))
     }
 }
 
@@ -197,7 +190,7 @@ mod tests {
 
     #[test]
     fn equal_values_are_one_node_and_constants_fold() {
-        let mut arena = Arena::<f32, Own>::new(true);
+        let mut arena = Arena::<f32, Own>::default();
         let a = arena.program(8, &[line(0, Instruction::Add, X, Y)]);
         let b = arena.program(8, &[line(3, Instruction::Sub, X, Y), line(0, Instruction::Add, Y, X)]);
         assert_eq!(a, b, "x + y and y + x are one value");
@@ -211,7 +204,7 @@ mod tests {
 
     #[test]
     fn operands_come_before_what_they_enter() {
-        let mut arena = Arena::<f32, Own>::new(true);
+        let mut arena = Arena::<f32, Own>::default();
         arena.program(8, &[line(1, Instruction::Add, X, Y), line(0, Instruction::Mul, R1, X)]);
         for (place, node) in (0u32..).zip(arena.nodes()) {
             if let Node::Operation(_, a, b) = node {

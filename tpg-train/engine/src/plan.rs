@@ -136,7 +136,7 @@ impl<S: Scalar> Plan<S> {
         sources: &[SourceDocument],
         options: EngineOptions,
     ) -> Self {
-        Self::in_arena(Arena::<S, M>::new(options.share), policies, sources, options)
+        Self::in_arena(Arena::<S, M>::default(), policies, sources, options)
     }
 
     /// As [`new`](Self::new), but the whole state is observed, also what no program reads.
@@ -145,7 +145,7 @@ impl<S: Scalar> Plan<S> {
         sources: &[SourceDocument],
         options: EngineOptions,
     ) -> Self {
-        let mut arena = Arena::<S, M>::new(options.share);
+        let mut arena = Arena::<S, M>::default();
         let length: u32 = sources.iter().map(|source| source.length).sum();
         (0..length).for_each(|input| arena.input(input as u16));
         Self::in_arena(arena, &[policy], sources, options)
@@ -159,7 +159,7 @@ impl<S: Scalar> Plan<S> {
     ) -> Self {
         let outputs = &policies[0].outputs;
         assert!(policies.iter().all(|policy| policy.outputs == *outputs), "roots with the same outputs");
-        let mut known = Known::new(options.share);
+        let mut known = Known::default();
         let roots: Vec<u32> = policies.iter().map(|policy| known.add(&mut arena, policy)).collect();
         let Known { teams, actions, .. } = known;
         let facts = facts(arena.nodes(), options.lazy);
@@ -212,6 +212,7 @@ impl<S: Scalar> Plan<S> {
 }
 
 /// The distinct teams and actions of some roots.
+#[derive(Default)]
 struct Known {
     teams: HashCons<Vec<PlannedEdge>>,
     /// An action, or a leaf with its values.
@@ -219,19 +220,13 @@ struct Known {
     /// The bids of programs, by the place of their lines in memory: policies share programs. The number of a policy's registers
     /// changes no bid.
     bids: HashMap<*const Line, NodeId>,
-    share: bool,
 }
 
 impl Known {
-    fn new(share: bool) -> Self {
-        Self { teams: HashCons::default(), actions: HashCons::default(), bids: HashMap::new(), share }
-    }
-
     /// Adds a root and returns its number among the teams.
     fn add<S: Scalar, M: Maths<S>>(&mut self, arena: &mut Arena<S, M>, policy: &PolicyGraph) -> u32 {
         let bid = |program: &Arc<[Line]>| {
-            let mut add = || arena.program(policy.registers, program);
-            if self.share { *self.bids.entry(program.as_ptr()).or_insert_with(add) } else { add() }
+            *self.bids.entry(program.as_ptr()).or_insert_with(|| arena.program(policy.registers, program))
         };
         let bids: Vec<NodeId> = policy.programs.iter().map(bid).collect();
         let mut numbers = vec![0; policy.teams.len()];
@@ -245,10 +240,8 @@ impl Known {
                 },
             });
             let mut edges: Vec<PlannedEdge> = edges.collect();
-            if self.share {
-                drop_hopeless(&mut edges);
-            }
-            numbers[team] = if self.share { self.teams.intern(edges) } else { self.teams.push(edges) };
+            drop_hopeless(&mut edges);
+            numbers[team] = self.teams.intern(edges);
         }
         numbers[0]
     }

@@ -126,7 +126,7 @@ where
         .collect();
     let alone: Vec<Vec<(EpisodeResult, u64)>> = (roots.iter().zip(&tasks))
         .map(|(root, tasks)| {
-            let options = EngineOptions { lanes: 1, share: false, lazy: false, ..EngineOptions::default() };
+            let options = EngineOptions { lanes: 1, lazy: false };
             let plan = Plan::<S>::new::<Own>(root, &sources, options);
             bits(&Lanes::<S, Own, _>::new(&environment, options).run(&plan, tasks).expect("nothing fails"))
         })
@@ -135,10 +135,8 @@ where
     assert!(scores.len() > 60, "only {} different scores", scores.len());
     let policies: Vec<&PolicyGraph> = roots.iter().collect();
     let lists: Vec<&[u32]> = tasks.iter().map(|tasks| &tasks[..]).collect();
-    for (lanes, share, lazy) in
-        [(1, true, true), (3, true, false), (8, true, true), (40, false, true), (112, true, true), (512, true, false)]
-    {
-        let options = EngineOptions { lanes, share, lazy, ..EngineOptions::default() };
+    for (lanes, lazy) in [(1, true), (3, false), (8, true), (40, true), (112, true), (512, false)] {
+        let options = EngineOptions { lanes, lazy };
         let plan = Plan::<S>::of_roots::<Own>(&policies, &sources, options);
         let mut lanes = Lanes::<S, Own, _>::new(&environment, options);
         for again in 0..2 {

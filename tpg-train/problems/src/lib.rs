@@ -29,14 +29,14 @@ pub mod cartpole;
 mod circle;
 pub mod dodge;
 mod eights;
-#[cfg(test)]
-mod gymnasium;
 pub mod mountain_car;
 pub mod mountain_car_continuous;
 pub mod pendulum;
 pub mod physics;
 pub mod registry;
 mod tested;
+#[cfg(test)]
+mod tests;
 pub mod varied;
 
 pub use acrobot::Acrobot;

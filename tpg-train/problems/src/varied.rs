@@ -251,7 +251,7 @@ impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>> Environmen
                 let value = variation.late.pop_front().map_or(value, S::from_f64);
                 self.environment.step_under(&physics, &mut running.bare, Act::Values(&[value]))
             }
-            Act::Values(_) | Act::Choices(_) => self.environment.step_under(&physics, &mut running.bare, act),
+            Act::Values(_) => self.environment.step_under(&physics, &mut running.bare, act),
         }
     }
 

@@ -4,7 +4,7 @@ use super::vocabulary::Vocabulary;
 use std::collections::BTreeMap;
 use tpg_engine::{ActionSpace, Destination, Limits, Operand, Output, PolicyGraph};
 use tpg_graph::dataflow::effective;
-use tpg_graph::error::{InputError, Place};
+use tpg_graph::error::InputError;
 use tpg_graph::{
     Document, EdgeDocument, FORMAT, Graph, LeafDocument, LineDocument, MathsProvider, MemoryDocument, OperandDocument,
     OutputDocument, ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument,
@@ -41,10 +41,6 @@ pub(super) fn graph(
     let actions = match actions {
         ActionSpace::Discrete(actions) => actions,
         ActionSpace::Box(_) => Vec::new(),
-        ActionSpace::MultiDiscrete(_) => {
-            let found = "several choices at once";
-            return Err(InputError::new("<evolved graph>", Place::Whole, found, "named actions, or outputs"));
-        }
     };
     let names: Vec<String> = (sources.iter())
         .flat_map(|source| (0..source.length).map(move |index| format!("{}[{index}]", source.name)))

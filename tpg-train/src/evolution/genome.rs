@@ -94,7 +94,7 @@ impl Program {
     /// Returns its bid in a state, in `f64`.
     pub(super) fn bid(&self, vocabulary: &Vocabulary, state: &[f64]) -> f64 {
         use tpg_runtime::ops::Own;
-        let mut arena = tpg_engine::Arena::<f64, Own>::new(true);
+        let mut arena = tpg_engine::Arena::<f64, Own>::default();
         let bid = arena.program(vocabulary.registers(), &self.lines(vocabulary));
         let mut values: Vec<f64> = Vec::new();
         for node in arena.nodes() {

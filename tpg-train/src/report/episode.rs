@@ -69,7 +69,6 @@ pub(super) fn watch<S: Scalar, M: Maths<S>, E: Environment<S>>(
             let output = outputs.first().filter(|_| outputs.len() == graph.outputs().len())?;
             (AnswerAxis::Output(labelled(&output.name, &output.unit)), Vec::new())
         }
-        ActionSpace::MultiDiscrete(_) => return None,
     };
     let interpreter = Interpreter::<S, M>::new(graph);
     let episode = |task: &E::Task, held: Option<(usize, S)>| {

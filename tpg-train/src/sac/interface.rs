@@ -94,12 +94,13 @@ fn inputs(source: &SourceDocument, scaled: bool) -> impl Iterator<Item = Input> 
 }
 
 fn outputs(actions: ActionSpace) -> Result<Vec<Output>, Finding> {
-    let found = match actions {
-        ActionSpace::Box(outputs) => return Ok(outputs),
-        ActionSpace::Discrete(actions) => format!("{} named actions", actions.len()),
-        ActionSpace::MultiDiscrete(choices) => format!("{} choices", choices.len()),
-    };
-    Err(Finding::new("problem.actions", found, "outputs: a soft actor-critic answers a value for each"))
+    match actions {
+        ActionSpace::Box(outputs) => Ok(outputs),
+        ActionSpace::Discrete(actions) => {
+            let found = format!("{} named actions", actions.len());
+            Err(Finding::new("problem.actions", found, "outputs: a soft actor-critic answers a value for each"))
+        }
+    }
 }
 
 #[cfg(test)]

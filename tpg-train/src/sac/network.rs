@@ -144,10 +144,6 @@ impl Network {
         let (accepted, wanted): (&str, Vec<&str>) = match actions {
             ActionSpace::Box(outputs) => ("values", outputs.iter().map(|output| output.name.as_str()).collect()),
             ActionSpace::Discrete(actions) => ("argmax", actions.iter().map(|action| action.name.as_str()).collect()),
-            ActionSpace::MultiDiscrete(choices) => {
-                let found = format!("a network for {} choices", choices.len());
-                return refuse(found, "a problem with outputs or with named actions".to_owned());
-            }
         };
         if (answer, &outputs) != (accepted, &wanted) {
             let (found, wanted) = (outputs.join(" "), wanted.join(" "));

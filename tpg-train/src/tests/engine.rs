@@ -316,12 +316,6 @@ fn no_option_and_no_number_of_threads_changes_an_answer() {
         reference,
         "with every bid computed"
     );
-    assert_eq!(answers(EngineOptions { share: false, ..EngineOptions::default() }, 1), reference, "without sharing");
-    assert_eq!(
-        answers(EngineOptions { look_for_cycles: false, ..EngineOptions::default() }, 1),
-        reference,
-        "without looking"
-    );
     for threads in [2, 5] {
         assert_eq!(answers(EngineOptions::default(), threads), reference, "{threads} threads");
     }

@@ -27,8 +27,8 @@ use tpg_arm::observation::{Observation, ReachErrors, Source, derived, shield};
 use tpg_arm::{Arm, JOINTS, Joint, Move, Play, Pose, TICKS_PER_TURN};
 use tpg_engine::random::Stream;
 use tpg_engine::{
-    Act, ActionSpace, Drawn, End, Environment, EpisodeResult, Episodes, Guarded, Measure, OneByOne, Preference,
-    SourceSet, Step, TaskSet, Training,
+    Act, ActionSpace, Drawn, End, Environment, EpisodeResult, Episodes, Guarded, Measure, Preference, SourceSet, Step,
+    TaskSet, Training,
 };
 use tpg_graph::error::InputError;
 use tpg_graph::{ActionDocument, Effect, Graph, SourceDocument};
@@ -64,10 +64,7 @@ pub struct ArmEnvironment<S> {
     clearances: Clearances<S>,
     /// Maximum distance that a shielded action moves any point of the arm, mm.
     swing: S,
-    /// `None` if sines are computed.
-    sines: Option<Box<Sines<S>>>,
-    /// True if lanes take their regular steps all at once.
-    vectors: bool,
+    sines: Box<Sines<S>>,
     /// How networks drive the arm.
     steering: Steering,
 }
@@ -121,8 +118,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             swing: S::from_f64(swing(arm, f64::from(shield::STEP))),
             moves,
             places,
-            sines: Some(Box::new(std::array::from_fn(|ticks| Angle(ticks as i32).direction().sin))),
-            vectors: true,
+            sines: Box::new(std::array::from_fn(|ticks| Angle(ticks as i32).direction().sin)),
             steering: Steering::new(&motors::Config::default(), arm),
         }
     }
@@ -139,16 +135,6 @@ impl<S: ArmScalar> ArmEnvironment<S> {
     pub fn for_graph(file: &str, graph: &Graph, arm: &Arm<f64>, problem: ArmProblem) -> Result<Self, InputError> {
         let (sources, moves) = bind(file, graph)?;
         Ok(Self::for_evaluation(arm, ArmProblem { sources, ..problem }, moves))
-    }
-
-    /// Returns the same environment with libm's sines, for benchmarks of the tables; results differ in the last bits.
-    pub fn without_tables(self) -> Self {
-        Self { sines: None, ..self }
-    }
-
-    /// Returns the same environment without vectorised steps, for benchmarks of the vectors.
-    pub fn without_vectors(self) -> Self {
-        Self { vectors: false, ..self }
     }
 
     /// Returns the arm in this environment's scalar.
@@ -168,11 +154,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
 
     #[inline(always)]
     fn direction(&self, angle: Angle) -> Direction<S> {
-        let Some(sines) = &self.sines else {
-            let radians = S::from_i32(angle.0) * S::from_f64(core::f64::consts::TAU / f64::from(TICKS_PER_TURN));
-            return S::direction_of(radians);
-        };
-        look_up(sines, angle)
+        look_up(&self.sines, angle)
     }
 
     #[inline(always)]
@@ -369,7 +351,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
     }
 
     fn lanes(&self) -> Box<dyn Episodes<S, ArmTask> + '_> {
-        if self.vectors { Box::new(lanes::ArmLanes::new(self)) } else { Box::new(OneByOne::new(self)) }
+        Box::new(lanes::ArmLanes::new(self))
     }
 
     fn observe(&self, episode: &mut ArmEpisode<S>, wanted: SourceSet, state: &mut [S]) {

@@ -2,7 +2,7 @@
 
 use super::group::Group;
 use super::{ArmEnvironment, ArmScalar, base_angle, look_up};
-use tpg_arm::kinematics::{Angle, Direction, Directions, Plane, difference, link_angles};
+use tpg_arm::kinematics::{Direction, Directions, Plane, difference, link_angles};
 use tpg_arm::{JOINTS, Pose};
 use tpg_engine::{BLOCK, Block};
 use tpg_runtime::policy::ActionId;
@@ -30,17 +30,7 @@ impl<S: ArmScalar> Regular<'_, S> {
                     steps[lane] = step;
                 }
             }
-            match &self.environment.sines {
-                Some(sines) => regular(
-                    self.environment,
-                    group,
-                    keys,
-                    &steps,
-                    #[inline(always)]
-                    |angle| look_up(sines, angle),
-                ),
-                None => regular(self.environment, group, keys, &steps, |angle| self.environment.direction(angle)),
-            }
+            regular(self.environment, group, keys, &steps);
         }
     }
 }
@@ -56,7 +46,6 @@ fn regular<S: ArmScalar>(
     group: &mut Group<S>,
     keys: &mut Block<u64>,
     steps: &[Block<i32>; JOINTS],
-    direction: impl Fn(Angle) -> Direction<S>,
 ) {
     let mut ticks = group.ticks;
     let (mut inside, mut moved) = ([true; BLOCK], [0; BLOCK]);
@@ -79,7 +68,7 @@ fn regular<S: ArmScalar>(
         let [upper_arm, forearm, hand] = link_angles(pose(lane));
         let angles = [base_angle(pose(lane)), upper_arm, forearm, hand];
         for part in 0..JOINTS {
-            let Direction { cos, sin } = direction(angles[part]);
+            let Direction { cos, sin } = look_up(&environment.sines, angles[part]);
             cosines[part][lane] = cos;
             sines[part][lane] = sin;
         }
