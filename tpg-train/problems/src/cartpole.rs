@@ -192,7 +192,7 @@ fn is_over(state: &State) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{CartPole, LEANING};
-    use crate::eights::tests::{policy, same_as_one_by_one};
+    use crate::tests::lanes::{policy, same_as_one_by_one};
     use tpg_engine::{Act, Environment, Operand};
     use tpg_runtime::ops::Instruction;
     use tpg_runtime::policy::ActionId;

@@ -172,7 +172,7 @@ fn is_there([position, velocity]: State) -> bool {
 #[cfg(test)]
 mod tests {
     use super::MountainCar;
-    use crate::eights::tests::{policy, same_as_one_by_one};
+    use crate::tests::lanes::{policy, same_as_one_by_one};
     use tpg_engine::{Act, Environment, Operand, Step};
     use tpg_runtime::ops::Instruction;
     use tpg_runtime::policy::ActionId;

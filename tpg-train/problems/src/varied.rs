@@ -5,9 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{
-    Act, ActionSpace, End, Environment, Episodes, Mapped, Measure, OneByOne, Preference, SourceSet, Step, Training,
-};
+use tpg_engine::{Act, End, Environment, Episodes, Mapped, OneByOne, SourceSet, Step, Training};
 use tpg_graph::SourceDocument;
 use tpg_graph::error::Finding;
 use tpg_runtime::policy::ActionId;
@@ -164,34 +162,16 @@ impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>> Environmen
     type Task = VariedTask<E::Task>;
     type Episode = VariedEpisode<S, E::Physics, E::Episode>;
 
+    tpg_engine::forward!(this => this.environment; actions time_limit outcomes measure preference);
+
     fn sources(&self) -> Vec<SourceDocument> {
         let mut sources = self.environment.sources();
         sources.retain(|source| !self.disturbance.hidden.contains(&source.name));
         sources
     }
 
-    fn actions(&self) -> ActionSpace {
-        self.environment.actions()
-    }
-
-    fn time_limit(&self) -> u32 {
-        self.environment.time_limit()
-    }
-
-    fn outcomes(&self) -> &'static [&'static str] {
-        self.environment.outcomes()
-    }
-
     fn timeout(&self, running: &Self::Episode) -> End {
         self.environment.timeout(&running.bare)
-    }
-
-    fn measure(&self) -> Option<Measure> {
-        self.environment.measure()
-    }
-
-    fn preference(&self) -> Preference {
-        self.environment.preference()
     }
 
     fn draw(&self, stream: &mut Stream) -> Self::Task {

@@ -141,12 +141,6 @@ impl<'a, S: Lattice> Frame<'a, S> {
         (radial * radial + lateral * lateral + height * height).sqrt()
     }
 
-    /// The target's horizontal distance from the base's axis, mm, never negative.
-    pub fn target_range(&self) -> S {
-        let [x, y, _] = self.target;
-        (x * x + y * y).sqrt()
-    }
-
     /// Directions of upper arm, forearm and hand over the table, in the plane whose first axis is −ρ: the angles
     /// s, s + e and s + e + w of the paper's artifact.
     pub fn links(&self) -> [Direction<S>; 3] {

@@ -62,7 +62,7 @@ impl<const L: usize> Angles<L> for Several {
 mod tests {
     use super::{Angles, Several, wrapped};
     use crate::Acrobot;
-    use crate::eights::tests::{policy, same_as_one_by_one};
+    use crate::tests::lanes::{policy, same_as_one_by_one};
     use core::f64::consts::PI;
     use tpg_engine::Operand;
     use tpg_runtime::ops::Instruction;

@@ -67,7 +67,7 @@ fn wrap<const L: usize>(angles: &[f64; L], off: &mut [f64; L]) {
 mod tests {
     use super::{wrap, wrapped};
     use crate::Pendulum;
-    use crate::eights::tests::{policy, same_as_one_by_one};
+    use crate::tests::lanes::{policy, same_as_one_by_one};
     use core::f64::consts::PI;
     use tpg_engine::Operand;
     use tpg_runtime::ops::Instruction;
