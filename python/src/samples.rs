@@ -45,14 +45,6 @@ impl Samples {
             let found = format!("{} values, {count} labels, {training} rows for training", values.len());
             return Err(error::input(format!("{found}; accepted: {length} values for each label, 1 to {count} rows")));
         }
-        let actions = Environment::<f64>::actions(space).count().unwrap_or(0);
-        let fits = |rows: &Vec<Vec<f64>>| rows.len() == actions && rows.iter().all(|row| row.len() == length + 1);
-        if !linear.iter().all(fits) {
-            return Err(error::input(format!(
-                "a linear policy of another shape; accepted: {actions} rows of {}",
-                length + 1
-            )));
-        }
         Ok(Self { space: space.clone(), values, labels, training, linear })
     }
 }
@@ -85,9 +77,6 @@ impl<S: Scalar> Environment<S> for Samples {
         let (class, score) = self.labels[row];
         let is_right = act.choice() == usize::from(class);
         Step::reward(if is_right { score } else { 0.0 }).ending(End { success: Some(is_right), ..End::new(0) })
-    }
-    fn accepts(&self, &row: &usize) -> bool {
-        row < self.labels.len()
     }
     fn training(&self) -> Option<&dyn Training<usize, usize>> {
         Some(self)

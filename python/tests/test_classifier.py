@@ -100,11 +100,13 @@ def test_bad_samples_are_refused() -> None:
         TPGClassifier().fit([[0.0], [1.0]], [0, 1], sample_weight=[1, 0])
     with pytest.raises(ValueError, match="contains NaN"):
         TPGClassifier().fit([[0.0], [np.nan]], [0, 1])
+    with pytest.raises(ValueError, match="too large for dtype"):
+        TPGClassifier().fit([[0.0], [1e200]], [0, 1])
 
 
 def test_without_scikit_learn_the_rest_works_and_the_error_says_what_to_install() -> None:
     script = (
-        "import sys; sys.modules['sklearn'] = None; import tpg_train\n"
+        "import sys; sys.modules['sklearn'] = None; import tpg_train; from tpg_train import *\n"
         "try: tpg_train.TPGClassifier\n"
         "except ImportError as error: print(error)"
     )

@@ -20,7 +20,7 @@ from .network import NetworkPolicy, from_sb3, train_network
 from .reports import Evaluation, HallEntry, Proof, Report
 
 if TYPE_CHECKING:
-    from .classifier import TPGClassifier
+    from .classifier import TPGClassifier as TPGClassifier
 
 register_envs()
 
@@ -48,7 +48,6 @@ __all__ = [
     "Proof",
     "Report",
     "StatefulEnvironmentWarning",
-    "TPGClassifier",
     "TrainingError",
     "VerificationError",
     "__version__",

@@ -70,7 +70,8 @@ class TPGClassifier(ClassifierMixin, BaseEstimator):  # type: ignore[misc, unuse
 
     def fit(self, X: ArrayLike, y: ArrayLike, sample_weight: ArrayLike | None = None) -> TPGClassifier:
         """Evolves a graph. A sample of weight 2 counts as two, one of weight 0 not at all."""
-        values, labels = validate_data(self, X, y, dtype=np.float64)
+        values, labels = validate_data(self, X, y, dtype=np.float64 if self.scalar == "f64" else np.float32)
+        values = values.astype(np.float64)
         check_classification_targets(labels)
         weights = _check_sample_weight(sample_weight, values, dtype=np.float64, ensure_non_negative=True)
         weights = weights * compute_sample_weight(self.class_weight, labels)
@@ -112,8 +113,9 @@ class TPGClassifier(ClassifierMixin, BaseEstimator):  # type: ignore[misc, unuse
     def predict(self, X: ArrayLike) -> NDArray[Any]:
         """Returns the class of each sample."""
         check_is_fitted(self)
-        values = validate_data(self, X, dtype=np.float64, reset=False)
-        answers: NDArray[Any] = self.classes_[self.model_.graph.answers(np.ascontiguousarray(values))]
+        graph = self.model_.graph
+        values = validate_data(self, X, dtype=np.float64 if graph.scalar == "f64" else np.float32, reset=False)
+        answers: NDArray[Any] = self.classes_[graph.answers(np.ascontiguousarray(values, dtype=np.float64))]
         return answers
 
 

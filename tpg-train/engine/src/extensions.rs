@@ -42,8 +42,8 @@ pub trait Training<Task, Episode>: Sync {
         None
     }
 
-    /// Returns linear policies with which evolution begins: for each action the weights of its bid, one for each value of the flat state,
-    /// and a constant. None by default.
+    /// Returns linear policies with which evolution begins, where it does not begin with a search for weights: for each action the
+    /// weights of its bid, one for each value of the flat state, and a constant. None by default.
     fn linear(&self) -> Vec<Vec<Vec<f64>>> {
         Vec::new()
     }

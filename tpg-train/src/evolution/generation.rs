@@ -12,8 +12,7 @@ use std::collections::VecDeque;
 use std::marker::PhantomData;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Environment, EpisodeResult, EvaluationError, Evaluator, Moments, Play, TaskSet, Training, UnitKey, Work, WorkUnit,
-    finite,
+    Environment, EpisodeResult, EvaluationError, Evaluator, Moments, Play, TaskSet, UnitKey, Work, WorkUnit, finite,
 };
 use tpg_graph::error::Finding;
 use tpg_runtime::scalar::Scalar;
@@ -111,11 +110,8 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
                 });
             }
         }
-        if state.generation == 0 && !is_search {
-            let policies = self.environment.training().map_or_else(Vec::new, Training::linear);
-            if !policies.is_empty() {
-                state.population.begin_linear(&context, &policies).map_err(EvaluationError::new)?;
-            }
+        if let Some(training) = self.environment.training().filter(|_| state.generation == 0 && !is_search) {
+            state.population.begin_linear(&context, &training.linear()).map_err(EvaluationError::new)?;
         }
         let mut row = self.play(state, &context, is_search)?;
         let begins = is_search && {

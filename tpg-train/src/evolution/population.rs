@@ -72,13 +72,12 @@ impl Population {
         Ok(())
     }
 
-    /// Lets half of the demes begin with the linear policies of an environment.
+    /// Lets half of the demes, which are empty, begin with linear policies.
     pub(super) fn begin_linear(&mut self, context: &Context<'_>, policies: &[Vec<Vec<f64>>]) -> Result<(), Finding> {
-        let writer = context.writer(ProgramKind::Sum)?;
         let half = self.demes.len().div_ceil(2);
-        for deme in &mut self.demes[..half] {
-            *deme = Deme::default();
-            policies.iter().for_each(|rows| _ = writer.add_linear(&mut deme.genome, rows));
+        for rows in policies {
+            let writer = context.writer(ProgramKind::Sum)?;
+            self.demes[..half].iter_mut().for_each(|deme| _ = writer.add_linear(&mut deme.genome, rows));
         }
         Ok(())
     }
