@@ -91,9 +91,12 @@ class Tree:
             # Only what the decision reaches.
             kept = ["arm-none-eabi-ld", "-r", "--gc-sections", "-e", "decide", "tree.o", "-o", "kept.o"]
             subprocess.run(kept, check=True, cwd=folder)
+            flash = flash_of(folder / "kept.o")
+            if flash > LARGEST:
+                return flash, 0  # too large for the table
             bound = [str(BOUND), str(folder / "kept.o"), "decide", "--json"]
             told = subprocess.run(bound, check=True, capture_output=True, text=True).stdout
-            return flash_of(folder / "kept.o"), int(json.loads(told.splitlines()[0])["instructions"])
+            return flash, int(json.loads(told.splitlines()[0])["instructions"])
 
 
 @dataclass(frozen=True)
