@@ -90,6 +90,8 @@ pub(crate) fn control(language: &str) -> Facts {
         facts.loops.extend([
             // Two sources at most.
             ("Source$GT$9fill_each", vec![2]),
+            // Two hidden layers.
+            ("5model5Model5first", vec![2]),
             // Four edges of the base; the sides are not a loop here.
             ("9clearance7nearest", vec![4]),
             // Four parts of the arm; the edges of the base are not a loop here.
