@@ -109,7 +109,7 @@ fn explained() -> Vec<(PathBuf, String)> {
 fn provenance_has_the_formulas_of_todays_code() {
     for (folder, text) in explained() {
         let options = Options::new(Prefix::of_file(&folder.join("graph.json")));
-        let formulas = report::formulas(&graph(&folder), &options);
+        let formulas = report::explain(&graph(&folder), &options);
         assert!(
             text.contains(&format!("```text\n{}\n```", formulas.trim())),
             "{}/PROVENANCE.md: `tpg-codegen generate graph.json --explain` says\n{formulas}",
