@@ -59,9 +59,6 @@ impl fmt::Display for Trainer {
 /// Files that show that a folder holds a run.
 const MARKS: [&str; 5] = ["config.toml", "restarts.csv", "study.toml", checkpoint::NEWEST, checkpoint::PREVIOUS];
 
-/// Checkpoints of earlier versions, which had no checksum.
-const EARLIER: [&str; 2] = ["checkpoint.json", "checkpoint.safetensors"];
-
 /// The folder of a run under way. It is locked until this is dropped or the process ends, by whatever cause.
 #[derive(Debug)]
 pub struct RunFolder {
@@ -102,11 +99,6 @@ impl RunFolder {
         if !resume {
             refuse_run(path)?;
         }
-        if let Some(file) = EARLIER.map(|name| path.join(name)).iter().find(|file| file.exists()) {
-            let accepted = "a folder without it: only the version that wrote it can continue the run";
-            let file = file.display().to_string();
-            return Err(InputError::new(file, Place::Whole, "a checkpoint of an earlier version", accepted));
-        }
         remove_unfinished(path);
         lock.write(path, trainer)?;
         Ok(Self { path: path.to_owned(), trainer, _lock: lock })
@@ -124,7 +116,7 @@ impl RunFolder {
 }
 
 fn refuse_run(path: &Path) -> Result<(), InputError> {
-    if MARKS.iter().chain(&EARLIER).any(|name| path.join(name).exists()) {
+    if MARKS.iter().any(|name| path.join(name).exists()) {
         let accepted = "an empty folder, or --resume";
         return Err(InputError::new(path.display().to_string(), Place::Whole, "a run", accepted));
     }
@@ -156,21 +148,13 @@ mod tests {
 
     #[test]
     fn a_run_is_not_begun_again_by_mistake_and_the_folder_stays_as_it_was() {
-        for mark in MARKS.into_iter().chain(super::EARLIER) {
+        for mark in MARKS {
             let folder = tempfile::tempdir().expect("a temporary folder");
             fs::write(folder.path().join(mark), "content").expect("written");
             let refused = RunFolder::open(folder.path(), Trainer::Tpg, false).expect_err(mark);
             assert!(refused.accepted.contains("--resume"), "{refused}");
             assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 1, "{mark} alone");
         }
-    }
-
-    #[test]
-    fn a_checkpoint_of_an_earlier_version_is_not_overlooked() {
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        fs::write(folder.path().join("checkpoint.json"), "{}").expect("written");
-        let refused = RunFolder::open(folder.path(), Trainer::Tpg, true).expect_err("an old one");
-        assert!(refused.file.ends_with("checkpoint.json") && refused.found.contains("earlier version"), "{refused}");
     }
 
     #[test]

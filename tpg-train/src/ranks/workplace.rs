@@ -13,11 +13,6 @@ use tpg_runtime::scalar::Scalar;
 /// The place where a command evaluates: the threads of one process, or several ranks. What one rank alone does (reading
 /// checkpoints, breeding, writing files) stands in `lead`, which the other ranks do not run.
 pub trait Workplace {
-    /// Returns the number of ranks.
-    fn ranks(&self) -> usize {
-        1
-    }
-
     /// Trains with the roots' evaluator of this place. `identity` is everything that must be equal on all ranks.
     ///
     /// # Errors
@@ -80,10 +75,6 @@ impl<L: Link> Ranks<L> {
 }
 
 impl<L: Link> Workplace for Ranks<L> {
-    fn ranks(&self) -> usize {
-        self.link.ranks()
-    }
-
     fn train<S: Scalar, M: Maths<S>, E: Environment<S>>(
         &self,
         identity: &str,

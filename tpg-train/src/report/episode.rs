@@ -2,19 +2,16 @@
 
 use tpg_engine::{ActionSpace, Decision, Environment, Rollout, SourceSet};
 use tpg_graph::Graph;
-use tpg_graph::error::counted;
 use tpg_graph::interpret::{Answer, Interpreter};
-use tpg_picture::{Axis, Colour, Figure, Plot, Section, Table};
+use tpg_picture::{Axis, Colour, Figure, Plot};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
 /// Number of episodes that are drawn.
-const EPISODES: usize = 3;
+pub(super) const EPISODES: usize = 3;
 /// Number of values of the state that are drawn.
 const VALUES: usize = 9;
-/// Greatest number of episodes by which the inputs are weighed.
-pub(super) const WEIGHED: usize = 20;
 
 /// Episodes of a graph.
 #[derive(Debug)]
@@ -23,12 +20,6 @@ pub(super) struct Watched {
     values: Vec<(String, String)>,
     answer: AnswerAxis,
     episodes: Vec<Shown>,
-    /// Mean return of all episodes.
-    score: f64,
-    /// Mean return of the same episodes where one value alone is held at its mean, in the order of the values.
-    held: Vec<f64>,
-    /// Number of episodes behind these means.
-    weighed: usize,
 }
 
 /// The axis of what a graph does.
@@ -51,8 +42,7 @@ struct Shown {
     answers: Vec<f64>,
 }
 
-/// Watches a graph on tasks, of which the first [`EPISODES`] are kept, and with each input held. `None` where it has a
-/// memory, or the environment has other names than the graph.
+/// Watches a graph on tasks. `None` where it has a memory, or the environment has other names than the graph.
 pub(super) fn watch<S: Scalar, M: Maths<S>, E: Environment<S>>(
     graph: &Graph,
     environment: &E,
@@ -71,15 +61,12 @@ pub(super) fn watch<S: Scalar, M: Maths<S>, E: Environment<S>>(
         }
     };
     let interpreter = Interpreter::<S, M>::new(graph);
-    let episode = |task: &E::Task, held: Option<(usize, S)>| {
+    let episode = |task: &E::Task| {
         let mut rollout = Rollout::new(environment, task);
         let (mut states, mut answers) = (Vec::new(), Vec::new());
         loop {
             let seen = rollout.observe(SourceSet::ALL);
-            let mut state: Vec<S> = places.iter().map(|&place| seen[place]).collect();
-            if let Some((place, value)) = held {
-                state[place] = value;
-            }
+            let state: Vec<S> = places.iter().map(|&place| seen[place]).collect();
             let decision = match interpreter.answer(&state) {
                 Answer::Action(ActionId(action)) => {
                     let action = actions.get(usize::from(action)).copied().unwrap_or_default();
@@ -103,43 +90,7 @@ pub(super) fn watch<S: Scalar, M: Maths<S>, E: Environment<S>>(
         let name = if source.ranges.len() == 1 { source.name.clone() } else { format!("{}[{place}]", source.name) };
         (name, source.unit.clone())
     });
-    let mut episodes: Vec<Shown> = tasks.iter().map(|task| episode(task, None)).collect();
-    let score = mean(episodes.iter().map(|episode| episode.score));
-    let middle = |place: usize| mean(episodes.iter().flat_map(|episode| &episode.states).map(|state| state[place]));
-    let holding = |place: usize| {
-        let held = S::from_f64(middle(place));
-        mean(tasks.iter().map(|task| episode(task, Some((place, held))).score))
-    };
-    let held = (0..places.len()).map(holding).collect();
-    episodes.truncate(EPISODES);
-    Some(Watched { values: values.collect(), answer, episodes, score, held, weighed: tasks.len() })
-}
-
-fn mean(values: impl Iterator<Item = f64>) -> f64 {
-    let (sum, count) = values.fold((0.0, 0), |(sum, count), value| (sum + value, count + 1));
-    sum / f64::from(count.max(1))
-}
-
-/// The inputs, the one without which most return is lost first.
-pub(super) fn weights(watched: &Watched) -> Section {
-    let mut rows: Vec<(f64, &(String, String))> =
-        watched.held.iter().map(|held| held - watched.score).zip(&watched.values).collect();
-    rows.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let row =
-        |(change, (name, unit)): (f64, &(String, String))| vec![name.clone(), unit.clone(), format!("{change:+.2}")];
-    Section {
-        title: "Inputs that matter".to_owned(),
-        text: format!(
-            "Change of the mean return, {:.2} over the first {}, when this input alone is held at its mean in them.",
-            watched.score,
-            counted(watched.weighed, "test episode")
-        ),
-        tables: vec![Table {
-            header: ["input", "unit", "change of the return"].map(str::to_owned).to_vec(),
-            rows: rows.into_iter().map(row).collect(),
-        }],
-        ..Section::default()
-    }
+    Some(Watched { values: values.collect(), answer, episodes: tasks.iter().map(episode).collect() })
 }
 
 /// The place of each value that a graph reads in the environment's flat state.

@@ -97,7 +97,6 @@ fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<&dyn Shared>) 
     for ((group, tested), best) in groups.iter().zip(&tested).zip(&best) {
         let Some(best) = *best else { continue };
         sections.push(policy::section(&group.runs[best], tested[best].as_ref()));
-        sections.extend(tested[best].as_ref().and_then(|tested| tested.watched.as_ref()).map(episode::weights));
     }
     let title = groups.iter().map(|group| group.name.as_str()).collect::<Vec<_>>().join(", ");
     Ok(Page { title, lead, headlines: headline::headlines(groups, &tested, &best), sections })

@@ -40,9 +40,6 @@ pub(crate) struct SacArgs {
     /// The seed
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
-    /// Decisions, instead of the configuration's
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
-    pub decisions: Option<u64>,
     /// End the run when a candidate has this mean score on the validation episodes
     #[arg(long, value_name = "SCORE", allow_negative_numbers = true)]
     pub target: Option<f64>,
@@ -56,10 +53,7 @@ pub(crate) struct SacArgs {
 /// # Errors
 /// A bad configuration, a problem without outputs, a folder with another run, files that cannot be written.
 pub(crate) fn execute(args: &SacArgs) -> Result<Verdict, InputError> {
-    let Chosen { preset, mut config, problem } = Chosen::<SacConfig>::by(&args.run, args.problem)?;
-    if let Some(decisions) = args.decisions {
-        config.learning.decisions = decisions;
-    }
+    let Chosen { preset, config, problem } = Chosen::<SacConfig>::by(&args.run, args.problem)?;
     let name = preset.unwrap_or_else(|| name_by_content(&config));
     let stop = interrupt::watch();
     let command = SacCommand { args, name: &name, config, problem: problem.name() };
