@@ -44,7 +44,7 @@ fn nanoseconds(mut call: impl FnMut()) -> f64 {
 fn float(inputs: usize, units: usize) -> f64 {
     let shape = Shape { inputs, hidden: vec![units; 2], outputs: 4 };
     let mut random = Stream::new(1, 0, Purpose::Test, 0);
-    let network = Mlp::<f32>::random(shape.clone(), || random.unit());
+    let network = Mlp::random(shape.clone(), || random.unit());
     let mut tape = Tape::new(&shape, 1);
     random.normals(tape.input_mut());
     nanoseconds(|| {

@@ -22,7 +22,7 @@ fn milliseconds(actor: usize, critic: usize) -> f64 {
     let mut random = Stream::new(1, 0, Purpose::Test, 0);
     let gaussian = Gaussian { actions: ACTIONS, spread: Spread::LogSigma };
     let hidden = [&[actor; 2][..], &[critic; 2]];
-    let mut agent = Agent::<f32>::random(inputs, hidden, gaussian, -3.0, || random.unit());
+    let mut agent = Agent::random(inputs, hidden, gaussian, -3.0, || random.unit());
     let mut space = agent.workspace(batch);
     let mut draw = |count: usize| {
         let mut numbers = vec![0.0; count];

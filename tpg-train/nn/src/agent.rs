@@ -7,7 +7,7 @@
 //! 3. temperature: −ln α·(ln π + target entropy), with the densities of 2;
 //! 4. the slow copies follow by τ.
 
-use crate::{Adam, Gaussian, Mlp, Real, Samples, Shape, Tape};
+use crate::{Adam, Gaussian, Mlp, Samples, Shape, Tape};
 use serde::{Deserialize, Serialize};
 
 /// The step sizes and constants of an update.
@@ -25,21 +25,21 @@ pub struct Rates {
 
 /// A batch for one update: one column per sample; `noise` is standard normal.
 #[derive(Clone, Copy, Debug)]
-pub struct Experience<'a, T> {
+pub struct Experience<'a> {
     /// inputs × batch.
-    pub states: &'a [T],
+    pub states: &'a [f32],
     /// actions × batch.
-    pub actions: &'a [T],
+    pub actions: &'a [f32],
     /// One a sample.
-    pub rewards: &'a [T],
+    pub rewards: &'a [f32],
     /// One a sample.
-    pub discounts: &'a [T],
+    pub discounts: &'a [f32],
     /// inputs × batch.
-    pub next: &'a [T],
+    pub next: &'a [f32],
     /// actions × batch: for the actions in `next`.
-    pub next_noise: &'a [T],
+    pub next_noise: &'a [f32],
     /// actions × batch: for the actions in `states`.
-    pub noise: &'a [T],
+    pub noise: &'a [f32],
 }
 
 /// Figures of an update, averaged over its batch.
@@ -57,56 +57,56 @@ pub struct UpdateFigures {
 
 /// A parameter vector with its optimiser.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Learner<T> {
+pub struct Learner {
     /// The network.
-    pub network: Mlp<T>,
+    pub network: Mlp,
     /// Its optimiser.
-    pub adam: Adam<T>,
+    pub adam: Adam,
 }
 
-impl<T: Real> Learner<T> {
-    fn new(network: Mlp<T>) -> Self {
+impl Learner {
+    fn new(network: Mlp) -> Self {
         let adam = Adam::new(network.parameters().len());
         Self { network, adam }
     }
 
-    fn descend(&mut self, gradient: &[T], rate: f64) {
+    fn descend(&mut self, gradient: &[f32], rate: f64) {
         self.adam.step(self.network.parameters_mut(), gradient, rate);
     }
 }
 
 /// Everything that learns.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Agent<T> {
+pub struct Agent {
     /// Outputs a [`Gaussian`] over actions.
-    pub actor: Learner<T>,
+    pub actor: Learner,
     /// Two estimates of the value of a state and an action.
-    pub critics: [Learner<T>; 2],
+    pub critics: [Learner; 2],
     /// Slow copies of the critics, the source of a next state's value.
-    pub slow: [Mlp<T>; 2],
+    pub slow: [Mlp; 2],
     /// ln α.
-    pub log_alpha: T,
+    pub log_alpha: f32,
     /// The optimiser of ln α.
-    pub alpha_adam: Adam<T>,
+    pub alpha_adam: Adam,
     gaussian: Gaussian,
 }
 
 /// Scratch memory of an update, allocated once for one batch size.
 #[derive(Clone, Debug)]
-pub struct Workspace<T> {
-    actor: Tape<T>,
-    critics: [Tape<T>; 2],
-    gradient: Vec<T>,
-    by_q: [Vec<T>; 2],
+pub struct Workspace {
+    actor: Tape,
+    critics: [Tape; 2],
+    gradient: Vec<f32>,
+    by_q: [Vec<f32>; 2],
     /// By the critics' inputs, of which the actions are the last.
-    by_input: [Vec<T>; 2],
-    by_actions: Vec<T>,
-    by_outputs: Vec<T>,
-    wanted: Vec<T>,
-    samples: Samples<T>,
+    by_input: [Vec<f32>; 2],
+    by_actions: Vec<f32>,
+    by_outputs: Vec<f32>,
+    wanted: Vec<f32>,
+    samples: Samples,
 }
 
-impl<T: Real> Agent<T> {
+impl Agent {
     /// Creates an agent with random weights, drawn by `unit`, for states of that many inputs; `hidden` holds the units of each hidden
     /// layer of the actor and of the critics.
     pub fn random(
@@ -125,21 +125,21 @@ impl<T: Real> Agent<T> {
     }
 
     /// Creates an agent from given networks, with new optimisers and slow copies equal to the critics.
-    pub fn new(actor: Mlp<T>, critics: [Mlp<T>; 2], gaussian: Gaussian, log_alpha: f64) -> Self {
+    pub fn new(actor: Mlp, critics: [Mlp; 2], gaussian: Gaussian, log_alpha: f64) -> Self {
         let (slow, critics) = (critics.clone(), critics.map(Learner::new));
-        let (actor, log_alpha, alpha_adam) = (Learner::new(actor), T::nearest(log_alpha), Adam::new(1));
+        let (actor, log_alpha, alpha_adam) = (Learner::new(actor), log_alpha as f32, Adam::new(1));
         Self { actor, critics, slow, log_alpha, alpha_adam, gaussian }
     }
 
     /// Allocates scratch memory for updates with `batch` samples.
-    pub fn workspace(&self, batch: usize) -> Workspace<T> {
+    pub fn workspace(&self, batch: usize) -> Workspace {
         let (actor, critic) = (self.actor.network.shape(), self.critics[0].network.shape());
-        let (zeros, actions) = (|rows: usize| vec![T::zero(); rows * batch], self.gaussian.actions);
+        let (zeros, actions) = (|rows: usize| vec![0.0; rows * batch], self.gaussian.actions);
         let widest = self.actor.network.parameters().len().max(self.critics[0].network.parameters().len());
         Workspace {
             actor: Tape::new(actor, batch),
             critics: [Tape::new(critic, batch), Tape::new(critic, batch)],
-            gradient: vec![T::zero(); widest],
+            gradient: vec![0.0; widest],
             by_q: [zeros(1), zeros(1)],
             by_input: [zeros(actions), zeros(actions)],
             by_actions: zeros(actions),
@@ -153,29 +153,29 @@ impl<T: Real> Agent<T> {
     ///
     /// # Panics
     /// If the batch has another size than the workspace.
-    pub fn update(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, rates: &Rates) -> UpdateFigures {
-        let alpha = self.log_alpha.exponential();
+    pub fn update(&mut self, space: &mut Workspace, batch: Experience<'_>, rates: &Rates) -> UpdateFigures {
+        let alpha = libm::expf(self.log_alpha);
         self.bootstrap_from_critics(space, batch, alpha);
         let critic_loss = self.update_critics(space, batch, rates.learning);
         self.actor_answers(space, batch.states);
         let actor_loss = self.update_actor(space, batch, alpha, rates.learning);
         let mean_density = mean(&space.samples.log_densities);
         let mut log_alpha = [self.log_alpha];
-        self.alpha_adam.step(&mut log_alpha, &[-mean_density - T::nearest(rates.target_entropy)], rates.temperature);
+        self.alpha_adam.step(&mut log_alpha, &[-mean_density - rates.target_entropy as f32], rates.temperature);
         [self.log_alpha] = log_alpha;
         for (slow, critic) in self.slow.iter_mut().zip(&self.critics) {
-            slow.follow(&critic.network, T::nearest(rates.follow));
+            slow.follow(&critic.network, rates.follow as f32);
         }
-        UpdateFigures { critic_loss, actor_loss, entropy: -mean_density.wide(), temperature: alpha.wide() }
+        UpdateFigures { critic_loss, actor_loss, entropy: f64::from(-mean_density), temperature: alpha.into() }
     }
 
-    fn actor_answers(&self, space: &mut Workspace<T>, states: &[T]) {
+    fn actor_answers(&self, space: &mut Workspace, states: &[f32]) {
         space.actor.input_mut().copy_from_slice(states);
         self.actor.network.forward(&mut space.actor);
     }
 
     /// Draws an action for each state from the actor's output, and evaluates it with both critics.
-    fn judge_own_actions(&self, space: &mut Workspace<T>, states: &[T], noise: &[T]) {
+    fn judge_own_actions(&self, space: &mut Workspace, states: &[f32], noise: &[f32]) {
         self.gaussian.sample(space.actor.output(), noise, &mut space.samples);
         let [first, second] = &mut space.critics;
         join(first.input_mut(), states, &space.samples.actions, self.gaussian.actions);
@@ -186,7 +186,7 @@ impl<T: Real> Agent<T> {
     }
 
     /// Computes the critics' targets from their slow copies.
-    fn bootstrap_from_critics(&self, space: &mut Workspace<T>, batch: Experience<'_, T>, alpha: T) {
+    fn bootstrap_from_critics(&self, space: &mut Workspace, batch: Experience<'_>, alpha: f32) {
         self.actor_answers(space, batch.next);
         self.gaussian.sample(space.actor.output(), batch.next_noise, &mut space.samples);
         // One tape for both, so that it stays near the processor.
@@ -207,20 +207,20 @@ impl<T: Real> Agent<T> {
     }
 
     /// Moves both critics towards `space.wanted`.
-    fn update_critics(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, rate: f64) -> f64 {
-        let scale = T::nearest(2.0 / space.wanted.len() as f64);
+    fn update_critics(&mut self, space: &mut Workspace, batch: Experience<'_>, rate: f64) -> f64 {
+        let scale = (2.0 / space.wanted.len() as f64) as f32;
         let mut loss = 0.0;
         // One tape for both, so that it stays near the processor.
         let ([tape, _], [by_q, _]) = (&mut space.critics, &mut space.by_q);
         join(tape.input_mut(), batch.states, batch.actions, self.gaussian.actions);
         for critic in &mut self.critics {
             critic.network.forward(tape);
-            let mut squares = T::zero();
+            let mut squares = 0.0;
             for ((by_q, &q), &wanted) in by_q.iter_mut().zip(tape.output()).zip(&space.wanted) {
                 squares += (q - wanted) * (q - wanted);
                 *by_q = scale * (q - wanted);
             }
-            loss += squares.wide() / space.wanted.len() as f64;
+            loss += f64::from(squares) / space.wanted.len() as f64;
             let gradient = &mut space.gradient[..critic.network.parameters().len()];
             critic.network.backward(tape, by_q, Some(gradient), None);
             critic.descend(gradient, rate);
@@ -229,16 +229,16 @@ impl<T: Real> Agent<T> {
     }
 
     /// Updates the actor, which has already been run on the states.
-    fn update_actor(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, alpha: T, rate: f64) -> f64 {
+    fn update_actor(&mut self, space: &mut Workspace, batch: Experience<'_>, alpha: f32, rate: f64) -> f64 {
         self.judge_own_actions(space, batch.states, batch.noise);
         let size = space.wanted.len();
-        let share = T::one() / T::nearest(size as f64);
-        let mut loss = T::zero();
+        let share = 1.0 / size as f32;
+        let mut loss = 0.0;
         for sample in 0..size {
             let [first, second] = space.critics.each_ref().map(|tape| tape.output()[sample]);
             loss += alpha * space.samples.log_densities[sample] - least(first, second);
             // The loss depends on the smaller estimate only.
-            let (by_first, by_second) = if second < first { (T::zero(), -share) } else { (-share, T::zero()) };
+            let (by_first, by_second) = if second < first { (0.0, -share) } else { (-share, 0.0) };
             space.by_q[0][sample] = by_first;
             space.by_q[1][sample] = by_second;
         }
@@ -255,11 +255,11 @@ impl<T: Real> Agent<T> {
         let gradient = &mut space.gradient[..self.actor.network.parameters().len()];
         self.actor.network.backward(&mut space.actor, by_outputs, Some(gradient), None);
         self.actor.descend(gradient, rate);
-        (loss * share).wide()
+        f64::from(loss * share)
     }
 
     /// Returns all that learning changes: the optimisers' numbers of steps, and every vector of numbers, in a fixed order.
-    pub fn state_mut(&mut self) -> (Vec<&mut u64>, Vec<&mut [T]>) {
+    pub fn state_mut(&mut self) -> (Vec<&mut u64>, Vec<&mut [f32]>) {
         let (mut counts, mut numbers) = (Vec::new(), vec![std::slice::from_mut(&mut self.log_alpha)]);
         let learners = [&mut self.actor].into_iter().chain(&mut self.critics);
         let optimisers = learners.map(|learner| (Some(&mut learner.network), &mut learner.adam));
@@ -279,7 +279,7 @@ impl<T: Real> Agent<T> {
 }
 
 /// Stacks columns of states on columns of actions: a critic's input.
-fn join<T: Real>(input: &mut [T], states: &[T], actions: &[T], components: usize) {
+fn join(input: &mut [f32], states: &[f32], actions: &[f32], components: usize) {
     let inputs = states.len() * components / actions.len();
     let parts = states.chunks_exact(inputs).zip(actions.chunks_exact(components));
     for (column, (state, action)) in input.chunks_exact_mut(inputs + components).zip(parts) {
@@ -288,10 +288,10 @@ fn join<T: Real>(input: &mut [T], states: &[T], actions: &[T], components: usize
     }
 }
 
-fn least<T: Real>(a: T, b: T) -> T {
+fn least(a: f32, b: f32) -> f32 {
     if b < a { b } else { a }
 }
 
-fn mean<T: Real>(values: &[T]) -> T {
-    values.iter().fold(T::zero(), |sum, &value| sum + value) / T::nearest(values.len() as f64)
+fn mean(values: &[f32]) -> f32 {
+    values.iter().fold(0.0, |sum, &value| sum + value) / values.len() as f32
 }

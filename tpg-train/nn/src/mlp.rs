@@ -1,7 +1,7 @@
 //! A multi-layer perceptron with its parameters in one flat vector.
 
 use super::vectors::vectorised;
-use super::{Factor, Finish, Real, Scratch, multiply};
+use super::{Factor, Finish, Scratch, multiply};
 use serde::{Deserialize, Serialize};
 
 /// The sizes of a network. A hidden layer is linear, then ReLU; the last layer is linear.
@@ -26,11 +26,11 @@ struct MlpLayer {
 }
 
 impl MlpLayer {
-    fn weight<'a, T: Real>(&self, parameters: &'a [T]) -> Factor<'a, T> {
+    fn weight<'a>(&self, parameters: &'a [f32]) -> Factor<'a> {
         Factor::new(&parameters[self.weight..][..self.inputs * self.outputs], self.outputs, self.inputs)
     }
 
-    fn bias<'a, T>(&self, parameters: &'a [T]) -> &'a [T] {
+    fn bias<'a>(&self, parameters: &'a [f32]) -> &'a [f32] {
         &parameters[self.bias..][..self.outputs]
     }
 }
@@ -63,28 +63,28 @@ impl Shape {
 
 /// A network: its shape and its parameters. Each layer has weights (column-major, outputs × inputs) and a bias.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mlp<T> {
+pub struct Mlp {
     shape: Shape,
     layers: Vec<MlpLayer>,
-    parameters: Vec<T>,
+    parameters: Vec<f32>,
 }
 
 /// Values that a forward pass keeps for the backward pass: those between the layers, for one batch.
 #[derive(Clone, Debug)]
-pub struct Tape<T> {
+pub struct Tape {
     batch: usize,
     /// The input of each layer: the network's input, then each hidden layer's output.
-    inputs: Vec<Vec<T>>,
-    output: Vec<T>,
+    inputs: Vec<Vec<f32>>,
+    output: Vec<f32>,
     /// Gradients of the backward pass; swapped layer by layer.
-    gradient: [Vec<T>; 2],
-    scratch: Scratch<T>,
+    gradient: [Vec<f32>; 2],
+    scratch: Scratch,
 }
 
-impl<T: Real> Tape<T> {
+impl Tape {
     /// Creates an empty tape for batches of `batch` samples.
     pub fn new(shape: &Shape, batch: usize) -> Self {
-        let zeros = |rows: usize| vec![T::zero(); rows * batch];
+        let zeros = |rows: usize| vec![0.0; rows * batch];
         let widest = shape.hidden.iter().chain([&shape.inputs, &shape.outputs]).copied().max().unwrap_or(0);
         Self {
             batch,
@@ -96,7 +96,7 @@ impl<T: Real> Tape<T> {
     }
 
     /// Returns the network's input, one column per sample, to be filled before [`Mlp::forward`].
-    pub fn input_mut(&mut self) -> &mut [T] {
+    pub fn input_mut(&mut self) -> &mut [f32] {
         self.inputs.first_mut().map_or(&mut [], Vec::as_mut_slice)
     }
 
@@ -104,32 +104,32 @@ impl<T: Real> Tape<T> {
     ///
     /// # Panics
     /// If there is no such layer.
-    pub fn activations(&self, layer: usize) -> &[T] {
+    pub fn activations(&self, layer: usize) -> &[f32] {
         &self.inputs[layer + 1]
     }
 
     /// Returns the network's output, one column per sample.
-    pub fn output(&self) -> &[T] {
+    pub fn output(&self) -> &[f32] {
         &self.output
     }
 }
 
-impl<T: Real> Mlp<T> {
+impl Mlp {
     /// Creates a network with weights and biases uniform in ±1/√inputs, as in PyTorch's `Linear`.
     pub fn random(shape: Shape, mut unit: impl FnMut() -> f64) -> Self {
-        let mut parameters = vec![T::zero(); shape.parameters()];
+        let mut parameters = vec![0.0; shape.parameters()];
         let layers = shape.layers();
         for layer in &layers {
             let bound = 1.0 / (layer.inputs as f64).sqrt();
             for parameter in &mut parameters[layer.weight..layer.bias + layer.outputs] {
-                *parameter = T::nearest((2.0 * unit() - 1.0) * bound);
+                *parameter = ((2.0 * unit() - 1.0) * bound) as f32;
             }
         }
         Self { shape, layers, parameters }
     }
 
     /// Creates a network from given parameters; `None` if their number does not match the shape.
-    pub fn from_parameters(shape: Shape, parameters: Vec<T>) -> Option<Self> {
+    pub fn from_parameters(shape: Shape, parameters: Vec<f32>) -> Option<Self> {
         (parameters.len() == shape.parameters()).then(|| Self { layers: shape.layers(), shape, parameters })
     }
 
@@ -139,17 +139,17 @@ impl<T: Real> Mlp<T> {
     }
 
     /// Returns the flat parameters.
-    pub fn parameters(&self) -> &[T] {
+    pub fn parameters(&self) -> &[f32] {
         &self.parameters
     }
 
     /// Returns the flat parameters for an optimiser to change.
-    pub fn parameters_mut(&mut self) -> &mut [T] {
+    pub fn parameters_mut(&mut self) -> &mut [f32] {
         &mut self.parameters
     }
 
     /// Returns weights (row-major, outputs × inputs) and bias of each layer, first to last.
-    pub fn weights(&self) -> Vec<(Vec<T>, Vec<T>)> {
+    pub fn weights(&self) -> Vec<(Vec<f32>, Vec<f32>)> {
         let row_major = |layer: &MlpLayer| {
             let weights = &self.parameters[layer.weight..][..layer.inputs * layer.outputs];
             let rows = 0..layer.outputs;
@@ -163,11 +163,7 @@ impl<T: Real> Mlp<T> {
     ///
     /// # Panics
     /// If the shapes differ.
-    pub fn follow(&mut self, other: &Self, rate: T) {
-        T::follow(self, other, rate);
-    }
-
-    pub(super) fn compute_follow(&mut self, other: &Self, rate: T) {
+    pub fn follow(&mut self, other: &Self, rate: f32) {
         assert_eq!(self.shape, other.shape, "networks of different shapes");
         let pairs = self.parameters.iter_mut().zip(&other.parameters);
         vectorised(
@@ -180,11 +176,7 @@ impl<T: Real> Mlp<T> {
     ///
     /// # Panics
     /// If the tape was made for a different shape.
-    pub fn forward(&self, tape: &mut Tape<T>) {
-        T::forward(self, tape);
-    }
-
-    pub(super) fn compute_forward(&self, tape: &mut Tape<T>) {
+    pub fn forward(&self, tape: &mut Tape) {
         let last = self.shape.hidden.len();
         let scratch = &mut tape.scratch;
         for (index, layer) in self.layers.iter().enumerate() {
@@ -213,20 +205,10 @@ impl<T: Real> Mlp<T> {
     /// If the sizes do not match.
     pub fn backward(
         &self,
-        tape: &mut Tape<T>,
-        by_output: &[T],
-        gradients: Option<&mut [T]>,
-        by_input: Option<&mut [T]>,
-    ) {
-        T::backward(self, tape, by_output, gradients, by_input);
-    }
-
-    pub(super) fn compute_backward(
-        &self,
-        tape: &mut Tape<T>,
-        by_output: &[T],
-        mut gradients: Option<&mut [T]>,
-        by_input: Option<&mut [T]>,
+        tape: &mut Tape,
+        by_output: &[f32],
+        mut gradients: Option<&mut [f32]>,
+        by_input: Option<&mut [f32]>,
     ) {
         assert_eq!(by_output.len(), self.shape.outputs * tape.batch, "a gradient of another size");
         let [current, next] = &mut tape.gradient;
@@ -262,11 +244,11 @@ impl<T: Real> Mlp<T> {
 }
 
 /// Sets `sums` to the sum of all columns, added first to last.
-fn sum_columns<T: Real>(sums: &mut [T], columns: &[T]) {
+fn sum_columns(sums: &mut [f32], columns: &[f32]) {
     vectorised(
         #[inline(always)]
         || {
-            sums.fill(T::zero());
+            sums.fill(0.0);
             for column in columns.chunks_exact(sums.len()) {
                 sums.iter_mut().zip(column).for_each(|(sum, &value)| *sum += value);
             }
@@ -283,53 +265,71 @@ mod tests {
         Shape { inputs: 7, hidden: vec![9, 8], outputs: 3 }
     }
 
-    /// Σ c·out over a batch of 6, with fixed coefficients c.
-    fn loss(network: &Mlp<f64>, input: &[f64], coefficients: &[f64]) -> (f64, Tape<f64>) {
-        let mut tape = Tape::new(network.shape(), 6);
-        tape.input_mut().copy_from_slice(input);
-        network.forward(&mut tape);
-        (tape.output().iter().zip(coefficients).map(|(&out, &c)| out * c).sum(), tape)
+    /// Computes Σ c·out over a batch of 6 in `f64`, number by number; parameters are column-major, as in [`Mlp`].
+    fn loss(parameters: &[f64], input: &[f64], coefficients: &[f64]) -> f64 {
+        let sizes = [7, 9, 8, 3];
+        let of_sample = |(sample, coefficients): (&[f64], &[f64])| {
+            let (mut values, mut rest) = (sample.to_vec(), parameters);
+            for (layer, size) in sizes.windows(2).enumerate() {
+                let (weights, after) = rest.split_at(size[0] * size[1]);
+                let (bias, after) = after.split_at(size[1]);
+                let sum = |row: usize| {
+                    let terms = values.iter().zip(weights.iter().skip(row).step_by(size[1]));
+                    bias[row] + terms.map(|(value, weight)| value * weight).sum::<f64>()
+                };
+                let sums = (0..size[1]).map(sum);
+                values = if layer == 2 { sums.collect() } else { sums.map(|sum| sum.max(0.0)).collect() };
+                rest = after;
+            }
+            values.iter().zip(coefficients).map(|(value, c)| value * c).sum::<f64>()
+        };
+        input.chunks_exact(7).zip(coefficients.chunks_exact(3)).map(of_sample).sum()
     }
 
     #[test]
     fn gradients_equal_finite_differences() {
         let mut random = Stream::new(1, 0, Purpose::Test, 20);
-        let mut network = Mlp::<f64>::random(shape(), || random.unit());
+        let mut network = Mlp::random(shape(), || random.unit());
         for parameter in network.parameters_mut() {
-            *parameter += 0.1 * random.normal();
+            *parameter += 0.1 * random.normal() as f32;
         }
-        let input: Vec<f64> = (0..7 * 6).map(|_| random.normal()).collect();
-        let coefficients: Vec<f64> = (0..3 * 6).map(|_| random.normal()).collect();
-        let (_, mut tape) = loss(&network, &input, &coefficients);
-        let mut by_parameters = vec![f64::NAN; network.parameters().len()];
-        let mut by_input = vec![f64::NAN; input.len()];
+        let mut draw = |count: usize| -> Vec<f32> { (0..count).map(|_| random.normal() as f32).collect() };
+        let (input, coefficients) = (draw(7 * 6), draw(3 * 6));
+        let mut tape = Tape::new(network.shape(), 6);
+        tape.input_mut().copy_from_slice(&input);
+        network.forward(&mut tape);
+        let mut by_parameters = vec![f32::NAN; network.parameters().len()];
+        let mut by_input = vec![f32::NAN; input.len()];
         network.backward(&mut tape, &coefficients, Some(&mut by_parameters), Some(&mut by_input));
-        let step = 1e-6;
-        let slope = |up: f64, down: f64| (up - down) / (2.0 * step);
+        let wide = |values: &[f32]| -> Vec<f64> { values.iter().copied().map(f64::from).collect() };
+        let (parameters, input, coefficients) = (wide(network.parameters()), wide(&input), wide(&coefficients));
+        let out = wide(tape.output());
+        let sum: f64 = out.iter().zip(&coefficients).map(|(out, c)| out * c).sum();
+        assert!((sum - loss(&parameters, &input, &coefficients)).abs() < 1e-5);
+        let check = |gradient: f32, at: &dyn Fn(f64) -> f64| {
+            let slope = (at(1e-6) - at(-1e-6)) / 2e-6;
+            assert!((f64::from(gradient) - slope).abs() < 1e-5 * (1.0 + slope.abs()), "{gradient} {slope}");
+        };
         for (index, &gradient) in by_parameters.iter().enumerate() {
-            let at = |by: f64| {
-                let mut moved = network.clone();
-                moved.parameters_mut()[index] += by;
-                loss(&moved, &input, &coefficients).0
-            };
-            let slope = slope(at(step), at(-step));
-            assert!((gradient - slope).abs() < 1e-7 * (1.0 + slope.abs()), "parameter {index}: {gradient} {slope}");
+            check(gradient, &|by| {
+                let mut moved = parameters.clone();
+                moved[index] += by;
+                loss(&moved, &input, &coefficients)
+            });
         }
         for (index, &gradient) in by_input.iter().enumerate() {
-            let at = |by: f64| {
+            check(gradient, &|by| {
                 let mut moved = input.clone();
                 moved[index] += by;
-                loss(&network, &moved, &coefficients).0
-            };
-            let slope = slope(at(step), at(-step));
-            assert!((gradient - slope).abs() < 1e-7 * (1.0 + slope.abs()), "input {index}: {gradient} {slope}");
+                loss(&parameters, &moved, &coefficients)
+            });
         }
     }
 
     #[test]
     fn the_gradient_by_the_input_does_not_need_the_one_by_the_parameters() {
         let mut random = Stream::new(1, 0, Purpose::Test, 21);
-        let network = Mlp::<f32>::random(shape(), || random.unit());
+        let network = Mlp::random(shape(), || random.unit());
         let input: Vec<f32> = (0..7 * 6).map(|_| random.normal() as f32).collect();
         let gradient = |wanted: bool| {
             let mut tape = Tape::new(network.shape(), 6);
@@ -347,6 +347,6 @@ mod tests {
     fn a_wrong_number_of_parameters_is_refused() {
         assert_eq!(shape().parameters(), 7 * 9 + 9 + 9 * 8 + 8 + 8 * 3 + 3);
         assert_eq!(shape().multiplications(), 7 * 9 + 9 * 8 + 8 * 3);
-        assert!(Mlp::from_parameters(shape(), vec![0.0f32; 5]).is_none());
+        assert!(Mlp::from_parameters(shape(), vec![0.0; 5]).is_none());
     }
 }

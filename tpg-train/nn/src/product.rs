@@ -9,27 +9,26 @@ mod columns;
 mod tiles;
 mod zeros;
 
-use super::Real;
 use super::sum::dot;
 use super::vectors::{Vector, load, many_registers, where_positive};
 use fearless_simd::{Level, Simd, dispatch};
 
 /// A factor of a product: a column-major matrix, used as it is or transposed.
 #[derive(Clone, Copy, Debug)]
-pub struct Factor<'a, T> {
-    values: &'a [T],
+pub struct Factor<'a> {
+    values: &'a [f32],
     rows: usize,
     columns: usize,
     transposed: bool,
     sparse: bool,
 }
 
-impl<'a, T: Copy> Factor<'a, T> {
+impl<'a> Factor<'a> {
     /// Wraps a column-major matrix of the given size.
     ///
     /// # Panics
     /// If `values` does not hold exactly `rows`·`columns` numbers.
-    pub fn new(values: &'a [T], rows: usize, columns: usize) -> Self {
+    pub fn new(values: &'a [f32], rows: usize, columns: usize) -> Self {
         assert_eq!(values.len(), rows * columns, "a matrix of another size");
         Self { values, rows, columns, transposed: false, sparse: false }
     }
@@ -46,7 +45,7 @@ impl<'a, T: Copy> Factor<'a, T> {
     }
 
     /// Returns the numbers in memory order.
-    pub fn values(&self) -> &'a [T] {
+    pub fn values(&self) -> &'a [f32] {
         self.values
     }
 
@@ -57,21 +56,21 @@ impl<'a, T: Copy> Factor<'a, T> {
 
 /// Operation applied to the elements of a product before they are stored.
 #[derive(Clone, Copy, Debug)]
-pub enum Finish<'a, T> {
+pub enum Finish<'a> {
     /// No operation.
     Plain,
     /// Adds the row's bias.
-    Bias(&'a [T]),
+    Bias(&'a [f32]),
     /// Adds the row's bias and sets values that are not above zero to zero (ReLU).
-    Rectified(&'a [T]),
+    Rectified(&'a [f32]),
     /// Zeroes the elements at which this matrix, of the product's size, is not above zero: the backward pass of a ReLU.
-    Where(&'a [T]),
+    Where(&'a [f32]),
 }
 
-impl<T: Real> Finish<'_, T> {
+impl Finish<'_> {
     /// Finishes the element in that row, at index `place` of the product.
     #[inline(always)]
-    fn scalar(self, row: usize, place: usize, sum: T) -> T {
+    fn scalar(self, row: usize, place: usize, sum: f32) -> f32 {
         match self {
             Self::Plain => sum,
             Self::Bias(bias) => sum + bias[row],
@@ -82,68 +81,61 @@ impl<T: Real> Finish<'_, T> {
 
     /// Finishes one vector of rows, from that row and place on.
     #[inline(always)]
-    fn vector<S: Simd>(self, simd: S, row: usize, place: usize, sum: Vector<T, S>) -> Vector<T, S> {
+    fn vector<S: Simd>(self, simd: S, row: usize, place: usize, sum: Vector<S>) -> Vector<S> {
         match self {
             Self::Plain => sum,
             Self::Bias(bias) => sum + load(simd, &bias[row..], 0),
             Self::Rectified(bias) => {
                 let sum = sum + load(simd, &bias[row..], 0);
-                where_positive::<T, S>(simd, sum, sum)
+                where_positive::<S>(simd, sum, sum)
             }
-            Self::Where(passed) => where_positive::<T, S>(simd, sum, load(simd, &passed[place..], 0)),
+            Self::Where(passed) => where_positive::<S>(simd, sum, load(simd, &passed[place..], 0)),
         }
     }
 }
 
 /// ReLU; NaN becomes zero.
 #[inline(always)]
-pub(super) fn rectified<T: Real>(value: T) -> T {
-    if value > T::zero() { value } else { T::zero() }
+pub(super) fn rectified(value: f32) -> f32 {
+    if value > 0.0 { value } else { 0.0 }
 }
 
 /// Returns the gradient where a ReLU's output was positive, zero elsewhere.
 #[inline(always)]
-pub(super) fn passing<T: Real>(gradient: T, passed: T) -> T {
-    if passed > T::zero() { gradient } else { T::zero() }
+pub(super) fn passing(gradient: f32, passed: f32) -> f32 {
+    if passed > 0.0 { gradient } else { 0.0 }
 }
 
 /// Buffers for products; they grow to the size of the largest one.
 #[derive(Clone, Debug, Default)]
-pub struct Scratch<T> {
+pub struct Scratch {
     /// Panels of the left factor: for each tile's rows, column after column.
-    panels: Vec<T>,
+    panels: Vec<f32>,
     /// Last columns of the right factor that do not fill a tile, row by row.
-    rest: Vec<T>,
     /// A tile, column by column.
-    sums: Vec<T>,
+    sums: Vec<f32>,
     /// Columns of the right factor that are not all zeros: their indices, and the columns side by side.
     kept: Vec<usize>,
-    gathered: Vec<T>,
+    gathered: Vec<f32>,
 }
 
 /// Computes `out` := finish(`a`·`b`); `out` is column-major.
 ///
 /// # Panics
 /// If the sizes do not match.
-pub fn multiply<T: Real>(
-    out: &mut [T],
-    a: Factor<'_, T>,
-    b: Factor<'_, T>,
-    finish: Finish<'_, T>,
-    scratch: &mut Scratch<T>,
-) {
+pub fn multiply(out: &mut [f32], a: Factor<'_>, b: Factor<'_>, finish: Finish<'_>, scratch: &mut Scratch) {
     dispatch!(Level::new(), simd => Product { out, a, b, finish, scratch }.compute(simd));
 }
 
-struct Product<'a, T> {
-    out: &'a mut [T],
-    a: Factor<'a, T>,
-    b: Factor<'a, T>,
-    finish: Finish<'a, T>,
-    scratch: &'a mut Scratch<T>,
+struct Product<'a> {
+    out: &'a mut [f32],
+    a: Factor<'a>,
+    b: Factor<'a>,
+    finish: Finish<'a>,
+    scratch: &'a mut Scratch,
 }
 
-impl<T: Real> Product<'_, T> {
+impl Product<'_> {
     #[inline(always)]
     fn compute<S: Simd>(self, simd: S) {
         let ((rows, inner), (inner_b, columns)) = (self.a.size(), self.b.size());
@@ -204,7 +196,7 @@ mod tests {
     }
 
     /// Creates a factor of that size, stored either way round.
-    fn factor<T: Real>(values: &[T], flip: bool, (rows, columns): (usize, usize)) -> Factor<'_, T> {
+    fn factor(values: &[f32], flip: bool, (rows, columns): (usize, usize)) -> Factor<'_> {
         if flip { Factor::new(values, columns, rows).transposed() } else { Factor::new(values, rows, columns) }
     }
 
@@ -227,8 +219,8 @@ mod tests {
     }
 
     /// Computes a product number by number, in the documented order.
-    fn plainly(a: Factor<'_, f32>, b: Factor<'_, f32>, finish: Finish<'_, f32>) -> Vec<f32> {
-        let at = |factor: Factor<'_, f32>, row: usize, column: usize| {
+    fn plainly(a: Factor<'_>, b: Factor<'_>, finish: Finish<'_>) -> Vec<f32> {
+        let at = |factor: Factor<'_>, row: usize, column: usize| {
             let (row, column) = if factor.transposed { (column, row) } else { (row, column) };
             factor.values[column * factor.rows + row]
         };
@@ -327,22 +319,21 @@ mod tests {
     fn products_are_nalgebras_but_for_rounding() {
         for (rows, inner, columns) in SHAPES {
             let (a, b) = (normals(rows * inner, 1), normals(inner * columns, 2));
-            let [wide_a, wide_b] = [&a, &b].map(|values| values.iter().map(|&v| f64::from(v)).collect::<Vec<_>>());
             for (flip_a, flip_b) in FLIPS {
-                let matrix = |values: &[f64], flip: bool, (rows, columns): (usize, usize)| {
+                let matrix = |values: &[f32], flip: bool, (rows, columns): (usize, usize)| {
                     if flip {
                         DMatrix::from_column_slice(columns, rows, values).transpose()
                     } else {
                         DMatrix::from_column_slice(rows, columns, values)
                     }
                 };
-                let expected = matrix(&wide_a, flip_a, (rows, inner)) * matrix(&wide_b, flip_b, (inner, columns));
+                let expected = matrix(&a, flip_a, (rows, inner)) * matrix(&b, flip_b, (inner, columns));
                 let mut scratch = Scratch::default();
-                let mut out = vec![f64::NAN; rows * columns];
-                let (a, b) = (factor(&wide_a, flip_a, (rows, inner)), factor(&wide_b, flip_b, (inner, columns)));
+                let mut out = vec![f32::NAN; rows * columns];
+                let (a, b) = (factor(&a, flip_a, (rows, inner)), factor(&b, flip_b, (inner, columns)));
                 multiply(&mut out, a, b, Finish::Plain, &mut scratch);
                 for (ours, theirs) in out.iter().zip(expected.as_slice()) {
-                    assert!((ours - theirs).abs() < 1e-13 * inner as f64, "{rows} {inner} {columns}: {ours} {theirs}");
+                    assert!((ours - theirs).abs() < 1e-6 * inner as f32, "{rows} {inner} {columns}: {ours} {theirs}");
                 }
             }
         }

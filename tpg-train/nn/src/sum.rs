@@ -1,31 +1,17 @@
 //! Sums of sixteen partial sums: a fixed order of additions, independent of the vector width.
 
-use super::Real;
-
-/// Number of partial sums in a [`dot`] product and other [`sum`]s.
+/// Number of partial sums in a [`dot`] product.
 const PARTS: usize = 16;
 
-/// Computes a dot product in the order of [`sum`].
+/// Computes a dot product: part i sums the positions i, i + 16, …; then the parts are added in pairs, at distance 8, 4, 2
+/// and 1.
 #[inline(always)]
-pub(super) fn dot<T: Real>(a: &[T], b: &[T]) -> T {
-    sum([a, b], |[a, b]| a * b)
-}
-
-/// Sums a term over the positions of equally long lists: part i sums the positions i, i + 16, …; then the parts are
-/// added in pairs, at distance 8, 4, 2 and 1.
-#[inline(always)]
-pub(super) fn sum<T: Real, const N: usize>(lists: [&[T]; N], term: impl Fn([T; N]) -> T) -> T {
-    let count = lists[0].len();
-    let mut parts = [T::zero(); PARTS];
-    let chunks = lists.map(|list| list[..count].as_chunks::<PARTS>());
-    for chunk in 0..count / PARTS {
-        let chunk = chunks.map(|(chunks, _)| &chunks[chunk]);
-        for (part, slot) in parts.iter_mut().enumerate() {
-            *slot += term(chunk.map(|values| values[part]));
+pub(super) fn dot(a: &[f32], b: &[f32]) -> f32 {
+    let mut parts = [0.0; PARTS];
+    for (a, b) in a.chunks(PARTS).zip(b.chunks(PARTS)) {
+        for ((part, a), b) in parts.iter_mut().zip(a).zip(b) {
+            *part += a * b;
         }
-    }
-    for (place, slot) in parts.iter_mut().enumerate().take(count % PARTS) {
-        *slot += term(chunks.map(|(_, rest)| rest[place]));
     }
     let mut half = PARTS / 2;
     while half > 0 {
@@ -39,7 +25,7 @@ pub(super) fn sum<T: Real, const N: usize>(lists: [&[T]; N], term: impl Fn([T; N
 
 #[cfg(test)]
 mod tests {
-    use super::sum;
+    use super::dot;
     use tpg_engine::random::{Purpose, Stream};
 
     #[test]
@@ -51,6 +37,6 @@ mod tests {
         for distance in [8, 4, 2, 1] {
             (0..distance).for_each(|i| parts[i] += parts[i + distance]);
         }
-        assert_eq!(sum([&numbers[..]], |[number]| number), parts[0]);
+        assert_eq!(dot(&numbers, &[1.0; 37]), parts[0]);
     }
 }

@@ -1,15 +1,14 @@
 //! Vectors of the processor: the widest ones, chosen when the program runs.
 
-use crate::Real;
-use fearless_simd::{Level, Select, Simd, SimdBase, SimdFloatElement, dispatch};
+use fearless_simd::{Level, Select, Simd, SimdBase, dispatch};
 
-/// A vector register of numbers of type `T`.
-pub(super) type Vector<T, S> = <T as SimdFloatElement>::Native<S>;
+/// A vector register of numbers.
+pub(super) type Vector<S> = <S as Simd>::f32s;
 
 /// Returns the number of lanes of a vector.
 #[inline(always)]
-pub(super) const fn lanes<T: Real, S: Simd>() -> usize {
-    <Vector<T, S>>::LEN
+pub(super) const fn lanes<S: Simd>() -> usize {
+    <Vector<S>>::LEN
 }
 
 /// Returns true if the processor has 32 vector registers, not 16.
@@ -27,21 +26,21 @@ pub(super) fn vectorised(work: impl FnOnce()) {
 
 /// Returns the vector of the numbers from place `index` on, counted in vectors.
 #[inline(always)]
-pub(super) fn load<T: Real, S: Simd>(simd: S, values: &[T], index: usize) -> Vector<T, S> {
-    let lanes = lanes::<T, S>();
+pub(super) fn load<S: Simd>(simd: S, values: &[f32], index: usize) -> Vector<S> {
+    let lanes = lanes::<S>();
     SimdBase::from_slice(simd, &values[index * lanes..][..lanes])
 }
 
 /// Writes a vector to the numbers from place `index` on, counted in vectors.
 #[inline(always)]
-pub(super) fn save<T: Real, S: Simd>(vector: Vector<T, S>, values: &mut [T], index: usize) {
-    let lanes = lanes::<T, S>();
+pub(super) fn save<S: Simd>(vector: Vector<S>, values: &mut [f32], index: usize) {
+    let lanes = lanes::<S>();
     vector.store_slice(&mut values[index * lanes..][..lanes]);
 }
 
 /// Keeps the values in the lanes where `passed` is above zero; the others become zero, those at NaN too.
 #[inline(always)]
-pub(super) fn where_positive<T: Real, S: Simd>(simd: S, values: Vector<T, S>, passed: Vector<T, S>) -> Vector<T, S> {
-    let zero = SimdBase::splat(simd, T::zero());
+pub(super) fn where_positive<S: Simd>(simd: S, values: Vector<S>, passed: Vector<S>) -> Vector<S> {
+    let zero = SimdBase::splat(simd, 0.0);
     passed.simd_gt(zero).select(values, zero)
 }

@@ -59,7 +59,7 @@ pub(super) enum Kind {
         /// The problem that it was trained on and chosen by.
         problem: Box<Problem>,
         /// Its network.
-        network: Box<Mlp<f32>>,
+        network: Box<Mlp>,
         /// Its inputs, outputs and origin.
         contract: Box<Contract>,
     },

@@ -36,7 +36,7 @@ const TRAINERS: [ForeignNames; 2] = [
 ///
 /// # Errors
 /// If the file is neither trainer's, or does not fit that many inputs and these outputs.
-pub fn from_tensors(mut file: Tensors, inputs: usize, outputs: &[Output]) -> Result<(Mlp<f32>, &'static str), Finding> {
+pub fn from_tensors(mut file: Tensors, inputs: usize, outputs: &[Output]) -> Result<(Mlp, &'static str), Finding> {
     let known = |names: &&ForeignNames| file.tensors.contains_key(&format!("{}.weight", names.mean));
     let Some(names) = TRAINERS.iter().find(known) else {
         let found = file.tensors.keys().cloned().collect::<Vec<_>>().join(" ");

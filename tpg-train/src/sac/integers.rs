@@ -20,7 +20,7 @@ const CALIBRATION: usize = 100;
 const EPISODES: usize = 1000;
 
 /// The layers of an actor that decide: its last layer without the spreads, which only training needs.
-pub(crate) fn deciding_layers(network: &Mlp<f32>, actions: usize) -> Vec<FloatLayer> {
+pub(crate) fn deciding_layers(network: &Mlp, actions: usize) -> Vec<FloatLayer> {
     let mut inputs = network.shape().inputs;
     let mut layers = Vec::new();
     for (mut weights, mut bias) in network.weights() {
@@ -42,7 +42,7 @@ pub(crate) fn deciding_layers(network: &Mlp<f32>, actions: usize) -> Vec<FloatLa
 /// If it has numbers that do not fit; `file` is what the error names.
 pub(crate) fn quantise(
     file: &str,
-    (network, contract): (&Mlp<f32>, &Contract),
+    (network, contract): (&Mlp, &Contract),
     preferences: Option<Preferences>,
     environment: &impl Environment<f32>,
     source_sha256: String,
@@ -111,7 +111,7 @@ pub(crate) struct Comparison {
 impl Comparison {
     /// Compares an actor with its integers on the validation episodes of `seed`.
     pub(crate) fn new(
-        (network, contract): (&Mlp<f32>, &Contract),
+        (network, contract): (&Mlp, &Contract),
         fixed: &QuantisedPolicy,
         environment: &impl Environment<f32>,
         seed: u64,

@@ -19,7 +19,7 @@ use tpg_runtime::net::Kind;
 #[derive(Clone, Debug)]
 pub enum Network {
     /// In floating point.
-    Float(Box<(Mlp<f32>, Contract)>),
+    Float(Box<(Mlp, Contract)>),
     /// In integers.
     Fixed(Box<QuantisedPolicy>),
 }

@@ -8,9 +8,9 @@ use tpg_nn::{Mlp, Tape};
 /// An actor, in `f32`: the same on every machine, and the same as in its training.
 #[derive(Debug)]
 pub(crate) struct NetworkPolicy<'a> {
-    network: &'a Mlp<f32>,
+    network: &'a Mlp,
     interface: Interface,
-    tape: RefCell<Tape<f32>>,
+    tape: RefCell<Tape>,
 }
 
 impl<'a> NetworkPolicy<'a> {
@@ -18,7 +18,7 @@ impl<'a> NetworkPolicy<'a> {
     ///
     /// # Panics
     /// If the network's input or output is not the interface's.
-    pub(crate) fn new(network: &'a Mlp<f32>, interface: Interface) -> Self {
+    pub(crate) fn new(network: &'a Mlp, interface: Interface) -> Self {
         assert_eq!(network.shape().inputs, interface.inputs.len(), "an actor of other inputs");
         assert_eq!(network.shape().outputs, 2 * interface.outputs.len(), "an actor of other outputs");
         let tape = RefCell::new(Tape::new(network.shape(), 1));
@@ -59,7 +59,7 @@ impl<'a> NetworkPolicy<'a> {
         greatest
     }
 
-    fn forward(&self, state: &[f32]) -> RefMut<'_, Tape<f32>> {
+    fn forward(&self, state: &[f32]) -> RefMut<'_, Tape> {
         let mut tape = self.tape.borrow_mut();
         tape.input_mut().copy_from_slice(state);
         self.interface.scale(tape.input_mut());

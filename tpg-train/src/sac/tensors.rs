@@ -128,7 +128,7 @@ impl Tensors {
         (inputs, outputs): (usize, usize),
         hidden: Vec<(String, Option<usize>)>,
         heads: [&str; 2],
-    ) -> Result<Mlp<f32>, Finding> {
+    ) -> Result<Mlp, Finding> {
         let mut shape = Shape { inputs, hidden: Vec::new(), outputs: 2 * outputs };
         let (mut width, mut flat) = (inputs, Vec::new());
         let mut append = |weights: &[f32], bias: &[f32], width: usize| {

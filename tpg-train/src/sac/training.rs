@@ -21,9 +21,9 @@ use tpg_nn::{Agent, Experience, Gaussian, Mlp, Rates, Samples, Tape, UpdateFigur
 pub struct Training<'e, E: Environment<f32>> {
     pub(super) config: SacConfig,
     pub(super) seed: u64,
-    pub(super) agent: Agent<f32>,
+    pub(super) agent: Agent,
     /// The actor that is validated and kept, if it is an average of the learning one.
-    pub(super) average: Option<Mlp<f32>>,
+    pub(super) average: Option<Mlp>,
     pub(super) replay: Replay,
     pub(super) lanes: Lanes<'e, E>,
     pub(super) decisions: u64,
@@ -44,7 +44,7 @@ pub(crate) struct Best {
     /// The decisions it was trained for.
     pub decisions: u64,
     /// Its actor.
-    pub actor: Mlp<f32>,
+    pub actor: Mlp,
 }
 
 /// Sums over updates and episodes, for the log.
@@ -63,9 +63,9 @@ pub struct Recent {
 /// Scratch memory for acting and learning; not part of a run's state.
 #[derive(Debug)]
 struct TrainingScratch {
-    acting: Tape<f32>,
-    samples: Samples<f32>,
-    update: Workspace<f32>,
+    acting: Tape,
+    samples: Samples,
+    update: Workspace,
     batch: Batch,
     noise: Vec<f32>,
     next_noise: Vec<f32>,
@@ -73,7 +73,7 @@ struct TrainingScratch {
 }
 
 impl TrainingScratch {
-    fn new(config: &SacConfig, agent: &Agent<f32>) -> Self {
+    fn new(config: &SacConfig, agent: &Agent) -> Self {
         let (inputs, actions) = (agent.actor.network.shape().inputs, agent.gaussian().actions);
         let (lanes, batch) = (config.learning.lanes, config.learning.batch);
         Self {
@@ -102,13 +102,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         Ok(Self::of_parts(config, seed, agent, replay, lanes))
     }
 
-    pub(super) fn of_parts(
-        config: SacConfig,
-        seed: u64,
-        agent: Agent<f32>,
-        replay: Replay,
-        lanes: Lanes<'e, E>,
-    ) -> Self {
+    pub(super) fn of_parts(config: SacConfig, seed: u64, agent: Agent, replay: Replay, lanes: Lanes<'e, E>) -> Self {
         let space = TrainingScratch::new(&config, &agent);
         let recent = Recent::default();
         let average = config.learning.average.map(|_| agent.actor.network.clone());
@@ -271,7 +265,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     }
 
     /// Returns the current actor: the average, if there is one.
-    fn actor(&self) -> &Mlp<f32> {
+    fn actor(&self) -> &Mlp {
         self.average.as_ref().unwrap_or(&self.agent.actor.network)
     }
 
@@ -363,7 +357,7 @@ pub(super) fn interface(environment: &impl Environment<f32>, config: &SacConfig)
 }
 
 /// Creates the agent with the run's initial weights.
-pub(super) fn agent(config: &SacConfig, interface: &Interface, seed: u64) -> Agent<f32> {
+pub(super) fn agent(config: &SacConfig, interface: &Interface, seed: u64) -> Agent {
     let gaussian = Gaussian { actions: interface.outputs.len(), spread: config.actor.spread };
     let mut random = Stream::new(seed, 0, Purpose::Weights, 0);
     let hidden = [&config.actor.hidden[..], &config.critic.hidden];

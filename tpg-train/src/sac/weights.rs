@@ -15,7 +15,7 @@ use tpg_nn::Mlp;
 pub const LIMIT: u64 = 64 << 20;
 
 /// An actor as a file.
-pub fn to_tensors(network: &Mlp<f32>, contract: &Contract) -> Tensors {
+pub fn to_tensors(network: &Mlp, contract: &Contract) -> Tensors {
     let text = Some(serde_json::to_string(contract).expect("plain data"));
     let mut tensors = Tensors { text, ..Tensors::default() };
     let mut insert = |name: String, shape: Vec<usize>, values: Vec<f32>| {
@@ -46,7 +46,7 @@ pub fn to_tensors(network: &Mlp<f32>, contract: &Contract) -> Tensors {
 /// # Errors
 /// If it is damaged, has another version's contract, a missing, additional or misshapen tensor, or a number that is not
 /// finite.
-pub fn read(path: &Path) -> Result<(Mlp<f32>, Contract), InputError> {
+pub fn read(path: &Path) -> Result<(Mlp, Contract), InputError> {
     from_tensors(Tensors::read(path, LIMIT)?).map_err(|finding| place(path, finding))
 }
 
@@ -54,7 +54,7 @@ pub fn read(path: &Path) -> Result<(Mlp<f32>, Contract), InputError> {
 ///
 /// # Errors
 /// As [`read`].
-pub fn from_tensors(mut file: Tensors) -> Result<(Mlp<f32>, Contract), Finding> {
+pub fn from_tensors(mut file: Tensors) -> Result<(Mlp, Contract), Finding> {
     let contract = Contract::from_text(file.text.as_deref())?;
     let hidden = contract.actor.hidden.iter().enumerate();
     let hidden = hidden.map(|(layer, &units)| (format!("hidden.{layer}"), Some(units))).collect();
@@ -75,7 +75,7 @@ mod tests {
     use tpg_nn::Shape;
     use tpg_problems::{Pendulum, Problem, ProblemName};
 
-    fn example() -> (Mlp<f32>, Tensors) {
+    fn example() -> (Mlp, Tensors) {
         let config = SacConfig::preset("general").expect("a preset");
         let actor = crate::sac::config::Actor { hidden: vec![6, 5], ..config.actor };
         let shape = Shape { inputs: 3, hidden: actor.hidden.clone(), outputs: 2 };

@@ -2,10 +2,9 @@
 //! the other critic has the smaller value.
 
 use super::{Factor, Finish, Product};
-use crate::Real;
 use fearless_simd::Simd;
 
-impl<T: Real> Product<'_, T> {
+impl Product<'_> {
     /// As [`by_tiles`](Self::by_tiles), but skips columns of zeros in a [`sparse`](Factor::sparse) right factor if
     /// there are enough of them to save a tile.
     #[inline(always)]
@@ -38,22 +37,22 @@ impl<T: Real> Product<'_, T> {
 }
 
 /// Lists the columns that are not all zeros; returns true if at least `least` columns are all zeros.
-fn keep<T: Real>(kept: &mut Vec<usize>, b: Factor<'_, T>, least: usize) -> bool {
+fn keep(kept: &mut Vec<usize>, b: Factor<'_>, least: usize) -> bool {
     let (inner, columns) = b.size();
     kept.clear();
     let column = |index: &usize| &b.values[index * inner..][..inner];
-    kept.extend((0..columns).filter(|index| column(index).iter().any(|&value| value != T::zero())));
+    kept.extend((0..columns).filter(|index| column(index).iter().any(|&value| value != 0.0)));
     columns - kept.len() >= least
 }
 
 /// Moves the packed columns back to their positions, with zeros between them.
-fn spread<T: Real>(out: &mut [T], rows: usize, columns: usize, kept: &[usize]) {
+fn spread(out: &mut [f32], rows: usize, columns: usize, kept: &[usize]) {
     // Last to first: columns only move to the right, so none is overwritten before it has moved.
     let mut end = columns;
     for (from, &column) in kept.iter().enumerate().rev() {
-        out[(column + 1) * rows..end * rows].fill(T::zero());
+        out[(column + 1) * rows..end * rows].fill(0.0);
         out.copy_within(from * rows..(from + 1) * rows, column * rows);
         end = column;
     }
-    out[..end * rows].fill(T::zero());
+    out[..end * rows].fill(0.0);
 }
