@@ -5,33 +5,25 @@
 use crate::term::{Arithmetic, Bool, Float, Node, Terms};
 use std::collections::HashMap;
 
-/// What a value can be: a number from `low` to `high` as bits, or NaN if `nan`.
+/// What a value can be: a number from `low` to `high`, or NaN if `nan`; no number where `low > high`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
-    /// The lowest number's bits
-    pub low: u32,
-    /// The highest number's bits
-    pub high: u32,
+    /// The lowest number
+    pub low: f32,
+    /// The highest number
+    pub high: f32,
     /// The value can be NaN
     pub nan: bool,
 }
 
-/// The same in numbers; no number where `low > high`.
-#[derive(Clone, Copy, Debug)]
-struct FloatBounds {
-    low: f32,
-    high: f32,
-    nan: bool,
-}
-
-const ANY: FloatBounds = FloatBounds { low: f32::NEG_INFINITY, high: f32::INFINITY, nan: true };
-const NOTHING: FloatBounds = FloatBounds { low: f32::INFINITY, high: f32::NEG_INFINITY, nan: false };
+const ANY: Interval = Interval { low: f32::NEG_INFINITY, high: f32::INFINITY, nan: true };
+const NOTHING: Interval = Interval { low: f32::INFINITY, high: f32::NEG_INFINITY, nan: false };
 
 /// The intervals of terms of one table.
 #[derive(Debug, Default)]
 pub struct Intervals {
     ranges: Vec<[f32; 2]>,
-    known: HashMap<Float, FloatBounds>,
+    known: HashMap<Float, Interval>,
 }
 
 impl Intervals {
@@ -44,11 +36,10 @@ impl Intervals {
     /// The interval of a term.
     pub fn interval(&mut self, terms: &mut Terms, term: Float) -> Interval {
         let bounds = self.bounds(terms, term);
-        let bounds = if bounds.low > bounds.high && !bounds.nan { ANY } else { bounds };
-        Interval { low: bounds.low.to_bits(), high: bounds.high.to_bits(), nan: bounds.nan }
+        if bounds.low > bounds.high && !bounds.nan { ANY } else { bounds }
     }
 
-    fn bounds(&mut self, terms: &mut Terms, term: Float) -> FloatBounds {
+    fn bounds(&mut self, terms: &mut Terms, term: Float) -> Interval {
         if let Some(&known) = self.known.get(&term) {
             return known;
         }
@@ -56,13 +47,13 @@ impl Intervals {
             Node::Constant(bits) => {
                 let value = f32::from_bits(bits);
                 if value.is_nan() {
-                    FloatBounds { nan: true, ..NOTHING }
+                    Interval { nan: true, ..NOTHING }
                 } else {
-                    FloatBounds { low: value, high: value, nan: false }
+                    Interval { low: value, high: value, nan: false }
                 }
             }
             Node::Source(index) => match self.ranges.get(index as usize) {
-                Some(&[low, high]) => FloatBounds { low, high, nan: false },
+                Some(&[low, high]) => Interval { low, high, nan: false },
                 None => ANY,
             },
             Node::Arithmetic(operation, a, b) => {
@@ -72,20 +63,20 @@ impl Intervals {
             }
             Node::Negative(a) => {
                 let a = self.bounds(terms, a);
-                FloatBounds { low: -a.high, high: -a.low, nan: a.nan }
+                Interval { low: -a.high, high: -a.low, nan: a.nan }
             }
             Node::Magnitude(a) => {
-                let FloatBounds { low, high, nan } = self.bounds(terms, a);
+                let Interval { low, high, nan } = self.bounds(terms, a);
                 if low > high {
-                    FloatBounds { nan, ..NOTHING }
+                    Interval { nan, ..NOTHING }
                 } else {
                     let least = if low <= 0.0 && high >= 0.0 { 0.0 } else { low.abs().min(high.abs()) };
-                    FloatBounds { low: least, high: low.abs().max(high.abs()), nan }
+                    Interval { low: least, high: low.abs().max(high.abs()), nan }
                 }
             }
             Node::FloatIf(condition, a, b) => {
                 let (a, b) = (self.where_holds(terms, condition, a), self.where_holds(terms, !condition, b));
-                FloatBounds { low: a.low.min(b.low), high: a.high.max(b.high), nan: a.nan || b.nan }
+                Interval { low: a.low.min(b.low), high: a.high.max(b.high), nan: a.nan || b.nan }
             }
             _ => ANY,
         };
@@ -94,7 +85,7 @@ impl Intervals {
     }
 
     /// The bounds of a term where a condition holds.
-    fn where_holds(&mut self, terms: &mut Terms, condition: Bool, term: Float) -> FloatBounds {
+    fn where_holds(&mut self, terms: &mut Terms, condition: Bool, term: Float) -> Interval {
         let mut bounds = self.bounds(terms, term);
         let conditions = terms.parts(condition);
         let term = terms.zero_free(term);
@@ -122,13 +113,13 @@ impl Intervals {
     }
 }
 
-fn combined(operation: Arithmetic, a: FloatBounds, b: FloatBounds, same: bool) -> FloatBounds {
+fn combined(operation: Arithmetic, a: Interval, b: Interval, same: bool) -> Interval {
     let nan = a.nan || b.nan;
     if a.low > a.high || b.low > b.high {
-        return FloatBounds { nan, ..NOTHING };
+        return Interval { nan, ..NOTHING };
     }
-    let zero = |x: FloatBounds| x.low <= 0.0 && x.high >= 0.0;
-    let infinite = |x: FloatBounds| x.low.is_infinite() || x.high.is_infinite();
+    let zero = |x: Interval| x.low <= 0.0 && x.high >= 0.0;
+    let infinite = |x: Interval| x.low.is_infinite() || x.high.is_infinite();
     let corners = |f: fn(f32, f32) -> f32| [f(a.low, b.low), f(a.low, b.high), f(a.high, b.low), f(a.high, b.high)];
     let (corners, undefined) = match operation {
         Arithmetic::Add => {
@@ -146,17 +137,17 @@ fn combined(operation: Arithmetic, a: FloatBounds, b: FloatBounds, same: bool) -
         }
         Arithmetic::Multiply => (corners(|x, y| x * y), zero(a) && infinite(b) || zero(b) && infinite(a)),
         Arithmetic::Divide if zero(b) || infinite(b) => {
-            return FloatBounds { nan: nan || zero(a) && zero(b) || infinite(a) && infinite(b), ..ANY };
+            return Interval { nan: nan || zero(a) && zero(b) || infinite(a) && infinite(b), ..ANY };
         }
         Arithmetic::Divide => (corners(|x, y| x / y), false),
         Arithmetic::Remainder => return ANY,
     };
     if undefined && operation == Arithmetic::Multiply || corners.iter().any(|corner| corner.is_nan()) {
-        return FloatBounds { nan: nan || undefined, ..ANY };
+        return Interval { nan: nan || undefined, ..ANY };
     }
     let [low, high] =
         [f32::min as fn(f32, f32) -> f32, f32::max].map(|f| corners.into_iter().reduce(f).unwrap_or(f32::NAN));
-    FloatBounds { low, high, nan: nan || undefined }
+    Interval { low, high, nan: nan || undefined }
 }
 
 #[cfg(test)]
@@ -171,11 +162,11 @@ mod tests {
         let mut intervals = Intervals::new(&[[-2.0, 3.0]]);
         let square = terms.multiply(x, x);
         let bounds = intervals.interval(&mut terms, square);
-        assert_eq!((bounds.low, bounds.high, bounds.nan), (0, 9.0f32.to_bits(), false));
+        assert_eq!((bounds.low, bounds.high, bounds.nan), (0.0, 9.0, false));
         let smaller = terms.minimum(y, one);
         let bounds = intervals.interval(&mut terms, smaller);
         // NaN gives 1
-        assert_eq!((bounds.high, bounds.nan), (1.0f32.to_bits(), false));
+        assert_eq!((bounds.high, bounds.nan), (1.0, false));
         let larger = terms.maximum(one, y);
         assert!(intervals.interval(&mut terms, larger).nan, "a NaN that is second is the result");
         let any = terms.add(y, y);

@@ -4,7 +4,7 @@
 //! where both have decided: a pair stands for every state that leads to it.
 
 use crate::graph::meaning::Meaning;
-use crate::graph::{Destination, Graph};
+use crate::graph::{Destination, Graph, circle};
 use crate::input::Missing;
 use crate::interval::Intervals;
 use crate::machine::{Answer, Machine, Step};
@@ -134,9 +134,8 @@ impl<'a, M: Machine> Comparison<'a, M> {
         let start = ProductSide::At(self.machine.entry(&mut self.terms)?);
         let mut pairs = vec![(start, self.graph.start(), Terms::TRUE)];
         let mut numbers = HashMap::from([(pairs[0].clone(), 0)]);
-        // Of each pair those that come after it, and of each the number of those before it.
+        // Of each pair those that come after it.
         let mut after: Vec<Vec<usize>> = Vec::new();
-        let mut before = vec![0_usize];
         let mut open = vec![0];
         while let Some(number) = open.pop() {
             let (side, place, assumed) = pairs[number].clone();
@@ -151,27 +150,16 @@ impl<'a, M: Machine> Comparison<'a, M> {
             for pair in self.follow(side, place, assumed, forgetful)? {
                 let to = *numbers.entry(pair.clone()).or_insert_with(|| {
                     open.push(pairs.len());
-                    before.push(0);
                     pairs.push(pair);
                     pairs.len() - 1
                 });
-                before[to] += 1;
                 next.push(to);
             }
             after.resize(pairs.len(), Vec::new());
             after[number] = next;
         }
         // Where pairs form a circle, the code might never answer.
-        let mut ready: Vec<usize> = (0..pairs.len()).filter(|&pair| before[pair] == 0).collect();
-        while let Some(pair) = ready.pop() {
-            for &to in &after[pair] {
-                before[to] -= 1;
-                if before[to] == 0 {
-                    ready.push(to);
-                }
-            }
-        }
-        match before.iter().position(|&left| left > 0) {
+        match circle(&after) {
             None => self.terms.complete(|| "the graph".to_owned()),
             Some(pair) => Err(Missing::new(self.name(&pairs[pair].0, pairs[pair].1), "a proof that the code ends")),
         }
@@ -336,7 +324,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         if a == b {
             return Ok(true);
         }
-        let (first, second) = (self.cases(a), self.cases(b));
+        let (first, second) = (self.terms.float_cases(a), self.terms.float_cases(b));
         let conditions = |cases: &[(Bool, Float)]| cases.iter().map(|&(condition, _)| condition).collect::<Vec<_>>();
         let sides = [&conditions(&first)[..], &conditions(&second)];
         let found = self.combinations(assumed, sides);
@@ -344,30 +332,17 @@ impl<'a, M: Machine> Comparison<'a, M> {
         Ok(!found.incomplete && found.pairs.iter().all(|&(x, y)| first[x].1 == second[y].1))
     }
 
-    /// The values that a float is chosen from, each with its condition.
-    fn cases(&mut self, float: Float) -> Vec<(Bool, Float)> {
-        let mut found: Vec<(Float, Vec<Bool>)> = Vec::new();
-        let mut open = vec![(float, Terms::TRUE)];
-        while let Some((float, held)) = open.pop() {
-            if let Node::FloatIf(condition, a, b) = *self.terms.of_float(float) {
-                let (with, without) = (self.terms.and(held, condition), self.terms.and(held, !condition));
-                open.extend([(a, with), (b, without)]);
-            } else if held != Terms::FALSE {
-                match found.iter_mut().find(|(other, _)| *other == float) {
-                    Some((_, conditions)) => conditions.push(held),
-                    None => found.push((float, vec![held])),
-                }
-            }
-        }
-        found.into_iter().map(|(float, conditions)| (self.terms.any(conditions), float)).collect()
-    }
-
     /// Where the code can go on from a side; none where it has answered.
     fn ends(&mut self, side: &ProductSide<M::Point>) -> Result<Option<Ends<M::Point>>, Missing> {
         match side {
             ProductSide::Values(_) => Ok(None),
             ProductSide::Action(word) if self.terms.number_of(*word).is_some() => Ok(None),
-            ProductSide::Action(word) => Ok(Some(self.choices(*word))),
+            ProductSide::Action(word) => {
+                // as far as the next word that is shared
+                let shared = |inner| inner != *word && self.parents.get(&inner).is_some_and(|&uses| uses > 1);
+                let cases = self.terms.word_cases(*word, shared);
+                Ok(Some(cases.into_iter().map(|(held, word)| (held, ProductSide::Action(word))).collect()))
+            }
             ProductSide::At(point) => {
                 if let Some(known) = self.pieces.get(point) {
                     return Ok(Some(known.clone()));
@@ -411,25 +386,6 @@ impl<'a, M: Machine> Comparison<'a, M> {
                 open.extend([a, b]);
             }
         }
-    }
-
-    /// The words that a choice leads to, as far as the next one that is shared.
-    fn choices(&mut self, word: Word) -> Ends<M::Point> {
-        let mut found: Vec<(Word, Vec<Bool>)> = Vec::new();
-        let mut open = vec![(word, Terms::TRUE)];
-        while let Some((inner, held)) = open.pop() {
-            let shared = inner != word && self.parents.get(&inner).is_some_and(|&uses| uses > 1);
-            if let (&Node::WordIf(condition, a, b), false) = (self.terms.of_word(inner), shared) {
-                let (with, without) = (self.terms.and(held, condition), self.terms.and(held, !condition));
-                open.extend([(b, without), (a, with)]);
-            } else if held != Terms::FALSE {
-                match found.iter_mut().find(|(other, _)| *other == inner) {
-                    Some((_, conditions)) => conditions.push(held),
-                    None => found.push((inner, vec![held])),
-                }
-            }
-        }
-        found.into_iter().map(|(word, conditions)| (self.terms.any(conditions), ProductSide::Action(word))).collect()
     }
 
     /// The answers of the graph and of the code in one state.

@@ -1,7 +1,7 @@
 //! Values of registers and memory, and conditions of flags.
 
 use crate::elf::Address;
-use crate::term::{Bool, Float, Node, Operator, Terms, Width, Word};
+use crate::term::{Bool, Float, Node, Operator, Terms, Width, Word, decided};
 use crate::thumb::{Condition, Register};
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -212,39 +212,11 @@ pub(super) fn word(terms: &mut Terms, value: Value) -> Option<Word> {
     }
 }
 
-/// Returns a value without the choices that are decided where the conditions hold.
 pub(super) fn restricted(terms: &Terms, value: Value, facts: &[Bool]) -> Value {
     match value {
-        Value::Float(mut float) => {
-            while let &Node::FloatIf(condition, a, b) = terms.of_float(float) {
-                match decided(facts, condition) {
-                    Some(true) => float = a,
-                    Some(false) => float = b,
-                    None => break,
-                }
-            }
-            Value::Float(float)
-        }
-        Value::Word(word) => Value::Word(restricted_word(terms, word, facts)),
-        Value::Pointer(region, offset) => Value::Pointer(region, restricted_word(terms, offset, facts)),
+        Value::Float(float) => Value::Float(terms.given_float(float, facts)),
+        Value::Word(word) => Value::Word(terms.given_word(word, facts)),
+        Value::Pointer(region, offset) => Value::Pointer(region, terms.given_word(offset, facts)),
         _ => value,
     }
-}
-
-fn restricted_word(terms: &Terms, mut word: Word, facts: &[Bool]) -> Word {
-    while let &Node::WordIf(condition, a, b) = terms.of_word(word) {
-        match decided(facts, condition) {
-            Some(true) => word = a,
-            Some(false) => word = b,
-            None => break,
-        }
-    }
-    word
-}
-
-fn decided(facts: &[Bool], condition: Bool) -> Option<bool> {
-    if facts.contains(&condition) {
-        return Some(true);
-    }
-    facts.contains(&!condition).then_some(false)
 }

@@ -16,6 +16,22 @@ pub enum Destination {
     Leaf(usize),
 }
 
+/// A vertex in or behind a circle, if there is one. Of each vertex, those after it are given.
+pub(crate) fn circle(after: &[Vec<usize>]) -> Option<usize> {
+    let mut before = vec![0_usize; after.len()];
+    after.iter().flatten().for_each(|&to| before[to] += 1);
+    let mut ready: Vec<usize> = (0..after.len()).filter(|&vertex| before[vertex] == 0).collect();
+    while let Some(vertex) = ready.pop() {
+        for &to in &after[vertex] {
+            before[to] -= 1;
+            if before[to] == 0 {
+                ready.push(to);
+            }
+        }
+    }
+    before.iter().position(|&left| left > 0)
+}
+
 /// An operand of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum GraphOperand {

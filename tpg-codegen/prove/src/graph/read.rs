@@ -1,6 +1,6 @@
 //! A reader of `graph.json`, versions 1 and 2, in binary32.
 
-use super::{Destination, Graph, GraphEdge, GraphLine, GraphOperand, GraphTeam, ValueLimits};
+use super::{Destination, Graph, GraphEdge, GraphLine, GraphOperand, GraphTeam, ValueLimits, circle};
 use crate::input::InputError;
 use crate::machine::Interface;
 use serde::Deserialize;
@@ -285,26 +285,11 @@ impl Graph {
 
     /// Refuses teams that lead back: every team must come before those that it leads to.
     fn leads_forward(&self) -> Result<(), InputError> {
-        let targets = |team: usize| {
-            let to = |edge: &GraphEdge| if let Destination::Team(to) = edge.to { Some(to) } else { None };
-            self.teams[team].edges.iter().filter_map(to)
-        };
-        let mut entering = vec![0_usize; self.teams.len()];
-        for to in (0..self.teams.len()).flat_map(targets) {
-            entering[to] += 1;
-        }
-        let mut ready: Vec<usize> = (0..self.teams.len()).filter(|&team| entering[team] == 0).collect();
-        while let Some(team) = ready.pop() {
-            for to in targets(team) {
-                entering[to] -= 1;
-                if entering[to] == 0 {
-                    ready.push(to);
-                }
-            }
-        }
-        match entering.iter().all(|&edges| edges == 0) {
-            true => Ok(()),
-            false => Err(fault("graph.teams".to_owned(), "a circle of teams", "teams that never lead back")),
+        let to = |edge: &GraphEdge| if let Destination::Team(to) = edge.to { Some(to) } else { None };
+        let after: Vec<Vec<usize>> = self.teams.iter().map(|team| team.edges.iter().filter_map(to).collect()).collect();
+        match circle(&after) {
+            None => Ok(()),
+            Some(_) => Err(fault("graph.teams".to_owned(), "a circle of teams", "teams that never lead back")),
         }
     }
 }

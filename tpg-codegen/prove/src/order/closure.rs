@@ -80,8 +80,8 @@ impl Closure {
                 continue;
             }
             let interval = intervals.interval(terms, element);
-            let reaches = |bound: u32| constants.iter().rposition(|&constant| rank(constant) <= rank(bound));
-            let limits = |bound: u32| constants.iter().position(|&constant| rank(constant) >= rank(bound));
+            let reaches = |bound: f32| constants.iter().rposition(|&constant| rank(constant) <= rank(bound.to_bits()));
+            let limits = |bound: f32| constants.iter().position(|&constant| rank(constant) >= rank(bound.to_bits()));
             if let Some(high) = limits(interval.high)
                 && !self.link(at, high, false)
             {

@@ -58,13 +58,13 @@ impl Terms {
             _ => {}
         }
         if let &Node::FloatIf(condition, x, y) = self.of_float(a)
-            && self.float_leaves(a).len() <= PUSHED
+            && self.leaves(a.0).len() <= PUSHED
         {
             let (x, y) = (self.at_most(x, b), self.at_most(y, b));
             return self.choose(condition, x, y);
         }
         if let &Node::FloatIf(condition, x, y) = self.of_float(b)
-            && self.float_leaves(b).len() <= PUSHED
+            && self.leaves(b.0).len() <= PUSHED
         {
             let (x, y) = (self.at_most(a, x), self.at_most(a, y));
             return self.choose(condition, x, y);

@@ -2,7 +2,6 @@
 
 use super::rank::{NAN, NEGATIVE_ZERO, is_nan_bits};
 use super::{Arithmetic, Bool, Float, Node, Terms};
-use std::rc::Rc;
 
 /// Operations go into choices of at most so many values together.
 const LIFTED: usize = 8;
@@ -91,31 +90,12 @@ impl Terms {
 
     /// A choice between two floats.
     pub fn choose_float(&mut self, condition: Bool, a: Float, b: Float) -> Float {
-        if condition == Self::TRUE || a == b {
-            return a;
-        }
-        if condition == Self::FALSE {
-            return b;
-        }
-        if condition.0 & 1 == 1 {
-            return self.choose_float(!condition, b, a);
-        }
-        let (a, b) = (self.given(a, condition), self.given(b, !condition));
-        if a == b { a } else { Float(self.node(Node::FloatIf(condition, a, b))) }
+        Float(self.chosen(condition, a.0, b.0, |condition, a, b| Node::FloatIf(condition, Float(a), Float(b))))
     }
 
-    /// A float where a condition holds: choices by that condition are made.
-    fn given(&self, mut term: Float, condition: Bool) -> Float {
-        while let &Node::FloatIf(of, a, b) = self.of_float(term) {
-            if of == condition {
-                term = a;
-            } else if of == !condition {
-                term = b;
-            } else {
-                break;
-            }
-        }
-        term
+    /// A float where facts hold: choices that they decide are made.
+    pub(crate) fn given_float(&self, term: Float, facts: &[Bool]) -> Float {
+        Float(self.given(term.0, facts))
     }
 
     /// `-a`
@@ -183,7 +163,7 @@ impl Terms {
         else {
             return None;
         };
-        let (first, second) = (self.float_leaves(a).len(), self.float_leaves(b).len());
+        let (first, second) = (self.leaves(a.0).len(), self.leaves(b.0).len());
         let same =
             matches!((self.of_float(a), self.of_float(b)), (Node::FloatIf(x, ..), Node::FloatIf(y, ..)) if x == y);
         if !same && first * second > LIFTED {
@@ -191,8 +171,10 @@ impl Terms {
         }
         let sides = [condition, !condition].map(|side| {
             let inner = |terms: &Self, term| match *terms.of_float(term) {
-                Node::FloatIf(of, x, y) if of == condition => terms.given(if side == condition { x } else { y }, side),
-                _ => terms.given(term, side),
+                Node::FloatIf(of, x, y) if of == condition => {
+                    terms.given_float(if side == condition { x } else { y }, &[side])
+                }
+                _ => terms.given_float(term, &[side]),
             };
             (inner(self, a), inner(self, b))
         });
@@ -287,27 +269,6 @@ impl Terms {
         self.zero_free.entry(result).or_insert(result);
         result
     }
-
-    /// The values of a choice, itself if it is none. Counts no further than is of interest.
-    pub(super) fn float_leaves(&mut self, term: Float) -> Rc<[u32]> {
-        let &Node::FloatIf(_, a, b) = self.of_float(term) else { return Rc::new([term.0]) };
-        if let Some(known) = self.leaves.get(&term.0) {
-            return known.clone();
-        }
-        let (a, b) = (self.float_leaves(a), self.float_leaves(b));
-        let leaves = joined(&a, &b);
-        self.leaves.insert(term.0, leaves.clone());
-        leaves
-    }
-}
-
-/// The union of two sets of leaves, cut where it is larger than any limit.
-pub(super) fn joined(a: &[u32], b: &[u32]) -> Rc<[u32]> {
-    let mut all: Vec<_> = a.iter().chain(b).copied().collect();
-    all.sort_unstable();
-    all.dedup();
-    all.truncate(1 << 12);
-    all.into()
 }
 
 /// An operation on numbers, rounded once.

@@ -275,6 +275,88 @@ impl Terms {
         if self.too_deep { Err(missing()) } else { Ok(()) }
     }
 
+    /// The condition and the sides of a choice between floats or words.
+    fn sides(&self, node: u32) -> Option<(Bool, u32, u32)> {
+        match self.nodes[node as usize] {
+            Node::FloatIf(condition, a, b) => Some((condition, a.0, b.0)),
+            Node::WordIf(condition, a, b) => Some((condition, a.0, b.0)),
+            _ => None,
+        }
+    }
+
+    /// A choice between two nodes of one kind, which `make` makes.
+    fn chosen(&mut self, condition: Bool, a: u32, b: u32, make: fn(Bool, u32, u32) -> Node) -> u32 {
+        if condition == Self::TRUE || a == b {
+            return a;
+        }
+        if condition == Self::FALSE {
+            return b;
+        }
+        if condition.0 & 1 == 1 {
+            return self.chosen(!condition, b, a, make);
+        }
+        let (a, b) = (self.given(a, &[condition]), self.given(b, &[!condition]));
+        if a == b { a } else { self.node(make(condition, a, b)) }
+    }
+
+    /// A node where facts hold: choices that they decide are made.
+    fn given(&self, mut node: u32, facts: &[Bool]) -> u32 {
+        while let Some((condition, a, b)) = self.sides(node)
+            && let Some(holds) = decided(facts, condition)
+        {
+            node = if holds { a } else { b };
+        }
+        node
+    }
+
+    /// The nodes that a choice leads to, itself if it is none. Counts no further than is of interest.
+    fn leaves(&mut self, node: u32) -> Rc<[u32]> {
+        let Some((_, a, b)) = self.sides(node) else { return Rc::new([node]) };
+        if let Some(known) = self.leaves.get(&node) {
+            return known.clone();
+        }
+        let (a, b) = (self.leaves(a), self.leaves(b));
+        let mut all: Vec<_> = a.iter().chain(&*b).copied().collect();
+        all.sort_unstable();
+        all.dedup();
+        // more than any limit
+        all.truncate(1 << 12);
+        let leaves: Rc<[u32]> = all.into();
+        self.leaves.insert(node, leaves.clone());
+        leaves
+    }
+
+    /// The nodes that a choice leads to, each with its condition, as far as the next one that is an end.
+    fn cases(&mut self, from: u32, is_end: impl Fn(u32) -> bool) -> Vec<(Bool, u32)> {
+        let mut found: Vec<(u32, Vec<Bool>)> = Vec::new();
+        let mut open = vec![(from, Self::TRUE)];
+        while let Some((node, held)) = open.pop() {
+            match self.sides(node).filter(|_| !is_end(node)) {
+                Some((condition, a, b)) => {
+                    let (with, without) = (self.and(held, condition), self.and(held, !condition));
+                    open.extend([(b, without), (a, with)]);
+                }
+                None if held == Self::FALSE => {}
+                None => match found.iter_mut().find(|(other, _)| *other == node) {
+                    Some((_, conditions)) => conditions.push(held),
+                    None => found.push((node, vec![held])),
+                },
+            }
+        }
+        found.into_iter().map(|(node, conditions)| (self.any(conditions), node)).collect()
+    }
+
+    /// The values that a float is chosen from, each with its condition.
+    pub(crate) fn float_cases(&mut self, float: Float) -> Vec<(Bool, Float)> {
+        self.cases(float.0, |_| false).into_iter().map(|(condition, node)| (condition, Float(node))).collect()
+    }
+
+    /// The words that a choice leads to, as far as the next one that is an end.
+    pub(crate) fn word_cases(&mut self, word: Word, is_end: impl Fn(Word) -> bool) -> Vec<(Bool, Word)> {
+        let cases = self.cases(word.0, |node| is_end(Word(node)));
+        cases.into_iter().map(|(condition, node)| (condition, Word(node))).collect()
+    }
+
     fn uses(&mut self, lemma: &'static str) {
         *self.lemmas.entry(lemma).or_default() += 1;
     }
@@ -313,6 +395,14 @@ impl Terms {
     pub fn of_word(&self, term: Word) -> &Node {
         &self.nodes[term.0 as usize]
     }
+}
+
+/// The truth of a condition, if facts decide it.
+pub(crate) fn decided(facts: &[Bool], condition: Bool) -> Option<bool> {
+    if facts.contains(&condition) {
+        return Some(true);
+    }
+    facts.contains(&!condition).then_some(false)
 }
 
 #[cfg(test)]

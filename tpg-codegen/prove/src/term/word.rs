@@ -1,7 +1,6 @@
 //! Machine words. Those that hold few numbers are choices of constants; the bits of floats are taken apart only as far as the order
 //! of floats goes.
 
-use super::float::joined;
 use super::rank::{NEGATIVE_ZERO, is_nan_bits};
 use super::{Bool, Float, Node, Operator, Terms, Width, Word};
 use std::rc::Rc;
@@ -90,35 +89,18 @@ impl Terms {
 
     /// A choice between two words.
     pub fn choose_word(&mut self, condition: Bool, a: Word, b: Word) -> Word {
-        if condition == Self::TRUE || a == b {
-            return a;
-        }
-        if condition == Self::FALSE {
-            return b;
-        }
-        if condition.0 & 1 == 1 {
-            return self.choose_word(!condition, b, a);
-        }
-        let given = |mut word, side: Bool| {
-            while let &Node::WordIf(of, x, y) = self.of_word(word) {
-                if of == side {
-                    word = x
-                } else if of == !side {
-                    word = y
-                } else {
-                    break;
-                }
-            }
-            word
-        };
-        let (a, b) = (given(a, condition), given(b, !condition));
-        if a == b { a } else { Word(self.node(Node::WordIf(condition, a, b))) }
+        Word(self.chosen(condition, a.0, b.0, |condition, a, b| Node::WordIf(condition, Word(a), Word(b))))
+    }
+
+    /// A word where facts hold: choices that they decide are made.
+    pub(crate) fn given_word(&self, word: Word, facts: &[Bool]) -> Word {
+        Word(self.given(word.0, facts))
     }
 
     /// The numbers that a word can be, if it is a constant or a choice of constants. Sorted.
     #[must_use]
     pub fn numbers(&mut self, word: Word) -> Option<Vec<u64>> {
-        let leaves = self.word_leaves(word);
+        let leaves = self.leaves(word.0);
         let mut numbers = leaves.iter().map(|&leaf| self.number_of(Word(leaf))).collect::<Option<Vec<_>>>()?;
         numbers.sort_unstable();
         numbers.dedup();
@@ -127,19 +109,8 @@ impl Terms {
 
     /// The number of constants that a word is chosen from; 0 if it is chosen from others, too.
     fn constants(&mut self, word: Word) -> usize {
-        let leaves = self.word_leaves(word);
+        let leaves = self.leaves(word.0);
         if leaves.iter().all(|&leaf| self.number_of(Word(leaf)).is_some()) { leaves.len() } else { 0 }
-    }
-
-    fn word_leaves(&mut self, word: Word) -> Rc<[u32]> {
-        let &Node::WordIf(_, a, b) = self.of_word(word) else { return Rc::new([word.0]) };
-        if let Some(known) = self.leaves.get(&word.0) {
-            return known.clone();
-        }
-        let (a, b) = (self.word_leaves(a), self.word_leaves(b));
-        let leaves = joined(&a, &b);
-        self.leaves.insert(word.0, leaves.clone());
-        leaves
     }
 
     /// The bits of a float.
@@ -277,7 +248,7 @@ impl Terms {
 
     /// Tests whether a bitwise operation of a choice and another word becomes simpler in some case.
     fn cancels(&mut self, width: Width, choice: Word, other: Word) -> bool {
-        self.word_leaves(choice).iter().any(|&leaf| match *self.of_word(Word(leaf)) {
+        self.leaves(choice.0).iter().any(|&leaf| match *self.of_word(Word(leaf)) {
             Node::Number(number) => number == 0 || number == width.mask(),
             Node::Apply(Operator::Xor, _, p, q) => p == other || q == other,
             _ => leaf == other.0,
