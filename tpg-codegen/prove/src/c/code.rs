@@ -1,13 +1,13 @@
 //! Functions as a flat list of operations, with every call inlined.
 
-use crate::term::{Arithmetic, Operator, Width};
+use crate::term::{Arithmetic, Bool, Float, Operator, Terms, Width};
 use std::collections::BTreeMap;
 
 /// What a cell is read as.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) enum Scalar {
     Float,
-    Word(Width),
+    Word,
 }
 
 /// A value without side effects. Words of 32 bits hold narrower integers as C extends them.
@@ -31,22 +31,28 @@ pub(super) enum Value {
 
 #[derive(Clone, Debug)]
 pub(super) enum Condition {
-    NonZero(Width, Value),
     Same(Width, Value, Value),
     Below(bool, Width, Value, Value),
-    Less(Value, Value),
-    LessOrEqual(Value, Value),
-    Equal(Value, Value),
+    /// A relation of floats
+    Compared(fn(&mut Terms, Float, Float) -> Bool, Value, Value),
     Nan(Value),
-    And(Box<Condition>, Box<Condition>),
-    Or(Box<Condition>, Box<Condition>),
+    /// Both hold, or one of them; the second is not evaluated where the first decides
+    Logical(bool, Box<Condition>, Box<Condition>),
     Not(Box<Condition>),
+}
+
+impl std::ops::Not for Condition {
+    type Output = Self;
+
+    fn not(self) -> Self {
+        Self::Not(Box::new(self))
+    }
 }
 
 /// An operation.
 #[derive(Clone, Debug)]
 pub(super) enum Operation {
-    Set(Value, Value, Scalar),
+    Set(Value, Value),
     /// Copies so many cells
     Copy(Value, Value, u32),
     /// A scope ends
@@ -95,4 +101,16 @@ pub(super) struct Program {
     pub(super) action: Option<u32>,
     /// The cell of the result
     pub(super) result: Option<u32>,
+}
+
+impl Program {
+    pub(super) fn object(&self, address: u32) -> Option<Object> {
+        let after = self.objects.partition_point(|object| object.start <= address);
+        let object = *self.objects.get(after.checked_sub(1)?)?;
+        (address < object.end).then_some(object)
+    }
+
+    pub(super) fn is_array(&self, address: u32) -> bool {
+        self.object(address).is_some_and(|object| object.array)
+    }
 }

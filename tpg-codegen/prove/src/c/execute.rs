@@ -1,6 +1,7 @@
 //! Executes operations over terms. Paths that meet become one; integers that decide where control goes are constants.
 
-use super::code::{Object, Operation, Program, Scalar};
+use super::code::{Operation, Program};
+use super::value::{Here, chosen};
 use crate::input::Missing;
 use crate::machine::{Answer, Interface, Machine, Step};
 use crate::term::{Bool, Float, Node, Terms, Width, Word};
@@ -10,10 +11,9 @@ use std::rc::Rc;
 /// Operations in one piece.
 const LONGEST: u64 = 4_000_000;
 
-/// What a cell holds.
+/// What a cell holds, if that is defined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Cell {
-    Undefined,
     Float(Float),
     Word(Word),
 }
@@ -22,20 +22,20 @@ pub(super) enum Cell {
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Point {
     at: usize,
-    cells: Rc<[(u32, Cell)]>,
+    cells: Rc<[(u32, Option<Cell>)]>,
 }
 
 /// Where execution is, and under which condition.
 #[derive(Clone)]
 struct CState {
     guard: Bool,
-    cells: Vec<Cell>,
+    cells: Vec<Option<Cell>>,
     /// No float that is a variable of its own differed where paths met
     agreed: bool,
 }
 
 /// The floats of points that were reached at a place with the same integers.
-type Reached = HashMap<(usize, Vec<(u32, Cell)>), BTreeMap<u32, Float>>;
+type Reached = HashMap<(usize, Vec<(u32, Option<Cell>)>), BTreeMap<u32, Float>>;
 
 /// Called with every return: its place in the code, and the state there.
 type Returned<'a> = dyn FnMut(&Code, &mut Terms, usize, &CState) -> Result<(), Missing> + 'a;
@@ -49,7 +49,7 @@ pub struct Code {
     /// Where jumps go, and where execution may be cut
     joins: BTreeSet<usize>,
     /// The cells at first
-    first: Vec<Cell>,
+    first: Vec<Option<Cell>>,
     /// The points that were reached at a place with the same integers
     reached: Reached,
     /// This text defines what functions mean: that its indices are in bounds is known
@@ -63,7 +63,7 @@ impl Code {
             _ => None,
         });
         let joins = targets.chain(program.heads.keys().copied()).collect();
-        let first = vec![Cell::Undefined; program.cells as usize];
+        let first = vec![None; program.cells as usize];
         Self {
             file: file.to_owned(),
             program,
@@ -87,12 +87,12 @@ impl Code {
 
     /// The result for a float in cell 0.
     pub(super) fn of_float(&mut self, terms: &mut Terms, argument: Float) -> Result<Float, Missing> {
-        self.first[0] = Cell::Float(argument);
+        self.first[0] = Some(Cell::Float(argument));
         let start = Point { at: 0, cells: Rc::new([]) };
         let mut results = Vec::new();
         self.pieces(terms, &start, &mut |execution, terms, at, state| {
-            let Some(result) = execution.program.result else { return Err(execution.missing(at, "a result")) };
-            results.push((state.guard, execution.read_float(terms, at, &state.cells, result)?));
+            let result = execution.result(at)?;
+            results.push((state.guard, execution.here(terms, at, state).read_float(result.into())?));
             Ok(())
         })?;
         let mut result = None;
@@ -102,10 +102,13 @@ impl Code {
         result.ok_or_else(|| self.missing(0, "a result"))
     }
 
-    pub(super) fn object(&self, address: u32) -> Option<Object> {
-        let after = self.program.objects.partition_point(|object| object.start <= address);
-        let object = *self.program.objects.get(after.checked_sub(1)?)?;
-        (address < object.end).then_some(object)
+    /// The cell of the result.
+    fn result(&self, at: usize) -> Result<u32, Missing> {
+        self.program.result.ok_or_else(|| self.missing(at, "a result"))
+    }
+
+    fn here<'a>(&'a self, terms: &'a mut Terms, at: usize, state: &'a CState) -> Here<'a> {
+        Here { code: self, terms, at, cells: &state.cells }
     }
 
     /// Executes from a point; every return is reported, and every point where execution is cut.
@@ -154,35 +157,22 @@ impl Code {
             }
             terms.complete(|| self.missing(at, "").place)?;
             match &self.program.operations[at].1 {
-                Operation::Set(address, value, scalar) => {
-                    let address = self.word(terms, at, &state.cells, address)?;
-                    let cell = match scalar {
-                        Scalar::Float => Cell::Float(self.float(terms, at, &state.cells, value)?),
-                        Scalar::Word(_) => Cell::Word(self.word(terms, at, &state.cells, value)?),
-                    };
-                    *self.target(terms, at, address, &mut state.cells)? = cell;
+                Operation::Set(address, value) => {
+                    let mut here = self.here(terms, at, &state);
+                    let (address, cell) = (here.word(address)?, here.value(value)?);
+                    *self.target(at, terms.number_of(address), &mut state.cells)? = Some(cell);
                 }
                 Operation::Copy(to, from, count) => {
-                    let mut addresses = [0; 2];
-                    for (address, value) in addresses.iter_mut().zip([to, from]) {
-                        let word = self.word(terms, at, &state.cells, value)?;
-                        let first = terms.number_of(word).and_then(|address| u32::try_from(address).ok());
-                        let first = first.ok_or_else(|| self.missing(at, "an address that is a constant"))?;
-                        let object = self.object(first).filter(|object| first + count <= object.end);
-                        object.ok_or_else(|| self.missing(at, "a copy in bounds"))?;
-                        *address = first;
-                    }
-                    let copied: Vec<_> = (0..*count)
-                        .map(|offset| self.cell(terms, at, &state.cells, u64::from(addresses[1] + offset)))
-                        .collect::<Result<_, _>>()?;
-                    for (offset, cell) in (0..).zip(copied) {
-                        let to = terms.number(u64::from(addresses[0]) + offset);
-                        *self.target(terms, at, to, &mut state.cells)? = cell;
+                    let mut here = self.here(terms, at, &state);
+                    let (to, from) = (here.range(to, *count)?, here.range(from, *count)?);
+                    let copied: Vec<_> = (from..).take(*count as usize).map(|address| here.cell(address)).collect();
+                    for (to, cell) in (to..).zip(copied) {
+                        *self.target(at, Some(to), &mut state.cells)? = Some(cell?);
                     }
                 }
                 Operation::Leave(scope) => self.leave(*scope, &mut state.cells),
                 Operation::Branch(condition, otherwise) => {
-                    let condition = self.condition(terms, at, &state.cells, condition)?;
+                    let condition = self.here(terms, at, &state).condition(condition)?;
                     let other = terms.and(state.guard, !condition);
                     state.guard = terms.and(state.guard, condition);
                     if other != Terms::FALSE {
@@ -209,19 +199,17 @@ impl Code {
 
     fn target<'c>(
         &self,
-        terms: &Terms,
         at: usize,
-        address: Word,
-        cells: &'c mut [Cell],
-    ) -> Result<&'c mut Cell, Missing> {
-        let address = terms.number_of(address).and_then(|address| usize::try_from(address).ok());
-        let cell = address.and_then(|address| cells.get_mut(address));
+        address: Option<u64>,
+        cells: &'c mut [Option<Cell>],
+    ) -> Result<&'c mut Option<Cell>, Missing> {
+        let cell = address.and_then(|address| cells.get_mut(usize::try_from(address).ok()?));
         cell.ok_or_else(|| self.missing(at, "a place to write to that is a constant"))
     }
 
-    fn leave(&self, scope: usize, cells: &mut [Cell]) {
+    fn leave(&self, scope: usize, cells: &mut [Option<Cell>]) {
         let (start, end) = self.program.scopes[scope];
-        cells[start as usize..end as usize].fill(Cell::Undefined);
+        cells[start as usize..end as usize].fill(None);
     }
 
     /// Lets a path wait where it may meet others.
@@ -253,21 +241,15 @@ impl Code {
             if *cell == other {
                 continue;
             }
-            *cell = match (*cell, other) {
-                (Cell::Undefined, _) | (_, Cell::Undefined) => Cell::Undefined,
-                (Cell::Float(x), Cell::Float(y)) => {
-                    agreed &= self.is_array(address);
-                    Cell::Float(terms.choose_float(only, x, y))
-                }
-                (Cell::Word(x), Cell::Word(y)) => Cell::Word(terms.choose_word(only, x, y)),
-                _ => return Err(self.missing(at, "one kind of value where paths meet")),
+            let (Some(x), Some(y)) = (*cell, other) else {
+                *cell = None;
+                continue;
             };
+            agreed &= matches!(x, Cell::Word(_)) || self.program.is_array(address as u32);
+            *cell =
+                Some(chosen(terms, only, x, y).ok_or_else(|| self.missing(at, "one kind of value where paths meet"))?);
         }
         Ok(CState { guard, cells, agreed })
-    }
-
-    fn is_array(&self, address: usize) -> bool {
-        u32::try_from(address).ok().and_then(|address| self.object(address)).is_some_and(|object| object.array)
     }
 
     /// Tests whether execution is cut here: where nothing is being computed, or at a label that all paths reach with the same floats.
@@ -278,7 +260,9 @@ impl Code {
             Some(_) => {
                 let mut alive =
                     state.cells.iter().zip(&self.first).enumerate().filter(|(_, (cell, first))| cell != first);
-                !alive.any(|(address, (cell, _))| matches!(cell, Cell::Float(_)) && !self.is_array(address))
+                !alive.any(|(address, (cell, _))| {
+                    matches!(cell, Some(Cell::Float(_))) && !self.program.is_array(address as u32)
+                })
             }
         }
     }
@@ -295,7 +279,7 @@ impl Code {
             return Ok(());
         }
         let choice = state.cells.iter().find_map(|&cell| match cell {
-            Cell::Word(word) if matches!(terms.of_word(word), Node::WordIf(..)) => Some(word),
+            Some(Cell::Word(word)) if matches!(terms.of_word(word), Node::WordIf(..)) => Some(word),
             _ => None,
         });
         if let Some(word) = choice
@@ -306,28 +290,26 @@ impl Code {
                 let is = terms.same(Width::W32, word, constant);
                 let guard = terms.and(state.guard, is);
                 let cells = (state.cells.iter())
-                    .map(|&cell| if cell == Cell::Word(word) { Cell::Word(constant) } else { cell })
+                    .map(|&cell| if cell == Some(Cell::Word(word)) { Some(Cell::Word(constant)) } else { cell })
                     .collect();
                 self.cut(terms, at, CState { guard, cells, ..state }, cuts)?;
             }
             return Ok(());
         }
         let changed = (0..).zip(state.cells.iter().zip(&self.first)).filter(|(_, (cell, first))| cell != first);
-        let cells: Vec<(u32, Cell)> = changed.map(|(address, (&cell, _))| (address, cell)).collect();
-        let words = cells.iter().copied().filter(|(_, cell)| !matches!(cell, Cell::Float(_))).collect();
+        let cells: Vec<(u32, Option<Cell>)> = changed.map(|(address, (&cell, _))| (address, cell)).collect();
+        let words = cells.iter().copied().filter(|(_, cell)| !matches!(cell, Some(Cell::Float(_)))).collect();
         // floats of arrays that differ from what was there at another time may be anything
         let floats = self.reached.entry((at, words)).or_default();
         let mut widened = Vec::new();
         for (address, cell) in cells {
-            let object = self.program.objects.partition_point(|object| object.start <= address);
-            let array = object.checked_sub(1).is_some_and(|object| self.program.objects[object].array);
             widened.push(match cell {
-                Cell::Float(float) if array => {
+                Some(Cell::Float(float)) if self.program.is_array(address) => {
                     let known = floats.entry(address).or_insert(float);
                     if *known != float && !matches!(terms.of_float(*known), Node::Unknown(_)) {
                         *known = terms.unknown();
                     }
-                    (address, Cell::Float(*known))
+                    (address, Some(Cell::Float(*known)))
                 }
                 cell => (address, cell),
             });
@@ -350,7 +332,7 @@ impl Machine for Code {
         let remembered = memory
             .map(|(index, _)| (self.program.memory.unwrap_or_default() + index - self.interface.state_length(), index));
         for (address, index) in sources.chain(remembered) {
-            self.first[address as usize] = Cell::Float(terms.source(index));
+            self.first[address as usize] = Some(Cell::Float(terms.source(index)));
         }
         Ok(Point { at: 0, cells: Rc::new([]) })
     }
@@ -359,15 +341,12 @@ impl Machine for Code {
         let mut ends = Vec::new();
         let cuts = self.pieces(terms, from, &mut |code, terms, at, state| {
             let answer = match code.program.action {
-                None => {
-                    let result = code.program.result.ok_or_else(|| code.missing(at, "a result"))?;
-                    Answer::Action(code.read_word(terms, at, &state.cells, u64::from(result))?)
-                }
+                None => Answer::Action(code.here(terms, at, state).read_word(code.result(at)?.into())?),
                 Some(action) => {
                     let outputs = (action..).zip(&code.interface.outputs).map(|(address, _)| address);
                     let memory = (code.program.memory.unwrap_or_default()..).zip(&code.interface.memory);
                     let all = outputs.chain(memory.map(|(address, _)| address));
-                    let values = all.map(|address| code.read_float(terms, at, &state.cells, address));
+                    let values = all.map(|address| code.here(terms, at, state).read_float(address.into()));
                     Answer::Values(values.collect::<Result<_, _>>()?)
                 }
             };

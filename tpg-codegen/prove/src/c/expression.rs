@@ -19,6 +19,12 @@ const LEVELS: [&[&str]; 10] = [
     &["*", "/", "%"],
 ];
 
+/// The assignment that `++` or `--` is.
+fn stepped(sign: &'static str, line: u32, target: Expression) -> Expression {
+    let one = Expression { line, kind: Kind::Integer(1, Type::INT) };
+    Expression { line, kind: Kind::Assign(Some(&sign[..1]), Box::new(target), Box::new(one)) }
+}
+
 impl Parser<'_> {
     pub(super) fn expression(&mut self) -> Result<Expression, Missing> {
         self.assignment()
@@ -76,13 +82,11 @@ impl Parser<'_> {
                 return Ok(Expression { line, kind: Kind::Unary(sign, inner) });
             }
         }
-        for (sign, up) in [("++", true), ("--", false)] {
-            if self.accept(sign) {
-                let inner = Box::new(self.unary()?);
-                return Ok(Expression { line, kind: Kind::Step(up, false, inner) });
-            }
+        if let Some(sign) = self.step() {
+            let inner = self.unary()?;
+            return Ok(stepped(sign, line, inner));
         }
-        if self.accept_word("sizeof") {
+        if self.accept("sizeof") {
             let bracket = *self.peek() == Token::Sign("(");
             self.at += usize::from(bracket);
             if bracket && self.starts_type() {
@@ -110,6 +114,10 @@ impl Parser<'_> {
         self.postfix(primary)
     }
 
+    fn step(&mut self) -> Option<&'static str> {
+        ["++", "--"].into_iter().find(|sign| self.accept(sign))
+    }
+
     fn postfix(&mut self, mut inner: Expression) -> Result<Expression, Missing> {
         loop {
             let line = self.line();
@@ -122,10 +130,8 @@ impl Parser<'_> {
             } else if self.accept("->") {
                 let target = Expression { line, kind: Kind::Unary("*", Box::new(inner)) };
                 Kind::Member(Box::new(target), self.name()?)
-            } else if self.accept("++") {
-                Kind::Step(true, true, Box::new(inner))
-            } else if self.accept("--") {
-                Kind::Step(false, true, Box::new(inner))
+            } else if let Some(sign) = self.step() {
+                Kind::Postfix(Box::new(stepped(sign, line, inner)))
             } else {
                 return Ok(inner);
             };
@@ -139,17 +145,7 @@ impl Parser<'_> {
             Token::Number(text) => self.number(&text)?,
             Token::Name(name) if name == "__infinity" => Kind::Float(f64::INFINITY, Type::Float),
             Token::Name(name) if name == "__nan" => Kind::Float(f64::NAN, Type::Float),
-            Token::Name(name) if self.accept("(") => {
-                let mut arguments = Vec::new();
-                while !self.accept(")") {
-                    arguments.push(self.assignment()?);
-                    if !self.accept(",") {
-                        self.expect(")")?;
-                        break;
-                    }
-                }
-                Kind::Call(name, arguments)
-            }
+            Token::Name(name) if self.accept("(") => Kind::Call(name, self.list(")", Self::assignment)?),
             Token::Name(name) => Kind::Name(name),
             other => return Err(self.missing(format!("an expression, found {other:?}"))),
         };

@@ -16,26 +16,36 @@ struct Specifiers {
 
 /// Parses a file.
 pub(super) fn parse(file: &str, tokens: Vec<Placed>) -> Result<Unit, Missing> {
-    let mut types = HashMap::new();
-    for (bytes, bits) in [(1, 8), (2, 16), (4, 32), (8, 64)] {
-        types.insert(format!("int{bits}_t"), Type::Integer(bytes, true));
-        types.insert(format!("uint{bits}_t"), Type::Integer(bytes, false));
-    }
-    types.insert("size_t".to_owned(), Type::UNSIGNED);
-    let mut parser = Parser { file, tokens, at: 0, unit: Unit::default(), types, tags: HashMap::new() };
+    let mut parser = parser(file, tokens);
     while *parser.peek() != Token::End {
         parser.external()?;
     }
     Ok(parser.unit)
 }
 
+/// The value of a constant expression.
+pub(super) fn constant(file: &str, tokens: Vec<Placed>) -> Result<i64, Missing> {
+    let mut parser = parser(file, tokens);
+    let value = parser.conditional()?;
+    if *parser.peek() == Token::End { parser.constant(&value) } else { Err(parser.missing("an operator")) }
+}
+
+fn parser(file: &str, tokens: Vec<Placed>) -> Parser<'_> {
+    let mut types = HashMap::new();
+    for (bytes, bits) in [(1, 8), (2, 16), (4, 32), (8, 64)] {
+        types.insert(format!("int{bits}_t"), Type::Integer(bytes, true));
+        types.insert(format!("uint{bits}_t"), Type::Integer(bytes, false));
+    }
+    types.insert("size_t".to_owned(), Type::UNSIGNED);
+    Parser { file, tokens, at: 0, unit: Unit::default(), types, tags: HashMap::new() }
+}
+
 impl Parser<'_> {
     pub(super) fn starts_type(&self) -> bool {
-        const WORDS: [&str; 17] = [
-            "const", "volatile", "static", "inline", "extern", "typedef", "struct", "union", "enum", "void", "float",
-            "double", "int", "unsigned", "signed", "char", "short",
-        ];
-        matches!(self.peek(), Token::Name(name) if WORDS.contains(&name.as_str()) || self.types.contains_key(name))
+        const QUALIFIERS: &str = "const volatile static inline extern typedef struct union enum";
+        const TYPES: &str = "void float double int unsigned signed char short";
+        let is_word = |name: &String| QUALIFIERS.split(' ').chain(TYPES.split(' ')).any(|word| word == name);
+        matches!(self.peek(), Token::Name(name) if is_word(name) || self.types.contains_key(name))
     }
 
     fn specifiers(&mut self) -> Result<Specifiers, Missing> {
@@ -98,14 +108,7 @@ impl Parser<'_> {
             let mut members = Vec::new();
             while !self.accept("}") {
                 let ty = self.specifiers()?.ty;
-                loop {
-                    let (name, ty) = self.declarator(ty.clone())?;
-                    members.push((name, ty));
-                    if !self.accept(",") {
-                        break;
-                    }
-                }
-                self.expect(";")?;
+                members.extend(self.list(";", |parser| parser.declarator(ty.clone()))?);
             }
             self.unit.structs[number] = Struct { union, members };
         }
@@ -118,19 +121,16 @@ impl Parser<'_> {
         }
         if self.accept("{") {
             let mut next = 0;
-            while !self.accept("}") {
-                let name = self.name()?;
-                if self.accept("=") {
-                    let value = self.conditional()?;
-                    next = self.constant(&value)?;
+            self.list("}", |parser| {
+                let name = parser.name()?;
+                if parser.accept("=") {
+                    let value = parser.conditional()?;
+                    next = parser.constant(&value)?;
                 }
-                self.unit.constants.insert(name, next);
+                parser.unit.constants.insert(name, next);
                 next += 1;
-                if !self.accept(",") {
-                    self.expect("}")?;
-                    break;
-                }
-            }
+                Ok(())
+            })?;
         }
         Ok(Type::UNSIGNED)
     }
@@ -140,12 +140,21 @@ impl Parser<'_> {
             "+" => a.checked_add(b),
             "-" => a.checked_sub(b),
             "*" => a.checked_mul(b),
+            "||" => Some(i64::from(a != 0 || b != 0)),
+            "&&" => Some(i64::from(a != 0 && b != 0)),
+            "==" => Some(i64::from(a == b)),
+            "!=" => Some(i64::from(a != b)),
+            "<" => Some(i64::from(a < b)),
+            ">" => Some(i64::from(a > b)),
+            "<=" => Some(i64::from(a <= b)),
+            ">=" => Some(i64::from(a >= b)),
             _ => None,
         };
         let found = match &value.kind {
             Kind::Integer(number, _) => i64::try_from(*number).ok(),
             Kind::Name(name) => self.unit.constants.get(name).copied(),
             Kind::Cast(Type::Integer(..), inner) => Some(self.constant(inner)?),
+            Kind::Unary("!", inner) => Some(i64::from(self.constant(inner)? == 0)),
             Kind::Unary("-", inner) => self.constant(inner)?.checked_neg(),
             Kind::Binary(operator, a, b) => binary(self.constant(a)?, operator, self.constant(b)?),
             _ => None,
@@ -159,7 +168,7 @@ impl Parser<'_> {
             self.attributes()?;
             if self.accept("*") {
                 ty = Type::Pointer(Box::new(ty));
-            } else if !(self.accept_word("const") || self.accept_word("volatile") || self.accept_word("restrict")) {
+            } else if !(self.accept("const") || self.accept("volatile") || self.accept("restrict")) {
                 break;
             }
         }
@@ -222,23 +231,13 @@ impl Parser<'_> {
     }
 
     fn parameters(&mut self) -> Result<Vec<(String, Type)>, Missing> {
-        let mut parameters = Vec::new();
-        if self.accept(")") {
-            return Ok(parameters);
-        }
-        loop {
-            let ty = self.specifiers()?.ty;
-            let (name, ty) = self.declarator(ty)?;
-            match ty {
-                Type::Void => {}
-                Type::Array(ty, _) => parameters.push((name, Type::Pointer(ty))),
-                ty => parameters.push((name, ty)),
-            }
-            if self.accept(")") {
-                return Ok(parameters);
-            }
-            self.expect(",")?;
-        }
+        let mut parameters = self.list(")", |parser| {
+            let ty = parser.specifiers()?.ty;
+            let (name, ty) = parser.declarator(ty)?;
+            Ok((name, if let Type::Array(ty, _) = ty { Type::Pointer(ty) } else { ty }))
+        })?;
+        parameters.retain(|(_, ty)| *ty != Type::Void);
+        Ok(parameters)
     }
 
     fn block(&mut self) -> Result<Vec<Statement>, Missing> {
@@ -251,18 +250,12 @@ impl Parser<'_> {
 
     fn declaration(&mut self) -> Result<Vec<Variable>, Missing> {
         let specifiers = self.specifiers()?;
-        let mut variables = Vec::new();
-        while !self.accept(";") {
-            let line = self.line();
-            let (name, ty) = self.declarator(specifiers.ty.clone())?;
-            let initial = if self.accept("=") { Some(self.initialiser()?) } else { None };
-            variables.push(Variable { line, name, ty, is_static: specifiers.is_static, initial });
-            if !self.accept(",") {
-                self.expect(";")?;
-                break;
-            }
-        }
-        Ok(variables)
+        self.list(";", |parser| {
+            let line = parser.line();
+            let (name, ty) = parser.declarator(specifiers.ty.clone())?;
+            let initial = if parser.accept("=") { Some(parser.initialiser()?) } else { None };
+            Ok(Variable { line, name, ty, is_static: specifiers.is_static, initial })
+        })
     }
 
     pub(super) fn initialiser(&mut self) -> Result<Expression, Missing> {
@@ -270,15 +263,7 @@ impl Parser<'_> {
         if !self.accept("{") {
             return self.assignment();
         }
-        let mut items = Vec::new();
-        while !self.accept("}") {
-            items.push(self.initialiser()?);
-            if !self.accept(",") {
-                self.expect("}")?;
-                break;
-            }
-        }
-        Ok(Expression { line, kind: Kind::List(items) })
+        Ok(Expression { line, kind: Kind::List(self.list("}", Self::initialiser)?) })
     }
 
     fn statement(&mut self) -> Result<Statement, Missing> {
@@ -304,31 +289,26 @@ impl Parser<'_> {
             return Ok(StatementKind::Label(name));
         }
         let Token::Name(word) = self.peek().clone() else { return self.evaluated() };
+        self.next();
         match word.as_str() {
             "if" => {
-                self.next();
                 let condition = self.bracketed()?;
                 let first = Box::new(self.statement()?);
-                let second = if self.accept_word("else") { Some(Box::new(self.statement()?)) } else { None };
+                let second = if self.accept("else") { Some(Box::new(self.statement()?)) } else { None };
                 Ok(StatementKind::If(condition, first, second))
             }
             "while" => {
-                self.next();
                 let condition = self.bracketed()?;
                 Ok(StatementKind::Loop(None, Some(condition), None, Box::new(self.statement()?), false))
             }
             "do" => {
-                self.next();
                 let body = Box::new(self.statement()?);
-                if !self.accept_word("while") {
-                    return Err(self.missing("`while`"));
-                }
+                self.expect("while")?;
                 let condition = self.bracketed()?;
                 self.expect(";")?;
                 Ok(StatementKind::Loop(None, Some(condition), None, body, true))
             }
             "for" => {
-                self.next();
                 self.expect("(")?;
                 let first = Box::new(self.statement()?);
                 let condition = if self.accept(";") {
@@ -343,34 +323,28 @@ impl Parser<'_> {
                 Ok(StatementKind::Loop(Some(first), condition, step, Box::new(self.statement()?), false))
             }
             "switch" => {
-                self.next();
                 let value = self.bracketed()?;
                 Ok(StatementKind::Switch(value, Box::new(self.statement()?)))
             }
             "case" => {
-                self.next();
                 let value = self.conditional()?;
                 self.expect(":")?;
                 Ok(StatementKind::Case(Some(value)))
             }
             "default" => {
-                self.next();
                 self.expect(":")?;
                 Ok(StatementKind::Case(None))
             }
             "break" | "continue" => {
-                self.next();
                 self.expect(";")?;
                 Ok(if word == "break" { StatementKind::Break } else { StatementKind::Continue })
             }
             "goto" => {
-                self.next();
                 let label = self.name()?;
                 self.expect(";")?;
                 Ok(StatementKind::Goto(label))
             }
             "return" => {
-                self.next();
                 if self.accept(";") {
                     return Ok(StatementKind::Return(None));
                 }
@@ -378,7 +352,10 @@ impl Parser<'_> {
                 self.expect(";")?;
                 Ok(StatementKind::Return(Some(value)))
             }
-            _ => self.evaluated(),
+            _ => {
+                self.at -= 1;
+                self.evaluated()
+            }
         }
     }
 

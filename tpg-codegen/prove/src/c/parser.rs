@@ -34,16 +34,13 @@ impl Parser<'_> {
         Missing::new(format!("{}:{}", self.file, self.line()), what)
     }
 
-    pub(super) fn accept(&mut self, sign: &str) -> bool {
-        let is = matches!(self.peek(), Token::Sign(found) if *found == sign);
-        if is {
-            self.next();
-        }
-        is
-    }
-
-    pub(super) fn accept_word(&mut self, word: &str) -> bool {
-        let is = matches!(self.peek(), Token::Name(found) if found == word);
+    /// Reads a sign or a word, if it is next.
+    pub(super) fn accept(&mut self, text: &str) -> bool {
+        let is = match self.peek() {
+            Token::Sign(sign) => *sign == text,
+            Token::Name(name) => name == text,
+            _ => false,
+        };
         if is {
             self.next();
         }
@@ -61,9 +58,26 @@ impl Parser<'_> {
         }
     }
 
+    /// Reads what stands between commas up to a sign, before which another comma may be.
+    pub(super) fn list<T>(
+        &mut self,
+        end: &str,
+        mut item: impl FnMut(&mut Self) -> Result<T, Missing>,
+    ) -> Result<Vec<T>, Missing> {
+        let mut items = Vec::new();
+        while !self.accept(end) {
+            items.push(item(self)?);
+            if !self.accept(",") {
+                self.expect(end)?;
+                break;
+            }
+        }
+        Ok(items)
+    }
+
     /// Skips `__attribute__((...))` and the like; they ask for no other results.
     pub(super) fn attributes(&mut self) -> Result<(), Missing> {
-        while self.accept_word("__attribute__") {
+        while self.accept("__attribute__") {
             let mut depth = 0;
             loop {
                 match self.next() {

@@ -51,8 +51,8 @@ pub(super) enum Kind {
     Member(Box<Expression>, String),
     /// With the operator of a compound assignment
     Assign(Option<&'static str>, Box<Expression>, Box<Expression>),
-    /// The amount, and whether the old value is the result
-    Step(bool, bool, Box<Expression>),
+    /// An assignment whose result is the old value
+    Postfix(Box<Expression>),
     SizeOf(Box<Expression>),
     SizeOfType(Type),
     /// An initialiser in braces

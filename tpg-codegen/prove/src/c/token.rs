@@ -2,6 +2,7 @@
 //!
 //! The text is read as a compiler reads it that defines no macro of its own: neither GCC's nor fast maths'.
 
+use super::parse;
 use crate::input::Missing;
 use std::collections::{HashMap, HashSet};
 
@@ -24,12 +25,10 @@ pub(super) struct Placed {
 }
 
 /// Signs, the longest first.
-const SIGNS: [&str; 45] = [
-    "...", "<<=", ">>=", "->", "++", "--", "<<", ">>", "<=", ">=", "==", "!=", "&&", "||", "+=", "-=", "*=", "/=",
-    "%=", "&=", "|=", "^=", "##", "{", "}", "(", ")", "[", "]", ";", ",", ":", "?", "=", "+", "-", "*", "/", "%", "&",
-    "|", "^", "~", "!", "<",
+const SIGNS: [&str; 2] = [
+    "... <<= >>= -> ++ -- << >> <= >= == != && || += -= *= /= %= &= |= ^= ##",
+    "{ } ( ) [ ] ; , : ? = + - * / % & | ^ ~ ! < > . #",
 ];
-const MORE_SIGNS: [&str; 3] = [">", ".", "#"];
 
 /// Macros of the standard headers that generated code uses.
 const STANDARD: [(&str, &str); 6] = [
@@ -117,7 +116,7 @@ fn line_tokens(file: &str, text: &str, line: u32) -> Result<Vec<Placed>, Missing
         } else if first == '"' {
             let length = rest[1..].find('"').map_or(rest.len(), |end| end + 2);
             (Token::Text, length)
-        } else if let Some(sign) = SIGNS.iter().chain(&MORE_SIGNS).find(|&&sign| rest.starts_with(sign)) {
+        } else if let Some(sign) = SIGNS.iter().flat_map(|signs| signs.split(' ')).find(|sign| rest.starts_with(sign)) {
             (Token::Sign(sign), sign.len())
         } else {
             return Err(Missing::new(format!("{file}:{line}"), format!("the letter {first:?}")));
@@ -217,75 +216,28 @@ impl Preprocessor<'_> {
     /// The value of a condition of `#if`: numbers, `defined`, `!`, `&&`, `||`, comparisons. Names that are not defined are 0.
     fn condition(&self, place: &str, text: &str) -> Result<i64, Missing> {
         let missing = || Missing::new(place, format!("#if {text}"));
-        let mut signs = Vec::new();
-        let mut tokens = line_tokens(place, text, 0)?.into_iter().map(|placed| placed.token).peekable();
-        while let Some(token) = tokens.next() {
-            signs.push(match token {
+        let mut tokens = Vec::new();
+        let mut rest = line_tokens(place, text, 0)?.into_iter();
+        let mut next = || rest.next().map(|placed| placed.token);
+        while let Some(token) = next() {
+            tokens.push(match token {
                 Token::Name(name) if name == "defined" => {
-                    let mut next = tokens.next();
-                    let bracket = next == Some(Token::Sign("("));
-                    if bracket {
-                        next = tokens.next();
-                        if tokens.next() != Some(Token::Sign(")")) {
-                            return Err(missing());
-                        }
-                    }
-                    let Some(Token::Name(name)) = next else { return Err(missing()) };
-                    Err(i64::from(self.macros.contains_key(&name)))
+                    let name = match next() {
+                        Some(Token::Sign("(")) => next().filter(|_| next() == Some(Token::Sign(")"))),
+                        name => name,
+                    };
+                    let Some(Token::Name(name)) = name else { return Err(missing()) };
+                    Token::Number(u8::from(self.macros.contains_key(&name)).to_string())
                 }
                 Token::Name(name) => match self.macros.get(&name).map(Vec::as_slice) {
-                    None => Err(0),
-                    Some([Placed { token: Token::Number(number), .. }]) => {
-                        Err(number.trim_end_matches(['u', 'U', 'l', 'L']).parse().map_err(|_| missing())?)
-                    }
+                    None => Token::Number("0".to_owned()),
+                    Some([Placed { token, .. }]) => token.clone(),
                     Some(_) => return Err(missing()),
                 },
-                Token::Number(number) => {
-                    Err(number.trim_end_matches(['u', 'U', 'l', 'L']).parse().map_err(|_| missing())?)
-                }
-                Token::Sign(sign) => Ok(sign),
-                _ => return Err(missing()),
+                token => token,
             });
         }
-        let mut at = 0;
-        let value = logical(&signs, &mut at, 0).filter(|_| at == signs.len());
-        value.ok_or_else(missing)
+        let tokens = tokens.into_iter().chain([Token::End]).map(|token| Placed { token, line: 0 });
+        parse::constant(place, tokens.collect()).map_err(|_| missing())
     }
-}
-
-/// Evaluates operators of at least a level: `||`, `&&`, comparisons.
-fn logical(signs: &[Result<&'static str, i64>], at: &mut usize, level: u8) -> Option<i64> {
-    let levels: [&[&str]; 3] = [&["||"], &["&&"], &["==", "!=", "<", ">", "<=", ">="]];
-    let Some(&operators) = levels.get(usize::from(level)) else {
-        let first = *signs.get(*at)?;
-        *at += 1;
-        return match first {
-            Err(number) => Some(number),
-            Ok("!") => logical(signs, at, 3).map(|value| i64::from(value == 0)),
-            Ok("(") => {
-                let value = logical(signs, at, 0)?;
-                *at += 1;
-                (signs.get(*at - 1) == Some(&Ok(")"))).then_some(value)
-            }
-            Ok(_) => None,
-        };
-    };
-    let mut value = logical(signs, at, level + 1)?;
-    while let Some(&Ok(operator)) = signs.get(*at)
-        && operators.contains(&operator)
-    {
-        *at += 1;
-        let other = logical(signs, at, level + 1)?;
-        value = i64::from(match operator {
-            "||" => value != 0 || other != 0,
-            "&&" => value != 0 && other != 0,
-            "==" => value == other,
-            "!=" => value != other,
-            "<" => value < other,
-            ">" => value > other,
-            "<=" => value <= other,
-            _ => value >= other,
-        });
-    }
-    Some(value)
 }

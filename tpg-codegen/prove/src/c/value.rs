@@ -8,124 +8,93 @@ use crate::term::{Bool, Float, Node, Operator, Terms, Width, Word};
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-impl Code {
-    pub(super) fn cell(&self, terms: &mut Terms, at: usize, cells: &[Cell], address: u64) -> Result<Cell, Missing> {
-        let address = u32::try_from(address).map_err(|_| self.missing(at, "an address"))?;
-        let found = if address >= CONSTANTS {
-            match self.program.constants.get((address - CONSTANTS) as usize) {
-                Some(&Constant::Float(bits)) => Some(Cell::Float(terms.constant_bits(bits))),
-                Some(&Constant::Number(number)) => Some(Cell::Word(terms.number(number))),
-                None => None,
-            }
-        } else {
-            cells.get(address as usize).copied()
+/// A place in the code, and the cells there.
+pub(super) struct Here<'a> {
+    pub(super) code: &'a Code,
+    pub(super) terms: &'a mut Terms,
+    pub(super) at: usize,
+    pub(super) cells: &'a [Option<Cell>],
+}
+
+impl Here<'_> {
+    fn missing<T>(&self, what: &str) -> Result<T, Missing> {
+        Err(self.code.missing(self.at, what))
+    }
+
+    pub(super) fn cell(&mut self, address: u64) -> Result<Cell, Missing> {
+        let Ok(address) = u32::try_from(address) else { return self.missing("an address") };
+        let found = match address.checked_sub(CONSTANTS) {
+            None => self.cells.get(address as usize).copied(),
+            Some(place) => self.code.program.constants.get(place as usize).map(|constant| {
+                Some(match *constant {
+                    Constant::Float(bits) => Cell::Float(self.terms.constant_bits(bits)),
+                    Constant::Number(number) => Cell::Word(self.terms.number(number)),
+                })
+            }),
         };
         match found {
-            Some(Cell::Undefined) => Err(self.missing(at, "a value: it is not set on every way here")),
-            Some(cell) => Ok(cell),
-            None => Err(self.missing(at, "an address in bounds")),
+            Some(Some(cell)) => Ok(cell),
+            Some(None) => self.missing("a value: it is not set on every way here"),
+            None => self.missing("an address in bounds"),
         }
     }
 
-    pub(super) fn read_float(
-        &self,
-        terms: &mut Terms,
-        at: usize,
-        cells: &[Cell],
-        address: u32,
-    ) -> Result<Float, Missing> {
-        match self.cell(terms, at, cells, u64::from(address))? {
-            Cell::Word(word) => Ok(terms.of_bits(word)),
-            Cell::Float(float) => Ok(float),
-            Cell::Undefined => Err(self.missing(at, "a value")),
-        }
-    }
-
-    pub(super) fn read_word(
-        &self,
-        terms: &mut Terms,
-        at: usize,
-        cells: &[Cell],
-        address: u64,
-    ) -> Result<Word, Missing> {
-        match self.cell(terms, at, cells, address)? {
-            Cell::Float(float) => Ok(terms.bits(float)),
-            Cell::Word(word) => Ok(word),
-            Cell::Undefined => Err(self.missing(at, "a value")),
-        }
-    }
-
-    pub(super) fn float(&self, terms: &mut Terms, at: usize, cells: &[Cell], value: &Value) -> Result<Float, Missing> {
-        Ok(match value {
-            Value::Float(bits) => terms.constant_bits(*bits),
-            Value::Load(address, Scalar::Float) => {
-                let address = self.word(terms, at, cells, address)?;
-                self.loaded_float(terms, at, cells, address)?
-            }
-            Value::Arithmetic(operation, a, b) => {
-                let (a, b) = (self.float(terms, at, cells, a)?, self.float(terms, at, cells, b)?);
-                terms.arithmetic(*operation, a, b)
-            }
-            Value::Negative(a) => {
-                let a = self.float(terms, at, cells, a)?;
-                terms.negate(a)
-            }
-            Value::Magnitude(a) => {
-                let a = self.float(terms, at, cells, a)?;
-                terms.magnitude(a)
-            }
-            Value::If(condition, a, b) => {
-                let condition = self.condition(terms, at, cells, condition)?;
-                if condition == Terms::TRUE {
-                    return self.float(terms, at, cells, a);
-                }
-                if condition == Terms::FALSE {
-                    return self.float(terms, at, cells, b);
-                }
-                let (a, b) = (self.float(terms, at, cells, a)?, self.float(terms, at, cells, b)?);
-                terms.choose_float(condition, a, b)
-            }
-            Value::OfInteger(signed, a) => {
-                let a = self.word(terms, at, cells, a)?;
-                terms.of_integer(*signed, a)
-            }
-            _ => return Err(self.missing(at, "a float")),
+    pub(super) fn read_float(&mut self, address: u64) -> Result<Float, Missing> {
+        Ok(match self.cell(address)? {
+            Cell::Word(word) => self.terms.of_bits(word),
+            Cell::Float(float) => float,
         })
     }
 
-    fn loaded_float(&self, terms: &mut Terms, at: usize, cells: &[Cell], address: Word) -> Result<Float, Missing> {
-        match *terms.of_word(address) {
-            Node::Number(number) => match self.cell(terms, at, cells, number)? {
-                Cell::Float(float) => Ok(float),
-                Cell::Word(word) => Ok(terms.of_bits(word)),
-                Cell::Undefined => Err(self.missing(at, "a value")),
-            },
-            Node::WordIf(condition, a, b) => {
-                let (a, b) = (self.loaded_float(terms, at, cells, a)?, self.loaded_float(terms, at, cells, b)?);
-                Ok(terms.choose_float(condition, a, b))
-            }
-            _ => Err(self.missing(at, "an index that is a constant")),
+    pub(super) fn read_word(&mut self, address: u64) -> Result<Word, Missing> {
+        Ok(match self.cell(address)? {
+            Cell::Float(float) => self.terms.bits(float),
+            Cell::Word(word) => word,
+        })
+    }
+
+    /// The constant address of some cells of one variable.
+    pub(super) fn range(&mut self, address: &Value, count: u32) -> Result<u64, Missing> {
+        let word = self.word(address)?;
+        let first = self.terms.number_of(word).and_then(|address| u32::try_from(address).ok());
+        let Some(first) = first else { return self.missing("an address that is a constant") };
+        match self.code.program.object(first) {
+            Some(object) if first + count <= object.end => Ok(first.into()),
+            _ => self.missing("a copy in bounds"),
         }
     }
 
-    fn loaded_word(&self, terms: &mut Terms, at: usize, cells: &[Cell], address: Word) -> Result<Word, Missing> {
-        if let Some(numbers) = terms.numbers(address) {
-            for number in numbers {
-                self.read_word(terms, at, cells, number)?;
+    fn loaded_float(&mut self, address: Word) -> Result<Float, Missing> {
+        match *self.terms.of_word(address) {
+            Node::Number(number) => self.read_float(number),
+            Node::WordIf(condition, a, b) => {
+                let (a, b) = (self.loaded_float(a)?, self.loaded_float(b)?);
+                Ok(self.terms.choose_float(condition, a, b))
             }
-            return Ok(terms.mapped(address, &mut |terms, leaf| {
+            _ => self.missing("an index that is a constant"),
+        }
+    }
+
+    fn loaded_word(&mut self, address: Word) -> Result<Word, Missing> {
+        if let Some(numbers) = self.terms.numbers(address) {
+            for number in numbers {
+                self.read_word(number)?;
+            }
+            let Self { code, at, cells, .. } = *self;
+            return Ok(self.terms.mapped(address, &mut |terms, leaf| {
                 let number = terms.number_of(leaf).unwrap_or_default();
-                self.read_word(terms, at, cells, number).unwrap_or(leaf)
+                Here { code, terms, at, cells }.read_word(number).unwrap_or(leaf)
             }));
         }
         // an element of a constant table
+        let terms = &mut *self.terms;
         if let Node::Apply(Operator::Add, Width::W32, index, base) = *terms.of_word(address)
             && let Some(base) = terms.number_of(base)
-            && let Some(object) = u32::try_from(base).ok().and_then(|base| self.object(base))
+            && let Some(object) = u32::try_from(base).ok().and_then(|base| self.code.program.object(base))
             && object.start >= CONSTANTS
         {
             let range = (object.start - CONSTANTS) as usize..(object.end - CONSTANTS) as usize;
-            let table: Rc<[u64]> = (self.program.constants[range].iter())
+            let table: Rc<[u64]> = (self.code.program.constants[range].iter())
                 .map(|constant| match *constant {
                     Constant::Float(bits) => u64::from(bits),
                     Constant::Number(number) => number,
@@ -135,132 +104,153 @@ impl Code {
             let index = terms.apply(Operator::Add, Width::W32, index, offset);
             let length = object.end - object.start;
             if largest(terms, index) >= u64::from(length) && !terms.is_granted(index, length) {
-                return Err(self.missing(at, "an index that is in bounds"));
+                return self.missing("an index that is in bounds");
             }
             return Ok(terms.element(&table, index));
         }
-        Err(self.missing(at, "an index that is a constant"))
+        self.missing("an index that is a constant")
     }
 
-    pub(super) fn word(&self, terms: &mut Terms, at: usize, cells: &[Cell], value: &Value) -> Result<Word, Missing> {
-        Ok(match value {
-            Value::Number(number) => terms.number(*number),
-            Value::Load(address, Scalar::Word(_)) => {
-                let address = self.word(terms, at, cells, address)?;
-                self.loaded_word(terms, at, cells, address)?
+    pub(super) fn float(&mut self, value: &Value) -> Result<Float, Missing> {
+        match self.value(value)? {
+            Cell::Float(float) => Ok(float),
+            Cell::Word(_) => self.missing("a float"),
+        }
+    }
+
+    pub(super) fn word(&mut self, value: &Value) -> Result<Word, Missing> {
+        match self.value(value)? {
+            Cell::Word(word) => Ok(word),
+            Cell::Float(_) => self.missing("an integer"),
+        }
+    }
+
+    pub(super) fn value(&mut self, value: &Value) -> Result<Cell, Missing> {
+        let word = match value {
+            Value::Load(address, Scalar::Float) => {
+                let address = self.word(address)?;
+                return self.loaded_float(address).map(Cell::Float);
             }
-            Value::Apply(operator, width, a, b) => {
-                let (a, b) = (self.word(terms, at, cells, a)?, self.word(terms, at, cells, b)?);
-                match operator {
-                    Operator::Divide | Operator::Modulo
-                        if terms.numbers(b).is_none_or(|numbers| numbers.contains(&0)) =>
-                    {
-                        return Err(self.missing(at, "a divisor that is not 0"));
-                    }
-                    Operator::ShiftLeft | Operator::ShiftRight | Operator::ShiftArithmetic
-                        if largest(terms, b) >= u64::from(width.bits()) =>
-                    {
-                        return Err(self.missing(at, "a shift below the width"));
-                    }
-                    _ => terms.apply(*operator, *width, a, b),
-                }
+            Value::Float(bits) => return Ok(Cell::Float(self.terms.constant_bits(*bits))),
+            Value::Arithmetic(operation, a, b) => {
+                let (a, b) = (self.float(a)?, self.float(b)?);
+                return Ok(Cell::Float(self.terms.arithmetic(*operation, a, b)));
+            }
+            Value::Negative(a) => {
+                let a = self.float(a)?;
+                return Ok(Cell::Float(self.terms.negate(a)));
+            }
+            Value::Magnitude(a) => {
+                let a = self.float(a)?;
+                return Ok(Cell::Float(self.terms.magnitude(a)));
+            }
+            Value::OfInteger(signed, a) => {
+                let a = self.word(a)?;
+                return Ok(Cell::Float(self.terms.of_integer(*signed, a)));
             }
             Value::If(condition, a, b) => {
-                let condition = self.condition(terms, at, cells, condition)?;
+                let condition = self.condition(condition)?;
                 if condition == Terms::TRUE {
-                    return self.word(terms, at, cells, a);
+                    return self.value(a);
                 }
                 if condition == Terms::FALSE {
-                    return self.word(terms, at, cells, b);
+                    return self.value(b);
                 }
-                let (a, b) = (self.word(terms, at, cells, a)?, self.word(terms, at, cells, b)?);
-                terms.choose_word(condition, a, b)
+                let (a, b) = (self.value(a)?, self.value(b)?);
+                return chosen(self.terms, condition, a, b).map_or_else(|| self.missing("one kind of value"), Ok);
+            }
+            Value::Load(address, Scalar::Word) => {
+                let address = self.word(address)?;
+                self.loaded_word(address)?
+            }
+            Value::Number(number) => self.terms.number(*number),
+            Value::Apply(operator, width, a, b) => {
+                let (a, b) = (self.word(a)?, self.word(b)?);
+                match operator {
+                    Operator::Divide | Operator::Modulo
+                        if self.terms.numbers(b).is_none_or(|numbers| numbers.contains(&0)) =>
+                    {
+                        return self.missing("a divisor that is not 0");
+                    }
+                    Operator::ShiftLeft | Operator::ShiftRight | Operator::ShiftArithmetic
+                        if largest(self.terms, b) >= u64::from(width.bits()) =>
+                    {
+                        return self.missing("a shift below the width");
+                    }
+                    _ => self.terms.apply(*operator, *width, a, b),
+                }
             }
             Value::OfCondition(condition) => {
-                let condition = self.condition(terms, at, cells, condition)?;
-                terms.word_of(condition)
+                let condition = self.condition(condition)?;
+                self.terms.word_of(condition)
             }
             Value::Below(a, length) => {
-                let a = self.word(terms, at, cells, a)?;
-                let largest = largest(terms, a);
+                let a = self.word(a)?;
+                let largest = largest(self.terms, a);
                 if largest >= u64::from(*length) {
-                    if self.defines {
-                        terms.grant(a, *length);
-                    } else if !terms.is_granted(a, *length) {
-                        return Err(self.missing(at, "an index that is in bounds"));
+                    if self.code.defines {
+                        self.terms.grant(a, *length);
+                    } else if !self.terms.is_granted(a, *length) {
+                        return self.missing("an index that is in bounds");
                     }
                 }
-                if largest < FEW && terms.numbers(a).is_none() { each(terms, a, largest) } else { a }
+                if largest < FEW && self.terms.numbers(a).is_none() { each(self.terms, a, largest) } else { a }
             }
             Value::Moved(address, offset) => {
-                let (address, offset) = (self.word(terms, at, cells, address)?, self.word(terms, at, cells, offset)?);
-                let sum = terms.apply(Operator::Add, Width::W32, address, offset);
+                let (address, offset) = (self.word(address)?, self.word(offset)?);
+                let sum = self.terms.apply(Operator::Add, Width::W32, address, offset);
                 // constants are checked here, other indices where they are below a length
-                if let (Some(from), Some(to)) = (terms.numbers(address), terms.numbers(sum)) {
+                if let (Some(from), Some(to)) = (self.terms.numbers(address), self.terms.numbers(sum)) {
                     let objects: BTreeSet<_> = (from.iter().chain(&to))
-                        .map(|&address| Some(self.object(u32::try_from(address).ok()?)?.start))
+                        .map(|&address| Some(self.code.program.object(u32::try_from(address).ok()?)?.start))
                         .collect();
                     if objects.len() != 1 || objects.contains(&None) {
-                        return Err(self.missing(at, "an address in bounds"));
+                        return self.missing("an address in bounds");
                     }
                 }
                 sum
             }
-            _ => return Err(self.missing(at, "an integer")),
-        })
+        };
+        Ok(Cell::Word(word))
     }
 
-    pub(super) fn condition(
-        &self,
-        terms: &mut Terms,
-        at: usize,
-        cells: &[Cell],
-        condition: &Condition,
-    ) -> Result<Bool, Missing> {
-        let floats = |terms: &mut Terms, a: &Value, b: &Value| -> Result<(Float, Float), Missing> {
-            Ok((self.float(terms, at, cells, a)?, self.float(terms, at, cells, b)?))
-        };
+    pub(super) fn condition(&mut self, condition: &Condition) -> Result<Bool, Missing> {
         Ok(match condition {
-            Condition::NonZero(width, a) => {
-                let (a, zero) = (self.word(terms, at, cells, a)?, terms.number(0));
-                !terms.same(*width, a, zero)
-            }
             Condition::Same(width, a, b) => {
-                let (a, b) = (self.word(terms, at, cells, a)?, self.word(terms, at, cells, b)?);
-                terms.same(*width, a, b)
+                let (a, b) = (self.word(a)?, self.word(b)?);
+                self.terms.same(*width, a, b)
             }
             Condition::Below(signed, width, a, b) => {
-                let (a, b) = (self.word(terms, at, cells, a)?, self.word(terms, at, cells, b)?);
-                terms.below(*signed, *width, a, b)
+                let (a, b) = (self.word(a)?, self.word(b)?);
+                self.terms.below(*signed, *width, a, b)
             }
-            Condition::Less(a, b) => {
-                let (a, b) = floats(terms, a, b)?;
-                terms.less(a, b)
-            }
-            Condition::LessOrEqual(a, b) => {
-                let (a, b) = floats(terms, a, b)?;
-                terms.less_or_equal(a, b)
-            }
-            Condition::Equal(a, b) => {
-                let (a, b) = floats(terms, a, b)?;
-                terms.equal(a, b)
+            Condition::Compared(relation, a, b) => {
+                let (a, b) = (self.float(a)?, self.float(b)?);
+                relation(self.terms, a, b)
             }
             Condition::Nan(a) => {
-                let a = self.float(terms, at, cells, a)?;
-                terms.is_nan(a)
+                let a = self.float(a)?;
+                self.terms.is_nan(a)
             }
-            Condition::And(a, b) | Condition::Or(a, b) => {
-                let and = matches!(condition, Condition::And(..));
-                let a = self.condition(terms, at, cells, a)?;
-                // the second operand is not evaluated where the first decides
+            Condition::Logical(and, a, b) => {
+                let a = self.condition(a)?;
                 if a == Terms::known(!and) {
                     return Ok(a);
                 }
-                let b = self.condition(terms, at, cells, b)?;
-                if and { terms.and(a, b) } else { terms.or(a, b) }
+                let b = self.condition(b)?;
+                if *and { self.terms.and(a, b) } else { self.terms.or(a, b) }
             }
-            Condition::Not(a) => !self.condition(terms, at, cells, a)?,
+            Condition::Not(a) => !self.condition(a)?,
         })
+    }
+}
+
+/// One of two values of one kind.
+pub(super) fn chosen(terms: &mut Terms, condition: Bool, a: Cell, b: Cell) -> Option<Cell> {
+    match (a, b) {
+        (Cell::Float(a), Cell::Float(b)) => Some(Cell::Float(terms.choose_float(condition, a, b))),
+        (Cell::Word(a), Cell::Word(b)) => Some(Cell::Word(terms.choose_word(condition, a, b))),
+        _ => None,
     }
 }
 

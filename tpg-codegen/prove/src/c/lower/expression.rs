@@ -1,10 +1,10 @@
 //! Expressions: places, values, conditions, conversions.
 
-use super::{Lowering, constant_of, moved, number, promoted, width};
-use crate::c::code::{Condition, Constant, Operation, Scalar, Value};
+use super::{Lowering, apply, constant_of, moved, number, promoted, width};
+use crate::c::code::{Condition, Constant, Operation, Value};
 use crate::c::syntax::{Expression, Kind, Type};
 use crate::input::Missing;
-use crate::term::{Arithmetic, Operator, Width};
+use crate::term::{Arithmetic, Operator, Terms, Width};
 
 impl<'u> Lowering<'u> {
     /// Evaluates an expression for what it does.
@@ -12,7 +12,7 @@ impl<'u> Lowering<'u> {
         self.line = expression.line;
         match &expression.kind {
             Kind::Assign(operator, target, value) => self.assign(*operator, target, value),
-            Kind::Step(up, _, target) => self.step(*up, target),
+            Kind::Postfix(assignment) => self.effect(assignment),
             Kind::Cast(Type::Void, inner) => self.effect(inner),
             Kind::Call(name, arguments) if name == "memcpy" => self.copy(arguments),
             Kind::Call(name, arguments) => self.call(name, arguments).map(|_| ()),
@@ -21,39 +21,34 @@ impl<'u> Lowering<'u> {
         }
     }
 
-    pub(super) fn assign(
+    fn assign(
         &mut self,
         operator: Option<&'static str>,
         target: &'u Expression,
         value: &'u Expression,
     ) -> Result<(), Missing> {
         let (address, ty) = self.place(target)?;
-        if let (Type::Struct(_), None) = (&ty, operator) {
+        let Some(operator) = operator else { return self.set(address, &ty, value) };
+        let value = self.value(value)?;
+        let before = self.loaded(address.clone(), ty.clone())?;
+        let value = self.operated(operator, before, value)?;
+        self.put(address, value, &ty)
+    }
+
+    /// Sets what is at an address to the value of an expression.
+    pub(super) fn set(&mut self, address: Value, ty: &Type, value: &'u Expression) -> Result<(), Missing> {
+        if let Type::Struct(_) = ty {
             let (from, _) = self.place(value)?;
-            let count = self.cells(&ty);
+            let count = self.cells(ty);
             self.emit(Operation::Copy(address, from, count));
             return Ok(());
         }
-        let (mut value, mut from) = self.value(value)?;
-        if let Some(operator) = operator {
-            let before = Value::Load(Box::new(address.clone()), self.scalar(&ty)?);
-            (value, from) = self.operated(operator, (before, ty.clone()), (value, from))?;
-        }
-        let value = self.converted(value, &from, &ty)?;
-        self.store(address, value, &ty)
-    }
-
-    pub(super) fn step(&mut self, up: bool, target: &'u Expression) -> Result<(), Missing> {
-        let (address, ty) = self.place(target)?;
-        let before = Value::Load(Box::new(address.clone()), self.scalar(&ty)?);
-        let one = (Value::Number(1), Type::INT);
-        let (value, from) = self.operated(if up { "+" } else { "-" }, (before, ty.clone()), one)?;
-        let value = self.converted(value, &from, &ty)?;
-        self.store(address, value, &ty)
+        let value = self.value(value)?;
+        self.put(address, value, ty)
     }
 
     /// `memcpy` of whole scalars; a cell holds its bits, whatever it is read as.
-    pub(super) fn copy(&mut self, arguments: &'u [Expression]) -> Result<(), Missing> {
+    fn copy(&mut self, arguments: &'u [Expression]) -> Result<(), Missing> {
         let [to, from, size] = arguments else { return Err(self.missing("memcpy of three arguments")) };
         let ((to, to_type), (from, from_type)) = (self.value(to)?, self.value(from)?);
         let (size, _) = self.value(size)?;
@@ -72,7 +67,7 @@ impl<'u> Lowering<'u> {
     }
 
     /// The bytes of each scalar in a type, if all have the same.
-    pub(super) fn scalar_bytes(&self, ty: &Type) -> Option<u32> {
+    fn scalar_bytes(&self, ty: &Type) -> Option<u32> {
         match ty {
             Type::Integer(bytes, _) => Some(u32::from(*bytes)),
             Type::Float => Some(4),
@@ -86,23 +81,15 @@ impl<'u> Lowering<'u> {
         }
     }
 
-    pub(super) fn call(
-        &mut self,
-        name: &'u str,
-        arguments: &'u [Expression],
-    ) -> Result<Option<(Value, Type)>, Missing> {
+    fn call(&mut self, name: &'u str, arguments: &'u [Expression]) -> Result<Option<(Value, Type)>, Missing> {
         let function = self.function(name)?;
-        let mut values = Vec::new();
-        for argument in arguments {
-            values.push(self.value(argument)?);
-        }
-        let Some(place) = self.inlined(function, values)? else { return Ok(None) };
-        let load = Value::Load(Box::new(number(place.address)), self.scalar(&place.ty)?);
-        Ok(Some((load, place.ty)))
+        let values = arguments.iter().map(|argument| self.value(argument)).collect::<Result<_, _>>()?;
+        let place = self.inlined(function, values)?;
+        place.map(|place| self.loaded(number(place.address), place.ty)).transpose()
     }
 
     /// The address of what an expression names, and its type.
-    pub(super) fn place(&mut self, expression: &'u Expression) -> Result<(Value, Type), Missing> {
+    fn place(&mut self, expression: &'u Expression) -> Result<(Value, Type), Missing> {
         match &expression.kind {
             Kind::Name(name) => match self.find(name) {
                 Some(place) => Ok((number(place.address), place.ty.clone())),
@@ -126,11 +113,11 @@ impl<'u> Lowering<'u> {
                 Err(self.missing(format!("the member `{name}`")))
             }
             Kind::Index(array, index) => {
-                let (index, from) = self.value(index)?;
-                if !from.is_integer() {
+                let index = self.value(index)?;
+                if !index.1.is_integer() {
                     return Err(self.missing("an integer as index"));
                 }
-                let index = self.converted(index, &from, &Type::UNSIGNED)?;
+                let index = self.converted(index, &Type::UNSIGNED)?;
                 let (address, ty, index) = match self.try_place(array)? {
                     Some((address, Type::Array(ty, count))) => {
                         let index = Value::Below(Box::new(index), count);
@@ -141,15 +128,18 @@ impl<'u> Lowering<'u> {
                         _ => return Err(self.missing("an array")),
                     },
                 };
-                let size = number(self.cells(&ty));
-                let offset = Value::Apply(Operator::Multiply, Width::W32, Box::new(index), Box::new(size));
-                Ok((moved(address, offset), ty))
+                Ok((self.element(address, &ty, index), ty))
             }
             _ => Err(self.missing("something with an address")),
         }
     }
 
-    pub(super) fn try_place(&mut self, expression: &'u Expression) -> Result<Option<(Value, Type)>, Missing> {
+    /// The address of a later element of a type.
+    fn element(&self, address: Value, ty: &Type, index: Value) -> Value {
+        moved(address, apply(Operator::Multiply, Width::W32, index, number(self.cells(ty))))
+    }
+
+    fn try_place(&mut self, expression: &'u Expression) -> Result<Option<(Value, Type)>, Missing> {
         match expression.kind {
             Kind::Name(_) | Kind::Unary("*", _) | Kind::Member(..) | Kind::Index(..) => {
                 self.place(expression).map(Some)
@@ -172,16 +162,15 @@ impl<'u> Lowering<'u> {
                 let (address, ty) = self.place(expression)?;
                 match ty {
                     Type::Array(ty, _) => Ok((address, Type::Pointer(ty))),
-                    ty => Ok((Value::Load(Box::new(address), self.scalar(&ty)?), ty)),
+                    ty => self.loaded(address, ty),
                 }
             }
             Kind::Unary("&", inner) => {
                 let (address, ty) = self.place(inner)?;
                 Ok((address, Type::Pointer(Box::new(ty))))
             }
-            Kind::Unary("!", _) => {
-                let condition = self.condition(expression)?;
-                Ok((Value::OfCondition(Box::new(condition)), Type::INT))
+            Kind::Unary("!", _) | Kind::Binary("&&" | "||" | "==" | "!=" | "<" | ">" | "<=" | ">=", ..) => {
+                self.truth(expression)
             }
             Kind::Unary(sign, inner) => {
                 let (value, ty) = self.value(inner)?;
@@ -194,21 +183,17 @@ impl<'u> Lowering<'u> {
                     ("+", Type::Float | Type::Double) => Ok((value, ty)),
                     ("-" | "~" | "+", Type::Integer(..)) => {
                         let wide = promoted(&ty);
-                        let value = self.converted(value, &ty, &wide)?;
+                        let value = self.converted((value, ty), &wide)?;
                         let width = width(&wide);
                         let (operator, first) = match *sign {
                             "-" => (Operator::Subtract, 0),
                             "~" => (Operator::Xor, width.mask()),
                             _ => (Operator::Add, 0),
                         };
-                        Ok((Value::Apply(operator, width, Box::new(Value::Number(first)), Box::new(value)), wide))
+                        Ok((apply(operator, width, Value::Number(first), value), wide))
                     }
                     _ => Err(self.missing(format!("`{sign}` of another type"))),
                 }
-            }
-            Kind::Binary("&&" | "||" | "==" | "!=" | "<" | ">" | "<=" | ">=", ..) => {
-                let condition = self.condition(expression)?;
-                Ok((Value::OfCondition(Box::new(condition)), Type::INT))
             }
             Kind::Binary(operator, a, b) => {
                 let (a, b) = (self.value(a)?, self.value(b)?);
@@ -217,31 +202,28 @@ impl<'u> Lowering<'u> {
             }
             Kind::Conditional(condition, a, b) => self.chosen(condition, a, b),
             Kind::Cast(ty, inner) => {
-                let (value, from) = self.value(inner)?;
-                Ok((self.converted(value, &from, ty)?, ty.clone()))
+                let value = self.value(inner)?;
+                Ok((self.converted(value, ty)?, ty.clone()))
             }
             Kind::Call(name, arguments) => match (name.as_str(), &arguments[..]) {
                 ("fabsf", [inner]) => {
-                    let (value, from) = self.value(inner)?;
-                    let value = self.converted(value, &from, &Type::Float)?;
-                    Ok((Value::Magnitude(Box::new(value)), Type::Float))
+                    let value = self.value(inner)?;
+                    Ok((Value::Magnitude(Box::new(self.converted(value, &Type::Float)?)), Type::Float))
                 }
-                ("isnan", [_]) => {
-                    let condition = self.condition(expression)?;
-                    Ok((Value::OfCondition(Box::new(condition)), Type::INT))
-                }
+                ("isnan", [_]) => self.truth(expression),
                 _ => self.call(name, arguments)?.ok_or_else(|| self.missing(format!("a result of `{name}`"))),
             },
-            Kind::Assign(_, target, _) | Kind::Step(_, false, target) => {
+            Kind::Assign(_, target, _) => {
                 self.effect(expression)?;
                 self.value(target)
             }
-            Kind::Step(_, true, target) => {
+            Kind::Postfix(assignment) => {
+                let Kind::Assign(_, target, _) = &assignment.kind else { return self.value(assignment) };
                 let (value, ty) = self.value(target)?;
                 let cell = self.allocate(&ty);
-                self.store(number(cell), value, &ty)?;
-                self.effect(expression)?;
-                Ok((Value::Load(Box::new(number(cell)), self.scalar(&ty)?), ty))
+                self.put(number(cell), (value, ty.clone()), &ty)?;
+                self.effect(assignment)?;
+                self.loaded(number(cell), ty)
             }
             Kind::SizeOf(inner) => {
                 let mark = self.here();
@@ -257,7 +239,7 @@ impl<'u> Lowering<'u> {
         }
     }
 
-    pub(super) fn chosen(
+    fn chosen(
         &mut self,
         condition: &'u Expression,
         a: &'u Expression,
@@ -265,33 +247,41 @@ impl<'u> Lowering<'u> {
     ) -> Result<(Value, Type), Missing> {
         let condition = self.condition(condition)?;
         let mark = self.here();
-        let ((first, x), (second, y)) = (self.value(a)?, self.value(b)?);
-        let ty = if x == y && !x.is_integer() { x.clone() } else { self.common(&x, &y)? };
+        let (first, second) = (self.value(a)?, self.value(b)?);
+        let ty = if first.1 == second.1 && !first.1.is_integer() {
+            first.1.clone()
+        } else {
+            self.common(&first.1, &second.1)?
+        };
         if self.here() == mark {
-            let (first, second) = (self.converted(first, &x, &ty)?, self.converted(second, &y, &ty)?);
-            return Ok((Value::If(Box::new(condition), Box::new(first), Box::new(second)), ty));
+            let [first, second] = [self.converted(first, &ty)?, self.converted(second, &ty)?].map(Box::new);
+            return Ok((Value::If(Box::new(condition), first, second), ty));
         }
         // something happens on the way: only on the side that is chosen
         self.program.operations.truncate(mark);
         let cell = self.allocate(&ty);
-        let branch = self.emit(Operation::Branch(condition, usize::MAX));
-        let (first, x) = self.value(a)?;
-        let first = self.converted(first, &x, &ty)?;
-        self.store(number(cell), first, &ty)?;
+        let branch = self.branch(condition);
+        let first = self.value(a)?;
+        self.put(number(cell), first, &ty)?;
         let end = self.jump(self.scopes.len());
         self.land(&[branch]);
-        let (second, y) = self.value(b)?;
-        let second = self.converted(second, &y, &ty)?;
-        self.store(number(cell), second, &ty)?;
+        let second = self.value(b)?;
+        self.put(number(cell), second, &ty)?;
         self.land(&[end]);
-        Ok((Value::Load(Box::new(number(cell)), self.scalar(&ty)?), ty))
+        self.loaded(number(cell), ty)
+    }
+
+    /// A condition as 0 or 1.
+    fn truth(&mut self, expression: &'u Expression) -> Result<(Value, Type), Missing> {
+        let condition = self.condition(expression)?;
+        Ok((Value::OfCondition(Box::new(condition)), Type::INT))
     }
 
     /// An expression as a condition.
     pub(super) fn condition(&mut self, expression: &'u Expression) -> Result<Condition, Missing> {
         self.line = expression.line;
         match &expression.kind {
-            Kind::Unary("!", inner) => Ok(Condition::Not(Box::new(self.condition(inner)?))),
+            Kind::Unary("!", inner) => Ok(!self.condition(inner)?),
             Kind::Binary(sign @ ("&&" | "||"), a, b) => {
                 let first = self.condition(a)?;
                 let mark = self.here();
@@ -301,88 +291,65 @@ impl<'u> Lowering<'u> {
                     self.program.operations.truncate(mark);
                     return self.lazily(*sign == "&&", first, b);
                 }
-                let (first, second) = (Box::new(first), Box::new(second));
-                Ok(if *sign == "&&" { Condition::And(first, second) } else { Condition::Or(first, second) })
+                Ok(Condition::Logical(*sign == "&&", Box::new(first), Box::new(second)))
             }
             Kind::Binary(sign @ ("==" | "!=" | "<" | ">" | "<=" | ">="), a, b) => {
-                let ((a, x), (b, y)) = (self.value(a)?, self.value(b)?);
+                let (a, b) = (self.value(a)?, self.value(b)?);
                 self.line = expression.line;
-                self.compared(sign, (a, x), (b, y))
+                self.compared(sign, a, b)
             }
             Kind::Call(name, arguments) if name == "isnan" && arguments.len() == 1 => {
-                let (value, from) = self.value(&arguments[0])?;
-                Ok(Condition::Nan(self.converted(value, &from, &Type::Float)?))
+                let value = self.value(&arguments[0])?;
+                Ok(Condition::Nan(self.converted(value, &Type::Float)?))
             }
             _ => {
                 let (value, ty) = self.value(expression)?;
                 match ty {
-                    Type::Integer(..) => Ok(Condition::NonZero(width(&ty), value)),
-                    Type::Float => Ok(Condition::Not(Box::new(Condition::Equal(value, Value::Float(0))))),
+                    Type::Integer(..) => Ok(!Condition::Same(width(&ty), value, number(0))),
+                    Type::Float => Ok(!Condition::Compared(Terms::equal, value, Value::Float(0))),
                     _ => Err(self.missing("a condition of another type")),
                 }
             }
         }
     }
 
-    pub(super) fn lazily(&mut self, and: bool, first: Condition, second: &'u Expression) -> Result<Condition, Missing> {
+    fn lazily(&mut self, and: bool, first: Condition, second: &'u Expression) -> Result<Condition, Missing> {
         let cell = self.allocate(&Type::INT);
-        self.store(number(cell), Value::Number(u64::from(!and)), &Type::INT)?;
-        let first = if and { first } else { Condition::Not(Box::new(first)) };
-        let branch = self.emit(Operation::Branch(first, usize::MAX));
+        self.emit(Operation::Set(number(cell), number(u32::from(!and))));
+        let branch = self.branch(if and { first } else { !first });
         let second = self.condition(second)?;
-        self.store(number(cell), Value::OfCondition(Box::new(second)), &Type::INT)?;
+        self.emit(Operation::Set(number(cell), Value::OfCondition(Box::new(second))));
         self.land(&[branch]);
-        Ok(Condition::NonZero(Width::W32, Value::Load(Box::new(number(cell)), Scalar::Word(Width::W32))))
+        Ok(!Condition::Same(Width::W32, self.loaded(number(cell), Type::INT)?.0, number(0)))
     }
 
-    pub(super) fn compared(
-        &mut self,
-        sign: &str,
-        (a, x): (Value, Type),
-        (b, y): (Value, Type),
-    ) -> Result<Condition, Missing> {
-        if self.common(&x, &y)? == Type::Float {
-            let (a, b) = (self.converted(a, &x, &Type::Float)?, self.converted(b, &y, &Type::Float)?);
-            return Ok(match sign {
-                "==" => Condition::Equal(a, b),
-                "!=" => Condition::Not(Box::new(Condition::Equal(a, b))),
-                "<" => Condition::Less(a, b),
-                ">" => Condition::Less(b, a),
-                "<=" => Condition::LessOrEqual(a, b),
-                _ => Condition::LessOrEqual(b, a),
-            });
+    fn compared(&mut self, sign: &str, a: (Value, Type), b: (Value, Type)) -> Result<Condition, Missing> {
+        let ty = self.common(&a.1, &b.1)?;
+        let (mut a, mut b) = (self.converted(a, &ty)?, self.converted(b, &ty)?);
+        if sign.starts_with('>') {
+            (a, b) = (b, a);
         }
-        let ty = self.common(&x, &y)?;
-        let (a, b) = (self.converted(a, &x, &ty)?, self.converted(b, &y, &ty)?);
-        let Type::Integer(_, signed) = ty else { return Err(self.missing("a comparison of another type")) };
-        let width = width(&ty);
-        let not = |condition| Condition::Not(Box::new(condition));
-        Ok(match sign {
-            "==" => Condition::Same(width, a, b),
-            "!=" => not(Condition::Same(width, a, b)),
-            "<" => Condition::Below(signed, width, a, b),
-            ">" => Condition::Below(signed, width, b, a),
-            "<=" => not(Condition::Below(signed, width, b, a)),
-            _ => not(Condition::Below(signed, width, a, b)),
-        })
+        let (width, signed) = (width(&ty), ty != Type::UNSIGNED && ty != Type::Integer(8, false));
+        let condition = match (&ty, sign) {
+            (Type::Float, "==" | "!=") => Condition::Compared(Terms::equal, a, b),
+            (Type::Float, "<" | ">") => Condition::Compared(Terms::less, a, b),
+            (Type::Float, _) => Condition::Compared(Terms::less_or_equal, a, b),
+            (_, "==" | "!=") => Condition::Same(width, a, b),
+            (_, "<" | ">") => Condition::Below(signed, width, a, b),
+            _ => !Condition::Below(signed, width, b, a),
+        };
+        Ok(if sign == "!=" { !condition } else { condition })
     }
 
-    pub(super) fn operated(
-        &mut self,
-        sign: &str,
-        (a, x): (Value, Type),
-        (b, y): (Value, Type),
-    ) -> Result<(Value, Type), Missing> {
-        if let (Type::Pointer(ty), "+", Type::Integer(..)) = (&x, sign, &y) {
-            let index = self.converted(b, &y, &Type::UNSIGNED)?;
-            let size = number(self.cells(ty));
-            let offset = Value::Apply(Operator::Multiply, Width::W32, Box::new(index), Box::new(size));
-            return Ok((moved(a, offset), x));
+    fn operated(&mut self, sign: &str, a: (Value, Type), b: (Value, Type)) -> Result<(Value, Type), Missing> {
+        if let (Type::Pointer(ty), "+", Type::Integer(..)) = (&a.1, sign, &b.1) {
+            let index = self.converted(b, &Type::UNSIGNED)?;
+            return Ok((self.element(a.0, ty, index), a.1.clone()));
         }
         let shifts = matches!(sign, "<<" | ">>");
-        let ty = if shifts { promoted(&x) } else { self.common(&x, &y)? };
+        let ty = if shifts { promoted(&a.1) } else { self.common(&a.1, &b.1)? };
+        let (a, b) = (self.converted(a, &ty)?, self.converted(b, if shifts { &Type::UNSIGNED } else { &ty })?);
         if ty == Type::Float {
-            let (a, b) = (self.converted(a, &x, &ty)?, self.converted(b, &y, &ty)?);
             let (operation, b) = match sign {
                 "+" => (Arithmetic::Add, b),
                 "-" => (Arithmetic::Add, Value::Negative(Box::new(b))),
@@ -407,41 +374,33 @@ impl<'u> Lowering<'u> {
             ">>" => Operator::ShiftRight,
             _ => return Err(self.missing(format!("`{sign}` of signed integers"))),
         };
-        let a = self.converted(a, &x, &ty)?;
-        let b = if shifts { self.converted(b, &y, &Type::UNSIGNED)? } else { self.converted(b, &y, &ty)? };
-        Ok((Value::Apply(operator, width(&ty), Box::new(a), Box::new(b)), ty))
+        Ok((apply(operator, width(&ty), a, b), ty))
     }
 
     /// The type in which two operands are computed with.
-    pub(super) fn common(&self, x: &Type, y: &Type) -> Result<Type, Missing> {
-        match (x, y) {
+    fn common(&self, x: &Type, y: &Type) -> Result<Type, Missing> {
+        match (promoted(x), promoted(y)) {
             (Type::Double, _) | (_, Type::Double) => Err(self.missing("arithmetic in binary64")),
             (Type::Float, Type::Float | Type::Integer(..)) | (Type::Integer(..), Type::Float) => Ok(Type::Float),
-            (Type::Integer(..), Type::Integer(..)) => {
-                let (Type::Integer(a, s), Type::Integer(b, t)) = (promoted(x), promoted(y)) else {
-                    return Err(self.missing("integers"));
-                };
-                // the wider one, or unsigned if either of the same size is
-                Ok(Type::Integer(
-                    a.max(b),
-                    if a == b {
-                        s && t
-                    } else if a > b {
-                        s
-                    } else {
-                        t
-                    },
-                ))
-            }
+            // the wider one, or unsigned if either of the same size is
+            (Type::Integer(a, s), Type::Integer(b, t)) => Ok(Type::Integer(
+                a.max(b),
+                if a == b {
+                    s && t
+                } else if a > b {
+                    s
+                } else {
+                    t
+                },
+            )),
             _ => Err(self.missing("operands of another type")),
         }
     }
 
-    pub(super) fn converted(&self, value: Value, from: &Type, to: &Type) -> Result<Value, Missing> {
-        let apply =
-            |operator, width, a: Value, b: u64| Value::Apply(operator, width, Box::new(a), Box::new(Value::Number(b)));
-        match (from, to) {
-            _ if from == to => Ok(value),
+    pub(super) fn converted(&self, (value, from): (Value, Type), to: &Type) -> Result<Value, Missing> {
+        let apply = |operator, width, a, b| apply(operator, width, a, Value::Number(b));
+        match (&from, to) {
+            _ if from == *to => Ok(value),
             (Type::Pointer(_), Type::Pointer(_)) | (_, Type::Void) => Ok(value),
             // a constant of the wider type: it is rounded once more
             (Type::Double, Type::Float) if matches!(value, Value::Float(_)) => Ok(value),

@@ -6,34 +6,41 @@ use crate::c::syntax::{Expression, Kind, Type, Variable};
 use crate::input::Missing;
 
 impl<'u> Lowering<'u> {
-    /// The cells of a type.
-    pub(super) fn cells(&self, ty: &Type) -> u32 {
+    /// The size of a type, by that of scalars.
+    fn size(&self, ty: &Type, scalar: fn(&Type) -> u32) -> u32 {
         match ty {
             Type::Void => 0,
             Type::Struct(number) => {
                 let structure = &self.unit.structs[*number];
-                let sizes = structure.members.iter().map(|(_, ty)| self.cells(ty));
+                let sizes = structure.members.iter().map(|(_, ty)| self.size(ty, scalar));
                 if structure.union { sizes.max().unwrap_or(0) } else { sizes.sum() }
             }
-            Type::Array(ty, count) => self.cells(ty).saturating_mul(*count),
-            _ => 1,
+            Type::Array(ty, count) => self.size(ty, scalar).saturating_mul(*count),
+            _ => scalar(ty),
         }
     }
 
-    /// The bytes of a type.
+    pub(super) fn cells(&self, ty: &Type) -> u32 {
+        self.size(ty, |_| 1)
+    }
+
     pub(super) fn bytes(&self, ty: &Type) -> u32 {
-        match ty {
-            Type::Void => 0,
+        self.size(ty, |ty| match ty {
             Type::Integer(bytes, _) => u32::from(*bytes),
-            Type::Float | Type::Pointer(_) => 4,
             Type::Double => 8,
-            Type::Struct(number) => {
-                let structure = &self.unit.structs[*number];
-                let sizes = structure.members.iter().map(|(_, ty)| self.bytes(ty));
-                if structure.union { sizes.max().unwrap_or(0) } else { sizes.sum() }
-            }
-            Type::Array(ty, count) => self.bytes(ty).saturating_mul(*count),
+            _ => 4,
+        })
+    }
+
+    /// The type of a variable, with the length that an initialiser has.
+    pub(super) fn type_of(&self, variable: &Variable) -> Result<Type, Missing> {
+        let mut ty = variable.ty.clone();
+        if let (Type::Array(_, count @ 0), Some(Expression { kind: Kind::List(items), .. })) =
+            (&mut ty, &variable.initial)
+        {
+            *count = u32::try_from(items.len()).map_err(|_| self.missing("a length"))?;
         }
+        Ok(ty)
     }
 
     pub(super) fn allocate(&mut self, ty: &Type) -> u32 {
@@ -46,12 +53,7 @@ impl<'u> Lowering<'u> {
 
     /// A variable that is set once, before everything.
     pub(super) fn constant(&mut self, variable: &'u Variable) -> Result<(), Missing> {
-        let mut ty = variable.ty.clone();
-        if let (Type::Array(_, count @ 0), Some(Expression { kind: Kind::List(items), .. })) =
-            (&mut ty, &variable.initial)
-        {
-            *count = u32::try_from(items.len()).map_err(|_| self.missing("a length"))?;
-        }
+        let ty = self.type_of(variable)?;
         let key = (variable.line, variable.name.clone());
         let address = match self.statics.get(&key) {
             Some(&address) => address,
@@ -60,8 +62,12 @@ impl<'u> Lowering<'u> {
                 let address = CONSTANTS + u32::try_from(offset).map_err(|_| self.missing("smaller tables"))?;
                 let fill = if is_float(&ty) { Constant::Float(0) } else { Constant::Number(0) };
                 let mut cells = vec![fill; self.cells(&ty) as usize];
-                if let Some(initial) = &variable.initial {
-                    self.fill(&ty, initial, &mut cells)?;
+                let parts = variable.initial.as_ref().map(|initial| self.parts(&ty, initial));
+                for (offset, ty, item) in parts.unwrap_or_default() {
+                    let value = self.value(item)?;
+                    let value = self.converted(value, &ty)?;
+                    let constant = constant_of(&value).ok_or_else(|| self.missing("a constant initialiser"))?;
+                    cells[offset as usize] = constant;
                 }
                 let end = address + self.cells(&ty).max(1);
                 self.program.constants.extend(cells);
@@ -74,35 +80,22 @@ impl<'u> Lowering<'u> {
         Ok(())
     }
 
-    pub(super) fn fill(&mut self, ty: &Type, initial: &'u Expression, cells: &mut [Constant]) -> Result<(), Missing> {
-        match (ty, &initial.kind) {
-            (Type::Array(inner, _), Kind::List(items)) => {
-                let size = self.cells(inner) as usize;
-                for (item, cells) in items.iter().zip(cells.chunks_mut(size.max(1))) {
-                    self.fill(inner, item, cells)?;
-                }
-                Ok(())
+    /// The parts of an initialiser that are no lists, each with the offset of its cells.
+    pub(super) fn parts(&self, ty: &Type, initial: &'u Expression) -> Vec<(u32, Type, &'u Expression)> {
+        let (types, items): (Vec<&Type>, _) = match (ty, &initial.kind) {
+            (Type::Array(inner, count), Kind::List(items)) => (vec![inner; *count as usize], items),
+            (Type::Struct(number), Kind::List(items)) => {
+                (self.unit.structs[*number].members.iter().map(|(_, ty)| ty).collect(), items)
             }
-            (Type::Struct(structure), Kind::List(items)) => {
-                let members: Vec<_> = self.unit.structs[*structure].members.iter().map(|(_, ty)| ty.clone()).collect();
-                let mut rest = cells;
-                for (item, ty) in items.iter().zip(&members) {
-                    let (cells, after) = rest.split_at_mut(self.cells(ty) as usize);
-                    self.fill(ty, item, cells)?;
-                    rest = after;
-                }
-                Ok(())
-            }
-            _ => {
-                let (value, from) = self.value(initial)?;
-                let value = self.converted(value, &from, ty)?;
-                cells[0] = match constant_of(&value) {
-                    Some(constant) => constant,
-                    None => return Err(self.missing("a constant initialiser")),
-                };
-                Ok(())
-            }
+            _ => return vec![(0, ty.clone(), initial)],
+        };
+        let (mut start, mut parts) = (0, Vec::new());
+        for (item, ty) in items.iter().zip(types) {
+            let inner = self.parts(ty, item).into_iter();
+            parts.extend(inner.map(|(offset, ty, item)| (start + offset, ty, item)));
+            start += self.cells(ty);
         }
+        parts
     }
 
     pub(super) fn bind(&mut self, name: String, place: Lvalue) {

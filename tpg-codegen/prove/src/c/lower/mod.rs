@@ -4,11 +4,11 @@ mod expression;
 mod memory;
 mod statement;
 
-use crate::c::code::{Constant, Operation, Program, Scalar, Value};
+use crate::c::code::{Condition, Constant, Operation, Program, Scalar, Value};
 use crate::c::syntax::{Function, Type, Unit};
 use crate::input::Missing;
 use crate::machine::Interface;
-use crate::term::Width;
+use crate::term::{Operator, Width};
 use std::collections::HashMap;
 
 #[derive(Clone, Debug)]
@@ -23,10 +23,13 @@ struct JumpTarget {
     breaks: Vec<usize>,
     /// None in a switch
     continues: Option<Vec<usize>>,
+    /// Those of a switch: the numbers, none for the default, and where they are
+    cases: Vec<(Option<u64>, usize)>,
     scopes: usize,
 }
 
 /// A function that is being inlined.
+#[derive(Default)]
 struct CallFrame {
     labels: HashMap<String, (usize, Vec<usize>)>,
     gotos: Vec<(usize, String, Vec<usize>, u32)>,
@@ -36,18 +39,14 @@ struct CallFrame {
     targets: Vec<JumpTarget>,
 }
 
-/// A case of a switch: its number, none for the default, and where it is.
-type SwitchCase = (Option<u64>, usize);
-
 pub(super) struct Lowering<'u> {
     file: &'u str,
     unit: &'u Unit,
     program: Program,
     names: Vec<HashMap<String, Lvalue>>,
     scopes: Vec<usize>,
-    frames: Vec<CallFrame>,
+    frame: CallFrame,
     calls: Vec<&'u str>,
-    cases: Vec<Vec<SwitchCase>>,
     statics: HashMap<(u32, String), u32>,
     line: u32,
 }
@@ -63,9 +62,9 @@ pub(super) fn policy(file: &str, unit: &Unit, name: &str, interface: &Interface)
 pub(super) fn function(file: &str, unit: &Unit, name: &str) -> Result<Program, Missing> {
     let mut lowering = Lowering::new(file, unit)?;
     let argument = lowering.allocate(&Type::Float);
-    let load = Value::Load(Box::new(Value::Number(u64::from(argument))), Scalar::Float);
+    let argument = lowering.loaded(number(argument), Type::Float)?;
     let called = lowering.function(name)?;
-    let result = lowering.inlined(called, vec![(load, Type::Float)])?;
+    let result = lowering.inlined(called, vec![argument])?;
     lowering.program.result = result.map(|place| place.address);
     lowering.emit(Operation::Return);
     Ok(lowering.finished())
@@ -83,9 +82,8 @@ impl<'u> Lowering<'u> {
             program: Program::default(),
             names: vec![HashMap::new()],
             scopes: Vec::new(),
-            frames: Vec::new(),
+            frame: CallFrame::default(),
             calls: Vec::new(),
-            cases: Vec::new(),
             statics: HashMap::new(),
             line: 0,
         };
@@ -125,9 +123,8 @@ impl<'u> Lowering<'u> {
         if structures.len() != 1 + usize::from(memory) + usize::from(values) {
             return Err(self.missing(format!("other parameters of `{name}`")));
         }
-        let sources: Vec<_> = interface.sources.iter().map(|(name, length)| (name.clone(), *length)).collect();
         let single = |names: &[String]| names.iter().map(|name| (name.clone(), 1)).collect::<Vec<_>>();
-        self.fields(&structures[0].1, &sources)?;
+        self.fields(&structures[0].1, &interface.sources)?;
         self.program.state = structures[0].0;
         if memory {
             self.fields(&structures[1].1, &single(&interface.memory))?;
@@ -136,7 +133,7 @@ impl<'u> Lowering<'u> {
         if values {
             let (address, ty) = &structures[structures.len() - 1];
             self.program.action = Some(*address);
-            self.fields(&ty.clone(), &single(&interface.outputs))?;
+            self.fields(ty, &single(&interface.outputs))?;
         }
         let result = self.inlined(function, arguments)?;
         self.program.result = result.map(|place| place.address);
@@ -170,6 +167,17 @@ impl<'u> Lowering<'u> {
 
     fn here(&self) -> usize {
         self.program.operations.len()
+    }
+
+    /// Execution may be cut here.
+    fn head(&mut self) {
+        let here = self.here();
+        self.program.heads.entry(here).or_insert(false);
+    }
+
+    /// Goes on if the condition holds; where else is told later.
+    fn branch(&mut self, condition: Condition) -> usize {
+        self.emit(Operation::Branch(condition, usize::MAX))
     }
 
     fn land(&mut self, jumps: &[usize]) {
@@ -216,57 +224,53 @@ impl<'u> Lowering<'u> {
         self.names.push(outside[0].clone());
         let scopes = self.scopes.len();
         self.enter();
-        for ((value, from), (name, ty)) in arguments.into_iter().zip(&function.parameters) {
-            let value = self.converted(value, &from, ty)?;
+        for (value, (name, ty)) in arguments.into_iter().zip(&function.parameters) {
             let place = Lvalue { address: self.allocate(ty), ty: ty.clone() };
-            self.store(number(place.address), value, ty)?;
+            self.put(number(place.address), value, ty)?;
             self.bind(name.clone(), place);
         }
         self.calls.push(&function.name);
-        self.frames.push(CallFrame {
-            labels: HashMap::new(),
-            gotos: Vec::new(),
-            returns: Vec::new(),
-            result: result.clone(),
-            scopes,
-            targets: Vec::new(),
-        });
+        let frame = CallFrame { result: result.clone(), scopes, ..CallFrame::default() };
+        let caller = std::mem::replace(&mut self.frame, frame);
         for statement in &function.body {
             self.statement(statement)?;
         }
         self.leave();
         self.calls.pop();
-        if let Some(frame) = self.frames.pop() {
-            for (jump, label, left, line) in frame.gotos {
-                let Some((to, inside)) = frame.labels.get(&label) else {
-                    self.line = line;
-                    return Err(self.missing(format!("the label `{label}`")));
-                };
-                let left = left.into_iter().filter(|scope| !inside.contains(scope)).collect();
-                self.program.operations[jump].1 = Operation::Jump(*to, left);
-            }
-            self.land(&frame.returns);
-            if frame.returns.len() > 1 {
-                let here = self.here();
-                self.program.heads.entry(here).or_insert(false);
-            }
+        let frame = std::mem::replace(&mut self.frame, caller);
+        for (jump, label, left, line) in frame.gotos {
+            let Some((to, inside)) = frame.labels.get(&label) else {
+                self.line = line;
+                return Err(self.missing(format!("the label `{label}`")));
+            };
+            let left = left.into_iter().filter(|scope| !inside.contains(scope)).collect();
+            self.program.operations[jump].1 = Operation::Jump(*to, left);
+        }
+        self.land(&frame.returns);
+        if frame.returns.len() > 1 {
+            self.head();
         }
         self.names = outside;
         self.line = line;
         Ok(result)
     }
 
-    fn store(&mut self, address: Value, value: Value, ty: &Type) -> Result<(), Missing> {
-        let scalar = self.scalar(ty)?;
-        self.emit(Operation::Set(address, value, scalar));
+    /// Sets what is at an address.
+    fn put(&mut self, address: Value, value: (Value, Type), ty: &Type) -> Result<(), Missing> {
+        let value = self.converted(value, ty)?;
+        self.scalar(ty)?;
+        self.emit(Operation::Set(address, value));
         Ok(())
+    }
+
+    fn loaded(&self, address: Value, ty: Type) -> Result<(Value, Type), Missing> {
+        Ok((Value::Load(Box::new(address), self.scalar(&ty)?), ty))
     }
 
     fn scalar(&self, ty: &Type) -> Result<Scalar, Missing> {
         match ty {
             Type::Float => Ok(Scalar::Float),
-            Type::Integer(8, _) => Ok(Scalar::Word(Width::W64)),
-            Type::Integer(..) | Type::Pointer(_) => Ok(Scalar::Word(Width::W32)),
+            Type::Integer(..) | Type::Pointer(_) => Ok(Scalar::Word),
             Type::Double => Err(self.missing("arithmetic in binary64")),
             _ => Err(self.missing("a scalar")),
         }
@@ -278,6 +282,10 @@ fn is_float(ty: &Type) -> bool {
         Type::Array(ty, _) => is_float(ty),
         ty => *ty == Type::Float,
     }
+}
+
+fn apply(operator: Operator, width: Width, a: Value, b: Value) -> Value {
+    Value::Apply(operator, width, Box::new(a), Box::new(b))
 }
 
 fn moved(address: Value, offset: Value) -> Value {

@@ -1,8 +1,8 @@
 //! Statements: declarations, branches, loops, switches.
 
 use super::{JumpTarget, Lowering, Lvalue, constant_of, number};
-use crate::c::code::{Condition, Constant, Operation, Scalar, Value};
-use crate::c::syntax::{Expression, Kind, Statement, StatementKind, Type, Variable};
+use crate::c::code::{Condition, Constant, Operation, Value};
+use crate::c::syntax::{Expression, Statement, StatementKind, Type, Variable};
 use crate::input::Missing;
 use crate::term::Width;
 
@@ -17,8 +17,7 @@ impl<'u> Lowering<'u> {
                     self.statement(statement)?;
                 }
                 self.leave();
-                let here = self.here();
-                self.program.heads.entry(here).or_insert(false);
+                self.head();
             }
             StatementKind::Declare(variables) => {
                 for variable in variables {
@@ -28,7 +27,7 @@ impl<'u> Lowering<'u> {
             StatementKind::Evaluate(expression) => self.effect(expression)?,
             StatementKind::If(condition, first, second) => {
                 let condition = self.condition(condition)?;
-                let branch = self.emit(Operation::Branch(condition, usize::MAX));
+                let branch = self.branch(condition);
                 self.statement(first)?;
                 if let Some(second) = second {
                     let end = self.jump(self.scopes.len());
@@ -52,120 +51,80 @@ impl<'u> Lowering<'u> {
                 let value = match value {
                     None => None,
                     Some(value) => {
-                        let (value, from) = self.value(value)?;
-                        match constant_of(&self.converted(value, &from, &Type::UNSIGNED)?) {
+                        let value = self.value(value)?;
+                        match constant_of(&self.converted(value, &Type::UNSIGNED)?) {
                             Some(Constant::Number(number)) => Some(number),
                             _ => return Err(self.missing("a constant case")),
                         }
                     }
                 };
                 let here = self.here();
-                match self.cases.last_mut() {
-                    Some(cases) => cases.push((value, here)),
+                let switch = self.frame.targets.iter_mut().rfind(|target| target.continues.is_none());
+                match switch {
+                    Some(switch) => switch.cases.push((value, here)),
                     None => return Err(self.missing("the switch of a case")),
                 }
             }
             StatementKind::Break | StatementKind::Continue => {
                 let breaks = matches!(statement.kind, StatementKind::Break);
-                let targets = self.frames.last().map_or(&[][..], |frame| &frame.targets);
-                let target = targets.iter().rposition(|target| breaks || target.continues.is_some());
+                let target = self.frame.targets.iter().rposition(|target| breaks || target.continues.is_some());
                 let Some(target) = target else { return Err(self.missing("a loop around")) };
-                let jump = self.jump(targets[target].scopes);
-                if let Some(frame) = self.frames.last_mut() {
-                    let target = &mut frame.targets[target];
-                    match &mut target.continues {
-                        Some(continues) if !breaks => continues.push(jump),
-                        _ => target.breaks.push(jump),
-                    }
+                let jump = self.jump(self.frame.targets[target].scopes);
+                let target = &mut self.frame.targets[target];
+                match &mut target.continues {
+                    Some(continues) if !breaks => continues.push(jump),
+                    _ => target.breaks.push(jump),
                 }
             }
             StatementKind::Goto(label) => {
                 let jump = self.emit(Operation::Jump(usize::MAX, Vec::new()));
-                let scopes = self.scopes.clone();
-                if let Some(frame) = self.frames.last_mut() {
-                    frame.gotos.push((jump, label.clone(), scopes, statement.line));
-                }
+                self.frame.gotos.push((jump, label.clone(), self.scopes.clone(), statement.line));
             }
             StatementKind::Label(label) => {
-                let (here, scopes) = (self.here(), self.scopes.clone());
+                let here = self.here();
                 self.program.heads.insert(here, true);
-                if let Some(frame) = self.frames.last_mut() {
-                    frame.labels.insert(label.clone(), (here, scopes));
-                }
+                self.frame.labels.insert(label.clone(), (here, self.scopes.clone()));
             }
             StatementKind::Return(value) => self.returns(value.as_ref())?,
         }
         Ok(())
     }
 
-    pub(super) fn returns(&mut self, value: Option<&'u Expression>) -> Result<(), Missing> {
-        let place = self.frames.last().and_then(|frame| frame.result.clone());
-        match (value, place) {
+    fn returns(&mut self, value: Option<&'u Expression>) -> Result<(), Missing> {
+        match (value, self.frame.result.clone()) {
             (Some(value), Some(place)) => {
-                let (value, from) = self.value(value)?;
-                let value = self.converted(value, &from, &place.ty)?;
-                self.store(number(place.address), value, &place.ty)?;
+                let value = self.value(value)?;
+                self.put(number(place.address), value, &place.ty)?;
             }
             (Some(value), None) => self.effect(value)?,
             _ => {}
         }
-        let jump = self.jump(self.frames.last().map_or(0, |frame| frame.scopes));
-        if let Some(frame) = self.frames.last_mut() {
-            frame.returns.push(jump);
-        }
+        let jump = self.jump(self.frame.scopes);
+        self.frame.returns.push(jump);
         Ok(())
     }
 
-    pub(super) fn declare(&mut self, variable: &'u Variable) -> Result<(), Missing> {
+    fn declare(&mut self, variable: &'u Variable) -> Result<(), Missing> {
         self.line = variable.line;
         if variable.is_static {
             return self.constant(variable);
         }
-        let mut ty = variable.ty.clone();
-        if let (Type::Array(_, count @ 0), Some(Expression { kind: Kind::List(items), .. })) =
-            (&mut ty, &variable.initial)
-        {
-            *count = u32::try_from(items.len()).map_err(|_| self.missing("a length"))?;
-        }
+        let ty = self.type_of(variable)?;
         let place = Lvalue { address: self.allocate(&ty), ty };
         if let Some(initial) = &variable.initial {
-            self.initialise(place.address, &place.ty, initial)?;
+            let parts = self.parts(&place.ty, initial);
+            if parts.iter().map(|(_, ty, _)| self.cells(ty)).sum::<u32>() != self.cells(&place.ty) {
+                return Err(self.missing("an initialiser for each part"));
+            }
+            for (offset, ty, item) in parts {
+                self.set(number(place.address + offset), &ty, item)?;
+            }
         }
         self.bind(variable.name.clone(), place);
         Ok(())
     }
 
-    pub(super) fn initialise(&mut self, address: u32, ty: &Type, initial: &'u Expression) -> Result<(), Missing> {
-        let parts: Vec<Type> = match (ty, &initial.kind) {
-            (Type::Array(inner, count), Kind::List(_)) => vec![(**inner).clone(); *count as usize],
-            (Type::Struct(number), Kind::List(_)) => {
-                self.unit.structs[*number].members.iter().map(|(_, ty)| ty.clone()).collect()
-            }
-            (Type::Struct(_), _) => {
-                let (from, _) = self.place(initial)?;
-                let count = self.cells(ty);
-                self.emit(Operation::Copy(number(address), from, count));
-                return Ok(());
-            }
-            _ => {
-                let (value, from) = self.value(initial)?;
-                let value = self.converted(value, &from, ty)?;
-                return self.store(number(address), value, ty);
-            }
-        };
-        let Kind::List(items) = &initial.kind else { return Err(self.missing("an initialiser in braces")) };
-        if items.len() != parts.len() {
-            return Err(self.missing("an initialiser for each part"));
-        }
-        let mut address = address;
-        for (item, ty) in items.iter().zip(&parts) {
-            self.initialise(address, ty, item)?;
-            address += self.cells(ty);
-        }
-        Ok(())
-    }
-
-    pub(super) fn repeat(
+    fn repeat(
         &mut self,
         condition: Option<&'u Expression>,
         step: Option<&'u Expression>,
@@ -173,25 +132,23 @@ impl<'u> Lowering<'u> {
         body_first: bool,
     ) -> Result<(), Missing> {
         let target = JumpTarget { continues: Some(Vec::new()), scopes: self.scopes.len(), ..JumpTarget::default() };
-        if let Some(frame) = self.frames.last_mut() {
-            frame.targets.push(target);
-        }
+        self.frame.targets.push(target);
         let mut exits = Vec::new();
         let head = self.here();
-        self.program.heads.entry(head).or_insert(false);
+        self.head();
         if !body_first && let Some(condition) = condition {
             let condition = self.condition(condition)?;
-            exits.push(self.emit(Operation::Branch(condition, usize::MAX)));
+            exits.push(self.branch(condition));
         }
         self.statement(body)?;
-        let target = self.frames.last_mut().and_then(|frame| frame.targets.pop()).unwrap_or_default();
+        let target = self.frame.targets.pop().unwrap_or_default();
         self.land(&target.continues.unwrap_or_default());
         if let Some(step) = step {
             self.effect(step)?;
         }
         if body_first && let Some(condition) = condition {
             let condition = self.condition(condition)?;
-            exits.push(self.emit(Operation::Branch(condition, usize::MAX)));
+            exits.push(self.branch(condition));
         }
         self.emit(Operation::Jump(head, Vec::new()));
         exits.extend(target.breaks);
@@ -199,38 +156,31 @@ impl<'u> Lowering<'u> {
         Ok(())
     }
 
-    pub(super) fn switch(&mut self, value: &'u Expression, body: &'u Statement) -> Result<(), Missing> {
-        let (value, from) = self.value(value)?;
-        if !from.is_integer() {
+    fn switch(&mut self, value: &'u Expression, body: &'u Statement) -> Result<(), Missing> {
+        let value = self.value(value)?;
+        if !value.1.is_integer() {
             return Err(self.missing("a switch over an integer"));
         }
-        let value = self.converted(value, &from, &Type::UNSIGNED)?;
         let cell = self.allocate(&Type::UNSIGNED);
-        self.store(number(cell), value, &Type::UNSIGNED)?;
+        self.put(number(cell), value, &Type::UNSIGNED)?;
         let dispatch = self.jump(self.scopes.len());
-        if let Some(frame) = self.frames.last_mut() {
-            frame.targets.push(JumpTarget { scopes: self.scopes.len(), ..JumpTarget::default() });
-        }
-        self.cases.push(Vec::new());
+        self.frame.targets.push(JumpTarget { scopes: self.scopes.len(), ..JumpTarget::default() });
         self.statement(body)?;
-        let cases = self.cases.pop().unwrap_or_default();
-        let target = self.frames.last_mut().and_then(|frame| frame.targets.pop()).unwrap_or_default();
-        let end = self.jump(self.scopes.len());
+        let mut target = self.frame.targets.pop().unwrap_or_default();
+        target.breaks.push(self.jump(self.scopes.len()));
         self.land(&[dispatch]);
-        for &(value, at) in &cases {
+        for &(value, at) in &target.cases {
             let Some(value) = value else { continue };
-            let load = Value::Load(Box::new(number(cell)), Scalar::Word(Width::W32));
-            let other = Condition::Not(Box::new(Condition::Same(Width::W32, load, Value::Number(value))));
+            let (load, _) = self.loaded(number(cell), Type::UNSIGNED)?;
             // a branch goes there where its condition fails
-            self.emit(Operation::Branch(other, at));
+            self.emit(Operation::Branch(!Condition::Same(Width::W32, load, Value::Number(value)), at));
         }
-        let default = cases.iter().find(|(value, _)| value.is_none()).map(|&(_, at)| at);
+        let default = target.cases.iter().find(|(value, _)| value.is_none()).map(|&(_, at)| at);
         let last = self.emit(Operation::Jump(default.unwrap_or(usize::MAX), Vec::new()));
         if default.is_none() {
-            self.land(&[last]);
+            target.breaks.push(last);
         }
         self.land(&target.breaks);
-        self.land(&[end]);
         Ok(())
     }
 }
