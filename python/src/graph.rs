@@ -1,6 +1,7 @@
 //! A graph in Python.
 
 use crate::error;
+use crate::space::Space;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use sha2::{Digest, Sha256};
@@ -68,6 +69,11 @@ impl Graph {
     #[getter]
     fn inputs(&self) -> Vec<String> {
         self.0.inputs().map(|input| self.0.input_name(input)).collect()
+    }
+
+    /// Returns the place in the states of a space of each input.
+    fn columns(&self, space: &Space) -> PyResult<Vec<u16>> {
+        tpg_engine::places("graph", &self.0, &space.seen_by(&self.0)).map_err(error::input)
     }
 
     /// The range of each input.

@@ -8,6 +8,7 @@
 //! | [`policy`] | what a worker is sent |
 //! | [`driver`] | whole episodes of a Gymnasium environment |
 //! | [`space`] | an environment's observations and actions |
+//! | [`eye`] | images as observations |
 //! | [`samples`] | labelled samples as an environment |
 //! | [`gym`] | an environment that a trainer steps itself |
 //! | [`actor`] | soft actor-critics |
@@ -20,6 +21,7 @@ mod actor;
 mod driver;
 mod error;
 mod evolution;
+mod eye;
 mod graph;
 mod gym;
 mod mailbox;
@@ -49,6 +51,7 @@ fn _tpg(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<policy::Policy>()?;
     module.add_class::<driver::Driver>()?;
     module.add_class::<space::Space>()?;
+    module.add_class::<eye::Eye>()?;
     module.add_class::<samples::Samples>()?;
     module.add_class::<native::NativeEnv>()?;
     module.add_class::<network::Network>()?;

@@ -2,6 +2,7 @@
 
 use crate::error;
 use crate::graph::Graph;
+use crate::space::Space;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::sync::Mutex;
@@ -72,15 +73,20 @@ impl Policy {
 
 #[pymethods]
 impl Policy {
-    /// Returns the policy of a graph.
+    /// Returns the policy of a graph; with a space, one that reads the states of that.
     #[staticmethod]
-    fn of(graph: &Graph) -> PyResult<Self> {
+    #[pyo3(signature = (graph, space = None))]
+    fn of(graph: &Graph, space: Option<&Space>) -> PyResult<Self> {
         let graph = &graph.0;
         if graph.maths() != MathsProvider::Own {
             let found = format!("a graph with {} maths", graph.maths().name());
             return Err(error::input(format!("{found}; accepted: own maths, or a built-in problem")));
         }
-        Ok(Self::new(tpg_engine::PolicyGraph::from(graph), graph.state_length(), graph.scalar()))
+        let Some(space) = space else {
+            return Ok(Self::new(tpg_engine::PolicyGraph::from(graph), graph.state_length(), graph.scalar()));
+        };
+        let policy = tpg_engine::reading("graph", graph, &space.seen_by(graph)).map_err(error::input)?;
+        Ok(Self::new(policy, space.length() + graph.memory(), graph.scalar()))
     }
 
     /// Reads what `to_bytes` wrote.

@@ -1,10 +1,11 @@
 //! An environment's observations and actions, as evolution sees them.
 
 use crate::error;
+use crate::eye::Eye;
 use pyo3::prelude::*;
 use tpg_engine::random::Stream;
 use tpg_engine::{Act, ActionSpace, Environment, NETWORK, Output, SourceSet, Step};
-use tpg_graph::SourceDocument;
+use tpg_graph::{Graph, SourceDocument};
 use tpg_runtime::scalar::Scalar;
 
 /// Names, units and ranges of an environment's observations and actions. It never steps: episodes run in Python.
@@ -20,15 +21,16 @@ pub(crate) struct Space {
 impl Space {
     /// Creates a space. `sources` are names with the range of each value; either `actions`, by name, or `outputs`, by name
     /// with lowest and highest value; `limit` is the greatest number of actions of an episode. Where `asks`, the last of the
-    /// actions asks the network.
+    /// actions asks the network. An `eye` gives the sources that it has instead of these.
     #[new]
-    #[pyo3(signature = (sources, actions, outputs, limit, asks = false))]
+    #[pyo3(signature = (sources, actions, outputs, limit, asks = false, eye = None))]
     fn new(
         sources: Vec<(String, Vec<[f64; 2]>)>,
         actions: Vec<String>,
         outputs: Vec<(String, f64, f64)>,
         limit: u32,
         asks: bool,
+        eye: Option<&Eye>,
     ) -> PyResult<Self> {
         let source = |(name, ranges): (String, Vec<[f64; 2]>)| SourceDocument::new(name, "", ranges);
         let output = |(name, min, max)| Output { name, unit: String::new(), min, max };
@@ -39,14 +41,24 @@ impl Space {
         } else {
             ActionSpace::Box(outputs.into_iter().map(output).collect())
         };
+        let sources = match eye {
+            Some(eye) => eye.sources.clone(),
+            None => sources.into_iter().map(source).collect(),
+        };
         if limit == 0 || sources.is_empty() {
             return Err(error::input("an environment without observations or steps; accepted: at least one of each"));
         }
-        Ok(Self { sources: sources.into_iter().map(source).collect(), actions, limit })
+        Ok(Self { sources, actions, limit })
     }
 }
 
 impl Space {
+    /// Returns the sources of an observation, then those of a graph's memory.
+    pub(crate) fn seen_by(&self, graph: &Graph) -> Vec<SourceDocument> {
+        let own = graph.state_sources();
+        self.sources.iter().chain(&own[own.len() - graph.memory()..]).cloned().collect()
+    }
+
     /// Returns the number of values of an observation.
     pub(crate) fn length(&self) -> usize {
         self.sources.iter().map(|source| source.length as usize).sum()

@@ -140,7 +140,7 @@ class OldStep(Cart):
 
 
 class Images(Cart):
-    observation_space = spaces.Box(0, 255, (8, 8, 3), np.uint8)
+    observation_space = spaces.Box(0, 1, (8, 8, 3), np.float32)
 
 
 class Unbounded(Cart):
@@ -174,3 +174,26 @@ class Killed(Cart):
 class AlwaysKilled(Cart):
     def step(self, action: Any) -> Any:
         os.kill(os.getpid(), signal.SIGKILL)
+
+
+class Spot(gymnasium.Env[Any, Any]):
+    """A bright cell on a dim, noisy image: to be followed by the cell of the second channel."""
+
+    observation_space = spaces.Box(0, 255, (6, 9, 2), np.uint8)
+    action_space = spaces.Discrete(3)
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
+        super().reset(seed=seed)
+        self.spot, self.place, self.steps = int(self.np_random.integers(9)), 4, 0
+        return self.observe(), {}
+
+    def observe(self) -> Any:
+        image = self.np_random.integers(60, size=(6, 9, 2), dtype=np.uint8)
+        image[2:5, max(self.spot - 1, 0) : self.spot + 2, 0] += 150
+        image[2:5, max(self.place - 1, 0) : self.place + 2, 1] += 150
+        return image
+
+    def step(self, action: Any) -> Any:
+        self.place = min(max(self.place + int(action) - 1, 1), 7)
+        self.steps += 1
+        return self.observe(), -float(abs(self.place - min(max(self.spot, 1), 7))), self.steps == 10, False, {}

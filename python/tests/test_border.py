@@ -310,6 +310,29 @@ def test_differences_of_a_dict_keep_its_keys() -> None:
         Differences(environments.DictCart())
 
 
+def test_a_policy_reads_features_of_an_image(tmp_path: Path) -> None:
+    model = TPG(environments.Spot, seed=1).learn(60_000)
+    assert model.evaluate(100).mean > -12.0, "standing still returns about -20"
+    graph = model.graph
+    assert 2 <= len(graph.inputs) < 20 and set(name.split("[")[0] for name in graph.inputs) <= set(
+        f"channel_{channel}_{part}" for channel in (0, 1) for part in ("bright", "dark", "grid")
+    )
+    env = environments.Spot()
+    first, _ = env.reset(seed=5)
+    images = np.stack([first, env.step(0)[0]])
+    assert [model.predict(image)[0] for image in images] == model.predict(images)[0].tolist()
+    assert pickle.loads(pickle.dumps(model)).predict(first)[0] == model.predict(first)[0]
+    header = model.export_c(tmp_path / "c", prefix="spot")[0].read_text()
+    assert "spot_look(const uint8_t *image, uint32_t stride, spot_state_t *state);" in header
+    assert model.verify(states=200)
+    graph.save(tmp_path / "graph.json")
+    again = TPG.load(tmp_path / "graph.json", environments.Spot)
+    assert again.predict(first)[0] == model.predict(first)[0]
+    for wrong in (first[:, :8], first.astype(np.float32)):
+        with pytest.raises(InputError, match="accepted"):
+            model.predict(wrong)
+
+
 def test_a_policy_with_memory_acts_in_predict_as_in_training(tmp_path: Path) -> None:
     class Cart(environments.Cart):
         """Tells its position alone."""

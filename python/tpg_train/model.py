@@ -531,6 +531,7 @@ class TPG:
         """
         states, is_batch = self._interface.states(observation)
         graph = self._best()
+        states = self._interface.read_by(graph, states)
         if graph.memory == 0:
             return self._interface.to_actions(graph.answers(np.ascontiguousarray(states)), is_batch), None
         memory = np.zeros((len(states), graph.memory)) if state is None else np.array(state, dtype=np.float64, ndmin=2)
@@ -578,7 +579,7 @@ class TPG:
         if episodes < 1:
             raise InputError(f"{episodes} episodes; accepted: 1 or more")
         if other is not None:
-            policy, interface = Policy.of(graph), self._interface
+            policy, interface = self._interface.policy(graph), self._interface
             seeds = _tpg.test_seeds(seed, episodes)
             this = lambda: Candidate(policy, 0, interface, 0, None, False).predict  # noqa: E731
             return compare(self.env, this, other, seeds, interface.limit, interface.name)
@@ -586,7 +587,7 @@ class TPG:
             return Evaluation.of_report(json.loads(_tpg.evaluate_native(self.native, graph, episodes, seed)))
         place = self._episodes(executor, self.n_workers if n_workers is None and self.native is None else n_workers or 0)
         try:
-            return Evaluation.of(place.run([Policy.of(graph)], _tpg.test_seeds(seed, episodes))[0], self._interface.name)
+            return Evaluation.of(place.run([self._interface.policy(graph)], _tpg.test_seeds(seed, episodes))[0], self._interface.name)
         finally:
             place.close()
 
@@ -717,10 +718,13 @@ def _check_graph(graph: Graph, file: str, interface: Interface, is_named: bool) 
         graph.inputs[: len(graph.inputs) - graph.memory],
         graph.outputs[: len(graph.outputs) - graph.memory],
     )
+    if interface.eye is not None:
+        graph.columns(interface.space())
+        inputs, sources = [], []
     if len(inputs) != len(sources):
         raise InputError(f"{file}: a graph of {len(inputs)} inputs; accepted: {len(sources)}, as {interface.name} has")
     own = [f"{name}[{place}]" for name, values in interface.sources() for place in range(len(values))]
-    if inputs != own and (is_named or len(interface.parts) > 1):
+    if interface.eye is None and inputs != own and (is_named or len(interface.parts) > 1):
         raise InputError(f"{file}: a graph of the inputs {', '.join(inputs)}; accepted: {', '.join(own)}")
     choices, outputs = interface.actions()
     found, accepted = len(graph.actions) or len(outputs_of_graph), len(choices) or len(outputs)

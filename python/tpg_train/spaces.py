@@ -14,7 +14,7 @@ import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
-from ._tpg import Driver, InputError, Space, flat
+from ._tpg import Driver, Eye, Graph, InputError, Policy, Space, flat
 
 MOST_ACTIONS = 4096
 MOST_INPUTS = 4096
@@ -86,14 +86,21 @@ def _parts(space: spaces.Space[Any], name: str) -> list[Part]:
     if isinstance(space, spaces.Box):
         if len(space.shape) >= 3 or (space.dtype == np.uint8 and len(space.shape) == 2):
             raise InputError(
-                f"an observation of images, {space.shape} of {space.dtype}; accepted: numbers, such as the features of an "
-                "encoder: wrap the environment"
+                f"an observation of images, {space.shape} of {space.dtype}; accepted: a single Box of rows, columns and channels, "
+                "of uint8 or bool"
             )
         return [Part(name, space.low.astype(np.float64).ravel(), space.high.astype(np.float64).ravel())]
     if isinstance(space, (spaces.Discrete, spaces.MultiDiscrete, spaces.MultiBinary)):
         length = spaces.flatdim(space)
         return [Part(name, np.zeros(length), np.ones(length))]
     raise InputError(f"the observation space {space}; accepted: Box, Discrete, MultiDiscrete, MultiBinary, Dict, Tuple")
+
+
+def _eye(space: spaces.Space[Any]) -> Eye | None:
+    """Returns what makes a state of images; None for a space that has none."""
+    if not isinstance(space, spaces.Box) or len(space.shape) not in (2, 3) or space.dtype not in (np.uint8, np.bool_):
+        return None
+    return Eye(list(space.shape), int(space.high.max()))
 
 
 @dataclass(frozen=True)
@@ -108,6 +115,7 @@ class Interface:
     input_names: tuple[str, ...] | None = None
     end_names: tuple[str, ...] | None = None
     asks: bool = False
+    eye: Eye | None = None
 
     @classmethod
     def of(
@@ -126,7 +134,12 @@ class Interface:
         spec = getattr(env, "spec", None)
         name = spec.id if spec is not None else type(getattr(env, "unwrapped", env)).__name__
         limit = max_episode_steps or getattr(spec, "max_episode_steps", None) or DEFAULT_LIMIT
-        found = _parts(env.observation_space, "")
+        eye = _eye(env.observation_space)
+        found = (
+            _parts(env.observation_space, "")
+            if eye is None
+            else [Part(name, np.array(ranges)[:, 0], np.array(ranges)[:, 1]) for name, ranges in eye.parts()]
+        )
         names = _unique([part.name for part in found])
         parts = tuple(replace(part, name=name) for part, name in zip(found, names, strict=True))
         if end_names is None and spec is not None and spec.namespace is None:
@@ -135,7 +148,7 @@ class Interface:
             end_names = known if known is not None and len(known) == size else None
         inputs, ends = (tuple(given) if given else None for given in (input_names, end_names))
         asks = bool(getattr(env, "asks_network", False))
-        interface = cls(name, env.observation_space, env.action_space, parts, int(limit), inputs, ends, asks)
+        interface = cls(name, env.observation_space, env.action_space, parts, int(limit), inputs, ends, asks, eye)
         if not 1 <= interface.inputs <= MOST_INPUTS:
             raise InputError(f"{name}: an observation of {interface.inputs} values; accepted: 1 to {MOST_INPUTS}")
         if input_names is not None and len(input_names) != interface.inputs:
@@ -161,7 +174,7 @@ class Interface:
     def shape(self) -> tuple[int, ...]:
         """The shape of an observation, or of what `flatten` makes of it."""
         space = self.observation_space
-        return space.shape if isinstance(space, spaces.Box) else (self.inputs,)
+        return space.shape if isinstance(space, spaces.Box) and self.eye is None else (self.inputs,)
 
     def sources(self) -> list[tuple[str, list[tuple[float, float]]]]:
         """Returns the sources of a graph, with the range of each value; an end that is not known is infinite."""
@@ -175,7 +188,15 @@ class Interface:
     def space(self) -> Space:
         """Describes the environment for evolution."""
         choices, outputs = self.actions()
-        return Space(self.sources(), choices, outputs, self.limit, self.asks)
+        return Space(self.sources(), choices, outputs, self.limit, self.asks, self.eye)
+
+    def policy(self, graph: Graph) -> Policy:
+        """Returns the policy of a graph on the states of this environment."""
+        return Policy.of(graph) if self.eye is None else Policy.of(graph, self.space())
+
+    def read_by(self, graph: Graph, states: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Returns the columns of states that a graph reads."""
+        return states if self.eye is None else states[:, graph.columns(self.space())[: len(graph.inputs) - graph.memory]]
 
     def actions(self) -> tuple[list[str], list[tuple[str, float, float]]]:
         """Returns the names of the actions, or the outputs with their ranges."""
@@ -231,6 +252,8 @@ class Interface:
     def flatten(self) -> Callable[[Any], NDArray[Any]] | None:
         """Returns the function that makes a flat array of an observation; None for a Box, which is an array."""
         space = self.observation_space
+        if self.eye is not None:
+            return self.eye.look
         if isinstance(space, spaces.Box):
             return None
         return lambda observation: np.asarray(spaces.flatten(space, observation), dtype=np.float64)

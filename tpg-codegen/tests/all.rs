@@ -13,6 +13,7 @@ mod expect;
 mod fields;
 mod generate;
 mod generated;
+mod images;
 mod integers;
 mod least;
 mod memory;

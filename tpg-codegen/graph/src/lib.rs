@@ -24,6 +24,7 @@
 //! | [`in_arithmetic_of`] | calls a generic function with the arithmetic that a graph names |
 //! | [`conversion`] | conversion to another scalar type, and how often the actions still agree |
 //! | [`dataflow`] | liveness of lines, topological order of teams |
+//! | [`image`] | values that are computed from an image |
 //! | [`hash_cons`] | lists in which equal nodes exist once |
 //! | [`engine`] | anything that decides like a graph |
 //! | [`states`], [`trace`], [`sample`] | sampled states, recorded states, random graphs |
@@ -40,6 +41,7 @@ pub mod error;
 pub mod export;
 pub mod files;
 pub mod hash_cons;
+pub mod image;
 pub mod import;
 pub mod interpret;
 mod model;

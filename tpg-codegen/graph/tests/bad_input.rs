@@ -54,6 +54,50 @@ const JSON: &str = r#"{
 }
 "#;
 
+const IMAGE: &str = r#"{
+  "format": "tpg-graph", "version": 2, "scalar": "f32", "maths": "own", "registers": 1,
+  "sources": [{"name":"ball","length":3,"unit":"","ranges":[[-1,9],[0,1],[0,255]],"image":{"shape":[24,32,2],"features":[
+    {"row":{"first":0}}, {"cell":{"channel":1,"down":-2,"right":3,"from":{"last":0}}}, {"contrast":{"darkest":{"channel":1,"size":5}}}]}}],
+  "instructions": ["add"],
+  "actions": [{"id":0,"name":"left"}],
+  "root": 0,
+  "teams": [{"id":0,"edges":[{"program":0,"action":0}]}],
+  "programs": [{"id":0,"lines":[]}]
+}
+"#;
+
+#[test]
+fn images() {
+    let cases: &[Case<'_>] = &[
+        ("version 1", &[("\"version\": 2", "\"version\": 1")]),
+        ("no cells", &[("[24,32,2]", "[24,0,2]")]),
+        ("too many cells", &[("[24,32,2]", "[65536,65536,2]")]),
+        ("two values", &[("{\"row\":{\"first\":0}}, ", "")]),
+        ("an unknown feature", &[("{\"row\":", "{\"diagonal\":")]),
+        ("no such channel", &[("{\"channel\":1,\"down\"", "{\"channel\":2,\"down\"")]),
+        ("no such channel to look in", &[("{\"last\":0}", "{\"last\":2}")]),
+        ("far away", &[("\"down\":-2", "\"down\":-24")]),
+        ("an even window", &[("\"size\":5", "\"size\":4")]),
+        ("a window of more than the image", &[("[24,32,2]", "[4,32,2]")]),
+        ("the contrast of a cell", &[("{\"darkest\":{\"channel\":1,\"size\":5}}", "{\"first\":0}")]),
+        (
+            "a window outside",
+            &[(
+                "{\"row\":{\"first\":0}}",
+                "{\"sum\":{\"channel\":0,\"row\":20,\"column\":0,\"height\":5,\"width\":1}}",
+            )],
+        ),
+        (
+            "counts beside",
+            &[(
+                "\"image\":",
+                "\"counts\":[{\"bits\":16,\"scale\":1},{\"bits\":16,\"scale\":1},{\"bits\":16,\"scale\":1}],\"image\":",
+            )],
+        ),
+    ];
+    insta::assert_snapshot!(messages(IMAGE, cases, |text| Graph::from_json("eye.json", text)));
+}
+
 const OUTPUTS: &str = r#"{
   "format": "tpg-graph", "version": 2, "scalar": "f32", "maths": "own", "registers": 4,
   "sources": [{"name":"angle","length":2,"unit":"rad","ranges":[[-1.0,1.0],[-8.0,8.0]]}],

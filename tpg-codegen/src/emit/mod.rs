@@ -11,6 +11,7 @@ mod integers;
 pub(crate) mod interface;
 pub(crate) mod layout;
 mod leaves;
+mod look;
 mod moves;
 pub(crate) mod names;
 mod rust;

@@ -100,6 +100,10 @@ pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Gra
             "a graph that is not in integers yet",
         );
     }
+    if let Some(place) = graph.sources().iter().position(|source| source.image.is_some()) {
+        let place = format!("$.sources[{place}].image");
+        return refuse(place, "a graph that sees an image".to_owned(), "values of sensors");
+    }
     let (module, _) = passes::optimise(graph);
     let counts = counts(file, graph, &module, request)?;
     let observed = graph.state_length() - graph.memory();

@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::{env, fs, io, slice};
 use tempfile::TempDir;
+use tpg_graph::image::Vision;
 use tpg_graph::{Counts, Graph, ScalarType, Source};
 use tpg_runtime::standalone;
 
@@ -42,6 +43,8 @@ struct PolicyView {
     gegelati: bool,
     /// Every number goes over the pipe in 32 bits: the types of the sources' values, and the outputs.
     integers: Option<IntegerView>,
+    /// The bytes of an image that the policy sees, and of a row.
+    image: Option<[usize; 2]>,
 }
 
 /// The types of a policy in integers.
@@ -89,6 +92,10 @@ impl PolicyView {
             memory: graph.outputs()[answered..].iter().map(|value| field(graph, &value.name)).collect(),
             gegelati: code.program.shape == Shape::Gegelati,
             integers: is_integers.then(|| IntegerView::new(graph)),
+            image: Vision::new(&graph.state_sources()).map(|vision| {
+                let [_, columns, channels] = vision.shape();
+                [vision.bytes(), columns * channels]
+            }),
         }
     }
 }
@@ -160,6 +167,14 @@ impl Workshop {
     pub fn start(&self, code: &Code<'_>) -> Result<Process, BuildError> {
         let program = self.build(code.program.language, slice::from_ref(code), None)?;
         Ok(Process::start(&program, 0, code.program.name(), code.program.graph(), Wire::new(code))?)
+    }
+
+    /// As [`start`](Self::start), for the function that reads an image: it gets bytes as numbers, and answers the values of a state.
+    pub(super) fn start_looking(&self, code: &Code<'_>, vision: &Vision) -> Result<Process, BuildError> {
+        let program = self.build(code.program.language, slice::from_ref(code), None)?;
+        let graph = code.program.graph();
+        let process = Process::start(&program, 1, code.program.name(), graph, Wire::new(code))?;
+        Ok(process.looking(vision, graph.state_length() - graph.memory()))
     }
 
     /// Generates code, compiles it and starts the program.

@@ -4,6 +4,7 @@ use serde::Serialize;
 use std::io;
 use tpg_graph::Graph;
 use tpg_graph::engine::{Engine, Reference};
+use tpg_graph::image::Vision;
 use tpg_graph::interpret::Answer;
 use tpg_graph::states;
 
@@ -56,18 +57,47 @@ pub fn compare(graph: &Graph, engines: &mut [&mut dyn Engine], count: usize, see
         for (engine, comparison) in engines.iter_mut().zip(&mut comparisons) {
             let mut found = Vec::new();
             engine.answer(&states, &mut found)?;
-            comparison.add(graph, start, &states, &expected, &found);
+            comparison.add(graph.state_length(), start, &states, &expected, &found, graph.has_counts());
         }
     }
     Ok(comparisons)
 }
 
+/// Compares what an engine reads from images with what the features mean, on `count` images drawn with `seed`.
+///
+/// # Errors
+/// When the engine's process dies.
+pub(super) fn compare_looks(
+    vision: &Vision,
+    engine: &mut dyn Engine,
+    count: usize,
+    seed: u64,
+) -> io::Result<Comparison> {
+    let mut comparison = Comparison { engine: engine.name().to_owned(), states: 0, differences: 0, first: None };
+    for image in vision.sample(count, seed) {
+        let state = vision.state(&image);
+        let values: Vec<f64> = image.into_iter().map(f64::from).collect();
+        let mut found = Vec::new();
+        engine.answer(&values, &mut found)?;
+        comparison.add(values.len(), comparison.states, &values, &[Answer::Values(state)], &found, false);
+    }
+    Ok(comparison)
+}
+
 impl Comparison {
-    fn add(&mut self, graph: &Graph, start: usize, states: &[f64], expected: &[Answer], found: &[Answer]) {
+    fn add(
+        &mut self,
+        length: usize,
+        start: usize,
+        states: &[f64],
+        expected: &[Answer],
+        found: &[Answer],
+        is_whole: bool,
+    ) {
         self.states += expected.len();
-        let rows = states.chunks_exact(graph.state_length()).zip(expected.iter().zip(found));
+        let rows = states.chunks_exact(length).zip(expected.iter().zip(found));
         // A whole number has no −0.
-        let same = |e: &Answer, f: &Answer| e.same_bits(f) || graph.has_counts() && e == f;
+        let same = |e: &Answer, f: &Answer| e.same_bits(f) || is_whole && e == f;
         for (index, (state, (expected, found))) in rows.enumerate().filter(|(_, (_, (e, f)))| !same(e, f)) {
             self.differences += 1;
             self.first.get_or_insert_with(|| Difference {

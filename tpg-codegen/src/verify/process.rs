@@ -10,6 +10,7 @@ use std::io::{self, BufReader, BufWriter, Read, Write};
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use tpg_graph::engine::Engine;
+use tpg_graph::image::Vision;
 use tpg_graph::interpret::Answer;
 use tpg_graph::{Graph, ScalarType};
 use tpg_runtime::policy::ActionId;
@@ -44,6 +45,8 @@ pub struct Process {
     state_length: usize,
     /// Values of an answer; 0 for a policy that answers with an action.
     outputs: usize,
+    /// States in one exchange.
+    batch: usize,
     child: Child,
     input: Option<BufWriter<ChildStdin>>,
     output: BufReader<ChildStdout>,
@@ -62,10 +65,18 @@ impl Process {
             wire,
             state_length: graph.state_length(),
             outputs: graph.outputs().len(),
+            batch: BATCH,
             child,
             input: Some(BufWriter::new(input)),
             output: BufReader::new(output),
         })
+    }
+
+    /// Sends images, one at a time, and takes the values of states.
+    pub(super) fn looking(mut self, vision: &Vision, values: usize) -> Self {
+        self.name += ", states of images";
+        (self.state_length, self.outputs, self.batch) = (vision.bytes(), values, 1);
+        self
     }
 
     /// The reason that the program ended before its input did.
@@ -124,7 +135,7 @@ impl Engine for Process {
     }
 
     fn answer(&mut self, states: &[f64], answers: &mut Vec<Answer>) -> io::Result<()> {
-        let mut batches = states.chunks(BATCH * self.state_length);
+        let mut batches = states.chunks(self.batch * self.state_length);
         batches.try_for_each(|batch| self.exchange(batch, answers)).map_err(|error| self.ended(&error))
     }
 }

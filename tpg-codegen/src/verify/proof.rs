@@ -1,12 +1,17 @@
 //! Proof by comparison: generated text compiled, run, and compared with the interpreter.
 
 use super::build::{BuildError, Workshop};
-use super::compare::{Comparison, compare};
+use super::compare::{Comparison, compare, compare_looks};
 use super::process::Process;
 use crate::emit::Code;
+use crate::shape::Shape;
 use serde::{Serialize, Serializer};
 use std::{io, ptr};
 use tpg_graph::engine::Engine;
+use tpg_graph::image::Vision;
+
+/// The most images that are compared.
+const IMAGES: usize = 1000;
 
 /// The outcome for several pieces of generated code.
 #[derive(Debug, Serialize)]
@@ -64,7 +69,7 @@ impl Proof {
             let mut programs: Vec<Process> = (codes.iter())
                 .filter_map(|code| {
                     watch(Stage::Compiling(&code.program.name()));
-                    let process = proof.start(&workshop, code);
+                    let process = proof.keep(code, workshop.start(code));
                     watch(Stage::Compiled);
                     process
                 })
@@ -72,13 +77,22 @@ impl Proof {
             watch(Stage::Comparing);
             let mut engines: Vec<&mut dyn Engine> =
                 programs.iter_mut().map(|program| program as &mut dyn Engine).collect();
-            proof.comparisons.extend(compare(codes[0].program.graph(), &mut engines, count, seed)?);
+            let graph = codes[0].program.graph();
+            proof.comparisons.extend(compare(graph, &mut engines, count, seed)?);
+            let observed = graph.to_document().sources;
+            if let Some(vision) = Vision::new(&observed) {
+                for code in codes.iter().filter(|code| code.program.shape != Shape::Gegelati) {
+                    if let Some(mut process) = proof.keep(code, workshop.start_looking(code, &vision)) {
+                        proof.comparisons.push(compare_looks(&vision, &mut process, count.min(IMAGES), seed)?);
+                    }
+                }
+            }
         }
         Ok(proof)
     }
 
-    fn start(&mut self, workshop: &Workshop, code: &Code<'_>) -> Option<Process> {
-        match workshop.start(code) {
+    fn keep(&mut self, code: &Code<'_>, started: Result<Process, BuildError>) -> Option<Process> {
+        match started {
             Ok(process) => Some(process),
             Err(error) => {
                 self.unproven.push(Unproven { engine: code.program.name(), error });

@@ -112,6 +112,30 @@ static int serve_{{ policy.prefix }}(void)
     }
     return 0;
 }
+{%- if let Some([bytes, row]) = policy.image %}
+
+static int look_{{ policy.prefix }}(void)
+{
+    static {{ policy.scalar }} values[{{ bytes }}];
+    static uint8_t image[{{ bytes }}];
+    unsigned char head[4];
+
+    while ((fread(head, 1U, 4U, stdin) == 4U) && (fread(values, sizeof(values[0]), {{ bytes }}U, stdin) == {{ bytes }}U)) {
+        {{ policy.prefix }}_state_t state;
+        size_t place;
+
+        memset(&state, 0, sizeof(state));
+        for (place = 0U; place < {{ bytes }}U; place++) {
+            image[place] = (uint8_t)values[place];
+        }
+        {{ policy.prefix }}_look(image, {{ row }}U, &state);
+        if ((fwrite(&state, sizeof(state), 1U, stdout) != 1U) || (fflush(stdout) != 0)) {
+            return 2;
+        }
+    }
+    return 0;
+}
+{%- endif %}
 {% endfor %}
 int main(int argc, char **argv)
 {
@@ -119,6 +143,10 @@ int main(int argc, char **argv)
 {%- for policy in policies %}
     case {{ loop.index0 }}:
         return serve_{{ policy.prefix }}();
+{%- if policy.image.is_some() %}
+    case {{ loop.index0 + policies.len() }}:
+        return look_{{ policy.prefix }}();
+{%- endif %}
 {%- endfor %}
     default:
         return 4;

@@ -63,6 +63,7 @@ void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_memory_t
 {%- endfor %}
 }
 {% endif %}
+{{ look }}
 #ifndef {{ upper }}_NO_SELFTEST
 {% if gegelati %}
 typedef struct {{ prefix }}_vector {

@@ -58,6 +58,13 @@ fn main() -> io::Result<()> {
             values.into_iter().chain(memory).flat_map({{ policy.scalar }}::to_ne_bytes)
 {%- endif %}
         }),
+{%- if let Some([bytes, row]) = policy.image %}
+        Some({{ loop.index0 + policies.len() }}) => serve({{ policy.scalar }}::from_ne_bytes, |values: &[{{ policy.scalar }}; {{ bytes }}]| {
+            let mut state = [0.0; {{ policy.state_length - policy.memory.len() }}];
+            assert!(policy_{{ loop.index0 }}::{{ policy.name }}.look(&values.map(|value| value as u8), {{ row }}, &mut state));
+            state.into_iter().flat_map({{ policy.scalar }}::to_ne_bytes)
+        }),
+{%- endif %}
 {%- endfor %}
         _ => Err(io::Error::other("no such policy")),
     }

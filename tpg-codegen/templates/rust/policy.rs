@@ -91,3 +91,4 @@ impl Policy for {{ name }} {
     }
 }
 {{ items }}
+{{ look }}

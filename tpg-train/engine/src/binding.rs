@@ -31,29 +31,9 @@ pub fn bind_to(
     known: &[SourceDocument],
     space: &ActionSpace,
 ) -> Result<PolicyGraph, InputError> {
+    let places = places(file, graph, known)?;
     let refuse =
         |path: String, found: String, accepted: String| InputError::new(file, Place::Path(path), found, accepted);
-    let mut places = Vec::new();
-    for (number, source) in graph.sources().iter().enumerate() {
-        let path = || format!("$.sources[{number}].name");
-        let names = || known.iter().map(|source| source.name.as_str()).collect::<Vec<_>>().join(", ");
-        let Some(at) = known.iter().position(|other| other.name == source.name) else {
-            return Err(refuse(path(), format!("{:?}", source.name), names()));
-        };
-        let (length, wanted) = (known[at].length as usize, source.ranges.len());
-        if length != wanted {
-            let found = format!("{:?} of {wanted} values", source.name);
-            return Err(refuse(path(), found, format!("{length} values")));
-        }
-        if known[at].counts != source.counts {
-            let kind = |is_counts: bool| if is_counts { "counts" } else { "values" };
-            let found = format!("{:?} in {}", source.name, kind(!source.counts.is_empty()));
-            let accepted = format!("{}, as the environment gives them", kind(!known[at].counts.is_empty()));
-            return Err(refuse(format!("$.sources[{number}].counts"), found, accepted));
-        }
-        let first: usize = known[..at].iter().map(|source| source.length as usize).sum();
-        places.extend((first..first + length).map(|place| place as u16));
-    }
     if let (ActionSpace::Box(known), false) = (space, graph.outputs().is_empty()) {
         let outputs = outputs(graph, known, refuse)?;
         let PolicyGraph { outputs: limits, leaves, .. } = PolicyGraph::from(graph);
@@ -90,6 +70,59 @@ pub fn bind_to(
         actions.push(at as u16);
     }
     Ok(renumbered(PolicyGraph::from(graph), &places, &actions))
+}
+
+/// Returns the place in a state of these sources of each value of a graph's own state. Of an image, a graph has the features
+/// that it reads.
+///
+/// # Errors
+/// If the graph reads what these sources do not have.
+pub fn places(file: &str, graph: &Graph, known: &[SourceDocument]) -> Result<Vec<u16>, InputError> {
+    let refuse =
+        |path: String, found: String, accepted: String| InputError::new(file, Place::Path(path), found, accepted);
+    let mut places = Vec::new();
+    for (number, source) in graph.sources().iter().enumerate() {
+        let path = || format!("$.sources[{number}].name");
+        let names = || known.iter().map(|source| source.name.as_str()).collect::<Vec<_>>().join(", ");
+        let Some(at) = known.iter().position(|other| other.name == source.name) else {
+            return Err(refuse(path(), format!("{:?}", source.name), names()));
+        };
+        let first: usize = known[..at].iter().map(|source| source.length as usize).sum();
+        if let (Some(image), Some(given)) = (&source.image, &known[at].image) {
+            for (place, feature) in image.features.iter().enumerate() {
+                let found = given.features.iter().position(|other| other == feature);
+                let found = found.filter(|_| image.shape == given.shape).ok_or_else(|| {
+                    let accepted = format!("the features of {:?} of an image of {:?}", source.name, given.shape);
+                    let path = format!("$.sources[{number}].image.features[{place}]");
+                    refuse(path, format!("{feature:?} of an image of {:?}", image.shape), accepted)
+                })?;
+                places.push((first + found) as u16);
+            }
+            continue;
+        }
+        let (length, wanted) = (known[at].length as usize, source.ranges.len());
+        if length != wanted {
+            let found = format!("{:?} of {wanted} values", source.name);
+            return Err(refuse(path(), found, format!("{length} values")));
+        }
+        if known[at].counts != source.counts {
+            let kind = |is_counts: bool| if is_counts { "counts" } else { "values" };
+            let found = format!("{:?} in {}", source.name, kind(!source.counts.is_empty()));
+            let accepted = format!("{}, as the environment gives them", kind(!known[at].counts.is_empty()));
+            return Err(refuse(format!("$.sources[{number}].counts"), found, accepted));
+        }
+        places.extend((first..first + length).map(|place| place as u16));
+    }
+    Ok(places)
+}
+
+/// Turns a graph into a policy that reads a state of these sources, and answers as the graph does.
+///
+/// # Errors
+/// As [`places`].
+pub fn reading(file: &str, graph: &Graph, known: &[SourceDocument]) -> Result<PolicyGraph, InputError> {
+    let ends: Vec<u16> = (0..graph.ends() as u16).collect();
+    Ok(renumbered(PolicyGraph::from(graph), &places(file, graph, known)?, &ends))
 }
 
 /// Compares a graph's action with an environment's: by what it asks, by its effect, or else by name.

@@ -87,6 +87,11 @@ pub trait Environment<S: Scalar>: Sync {
     /// The episode is mutable so that it can cache results; the observed values must not depend on that.
     fn observe(&self, episode: &mut Self::Episode, wanted: SourceSet, state: &mut [S]);
 
+    /// Writes the wanted values alone, given by their places in the flat state; by default all of the wanted sources.
+    fn observe_some(&self, episode: &mut Self::Episode, wanted: SourceSet, _inputs: &[u16], state: &mut [S]) {
+        self.observe(episode, wanted, state);
+    }
+
     /// Takes one action. The returned step states the reward and, if the episode ended, how.
     fn step(&self, episode: &mut Self::Episode, act: Act<'_, S>) -> Step;
 
@@ -171,6 +176,6 @@ impl<S: Scalar, E: Environment<S> + ?Sized> Environment<S> for &E {
     type Episode = E::Episode;
 
     crate::forward!(this => (**this);
-        sources actions time_limit draw start observe step outcomes timeout measure preference constants accepts
+        sources actions time_limit draw start observe observe_some step outcomes timeout measure preference constants accepts
         lanes key cycle training guarded drawn distance);
 }

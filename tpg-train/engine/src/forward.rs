@@ -21,6 +21,11 @@ macro_rules! forward {
     (@start $this:ident $inner:expr) => {
         $crate::forward!(@method $this $inner, start(task: &Self::Task) -> Self::Episode);
     };
+    (@observe_some $this:ident $inner:expr) => {
+        $crate::forward!(@method $this $inner, observe_some(
+            episode: &mut Self::Episode, wanted: $crate::SourceSet, inputs: &[u16], state: &mut [S]
+        ) -> ());
+    };
     (@observe $this:ident $inner:expr) => {
         $crate::forward!(@method $this $inner, observe(episode: &mut Self::Episode, wanted: $crate::SourceSet, state: &mut [S]) -> ());
     };

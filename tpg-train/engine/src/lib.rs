@@ -61,7 +61,7 @@ mod view;
 mod work;
 
 pub use action::{Act, ActionSpace, Acts, NETWORK, Output};
-pub use binding::{bind, bind_to};
+pub use binding::{bind, bind_to, places, reading};
 pub use choices::{Choices, TooManyActions};
 pub use counting::Counting;
 pub use environment::{Environment, OneByOne};

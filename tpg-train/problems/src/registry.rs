@@ -6,6 +6,7 @@ use crate::arm::targets::Start;
 use crate::arm::{self, ArmScalar, motors};
 use crate::cartpole::{self, CartPole};
 use crate::dodge::{self, Dodge};
+use crate::minatar::{self, Asterix, Breakout, GameName, MinAtar, SpaceInvaders};
 use crate::mountain_car::{self, MountainCar};
 use crate::mountain_car_continuous::{self, MountainCarContinuous};
 use crate::pendulum::{self, Pendulum};
@@ -38,6 +39,12 @@ pub enum ProblemName {
     Pendulum,
     /// A weak car drives out of a valley: Gymnasium's MountainCarContinuous-v0
     MountainCarContinuous,
+    /// A paddle keeps a ball in play: MinAtar's Breakout
+    Breakout,
+    /// A player takes gold and avoids enemies: MinAtar's Asterix
+    Asterix,
+    /// A cannon shoots aliens: MinAtar's Space Invaders
+    SpaceInvaders,
 }
 
 /// The kind of policies that a problem is set up for: only the arm differs between them.
@@ -81,7 +88,7 @@ const fn arm(name: ProblemName, text: &'static str, start: Start) -> Entry {
 }
 
 /// Every built-in problem, in the order of [`ProblemName`].
-pub const PROBLEMS: [Entry; 8] = [
+pub const PROBLEMS: [Entry; 11] = [
     arm(ProblemName::Fs, "fs", Start::Fs),
     arm(ProblemName::Rs, "rs", Start::Rs),
     entry(ProblemName::Dodge, "dodge", read!(Dodge)),
@@ -90,7 +97,15 @@ pub const PROBLEMS: [Entry; 8] = [
     entry(ProblemName::MountainCar, "mountain-car", read!(MountainCar)),
     entry(ProblemName::Pendulum, "pendulum", read!(Pendulum)),
     entry(ProblemName::MountainCarContinuous, "mountain-car-continuous", read!(MountainCarContinuous)),
+    entry(ProblemName::Breakout, "breakout", |table| game(table, GameName::Breakout)),
+    entry(ProblemName::Asterix, "asterix", |table| game(table, GameName::Asterix)),
+    entry(ProblemName::SpaceInvaders, "space-invaders", |table| game(table, GameName::SpaceInvaders)),
 ];
+
+fn game(table: toml::Table, game: GameName) -> Result<ProblemSettings, PathError> {
+    let read = serde_path_to_error::deserialize(toml::Value::Table(table));
+    read.map(|minatar::Config { .. }| ProblemSettings::MinAtar(minatar::Config { game }))
+}
 
 impl ProblemName {
     const fn entry(self) -> Entry {
@@ -149,6 +164,8 @@ pub enum ProblemSettings {
     Pendulum(pendulum::Config),
     /// The car in a valley, by a force.
     MountainCarContinuous(mountain_car_continuous::Config),
+    /// A game of MinAtar.
+    MinAtar(minatar::Config),
 }
 
 macro_rules! each {
@@ -162,6 +179,7 @@ macro_rules! each {
             ProblemSettings::MountainCar($config) => $result,
             ProblemSettings::Pendulum($config) => $result,
             ProblemSettings::MountainCarContinuous($config) => $result,
+            ProblemSettings::MinAtar($config) => $result,
         }
     };
 }
@@ -198,6 +216,19 @@ impl Settings for dodge::Config {
     }
     fn environment<S: ArmScalar>(&self, _: Start) -> AnyEnvironment<S> {
         erase(Dodge::new(self))
+    }
+}
+
+impl Settings for minatar::Config {
+    fn check(&self) -> Result<(), Finding> {
+        Ok(())
+    }
+    fn environment<S: ArmScalar>(&self, _: Start) -> AnyEnvironment<S> {
+        match self.game {
+            GameName::Breakout => erase(MinAtar::<Breakout>::default()),
+            GameName::Asterix => erase(MinAtar::<Asterix>::default()),
+            GameName::SpaceInvaders => erase(MinAtar::<SpaceInvaders>::default()),
+        }
     }
 }
 

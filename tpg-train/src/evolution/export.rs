@@ -81,10 +81,11 @@ pub(super) fn graph(
         instructions.push(Instruction::Min.into());
     }
     let observed = sources.len() - memory.len();
+    let sees = sources.iter().any(|source| source.image.is_some());
     let sources = sources.into_iter().take(observed).map(|source| exact(source, vocabulary.scalar())).collect();
     let document = Document {
         format: FORMAT.to_owned(),
-        version: if outputs.is_empty() { 1 } else { 2 },
+        version: if outputs.is_empty() && !sees { 1 } else { 2 },
         scalar: vocabulary.scalar(),
         maths: MathsProvider::Own,
         registers: u32::from(policy.registers),
@@ -99,7 +100,7 @@ pub(super) fn graph(
         programs,
         provenance,
     };
-    Graph::from_document("<evolved graph>", document)
+    Graph::from_document("<evolved graph>", document).map(Graph::without_unread_features)
 }
 
 /// Moves the ends of a range outwards to the next numbers that are exact in the graph's scalar type, as a graph

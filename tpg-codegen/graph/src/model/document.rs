@@ -2,6 +2,7 @@
 
 use super::counts::Counts;
 use super::effect::{Effect, WrittenAction};
+use crate::image::ImageSource;
 use crate::word::Word;
 use schemars::JsonSchema;
 use serde::de::{Deserializer, Visitor};
@@ -12,7 +13,7 @@ use std::fmt;
 /// The value of [`Document::format`].
 pub const FORMAT: &str = "tpg-graph";
 
-/// The versions of the format that this tool reads. Version 2 adds outputs and counts; a graph without them is written as version 1.
+/// The versions of the format that this tool reads. Version 2 adds outputs, counts and images; a graph without them is written as version 1.
 pub const VERSIONS: [u32; 2] = [1, 2];
 
 /// A tangled program graph with everything that determines its behaviour.
@@ -26,7 +27,7 @@ pub struct Document {
     /// Always "tpg-graph".
     #[schemars(extend("const" = FORMAT))]
     pub format: String,
-    /// 1, or 2 for a policy with outputs or counts.
+    /// 1, or 2 for a policy with outputs, counts or images.
     #[schemars(extend("enum" = VERSIONS))]
     pub version: u32,
     /// The type programs compute in.
@@ -137,6 +138,9 @@ pub struct SourceDocument {
     /// themselves.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub counts: Vec<Counts>,
+    /// Version 2: the image that the values are computed from. The caller gives the image instead of the values.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub image: Option<ImageSource>,
 }
 
 impl SourceDocument {
@@ -150,7 +154,7 @@ impl SourceDocument {
     /// ```
     pub fn new(name: impl Into<String>, unit: impl Into<String>, ranges: Vec<[f64; 2]>) -> Self {
         let (name, unit, length) = (name.into(), unit.into(), ranges.len() as u32);
-        Self { name, length, unit, ranges, counts: Vec::new() }
+        Self { name, length, unit, ranges, counts: Vec::new(), image: None }
     }
 }
 

@@ -4,6 +4,7 @@ use super::counts::Counts;
 use super::document::{MathsProvider, Provenance, ScalarType};
 use super::effect::Effect;
 use super::text;
+use crate::image::ImageSource;
 use crate::word::Word;
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
@@ -67,6 +68,8 @@ pub struct Source {
     pub ranges: Vec<Range>,
     /// The integers that each value comes in; empty where programs see the values themselves.
     pub counts: Vec<Counts>,
+    /// The image that they are computed from.
+    pub image: Option<ImageSource>,
 }
 
 /// A closed, finite range of values.
@@ -193,7 +196,7 @@ pub struct Graph {
     pub(super) scalar: ScalarType,
     pub(super) maths: MathsProvider,
     pub(super) registers: u16,
-    pub(super) sources: Vec<Source>,
+    pub(crate) sources: Vec<Source>,
     pub(super) instructions: Vec<Word>,
     pub(super) actions: Vec<Action>,
     pub(super) outputs: Vec<Output>,
@@ -203,7 +206,7 @@ pub struct Graph {
     /// The only leaf was written without a team: the root stands for it.
     pub(super) is_formula: bool,
     pub(super) teams: Vec<Team>,
-    pub(super) programs: Vec<Program>,
+    pub(crate) programs: Vec<Program>,
     pub(super) provenance: Provenance,
 }
 
@@ -330,6 +333,11 @@ impl Graph {
     /// Tests for a graph that sees and answers counts.
     pub fn has_counts(&self) -> bool {
         self.sources.iter().any(|source| !source.counts.is_empty())
+    }
+
+    /// Tests for a graph that sees an image.
+    pub fn sees(&self) -> bool {
+        self.sources.iter().any(|source| source.image.is_some())
     }
 
     /// Returns the integers that an input comes in; `None` for memory, and where programs see the values themselves.

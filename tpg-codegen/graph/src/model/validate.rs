@@ -1,6 +1,7 @@
 //! Conversion of a document to a graph. Every possible error in a graph is detected here, once.
 
 mod counts;
+mod image;
 mod values;
 
 use super::document::{
@@ -151,6 +152,7 @@ impl Validator<'_> {
                 }
             }
             self.source_counts(&path, source)?;
+            self.source_image(&path, source)?;
             if places.insert(source.name.as_str(), (first, length)).is_some() {
                 let found = format!("{:?} a second time", source.name);
                 return Err(self.error(format!("{path}.name"), found, "a name that no other source has"));
@@ -476,12 +478,14 @@ impl Validator<'_> {
 
 fn source(source: &SourceDocument) -> Source {
     let ranges = source.ranges.iter().map(|&[min, max]| Range { min, max }).collect();
-    Source { name: source.name.clone(), unit: source.unit.clone(), ranges, counts: source.counts.clone() }
+    let (counts, image) = (source.counts.clone(), source.image.clone());
+    Source { name: source.name.clone(), unit: source.unit.clone(), ranges, counts, image }
 }
 
 /// The source by which programs read a value of the memory.
 fn remembered(memory: &Output) -> Source {
-    Source { name: memory.name.clone(), unit: memory.unit.clone(), ranges: vec![memory.range], counts: Vec::new() }
+    let (name, unit) = (memory.name.clone(), memory.unit.clone());
+    Source { name, unit, ranges: vec![memory.range], counts: Vec::new(), image: None }
 }
 
 fn action(action: &ActionDocument) -> Action {

@@ -38,7 +38,7 @@ impl Graph {
         let (outputs, memory) = self.outputs.split_at(self.outputs.len() - self.memory);
         Document {
             format: FORMAT.to_owned(),
-            version: if self.outputs.is_empty() && !self.has_counts() { 1 } else { 2 },
+            version: if self.outputs.is_empty() && !self.has_counts() && !self.sees() { 1 } else { 2 },
             scalar: self.scalar,
             maths: self.maths,
             registers: u32::from(self.registers),
@@ -73,6 +73,7 @@ fn source_document(source: &Source) -> SourceDocument {
         unit: source.unit.clone(),
         ranges: source.ranges.iter().map(|range| [range.min, range.max]).collect(),
         counts: source.counts.clone(),
+        image: source.image.clone(),
     }
 }
 

@@ -63,6 +63,8 @@ struct SourceJson {
     unit: Option<IgnoredAny>,
     #[serde(default)]
     ranges: Vec<[NumberJson; 2]>,
+    /// The proof is of the decision for a state, however its values came about.
+    image: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]

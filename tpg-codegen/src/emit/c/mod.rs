@@ -16,6 +16,7 @@ mod walk;
 
 use super::file::{File, comment};
 use super::interface::{OutputView, SourceView, asks, outputs, sources};
+use super::look::{self, LookView};
 use super::syntax::Syntax;
 use super::vectors::{Vectors, vectors};
 use super::{banner, layout, moves::moves, names, team::compares_in_functions};
@@ -48,6 +49,7 @@ struct CHeader<'a> {
     gegelati: bool,
     system_maths: bool,
     arm: Option<CArmView>,
+    look: Option<&'a LookView>,
     /// The quality of the self-test.
     quality: Option<String>,
 }
@@ -81,6 +83,8 @@ struct CSource<'a> {
     /// The statements that put a state into a view.
     observed: Vec<String>,
     gegelati: bool,
+    /// The function that reads an image.
+    look: String,
 }
 
 struct CVectorView {
@@ -128,6 +132,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let (answers, memory) = outputs.split_at(outputs.len() - graph.memory());
     let observed = if memory.is_empty() { Vec::new() } else { seen.iter().flat_map(observed).collect() };
     let chosen = vectors(graph);
+    let seen_image = LookView::new(graph, &sources).filter(|_| !gegelati);
     let header = CHeader {
         banner: &banner,
         prefix,
@@ -144,6 +149,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         gegelati,
         system_maths: graph.maths() == MathsProvider::System,
         arm: arm_view(graph),
+        look: seen_image.as_ref(),
         quality: chosen.quality(),
     };
     let vectors = views(&printer, &chosen);
@@ -168,6 +174,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         parts: (answers, memory),
         observed,
         gegelati,
+        look: seen_image.as_ref().map_or_else(String::new, |view| look::c(view, prefix, printer.scalar())),
     };
     let text = |text: askama::Result<String>| layout::wrap(&layout::tidy(&text.expect("the template renders")), false);
     vec![

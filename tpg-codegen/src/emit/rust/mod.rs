@@ -11,6 +11,7 @@ mod small;
 
 use super::file::{File, one_line};
 use super::interface::{OutputView, SourceView, asks, outputs, sources};
+use super::look::{self, LookView};
 use super::{banner, layout, moves::moves, names, team::compares_in_functions};
 use crate::cost::{Cost, Costs};
 use crate::program::Program;
@@ -50,6 +51,7 @@ struct RustPolicy<'a> {
     worst: Cost<u64>,
     body: String,
     items: String,
+    look: String,
 }
 
 /// The sources and moves of a policy that drives the arm.
@@ -89,6 +91,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     };
     let (observed, first) = (graph.state_length() - graph.memory(), outputs.len() - graph.memory());
     let memory = &outputs[first..];
+    let sources = sources(graph, one_line);
     let policy = RustPolicy {
         banner: &banner::lines(program),
         name: prefix.camel(),
@@ -96,7 +99,9 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         scalar: graph.scalar().name(),
         imports: imports(&printer, &parts),
         state_length: graph.state_length(),
-        sources: sources(graph, one_line),
+        look: LookView::new(graph, &sources)
+            .map_or_else(String::new, |view| look::rust(&view, &prefix.camel(), graph.scalar().name(), observed)),
+        sources,
         actions: graph.actions().iter().map(|action| one_line(&action.to_string())).collect(),
         constants: names::actions(graph).into_iter().map(|name| name.to_ascii_uppercase()).collect(),
         asks: asks(graph),

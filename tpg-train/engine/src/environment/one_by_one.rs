@@ -71,12 +71,13 @@ impl<S: Scalar, E: Environment<S> + ?Sized> Episodes<S, E::Task> for OneByOne<'_
     fn observe(&mut self, wanted: SourceSet, view: &mut View<'_, S>) -> Result<(), EvaluationError> {
         let Self { environment, lanes, length, states, .. } = self;
         states.resize(lanes.len() * *length, S::ZERO);
+        let inputs: Vec<u16> = (0..*length as u16).filter(|&input| view.column(input.into()).is_some()).collect();
         for (place, lane) in lanes.iter_mut().enumerate() {
-            environment.observe(&mut lane.episode, wanted, &mut states[place * *length..][..*length]);
+            environment.observe_some(&mut lane.episode, wanted, &inputs, &mut states[place * *length..][..*length]);
         }
-        for input in 0..*length {
-            if let Some(column) = view.column(input) {
-                let values = states.iter().skip(input).step_by(*length);
+        for input in inputs {
+            if let Some(column) = view.column(input.into()) {
+                let values = states.iter().skip(input.into()).step_by(*length);
                 column.as_flattened_mut().iter_mut().zip(values).for_each(|(slot, value)| *slot = *value);
             }
         }

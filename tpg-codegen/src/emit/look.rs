@@ -1,0 +1,116 @@
+//! The function that computes the values of a state that come from an image.
+
+use super::interface::SourceView;
+use askama::Template;
+use tpg_graph::Graph;
+use tpg_graph::image::{Feature, Find, Vision};
+
+/// What both languages say about an image.
+pub(super) struct LookView {
+    pub(super) rows: usize,
+    pub(super) columns: usize,
+    pub(super) channels: usize,
+    /// Places that are looked for.
+    finds: Vec<FindView>,
+    values: Vec<ValueView>,
+    has_first: bool,
+    has_last: bool,
+    has_window: bool,
+    has_cell: bool,
+    has_sum: bool,
+}
+
+struct FindView {
+    /// `first`, `last` or `window`.
+    function: &'static str,
+    channel: u32,
+    /// Of a window: its size, and true for the darkest.
+    size: u32,
+    is_dark: bool,
+}
+
+struct ValueView {
+    /// The place in a flat state, and the member of C's structure.
+    input: usize,
+    member: String,
+    /// The number of the place that is looked for.
+    find: usize,
+    feature: Feature,
+}
+
+impl LookView {
+    /// Returns what a graph reads from an image; `None` if it sees none.
+    pub(super) fn new(graph: &Graph, sources: &[SourceView]) -> Option<Self> {
+        let vision = Vision::new(&graph.state_sources())?;
+        let ([rows, columns, channels], finds) = (vision.shape(), vision.finds());
+        let member = |input: usize| {
+            let source = sources.iter().find(|source| source.end > input)?;
+            let place = input - source.first;
+            Some(if source.length == 1 { source.field.clone() } else { format!("{}[{place}]", source.field) })
+        };
+        let has = |wanted: &str| finds.iter().any(|&find| function(find) == wanted);
+        let is = |wanted: fn(&Feature) -> bool| vision.features().any(|(_, feature, _)| wanted(&feature));
+        Some(Self {
+            rows,
+            columns,
+            channels,
+            has_first: has("first"),
+            has_last: has("last"),
+            has_window: has("window"),
+            has_cell: is(|feature| matches!(feature, Feature::Cell { .. })),
+            has_sum: has("window") || is(|feature| matches!(feature, Feature::Sum { .. })),
+            finds: finds.iter().map(|&find| FindView::new(find)).collect(),
+            values: (vision.features())
+                .filter_map(|(input, feature, find)| {
+                    Some(ValueView { input, member: member(input)?, find: find.unwrap_or_default(), feature })
+                })
+                .collect(),
+        })
+    }
+}
+
+impl FindView {
+    fn new(find: Find) -> Self {
+        let (size, is_dark) = match find {
+            Find::First(_) | Find::Last(_) => (0, false),
+            Find::Brightest { size, .. } => (size, false),
+            Find::Darkest { size, .. } => (size, true),
+        };
+        Self { function: function(find), channel: find.channel(), size, is_dark }
+    }
+}
+
+fn function(find: Find) -> &'static str {
+    match find {
+        Find::First(_) => "first",
+        Find::Last(_) => "last",
+        Find::Brightest { .. } | Find::Darkest { .. } => "window",
+    }
+}
+
+#[derive(Template)]
+#[template(path = "c/look.c", escape = "none")]
+struct CLook<'a> {
+    prefix: &'a str,
+    scalar: &'a str,
+    look: &'a LookView,
+}
+
+#[derive(Template)]
+#[template(path = "rust/look.rs", escape = "none")]
+struct RustLook<'a> {
+    name: &'a str,
+    scalar: &'a str,
+    state: usize,
+    look: &'a LookView,
+}
+
+/// The function in C.
+pub(super) fn c(look: &LookView, prefix: &str, scalar: &str) -> String {
+    CLook { prefix, scalar, look }.render().expect("the template renders")
+}
+
+/// The function in Rust, for a state of so many values.
+pub(super) fn rust(look: &LookView, name: &str, scalar: &str, state: usize) -> String {
+    RustLook { name, scalar, state, look }.render().expect("the template renders")
+}

@@ -1,0 +1,75 @@
+//! Policies that see an image: the function that reads it.
+
+use tpg_codegen::compile;
+use tpg_codegen::emit::{self, Code, Language, Options, Profile};
+use tpg_codegen::quantise::{Request, quantise};
+use tpg_codegen::verify::Proof;
+use tpg_graph::states::StateSet;
+use tpg_graph::{Graph, interpret};
+
+/// A graph with each feature of an image once, and a value that comes from elsewhere.
+const EYE: &str = include_str!("fixtures/eye.json");
+
+fn graph() -> Graph {
+    Graph::from_json("eye.json", EYE).expect("a graph")
+}
+
+fn options(profile: Profile) -> Options {
+    Options { profile: Some(profile), ..Options::new("eye".parse().expect("a prefix")) }
+}
+
+#[test]
+fn the_code_reads_the_image_where_it_is() {
+    let graph = graph();
+    let text = |language| -> String {
+        let files = emit::emit(&graph, language, &options(Profile::Fast));
+        files.into_iter().map(|file| format!("{}\n{}\n", file.name, file.text)).collect()
+    };
+    insta::assert_snapshot!("eye.c", text(Language::C));
+    insta::assert_snapshot!("eye.rs", text(Language::Rust));
+}
+
+#[test]
+fn every_profile_sees_what_the_features_mean() {
+    let graph = graph();
+    let profiles = Profile::ALL.iter().flat_map(|&profile| [(Language::C, profile), (Language::Rust, profile)]);
+    let codes: Vec<Code<'_>> =
+        profiles.map(|(language, profile)| Code::of(compile(&graph, &options(profile), language))).collect();
+    let proof = Proof::of(&codes, 1000, 3).expect("compilers run");
+    assert!(proof.holds(), "{proof:?}");
+    assert_eq!(proof.comparisons.len(), 2 * codes.len(), "states, and images");
+}
+
+#[test]
+fn a_wrong_function_is_noticed() {
+    let graph = graph();
+    let mut code = Code::of(compile(&graph, &options(Profile::Fast), Language::C));
+    let source = &mut code.files[1].text;
+    assert_eq!(source.matches("place_2, -3, 2").count(), 1);
+    *source = source.replace("place_2, -3, 2", "place_2, -3, 1");
+    let proof = Proof::of(&[code], 1000, 3).expect("the compiler runs");
+    assert!(!proof.holds() && proof.comparisons[0].differences == 0 && proof.comparisons[1].differences > 0);
+}
+
+#[test]
+fn features_that_no_program_reads_are_dropped() {
+    let text = EYE
+        .replace("\"ball[0]\",\"ball[1]\"", "\"ball[1]\",\"ball[1]\"")
+        .replace("\"bright[3]\",\"bright[2]\"", "\"r0\",\"r0\"");
+    let whole = Graph::from_json("eye.json", &text).expect("a graph");
+    let lean = whole.clone().without_unread_features();
+    let names = |graph: &Graph| graph.inputs().map(|input| graph.input_name(input)).collect::<Vec<_>>();
+    assert_eq!(names(&lean), ["ball[0]", "ball[1]", "bright[0]", "bright[1]", "speed[0]"]);
+    assert_eq!(Graph::from_json("lean.json", &lean.to_json()).expect("a valid graph"), lean);
+    let state = [9.0, 1.0, 2.0, 3.0, 4.0, 9.0, 9.0, 5.0];
+    assert_eq!(interpret::answers(&whole, &state), interpret::answers(&lean, &[1.0, 2.0, 3.0, 4.0, 5.0]));
+}
+
+#[test]
+fn images_stay_out_of_integers() {
+    let graph = graph();
+    let states = StateSet::sampled(&graph, 10, 1);
+    let request = Request { inputs: 8, weights: 8, visited: None, margin: 1.0, compared: &states };
+    let error = quantise("eye.json", &graph, &request).expect_err("an image").to_string();
+    assert!(error.contains("$.sources[0].image: a graph that sees an image"), "{error}");
+}
