@@ -3,6 +3,8 @@
 //! Rounding to nearest is monotone, so the rounded results at the ends of intervals bound all results between.
 
 use crate::term::{Arithmetic, Bool, Float, Node, Terms};
+use Arithmetic::*;
+use Node::*;
 use std::collections::HashMap;
 
 /// What a value can be: a number from `low` to `high`, or NaN if `nan`; no number where `low > high`.
@@ -44,7 +46,7 @@ impl Intervals {
             return known;
         }
         let result = match *terms.of_float(term) {
-            Node::Constant(bits) => {
+            Constant(bits) => {
                 let value = f32::from_bits(bits);
                 if value.is_nan() {
                     Interval { nan: true, ..NOTHING }
@@ -52,7 +54,7 @@ impl Intervals {
                     Interval { low: value, high: value, nan: false }
                 }
             }
-            Node::Source(index) => match self.ranges.get(index as usize) {
+            Source(index) => match self.ranges.get(index as usize) {
                 Some(&[low, high]) => Interval { low, high, nan: false },
                 None => ANY,
             },
@@ -61,11 +63,11 @@ impl Intervals {
                 let (a, b) = (self.bounds(terms, a), self.bounds(terms, b));
                 combined(operation, a, b, same)
             }
-            Node::Negative(a) => {
+            Negative(a) => {
                 let a = self.bounds(terms, a);
                 Interval { low: -a.high, high: -a.low, nan: a.nan }
             }
-            Node::Magnitude(a) => {
+            Magnitude(a) => {
                 let Interval { low, high, nan } = self.bounds(terms, a);
                 if low > high {
                     Interval { nan, ..NOTHING }
@@ -74,7 +76,7 @@ impl Intervals {
                     Interval { low: least, high: low.abs().max(high.abs()), nan }
                 }
             }
-            Node::FloatIf(condition, a, b) => {
+            FloatIf(condition, a, b) => {
                 let (a, b) = (self.where_holds(terms, condition, a), self.where_holds(terms, !condition, b));
                 Interval { low: a.low.min(b.low), high: a.high.max(b.high), nan: a.nan || b.nan }
             }
@@ -91,7 +93,7 @@ impl Intervals {
         let term = terms.zero_free(term);
         let mirrored = terms.negate(term);
         for condition in conditions {
-            let (&Node::AtMost(a, b), negated) = terms.of_bool(condition) else { continue };
+            let (&AtMost(a, b), negated) = terms.of_bool(condition) else { continue };
             // (lower, higher, strictly)
             let (low, high) = if negated { (b, a) } else { (a, b) };
             let (below, above) = (self.bounds(terms, low), self.bounds(terms, high));
@@ -122,27 +124,27 @@ fn combined(operation: Arithmetic, a: Interval, b: Interval, same: bool) -> Inte
     let infinite = |x: Interval| x.low.is_infinite() || x.high.is_infinite();
     let corners = |f: fn(f32, f32) -> f32| [f(a.low, b.low), f(a.low, b.high), f(a.high, b.low), f(a.high, b.high)];
     let (corners, undefined) = match operation {
-        Arithmetic::Add => {
+        Add => {
             let clash = a.low == f32::NEG_INFINITY && b.high == f32::INFINITY
                 || a.high == f32::INFINITY && b.low == f32::NEG_INFINITY;
             let (low, high) = (a.low + b.low, a.high + b.high);
             // the lowest sum is only NaN where infinities of both signs meet
             ([low, low, high, high], clash)
         }
-        Arithmetic::Multiply if same => {
+        Multiply if same => {
             // a square
             let (low, high) = (a.low * a.low, a.high * a.high);
             let least = if zero(a) { 0.0 } else { low.min(high) };
             ([least, least, low.max(high), low.max(high)], false)
         }
-        Arithmetic::Multiply => (corners(|x, y| x * y), zero(a) && infinite(b) || zero(b) && infinite(a)),
-        Arithmetic::Divide if zero(b) || infinite(b) => {
+        Multiply => (corners(|x, y| x * y), zero(a) && infinite(b) || zero(b) && infinite(a)),
+        Divide if zero(b) || infinite(b) => {
             return Interval { nan: nan || zero(a) && zero(b) || infinite(a) && infinite(b), ..ANY };
         }
-        Arithmetic::Divide => (corners(|x, y| x / y), false),
-        Arithmetic::Remainder => return ANY,
+        Divide => (corners(|x, y| x / y), false),
+        Remainder => return ANY,
     };
-    if undefined && operation == Arithmetic::Multiply || corners.iter().any(|corner| corner.is_nan()) {
+    if undefined && operation == Multiply || corners.iter().any(|corner| corner.is_nan()) {
         return Interval { nan: nan || undefined, ..ANY };
     }
     let [low, high] =

@@ -11,6 +11,7 @@ use crate::machine::{Answer, Machine, Step};
 use crate::order::{Together, together};
 use crate::term::evaluate::Evaluator;
 use crate::term::{Bool, Float, Node, Terms, Word};
+use Destination::*;
 use std::collections::{BTreeSet, HashMap};
 use std::fmt;
 
@@ -183,10 +184,10 @@ impl<'a, M: Machine> Comparison<'a, M> {
     ) -> Result<Pairs<M::Point>, Missing> {
         let ends = self.ends(&side)?;
         let team = match place {
-            Destination::Team(team) => self.meaning.winners(&mut self.terms, team)?,
+            Team(team) => self.meaning.winners(&mut self.terms, team)?,
             _ => vec![(Terms::TRUE, place)],
         };
-        let graph_is_done = !matches!(place, Destination::Team(_));
+        let graph_is_done = !matches!(place, Team(_));
         let Some(ends) = ends else {
             if graph_is_done {
                 self.answers(&side, place, assumed)?;
@@ -296,7 +297,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
             {
                 Ok(())
             }
-            (ProductSide::Values(values), Destination::Leaf(leaf)) => {
+            (ProductSide::Values(values), Leaf(leaf)) => {
                 let expected = self.meaning.values(&mut self.terms, leaf)?;
                 self.terms.complete(|| self.graph.name(place))?;
                 if values.len() != expected.len() {
@@ -395,18 +396,18 @@ impl<'a, M: Machine> Comparison<'a, M> {
     pub fn answers_for(&mut self, state: &[u32]) -> Result<(Concrete, Concrete), Missing> {
         self.evaluator.set(state);
         let mut place = self.graph.start();
-        while let Destination::Team(team) = place {
+        while let Team(team) = place {
             let winners = self.meaning.winners(&mut self.terms, team)?;
             let won = winners.iter().find(|(condition, _)| self.evaluator.truth(&self.terms, *condition));
             place = won.ok_or_else(|| Missing::new(self.graph.name(place), "a winner"))?.1;
         }
         let expected = match place {
-            Destination::Leaf(leaf) => {
+            Leaf(leaf) => {
                 let values = self.meaning.values(&mut self.terms, leaf)?;
                 Concrete::Values(values.iter().map(|&value| self.evaluator.bits(&self.terms, value)).collect())
             }
             Destination::Action(action) => Concrete::Action(u64::from(action)),
-            Destination::Team(_) => return Err(Missing::new(self.graph.name(place), "an answer")),
+            Team(_) => return Err(Missing::new(self.graph.name(place), "an answer")),
         };
         let mut side = ProductSide::At(self.machine.entry(&mut self.terms)?);
         let mut steps = 0;
@@ -440,14 +441,11 @@ impl<'a, M: Machine> Comparison<'a, M> {
     pub fn ranges(&mut self) -> Result<(), Missing> {
         for leaf in 0..self.graph.leaves() {
             let inside = self.meaning.in_range(&mut self.terms, leaf)?;
-            self.terms.complete(|| self.graph.name(Destination::Leaf(leaf)))?;
+            self.terms.complete(|| self.graph.name(Leaf(leaf)))?;
             let sides = [&[inside, !inside][..], &[Terms::TRUE]];
             let found = self.combinations(Terms::TRUE, sides);
             if !found.is_some_and(|found| !found.incomplete && !found.pairs.contains(&(1, 0))) {
-                return Err(Missing::new(
-                    self.graph.name(Destination::Leaf(leaf)),
-                    "a proof that its values are in range",
-                ));
+                return Err(Missing::new(self.graph.name(Leaf(leaf)), "a proof that its values are in range"));
             }
         }
         Ok(())

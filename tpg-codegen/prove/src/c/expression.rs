@@ -4,6 +4,7 @@ use super::parser::Parser;
 use super::syntax::{Expression, Kind, Type};
 use super::token::Token;
 use crate::input::Missing;
+use Kind::*;
 
 /// Binary operators from the loosest on.
 const LEVELS: [&[&str]; 10] = [
@@ -21,8 +22,8 @@ const LEVELS: [&[&str]; 10] = [
 
 /// The assignment that `++` or `--` is.
 fn stepped(sign: &'static str, line: u32, target: Expression) -> Expression {
-    let one = Expression { line, kind: Kind::Integer(1, Type::INT) };
-    Expression { line, kind: Kind::Assign(Some(&sign[..1]), Box::new(target), Box::new(one)) }
+    let one = Expression { line, kind: Integer(1, Type::INT) };
+    Expression { line, kind: Assign(Some(&sign[..1]), Box::new(target), Box::new(one)) }
 }
 
 impl Parser<'_> {
@@ -44,7 +45,7 @@ impl Parser<'_> {
         };
         self.next();
         let value = self.assignment()?;
-        Ok(Expression { line, kind: Kind::Assign(operator, Box::new(target), Box::new(value)) })
+        Ok(Expression { line, kind: Assign(operator, Box::new(target), Box::new(value)) })
     }
 
     pub(super) fn conditional(&mut self) -> Result<Expression, Missing> {
@@ -56,7 +57,7 @@ impl Parser<'_> {
         let first = self.expression()?;
         self.expect(":")?;
         let second = self.conditional()?;
-        let kind = Kind::Conditional(Box::new(condition), Box::new(first), Box::new(second));
+        let kind = Conditional(Box::new(condition), Box::new(first), Box::new(second));
         Ok(Expression { line, kind })
     }
 
@@ -69,7 +70,7 @@ impl Parser<'_> {
             let line = self.line();
             self.next();
             let right = self.binary(level + 1)?;
-            left = Expression { line, kind: Kind::Binary(sign, Box::new(left), Box::new(right)) };
+            left = Expression { line, kind: Binary(sign, Box::new(left), Box::new(right)) };
         }
         Ok(left)
     }
@@ -79,7 +80,7 @@ impl Parser<'_> {
         for sign in ["-", "+", "!", "~", "&", "*"] {
             if self.accept(sign) {
                 let inner = Box::new(self.unary()?);
-                return Ok(Expression { line, kind: Kind::Unary(sign, inner) });
+                return Ok(Expression { line, kind: Unary(sign, inner) });
             }
         }
         if let Some(sign) = self.step() {
@@ -92,11 +93,11 @@ impl Parser<'_> {
             if bracket && self.starts_type() {
                 let ty = self.type_name()?;
                 self.expect(")")?;
-                return Ok(Expression { line, kind: Kind::SizeOfType(ty) });
+                return Ok(Expression { line, kind: SizeOfType(ty) });
             }
             self.at -= usize::from(bracket);
             let inner = Box::new(self.unary()?);
-            return Ok(Expression { line, kind: Kind::SizeOf(inner) });
+            return Ok(Expression { line, kind: SizeOf(inner) });
         }
         if *self.peek() == Token::Sign("(") {
             self.next();
@@ -104,7 +105,7 @@ impl Parser<'_> {
                 let ty = self.type_name()?;
                 self.expect(")")?;
                 let inner = Box::new(self.unary()?);
-                return Ok(Expression { line, kind: Kind::Cast(ty, inner) });
+                return Ok(Expression { line, kind: Cast(ty, inner) });
             }
             let inner = self.expression()?;
             self.expect(")")?;
@@ -124,14 +125,14 @@ impl Parser<'_> {
             let kind = if self.accept("[") {
                 let index = self.expression()?;
                 self.expect("]")?;
-                Kind::Index(Box::new(inner), Box::new(index))
+                Index(Box::new(inner), Box::new(index))
             } else if self.accept(".") {
-                Kind::Member(Box::new(inner), self.name()?)
+                Member(Box::new(inner), self.name()?)
             } else if self.accept("->") {
-                let target = Expression { line, kind: Kind::Unary("*", Box::new(inner)) };
-                Kind::Member(Box::new(target), self.name()?)
+                let target = Expression { line, kind: Unary("*", Box::new(inner)) };
+                Member(Box::new(target), self.name()?)
             } else if let Some(sign) = self.step() {
-                Kind::Postfix(Box::new(stepped(sign, line, inner)))
+                Postfix(Box::new(stepped(sign, line, inner)))
             } else {
                 return Ok(inner);
             };
@@ -143,10 +144,10 @@ impl Parser<'_> {
         let line = self.line();
         let kind = match self.next() {
             Token::Number(text) => self.number(&text)?,
-            Token::Name(name) if name == "__infinity" => Kind::Float(f64::INFINITY, Type::Float),
-            Token::Name(name) if name == "__nan" => Kind::Float(f64::NAN, Type::Float),
-            Token::Name(name) if self.accept("(") => Kind::Call(name, self.list(")", Self::assignment)?),
-            Token::Name(name) => Kind::Name(name),
+            Token::Name(name) if name == "__infinity" => Float(f64::INFINITY, Type::Float),
+            Token::Name(name) if name == "__nan" => Float(f64::NAN, Type::Float),
+            Token::Name(name) if self.accept("(") => Call(name, self.list(")", Self::assignment)?),
+            Token::Name(name) => Name(name),
             other => return Err(self.missing(format!("an expression, found {other:?}"))),
         };
         Ok(Expression { line, kind })
@@ -159,9 +160,9 @@ impl Parser<'_> {
             return match lower.strip_suffix('f') {
                 Some(digits) => {
                     let value: f32 = digits.parse().map_err(|_| fault())?;
-                    Ok(Kind::Float(f64::from(value), Type::Float))
+                    Ok(Float(f64::from(value), Type::Float))
                 }
-                None => Ok(Kind::Float(lower.parse().map_err(|_| fault())?, Type::Double)),
+                None => Ok(Float(lower.parse().map_err(|_| fault())?, Type::Double)),
             };
         }
         let digits = lower.trim_end_matches(['u', 'l']);
@@ -183,6 +184,6 @@ impl Parser<'_> {
         } else {
             Type::INT
         };
-        Ok(Kind::Integer(value, ty))
+        Ok(Integer(value, ty))
     }
 }

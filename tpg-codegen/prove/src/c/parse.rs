@@ -2,8 +2,10 @@
 
 use super::parser::Parser;
 use super::syntax::{Expression, Function, Kind, Statement, StatementKind, Struct, Type, Unit, Variable};
-use super::token::{Placed, Token};
+use super::token::{Placed, Token::*};
 use crate::input::Missing;
+use StatementKind::*;
+use Type::*;
 use std::collections::HashMap;
 
 /// What stands before declarators.
@@ -17,7 +19,7 @@ struct Specifiers {
 /// Parses a file.
 pub(super) fn parse(file: &str, tokens: Vec<Placed>) -> Result<Unit, Missing> {
     let mut parser = parser(file, tokens);
-    while *parser.peek() != Token::End {
+    while *parser.peek() != End {
         parser.external()?;
     }
     Ok(parser.unit)
@@ -27,14 +29,14 @@ pub(super) fn parse(file: &str, tokens: Vec<Placed>) -> Result<Unit, Missing> {
 pub(super) fn constant(file: &str, tokens: Vec<Placed>) -> Result<i64, Missing> {
     let mut parser = parser(file, tokens);
     let value = parser.conditional()?;
-    if *parser.peek() == Token::End { parser.constant(&value) } else { Err(parser.missing("an operator")) }
+    if *parser.peek() == End { parser.constant(&value) } else { Err(parser.missing("an operator")) }
 }
 
 fn parser(file: &str, tokens: Vec<Placed>) -> Parser<'_> {
     let mut types = HashMap::new();
     for (bytes, bits) in [(1, 8), (2, 16), (4, 32), (8, 64)] {
-        types.insert(format!("int{bits}_t"), Type::Integer(bytes, true));
-        types.insert(format!("uint{bits}_t"), Type::Integer(bytes, false));
+        types.insert(format!("int{bits}_t"), Integer(bytes, true));
+        types.insert(format!("uint{bits}_t"), Integer(bytes, false));
     }
     types.insert("size_t".to_owned(), Type::UNSIGNED);
     Parser { file, tokens, at: 0, unit: Unit::default(), types, tags: HashMap::new() }
@@ -45,25 +47,25 @@ impl Parser<'_> {
         const QUALIFIERS: &str = "const volatile static inline extern typedef struct union enum";
         const TYPES: &str = "void float double int unsigned signed char short";
         let is_word = |name: &String| QUALIFIERS.split(' ').chain(TYPES.split(' ')).any(|word| word == name);
-        matches!(self.peek(), Token::Name(name) if is_word(name) || self.types.contains_key(name))
+        matches!(self.peek(), Name(name) if is_word(name) || self.types.contains_key(name))
     }
 
     fn specifiers(&mut self) -> Result<Specifiers, Missing> {
-        let mut found = Specifiers { ty: Type::Void, is_static: false, is_typedef: false, is_extern: false };
+        let mut found = Specifiers { ty: Void, is_static: false, is_typedef: false, is_extern: false };
         let (mut ty, mut signed) = (None, None);
         loop {
             self.attributes()?;
-            let Token::Name(word) = self.peek().clone() else { break };
+            let Name(word) = self.peek().clone() else { break };
             match word.as_str() {
                 "const" | "volatile" | "inline" | "register" | "restrict" | "__inline" => {}
                 "static" => found.is_static = true,
                 "extern" => found.is_extern = true,
                 "typedef" => found.is_typedef = true,
-                "void" => ty = Some(Type::Void),
-                "float" => ty = Some(Type::Float),
-                "double" => ty = Some(Type::Double),
-                "char" => ty = Some(Type::Integer(1, false)),
-                "short" => ty = Some(Type::Integer(2, true)),
+                "void" => ty = Some(Void),
+                "float" => ty = Some(Float),
+                "double" => ty = Some(Double),
+                "char" => ty = Some(Integer(1, false)),
+                "short" => ty = Some(Integer(2, true)),
                 "int" => ty = ty.or(Some(Type::INT)),
                 "unsigned" => signed = Some(false),
                 "signed" => signed = Some(true),
@@ -85,8 +87,8 @@ impl Parser<'_> {
             self.next();
         }
         found.ty = match (ty, signed) {
-            (None, Some(signed)) => Type::Integer(4, signed),
-            (Some(Type::Integer(bytes, _)), Some(signed)) => Type::Integer(bytes, signed),
+            (None, Some(signed)) => Integer(4, signed),
+            (Some(Integer(bytes, _)), Some(signed)) => Integer(bytes, signed),
             (Some(ty), None) => ty,
             _ => return Err(self.missing(format!("a type, found {:?}", self.peek()))),
         };
@@ -94,7 +96,7 @@ impl Parser<'_> {
     }
 
     fn structure(&mut self, union: bool) -> Result<Type, Missing> {
-        let tag = if let Token::Name(tag) = self.peek().clone() {
+        let tag = if let Name(tag) = self.peek().clone() {
             self.next();
             tag
         } else {
@@ -116,7 +118,7 @@ impl Parser<'_> {
     }
 
     fn enumeration(&mut self) -> Result<Type, Missing> {
-        if let Token::Name(_) = self.peek() {
+        if let Name(_) = self.peek() {
             self.next();
         }
         if self.accept("{") {
@@ -153,7 +155,7 @@ impl Parser<'_> {
         let found = match &value.kind {
             Kind::Integer(number, _) => i64::try_from(*number).ok(),
             Kind::Name(name) => self.unit.constants.get(name).copied(),
-            Kind::Cast(Type::Integer(..), inner) => Some(self.constant(inner)?),
+            Kind::Cast(Integer(..), inner) => Some(self.constant(inner)?),
             Kind::Unary("!", inner) => Some(i64::from(self.constant(inner)? == 0)),
             Kind::Unary("-", inner) => self.constant(inner)?.checked_neg(),
             Kind::Binary(operator, a, b) => binary(self.constant(a)?, operator, self.constant(b)?),
@@ -167,12 +169,12 @@ impl Parser<'_> {
         loop {
             self.attributes()?;
             if self.accept("*") {
-                ty = Type::Pointer(Box::new(ty));
+                ty = Pointer(Box::new(ty));
             } else if !(self.accept("const") || self.accept("volatile") || self.accept("restrict")) {
                 break;
             }
         }
-        let name = if let Token::Name(_) = self.peek() { self.name()? } else { String::new() };
+        let name = if let Name(_) = self.peek() { self.name()? } else { String::new() };
         Ok((name, self.brackets(ty)?))
     }
 
@@ -182,12 +184,12 @@ impl Parser<'_> {
         }
         if self.accept("]") {
             // as many as are written
-            return Ok(Type::Array(Box::new(self.brackets(ty)?), 0));
+            return Ok(Array(Box::new(self.brackets(ty)?), 0));
         }
         let count = self.conditional()?;
         let count = u32::try_from(self.constant(&count)?).map_err(|_| self.missing("a length"))?;
         self.expect("]")?;
-        Ok(Type::Array(Box::new(self.brackets(ty)?), count))
+        Ok(Array(Box::new(self.brackets(ty)?), count))
     }
 
     pub(super) fn type_name(&mut self) -> Result<Type, Missing> {
@@ -234,9 +236,9 @@ impl Parser<'_> {
         let mut parameters = self.list(")", |parser| {
             let ty = parser.specifiers()?.ty;
             let (name, ty) = parser.declarator(ty)?;
-            Ok((name, if let Type::Array(ty, _) = ty { Type::Pointer(ty) } else { ty }))
+            Ok((name, if let Array(ty, _) = ty { Pointer(ty) } else { ty }))
         })?;
-        parameters.retain(|(_, ty)| *ty != Type::Void);
+        parameters.retain(|(_, ty)| *ty != Void);
         Ok(parameters)
     }
 
@@ -274,39 +276,39 @@ impl Parser<'_> {
 
     fn statement_kind(&mut self) -> Result<StatementKind, Missing> {
         if self.accept(";") {
-            return Ok(StatementKind::Empty);
+            return Ok(Empty);
         }
         if self.accept("{") {
-            return Ok(StatementKind::Block(self.block()?));
+            return Ok(Block(self.block()?));
         }
         if self.starts_type() {
-            return Ok(StatementKind::Declare(self.declaration()?));
+            return Ok(Declare(self.declaration()?));
         }
-        if let (Token::Name(name), Token::Sign(":")) = (self.peek().clone(), &self.tokens[self.at + 1].token)
+        if let (Name(name), Sign(":")) = (self.peek().clone(), &self.tokens[self.at + 1].token)
             && name != "default"
         {
             self.at += 2;
-            return Ok(StatementKind::Label(name));
+            return Ok(Label(name));
         }
-        let Token::Name(word) = self.peek().clone() else { return self.evaluated() };
+        let Name(word) = self.peek().clone() else { return self.evaluated() };
         self.next();
         match word.as_str() {
             "if" => {
                 let condition = self.bracketed()?;
                 let first = Box::new(self.statement()?);
                 let second = if self.accept("else") { Some(Box::new(self.statement()?)) } else { None };
-                Ok(StatementKind::If(condition, first, second))
+                Ok(If(condition, first, second))
             }
             "while" => {
                 let condition = self.bracketed()?;
-                Ok(StatementKind::Loop(None, Some(condition), None, Box::new(self.statement()?), false))
+                Ok(Loop(None, Some(condition), None, Box::new(self.statement()?), false))
             }
             "do" => {
                 let body = Box::new(self.statement()?);
                 self.expect("while")?;
                 let condition = self.bracketed()?;
                 self.expect(";")?;
-                Ok(StatementKind::Loop(None, Some(condition), None, body, true))
+                Ok(Loop(None, Some(condition), None, body, true))
             }
             "for" => {
                 self.expect("(")?;
@@ -318,39 +320,39 @@ impl Parser<'_> {
                     self.expect(";")?;
                     Some(condition)
                 };
-                let step = if *self.peek() == Token::Sign(")") { None } else { Some(self.expression()?) };
+                let step = if *self.peek() == Sign(")") { None } else { Some(self.expression()?) };
                 self.expect(")")?;
-                Ok(StatementKind::Loop(Some(first), condition, step, Box::new(self.statement()?), false))
+                Ok(Loop(Some(first), condition, step, Box::new(self.statement()?), false))
             }
             "switch" => {
                 let value = self.bracketed()?;
-                Ok(StatementKind::Switch(value, Box::new(self.statement()?)))
+                Ok(Switch(value, Box::new(self.statement()?)))
             }
             "case" => {
                 let value = self.conditional()?;
                 self.expect(":")?;
-                Ok(StatementKind::Case(Some(value)))
+                Ok(Case(Some(value)))
             }
             "default" => {
                 self.expect(":")?;
-                Ok(StatementKind::Case(None))
+                Ok(Case(None))
             }
             "break" | "continue" => {
                 self.expect(";")?;
-                Ok(if word == "break" { StatementKind::Break } else { StatementKind::Continue })
+                Ok(if word == "break" { Break } else { Continue })
             }
             "goto" => {
                 let label = self.name()?;
                 self.expect(";")?;
-                Ok(StatementKind::Goto(label))
+                Ok(Goto(label))
             }
             "return" => {
                 if self.accept(";") {
-                    return Ok(StatementKind::Return(None));
+                    return Ok(Return(None));
                 }
                 let value = self.expression()?;
                 self.expect(";")?;
-                Ok(StatementKind::Return(Some(value)))
+                Ok(Return(Some(value)))
             }
             _ => {
                 self.at -= 1;
@@ -362,7 +364,7 @@ impl Parser<'_> {
     fn evaluated(&mut self) -> Result<StatementKind, Missing> {
         let expression = self.expression()?;
         self.expect(";")?;
-        Ok(StatementKind::Evaluate(expression))
+        Ok(Evaluate(expression))
     }
 
     pub(super) fn bracketed(&mut self) -> Result<Expression, Missing> {

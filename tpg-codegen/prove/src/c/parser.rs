@@ -3,6 +3,7 @@
 use super::syntax::{Type, Unit};
 use super::token::{Placed, Token};
 use crate::input::Missing;
+use Token::*;
 use std::collections::HashMap;
 
 /// A parser of a file.
@@ -37,8 +38,8 @@ impl Parser<'_> {
     /// Reads a sign or a word, if it is next.
     pub(super) fn accept(&mut self, text: &str) -> bool {
         let is = match self.peek() {
-            Token::Sign(sign) => *sign == text,
-            Token::Name(name) => name == text,
+            Sign(sign) => *sign == text,
+            Name(name) => name == text,
             _ => false,
         };
         if is {
@@ -53,7 +54,7 @@ impl Parser<'_> {
 
     pub(super) fn name(&mut self) -> Result<String, Missing> {
         match self.next() {
-            Token::Name(name) => Ok(name),
+            Name(name) => Ok(name),
             other => Err(self.missing(format!("a name, found {other:?}"))),
         }
     }
@@ -81,9 +82,9 @@ impl Parser<'_> {
             let mut depth = 0;
             loop {
                 match self.next() {
-                    Token::Sign("(") => depth += 1,
-                    Token::Sign(")") => depth -= 1,
-                    Token::End => return Err(self.missing("`)`")),
+                    Sign("(") => depth += 1,
+                    Sign(")") => depth -= 1,
+                    End => return Err(self.missing("`)`")),
                     _ => {}
                 }
                 if depth == 0 {

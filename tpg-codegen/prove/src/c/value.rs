@@ -4,7 +4,8 @@ use super::code::{CONSTANTS, Condition, Constant, Scalar, Value};
 use super::execute::{Cell, Code};
 use crate::input::Missing;
 use crate::term::word::computed;
-use crate::term::{Bool, Float, Node, Operator, Terms, Width, Word};
+use crate::term::{Bool, Float, Node, Operator::*, Terms, Width::*, Word};
+use Value::*;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
@@ -88,7 +89,7 @@ impl Here<'_> {
         }
         // an element of a constant table
         let terms = &mut *self.terms;
-        if let Node::Apply(Operator::Add, Width::W32, index, base) = *terms.of_word(address)
+        if let Node::Apply(Add, W32, index, base) = *terms.of_word(address)
             && let Some(base) = terms.number_of(base)
             && let Some(object) = u32::try_from(base).ok().and_then(|base| self.code.program.object(base))
             && object.start >= CONSTANTS
@@ -101,7 +102,7 @@ impl Here<'_> {
                 })
                 .collect();
             let offset = terms.number(base - u64::from(object.start));
-            let index = terms.apply(Operator::Add, Width::W32, index, offset);
+            let index = terms.apply(Add, W32, index, offset);
             let length = object.end - object.start;
             if largest(terms, index) >= u64::from(length) && !terms.is_granted(index, length) {
                 return self.missing("an index that is in bounds");
@@ -127,28 +128,28 @@ impl Here<'_> {
 
     pub(super) fn value(&mut self, value: &Value) -> Result<Cell, Missing> {
         let word = match value {
-            Value::Load(address, Scalar::Float) => {
+            Load(address, Scalar::Float) => {
                 let address = self.word(address)?;
                 return self.loaded_float(address).map(Cell::Float);
             }
             Value::Float(bits) => return Ok(Cell::Float(self.terms.constant_bits(*bits))),
-            Value::Arithmetic(operation, a, b) => {
+            Arithmetic(operation, a, b) => {
                 let (a, b) = (self.float(a)?, self.float(b)?);
                 return Ok(Cell::Float(self.terms.arithmetic(*operation, a, b)));
             }
-            Value::Negative(a) => {
+            Negative(a) => {
                 let a = self.float(a)?;
                 return Ok(Cell::Float(self.terms.negate(a)));
             }
-            Value::Magnitude(a) => {
+            Magnitude(a) => {
                 let a = self.float(a)?;
                 return Ok(Cell::Float(self.terms.magnitude(a)));
             }
-            Value::OfInteger(signed, a) => {
+            OfInteger(signed, a) => {
                 let a = self.word(a)?;
                 return Ok(Cell::Float(self.terms.of_integer(*signed, a)));
             }
-            Value::If(condition, a, b) => {
+            If(condition, a, b) => {
                 let condition = self.condition(condition)?;
                 if condition == Terms::TRUE {
                     return self.value(a);
@@ -159,32 +160,28 @@ impl Here<'_> {
                 let (a, b) = (self.value(a)?, self.value(b)?);
                 return chosen(self.terms, condition, a, b).map_or_else(|| self.missing("one kind of value"), Ok);
             }
-            Value::Load(address, Scalar::Word) => {
+            Load(address, Scalar::Word) => {
                 let address = self.word(address)?;
                 self.loaded_word(address)?
             }
-            Value::Number(number) => self.terms.number(*number),
-            Value::Apply(operator, width, a, b) => {
+            Number(number) => self.terms.number(*number),
+            Apply(operator, width, a, b) => {
                 let (a, b) = (self.word(a)?, self.word(b)?);
                 match operator {
-                    Operator::Divide | Operator::Modulo
-                        if self.terms.numbers(b).is_none_or(|numbers| numbers.contains(&0)) =>
-                    {
+                    Divide | Modulo if self.terms.numbers(b).is_none_or(|numbers| numbers.contains(&0)) => {
                         return self.missing("a divisor that is not 0");
                     }
-                    Operator::ShiftLeft | Operator::ShiftRight | Operator::ShiftArithmetic
-                        if largest(self.terms, b) >= u64::from(width.bits()) =>
-                    {
+                    ShiftLeft | ShiftRight | ShiftArithmetic if largest(self.terms, b) >= u64::from(width.bits()) => {
                         return self.missing("a shift below the width");
                     }
                     _ => self.terms.apply(*operator, *width, a, b),
                 }
             }
-            Value::OfCondition(condition) => {
+            OfCondition(condition) => {
                 let condition = self.condition(condition)?;
                 self.terms.word_of(condition)
             }
-            Value::Below(a, length) => {
+            Below(a, length) => {
                 let a = self.word(a)?;
                 let largest = largest(self.terms, a);
                 if largest >= u64::from(*length) {
@@ -196,9 +193,9 @@ impl Here<'_> {
                 }
                 if largest < FEW && self.terms.numbers(a).is_none() { each(self.terms, a, largest) } else { a }
             }
-            Value::Moved(address, offset) => {
+            Moved(address, offset) => {
                 let (address, offset) = (self.word(address)?, self.word(offset)?);
-                let sum = self.terms.apply(Operator::Add, Width::W32, address, offset);
+                let sum = self.terms.apply(Add, W32, address, offset);
                 // constants are checked here, other indices where they are below a length
                 if let (Some(from), Some(to)) = (self.terms.numbers(address), self.terms.numbers(sum)) {
                     let objects: BTreeSet<_> = (from.iter().chain(&to))
@@ -262,7 +259,7 @@ fn each(terms: &mut Terms, word: Word, largest: u64) -> Word {
     let mut result = terms.number(largest);
     for number in (0..largest).rev() {
         let number = terms.number(number);
-        let is = terms.same(Width::W32, word, number);
+        let is = terms.same(W32, word, number);
         result = terms.choose_word(is, number, result);
     }
     result
@@ -273,13 +270,13 @@ fn largest(terms: &mut Terms, word: Word) -> u64 {
     match *terms.of_word(word) {
         Node::Number(number) => number,
         Node::WordIf(_, a, b) => largest(terms, a).max(largest(terms, b)),
-        Node::Apply(Operator::And, _, a, b) => largest(terms, a).min(largest(terms, b)),
-        Node::Apply(Operator::ShiftRight, width, a, b) => match terms.number_of(b) {
-            Some(by) => computed(Operator::ShiftRight, width, largest(terms, a), by),
+        Node::Apply(And, _, a, b) => largest(terms, a).min(largest(terms, b)),
+        Node::Apply(ShiftRight, width, a, b) => match terms.number_of(b) {
+            Some(by) => computed(ShiftRight, width, largest(terms, a), by),
             None => width.mask(),
         },
         Node::Apply(_, width, ..) => width.mask(),
-        Node::Bits(_) => Width::W32.mask(),
-        _ => Width::W64.mask(),
+        Node::Bits(_) => W32.mask(),
+        _ => W64.mask(),
     }
 }

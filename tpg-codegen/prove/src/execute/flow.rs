@@ -6,6 +6,7 @@ use crate::thumb::decode::decode;
 use crate::thumb::{
     Binary, Block, Condition, Instruction, Integer, LR, Offset, Operand, Operation, PC, Place, Register, S0, SP,
 };
+use Operation::*;
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 /// A set of registers and of the two sets of flags.
@@ -112,18 +113,18 @@ impl Flow {
             let inside = |target: u32| target.wrapping_sub(self.entry) < function.size;
             table(image, place, (behind, bytes), self.entries(instruction), inside)
         };
-        Ok(match &instruction.operation {
-            Operation::Branch { .. } if relocation.is_some() => return Err(refuse("a branch to another function")),
-            Operation::Branch { target } => (or_behind(vec![*target]), None),
-            Operation::BranchIf { target, .. } => (vec![*target, behind], None),
-            Operation::Table { base: PC, bytes, .. } => (or_behind(listed(Some(*bytes))), None),
-            Operation::Exchange { register: LR } => (or_behind(Vec::new()), None),
-            Operation::Transfer { registers, load: true, place: to, .. } if registers.contains(&PC) => {
+        Ok(match instruction.operation {
+            Branch { .. } if relocation.is_some() => return Err(refuse("a branch to another function")),
+            Branch { target } => (or_behind(vec![target]), None),
+            BranchIf { target, .. } => (vec![target, behind], None),
+            Table { base: PC, bytes, .. } => (or_behind(listed(Some(bytes))), None),
+            Exchange { register: LR } => (or_behind(Vec::new()), None),
+            Transfer { ref registers, load: true, place: to, .. } if registers.contains(&PC) => {
                 let by_table = matches!(to.offset, Offset::Register(..));
                 let targets = if by_table { listed(None) } else { Vec::new() };
                 (or_behind(targets), None)
             }
-            Operation::Call { target } => match relocation.map(|relocation| (relocation.part, &relocation.target)) {
+            Call { target } => match relocation.map(|relocation| (relocation.part, &relocation.target)) {
                 Some((Part::Branch, Ok(callee))) => (vec![behind], Some(*callee)),
                 Some((_, Err(name))) => return Err(refuse(&format!("a call of {name}, which is elsewhere"))),
                 Some(_) => return Err(refuse("a call that the linker changes")),
@@ -132,22 +133,22 @@ impl Flow {
                     (vec![behind], Some(Address { section: self.section, offset }))
                 }
             },
-            Operation::Table { .. } | Operation::Exchange { .. } => return Err(refuse("a jump to a computed address")),
+            Table { .. } | Exchange { .. } => return Err(refuse("a jump to a computed address")),
             _ => (vec![behind], None),
         })
     }
 
     /// Returns the entries of a table, by the comparison before its branch.
     fn entries(&self, instruction: &Instruction) -> Option<u32> {
-        let index = match &instruction.operation {
-            Operation::Table { index, .. } => *index,
-            Operation::Transfer { place: Place { offset: Offset::Register(index, _), .. }, .. } => *index,
+        let index = match instruction.operation {
+            Table { index, .. } => index,
+            Transfer { place: Place { offset: Offset::Register(index, _), .. }, .. } => index,
             _ => return None,
         };
         let before = self.nodes.range(..instruction.address).rev().take(6);
-        before.map(|(_, node)| &node.instruction.operation).find_map(|operation| match operation {
+        before.map(|(_, node)| &node.instruction.operation).find_map(|operation| match *operation {
             Operation::Integer { name: Integer::Sub, to: None, left, right: Operand::Number(last), .. }
-                if *left == index =>
+                if left == index =>
             {
                 Some(last.saturating_add(1).min(1024))
             }
@@ -247,8 +248,8 @@ impl Flow {
 /// True for instructions that may return to the caller.
 pub(super) fn ends(instruction: &Instruction) -> bool {
     match &instruction.operation {
-        Operation::Exchange { .. } => true,
-        Operation::Transfer { load: true, registers, place, .. } => {
+        Exchange { .. } => true,
+        Transfer { load: true, registers, place, .. } => {
             registers.contains(&PC) && !matches!(place.offset, Offset::Register(..))
         }
         _ => false,
@@ -286,38 +287,38 @@ fn table(
 /// What an instruction reads and what it always writes, if it is executed.
 fn effects(instruction: &Instruction) -> (Live, Live) {
     let set = |registers: &[Register]| registers.iter().fold(0, |set: Live, register| set | 1 << register);
-    let operand = |operand: &Operand| match operand {
+    let one = |register: Register| -> Live { 1 << register };
+    let operand = |operand| match operand {
         Operand::Number(_) => 0,
-        Operand::Register(register, ..) => set(&[*register]),
+        Operand::Register(register, ..) => one(register),
     };
-    match &instruction.operation {
-        Operation::Nop | Operation::If | Operation::Branch { .. } | Operation::Call { .. } => (0, 0),
+    match instruction.operation {
+        Nop | If | Branch { .. } | Call { .. } => (0, 0),
         Operation::Integer { name, flags, to, left, right } => {
             let carry = if matches!(name, Integer::Adc | Integer::Sbc) { FLAGS } else { 0 };
             let copies = matches!(name, Integer::Mov | Integer::Mvn);
-            let reads = operand(right) | carry | if copies { 0 } else { set(&[*left]) };
-            (reads, to.map_or(0, |to| set(&[to])) | if *flags { FLAGS } else { 0 })
+            let reads = operand(right) | carry | if copies { 0 } else { one(left) };
+            (reads, to.map_or(0, one) | if flags { FLAGS } else { 0 })
         }
-        Operation::MultiplyAdd { to, factors, sum, .. } => (set(factors) | set(&[*sum]), set(&[*to])),
-        Operation::Insert { to, from, .. } => (set(&[*to]) | from.map_or(0, |from| set(&[from])), set(&[*to])),
-        Operation::Extract { to, from, .. }
-        | Operation::LeadingZeros { to, from }
-        | Operation::Move { to, from }
-        | Operation::Unary { to, from, .. } => (set(&[*from]), set(&[*to])),
-        Operation::Top { to, .. } => (set(&[*to]), set(&[*to])),
-        Operation::Address { to, .. } | Operation::Constant { to, .. } => (0, set(&[*to])),
-        Operation::Transfer { load, registers, place, .. } => {
-            let offset = if let Offset::Register(register, _) = place.offset { set(&[register]) } else { 0 };
-            let reads = offset | set(&[place.base]) | if *load { 0 } else { set(registers) };
-            (reads, if *load { set(registers) } else { 0 })
+        MultiplyAdd { to, factors, sum, .. } => (set(&factors) | one(sum), one(to)),
+        Insert { to, from, .. } => (one(to) | from.map_or(0, one), one(to)),
+        Extract { to, from, .. } | LeadingZeros { to, from } | Move { to, from } | Unary { to, from, .. } => {
+            (one(from), one(to))
+        }
+        Top { to, .. } => (one(to), one(to)),
+        Operation::Address { to, .. } | Constant { to, .. } => (0, one(to)),
+        Transfer { load, ref registers, place, .. } => {
+            let offset = if let Offset::Register(register, _) = place.offset { one(register) } else { 0 };
+            let reads = offset | one(place.base) | if load { 0 } else { set(registers) };
+            (reads, if load { set(registers) } else { 0 })
         }
         Operation::Binary { name, to, left, right } => {
             let sums = matches!(name, Binary::MulAdd | Binary::MulSub | Binary::NegMulAdd | Binary::NegMulSub);
-            (set(&[*left, *right]) | if sums { set(&[*to]) } else { 0 }, set(&[*to]))
+            (set(&[left, right]) | if sums { one(to) } else { 0 }, one(to))
         }
-        Operation::Compare { left, right } => (set(&[*left]) | right.map_or(0, |right| set(&[right])), FLOAT_FLAGS),
-        Operation::ReadFlags => (FLOAT_FLAGS, FLAGS),
-        Operation::BranchIf { register, .. } | Operation::Exchange { register } => (set(&[*register]), 0),
-        Operation::Table { base, index, .. } => (set(&[*base, *index]), 0),
+        Compare { left, right } => (one(left) | right.map_or(0, one), FLOAT_FLAGS),
+        ReadFlags => (FLOAT_FLAGS, FLAGS),
+        BranchIf { register, .. } | Exchange { register } => (one(register), 0),
+        Table { base, index, .. } => (set(&[base, index]), 0),
     }
 }

@@ -5,8 +5,10 @@ use super::{MachineState, Object, Point};
 use crate::elf::{Address, Part};
 use crate::input::Missing;
 use crate::machine::Answer;
-use crate::term::{Float, Operator, Terms, Width as Bits, Word};
+use crate::term::{Float, Operator::*, Terms, Width as Bits, Word};
 use crate::thumb::{Index, Instruction, Offset, PC, Place, Register, SP, Width};
+use Region::*;
+use Value::*;
 
 type Result<T> = std::result::Result<T, Missing>;
 
@@ -80,7 +82,7 @@ impl Object {
     ) -> Result<(Value, Option<Value>)> {
         let base = if place.base == PC {
             let code = self.code(point, at.address.wrapping_add(4) & !3);
-            Value::Pointer(Region::Section(code.section), terms.number(code.offset.into()))
+            Pointer(Section(code.section), terms.number(code.offset.into()))
         } else {
             let base = self.register(point, at, place.base)?;
             self.unknowns.pointer(terms, base)
@@ -91,10 +93,10 @@ impl Object {
                 let value = self.register(point, at, register)?;
                 match (self.unknowns.pointer(terms, value), base) {
                     // The address is the register that is added.
-                    (value @ Value::Pointer(..), Value::Word(word)) if shift == 0 => (value, word),
+                    (value @ Pointer(..), Value::Word(word)) if shift == 0 => (value, word),
                     _ => {
                         let (word, shift) = (self.word(terms, point, at, register)?, terms.number(shift.into()));
-                        (base, terms.apply(Operator::ShiftLeft, Bits::W32, word, shift))
+                        (base, terms.apply(ShiftLeft, Bits::W32, word, shift))
                     }
                 }
             }
@@ -116,12 +118,12 @@ impl Object {
 
     fn load(&self, terms: &mut Terms, point: &Point, at: &Instruction, address: Value, width: Width) -> Result<Value> {
         let (region, offset) = match address {
-            Value::Pointer(region, offset) => (region, offset),
+            Pointer(region, offset) => (region, offset),
             // A number is an address of a linked image.
             Value::Word(word) => {
                 let located = terms.number_of(word).and_then(|number| self.image.locate(number as u32));
                 let located = located.ok_or_else(|| refuse(at, "loads from a number"))?;
-                (Region::Section(located.section), terms.number(located.offset.into()))
+                (Section(located.section), terms.number(located.offset.into()))
             }
             _ => return Err(refuse(at, "loads from no address")),
         };
@@ -148,26 +150,26 @@ impl Object {
         let index = offset / 4;
         let sources = self.interface.state_length();
         match region {
-            Region::Section(section) => {
+            Section(section) => {
                 let address = Address { section, offset };
                 if self.image.is_relocated(address, width.bytes.into()) {
                     let target = if is_word { self.image.pointer(address)? } else { return None };
                     let offset = terms.number(target.offset.into());
-                    return Some(Value::Pointer(Region::Section(target.section), offset));
+                    return Some(Pointer(Section(target.section), offset));
                 }
                 let number = self.image.number(address, width.bytes)?;
                 let unused = 32 - 8 * u32::from(width.bytes);
                 let number = if width.signed { ((number << unused) as i32 >> unused) as u32 } else { number };
                 Some(Value::Word(terms.number(number.into())))
             }
-            Region::State if !is_word => None,
-            Region::State => (index < sources).then(|| Value::Float(terms.source(index))),
+            State if !is_word => None,
+            State => (index < sources).then(|| Value::Float(terms.source(index))),
             _ => {
                 let value = *point.memory.get(&(region, offset, width.bytes))?;
                 let Value::Word(word) = value else { return Some(value) };
                 let unused = terms.number(32 - 8 * u64::from(width.bytes));
-                let high = terms.apply(Operator::ShiftLeft, Bits::W32, word, unused);
-                let extended = terms.apply(Operator::ShiftArithmetic, Bits::W32, high, unused);
+                let high = terms.apply(ShiftLeft, Bits::W32, word, unused);
+                let extended = terms.apply(ShiftArithmetic, Bits::W32, high, unused);
                 Some(Value::Word(if width.signed { extended } else { word }))
             }
         }
@@ -182,19 +184,19 @@ impl Object {
         width: Width,
         value: Value,
     ) -> Result<()> {
-        let Value::Pointer(region, offset) = address else { return Err(refuse(at, "stores to no known address")) };
+        let Pointer(region, offset) = address else { return Err(refuse(at, "stores to no known address")) };
         let offset = terms.number_of(offset).ok_or_else(|| refuse(at, "stores to an unknown address"))? as u32;
         let length = match region {
-            Region::Memory => self.interface.memory.len(),
-            Region::Outputs => self.interface.outputs.len(),
+            Memory => self.interface.memory.len(),
+            Outputs => self.interface.outputs.len(),
             // Below the place where the function began with it.
-            Region::Stack if (offset as i32) < 0 => usize::MAX,
+            Stack if (offset as i32) < 0 => usize::MAX,
             _ => 0,
         };
         // Parts of words are stored on the stack only.
         let bytes = u32::from(width.bytes);
-        let aligned = offset.is_multiple_of(bytes) && (bytes == 4 || region == Region::Stack);
-        if !aligned || (region != Region::Stack && (offset / 4) as usize >= length) || length == 0 {
+        let aligned = offset.is_multiple_of(bytes) && (bytes == 4 || region == Stack);
+        if !aligned || (region != Stack && (offset / 4) as usize >= length) || length == 0 {
             return Err(refuse(at, format_args!("stores to {region:?}, offset {}", offset as i32)));
         }
         let value = if bytes == 4 {
@@ -202,7 +204,7 @@ impl Object {
         } else {
             let word = super::value::word(terms, value).ok_or_else(|| refuse(at, "stores a part of no number"))?;
             let mask = terms.number((1 << (8 * bytes)) - 1);
-            Value::Word(terms.apply(Operator::And, Bits::W32, word, mask))
+            Value::Word(terms.apply(And, Bits::W32, word, mask))
         };
         let last = |offset: u32, bytes: u32| offset.wrapping_add(bytes - 1);
         point.memory.retain(|&(other, at, size), _| {
@@ -216,8 +218,7 @@ impl Object {
     pub(super) fn answer(&self, terms: &mut Terms, point: &Point) -> Result<Answer> {
         let place = self.function_place(point);
         for register in super::flow::preserved() {
-            let expected =
-                if register == SP { Value::Pointer(Region::Stack, terms.number(0)) } else { Value::Initial(register) };
+            let expected = if register == SP { Pointer(Stack, terms.number(0)) } else { Initial(register) };
             if point.registers[usize::from(register)] != Some(expected) {
                 return Err(Missing::new(place, format!("register {register} is not what it was before")));
             }
@@ -227,9 +228,7 @@ impl Object {
             return Ok(Answer::Action(value.ok_or_else(|| Missing::new(place, "the answer is not known"))?));
         }
         let mut values = Vec::new();
-        for (region, count) in
-            [(Region::Outputs, self.interface.outputs.len()), (Region::Memory, self.interface.memory.len())]
-        {
+        for (region, count) in [(Outputs, self.interface.outputs.len()), (Memory, self.interface.memory.len())] {
             for index in 0..count as u32 {
                 let value = self.load_at(terms, point, region, 4 * index, crate::thumb::WORD);
                 values.push(match value {
@@ -256,10 +255,8 @@ impl Object {
 /// Returns an address moved by a distance, or a sum of numbers.
 pub(super) fn moved(terms: &mut Terms, base: Value, distance: Word) -> Option<Value> {
     match base {
-        Value::Pointer(region, offset) => {
-            Some(Value::Pointer(region, terms.apply(Operator::Add, Bits::W32, offset, distance)))
-        }
-        Value::Word(word) => Some(Value::Word(terms.apply(Operator::Add, Bits::W32, word, distance))),
+        Pointer(region, offset) => Some(Pointer(region, terms.apply(Add, Bits::W32, offset, distance))),
+        Value::Word(word) => Some(Value::Word(terms.apply(Add, Bits::W32, word, distance))),
         _ => None,
     }
 }

@@ -13,10 +13,11 @@ use crate::input::Missing;
 use crate::machine::{Interface, Machine, Step};
 use crate::term::{Bool, Terms, Width, Word};
 use crate::thumb::{PC, REGISTERS, Register, SP};
+use Value::*;
 use flow::{FLAGS, FLOAT_FLAGS, Flow};
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
-use value::{Cell, Flags, Region, Unknowns, Value, restricted};
+use value::{Cell, Flags, Region::*, Unknowns, Value, restricted};
 
 /// So many instructions are executed at most between two points.
 const LIMIT: usize = 200_000;
@@ -130,12 +131,11 @@ impl Object {
             point.float_flags = Flags::Unknown;
         }
         let top = match point.registers[SP as usize] {
-            Some(Value::Pointer(Region::Stack, offset)) => terms.number_of(offset),
+            Some(Pointer(Stack, offset)) => terms.number_of(offset),
             _ => None,
         };
         // What is below the stack pointer is lost; offsets are negative.
-        let lost =
-            |region, offset| region == Region::Stack && top.is_some_and(|top| (offset as i32) < top as u32 as i32);
+        let lost = |region, offset| region == Stack && top.is_some_and(|top| (offset as i32) < top as u32 as i32);
         point.memory.retain(|&(region, offset, _), _| !lost(region, offset));
         for value in point.memory.values_mut() {
             *value = restricted(terms, *value, &facts);
@@ -154,7 +154,7 @@ impl Object {
         let mut cases = vec![(state.guard, point.clone())];
         let mut words = Vec::new();
         for value in point.registers.iter().flatten().chain(point.memory.values()) {
-            if let Value::Word(word) | Value::Pointer(_, word) = value
+            if let Value::Word(word) | Pointer(_, word) = value
                 && terms.number_of(*word).is_none()
                 && !words.contains(word)
             {
@@ -220,7 +220,7 @@ impl Point {
         let mut point = self.clone();
         for place in point.registers.iter_mut().flatten().chain(point.memory.values_mut()) {
             match place {
-                Value::Word(found) | Value::Pointer(_, found) if *found == word => *found = number,
+                Value::Word(found) | Pointer(_, found) if *found == word => *found = number,
                 _ => {}
             }
         }
@@ -234,22 +234,22 @@ impl Machine for Object {
     fn entry(&mut self, terms: &mut Terms) -> Result<Point, Missing> {
         let function = self.function.start;
         let mut registers: [Option<Value>; REGISTERS] =
-            std::array::from_fn(|register| Some(Value::Initial(register as Register)));
+            std::array::from_fn(|register| Some(Initial(register as Register)));
         let zero = terms.number(0);
-        let mut arguments = vec![Region::State];
-        arguments.extend((!self.interface.memory.is_empty()).then_some(Region::Memory));
-        arguments.extend((!self.interface.outputs.is_empty()).then_some(Region::Outputs));
+        let mut arguments = vec![State];
+        arguments.extend((!self.interface.memory.is_empty()).then_some(Memory));
+        arguments.extend((!self.interface.outputs.is_empty()).then_some(Outputs));
         for (register, region) in registers.iter_mut().zip(arguments) {
-            *register = Some(Value::Pointer(region, zero));
+            *register = Some(Pointer(region, zero));
         }
-        registers[SP as usize] = Some(Value::Pointer(Region::Stack, zero));
+        registers[SP as usize] = Some(Pointer(Stack, zero));
         registers[PC as usize] = None;
         let address = self.flow(function)?.entry;
         // The memory's values follow those of the state.
         let mut memory = BTreeMap::new();
         for (index, _) in (0..).zip(&self.interface.memory) {
             let value = terms.source(self.interface.state_length() + index);
-            memory.insert((Region::Memory, 4 * index, 4), Value::Float(value));
+            memory.insert((Memory, 4 * index, 4), Float(value));
         }
         Ok(Point {
             address,

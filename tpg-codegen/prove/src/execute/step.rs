@@ -9,6 +9,9 @@ use crate::term::{Bool, Operator, Terms, Width, Word};
 use crate::thumb::{
     Binary, Condition, Instruction, Integer, LR, Offset, Operand, Operation, PC, Register, Shift, Unary,
 };
+use Operation::*;
+use Operator::*;
+use Value::*;
 
 type Result<T> = std::result::Result<T, Missing>;
 const W: Width = Width::W32;
@@ -20,11 +23,11 @@ impl Object {
         let node = &flow.nodes[&state.point.address];
         let at = &node.instruction;
         let behind = at.address + at.size;
-        let condition = match &at.operation {
-            Operation::BranchIf { register, zero, .. } => {
-                let (value, none) = (self.word(terms, &state.point, at, *register)?, terms.number(0));
+        let condition = match at.operation {
+            BranchIf { register, zero, .. } => {
+                let (value, none) = (self.word(terms, &state.point, at, register)?, terms.number(0));
                 let same = terms.same(W, value, none);
-                if *zero { same } else { !same }
+                if zero { same } else { !same }
             }
             _ => state
                 .point
@@ -33,14 +36,9 @@ impl Object {
                 .ok_or_else(|| refuse(at, format_args!("the flags do not say {:?}", at.condition)))?,
         };
         let mut followers = Vec::new();
-        let leaves = matches!(
-            at.operation,
-            Operation::Branch { .. }
-                | Operation::BranchIf { .. }
-                | Operation::Table { .. }
-                | Operation::Exchange { .. }
-                | Operation::Call { .. }
-        ) || matches!(&at.operation, Operation::Transfer { load: true, registers, .. } if registers.contains(&PC));
+        let leaves =
+            matches!(at.operation, Branch { .. } | BranchIf { .. } | Table { .. } | Exchange { .. } | Call { .. })
+                || matches!(&at.operation, Transfer { load: true, registers, .. } if registers.contains(&PC));
         if leaves {
             if let Some(mut other) = under(terms, &state, !condition) {
                 self.moved(&mut other, behind)?;
@@ -74,12 +72,12 @@ impl Object {
         callee: Option<Address>,
         followers: &mut Vec<Next>,
     ) -> Result<()> {
-        match &at.operation {
-            Operation::Branch { target } | Operation::BranchIf { target, .. } => {
-                self.moved(&mut state, *target)?;
+        match at.operation {
+            Branch { target } | BranchIf { target, .. } => {
+                self.moved(&mut state, target)?;
                 followers.push(Next::At(state));
             }
-            Operation::Call { .. } => {
+            Call { .. } => {
                 let callee = callee.ok_or_else(|| refuse(at, "a call of nothing"))?;
                 let flow = self.flow(callee)?;
                 let point = &mut state.point;
@@ -94,20 +92,20 @@ impl Object {
                 state.position.push(node.order);
                 followers.push(Next::At(state));
             }
-            Operation::Exchange { register } => {
-                let target = self.register(&state.point, at, *register)?;
+            Exchange { register } => {
+                let target = self.register(&state.point, at, register)?;
                 followers.push(self.returned(terms, state, at, target)?);
             }
-            Operation::Transfer { load, width, registers, place } => {
+            Transfer { load, width, ref registers, place } => {
                 if !matches!(place.offset, Offset::Register(..)) {
-                    self.transfer(terms, &mut state, at, (*load, *width, registers, *place))?;
+                    self.transfer(terms, &mut state, at, (load, width, registers, place))?;
                     let target = self.register(&state.point, at, PC)?;
                     state.point.registers[usize::from(PC)] = None;
                     followers.push(self.returned(terms, state, at, target)?);
                     return Ok(());
                 }
-                let (Value::Pointer(Region::Section(section), offsets), None) =
-                    self.addresses(terms, &state.point, at, *place)?
+                let (Pointer(Region::Section(section), offsets), None) =
+                    self.addresses(terms, &state.point, at, place)?
                 else {
                     return Err(refuse(at, "a jump by an unknown table"));
                 };
@@ -117,13 +115,13 @@ impl Object {
                     self.jump(terms, &state, (offsets, number, target), followers)?;
                 }
             }
-            Operation::Table { index, bytes, .. } => {
-                let index = self.word(terms, &state.point, at, *index)?;
+            Table { index, bytes, .. } => {
+                let index = self.word(terms, &state.point, at, index)?;
                 let behind = at.address + at.size;
                 for number in terms.numbers(index).ok_or_else(|| refuse(at, "a jump by an unknown number"))? {
                     let mut place = self.code(&state.point, behind);
-                    place.offset = place.offset.wrapping_add(number as u32 * u32::from(*bytes));
-                    let distance = self.image.number(place, *bytes);
+                    place.offset = place.offset.wrapping_add(number as u32 * u32::from(bytes));
+                    let distance = self.image.number(place, bytes);
                     let target = distance.map(|distance| behind.wrapping_add(2 * distance));
                     self.jump(terms, &state, (index, number, target), followers)?;
                 }
@@ -178,48 +176,48 @@ impl Object {
     /// Executes an instruction that goes on with the next.
     fn execute(&mut self, terms: &mut Terms, state: &mut MachineState, at: &Instruction) -> Result<()> {
         let point = &mut state.point;
-        let (to, value) = match &at.operation {
-            Operation::Nop | Operation::If => return Ok(()),
+        let (to, value) = match at.operation {
+            Nop | Operation::If => return Ok(()),
             Operation::Integer { name, flags, to, left, right } => {
-                let value = self.integer(terms, point, at, (*name, *flags, *left, *right))?;
+                let value = self.integer(terms, point, at, (name, flags, left, right))?;
                 match to {
-                    Some(to) => (*to, value),
+                    Some(to) => (to, value),
                     None => return Ok(()),
                 }
             }
-            Operation::MultiplyAdd { to, factors, sum, subtract } => {
-                let [a, b, sum] = [factors[0], factors[1], *sum].map(|register| self.word(terms, point, at, register));
-                let product = terms.apply(Operator::Multiply, W, a?, b?);
-                let operator = if *subtract { Operator::Subtract } else { Operator::Add };
-                (*to, Value::Word(terms.apply(operator, W, sum?, product)))
+            MultiplyAdd { to, factors, sum, subtract } => {
+                let [a, b, sum] = [factors[0], factors[1], sum].map(|register| self.word(terms, point, at, register));
+                let product = terms.apply(Multiply, W, a?, b?);
+                let operator = if subtract { Subtract } else { Add };
+                (to, Value::Word(terms.apply(operator, W, sum?, product)))
             }
-            Operation::Extract { to, from, low, width, signed } => {
-                let value = self.word(terms, point, at, *from)?;
+            Extract { to, from, low, width, signed } => {
+                let value = self.word(terms, point, at, from)?;
                 let left = shifted(terms, value, Shift::Left, (32 - low - width).into());
-                let shift = if *signed { Shift::Arithmetic } else { Shift::Right };
+                let shift = if signed { Shift::Arithmetic } else { Shift::Right };
                 let mask = (1 << width) - 1;
                 (
-                    *to,
+                    to,
                     Value::Word(match (low, signed) {
-                        (0, false) => with(terms, Operator::And, value, mask),
+                        (0, false) => with(terms, And, value, mask),
                         _ => shifted(terms, left, shift, (32 - width).into()),
                     }),
                 )
             }
-            Operation::Insert { to, from, low, width } => {
+            Insert { to, from, low, width } => {
                 let mask = ((1u64 << width) - 1) << low;
-                let old = self.word(terms, point, at, *to)?;
-                let kept = with(terms, Operator::And, old, !mask & 0xffff_ffff);
+                let old = self.word(terms, point, at, to)?;
+                let kept = with(terms, And, old, !mask & 0xffff_ffff);
                 let new = match from {
-                    Some(from) => self.word(terms, point, at, *from)?,
+                    Some(from) => self.word(terms, point, at, from)?,
                     None => terms.number(0),
                 };
-                let new = shifted(terms, new, Shift::Left, (*low).into());
-                let new = with(terms, Operator::And, new, mask);
-                (*to, Value::Word(terms.apply(Operator::Or, W, kept, new)))
+                let new = shifted(terms, new, Shift::Left, (low).into());
+                let new = with(terms, And, new, mask);
+                (to, Value::Word(terms.apply(Or, W, kept, new)))
             }
-            Operation::LeadingZeros { to, from } => {
-                let value = self.word(terms, point, at, *from)?;
+            LeadingZeros { to, from } => {
+                let value = self.word(terms, point, at, from)?;
                 // The smallest number of bits in which the value fits.
                 let mut zeros = terms.number(0);
                 for bits in (0..32).rev() {
@@ -227,27 +225,25 @@ impl Object {
                     let fits = terms.below(false, W, value, limit);
                     zeros = terms.choose_word(fits, count, zeros);
                 }
-                (*to, Value::Word(zeros))
+                (to, Value::Word(zeros))
             }
-            Operation::Top { to, number } => {
-                match (self.inserted(point, at, Part::High), self.register(point, at, *to)?) {
-                    (Some(address), Value::Half(half)) if address == half => (*to, section(terms, address)),
-                    (None, _) => {
-                        let low = self.word(terms, point, at, *to)?;
-                        let low = with(terms, Operator::And, low, 0xffff);
-                        (*to, Value::Word(with(terms, Operator::Or, low, u64::from(*number) << 16)))
-                    }
-                    _ => return Err(refuse(at, "half of another address")),
+            Top { to, number } => match (self.inserted(point, at, Part::High), self.register(point, at, to)?) {
+                (Some(address), Half(half)) if address == half => (to, section(terms, address)),
+                (None, _) => {
+                    let low = self.word(terms, point, at, to)?;
+                    let low = with(terms, And, low, 0xffff);
+                    (to, Value::Word(with(terms, Or, low, u64::from(number) << 16)))
                 }
+                _ => return Err(refuse(at, "half of another address")),
+            },
+            Operation::Address { to, address } => (to, section(terms, self.code(point, address))),
+            Transfer { load, width, ref registers, place } => {
+                return self.transfer(terms, state, at, (load, width, registers, place));
             }
-            Operation::Address { to, address } => (*to, section(terms, self.code(point, *address))),
-            Operation::Transfer { load, width, registers, place } => {
-                return self.transfer(terms, state, at, (*load, *width, registers, *place));
-            }
-            Operation::Move { to, from } => (*to, self.register(point, at, *from)?),
-            Operation::Constant { to, bits } => (*to, Value::Word(terms.number((*bits).into()))),
+            Move { to, from } => (to, self.register(point, at, from)?),
+            Operation::Constant { to, bits } => (to, Value::Word(terms.number((bits).into()))),
             Operation::Binary { name, to, left, right } => {
-                let [a, b] = [*left, *right].map(|register| self.float(terms, point, at, register));
+                let [a, b] = [left, right].map(|register| self.float(terms, point, at, register));
                 let (a, b) = (a?, b?);
                 let value = match name {
                     Binary::Add => terms.add(a, b),
@@ -260,7 +256,7 @@ impl Object {
                             Binary::Mul => product,
                             Binary::NegMul => negative,
                             _ => {
-                                let sum = self.float(terms, point, at, *to)?;
+                                let sum = self.float(terms, point, at, to)?;
                                 let negated = terms.negate(sum);
                                 match name {
                                     Binary::MulAdd => terms.add(sum, product),
@@ -272,42 +268,42 @@ impl Object {
                         }
                     }
                 };
-                (*to, Value::Float(value))
+                (to, Float(value))
             }
             Operation::Unary { name, to, from } => (
-                *to,
+                to,
                 match name {
                     Unary::Neg | Unary::Abs | Unary::ToInteger { signed: true } => {
-                        let float = self.float(terms, point, at, *from)?;
+                        let float = self.float(terms, point, at, from)?;
                         match name {
-                            Unary::Neg => Value::Float(terms.negate(float)),
-                            Unary::Abs => Value::Float(terms.magnitude(float)),
+                            Unary::Neg => Float(terms.negate(float)),
+                            Unary::Abs => Float(terms.magnitude(float)),
                             _ => Value::Word(terms.truncated(float)),
                         }
                     }
                     Unary::FromInteger { signed } => {
-                        let word = self.word(terms, point, at, *from)?;
-                        Value::Float(terms.of_integer(*signed, word))
+                        let word = self.word(terms, point, at, from)?;
+                        Float(terms.of_integer(signed, word))
                     }
                     _ => return Err(refuse(at, "terms have no such operation")),
                 },
             ),
-            Operation::Compare { left, right } => {
-                let a = self.float(terms, point, at, *left)?;
+            Compare { left, right } => {
+                let a = self.float(terms, point, at, left)?;
                 let b = match right {
-                    Some(right) => self.float(terms, point, at, *right)?,
+                    Some(right) => self.float(terms, point, at, right)?,
                     None => terms.constant(0.0),
                 };
                 point.float_flags = Flags::Floats(a, b);
                 return Ok(());
             }
-            Operation::ReadFlags => {
+            ReadFlags => {
                 point.flags = point.float_flags.clone();
                 return Ok(());
             }
             _ => return Err(refuse(at, "a branch")),
         };
-        if matches!(value, Value::Half(_)) && to >= PC || to == PC {
+        if matches!(value, Half(_)) && to >= PC || to == PC {
             return Err(refuse(at, "a computed jump"));
         }
         point.registers[usize::from(to)] = Some(value);
@@ -326,7 +322,7 @@ impl Object {
             && let Some(relocation) = self.image.relocation(self.code(point, at.address))
         {
             return match (relocation.part, &relocation.target) {
-                (Part::Low, Ok(address)) if !flags => Ok(Value::Half(*address)),
+                (Part::Low, Ok(address)) if !flags => Ok(Half(*address)),
                 _ => Err(refuse(at, "a constant that the linker changes")),
             };
         }
@@ -344,10 +340,10 @@ impl Object {
         let number = |terms: &mut Terms, value| word(terms, value).ok_or_else(|| refuse(at, "computes with no number"));
         let copies = matches!(name, Integer::Mov | Integer::Mvn);
         let a = if copies { Value::Word(terms.number(0)) } else { self.register(point, at, left)? };
-        if let (Integer::Sub, Value::Pointer(first, a), Value::Pointer(second, b)) = (name, a, b)
+        if let (Integer::Sub, Pointer(first, a), Pointer(second, b)) = (name, a, b)
             && first == second
         {
-            let distance = terms.apply(Operator::Subtract, W, a, b);
+            let distance = terms.apply(Subtract, W, a, b);
             if flags {
                 point.flags = Flags::Result(distance);
             }
@@ -355,9 +351,9 @@ impl Object {
         }
         // Addresses are moved, and nothing else is done with them; their bits set no flags.
         if let Integer::Add | Integer::Sub = name
-            && (matches!(a, Value::Pointer(..)) || matches!(b, Value::Pointer(..)))
+            && (matches!(a, Pointer(..)) || matches!(b, Pointer(..)))
         {
-            let (address, distance) = if matches!(a, Value::Pointer(..)) { (a, b) } else { (b, a) };
+            let (address, distance) = if matches!(a, Pointer(..)) { (a, b) } else { (b, a) };
             let distance = number(terms, distance)?;
             let distance = match name {
                 Integer::Add => distance,
@@ -372,29 +368,29 @@ impl Object {
         let (a, b) = (number(terms, a)?, number(terms, b)?);
         let ones = terms.number(0xffff_ffff);
         let operators = [
-            (Integer::Add, Operator::Add),
-            (Integer::Sub, Operator::Subtract),
-            (Integer::And, Operator::And),
-            (Integer::Orr, Operator::Or),
-            (Integer::Eor, Operator::Xor),
-            (Integer::Mul, Operator::Multiply),
+            (Integer::Add, Add),
+            (Integer::Sub, Subtract),
+            (Integer::And, And),
+            (Integer::Orr, Or),
+            (Integer::Eor, Xor),
+            (Integer::Mul, Multiply),
         ];
         let value = match name {
             Integer::Mov => b,
-            Integer::Mvn => terms.apply(Operator::Xor, W, b, ones),
-            Integer::Rsb => terms.apply(Operator::Subtract, W, b, a),
+            Integer::Mvn => terms.apply(Xor, W, b, ones),
+            Integer::Rsb => terms.apply(Subtract, W, b, a),
             Integer::Bic | Integer::Orn => {
-                let inverted = terms.apply(Operator::Xor, W, b, ones);
-                let operator = if name == Integer::Bic { Operator::And } else { Operator::Or };
+                let inverted = terms.apply(Xor, W, b, ones);
+                let operator = if name == Integer::Bic { And } else { Or };
                 terms.apply(operator, W, a, inverted)
             }
             Integer::Adc | Integer::Sbc => {
                 let carry = point.flags.condition(terms, Condition::Cs);
                 let carry = carry.ok_or_else(|| refuse(at, "the carry is not known"))?;
                 let carry = terms.word_of(carry);
-                let b = if name == Integer::Adc { b } else { terms.apply(Operator::Xor, W, b, ones) };
-                let sum = terms.apply(Operator::Add, W, a, b);
-                terms.apply(Operator::Add, W, sum, carry)
+                let b = if name == Integer::Adc { b } else { terms.apply(Xor, W, b, ones) };
+                let sum = terms.apply(Add, W, a, b);
+                terms.apply(Add, W, sum, carry)
             }
             Integer::Shift(shift) => {
                 // By the lowest byte; only constants.
@@ -423,12 +419,12 @@ impl Object {
 
 /// Returns the address behind a call; that of no call is what the function began with.
 fn return_to(terms: &mut Terms, call: Option<(Address, u32)>) -> Value {
-    let Some((function, address)) = call else { return Value::Initial(LR) };
-    Value::Pointer(Region::Return, terms.number((function.section as u64) << 32 | u64::from(address)))
+    let Some((function, address)) = call else { return Initial(LR) };
+    Pointer(Region::Return, terms.number((function.section as u64) << 32 | u64::from(address)))
 }
 
 fn section(terms: &mut Terms, address: Address) -> Value {
-    Value::Pointer(Region::Section(address.section), terms.number(address.offset.into()))
+    Pointer(Region::Section(address.section), terms.number(address.offset.into()))
 }
 
 /// Applies an operator to a word and a constant.
@@ -439,20 +435,20 @@ fn with(terms: &mut Terms, operator: Operator, word: Word, number: u64) -> Word 
 
 fn negated(terms: &mut Terms, word: Word) -> Word {
     let zero = terms.number(0);
-    terms.apply(Operator::Subtract, W, zero, word)
+    terms.apply(Subtract, W, zero, word)
 }
 
 /// Shifts a word by a constant.
 fn shifted(terms: &mut Terms, word: Word, shift: Shift, amount: u64) -> Word {
     match shift {
-        Shift::Left => with(terms, Operator::ShiftLeft, word, amount),
-        Shift::Right => with(terms, Operator::ShiftRight, word, amount),
-        Shift::Arithmetic => with(terms, Operator::ShiftArithmetic, word, amount),
+        Shift::Left => with(terms, ShiftLeft, word, amount),
+        Shift::Right => with(terms, ShiftRight, word, amount),
+        Shift::Arithmetic => with(terms, ShiftArithmetic, word, amount),
         Shift::Rotate if amount.is_multiple_of(32) => word,
         Shift::Rotate => {
-            let low = with(terms, Operator::ShiftRight, word, amount % 32);
-            let high = with(terms, Operator::ShiftLeft, word, 32 - amount % 32);
-            terms.apply(Operator::Or, W, low, high)
+            let low = with(terms, ShiftRight, word, amount % 32);
+            let high = with(terms, ShiftLeft, word, 32 - amount % 32);
+            terms.apply(Or, W, low, high)
         }
     }
 }

@@ -1,6 +1,6 @@
 //! A reader of `graph.json`, versions 1 and 2, in binary32.
 
-use super::{Destination, Graph, GraphEdge, GraphLine, GraphOperand, GraphTeam, ValueLimits, circle};
+use super::{Destination::*, Graph, GraphEdge, GraphLine, GraphOperand, GraphTeam, ValueLimits, circle};
 use crate::input::InputError;
 use crate::machine::Interface;
 use serde::Deserialize;
@@ -259,12 +259,10 @@ impl Graph {
             for (at, edge) in team.edges.iter().enumerate() {
                 let place = |member: &str| format!("graph.teams[{place}].edges[{at}]{member}");
                 let to = match (edge.team, edge.action, edge.leaf) {
-                    (Some(id), None, None) => Destination::Team(team_ids.find(id, || place(".team"))?),
-                    (None, Some(action), None) if (action as usize) < written.actions.len() => {
-                        Destination::Action(action)
-                    }
+                    (Some(id), None, None) => Team(team_ids.find(id, || place(".team"))?),
+                    (None, Some(action), None) if (action as usize) < written.actions.len() => Action(action),
                     (None, Some(action), None) => return Err(fault(place(".action"), action, "the id of an action")),
-                    (None, None, Some(id)) => Destination::Leaf(leaf_ids.find(id, || place(".leaf"))?),
+                    (None, None, Some(id)) => Leaf(leaf_ids.find(id, || place(".leaf"))?),
                     _ => return Err(fault(place(""), "none of them or several", "a team, an action or a leaf")),
                 };
                 edges.push(GraphEdge { program: program_ids.find(edge.program, || place(".program"))?, to });
@@ -275,8 +273,8 @@ impl Graph {
             teams.push(GraphTeam { id: team.id, edges });
         }
         let start = match (written.root, leaves.len()) {
-            (Some(id), _) => Destination::Team(team_ids.find(id, || "graph.root".to_owned())?),
-            (None, 1) => Destination::Leaf(0),
+            (Some(id), _) => Team(team_ids.find(id, || "graph.root".to_owned())?),
+            (None, 1) => Leaf(0),
             (None, _) => return Err(fault("graph.root".to_owned(), "none", "the id of a team")),
         };
         let own_maths = written.maths == MathsJson::Own;
@@ -287,7 +285,7 @@ impl Graph {
 
     /// Refuses teams that lead back: every team must come before those that it leads to.
     fn leads_forward(&self) -> Result<(), InputError> {
-        let to = |edge: &GraphEdge| if let Destination::Team(to) = edge.to { Some(to) } else { None };
+        let to = |edge: &GraphEdge| if let Team(to) = edge.to { Some(to) } else { None };
         let after: Vec<Vec<usize>> = self.teams.iter().map(|team| team.edges.iter().filter_map(to).collect()).collect();
         match circle(&after) {
             None => Ok(()),

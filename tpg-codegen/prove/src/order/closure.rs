@@ -2,6 +2,7 @@
 
 use crate::interval::Intervals;
 use crate::term::{Arithmetic, Float, INFINITY, NEGATIVE_ZERO, Node, Terms, next_above, rank};
+use Arithmetic::*;
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -125,7 +126,7 @@ impl Closure {
                 facts.nan_with.extend(places.get(&operand).map(|&operand| (operand, at)));
             }
         }
-        if operation == Arithmetic::Add {
+        if operation == Add {
             let zero = terms.constant(0.0);
             for (a, b) in [(a, b), (b, a)] {
                 let mirrored = terms.negate(b);
@@ -267,10 +268,10 @@ fn nan_with(terms: &Terms, operation: Arithmetic, a: Float, b: Float) -> Option<
     let constant = |term| terms.bits_of(term).filter(|bits| bits & !NEGATIVE_ZERO < INFINITY);
     let nonzero = |term| constant(term).is_some_and(|bits| bits & !NEGATIVE_ZERO != 0);
     match operation {
-        Arithmetic::Add if constant(b).is_some() => Some(a),
-        Arithmetic::Add if constant(a).is_some() => Some(b),
-        Arithmetic::Multiply | Arithmetic::Divide if nonzero(b) => Some(a),
-        Arithmetic::Multiply | Arithmetic::Divide if nonzero(a) => Some(b),
+        Add if constant(b).is_some() => Some(a),
+        Add if constant(a).is_some() => Some(b),
+        Multiply | Divide if nonzero(b) => Some(a),
+        Multiply | Divide if nonzero(a) => Some(b),
         _ => None,
     }
 }

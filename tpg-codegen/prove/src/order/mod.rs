@@ -7,7 +7,7 @@
 mod closure;
 
 use crate::interval::Intervals;
-use crate::term::{Bool, Float, INFINITY, NAN, NEGATIVE_ZERO, Node, Terms, is_nan_bits, next_above, rank};
+use crate::term::{Bool, Float, INFINITY, NAN, NEGATIVE_ZERO, Node::*, Terms, is_nan_bits, next_above, rank};
 use closure::Closure;
 use std::collections::{BTreeSet, HashMap};
 
@@ -86,8 +86,8 @@ fn elements(terms: &mut Terms, roots: &[Bool]) -> Vec<Float> {
             continue;
         }
         match terms.of_bool(term).0 {
-            Node::And(members) => open.extend(members.iter()),
-            &Node::AtMost(a, b) => floats.extend([a, b]),
+            And(members) => open.extend(members.iter()),
+            &AtMost(a, b) => floats.extend([a, b]),
             _ => {}
         }
     }
@@ -187,7 +187,7 @@ impl OrderSearch<'_> {
 
     fn assume(&mut self, closure: &mut Closure, atom: u32, value: bool) -> bool {
         self.set(atom, value);
-        let Node::AtMost(a, b) = *self.terms.node_at(atom) else { return true };
+        let AtMost(a, b) = *self.terms.node_at(atom) else { return true };
         let (a, b) = (self.places[&a], self.places[&b]);
         if value { closure.assume(a, b, false) } else { closure.assume(b, a, true) }
     }
@@ -215,8 +215,8 @@ impl OrderSearch<'_> {
         }
         let terms = self.terms;
         let value = match *terms.node_at(node) {
-            Node::True => OrderValue::Known(true),
-            Node::And(ref members) => {
+            True => OrderValue::Known(true),
+            And(ref members) => {
                 let mut open = None;
                 let mut result = None;
                 for &member in members.iter() {
@@ -231,7 +231,7 @@ impl OrderSearch<'_> {
                 }
                 result.unwrap_or_else(|| open.map_or(OrderValue::Known(true), OrderValue::Open))
             }
-            Node::AtMost(a, b) => match closure.at_most(self.places[&a], self.places[&b]) {
+            AtMost(a, b) => match closure.at_most(self.places[&a], self.places[&b]) {
                 Some(value) => OrderValue::Known(value),
                 None => OrderValue::Open(node),
             },

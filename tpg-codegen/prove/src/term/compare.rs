@@ -1,7 +1,7 @@
 //! Comparisons of floats: all are made of one atom, *ranks at most as high*.
 
 use super::rank::{INFINITY, NAN, NEGATIVE_ZERO, is_nan_bits, next_below, rank};
-use super::{Bool, Float, Node, Terms};
+use super::{Bool, Float, Node::*, Terms};
 
 /// Choices of at most so many values are compared value by value.
 const PUSHED: usize = 48;
@@ -57,43 +57,43 @@ impl Terms {
             (None, Some(INFINITY)) => return Self::TRUE,
             _ => {}
         }
-        if let &Node::FloatIf(condition, x, y) = self.of_float(a)
+        if let &FloatIf(condition, x, y) = self.of_float(a)
             && self.leaves(a.0).len() <= PUSHED
         {
             let (x, y) = (self.at_most(x, b), self.at_most(y, b));
             return self.choose(condition, x, y);
         }
-        if let &Node::FloatIf(condition, x, y) = self.of_float(b)
+        if let &FloatIf(condition, x, y) = self.of_float(b)
             && self.leaves(b.0).len() <= PUSHED
         {
             let (x, y) = (self.at_most(a, x), self.at_most(a, y));
             return self.choose(condition, x, y);
         }
         match (self.of_float(a).clone(), self.of_float(b).clone()) {
-            (Node::Negative(x), Node::Constant(bits)) if is_nan_bits(bits) => self.is_nan(x),
-            (Node::Magnitude(x), Node::Constant(bits)) if is_nan_bits(bits) => self.is_nan(x),
+            (Negative(x), Constant(bits)) if is_nan_bits(bits) => self.is_nan(x),
+            (Magnitude(x), Constant(bits)) if is_nan_bits(bits) => self.is_nan(x),
             // -x <= c where -c <= x
-            (Node::Negative(x), Node::Constant(bits)) => {
+            (Negative(x), Constant(bits)) => {
                 let mirrored = self.constant_bits(bits ^ NEGATIVE_ZERO);
                 let (nan, above) = (self.is_nan(x), self.at_most(mirrored, x));
                 self.or(nan, above)
             }
-            (Node::Negative(x), Node::Negative(y)) => {
+            (Negative(x), Negative(y)) => {
                 let (nan_x, nan_y, above) = (self.is_nan(x), self.is_nan(y), self.at_most(y, x));
                 let numbers = self.and(!nan_y, above);
                 self.or(nan_x, numbers)
             }
-            (Node::Magnitude(x), _) => {
+            (Magnitude(x), _) => {
                 let (zero, negated) = (self.constant(0.0), self.negate(x));
                 let (negative, mirrored, same) = (self.at_most(x, zero), self.at_most(negated, b), self.at_most(x, b));
                 self.choose(negative, mirrored, same)
             }
-            (_, Node::Magnitude(y)) => {
+            (_, Magnitude(y)) => {
                 let (zero, negated) = (self.constant(0.0), self.negate(y));
                 let (negative, mirrored, same) = (self.at_most(y, zero), self.at_most(a, negated), self.at_most(a, y));
                 self.choose(negative, mirrored, same)
             }
-            _ => self.atom(Node::AtMost(a, b)),
+            _ => self.atom(AtMost(a, b)),
         }
     }
 }

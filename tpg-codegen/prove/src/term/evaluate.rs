@@ -5,6 +5,7 @@ use super::rank::{NAN, NEGATIVE_ZERO, is_nan_bits, rank};
 use super::set::holds;
 use super::word::computed;
 use super::{Bool, Float, Node, Terms, Word};
+use Node::*;
 
 /// Evaluates terms of one table, state after state. Values of inner nodes are kept for the state that they were computed for.
 #[derive(Debug, Default)]
@@ -69,53 +70,53 @@ impl Evaluator {
     fn computed(&mut self, terms: &Terms, node: &Node) -> u64 {
         let canonical = |bits: u32| u64::from(if is_nan_bits(bits) { NAN } else { bits });
         match *node {
-            Node::True => 1,
-            Node::And(ref members) => u64::from(members.iter().all(|&member| self.truth(terms, member))),
-            Node::AtMost(a, b) => u64::from(rank(self.bits(terms, a)) <= rank(self.bits(terms, b))),
-            Node::IsNegativeZero(a) => u64::from(self.bits(terms, a) == NEGATIVE_ZERO),
+            True => 1,
+            And(ref members) => u64::from(members.iter().all(|&member| self.truth(terms, member))),
+            AtMost(a, b) => u64::from(rank(self.bits(terms, a)) <= rank(self.bits(terms, b))),
+            IsNegativeZero(a) => u64::from(self.bits(terms, a) == NEGATIVE_ZERO),
             // every NaN is evaluated as a positive one
-            Node::IsNegativeNan(_) => 0,
-            Node::Within(word, ref set) => {
+            IsNegativeNan(_) => 0,
+            Within(word, ref set) => {
                 let word = self.word(terms, word);
                 u64::from(holds(set, word))
             }
-            Node::Below(signed, width, a, b) => {
+            Below(signed, width, a, b) => {
                 let (a, b) = (self.word(terms, a), self.word(terms, b));
                 u64::from(if signed { width.signed(a) < width.signed(b) } else { a < b })
             }
-            Node::Constant(bits) => u64::from(bits),
-            Node::Source(index) => u64::from(self.state.get(index as usize).copied().unwrap_or_default()),
-            Node::Unknown(_) => {
+            Constant(bits) => u64::from(bits),
+            Source(index) => u64::from(self.state.get(index as usize).copied().unwrap_or_default()),
+            Unknown(_) => {
                 self.guessed = true;
                 u64::from(NAN)
             }
-            Node::Arithmetic(operation, a, b) => {
+            Arithmetic(operation, a, b) => {
                 let [a, b] = [a, b].map(|term| f32::from_bits(self.bits(terms, term)));
                 canonical(rounded(operation, a, b).to_bits())
             }
-            Node::Negative(a) => canonical(self.bits(terms, a) ^ NEGATIVE_ZERO),
-            Node::Magnitude(a) => canonical(self.bits(terms, a) & !NEGATIVE_ZERO),
-            Node::FloatIf(condition, a, b) => {
+            Negative(a) => canonical(self.bits(terms, a) ^ NEGATIVE_ZERO),
+            Magnitude(a) => canonical(self.bits(terms, a) & !NEGATIVE_ZERO),
+            FloatIf(condition, a, b) => {
                 let side = if self.truth(terms, condition) { a } else { b };
                 u64::from(self.bits(terms, side))
             }
-            Node::OfBits(word) => canonical(self.word(terms, word) as u32),
-            Node::OfInteger(signed, word) => {
+            OfBits(word) => canonical(self.word(terms, word) as u32),
+            OfInteger(signed, word) => {
                 let number = self.word(terms, word) as u32;
                 u64::from(if signed { number as i32 as f32 } else { number as f32 }.to_bits())
             }
-            Node::Number(number) => number,
-            Node::WordIf(condition, a, b) => {
+            Number(number) => number,
+            WordIf(condition, a, b) => {
                 let side = if self.truth(terms, condition) { a } else { b };
                 self.word(terms, side)
             }
-            Node::Bits(a) => u64::from(self.bits(terms, a)),
-            Node::Truncated(a) => u64::from(f32::from_bits(self.bits(terms, a)) as i32 as u32),
-            Node::Apply(operator, width, a, b) => {
+            Bits(a) => u64::from(self.bits(terms, a)),
+            Truncated(a) => u64::from(f32::from_bits(self.bits(terms, a)) as i32 as u32),
+            Apply(operator, width, a, b) => {
                 let (a, b) = (self.word(terms, a), self.word(terms, b));
                 computed(operator, width, a, b)
             }
-            Node::Element(ref table, index) => {
+            Element(ref table, index) => {
                 let index = self.word(terms, index);
                 usize::try_from(index).ok().and_then(|index| table.get(index)).copied().unwrap_or_default()
             }

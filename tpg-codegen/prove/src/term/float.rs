@@ -2,6 +2,8 @@
 
 use super::rank::{NAN, NEGATIVE_ZERO, is_nan_bits};
 use super::{Arithmetic, Bool, Float, Node, Terms};
+use Arithmetic::*;
+use Node::*;
 
 /// Operations go into choices of at most so many values together.
 const LIFTED: usize = 8;
@@ -11,7 +13,7 @@ const ONE: u32 = 0x3f80_0000;
 impl Terms {
     /// A constant by its bits.
     pub fn constant_bits(&mut self, bits: u32) -> Float {
-        Float(self.node(Node::Constant(if is_nan_bits(bits) { NAN } else { bits })))
+        Float(self.node(Constant(if is_nan_bits(bits) { NAN } else { bits })))
     }
 
     /// A constant.
@@ -24,49 +26,49 @@ impl Terms {
         if let Some(&bits) = self.state.as_ref().and_then(|state| state.get(index as usize)) {
             return self.constant_bits(bits);
         }
-        Float(self.node(Node::Source(index)))
+        Float(self.node(Source(index)))
     }
 
     /// A new value of which nothing is known.
     pub fn unknown(&mut self) -> Float {
         self.unknowns += 1;
-        Float(self.node(Node::Unknown(self.unknowns)))
+        Float(self.node(Unknown(self.unknowns)))
     }
 
     /// The bits of a constant.
     #[must_use]
     pub fn bits_of(&self, term: Float) -> Option<u32> {
         match *self.of_float(term) {
-            Node::Constant(bits) => Some(bits),
+            Constant(bits) => Some(bits),
             _ => None,
         }
     }
 
     /// `a + b`
     pub fn add(&mut self, a: Float, b: Float) -> Float {
-        self.arithmetic(Arithmetic::Add, a, b)
+        self.arithmetic(Add, a, b)
     }
 
     /// `a - b`
     pub fn subtract(&mut self, a: Float, b: Float) -> Float {
         self.uses("x - y = x + (-y)");
         let negated = self.negate(b);
-        self.arithmetic(Arithmetic::Add, a, negated)
+        self.arithmetic(Add, a, negated)
     }
 
     /// `a * b`
     pub fn multiply(&mut self, a: Float, b: Float) -> Float {
-        self.arithmetic(Arithmetic::Multiply, a, b)
+        self.arithmetic(Multiply, a, b)
     }
 
     /// `a / b`
     pub fn divide(&mut self, a: Float, b: Float) -> Float {
-        self.arithmetic(Arithmetic::Divide, a, b)
+        self.arithmetic(Divide, a, b)
     }
 
     /// `fmod(a, b)`
     pub fn remainder(&mut self, a: Float, b: Float) -> Float {
-        self.arithmetic(Arithmetic::Remainder, a, b)
+        self.arithmetic(Remainder, a, b)
     }
 
     /// `a < b ? a : b`
@@ -90,7 +92,7 @@ impl Terms {
 
     /// A choice between two floats.
     pub fn choose_float(&mut self, condition: Bool, a: Float, b: Float) -> Float {
-        Float(self.chosen(condition, a.0, b.0, |condition, a, b| Node::FloatIf(condition, Float(a), Float(b))))
+        Float(self.chosen(condition, a.0, b.0, |condition, a, b| FloatIf(condition, Float(a), Float(b))))
     }
 
     /// A float where facts hold: choices that they decide are made.
@@ -101,13 +103,13 @@ impl Terms {
     /// `-a`
     pub fn negate(&mut self, a: Float) -> Float {
         match *self.of_float(a) {
-            Node::Constant(bits) => self.constant_bits(bits ^ NEGATIVE_ZERO),
-            Node::Negative(inner) => inner,
-            Node::FloatIf(condition, x, y) => {
+            Constant(bits) => self.constant_bits(bits ^ NEGATIVE_ZERO),
+            Negative(inner) => inner,
+            FloatIf(condition, x, y) => {
                 let (x, y) = (self.negate(x), self.negate(y));
                 self.choose_float(condition, x, y)
             }
-            Node::Arithmetic(operation @ (Arithmetic::Multiply | Arithmetic::Divide), x, y) => {
+            Node::Arithmetic(operation @ (Multiply | Divide), x, y) => {
                 if let Some(bits) = self.bits_of(x) {
                     let x = self.constant_bits(bits ^ NEGATIVE_ZERO);
                     self.arithmetic(operation, x, y)
@@ -115,10 +117,10 @@ impl Terms {
                     let y = self.constant_bits(bits ^ NEGATIVE_ZERO);
                     self.arithmetic(operation, x, y)
                 } else {
-                    Float(self.node(Node::Negative(a)))
+                    Float(self.node(Negative(a)))
                 }
             }
-            _ => Float(self.node(Node::Negative(a))),
+            _ => Float(self.node(Negative(a))),
         }
     }
 
@@ -126,14 +128,14 @@ impl Terms {
     pub fn magnitude(&mut self, a: Float) -> Float {
         let a = self.zero_free(a);
         match *self.of_float(a) {
-            Node::Constant(bits) => self.constant_bits(bits & !NEGATIVE_ZERO),
-            Node::Magnitude(_) => a,
-            Node::Negative(inner) => self.magnitude(inner),
-            Node::FloatIf(condition, x, y) => {
+            Constant(bits) => self.constant_bits(bits & !NEGATIVE_ZERO),
+            Magnitude(_) => a,
+            Negative(inner) => self.magnitude(inner),
+            FloatIf(condition, x, y) => {
                 let (x, y) = (self.magnitude(x), self.magnitude(y));
                 self.choose_float(condition, x, y)
             }
-            _ => Float(self.node(Node::Magnitude(a))),
+            _ => Float(self.node(Magnitude(a))),
         }
     }
 
@@ -150,28 +152,25 @@ impl Terms {
             return self.constant_bits(NAN);
         }
         match operation {
-            Arithmetic::Add => self.sum(a, b),
-            Arithmetic::Multiply | Arithmetic::Divide => self.product(operation, a, b),
-            Arithmetic::Remainder => Float(self.node(Node::Arithmetic(operation, a, b))),
+            Add => self.sum(a, b),
+            Multiply | Divide => self.product(operation, a, b),
+            Remainder => Float(self.node(Node::Arithmetic(operation, a, b))),
         }
     }
 
     /// An operation of choices of few values as a choice of operations.
     fn lifted(&mut self, operation: Arithmetic, a: Float, b: Float) -> Option<Float> {
-        let ((&Node::FloatIf(condition, ..), _) | (_, &Node::FloatIf(condition, ..))) =
-            (self.of_float(a), self.of_float(b))
-        else {
+        let ((&FloatIf(condition, ..), _) | (_, &FloatIf(condition, ..))) = (self.of_float(a), self.of_float(b)) else {
             return None;
         };
         let (first, second) = (self.leaves(a.0).len(), self.leaves(b.0).len());
-        let same =
-            matches!((self.of_float(a), self.of_float(b)), (Node::FloatIf(x, ..), Node::FloatIf(y, ..)) if x == y);
+        let same = matches!((self.of_float(a), self.of_float(b)), (FloatIf(x, ..), FloatIf(y, ..)) if x == y);
         if !same && first * second > LIFTED {
             return None;
         }
         let sides = [condition, !condition].map(|side| {
             let inner = |terms: &Self, term| match *terms.of_float(term) {
-                Node::FloatIf(of, x, y) if of == condition => {
+                FloatIf(of, x, y) if of == condition => {
                     terms.given_float(if side == condition { x } else { y }, &[side])
                 }
                 _ => terms.given_float(term, &[side]),
@@ -196,7 +195,7 @@ impl Terms {
         if nonzero(x) {
             b = self.zero_free(b);
         }
-        self.commuted(Arithmetic::Add, a, b)
+        self.commuted(Add, a, b)
     }
 
     fn commuted(&mut self, operation: Arithmetic, a: Float, b: Float) -> Float {
@@ -207,9 +206,9 @@ impl Terms {
     }
 
     fn product(&mut self, operation: Arithmetic, a: Float, b: Float) -> Float {
-        let multiplies = operation == Arithmetic::Multiply;
+        let multiplies = operation == Multiply;
         for (negated, other, first) in [(a, b, true), (b, a, false)] {
-            if let Node::Negative(inner) = *self.of_float(negated) {
+            if let Negative(inner) = *self.of_float(negated) {
                 self.uses("(-x) * y = -(x * y), x / (-y) = -(x / y)");
                 let (a, b) = if first { (inner, other) } else { (other, inner) };
                 let positive = self.arithmetic(operation, a, b);
@@ -226,7 +225,7 @@ impl Terms {
         if let Some(reciprocal) = self.bits_of(b).and_then(exact_reciprocal) {
             self.uses("x / 2^k = x * 2^-k");
             let factor = self.constant_bits(reciprocal);
-            return self.arithmetic(Arithmetic::Multiply, a, factor);
+            return self.arithmetic(Multiply, a, factor);
         }
         Float(self.node(Node::Arithmetic(operation, a, b)))
     }
@@ -237,12 +236,12 @@ impl Terms {
             return known;
         }
         let result = match *self.of_float(term) {
-            Node::Constant(NEGATIVE_ZERO) => self.constant_bits(0),
-            Node::FloatIf(condition, a, b) => {
+            Constant(NEGATIVE_ZERO) => self.constant_bits(0),
+            FloatIf(condition, a, b) => {
                 let (a, b) = (self.zero_free(a), self.zero_free(b));
                 self.choose_float(condition, a, b)
             }
-            Node::Arithmetic(Arithmetic::Add, a, b) => {
+            Node::Arithmetic(Add, a, b) => {
                 let (a, b) = (self.zero_free(a), self.zero_free(b));
                 if self.bits_of(a) == Some(0) || self.bits_of(b) == Some(0) {
                     self.uses("0 + x is x but for the sign of zero");
@@ -251,7 +250,7 @@ impl Terms {
                     self.add(a, b)
                 }
             }
-            Node::Arithmetic(Arithmetic::Multiply, a, b) => {
+            Node::Arithmetic(Multiply, a, b) => {
                 let (a, b) = (self.zero_free(a), self.zero_free(b));
                 self.multiply(a, b)
             }
@@ -259,7 +258,7 @@ impl Terms {
                 let a = self.zero_free(a);
                 self.arithmetic(operation, a, b)
             }
-            Node::Negative(a) => {
+            Negative(a) => {
                 let a = self.zero_free(a);
                 self.negate(a)
             }
@@ -274,10 +273,10 @@ impl Terms {
 /// An operation on numbers, rounded once.
 pub(super) fn rounded(operation: Arithmetic, a: f32, b: f32) -> f32 {
     match operation {
-        Arithmetic::Add => a + b,
-        Arithmetic::Multiply => a * b,
-        Arithmetic::Divide => a / b,
-        Arithmetic::Remainder => a % b,
+        Add => a + b,
+        Multiply => a * b,
+        Divide => a / b,
+        Remainder => a % b,
     }
 }
 

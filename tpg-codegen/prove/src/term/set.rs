@@ -2,6 +2,8 @@
 
 use super::rank::{INFINITY, NEGATIVE_ZERO};
 use super::{Arithmetic, Bool, Float, Node, Operator, Terms, Width, Word};
+use Node::*;
+use Operator::*;
 
 impl Terms {
     /// Tests whether a word is in a set: closed intervals.
@@ -15,19 +17,19 @@ impl Terms {
             return Self::TRUE;
         }
         match *self.of_word(word) {
-            Node::Number(number) => return Self::known(holds(&set, number)),
-            Node::WordIf(condition, a, b) => {
+            Number(number) => return Self::known(holds(&set, number)),
+            WordIf(condition, a, b) => {
                 let (a, b) = (self.within(a, width, &set), self.within(b, width, &set));
                 return self.choose(condition, a, b);
             }
-            Node::Bits(float) => return self.float_within(float, &set),
-            Node::Apply(operator @ (Operator::And | Operator::Or | Operator::Xor), of, a, b)
+            Bits(float) => return self.float_within(float, &set),
+            Apply(operator @ (Operator::And | Or | Xor), of, a, b)
                 if of == width && set[..] == [(mask / 2 + 1, mask)] =>
             {
                 let (a, b) = (self.is_negative(width, a), self.is_negative(width, b));
                 return match operator {
                     Operator::And => self.and(a, b),
-                    Operator::Or => self.or(a, b),
+                    Or => self.or(a, b),
                     _ => self.choose(a, !b, b),
                 };
             }
@@ -35,15 +37,15 @@ impl Terms {
         }
         if set[0].0 == 0 {
             let rest = complement(&set, mask);
-            return !self.atom(Node::Within(word, rest.into()));
+            return !self.atom(Within(word, rest.into()));
         }
-        self.atom(Node::Within(word, set.into()))
+        self.atom(Within(word, set.into()))
     }
 
     /// The word below operations with constants, and the set that it is in exactly where the whole is in the given set.
     fn reduced(&self, word: Word, width: Width, set: Vec<(u64, u64)>) -> (Word, Vec<(u64, u64)>) {
         let mask = width.mask();
-        let Node::Apply(operator, of, a, b) = *self.of_word(word) else { return (word, set) };
+        let Apply(operator, of, a, b) = *self.of_word(word) else { return (word, set) };
         if of != width {
             return (word, set);
         }
@@ -53,18 +55,18 @@ impl Terms {
         };
         let half = mask / 2 + 1;
         match (operator, self.number_of(a), self.number_of(b)) {
-            (Operator::Add, _, Some(c)) => {
+            (Add, _, Some(c)) => {
                 let moved = preimage(&|low, high| turned(low.wrapping_sub(c) & mask, high.wrapping_sub(c) & mask));
                 self.reduced(a, width, moved)
             }
-            (Operator::Subtract, Some(c), _) => {
+            (Subtract, Some(c), _) => {
                 let mirrored = preimage(&|low, high| turned(c.wrapping_sub(high) & mask, c.wrapping_sub(low) & mask));
                 self.reduced(b, width, mirrored)
             }
-            (Operator::Xor, _, Some(c)) if c == mask => {
+            (Xor, _, Some(c)) if c == mask => {
                 self.reduced(a, width, preimage(&|low, high| vec![(!high & mask, !low & mask)]))
             }
-            (Operator::Xor, _, Some(c)) if c == half => {
+            (Xor, _, Some(c)) if c == half => {
                 let moved = preimage(&|low, high| turned(low.wrapping_sub(c) & mask, high.wrapping_sub(c) & mask));
                 self.reduced(a, width, moved)
             }
@@ -74,13 +76,13 @@ impl Terms {
                 let both = low.flat_map(|(low, high)| [(low, high), (low + half, high + half)]).collect();
                 self.reduced(a, width, merged(both))
             }
-            (Operator::ShiftRight, _, Some(c)) if c < u64::from(width.bits()) => {
+            (ShiftRight, _, Some(c)) if c < u64::from(width.bits()) => {
                 let top = mask >> c;
                 let reached = set.iter().filter(|&&(low, _)| low <= top);
                 let wider = reached.map(|&(low, high)| (low << c, high.min(top) << c | ((1 << c) - 1))).collect();
                 self.reduced(a, width, merged(wider))
             }
-            (Operator::And | Operator::Or | Operator::Xor, ..) if set[..] == [(half, mask)] => {
+            (Operator::And | Or | Xor, ..) if set[..] == [(half, mask)] => {
                 let ((first, x), (second, y)) =
                     (self.reduced(a, width, set.clone()), self.reduced(b, width, set.clone()));
                 if first != second {
@@ -89,7 +91,7 @@ impl Terms {
                 let without = |x: &[(u64, u64)], y: &[(u64, u64)]| intersection(x, &complement(y, mask));
                 let combined = match operator {
                     Operator::And => intersection(&x, &y),
-                    Operator::Or => merged([x, y].concat()),
+                    Or => merged([x, y].concat()),
                     _ => merged([without(&x, &y), without(&y, &x)].concat()),
                 };
                 (first, combined)
@@ -113,8 +115,8 @@ impl Terms {
         let all_negative = whole(&negative_nan, sign + infinity + 1, u64::from(u32::MAX));
         if !(all_positive || positive_nan.is_empty()) || !(all_negative || negative_nan.is_empty()) {
             // a matter of payloads
-            let word = Word(self.node(Node::Bits(float)));
-            return self.atom(Node::Within(word, set.into()));
+            let word = Word(self.node(Bits(float)));
+            return self.atom(Within(word, set.into()));
         }
         let mut cases = Vec::new();
         if all_positive || all_negative {
@@ -122,7 +124,7 @@ impl Terms {
             let which = if all_positive && all_negative {
                 Self::TRUE
             } else {
-                let negative = self.atom(Node::IsNegativeNan(float));
+                let negative = self.atom(IsNegativeNan(float));
                 if all_negative { negative } else { !negative }
             };
             cases.push(self.and(nan, which));
@@ -155,7 +157,7 @@ impl Terms {
                 Node::Arithmetic(Arithmetic::Add, a, b) => (self.negate(b), a),
                 _ => (self.constant(0.0), float),
             };
-            if !matches!(self.of_float(small), Node::Constant(_)) {
+            if !matches!(self.of_float(small), Constant(_)) {
                 self.uses("x - y > 0 exactly where x > y");
             }
             return if low == 1 { self.less(small, large) } else { self.less(large, small) };
@@ -168,18 +170,18 @@ impl Terms {
     /// Tests for minus zero.
     fn is_negative_zero(&mut self, float: Float) -> Bool {
         match *self.of_float(float) {
-            Node::Constant(bits) => Self::known(bits == NEGATIVE_ZERO),
+            Constant(bits) => Self::known(bits == NEGATIVE_ZERO),
             // a sum is minus zero only if both are
             Node::Arithmetic(Arithmetic::Add, a, b) => {
                 self.uses("x + y = -0 only where x and y are");
                 let (a, b) = (self.is_negative_zero(a), self.is_negative_zero(b));
                 self.and(a, b)
             }
-            Node::FloatIf(condition, a, b) => {
+            FloatIf(condition, a, b) => {
                 let (a, b) = (self.is_negative_zero(a), self.is_negative_zero(b));
                 self.choose(condition, a, b)
             }
-            _ => self.atom(Node::IsNegativeZero(float)),
+            _ => self.atom(IsNegativeZero(float)),
         }
     }
 }

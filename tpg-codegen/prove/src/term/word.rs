@@ -2,7 +2,7 @@
 //! of floats goes.
 
 use super::rank::{NEGATIVE_ZERO, is_nan_bits};
-use super::{Bool, Float, Node, Operator, Terms, Width, Word};
+use super::{Bool, Float, Node::*, Operator, Terms, Width, Word};
 use std::rc::Rc;
 
 /// Operations of two choices of constants go into both if there are at most so many pairs.
@@ -69,14 +69,14 @@ pub(crate) fn computed(operator: Operator, width: Width, a: u64, b: u64) -> u64 
 impl Terms {
     /// A constant word.
     pub fn number(&mut self, number: u64) -> Word {
-        Word(self.node(Node::Number(number)))
+        Word(self.node(Number(number)))
     }
 
     /// The number of a constant word.
     #[must_use]
     pub fn number_of(&self, word: Word) -> Option<u64> {
         match *self.of_word(word) {
-            Node::Number(number) => Some(number),
+            Number(number) => Some(number),
             _ => None,
         }
     }
@@ -89,7 +89,7 @@ impl Terms {
 
     /// A choice between two words.
     pub fn choose_word(&mut self, condition: Bool, a: Word, b: Word) -> Word {
-        Word(self.chosen(condition, a.0, b.0, |condition, a, b| Node::WordIf(condition, Word(a), Word(b))))
+        Word(self.chosen(condition, a.0, b.0, |condition, a, b| WordIf(condition, Word(a), Word(b))))
     }
 
     /// A word where facts hold: choices that they decide are made.
@@ -116,73 +116,73 @@ impl Terms {
     /// The bits of a float.
     pub fn bits(&mut self, float: Float) -> Word {
         match *self.of_float(float) {
-            Node::OfBits(word) => word,
+            OfBits(word) => word,
             // the bits of a NaN are unknown
-            Node::Constant(bits) if !is_nan_bits(bits) => self.number(u64::from(bits)),
-            Node::FloatIf(condition, a, b) => {
+            Constant(bits) if !is_nan_bits(bits) => self.number(u64::from(bits)),
+            FloatIf(condition, a, b) => {
                 let (a, b) = (self.bits(a), self.bits(b));
                 self.choose_word(condition, a, b)
             }
-            _ => Word(self.node(Node::Bits(float))),
+            _ => Word(self.node(Bits(float))),
         }
     }
 
     /// The float with these bits, of 32.
     pub fn of_bits(&mut self, word: Word) -> Float {
         match *self.of_word(word) {
-            Node::Bits(float) => float,
-            Node::Number(bits) => self.constant_bits(bits as u32),
-            Node::WordIf(condition, a, b) => {
+            Bits(float) => float,
+            Number(bits) => self.constant_bits(bits as u32),
+            WordIf(condition, a, b) => {
                 let (a, b) = (self.of_bits(a), self.of_bits(b));
                 self.choose_float(condition, a, b)
             }
             // the sign turned, and the sign taken off
-            Node::Apply(Operator::Xor, Width::W32, a, b) if self.number_of(b) == Some(u64::from(NEGATIVE_ZERO)) => {
+            Apply(Operator::Xor, Width::W32, a, b) if self.number_of(b) == Some(u64::from(NEGATIVE_ZERO)) => {
                 let float = self.of_bits(a);
                 self.negate(float)
             }
-            Node::Apply(Operator::And, Width::W32, a, b) if self.number_of(b) == Some(u64::from(!NEGATIVE_ZERO)) => {
+            Apply(Operator::And, Width::W32, a, b) if self.number_of(b) == Some(u64::from(!NEGATIVE_ZERO)) => {
                 let float = self.of_bits(a);
                 self.magnitude(float)
             }
-            _ => Float(self.node(Node::OfBits(word))),
+            _ => Float(self.node(OfBits(word))),
         }
     }
 
     /// A 32-bit integer, rounded to a float.
     pub fn of_integer(&mut self, signed: bool, word: Word) -> Float {
         match *self.of_word(word) {
-            Node::Number(number) if signed => self.constant(number as u32 as i32 as f32),
-            Node::Number(number) => self.constant(number as u32 as f32),
-            Node::WordIf(condition, a, b) => {
+            Number(number) if signed => self.constant(number as u32 as i32 as f32),
+            Number(number) => self.constant(number as u32 as f32),
+            WordIf(condition, a, b) => {
                 let (a, b) = (self.of_integer(signed, a), self.of_integer(signed, b));
                 self.choose_float(condition, a, b)
             }
-            _ => Float(self.node(Node::OfInteger(signed, word))),
+            _ => Float(self.node(OfInteger(signed, word))),
         }
     }
 
     /// A float truncated to a signed 32-bit integer, saturated; 0 for NaN.
     pub fn truncated(&mut self, float: Float) -> Word {
         match *self.of_float(float) {
-            Node::Constant(bits) => self.number(u64::from(f32::from_bits(bits) as i32 as u32)),
-            Node::FloatIf(condition, a, b) => {
+            Constant(bits) => self.number(u64::from(f32::from_bits(bits) as i32 as u32)),
+            FloatIf(condition, a, b) => {
                 let (a, b) = (self.truncated(a), self.truncated(b));
                 self.choose_word(condition, a, b)
             }
-            _ => Word(self.node(Node::Truncated(float))),
+            _ => Word(self.node(Truncated(float))),
         }
     }
 
     /// An element of a constant table. The index must be below its length; that is for the caller to see to.
     pub fn element(&mut self, table: &Rc<[u64]>, index: Word) -> Word {
         match *self.of_word(index) {
-            Node::Number(at) => {
+            Number(at) => {
                 let element = usize::try_from(at).ok().and_then(|at| table.get(at)).copied().unwrap_or_default();
                 self.number(element)
             }
-            Node::WordIf(..) => self.mapped(index, &mut |terms, index| terms.element(table, index)),
-            _ => Word(self.node(Node::Element(table.clone(), index))),
+            WordIf(..) => self.mapped(index, &mut |terms, index| terms.element(table, index)),
+            _ => Word(self.node(Element(table.clone(), index))),
         }
     }
 
@@ -202,7 +202,7 @@ impl Terms {
             return known;
         }
         let result = match *self.of_word(word) {
-            Node::WordIf(condition, a, b) => {
+            WordIf(condition, a, b) => {
                 let (a, b) = (self.mapped_with(a, function, done), self.mapped_with(b, function, done));
                 self.choose_word(condition, a, b)
             }
@@ -219,7 +219,7 @@ impl Terms {
         }
         // masks and numbers that are chosen from go into the operation; what they are applied to stays whole
         let (first, second) = (self.constants(a), self.constants(b));
-        if let (&Node::WordIf(x, a1, a2), &Node::WordIf(y, b1, b2)) = (self.of_word(a), self.of_word(b))
+        if let (&WordIf(x, a1, a2), &WordIf(y, b1, b2)) = (self.of_word(a), self.of_word(b))
             && x == y
         {
             let (a, b) = (self.apply(operator, width, a1, b1), self.apply(operator, width, a2, b2));
@@ -235,7 +235,7 @@ impl Terms {
         }
         if matches!(operator, Operator::And | Operator::Or | Operator::Xor) {
             for (choice, other) in [(b, a), (a, b)] {
-                if let &Node::WordIf(condition, x, y) = self.of_word(choice)
+                if let &WordIf(condition, x, y) = self.of_word(choice)
                     && self.cancels(width, choice, other)
                 {
                     let (x, y) = (self.apply(operator, width, other, x), self.apply(operator, width, other, y));
@@ -249,8 +249,8 @@ impl Terms {
     /// Tests whether a bitwise operation of a choice and another word becomes simpler in some case.
     fn cancels(&mut self, width: Width, choice: Word, other: Word) -> bool {
         self.leaves(choice.0).iter().any(|&leaf| match *self.of_word(Word(leaf)) {
-            Node::Number(number) => number == 0 || number == width.mask(),
-            Node::Apply(Operator::Xor, _, p, q) => p == other || q == other,
+            Number(number) => number == 0 || number == width.mask(),
+            Apply(Operator::Xor, _, p, q) => p == other || q == other,
             _ => leaf == other.0,
         })
     }
@@ -283,7 +283,7 @@ impl Terms {
             _ => {}
         }
         if let (Xor | Add | And | Or, Some(y)) = (operator, y)
-            && let Node::Apply(inner, of, p, q) = *self.of_word(a)
+            && let Apply(inner, of, p, q) = *self.of_word(a)
             && inner == operator
             && of == width
             && let Some(q) = self.number_of(q)
@@ -293,7 +293,7 @@ impl Terms {
         }
         if operator == Xor {
             for (word, other) in [(a, b), (b, a)] {
-                if let Node::Apply(Xor, _, p, q) = *self.of_word(word) {
+                if let Apply(Xor, _, p, q) = *self.of_word(word) {
                     if p == other {
                         return q;
                     }
@@ -306,7 +306,7 @@ impl Terms {
         let commutes = matches!(operator, Add | Multiply | And | Or | Xor);
         // constants are second
         let (a, b) = if commutes && (x.is_some() || y.is_none() && a > b) { (b, a) } else { (a, b) };
-        Word(self.node(Node::Apply(operator, width, a, b)))
+        Word(self.node(Apply(operator, width, a, b)))
     }
 
     /// Tests the sign bit.
@@ -349,15 +349,15 @@ impl Terms {
             (Some(a), _) => self.within(b, width, &between(shifted(a) + 1, width.mask())),
             _ if a == b => Self::FALSE,
             _ => match (self.of_word(a).clone(), self.of_word(b).clone()) {
-                (Node::WordIf(condition, x, y), _) => {
+                (WordIf(condition, x, y), _) => {
                     let (x, y) = (self.below(signed, width, x, b), self.below(signed, width, y, b));
                     self.choose(condition, x, y)
                 }
-                (_, Node::WordIf(condition, x, y)) => {
+                (_, WordIf(condition, x, y)) => {
                     let (x, y) = (self.below(signed, width, a, x), self.below(signed, width, a, y));
                     self.choose(condition, x, y)
                 }
-                _ => self.atom(Node::Below(signed, width, a, b)),
+                _ => self.atom(Below(signed, width, a, b)),
             },
         }
     }

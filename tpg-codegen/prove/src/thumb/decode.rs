@@ -1,6 +1,6 @@
 //! The decoder: an instruction with its condition.
 
-use super::{Block, Condition, Instruction, Operation, PC, narrow, wide};
+use super::{Block, Condition, Instruction, Operation::*, PC, narrow, wide};
 
 /// Decodes the instruction at the start of `code`; returns it with the state of conditional execution behind it.
 /// `None` if it is cut short, unpredictable, or no part of what is covered here.
@@ -13,7 +13,7 @@ pub(crate) fn decode(code: &[u8], address: u32, block: Block) -> Option<(Instruc
         true => wide::decode(first, half(2)?, address)?,
     };
     let size = if is_wide { 4 } else { 2 };
-    if first >> 8 == 0xbf && operation == Operation::If {
+    if first >> 8 == 0xbf && operation == If {
         let condition = first >> 4 & 15;
         let alone = first & 15 == 8;
         let valid = !block.is_open() && (condition < 14 || (condition == 14 && alone));
@@ -25,17 +25,17 @@ pub(crate) fn decode(code: &[u8], address: u32, block: Block) -> Option<(Instruc
         condition = Condition::new(u32::from(block.0 >> 4))?;
         let last = block.0 & 7 == 0;
         let (may, only_last) = match &operation {
-            Operation::BranchIf { .. } => (false, false),
+            BranchIf { .. } => (false, false),
             // A conditional branch of its own has no place in a block.
-            Operation::Branch { .. } => (own_condition(first, half(2)).is_none(), true),
-            Operation::Exchange { .. } | Operation::Call { .. } | Operation::Table { .. } => (true, true),
-            Operation::Transfer { load: true, registers, .. } => (true, registers.contains(&PC)),
+            Branch { .. } => (own_condition(first, half(2)).is_none(), true),
+            Exchange { .. } | Call { .. } | Table { .. } => (true, true),
+            Transfer { load: true, registers, .. } => (true, registers.contains(&PC)),
             _ => (true, false),
         };
         if !may || (only_last && !last) {
             return None;
         }
-    } else if matches!(operation, Operation::Branch { .. })
+    } else if matches!(operation, Branch { .. })
         && let Some(bits) = own_condition(first, half(2))
     {
         condition = Condition::new(bits)?;

@@ -1,6 +1,8 @@
 //! Instructions of the single-precision floating-point unit.
 
 use super::{Binary, Index, Offset, Operation, PC, Place, Register, S0, SP, Unary, WORD};
+use Binary::*;
+use Operation::*;
 
 /// Decodes an instruction of the floating-point unit. Double precision is left out, but for loading, storing and
 /// copying pairs of registers.
@@ -48,19 +50,19 @@ fn memory(first: u32, second: u32, is_double: bool) -> Option<Operation> {
     let relative = base == PC && !(load && before && !written);
     let registers = (start..end as Register).collect();
     let place = Place { base, offset: Offset::Number(offset), index };
-    (valid && !relative).then_some(Operation::Transfer { load, width: WORD, registers, place })
+    (valid && !relative).then_some(Transfer { load, width: WORD, registers, place })
 }
 
 /// Decodes moves between the register files, and of the flags.
 fn move_core(first: u32, second: u32, is_double: bool) -> Option<Operation> {
     let core = (second >> 12 & 15) as Register;
     if first == 0xeef1 && second & 0x0fff == 0x0a10 {
-        return (core == PC).then_some(Operation::ReadFlags);
+        return (core == PC).then_some(ReadFlags);
     }
     let float = single(first, second >> 7);
     let valid = !is_double && first & 0xffe0 == 0xee00 && second & 0x7f == 0x10 && core != PC && core != SP;
     let (to, from) = if first >> 4 & 1 == 1 { (core, float) } else { (float, core) };
-    valid.then_some(Operation::Move { to, from })
+    valid.then_some(Move { to, from })
 }
 
 fn processing(first: u32, second: u32) -> Option<Operation> {
@@ -69,20 +71,20 @@ fn processing(first: u32, second: u32) -> Option<Operation> {
     let right = single(second, second >> 5);
     let other = second >> 6 & 1 == 1;
     let name = match (first >> 5 & 4 | first >> 4 & 3, other) {
-        (0, false) => Binary::MulAdd,
-        (0, true) => Binary::MulSub,
-        (1, false) => Binary::NegMulSub,
-        (1, true) => Binary::NegMulAdd,
-        (2, false) => Binary::Mul,
-        (2, true) => Binary::NegMul,
-        (3, false) => Binary::Add,
-        (3, true) => Binary::Sub,
-        (4, false) => Binary::Div,
+        (0, false) => MulAdd,
+        (0, true) => MulSub,
+        (1, false) => NegMulSub,
+        (1, true) => NegMulAdd,
+        (2, false) => Mul,
+        (2, true) => NegMul,
+        (3, false) => Add,
+        (3, true) => Sub,
+        (4, false) => Div,
         (7, false) => {
             let byte = (first & 15) << 4 | second & 15;
             let exponent = if byte & 0x40 == 0 { 0x4000_0000 } else { 0x3e00_0000 };
             let bits = (byte & 0x80) << 24 | exponent | (byte & 0x3f) << 19;
-            return (second & 0xa0 == 0).then_some(Operation::Constant { to, bits });
+            return (second & 0xa0 == 0).then_some(Constant { to, bits });
         }
         (7, true) => return unary(first & 15, second >> 7 & 1 == 1, to, right, second),
         _ => return None,
@@ -92,13 +94,13 @@ fn processing(first: u32, second: u32) -> Option<Operation> {
 
 fn unary(kind: u32, second_form: bool, to: Register, from: Register, second: u32) -> Option<Operation> {
     let name = match (kind, second_form) {
-        (0, false) => return Some(Operation::Move { to, from }),
+        (0, false) => return Some(Move { to, from }),
         (0, true) => Unary::Abs,
         (1, false) => Unary::Neg,
         (1, true) => Unary::Sqrt,
         // Which form signals does not matter: exceptions are not observed.
-        (4, _) => return Some(Operation::Compare { left: to, right: Some(from) }),
-        (5, _) => return (second & 0x2f == 0).then_some(Operation::Compare { left: to, right: None }),
+        (4, _) => return Some(Compare { left: to, right: Some(from) }),
+        (5, _) => return (second & 0x2f == 0).then_some(Compare { left: to, right: None }),
         (8, signed) => Unary::FromInteger { signed },
         (12 | 13, true) => Unary::ToInteger { signed: kind == 13 },
         _ => return None,

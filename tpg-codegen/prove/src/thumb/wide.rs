@@ -4,6 +4,8 @@ use super::narrow::{compare, plain, shift, transfer};
 use super::{
     Index, Integer, Offset, Operand, Operation, PC, Place, Register, SP, Shift, WORD, Width, float, list, signed,
 };
+use Integer::*;
+use Operation::*;
 
 /// Decodes an instruction of 32 bits.
 pub(super) fn decode(first: u32, second: u32, address: u32) -> Option<Operation> {
@@ -62,24 +64,24 @@ fn processing(first: u32, second: u32, right: Operand) -> Option<Operation> {
     let (left, to) = ((first & 15) as Register, (second >> 8 & 15) as Register);
     let compares = flags && to == PC;
     let name = match first >> 5 & 15 {
-        0 => Integer::And,
-        1 => Integer::Bic,
-        2 if left == PC => Integer::Mov,
-        2 => Integer::Orr,
-        3 if left == PC => Integer::Mvn,
-        3 => Integer::Orn,
-        4 => Integer::Eor,
-        8 => Integer::Add,
-        10 => Integer::Adc,
-        11 => Integer::Sbc,
-        13 => Integer::Sub,
-        14 => Integer::Rsb,
+        0 => And,
+        1 => Bic,
+        2 if left == PC => Mov,
+        2 => Orr,
+        3 if left == PC => Mvn,
+        3 => Orn,
+        4 => Eor,
+        8 => Add,
+        10 => Adc,
+        11 => Sbc,
+        13 => Sub,
+        14 => Rsb,
         _ => return None,
     };
-    let comparable = matches!(name, Integer::And | Integer::Eor | Integer::Add | Integer::Sub);
-    let copies = matches!(name, Integer::Mov | Integer::Mvn);
+    let comparable = matches!(name, And | Eor | Add | Sub);
+    let copies = matches!(name, Mov | Mvn);
     // The stack pointer is the base of sums and differences, and their result only then.
-    let sums = matches!(name, Integer::Add | Integer::Sub);
+    let sums = matches!(name, Add | Sub);
     let valid_left = if copies { true } else { left != PC && (left != SP || sums) };
     let valid_to = if compares { comparable } else { to != PC && (to != SP || (sums && left == SP)) };
     if !valid_left || !valid_to {
@@ -104,23 +106,23 @@ fn binary(first: u32, second: u32, address: u32) -> Option<Operation> {
     let kind = first >> 4 & 31;
     match kind {
         0b00000 | 0b01010 => {
-            let name = if kind == 0 { Integer::Add } else { Integer::Sub };
+            let name = if kind == 0 { Add } else { Sub };
             if from == PC {
                 let base = address.wrapping_add(4) & !3;
                 let address = if kind == 0 { base.wrapping_add(number) } else { base.wrapping_sub(number) };
-                return (to != SP).then_some(Operation::Address { to, address });
+                return (to != SP).then_some(Address { to, address });
             }
             (to != SP || from == SP).then(|| plain(name, to, from, Operand::Number(number)))
         }
-        0b00100 => Some(plain(Integer::Mov, register(to.into())?, 0, Operand::Number(half))),
-        0b01100 => Some(Operation::Top { to: register(to.into())?, number: half }),
+        0b00100 => Some(plain(Mov, register(to.into())?, 0, Operand::Number(half))),
+        0b01100 => Some(Top { to: register(to.into())?, number: half }),
         0b10100 | 0b11100 if low + last < 32 => {
             let (to, from) = (register(to.into())?, register(from.into())?);
-            Some(Operation::Extract { to, from, low, width: last + 1, signed: kind == 0b10100 })
+            Some(Extract { to, from, low, width: last + 1, signed: kind == 0b10100 })
         }
         0b10110 if last >= low => {
             let from = if from == PC { None } else { Some(register(from.into())?) };
-            Some(Operation::Insert { to: register(to.into())?, from, low, width: last + 1 - low })
+            Some(Insert { to: register(to.into())?, from, low, width: last + 1 - low })
         }
         _ => None,
     }
@@ -136,11 +138,11 @@ fn branch(first: u32, second: u32, address: u32) -> Option<Operation> {
     match second >> 12 & 0b101 {
         0 if first >> 6 & 15 < 14 => {
             let offset = signed(sign << 19 | two << 18 | one << 17 | (first & 0x3f) << 11 | second & 0x7ff, 20) * 2;
-            Some(Operation::Branch { target: target(offset) })
+            Some(Branch { target: target(offset) })
         }
-        0 => (first == 0xf3af && second == 0x8000).then_some(Operation::Nop),
-        1 => Some(Operation::Branch { target: target(long()) }),
-        5 => Some(Operation::Call { target: target(long()) }),
+        0 => (first == 0xf3af && second == 0x8000).then_some(Nop),
+        1 => Some(Branch { target: target(long()) }),
+        5 => Some(Call { target: target(long()) }),
         _ => None,
     }
 }
@@ -161,7 +163,7 @@ fn many(first: u32, second: u32) -> Option<Operation> {
     let odd = registers.contains(&SP) || (registers.contains(&PC) && (!load || registers.contains(&super::LR)));
     let valid = base != PC && registers.len() > 1 && !odd && !(written && inside);
     let place = Place { base, offset: Offset::Number(offset), index };
-    valid.then_some(Operation::Transfer { load, width: WORD, registers, place })
+    valid.then_some(Transfer { load, width: WORD, registers, place })
 }
 
 /// Decodes loads and stores of two registers, and branches by tables; exclusive accesses are left out.
@@ -170,7 +172,7 @@ fn dual(first: u32, second: u32) -> Option<Operation> {
     let (before, up, written) = (first >> 8 & 1 == 1, first >> 7 & 1 == 1, first >> 5 & 1 == 1);
     if first & 0xfff0 == 0xe8d0 && second & 0xffe0 == 0xf000 {
         let bytes = 1 + (second >> 4 & 1) as u8;
-        return Some(Operation::Table { base, index: register(second)?, bytes });
+        return Some(Table { base, index: register(second)?, bytes });
     }
     if !before && !written {
         return None;
@@ -182,7 +184,7 @@ fn dual(first: u32, second: u32) -> Option<Operation> {
     let clash = index != Index::Offset && (base == PC || registers.contains(&base));
     let valid = !clash && if load { registers[0] != registers[1] } else { base != PC };
     let place = Place { base, offset: Offset::Number(if up { distance } else { -distance }), index };
-    valid.then(|| Operation::Transfer { load, width: WORD, registers: registers.to_vec(), place })
+    valid.then(|| Transfer { load, width: WORD, registers: registers.to_vec(), place })
 }
 
 const fn index(before: bool, written: bool) -> Index {
@@ -217,7 +219,7 @@ fn single(first: u32, second: u32, load: bool) -> Option<Operation> {
         let clash = written && target == base;
         let place = Place { base, offset: Offset::Number(sign(second & 0xff, up)), index: index(before, written) };
         let valid = (before || written) && !unprivileged && !clash;
-        return valid.then(|| Operation::Transfer { load, width, registers: vec![target], place });
+        return valid.then(|| Transfer { load, width, registers: vec![target], place });
     }
     let offset = Offset::Register(register(second)?, (second >> 4 & 3) as u8);
     (second >> 6 & 63 == 0).then(|| transfer(load, width, target, base, offset))
@@ -239,9 +241,9 @@ fn by_register(first: u32, second: u32) -> Option<Operation> {
         // Extension alone; with a sum or a rotation it is left out.
         (0 | 1 | 4 | 5, 8) if first & 15 == 15 => {
             let width = if kind & 4 == 0 { 16 } else { 8 };
-            Some(Operation::Extract { to, from: right, low: 0, width, signed: kind & 1 == 0 })
+            Some(Extract { to, from: right, low: 0, width, signed: kind & 1 == 0 })
         }
-        (0b1011, 8) if first & 15 == second & 15 => Some(Operation::LeadingZeros { to, from: right }),
+        (0b1011, 8) if first & 15 == second & 15 => Some(LeadingZeros { to, from: right }),
         _ => None,
     }
 }
@@ -253,8 +255,8 @@ fn multiply(first: u32, second: u32) -> Option<Operation> {
     let (to, factors) = (register(second >> 8)?, [register(first)?, register(second)?]);
     let sum = second >> 12 & 15;
     match second >> 4 & 15 {
-        0 if sum == 15 => Some(plain(Integer::Mul, to, factors[0], Operand::plain(factors[1]))),
-        kind @ (0 | 1) => Some(Operation::MultiplyAdd { to, factors, sum: register(sum)?, subtract: kind == 1 }),
+        0 if sum == 15 => Some(plain(Mul, to, factors[0], Operand::plain(factors[1]))),
+        kind @ (0 | 1) => Some(MultiplyAdd { to, factors, sum: register(sum)?, subtract: kind == 1 }),
         _ => None,
     }
 }

@@ -4,7 +4,9 @@ use super::{Lowering, apply, constant_of, moved, number, promoted, width};
 use crate::c::code::{Condition, Constant, Operation, Value};
 use crate::c::syntax::{Expression, Kind, Type};
 use crate::input::Missing;
-use crate::term::{Arithmetic, Operator, Terms, Width};
+use crate::term::{Arithmetic, Operator::*, Terms, Width};
+use Condition::*;
+use Type::*;
 
 impl<'u> Lowering<'u> {
     /// Evaluates an expression for what it does.
@@ -13,7 +15,7 @@ impl<'u> Lowering<'u> {
         match &expression.kind {
             Kind::Assign(operator, target, value) => self.assign(*operator, target, value),
             Kind::Postfix(assignment) => self.effect(assignment),
-            Kind::Cast(Type::Void, inner) => self.effect(inner),
+            Kind::Cast(Void, inner) => self.effect(inner),
             Kind::Call(name, arguments) if name == "memcpy" => self.copy(arguments),
             Kind::Call(name, arguments) => self.call(name, arguments).map(|_| ()),
             Kind::Name(_) => Ok(()),
@@ -37,7 +39,7 @@ impl<'u> Lowering<'u> {
 
     /// Sets what is at an address to the value of an expression.
     pub(super) fn set(&mut self, address: Value, ty: &Type, value: &'u Expression) -> Result<(), Missing> {
-        if let Type::Struct(_) = ty {
+        if let Struct(_) = ty {
             let (from, _) = self.place(value)?;
             let count = self.cells(ty);
             self.emit(Operation::Copy(address, from, count));
@@ -55,7 +57,7 @@ impl<'u> Lowering<'u> {
         let Some(Constant::Number(size)) = constant_of(&size) else { return Err(self.missing("a constant size")) };
         let mut widths = Vec::new();
         for pointer in [&to_type, &from_type] {
-            let Type::Pointer(ty) = pointer else { return Err(self.missing("pointers for memcpy")) };
+            let Pointer(ty) = pointer else { return Err(self.missing("pointers for memcpy")) };
             widths.push(self.scalar_bytes(ty).ok_or_else(|| self.missing("memcpy of mixed scalars"))?);
         }
         if widths[0] != widths[1] || size % u64::from(widths[0]) != 0 {
@@ -69,10 +71,10 @@ impl<'u> Lowering<'u> {
     /// The bytes of each scalar in a type, if all have the same.
     fn scalar_bytes(&self, ty: &Type) -> Option<u32> {
         match ty {
-            Type::Integer(bytes, _) => Some(u32::from(*bytes)),
-            Type::Float => Some(4),
-            Type::Array(ty, _) => self.scalar_bytes(ty),
-            Type::Struct(number) => {
+            Integer(bytes, _) => Some(u32::from(*bytes)),
+            Float => Some(4),
+            Array(ty, _) => self.scalar_bytes(ty),
+            Struct(number) => {
                 let mut sizes = self.unit.structs[*number].members.iter().map(|(_, ty)| self.scalar_bytes(ty));
                 let first = sizes.next()??;
                 sizes.all(|size| size == Some(first)).then_some(first)
@@ -96,12 +98,12 @@ impl<'u> Lowering<'u> {
                 None => Err(self.missing(format!("the name `{name}`"))),
             },
             Kind::Unary("*", pointer) => match self.value(pointer)? {
-                (address, Type::Pointer(ty)) => Ok((address, *ty)),
+                (address, Pointer(ty)) => Ok((address, *ty)),
                 _ => Err(self.missing("a pointer")),
             },
             Kind::Member(structure, name) => {
                 let (address, ty) = self.place(structure)?;
-                let Type::Struct(structure) = ty else { return Err(self.missing("a structure")) };
+                let Struct(structure) = ty else { return Err(self.missing("a structure")) };
                 let structure = &self.unit.structs[structure];
                 let mut offset = 0;
                 for (member, ty) in &structure.members {
@@ -119,12 +121,12 @@ impl<'u> Lowering<'u> {
                 }
                 let index = self.converted(index, &Type::UNSIGNED)?;
                 let (address, ty, index) = match self.try_place(array)? {
-                    Some((address, Type::Array(ty, count))) => {
+                    Some((address, Array(ty, count))) => {
                         let index = Value::Below(Box::new(index), count);
                         (address, *ty, index)
                     }
                     _ => match self.value(array)? {
-                        (address, Type::Pointer(ty)) => (address, *ty, index),
+                        (address, Pointer(ty)) => (address, *ty, index),
                         _ => return Err(self.missing("an array")),
                     },
                 };
@@ -136,7 +138,7 @@ impl<'u> Lowering<'u> {
 
     /// The address of a later element of a type.
     fn element(&self, address: Value, ty: &Type, index: Value) -> Value {
-        moved(address, apply(Operator::Multiply, Width::W32, index, number(self.cells(ty))))
+        moved(address, apply(Multiply, Width::W32, index, number(self.cells(ty))))
     }
 
     fn try_place(&mut self, expression: &'u Expression) -> Result<Option<(Value, Type)>, Missing> {
@@ -161,13 +163,13 @@ impl<'u> Lowering<'u> {
             Kind::Name(_) | Kind::Index(..) | Kind::Member(..) | Kind::Unary("*", _) => {
                 let (address, ty) = self.place(expression)?;
                 match ty {
-                    Type::Array(ty, _) => Ok((address, Type::Pointer(ty))),
+                    Array(ty, _) => Ok((address, Pointer(ty))),
                     ty => self.loaded(address, ty),
                 }
             }
             Kind::Unary("&", inner) => {
                 let (address, ty) = self.place(inner)?;
-                Ok((address, Type::Pointer(Box::new(ty))))
+                Ok((address, Pointer(Box::new(ty))))
             }
             Kind::Unary("!", _) | Kind::Binary("&&" | "||" | "==" | "!=" | "<" | ">" | "<=" | ">=", ..) => {
                 self.truth(expression)
@@ -175,20 +177,20 @@ impl<'u> Lowering<'u> {
             Kind::Unary(sign, inner) => {
                 let (value, ty) = self.value(inner)?;
                 match (*sign, &ty) {
-                    ("-", Type::Float) => Ok((Value::Negative(Box::new(value)), ty)),
-                    ("-", Type::Double) => match value {
+                    ("-", Float) => Ok((Value::Negative(Box::new(value)), ty)),
+                    ("-", Double) => match value {
                         Value::Float(bits) => Ok((Value::Float(bits ^ 0x8000_0000), ty)),
                         _ => Err(self.missing("arithmetic in binary64")),
                     },
-                    ("+", Type::Float | Type::Double) => Ok((value, ty)),
-                    ("-" | "~" | "+", Type::Integer(..)) => {
+                    ("+", Float | Double) => Ok((value, ty)),
+                    ("-" | "~" | "+", Integer(..)) => {
                         let wide = promoted(&ty);
                         let value = self.converted((value, ty), &wide)?;
                         let width = width(&wide);
                         let (operator, first) = match *sign {
-                            "-" => (Operator::Subtract, 0),
-                            "~" => (Operator::Xor, width.mask()),
-                            _ => (Operator::Add, 0),
+                            "-" => (Subtract, 0),
+                            "~" => (Xor, width.mask()),
+                            _ => (Add, 0),
                         };
                         Ok((apply(operator, width, Value::Number(first), value), wide))
                     }
@@ -208,7 +210,7 @@ impl<'u> Lowering<'u> {
             Kind::Call(name, arguments) => match (name.as_str(), &arguments[..]) {
                 ("fabsf", [inner]) => {
                     let value = self.value(inner)?;
-                    Ok((Value::Magnitude(Box::new(self.converted(value, &Type::Float)?)), Type::Float))
+                    Ok((Value::Magnitude(Box::new(self.converted(value, &Float)?)), Float))
                 }
                 ("isnan", [_]) => self.truth(expression),
                 _ => self.call(name, arguments)?.ok_or_else(|| self.missing(format!("a result of `{name}`"))),
@@ -291,7 +293,7 @@ impl<'u> Lowering<'u> {
                     self.program.operations.truncate(mark);
                     return self.lazily(*sign == "&&", first, b);
                 }
-                Ok(Condition::Logical(*sign == "&&", Box::new(first), Box::new(second)))
+                Ok(Logical(*sign == "&&", Box::new(first), Box::new(second)))
             }
             Kind::Binary(sign @ ("==" | "!=" | "<" | ">" | "<=" | ">="), a, b) => {
                 let (a, b) = (self.value(a)?, self.value(b)?);
@@ -300,13 +302,13 @@ impl<'u> Lowering<'u> {
             }
             Kind::Call(name, arguments) if name == "isnan" && arguments.len() == 1 => {
                 let value = self.value(&arguments[0])?;
-                Ok(Condition::Nan(self.converted(value, &Type::Float)?))
+                Ok(Nan(self.converted(value, &Float)?))
             }
             _ => {
                 let (value, ty) = self.value(expression)?;
                 match ty {
-                    Type::Integer(..) => Ok(!Condition::Same(width(&ty), value, number(0))),
-                    Type::Float => Ok(!Condition::Compared(Terms::equal, value, Value::Float(0))),
+                    Integer(..) => Ok(!Same(width(&ty), value, number(0))),
+                    Float => Ok(!Compared(Terms::equal, value, Value::Float(0))),
                     _ => Err(self.missing("a condition of another type")),
                 }
             }
@@ -320,7 +322,7 @@ impl<'u> Lowering<'u> {
         let second = self.condition(second)?;
         self.emit(Operation::Set(number(cell), Value::OfCondition(Box::new(second))));
         self.land(&[branch]);
-        Ok(!Condition::Same(Width::W32, self.loaded(number(cell), Type::INT)?.0, number(0)))
+        Ok(!Same(Width::W32, self.loaded(number(cell), Type::INT)?.0, number(0)))
     }
 
     fn compared(&mut self, sign: &str, a: (Value, Type), b: (Value, Type)) -> Result<Condition, Missing> {
@@ -329,27 +331,27 @@ impl<'u> Lowering<'u> {
         if sign.starts_with('>') {
             (a, b) = (b, a);
         }
-        let (width, signed) = (width(&ty), ty != Type::UNSIGNED && ty != Type::Integer(8, false));
+        let (width, signed) = (width(&ty), ty != Type::UNSIGNED && ty != Integer(8, false));
         let condition = match (&ty, sign) {
-            (Type::Float, "==" | "!=") => Condition::Compared(Terms::equal, a, b),
-            (Type::Float, "<" | ">") => Condition::Compared(Terms::less, a, b),
-            (Type::Float, _) => Condition::Compared(Terms::less_or_equal, a, b),
-            (_, "==" | "!=") => Condition::Same(width, a, b),
-            (_, "<" | ">") => Condition::Below(signed, width, a, b),
-            _ => !Condition::Below(signed, width, b, a),
+            (Float, "==" | "!=") => Compared(Terms::equal, a, b),
+            (Float, "<" | ">") => Compared(Terms::less, a, b),
+            (Float, _) => Compared(Terms::less_or_equal, a, b),
+            (_, "==" | "!=") => Same(width, a, b),
+            (_, "<" | ">") => Below(signed, width, a, b),
+            _ => !Below(signed, width, b, a),
         };
         Ok(if sign == "!=" { !condition } else { condition })
     }
 
     fn operated(&mut self, sign: &str, a: (Value, Type), b: (Value, Type)) -> Result<(Value, Type), Missing> {
-        if let (Type::Pointer(ty), "+", Type::Integer(..)) = (&a.1, sign, &b.1) {
+        if let (Pointer(ty), "+", Integer(..)) = (&a.1, sign, &b.1) {
             let index = self.converted(b, &Type::UNSIGNED)?;
             return Ok((self.element(a.0, ty, index), a.1.clone()));
         }
         let shifts = matches!(sign, "<<" | ">>");
         let ty = if shifts { promoted(&a.1) } else { self.common(&a.1, &b.1)? };
         let (a, b) = (self.converted(a, &ty)?, self.converted(b, if shifts { &Type::UNSIGNED } else { &ty })?);
-        if ty == Type::Float {
+        if ty == Float {
             let (operation, b) = match sign {
                 "+" => (Arithmetic::Add, b),
                 "-" => (Arithmetic::Add, Value::Negative(Box::new(b))),
@@ -359,19 +361,19 @@ impl<'u> Lowering<'u> {
             };
             return Ok((Value::Arithmetic(operation, Box::new(a), Box::new(b)), ty));
         }
-        let Type::Integer(_, signed) = ty else { return Err(self.missing(format!("`{sign}` of this type"))) };
+        let Integer(_, signed) = ty else { return Err(self.missing(format!("`{sign}` of this type"))) };
         let operator = match sign {
-            "+" => Operator::Add,
-            "-" => Operator::Subtract,
-            "*" => Operator::Multiply,
-            "/" if !signed => Operator::Divide,
-            "%" if !signed => Operator::Modulo,
-            "&" => Operator::And,
-            "|" => Operator::Or,
-            "^" => Operator::Xor,
-            "<<" => Operator::ShiftLeft,
-            ">>" if signed => Operator::ShiftArithmetic,
-            ">>" => Operator::ShiftRight,
+            "+" => Add,
+            "-" => Subtract,
+            "*" => Multiply,
+            "/" if !signed => Divide,
+            "%" if !signed => Modulo,
+            "&" => And,
+            "|" => Or,
+            "^" => Xor,
+            "<<" => ShiftLeft,
+            ">>" if signed => ShiftArithmetic,
+            ">>" => ShiftRight,
             _ => return Err(self.missing(format!("`{sign}` of signed integers"))),
         };
         Ok((apply(operator, width(&ty), a, b), ty))
@@ -380,10 +382,10 @@ impl<'u> Lowering<'u> {
     /// The type in which two operands are computed with.
     fn common(&self, x: &Type, y: &Type) -> Result<Type, Missing> {
         match (promoted(x), promoted(y)) {
-            (Type::Double, _) | (_, Type::Double) => Err(self.missing("arithmetic in binary64")),
-            (Type::Float, Type::Float | Type::Integer(..)) | (Type::Integer(..), Type::Float) => Ok(Type::Float),
+            (Double, _) | (_, Double) => Err(self.missing("arithmetic in binary64")),
+            (Float, Float | Integer(..)) | (Integer(..), Float) => Ok(Float),
             // the wider one, or unsigned if either of the same size is
-            (Type::Integer(a, s), Type::Integer(b, t)) => Ok(Type::Integer(
+            (Integer(a, s), Integer(b, t)) => Ok(Integer(
                 a.max(b),
                 if a == b {
                     s && t
@@ -401,28 +403,26 @@ impl<'u> Lowering<'u> {
         let apply = |operator, width, a, b| apply(operator, width, a, Value::Number(b));
         match (&from, to) {
             _ if from == *to => Ok(value),
-            (Type::Pointer(_), Type::Pointer(_)) | (_, Type::Void) => Ok(value),
+            (Pointer(_), Pointer(_)) | (_, Void) => Ok(value),
             // a constant of the wider type: it is rounded once more
-            (Type::Double, Type::Float) if matches!(value, Value::Float(_)) => Ok(value),
-            (Type::Integer(bytes, signed), Type::Float) if *bytes <= 4 => {
-                Ok(Value::OfInteger(*signed, Box::new(value)))
-            }
-            (Type::Float, Type::Integer(..)) => Err(self.missing("a float that is in the range of an integer")),
-            (Type::Integer(a, signed), Type::Integer(b, to_signed)) => Ok(match (a, b) {
+            (Double, Float) if matches!(value, Value::Float(_)) => Ok(value),
+            (Integer(bytes, signed), Float) if *bytes <= 4 => Ok(Value::OfInteger(*signed, Box::new(value))),
+            (Float, Integer(..)) => Err(self.missing("a float that is in the range of an integer")),
+            (Integer(a, signed), Integer(b, to_signed)) => Ok(match (a, b) {
                 (8, 8) => value,
                 (_, 8) if *signed => {
-                    let flipped = apply(Operator::Xor, Width::W64, value, 0x8000_0000);
-                    apply(Operator::Subtract, Width::W64, flipped, 0x8000_0000)
+                    let flipped = apply(Xor, Width::W64, value, 0x8000_0000);
+                    apply(Subtract, Width::W64, flipped, 0x8000_0000)
                 }
                 (_, 8) => value,
                 (8, _) | (_, 1 | 2) if *to_signed && *b < 4 => {
                     let unused = 32 - 8 * u64::from(*b);
-                    let upper = apply(Operator::ShiftLeft, Width::W32, value, unused);
-                    apply(Operator::ShiftArithmetic, Width::W32, upper, unused)
+                    let upper = apply(ShiftLeft, Width::W32, value, unused);
+                    apply(ShiftArithmetic, Width::W32, upper, unused)
                 }
                 (8, _) | (_, 1 | 2) => {
                     let width = if *a == 8 { Width::W64 } else { Width::W32 };
-                    apply(Operator::And, width, value, (1 << (8 * u64::from(*b))) - 1)
+                    apply(And, width, value, (1 << (8 * u64::from(*b))) - 1)
                 }
                 _ => value,
             }),

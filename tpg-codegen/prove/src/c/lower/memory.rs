@@ -4,18 +4,19 @@ use super::{Lowering, Lvalue, constant_of, is_float};
 use crate::c::code::{CONSTANTS, Constant, Object};
 use crate::c::syntax::{Expression, Kind, Type, Variable};
 use crate::input::Missing;
+use Type::*;
 
 impl<'u> Lowering<'u> {
     /// The size of a type, by that of scalars.
     fn size(&self, ty: &Type, scalar: fn(&Type) -> u32) -> u32 {
         match ty {
-            Type::Void => 0,
-            Type::Struct(number) => {
+            Void => 0,
+            Struct(number) => {
                 let structure = &self.unit.structs[*number];
                 let sizes = structure.members.iter().map(|(_, ty)| self.size(ty, scalar));
                 if structure.union { sizes.max().unwrap_or(0) } else { sizes.sum() }
             }
-            Type::Array(ty, count) => self.size(ty, scalar).saturating_mul(*count),
+            Array(ty, count) => self.size(ty, scalar).saturating_mul(*count),
             _ => scalar(ty),
         }
     }
@@ -26,8 +27,8 @@ impl<'u> Lowering<'u> {
 
     pub(super) fn bytes(&self, ty: &Type) -> u32 {
         self.size(ty, |ty| match ty {
-            Type::Integer(bytes, _) => u32::from(*bytes),
-            Type::Double => 8,
+            Integer(bytes, _) => u32::from(*bytes),
+            Double => 8,
             _ => 4,
         })
     }
@@ -35,9 +36,7 @@ impl<'u> Lowering<'u> {
     /// The type of a variable, with the length that an initialiser has.
     pub(super) fn type_of(&self, variable: &Variable) -> Result<Type, Missing> {
         let mut ty = variable.ty.clone();
-        if let (Type::Array(_, count @ 0), Some(Expression { kind: Kind::List(items), .. })) =
-            (&mut ty, &variable.initial)
-        {
+        if let (Array(_, count @ 0), Some(Expression { kind: Kind::List(items), .. })) = (&mut ty, &variable.initial) {
             *count = u32::try_from(items.len()).map_err(|_| self.missing("a length"))?;
         }
         Ok(ty)
@@ -46,7 +45,7 @@ impl<'u> Lowering<'u> {
     pub(super) fn allocate(&mut self, ty: &Type) -> u32 {
         let start = self.program.cells;
         let end = start + self.cells(ty).max(1);
-        self.program.objects.push(Object { start, end, array: matches!(ty, Type::Array(..)) });
+        self.program.objects.push(Object { start, end, array: matches!(ty, Array(..)) });
         self.program.cells = end;
         start
     }
@@ -83,8 +82,8 @@ impl<'u> Lowering<'u> {
     /// The parts of an initialiser that are no lists, each with the offset of its cells.
     pub(super) fn parts(&self, ty: &Type, initial: &'u Expression) -> Vec<(u32, Type, &'u Expression)> {
         let (types, items): (Vec<&Type>, _) = match (ty, &initial.kind) {
-            (Type::Array(inner, count), Kind::List(items)) => (vec![inner; *count as usize], items),
-            (Type::Struct(number), Kind::List(items)) => {
+            (Array(inner, count), Kind::List(items)) => (vec![inner; *count as usize], items),
+            (Struct(number), Kind::List(items)) => {
                 (self.unit.structs[*number].members.iter().map(|(_, ty)| ty).collect(), items)
             }
             _ => return vec![(0, ty.clone(), initial)],

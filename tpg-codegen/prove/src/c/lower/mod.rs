@@ -9,6 +9,8 @@ use crate::c::syntax::{Function, Type, Unit};
 use crate::input::Missing;
 use crate::machine::Interface;
 use crate::term::{Operator, Width};
+use Operation::*;
+use Type::*;
 use std::collections::HashMap;
 
 #[derive(Clone, Debug)]
@@ -61,12 +63,12 @@ pub(super) fn policy(file: &str, unit: &Unit, name: &str, interface: &Interface)
 /// Lowers a function of one float, which is cell 0.
 pub(super) fn function(file: &str, unit: &Unit, name: &str) -> Result<Program, Missing> {
     let mut lowering = Lowering::new(file, unit)?;
-    let argument = lowering.allocate(&Type::Float);
-    let argument = lowering.loaded(number(argument), Type::Float)?;
+    let argument = lowering.allocate(&Float);
+    let argument = lowering.loaded(number(argument), Float)?;
     let called = lowering.function(name)?;
     let result = lowering.inlined(called, vec![argument])?;
     lowering.program.result = result.map(|place| place.address);
-    lowering.emit(Operation::Return);
+    lowering.emit(Return);
     Ok(lowering.finished())
 }
 
@@ -113,7 +115,7 @@ impl<'u> Lowering<'u> {
         let mut arguments = Vec::new();
         let mut structures = Vec::new();
         for (_, ty) in &function.parameters {
-            let Type::Pointer(target) = ty else { return Err(self.missing("a parameter that is a pointer")) };
+            let Pointer(target) = ty else { return Err(self.missing("a parameter that is a pointer")) };
             let address = self.allocate(target);
             structures.push((address, (**target).clone()));
             arguments.push((number(address), ty.clone()));
@@ -140,18 +142,18 @@ impl<'u> Lowering<'u> {
         if self.program.result.is_none() != values {
             return Err(self.missing(format!("another result of `{name}`")));
         }
-        self.emit(Operation::Return);
+        self.emit(Return);
         Ok(())
     }
 
     /// Checks that a structure holds floats with these names, in this order; underscores may follow a name.
     fn fields(&self, ty: &Type, names: &[(String, u32)]) -> Result<(), Missing> {
-        let Type::Struct(number) = ty else { return Err(self.missing("a pointer to a structure")) };
+        let Struct(number) = ty else { return Err(self.missing("a pointer to a structure")) };
         let members = &self.unit.structs[*number].members;
         let fits = |member: &(String, Type), (name, length): &(String, u32)| {
             let floats = match &member.1 {
-                Type::Float => 1,
-                Type::Array(ty, count) if **ty == Type::Float => *count,
+                Float => 1,
+                Array(ty, count) if **ty == Float => *count,
                 _ => 0,
             };
             floats == *length && member.0.trim_end_matches('_') == name.trim_end_matches('_')
@@ -177,14 +179,14 @@ impl<'u> Lowering<'u> {
 
     /// Goes on if the condition holds; where else is told later.
     fn branch(&mut self, condition: Condition) -> usize {
-        self.emit(Operation::Branch(condition, usize::MAX))
+        self.emit(Branch(condition, usize::MAX))
     }
 
     fn land(&mut self, jumps: &[usize]) {
         let here = self.here();
         for &jump in jumps {
             match &mut self.program.operations[jump].1 {
-                Operation::Jump(to, _) | Operation::Branch(_, to) => *to = here,
+                Jump(to, _) | Branch(_, to) => *to = here,
                 _ => {}
             }
         }
@@ -192,7 +194,7 @@ impl<'u> Lowering<'u> {
 
     fn jump(&mut self, from_scope: usize) -> usize {
         let left = self.scopes[from_scope..].to_vec();
-        self.emit(Operation::Jump(usize::MAX, left))
+        self.emit(Jump(usize::MAX, left))
     }
 
     fn enter(&mut self) {
@@ -205,7 +207,7 @@ impl<'u> Lowering<'u> {
         self.names.pop();
         if let Some(scope) = self.scopes.pop() {
             self.program.scopes[scope].1 = self.program.cells;
-            self.emit(Operation::Leave(scope));
+            self.emit(Leave(scope));
         }
     }
 
@@ -218,7 +220,7 @@ impl<'u> Lowering<'u> {
             return Err(self.missing(format!("arguments of `{}`", function.name)));
         }
         let line = self.line;
-        let result = (function.result != Type::Void)
+        let result = (function.result != Void)
             .then(|| Lvalue { address: self.allocate(&function.result), ty: function.result.clone() });
         let outside = std::mem::take(&mut self.names);
         self.names.push(outside[0].clone());
@@ -244,7 +246,7 @@ impl<'u> Lowering<'u> {
                 return Err(self.missing(format!("the label `{label}`")));
             };
             let left = left.into_iter().filter(|scope| !inside.contains(scope)).collect();
-            self.program.operations[jump].1 = Operation::Jump(*to, left);
+            self.program.operations[jump].1 = Jump(*to, left);
         }
         self.land(&frame.returns);
         if frame.returns.len() > 1 {
@@ -259,7 +261,7 @@ impl<'u> Lowering<'u> {
     fn put(&mut self, address: Value, value: (Value, Type), ty: &Type) -> Result<(), Missing> {
         let value = self.converted(value, ty)?;
         self.scalar(ty)?;
-        self.emit(Operation::Set(address, value));
+        self.emit(Set(address, value));
         Ok(())
     }
 
@@ -269,9 +271,9 @@ impl<'u> Lowering<'u> {
 
     fn scalar(&self, ty: &Type) -> Result<Scalar, Missing> {
         match ty {
-            Type::Float => Ok(Scalar::Float),
-            Type::Integer(..) | Type::Pointer(_) => Ok(Scalar::Word),
-            Type::Double => Err(self.missing("arithmetic in binary64")),
+            Float => Ok(Scalar::Float),
+            Type::Integer(..) | Pointer(_) => Ok(Scalar::Word),
+            Double => Err(self.missing("arithmetic in binary64")),
             _ => Err(self.missing("a scalar")),
         }
     }
@@ -279,8 +281,8 @@ impl<'u> Lowering<'u> {
 
 fn is_float(ty: &Type) -> bool {
     match ty {
-        Type::Array(ty, _) => is_float(ty),
-        ty => *ty == Type::Float,
+        Array(ty, _) => is_float(ty),
+        ty => *ty == Float,
     }
 }
 

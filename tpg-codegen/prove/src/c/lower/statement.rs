@@ -2,7 +2,7 @@
 
 use super::{JumpTarget, Lowering, Lvalue, constant_of, number};
 use crate::c::code::{Condition, Constant, Operation, Value};
-use crate::c::syntax::{Expression, Statement, StatementKind, Type, Variable};
+use crate::c::syntax::{Expression, Statement, StatementKind::*, Type, Variable};
 use crate::input::Missing;
 use crate::term::Width;
 
@@ -10,8 +10,8 @@ impl<'u> Lowering<'u> {
     pub(super) fn statement(&mut self, statement: &'u Statement) -> Result<(), Missing> {
         self.line = statement.line;
         match &statement.kind {
-            StatementKind::Empty => {}
-            StatementKind::Block(statements) => {
+            Empty => {}
+            Block(statements) => {
                 self.enter();
                 for statement in statements {
                     self.statement(statement)?;
@@ -19,13 +19,13 @@ impl<'u> Lowering<'u> {
                 self.leave();
                 self.head();
             }
-            StatementKind::Declare(variables) => {
+            Declare(variables) => {
                 for variable in variables {
                     self.declare(variable)?;
                 }
             }
-            StatementKind::Evaluate(expression) => self.effect(expression)?,
-            StatementKind::If(condition, first, second) => {
+            Evaluate(expression) => self.effect(expression)?,
+            If(condition, first, second) => {
                 let condition = self.condition(condition)?;
                 let branch = self.branch(condition);
                 self.statement(first)?;
@@ -38,7 +38,7 @@ impl<'u> Lowering<'u> {
                     self.land(&[branch]);
                 }
             }
-            StatementKind::Loop(first, condition, step, body, body_first) => {
+            Loop(first, condition, step, body, body_first) => {
                 self.enter();
                 if let Some(first) = first {
                     self.statement(first)?;
@@ -46,8 +46,8 @@ impl<'u> Lowering<'u> {
                 self.repeat(condition.as_ref(), step.as_ref(), body, *body_first)?;
                 self.leave();
             }
-            StatementKind::Switch(value, body) => self.switch(value, body)?,
-            StatementKind::Case(value) => {
+            Switch(value, body) => self.switch(value, body)?,
+            Case(value) => {
                 let value = match value {
                     None => None,
                     Some(value) => {
@@ -65,8 +65,8 @@ impl<'u> Lowering<'u> {
                     None => return Err(self.missing("the switch of a case")),
                 }
             }
-            StatementKind::Break | StatementKind::Continue => {
-                let breaks = matches!(statement.kind, StatementKind::Break);
+            Break | Continue => {
+                let breaks = matches!(statement.kind, Break);
                 let target = self.frame.targets.iter().rposition(|target| breaks || target.continues.is_some());
                 let Some(target) = target else { return Err(self.missing("a loop around")) };
                 let jump = self.jump(self.frame.targets[target].scopes);
@@ -76,16 +76,16 @@ impl<'u> Lowering<'u> {
                     _ => target.breaks.push(jump),
                 }
             }
-            StatementKind::Goto(label) => {
+            Goto(label) => {
                 let jump = self.emit(Operation::Jump(usize::MAX, Vec::new()));
                 self.frame.gotos.push((jump, label.clone(), self.scopes.clone(), statement.line));
             }
-            StatementKind::Label(label) => {
+            Label(label) => {
                 let here = self.here();
                 self.program.heads.insert(here, true);
                 self.frame.labels.insert(label.clone(), (here, self.scopes.clone()));
             }
-            StatementKind::Return(value) => self.returns(value.as_ref())?,
+            Return(value) => self.returns(value.as_ref())?,
         }
         Ok(())
     }
