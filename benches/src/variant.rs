@@ -1,5 +1,6 @@
 //! The ways to run a graph.
 
+use Profile::*;
 use tpg_codegen::emit::{Language, Options, Profile, Style};
 
 /// A way to run a graph.
@@ -18,14 +19,14 @@ impl Variant {
     pub const ALL: [Self; 10] = [
         Self::Gegelati,
         Self::Interpreter,
-        Self::Generated(Language::C, Profile::Fast),
-        Self::Generated(Language::C, Profile::Balanced),
-        Self::Generated(Language::C, Profile::Small),
-        Self::Generated(Language::C, Profile::ConstantTime),
-        Self::Generated(Language::Rust, Profile::Fast),
-        Self::Generated(Language::Rust, Profile::Balanced),
-        Self::Generated(Language::Rust, Profile::Small),
-        Self::Generated(Language::Rust, Profile::ConstantTime),
+        Self::Generated(Language::C, Fast),
+        Self::Generated(Language::C, Balanced),
+        Self::Generated(Language::C, Small),
+        Self::Generated(Language::C, ConstantTime),
+        Self::Generated(Language::Rust, Fast),
+        Self::Generated(Language::Rust, Balanced),
+        Self::Generated(Language::Rust, Small),
+        Self::Generated(Language::Rust, ConstantTime),
     ];
 
     /// Returns the name of the variant.

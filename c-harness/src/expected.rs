@@ -6,6 +6,7 @@ use crate::line::Line;
 use crate::problems::{self, PARTS, problems, settings};
 use crate::record::{Hash, code};
 use crate::table;
+use Start::*;
 use std::sync::LazyLock;
 use tpg_arm::binding;
 use tpg_arm::cycle::Brent;
@@ -58,7 +59,7 @@ fn rs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {
 
 /// The lines of every scenario of sensor faults.
 pub(crate) fn faults() -> Vec<Line> {
-    table::lines(&Hybrid { arm: &ARM, tpg: fs(), sac: NETWORK, settings: settings(Start::Fs) })
+    table::lines(&Hybrid { arm: &ARM, tpg: fs(), sac: NETWORK, settings: settings(Fs) })
 }
 
 /// Checks that every episode is as on the host: its end, the actions of each policy, and a hash of every motor position.
@@ -85,13 +86,13 @@ pub(crate) fn same(place: &str, expected: &[Line], lines: &[Line]) -> Result<(),
 pub(crate) fn lines() -> Result<Vec<Line>, Failure> {
     let mut lines = Vec::new();
     let (fs, rs) = (fs(), rs());
-    let [fixed, random] = [problems(Start::Fs)?, problems(Start::Rs)?];
-    hybrid(&mut lines, Start::Fs, fs.clone(), &fixed);
-    hybrid(&mut lines, Start::Rs, rs.clone(), &random);
-    single(&mut lines, Start::Fs, "graph", &fs, &fixed);
-    single(&mut lines, Start::Rs, "graph", &rs, &random);
-    single(&mut lines, Start::Fs, "network", &NETWORK, &fixed);
-    single(&mut lines, Start::Rs, "network", &NETWORK, &random);
+    let [fixed, random] = [problems(Fs)?, problems(Rs)?];
+    hybrid(&mut lines, Fs, fs.clone(), &fixed);
+    hybrid(&mut lines, Rs, rs.clone(), &random);
+    single(&mut lines, Fs, "graph", &fs, &fixed);
+    single(&mut lines, Rs, "graph", &rs, &random);
+    single(&mut lines, Fs, "network", &NETWORK, &fixed);
+    single(&mut lines, Rs, "network", &NETWORK, &random);
     Ok(lines)
 }
 

@@ -6,6 +6,7 @@
 
 use crate::record::Hash;
 use crate::scenarios::{BAD_SENSOR, BAD_TARGET, FAR_TARGET, GOOD_TARGET, OK, Phase, Reading, STUCK, Scenario, Target};
+use Reading::*;
 use tpg_arm::cycle::Brent;
 use tpg_arm::hybrid::{Chosen, Control, Driver, Hybrid};
 use tpg_arm::observation::Observation;
@@ -44,13 +45,13 @@ impl FaultWorld {
         let joint = usize::from(phase.joint);
         let there = ticks.get(joint).copied().unwrap_or_default();
         let read = match phase.reading {
-            Reading::Late => {
+            Late => {
                 let then = self.steps.saturating_sub(phase.amount.unsigned_abs().into());
                 return self.past.get(then % REMEMBERED).copied().unwrap_or_default();
             }
-            Reading::Jump => there.saturating_add(phase.amount),
-            Reading::Fixed => phase.amount,
-            Reading::Flicker if !odd => phase.amount,
+            Jump => there.saturating_add(phase.amount),
+            Fixed => phase.amount,
+            Flicker if !odd => phase.amount,
             _ => there,
         };
         ticks.get_mut(joint).into_iter().for_each(|ticks| *ticks = read);
@@ -60,8 +61,8 @@ impl FaultWorld {
     /// The motors do what they were told, as far as the phase lets them.
     fn advance<T, P>(&mut self, hybrid: &Hybrid<'_, f32, T, P>, phase: &Phase, Move(mut wanted): Move) {
         match phase.reading {
-            Reading::Stuck => wanted = [0; 4],
-            Reading::JointStuck => wanted.get_mut(usize::from(phase.joint)).into_iter().for_each(|delta| *delta = 0),
+            Stuck => wanted = [0; 4],
+            JointStuck => wanted.get_mut(usize::from(phase.joint)).into_iter().for_each(|delta| *delta = 0),
             _ => {}
         }
         self.motors = hybrid.arm.step(self.motors, Move(wanted)).pose;
@@ -81,10 +82,10 @@ fn garbled<T, P>(
 ) -> Option<Observation<f32>> {
     let mut seen = Observation::at(hybrid.arm, motors, target);
     match reading {
-        Reading::HandNan => seen.hand[1] = f32::NAN,
-        Reading::DifferenceInfinite => seen.difference[2] = f32::NEG_INFINITY,
-        Reading::HandOff => seen.hand[0] += 50.0,
-        Reading::HandInfinite => {
+        HandNan => seen.hand[1] = f32::NAN,
+        DifferenceInfinite => seen.difference[2] = f32::NEG_INFINITY,
+        HandOff => seen.hand[0] += 50.0,
+        HandInfinite => {
             seen.hand[0] = f32::INFINITY;
             seen.difference[0] = f32::NEG_INFINITY;
         }
@@ -157,7 +158,7 @@ where
             let found = code(&result);
             let chosen = result.unwrap_or(Chosen { driver: Driver::Tpg, wanted: Move::STOP });
             step += 1;
-            let due = if odd && phase.reading == Reading::Flicker { OK } else { phase.code };
+            let due = if odd && phase.reading == Flicker { OK } else { phase.code };
             let right = found == due || (index < phase.within && (found == before || found == OK));
             let unharmed = found == OK || counts == control.as_ref().map(|control| *control.switch().counts());
             let small = chosen.wanted.0.iter().all(|delta| (-3..=3).contains(delta));

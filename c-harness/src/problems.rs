@@ -2,6 +2,7 @@
 
 use crate::Failure;
 use crate::data::{self, Data};
+use Start::*;
 use tpg_arm::episode::ReachTask;
 use tpg_arm::hybrid::{Guard, Settings};
 use tpg_arm::{Pose, WIDOWX};
@@ -15,21 +16,21 @@ pub(crate) const PROBLEMS: usize = 100;
 pub(crate) const PARTS: usize = 25;
 
 /// Both starts.
-pub(crate) const STARTS: [Start; 2] = [Start::Fs, Start::Rs];
+pub(crate) const STARTS: [Start; 2] = [Fs, Rs];
 
 /// The name of a start in lines and names.
 pub(crate) const fn name(start: Start) -> &'static str {
     match start {
-        Start::Fs => "fs",
-        Start::Rs => "rs",
+        Fs => "fs",
+        Rs => "rs",
     }
 }
 
 /// The settings of the shipped hybrid.
 pub(crate) const fn settings(start: Start) -> Settings<f32> {
     match start {
-        Start::Fs => widowx_fs_hybrid::SETTINGS,
-        Start::Rs => widowx_rs_hybrid::SETTINGS,
+        Fs => widowx_fs_hybrid::SETTINGS,
+        Rs => widowx_rs_hybrid::SETTINGS,
     }
 }
 

@@ -1,6 +1,8 @@
 //! The table of sensor faults: readings, and the codes that the contract asks for. Host, C and firmwares run the same one.
 #![allow(dead_code, reason = "each of the programs that include this file uses a part")]
 
+use Reading::*;
+
 /// The reading in a phase, made from where the simulated motors really are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Reading {
@@ -92,15 +94,15 @@ const fn joint_phase(steps: u16, reading: Reading, joint: u8, amount: i16, code:
 }
 
 const fn late(steps: u16, amount: i16, code: i32) -> Phase {
-    joint_phase(steps, Reading::Late, 0, amount, code)
+    joint_phase(steps, Late, 0, amount, code)
 }
 
 const fn aimed(steps: u16, target: Target) -> Phase {
-    Phase { target, ..phase(steps, Reading::Good, BAD_TARGET, 0) }
+    Phase { target, ..phase(steps, Good, BAD_TARGET, 0) }
 }
 
 const fn good(steps: u16) -> Phase {
-    phase(steps, Reading::Good, OK, 0)
+    phase(steps, Good, OK, 0)
 }
 
 const fn scenario(name: &'static str, phases: &'static [Phase]) -> Scenario {
@@ -111,44 +113,40 @@ const fn scenario(name: &'static str, phases: &'static [Phase]) -> Scenario {
 pub(crate) static SCENARIOS: [Scenario; 24] = [
     scenario("healthy", &[good(150)]),
     // Stuck.
-    scenario("stuck-from-the-start", &[phase(60, Reading::Stuck, STUCK, 45)]),
-    scenario("stuck-on-the-way", &[good(40), phase(60, Reading::Stuck, STUCK, 45)]),
-    scenario("one-joint-stuck", &[good(20), phase(80, Reading::JointStuck, STUCK, 60)]),
-    scenario("stuck-and-freed", &[good(20), phase(60, Reading::Stuck, STUCK, 45), resumed(60, Reading::Good, OK, 0)]),
+    scenario("stuck-from-the-start", &[phase(60, Stuck, STUCK, 45)]),
+    scenario("stuck-on-the-way", &[good(40), phase(60, Stuck, STUCK, 45)]),
+    scenario("one-joint-stuck", &[good(20), phase(80, JointStuck, STUCK, 60)]),
+    scenario("stuck-and-freed", &[good(20), phase(60, Stuck, STUCK, 45), resumed(60, Good, OK, 0)]),
     scenario(
         "stuck-and-not-freed",
-        &[
-            phase(60, Reading::Stuck, STUCK, 45),
-            resumed(60, Reading::Stuck, STUCK, 45),
-            resumed(9, Reading::Good, OK, 0),
-        ],
+        &[phase(60, Stuck, STUCK, 45), resumed(60, Stuck, STUCK, 45), resumed(9, Good, OK, 0)],
     ),
     Scenario {
         name: "stuck-by-a-strict-watch",
         watch: (4, 8),
-        phases: &[good(30), phase(20, Reading::Stuck, STUCK, 8), resumed(30, Reading::Good, OK, 0)],
+        phases: &[good(30), phase(20, Stuck, STUCK, 8), resumed(30, Good, OK, 0)],
     },
     // Jumping.
-    scenario("a-reading-jumps", &[good(30), joint_phase(1, Reading::Jump, 1, 500, STUCK), good(30)]),
-    scenario("a-small-jump-is-borne", &[good(30), joint_phase(3, Reading::Jump, 2, 20, OK), good(30)]),
+    scenario("a-reading-jumps", &[good(30), joint_phase(1, Jump, 1, 500, STUCK), good(30)]),
+    scenario("a-small-jump-is-borne", &[good(30), joint_phase(3, Jump, 2, 20, OK), good(30)]),
     scenario(
         "a-jump-that-stays",
         &[
             good(30),
-            joint_phase(20, Reading::Jump, 3, -200, STUCK),
-            Phase { resume: true, ..joint_phase(20, Reading::Jump, 3, -200, OK) },
+            joint_phase(20, Jump, 3, -200, STUCK),
+            Phase { resume: true, ..joint_phase(20, Jump, 3, -200, OK) },
         ],
     ),
     scenario(
         "readings-flicker",
-        &[good(10), Phase { within: 40, ..joint_phase(40, Reading::Flicker, 0, -1, BAD_SENSOR) }, good(10)],
+        &[good(10), Phase { within: 40, ..joint_phase(40, Flicker, 0, -1, BAD_SENSOR) }, good(10)],
     ),
     // Motors outside their ranges: what a bus says when a servo does not answer.
-    scenario("all-ones", &[good(10), joint_phase(10, Reading::Fixed, 2, -1, BAD_SENSOR), good(30)]),
-    scenario("the-greatest-number", &[good(10), joint_phase(10, Reading::Fixed, 0, i16::MAX, BAD_SENSOR), good(30)]),
-    scenario("the-least-number", &[good(10), joint_phase(10, Reading::Fixed, 3, i16::MIN, BAD_SENSOR), good(30)]),
-    scenario("a-tick-too-far", &[good(10), joint_phase(10, Reading::Fixed, 1, 3072, BAD_SENSOR), good(30)]),
-    scenario("bad-from-the-start", &[joint_phase(10, Reading::Fixed, 1, 0, BAD_SENSOR), good(30)]),
+    scenario("all-ones", &[good(10), joint_phase(10, Fixed, 2, -1, BAD_SENSOR), good(30)]),
+    scenario("the-greatest-number", &[good(10), joint_phase(10, Fixed, 0, i16::MAX, BAD_SENSOR), good(30)]),
+    scenario("the-least-number", &[good(10), joint_phase(10, Fixed, 3, i16::MIN, BAD_SENSOR), good(30)]),
+    scenario("a-tick-too-far", &[good(10), joint_phase(10, Fixed, 1, 3072, BAD_SENSOR), good(30)]),
+    scenario("bad-from-the-start", &[joint_phase(10, Fixed, 1, 0, BAD_SENSOR), good(30)]),
     // Late.
     scenario("a-step-late", &[good(10), late(80, 1, OK), good(30)]),
     scenario("five-steps-late", &[good(10), late(80, 5, OK), good(30)]),
@@ -160,20 +158,10 @@ pub(crate) static SCENARIOS: [Scenario; 24] = [
     scenario("target-out-of-reach", &[aimed(10, Target::Far), good(30)]),
     scenario(
         "hand-no-number",
-        &[
-            good(10),
-            phase(5, Reading::HandNan, BAD_SENSOR, 0),
-            phase(5, Reading::HandInfinite, BAD_SENSOR, 0),
-            good(20),
-        ],
+        &[good(10), phase(5, HandNan, BAD_SENSOR, 0), phase(5, HandInfinite, BAD_SENSOR, 0), good(20)],
     ),
     scenario(
         "difference-of-another-hand",
-        &[
-            good(10),
-            phase(5, Reading::DifferenceInfinite, BAD_SENSOR, 0),
-            phase(5, Reading::HandOff, BAD_SENSOR, 0),
-            good(20),
-        ],
+        &[good(10), phase(5, DifferenceInfinite, BAD_SENSOR, 0), phase(5, HandOff, BAD_SENSOR, 0), good(20)],
     ),
 ];

@@ -1,6 +1,9 @@
 //! Nodes as people write them: infix, with no more brackets than the order of operations needs.
 
 use crate::ir::{Module, Node, NodeId};
+use Instruction::*;
+use Node::*;
+use Precedence::*;
 use std::collections::BTreeMap;
 use tpg_graph::{Graph, ScalarType, Word};
 use tpg_runtime::ops::Instruction;
@@ -58,7 +61,7 @@ impl Formulas {
             *uses.entry(id).or_default() += 1;
         }
         let has = |word: Word| module.graph.instructions().contains(&word);
-        let of_cpp = [(Instruction::Min, Word::StdMin), (Instruction::Max, Word::StdMax)];
+        let of_cpp = [(Min, Word::StdMin), (Max, Word::StdMax)];
         let of_cpp = of_cpp.map(|(own, cpp)| has(cpp) && !has(own.into()));
         let mut formulas = Self { terms: BTreeMap::new(), shared: Vec::new(), spelling, of_cpp };
         for &id in bids.iter().chain(needed.iter().flat_map(|id| module.nodes[id.index()].operands())) {
@@ -68,12 +71,12 @@ impl Formulas {
         }
         // Operands come before operations.
         for id in needed {
-            let Node::Operation(instruction, operands) = module.node(id) else { continue };
+            let Operation(instruction, operands) = module.node(id) else { continue };
             let mut term = formulas.operation(instruction, operands);
             if uses.get(&id).is_some_and(|&uses| uses > 1) {
                 let name = format!("t{}", formulas.shared.len() + 1);
                 formulas.shared.push((name.clone(), term.text));
-                term = Term { text: name, rank: Precedence::Atom };
+                term = Term { text: name, rank: Atom };
             }
             formulas.terms.insert(id, term);
         }
@@ -100,21 +103,21 @@ impl Formulas {
         };
         let call = |name: &str, operands: &[&Term]| {
             let operands: Vec<&str> = operands.iter().map(|term| term.text.as_str()).collect();
-            Term { text: format!("{name}({})", operands.join(", ")), rank: Precedence::Atom }
+            Term { text: format!("{name}({})", operands.join(", ")), rank: Atom }
         };
         match instruction {
             // Only the sign of a zero differs, which no comparison sees.
-            Instruction::Add if self.spelling == Spelling::Short && a.text == "0" => b.clone(),
-            Instruction::Add if self.spelling == Spelling::Short && is_negative(b) => {
-                Term { text: format!("{} - {}", a.text, &b.text[1..]), rank: Precedence::Sum }
+            Add if self.spelling == Spelling::Short && a.text == "0" => b.clone(),
+            Add if self.spelling == Spelling::Short && is_negative(b) => {
+                Term { text: format!("{} - {}", a.text, &b.text[1..]), rank: Sum }
             }
-            Instruction::Add => infix("+", Precedence::Sum),
-            Instruction::Sub => infix("-", Precedence::Sum),
-            Instruction::Mul => infix("*", Precedence::Product),
-            Instruction::Div => infix("/", Precedence::Product),
+            Add => infix("+", Sum),
+            Sub => infix("-", Sum),
+            Mul => infix("*", Product),
+            Div => infix("/", Product),
             // C++'s have their operands the other way round.
-            Instruction::Min if self.of_cpp[0] => call("std_min", &[b, a]),
-            Instruction::Max if self.of_cpp[1] => call("std_max", &[b, a]),
+            Min if self.of_cpp[0] => call("std_min", &[b, a]),
+            Max if self.of_cpp[1] => call("std_max", &[b, a]),
             _ => call(instruction.name(), &[a, b][..instruction.arity()]),
         }
     }
@@ -128,11 +131,11 @@ fn is_negative(term: &Term) -> bool {
 /// A number or a value of the state.
 fn leaf(graph: &Graph, node: Node, spelling: Spelling) -> Option<Term> {
     let text = match node {
-        Node::Input(input) if spelling == Spelling::Short && graph.source_of(input).0.ranges.len() == 1 => {
+        Input(input) if spelling == Spelling::Short && graph.source_of(input).0.ranges.len() == 1 => {
             graph.source_of(input).0.name.clone()
         }
-        Node::Input(input) => graph.input_name(input),
-        Node::Constant(bits) => {
+        Input(input) => graph.input_name(input),
+        Constant(bits) => {
             let value = f64::from_bits(bits);
             let text = match graph.scalar() {
                 ScalarType::F32 => format!("{:?}", value as f32),
@@ -140,11 +143,11 @@ fn leaf(graph: &Graph, node: Node, spelling: Spelling) -> Option<Term> {
             };
             let text = text.strip_suffix(".0").map_or(text.clone(), str::to_owned);
             // A sign in the middle of a formula reads badly.
-            return Some(Term { rank: if text.starts_with('-') { Precedence::Sum } else { Precedence::Atom }, text });
+            return Some(Term { rank: if text.starts_with('-') { Sum } else { Atom }, text });
         }
-        Node::Operation(..) | Node::Upper(..) => return None,
+        Operation(..) | Upper(..) => return None,
     };
-    Some(Term { text, rank: Precedence::Atom })
+    Some(Term { text, rank: Atom })
 }
 
 #[cfg(test)]

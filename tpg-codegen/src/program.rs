@@ -6,6 +6,7 @@ use crate::options::{Language, Options, Profile, Style};
 use crate::passes::removed::Removed;
 use crate::passes::{self, bytecode, cases, functions, schedule};
 use crate::shape::{Formula, Shape};
+use Shape::*;
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 
@@ -44,7 +45,7 @@ pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> P
     let program = |module, shape, removed| Program { module, language, options: options.clone(), shape, removed };
     if language == Language::C && options.style == Style::Gegelati {
         assert!(graph.outputs().is_empty(), "GEGELATI's style has no outputs");
-        return program(Module::lower(graph), Shape::Gegelati, Removed::default());
+        return program(Module::lower(graph), Gegelati, Removed::default());
     }
     let (module, removed) = passes::optimise(graph);
     // If no bid matters any more, tables and masks gain nothing: the plainest text is the best, and has no condition.
@@ -55,13 +56,13 @@ pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> P
     let profile = if chooses { options.profile_in(language) } else { Profile::Fast };
     let shape = |profile| match profile {
         Profile::Fast => fast(&module),
-        Profile::Balanced => Shape::Balanced(cases::tabulate(&module, schedule::schedule(&module))),
-        Profile::Small => Shape::Small(bytecode::encode(&module)),
-        Profile::ConstantTime => Shape::ConstantTime(functions::split(&module)),
+        Profile::Balanced => Balanced(cases::tabulate(&module, schedule::schedule(&module))),
+        Profile::Small => Small(bytecode::encode(&module)),
+        Profile::ConstantTime => ConstantTime(functions::split(&module)),
     };
     let shape = match profile {
         Profile::Small if module.edges() <= FEW_EDGES => match (shape(Profile::Fast), language) {
-            (Shape::Fast { schedule, .. }, _) if schedule.is_lazy() => shape(Profile::Balanced),
+            (Fast { schedule, .. }, _) if schedule.is_lazy() => shape(Profile::Balanced),
             (_, Language::C) if module.edges() > NATIVE_EDGES_OF_C => shape(Profile::Balanced),
             (native, _) => native,
         },
@@ -95,7 +96,7 @@ pub(crate) fn compile_integers<'g>(
 fn fast(module: &Module<'_>) -> Shape {
     let order = topological(&module.teams);
     let functions = order.chunks(functions::together(order.len())).map(<[usize]>::to_vec).collect();
-    Shape::Fast { schedule: schedule::schedule(module), functions }
+    Fast { schedule: schedule::schedule(module), functions }
 }
 
 impl<'g> Program<'g> {
@@ -118,7 +119,7 @@ impl<'g> Program<'g> {
     pub fn name(&self) -> String {
         let Self { language, options, .. } = self;
         let mut name = match self.shape {
-            Shape::Gegelati => "C in GEGELATI's style".to_owned(),
+            Gegelati => "C in GEGELATI's style".to_owned(),
             Shape::Integers(_) => format!("{}, integers, {}", language.name(), options.profile_in(*language).name()),
             _ => format!("{}, {}", language.name(), options.profile_in(*language).name()),
         };

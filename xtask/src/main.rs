@@ -12,6 +12,7 @@ mod summary;
 mod venv;
 mod web;
 
+use XtaskCommand::*;
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -98,27 +99,27 @@ enum XtaskCommand {
 
 fn main() -> ExitCode {
     let good = match XtaskCli::parse().command {
-        XtaskCommand::Setup => setup::run(),
-        XtaskCommand::Test => check::test(),
-        XtaskCommand::Check => check::all(),
-        XtaskCommand::Library { target, out } => library(target, out),
-        XtaskCommand::Qemu { update } => check::harness(if update { &["qemu", "--update"] } else { &["qemu"] }),
-        XtaskCommand::Cores { update, only } => {
+        Setup => setup::run(),
+        Test => check::test(),
+        Check => check::all(),
+        Library { target, out } => library(target, out),
+        Qemu { update } => check::harness(if update { &["qemu", "--update"] } else { &["qemu"] }),
+        Cores { update, only } => {
             let only = only.as_deref().map(|only| ["--only", only]);
             let update = update.then_some("--update");
             check::harness(&["cores"].into_iter().chain(update).chain(only.into_iter().flatten()).collect::<Vec<_>>())
         }
-        XtaskCommand::Size => check::harness(&["size"]),
-        XtaskCommand::Lint => check::lint(),
-        XtaskCommand::Compilers { graphs } => check::compilers(graphs),
-        XtaskCommand::Fuzz(arguments) => arguments.run(),
-        XtaskCommand::Miri => nightly::miri(),
-        XtaskCommand::Sanitize { seeds } => nightly::sanitize(seeds),
-        XtaskCommand::Python(arguments) => python::run(arguments),
-        XtaskCommand::Dist(arguments) => arguments.run(),
-        XtaskCommand::Book { update } => check::book(update),
-        XtaskCommand::Figures => figures(),
-        XtaskCommand::Web => web::run(),
+        Size => check::harness(&["size"]),
+        Lint => check::lint(),
+        Compilers { graphs } => check::compilers(graphs),
+        Fuzz(arguments) => arguments.run(),
+        Miri => nightly::miri(),
+        Sanitize { seeds } => nightly::sanitize(seeds),
+        Python(arguments) => python::run(arguments),
+        Dist(arguments) => arguments.run(),
+        Book { update } => check::book(update),
+        Figures => figures(),
+        Web => web::run(),
     };
     if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }

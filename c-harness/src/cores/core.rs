@@ -1,6 +1,7 @@
 //! The cores: what compiles for each, and what runs it.
 
 use super::shipped::Bits;
+use Runner::*;
 use std::path::Path;
 use std::process::Command;
 use tpg_codegen::size::Target;
@@ -65,7 +66,7 @@ const fn arm(
     flags: &'static [&'static str],
     target: &'static str,
 ) -> Core {
-    let runner = Runner::Arm(memories, ticks);
+    let runner = Arm(memories, ticks);
     Core { name, machine, runner, flags, target: Some(target), images: 1, figures: true }
 }
 
@@ -76,7 +77,7 @@ const fn riscv(
     flags: &'static [&'static str],
     target: &'static str,
 ) -> Core {
-    Core { name, machine, runner: Runner::RiscV(memories), flags, target: Some(target), images: 1, figures: true }
+    Core { name, machine, runner: RiscV(memories), flags, target: Some(target), images: 1, figures: true }
 }
 
 /// A core for which no Rust is built.
@@ -135,15 +136,12 @@ pub(super) const CORES: [Core; 16] = [
     Core {
         images: 2,
         figures: true,
-        ..only_c("AVR ATmega328P", "atmega328p", Runner::Avr, &["-mmcu=atmega328p", "-DF_CPU=16000000UL"])
+        ..only_c("AVR ATmega328P", "atmega328p", Avr, &["-mmcu=atmega328p", "-DF_CPU=16000000UL"])
     },
-    Core {
-        target: Some("wasm32-unknown-unknown"),
-        ..only_c("WebAssembly", "node", Runner::Wasm, &["--target=wasm32-wasi"])
-    },
-    only_c("x86-64", "this machine", Runner::Host, &[]),
-    only_c("x86-64 with fused multiply-add", "this machine", Runner::Host, &["-mfma"]),
-    only_c("PowerPC, big-endian", "qemu-ppc", Runner::User, &["-static"]),
+    Core { target: Some("wasm32-unknown-unknown"), ..only_c("WebAssembly", "node", Wasm, &["--target=wasm32-wasi"]) },
+    only_c("x86-64", "this machine", Host, &[]),
+    only_c("x86-64 with fused multiply-add", "this machine", Host, &["-mfma"]),
+    only_c("PowerPC, big-endian", "qemu-ppc", User, &["-static"]),
 ];
 
 impl Core {
@@ -155,61 +153,61 @@ impl Core {
     /// The C compiler, and its Debian package.
     pub(super) fn compiler(&self) -> (&'static str, &'static str) {
         match self.runner {
-            Runner::Arm(..) => ("arm-none-eabi-gcc", "gcc-arm-none-eabi, picolibc-arm-none-eabi"),
-            Runner::RiscV(_) => ("riscv64-unknown-elf-gcc", "gcc-riscv64-unknown-elf, picolibc-riscv64-unknown-elf"),
-            Runner::Avr => ("avr-gcc", "gcc-avr, avr-libc"),
-            Runner::Wasm => ("clang", "clang, lld, wasi-libc, libclang-rt-14-dev-wasm32"),
-            Runner::Host => ("gcc", "gcc"),
-            Runner::User => ("powerpc-linux-gnu-gcc", "gcc-powerpc-linux-gnu, libc6-dev-powerpc-cross"),
+            Arm(..) => ("arm-none-eabi-gcc", "gcc-arm-none-eabi, picolibc-arm-none-eabi"),
+            RiscV(_) => ("riscv64-unknown-elf-gcc", "gcc-riscv64-unknown-elf, picolibc-riscv64-unknown-elf"),
+            Avr => ("avr-gcc", "gcc-avr, avr-libc"),
+            Wasm => ("clang", "clang, lld, wasi-libc, libclang-rt-14-dev-wasm32"),
+            Host => ("gcc", "gcc"),
+            User => ("powerpc-linux-gnu-gcc", "gcc-powerpc-linux-gnu, libc6-dev-powerpc-cross"),
         }
     }
 
     /// The program that runs its images, and its Debian package.
     pub(super) fn emulator(&self) -> Option<(&'static str, &'static str)> {
         match self.runner {
-            Runner::Arm(..) => Some(("qemu-system-arm", "qemu-system-arm")),
-            Runner::RiscV(_) => Some(("qemu-system-riscv32", "qemu-system-misc")),
-            Runner::Avr => Some(("simavr", "simavr")),
-            Runner::Wasm => Some(("node", "nodejs")),
-            Runner::Host => None,
-            Runner::User => Some(("qemu-ppc", "qemu-user")),
+            Arm(..) => Some(("qemu-system-arm", "qemu-system-arm")),
+            RiscV(_) => Some(("qemu-system-riscv32", "qemu-system-misc")),
+            Avr => Some(("simavr", "simavr")),
+            Wasm => Some(("node", "nodejs")),
+            Host => None,
+            User => Some(("qemu-ppc", "qemu-user")),
         }
     }
 
     /// The file that prints, counts and ends there; the folder `firmware-c` is before it.
     pub(super) fn platform(&self) -> &'static str {
         match self.runner {
-            Runner::Arm(..) | Runner::RiscV(_) => "cores/semihosting.c",
-            Runner::Avr => "cores/avr.c",
-            Runner::Wasm | Runner::Host | Runner::User => "host.c",
+            Arm(..) | RiscV(_) => "cores/semihosting.c",
+            Avr => "cores/avr.c",
+            Wasm | Host | User => "host.c",
         }
     }
 
     /// Arguments of the linker.
     pub(super) fn link(&self) -> Vec<String> {
         match self.runner {
-            Runner::Arm(memories, ticks) => [memories.link(), vec![format!("-DTICKS={ticks}U")]].concat(),
-            Runner::RiscV(memories) => memories.link(),
-            Runner::Avr | Runner::Wasm | Runner::Host | Runner::User => Vec::new(),
+            Arm(memories, ticks) => [memories.link(), vec![format!("-DTICKS={ticks}U")]].concat(),
+            RiscV(memories) => memories.link(),
+            Avr | Wasm | Host | User => Vec::new(),
         }
     }
 
     /// Words of the compiler that every file needs: which C library.
     pub(super) fn specs(&self) -> &'static [&'static str] {
         match self.runner {
-            Runner::Arm(..) | Runner::RiscV(_) => &["--specs=picolibc.specs"],
+            Arm(..) | RiscV(_) => &["--specs=picolibc.specs"],
             _ => &[],
         }
     }
 
     /// The bits of a third of its states.
     pub(super) fn bits(&self) -> Bits {
-        if matches!(self.runner, Runner::Avr) { Bits::NeitherTinyNorHuge } else { Bits::Any }
+        if matches!(self.runner, Avr) { Bits::NeitherTinyNorHuge } else { Bits::Any }
     }
 
     /// True where instructions, or an AVR's cycles, are counted.
     pub(super) fn counts(&self) -> bool {
-        matches!(self.runner, Runner::Arm(..) | Runner::RiscV(_) | Runner::Avr)
+        matches!(self.runner, Arm(..) | RiscV(_) | Avr)
     }
 
     /// The command that runs an image; its last line is `done`.
@@ -219,23 +217,23 @@ impl Core {
         let system = ["-machine", self.machine, "-nographic", "-monitor", "none"];
         let semihosting = ["-serial", "none", "-semihosting-config", "enable=on,target=native", "-kernel"];
         match self.runner {
-            Runner::Arm(..) => {
+            Arm(..) => {
                 command.args(system).args(["-icount", "shift=10,align=off,sleep=off"]).args(semihosting).arg(image);
             }
-            Runner::RiscV(_) => {
+            RiscV(_) => {
                 command.args(system).args(["-icount", "shift=0,align=off,sleep=off", "-bios", "none"]);
                 command.args(semihosting).arg(image);
             }
-            Runner::Avr => {
+            Avr => {
                 command.args(["-m", self.machine, "-f", "16000000"]).arg(image);
             }
-            Runner::Wasm => {
+            Wasm => {
                 command.arg("--no-warnings").arg(wasi).arg(image);
             }
-            Runner::User => {
+            User => {
                 command.arg(image);
             }
-            Runner::Host => {}
+            Host => {}
         }
         command
     }

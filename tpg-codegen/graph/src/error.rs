@@ -27,6 +27,20 @@ impl fmt::Display for Place {
     }
 }
 
+/// A path into a document.
+impl From<String> for Place {
+    fn from(path: String) -> Self {
+        Self::Path(path)
+    }
+}
+
+/// A path into a document.
+impl From<&str> for Place {
+    fn from(path: &str) -> Self {
+        Self::Path(path.to_owned())
+    }
+}
+
 /// A rejected input: the place, what was found, and what is accepted instead.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{file}: {place}{found}; accepted: {accepted}")]
@@ -43,8 +57,13 @@ pub struct InputError {
 
 impl InputError {
     /// Creates an error.
-    pub fn new(file: impl Into<String>, place: Place, found: impl Into<String>, accepted: impl Into<String>) -> Self {
-        Self { file: file.into(), place, found: found.into(), accepted: accepted.into() }
+    pub fn new(
+        file: impl Into<String>,
+        place: impl Into<Place>,
+        found: impl Into<String>,
+        accepted: impl Into<String>,
+    ) -> Self {
+        Self { file: file.into(), place: place.into(), found: found.into(), accepted: accepted.into() }
     }
 
     /// Creates an error for a file that cannot be read or written.

@@ -17,6 +17,7 @@ use crate::model::{
     ActionDocument, Document, EdgeDocument, FORMAT, Graph, LeafDocument, LineDocument, MathsProvider, MemoryDocument,
     OperandDocument, OutputDocument, ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument,
 };
+use SampledEnd::*;
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -167,9 +168,9 @@ impl Sampler<'_> {
         let edge = |&program: &usize| {
             let mut edge = EdgeDocument { program: program_ids[program], ..EdgeDocument::default() };
             match self.programs[program].0 {
-                SampledEnd::Team(team) => edge.team = Some(team_ids[team]),
-                SampledEnd::Action(action) if shape.outputs == 0 => edge.action = Some(action),
-                SampledEnd::Action(leaf) => edge.leaf = Some(leaf),
+                Team(team) => edge.team = Some(team_ids[team]),
+                Action(action) if shape.outputs == 0 => edge.action = Some(action),
+                Action(leaf) => edge.leaf = Some(leaf),
             }
             edge
         };
@@ -216,7 +217,7 @@ impl Sampler<'_> {
         let mut edges: Vec<Vec<usize>> = vec![Vec::new(); self.shape.teams];
         for team in 1..self.shape.teams {
             let above = if self.shape.chain { team - 1 } else { self.random.random_range(0..team) };
-            let program = self.program(SampledEnd::Team(team));
+            let program = self.program(Team(team));
             edges[above].push(program);
         }
         for (team, edges) in edges.iter_mut().enumerate() {
@@ -235,8 +236,8 @@ impl Sampler<'_> {
             return Vec::new();
         }
         let ends = self.programs.iter().filter_map(|&(to, _)| match to {
-            SampledEnd::Action(leaf) => Some(leaf),
-            SampledEnd::Team(_) => None,
+            Action(leaf) => Some(leaf),
+            Team(_) => None,
         });
         let mut reached: BTreeSet<u32> = ends.collect();
         if self.shape.teams == 0 {
@@ -249,11 +250,7 @@ impl Sampler<'_> {
     /// Draws a program that computes an output of a leaf: one that exists already, or a new one.
     fn computing(&mut self, leaf: u32) -> usize {
         let other = self.random.random_range(0..=self.programs.len());
-        if other < self.programs.len() && self.random.random_ratio(1, 4) {
-            other
-        } else {
-            self.program(SampledEnd::Action(leaf))
-        }
+        if other < self.programs.len() && self.random.random_ratio(1, 4) { other } else { self.program(Action(leaf)) }
     }
 
     /// Draws a program that may bid in a team: one of another team, a copy of another's lines, or a new one.
@@ -270,9 +267,9 @@ impl Sampler<'_> {
     fn destination(&mut self, from: usize) -> SampledEnd {
         let below = from + 1..self.shape.teams;
         if !self.shape.chain && !below.is_empty() && self.random.random_ratio(1, 3) {
-            SampledEnd::Team(self.random.random_range(below))
+            Team(self.random.random_range(below))
         } else {
-            SampledEnd::Action(self.random.random_range(0..self.shape.actions))
+            Action(self.random.random_range(0..self.shape.actions))
         }
     }
 
@@ -333,8 +330,8 @@ impl Sampler<'_> {
 
 fn may_lead(from: usize, to: SampledEnd) -> bool {
     match to {
-        SampledEnd::Team(to) => to > from,
-        SampledEnd::Action(_) => true,
+        Team(to) => to > from,
+        Action(_) => true,
     }
 }
 

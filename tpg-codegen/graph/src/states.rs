@@ -6,6 +6,7 @@
 use crate::error::InputError;
 use crate::model::{Counts, Graph, Input, Range, ScalarType};
 use crate::trace;
+use StateOrigin::*;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use sha2::{Digest, Sha256};
@@ -201,13 +202,13 @@ impl StateSet {
     pub fn sampled(graph: &Graph, count: usize, seed: u64) -> Self {
         let origin = format!("{count} states sampled uniformly in the declared ranges, seed {seed}");
         let sampled = SampledStates { state: values_of(graph), count, seed };
-        Self { source: StateOrigin::Sampled(sampled), state_length: graph.state_length(), origin }
+        Self { source: Sampled(sampled), state_length: graph.state_length(), origin }
     }
 
     /// Takes states that were visited, in the order of the graph's sources.
     pub fn given(graph: &Graph, states: Vec<f64>) -> Self {
         let origin = format!("{} given states", states.len() / graph.state_length());
-        Self { source: StateOrigin::Recorded(states), state_length: graph.state_length(), origin }
+        Self { source: Recorded(states), state_length: graph.state_length(), origin }
     }
 
     /// Reads recorded states: see [`trace`].
@@ -219,22 +220,22 @@ impl StateSet {
         let count = states.len() / graph.state_length();
         let hash = Sha256::digest(text).iter().take(8).fold(String::new(), |hex, byte| format!("{hex}{byte:02x}"));
         let origin = format!("{count} recorded states, SHA-256 {hash}...");
-        Ok(Self { source: StateOrigin::Recorded(states), state_length: graph.state_length(), origin })
+        Ok(Self { source: Recorded(states), state_length: graph.state_length(), origin })
     }
 
     /// Returns the number of states.
     pub fn count(&self) -> usize {
         match &self.source {
-            StateOrigin::Recorded(states) => states.len() / self.state_length,
-            StateOrigin::Sampled(sampled) => sampled.count,
+            Recorded(states) => states.len() / self.state_length,
+            Sampled(sampled) => sampled.count,
         }
     }
 
     /// Returns all flat states, concatenated.
     pub fn all(&self) -> Cow<'_, [f64]> {
         match &self.source {
-            StateOrigin::Recorded(states) => Cow::Borrowed(states),
-            StateOrigin::Sampled(sampled) => sampled.values().collect::<Vec<_>>().into(),
+            Recorded(states) => Cow::Borrowed(states),
+            Sampled(sampled) => sampled.values().collect::<Vec<_>>().into(),
         }
     }
 
@@ -242,8 +243,8 @@ impl StateSet {
     pub fn each_batch(&self, mut use_batch: impl FnMut(&[f64])) {
         let length = batch(self.state_length, BATCH) * self.state_length;
         match &self.source {
-            StateOrigin::Recorded(states) => states.chunks(length).for_each(use_batch),
-            StateOrigin::Sampled(sampled) => {
+            Recorded(states) => states.chunks(length).for_each(use_batch),
+            Sampled(sampled) => {
                 let mut values = sampled.values();
                 let mut states = Vec::new();
                 loop {

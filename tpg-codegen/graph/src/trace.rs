@@ -4,7 +4,7 @@
 //! may come in any order, and others are ignored. Where answers are read too, the column `action` holds the number or the name of
 //! the action; for a policy with outputs, the column of each output's name holds its value.
 
-use crate::error::{InputError, Place};
+use crate::error::{InputError, Place::*};
 use crate::import;
 use crate::interpret::Answer;
 use crate::model::{ActionId, Graph, Input};
@@ -75,7 +75,7 @@ pub fn recording_from_text(file: &str, text: &str, graph: &Graph) -> Result<Reco
             let last = graph.actions().len() - 1;
             if action.fract() != 0.0 || !(0.0..=last as f64).contains(&action) {
                 let found = format!("{action} in column {ACTION:?}");
-                return Err(InputError::new(file, Place::Line(line), found, format!("an action, 0 to {last}")));
+                return Err(InputError::new(file, Line(line), found, format!("an action, 0 to {last}")));
             }
             Answer::Action(ActionId(action as u16))
         } else {
@@ -113,7 +113,7 @@ impl TraceRows {
                 (first, _) => {
                     let found = format!("{} column {name:?}", if first.is_some() { "more than one" } else { "no" });
                     let accepted = format!("a header that has each of these once: {}", names.join(","));
-                    return Err(InputError::new(file, Place::Line(1), found, accepted));
+                    return Err(InputError::new(file, Line(1), found, accepted));
                 }
             }
         }
@@ -128,12 +128,12 @@ impl TraceRows {
                 let number = text.parse().ok();
                 let named = || action(text).filter(|_| name == ACTION).map(|action| action as f64);
                 rows.values.push(number.or_else(named).ok_or_else(|| {
-                    InputError::new(file, Place::Line(line), format!("{text:?} in column {name:?}"), "a number")
+                    InputError::new(file, Line(line), format!("{text:?} in column {name:?}"), "a number")
                 })?);
             }
         }
         if rows.lines.is_empty() {
-            return Err(InputError::new(file, Place::Whole, "no states", "a row for each recorded state"));
+            return Err(InputError::new(file, Whole, "no states", "a row for each recorded state"));
         }
         Ok(rows)
     }
@@ -161,7 +161,7 @@ impl LineNumbers<'_> {
 
 fn malformed(file: &str, text: &str, error: &csv::Error) -> InputError {
     let line = |position: &csv::Position| LineNumbers { text, line: 1, counted: 0 }.number(position);
-    let place = error.position().map_or(Place::Whole, |position| Place::Line(line(position)));
+    let place = error.position().map_or(Whole, |position| Line(line(position)));
     let found = match error.kind() {
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
             format!("{len} fields under {expected_len} columns")

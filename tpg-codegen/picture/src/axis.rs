@@ -1,5 +1,7 @@
 //! Axes: mapping from values to positions, and tick labels.
 
+use Scale::*;
+
 /// Distribution of values along an axis.
 #[derive(Clone, Debug, PartialEq)]
 enum Scale {
@@ -23,18 +25,18 @@ pub struct Axis {
 impl Axis {
     /// Creates a linear axis.
     pub fn linear(label: &str) -> Self {
-        Self { label: label.to_owned(), scale: Scale::Linear, low: None, high: None }
+        Self { label: label.to_owned(), scale: Linear, low: None, high: None }
     }
 
     /// Creates a logarithmic axis; values below `low` are shown at `low`.
     pub fn log(label: &str, low: f64) -> Self {
-        Self { label: label.to_owned(), scale: Scale::Log, low: Some(low), high: None }
+        Self { label: label.to_owned(), scale: Log, low: Some(low), high: None }
     }
 
     /// Creates an axis of names: the k-th name, from 0, is at the value k.
     pub fn names(label: &str, names: Vec<String>) -> Self {
         let high = names.len() as f64 - 0.5;
-        Self { label: label.to_owned(), scale: Scale::Names(names), low: Some(-0.5), high: Some(high) }
+        Self { label: label.to_owned(), scale: Names(names), low: Some(-0.5), high: Some(high) }
     }
 
     /// Returns the same axis with fixed ends that do not depend on the data.
@@ -66,7 +68,7 @@ pub(super) struct Fitted<'a> {
 impl Fitted<'_> {
     /// Returns the axis with room at both ends that no one has fixed: points on an end would be cut.
     pub(super) fn roomy(self) -> Self {
-        let Scale::Linear = self.axis.scale else { return self };
+        let Linear = self.axis.scale else { return self };
         let room = 0.05 * (self.high - self.low);
         let low = if self.axis.low.is_none() { self.low - room } else { self.low };
         let high = if self.axis.high.is_none() { self.high + room } else { self.high };
@@ -78,7 +80,7 @@ impl Fitted<'_> {
         let value = value.clamp(self.low, self.high);
         match self.axis.scale {
             // The crate libm instead of the system's: the same bytes on every machine.
-            Scale::Log => {
+            Log => {
                 let low = libm::log10(self.low);
                 (libm::log10(value) - low) / (libm::log10(self.high) - low)
             }
@@ -89,13 +91,13 @@ impl Fitted<'_> {
     /// Returns the values to be labelled on the axis, with their text.
     pub(super) fn ticks(&self) -> Vec<(f64, String)> {
         match &self.axis.scale {
-            Scale::Linear => self.round_steps(),
-            Scale::Log => {
+            Linear => self.round_steps(),
+            Log => {
                 let (low, high) = (libm::log10(self.low), libm::log10(self.high));
                 let powers = (libm::ceil(low - 1e-9) as i32)..=(libm::floor(high + 1e-9) as i32);
                 powers.map(|power| (power_of_ten(power), number(power_of_ten(power), power))).collect()
             }
-            Scale::Names(names) => (0..).map(f64::from).zip(names.iter().cloned()).collect(),
+            Names(names) => (0..).map(f64::from).zip(names.iter().cloned()).collect(),
         }
     }
 

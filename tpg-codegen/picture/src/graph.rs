@@ -1,6 +1,7 @@
 //! A tangled program graph, drawn: teams in layers below the root, actions at the bottom.
 
 use super::{Figure, Point, Svg};
+use DrawnNode::*;
 use std::collections::BTreeMap;
 use tpg_graph::error::counted;
 use tpg_graph::{ActionId, Destination, Graph};
@@ -31,8 +32,8 @@ pub fn figure(graph: &Graph) -> Figure {
     let mut svg = Svg::new(width, 2.0 * TOP + LAYER * layers.len() as f64);
     for (from, to, count) in edges(graph) {
         let class = match to {
-            DrawnNode::Action(action) => format!("thin c{}", joint_colour(graph, action)),
-            DrawnNode::Team(_) => "thin c7".to_owned(),
+            Action(action) => format!("thin c{}", joint_colour(graph, action)),
+            Team(_) => "thin c7".to_owned(),
         };
         // Two edges between the same nodes would hide each other, so a bundle is drawn once, and thicker.
         let class = if count > 1 { class.replace("thin", "line") } else { class };
@@ -40,7 +41,7 @@ pub fn figure(graph: &Graph) -> Figure {
     }
     for (&node, &at) in &places {
         match node {
-            DrawnNode::Team(team) => {
+            Team(team) => {
                 let of_team = &graph.teams()[team];
                 let hint = format!("team {}: {} edges", of_team.label, of_team.edges.len());
                 let root = team == graph.root().index();
@@ -48,7 +49,7 @@ pub fn figure(graph: &Graph) -> Figure {
                 let class = if root { "middle on" } else { "middle" };
                 svg.text(class, [at[0], at[1] + 4.0], &of_team.edges.len().to_string());
             }
-            DrawnNode::Action(action) => {
+            Action(action) => {
                 let name = match graph.actions().get(action) {
                     Some(action) => action.to_string(),
                     None => graph.end_name(ActionId(action as u16)),
@@ -101,10 +102,10 @@ fn edges(graph: &Graph) -> Vec<(DrawnNode, DrawnNode, usize)> {
     for (from, team) in graph.teams().iter().enumerate() {
         for edge in &team.edges {
             let to = match edge.to {
-                Destination::Team(team) => DrawnNode::Team(team.index()),
-                Destination::Action(action) => DrawnNode::Action(usize::from(action.0)),
+                Destination::Team(team) => Team(team.index()),
+                Destination::Action(action) => Action(usize::from(action.0)),
             };
-            *counts.entry((DrawnNode::Team(from), to)).or_default() += 1;
+            *counts.entry((Team(from), to)).or_default() += 1;
         }
     }
     counts.into_iter().map(|((from, to), count)| (from, to, count)).collect()
@@ -119,7 +120,7 @@ fn layers(graph: &Graph) -> Vec<Vec<DrawnNode>> {
     while changed {
         changed = false;
         for &(from, to, _) in &edges {
-            if let (DrawnNode::Team(from), DrawnNode::Team(to)) = (from, to)
+            if let (Team(from), Team(to)) = (from, to)
                 && depth[to] <= depth[from]
             {
                 depth[to] = depth[from] + 1;
@@ -128,10 +129,10 @@ fn layers(graph: &Graph) -> Vec<Vec<DrawnNode>> {
         }
     }
     let deepest = depth.iter().copied().max().unwrap_or(0);
-    let of_depth = |layer| (0..depth.len()).filter(|&team| depth[team] == layer).map(DrawnNode::Team).collect();
+    let of_depth = |layer| (0..depth.len()).filter(|&team| depth[team] == layer).map(Team).collect();
     let mut layers: Vec<Vec<DrawnNode>> = (0..=deepest).map(of_depth).collect();
     let used = |action: &DrawnNode| edges.iter().any(|(_, to, _)| to == action);
-    layers.push((0..graph.ends()).map(DrawnNode::Action).filter(used).collect());
+    layers.push((0..graph.ends()).map(Action).filter(used).collect());
     for _ in 0..SWEEPS {
         for layer in 1..layers.len() - 1 {
             let places = places(&layers);

@@ -6,6 +6,7 @@ use crate::machine::Machine;
 use crate::product::{Comparison, Effort, Work};
 use crate::states::Stream;
 use crate::term::Terms;
+use Verdict::*;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -55,9 +56,9 @@ impl fmt::Display for Proof {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let inputs = if self.assumed_ranges { "all inputs in the declared ranges" } else { "all inputs" };
         match &self.verdict {
-            Verdict::Proven => write!(f, "proven equal to the graph for {inputs}")?,
-            Verdict::Undecided(missing) => write!(f, "not decided: {missing}")?,
-            Verdict::Different(Difference { state, expected, found }) => {
+            Proven => write!(f, "proven equal to the graph for {inputs}")?,
+            Undecided(missing) => write!(f, "not decided: {missing}")?,
+            Different(Difference { state, expected, found }) => {
                 write!(f, "different: the code answers {found} instead of {expected} for {state:?}")?;
             }
         }
@@ -82,13 +83,13 @@ pub fn prove<M: Machine>(
     let mut machine = read()?;
     let mut comparison = Comparison::new(graph, &mut machine, Terms::new(), ranges, effort);
     let verdict = match comparison.prove() {
-        Ok(()) => Verdict::Proven,
+        Ok(()) => Proven,
         Err(missing) => match difference(&mut comparison, graph, assume_ranges) {
             Some(state) => match replayed(graph, &state, read) {
-                Some(difference) => Verdict::Different(difference),
-                None => Verdict::Undecided(missing),
+                Some(difference) => Different(difference),
+                None => Undecided(missing),
             },
-            None => Verdict::Undecided(missing),
+            None => Undecided(missing),
         },
     };
     let in_range = (graph.leaves() > 0).then(|| comparison.ranges().is_ok());
@@ -150,16 +151,16 @@ impl Proof {
     #[must_use]
     pub fn undecided(missing: Missing) -> Self {
         let (work, lemmas) = (Work::default(), BTreeMap::new());
-        Self { verdict: Verdict::Undecided(missing), work, lemmas, in_range: None, assumed_ranges: false }
+        Self { verdict: Undecided(missing), work, lemmas, in_range: None, assumed_ranges: false }
     }
 
     /// A certificate. The files are named with their SHA-256.
     #[must_use]
     pub fn certificate(&self, files: &[(&str, &[u8])], more_assumptions: &[&str]) -> Value {
         let (result, details) = match &self.verdict {
-            Verdict::Proven => ("proven", Value::Null),
-            Verdict::Undecided(missing) => ("not decided", json!(missing.to_string())),
-            Verdict::Different(difference) => {
+            Proven => ("proven", Value::Null),
+            Undecided(missing) => ("not decided", json!(missing.to_string())),
+            Different(difference) => {
                 let state: Vec<_> = difference.state.iter().map(|value| format!("{value:?}")).collect();
                 ("different", json!({ "state": state, "graph": difference.expected, "code": difference.found }))
             }

@@ -8,6 +8,7 @@ use crate::emit::{Code, File};
 use crate::options::Language;
 use crate::size::Target;
 use crate::{explain, size};
+use Verdict::*;
 use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -73,7 +74,7 @@ impl GenerateArgs {
             output::write_folder(&self.output, &files)?;
             command::print(report(&codes, &files)).map_err(CommandError::other)?;
         }
-        if self.no_verify { Ok(Verdict::Good) } else { self.prove(&codes) }
+        if self.no_verify { Ok(Good) } else { self.prove(&codes) }
     }
 
     fn to_stdout(&self) -> bool {
@@ -93,7 +94,7 @@ impl GenerateArgs {
     fn prove(&self, codes: &[Code<'_>]) -> Result<Verdict, CommandError> {
         let proof = prove(codes, STATES, SEED)?;
         let (proven, of_all) = proven(codes);
-        let told = if of_all == Verdict::Failed || !command::is_quiet() { proven } else { String::new() };
+        let told = if of_all == Failed || !command::is_quiet() { proven } else { String::new() };
         let sentences = sentences(&proof) + &told;
         // Standard output holds either the code or the report, never both.
         if self.to_stdout() {
@@ -101,22 +102,22 @@ impl GenerateArgs {
         } else {
             command::print(sentences).map_err(CommandError::other)?;
         }
-        Ok(if of_all == Verdict::Failed { of_all } else { verdict(&proof) })
+        Ok(if of_all == Failed { of_all } else { verdict(&proof) })
     }
 
     fn stale(&self, files: &[&File]) -> Verdict {
-        let mut verdict = Verdict::Good;
+        let mut verdict = Good;
         for file in files {
             let path = self.output.join(&file.name);
             match fs::read(&path) {
                 Ok(bytes) if bytes == file.text.as_bytes() => {}
                 Ok(_) => {
                     eprintln!("{}: stale: not what this graph and these options give", path.display());
-                    verdict = Verdict::Failed;
+                    verdict = Failed;
                 }
                 Err(error) => {
                     eprintln!("{}: {error}", path.display());
-                    verdict = Verdict::Failed;
+                    verdict = Failed;
                 }
             }
         }
@@ -130,7 +131,7 @@ fn explain_to(path: &Path, text: &str) -> Result<Verdict, CommandError> {
     } else {
         output::write_atomically(path, text.as_bytes())?;
     }
-    Ok(Verdict::Good)
+    Ok(Good)
 }
 
 fn c_of<'a, 'g>(codes: &'a [Code<'g>]) -> Option<&'a Code<'g>> {

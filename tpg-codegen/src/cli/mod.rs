@@ -16,6 +16,7 @@ mod scalar;
 pub mod shell;
 mod verify;
 
+use Command::*;
 use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
 use std::path::Path;
@@ -108,18 +109,18 @@ impl Cli {
     pub fn run(self) -> ExitCode {
         be_quiet(self.quiet);
         exit_code(match self.command {
-            Command::Generate(args) => args.run(),
-            Command::Verify(args) => args.run(),
-            Command::Prove(args) => args.run(),
-            Command::Report(args) => args.run(),
-            Command::Convert(args) => args.run(),
-            Command::Policy(args) => args.run(),
-            Command::Package(args) => args.run(),
-            Command::Quantise(args) => args.run(),
-            Command::Schema => print(tpg_graph::schema()).map(|()| Verdict::Good).map_err(CommandError::other),
+            Generate(args) => args.run(),
+            Verify(args) => args.run(),
+            Prove(args) => args.run(),
+            Report(args) => args.run(),
+            Convert(args) => args.run(),
+            Policy(args) => args.run(),
+            Package(args) => args.run(),
+            Quantise(args) => args.run(),
+            Schema => print(tpg_graph::schema()).map(|()| Verdict::Good).map_err(CommandError::other),
             Command::Sidecar => print(Sidecar::EXAMPLE).map(|()| Verdict::Good).map_err(CommandError::other),
-            Command::Completions(args) => args.run(Self::command()),
-            Command::Man(args) => args.run(Self::command()),
+            Completions(args) => args.run(Self::command()),
+            Man(args) => args.run(Self::command()),
         })
     }
 }

@@ -4,6 +4,7 @@ use super::graph::GraphArgs;
 use crate::emit::{Code, Language, Options, Prefix, Profile, Style};
 use crate::program::compile;
 use crate::shape::Shape;
+use Verdict::*;
 use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -55,7 +56,7 @@ impl ProveArgs {
             Ok(graph) => graph,
             Err(error) => {
                 command::print(format!("not decided: {error}\n")).map_err(CommandError::other)?;
-                return Ok(Verdict::Undecided);
+                return Ok(Undecided);
             }
         };
         let mut proofs: Vec<(String, Proof, Files)> = Vec::new();
@@ -106,17 +107,17 @@ impl ProveArgs {
             self.certify(path, &proofs)?;
         }
         let verdicts = proofs.iter().map(|(_, proof, _)| match proof.verdict {
-            proof::Verdict::Proven => Verdict::Good,
-            proof::Verdict::Different(_) => Verdict::Failed,
-            proof::Verdict::Undecided(_) => Verdict::Undecided,
+            proof::Verdict::Proven => Good,
+            proof::Verdict::Different(_) => Failed,
+            proof::Verdict::Undecided(_) => Undecided,
         });
         Ok(verdicts
             .max_by_key(|verdict| match verdict {
-                Verdict::Failed => 2,
-                Verdict::Undecided => 1,
+                Failed => 2,
+                Undecided => 1,
                 _ => 0,
             })
-            .unwrap_or(Verdict::Good))
+            .unwrap_or(Good))
     }
 
     fn certify(&self, path: &Path, proofs: &[(String, Proof, Files)]) -> Result<(), CommandError> {
@@ -162,7 +163,7 @@ const QUICK: Effort = Effort { cases: 200_000, pairs: 5_000 };
 
 /// Sentences about generated code: proven for all inputs, or different. Nothing where that is not decided.
 pub(super) fn proven(codes: &[Code<'_>]) -> (String, Verdict) {
-    let (mut text, mut verdict) = (String::new(), Verdict::Good);
+    let (mut text, mut verdict) = (String::new(), Good);
     for code in codes {
         let options = &code.program.options;
         // Integers have a proof of their own: that each value is whole and fits.
@@ -174,7 +175,7 @@ pub(super) fn proven(codes: &[Code<'_>]) -> (String, Verdict) {
         match of_code(code, &graph, false, QUICK) {
             Ok(proof) if !matches!(proof.verdict, proof::Verdict::Undecided(_)) => {
                 if matches!(proof.verdict, proof::Verdict::Different(_)) {
-                    verdict = Verdict::Failed;
+                    verdict = Failed;
                 }
                 text += &format!("{}: {proof}\n", code.program.name());
             }

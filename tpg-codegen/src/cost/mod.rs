@@ -9,7 +9,7 @@ use crate::passes::cases::{Case, Cases, Function, Kind};
 use crate::passes::functions;
 use crate::passes::schedule::{Bid, LazyBid, Sparing, TeamSchedule};
 use crate::program::Program;
-use crate::shape::Shape;
+use crate::shape::Shape::*;
 use serde::Serialize;
 use std::collections::BTreeSet;
 
@@ -116,26 +116,26 @@ impl<'a> Costs<'a> {
         };
         match &program.shape {
             // Every bid of a team is computed by itself.
-            Shape::Small(_) | Shape::Gegelati | Shape::Integers(_) => {
+            Small(_) | Gegelati | Integers(_) => {
                 let step = |bid: Bid| Step::always(bid, work(&module.nodes, &module.operations_of(bid.value)));
                 Self { teams: in_order(module, step), ..costs }
             }
             // Everything is computed, whatever the state.
-            Shape::ConstantTime(functions) => {
+            ConstantTime(functions) => {
                 let deciding = functions.iter().map(|function| work(&module.nodes, &function.operations));
                 let deciding = deciding.fold(Work::default(), Work::plus);
                 let once = deciding.plus(work(&module.nodes, &functions::leaf_operations(module, functions)));
                 let teams = in_order(module, |bid| Step::always(bid, Work::default()));
                 Self { once, teams, all_teams: true, leaves: Vec::new(), ..costs }
             }
-            Shape::Balanced(cases) => {
+            Balanced(cases) => {
                 let teams = (0..module.teams.len()).map(|team| tabulated(cases, team)).collect();
                 let leaves = cases.leaves.iter().map(|leaf| needed_work(&cases.nodes, &leaf.values)).collect();
                 Self { nodes: &cases.nodes, teams, leaves, ..costs }
             }
             // The root has one way to go, and its bids are not computed.
-            Shape::Formula(_) => Self { teams: vec![Vec::new()], ..costs },
-            Shape::Fast { schedule, .. } => {
+            Formula(_) => Self { teams: vec![Vec::new()], ..costs },
+            Fast { schedule, .. } => {
                 let plans = schedule.plans.iter();
                 let teams = plans.map(|plan| planned(&schedule.nodes, plan, program.language)).collect();
                 let leaves = schedule.leaves.iter().map(|leaf| needed_work(&schedule.nodes, &leaf.values)).collect();

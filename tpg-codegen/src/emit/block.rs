@@ -2,9 +2,12 @@
 
 use super::syntax::Syntax;
 use crate::ir::{Node, NodeId, needed};
+use Level::*;
+use Node::*;
+use Origin::*;
 use std::collections::{BTreeMap, BTreeSet};
 use tpg_graph::{Input, MathsProvider};
-use tpg_runtime::ops::Instruction;
+use tpg_runtime::ops::Instruction::*;
 
 /// The longest sum that is written where it is read, in characters: it takes lines of its own.
 const LONGEST_SUM: usize = 190;
@@ -32,7 +35,7 @@ struct BlockExpression {
 
 impl BlockExpression {
     fn atom(text: String) -> Self {
-        Self { text, level: Level::Atom, is_number: false }
+        Self { text, level: Atom, is_number: false }
     }
 
     /// The text as an operand that must bind at least this tightly.
@@ -42,7 +45,7 @@ impl BlockExpression {
 
     /// The text without its sign, if it is a negative number or a product that begins with one.
     fn negated(&self) -> Option<&str> {
-        if self.level == Level::Sum { None } else { self.text.strip_prefix('-') }
+        if self.level == Sum { None } else { self.text.strip_prefix('-') }
     }
 }
 
@@ -105,11 +108,11 @@ impl<'a, S: Syntax> Block<'a, S> {
             taken: wanted.values().cloned().collect(),
         };
         for id in operations {
-            let origin = nodes[id.index()].operands().iter().fold(Origin::Nothing, |origin, operand| {
+            let origin = nodes[id.index()].operands().iter().fold(Nothing, |origin, operand| {
                 origin.and(match nodes[operand.index()] {
-                    Node::Input(input) => Origin::One(input),
-                    Node::Constant(_) => Origin::Nothing,
-                    Node::Operation(..) | Node::Upper(..) => block.made_of[operand],
+                    Node::Input(input) => One(input),
+                    Constant(_) => Nothing,
+                    Operation(..) | Upper(..) => block.made_of[operand],
                 })
             });
             block.made_of.insert(id, origin);
@@ -131,11 +134,11 @@ impl<'a, S: Syntax> Block<'a, S> {
     fn name(&mut self, id: NodeId) {
         let Some(expression) = self.inline.remove(&id) else { return };
         let base = match self.made_of[&id] {
-            Origin::One(input) => match self.syntax.graph().source_of(input) {
+            One(input) => match self.syntax.graph().source_of(input) {
                 (source, _) if source.ranges.len() == 1 => format!("{}_term", source.name),
                 (source, place) => format!("{}_{place}_term", source.name),
             },
-            Origin::Nothing | Origin::Several => "term".to_owned(),
+            Nothing | Several => "term".to_owned(),
         };
         self.named.insert(id, (unused(base, &mut self.taken), expression.text));
     }
@@ -172,11 +175,11 @@ impl<'a, S: Syntax> Block<'a, S> {
 
     fn operand(&self, id: NodeId) -> BlockExpression {
         match self.syntax.nodes()[id.index()] {
-            Node::Constant(bits) => {
+            Constant(bits) => {
                 BlockExpression { is_number: true, ..BlockExpression::atom(self.syntax.literal(f64::from_bits(bits))) }
             }
             Node::Input(input) => BlockExpression::atom(self.syntax.input(input)),
-            Node::Operation(..) | Node::Upper(..) => match self.named.get(&id) {
+            Operation(..) | Upper(..) => match self.named.get(&id) {
                 Some((name, _)) => BlockExpression::atom(name.clone()),
                 None => self.inline[&id].clone(),
             },
@@ -195,38 +198,35 @@ impl<'a, S: Syntax> Block<'a, S> {
     fn operation(&mut self, id: NodeId) -> BlockExpression {
         let node = self.syntax.nodes()[id.index()];
         match node {
-            Node::Operation(instruction @ (Instruction::Add | Instruction::Sub), [a, b]) => {
+            Operation(instruction @ (Add | Sub), [a, b]) => {
                 // A sum begins with the only operand that is one; another is in parentheses.
-                let is_sum = |id| self.operand(id).level == Level::Sum;
-                let left = if instruction == Instruction::Add && is_sum(b) && !is_sum(a) { b } else { a };
+                let is_sum = |id| self.operand(id).level == Sum;
+                let left = if instruction == Add && is_sum(b) && !is_sum(a) { b } else { a };
                 let mut limited = |id| {
-                    let limit =
-                        if id == left && self.operand(id).level == Level::Sum { LONGEST_SUM } else { LONGEST_TERM };
+                    let limit = if id == left && self.operand(id).level == Sum { LONGEST_SUM } else { LONGEST_TERM };
                     self.within(id, limit)
                 };
                 let (a, b) = (limited(a), limited(b));
-                if instruction == Instruction::Add { sum(&a, &b) } else { difference(&a, &b) }
+                if instruction == Add { sum(&a, &b) } else { difference(&a, &b) }
             }
-            Node::Operation(Instruction::Mul, [a, b]) => {
-                product(&self.within(a, LONGEST_FACTOR), &self.within(b, LONGEST_FACTOR))
-            }
-            Node::Operation(Instruction::Div, [a, b]) => {
+            Operation(Mul, [a, b]) => product(&self.within(a, LONGEST_FACTOR), &self.within(b, LONGEST_FACTOR)),
+            Operation(Div, [a, b]) => {
                 let (a, b) = (self.within(a, LONGEST_FACTOR), self.within(b, LONGEST_FACTOR));
-                let text = format!("{} / {}", a.at(Level::Product), b.at(Level::Atom));
-                BlockExpression { text, level: Level::Product, is_number: false }
+                let text = format!("{} / {}", a.at(Product), b.at(Atom));
+                BlockExpression { text, level: Product, is_number: false }
             }
-            Node::Operation(instruction, _) => {
+            Operation(instruction, _) => {
                 let total: usize = node.operands().iter().map(|&id| self.value(id).len() + 2).sum();
                 let limit = if total > LONGEST_ARGUMENTS { LONGEST_ARGUMENTS / 3 } else { LONGEST_ARGUMENTS };
                 let arguments: Vec<String> =
                     node.operands().iter().map(|&id| self.call_argument(node, id, limit)).collect();
                 BlockExpression::atom(self.syntax.call(instruction, &arguments.join(", ")))
             }
-            Node::Upper(instruction, value) => {
+            Upper(instruction, value) => {
                 let value = self.within(value, LONGEST_ARGUMENTS).text;
                 BlockExpression::atom(self.syntax.upper(instruction, &value))
             }
-            Node::Constant(_) | Node::Input(_) => self.operand(id),
+            Constant(_) | Node::Input(_) => self.operand(id),
         }
     }
 
@@ -242,30 +242,30 @@ impl<'a, S: Syntax> Block<'a, S> {
 /// A sum. To add a negative number, or a product with one, is to subtract the positive one, bit for bit; a number comes last, a sum
 /// first.
 fn sum(a: &BlockExpression, b: &BlockExpression) -> BlockExpression {
-    let swap = a.is_number && !b.is_number || b.level == Level::Sum && a.level != Level::Sum;
+    let swap = a.is_number && !b.is_number || b.level == Sum && a.level != Sum;
     let (a, b) = if swap { (b, a) } else { (a, b) };
     let text = match b.negated() {
         Some(positive) => format!("{} - {positive}", a.text),
-        None => format!("{} + {}", a.text, b.at(Level::Product)),
+        None => format!("{} + {}", a.text, b.at(Product)),
     };
-    BlockExpression { text, level: Level::Sum, is_number: false }
+    BlockExpression { text, level: Sum, is_number: false }
 }
 
 /// A difference, which to a negative number is a sum.
 fn difference(a: &BlockExpression, b: &BlockExpression) -> BlockExpression {
     let text = match b.negated() {
         Some(positive) => format!("{} + {positive}", a.text),
-        None => format!("{} - {}", a.text, b.at(Level::Product)),
+        None => format!("{} - {}", a.text, b.at(Product)),
     };
-    BlockExpression { text, level: Level::Sum, is_number: false }
+    BlockExpression { text, level: Sum, is_number: false }
 }
 
 /// A product: a number comes first, or a product.
 fn product(a: &BlockExpression, b: &BlockExpression) -> BlockExpression {
-    let swap = b.is_number && !a.is_number || b.level == Level::Product && a.level != Level::Product;
+    let swap = b.is_number && !a.is_number || b.level == Product && a.level != Product;
     let (a, b) = if swap { (b, a) } else { (a, b) };
-    let text = format!("{} * {}", a.at(Level::Product), b.at(Level::Atom));
-    BlockExpression { text, level: Level::Product, is_number: false }
+    let text = format!("{} * {}", a.at(Product), b.at(Atom));
+    BlockExpression { text, level: Product, is_number: false }
 }
 
 /// A name that is not taken, which it is then.

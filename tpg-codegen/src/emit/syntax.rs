@@ -2,6 +2,7 @@
 
 use crate::ir::{Node, NodeId, needed};
 use crate::passes::bytecode::Width;
+use Instruction::*;
 use tpg_graph::{Graph, Input};
 use tpg_runtime::ops::Instruction;
 
@@ -55,9 +56,7 @@ pub(super) trait Syntax {
     /// it is not where x is NaN. Where they do not know the 0, they do not.
     fn hides_zeros(&self) -> bool {
         let may_compare = |node: &Node| match node {
-            Node::Operation(instruction, _) => {
-                !matches!(instruction, Instruction::Add | Instruction::Sub | Instruction::Mul | Instruction::Div)
-            }
+            Node::Operation(instruction, _) => !matches!(instruction, Add | Sub | Mul | Div),
             Node::Upper(..) => true,
             Node::Constant(_) | Node::Input(_) => false,
         };
@@ -78,10 +77,10 @@ pub(super) trait Syntax {
     fn instruction(&self, instruction: Instruction, operands: &[String]) -> String {
         let operands = &operands[..instruction.arity()];
         match instruction {
-            Instruction::Sub => operands.join(" - "),
-            Instruction::Add => operands.join(" + "),
-            Instruction::Mul => operands.join(" * "),
-            Instruction::Div => operands.join(" / "),
+            Sub => operands.join(" - "),
+            Add => operands.join(" + "),
+            Mul => operands.join(" * "),
+            Div => operands.join(" / "),
             _ => self.call(instruction, &operands.join(", ")),
         }
     }

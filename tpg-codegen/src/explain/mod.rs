@@ -52,12 +52,11 @@ fn write_words(graph: &Graph, out: &mut String) -> fmt::Result {
 }
 
 fn write_leaves(graph: &Graph, leaves: &[LeafFormulas], out: &mut String) -> fmt::Result {
-    let outputs = graph.outputs();
-    if outputs.is_empty() {
+    let (answers, memory) = graph.split_outputs();
+    if graph.outputs().is_empty() {
         return Ok(());
     }
     writeln!(out, "\nWhat the leaves compute\n")?;
-    let (answers, memory) = outputs.split_at(outputs.len() - graph.memory());
     for Output { name, unit, range, nan, .. } in answers {
         writeln!(out, "{name} is limited to {range} {unit}; {nan} replaces NaN.")?;
     }

@@ -11,7 +11,7 @@ pub(crate) use whole::{Unfit, Whole};
 
 use crate::formula;
 use crate::ir::{Module, Node, NodeId, reached};
-use tpg_graph::error::{InputError, Place};
+use tpg_graph::error::InputError;
 use tpg_graph::{Graph, Input, ScalarType};
 
 /// A module whose every value is whole.
@@ -37,9 +37,7 @@ impl Integers {
 
 /// The interval of every node.
 pub(crate) fn analyse(file: &str, module: &Module<'_>) -> Result<Vec<Whole>, InputError> {
-    let refuse = |path: String, found: String, accepted: &str| {
-        Err(InputError::new(file, Place::Path(path), found, accepted.to_owned()))
-    };
+    let refuse = |path: String, found: String, accepted: &str| Err(InputError::new(file, path, found, accepted));
     let graph = module.graph;
     if graph.scalar() != ScalarType::F64 {
         return refuse("$.scalar".to_owned(), "f32".to_owned(), "f64, which holds every whole number to 2^53");
@@ -77,12 +75,9 @@ pub(crate) fn analyse(file: &str, module: &Module<'_>) -> Result<Vec<Whole>, Inp
 
 /// The interval of each value of the state, and a check of the outputs.
 fn declared(file: &str, graph: &Graph) -> Result<Vec<Whole>, InputError> {
-    let refuse = |path: String, found: &str, accepted: &str| {
-        Err(InputError::new(file, Place::Path(path), found.to_owned(), accepted.to_owned()))
-    };
-    let seen = graph.sources().len() - graph.memory();
+    let refuse = |path: String, found: &str, accepted: &str| Err(InputError::new(file, path, found, accepted));
     let mut limits = Vec::new();
-    for (place, source) in graph.sources()[..seen].iter().enumerate() {
+    for (place, source) in graph.observed().iter().enumerate() {
         if source.counts.is_empty() {
             let accepted = "\"counts\", the integers that it comes in: `tpg-codegen quantise` makes such a graph";
             return refuse(format!("$.sources[{place}]"), &format!("{:?} without counts", source.name), accepted);
@@ -90,8 +85,8 @@ fn declared(file: &str, graph: &Graph) -> Result<Vec<Whole>, InputError> {
         // Whatever the container holds is legal.
         limits.extend(source.counts.iter().map(|counts| Whole::of_bits(counts.container())));
     }
+    let answered = graph.split_outputs().0.len();
     for (place, output) in graph.outputs().iter().enumerate() {
-        let answered = graph.outputs().len() - graph.memory();
         let path = || match place.checked_sub(answered) {
             Some(place) => format!("$.memory[{place}]"),
             None => format!("$.outputs[{place}]"),

@@ -1,5 +1,6 @@
 //! Exact intervals of whole numbers.
 
+use Instruction::*;
 use tpg_runtime::ops::{BY_ZERO, Instruction, ZERO_BY_ZERO};
 
 /// Every value is a whole number from `low` to `high`.
@@ -104,37 +105,29 @@ impl Whole {
             Self::hull([f(p, r), f(p, s), f(q, r), f(q, s)])
         };
         match instruction {
-            Instruction::Add => corners(|a, b| a + b),
-            Instruction::Sub => corners(|a, b| a - b),
-            Instruction::Mul => corners(|a, b| a * b),
-            Instruction::Min => Ok(Self { low: a.low.min(b.low), high: a.high.min(b.high) }),
-            Instruction::Max => Ok(Self { low: a.low.max(b.low), high: a.high.max(b.high) }),
-            Instruction::Abs if a.low >= 0 => Ok(a),
-            Instruction::Abs if a.high <= 0 => Ok(a.negated()),
-            Instruction::Abs => Ok(Self { low: 0, high: a.high.max(-a.low) }),
-            Instruction::NegateIfLess => {
+            Add => corners(|a, b| a + b),
+            Sub => corners(|a, b| a - b),
+            Mul => corners(|a, b| a * b),
+            Min => Ok(Self { low: a.low.min(b.low), high: a.high.min(b.high) }),
+            Max => Ok(Self { low: a.low.max(b.low), high: a.high.max(b.high) }),
+            Abs if a.low >= 0 => Ok(a),
+            Abs if a.high <= 0 => Ok(a.negated()),
+            Abs => Ok(Self { low: 0, high: a.high.max(-a.low) }),
+            NegateIfLess => {
                 let kept = a.cut(b.low, i64::MAX);
                 let negated = a.cut(i64::MIN, b.high - 1).map(Self::negated);
                 Ok(either(kept, negated).unwrap_or(a))
             }
-            Instruction::Gate if !b.contains(0) => Ok(a),
-            Instruction::Gate => Ok(a.joined(Self { low: 0, high: 0 })),
-            Instruction::Fmod if b.contains(0) => Err(Unfit::ByZero),
+            Gate if !b.contains(0) => Ok(a),
+            Gate => Ok(a.joined(Self { low: 0, high: 0 })),
+            Fmod if b.contains(0) => Err(Unfit::ByZero),
             // Nearer to 0 than the divisor, not beyond the dividend, and with its sign.
-            Instruction::Fmod => {
+            Fmod => {
                 let most = i64::try_from(b.magnitude()).unwrap_or(i64::MAX) - 1;
                 Ok(Self { low: a.low.clamp(-most, 0), high: a.high.clamp(0, most) })
             }
-            Instruction::Quotient => quotients(a, b),
-            Instruction::Div
-            | Instruction::Cos
-            | Instruction::Sin
-            | Instruction::Tan
-            | Instruction::Ln
-            | Instruction::Exp
-            | Instruction::Sqrt
-            | Instruction::Atan
-            | Instruction::Tanh => Err(Unfit::NotWhole),
+            Quotient => quotients(a, b),
+            Div | Cos | Sin | Tan | Ln | Exp | Sqrt | Atan | Tanh => Err(Unfit::NotWhole),
         }
     }
 }

@@ -46,13 +46,12 @@ impl Prefix {
         let name: String = (self.0.split('_').filter(|word| !word.is_empty()))
             .flat_map(|word| word[..1].to_ascii_uppercase().chars().chain(word[1..].chars()).collect::<Vec<_>>())
             .collect();
-        if TAKEN.contains(&name.as_str()) { format!("{name}Tpg") } else { name }
+        if TAKEN.split(' ').any(|word| word == name) { format!("{name}Tpg") } else { name }
     }
 }
 
 /// Types and traits that generated Rust imports, and those of its prelude that it names.
-const TAKEN: [&str; 12] =
-    ["ActionId", "Clone", "Copy", "Debug", "Default", "Maths", "Move", "Own", "Policy", "Self", "Source", "System"];
+const TAKEN: &str = "ActionId Clone Copy Debug Default Maths Move Own Policy Self Source System";
 
 impl fmt::Display for Prefix {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -61,9 +61,7 @@ impl<'a> Facts<'a> {
         details: &'a Details,
         target: Target,
     ) -> Self {
-        let seen = graph.sources().len() - graph.memory();
-        let seen = &graph.sources()[..seen];
-        let answered = &graph.outputs()[..graph.outputs().len() - graph.memory()];
+        let (seen, (answered, _)) = (graph.observed(), graph.split_outputs());
         let suffix = if graph.scalar() == ScalarType::F32 { "F" } else { "" };
         let middle =
             |range: &tpg_graph::Range| format!("{:?}", graph.scalar().round(range.min / 2.0 + range.max / 2.0));
@@ -110,7 +108,7 @@ impl<'a> Facts<'a> {
             state_c: seen.iter().map(group).collect::<Vec<_>>().join(", "),
             state_rust: graph
                 .state_ranges()
-                .take(graph.state_length() - graph.memory())
+                .take(graph.observed_length())
                 .map(|r| middle(&r))
                 .collect::<Vec<_>>()
                 .join(", "),

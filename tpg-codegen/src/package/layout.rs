@@ -3,6 +3,7 @@
 use super::details::Ecosystem;
 use super::facts::Facts;
 use crate::emit::Code;
+use Ecosystem::*;
 use askama::Template;
 use tpg_runtime::standalone;
 
@@ -55,17 +56,17 @@ pub(super) fn files(facts: &Facts<'_>, ecosystem: Ecosystem, code: &Code<'_>) ->
     files.push(("README.md".to_owned(), ended(Readme { it: facts, ecosystem }.render())));
     let (mut add, mut sources) = (Vec::new(), ("include", "src"));
     match ecosystem {
-        Ecosystem::Arduino => {
+        Arduino => {
             sources = ("src", "src");
             add.push(("library.properties".to_owned(), text!(facts, "package/library.properties")));
             add.push(("keywords.txt".to_owned(), text!(facts, "package/keywords.txt")));
             add.push(("examples/Decide/Decide.ino".to_owned(), text!(facts, "package/Decide.ino")));
         }
-        Ecosystem::Platformio => {
+        Platformio => {
             add.push(("library.json".to_owned(), library_json(facts)));
             add.push(("examples/decide/main.c".to_owned(), main()));
         }
-        Ecosystem::EspIdf => {
+        EspIdf => {
             sources = ("include", "");
             let entry = Example { it: facts, entry: "void app_main(void)", returns: false };
             add.push(("idf_component.yml".to_owned(), text!(facts, "package/idf_component.yml")));
@@ -75,7 +76,7 @@ pub(super) fn files(facts: &Facts<'_>, ecosystem: Ecosystem, code: &Code<'_>) ->
             add.push(("examples/decide/main/idf_component.yml".to_owned(), text!(facts, "package/esp_idf_main.yml")));
             add.push(("examples/decide/main/main.c".to_owned(), ended(entry.render())));
         }
-        Ecosystem::Zephyr => {
+        Zephyr => {
             add.push(("zephyr/module.yml".to_owned(), text!(facts, "package/zephyr_module.yml")));
             add.push(("zephyr/CMakeLists.txt".to_owned(), text!(facts, "package/zephyr.cmake")));
             add.push(("zephyr/Kconfig".to_owned(), text!(facts, "package/zephyr.kconfig")));
@@ -84,16 +85,16 @@ pub(super) fn files(facts: &Facts<'_>, ecosystem: Ecosystem, code: &Code<'_>) ->
             add.push(("samples/decide/sample.yaml".to_owned(), text!(facts, "package/zephyr_sample.yaml")));
             add.push(("samples/decide/src/main.c".to_owned(), main()));
         }
-        Ecosystem::Cmake => {
+        Cmake => {
             add.push(("CMakeLists.txt".to_owned(), text!(facts, "package/cmake.cmake")));
             add.push((format!("cmake/{name}-config.cmake.in"), text!(facts, "package/cmake_config.cmake")));
             add.push(("examples/decide.c".to_owned(), main()));
         }
-        Ecosystem::Meson => {
+        Meson => {
             add.push(("meson.build".to_owned(), text!(facts, "package/meson.build")));
             add.push(("examples/decide.c".to_owned(), main()));
         }
-        Ecosystem::Cargo => {
+        Cargo => {
             add.push(("Cargo.toml".to_owned(), text!(facts, "package/crate.toml")));
             add.push(("src/lib.rs".to_owned(), text!(facts, "package/lib.rs")));
             add.push(("examples/decide.rs".to_owned(), text!(facts, "package/decide.rs")));

@@ -1,5 +1,6 @@
 //! Arithmetic at compile time that is the target's, bit for bit.
 
+use ScalarType::*;
 use tpg_graph::{Graph, MathsProvider, ScalarType};
 use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::scalar::Scalar;
@@ -30,8 +31,8 @@ impl Arithmetic {
             return None;
         }
         Some(match self.scalar {
-            ScalarType::F32 => apply::<f32>(instruction, a, b),
-            ScalarType::F64 => apply::<f64>(instruction, a, b),
+            F32 => apply::<f32>(instruction, a, b),
+            F64 => apply::<f64>(instruction, a, b),
         })
     }
 
@@ -39,16 +40,16 @@ impl Arithmetic {
     pub(crate) fn exact(self, instruction: Instruction, a: f64, b: f64) -> f64 {
         debug_assert!(!instruction.is_transcendental());
         match self.scalar {
-            ScalarType::F32 => apply::<f32>(instruction, a, b),
-            ScalarType::F64 => apply::<f64>(instruction, a, b),
+            F32 => apply::<f32>(instruction, a, b),
+            F64 => apply::<f64>(instruction, a, b),
         }
     }
 
     /// The greatest finite number.
     pub(crate) fn greatest(self) -> f64 {
         match self.scalar {
-            ScalarType::F32 => f64::from(f32::MAX),
-            ScalarType::F64 => f64::MAX,
+            F32 => f64::from(f32::MAX),
+            F64 => f64::MAX,
         }
     }
 
@@ -56,13 +57,13 @@ impl Arithmetic {
     /// correctly rounded result.
     pub(crate) fn reciprocal(self, divisor: f64) -> Option<f64> {
         let (power_of_two, reciprocal) = match self.scalar {
-            ScalarType::F32 => {
+            F32 => {
                 let narrow = divisor as f32;
                 let inverse = 1.0 / narrow;
                 let power = narrow.to_bits() & 0x007f_ffff == 0 && narrow.is_normal() && inverse.is_normal();
                 (power, f64::from(inverse))
             }
-            ScalarType::F64 => {
+            F64 => {
                 let inverse = 1.0 / divisor;
                 let power = divisor.to_bits() & 0x000f_ffff_ffff_ffff == 0 && divisor.is_normal();
                 (power && inverse.is_normal(), inverse)

@@ -10,6 +10,8 @@ use super::estimate;
 use super::fold;
 use super::interval::Interval;
 use crate::ir::{Node, NodeId, Values};
+use Instruction::*;
+use UpperBound::*;
 use tpg_graph::ScalarType;
 use tpg_runtime::ops::Instruction;
 
@@ -24,7 +26,7 @@ enum UpperBound {
     Between(Option<NodeId>, Option<NodeId>),
 }
 
-const UNKNOWN: UpperBound = UpperBound::Between(None, None);
+const UNKNOWN: UpperBound = Between(None, None);
 
 /// Makes bounds of a module's values.
 pub(super) struct Bounds<'a> {
@@ -74,7 +76,7 @@ impl<'a> Bounds<'a> {
                 open.push(operand);
                 continue;
             }
-            let bound = if cheap { UpperBound::Exact(id) } else { self.operation(node) };
+            let bound = if cheap { Exact(id) } else { self.operation(node) };
             self.known[id.index()] = Some(self.at_least_static(id, bound));
             open.pop();
         }
@@ -86,10 +88,10 @@ impl<'a> Bounds<'a> {
         let Interval { low, high, .. } = self.intervals[id.index()];
         let mut number = |end: f64| end.is_finite().then(|| self.values.intern(Node::constant(end)));
         match bound {
-            UpperBound::Between(known_low, known_high) => {
-                UpperBound::Between(known_low.or_else(|| number(low)), known_high.or_else(|| number(high)))
+            Between(known_low, known_high) => {
+                Between(known_low.or_else(|| number(low)), known_high.or_else(|| number(high)))
             }
-            UpperBound::Exact(_) | UpperBound::Magnitude(_) => bound,
+            Exact(_) | Magnitude(_) => bound,
         }
     }
 
@@ -98,82 +100,70 @@ impl<'a> Bounds<'a> {
             return UNKNOWN;
         };
         let [a, b] = ids.map(|id| self.known[id.index()].unwrap_or(UNKNOWN));
+        if let (Add | Sub, Magnitude(a), Magnitude(b)) = (instruction, a, b) {
+            return Magnitude(self.make(Add, a, b));
+        }
         match instruction {
-            Instruction::Add => match (a, b) {
-                (UpperBound::Magnitude(a), UpperBound::Magnitude(b)) => {
-                    UpperBound::Magnitude(self.make(Instruction::Add, a, b))
-                }
-                _ => {
-                    let high = self.both(Instruction::Add, Self::high, a, Self::high, b);
-                    let low = match (a, b) {
-                        (a, UpperBound::Magnitude(b)) => self.low(a).map(|a| self.make(Instruction::Sub, a, b)),
-                        (UpperBound::Magnitude(a), b) => self.low(b).map(|b| self.make(Instruction::Sub, b, a)),
-                        (a, b) => self.both(Instruction::Add, Self::low, a, Self::low, b),
-                    };
-                    UpperBound::Between(low, high)
-                }
-            },
-            Instruction::Sub => match (a, b) {
-                (UpperBound::Magnitude(a), UpperBound::Magnitude(b)) => {
-                    UpperBound::Magnitude(self.make(Instruction::Add, a, b))
-                }
-                (a, UpperBound::Magnitude(b)) => {
-                    let high = self.high(a).map(|a| self.make(Instruction::Add, a, b));
-                    let low = self.low(a).map(|a| self.make(Instruction::Sub, a, b));
-                    UpperBound::Between(low, high)
+            Add => {
+                let high = self.both(Add, Self::high, a, Self::high, b);
+                let low = match (a, b) {
+                    (a, Magnitude(b)) => self.low(a).map(|a| self.make(Sub, a, b)),
+                    (Magnitude(a), b) => self.low(b).map(|b| self.make(Sub, b, a)),
+                    (a, b) => self.both(Add, Self::low, a, Self::low, b),
+                };
+                Between(low, high)
+            }
+            Sub => match (a, b) {
+                (a, Magnitude(b)) => {
+                    let high = self.high(a).map(|a| self.make(Add, a, b));
+                    let low = self.low(a).map(|a| self.make(Sub, a, b));
+                    Between(low, high)
                 }
                 (a, b) => {
-                    let high = self.both(Instruction::Sub, Self::high, a, Self::low, b);
+                    let high = self.both(Sub, Self::high, a, Self::low, b);
                     // The lower end of a magnitude is its negative, which has no node: leave it.
-                    let low = if matches!(a, UpperBound::Magnitude(_)) {
-                        None
-                    } else {
-                        self.both(Instruction::Sub, Self::low, a, Self::high, b)
-                    };
-                    UpperBound::Between(low, high)
+                    let low =
+                        if matches!(a, Magnitude(_)) { None } else { self.both(Sub, Self::low, a, Self::high, b) };
+                    Between(low, high)
                 }
             },
-            Instruction::Mul => match (self.magnitude(a), self.magnitude(b)) {
-                (Some(a), Some(b)) => UpperBound::Magnitude(self.make(Instruction::Mul, a, b)),
+            Mul => match (self.magnitude(a), self.magnitude(b)) {
+                (Some(a), Some(b)) => Magnitude(self.make(Mul, a, b)),
                 _ => UNKNOWN,
             },
-            Instruction::Div => {
+            Div => {
                 let divisor = match b {
-                    UpperBound::Exact(b) => Some(self.abs(b)),
-                    UpperBound::Magnitude(_) | UpperBound::Between(..) => self.least_magnitude(ids[1]),
+                    Exact(b) => Some(self.abs(b)),
+                    Magnitude(_) | Between(..) => self.least_magnitude(ids[1]),
                 };
                 match (self.magnitude(a), divisor) {
-                    (Some(a), Some(b)) => UpperBound::Magnitude(self.make(Instruction::Div, a, b)),
+                    (Some(a), Some(b)) => Magnitude(self.make(Div, a, b)),
                     _ => UNKNOWN,
                 }
             }
-            Instruction::Tan | Instruction::Quotient | Instruction::Sqrt | Instruction::Atan | Instruction::Tanh => {
-                UNKNOWN
-            }
+            Tan | Quotient | Sqrt | Atan | Tanh => UNKNOWN,
             // Not farther from 0 than the first operand.
-            Instruction::NegateIfLess | Instruction::Abs | Instruction::Fmod | Instruction::Gate => {
-                self.magnitude(a).map_or(UNKNOWN, UpperBound::Magnitude)
-            }
-            Instruction::Cos | Instruction::Sin => UpperBound::Magnitude(self.values.intern(Node::constant(1.0))),
-            Instruction::Ln => {
-                let high = self.function(Instruction::Ln, a);
+            NegateIfLess | Abs | Fmod | Gate => self.magnitude(a).map_or(UNKNOWN, Magnitude),
+            Cos | Sin => Magnitude(self.values.intern(Node::constant(1.0))),
+            Ln => {
+                let high = self.function(Ln, a);
                 // The estimate is near only where its argument is the logarithm's own.
-                let low = high.filter(|_| matches!(a, UpperBound::Exact(_))).map(|high| {
+                let low = high.filter(|_| matches!(a, Exact(_))).map(|high| {
                     let less = self.values.intern(Node::constant(estimate::LN_LESS));
-                    self.make(Instruction::Sub, high, less)
+                    self.make(Sub, high, less)
                 });
-                UpperBound::Between(low, high)
+                Between(low, high)
             }
-            Instruction::Exp => {
+            Exp => {
                 let zero = self.values.intern(Node::constant(0.0));
-                UpperBound::Between(Some(zero), self.function(Instruction::Exp, a))
+                Between(Some(zero), self.function(Exp, a))
             }
             // Never above the second operand, NaN or not.
-            Instruction::Min => UpperBound::Between(None, self.high(b)),
+            Min => Between(None, self.high(b)),
             // Of a NaN, it is the second; of numbers, one of both: the sum of their magnitudes is not below either, and NaN
             // where one of them is.
-            Instruction::Max => match (self.magnitude(a), self.magnitude(b)) {
-                (Some(a), Some(b)) => UpperBound::Magnitude(self.make(Instruction::Add, a, b)),
+            Max => match (self.magnitude(a), self.magnitude(b)) {
+                (Some(a), Some(b)) => Magnitude(self.make(Add, a, b)),
                 _ => UNKNOWN,
             },
         }
@@ -201,36 +191,36 @@ impl<'a> Bounds<'a> {
 
     fn high(&mut self, bound: UpperBound) -> Option<NodeId> {
         match bound {
-            UpperBound::Exact(id) | UpperBound::Magnitude(id) => Some(id),
-            UpperBound::Between(_, high) => high,
+            Exact(id) | Magnitude(id) => Some(id),
+            Between(_, high) => high,
         }
     }
 
     /// The lower end, where it has a node: −m has none unless m is a number.
     fn low(&mut self, bound: UpperBound) -> Option<NodeId> {
         match bound {
-            UpperBound::Exact(id) => Some(id),
-            UpperBound::Magnitude(id) => {
+            Exact(id) => Some(id),
+            Magnitude(id) => {
                 let number = self.values.node(id).as_constant()?;
                 Some(self.values.intern(Node::constant(-number)))
             }
-            UpperBound::Between(low, _) => low,
+            Between(low, _) => low,
         }
     }
 
     /// A node that the magnitude is not above.
     fn magnitude(&mut self, bound: UpperBound) -> Option<NodeId> {
         match bound {
-            UpperBound::Exact(id) => Some(self.abs(id)),
-            UpperBound::Magnitude(id) => Some(id),
-            UpperBound::Between(low, high) => {
+            Exact(id) => Some(self.abs(id)),
+            Magnitude(id) => Some(id),
+            Between(low, high) => {
                 let (low, high) = (low?, high?);
                 if self.values.node(low).as_constant().is_some_and(|low| low >= 0.0) {
                     return Some(high);
                 }
                 // Not the greater of both, which could swallow a NaN.
                 let (low, high) = (self.abs(low), self.abs(high));
-                Some(self.make(Instruction::Add, low, high))
+                Some(self.make(Add, low, high))
             }
         }
     }
@@ -243,7 +233,7 @@ impl<'a> Bounds<'a> {
     }
 
     fn abs(&mut self, id: NodeId) -> NodeId {
-        self.make(Instruction::Abs, id, id)
+        self.make(Abs, id, id)
     }
 
     fn make(&mut self, instruction: Instruction, a: NodeId, b: NodeId) -> NodeId {

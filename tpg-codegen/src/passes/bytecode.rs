@@ -1,6 +1,6 @@
 //! A module as tables, for the profile `small`.
 
-use crate::ir::{Module, Node, NodeId};
+use crate::ir::{Module, Node::*, NodeId};
 use std::collections::{BTreeMap, BTreeSet};
 use tpg_runtime::ops::Instruction;
 
@@ -89,7 +89,7 @@ pub(crate) fn encode(module: &Module<'_>) -> Bytecode {
     let frame = first_result + longest;
     let operand_bits = usize::BITS - (frame - 1).leading_zeros();
     let operations = lists.iter().flatten().map(|&id| match module.node(id) {
-        Node::Operation(instruction, _) => Some(instruction),
+        Operation(instruction, _) => Some(instruction),
         _ => None,
     });
     let copies = lists.iter().any(Vec::is_empty).then_some(None);
@@ -98,9 +98,9 @@ pub(crate) fn encode(module: &Module<'_>) -> Bytecode {
     let mut programs = vec![0];
     for (value, list) in values.iter().zip(&lists) {
         let place = |id: NodeId| match module.node(id) {
-            Node::Input(input) => input.index(),
-            Node::Constant(bits) => state_length + constants.binary_search(&bits).unwrap_or(0),
-            Node::Operation(..) | Node::Upper(..) => first_result + list.binary_search(&id).unwrap_or(0),
+            Input(input) => input.index(),
+            Constant(bits) => state_length + constants.binary_search(&bits).unwrap_or(0),
+            Operation(..) | Upper(..) => first_result + list.binary_search(&id).unwrap_or(0),
         };
         let mut push = |operation: Option<Instruction>, [a, b]: [NodeId; 2]| {
             let number = used.binary_search(&operation).unwrap_or(0) as u64;
@@ -108,7 +108,7 @@ pub(crate) fn encode(module: &Module<'_>) -> Bytecode {
             code.push(number << (2 * operand_bits) | b << operand_bits | a);
         };
         for &id in list {
-            if let Node::Operation(instruction, operands) = module.node(id) {
+            if let Operation(instruction, operands) = module.node(id) {
                 push(Some(instruction), operands);
             }
         }
@@ -134,9 +134,8 @@ pub(crate) fn encode(module: &Module<'_>) -> Bytecode {
 
 /// The constants of a module by their bits, sorted.
 fn constants(module: &Module<'_>) -> Vec<u64> {
-    let constants: BTreeSet<u64> = (module.nodes.iter())
-        .filter_map(|node| if let Node::Constant(bits) = *node { Some(bits) } else { None })
-        .collect();
+    let constants: BTreeSet<u64> =
+        (module.nodes.iter()).filter_map(|node| if let Constant(bits) = *node { Some(bits) } else { None }).collect();
     constants.into_iter().collect()
 }
 

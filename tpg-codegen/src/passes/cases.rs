@@ -7,6 +7,7 @@
 use super::collect;
 use super::schedule::{LazyBid, Schedule, Sparing};
 use crate::ir::{Leaf, Module, Node, NodeId, needed};
+use Kind::*;
 use std::collections::BTreeMap;
 use tpg_runtime::ops::Instruction;
 
@@ -68,8 +69,8 @@ impl Cases {
     /// The operations of a bid: those that are computed always, and the others.
     pub(crate) fn operations(&self, case: Case) -> [Vec<NodeId>; 2] {
         let always = match case.kind {
-            Kind::Plain => case.value,
-            Kind::Bounded(bound) => bound,
+            Plain => case.value,
+            Bounded(bound) => bound,
             Kind::Function(Function { argument, .. }) => argument,
         };
         let before = needed(&self.nodes, always, |_| true);
@@ -109,7 +110,7 @@ pub(crate) fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
     let mut edges = Vec::new();
     let (mut places, mut targets, mut teams, mut otherwise) = (Vec::new(), Vec::new(), vec![0], Vec::new());
     for plan in &plans {
-        let mut order: Vec<_> = plan.eager.iter().map(|bid| (*bid, Kind::Plain)).collect();
+        let mut order: Vec<_> = plan.eager.iter().map(|bid| (*bid, Plain)).collect();
         order.extend(plan.lazy.iter().map(|lazy| (lazy.bid, kind(&nodes, lazy))));
         for (bid, kind) in order {
             bids.entry(bid.value).or_insert(kind);
@@ -122,7 +123,7 @@ pub(crate) fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
     }
     let mut bids: Vec<Case> = bids.into_iter().map(|(value, kind)| Case { value, kind }).collect();
     bids.sort_by_key(|case| match case.kind {
-        Kind::Plain | Kind::Bounded(_) => None,
+        Plain | Bounded(_) => None,
         Kind::Function(Function { instruction, .. }) => Some(instruction as u32),
     });
     // Numbered before the nodes are: estimates that no case asks for go.
@@ -133,8 +134,8 @@ pub(crate) fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
     for Case { value, kind } in &mut bids {
         roots.push(value);
         match kind {
-            Kind::Plain => {}
-            Kind::Bounded(bound) => roots.push(bound),
+            Plain => {}
+            Bounded(bound) => roots.push(bound),
             Kind::Function(Function { argument, sparing, .. }) => {
                 roots.push(argument);
                 roots.extend(sparing.iter_mut().map(|sparing| &mut sparing.argument));
@@ -168,8 +169,8 @@ fn kind(nodes: &[Node], lazy: &LazyBid) -> Kind {
             })
         }
         _ => match lazy.bound {
-            Some(bound) if !needed(nodes, bound, |_| true).iter().any(is_estimate) => Kind::Bounded(bound),
-            _ => Kind::Plain,
+            Some(bound) if !needed(nodes, bound, |_| true).iter().any(is_estimate) => Bounded(bound),
+            _ => Plain,
         },
     }
 }

@@ -1,6 +1,7 @@
 //! Nodes and leaves that no walk needs any more.
 
 use crate::ir::{Module, Node, NodeId, Target, Values};
+use Node::*;
 use std::collections::BTreeSet;
 use tpg_runtime::policy::ActionId;
 
@@ -35,9 +36,9 @@ pub(super) fn keep(nodes: &mut Vec<Node>, roots: Vec<&mut NodeId>) {
         let at = |id: NodeId| place[id.index()].unwrap_or(id);
         let node = match node {
             // Of a one-operand instruction, the second repeats the first.
-            Node::Operation(instruction, operands) => Node::Operation(instruction, operands.map(at)),
-            Node::Upper(instruction, value) => Node::Upper(instruction, at(value)),
-            Node::Constant(_) | Node::Input(_) => node,
+            Operation(instruction, operands) => Operation(instruction, operands.map(at)),
+            Upper(instruction, value) => Upper(instruction, at(value)),
+            Constant(_) | Input(_) => node,
         };
         place[index] = Some(values.intern(node));
     }

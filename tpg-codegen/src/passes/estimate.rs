@@ -5,6 +5,7 @@
 //!
 //! An estimate that is NaN says nothing. It is NaN wherever the function is.
 
+use ScalarType::*;
 use tpg_graph::ScalarType;
 use tpg_runtime::ops::Instruction;
 
@@ -33,7 +34,7 @@ pub(crate) const LN_LESS: f64 = 0.0625;
 /// The numbers of a scalar type.
 pub(crate) const fn numbers(scalar: ScalarType) -> Estimate {
     match scalar {
-        ScalarType::F32 => Estimate {
+        F32 => Estimate {
             exp_between: (-87.0, 88.0),
             exp_scale: 12102203.0,
             exp_offset: 0x3f80_0800,
@@ -42,7 +43,7 @@ pub(crate) const fn numbers(scalar: ScalarType) -> Estimate {
             ln_scale: 8.262958e-8_f32 as f64,
             ln_offset: 87.96973_f32 as f64,
         },
-        ScalarType::F64 => Estimate {
+        F64 => Estimate {
             exp_between: (-708.0, 709.0),
             exp_scale: 6497320848556798.0,
             exp_offset: 0x3ff0_0000_2000_0000,
@@ -56,16 +57,17 @@ pub(crate) const fn numbers(scalar: ScalarType) -> Estimate {
 
 /// The estimate that generated code computes: not below the function's value, or NaN.
 pub(crate) fn upper(scalar: ScalarType, instruction: Instruction, x: f64) -> f64 {
-    let Estimate { exp_between: (least, greatest), exp_scale, exp_offset, .. } = numbers(scalar);
-    let Estimate { exp_below, exp_infinite_above, ln_scale, ln_offset, .. } = numbers(scalar);
+    let numbers = numbers(scalar);
+    let Estimate { exp_between: (least, greatest), exp_scale, exp_offset, exp_below, .. } = numbers;
+    let Estimate { exp_infinite_above, ln_scale, ln_offset, .. } = numbers;
     if instruction == Instruction::Exp {
         return if least <= x && x <= greatest {
             match scalar {
-                ScalarType::F32 => {
+                F32 => {
                     let whole = (x as f32 * exp_scale as f32) as i32;
                     f64::from(f32::from_bits((whole as u32).wrapping_add(exp_offset as u32)))
                 }
-                ScalarType::F64 => f64::from_bits(((x * exp_scale) as i64 as u64).wrapping_add(exp_offset)),
+                F64 => f64::from_bits(((x * exp_scale) as i64 as u64).wrapping_add(exp_offset)),
             }
         } else if x < least {
             exp_below
@@ -76,16 +78,16 @@ pub(crate) fn upper(scalar: ScalarType, instruction: Instruction, x: f64) -> f64
         };
     }
     let (tiniest, greatest) = match scalar {
-        ScalarType::F32 => (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX)),
-        ScalarType::F64 => (f64::MIN_POSITIVE, f64::MAX),
+        F32 => (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX)),
+        F64 => (f64::MIN_POSITIVE, f64::MAX),
     };
     if tiniest <= x && x <= greatest {
         match scalar {
-            ScalarType::F32 => {
+            F32 => {
                 let whole = (x as f32).to_bits() as i32;
                 f64::from(whole as f32 * ln_scale as f32 - ln_offset as f32)
             }
-            ScalarType::F64 => x.to_bits() as i64 as f64 * ln_scale - ln_offset,
+            F64 => x.to_bits() as i64 as f64 * ln_scale - ln_offset,
         }
     } else if x <= 0.0 {
         f64::NEG_INFINITY

@@ -14,6 +14,8 @@
 
 use super::arithmetic::Arithmetic;
 use crate::ir::{Module, Node, NodeId, Target, Values};
+use Instruction::*;
+use Node::*;
 use std::collections::BTreeMap;
 use tpg_runtime::ops::{Instruction, bid, clamp};
 use tpg_runtime::policy::ActionId;
@@ -25,11 +27,11 @@ pub(super) fn run(module: &mut Module<'_>, arithmetic: Arithmetic) {
     let mut folded: Vec<NodeId> = Vec::with_capacity(module.nodes.len());
     for &node in &module.nodes {
         let id = match node {
-            Node::Operation(instruction, operands) => {
+            Operation(instruction, operands) => {
                 operation(&mut values, arithmetic, instruction, operands.map(|operand| folded[operand.index()]))
             }
-            Node::Upper(function, value) => values.intern(Node::Upper(function, folded[value.index()])),
-            Node::Constant(_) | Node::Input(_) => values.intern(node),
+            Upper(function, value) => values.intern(Upper(function, folded[value.index()])),
+            Constant(_) | Input(_) => values.intern(node),
         };
         folded.push(id);
     }
@@ -85,56 +87,54 @@ pub(super) fn operation(
     if constants[..instruction.arity()].iter().any(|constant| constant.is_some_and(f64::is_nan)) {
         // No comparison with a NaN holds; everything else that reads one is one.
         return match instruction {
-            Instruction::Min | Instruction::Max => b,
-            Instruction::NegateIfLess => a,
+            Min | Max => b,
+            NegateIfLess => a,
             // A gate with a NaN in front of it can still be shut.
-            Instruction::Gate if constants[1].is_some_and(f64::is_nan) => a,
-            Instruction::Gate => values.intern(Node::Operation(instruction, operands)),
+            Gate if constants[1].is_some_and(f64::is_nan) => a,
+            Gate => values.intern(Operation(instruction, operands)),
             // By 0, it is a number.
-            Instruction::Quotient if !constants[1].is_some_and(f64::is_nan) => {
-                values.intern(Node::Operation(instruction, operands))
-            }
+            Quotient if !constants[1].is_some_and(f64::is_nan) => values.intern(Operation(instruction, operands)),
             _ => values.intern(Node::constant(f64::NAN)),
         };
     }
     match instruction {
-        Instruction::Sub if is(constants[1], 0.0) => a,
-        Instruction::Add if is(constants[1], -0.0) => a,
-        Instruction::Add if is(constants[0], -0.0) => b,
-        Instruction::Mul if is(constants[1], 1.0) => a,
-        Instruction::Mul if is(constants[0], 1.0) => b,
-        Instruction::Div if is(constants[1], 1.0) => a,
-        Instruction::Div => match constants[1].and_then(|divisor| arithmetic.reciprocal(divisor)) {
+        Sub if is(constants[1], 0.0) => a,
+        Add if is(constants[1], -0.0) => a,
+        Add if is(constants[0], -0.0) => b,
+        Mul if is(constants[1], 1.0) => a,
+        Mul if is(constants[0], 1.0) => b,
+        Div if is(constants[1], 1.0) => a,
+        Div => match constants[1].and_then(|divisor| arithmetic.reciprocal(divisor)) {
             Some(factor) => {
                 let factor = values.intern(Node::constant(factor));
-                commutative(values, Instruction::Mul, a, factor)
+                commutative(values, Mul, a, factor)
             }
-            None => values.intern(Node::Operation(instruction, operands)),
+            None => values.intern(Operation(instruction, operands)),
         },
-        Instruction::Min | Instruction::Max | Instruction::NegateIfLess if a == b => a,
-        Instruction::Min | Instruction::Max => {
+        Min | Max | NegateIfLess if a == b => a,
+        Min | Max => {
             let same = |operand| match values.node(operand) {
-                Node::Operation(inner, operands) if inner == instruction => Some(operands),
+                Operation(inner, operands) if inner == instruction => Some(operands),
                 _ => None,
             };
             match (same(a), same(b)) {
                 (Some([_, y]), _) if b == y => a,
                 (Some([x, y]), _) if b == x => operation(values, arithmetic, instruction, [y, x]),
                 (_, Some(inner)) if inner.contains(&a) => b,
-                _ => values.intern(Node::Operation(instruction, operands)),
+                _ => values.intern(Operation(instruction, operands)),
             }
         }
-        Instruction::Gate if is(constants[0], -0.0) => a,
-        Instruction::Gate if constants[1] == Some(0.0) => values.intern(Node::constant(-0.0)),
-        Instruction::Gate if constants[1].is_some() => a,
-        Instruction::Abs if matches!(values.node(a), Node::Operation(Instruction::Abs, _)) => a,
-        Instruction::Add | Instruction::Mul => commutative(values, instruction, a, b),
-        _ => values.intern(Node::Operation(instruction, operands)),
+        Gate if is(constants[0], -0.0) => a,
+        Gate if constants[1] == Some(0.0) => values.intern(Node::constant(-0.0)),
+        Gate if constants[1].is_some() => a,
+        Abs if matches!(values.node(a), Operation(Abs, _)) => a,
+        Add | Mul => commutative(values, instruction, a, b),
+        _ => values.intern(Operation(instruction, operands)),
     }
 }
 
 fn commutative(values: &mut Values, instruction: Instruction, a: NodeId, b: NodeId) -> NodeId {
-    values.intern(Node::Operation(instruction, [a.min(b), a.max(b)]))
+    values.intern(Operation(instruction, [a.min(b), a.max(b)]))
 }
 
 #[cfg(test)]

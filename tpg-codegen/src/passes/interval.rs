@@ -6,6 +6,7 @@
 
 use super::arithmetic::Arithmetic;
 use crate::ir::{Module, Node};
+use Instruction::*;
 use tpg_graph::ScalarType;
 use tpg_runtime::ops::Instruction;
 
@@ -61,7 +62,7 @@ pub(crate) fn analyse(module: &Module<'_>) -> Vec<Interval> {
             Node::Constant(bits) => Interval::exactly(f64::from_bits(bits)),
             Node::Operation(instruction, operands) => {
                 let [a, b] = operands.map(|operand| intervals[operand.index()]);
-                let square = instruction == Instruction::Mul && operands[0] == operands[1];
+                let square = instruction == Mul && operands[0] == operands[1];
                 let interval = apply(arithmetic, instruction, a, b);
                 // No square is negative.
                 if square { Interval { low: interval.low.max(0.0), ..interval } } else { interval }
@@ -78,27 +79,25 @@ pub(crate) fn apply(arithmetic: Arithmetic, instruction: Instruction, a: Interva
     let ends = |x: f64, y: f64| arithmetic.exact(instruction, x, y);
     let nan = a.nan || b.nan;
     match instruction {
-        Instruction::Add => {
+        Add => {
             let opposite = (a.low == -infinite && b.high == infinite) || (a.high == infinite && b.low == -infinite);
             ordered(ends(a.low, b.low), ends(a.high, b.high), nan || opposite)
         }
-        Instruction::Sub => {
+        Sub => {
             let like = (a.low == -infinite && b.low == -infinite) || (a.high == infinite && b.high == infinite);
             ordered(ends(a.low, b.high), ends(a.high, b.low), nan || like)
         }
-        Instruction::Mul => {
+        Mul => {
             let zero_times_infinity =
                 (a.contains_zero() && b.has_infinity()) || (b.contains_zero() && a.has_infinity());
             corners(ends, a, b, nan || zero_times_infinity, zero_times_infinity)
         }
-        Instruction::Div | Instruction::Quotient if b.contains_zero() => {
-            Interval { low: -infinite, high: infinite, nan: true }
-        }
-        Instruction::Div | Instruction::Quotient => {
+        Div | Quotient if b.contains_zero() => Interval { low: -infinite, high: infinite, nan: true },
+        Div | Quotient => {
             let infinite_quotient = a.has_infinity() && b.has_infinity();
             corners(ends, a, b, nan || infinite_quotient, infinite_quotient)
         }
-        Instruction::NegateIfLess => {
+        NegateIfLess => {
             let magnitude = a.magnitude();
             let whole = Interval { low: -magnitude, high: magnitude, nan: a.nan };
             // Where a is never below b it is itself; where it always is (and b no NaN), its negative.
@@ -110,51 +109,51 @@ pub(crate) fn apply(arithmetic: Arithmetic, instruction: Instruction, a: Interva
                 whole
             }
         }
-        Instruction::Cos | Instruction::Sin => Interval { low: -1.0, high: 1.0, nan: a.nan || a.has_infinity() },
-        Instruction::Tan => Interval { low: -infinite, high: infinite, nan: a.nan || a.has_infinity() },
+        Cos | Sin => Interval { low: -1.0, high: 1.0, nan: a.nan || a.has_infinity() },
+        Tan => Interval { low: -infinite, high: infinite, nan: a.nan || a.has_infinity() },
         // Not beyond either operand, and with the sign of the first.
-        Instruction::Fmod => {
+        Fmod => {
             let magnitude = a.magnitude().min(b.magnitude());
             let low = if a.low < 0.0 { -magnitude } else { 0.0 };
             let high = if a.high > 0.0 { magnitude } else { 0.0 };
             Interval { low, high, nan: nan || a.has_infinity() || b.contains_zero() }
         }
-        Instruction::Gate if !b.contains_zero() => a,
-        Instruction::Gate => Interval { low: a.low.min(0.0), high: a.high.max(0.0), nan: a.nan },
-        Instruction::Ln => {
+        Gate if !b.contains_zero() => a,
+        Gate => Interval { low: a.low.min(0.0), high: a.high.max(0.0), nan: a.nan },
+        Ln => {
             let low = if a.low > 0.0 { widened_down(arithmetic, a.low.ln()) } else { -infinite };
             let high = if a.high > 0.0 { widened_up(arithmetic, a.high.ln()) } else { -infinite };
             Interval { low, high, nan: a.nan || a.low < 0.0 }
         }
-        Instruction::Exp => {
+        Exp => {
             let low = widened_down(arithmetic, a.low.exp().min(arithmetic.greatest())).max(0.0);
             let high = widened_up(arithmetic, a.high.exp());
             Interval { low, high: if high > arithmetic.greatest() { infinite } else { high }, nan: a.nan }
         }
-        Instruction::Sqrt => {
+        Sqrt => {
             let root = |end: f64| if end > 0.0 { arithmetic.exact(instruction, end, end) } else { 0.0 };
             Interval { low: root(a.low), high: root(a.high), nan: a.nan || a.low < 0.0 }
         }
-        Instruction::Atan => Interval {
+        Atan => Interval {
             low: widened_down(arithmetic, a.low.atan()),
             high: widened_up(arithmetic, a.high.atan()),
             nan: a.nan,
         },
-        Instruction::Tanh => Interval {
+        Tanh => Interval {
             low: widened_down(arithmetic, a.low.tanh()).max(-1.0),
             high: widened_up(arithmetic, a.high.tanh()).min(1.0),
             nan: a.nan,
         },
-        Instruction::Abs => {
+        Abs => {
             let low = if a.contains_zero() { 0.0 } else { a.low.abs().min(a.high.abs()) };
             Interval { low, high: a.magnitude(), nan: a.nan }
         }
         // With a NaN on either side they give b, whatever it is.
-        Instruction::Min => {
+        Min => {
             let least = Interval { low: a.low.min(b.low), high: a.high.min(b.high), nan: b.nan };
             if a.nan { least.hull(b) } else { least }
         }
-        Instruction::Max => {
+        Max => {
             let greatest = Interval { low: a.low.max(b.low), high: a.high.max(b.high), nan: b.nan };
             if a.nan { greatest.hull(b) } else { greatest }
         }

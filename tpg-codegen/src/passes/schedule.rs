@@ -9,6 +9,7 @@ use super::bound::Bounds;
 use super::collect;
 use super::interval;
 use crate::ir::{Leaf, Module, Node, NodeId, Target, Values};
+use Instruction::*;
 use tpg_runtime::ops::Instruction;
 
 /// A bid of a team.
@@ -37,8 +38,8 @@ impl Sparing {
     /// The rule for a logarithm or an exponential of an argument: numbers far enough apart for every provider.
     pub(crate) fn new(instruction: Instruction, argument: NodeId) -> Option<Self> {
         match instruction {
-            Instruction::Exp => Some(Self { argument, at_most: 2.0, below: 7.5 }),
-            Instruction::Ln => Some(Self { argument, at_most: 8000.0, below: 9.0 }),
+            Exp => Some(Self { argument, at_most: 2.0, below: 7.5 }),
+            Ln => Some(Self { argument, at_most: 8000.0, below: 9.0 }),
             _ => None,
         }
     }
@@ -171,16 +172,16 @@ fn cheap_nodes(module: &Module<'_>) -> Vec<bool> {
 pub(crate) fn cost(node: &Node) -> u32 {
     let Node::Operation(instruction, _) = node else { return 0 };
     match instruction {
-        Instruction::Sub | Instruction::Add | Instruction::Mul | Instruction::Abs => 1,
-        Instruction::NegateIfLess | Instruction::Min | Instruction::Max | Instruction::Gate => 2,
-        Instruction::Div => 4,
-        Instruction::Quotient => 6,
-        Instruction::Sqrt => 8,
-        Instruction::Fmod => 12,
-        Instruction::Exp => 20,
-        Instruction::Ln | Instruction::Atan => 25,
-        Instruction::Cos | Instruction::Sin | Instruction::Tanh => 30,
-        Instruction::Tan => 60,
+        Sub | Add | Mul | Abs => 1,
+        NegateIfLess | Min | Max | Gate => 2,
+        Div => 4,
+        Quotient => 6,
+        Sqrt => 8,
+        Fmod => 12,
+        Exp => 20,
+        Ln | Atan => 25,
+        Cos | Sin | Tanh => 30,
+        Tan => 60,
     }
 }
 

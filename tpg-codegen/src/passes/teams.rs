@@ -6,18 +6,19 @@
 
 use super::removed::Removed;
 use crate::ir::{Module, NodeId, Target, ends_first, longest_walk};
+use Target::*;
 use std::collections::BTreeMap;
 
 /// Redirects edges past such teams, and renumbers the remaining ones breadth first. The root always stays.
 pub(super) fn run(module: &mut Module<'_>) -> Removed {
     let before = module.teams.len();
     let mut removed = Removed::default();
-    let mut place: Vec<Target> = (0..before).map(Target::Team).collect();
+    let mut place: Vec<Target> = (0..before).map(Team).collect();
     let mut known: BTreeMap<Vec<(NodeId, Target)>, usize> = BTreeMap::new();
     for index in ends_first(&module.teams) {
         let team = &mut module.teams[index];
         for edge in &mut team.edges {
-            if let Target::Team(to) = edge.to {
+            if let Team(to) = edge.to {
                 edge.to = place[to];
             }
         }
@@ -33,7 +34,7 @@ pub(super) fn run(module: &mut Module<'_>) -> Removed {
         let decision = team.edges.iter().map(|edge| (module.bidders[edge.bidder].value, edge.to)).collect();
         let first = *known.entry(decision).or_insert(index);
         if first != index {
-            place[index] = Target::Team(first);
+            place[index] = Team(first);
             removed.twin_teams += 1;
         }
     }
@@ -51,7 +52,7 @@ fn renumber(module: &mut Module<'_>) {
     while let Some(&index) = order.get(next) {
         next += 1;
         for edge in &module.teams[index].edges {
-            if let Target::Team(to) = edge.to
+            if let Team(to) = edge.to
                 && place[to].is_none()
             {
                 place[to] = Some(order.len());
@@ -65,8 +66,8 @@ fn renumber(module: &mut Module<'_>) {
     for index in order {
         let mut team = module.teams[index].clone();
         for edge in &mut team.edges {
-            if let Target::Team(to) = edge.to {
-                edge.to = Target::Team(place[to].unwrap_or_default());
+            if let Team(to) = edge.to {
+                edge.to = Team(place[to].unwrap_or_default());
             }
             edge.bidder = *bidder_place.entry(edge.bidder).or_insert_with(|| {
                 bidders.push(module.bidders[edge.bidder].clone());

@@ -9,6 +9,8 @@
 use super::arithmetic::Arithmetic;
 use super::fold;
 use crate::ir::{Module, Node, NodeId, Values};
+use Instruction::*;
+use Node::*;
 use tpg_runtime::ops::Instruction;
 
 /// Removes additions and subtractions of a zero that change nothing but an unseen sign.
@@ -19,17 +21,17 @@ pub(super) fn run(module: &mut Module<'_>, arithmetic: Arithmetic) {
     for (&node, &seen) in module.nodes.iter().zip(&seen) {
         let at = |id: NodeId| place[id.index()];
         place.push(match node {
-            Node::Operation(instruction, operands) => {
+            Operation(instruction, operands) => {
                 let [a, b] = operands.map(at);
                 let [zero_a, zero_b] = [a, b].map(|id| values.node(id).as_constant() == Some(0.0));
                 match instruction {
-                    Instruction::Add | Instruction::Sub if zero_b && !seen => a,
-                    Instruction::Add if zero_a && !seen => b,
+                    Add | Sub if zero_b && !seen => a,
+                    Add if zero_a && !seen => b,
                     _ => fold::operation(&mut values, arithmetic, instruction, [a, b]),
                 }
             }
-            Node::Upper(function, value) => values.intern(Node::Upper(function, at(value))),
-            Node::Constant(_) | Node::Input(_) => values.intern(node),
+            Upper(function, value) => values.intern(Upper(function, at(value))),
+            Constant(_) | Input(_) => values.intern(node),
         });
     }
     for value in module.bidders.iter_mut().map(|bidder| &mut bidder.value) {
@@ -50,15 +52,15 @@ fn seen(module: &Module<'_>) -> Vec<bool> {
     // Operands come before operations: backwards, every user is there before what it uses.
     for index in (0..module.nodes.len()).rev() {
         match module.nodes[index] {
-            Node::Operation(instruction, operands) => {
+            Operation(instruction, operands) => {
                 let constants = operands.map(|operand| module.node(operand).as_constant());
                 let passes = passes(instruction, constants, seen[index]);
                 for (operand, passes) in operands.iter().zip(passes).take(instruction.arity()) {
                     seen[operand.index()] |= passes;
                 }
             }
-            Node::Upper(_, value) => seen[value.index()] = true,
-            Node::Constant(_) | Node::Input(_) => {}
+            Upper(_, value) => seen[value.index()] = true,
+            Constant(_) | Input(_) => {}
         }
     }
     seen
@@ -69,18 +71,16 @@ fn passes(instruction: Instruction, constants: [Option<f64>; 2], seen: bool) -> 
     // A constant that decides the result's sign: with it, a sum of −0 and one of 0 are the same.
     let decides = |place: usize, neutral: f64| constants[place].is_some_and(|c| c.to_bits() != neutral.to_bits());
     match instruction {
-        Instruction::Add => [seen && !decides(1, -0.0), seen && !decides(0, -0.0)],
-        Instruction::Sub => [seen && !decides(1, 0.0), seen && !decides(0, -0.0)],
+        Add => [seen && !decides(1, -0.0), seen && !decides(0, -0.0)],
+        Sub => [seen && !decides(1, 0.0), seen && !decides(0, -0.0)],
         // A quotient by 0 is infinite, and has its sign.
-        Instruction::Div => [seen, true],
-        Instruction::Mul | Instruction::Min | Instruction::Max => [seen, seen],
-        Instruction::Sin | Instruction::Tan | Instruction::Sqrt | Instruction::Atan | Instruction::Tanh => [seen, seen],
+        Div => [seen, true],
+        Mul | Min | Max => [seen, seen],
+        Sin | Tan | Sqrt | Atan | Tanh => [seen, seen],
         // The second operand is compared, or is a divisor whose remainder has the sign of the first.
-        Instruction::NegateIfLess | Instruction::Fmod | Instruction::Gate => [seen, false],
+        NegateIfLess | Fmod | Gate => [seen, false],
         // Of either zero they are 0, 1, 1 and −∞; a quotient is never −0, and by either zero the same.
-        Instruction::Abs | Instruction::Cos | Instruction::Exp | Instruction::Ln | Instruction::Quotient => {
-            [false, false]
-        }
+        Abs | Cos | Exp | Ln | Quotient => [false, false],
     }
 }
 

@@ -3,7 +3,7 @@
 use super::meaning::{self, Input, Output, Preferences};
 use super::network::{QuantisedLayer, QuantisedPolicy, ROUNDING};
 use serde::{Deserialize, Serialize};
-use tpg_graph::error::{InputError, Place};
+use tpg_graph::error::InputError;
 use tpg_runtime::net::{INPUT_ONE, Kind, PREFERENCE_ONE};
 
 /// The value of `format` in version 1.
@@ -63,8 +63,7 @@ impl QuantisedPolicy {
     pub fn from_json(file: &str, text: &str) -> Result<Self, InputError> {
         let mut reader = serde_json::Deserializer::from_str(text);
         let written: Written = serde_path_to_error::deserialize(&mut reader).map_err(|error| {
-            let place = Place::Path(format!("$.{}", error.path()));
-            InputError::new(file, place, error.inner().to_string(), "a policy.q.json")
+            InputError::new(file, format!("$.{}", error.path()), error.inner().to_string(), "a policy.q.json")
         })?;
         let policy = written.read(file)?;
         policy.check(file)?;
@@ -104,9 +103,7 @@ impl Written {
     }
 
     fn read(self, file: &str) -> Result<QuantisedPolicy, InputError> {
-        let refuse = |path: &str, found: String, accepted: &str| {
-            Err(InputError::new(file, Place::Path(path.to_owned()), found, accepted.to_owned()))
-        };
+        let refuse = |path: &str, found: String, accepted: &str| Err(InputError::new(file, path, found, accepted));
         let format = (self.format.as_str(), self.version);
         if format != (PREFERENCES, 1) && format != (NETWORK, 2) {
             let accepted = format!("{PREFERENCES:?}, version 1; {NETWORK:?}, version 2");

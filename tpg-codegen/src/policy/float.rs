@@ -3,6 +3,7 @@
 use super::meaning::{Input, Output, ValueOutput};
 use super::network::QuantisedPolicy;
 use super::quantise::{FloatLayer, LastLayer, QuantiseError, quantise_layers};
+use FloatOutput::*;
 use tpg_runtime::net::{Kind, Squash};
 
 /// A value that an output becomes.
@@ -86,8 +87,8 @@ impl FloatNetwork {
         let last = greatest.pop().unwrap_or(0.0);
         let mut layers = self.layers.clone();
         let last = match &self.output {
-            FloatOutput::Argmax(_) => LastLayer::Free { greatest: last },
-            FloatOutput::Values(values) => {
+            Argmax(_) => LastLayer::Free { greatest: last },
+            Values(values) => {
                 if let Some(layer) = layers.last_mut() {
                     values.iter().enumerate().for_each(|(row, value)| value.normalise(layer, row));
                 }
@@ -96,8 +97,8 @@ impl FloatNetwork {
         };
         let (layers, exponents) = quantise_layers(&layers, &greatest, kind, &last)?;
         let output = match &self.output {
-            FloatOutput::Argmax(names) => Output::Argmax(names.clone()),
-            FloatOutput::Values(values) => {
+            Argmax(names) => Output::Argmax(names.clone()),
+            Values(values) => {
                 Output::Values(values.iter().zip(exponents).map(|(value, exponent)| value.output(exponent)).collect())
             }
         };
@@ -114,8 +115,8 @@ impl FloatNetwork {
             inputs = bias.len();
         }
         let outputs = match &self.output {
-            FloatOutput::Values(values) => values.len(),
-            FloatOutput::Argmax(names) => names.len(),
+            Values(values) => values.len(),
+            Argmax(names) => names.len(),
         };
         if inputs == outputs { Ok(()) } else { Err(QuantiseError::Shape { layer: self.layers.len() }) }
     }
@@ -141,10 +142,8 @@ impl FloatNetwork {
     pub fn answer(&self, state: &[f32]) -> Vec<f64> {
         let outputs = self.activations(state).pop().unwrap_or_default();
         match &self.output {
-            FloatOutput::Argmax(_) => outputs,
-            FloatOutput::Values(values) => {
-                values.iter().zip(outputs).map(|(value, output)| value.squashed(output)).collect()
-            }
+            Argmax(_) => outputs,
+            Values(values) => values.iter().zip(outputs).map(|(value, output)| value.squashed(output)).collect(),
         }
     }
 }

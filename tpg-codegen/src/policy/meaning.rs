@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use std::fmt;
-use tpg_graph::error::{InputError, Place};
+use tpg_graph::error::InputError;
 use tpg_runtime::net::{OutputKind, Scaling, Squash, Value};
 
 /// An input: the network sees (value − offset)·scale.
@@ -50,20 +50,20 @@ pub(super) fn check_inputs(file: &str, inputs: &[Input]) -> Result<(), InputErro
     for (place, input) in inputs.iter().enumerate() {
         if !input.offset.is_finite() || !input.scale.is_finite() {
             let found = format!("{} and {}", input.offset, input.scale);
-            return Err(InputError::new(file, Place::Path(format!("$.scales[{place}]")), found, "finite numbers"));
+            return Err(InputError::new(file, format!("$.scales[{place}]"), found, "finite numbers"));
         }
-        check_name(file, &format!("$.observation[{place}]"), &input.name)?;
+        check_name(file, format!("$.observation[{place}]"), &input.name)?;
     }
     Ok(())
 }
 
-fn check_name(file: &str, path: &str, name: &str) -> Result<(), InputError> {
+fn check_name(file: &str, path: String, name: &str) -> Result<(), InputError> {
     let harmless = |c: char| !c.is_control() && c != '*' && c != '/';
     if !name.is_empty() && name.chars().all(harmless) {
         return Ok(());
     }
     let accepted = "a name on one line, without * and /";
-    Err(InputError::new(file, Place::Path(path.to_owned()), format!("{name:?}"), accepted))
+    Err(InputError::new(file, path, format!("{name:?}"), accepted))
 }
 
 /// The meaning of a network's outputs.
@@ -179,22 +179,23 @@ impl Output {
 
     pub(super) fn check(&self, file: &str) -> Result<(), InputError> {
         match self {
-            Self::Preferences(preferences) => preferences.flags().map(drop).map_err(|(path, found, accepted)| {
-                InputError::new(file, Place::Path(path.to_owned()), format!("{found:?}"), accepted)
-            }),
+            Self::Preferences(preferences) => preferences
+                .flags()
+                .map(drop)
+                .map_err(|(path, found, accepted)| InputError::new(file, path, format!("{found:?}"), accepted)),
             Self::Values(values) => values.iter().enumerate().try_for_each(|(place, value)| {
                 let path = format!("$.output.values[{place}]");
                 if !value.value().is_sound() {
                     let found = format!("{} to {}, exponent {}", value.min, value.max, value.exponent);
                     let accepted = "a finite range, and an exponent up to 11 behind tanh, up to 14 behind clamp";
-                    return Err(InputError::new(file, Place::Path(path), found, accepted));
+                    return Err(InputError::new(file, path, found, accepted));
                 }
-                check_name(file, &format!("{path}.name"), &value.name)
+                check_name(file, format!("{path}.name"), &value.name)
             }),
             Self::Argmax(names) => names
                 .iter()
                 .enumerate()
-                .try_for_each(|(place, name)| check_name(file, &format!("$.output.argmax[{place}]"), name)),
+                .try_for_each(|(place, name)| check_name(file, format!("$.output.argmax[{place}]"), name)),
         }
     }
 }

@@ -4,7 +4,7 @@ use super::meaning::{self, Output};
 use super::network::QuantisedPolicy;
 use crate::emit::{File, Prefix};
 use askama::Template;
-use tpg_graph::error::{InputError, Place};
+use tpg_graph::error::InputError;
 use tpg_runtime::net::{self, LayerRows, Meaning, Model, Rescale, Weights};
 
 #[derive(Template)]
@@ -32,15 +32,13 @@ struct ModelHeader<'a> {
 /// # Errors
 /// If it has a rescale that is no multiplier of 32 bits.
 pub fn to_words(policy: &QuantisedPolicy) -> Result<Vec<u32>, InputError> {
-    let refuse = |path: &str, found: String, accepted: &str| {
-        InputError::new("policy.q.json", Place::Path(path.to_owned()), found, accepted)
-    };
+    let refuse = |found: String, accepted: &str| InputError::new("policy.q.json", "$.layers", found, accepted);
     let (scales, values) = (meaning::scales(&policy.inputs), policy.output.values());
     let meaning =
         Meaning { contract: policy.contract(), inputs: &scales, answer: policy.output.answer(), values: &values };
     let rescales: Vec<Vec<Rescale>> = policy.layers.iter().map(|layer| layer.rescales()).collect();
     if let Some(at) = rescales.iter().flatten().find(|rescale| rescale.multiplier().is_none()) {
-        return Err(refuse("$.layers", format!("{at:?}"), "factor / 2^shift below 1/2, and exact in 32 bits"));
+        return Err(refuse(format!("{at:?}"), "factor / 2^shift below 1/2, and exact in 32 bits"));
     }
     let mut sizes = Vec::new();
     let mut rows = Vec::new();
@@ -52,7 +50,7 @@ pub fn to_words(policy: &QuantisedPolicy) -> Result<Vec<u32>, InputError> {
     let mut words = vec![0; net::words(&sizes, &meaning)];
     if !net::pack(&rows, &meaning, &mut words) {
         let accepted = format!("1 to {} layers of at most {} values", net::LAYERS, net::WIDTH);
-        return Err(refuse("$.layers", format!("layers of {sizes:?}"), &accepted));
+        return Err(refuse(format!("layers of {sizes:?}"), &accepted));
     }
     Ok(words)
 }

@@ -3,7 +3,7 @@
 use super::meaning::{self, Input, Output};
 use serde::{Deserialize, Serialize};
 use std::ops::Deref;
-use tpg_graph::error::{InputError, Place};
+use tpg_graph::error::InputError;
 use tpg_runtime::net::{HIDDEN, Kind, LAST, LAYERS, LayerRows, Rescale, WIDTH, Weights, accumulate, contract, integer};
 
 /// The rule by which accumulators are rescaled.
@@ -104,12 +104,10 @@ impl QuantisedPolicy {
 
     /// Checks what the types leave open, and proves that no accumulator can overflow.
     pub(super) fn check(&self, file: &str) -> Result<(), InputError> {
-        let refuse = |path: String, found: String, accepted: String| {
-            Err(InputError::new(file, Place::Path(path), found, accepted))
-        };
+        let refuse = |path: &str, found: String, accepted: String| Err(InputError::new(file, path, found, accepted));
         if Kind::from_name(&self.kind).is_none() {
             let accepted = Kind::ALL.map(Kind::name).join(", ");
-            return refuse("$.kind".to_owned(), format!("{:?}", self.kind), accepted);
+            return refuse("$.kind", format!("{:?}", self.kind), accepted);
         }
         meaning::check_inputs(file, &self.inputs)?;
         self.output.check(file)?;
@@ -121,21 +119,25 @@ impl QuantisedPolicy {
             let lengths = [inputs, layer.weights.len(), layer.bias.len(), layer.factor.len(), layer.shift.len()];
             if sizes != lengths || layer.inputs == 0 || layer.outputs == 0 {
                 return refuse(
-                    path("inputs"),
+                    &path("inputs"),
                     format!("{sizes:?}"),
                     format!("the sizes of what is there, {lengths:?}"),
                 );
             }
             if layer.inputs > WIDTH || layer.outputs > WIDTH {
                 return refuse(
-                    path("inputs"),
+                    &path("inputs"),
                     format!("{} to {}", layer.inputs, layer.outputs),
                     format!("up to {WIDTH}"),
                 );
             }
             let (least, greatest) = layer.kind.weights();
             if let Some(weight) = layer.weights.iter().find(|weight| !(least..=greatest).contains(weight)) {
-                return refuse(path("weights"), weight.to_string(), format!("{least} to {greatest}, as {}", self.kind));
+                return refuse(
+                    &path("weights"),
+                    weight.to_string(),
+                    format!("{least} to {greatest}, as {}", self.kind),
+                );
             }
             let rescale = layer.rescales();
             let weights = Weights::I16(&layer.weights);
@@ -145,21 +147,21 @@ impl QuantisedPolicy {
                 let worst = rows.worst_accumulator(row);
                 if worst > i64::from(i32::MAX) {
                     let found = format!("row {row} can reach {worst}");
-                    return refuse(path("weights"), found, format!("accumulators up to {}", i32::MAX));
+                    return refuse(&path("weights"), found, format!("accumulators up to {}", i32::MAX));
                 }
                 if layer.factor[row] < 0 || !(1..=47).contains(&layer.shift[row]) {
                     let found = format!("row {row}: {} and {}", layer.factor[row], layer.shift[row]);
-                    return refuse(path("shift"), found, "a factor from 0 and a shift of 1 to 47".to_owned());
+                    return refuse(&path("shift"), found, "a factor from 0 and a shift of 1 to 47".to_owned());
                 }
             }
             inputs = layer.outputs;
         }
         if !(1..=LAYERS).contains(&self.layers.len()) {
-            return refuse("$.layers".to_owned(), format!("{} layers", self.layers.len()), format!("1 to {LAYERS}"));
+            return refuse("$.layers", format!("{} layers", self.layers.len()), format!("1 to {LAYERS}"));
         }
         match self.output.count() {
             Some(count) if count != inputs => {
-                refuse("$.layers".to_owned(), format!("{inputs} outputs"), format!("{count}, as \"output\" names"))
+                refuse("$.layers", format!("{inputs} outputs"), format!("{count}, as \"output\" names"))
             }
             _ => Ok(()),
         }

@@ -8,7 +8,7 @@ use crate::verify::{BuildError, Workshop, c_command, compile};
 use askama::Template;
 use std::io::{self, Seek as _, Write as _};
 use std::process::{Command, Stdio};
-use tpg_graph::error::{InputError, Place};
+use tpg_graph::error::InputError;
 use tpg_runtime::net::{FRACTION_ONE, Squash, Value};
 
 /// Values of the table of tanh, 1/32 apart.
@@ -53,8 +53,7 @@ struct Harness<'a> {
 /// For a network of the arm's preferences, which `tpg_sac_init` of the C library turns into moves.
 pub fn to_plain_c(policy: &QuantisedPolicy, prefix: &Prefix) -> Result<Vec<File>, InputError> {
     if let Output::Preferences(_) = policy.output {
-        let place = Place::Path("$.output".to_owned());
-        return Err(InputError::new("policy.q.json", place, "preferences", "values or an argmax"));
+        return Err(InputError::new("policy.q.json", "$.output", "preferences", "values or an argmax"));
     }
     let size =
         format!("{} multiplications a decision, {} bytes of constants.", policy.multiplications(), policy.bytes());

@@ -4,7 +4,9 @@ use super::form::{Form, forms};
 use crate::formula;
 use crate::integers::{Unfit, Whole};
 use crate::ir::{Module, Node, NodeId, Values};
-use tpg_graph::Counts;
+use Instruction::*;
+use Node::*;
+use tpg_graph::{Counts, Range};
 use tpg_runtime::ops::{BY_ZERO, Instruction};
 
 /// The greatest magnitude of a sum: one below what stands for infinity.
@@ -61,14 +63,14 @@ impl<'a> Builder<'a> {
         let id = self.values.intern(node);
         if id.index() == self.wholes.len() {
             let whole = match node {
-                Node::Constant(bits) => Whole::exactly(f64::from_bits(bits)),
-                Node::Input(input) if input.index() >= self.memory => {
+                Constant(bits) => Whole::exactly(f64::from_bits(bits)),
+                Input(input) if input.index() >= self.memory => {
                     let greatest = self.counts[input.index()].scale.recip() * self.magnitude_of_input(input.index());
                     Whole::between(-greatest.ceil(), greatest.ceil())
                 }
-                Node::Input(input) => Ok(Whole::of_bits(self.counts[input.index()].container())),
-                Node::Operation(instruction, [a, b]) => Whole::apply(instruction, self.whole(a), self.whole(b)),
-                Node::Upper(..) => Err(Unfit::NotWhole),
+                Input(input) => Ok(Whole::of_bits(self.counts[input.index()].container())),
+                Operation(instruction, [a, b]) => Whole::apply(instruction, self.whole(a), self.whole(b)),
+                Upper(..) => Err(Unfit::NotWhole),
             };
             self.wholes.push(whole.map_err(|unfit| Refusal(format!("{unfit:?}")))?);
         }
@@ -81,7 +83,7 @@ impl<'a> Builder<'a> {
     }
 
     fn operation(&mut self, instruction: Instruction, a: NodeId, b: NodeId) -> Result<NodeId, Refusal> {
-        self.intern(Node::Operation(instruction, [a, b]))
+        self.intern(Operation(instruction, [a, b]))
     }
 
     fn with_number(&mut self, instruction: Instruction, a: NodeId, number: f64) -> Result<NodeId, Refusal> {
@@ -93,7 +95,7 @@ impl<'a> Builder<'a> {
         let counts = self.counts[input];
         if input >= self.memory {
             let range = self.module.graph.state_ranges().nth(input);
-            return range.map_or(0.0, |range| range.min.abs().max(range.max.abs()));
+            return range.map_or(0.0, Range::magnitude);
         }
         let limits = Counts { bits: counts.container(), ..counts }.limits();
         limits.into_iter().map(|count| counts.value(count).abs()).fold(0.0, f64::max)
@@ -108,14 +110,12 @@ impl<'a> Builder<'a> {
 
     fn magnitude_of_term(&self, id: NodeId) -> f64 {
         match self.module.node(id) {
-            Node::Input(input) => self.magnitude_of_input(input.index()),
-            Node::Constant(_) | Node::Upper(..) => 0.0,
-            Node::Operation(instruction, [a, b]) => match instruction {
-                Instruction::Mul => self.magnitude(a) * self.magnitude(b),
-                Instruction::Min | Instruction::Max => self.magnitude(a).max(self.magnitude(b)),
-                Instruction::Abs | Instruction::NegateIfLess | Instruction::Gate | Instruction::Fmod => {
-                    self.magnitude(a)
-                }
+            Input(input) => self.magnitude_of_input(input.index()),
+            Constant(_) | Upper(..) => 0.0,
+            Operation(instruction, [a, b]) => match instruction {
+                Mul => self.magnitude(a) * self.magnitude(b),
+                Min | Max => self.magnitude(a).max(self.magnitude(b)),
+                Abs | NegateIfLess | Gate | Fmod => self.magnitude(a),
                 _ => 0.0,
             },
         }
@@ -124,7 +124,7 @@ impl<'a> Builder<'a> {
     /// The greatest error that rounding the weight of a term makes.
     fn half_of(&self, id: NodeId) -> f64 {
         match self.module.node(id) {
-            Node::Input(input) => {
+            Input(input) => {
                 -0.5 * Counts { bits: self.counts[input.index()].container(), ..self.counts[input.index()] }.limits()[0]
             }
             _ => 0.5,
@@ -140,15 +140,11 @@ impl<'a> Builder<'a> {
         let mut room = if magnitude > 0.0 { (MOST - halves - HALF) / magnitude } else { f64::INFINITY };
         for (&term, weight) in &form.terms {
             let of_term = match self.module.node(term) {
-                Node::Input(input) if input.index() < self.memory => {
-                    (self.weights + 0.49) / self.counts[input.index()].scale
-                }
-                Node::Operation(instruction, [a, b]) => match instruction {
-                    Instruction::Mul => MOST / 2.0 / (self.magnitude(a) * self.magnitude(b)),
-                    Instruction::Min | Instruction::Max | Instruction::NegateIfLess | Instruction::Fmod => {
-                        self.room(a).min(self.room(b))
-                    }
-                    Instruction::Abs | Instruction::Gate => self.room(a),
+                Input(input) if input.index() < self.memory => (self.weights + 0.49) / self.counts[input.index()].scale,
+                Operation(instruction, [a, b]) => match instruction {
+                    Mul => MOST / 2.0 / (self.magnitude(a) * self.magnitude(b)),
+                    Min | Max | NegateIfLess | Fmod => self.room(a).min(self.room(b)),
+                    Abs | Gate => self.room(a),
                     _ => f64::INFINITY,
                 },
                 _ => f64::INFINITY,
@@ -166,28 +162,24 @@ impl<'a> Builder<'a> {
         // Inputs in their order.
         let mut ordered: Vec<(NodeId, f64)> = form.terms.into_iter().collect();
         ordered.sort_by_key(|&(term, _)| match self.module.node(term) {
-            Node::Input(input) => (input.index(), term),
+            Input(input) => (input.index(), term),
             _ => (usize::MAX, term),
         });
         for (term, weight) in ordered {
             let wanted = weight * scale;
             match self.module.node(term) {
-                Node::Input(input) if input.index() < self.memory => {
+                Input(input) if input.index() < self.memory => {
                     let counts = self.counts[input.index()];
                     let whole = (wanted * counts.scale).round();
                     self.vanished += usize::from(whole == 0.0);
                     bias -= (whole * counts.offset).round();
                     if whole != 0.0 {
-                        let input = self.intern(Node::Input(input))?;
-                        terms.push(if whole == 1.0 {
-                            input
-                        } else {
-                            self.with_number(Instruction::Mul, input, whole)?
-                        });
+                        let input = self.intern(Input(input))?;
+                        terms.push(if whole == 1.0 { input } else { self.with_number(Mul, input, whole)? });
                     }
                 }
-                Node::Input(input) => {
-                    let place = self.intern(Node::Input(input))?;
+                Input(input) => {
+                    let place = self.intern(Input(input))?;
                     terms.push(self.remembered(place, wanted * self.counts[input.index()].scale)?);
                 }
                 _ => terms.push(self.scaled(term, wanted)?),
@@ -201,7 +193,7 @@ impl<'a> Builder<'a> {
                     // Only what may be infinite does not fit.
                     let left = MOST - self.whole(sum).magnitude() as f64 - bias.abs();
                     let term = self.limited(term, left)?;
-                    self.operation(Instruction::Add, sum, term)?
+                    self.operation(Add, sum, term)?
                 }
             };
             sum = Some(term);
@@ -211,7 +203,7 @@ impl<'a> Builder<'a> {
             Some(sum) if bias == 0.0 => Ok(sum),
             Some(sum) => {
                 let sum = self.limited(sum, MOST - bias.abs())?;
-                self.with_number(Instruction::Add, sum, bias)
+                self.with_number(Add, sum, bias)
             }
         }
     }
@@ -219,21 +211,21 @@ impl<'a> Builder<'a> {
     /// A memory's count times a factor: exactly where it is whole, else by a weight of 15 bits of fewer counts.
     fn remembered(&mut self, place: NodeId, factor: f64) -> Result<NodeId, Refusal> {
         if factor.fract() == 0.0 {
-            return if factor == 1.0 { Ok(place) } else { self.with_number(Instruction::Mul, place, factor) };
+            return if factor == 1.0 { Ok(place) } else { self.with_number(Mul, place, factor) };
         }
         let (narrow, by) = self.narrowed(place)?;
         let bits = (NARROW / (factor.abs() * by)).log2().floor().clamp(0.0, 20.0);
-        let product = self.with_number(Instruction::Mul, narrow, (factor * by * bits.exp2()).round())?;
+        let product = self.with_number(Mul, narrow, (factor * by * bits.exp2()).round())?;
         self.shifted(product, bits)
     }
 
     /// The nearest number to a quotient by a power of two.
     fn shifted(&mut self, id: NodeId, bits: f64) -> Result<NodeId, Refusal> {
         if bits <= 0.0 {
-            return if bits == 0.0 { Ok(id) } else { self.with_number(Instruction::Mul, id, (-bits).exp2()) };
+            return if bits == 0.0 { Ok(id) } else { self.with_number(Mul, id, (-bits).exp2()) };
         }
-        let half = self.with_number(Instruction::Add, id, (bits - 1.0).exp2())?;
-        self.with_number(Instruction::Quotient, half, bits.exp2())
+        let half = self.with_number(Add, id, (bits - 1.0).exp2())?;
+        self.with_number(Quotient, half, bits.exp2())
     }
 
     /// A number of 15 bits and a sign, and what it was divided by.
@@ -251,10 +243,10 @@ impl<'a> Builder<'a> {
         let Whole { low, high } = self.whole(id);
         let mut id = id;
         if (high as f64) > most {
-            id = self.with_number(Instruction::Min, id, most)?;
+            id = self.with_number(Min, id, most)?;
         }
         if (low as f64) < -most {
-            id = self.with_number(Instruction::Max, id, -most)?;
+            id = self.with_number(Max, id, -most)?;
         }
         Ok(id)
     }
@@ -262,11 +254,11 @@ impl<'a> Builder<'a> {
     /// A factor or divisor: at most 15 bits and a sign, and its scale.
     fn factor(&mut self, id: NodeId) -> Result<(NodeId, f64), Refusal> {
         if let Some((term, weight)) = self.form(id).multiple()
-            && let Node::Input(input) = self.module.node(term)
+            && let Input(input) = self.module.node(term)
             && input.index() < self.memory
             && self.counts[input.index()].offset == 0.0
         {
-            return Ok((self.intern(Node::Input(input))?, 1.0 / (weight * self.counts[input.index()].scale)));
+            return Ok((self.intern(Input(input))?, 1.0 / (weight * self.counts[input.index()].scale)));
         }
         let scale = power_below(self.room(id));
         let value = self.at(id, scale, 0.0)?;
@@ -276,7 +268,7 @@ impl<'a> Builder<'a> {
 
     /// A value that is no sum, times a scale.
     fn scaled(&mut self, id: NodeId, scale: f64) -> Result<NodeId, Refusal> {
-        let Node::Operation(instruction, [a, b]) = self.module.node(id) else {
+        let Operation(instruction, [a, b]) = self.module.node(id) else {
             // An infinite constant, or NaN.
             let value = self.module.node(id).as_constant().unwrap_or(f64::NAN) * scale;
             return self.number(if value.is_nan() {
@@ -286,21 +278,21 @@ impl<'a> Builder<'a> {
             });
         };
         match instruction {
-            Instruction::Mul => self.product(a, b, scale),
-            Instruction::Div => self.quotient(a, b, scale),
-            Instruction::Min | Instruction::Max => {
+            Mul => self.product(a, b, scale),
+            Div => self.quotient(a, b, scale),
+            Min | Max => {
                 let (a, b) = (self.at(a, scale, 0.0)?, self.at(b, scale, 0.0)?);
-                let turned = if instruction == Instruction::Min { Instruction::Max } else { Instruction::Min };
+                let turned = if instruction == Min { Max } else { Min };
                 self.operation(if scale < 0.0 { turned } else { instruction }, a, b)
             }
-            Instruction::Abs | Instruction::NegateIfLess | Instruction::Gate | Instruction::Fmod => {
+            Abs | NegateIfLess | Gate | Fmod => {
                 let magnitude = scale.abs();
                 let a = self.at(a, magnitude, 0.0)?;
                 // What is no number must not become the greatest by a change of its sign.
                 let a = self.limited(a, f64::from(BY_ZERO))?;
                 let b = match instruction {
-                    Instruction::Abs => a,
-                    Instruction::Gate => self.sign(b)?,
+                    Abs => a,
+                    Gate => self.sign(b)?,
                     _ => self.at(b, magnitude, 0.0)?,
                 };
                 let result = self.operation(instruction, a, b)?;
@@ -316,13 +308,13 @@ impl<'a> Builder<'a> {
         }
         let id = self.limited(id, f64::from(BY_ZERO))?;
         let zero = self.number(0.0)?;
-        self.operation(Instruction::Sub, zero, id)
+        self.operation(Sub, zero, id)
     }
 
     /// A number with the sign of a value, as exactly as there is room.
     fn sign(&mut self, id: NodeId) -> Result<NodeId, Refusal> {
         if let Some((term, weight)) = self.form(id).multiple()
-            && let Node::Input(_) = self.module.node(term)
+            && let Input(_) = self.module.node(term)
             && weight > 0.0
         {
             return self.factor(term).map(|(input, _)| input);
@@ -344,8 +336,8 @@ impl<'a> Builder<'a> {
         let a_scale = scale * bits.exp2() / b_scale;
         let finer = (self.room(a) / a_scale.abs()).log2().floor().clamp(0.0, 30.0);
         let a = self.at(a, a_scale * finer.exp2(), if finer > 0.0 { (finer - 1.0).exp2() } else { 0.0 })?;
-        let a = if finer > 0.0 { self.with_number(Instruction::Quotient, a, finer.exp2())? } else { a };
-        let product = self.operation(Instruction::Mul, a, b)?;
+        let a = if finer > 0.0 { self.with_number(Quotient, a, finer.exp2())? } else { a };
+        let product = self.operation(Mul, a, b)?;
         self.shifted(product, bits)
     }
 
@@ -354,7 +346,7 @@ impl<'a> Builder<'a> {
         if self.forms[b.index()].terms.is_empty() {
             // By 0: only signs matter.
             let a = self.sign(a)?;
-            let quotient = self.with_number(Instruction::Quotient, a, 0.0)?;
+            let quotient = self.with_number(Quotient, a, 0.0)?;
             return self.signed(quotient, scale);
         }
         let (b, b_scale) = self.factor(b)?;
@@ -365,17 +357,17 @@ impl<'a> Builder<'a> {
             coarser += 1.0;
         }
         let a = self.at(a, a_scale, 0.0)?;
-        let quotient = self.operation(Instruction::Quotient, a, b)?;
+        let quotient = self.operation(Quotient, a, b)?;
         if coarser == 0.0 {
             return Ok(quotient);
         }
         let limited = self.limited(quotient, (MOST / coarser.exp2()).floor())?;
-        self.with_number(Instruction::Mul, limited, coarser.exp2())
+        self.with_number(Mul, limited, coarser.exp2())
     }
 
     /// The nearest count of a value to a scale that is a power of two.
     pub(super) fn rounded(&mut self, id: NodeId, scale: f64) -> Result<NodeId, Refusal> {
-        let is_sum = self.form(id).multiple().is_none_or(|(term, _)| matches!(self.module.node(term), Node::Input(_)));
+        let is_sum = self.form(id).multiple().is_none_or(|(term, _)| matches!(self.module.node(term), Input(_)));
         // The half needs room, too.
         let bits = (power_below(self.room(id)) / scale).log2().clamp(-30.0, 17.0);
         if !is_sum && bits >= 0.0 || bits == 0.0 {
@@ -383,10 +375,10 @@ impl<'a> Builder<'a> {
         }
         if bits < 0.0 {
             let coarse = self.at(id, scale * bits.exp2(), 0.0)?;
-            return self.with_number(Instruction::Mul, coarse, (-bits).exp2());
+            return self.with_number(Mul, coarse, (-bits).exp2());
         }
         let sum = self.at(id, scale * bits.exp2(), (bits - 1.0).exp2())?;
-        self.with_number(Instruction::Quotient, sum, bits.exp2())
+        self.with_number(Quotient, sum, bits.exp2())
     }
 }
 

@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 use std::fmt;
-use tpg_graph::Graph;
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::states::StateSet;
+use tpg_graph::{Graph, Output};
 
 /// The comparison on some states.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -40,16 +40,13 @@ impl Comparison {
     /// Compares on states of values.
     pub(super) fn new(graph: &Graph, counted: &Graph, set: &StateSet) -> Self {
         let length = graph.state_length();
-        let answered = graph.outputs().len() - graph.memory();
+        let ((answered, values), (_, kept)) = (graph.split_outputs(), counted.split_outputs());
         let names: Vec<String> = graph.inputs().map(|input| graph.input_name(input)).collect();
-        let memory: Vec<f64> = (graph.outputs()[answered..].iter().zip(&counted.outputs()[answered..]))
-            .map(|(value, counts)| {
-                counts.range.max.abs().max(counts.range.min.abs()) / value.range.max.abs().max(value.range.min.abs())
-            })
-            .collect();
+        let scale = |(value, counts): (&Output, &Output)| counts.range.magnitude() / value.range.magnitude();
+        let memory: Vec<f64> = values.iter().zip(kept).map(scale).collect();
         let (mut states, mut same, mut saturated) = (0, 0, 0);
         let mut of_inputs = vec![0_usize; length];
-        let mut sums = vec![(0.0_f64, 0.0_f64, 0_usize); answered];
+        let mut sums = vec![(0.0_f64, 0.0_f64, 0_usize); answered.len()];
         set.each_batch(|batch| {
             let mut counts = Vec::with_capacity(batch.len());
             for state in batch.chunks_exact(length) {

@@ -26,7 +26,7 @@ use program::Programs;
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::fmt;
-use tpg_graph::error::{InputError, Place};
+use tpg_graph::error::InputError;
 use tpg_graph::states::StateSet;
 use tpg_graph::{
     Counts, Document, EdgeDocument, Graph, LeafDocument, MathsProvider, MemoryDocument, OutputDocument,
@@ -90,15 +90,9 @@ impl fmt::Display for Report {
 /// A value that cannot be put into integers: one whose range has no width or no end, an output without limits that mean something, an
 /// instruction that integers do not have.
 pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Graph, Report), InputError> {
-    let refuse = |place: String, found: String, accepted: &str| {
-        Err(InputError::new(file, Place::Path(place), found, accepted.to_owned()))
-    };
+    let refuse = |place: &str, found: &str, accepted: &str| Err(InputError::new(file, place, found, accepted));
     if graph.has_counts() {
-        return refuse(
-            "$.sources[0].counts".to_owned(),
-            "a graph of counts".to_owned(),
-            "a graph that is not in integers yet",
-        );
+        return refuse("$.sources[0].counts", "a graph of counts", "a graph that is not in integers yet");
     }
     if let Some(place) = graph.sources().iter().position(|source| source.image.is_some()) {
         let place = format!("$.sources[{place}].image");
@@ -106,7 +100,7 @@ pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Gra
     }
     let (module, _) = passes::optimise(graph);
     let counts = counts(file, graph, &module, request)?;
-    let observed = graph.state_length() - graph.memory();
+    let observed = graph.observed_length();
     let mut quantiser = Quantiser {
         graph,
         module: &module,
@@ -118,7 +112,7 @@ pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Gra
         Ok(document) => document,
         Err(Refusal(found)) => {
             let accepted = "sums, products, quotients, minima, maxima, magnitudes and choices";
-            return refuse("$.programs".to_owned(), found, accepted);
+            return refuse("$.programs", &found, accepted);
         }
     };
     let Quantiser { builder, bounds, .. } = quantiser;
@@ -126,10 +120,11 @@ pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Gra
     let counted = Graph::from_document(file, document)?;
     let comparison = Comparison::new(graph, &counted, request.compared);
     for (output, difference) in graph.outputs().iter().zip(&comparison.outputs) {
-        let counts = OutputScale::new(output.range);
-        if !difference.mean.is_finite() || counts.is_too_coarse(output.range) {
+        // Even one count would be beyond what any actuator does.
+        let is_too_coarse = output.range.max - output.range.min > 1e30;
+        if !difference.mean.is_finite() || is_too_coarse {
             let found = format!("{:?} limited to {}", output.name, output.range);
-            return refuse("$.outputs".to_owned(), found, "limits that the actuator has");
+            return refuse("$.outputs", &found, "limits that the actuator has");
         }
     }
     let report = Report { inputs: request.inputs, weights: request.weights, bounds, vanished, comparison };
@@ -139,7 +134,7 @@ pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Gra
 /// The counts of each value of the state; of memory, those that the graph keeps.
 fn counts(file: &str, graph: &Graph, module: &Module<'_>, request: &Request<'_>) -> Result<Vec<Counts>, InputError> {
     let mut ranges: Vec<Range> = graph.state_ranges().collect();
-    let observed = graph.state_length() - graph.memory();
+    let observed = graph.observed_length();
     if let Some(set) = request.visited {
         ranges.truncate(observed);
         ranges.fill(Range { min: f64::INFINITY, max: f64::NEG_INFINITY });
@@ -157,7 +152,7 @@ fn counts(file: &str, graph: &Graph, module: &Module<'_>, request: &Request<'_>)
     let top = f64::from((1_u32 << (request.inputs - 1)) - 1);
     (graph.inputs().zip(&ranges))
         .map(|(input, range)| {
-            let greatest = range.min.abs().max(range.max.abs());
+            let greatest = range.magnitude();
             if input.index() >= observed {
                 return Ok(Counts { bits: 16, scale: 1.0 / memory_scale(greatest), offset: 0.0 });
             }
@@ -168,7 +163,7 @@ fn counts(file: &str, graph: &Graph, module: &Module<'_>, request: &Request<'_>)
                 let found = format!("{}: {range}, {what}", graph.input_name(input));
                 let accepted =
                     if request.visited.is_some() { "states in which it varies, finite" } else { "a range that it has" };
-                return Err(InputError::new(file, Place::Path("$.sources".to_owned()), found, accepted));
+                return Err(InputError::new(file, "$.sources", found, accepted));
             }
             let scale = greatest * request.margin / top;
             Ok(Counts {
@@ -181,24 +176,16 @@ fn counts(file: &str, graph: &Graph, module: &Module<'_>, request: &Request<'_>)
 }
 
 /// The scale of an output: the greatest power of two at which its range fits.
-struct OutputScale(f64);
+fn output_scale(range: Range) -> f64 {
+    let top = f64::from((1_u32 << (OUTPUT_BITS - 1)) - 1);
+    let greatest = range.magnitude();
+    // One bit is left: as many counts as a Q14 has.
+    if greatest == 0.0 { 1.0 } else { power_below(top / greatest).min(16384.0) }
+}
 
-impl OutputScale {
-    fn new(range: Range) -> Self {
-        let top = f64::from((1_u32 << (OUTPUT_BITS - 1)) - 1);
-        let greatest = range.min.abs().max(range.max.abs());
-        // One bit is left: as many counts as a Q14 has.
-        Self(if greatest == 0.0 { 1.0 } else { power_below(top / greatest).min(16384.0) })
-    }
-
-    /// Tests for counts of which even one is beyond what any actuator does.
-    fn is_too_coarse(&self, range: Range) -> bool {
-        range.max - range.min > 1e30
-    }
-
-    fn counts(&self, value: f64) -> f64 {
-        (value * self.0).round() + 0.0
-    }
+/// The count of a value; not −0.
+fn scaled(value: f64, scale: f64) -> f64 {
+    (value * scale).round() + 0.0
 }
 
 struct Quantiser<'a> {
@@ -222,7 +209,6 @@ impl Quantiser<'_> {
             reached(&module.leaves).map(|(_, leaf)| self.leaf(leaf, counts)).collect::<Result<_, _>>()?;
         let programs = std::mem::take(&mut self.programs);
         let programs_written = (0..).zip(programs.all).map(|(id, (_, lines))| ProgramDocument { id, lines }).collect();
-        let answered = self.graph.outputs().len() - self.graph.memory();
         let original = self.graph.to_document();
         let mut provenance = original.provenance.clone();
         let said = json!({ "inputs": request.inputs, "weights": request.weights, "graph_sha256": self.graph.sha256() });
@@ -240,7 +226,7 @@ impl Quantiser<'_> {
             registers: programs.registers,
             sources: self.sources(counts),
             instructions: if words.is_empty() { vec!["copy".to_owned()] } else { words.into_iter().collect() },
-            outputs: self.graph.outputs()[..answered].iter().map(output).collect(),
+            outputs: self.graph.split_outputs().0.iter().map(output).collect(),
             memory: original.memory.iter().map(memory).collect(),
             root: (!is_formula).then(|| module.teams[0].label),
             teams,
@@ -253,8 +239,7 @@ impl Quantiser<'_> {
 
     fn sources(&self, counts: &[Counts]) -> Vec<SourceDocument> {
         let mut counts = counts.iter();
-        let seen = self.graph.sources().len() - self.graph.memory();
-        (self.graph.state_sources().into_iter().take(seen))
+        (self.graph.state_sources().into_iter().take(self.graph.observed().len()))
             .map(|source| {
                 let counts: Vec<Counts> = counts.by_ref().take(source.length as usize).copied().collect();
                 let ranges = source.ranges.iter().zip(&counts);
@@ -290,13 +275,12 @@ impl Quantiser<'_> {
     }
 
     fn leaf(&mut self, leaf: &crate::ir::Leaf, counts: &[Counts]) -> Result<LeafDocument, Refusal> {
-        let observed = self.graph.state_length() - self.graph.memory();
-        let answered = self.graph.outputs().len() - self.graph.memory();
+        let (observed, answered) = (self.graph.observed_length(), self.graph.split_outputs().0.len());
         let (mut programs, mut memory) = (Vec::new(), Vec::new());
         for (place, (output, &value)) in self.graph.outputs().iter().zip(&leaf.values).enumerate() {
             let whole = match place.checked_sub(answered) {
                 Some(place) => self.builder.at(value, 1.0 / counts[observed + place].scale, 0.0)?,
-                None => self.builder.rounded(value, OutputScale::new(output.range).0)?,
+                None => self.builder.rounded(value, output_scale(output.range))?,
             };
             let inner = match self.builder.values.node(whole) {
                 Node::Operation(tpg_runtime::ops::Instruction::Quotient, [sum, _]) => sum,
@@ -315,19 +299,19 @@ impl Quantiser<'_> {
 }
 
 fn output(output: &tpg_graph::Output) -> OutputDocument {
-    let scale = OutputScale::new(output.range);
+    let scale = output_scale(output.range);
     OutputDocument {
         name: output.name.clone(),
         unit: output.unit.clone(),
-        min: scale.counts(output.range.min),
-        max: scale.counts(output.range.max),
-        nan: scale.counts(output.nan),
-        counts: Some(Counts { bits: OUTPUT_BITS, scale: 1.0 / scale.0, offset: 0.0 }),
+        min: scaled(output.range.min, scale),
+        max: scaled(output.range.max, scale),
+        nan: scaled(output.nan, scale),
+        counts: Some(Counts { bits: OUTPUT_BITS, scale: 1.0 / scale, offset: 0.0 }),
     }
 }
 
 fn memory(memory: &MemoryDocument) -> MemoryDocument {
-    let scale = memory_scale(memory.min.abs().max(memory.max.abs()));
-    let [min, max, initial] = [memory.min, memory.max, memory.initial].map(|value| (value * scale).round() + 0.0);
+    let scale = memory_scale(Range { min: memory.min, max: memory.max }.magnitude());
+    let [min, max, initial] = [memory.min, memory.max, memory.initial].map(|value| scaled(value, scale));
     MemoryDocument { name: memory.name.clone(), min, max, initial }
 }

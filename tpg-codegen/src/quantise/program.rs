@@ -1,6 +1,6 @@
 //! Whole numbers as lines of programs.
 
-use crate::ir::{Node, NodeId, Values, needed};
+use crate::ir::{Node::*, NodeId, Values, needed};
 use std::collections::{BTreeMap, BTreeSet};
 use tpg_graph::{Graph, LineDocument, OperandDocument};
 use tpg_runtime::ops::Instruction;
@@ -39,11 +39,11 @@ impl Programs {
             }
         }
         let is_product =
-            |id: NodeId| matches!(values.node(id), Node::Operation(Instruction::Mul, _)) && uses.get(&id) == Some(&1);
+            |id: NodeId| matches!(values.node(id), Operation(Instruction::Mul, _)) && uses.get(&id) == Some(&1);
         // Products that are added to a sum are part of its line.
         let mut added = BTreeSet::new();
         for (place, &id) in operations.iter().enumerate() {
-            if let Node::Operation(Instruction::Add, [a, b]) = values.node(id)
+            if let Operation(Instruction::Add, [a, b]) = values.node(id)
                 && is_product(b)
                 && values.node(a).is_computed()
                 && uses.get(&a) == Some(&1)
@@ -59,21 +59,21 @@ impl Programs {
         let mut registers: BTreeMap<NodeId, u32> = BTreeMap::new();
         let mut lines = Vec::new();
         for (place, &id) in operations.iter().enumerate() {
-            let Node::Operation(instruction, [a, b]) = values.node(id) else { continue };
+            let Operation(instruction, [a, b]) = values.node(id) else { continue };
             if added.contains(&id) {
                 continue;
             }
             let (op, operands, fixed) = match values.node(b) {
-                Node::Operation(_, [x, y]) if instruction == Instruction::Add && added.contains(&b) => {
+                Operation(_, [x, y]) if instruction == Instruction::Add && added.contains(&b) => {
                     ("multiply_add", vec![x, y], registers.remove(&a))
                 }
                 _ if instruction.arity() == 1 => (instruction.name(), vec![a], None),
                 _ => (instruction.name(), vec![a, b], None),
             };
             let args = operands.iter().map(|&operand| match values.node(operand) {
-                Node::Constant(bits) => OperandDocument::Constant(f64::from_bits(bits)),
-                Node::Input(input) => OperandDocument::Place(graph.input_name(input)),
-                Node::Operation(..) | Node::Upper(..) => OperandDocument::Place(format!("r{}", registers[&operand])),
+                Constant(bits) => OperandDocument::Constant(f64::from_bits(bits)),
+                Input(input) => OperandDocument::Place(graph.input_name(input)),
+                Operation(..) | Upper(..) => OperandDocument::Place(format!("r{}", registers[&operand])),
             });
             let args = args.collect();
             let is_later = |operand: &NodeId| last.get(operand).is_some_and(|&last| last > place);
@@ -88,10 +88,10 @@ impl Programs {
             Some(0) => {}
             Some(register) => lines.push(copy(OperandDocument::Place(format!("r{register}")))),
             None => match values.node(value) {
-                Node::Constant(bits) if f64::from_bits(bits) == 0.0 => {}
-                Node::Constant(bits) => lines.push(copy(OperandDocument::Constant(f64::from_bits(bits)))),
-                Node::Input(input) => lines.push(copy(OperandDocument::Place(graph.input_name(input)))),
-                Node::Operation(..) | Node::Upper(..) => {}
+                Constant(bits) if f64::from_bits(bits) == 0.0 => {}
+                Constant(bits) => lines.push(copy(OperandDocument::Constant(f64::from_bits(bits)))),
+                Input(input) => lines.push(copy(OperandDocument::Place(graph.input_name(input)))),
+                Operation(..) | Upper(..) => {}
             },
         }
         lines

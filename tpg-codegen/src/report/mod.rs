@@ -210,10 +210,10 @@ fn counts(optimised: &Module<'_>) -> GraphCounts {
         edges: lowered.teams.iter().map(|team| team.edges.len()).sum(),
         programs: lowered.bidders.len(),
         actions: graph.actions().len(),
-        outputs: graph.outputs().len() - graph.memory(),
+        outputs: graph.split_outputs().0.len(),
         memory: graph.memory(),
         leaves: graph.leaves().len(),
-        inputs: graph.state_length() - graph.memory(),
+        inputs: graph.observed_length(),
         lines,
         introns: lines - effective,
         distinct_operations: operations(&lowered),
@@ -237,8 +237,7 @@ fn dead_inputs(optimised: &Module<'_>) -> Vec<String> {
 }
 
 fn size_of(code: &Code<'_>, target: Target, profile: &'static str) -> ShapeSize {
-    let built = size::build_c(code, target).and_then(|built| Ok((size::measure(&built.object)?, built)));
-    let none = ShapeSize {
+    let mut found = ShapeSize {
         target,
         profile,
         flash: None,
@@ -249,28 +248,24 @@ fn size_of(code: &Code<'_>, target: Target, profile: &'static str) -> ShapeSize 
         sections: None,
         unavailable: None,
     };
-    match built {
-        Ok((size, built)) => {
-            let measured = ShapeSize { flash: Some(size.flash()), ram: Some(size.ram()), sections: Some(size), ..none };
-            let stack = built.stack.clone();
-            match built.link(code) {
-                Ok(None) => ShapeSize { stack, ..measured },
-                Ok(Some(Linked { size, bound })) => {
-                    let linked = ShapeSize { linked_flash: Some(size.flash()), ram: Some(size.ram()), ..measured };
-                    match bound {
-                        Some(Ok(Bound { instructions, stack })) => ShapeSize {
-                            instructions: Some(instructions),
-                            stack: Some(Stack { bytes: stack, without: Vec::new() }),
-                            ..linked
-                        },
-                        Some(Err(error)) => ShapeSize { stack, unavailable: Some(error), ..linked },
-                        None => ShapeSize { stack, ..linked },
-                    }
-                }
-                Err(error) => ShapeSize { stack, unavailable: Some(error.to_string()), ..measured },
-            }
+    found.unavailable = found.measure(code).err();
+    found
+}
+
+impl ShapeSize {
+    /// Fills in what can be measured.
+    fn measure(&mut self, code: &Code<'_>) -> Result<(), String> {
+        let built = size::build_c(code, self.target).map_err(|error| error.to_string())?;
+        let size = size::measure(&built.object).map_err(|error| error.to_string())?;
+        (self.flash, self.ram, self.sections) = (Some(size.flash()), Some(size.ram()), Some(size));
+        self.stack = built.stack.clone();
+        let Some(Linked { size, bound }) = built.link(code).map_err(|error| error.to_string())? else { return Ok(()) };
+        (self.linked_flash, self.ram) = (Some(size.flash()), Some(size.ram()));
+        if let Some(Bound { instructions, stack }) = bound.transpose()? {
+            self.instructions = Some(instructions);
+            self.stack = Some(Stack { bytes: stack, without: Vec::new() });
         }
-        Err(error) => ShapeSize { unavailable: Some(error.to_string()), ..none },
+        Ok(())
     }
 }
 

@@ -21,14 +21,9 @@ pub struct Linked {
 /// Links an object file of a folder, from `entry` on.
 pub(super) fn link(folder: &Path, target: Target, entry: &str, program: &Program<'_>) -> io::Result<Linked> {
     let (mut command, _) = target.compiler()?;
-    let name = command.get_program().to_string_lossy().into_owned();
     command.current_dir(folder).args(["-nostartfiles", "-Wl,--gc-sections"]).arg(format!("-Wl,-e,{entry}"));
-    let output = command.args(["policy.o", "-o", "image", "-lm"]).output()?;
-    if !output.status.success() {
-        let message = String::from_utf8_lossy(&output.stderr);
-        let first = message.lines().find(|line| line.contains("undefined") || line.contains("cannot"));
-        return Err(io::Error::other(format!("{name} cannot link it: {}", first.unwrap_or("it says nothing"))));
-    }
+    command.args(["policy.o", "-o", "image", "-lm"]);
+    super::run(command, "cannot link it", |line| line.contains("undefined") || line.contains("cannot"))?;
     let image = folder.join("image");
     let size = measure(&fs::read(&image)?)?;
     let bound = target.has_bound().then(|| {

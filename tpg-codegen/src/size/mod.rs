@@ -15,8 +15,8 @@ pub use target::Target;
 use crate::emit::Code;
 use crate::options::{Language, Options, Style};
 use crate::program::compile;
-use std::fs;
-use std::io;
+use std::process::Command;
+use std::{fs, io};
 use tempfile::TempDir;
 use tpg_graph::Graph;
 
@@ -81,13 +81,7 @@ pub fn build_c(code: &Code<'_>, target: Target) -> io::Result<Built> {
         command.arg("-fcallgraph-info=su");
     }
     command.arg("-c").arg(format!("{}.c", options.prefix)).args(["-o", "policy.o"]);
-    let name = command.get_program().to_string_lossy().into_owned();
-    let output = command.output().map_err(|error| io::Error::new(error.kind(), format!("{name}: {error}")))?;
-    if !output.status.success() {
-        let message = String::from_utf8_lossy(&output.stderr);
-        let first = message.lines().find(|line| line.contains("error")).unwrap_or("it says nothing");
-        return Err(io::Error::other(format!("{name} refused: {first}")));
-    }
+    run(command, "refused", |line| line.contains("error"))?;
     let entry = match options.style {
         Style::Pure => format!("{}_infer", options.prefix),
         Style::Gegelati => "inferenceTPG".to_owned(),
@@ -95,6 +89,18 @@ pub fn build_c(code: &Code<'_>, target: Target) -> io::Result<Built> {
     let call_graph = fs::read_to_string(folder.path().join("policy.ci")).ok();
     let stack = call_graph.and_then(|text| stack::deepest(&text, &entry));
     Ok(Built { object: fs::read(folder.path().join("policy.o"))?, stack, folder, target, entry })
+}
+
+/// Runs a compiler; where it fails, the first line that says why is the error.
+fn run(mut command: Command, refusal: &str, says_why: fn(&&str) -> bool) -> io::Result<()> {
+    let name = command.get_program().to_string_lossy().into_owned();
+    let output = command.output().map_err(|error| io::Error::new(error.kind(), format!("{name}: {error}")))?;
+    if output.status.success() {
+        return Ok(());
+    }
+    let message = String::from_utf8_lossy(&output.stderr);
+    let first = message.lines().find(says_why).unwrap_or("it says nothing");
+    Err(io::Error::other(format!("{name} {refusal}: {first}")))
 }
 
 /// Returns the flash of a piece of C on a Cortex-M4F, bytes.

@@ -7,7 +7,6 @@ use std::path::Path;
 use std::process::Command;
 use std::{fs, io};
 use tempfile::TempDir;
-use tpg_runtime::standalone;
 
 const TARGET: &str = "thumbv7em-none-eabihf";
 
@@ -24,14 +23,9 @@ impl RustForCortexM4 {
     /// If there is no compiler, or it lacks the target.
     pub fn new(level: &str) -> io::Result<Self> {
         let folder = TempDir::new()?;
-        let place = |name: &str| folder.path().join(name);
         // The runtime names the crate libm, a library that is called and not part of a policy: its symbols are enough.
-        fs::write(place("libm.rs"), libm())?;
-        for (name, text) in standalone::FILES {
-            let path = place("runtime").join(name);
-            fs::create_dir_all(path.parent().unwrap_or(folder.path()))?;
-            fs::write(path, text.replace("extern crate std;\n", ""))?;
-        }
+        fs::write(folder.path().join("libm.rs"), libm())?;
+        verify::write_runtime(folder.path(), |text| text.replace("extern crate std;\n", ""))?;
         let library = ["--crate-type=rlib", "--crate-name=libm", "libm.rs"];
         compile(folder.path(), level, &library)?;
         let runtime = ["--crate-type=rlib", "--crate-name=tpg_runtime", "--extern=libm=liblibm.rlib", "runtime/lib.rs"];

@@ -49,62 +49,42 @@ impl FromStr for Target {
     }
 }
 
-/// A family of compilers.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Family {
-    Host,
-    Arm,
-    RiscV,
-    Avr,
-}
+const ARM: &str = "arm-none-eabi-gcc";
+const RISC_V: &str = "riscv64-unknown-elf-gcc";
+const AVR: &str = "avr-gcc";
 
 impl Target {
     /// The targets of a report that names none.
     pub const DEFAULT: [Self; 2] = [Self::M4f, Self::Host];
 
-    /// The name in reports.
-    pub fn name(self) -> &'static str {
+    /// The name in reports, the compiler, and its flags for the core.
+    const fn described(self) -> (&'static str, &'static str, &'static [&'static str]) {
+        const SOFT: &str = "-mfloat-abi=soft";
+        const HARD: &str = "-mfloat-abi=hard";
         match self {
-            Self::Host => "this machine",
-            Self::M0 => "Cortex-M0",
-            Self::M3 => "Cortex-M3",
-            Self::M4 => "Cortex-M4",
-            Self::M4f => "Cortex-M4F",
-            Self::M7 => "Cortex-M7",
-            Self::M33 => "Cortex-M33",
-            Self::Rv32imac => "RV32IMAC",
-            Self::Rv32imafc => "RV32IMAFC",
-            Self::Rp2040 => "RP2040",
-            Self::Esp32C3 => "ESP32-C3",
-            Self::Atmega328p => "ATmega328P",
+            Self::Host => ("this machine", "", &[]),
+            Self::M0 => ("Cortex-M0", ARM, &["-mcpu=cortex-m0", "-mthumb", SOFT]),
+            Self::M3 => ("Cortex-M3", ARM, &["-mcpu=cortex-m3", "-mthumb", SOFT]),
+            Self::M4 => ("Cortex-M4", ARM, &["-mcpu=cortex-m4", "-mthumb", SOFT]),
+            Self::M4f => ("Cortex-M4F", ARM, &["-mcpu=cortex-m4", "-mthumb", HARD, "-mfpu=fpv4-sp-d16"]),
+            Self::M7 => ("Cortex-M7", ARM, &["-mcpu=cortex-m7", "-mthumb", HARD, "-mfpu=fpv5-sp-d16"]),
+            Self::M33 => ("Cortex-M33", ARM, &["-mcpu=cortex-m33", "-mthumb", HARD, "-mfpu=fpv5-sp-d16"]),
+            Self::Rv32imac => ("RV32IMAC", RISC_V, &["-march=rv32imac", "-mabi=ilp32", "-mcmodel=medany"]),
+            Self::Rv32imafc => ("RV32IMAFC", RISC_V, &["-march=rv32imafc", "-mabi=ilp32f", "-mcmodel=medany"]),
+            Self::Rp2040 => ("RP2040", ARM, &["-mcpu=cortex-m0plus", "-mthumb", SOFT]),
+            Self::Esp32C3 => ("ESP32-C3", RISC_V, &["-march=rv32imc", "-mabi=ilp32", "-mcmodel=medany"]),
+            Self::Atmega328p => ("ATmega328P", AVR, &["-mmcu=atmega328p"]),
         }
     }
 
-    fn family(self) -> Family {
-        match self {
-            Self::Host => Family::Host,
-            Self::M0 | Self::M3 | Self::M4 | Self::M4f | Self::M7 | Self::M33 | Self::Rp2040 => Family::Arm,
-            Self::Rv32imac | Self::Rv32imafc | Self::Esp32C3 => Family::RiscV,
-            Self::Atmega328p => Family::Avr,
-        }
+    /// The name in reports.
+    pub fn name(self) -> &'static str {
+        self.described().0
     }
 
     /// The compiler's flags for the core.
     pub const fn flags(self) -> &'static [&'static str] {
-        match self {
-            Self::Host => &[],
-            Self::M0 => &["-mcpu=cortex-m0", "-mthumb", "-mfloat-abi=soft"],
-            Self::M3 => &["-mcpu=cortex-m3", "-mthumb", "-mfloat-abi=soft"],
-            Self::M4 => &["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=soft"],
-            Self::M4f => &["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"],
-            Self::M7 => &["-mcpu=cortex-m7", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv5-sp-d16"],
-            Self::M33 => &["-mcpu=cortex-m33", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv5-sp-d16"],
-            Self::Rp2040 => &["-mcpu=cortex-m0plus", "-mthumb", "-mfloat-abi=soft"],
-            Self::Rv32imac => &["-march=rv32imac", "-mabi=ilp32", "-mcmodel=medany"],
-            Self::Rv32imafc => &["-march=rv32imafc", "-mabi=ilp32f", "-mcmodel=medany"],
-            Self::Esp32C3 => &["-march=rv32imc", "-mabi=ilp32", "-mcmodel=medany"],
-            Self::Atmega328p => &["-mmcu=atmega328p"],
-        }
+        self.described().2
     }
 
     /// Returns the compiler with the target's flags, and true if it writes a graph of calls.
@@ -112,30 +92,26 @@ impl Target {
     /// # Errors
     /// If this machine's compiler, which `CC` may name, is not there.
     pub(super) fn compiler(self) -> io::Result<(Command, bool)> {
-        let program = match self.family() {
-            Family::Host => {
-                let tool = verify::c_compiler().map_err(io::Error::other)?;
-                return Ok((tool.to_command(), tool.is_like_gnu()));
-            }
-            Family::Arm => "arm-none-eabi-gcc",
-            Family::RiscV => "riscv64-unknown-elf-gcc",
-            Family::Avr => "avr-gcc",
-        };
+        if self == Self::Host {
+            let tool = verify::c_compiler().map_err(io::Error::other)?;
+            return Ok((tool.to_command(), tool.is_like_gnu()));
+        }
+        let (_, program, flags) = self.described();
         let mut command = Command::new(program);
-        command.args(self.flags());
+        command.args(flags);
         // Debian's compiler for RISC-V comes without a library of C, which picolibc is.
-        if self.family() == Family::RiscV {
+        if program == RISC_V {
             let found = Command::new(program).arg("--print-file-name=picolibc.specs").output();
             if found.is_ok_and(|found| found.stdout.contains(&b'/')) {
                 command.arg("--specs=picolibc.specs");
             }
         }
         // Its GCC, an old one, draws no graph of calls.
-        Ok((command, self.family() != Family::Avr))
+        Ok((command, program != AVR))
     }
 
     /// True for cores whose linked code has a bound on instructions.
     pub(super) fn has_bound(self) -> bool {
-        matches!(self.family(), Family::Arm | Family::RiscV)
+        [ARM, RISC_V].contains(&self.described().1)
     }
 }

@@ -1,6 +1,6 @@
 //! Compiles generated code into small programs that decide over a pipe.
 
-use super::process::{Process, Wire};
+use super::process::{Process, wire};
 use crate::emit::c::field::field;
 use crate::emit::{Code, File};
 use crate::options::{Language, Options};
@@ -60,10 +60,10 @@ impl IntegerView {
     fn new(graph: &Graph) -> Self {
         let bits = |source: &Source| source.counts.iter().map(Counts::container).max().unwrap_or(32);
         let widest = graph.sources().iter().map(bits).max().unwrap_or(32);
-        let answered = graph.outputs().len() - graph.memory();
+        let (answered, _) = graph.split_outputs();
         Self {
             sources: graph.sources().iter().map(|source| format!("int{}_t", bits(source))).collect(),
-            outputs: graph.outputs()[..answered].iter().map(|output| field(graph, &output.name)).collect(),
+            outputs: answered.iter().map(|output| field(graph, &output.name)).collect(),
             state: format!("i{widest}"),
         }
     }
@@ -73,7 +73,7 @@ impl PolicyView {
     fn new(code: &Code<'_>) -> Self {
         let (graph, prefix) = (code.program.graph(), &code.program.options.prefix);
         let is_integers = matches!(code.program.shape, Shape::Integers(_));
-        let (seen, answered) = (graph.sources().len() - graph.memory(), graph.outputs().len() - graph.memory());
+        let (_, memory) = graph.split_outputs();
         Self {
             prefix: prefix.to_string(),
             name: prefix.camel(),
@@ -85,11 +85,11 @@ impl PolicyView {
                 (Language::Rust, scalar) => scalar.name(),
             },
             state_length: graph.state_length(),
-            sources: (graph.sources()[..seen].iter())
+            sources: (graph.observed().iter())
                 .map(|source| (field(graph, &source.name), source.ranges.len()))
                 .collect(),
             outputs: graph.outputs().len(),
-            memory: graph.outputs()[answered..].iter().map(|value| field(graph, &value.name)).collect(),
+            memory: memory.iter().map(|value| field(graph, &value.name)).collect(),
             gegelati: code.program.shape == Shape::Gegelati,
             integers: is_integers.then(|| IntegerView::new(graph)),
             image: Vision::new(&graph.state_sources()).map(|vision| {
@@ -105,7 +105,7 @@ impl PolicyView {
 pub struct Batch {
     program: PathBuf,
     language: Language,
-    wires: Vec<Wire>,
+    wires: Vec<Option<ScalarType>>,
 }
 
 impl Batch {
@@ -166,7 +166,7 @@ impl Workshop {
     /// See [`BuildError`].
     pub fn start(&self, code: &Code<'_>) -> Result<Process, BuildError> {
         let program = self.build(code.program.language, slice::from_ref(code), None)?;
-        Ok(Process::start(&program, 0, code.program.name(), code.program.graph(), Wire::new(code))?)
+        Ok(Process::start(&program, 0, code.program.name(), code.program.graph(), wire(code))?)
     }
 
     /// As [`start`](Self::start), for the function that reads an image: it gets bytes as numbers, and answers the values of a state.
@@ -218,7 +218,7 @@ impl Workshop {
         codes: &[Code<'_>],
         compiler: Option<&dyn Fn(&Path) -> Command>,
     ) -> Result<Batch, BuildError> {
-        let wires = codes.iter().map(Wire::new).collect();
+        let wires = codes.iter().map(wire).collect();
         Ok(Batch { program: self.build(language, codes, compiler)?, language, wires })
     }
 
@@ -331,13 +331,19 @@ pub fn runtime_library(folder: &Path) -> Result<(), BuildError> {
 
 /// As [`runtime_library`], by a command that runs in the folder.
 fn runtime_library_by(folder: &Path, mut library: Command) -> Result<(), BuildError> {
+    write_runtime(folder, str::to_owned)?;
+    library.args(["--crate-type=rlib", "--crate-name=tpg_runtime", "--cfg=feature=\"std\"", "runtime/lib.rs"]);
+    compile("Rust", library)
+}
+
+/// Writes the runtime's files to a folder in a folder.
+pub(crate) fn write_runtime(folder: &Path, changed: impl Fn(&str) -> String) -> io::Result<()> {
     for (name, text) in standalone::FILES {
         let path = folder.join("runtime").join(name);
         fs::create_dir_all(path.parent().unwrap_or(folder))?;
-        fs::write(path, text)?;
+        fs::write(path, changed(text))?;
     }
-    library.args(["--crate-type=rlib", "--crate-name=tpg_runtime", "--cfg=feature=\"std\"", "runtime/lib.rs"]);
-    compile("Rust", library)
+    Ok(())
 }
 
 /// Runs a compiler.

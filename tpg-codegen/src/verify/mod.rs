@@ -5,8 +5,8 @@ mod compare;
 mod process;
 mod proof;
 
-pub(crate) use build::c_compiler;
 pub use build::{Batch, BuildError, Workshop, c_command, compile, runtime_library, rustc};
+pub(crate) use build::{c_compiler, write_runtime};
 pub use compare::{Comparison, Difference, compare};
 pub use process::Process;
 pub use proof::{Proof, Stage, Unproven};

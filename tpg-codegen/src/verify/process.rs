@@ -21,27 +21,17 @@ const BATCH: usize = 1024;
 /// The exit status of a C program whose self-test fails.
 const SELF_TEST_DIFFERS: i32 = 3;
 
-/// The type of the numbers in the pipe.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Wire {
-    Float(ScalarType),
-    Integer,
-}
-
-impl Wire {
-    pub(super) fn new(code: &Code<'_>) -> Self {
-        match code.program.shape {
-            Shape::Integers(_) => Self::Integer,
-            _ => Self::Float(code.program.graph().scalar()),
-        }
-    }
+/// The type of the numbers in the pipe: floats, or none for integers.
+pub(super) fn wire(code: &Code<'_>) -> Option<ScalarType> {
+    let is_integers = matches!(code.program.shape, Shape::Integers(_));
+    (!is_integers).then(|| code.program.graph().scalar())
 }
 
 /// A running policy.
 #[derive(Debug)]
 pub struct Process {
     name: String,
-    wire: Wire,
+    wire: Option<ScalarType>,
     state_length: usize,
     /// Values of an answer; 0 for a policy that answers with an action.
     outputs: usize,
@@ -54,7 +44,13 @@ pub struct Process {
 
 impl Process {
     /// Starts `program` as one of its policies.
-    pub(super) fn start(program: &Path, policy: usize, name: String, graph: &Graph, wire: Wire) -> io::Result<Self> {
+    pub(super) fn start(
+        program: &Path,
+        policy: usize,
+        name: String,
+        graph: &Graph,
+        wire: Option<ScalarType>,
+    ) -> io::Result<Self> {
         let mut command = Command::new(program);
         let mut child = command.arg(policy.to_string()).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
         let missing = || io::Error::other("the process has no pipe");
@@ -97,9 +93,9 @@ impl Process {
         input.write_all(&(count as u32).to_le_bytes())?;
         for &value in states {
             match self.wire {
-                Wire::Float(ScalarType::F32) => input.write_all(&(value as f32).to_ne_bytes())?,
-                Wire::Float(ScalarType::F64) => input.write_all(&value.to_ne_bytes())?,
-                Wire::Integer => input.write_all(&(value as i32).to_ne_bytes())?,
+                Some(ScalarType::F32) => input.write_all(&(value as f32).to_ne_bytes())?,
+                Some(ScalarType::F64) => input.write_all(&value.to_ne_bytes())?,
+                None => input.write_all(&(value as i32).to_ne_bytes())?,
             }
         }
         input.flush()?;
@@ -116,9 +112,9 @@ impl Process {
 
     fn value(&mut self) -> io::Result<f64> {
         Ok(match self.wire {
-            Wire::Float(ScalarType::F32) => f64::from(f32::from_ne_bytes(self.read()?)),
-            Wire::Float(ScalarType::F64) => f64::from_ne_bytes(self.read()?),
-            Wire::Integer => f64::from(i32::from_ne_bytes(self.read()?)),
+            Some(ScalarType::F32) => f64::from(f32::from_ne_bytes(self.read()?)),
+            Some(ScalarType::F64) => f64::from_ne_bytes(self.read()?),
+            None => f64::from(i32::from_ne_bytes(self.read()?)),
         })
     }
 

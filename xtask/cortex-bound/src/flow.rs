@@ -1,7 +1,7 @@
 //! The control flow of one function.
 
 use super::facts::Calls;
-use super::instruction::{Kind, Stack, kind, stack};
+use super::instruction::{Kind::*, Stack, kind, stack};
 use super::listing::{Function, Line, Listing};
 use super::refusal::Refusal;
 use super::table::{table, table_elsewhere};
@@ -62,8 +62,8 @@ impl Flow {
         }
         let mut goes_on = true;
         match kind(line) {
-            Kind::Plain => {}
-            Kind::Branch { conditional } => {
+            Plain => {}
+            Branch { conditional } => {
                 goes_on = conditional;
                 match target(listing, function, line)? {
                     To::Here(address) => {
@@ -72,7 +72,7 @@ impl Flow {
                     To::Function(callee) => self.calls[index] = vec![callee],
                 }
             }
-            Kind::Call => {
+            Call => {
                 match target(listing, function, line)? {
                     To::Function(callee) => {
                         self.calls[index] = vec![callee];
@@ -95,9 +95,9 @@ impl Flow {
                     To::Here(_) => return Err(astray(function, line)),
                 }
             }
-            Kind::Return { conditional } => goes_on = conditional,
-            Kind::Trap => goes_on = false,
-            Kind::Indirect { goes_on: and_on } => {
+            Return { conditional } => goes_on = conditional,
+            Trap => goes_on = false,
+            Indirect { goes_on: and_on } => {
                 let Some(callees) = through.get(&function.name) else {
                     return Err(Refusal::Indirect { function: name(), address, text });
                 };
@@ -107,7 +107,7 @@ impl Flow {
                 }
                 goes_on = and_on;
             }
-            Kind::JumpTable => {
+            JumpTable => {
                 let targets = table(function, line, "").or_else(|| table_elsewhere(listing, function, index));
                 let targets = targets.ok_or(Refusal::JumpTable { function: name(), address, text })?;
                 self.jump(function, place, index, targets)?;
@@ -138,7 +138,7 @@ impl Flow {
 }
 
 fn goes_by_register(line: &Line) -> bool {
-    matches!(kind(line), Kind::Indirect { .. })
+    matches!(kind(line), Indirect { .. })
 }
 
 /// Returns the instruction directly after another one, with no data in between.
@@ -154,13 +154,12 @@ pub(super) fn continues_at(function: &Function) -> BTreeSet<u64> {
     // Behind the last instruction there may be padding.
     let acts = function.lines.iter().rev().find(|line| !line.mnemonic.starts_with("nop"));
     let runs_on = acts.is_some_and(|line| match kind(line) {
-        Kind::Plain => true,
-        Kind::Branch { conditional } | Kind::Return { conditional } => conditional,
+        Plain => true,
+        Branch { conditional } | Return { conditional } => conditional,
         _ => false,
     });
     let after = |line: &Line| [line.address + 2, line.address + 4];
-    let branches =
-        function.lines.iter().filter(|line| matches!(kind(line), Kind::Branch { .. }) && line.symbol.is_none());
+    let branches = function.lines.iter().filter(|line| matches!(kind(line), Branch { .. }) && line.symbol.is_none());
     let targets = branches.filter_map(address).chain(end.filter(|_| runs_on).into_iter().flat_map(after));
     let inside: BTreeSet<u64> = function.lines.iter().map(|line| line.address).collect();
     targets.filter(|target| !inside.contains(target)).collect()
@@ -191,7 +190,7 @@ fn target(listing: &Listing, function: &Function, line: &Line) -> Result<To, Ref
     let inside = function.lines.iter().any(|line| line.address == address);
     match listing.at(&function.section, address) {
         // A branch to the function's own start is a loop, a call of it is a recursion.
-        Some(callee) if kind(line) == Kind::Call || address != function.address => Ok(To::Function(callee)),
+        Some(callee) if kind(line) == Call || address != function.address => Ok(To::Function(callee)),
         _ if inside => Ok(To::Here(address)),
         _ => Err(astray(function, line)),
     }

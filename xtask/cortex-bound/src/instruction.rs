@@ -2,6 +2,8 @@
 //! notation. A mnemonic that both have means the same in both: `beq`, `blt`.
 
 use super::listing::Line;
+use Kind::*;
+use Stack::*;
 
 /// Kind of control flow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,56 +40,56 @@ const CONDITIONS: [&str; 16] =
 pub fn kind(line: &Line) -> Kind {
     let (name, operands) = (bare(&line.mnemonic), line.operands.as_str());
     if matches!(name, "cbz" | "cbnz") {
-        return Kind::Branch { conditional: true };
+        return Branch { conditional: true };
     }
     match name {
-        "tbb" | "tbh" | "jr" => return Kind::JumpTable,
-        "udf" | "unimp" | "ebreak" => return Kind::Trap,
-        "j" => return Kind::Branch { conditional: false },
+        "tbb" | "tbh" | "jr" => return JumpTable,
+        "udf" | "unimp" | "ebreak" => return Trap,
+        "j" => return Branch { conditional: false },
         "beqz" | "bnez" | "bltz" | "bgez" | "blez" | "bgtz" | "bltu" | "bgeu" | "bleu" | "bgtu" => {
-            return Kind::Branch { conditional: true };
+            return Branch { conditional: true };
         }
-        "jal" => return Kind::Call,
-        "jalr" => return Kind::Indirect { goes_on: true },
-        "ret" => return Kind::Return { conditional: false },
+        "jal" => return Call,
+        "jalr" => return Indirect { goes_on: true },
+        "ret" => return Return { conditional: false },
         _ => {}
     }
     if let Some(conditional) = is(name, "b") {
-        return Kind::Branch { conditional };
+        return Branch { conditional };
     }
     if is(name, "bl").is_some() {
-        return Kind::Call;
+        return Call;
     }
     if is(name, "blx").is_some() {
-        return Kind::Indirect { goes_on: true };
+        return Indirect { goes_on: true };
     }
     if let Some(conditional) = is(name, "bx") {
-        return if operands == "lr" { Kind::Return { conditional } } else { Kind::Indirect { goes_on: conditional } };
+        return if operands == "lr" { Return { conditional } } else { Indirect { goes_on: conditional } };
     }
     if let Some(conditional) = loads_many(name)
         && operands.contains("pc}")
     {
-        return Kind::Return { conditional };
+        return Return { conditional };
     }
     if let Some(conditional) = is(name, "ldr")
         && operands.starts_with("pc,")
     {
-        return if operands.starts_with("pc, [sp]") { Kind::Return { conditional } } else { Kind::JumpTable };
+        return if operands.starts_with("pc, [sp]") { Return { conditional } } else { JumpTable };
     }
     let writes_pc = operands.starts_with("pc,");
     match is(name, "mov") {
-        Some(conditional) if operands == "pc, lr" => Kind::Return { conditional },
-        _ if writes_pc => Kind::JumpTable,
-        _ => Kind::Plain,
+        Some(conditional) if operands == "pc, lr" => Return { conditional },
+        _ if writes_pc => JumpTable,
+        _ => Plain,
     }
 }
 
 /// True if the instruction's control flow depends on data: a conditional branch, a predicated block, a table.
 pub fn is_decision(line: &Line) -> bool {
-    let conditional = matches!(kind(line), Kind::Branch { conditional: true } | Kind::Return { conditional: true });
+    let conditional = matches!(kind(line), Branch { conditional: true } | Return { conditional: true });
     let block =
         bare(&line.mnemonic).strip_prefix("it").is_some_and(|rest| rest.chars().all(|c| matches!(c, 't' | 'e')));
-    conditional || block || matches!(kind(line), Kind::JumpTable | Kind::Indirect { .. })
+    conditional || block || matches!(kind(line), JumpTable | Indirect { .. })
 }
 
 /// Change of the stack pointer.
@@ -106,45 +108,45 @@ pub enum Stack {
 pub fn stack(line: &Line) -> Stack {
     let (name, operands) = (bare(&line.mnemonic), line.operands.as_str());
     if is(name, "push").is_some() {
-        return Stack::Down(4 * registers(operands));
+        return Down(4 * registers(operands));
     }
     if is(name, "vpush").is_some() {
-        return Stack::Down(floats(operands));
+        return Down(floats(operands));
     }
     if (is(name, "stmdb").is_some() || is(name, "stmfd").is_some()) && operands.starts_with("sp!") {
-        return Stack::Down(4 * registers(operands));
+        return Down(4 * registers(operands));
     }
     if is(name, "vstmdb").is_some() && operands.starts_with("sp!") {
-        return Stack::Down(floats(operands));
+        return Down(floats(operands));
     }
     if name.starts_with("str") && operands.contains("[sp, #-") && operands.ends_with("]!") {
-        return number(operands.rsplit("#-").next()).map_or(Stack::Unknown, Stack::Down);
+        return number(operands.rsplit("#-").next()).map_or(Unknown, Down);
     }
     if !operands.starts_with("sp,") {
-        return Stack::Same;
+        return Same;
     }
     // RISC-V: a number without a mark.
     if let Some(amount) = operands.strip_prefix("sp,sp,").filter(|_| matches!(name, "add" | "addi")) {
         return match amount.strip_prefix('-') {
-            Some(bytes) => number(Some(bytes)).map_or(Stack::Unknown, Stack::Down),
-            None => number(Some(amount)).map_or(Stack::Unknown, |_| Stack::Same),
+            Some(bytes) => number(Some(bytes)).map_or(Unknown, Down),
+            None => number(Some(amount)).map_or(Unknown, |_| Same),
         };
     }
     let by_number = || number(operands.rsplit('#').next().filter(|_| operands.contains('#')));
     if is(name, "sub").is_some() || is(name, "subw").is_some() || is(name, "subs").is_some() {
-        return by_number().map_or(Stack::Unknown, Stack::Down);
+        return by_number().map_or(Unknown, Down);
     }
     // Stores and loads at the stack pointer without changing it: `stmia sp, {r3, r5}`.
     let many = ["stm", "vstm", "ldm", "vldm"].iter().any(|start| name.starts_with(start));
     if name.starts_with("str") || many {
-        return Stack::Same;
+        return Same;
     }
     // Releases stack: by a constant, or from the frame pointer that saved the previous value.
     let gives_back = (is(name, "add").is_some() || is(name, "addw").is_some()) && by_number().is_some();
     if gives_back || (is(name, "mov").is_some() && operands == "sp, r7") || is_compare(name) {
-        return Stack::Same;
+        return Same;
     }
-    Stack::Unknown
+    Unknown
 }
 
 fn is_compare(name: &str) -> bool {

@@ -8,6 +8,7 @@ pub mod book;
 pub mod library;
 pub mod numbers;
 
+use Beside::*;
 use std::fs::OpenOptions;
 use std::io::{self, Write as _};
 use std::process::{Command, Stdio};
@@ -54,11 +55,11 @@ enum Beside {
 
 /// Programs that are of no use alone, what they need, and its package.
 const BESIDE: [(&str, Beside, &str); 5] = [
-    ("arm-none-eabi-gcc", Beside::File("libc.a"), "libnewlib-arm-none-eabi"),
-    ("avr-gcc", Beside::File("libc.a"), "avr-libc"),
-    ("avr-g++", Beside::File("libc.a"), "avr-libc"),
-    ("riscv64-unknown-elf-gcc", Beside::File("picolibc.specs"), "picolibc-riscv64-unknown-elf"),
-    ("cmake", Beside::Program("make"), "make"),
+    ("arm-none-eabi-gcc", File("libc.a"), "libnewlib-arm-none-eabi"),
+    ("avr-gcc", File("libc.a"), "avr-libc"),
+    ("avr-g++", File("libc.a"), "avr-libc"),
+    ("riscv64-unknown-elf-gcc", File("picolibc.specs"), "picolibc-riscv64-unknown-elf"),
+    ("cmake", Program("make"), "make"),
 ];
 
 /// True if a program works, with what it needs beside it; otherwise `what` is [skipped](skip), naming the package
@@ -71,8 +72,8 @@ pub fn tool(program: &str, package: &str, what: &str) -> bool {
     let missing = match exists(program) {
         false => Some((program, package)),
         true => needs.find_map(|(_, beside, package)| match beside {
-            Beside::File(file) => (!finds(program, file)).then_some((*file, *package)),
-            Beside::Program(other) => (!exists(other)).then_some((*other, *package)),
+            File(file) => (!finds(program, file)).then_some((*file, *package)),
+            Program(other) => (!exists(other)).then_some((*other, *package)),
         }),
     };
     let Some((missing, package)) = missing else { return true };

@@ -5,6 +5,7 @@
 //! 20 to 30 KB without such conflicts.
 
 use crate::tool;
+use Missing::*;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
@@ -85,21 +86,21 @@ pub fn make(target: &str, folder: &Path) -> Result<PathBuf, Missing> {
     let what = format!("libtpg_runtime.a for {target}");
     if target != host() && !TARGETS.contains(&target) {
         let accepted = TARGETS.into_iter().chain([host()]).collect::<Vec<_>>().join(", ");
-        return Err(Missing::Failed(format!("no target of the library; accepted: {accepted}")));
+        return Err(Failed(format!("no target of the library; accepted: {accepted}")));
     }
     let Binutils { prefix, package, link } = Binutils::new(target);
     if !tool(&format!("{prefix}ld"), package, &what) || (target != host() && !rust_target(target, &what)) {
-        return Err(Missing::Tool);
+        return Err(Tool);
     }
     let library = folder.join("lib").join(target);
     let objects = folder.join("objects").join(target);
     for folder in [&library, &objects] {
-        fs::create_dir_all(folder).map_err(|error| Missing::Failed(format!("{}: {error}", folder.display())))?;
+        fs::create_dir_all(folder).map_err(|error| Failed(format!("{}: {error}", folder.display())))?;
     }
     // Tests make the same library at the same time; the lock ends with the file.
     let lock = objects.join("lock");
     let locked = fs::File::create(&lock).and_then(|file| file.lock().map(|()| file));
-    let _locked = locked.map_err(|error| Missing::Failed(format!("{}: {error}", lock.display())))?;
+    let _locked = locked.map_err(|error| Failed(format!("{}: {error}", lock.display())))?;
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     cargo.current_dir(top()).args(["build", "--quiet", "--package", "tpg-runtime-capi", "--profile", "firmware"]);
     cargo.args(["--target", target, "--lib"]);
@@ -126,7 +127,7 @@ pub fn make(target: &str, folder: &Path) -> Result<PathBuf, Missing> {
     let (archive, made) = (library.join("libtpg_runtime.a"), objects.join("libtpg_runtime.a"));
     let _ = fs::remove_file(&made);
     run("ar", &["rcsD", "libtpg_runtime.a", "tpg_runtime.o"])?;
-    fs::rename(&made, &archive).map_err(|error| Missing::Failed(format!("{}: {error}", archive.display())))?;
+    fs::rename(&made, &archive).map_err(|error| Failed(format!("{}: {error}", archive.display())))?;
     install(target, folder)?;
     Ok(archive)
 }
@@ -144,7 +145,7 @@ fn install(target: &str, folder: &Path) -> Result<(), Missing> {
             fs::create_dir_all(path.parent().unwrap_or(folder))?;
             fs::write(&path, text)
         });
-        written.map_err(|error| Missing::Failed(format!("{}: {error}", path.display())))
+        written.map_err(|error| Failed(format!("{}: {error}", path.display())))
     };
     put("include/tpg_runtime.h", fs::read_to_string(source.join("include/tpg_runtime.h")))?;
     put("lib/cmake/tpg_runtime/tpg_runtime-config.cmake", fs::read_to_string(source.join("tpg_runtime-config.cmake")))?;
@@ -180,7 +181,7 @@ pub fn rust_target(target: &str, what: &str) -> bool {
 /// If the command fails.
 pub fn output(command: &mut Command) -> Result<String, Missing> {
     let result = command.output();
-    let failed = |text: String| Missing::Failed(format!("{command:?}:\n{text}"));
+    let failed = |text: String| Failed(format!("{command:?}:\n{text}"));
     match result {
         Ok(output) if output.status.success() => Ok(String::from_utf8_lossy(&output.stdout).into_owned()),
         Ok(output) => {

@@ -20,8 +20,8 @@ pub fn text(graph: &Graph) -> Result<String, Inexpressible> {
     match graph.memory() {
         0 => Ok(Writer::new(graph).text()),
         _ => {
-            let memory = graph.outputs().iter().skip(graph.outputs().len() - graph.memory());
-            Err(Inexpressible::Memory(memory.map(|value| value.name.clone()).collect()))
+            let (_, memory) = graph.split_outputs();
+            Err(Inexpressible::Memory(memory.iter().map(|value| value.name.clone()).collect()))
         }
     }
 }

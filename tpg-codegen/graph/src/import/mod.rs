@@ -10,6 +10,7 @@ pub use sidecar::Sidecar;
 
 use crate::error::{InputError, Place};
 use crate::model::Graph;
+use FileFormat::*;
 use std::fs;
 use std::io::{self, Read};
 use std::path::Path;
@@ -76,17 +77,17 @@ pub fn from_text(file: &str, text: &str, description: Option<&Sidecar>) -> Resul
     let text = text.strip_prefix('\u{feff}').unwrap_or(text); // the byte order mark that some editors write
     let whole = |found, accepted| Err(InputError::new(file, Place::Whole, found, accepted));
     match (FileFormat::detect(text), description) {
-        (FileFormat::Empty, _) => whole("an empty file", "a graph.json or a GEGELATI .dot file"),
-        (FileFormat::Json, None) => Graph::from_json(file, text),
-        (FileFormat::Json, Some(_)) => {
+        (Empty, _) => whole("an empty file", "a graph.json or a GEGELATI .dot file"),
+        (Json, None) => Graph::from_json(file, text),
+        (Json, Some(_)) => {
             whole("a graph.json with --profile-of or --sidecar", "neither: a graph.json is complete in itself")
         }
-        (FileFormat::Dot, Some(description)) => dot::read(file, text, description),
-        (FileFormat::Dot, None) => whole(
+        (Dot, Some(description)) => dot::read(file, text, description),
+        (Dot, None) => whole(
             "a .dot file, which does not say what its sources, instructions and actions are",
             "--profile-of ecta24 for the paper's own graphs, --sidecar FILE for any other",
         ),
-        (FileFormat::Other, _) => whole(
+        (Other, _) => whole(
             "neither JSON nor .dot",
             "a graph.json, which begins with {, or a GEGELATI .dot, which begins with // or digraph",
         ),

@@ -9,6 +9,7 @@ mod document;
 mod effect;
 pub(crate) mod graph;
 mod name;
+mod parts;
 mod read;
 mod schema;
 mod text;

@@ -4,6 +4,7 @@
 
 use super::parse;
 use crate::input::Missing;
+use Token::*;
 use std::collections::{HashMap, HashSet};
 
 /// A token.
@@ -59,7 +60,7 @@ pub(super) fn tokens(file: &str, text: &str, include: Include<'_>) -> Result<Vec
     }
     preprocessor.file(file, text)?;
     let line = preprocessor.tokens.last().map_or(1, |last| last.line);
-    preprocessor.tokens.push(Placed { token: Token::End, line });
+    preprocessor.tokens.push(Placed { token: End, line });
     Ok(preprocessor.tokens)
 }
 
@@ -98,7 +99,7 @@ fn line_tokens(file: &str, text: &str, line: u32) -> Result<Vec<Placed>, Missing
         let taken = |ty: &dyn Fn(char) -> bool| rest.find(|letter| !ty(letter)).unwrap_or(rest.len());
         let (token, length) = if first.is_ascii_alphabetic() || first == '_' {
             let length = taken(&|letter| letter.is_ascii_alphanumeric() || letter == '_');
-            (Token::Name(rest[..length].to_owned()), length)
+            (Name(rest[..length].to_owned()), length)
         } else if first.is_ascii_digit() || first == '.' && rest[1..].starts_with(|next: char| next.is_ascii_digit()) {
             let hexadecimal = rest.starts_with("0x") || rest.starts_with("0X");
             let mut length = 0;
@@ -112,12 +113,12 @@ fn line_tokens(file: &str, text: &str, line: u32) -> Result<Vec<Placed>, Missing
                 before = letter;
                 length += 1;
             }
-            (Token::Number(rest[..length].to_owned()), length)
+            (Number(rest[..length].to_owned()), length)
         } else if first == '"' {
             let length = rest[1..].find('"').map_or(rest.len(), |end| end + 2);
-            (Token::Text, length)
+            (Text, length)
         } else if let Some(sign) = SIGNS.iter().flat_map(|signs| signs.split(' ')).find(|sign| rest.starts_with(sign)) {
-            (Token::Sign(sign), sign.len())
+            (Sign(sign), sign.len())
         } else {
             return Err(Missing::new(format!("{file}:{line}"), format!("the letter {first:?}")));
         };
@@ -199,7 +200,7 @@ impl Preprocessor<'_> {
     }
 
     fn expanded(&mut self, token: Placed, inside: &mut HashSet<String>) {
-        if let Token::Name(name) = &token.token
+        if let Name(name) = &token.token
             && !inside.contains(name)
             && let Some(value) = self.macros.get(name).cloned()
         {
@@ -221,23 +222,23 @@ impl Preprocessor<'_> {
         let mut next = || rest.next().map(|placed| placed.token);
         while let Some(token) = next() {
             tokens.push(match token {
-                Token::Name(name) if name == "defined" => {
+                Name(name) if name == "defined" => {
                     let name = match next() {
-                        Some(Token::Sign("(")) => next().filter(|_| next() == Some(Token::Sign(")"))),
+                        Some(Sign("(")) => next().filter(|_| next() == Some(Sign(")"))),
                         name => name,
                     };
-                    let Some(Token::Name(name)) = name else { return Err(missing()) };
-                    Token::Number(u8::from(self.macros.contains_key(&name)).to_string())
+                    let Some(Name(name)) = name else { return Err(missing()) };
+                    Number(u8::from(self.macros.contains_key(&name)).to_string())
                 }
-                Token::Name(name) => match self.macros.get(&name).map(Vec::as_slice) {
-                    None => Token::Number("0".to_owned()),
+                Name(name) => match self.macros.get(&name).map(Vec::as_slice) {
+                    None => Number("0".to_owned()),
                     Some([Placed { token, .. }]) => token.clone(),
                     Some(_) => return Err(missing()),
                 },
                 token => token,
             });
         }
-        let tokens = tokens.into_iter().chain([Token::End]).map(|token| Placed { token, line: 0 });
+        let tokens = tokens.into_iter().chain([End]).map(|token| Placed { token, line: 0 });
         parse::constant(place, tokens.collect()).map_err(|_| missing())
     }
 }

@@ -3,6 +3,8 @@
 use crate::elf::Address;
 use crate::term::{Bool, Float, Node, Operator, Terms, Width, Word, decided};
 use crate::thumb::{Condition, Register};
+use Flags::*;
+use Value::*;
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -77,13 +79,13 @@ impl Flags {
     fn positive(&self, terms: &mut Terms, condition: Condition) -> Option<Bool> {
         use Condition::*;
         Some(match *self {
-            Flags::Unknown => return None,
+            Unknown => return None,
             Flags::If(choice, ref flags) => {
                 let [a, b] = &**flags;
                 let (a, b) = (a.positive(terms, condition)?, b.positive(terms, condition)?);
                 terms.choose(choice, a, b)
             }
-            Flags::Floats(a, b) => match condition {
+            Floats(a, b) => match condition {
                 Eq => terms.equal(a, b),
                 Cs => !terms.less(a, b),
                 Mi => terms.less(a, b),
@@ -96,7 +98,7 @@ impl Flags {
                 Gt => terms.less(b, a),
                 _ => return None,
             },
-            Flags::Difference(a, b) => match condition {
+            Difference(a, b) => match condition {
                 Eq => terms.same(W, a, b),
                 Cs => !terms.below(false, W, a, b),
                 Mi => {
@@ -108,14 +110,14 @@ impl Flags {
                 Gt => terms.below(true, W, b, a),
                 _ => return None,
             },
-            Flags::Sum(a, b) => {
+            Sum(a, b) => {
                 let sum = terms.apply(Operator::Add, W, a, b);
                 match condition {
                     Cs => terms.below(false, W, sum, a),
-                    _ => return Flags::Result(sum).positive(terms, condition),
+                    _ => return Result(sum).positive(terms, condition),
                 }
             }
-            Flags::Result(word) => match condition {
+            Result(word) => match condition {
                 Eq => {
                     let zero = terms.number(0);
                     terms.same(W, word, zero)
@@ -164,9 +166,9 @@ impl Unknowns {
         let (name, offset) = match value {
             Value::Word(word) => return word,
             Value::Float(float) => return terms.bits(float),
-            Value::Pointer(region, offset) => (Name::Region(region), Some(offset)),
-            Value::Half(address) => (Name::Half(address), None),
-            Value::Initial(register) => (Name::Register(register), None),
+            Pointer(region, offset) => (Name::Region(region), Some(offset)),
+            Half(address) => (Name::Half(address), None),
+            Initial(register) => (Name::Register(register), None),
         };
         let float = *self.0.entry(name).or_insert_with(|| terms.unknown());
         if let Name::Region(region) = name {
@@ -184,16 +186,14 @@ impl Unknowns {
             _ => (word, terms.number(0)),
         };
         let Node::Bits(float) = *terms.of_word(base) else { return value };
-        self.1.get(&float).map_or(value, |&region| Value::Pointer(region, offset))
+        self.1.get(&float).map_or(value, |&region| Pointer(region, offset))
     }
 
     /// Returns a value that is the first where the condition holds, else the second.
     pub(super) fn merged(&mut self, terms: &mut Terms, condition: Bool, a: Value, b: Value) -> Value {
         match (a, b) {
             (a, b) if a == b => a,
-            (Value::Pointer(x, a), Value::Pointer(y, b)) if x == y => {
-                Value::Pointer(x, terms.choose_word(condition, a, b))
-            }
+            (Pointer(x, a), Pointer(y, b)) if x == y => Pointer(x, terms.choose_word(condition, a, b)),
             (Value::Float(a), Value::Float(b)) => Value::Float(terms.choose_float(condition, a, b)),
             _ => {
                 let (a, b) = (self.word(terms, a), self.word(terms, b));
@@ -216,7 +216,7 @@ pub(super) fn restricted(terms: &Terms, value: Value, facts: &[Bool]) -> Value {
     match value {
         Value::Float(float) => Value::Float(terms.given_float(float, facts)),
         Value::Word(word) => Value::Word(terms.given_word(word, facts)),
-        Value::Pointer(region, offset) => Value::Pointer(region, terms.given_word(offset, facts)),
+        Pointer(region, offset) => Pointer(region, terms.given_word(offset, facts)),
         _ => value,
     }
 }

@@ -8,6 +8,7 @@ mod closure;
 
 use crate::interval::Intervals;
 use crate::term::{Bool, Float, INFINITY, NAN, NEGATIVE_ZERO, Node::*, Terms, is_nan_bits, next_above, rank};
+use OrderValue::*;
 use closure::Closure;
 use std::collections::{BTreeSet, HashMap};
 
@@ -132,9 +133,9 @@ impl OrderSearch<'_> {
         }
         self.evaluation += 1;
         let open = match self.value(closure, assumption) {
-            OrderValue::Known(false) => return Ok(()),
-            OrderValue::Open(atom) => Some(atom),
-            OrderValue::Known(true) => match self.chosen(closure, left) {
+            Known(false) => return Ok(()),
+            Open(atom) => Some(atom),
+            Known(true) => match self.chosen(closure, left) {
                 Err(None) => {
                     self.incomplete = true;
                     None
@@ -151,7 +152,7 @@ impl OrderSearch<'_> {
                         // nothing new can be found here
                         let all = (0..right.len()).all(|second| {
                             found.contains(&(first, second))
-                                || matches!(self.value(closure, right[second]), OrderValue::Known(false))
+                                || matches!(self.value(closure, right[second]), Known(false))
                         });
                         if all { None } else { atom }
                     }
@@ -177,9 +178,9 @@ impl OrderSearch<'_> {
         let mut first = None;
         for (at, &condition) in conditions.iter().enumerate() {
             match self.value(closure, condition) {
-                OrderValue::Known(true) => return Ok(at),
-                OrderValue::Known(false) => {}
-                OrderValue::Open(atom) => first = first.or(Some(atom)),
+                Known(true) => return Ok(at),
+                Known(false) => {}
+                Open(atom) => first = first.or(Some(atom)),
             }
         }
         Err(first)
@@ -200,46 +201,46 @@ impl OrderSearch<'_> {
     fn value(&mut self, closure: &Closure, term: Bool) -> OrderValue {
         let (node, negated) = (term.node_number(), term != term.positive());
         match self.node_value(closure, node) {
-            OrderValue::Known(value) => OrderValue::Known(value != negated),
+            Known(value) => Known(value != negated),
             open => open,
         }
     }
 
     fn node_value(&mut self, closure: &Closure, node: u32) -> OrderValue {
         if let known @ 1.. = self.known[node as usize] {
-            return OrderValue::Known(known == 2);
+            return Known(known == 2);
         }
         let (evaluation, atom) = self.unknown[node as usize];
         if evaluation == self.evaluation {
-            return OrderValue::Open(atom);
+            return Open(atom);
         }
         let terms = self.terms;
         let value = match *terms.node_at(node) {
-            True => OrderValue::Known(true),
+            True => Known(true),
             And(ref members) => {
                 let mut open = None;
                 let mut result = None;
                 for &member in members.iter() {
                     match self.value(closure, member) {
-                        OrderValue::Known(false) => {
-                            result = Some(OrderValue::Known(false));
+                        Known(false) => {
+                            result = Some(Known(false));
                             break;
                         }
-                        OrderValue::Known(true) => {}
-                        OrderValue::Open(atom) => open = open.or(Some(atom)),
+                        Known(true) => {}
+                        Open(atom) => open = open.or(Some(atom)),
                     }
                 }
-                result.unwrap_or_else(|| open.map_or(OrderValue::Known(true), OrderValue::Open))
+                result.unwrap_or_else(|| open.map_or(Known(true), Open))
             }
             AtMost(a, b) => match closure.at_most(self.places[&a], self.places[&b]) {
-                Some(value) => OrderValue::Known(value),
-                None => OrderValue::Open(node),
+                Some(value) => Known(value),
+                None => Open(node),
             },
-            _ => OrderValue::Open(node),
+            _ => Open(node),
         };
         match value {
-            OrderValue::Known(value) => self.set(node, value),
-            OrderValue::Open(atom) => self.unknown[node as usize] = (self.evaluation, atom),
+            Known(value) => self.set(node, value),
+            Open(atom) => self.unknown[node as usize] = (self.evaluation, atom),
         }
         value
     }

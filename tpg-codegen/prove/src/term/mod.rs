@@ -16,6 +16,7 @@ pub(crate) mod word;
 pub use rank::{INFINITY, NAN, NEGATIVE_ZERO, is_nan_bits, next_above, next_below, rank};
 
 use crate::input::Missing;
+use Node::*;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::rc::Rc;
 
@@ -199,7 +200,7 @@ impl Default for Terms {
             granted: HashSet::new(),
             state: None,
         };
-        terms.node(Node::True);
+        terms.node(True);
         terms
     }
 }
@@ -253,19 +254,16 @@ impl Terms {
     fn deepest_part(&self, node: &Node) -> u16 {
         let deepest = |parts: &[u32]| parts.iter().map(|&part| self.depths[part as usize]).max().unwrap_or(0);
         match *node {
-            Node::True | Node::Constant(_) | Node::Source(_) | Node::Unknown(_) | Node::Number(_) => 0,
-            Node::And(ref parts) => parts.iter().map(|part| self.depths[(part.0 >> 1) as usize]).max().unwrap_or(0),
-            Node::AtMost(a, b) | Node::Arithmetic(_, a, b) => deepest(&[a.0, b.0]),
-            Node::IsNegativeZero(a)
-            | Node::IsNegativeNan(a)
-            | Node::Negative(a)
-            | Node::Magnitude(a)
-            | Node::Bits(a)
-            | Node::Truncated(a) => deepest(&[a.0]),
-            Node::Within(a, _) | Node::OfBits(a) | Node::OfInteger(_, a) | Node::Element(_, a) => deepest(&[a.0]),
-            Node::Below(_, _, a, b) | Node::Apply(_, _, a, b) => deepest(&[a.0, b.0]),
-            Node::FloatIf(condition, a, b) => deepest(&[condition.0 >> 1, a.0, b.0]),
-            Node::WordIf(condition, a, b) => deepest(&[condition.0 >> 1, a.0, b.0]),
+            True | Constant(_) | Source(_) | Unknown(_) | Number(_) => 0,
+            And(ref parts) => parts.iter().map(|part| self.depths[(part.0 >> 1) as usize]).max().unwrap_or(0),
+            AtMost(a, b) | Arithmetic(_, a, b) => deepest(&[a.0, b.0]),
+            IsNegativeZero(a) | IsNegativeNan(a) | Negative(a) | Magnitude(a) | Bits(a) | Truncated(a) => {
+                deepest(&[a.0])
+            }
+            Within(a, _) | OfBits(a) | OfInteger(_, a) | Element(_, a) => deepest(&[a.0]),
+            Below(_, _, a, b) | Apply(_, _, a, b) => deepest(&[a.0, b.0]),
+            FloatIf(condition, a, b) => deepest(&[condition.0 >> 1, a.0, b.0]),
+            WordIf(condition, a, b) => deepest(&[condition.0 >> 1, a.0, b.0]),
         }
     }
 
@@ -278,8 +276,8 @@ impl Terms {
     /// The condition and the sides of a choice between floats or words.
     fn sides(&self, node: u32) -> Option<(Bool, u32, u32)> {
         match self.nodes[node as usize] {
-            Node::FloatIf(condition, a, b) => Some((condition, a.0, b.0)),
-            Node::WordIf(condition, a, b) => Some((condition, a.0, b.0)),
+            FloatIf(condition, a, b) => Some((condition, a.0, b.0)),
+            WordIf(condition, a, b) => Some((condition, a.0, b.0)),
             _ => None,
         }
     }

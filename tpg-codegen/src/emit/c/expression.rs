@@ -5,7 +5,8 @@ use crate::emit::names;
 use crate::emit::syntax::Syntax;
 use crate::ir::Node;
 use crate::passes::bytecode::Width;
-use tpg_graph::{Graph, Input, MathsProvider, ScalarType};
+use Instruction::*;
+use tpg_graph::{Graph, Input, MathsProvider, ScalarType::*};
 use tpg_runtime::ops::Instruction;
 
 /// Writes nodes.
@@ -35,8 +36,8 @@ impl Syntax for Printer<'_> {
 
     fn scalar(&self) -> &'static str {
         match self.graph.scalar() {
-            ScalarType::F32 => "float",
-            ScalarType::F64 => "double",
+            F32 => "float",
+            F64 => "double",
         }
     }
 
@@ -47,11 +48,11 @@ impl Syntax for Printer<'_> {
     fn literal(&self, value: f64) -> String {
         let scalar = self.graph.scalar();
         match scalar {
-            ScalarType::F32 if value.is_finite() => format!("{:?}f", value as f32),
-            ScalarType::F64 if value.is_finite() => format!("{value:?}"),
+            F32 if value.is_finite() => format!("{:?}f", value as f32),
+            F64 if value.is_finite() => format!("{value:?}"),
             _ => {
                 let sign = if value < 0.0 { "-" } else { "" };
-                let cast = if scalar == ScalarType::F64 { "(double)" } else { "" };
+                let cast = if scalar == F64 { "(double)" } else { "" };
                 format!("{sign}{cast}{}", if value.is_nan() { "NAN" } else { "INFINITY" })
             }
         }
@@ -76,11 +77,8 @@ impl Syntax for Printer<'_> {
 
     fn is_taken(&self, name: &str) -> bool {
         /// Variables of generated functions; compilers take `main` for the program's.
-        const OURS: [&str; 16] = [
-            "action", "best", "constant", "edge", "end", "frame", "hop", "lead", "main", "next", "programs", "start",
-            "state", "to", "vertex", "zero",
-        ];
-        OURS.contains(&name) || field::is_taken(name)
+        const OURS: &str = "action best constant edge end frame hop lead main next programs start state to vertex zero";
+        OURS.split(' ').any(|word| word == name) || field::is_taken(name)
     }
 
     fn index(&self, number: usize) -> String {
@@ -118,15 +116,15 @@ impl Syntax for Printer<'_> {
 
     fn call(&self, instruction: Instruction, arguments: &str) -> String {
         let function = match instruction {
-            Instruction::Cos => self.maths("cos", "cos", false),
-            Instruction::Sin => self.maths("sin", "sin", false),
-            Instruction::Tan => self.maths("tan", "tan", false),
-            Instruction::Ln => self.maths("ln", "log", true),
-            Instruction::Exp => self.maths("exp", "exp", true),
-            Instruction::Atan => self.maths("atan", "atan", false),
-            Instruction::Tanh => self.maths("tanh", "tanh", false),
-            Instruction::Abs => self.function("fabs"),
-            Instruction::Sqrt if !self.branch_free => self.root(),
+            Cos => self.maths("cos", "cos", false),
+            Sin => self.maths("sin", "sin", false),
+            Tan => self.maths("tan", "tan", false),
+            Ln => self.maths("ln", "log", true),
+            Exp => self.maths("exp", "exp", true),
+            Atan => self.maths("atan", "atan", false),
+            Tanh => self.maths("tanh", "tanh", false),
+            Abs => self.function("fabs"),
+            Sqrt if !self.branch_free => self.root(),
             _ => format!("{}_{}", self.prefix, instruction.name()),
         };
         format!("{function}({arguments})")
@@ -137,8 +135,8 @@ impl Printer<'_> {
     /// The macro of the highest finite number, whose negative is the lowest.
     pub(super) fn greatest(&self) -> &'static str {
         match self.graph.scalar() {
-            ScalarType::F32 => "FLT_MAX",
-            ScalarType::F64 => "DBL_MAX",
+            F32 => "FLT_MAX",
+            F64 => "DBL_MAX",
         }
     }
 
@@ -164,7 +162,7 @@ impl Printer<'_> {
     /// The name of the function that computes a square root: of `<math.h>`, or one that needs no library where an FPU has it.
     pub(super) fn root(&self) -> String {
         match (self.graph.scalar(), self.graph.maths()) {
-            (ScalarType::F32, MathsProvider::Own) => format!("{}_root", self.prefix),
+            (F32, MathsProvider::Own) => format!("{}_root", self.prefix),
             _ => self.function("sqrt"),
         }
     }
@@ -172,8 +170,8 @@ impl Printer<'_> {
     /// The name of a function of `<math.h>` in the graph's scalar type.
     pub(super) fn function(&self, name: &str) -> String {
         match self.graph.scalar() {
-            ScalarType::F32 => format!("{name}f"),
-            ScalarType::F64 => name.to_owned(),
+            F32 => format!("{name}f"),
+            F64 => name.to_owned(),
         }
     }
 }

@@ -18,6 +18,9 @@ use crate::emit::syntax::Syntax;
 use crate::emit::team::{self, Decision, Destinations, TeamView};
 use crate::ir::{Module, Target};
 use crate::passes::schedule::Schedule;
+use Decision::*;
+use Jump::*;
+use Target::*;
 use askama::Template;
 use std::collections::BTreeSet;
 
@@ -125,24 +128,22 @@ impl Destinations for Places<'_> {
 
     fn jump(&self, to: Target) -> Jump {
         match (self.answer(to), to) {
-            (Some(answer), _) => Jump::Return(answer),
-            (None, Target::Team(team)) => Jump::Goto(format!("team_{}", self.module.teams[team].label)),
-            (None, Target::Action(leaf)) => {
-                match self.in_place.iter().find(|view| view.number == usize::from(leaf.0)) {
-                    Some(leaf) => Jump::Answer(answer(leaf, self.outputs)),
-                    None => Jump::Goto(format!("leaf_{}", self.module.leaves[usize::from(leaf.0)].label)),
-                }
-            }
+            (Some(answer), _) => Return(answer),
+            (None, Team(team)) => Goto(format!("team_{}", self.module.teams[team].label)),
+            (None, Action(leaf)) => match self.in_place.iter().find(|view| view.number == usize::from(leaf.0)) {
+                Some(leaf) => Answer(answer(leaf, self.outputs)),
+                None => Goto(format!("leaf_{}", self.module.leaves[usize::from(leaf.0)].label)),
+            },
         }
     }
 
     fn answer(&self, to: Target) -> Option<String> {
         match to {
-            Target::Team(team) if self.teams.contains(&team) => None,
-            Target::Team(team) => Some(format!("{}U", self.places[team])),
-            Target::Action(_) if self.is_whole && !self.module.leaves.is_empty() => None,
-            Target::Action(action) if self.is_whole => Some(self.constants[usize::from(action.0)].clone()),
-            Target::Action(action) => Some(format!("{}U", self.places.len() + usize::from(action.0))),
+            Team(team) if self.teams.contains(&team) => None,
+            Team(team) => Some(format!("{}U", self.places[team])),
+            Action(_) if self.is_whole && !self.module.leaves.is_empty() => None,
+            Action(action) if self.is_whole => Some(self.constants[usize::from(action.0)].clone()),
+            Action(action) => Some(format!("{}U", self.places.len() + usize::from(action.0))),
         }
     }
 
@@ -152,11 +153,11 @@ impl Destinations for Places<'_> {
 
     fn bid(&self, to: Target) -> String {
         match to {
-            Target::Team(team) => format!("to_team_{}", self.module.teams[team].label),
-            Target::Action(leaf) if !self.module.leaves.is_empty() => {
+            Team(team) => format!("to_team_{}", self.module.teams[team].label),
+            Action(leaf) if !self.module.leaves.is_empty() => {
                 format!("to_leaf_{}", self.module.leaves[usize::from(leaf.0)].label)
             }
-            Target::Action(action) => self.names[usize::from(action.0)].clone(),
+            Action(action) => self.names[usize::from(action.0)].clone(),
         }
     }
 }
@@ -176,23 +177,21 @@ fn decision(decision: &Decision<Jump>, winner: &str, follows: Option<&str>) -> V
     };
     let last = |jump: &Jump| if jump.is(follows) { Vec::new() } else { jump.lines() };
     match decision {
-        Decision::Always(jump) => last(jump),
-        Decision::Winner => vec![format!("return {winner};")],
-        Decision::Either(condition, Jump::Return(first), Jump::Return(second))
+        Always(jump) => last(jump),
+        Winner => vec![format!("return {winner};")],
+        Either(condition, Return(first), Return(second))
             if condition.len() + first.len() + second.len() < LONGEST - 16 =>
         {
             vec![format!("return ({condition}) ? {first} : {second};")]
         }
-        Decision::Either(condition, first @ Jump::Answer(_), second) => {
+        Either(condition, first @ Answer(_), second) => {
             let mut lines = on(condition, first.lines());
             lines.pop();
             [lines, vec!["} else {".to_owned()], second.lines(), vec!["}".to_owned()]].concat()
         }
-        Decision::Either(condition, first, second) if first.is(follows) => {
-            on(&format!("!({condition})"), second.lines())
-        }
-        Decision::Either(condition, first, second) => [on(condition, first.lines()), last(second)].concat(),
-        Decision::Ways(ways) => {
+        Either(condition, first, second) if first.is(follows) => on(&format!("!({condition})"), second.lines()),
+        Either(condition, first, second) => [on(condition, first.lines()), last(second)].concat(),
+        Ways(ways) => {
             let condition = |ranks: &[String]| match ranks {
                 [rank] => format!("{winner} == {rank}"),
                 _ => ranks.iter().map(|rank| format!("({winner} == {rank})")).collect::<Vec<_>>().join(" || "),
@@ -200,7 +199,7 @@ fn decision(decision: &Decision<Jump>, winner: &str, follows: Option<&str>) -> V
             // What stands next is gone to where nothing else is.
             let at = ways.iter().position(|(_, jump)| jump.is(follows)).unwrap_or(ways.len() - 1);
             let others = ways.iter().enumerate().filter(|(place, _)| *place != at).map(|(_, way)| way);
-            if matches!(ways[at].1, Jump::Answer(_)) {
+            if matches!(ways[at].1, Answer(_)) {
                 let mut lines = Vec::new();
                 for (ranks, jump) in others {
                     let opening = if lines.is_empty() { "" } else { "} else " };
@@ -238,7 +237,7 @@ pub(super) fn render(
     let mut entries = BTreeSet::from([0]);
     for (team, plan) in schedule.plans.iter().enumerate().filter(|_| !is_whole) {
         entries.extend(plan.targets.iter().filter_map(|&to| match to {
-            Target::Team(to) if function_of[to] != function_of[team] => Some(to),
+            Team(to) if function_of[to] != function_of[team] => Some(to),
             _ => None,
         }));
     }
@@ -261,9 +260,9 @@ pub(super) fn render(
         let line = |(place, &team): (usize, &usize)| {
             let view = team::view(printer, &schedule.plans[team], &to);
             let decision = decision(&view.decision, view.winner, labels.get(place + 1).map(String::as_str));
-            let is_action = is_whole && matches!(view.decision, Decision::Winner);
+            let is_action = is_whole && matches!(view.decision, Winner);
             CTeamLines {
-                keeps_winner: matches!(view.decision, Decision::Winner | Decision::Ways(_)),
+                keeps_winner: matches!(view.decision, Winner | Ways(_)),
                 winner_type: if is_action { entry.action.clone() } else { "uint32_t".to_owned() },
                 view,
                 decision,

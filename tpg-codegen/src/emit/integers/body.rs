@@ -6,6 +6,7 @@ use super::spelling::{Called, IntegerSpelling};
 use crate::emit::names;
 use crate::integers::{Integers, Whole};
 use crate::ir::{Module, Node, NodeId, Target, reached, topological};
+use Target::*;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use tpg_graph::ActionId;
@@ -52,8 +53,8 @@ impl IntegerBody<'_> {
 
     fn vertices(&mut self, teams: &[usize]) {
         let module = self.module;
-        let leaves = reached(&module.leaves).map(|(number, _)| Target::Action(ActionId(number as u16)));
-        let all: Vec<Target> = teams.iter().map(|&team| Target::Team(team)).chain(leaves).collect();
+        let leaves = reached(&module.leaves).map(|(number, _)| Action(ActionId(number as u16)));
+        let all: Vec<Target> = teams.iter().map(|&team| Team(team)).chain(leaves).collect();
         // Rust numbers vertices as the module does: teams from 0, the root, then leaves.
         self.line(self.spelling.either("", "let mut vertex = 0_u32;\nloop {\n    match vertex {"));
         let depth = self.spelling.either(1, 4);
@@ -62,8 +63,8 @@ impl IntegerBody<'_> {
             self.text.push_str(&head);
             self.depth = depth + 1;
             match vertex {
-                Target::Team(team) => self.team(team),
-                Target::Action(leaf) => self.leaf(&module.leaves[usize::from(leaf.0)].values),
+                Team(team) => self.team(team),
+                Action(leaf) => self.leaf(&module.leaves[usize::from(leaf.0)].values),
             }
             self.depth = depth;
             self.line("}");
@@ -75,7 +76,7 @@ impl IntegerBody<'_> {
     /// The action that a destination is, unless it is a vertex.
     fn action(&self, to: Target) -> Option<ActionId> {
         match to {
-            Target::Action(action) if self.module.leaves.is_empty() => Some(action),
+            Action(action) if self.module.leaves.is_empty() => Some(action),
             _ => None,
         }
     }
@@ -83,8 +84,8 @@ impl IntegerBody<'_> {
     /// The label of a vertex in variables.
     fn label(&self, to: Target) -> String {
         match to {
-            Target::Team(team) => format!("team_{}", self.module.teams[team].label),
-            Target::Action(leaf) => format!("leaf_{}", self.module.leaves[usize::from(leaf.0)].label),
+            Team(team) => format!("team_{}", self.module.teams[team].label),
+            Action(leaf) => format!("leaf_{}", self.module.leaves[usize::from(leaf.0)].label),
         }
     }
 

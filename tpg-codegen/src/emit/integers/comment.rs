@@ -2,10 +2,11 @@
 
 use crate::integers::Whole;
 use crate::ir::{Module, Node, NodeId};
+use Node::*;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use tpg_graph::{Counts, Graph, Input};
-use tpg_runtime::ops::Instruction;
+use tpg_runtime::ops::Instruction::*;
 
 /// A sum of multiples of values of the state.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -23,15 +24,15 @@ impl LinearSum {
 
     fn add(&mut self, module: &Module<'_>, id: NodeId, factor: f64) -> bool {
         match module.node(id) {
-            Node::Constant(bits) => self.constant += factor * f64::from_bits(bits),
+            Constant(bits) => self.constant += factor * f64::from_bits(bits),
             Node::Input(input) => *self.weights.entry(input).or_default() += factor,
-            Node::Operation(Instruction::Add, [a, b]) => {
+            Operation(Add, [a, b]) => {
                 return self.add(module, a, factor) && self.add(module, b, factor);
             }
-            Node::Operation(Instruction::Sub, [a, b]) => {
+            Operation(Sub, [a, b]) => {
                 return self.add(module, a, factor) && self.add(module, b, -factor);
             }
-            Node::Operation(Instruction::Mul, [a, b]) => {
+            Operation(Mul, [a, b]) => {
                 let [x, y] = [a, b].map(|id| module.node(id).as_constant());
                 return match (x, y) {
                     (Some(x), _) => self.add(module, b, factor * x),
@@ -118,7 +119,7 @@ impl<'a> Comments<'a> {
             let scale = output.counts.map_or(1.0, |counts| counts.scale);
             let offset = output.counts.map_or(0.0, |counts| counts.offset);
             let (inner, divisor) = match module.node(value) {
-                Node::Operation(Instruction::Quotient, [a, b]) => (a, module.node(b).as_constant()),
+                Operation(Quotient, [a, b]) => (a, module.node(b).as_constant()),
                 _ => (value, Some(1.0)),
             };
             let (Some(linear), Some(divisor)) = (sum(module, inner), divisor) else { continue };
@@ -133,8 +134,7 @@ impl<'a> Comments<'a> {
 
     /// The comment of a node, if there is something to say.
     pub(super) fn text(&self, id: NodeId, whole: Whole) -> Option<String> {
-        let sums =
-            matches!(self.module.node(id), Node::Operation(Instruction::Add | Instruction::Sub | Instruction::Mul, _));
+        let sums = matches!(self.module.node(id), Operation(Add | Sub | Mul, _));
         let bound = if whole.fits(32) {
             format!("at most {} of {}", grouped(whole.magnitude()), grouped(i32::MAX as u64))
         } else {

@@ -3,12 +3,13 @@
 use super::spelling::{Called, Function, IntegerSpelling};
 use crate::emit::block::unused;
 use crate::integers::{Integers, Whole};
-use crate::ir::{Module, Node, NodeId};
+use crate::ir::{Module, Node::*, NodeId};
+use Instruction::*;
 use std::collections::{BTreeMap, BTreeSet};
 use tpg_runtime::ops::Instruction;
 
 /// Names that functions have already.
-const TAKEN: [&str; 9] = ["action", "best", "memory", "s", "state", "to", "vertex", "way", "self"];
+const TAKEN: &str = "action best memory s state to vertex way self";
 /// The width of a line of a sum, and of what stands before its first.
 const WIDTH: usize = 104;
 const FIRST: usize = 20;
@@ -41,16 +42,17 @@ impl<'a> Lines<'a> {
         }
         let mut in_sums = BTreeSet::new();
         for &id in &needed {
-            let Node::Operation(instruction, _) = self.module.node(id) else { continue };
+            let Operation(instruction, _) = self.module.node(id) else { continue };
             for &operand in self.module.node(id).operands() {
                 *uses.entry(operand).or_default() += 1;
-                if is_sum(instruction) || instruction == Instruction::Mul {
+                if is_sum(instruction) || instruction == Mul {
                     in_sums.insert(operand);
                 }
             }
         }
         let is_part = |id: &NodeId| {
-            let arithmetic = matches!(self.module.node(*id), Node::Operation(instruction, _) if is_sum(instruction) || instruction == Instruction::Mul);
+            let arithmetic =
+                matches!(self.module.node(*id), Operation(instruction, _) if is_sum(instruction) || instruction == Mul);
             arithmetic && uses[id] == 1 && in_sums.contains(id)
         };
         let named: Vec<NodeId> = needed.iter().copied().filter(|id| !is_part(id)).collect();
@@ -60,7 +62,7 @@ impl<'a> Lines<'a> {
 
     /// Gives names to some of what was chosen, the first to each; of equal names, later ones get a number.
     pub(super) fn name(&mut self, names: Vec<(NodeId, String)>) {
-        let mut taken: BTreeSet<String> = TAKEN.map(str::to_owned).into();
+        let mut taken: BTreeSet<String> = TAKEN.split(' ').map(str::to_owned).collect();
         let mut done = BTreeSet::new();
         for (id, name) in names {
             if let Some(known) = self.named.get_mut(&id)
@@ -89,9 +91,9 @@ impl<'a> Lines<'a> {
     /// A node as an operand.
     pub(super) fn operand(&self, id: NodeId, wide: bool) -> String {
         let text = match self.module.node(id) {
-            Node::Constant(bits) => return self.spelling.literal(f64::from_bits(bits) as i64, wide),
-            Node::Input(input) => return self.spelling.input(input, wide),
-            Node::Operation(..) | Node::Upper(..) => match self.named.get(&id) {
+            Constant(bits) => return self.spelling.literal(f64::from_bits(bits) as i64, wide),
+            Input(input) => return self.spelling.input(input, wide),
+            Operation(..) | Upper(..) => match self.named.get(&id) {
                 Some(name) => name.clone(),
                 None => format!("({})", self.expression(id)),
             },
@@ -121,21 +123,21 @@ impl<'a> Lines<'a> {
 
     /// The expression that computes an operation.
     fn expression(&self, id: NodeId) -> String {
-        let Node::Operation(instruction, [a, b]) = self.module.node(id) else { return self.operand(id, false) };
+        let Operation(instruction, [a, b]) = self.module.node(id) else { return self.operand(id, false) };
         let operands = &self.module.node(id).operands().to_vec();
         // Computed in the width of the greatest that takes part.
         let wide = operands.iter().chain([&id]).any(|&id| self.is_wide(id));
         let text = match instruction {
-            Instruction::Add | Instruction::Sub => self.sum(id, wide),
-            Instruction::Mul => format!("{} * {}", self.operand(a, wide), self.operand(b, wide)),
-            Instruction::Quotient => self.quotient(a, b, wide),
-            Instruction::Fmod => format!("{} % {}", self.operand(a, wide), self.operand(b, wide)),
+            Add | Sub => self.sum(id, wide),
+            Mul => format!("{} * {}", self.operand(a, wide), self.operand(b, wide)),
+            Quotient => self.quotient(a, b, wide),
+            Fmod => format!("{} % {}", self.operand(a, wide), self.operand(b, wide)),
             _ => {
                 let function = match instruction {
-                    Instruction::Min => Function::Min,
-                    Instruction::Max => Function::Max,
-                    Instruction::Abs => Function::Abs,
-                    Instruction::Gate => Function::Gate,
+                    Min => Function::Min,
+                    Max => Function::Max,
+                    Abs => Function::Abs,
+                    Gate => Function::Gate,
                     _ => Function::NegateIfLess,
                 };
                 let arguments: Vec<String> = operands.iter().map(|&operand| self.operand(operand, wide)).collect();
@@ -171,15 +173,15 @@ impl<'a> Lines<'a> {
 
     /// The terms of a sum in the order in which they are added. Every partial sum is a node, so its bound holds.
     fn terms(&self, id: NodeId, wide: bool, terms: &mut Vec<(bool, String)>) {
-        let Node::Operation(instruction, [a, b]) = self.module.node(id) else { return };
-        let is_inner = matches!(self.module.node(a), Node::Operation(inner, _) if is_sum(inner));
+        let Operation(instruction, [a, b]) = self.module.node(id) else { return };
+        let is_inner = matches!(self.module.node(a), Operation(inner, _) if is_sum(inner));
         // In another width, it is computed in brackets.
         if is_inner && !self.named.contains_key(&a) && self.width(a) == wide {
             self.terms(a, wide, terms);
         } else if self.constant(a) != Some(0) {
             terms.push((false, self.term(a, wide)));
         }
-        let minus = instruction == Instruction::Sub;
+        let minus = instruction == Sub;
         match self.constant(b) {
             Some(0) if !terms.is_empty() => {}
             Some(value) if value < 0 && value > -i64::from(i32::MAX) => {
@@ -191,7 +193,7 @@ impl<'a> Lines<'a> {
 
     /// A term: a product needs no brackets.
     fn term(&self, id: NodeId, wide: bool) -> String {
-        let is_product = matches!(self.module.node(id), Node::Operation(Instruction::Mul, _));
+        let is_product = matches!(self.module.node(id), Operation(Mul, _));
         if is_product && !self.named.contains_key(&id) && self.width(id) == wide {
             self.expression(id)
         } else {
@@ -232,5 +234,5 @@ impl<'a> Lines<'a> {
 }
 
 fn is_sum(instruction: Instruction) -> bool {
-    matches!(instruction, Instruction::Add | Instruction::Sub)
+    matches!(instruction, Add | Sub)
 }

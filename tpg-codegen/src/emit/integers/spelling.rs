@@ -6,6 +6,7 @@ use crate::emit::file::{comment, one_line};
 use crate::integers::{input_bits, output_bits};
 use crate::options::Language;
 use crate::program::Program;
+use Function::*;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use tpg_graph::{ActionId, Graph, Input, Output};
@@ -131,23 +132,23 @@ impl<'a> IntegerSpelling<'a> {
     /// A call.
     pub(super) fn call(&self, function: Function, wide: bool, arguments: &[String]) -> String {
         let name = match function {
-            Function::Shift => "shift",
-            Function::Divide => "divide",
-            Function::Quotient => "quotient",
-            Function::Min => "min",
-            Function::Max => "max",
-            Function::Abs => "abs",
-            Function::NegateIfLess => "negate_if_less",
-            Function::Gate => "gate",
-            Function::Clamp => "clamp",
+            Shift => "shift",
+            Divide => "divide",
+            Quotient => "quotient",
+            Min => "min",
+            Max => "max",
+            Abs => "abs",
+            NegateIfLess => "negate_if_less",
+            Gate => "gate",
+            Clamp => "clamp",
         };
         let (end, all) = (self.end(wide), arguments.join(", "));
         match function {
-            Function::Shift => {
+            Shift => {
                 self.either(format!("{}_{name}{end}({all}U)", self.prefix), format!("({})", arguments.join(" >> ")))
             }
             _ if self.is_c => format!("{}_{name}{end}({all})", self.prefix),
-            Function::Min | Function::Max | Function::Abs | Function::Clamp => {
+            Min | Max | Abs | Clamp => {
                 format!("({}).{name}({})", arguments[0], arguments[1..].join(", "))
             }
             _ => format!("{name}{end}({all})"),

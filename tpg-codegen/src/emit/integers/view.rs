@@ -46,7 +46,6 @@ pub(super) fn actions(graph: &Graph, upper: &str) -> Vec<(String, String)> {
 
 /// The fields of a state.
 pub(super) fn sources(graph: &Graph) -> Vec<FieldView> {
-    let seen = &graph.sources()[..graph.sources().len() - graph.memory()];
     let view = |source: &tpg_graph::Source| {
         let bits = source.counts.iter().map(|counts| counts.container()).max().unwrap_or(16);
         let meaning = |(counts, range): (&tpg_graph::Counts, &tpg_graph::Range)| {
@@ -64,12 +63,12 @@ pub(super) fn sources(graph: &Graph) -> Vec<FieldView> {
             initial: String::new(),
         }
     };
-    seen.iter().map(view).collect()
+    graph.observed().iter().map(view).collect()
 }
 
 /// The fields of an answer, or of a memory.
 pub(super) fn outputs(graph: &Graph, of_memory: bool) -> Vec<FieldView> {
-    let (answers, memory) = graph.outputs().split_at(graph.outputs().len() - graph.memory());
+    let (answers, memory) = graph.split_outputs();
     let view = |output: &tpg_graph::Output| {
         let meaning = match output.counts {
             Some(counts) => {
@@ -95,12 +94,11 @@ pub(super) fn outputs(graph: &Graph, of_memory: bool) -> Vec<FieldView> {
 /// The states of the self-test.
 pub(super) fn views(graph: &Graph, upper: &str, Vectors { states, answers, .. }: &Vectors) -> Vec<VectorView> {
     let constants = actions(graph, upper);
-    let seen = graph.state_length() - graph.memory();
     let list = |values: &[f64]| values.iter().map(|value| whole(*value)).collect::<Vec<_>>().join(", ");
     (states.chunks_exact(graph.state_length()).zip(answers))
         .map(|(state, answer)| {
             let mut values = state.iter().copied();
-            let members = graph.sources()[..graph.sources().len() - graph.memory()].iter().map(|source| {
+            let members = graph.observed().iter().map(|source| {
                 let values: Vec<f64> = values.by_ref().take(source.ranges.len()).collect();
                 if let [value] = values[..] { whole(value) } else { format!("{{ {} }}", list(&values)) }
             });
@@ -112,7 +110,7 @@ pub(super) fn views(graph: &Graph, upper: &str, Vectors { states, answers, .. }:
                     (format!("{{ {} }}", list(answer)), format!("{{ {} }}", list(next)))
                 }
             };
-            let memory = format!("{{ {} }}", list(&state[seen..]));
+            let memory = format!("{{ {} }}", list(&state[graph.observed_length()..]));
             VectorView { state: state_text, memory, answer, next }
         })
         .collect()

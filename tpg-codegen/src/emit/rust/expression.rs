@@ -8,14 +8,12 @@ use tpg_graph::{Graph, Input, MathsProvider, ScalarType};
 use tpg_runtime::ops::Instruction;
 
 /// Keywords of Rust, and the variables and functions of generated code.
-#[rustfmt::skip] // a line for each word otherwise
-const TAKEN: [&str; 85] = [
-    "abstract", "action", "as", "async", "await", "become", "best", "bid", "bidder", "bool", "box", "break", "char",
-    "const", "continue", "core", "cos", "crate", "ct", "do", "dyn", "edge", "else", "enum", "exp", "exp_upper", "extern",
-    "f32", "f64", "false", "final", "fn", "for", "frame", "gen", "if", "impl", "in", "lead", "leaf", "let", "ln", "ln_upper", "loop",
-    "macro", "match", "memory", "mod", "move", "mut", "next", "operand", "ops", "out", "override", "priv", "program", "pub",
-    "ref", "return", "run", "s", "self", "sin", "span", "state", "static", "struct", "super", "tan", "trait", "true",
-    "try", "type", "typeof", "unsafe", "unsized", "use", "vertex", "virtual", "walk", "where", "while", "yield", "zero",
+const TAKEN: [&str; 5] = [
+    "abstract action as async await become best bid bidder bool box break char const continue core cos crate ct",
+    "do dyn edge else enum exp exp_upper extern f32 f64 false final fn for frame gen if impl in lead leaf let ln",
+    "ln_upper loop macro match memory mod move mut next operand ops out override priv program pub ref return run",
+    "s self sin span state static struct super tan trait true try type typeof unsafe unsized use vertex virtual",
+    "walk where while yield zero",
 ];
 
 /// Writes nodes.
@@ -77,7 +75,7 @@ impl Syntax for Printer<'_> {
     }
 
     fn is_taken(&self, name: &str) -> bool {
-        TAKEN.contains(&name)
+        TAKEN.iter().any(|words| words.split(' ').any(|word| word == name))
     }
 
     fn index(&self, number: usize) -> String {

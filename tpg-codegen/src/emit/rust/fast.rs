@@ -18,6 +18,7 @@ use crate::emit::syntax::Syntax;
 use crate::emit::team::{self, Decision, Destinations, TeamView};
 use crate::ir::{Module, Target};
 use crate::passes::schedule::Schedule;
+use Target::*;
 use askama::Template;
 use tpg_runtime::policy::ActionId;
 
@@ -57,8 +58,8 @@ impl Destinations for FastCalls<'_> {
 
     fn jump(&self, to: Target) -> String {
         match to {
-            Target::Team(team) => format!("team_{}(s)", self.module.teams[team].label),
-            Target::Action(action) => match self.leaf(action) {
+            Team(team) => format!("team_{}(s)", self.module.teams[team].label),
+            Action(action) => match self.leaf(action) {
                 Some(label) => format!("leaf_{label}(s)"),
                 None => action.0.to_string(),
             },
@@ -67,8 +68,8 @@ impl Destinations for FastCalls<'_> {
 
     fn answer(&self, to: Target) -> Option<String> {
         match to {
-            Target::Action(action) if self.leaf(action).is_none() => Some(action.0.to_string()),
-            Target::Team(_) | Target::Action(_) => None,
+            Action(action) if self.leaf(action).is_none() => Some(action.0.to_string()),
+            Team(_) | Action(_) => None,
         }
     }
 
@@ -78,8 +79,8 @@ impl Destinations for FastCalls<'_> {
 
     fn bid(&self, to: Target) -> String {
         match to {
-            Target::Team(team) => format!("to_team_{}", self.module.teams[team].label),
-            Target::Action(action) => match self.leaf(action) {
+            Team(team) => format!("to_team_{}", self.module.teams[team].label),
+            Action(action) => match self.leaf(action) {
                 Some(label) => format!("to_leaf_{label}"),
                 None => self.names[usize::from(action.0)].clone(),
             },

@@ -5,6 +5,7 @@ use super::fault::Fault;
 use super::label;
 use super::lexer::{self, Token, quote};
 use crate::error::InputError;
+use Token::*;
 
 /// The statements allowed inside the braces, for messages.
 const STATEMENTS: &str = "a team `T0 […]`, a program `P0 […] //`, its lines `I0 [… label=\"…\"]`, a link `P0 -> I0[…]`, an action \
@@ -50,17 +51,17 @@ impl DotSection {
     ) -> Result<(), Fault> {
         match (*self, tokens) {
             (_, []) => {}
-            (Self::Before, [Token::Comment(comment)]) => {
+            (Self::Before, [Comment(comment)]) => {
                 // `File exported with GEGELATI v1.3.1`.
                 let exported = comment.strip_prefix("File exported with ").and_then(|rest| rest.rsplit_once(" v"));
                 if let Some((tool, version)) = exported {
                     declared.exporter = Some((tool.to_owned(), version.to_owned()));
                 }
             }
-            (_, [Token::Comment(_)]) => {}
-            (Self::Before, [Token::Word("digraph"), Token::Mark('{')]) => *self = Self::Inside,
+            (_, [Comment(_)]) => {}
+            (Self::Before, [Word("digraph"), Mark('{')]) => *self = Self::Inside,
             (Self::Before, _) => return Err(Fault::new(quote(content), "`digraph{`, and comments before it")),
-            (Self::Inside, [Token::Mark('}')]) => {
+            (Self::Inside, [Mark('}')]) => {
                 *self = Self::After;
                 declared.close = line;
             }
@@ -74,28 +75,20 @@ impl DotSection {
 fn inside(declared: &mut Declared, line: usize, content: &str, tokens: &[Token<'_>]) -> Result<(), Fault> {
     let unknown = || Fault::new(quote(content), STATEMENTS);
     let (tokens, comment) = match tokens {
-        [tokens @ .., Token::Comment(comment)] => (tokens, *comment),
+        [tokens @ .., Comment(comment)] => (tokens, *comment),
         tokens => (tokens, ""),
     };
-    if let [
-        Token::Mark('{'),
-        Token::Word("rank"),
-        Token::Mark('='),
-        Token::Word("same"),
-        nodes @ ..,
-        Token::Mark('}'),
-    ] = tokens
-    {
+    if let [Mark('{'), Word("rank"), Mark('='), Word("same"), nodes @ .., Mark('}')] = tokens {
         let roots = nodes.iter().map(|token| node(token)?.ok_or_else(unknown)).collect::<Result<_, _>>()?;
         return match declared.rank.replace(Rank { line, roots }) {
             Some(_) => Err(Fault::new("the roots a second time", "one line `{ rank= same … }`")),
             None => Ok(()),
         };
     }
-    let bracket = tokens.iter().position(|token| *token == Token::Mark('[')).unwrap_or(tokens.len());
+    let bracket = tokens.iter().position(|token| *token == Mark('[')).unwrap_or(tokens.len());
     let (head, attributes) = tokens.split_at(bracket);
     let label = label_of(attributes)?;
-    if let [Token::Word("graph" | "node" | "edge")] = head {
+    if let [Word("graph" | "node" | "edge")] = head {
         return Ok(());
     }
     let path = path(head)?.ok_or_else(unknown)?;
@@ -160,7 +153,7 @@ fn path(tokens: &[Token<'_>]) -> Result<Option<Vec<Node>>, Fault> {
     for (place, token) in tokens.iter().enumerate() {
         match node(token)? {
             Some(node) if place % 2 == 0 => nodes.push(node),
-            None if place % 2 == 1 && *token == Token::Arrow => {}
+            None if place % 2 == 1 && *token == Arrow => {}
             _ => return Ok(None),
         }
     }
@@ -169,7 +162,7 @@ fn path(tokens: &[Token<'_>]) -> Result<Option<Vec<Node>>, Fault> {
 
 /// Parses a node name such as `T12`; `None` if the token is not a node name.
 fn node(token: &Token<'_>) -> Result<Option<Node>, Fault> {
-    let Token::Word(word) = *token else { return Ok(None) };
+    let Word(word) = *token else { return Ok(None) };
     let Some(kind) = Kind::ALL.into_iter().find(|kind| word.starts_with(kind.letter())) else { return Ok(None) };
     let number = &word[1..];
     if number.is_empty() || !number.bytes().all(|byte| byte.is_ascii_digit()) {
@@ -186,20 +179,18 @@ fn label_of<'t>(attributes: &[Token<'t>]) -> Result<Option<&'t str>, Fault> {
     let accepted = "attributes `[name=value …]`";
     let mut rest = match attributes {
         [] => return Ok(None),
-        [Token::Mark('['), rest @ .., Token::Mark(']')] => rest,
+        [Mark('['), rest @ .., Mark(']')] => rest,
         _ => return Err(Fault::new("attributes without their closing ]", accepted)),
     };
     let mut label = None;
     while !rest.is_empty() {
         let (name, value);
         (name, value, rest) = match rest {
-            [Token::Mark(','), after @ ..] => {
+            [Mark(','), after @ ..] => {
                 rest = after;
                 continue;
             }
-            [Token::Word(name), Token::Mark('='), Token::Word(value) | Token::Text(value), after @ ..] => {
-                (*name, *value, after)
-            }
+            [Word(name), Mark('='), Word(value) | Text(value), after @ ..] => (*name, *value, after),
             _ => return Err(Fault::new("something else between [ and ]", accepted)),
         };
         if name == "label" && label.replace(value).is_some() {
