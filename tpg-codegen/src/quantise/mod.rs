@@ -96,7 +96,7 @@ pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Gra
     }
     if let Some(place) = graph.sources().iter().position(|source| source.image.is_some()) {
         let place = format!("$.sources[{place}].image");
-        return refuse(place, "a graph that sees an image".to_owned(), "values of sensors");
+        return refuse(&place, "a graph that sees an image", "values of sensors");
     }
     let (module, _) = passes::optimise(graph);
     let counts = counts(file, graph, &module, request)?;

@@ -173,8 +173,8 @@ impl Workshop {
     pub(super) fn start_looking(&self, code: &Code<'_>, vision: &Vision) -> Result<Process, BuildError> {
         let program = self.build(code.program.language, slice::from_ref(code), None)?;
         let graph = code.program.graph();
-        let process = Process::start(&program, 1, code.program.name(), graph, Wire::new(code))?;
-        Ok(process.looking(vision, graph.state_length() - graph.memory()))
+        let process = Process::start(&program, 1, code.program.name(), graph, wire(code))?;
+        Ok(process.looking(vision, graph.observed_length()))
     }
 
     /// Generates code, compiles it and starts the program.
