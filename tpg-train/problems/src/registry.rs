@@ -6,6 +6,7 @@ use crate::arm::targets::Start;
 use crate::arm::{self, ArmScalar, motors};
 use crate::cartpole::{self, CartPole};
 use crate::dodge::{self, Dodge};
+use crate::eye::{self, Eye};
 use crate::minatar::{self, Asterix, Breakout, GameName, MinAtar, SpaceInvaders};
 use crate::mountain_car::{self, MountainCar};
 use crate::mountain_car_continuous::{self, MountainCarContinuous};
@@ -45,6 +46,8 @@ pub enum ProblemName {
     Asterix,
     /// A cannon shoots aliens: MinAtar's Space Invaders
     SpaceInvaders,
+    /// A camera follows a ball that is lighter or darker than what is behind it
+    Eye,
 }
 
 /// The kind of policies that a problem is set up for: only the arm differs between them.
@@ -88,7 +91,7 @@ const fn arm(name: ProblemName, text: &'static str, start: Start) -> Entry {
 }
 
 /// Every built-in problem, in the order of [`ProblemName`].
-pub const PROBLEMS: [Entry; 11] = [
+pub const PROBLEMS: [Entry; 12] = [
     arm(ProblemName::Fs, "fs", Start::Fs),
     arm(ProblemName::Rs, "rs", Start::Rs),
     entry(ProblemName::Dodge, "dodge", read!(Dodge)),
@@ -100,6 +103,7 @@ pub const PROBLEMS: [Entry; 11] = [
     entry(ProblemName::Breakout, "breakout", |table| game(table, GameName::Breakout)),
     entry(ProblemName::Asterix, "asterix", |table| game(table, GameName::Asterix)),
     entry(ProblemName::SpaceInvaders, "space-invaders", |table| game(table, GameName::SpaceInvaders)),
+    entry(ProblemName::Eye, "eye", read!(Eye)),
 ];
 
 fn game(table: toml::Table, game: GameName) -> Result<ProblemSettings, PathError> {
@@ -166,6 +170,8 @@ pub enum ProblemSettings {
     MountainCarContinuous(mountain_car_continuous::Config),
     /// A game of MinAtar.
     MinAtar(minatar::Config),
+    /// The camera.
+    Eye(eye::Config),
 }
 
 macro_rules! each {
@@ -180,6 +186,7 @@ macro_rules! each {
             ProblemSettings::Pendulum($config) => $result,
             ProblemSettings::MountainCarContinuous($config) => $result,
             ProblemSettings::MinAtar($config) => $result,
+            ProblemSettings::Eye($config) => $result,
         }
     };
 }
@@ -229,6 +236,15 @@ impl Settings for minatar::Config {
             GameName::Asterix => erase(MinAtar::<Asterix>::default()),
             GameName::SpaceInvaders => erase(MinAtar::<SpaceInvaders>::default()),
         }
+    }
+}
+
+impl Settings for eye::Config {
+    fn check(&self) -> Result<(), Finding> {
+        Ok(())
+    }
+    fn environment<S: ArmScalar>(&self, _: Start) -> AnyEnvironment<S> {
+        erase(Eye::default())
     }
 }
 
