@@ -192,14 +192,7 @@ pub(in crate::ops) fn wave(
     let base = f32::from_bits(choose(mask(top, turn << 1), 1.0_f32.to_bits(), r.to_bits()));
     let [c0, c1, c2, c3] = row(turn);
     let s = r * r;
-    let p = c3 * s;
-    let p = p + c2;
-    let p = p * s;
-    let p = p + c1;
-    let p = p * s;
-    let p = p + c0;
-    let p = p * s;
-    let p = p * base;
+    let p = (((c3 * s + c2) * s + c1) * s + c0) * s * base;
 
     // Zero, unless infinity or NaN make it NaN.
     let zero = f32::from_bits(magnitude) * 0.0;
@@ -235,16 +228,9 @@ pub(in crate::ops) fn ln_by(top: u32, x: f32) -> f32 {
     let s = f / g;
     let w = s * s;
     let [c0, c1, c2] = LN;
-    let p = c2 * w;
-    let p = p + c1;
-    let p = p * w;
-    let p = p + c0;
-    let p = p * w;
-    let p = f - p;
-    let p = p * s;
+    let p = (f - ((c2 * w + c1) * w + c0) * w) * s;
     let low = exponent * LN_2_LOW;
-    let p = p - low;
-    let p = f - p;
+    let p = f - (p - low);
     let high = exponent * LN_2_HIGH;
     let value = (high + p).to_bits();
 
@@ -276,28 +262,15 @@ pub(in crate::ops) fn exp_by(top: u32, x: f32) -> f32 {
     let a = f32::from_bits(limited | (bits & SIGN));
 
     // x = n·ln 2 + r with |r| ≤ ½ ln 2.
-    let sum = a * core::f32::consts::LOG2_E;
-    let sum = sum + ROUND;
+    let sum = a * core::f32::consts::LOG2_E + ROUND;
     let n = sum - ROUND;
     let high = n * LN_2_HIGH;
     let low = n * LN_2_LOW;
-    let r = a - high;
-    let r = r - low;
+    let r = a - high - low;
 
     // eʳ = 1 + (r + r²·P(r)).
     let [c0, c1, c2, c3, c4] = EXP;
-    let p = c4 * r;
-    let p = p + c3;
-    let p = p * r;
-    let p = p + c2;
-    let p = p * r;
-    let p = p + c1;
-    let p = p * r;
-    let p = p + c0;
-    let p = p * r;
-    let p = p * r;
-    let p = p + r;
-    let p = p + 1.0;
+    let p = ((((c4 * r + c3) * r + c2) * r + c1) * r + c0) * r * r + r + 1.0;
 
     // Times 2ⁿ as two powers of two: the first product is exact, the second rounds once, if at all.
     let biased = sum.to_bits().wrapping_sub(ROUND_BITS - 2 * 127);
@@ -336,16 +309,7 @@ pub(in crate::ops) fn atan_by(top: u32, x: f32) -> f32 {
 
     let [c0, c1, c2, c3] = ATAN;
     let s = t * t;
-    let p = c3 * s;
-    let p = p + c2;
-    let p = p * s;
-    let p = p + c1;
-    let p = p * s;
-    let p = p + c0;
-    let p = p * s;
-    let p = p * t;
-    let p = p + rest;
-    let p = t + p;
+    let p = t + ((((c3 * s + c2) * s + c1) * s + c0) * s * t + rest);
     let value = offset + p;
     f32::from_bits(value.to_bits() | (bits & SIGN))
 }
@@ -369,14 +333,7 @@ pub(in crate::ops) fn tanh_by(top: u32, x: f32) -> f32 {
 
     let [c0, c1, c2, c3] = TANH;
     let s = a * a;
-    let p = c3 * s;
-    let p = p + c2;
-    let p = p * s;
-    let p = p + c1;
-    let p = p * s;
-    let p = p + c0;
-    let p = p * s;
-    let p = p * a;
+    let p = (((c3 * s + c2) * s + c1) * s + c0) * s * a;
     let near = a + p;
 
     let small = mask(top, magnitude.wrapping_sub(0x3f0c_cccd)); // 0.55

@@ -245,20 +245,7 @@ pub(in crate::ops) fn wave(
     let base = f64::from_bits(choose(mask(turn << 1), 1.0_f64.to_bits(), r.to_bits()));
     let [c0, c1, c2, c3, c4, c5, c6] = row(turn);
     let s = r * r;
-    let p = c6 * s;
-    let p = p + c5;
-    let p = p * s;
-    let p = p + c4;
-    let p = p * s;
-    let p = p + c3;
-    let p = p * s;
-    let p = p + c2;
-    let p = p * s;
-    let p = p + c1;
-    let p = p * s;
-    let p = p + c0;
-    let p = p * s;
-    let p = p * base;
+    let p = ((((((c6 * s + c5) * s + c4) * s + c3) * s + c2) * s + c1) * s + c0) * s * base;
 
     // Zero, unless infinity or NaN make it NaN.
     let zero = f64::from_bits(magnitude) * 0.0;
@@ -289,24 +276,9 @@ pub fn ln(x: f64) -> f64 {
     let s = f / g;
     let w = s * s;
     let [c0, c1, c2, c3, c4, c5, c6] = LN;
-    let p = c6 * w;
-    let p = p + c5;
-    let p = p * w;
-    let p = p + c4;
-    let p = p * w;
-    let p = p + c3;
-    let p = p * w;
-    let p = p + c2;
-    let p = p * w;
-    let p = p + c1;
-    let p = p * w;
-    let p = p + c0;
-    let p = p * w;
-    let p = f - p;
-    let p = p * s;
+    let p = (f - ((((((c6 * w + c5) * w + c4) * w + c3) * w + c2) * w + c1) * w + c0) * w) * s;
     let low = exponent * LN_2_LOW;
-    let p = p - low;
-    let p = f - p;
+    let p = f - (p - low);
     let high = exponent * LN_2_HIGH;
     let value = (high + p).to_bits();
 
@@ -333,38 +305,18 @@ pub fn exp(x: f64) -> f64 {
     let a = f64::from_bits(limited | (bits & SIGN));
 
     // x = n·ln 2 + r with |r| ≤ ½ ln 2.
-    let sum = a * core::f64::consts::LOG2_E;
-    let sum = sum + ROUND;
+    let sum = a * core::f64::consts::LOG2_E + ROUND;
     let n = sum - ROUND;
     let high = n * LN_2_HIGH;
     let low = n * LN_2_LOW;
-    let r = a - high;
-    let r = r - low;
+    let r = a - high - low;
 
     // eʳ = 1 + (r + r²·P(r)).
     let [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9] = EXP;
-    let p = c9 * r;
-    let p = p + c8;
-    let p = p * r;
-    let p = p + c7;
-    let p = p * r;
-    let p = p + c6;
-    let p = p * r;
-    let p = p + c5;
-    let p = p * r;
-    let p = p + c4;
-    let p = p * r;
-    let p = p + c3;
-    let p = p * r;
-    let p = p + c2;
-    let p = p * r;
-    let p = p + c1;
-    let p = p * r;
-    let p = p + c0;
-    let p = p * r;
-    let p = p * r;
-    let p = p + r;
-    let p = p + 1.0;
+    let p =
+        (((((((((c9 * r + c8) * r + c7) * r + c6) * r + c5) * r + c4) * r + c3) * r + c2) * r + c1) * r + c0) * r * r
+            + r
+            + 1.0;
 
     // Times 2ⁿ as two powers of two: the first product is exact, the second rounds once, if at all.
     let biased = sum.to_bits().wrapping_sub(ROUND_BITS - 2 * 1023);
@@ -397,28 +349,11 @@ pub fn atan(x: f64) -> f64 {
 
     let [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9] = ATAN;
     let s = t * t;
-    let p = c9 * s;
-    let p = p + c8;
-    let p = p * s;
-    let p = p + c7;
-    let p = p * s;
-    let p = p + c6;
-    let p = p * s;
-    let p = p + c5;
-    let p = p * s;
-    let p = p + c4;
-    let p = p * s;
-    let p = p + c3;
-    let p = p * s;
-    let p = p + c2;
-    let p = p * s;
-    let p = p + c1;
-    let p = p * s;
-    let p = p + c0;
-    let p = p * s;
-    let p = p * t;
-    let p = p + rest;
-    let p = t + p;
+    let p = t
+        + ((((((((((c9 * s + c8) * s + c7) * s + c6) * s + c5) * s + c4) * s + c3) * s + c2) * s + c1) * s + c0)
+            * s
+            * t
+            + rest);
     let value = offset + p;
     f64::from_bits(value.to_bits() | (bits & SIGN))
 }
@@ -436,26 +371,8 @@ pub fn tanh(x: f64) -> f64 {
 
     let [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9] = TANH;
     let s = a * a;
-    let p = c9 * s;
-    let p = p + c8;
-    let p = p * s;
-    let p = p + c7;
-    let p = p * s;
-    let p = p + c6;
-    let p = p * s;
-    let p = p + c5;
-    let p = p * s;
-    let p = p + c4;
-    let p = p * s;
-    let p = p + c3;
-    let p = p * s;
-    let p = p + c2;
-    let p = p * s;
-    let p = p + c1;
-    let p = p * s;
-    let p = p + c0;
-    let p = p * s;
-    let p = p * a;
+    let p =
+        (((((((((c9 * s + c8) * s + c7) * s + c6) * s + c5) * s + c4) * s + c3) * s + c2) * s + c1) * s + c0) * s * a;
     let near = a + p;
 
     let small = mask(magnitude.wrapping_sub(0x3fe1_9999_9999_999a)); // 0.55
