@@ -2,7 +2,6 @@
 
 mod bids;
 mod data;
-mod picture;
 mod policies;
 
 use clap::{Parser, Subcommand};
@@ -11,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{fs, io};
 
-/// Writes what the page and the README show of the shipped policies.
+/// Writes what the page shows of the shipped policies.
 #[derive(Debug, Parser)]
 struct PageCli {
     #[command(subcommand)]
@@ -32,19 +31,12 @@ enum PageCommand {
         #[arg(long, short)]
         out: PathBuf,
     },
-    /// Write `docs/policy.svg`: CartPole's policy as a formula, as C, and the pole that it drives
-    Picture {
-        /// The file [default: that of the repository]
-        #[arg(long, short)]
-        out: Option<PathBuf>,
-    },
 }
 
 fn main() -> ExitCode {
     let written = match PageCli::parse().command {
         PageCommand::Bids { out } => write(&out.unwrap_or_else(|| top().join("web/src/bids.rs")), bids::text()),
         PageCommand::Data { out } => write(&out, data::text()),
-        PageCommand::Picture { out } => write(&out.unwrap_or_else(|| top().join("docs/policy.svg")), picture::text()),
     };
     match written {
         Ok(()) => ExitCode::SUCCESS,
