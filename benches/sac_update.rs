@@ -8,7 +8,7 @@ mod pytorch;
 
 use tpg_benches::cpu_seconds;
 use tpg_engine::random::{Purpose, Stream};
-use tpg_nn::{Agent, Experience, Gaussian, Rates, Spread};
+use tpg_nn::{Agent, Experience, Gaussian, Rates};
 
 /// The arm's: 38 features, four motors.
 const INPUTS: usize = 38;
@@ -20,7 +20,7 @@ const ROUNDS: usize = 3;
 fn milliseconds(actor: usize, critic: usize) -> f64 {
     let (inputs, batch) = (INPUTS, 256);
     let mut random = Stream::new(1, 0, Purpose::Test, 0);
-    let gaussian = Gaussian { actions: ACTIONS, spread: Spread::LogSigma };
+    let gaussian = Gaussian { actions: ACTIONS };
     let hidden = [&[actor; 2][..], &[critic; 2]];
     let mut agent = Agent::random(inputs, hidden, gaussian, -3.0, || random.unit());
     let mut space = agent.workspace(batch);

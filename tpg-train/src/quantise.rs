@@ -1,11 +1,10 @@
 //! `tpg-train quantise`: puts a trained network into integers.
 
+use crate::folder::frame::checksum;
 use crate::sac::integers::{self, Comparison};
-use crate::sac::tensors::place;
 use crate::sac::weights;
 use clap::Args;
 use serde::Deserialize as _;
-use sha2::{Digest, Sha256};
 use std::fs;
 use std::path::PathBuf;
 use tpg_codegen::policy::{Preferences, to_rust};
@@ -51,10 +50,9 @@ pub fn quantise(args: &QuantiseArgs) -> Result<(), InputError> {
     }
     let (network, contract) = weights::read(&args.policy)?;
     let bytes = fs::read(&args.policy).map_err(|error| InputError::io(&args.policy, &error, "a policy.safetensors"))?;
-    let hash = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+    let hash = checksum(&bytes);
     let problem = Problem::from_table(&file, &contract.problem, PolicyKind::Network)?;
-    let kept = problem.kept_settings().map_err(|finding| place(&args.policy, finding))?;
-    let preferences = kept.map(Preferences::deserialize).transpose().map_err(|error| {
+    let preferences = problem.kept_settings().map(Preferences::deserialize).transpose().map_err(|error| {
         InputError::new(&file, Place::Whole, error.message(), "settings of a network whose outputs are preferences")
     })?;
     let (environment, actor) = (problem.network_environment(args.seed), (&network, &contract));

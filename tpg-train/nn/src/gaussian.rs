@@ -8,34 +8,14 @@
 //!
 //! The last term is computed as 2·(ln 2 − u − softplus(−2u)), which does not overflow.
 
-use serde::{Deserialize, Serialize};
+/// The range of an actor's ln σ.
+const LOG_SIGMA: [f32; 2] = [-5.0, 2.0];
 
-/// Meaning of the second half of an actor's outputs.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Spread {
-    /// ln σ, clipped to −5..2.
-    LogSigma,
-    /// σ itself, clipped to 1e-6..1, as in the paper.
-    Sigma,
-}
-
-impl Spread {
-    fn range(self) -> (f64, f64) {
-        match self {
-            Self::LogSigma => (-5.0, 2.0),
-            Self::Sigma => (1e-6, 1.0),
-        }
-    }
-}
-
-/// The distribution defined by an actor with `2·actions` outputs: means first, then spreads.
+/// The distribution defined by an actor with `2·actions` outputs: means first, then ln σ, clipped to −5..2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gaussian {
     /// Number of action components.
     pub actions: usize,
-    /// Meaning of the second half of the outputs.
-    pub spread: Spread,
 }
 
 /// Actions sampled for a batch.
@@ -56,8 +36,7 @@ impl Gaussian {
     /// If the size of `noise` does not match `outputs`.
     pub fn sample(self, outputs: &[f32], noise: &[f32], samples: &mut Samples) {
         assert_eq!(outputs.len(), 2 * noise.len(), "noise for another batch");
-        let (low, high) = self.spread.range();
-        let (low, high) = (low as f32, high as f32);
+        let [low, high] = LOG_SIGMA;
         let constant = (0.5 * (2.0 * std::f64::consts::PI).ln()) as f32;
         samples.actions.clear();
         samples.log_densities.clear();
@@ -74,10 +53,7 @@ impl Gaussian {
                 } else {
                     low
                 };
-                let (sigma, log_sigma) = match self.spread {
-                    Spread::LogSigma => (libm::expf(clipped), clipped),
-                    Spread::Sigma => (clipped, libm::logf(clipped)),
-                };
+                let sigma = libm::expf(clipped);
                 let u = mean + sigma * noise;
                 // With e = exp(−2|u|): |tanh u| = (1 − e)/(1 + e), softplus(−2u) = max(−2u, 0) + ln(1 + e). All 1 + e
                 // are at most 2, so one logarithm of their product per sample suffices.
@@ -88,7 +64,7 @@ impl Gaussian {
                 samples.sigma.push(if inside { sigma } else { -sigma });
                 product *= 1.0 + e;
                 let room = 2.0 * (std::f32::consts::LN_2 - u - over);
-                log_density += -noise * noise / 2.0 - log_sigma - constant - room;
+                log_density += -noise * noise / 2.0 - clipped - constant - room;
             }
             samples.log_densities.push(log_density + 2.0 * libm::logf(product));
         }
@@ -119,14 +95,7 @@ impl Gaussian {
                 // d ln π / du = 2 tanh u; da/du = 1 − tanh² u.
                 let by_u = by_actions[at] * (1.0 - action * action) + by_density * 2.0 * action;
                 by_means[i] = by_u;
-                by_spreads[i] = if sigma < 0.0 {
-                    0.0
-                } else {
-                    match self.spread {
-                        Spread::LogSigma => by_u * sigma * noise[at] - by_density,
-                        Spread::Sigma => by_u * noise[at] - by_density / sigma,
-                    }
-                };
+                by_spreads[i] = if sigma < 0.0 { 0.0 } else { by_u * sigma * noise[at] - by_density };
             }
         }
     }
@@ -138,12 +107,11 @@ mod tests {
     use tpg_engine::random::{Purpose, Stream};
 
     /// Computes Σ c·a + w·ln π over a batch in `f64`, by the formulas.
-    fn loss(gaussian: Gaussian, outputs: &[f64], noise: &[f64], c: &[f64], w: f64) -> f64 {
-        let (low, high) = gaussian.spread.range();
+    fn loss(outputs: &[f64], noise: &[f64], c: &[f64], w: f64) -> f64 {
+        let [low, high] = LOG_SIGMA.map(f64::from);
         let columns = outputs.chunks_exact(8).zip(noise.chunks_exact(4)).zip(c.chunks_exact(4));
         let component = |mean: f64, spread: f64, noise: f64, c: f64| {
-            let spread = spread.clamp(low, high);
-            let sigma = if gaussian.spread == Spread::Sigma { spread } else { spread.exp() };
+            let sigma = spread.clamp(low, high).exp();
             let u = mean + sigma * noise;
             let normal = -0.5 * noise * noise - sigma.ln() - 0.5 * std::f64::consts::TAU.ln();
             // 1 − tanh² u = 1 / cosh² u.
@@ -157,31 +125,29 @@ mod tests {
 
     #[test]
     fn gradients_equal_finite_differences() {
-        for spread in [Spread::LogSigma, Spread::Sigma] {
-            let gaussian = Gaussian { actions: 4, spread };
-            let mut random = Stream::new(1, 0, Purpose::Test, 22);
-            let mut draw = |count: usize| -> Vec<f32> { (0..count).map(|_| random.normal() as f32).collect() };
-            let (mut outputs, noise, c) = (draw(8 * 10), draw(4 * 10), draw(4 * 10));
-            outputs[4] = 3.0; // clipped above, in both readings
-            outputs[5] = -6.0; // clipped below
-            let mut samples = Samples::default();
-            gaussian.sample(&outputs, &noise, &mut samples);
-            let mut gradient = vec![f32::NAN; outputs.len()];
-            gaussian.backward(&samples, &noise, &c, 0.3, &mut gradient);
-            let wide = |values: &[f32]| -> Vec<f64> { values.iter().copied().map(f64::from).collect() };
-            let (outputs, noise, c) = (wide(&outputs), wide(&noise), wide(&c));
-            let (actions, densities) = (wide(&samples.actions), wide(&samples.log_densities));
-            let sampled = actions.iter().zip(&c).map(|(a, c)| a * c).sum::<f64>() + 0.3 * densities.iter().sum::<f64>();
-            assert!((sampled - loss(gaussian, &outputs, &noise, &c, 0.3)).abs() < 1e-4, "{spread:?}");
-            for index in 0..outputs.len() {
-                let at = |by: f64| {
-                    let mut moved = outputs.clone();
-                    moved[index] += by;
-                    loss(gaussian, &moved, &noise, &c, 0.3)
-                };
-                let (slope, found) = ((at(1e-6) - at(-1e-6)) / 2e-6, f64::from(gradient[index]));
-                assert!((found - slope).abs() < 1e-4 * (1.0 + slope.abs()), "{spread:?} {index}: {found} {slope}");
-            }
+        let gaussian = Gaussian { actions: 4 };
+        let mut random = Stream::new(1, 0, Purpose::Test, 22);
+        let mut draw = |count: usize| -> Vec<f32> { (0..count).map(|_| random.normal() as f32).collect() };
+        let (mut outputs, noise, c) = (draw(8 * 10), draw(4 * 10), draw(4 * 10));
+        outputs[4] = 3.0; // clipped above
+        outputs[5] = -6.0; // clipped below
+        let mut samples = Samples::default();
+        gaussian.sample(&outputs, &noise, &mut samples);
+        let mut gradient = vec![f32::NAN; outputs.len()];
+        gaussian.backward(&samples, &noise, &c, 0.3, &mut gradient);
+        let wide = |values: &[f32]| -> Vec<f64> { values.iter().copied().map(f64::from).collect() };
+        let (outputs, noise, c) = (wide(&outputs), wide(&noise), wide(&c));
+        let (actions, densities) = (wide(&samples.actions), wide(&samples.log_densities));
+        let sampled = actions.iter().zip(&c).map(|(a, c)| a * c).sum::<f64>() + 0.3 * densities.iter().sum::<f64>();
+        assert!((sampled - loss(&outputs, &noise, &c, 0.3)).abs() < 1e-4);
+        for index in 0..outputs.len() {
+            let at = |by: f64| {
+                let mut moved = outputs.clone();
+                moved[index] += by;
+                loss(&moved, &noise, &c, 0.3)
+            };
+            let (slope, found) = ((at(1e-6) - at(-1e-6)) / 2e-6, f64::from(gradient[index]));
+            assert!((found - slope).abs() < 1e-4 * (1.0 + slope.abs()), "{index}: {found} {slope}");
         }
     }
 
@@ -189,7 +155,7 @@ mod tests {
     fn the_density_integrates_to_one() {
         // One component: sum π(a) da over a fine grid of a, with ε recovered from a.
         let (mean, log_sigma) = (0.4f64, -0.7f64);
-        let gaussian = Gaussian { actions: 1, spread: Spread::LogSigma };
+        let gaussian = Gaussian { actions: 1 };
         let step = 1e-4;
         let total: f64 = (-9999..=9999)
             .map(|i| {
@@ -204,7 +170,7 @@ mod tests {
 
     #[test]
     fn far_out_means_stay_finite() {
-        let gaussian = Gaussian { actions: 1, spread: Spread::LogSigma };
+        let gaussian = Gaussian { actions: 1 };
         for mean in [-1e4f32, -50.0, 50.0, 1e4] {
             let mut samples = Samples::default();
             gaussian.sample(&[mean, -2.0], &[0.5], &mut samples);

@@ -20,6 +20,6 @@ mod vectors;
 
 pub use adam::Adam;
 pub use agent::{Agent, Experience, Learner, Rates, UpdateFigures, Workspace};
-pub use gaussian::{Gaussian, Samples, Spread};
+pub use gaussian::{Gaussian, Samples};
 pub use mlp::{Mlp, Shape, Tape};
 pub use product::{Factor, Finish, Scratch, multiply};

@@ -1,7 +1,7 @@
 //! Compares two complete updates of the soft actor-critic with numbers computed by PyTorch.
 
 use serde::Deserialize;
-use tpg_nn::{Agent, Experience, Gaussian, Mlp, Rates, Shape, Spread};
+use tpg_nn::{Agent, Experience, Gaussian, Mlp, Rates, Shape};
 
 #[derive(Deserialize)]
 struct Fixture {
@@ -64,7 +64,7 @@ fn two_updates_are_near_pytorchs() {
     let actor = network(fixture.inputs, &fixture.actor_hidden, 2 * ACTIONS, &fixture.before.actor);
     let critics = (fixture.before.critics.each_ref())
         .map(|critic| network(fixture.inputs + ACTIONS, &fixture.critic_hidden, 1, critic));
-    let gaussian = Gaussian { actions: ACTIONS, spread: Spread::LogSigma };
+    let gaussian = Gaussian { actions: ACTIONS };
     let mut agent = Agent::new(actor, critics, gaussian, fixture.before.log_alpha);
     let mut space = agent.workspace(fixture.batch);
     let rates = Rates {

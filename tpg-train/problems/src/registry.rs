@@ -412,18 +412,12 @@ impl Problem {
         each!(&self.settings, config => Settings::environment(config, self.start()))
     }
 
-    /// Returns the settings that a network in integers keeps in its file, if its outputs are preferences and not values.
-    ///
-    /// # Errors
-    /// If networks with these settings cannot be put into integers.
-    pub fn kept_settings(&self) -> Result<Option<toml::Table>, Finding> {
-        let ProblemSettings::Motors(config) = &self.settings else { return Ok(None) };
-        if config.inputs != motors::Inputs::Features {
-            return Err(Finding::new("problem.inputs", format!("{:?}", config.inputs.name()), "\"features\""));
-        }
+    /// Returns the settings that the integers of a network keep: those of the arm's decision.
+    pub fn kept_settings(&self) -> Option<toml::Table> {
+        let ProblemSettings::Motors(_) = &self.settings else { return None };
         let mut table = self.to_table();
         table.retain(|key, _| ["actions", "mask", "may_rest"].contains(&key));
-        Ok(Some(table))
+        Some(table)
     }
 
     /// Creates the environment in which a network acts alone: the [joined](Self::joined) one, or one that is trained. The arm's
@@ -542,7 +536,7 @@ mod tests {
         for (text, line, found) in [
             ("[problem]\nname = \"fs\"\nactions = \"medium\"\n", 3, "unknown variant"),
             ("[problem]\nname = \"fs\"\nsources = [\"stance\"]\n", 3, "unknown field"),
-            ("[problem]\nname = \"rs\"\nstep = 5\n", 3, "problem.step = 5"),
+            ("[problem]\nname = \"rs\"\nrepeat_most = 0\n", 3, "problem.repeat_most = 0"),
             ("[problem]\nname = \"rs\"\n\nfixed_start_share = 2.0\n", 4, "problem.fixed_start_share = 2"),
         ] {
             let error = Problem::read("x.toml", text, PolicyKind::Network).expect_err(text);

@@ -19,8 +19,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_engine::{
-    AnyEpisode, AnyTask, Choices, EngineOptions, Environment, Evaluator, LocalThreads, Remembered, Remembering,
-    Summary, erase,
+    AnyEpisode, AnyTask, Choices, EngineOptions, Environment, Evaluator, LocalThreads, Measure, Remembered,
+    Remembering, Summary, erase,
 };
 use tpg_graph::ScalarType;
 use tpg_graph::command::Verdict;
@@ -69,13 +69,6 @@ pub struct TpgArgs {
 pub struct Seeds {
     first: u64,
     end: u64,
-}
-
-impl Seeds {
-    /// Returns the seeds.
-    fn all(self) -> impl Iterator<Item = u64> {
-        self.first..self.end
-    }
 }
 
 /// Returns the name of the folder of one of several seeds.
@@ -178,27 +171,18 @@ impl<W: Workplace> Training<'_, W> {
                 if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             })
         };
-        let Some(seeds) = args.seeds else {
-            return match one(args.seed, out.to_owned())? {
-                RunEnd::Finished(best) => {
-                    tpg_graph::command::note(format_args!("{}", sentence(args.seed, &best, environment)));
-                    Ok(Verdict::Good)
-                }
-                RunEnd::Interrupted => Ok(Verdict::Interrupted),
-            };
-        };
-        let _folder = RunFolder::open(out, Trainer::Restarts, args.run.resume)?;
+        let _folder = args.seeds.map(|_| RunFolder::open(out, Trainer::Restarts, args.run.resume)).transpose()?;
+        let seeds = args.seeds.map_or(args.seed..=args.seed, |seeds| seeds.first..=seeds.end - 1);
         let mut finished = Vec::new();
-        for seed in seeds.all() {
-            let folder = out.join(of_seed(seed));
-            match one(seed, folder)? {
-                RunEnd::Finished(best) => {
-                    tpg_graph::command::note(format_args!("{}", sentence(seed, &best, environment)));
-                    finished.push((seed, best));
-                }
-                RunEnd::Interrupted => return Ok(Verdict::Interrupted),
+        for seed in seeds {
+            let folder = args.seeds.map_or_else(|| out.to_owned(), |_| out.join(of_seed(seed)));
+            let RunEnd::Finished(best) = one(seed, folder)? else { return Ok(Verdict::Interrupted) };
+            let result = sentence(seed, &best.result, "selection", environment.measure());
+            tpg_graph::command::note(format_args!("{result}, found in generation {}", best.generation));
+            finished.push((seed, best));
+            if args.seeds.is_some() {
+                keep_best(out, &finished, environment)?;
             }
-            keep_best(out, &finished, environment)?;
         }
         Ok(Verdict::Good)
     }
@@ -223,8 +207,8 @@ fn keep_best<S: Number>(
     });
     write_atomically(&folder.join("restarts.csv"), &table(header, rows))?;
     let preference = environment.preference();
-    let better = |a: &Best, b: &Best| b.result.compare(&a.result, preference).is_gt();
-    let best = finished.iter().reduce(|a, b| if better(&a.1, &b.1) { b } else { a });
+    // The first of equals.
+    let best = finished.iter().rev().max_by(|(_, a), (_, b)| a.result.compare(&b.result, preference));
     if let Some((seed, _)) = best {
         let graph = read_text(&folder.join(of_seed(*seed)).join("graph.json"), "the graph of a finished run")?;
         write_atomically(&folder.join("graph.json"), graph.as_bytes())?;
@@ -232,14 +216,10 @@ fn keep_best<S: Number>(
     Ok(())
 }
 
-fn sentence<S: Number>(seed: u64, best: &Best, environment: &impl Environment<S>) -> String {
-    let Summary { score, success, measure, episodes, .. } = best.result;
+/// Returns the result of a run on episodes of a set, for people.
+pub(crate) fn sentence(seed: u64, result: &Summary, set: &str, measured: Option<Measure>) -> String {
+    let Summary { score, success, measure, episodes, .. } = result;
     let success = success.map(|success| format!(", {:.1} % solved", 100.0 * success)).unwrap_or_default();
-    let measure =
-        environment.measure().map(|measured| format!(", mean {} {measure:.1} {}", measured.name, measured.unit));
-    format!(
-        "seed {seed}: mean score {score:.2} on {episodes} selection episodes{success}{}, found in generation {}",
-        measure.unwrap_or_default(),
-        best.generation
-    )
+    let measure = measured.map(|of| format!(", mean {} {measure:.1} {}", of.name, of.unit)).unwrap_or_default();
+    format!("seed {seed}: mean score {score:.2} on {episodes} {set} episodes{success}{measure}")
 }

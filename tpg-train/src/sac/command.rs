@@ -9,16 +9,16 @@ use super::training::{Best, Training, interface};
 use super::weights::to_tensors;
 use super::{checkpoint, log};
 use crate::configuration::Chosen;
-use crate::evolution::generation::Goal;
+use crate::evolution::command::sentence;
+use crate::folder::frame::checksum;
 use crate::folder::{RunFolder, Trainer};
 use crate::interrupt;
 use crate::progress::Bar;
 use crate::run_args::{RunArgs, command_line};
 use clap::Args;
 use serde_json::Value;
-use sha2::{Digest as _, Sha256};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 use tpg_engine::{Environment, Summary};
 use tpg_graph::command::Verdict;
 use tpg_graph::error::{Finding, InputError};
@@ -56,33 +56,22 @@ pub(crate) fn execute(args: &SacArgs) -> Result<Verdict, InputError> {
     let Chosen { preset, config, problem } = Chosen::<SacConfig>::by(&args.run, args.problem)?;
     let name = preset.unwrap_or_else(|| name_by_content(&config));
     let stop = interrupt::watch();
-    let command = SacCommand { args, name: &name, config, problem: problem.name() };
     let environment = problem.network_environment(args.seed);
-    SacRun::begin(command, &&*environment)?.finish(&stop)
+    SacRun::begin(args, &name, config, problem.name(), &&*environment)?.finish(&stop)
 }
 
 /// Returns the name of a configuration from a file: a hash of its content, so that the policy does not depend on where
 /// the file lies.
 fn name_by_content(config: &SacConfig) -> String {
-    let hash = Sha256::digest(config.to_toml());
-    hash.iter().take(8).fold("SHA-256 ".to_owned(), |text, byte| format!("{text}{byte:02x}"))
-}
-
-/// The request.
-struct SacCommand<'a> {
-    args: &'a SacArgs,
-    name: &'a str,
-    config: SacConfig,
-    problem: ProblemName,
+    format!("SHA-256 {}", &checksum(config.to_toml())[..16])
 }
 
 struct SacRun<'a, E: Environment<f32>> {
+    args: &'a SacArgs,
     environment: &'a E,
     folder: RunFolder,
     name: &'a str,
     problem: ProblemName,
-    goal: Goal,
-    checkpoint_every: Duration,
     training: Training<'a, E>,
     validation: Vec<E::Task>,
     log: Vec<Value>,
@@ -91,8 +80,13 @@ struct SacRun<'a, E: Environment<f32>> {
 }
 
 impl<'a, E: Environment<f32>> SacRun<'a, E> {
-    fn begin(command: SacCommand<'a>, environment: &'a E) -> Result<Self, InputError> {
-        let SacCommand { args, name, config, problem } = command;
+    fn begin(
+        args: &'a SacArgs,
+        name: &'a str,
+        config: SacConfig,
+        problem: ProblemName,
+        environment: &'a E,
+    ) -> Result<Self, InputError> {
         let (seed, folder) = (args.seed, args.run.folder(problem, args.seed));
         let refused = |finding: Finding| {
             command_line(format!("--problem {}: {}", problem.name(), finding.found), finding.accepted)
@@ -107,38 +101,25 @@ impl<'a, E: Environment<f32>> SacRun<'a, E> {
             None => (Training::new(environment, config, seed).map_err(refused)?, Vec::new()),
         };
         write_atomically(&folder.file("config.toml"), training.config.to_toml().as_bytes())?;
-        let goal = Goal { target: args.target, max_steps: args.max_steps };
         let validation =
             tpg_engine::tasks(environment, tpg_engine::TaskSet::Validation, 0, training.config.validation.episodes);
-        let checkpoint_every = args.run.checkpoint_every(CHECKPOINT_SECONDS);
-        let began = Instant::now();
-        Ok(Self {
-            environment,
-            folder,
-            name,
-            problem,
-            goal,
-            checkpoint_every,
-            training,
-            validation,
-            log,
-            progress: Bar::new(),
-            began,
-        })
+        let (progress, began) = (Bar::new(), Instant::now());
+        Ok(Self { args, environment, folder, name, problem, training, validation, log, progress, began })
     }
 
     /// True when the run has had all of its decisions.
     fn spent(&self) -> bool {
-        self.training.finished() || self.goal.max_steps.is_some_and(|most| self.training.decisions >= most)
+        self.training.finished() || self.args.max_steps.is_some_and(|most| self.training.decisions >= most)
     }
 
     /// True when the last candidate is good enough.
     fn reached(&self) -> bool {
-        self.training.last.as_ref().zip(self.goal.target).is_some_and(|(result, target)| result.score >= target)
+        self.training.last.as_ref().zip(self.args.target).is_some_and(|(result, target)| result.score >= target)
     }
 
     fn finish(mut self, stop: &AtomicBool) -> Result<Verdict, InputError> {
         let every = self.training.config.validation.every;
+        let checkpoint_every = self.args.run.checkpoint_every(CHECKPOINT_SECONDS);
         let mut saved = Instant::now();
         while !self.spent() && !self.reached() {
             let before = self.training.decisions / every;
@@ -147,10 +128,10 @@ impl<'a, E: Environment<f32>> SacRun<'a, E> {
                 self.validate()?;
             }
             let whole = self.training.config.learning.decisions;
-            let whole = self.goal.max_steps.map_or(whole, |most| most.min(whole));
+            let whole = self.args.max_steps.map_or(whole, |most| most.min(whole));
             self.progress.show(self.training.decisions, whole, || self.message());
             let stopped = stop.load(Ordering::Relaxed);
-            if stopped || saved.elapsed() >= self.checkpoint_every {
+            if stopped || saved.elapsed() >= checkpoint_every {
                 self.save()?;
                 saved = Instant::now();
             }
@@ -189,17 +170,8 @@ impl<'a, E: Environment<f32>> SacRun<'a, E> {
     }
 
     fn sentence(&self, best: &Best) -> String {
-        let Summary { score, success, measure, episodes, .. } = best.result;
-        let success = success.map(|success| format!(", {:.1} % solved", 100.0 * success)).unwrap_or_default();
-        let measure = self
-            .environment
-            .measure()
-            .map(|measured| format!(", mean {} {measure:.1} {}", measured.name, measured.unit))
-            .unwrap_or_default();
-        format!(
-            "seed {}: mean score {score:.2} on {episodes} validation episodes{success}{measure}, after {} decisions",
-            self.training.seed, best.decisions
-        )
+        let result = sentence(self.training.seed, &best.result, "validation", self.environment.measure());
+        format!("{result}, after {} decisions", best.decisions)
     }
 }
 

@@ -8,7 +8,6 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_graph::error::{Finding, InputError};
 use tpg_graph::settings;
-use tpg_nn::Spread;
 use tpg_problems::{PolicyKind, ProblemName};
 
 /// The values that a configuration file may hold, for messages.
@@ -43,11 +42,6 @@ pub struct Actor {
     pub scaled_inputs: bool,
     /// Units of each hidden layer.
     pub hidden: Vec<usize>,
-    /// LayerNorm behind each hidden layer; must be false.
-    pub layer_norm: bool,
-    /// Second half of its outputs: "log-sigma" or "sigma".
-    #[schemars(with = "String")]
-    pub spread: Spread,
 }
 
 /// The critics.
@@ -170,9 +164,6 @@ impl SacConfig {
     /// The first value that would make training impossible.
     pub fn check(&self) -> Result<(), Finding> {
         let Self { actor, critic, learning, retry, validation, .. } = self;
-        if actor.layer_norm {
-            return Err(Finding::new("actor.layer_norm", true, "false"));
-        }
         check_widths("actor.hidden", &actor.hidden)?;
         check_widths("critic.hidden", &critic.hidden)?;
         for (key, value) in [
@@ -231,7 +222,6 @@ mod tests {
             ("lanes = 64", "lanes = 0", "learning.lanes = 0"),
             ("share = 0.5", "share = 1.5", "retry.share = 1.5"),
             ("scaled_inputs", "fun = 1\nscaled_inputs", "unknown field `fun`"),
-            ("\"log-sigma\"", "\"sigmoid\"", "unknown variant `sigmoid`"),
         ] {
             let at = text.find(from).expect("a preset has it");
             let line = 1 + text[..at].lines().count() - usize::from(!text[..at].ends_with('\n'));

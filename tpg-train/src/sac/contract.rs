@@ -3,6 +3,7 @@
 use super::config::{Actor, check_widths};
 use super::interface::{Input, Interface};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use tpg_engine::{Output, Summary};
 use tpg_graph::error::Finding;
 
@@ -86,17 +87,14 @@ impl Contract {
             let found = format!("{:?}, version {}", header.format, header.version);
             return Err(Finding::new("metadata.tpg.version", found, format!("{FORMAT:?}, version {VERSION}")));
         }
-        let contract: Self =
-            serde_json::from_str(text).map_err(|error| Finding::new("metadata.tpg", error, accepted))?;
+        let contract = serde_json::from_str(text).map(without_retired).and_then(serde_json::from_value::<Self>);
+        let contract = contract.map_err(|error| Finding::new("metadata.tpg", error, accepted))?;
         contract.check()?;
         Ok(contract)
     }
 
     fn check(&self) -> Result<(), Finding> {
         check_widths("metadata.tpg.actor.hidden", &self.actor.hidden)?;
-        if self.actor.layer_norm {
-            return Err(Finding::new("metadata.tpg.actor.layer_norm", true, "false"));
-        }
         if let Some(input) = self.inputs.iter().find(|input| !input.offset.is_finite() || !input.scale.is_finite()) {
             return Err(Finding::new("metadata.tpg.inputs", format!("{input:?}"), "finite numbers"));
         }
@@ -111,4 +109,26 @@ impl Contract {
             None => Ok(()),
         }
     }
+}
+
+/// Settings that earlier versions wrote: place, name, and the one value that is left of each.
+const RETIRED: [(&str, &str, &str); 8] = [
+    ("/problem", "inputs", "\"features\""),
+    ("/problem", "invalid_ends", "true"),
+    ("/problem", "step", "3"),
+    ("/problem", "stuck_ends", "true"),
+    ("/problem/reward", "remaining_distance", "0.0"),
+    ("/problem/reward", "scale", "1.0"),
+    ("/actor", "layer_norm", "false"),
+    ("/actor", "spread", "\"log-sigma\""),
+];
+
+fn without_retired(mut contract: Value) -> Value {
+    for (place, name, left) in RETIRED {
+        let section = contract.pointer_mut(place).and_then(Value::as_object_mut);
+        if let Some(section) = section.filter(|it| it.get(name) == left.parse().ok().as_ref()) {
+            section.remove(name);
+        }
+    }
+    contract
 }

@@ -20,7 +20,6 @@ use crate::run_args::command_line;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use tpg_graph::error::InputError;
-use tpg_nn::Spread;
 use tpg_problems::{PolicyKind, Problem, ProblemName};
 
 /// Turn an actor of Stable-Baselines3 or CleanRL into a policy.safetensors.
@@ -31,12 +30,9 @@ pub(crate) struct ImportArgs {
     /// The policy.safetensors to write
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
-    /// The problem that it acts in; the arm's, fs and rs, need --inputs and --actions too
+    /// The problem that it acts in; the arm's, fs and rs, need --actions too
     #[arg(long, value_enum, default_value = "rs")]
     pub problem: ProblemName,
-    /// The arm: the values that the network reads, features, paper-fs or paper-rs
-    #[arg(long, value_name = "NAME")]
-    pub inputs: Option<String>,
     /// The arm: the meaning of the outputs, fine or coarse
     #[arg(long, value_name = "NAME")]
     pub actions: Option<String>,
@@ -52,12 +48,12 @@ impl ImportArgs {
     /// Returns the problem with the settings of the arguments.
     fn problem(&self) -> Result<Problem, InputError> {
         let mut table = Problem::new_for(self.problem, PolicyKind::Network).to_table();
-        let decide = table.contains_key("inputs");
-        if decide && (self.inputs.is_none() || self.actions.is_none()) {
-            return Err(command_line("an actor of the arm without --inputs or --actions", "both of them"));
+        let decide = table.contains_key("mask");
+        if decide && (self.actions.is_none()) {
+            return Err(command_line("an actor of the arm without --actions", "--actions fine or coarse"));
         }
         let mask = self.mask.clone().or_else(|| decide.then(|| "none".to_owned()));
-        for (key, value) in [("inputs", &self.inputs), ("actions", &self.actions), ("mask", &mask)] {
+        for (key, value) in [("actions", &self.actions), ("mask", &mask)] {
             table.extend(value.iter().map(|value| (key.to_owned(), value.clone().into())));
         }
         if self.may_rest {
@@ -80,12 +76,7 @@ pub(crate) fn import(args: &ImportArgs) -> Result<(), InputError> {
     let file = Tensors::read(&args.actor, LIMIT)?;
     let (network, trainer) = from_tensors(file, interface.inputs.len(), &interface.outputs)
         .map_err(|finding| place(&args.actor, finding))?;
-    let actor = Actor {
-        scaled_inputs: false,
-        hidden: network.shape().hidden.clone(),
-        layer_norm: false,
-        spread: Spread::LogSigma,
-    };
+    let actor = Actor { scaled_inputs: false, hidden: network.shape().hidden.clone() };
     let provenance = Provenance {
         tool: format!("{trainer}, imported by tpg-train {}", env!("CARGO_PKG_VERSION")),
         problem: args.problem.name().to_owned(),

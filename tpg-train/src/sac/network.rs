@@ -5,7 +5,7 @@ use super::integers::{decided, quantise};
 use super::interface::input_names;
 use super::policy::NetworkPolicy;
 use super::weights;
-use sha2::{Digest as _, Sha256};
+use crate::folder::frame::checksum;
 use std::path::Path;
 use tpg_codegen::policy::{Output, QuantisedPolicy};
 use tpg_engine::{ActionSpace, Decision, Environment, EpisodeResult, Rollout};
@@ -52,8 +52,7 @@ impl Network {
             return Err(InputError::new("<network>", Place::Whole, "a network in integers", "one in floating point"));
         };
         let actor = (&actor.0, &actor.1);
-        let hash = Sha256::digest(weights::to_tensors(actor.0, actor.1).to_bytes());
-        let hash = hash.iter().map(|byte| format!("{byte:02x}")).collect();
+        let hash = checksum(weights::to_tensors(actor.0, actor.1).to_bytes());
         quantise("<network>", actor, None, environment, hash, kind, seed)
     }
 

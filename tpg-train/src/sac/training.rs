@@ -358,7 +358,7 @@ pub(super) fn interface(environment: &impl Environment<f32>, config: &SacConfig)
 
 /// Creates the agent with the run's initial weights.
 pub(super) fn agent(config: &SacConfig, interface: &Interface, seed: u64) -> Agent {
-    let gaussian = Gaussian { actions: interface.outputs.len(), spread: config.actor.spread };
+    let gaussian = Gaussian { actions: interface.outputs.len() };
     let mut random = Stream::new(seed, 0, Purpose::Weights, 0);
     let hidden = [&config.actor.hidden[..], &config.critic.hidden];
     let log_alpha = config.learning.log_temperature;

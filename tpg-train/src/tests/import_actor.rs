@@ -7,10 +7,10 @@ use crate::sac::weights;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use tpg_arm::sac::FEATURES;
 use tpg_engine::Output;
 use tpg_nn::Tape;
 use tpg_problems::ProblemName;
-use tpg_problems::arm::motors::Inputs;
 
 #[derive(Deserialize)]
 struct Answers {
@@ -38,7 +38,6 @@ fn imported_actors_answer_what_pytorch_did() {
             actor: fixture(&format!("{trainer}.safetensors")),
             out: out.clone(),
             problem: ProblemName::Rs,
-            inputs: Some("features".to_owned()),
             actions: Some("fine".to_owned()),
             mask: None,
             may_rest: false,
@@ -66,7 +65,7 @@ fn a_stretch_of_the_actions_is_that_of_the_problem() {
     let stretched = |scale: f32, most: f64| {
         let mut file = read("cleanrl");
         file.tensors.insert("action_scale".to_owned(), Tensor::flat(vec![scale]));
-        from_tensors(file, Inputs::Features.count(), &outputs(4, most)).map(|_| ()).map_err(|finding| finding.key)
+        from_tensors(file, FEATURES, &outputs(4, most)).map(|_| ()).map_err(|finding| finding.key)
     };
     assert_eq!(stretched(2.0, 2.0), Ok(()));
     assert_eq!(stretched(2.0, 1.0), Err("action_scale".to_owned()));
@@ -74,19 +73,19 @@ fn a_stretch_of_the_actions_is_that_of_the_problem() {
 
 #[test]
 fn what_does_not_fit_is_refused_at_its_place() {
-    let place = |trainer: &str, inputs: Inputs, change: &dyn Fn(&mut BTreeMap<String, Tensor>)| {
+    let place = |trainer: &str, inputs: usize, change: &dyn Fn(&mut BTreeMap<String, Tensor>)| {
         let mut file = read(trainer);
         change(&mut file.tensors);
-        from_tensors(file, inputs.count(), &outputs(4, 1.0)).map(|(_, trainer)| trainer).map_err(|finding| finding.key)
+        from_tensors(file, inputs, &outputs(4, 1.0)).map(|(_, trainer)| trainer).map_err(|finding| finding.key)
     };
     fn tensor<'a>(tensors: &'a mut BTreeMap<String, Tensor>, name: &str) -> &'a mut Tensor {
         tensors.get_mut(name).expect("a tensor of the fixture")
     }
-    let features = Inputs::Features;
+    let features = FEATURES;
     assert_eq!(place("sb3", features, &|_| ()), Ok("Stable-Baselines3"));
     assert_eq!(place("cleanrl", features, &|_| ()), Ok("CleanRL"));
     let refused = |place: &str| Err(place.to_owned());
-    assert_eq!(place("sb3", Inputs::PaperFs, &|_| ()), refused("latent_pi.0.weight"));
+    assert_eq!(place("sb3", 13, &|_| ()), refused("latent_pi.0.weight"));
     assert_eq!(place("sb3", features, &|t| drop(t.remove("mu.bias"))), refused("mu.bias"));
     assert_eq!(place("sb3", features, &|t| drop(t.remove("mu.weight"))), refused(""));
     assert_eq!(place("sb3", features, &|t| drop(t.remove("log_std.weight"))), refused("log_std.weight"));

@@ -1,6 +1,5 @@
 //! The section `[problem]` of a configuration for the arm by its motors.
 
-use super::Inputs;
 use crate::arm::config::{check_backlash, is_none};
 use crate::arm::targets::{Start, TOLERANCE};
 use crate::arm::{ArmDescription, ArmProblem, arms};
@@ -10,15 +9,10 @@ use tpg_arm::sac::{Actions, Mask};
 use tpg_arm::{Arm, WIDOWX};
 use tpg_graph::error::Finding;
 
-/// Ticks of a step in tests.
-pub(super) const TICKS: i8 = 3;
-
 /// The section `[problem]` for the arm by its motors: inputs, decision, rules and reward of training.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
-    /// The values that an actor reads.
-    pub inputs: Inputs,
     /// Moves of a motor: "fine" or "coarse".
     #[serde(with = "actions_name")]
     #[schemars(with = "String")]
@@ -39,10 +33,6 @@ pub struct Config {
     pub repeat_per_mm: f32,
     /// Maximum steps of a repeated action; 1: no repeats.
     pub repeat_most: u32,
-    /// Ends a training episode at an invalid step.
-    pub invalid_ends: bool,
-    /// Ticks of a coarse action in training; tests move by 3.
-    pub step: i8,
     /// Distance below which a training episode succeeds, mm.
     pub tolerance: f64,
     /// `tolerance` of tests; 3 mm by default.
@@ -51,8 +41,6 @@ pub struct Config {
     /// Play of the gears: maximum ticks of a joint beside its motor, drawn for each episode. Only the hand feels it.
     #[serde(skip_serializing_if = "is_none")]
     pub backlash: i16,
-    /// Ends a test at rest or at a repeated pose; false for a policy that draws its actions.
-    pub stuck_ends: bool,
     /// The reward of training.
     pub reward: Reward,
     /// The arm: a section, or the name of an arm that `tpg-train config --list` shows; the WidowX if omitted.
@@ -76,14 +64,10 @@ pub struct Reward {
     /// Times (A0 − A1), A being the steps until the base faces the target.
     #[serde(default)]
     pub azimuth: f32,
-    /// Times d1, unless the episode ended.
-    pub remaining_distance: f32,
     /// On success.
     pub success: f32,
     /// On an invalid step.
     pub invalid: f32,
-    /// Factor of the whole reward.
-    pub scale: f32,
 }
 
 impl Reward {
@@ -97,7 +81,6 @@ impl Default for Config {
     /// The project's own: features, fine actions, a reward that knows solving poses.
     fn default() -> Self {
         Self {
-            inputs: Inputs::Features,
             actions: Actions::Fine,
             mask: Mask::JointLimits,
             may_rest: false,
@@ -106,22 +89,17 @@ impl Default for Config {
             max_steps: 1000,
             repeat_per_mm: 12.0,
             repeat_most: 8,
-            invalid_ends: true,
-            step: TICKS,
             tolerance: TOLERANCE,
             test_tolerance: None,
             backlash: 0,
-            stuck_ends: true,
             reward: Reward {
                 step: -0.05,
                 log_distance: 2.0,
                 distance: 0.0,
                 steps_to_goal: 0.1,
                 azimuth: 0.0,
-                remaining_distance: 0.0,
                 success: 5.0,
                 invalid: -5.0,
-                scale: 1.0,
             },
             arm: None,
         }
@@ -144,9 +122,6 @@ impl Config {
         check_backlash(self.backlash)?;
         if let Some(arm) = &self.arm {
             arm.check()?;
-        }
-        if self.step != TICKS && (self.step < 1 || self.actions != Actions::Coarse) {
-            return Err(Finding::new("problem.step", self.step, "3; with coarse actions, 1 to 127"));
         }
         Ok(())
     }

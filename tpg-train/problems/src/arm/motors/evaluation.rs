@@ -41,16 +41,10 @@ impl EvaluationEpisode {
         Frame::new(arm, self.course.observation())
     }
 
-    /// Takes one step. Rest, and a pose that comes again, end the episode only where `stuck_ends`.
-    pub(super) fn step(&mut self, arm: &Arm<f32>, decide: impl Fn(Pose) -> Move, stuck_ends: bool) -> Step {
+    /// Takes one step.
+    pub(super) fn step(&mut self, arm: &Arm<f32>, decide: impl Fn(Pose) -> Move) -> Step {
         let wanted = decide(self.pose());
-        let outcome = match self.course.advance(arm, &mut self.detector, wanted) {
-            Some(Outcome::Stop | Outcome::Cycle) if !stuck_ends => {
-                (self.course.actions() >= self.rules.max_actions).then_some(Outcome::Timeout)
-            }
-            outcome => outcome,
-        };
-        let Some(outcome) = outcome else { return Step::reward(0.0) };
+        let Some(outcome) = self.course.advance(arm, &mut self.detector, wanted) else { return Step::reward(0.0) };
         let truncated = outcome == Outcome::Timeout;
         let EpisodeResult { outcome, success, score, measure, .. } =
             self.rules.ending(outcome, self.course.actions(), f64::from(self.distance(arm)));

@@ -4,7 +4,6 @@
 //! | --- | --- |
 //! | (root) | [`Motors`], the environment |
 //! | [`config`] | the section `[problem]` |
-//! | [`inputs`] | the inputs of an actor |
 //! | [`decision`] | from preferences to a move |
 //! | `training` | an episode under the rules of training: shaped reward, repeated actions |
 //! | `evaluation` | an episode under the rules of tests |
@@ -12,12 +11,10 @@
 pub mod config;
 pub mod decision;
 mod evaluation;
-pub mod inputs;
 mod training;
 
 pub use config::{Config, Reward};
 pub use decision::Discretiser;
-pub use inputs::Inputs;
 
 use super::evaluation::figures;
 use super::problem::{ArmProblem, DISTANCE, OUTCOMES, on_the_arm};
@@ -26,6 +23,7 @@ use super::{drawing, ik};
 use evaluation::EvaluationEpisode;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
+use tpg_arm::sac::{FEATURE_NAMES, features};
 use tpg_arm::{Arm, JOINTS, Pose};
 use tpg_engine::random::Stream;
 use tpg_engine::{
@@ -39,10 +37,9 @@ use training::TrainingEpisode;
 pub const MOTORS: [&str; JOINTS] = ["base", "shoulder", "elbow", "wrist"];
 
 /// Returns the sources of networks: one for each input.
-pub(super) fn sources(inputs: Inputs) -> Vec<SourceDocument> {
+pub(super) fn sources() -> Vec<SourceDocument> {
     // Dimensionless already: nothing to scale.
-    let unknown = [f64::NEG_INFINITY, f64::INFINITY];
-    inputs.names().iter().map(|name| crate::source(name, "", unknown)).collect()
+    FEATURE_NAMES.map(|name| crate::source(name, "", [f64::NEG_INFINITY, f64::INFINITY])).into()
 }
 
 /// Returns the outputs of networks: a preference for each motor.
@@ -156,7 +153,7 @@ impl Environment<f32> for Motors {
     type Episode = MotorsEpisode;
 
     fn sources(&self) -> Vec<SourceDocument> {
-        sources(self.config.inputs)
+        sources()
     }
 
     fn actions(&self) -> ActionSpace {
@@ -215,7 +212,7 @@ impl Environment<f32> for Motors {
             Course::Training(training) => training.frame(&self.arm),
             Course::Evaluation(evaluation) => evaluation.frame(&self.arm),
         };
-        self.config.inputs.observe(&frame, state);
+        state.copy_from_slice(&features(&frame));
     }
 
     fn step(&self, episode: &mut MotorsEpisode, act: Act<'_, f32>) -> Step {
@@ -224,7 +221,7 @@ impl Environment<f32> for Motors {
         let decide = |pose| self.discretiser.decide(preferences, pose, &self.arm.ranges);
         match &mut episode.0 {
             Course::Training(training) => training.step(&self.config, &self.arm, decide),
-            Course::Evaluation(evaluation) => evaluation.step(&self.arm, decide, self.config.stuck_ends),
+            Course::Evaluation(evaluation) => evaluation.step(&self.arm, decide),
         }
     }
 }

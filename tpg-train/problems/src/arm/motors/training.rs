@@ -1,7 +1,6 @@
 //! An episode under the rules of training: a shaped reward, repeated actions, a cut that is no failure.
 
 use super::Config;
-use super::config::TICKS;
 use crate::arm::problem::outcome_number;
 use crate::arm::targets::Start;
 use crate::arm::{ik, targets};
@@ -53,7 +52,7 @@ impl TrainingEpisode {
 
     /// Steps that the base must turn until the arm's front faces the target: within its range, so not always the short way.
     fn steps_to_facing(&self) -> f32 {
-        (f32::from(self.pose.0[0]) - self.facing).abs() / f32::from(TICKS)
+        (f32::from(self.pose.0[0]) - self.facing).abs() / 3.0
     }
 
     pub(super) fn frame<'a>(&self, arm: &'a Arm<f32>) -> Frame<'a, f32> {
@@ -68,16 +67,13 @@ impl TrainingEpisode {
         let to_facing_before = self.steps_to_facing();
         let (mut steps, mut outcome, mut invalid) = (0, None, None);
         while steps < repeats && outcome.is_none() {
-            let wanted = decide(self.pose);
-            let wanted =
-                if config.step == TICKS { wanted } else { Move(wanted.0.map(|ticks| ticks.signum() * config.step)) };
-            let step = arm.step(self.pose, wanted);
+            let step = arm.step(self.pose, decide(self.pose));
             self.pose = step.pose;
             self.distance = distance(arm, self.play.joints(self.pose), self.target);
             steps += 1;
             self.steps += 1;
             invalid = step.invalid;
-            if let (Some(invalid), true) = (invalid, config.invalid_ends) {
+            if let Some(invalid) = invalid {
                 outcome = Some(Outcome::Invalid(invalid));
             } else if f64::from(self.distance) < config.tolerance {
                 outcome = Some(Outcome::Reached);
@@ -87,13 +83,11 @@ impl TrainingEpisode {
         }
         self.steps_to_goal = steps_to_goal(self.pose, &self.goals);
         let over = matches!(outcome, Some(Outcome::Reached | Outcome::Invalid(_)));
-        let remaining = if over { 0.0 } else { self.distance };
         let earned = reward.step * steps as f32
             + reward.log_distance * libm::logf((distance_before + 3.0) / (self.distance + 3.0))
             + reward.distance * (distance_before - self.distance)
             + reward.steps_to_goal * (to_goal_before - self.steps_to_goal)
             + reward.azimuth * (to_facing_before - self.steps_to_facing())
-            + reward.remaining_distance * remaining
             + if outcome == Some(Outcome::Reached) { reward.success } else { 0.0 }
             + if invalid.is_some() { reward.invalid } else { 0.0 };
         let end = outcome.map(|outcome| End {
@@ -102,7 +96,7 @@ impl TrainingEpisode {
             measure: f64::from(self.distance),
             truncated: !over,
         });
-        Step { reward: f64::from(reward.scale * earned), repeats: steps, end }
+        Step { reward: f64::from(earned), repeats: steps, end }
     }
 }
 
