@@ -338,23 +338,27 @@ fn clip(number: i32) -> i32 {
 }
 
 #[cfg(test)]
-impl Model<'_> {
-    /// [`outputs_of`](Self::outputs_of) by the kernels in plain Rust.
-    pub(super) fn portable_outputs(&self, inputs: &[i16]) -> std::vec::Vec<i32> {
-        use std::{vec, vec::Vec};
-        use tpg_kernels::portable;
-        let hidden = &self.hidden[..self.count];
-        let mut from = vec![0; self.first_layer().inputs()];
-        tpg_kernels::pair_inputs(inputs, &mut from);
-        for layer in hidden {
-            let blocks = layer.blocks.chunks_exact(layer.kind.block(from.len()));
-            from = blocks.flat_map(|block| portable::hidden(layer.kind, block, &from)).collect::<Vec<_>>();
+mod tests {
+    use super::{Model, clip};
+
+    impl Model<'_> {
+        /// [`outputs_of`](Self::outputs_of) by the kernels in plain Rust.
+        pub(in crate::net) fn portable_outputs(&self, inputs: &[i16]) -> std::vec::Vec<i32> {
+            use std::{vec, vec::Vec};
+            use tpg_kernels::portable;
+            let hidden = &self.hidden[..self.count];
+            let mut from = vec![0; self.first_layer().inputs()];
+            tpg_kernels::pair_inputs(inputs, &mut from);
+            for layer in hidden {
+                let blocks = layer.blocks.chunks_exact(layer.kind.block(from.len()));
+                from = blocks.flat_map(|block| portable::hidden(layer.kind, block, &from)).collect::<Vec<_>>();
+            }
+            let last = &self.last;
+            let blocks = last.blocks.chunks_exact(last.kind.block(from.len()));
+            let numbers = blocks.flat_map(|block| {
+                portable::rescale(last.kind, block, &from, portable::accumulate(last.kind, block, &from)).map(clip)
+            });
+            numbers.take(self.outputs).collect()
         }
-        let last = &self.last;
-        let blocks = last.blocks.chunks_exact(last.kind.block(from.len()));
-        let numbers = blocks.flat_map(|block| {
-            portable::rescale(last.kind, block, &from, portable::accumulate(last.kind, block, &from)).map(clip)
-        });
-        numbers.take(self.outputs).collect()
     }
 }

@@ -1,10 +1,11 @@
 //! A graph and a network that share the arm: what the network sees and does, and the guard.
 
 use super::{ArmEnvironment, ArmEpisode, ArmScalar};
-use crate::arm::motors::{self, Discretiser, Inputs};
+use crate::arm::motors::{self, Discretiser};
 use tpg_arm::frame::Frame;
 use tpg_arm::hybrid::Guard;
 use tpg_arm::observation::Observation;
+use tpg_arm::sac::features;
 use tpg_arm::{Arm, Move};
 use tpg_engine::{Act, Guarded, Output};
 use tpg_graph::SourceDocument;
@@ -12,14 +13,13 @@ use tpg_graph::SourceDocument;
 /// The way from the arm to a network and back, in the network's precision.
 #[derive(Clone, Debug)]
 pub(super) struct Steering {
-    inputs: Inputs,
     discretiser: Discretiser,
     arm: Arm<f32>,
 }
 
 impl Steering {
     pub(super) fn new(config: &motors::Config, arm: &Arm<f64>) -> Self {
-        Self { inputs: config.inputs, discretiser: Discretiser::new(config), arm: arm.to_f32() }
+        Self { discretiser: Discretiser::new(config), arm: arm.to_f32() }
     }
 }
 
@@ -33,7 +33,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
 
 impl<S: ArmScalar> Guarded<S, ArmEpisode<S>> for ArmEnvironment<S> {
     fn network_sources(&self) -> Vec<SourceDocument> {
-        motors::sources(self.steering.inputs)
+        motors::sources()
     }
 
     fn network_outputs(&self) -> Vec<Output> {
@@ -51,7 +51,7 @@ impl<S: ArmScalar> Guarded<S, ArmEpisode<S>> for ArmEnvironment<S> {
             target: narrow(seen.target),
             difference: narrow(seen.difference),
         };
-        self.steering.inputs.observe(&Frame::new(&self.steering.arm, &seen), state);
+        state.copy_from_slice(&features(&Frame::new(&self.steering.arm, &seen)));
     }
 
     fn guards(&self) -> &'static [&'static str] {
