@@ -1,5 +1,6 @@
 //! `tpg-train arm import`: an arm's URDF as a section of a configuration.
 
+use crate::run_args::print;
 use clap::{Args, Subcommand};
 use std::path::PathBuf;
 use tpg_graph::error::InputError;
@@ -76,7 +77,6 @@ pub(crate) fn execute(args: &ArmArgs) -> Result<(), InputError> {
     let text = import(&args.file.display().to_string(), &text, &args.tip, &args.fix, &args.limit, radii)?;
     match &args.output {
         Some(path) => write_atomically(path, text.as_bytes()),
-        None => tpg_graph::command::print(&text)
-            .map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe")),
+        None => print(&text),
     }
 }

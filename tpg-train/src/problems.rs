@@ -1,5 +1,6 @@
 //! `tpg-train problems`: the built-in problems, with what they observe and do.
 
+use crate::run_args::print;
 use clap::ValueEnum;
 use std::fmt::Write as _;
 use tpg_engine::ActionSpace;
@@ -13,8 +14,7 @@ use tpg_problems::{PROBLEMS, Problem, ProblemName};
 /// If stdout is closed.
 pub(crate) fn print_problems() -> Result<(), InputError> {
     let text = PROBLEMS.map(|entry| description(entry.name)).concat();
-    let written = tpg_graph::command::print(&text);
-    written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
+    print(&text)
 }
 
 /// Describes a problem.

@@ -45,3 +45,11 @@ impl RunArgs {
 pub(crate) fn command_line(found: impl Into<String>, accepted: impl Into<String>) -> InputError {
     InputError::new("<command line>", Place::Whole, found, accepted)
 }
+
+/// Writes a result to the standard output.
+///
+/// # Errors
+/// If it cannot be written.
+pub(crate) fn print(text: &str) -> Result<(), InputError> {
+    tpg_graph::command::print(text).map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
+}

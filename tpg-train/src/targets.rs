@@ -1,7 +1,7 @@
 //! `tpg-train targets`: committed test tasks of a problem.
 
 use crate::evaluate::problem_for;
-use crate::run_args::command_line;
+use crate::run_args::{command_line, print};
 use std::path::PathBuf;
 use tpg_graph::error::InputError;
 use tpg_problems::ProblemName;
@@ -36,6 +36,5 @@ pub(crate) fn print_targets(args: &TargetsArgs) -> Result<(), InputError> {
         let found = format!("--problem {}", args.problem.name());
         command_line(found, "fs, rs or dodge: the problems with committed test tasks")
     })?;
-    let written = tpg_graph::command::print(&text);
-    written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
+    print(&text)
 }

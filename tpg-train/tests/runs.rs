@@ -258,7 +258,7 @@ fn a_bad_configuration_is_refused_with_its_line_and_what_is_accepted() {
         assert!(error.contains(found) && error.contains(accepted), "{error}");
     }
     for (text, found, accepted) in [
-        ("sources = [\"polar\", \"smell\"]", "\"smell\"", "reach_excess"),
+        ("sources = [\"polar\", \"smell\"]", "\"smell\"", "stance"),
         ("shield = \"walls\"", "unknown variant `walls`", "tpg-train config"),
         ("sources = [\"polar\", \"shield_limits\"]", "\"shield_limits\"", "one or more of"),
     ] {

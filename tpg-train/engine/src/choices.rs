@@ -1,12 +1,10 @@
 //! Any action space as a list of named actions, for policies that choose among actions.
 
-use crate::action::{Act, ActionSpace, Acts, Output};
+use crate::action::{Act, ActionSpace, Output};
 use crate::environment::Environment;
-use crate::episode_result::{EpisodeResult, Step};
+use crate::episode_result::Step;
 use crate::episodes::Episodes;
-use crate::error::EvaluationError;
-use crate::source_set::SourceSet;
-use crate::view::View;
+use crate::mapped::Mapped;
 use tpg_graph::{ActionDocument, Effect};
 use tpg_runtime::scalar::Scalar;
 
@@ -141,46 +139,8 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Choices<S, E> {
     fn lanes(&self) -> Box<dyn Episodes<S, E::Task> + '_> {
         match &self.levels {
             None => self.environment.lanes(),
-            Some(levels) => Box::new(Valued { episodes: self.environment.lanes(), levels, values: Vec::new() }),
+            Some(levels) => Box::new(Mapped::new(self.environment.lanes(), |task| task).with_levels(levels)),
         }
-    }
-}
-
-/// Parallel episodes of an environment with outputs, for policies that choose among levels.
-struct Valued<'e, S, Task> {
-    episodes: Box<dyn Episodes<S, Task> + 'e>,
-    /// The values of each named action.
-    levels: &'e [Vec<S>],
-    /// Those of the lanes' actions, lane after lane.
-    values: Vec<S>,
-}
-
-impl<S: Scalar, Task> Episodes<S, Task> for Valued<'_, S, Task> {
-    fn begin(&mut self, lane: usize, task: &Task) -> Result<(), EvaluationError> {
-        self.episodes.begin(lane, task)
-    }
-    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, EpisodeResult)>) -> Result<(), EvaluationError> {
-        let Acts::Choices(actions) = acts else { return self.episodes.step(acts, ended) };
-        let outputs = self.levels[0].len();
-        let values = actions.iter().map(|action| &self.levels[usize::from(action.0)]);
-        self.values.clear();
-        match outputs {
-            1 => self.values.extend(values.map(|values| values[0])),
-            _ => self.values.extend(values.flatten()),
-        }
-        self.episodes.step(Acts::Values { values: &self.values, outputs }, ended)
-    }
-    fn keys(&self) -> &[u64] {
-        self.episodes.keys()
-    }
-    fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<EpisodeResult> {
-        self.episodes.cycle(lane, key, actions)
-    }
-    fn observe(&mut self, wanted: SourceSet, view: &mut View<'_, S>) -> Result<(), EvaluationError> {
-        self.episodes.observe(wanted, view)
-    }
-    fn close_up(&mut self, lane: usize) {
-        self.episodes.close_up(lane);
     }
 }
 

@@ -1,8 +1,9 @@
 //! Environments for graphs that see and answer counts.
 
 use crate::action::{Act, ActionSpace, Output};
-use crate::environment::Environment;
+use crate::environment::{Environment, OneByOne};
 use crate::episode_result::Step;
+use crate::episodes::Episodes;
 use crate::source_set::SourceSet;
 use tpg_graph::{Counts, Graph, SourceDocument};
 use tpg_runtime::scalar::Scalar;
@@ -105,6 +106,11 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Counting<E> {
             }
         }
         space
+    }
+
+    fn lanes(&self) -> Box<dyn Episodes<S, E::Task> + '_> {
+        let is_plain = self.inputs.iter().chain(&self.outputs).all(Option::is_none);
+        if is_plain { self.environment.lanes() } else { Box::new(OneByOne::new(self)) }
     }
 
     fn observe(&self, episode: &mut Self::Episode, wanted: SourceSet, state: &mut [S]) {

@@ -1,6 +1,5 @@
 //! Evaluation of roots behind a trait, so that evolution does not depend on where it runs.
 
-use crate::action::Act;
 use crate::environment::Environment;
 use crate::episode_result::EpisodeResult;
 use crate::error::EvaluationError;
@@ -10,6 +9,7 @@ use crate::moments::Moments;
 use crate::options::EngineOptions;
 use crate::plan::Plan;
 use crate::policy::PolicyGraph;
+use crate::rollout::{Decision, Rollout};
 use crate::single::Single;
 use crate::source_set::SourceSet;
 use crate::view::PART;
@@ -18,7 +18,6 @@ use rayon::prelude::*;
 use std::marker::PhantomData;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tpg_graph::SourceDocument;
-use tpg_graph::interpret::Answer as Reply;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
 
@@ -150,45 +149,24 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'_, S, M, E> {
         self.pool.current_num_threads()
     }
 
-    /// Returns the states of one visit by running the episode again up to each of them.
-    fn states(&self, visit: &Visit<E::Task>) -> Result<Vec<Vec<f64>>, EvaluationError> {
+    /// Lets a policy act, and records its states after so many actions; after the end, the last one.
+    fn states(&self, visit: &Visit<E::Task>) -> Vec<Vec<f64>> {
         let options = EngineOptions { lanes: 1, ..self.options };
-        let plan = Plan::new::<M>(&visit.policy, &self.sources, options);
-        let most = visit.after.last().map_or(0, |&after| after as usize);
-        let actions = Lanes::<S, M, E>::new(self.environment, options).actions(&plan, &visit.task, most)?;
-        let mut episode = self.environment.start(&visit.task);
-        let mut state = vec![S::ZERO; plan.state_length()];
-        let computes = !self.environment.actions().outputs().is_empty();
-        let single = computes.then(|| Single::<S, M>::new(plan));
-        let mut seen = Vec::with_capacity(visit.after.len());
-        let mut done = 0;
-        while seen.len() < visit.after.len() {
-            let is_wanted = done >= visit.after[seen.len()] as usize || done >= actions.len();
-            if is_wanted || computes {
-                self.environment.observe(&mut episode, SourceSet::ALL, &mut state);
+        let single = Single::<S, M>::new(Plan::new::<M>(&visit.policy, &self.sources, options));
+        let mut rollout = Rollout::new(self.environment, &visit.task);
+        let (mut seen, mut done, mut is_over) = (Vec::with_capacity(visit.after.len()), 0, false);
+        loop {
+            let state = rollout.observe(SourceSet::ALL);
+            while visit.after.get(seen.len()).is_some_and(|&after| is_over || after <= done) {
+                seen.push(state.iter().map(|value| value.to_f64()).collect());
             }
-            if is_wanted {
-                // The same state as often as it is asked for: an observation may draw noise.
-                let again = |after: &&u32| **after as usize <= done || done >= actions.len();
-                let count = visit.after[seen.len()..].iter().take_while(again).count();
-                seen.extend(std::iter::repeat_n(state.iter().map(|value| value.to_f64()).collect(), count));
-                if seen.len() == visit.after.len() {
-                    break;
-                }
+            if seen.len() == visit.after.len() {
+                return seen;
             }
-            match &single {
-                None => self.environment.step(&mut episode, Act::Choice(actions[done])),
-                Some(single) => {
-                    let Reply::Values(values) = single.answer(&state) else {
-                        unreachable!("a policy of an environment with outputs computes values")
-                    };
-                    let values: Vec<S> = values.into_iter().map(S::from_f64).collect();
-                    self.environment.step(&mut episode, Act::Values(&values))
-                }
-            };
+            let decision = Decision::from(single.answer(state));
+            is_over = rollout.act(decision.act()).is_some();
             done += 1;
         }
-        Ok(seen)
     }
 }
 
@@ -219,7 +197,7 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> Evaluator<E::Task> for LocalThre
     }
 
     fn visit(&self, visits: &[Visit<E::Task>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
-        self.pool.install(|| visits.par_iter().map(|visit| self.states(visit)).collect())
+        self.pool.install(|| Ok(visits.par_iter().map(|visit| self.states(visit)).collect()))
     }
 
     fn play(&self, plays: &[Play<E::Task>]) -> Result<Vec<Played>, EvaluationError> {

@@ -137,7 +137,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         let order = kindred(plan);
         let starts = |&place: &usize| tasks[place].iter().map(move |task| LaneStart { root: plan.roots[place], task });
         let episodes: Vec<_> = order.iter().flat_map(starts).collect();
-        let mut ended = self.run_while(plan, &episodes, |_, _, _, _| true)?.into_iter().map(ended);
+        let mut ended = self.run_all(plan, &episodes, |_, _, _, _| ())?.into_iter();
         let mut endings = vec![Vec::new(); tasks.len()];
         for place in order {
             endings[place] = ended.by_ref().take(tasks[place].len()).collect();
@@ -158,67 +158,34 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         tasks: &[E::Task],
         mut watch: impl FnMut(usize, ActionId),
     ) -> Result<Vec<EpisodeResult>, EvaluationError> {
-        let endings = self.run_while(plan, &starts(plan, tasks), |_, _, task, action| {
-            watch(task, action);
-            true
-        })?;
-        Ok(endings.into_iter().map(ended).collect())
+        self.run_all(plan, &starts(plan, tasks), |_, _, task, action| watch(task, action))
     }
 
     /// Runs the root on a task and keeps the moments of the states that it decides in. The plan must observe all of the state.
     pub(super) fn play(&mut self, plan: &Plan<S>, task: &E::Task) -> Result<Played, EvaluationError> {
         let mut state = vec![0.0; plan.state_length()];
         let mut seen = Moments::new(state.len());
-        let endings = self.run_while(plan, &starts(plan, std::slice::from_ref(task)), |columns, lane, _, _| {
+        let endings = self.run_all(plan, &starts(plan, std::slice::from_ref(task)), |columns, lane, _, _| {
             for (value, &place) in state.iter_mut().zip(&plan.places) {
                 *value = columns.get(NodeId(place), lane).to_f64();
             }
             seen.push(&state);
-            true
         })?;
-        Ok(Played { ending: ended(endings[0]), seen })
+        Ok(Played { ending: endings[0], seen })
     }
 
-    /// Returns the first actions of a root on a task: at most so many.
-    pub(super) fn actions(
-        &mut self,
-        plan: &Plan<S>,
-        task: &E::Task,
-        most: usize,
-    ) -> Result<Vec<ActionId>, EvaluationError> {
-        let mut actions = Vec::new();
-        if most > 0 {
-            self.run_while(plan, &starts(plan, std::slice::from_ref(task)), |_, _, _, action| {
-                actions.push(action);
-                actions.len() < most
-            })?;
-        }
-        Ok(actions)
-    }
-
-    /// Runs until every episode has an ending, or `watch` returns false: it gets each lane's observed state, the index of its start,
-    /// and its action.
-    fn run_while(
-        &mut self,
-        plan: &Plan<S>,
-        starts: &[LaneStart<'_, E::Task>],
-        watch: impl FnMut(&Columns<S, M>, usize, usize, ActionId) -> bool,
-    ) -> Result<Vec<Option<EpisodeResult>>, EvaluationError> {
-        let result = self.run_all(plan, starts, watch);
-        if !self.running.is_empty() {
-            // Unfinished episodes of an earlier call must not be continued.
-            self.running.clear();
-            self.episodes = self.environment.lanes();
-        }
-        result
-    }
-
+    /// Runs every episode to its end; `watch` gets each lane's observed state, the index of its start, and its action.
     fn run_all(
         &mut self,
         plan: &Plan<S>,
         starts: &[LaneStart<'_, E::Task>],
-        mut watch: impl FnMut(&Columns<S, M>, usize, usize, ActionId) -> bool,
-    ) -> Result<Vec<Option<EpisodeResult>>, EvaluationError> {
+        mut watch: impl FnMut(&Columns<S, M>, usize, usize, ActionId),
+    ) -> Result<Vec<EpisodeResult>, EvaluationError> {
+        if !self.running.is_empty() {
+            // An earlier call failed: its episodes must not be continued.
+            self.running.clear();
+            self.episodes = self.environment.lanes();
+        }
         self.columns.prepare(plan, &self.constants);
         self.decider.prepare(plan);
         let mut endings = vec![None; starts.len()];
@@ -232,10 +199,8 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
             self.episodes.observe(plan.wanted, &mut self.columns.view(&plan.places))?;
             let actions = self.decider.decide(plan, &mut self.columns, self.running.len());
             self.steps += actions.len() as u64;
-            let watched = self.running.iter().zip(actions).enumerate();
-            let mut watch = |(lane, (&(task, _), &action))| watch(&self.columns, lane, task, action);
-            if !watched.fold(true, |goes_on, watched| goes_on & watch(watched)) {
-                break;
+            for (lane, (&(task, _), &action)) in self.running.iter().zip(actions).enumerate() {
+                watch(&self.columns, lane, task, action);
             }
             self.ended.clear();
             self.episodes.step(self.decider.acts(plan, self.running.len()), &mut self.ended)?;
@@ -255,7 +220,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
                 }
             }
         }
-        Ok(endings)
+        Ok(endings.into_iter().map(|ending| ending.expect("every task was begun and every lane ended")).collect())
     }
 
     /// Starts a lane's episode.
@@ -296,9 +261,4 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
             ended.extend(cycle.or(ending).map(|ending| (lane, ending)));
         }
     }
-}
-
-/// Returns the ending of a task on which nobody stopped the lanes.
-fn ended(ending: Option<EpisodeResult>) -> EpisodeResult {
-    ending.expect("every task was begun and every lane ended")
 }

@@ -4,6 +4,7 @@ use crate::action::Act;
 use crate::environment::Environment;
 use crate::episode_result::EpisodeResult;
 use crate::source_set::SourceSet;
+use tpg_graph::interpret::Answer;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
@@ -22,6 +23,15 @@ impl<S> Decision<S> {
         match self {
             Self::Choice(action) => Act::Choice(*action),
             Self::Values(values) => Act::Values(values),
+        }
+    }
+}
+
+impl<S: Scalar> From<Answer> for Decision<S> {
+    fn from(answer: Answer) -> Self {
+        match answer {
+            Answer::Action(action) => Self::Choice(action),
+            Answer::Values(values) => Self::Values(values.into_iter().map(S::from_f64).collect()),
         }
     }
 }

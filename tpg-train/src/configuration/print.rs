@@ -3,6 +3,7 @@
 use super::Configuration as _;
 use super::schema::{commented, schema};
 use crate::evolution::config::EvolutionConfig;
+use crate::run_args::print;
 use crate::sac::config::SacConfig;
 use clap::Args;
 use tpg_graph::error::{InputError, Place};
@@ -31,8 +32,7 @@ pub(crate) struct ConfigArgs {
 /// If there is no preset with that name, or stdout is closed.
 pub(crate) fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
     let text = text(args)?;
-    let written = tpg_graph::command::print(&text);
-    written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
+    print(&text)
 }
 
 fn text(args: &ConfigArgs) -> Result<String, InputError> {

@@ -8,7 +8,7 @@ use crate::hybrid::rollout::{Acting, HybridResult};
 use crate::hybrid::setting::{Detector, Hybrid, Setting, UNGUARDED};
 use crate::hybrid::shared::{Episodes, Facts, Shared};
 use crate::hybrid::span::Span;
-use crate::run_args::command_line;
+use crate::run_args::{command_line, print};
 use crate::sac::network::Network;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -106,8 +106,7 @@ pub(crate) fn eval(args: &EvalArgs) -> Result<(), InputError> {
     } else {
         report.to_table()
     };
-    let written = tpg_graph::command::print(&text);
-    written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
+    print(&text)
 }
 
 /// Returns the arguments that let another policy do the same episodes.

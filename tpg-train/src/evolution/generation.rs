@@ -12,7 +12,8 @@ use std::collections::VecDeque;
 use std::marker::PhantomData;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Environment, EpisodeResult, EvaluationError, Evaluator, Moments, Play, TaskSet, UnitKey, Work, WorkUnit, finite,
+    Environment, EpisodeResult, EvaluationError, Evaluator, Moments, Play, PolicyGraph, TaskSet, UnitKey, Work,
+    WorkUnit, finite,
 };
 use tpg_graph::error::Finding;
 use tpg_runtime::scalar::Scalar;
@@ -197,14 +198,9 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         let mut open: Vec<usize> = (0..candidates.len()).collect();
         let racing = survivors.map_or(0, |_| self.config.selection.racing_episodes);
         let evaluate = |endings: &mut Vec<Vec<EpisodeResult>>, open: &[usize], tasks: &[E::Task]| {
-            let unit = |&place: &usize| {
-                let Candidate { policy, number, .. } = &candidates[place];
-                let key = UnitKey { seed: moment.seed, generation: moment.generation, root: *number };
-                WorkUnit { key, policy: policy.clone() }
-            };
-            let work = Work { tasks: tasks.to_vec(), units: open.iter().map(unit).collect() };
-            for (&place, answer) in open.iter().zip(self.evaluator.evaluate(&work)?) {
-                endings[place].extend(answer.endings);
+            let policies = open.iter().map(|&place| (candidates[place].number, &candidates[place].policy));
+            for (&place, answer) in open.iter().zip(self.endings((moment.seed, moment.generation), policies, tasks)?) {
+                endings[place].extend(answer);
             }
             Ok::<_, EvaluationError>(())
         };
@@ -236,6 +232,21 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
             evaluate(&mut endings, &open, &tasks[done..])?;
         }
         Ok(Results { endings, ..Results::default() })
+    }
+
+    /// Lets numbered policies play tasks: the endings of each. Seed and generation are part of their address.
+    pub(super) fn endings<'p>(
+        &self,
+        (seed, generation): (u64, u64),
+        policies: impl IntoIterator<Item = (u64, &'p PolicyGraph)>,
+        tasks: &[E::Task],
+    ) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
+        let unit = |(root, policy): (u64, &PolicyGraph)| WorkUnit {
+            key: UnitKey { seed, generation, root },
+            policy: policy.clone(),
+        };
+        let work = Work { tasks: tasks.to_vec(), units: policies.into_iter().map(unit).collect() };
+        Ok(self.evaluator.evaluate(&work)?.into_iter().map(|answer| answer.endings).collect())
     }
 
     /// Returns the maximum number of steps of a generation's training, and of its validation, unless one episode of each policy takes

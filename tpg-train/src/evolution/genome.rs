@@ -80,31 +80,17 @@ impl Program {
 
     /// Returns the effective lines with every operand resolved; they are few of a long program's lines.
     pub fn lines(&self, vocabulary: &Vocabulary) -> Vec<Line> {
-        let line = |(line, _): (&GenomeLine, bool)| Line {
+        let line = |line: &GenomeLine| Line {
             to: line.to,
             instruction: vocabulary.instruction(line.instruction),
             operands: line.operands.map(|gene| vocabulary.read(&gene)),
         };
-        self.lines.iter().zip(self.effective(vocabulary)).filter(|(_, effective)| *effective).map(line).collect()
+        self.effective_lines(vocabulary).map(line).collect()
     }
-}
 
-#[cfg(test)]
-impl Program {
-    /// Returns its bid in a state, in `f64`.
-    pub(super) fn bid(&self, vocabulary: &Vocabulary, state: &[f64]) -> f64 {
-        use tpg_runtime::ops::Own;
-        let mut arena = tpg_engine::Arena::<f64, Own>::default();
-        let bid = arena.program(vocabulary.registers(), &self.lines(vocabulary));
-        let mut values: Vec<f64> = Vec::new();
-        for node in arena.nodes() {
-            values.push(match *node {
-                tpg_engine::Node::Input(input) => state[usize::from(input)],
-                tpg_engine::Node::Constant(value) => value,
-                tpg_engine::Node::Operation(word, a, b) => word.apply::<f64, Own>(values[a.index()], values[b.index()]),
-            });
-        }
-        values[bid.index()]
+    /// Iterates over the lines that reach the bid.
+    pub fn effective_lines(&self, vocabulary: &Vocabulary) -> impl Iterator<Item = &GenomeLine> {
+        self.lines.iter().zip(self.effective(vocabulary)).filter(|(_, effective)| *effective).map(|(line, _)| line)
     }
 }
 
@@ -305,5 +291,30 @@ impl Genome {
         let policy = PolicyGraph::with_programs(vocabulary.registers(), place(root), teams, programs)
             .with_outputs(vocabulary.outputs().to_vec(), leaves);
         if vocabulary.bound(0).is_some() { policy.shielded(|action| vocabulary.bound(action)) } else { policy }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Program, Vocabulary};
+
+    impl Program {
+        /// Returns its bid in a state, in `f64`.
+        pub(in crate::evolution) fn bid(&self, vocabulary: &Vocabulary, state: &[f64]) -> f64 {
+            use tpg_runtime::ops::Own;
+            let mut arena = tpg_engine::Arena::<f64, Own>::default();
+            let bid = arena.program(vocabulary.registers(), &self.lines(vocabulary));
+            let mut values: Vec<f64> = Vec::new();
+            for node in arena.nodes() {
+                values.push(match *node {
+                    tpg_engine::Node::Input(input) => state[usize::from(input)],
+                    tpg_engine::Node::Constant(value) => value,
+                    tpg_engine::Node::Operation(word, a, b) => {
+                        word.apply::<f64, Own>(values[a.index()], values[b.index()])
+                    }
+                });
+            }
+            values[bid.index()]
+        }
     }
 }

@@ -138,9 +138,7 @@ impl Mirror<'_> {
     fn negated(&self, program: &Program) -> Option<Program> {
         let vocabulary = self.programs.vocabulary;
         let negation = negation(vocabulary)?;
-        let has_effect = program.effective(vocabulary);
-        let kept = program.lines.iter().zip(has_effect).filter(|(_, effect)| *effect).map(|(line, _)| *line);
-        let mut lines: Vec<GenomeLine> = kept.collect();
+        let mut lines: Vec<GenomeLine> = program.effective_lines(vocabulary).copied().collect();
         if lines.len() > 1 && lines.last() == Some(&negation) {
             lines.pop();
         } else {

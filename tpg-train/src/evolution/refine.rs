@@ -108,9 +108,7 @@ impl Refiner<'_> {
         });
         let short = |id: ProgramId| {
             let program = genome.program(id);
-            let has_effect = program.effective(self.vocabulary);
-            let kept = program.lines.iter().zip(has_effect).filter(|(_, effect)| *effect).map(|(line, _)| *line);
-            let mut lines: Vec<GenomeLine> = kept.collect();
+            let mut lines: Vec<GenomeLine> = program.effective_lines(self.vocabulary).copied().collect();
             if lines.is_empty() {
                 lines.extend(program.lines.first());
             }

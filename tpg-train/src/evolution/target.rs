@@ -2,9 +2,7 @@
 
 use super::generation::Evolution;
 use super::state::State;
-use tpg_engine::{
-    Environment, EpisodeResult, EvaluationError, Evaluator, PolicyGraph, Summary, UnitKey, Work, WorkUnit,
-};
+use tpg_engine::{Environment, EpisodeResult, EvaluationError, Evaluator, PolicyGraph, Summary};
 use tpg_runtime::scalar::Scalar;
 
 /// Number of episodes after which a trial is judged first; then after twice as many, again and again.
@@ -28,20 +26,18 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_,
     ) -> Result<Option<Summary>, EvaluationError> {
         let Some(target) = self.goal.target.filter(|&target| found >= target) else { return Ok(None) };
         let Some(policy) = policy.filter(|_| 2 * state.selection_steps <= state.steps) else { return Ok(None) };
-        let key = UnitKey { seed: state.seed, generation: state.generation, root: 0 };
-        let unit = WorkUnit { key, policy };
         let mut endings: Vec<EpisodeResult> = Vec::new();
         for stage in stages(self.selection_tasks.len()) {
-            let tasks = self.selection_tasks[endings.len()..stage].to_vec();
-            for answer in self.evaluator.evaluate(&Work { tasks, units: vec![unit.clone()] })? {
-                state.count_selection(&answer.endings);
-                endings.extend(answer.endings);
+            let tasks = &self.selection_tasks[endings.len()..stage];
+            for answer in self.endings((state.seed, state.generation), [(0, &policy)], tasks)? {
+                state.count_selection(&answer);
+                endings.extend(answer);
             }
             if Summary::new(&endings).score < target {
                 return Ok(None);
             }
         }
-        self.enter(state, unit.policy, &endings).map(Some)
+        self.enter(state, policy, &endings).map(Some)
     }
 }
 

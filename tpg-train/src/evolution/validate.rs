@@ -9,10 +9,7 @@ use super::generation::Evolution;
 use super::stage::Candidate;
 use super::state::{Best, State};
 use std::cmp::Ordering;
-use tpg_engine::{
-    Environment, EpisodeResult, EvaluationError, Evaluator, PolicyGraph, Summary, UnitKey, UnitResult, Visit, Work,
-    WorkUnit,
-};
+use tpg_engine::{Environment, EpisodeResult, EvaluationError, Evaluator, PolicyGraph, Summary, Visit};
 use tpg_runtime::scalar::Scalar;
 
 /// Number of episodes of the last validation if the budget is exhausted.
@@ -120,19 +117,16 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_,
         roots: Vec<(f64, Candidate)>,
         episodes: usize,
     ) -> Result<(PolicyGraph, Vec<EpisodeResult>), EvaluationError> {
-        let (seed, generation) = (state.seed, state.generation);
-        let unit =
-            |Candidate { policy, number: root, .. }| WorkUnit { key: UnitKey { seed, generation, root }, policy };
-        let mut field: Vec<(WorkUnit, Vec<EpisodeResult>)> =
-            roots.into_iter().map(|(_, root)| (unit(root), Vec::new())).collect();
+        let mut field: Vec<(Candidate, Vec<EpisodeResult>)> =
+            roots.into_iter().map(|(_, root)| (root, Vec::new())).collect();
         let mut done = 0;
         for stage in stages(field.len(), episodes) {
-            let units: Vec<WorkUnit> = field.iter().map(|(unit, _)| unit.clone()).collect();
-            let tasks = self.selection_tasks[done..stage.max(done)].to_vec();
-            let answers = self.evaluator.evaluate(&Work { tasks, units })?;
+            let policies = field.iter().map(|(root, _)| (root.number, &root.policy));
+            let tasks = &self.selection_tasks[done..stage.max(done)];
+            let answers = self.endings((state.seed, state.generation), policies, tasks)?;
             for ((_, endings), answer) in field.iter_mut().zip(answers) {
-                state.count_selection(&answer.endings);
-                endings.extend(answer.endings);
+                state.count_selection(&answer);
+                endings.extend(answer);
             }
             done = stage;
             // The sort is stable: among equal results of equal size, the root with the better running mean stays.
@@ -168,13 +162,9 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_,
     /// Returns states along the episodes of policies, each policy on the first of the selection tasks.
     pub(super) fn visited(&self, policies: &[PolicyGraph], episodes: usize) -> Result<Vec<Vec<f64>>, EvaluationError> {
         let tasks = &self.selection_tasks[..episodes.min(self.selection_tasks.len())];
-        let units = policies.iter().enumerate().map(|(place, policy)| WorkUnit {
-            key: UnitKey { seed: 0, generation: 0, root: place as u64 },
-            policy: policy.clone(),
-        });
-        let answers = self.evaluator.evaluate(&Work { tasks: tasks.to_vec(), units: units.collect() })?;
-        let along = |(policy, answer): (&PolicyGraph, UnitResult)| {
-            let played = tasks.iter().zip(answer.endings);
+        let answers = self.endings((0, 0), (0..).zip(policies), tasks)?;
+        let along = |(policy, endings): (&PolicyGraph, Vec<EpisodeResult>)| {
+            let played = tasks.iter().zip(endings);
             played.map(|(task, ending)| along(policy, task, &ending, STATES_FOR_RANGES)).collect::<Vec<_>>()
         };
         let visits: Vec<_> = policies.iter().zip(answers).flat_map(along).collect();

@@ -9,7 +9,6 @@
 
 use super::Trainer;
 use sha2::{Digest as _, Sha256};
-use std::fmt::Write as _;
 
 /// Digits of the checksum.
 const DIGITS: usize = 64;
@@ -58,11 +57,9 @@ pub(crate) fn open(file: &[u8], trainer: Trainer, version: u32) -> Result<&[u8],
     Ok(&rest[..at])
 }
 
-fn checksum(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().fold(String::with_capacity(DIGITS), |mut text, byte| {
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
+/// Returns the SHA-256 of bytes, in hexadecimal digits.
+pub(crate) fn checksum(bytes: impl AsRef<[u8]>) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 #[cfg(test)]

@@ -126,8 +126,10 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, Input
     let asked = Asked {
         episodes: args.episodes,
         seed: args.seed,
-        guards: guards(args, &facts),
-        cycle_detectors: detectors(args, &facts),
+        guards: or(&args.guard, || vec![facts.guards.last().copied().unwrap_or(UNGUARDED).to_owned()]),
+        cycle_detectors: or(&args.cycle_detector, || {
+            vec![if facts.has_key { Detector::Visited } else { Detector::None }]
+        }),
         hand_back_after: or_spans(&args.hand_back_after, &[1, 5, 20, 50, 100], &facts),
         separation: separations(args, &subject)?,
         patience: or_spans(&args.patience, &[5, 10, 20, 50], &facts),
@@ -168,8 +170,9 @@ fn finish(
     write_atomically(&file("settings.csv"), &to_csv(summaries.iter()))?;
     write_atomically(&file("alone.csv"), &to_csv(alone.iter()))?;
     write_atomically(&file("report.html"), report::page(&problem.name(), cells, &summaries, alone).as_bytes())?;
-    let Some(chosen) = summaries.iter().find(|summary| summary.chosen) else { return Ok(Verdict::Good) };
-    let Some(best) = choice::best_pair(cells, &chosen.setting(), facts.preference) else { return Ok(Verdict::Good) };
+    let chosen = summaries.iter().find(|summary| summary.chosen);
+    let best = chosen.and_then(|chosen| choice::best_pair(cells, &chosen.setting(), facts.preference));
+    let Some((chosen, best)) = chosen.zip(best) else { return Ok(Verdict::Good) };
     let hybrid = HybridFile {
         problem: Some(problem.name()),
         graph: absolute(&args.tpg[best.tpg]),
@@ -203,17 +206,11 @@ fn shared_problem(args: &HybridArgs) -> Result<Problem, InputError> {
     for path in &args.study.tpg {
         let (file, graph) = (path.display().to_string(), read_graph(path)?);
         let own = crate::evaluate::problem_for(args.problem, args.config.as_deref(), Some((&file, &graph)))?;
-        match &problem {
-            Some(first) if *first != own => {
-                return Err(InputError::new(
-                    file,
-                    Place::Whole,
-                    "a graph for another arm",
-                    "one as the first, or --config",
-                ));
-            }
-            _ => problem = Some(own),
+        if problem.as_ref().is_some_and(|first| *first != own) {
+            let accepted = "one as the first, or --config";
+            return Err(InputError::new(file, Place::Whole, "a graph for another arm", accepted));
         }
+        problem = Some(own);
     }
     let mut problem = problem.unwrap_or_else(|| Problem::new(args.problem));
     // The first network's rules of tests hold for all.
@@ -224,29 +221,15 @@ fn shared_problem(args: &HybridArgs) -> Result<Problem, InputError> {
     Ok(problem)
 }
 
-/// Returns the guards asked for, or the last one of the problem's.
-fn guards(args: &StudyArgs, facts: &Facts) -> Vec<String> {
-    match args.guard.is_empty() {
-        true => vec![facts.guards.last().copied().unwrap_or(UNGUARDED).to_owned()],
-        false => args.guard.clone(),
-    }
-}
-
-/// Returns the detectors asked for, or the default one.
-fn detectors(args: &StudyArgs, facts: &Facts) -> Vec<Detector> {
-    match args.cycle_detector.is_empty() {
-        true => vec![if facts.has_key { Detector::Visited } else { Detector::None }],
-        false => args.cycle_detector.clone(),
-    }
+/// Returns what is asked for, or the default.
+fn or<T: Clone>(asked: &[T], default: impl FnOnce() -> Vec<T>) -> Vec<T> {
+    if asked.is_empty() { default() } else { asked.to_vec() }
 }
 
 /// Returns the numbers asked for, or the common ones that an episode can reach, and never.
 fn or_spans(asked: &[Span], common: &[u32], facts: &Facts) -> Vec<Span> {
-    if !asked.is_empty() {
-        return asked.to_vec();
-    }
     let reached = common.iter().copied().filter(|&actions| actions < facts.time_limit).map(Span);
-    reached.chain([Span::NEVER]).collect()
+    or(asked, || reached.chain([Span::NEVER]).collect())
 }
 
 /// Quantiles of a graph's rises above its least distance that become separations.
@@ -257,11 +240,9 @@ const MEASURED: usize = 50;
 /// Returns the separations asked for, or quantiles of the rises of the graphs alone, to two digits, and infinity.
 fn separations(args: &StudyArgs, subject: &Subject<'_>) -> Result<Vec<f64>, InputError> {
     if !args.separation.is_empty() {
+        let refused = |bad| Err(command_line(format!("--separation {bad}"), "distances from 0, or inf"));
         let bad = args.separation.iter().find(|separation| !matches!(separation, 0.0..));
-        return match bad {
-            Some(bad) => Err(command_line(format!("--separation {bad}"), "distances from 0, or inf")),
-            None => Ok(args.separation.clone()),
-        };
+        return bad.map_or_else(|| Ok(args.separation.clone()), refused);
     }
     let episodes = Episodes { count: MEASURED.min(args.episodes), ..subject.episodes };
     let mut rises = Vec::new();

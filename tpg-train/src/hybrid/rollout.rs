@@ -75,19 +75,9 @@ pub(crate) fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
     let episodes: Vec<PlayedEpisode> = match acting {
         Acting::Graph(graph) | Acting::Shielded(graph, _) => {
             let shield = if let Acting::Shielded(_, source) = acting { Some(source) } else { None };
-            let endings = match graph.1.memory() {
-                _ if graph.1.has_counts() => {
-                    let counting = Counting::new::<S>(environment, &graph.1);
-                    alone::<S, M, _>(&Remembering::new(counting, Remembered::in_graph(&graph.1)), graph, shield, tasks)?
-                }
-                0 => alone::<S, M, _>(environment, graph, shield, tasks)?,
-                _ => alone::<S, M, _>(
-                    &Remembering::new(environment, Remembered::in_graph(&graph.1)),
-                    graph,
-                    shield,
-                    tasks,
-                )?,
-            };
+            let counting = Counting::new::<S>(environment, &graph.1);
+            let remembering = Remembering::new(counting, Remembered::in_graph(&graph.1));
+            let endings = alone::<S, M, _>(&remembering, graph, shield, tasks)?;
             let counts = |tpg_actions| Counts { tpg_actions, ..Counts::default() };
             endings.into_iter().map(|ending| (ending, counts(ending.actions), 0)).collect()
         }
@@ -112,7 +102,7 @@ pub(crate) fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
             let tpg = graph_policy::<S, M, _>(graph, environment)?;
             network.1.deciding(|decide| {
                 let hybrid = Pair { tpg, sac: network_policy(environment, decide) };
-                tasks.iter().map(|task| together(environment, task, &hybrid, setting)).collect()
+                tasks.iter().map(|task| watched(environment, task, &hybrid, setting, |_| ())).collect()
             })
         }
     };
@@ -166,7 +156,7 @@ pub(crate) fn rises<S: Scalar, M: Maths<S>, E: Environment<S>>(
         let mut rises = Vec::new();
         for task in tasks {
             let mut least: Option<f64> = None;
-            watched(environment, task, &hybrid, &Setting::only_asks(), Blind, |distance| {
+            watched(environment, task, &hybrid, &Setting::only_asks(), |distance| {
                 let known = least.map(|least| least.min(distance));
                 rises.extend(known.map(|least| distance - least));
                 least = known.or(Some(distance));
@@ -205,24 +195,6 @@ type PlayedEpisode = (EpisodeResult, Counts, u32);
 /// An episode that two policies look at.
 type State<'e, S, E> = RefCell<Rollout<'e, S, E>>;
 
-/// One episode of both policies.
-fn together<'e, S: Scalar, E: Environment<S>, T, P>(
-    environment: &'e E,
-    task: &E::Task,
-    hybrid: &Pair<T, P>,
-    setting: &Setting,
-) -> PlayedEpisode
-where
-    T: Policy<State = State<'e, S, E>, Action = Answer<Decision<S>>>,
-    P: Policy<State = State<'e, S, E>, Action = Decision<S>>,
-{
-    match setting.detector {
-        Detector::None => watched(environment, task, hybrid, setting, Blind, |_| ()),
-        Detector::Visited => watched(environment, task, hybrid, setting, Visited::<u64, CAPACITY>::new(), |_| ()),
-        Detector::Brent => watched(environment, task, hybrid, setting, Brent::new(), |_| ()),
-    }
-}
-
 /// One episode of both policies; `seen` is told the distance at the start and behind each action but the last.
 ///
 /// Where the network never hands back and comes to a state again, it will for ever: that ends the episode, if the environment
@@ -232,7 +204,6 @@ fn watched<'e, S: Scalar, E: Environment<S>, T, P>(
     task: &E::Task,
     hybrid: &Pair<T, P>,
     setting: &Setting,
-    detector: impl CycleDetector<u64>,
     mut seen: impl FnMut(f64),
 ) -> PlayedEpisode
 where
@@ -242,7 +213,8 @@ where
     let state = RefCell::new(Rollout::new(environment, task));
     // Without keys the detector is blind.
     let (key, distance) = (state.borrow().key(), state.borrow().distance());
-    let rules = Switch::new(setting.settings::<S>(), detector, key.unwrap_or_default(), distance);
+    let rules =
+        Switch::new(setting.settings::<S>(), AnyDetector::new(setting.detector), key.unwrap_or_default(), distance);
     let mut switch = AskSwitch::new(rules);
     let mut patience = Patience::new(setting.patience.0, distance);
     let mut last_turn: Option<Brent<u64>> = None;
@@ -274,14 +246,38 @@ where
 /// Capacity of the exact set of visited states. A longer episode may miss a repeat.
 const CAPACITY: usize = 4096;
 
-/// Detects no cycle.
-struct Blind;
+/// The detector of a setting.
+enum AnyDetector {
+    None,
+    Visited(Box<Visited<u64, CAPACITY>>),
+    Brent(Brent<u64>),
+}
 
-impl CycleDetector<u64> for Blind {
-    fn reset(&mut self, _: u64) {}
+impl AnyDetector {
+    fn new(detector: Detector) -> Self {
+        match detector {
+            Detector::None => Self::None,
+            Detector::Visited => Self::Visited(Box::new(Visited::new())),
+            Detector::Brent => Self::Brent(Brent::new()),
+        }
+    }
+}
 
-    fn repeats(&mut self, _: u64) -> bool {
-        false
+impl CycleDetector<u64> for AnyDetector {
+    fn reset(&mut self, key: u64) {
+        match self {
+            Self::None => {}
+            Self::Visited(visited) => visited.reset(key),
+            Self::Brent(brent) => brent.reset(key),
+        }
+    }
+
+    fn repeats(&mut self, key: u64) -> bool {
+        match self {
+            Self::None => false,
+            Self::Visited(visited) => visited.repeats(key),
+            Self::Brent(brent) => brent.repeats(key),
+        }
     }
 }
 
@@ -337,10 +333,7 @@ fn graph_policy<'e, S: Scalar, M: Maths<S>, E: Environment<S> + 'e>(
     let single = Single::<S, M>::new(plan);
     let decide = move |state: &State<'e, S, E>| match single.answer(state.borrow_mut().observe(wanted)) {
         interpret::Answer::Action(action) if Some(action) == ask => Answer::Ask,
-        interpret::Answer::Action(action) => Answer::Act(Decision::Choice(action)),
-        interpret::Answer::Values(values) => {
-            Answer::Act(Decision::Values(values.into_iter().map(S::from_f64).collect()))
-        }
+        answer => Answer::Act(answer.into()),
     };
     Ok(Deciding(decide, PhantomData))
 }

@@ -2,13 +2,13 @@
 
 use super::cells::{Cell, Key, Subject, key};
 use super::setting::Setting;
+use crate::folder::frame::checksum;
 use crate::folder::{RunFolder, Trainer};
 use crate::interrupt;
 use crate::progress::Bar;
 use rayon::ThreadPool;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -112,7 +112,7 @@ impl Input {
     /// If it cannot be read.
     pub(crate) fn read(path: &Path) -> Result<Self, InputError> {
         let bytes = fs::read(path).map_err(|error| InputError::io(path, &error, "a graph or an actor"))?;
-        let sha256 = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+        let sha256 = checksum(&bytes);
         Ok(Self { file: path.display().to_string(), sha256 })
     }
 }

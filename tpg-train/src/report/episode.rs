@@ -1,11 +1,9 @@
 //! Episodes of a graph, action by action: what it sees and does, in the problem's units.
 
-use tpg_engine::{ActionSpace, Decision, Environment, Rollout, SourceSet};
+use tpg_engine::{ActionSpace, Decision, EngineOptions, Environment, Plan, Rollout, Single, SourceSet, bind};
 use tpg_graph::Graph;
-use tpg_graph::interpret::{Answer, Interpreter};
 use tpg_picture::{Axis, Colour, Figure, Plot};
 use tpg_runtime::ops::Maths;
-use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
 /// Number of episodes that are drawn.
@@ -16,19 +14,11 @@ const VALUES: usize = 9;
 /// Episodes of a graph.
 #[derive(Debug)]
 pub(super) struct Watched {
-    /// Name and unit of each value that the graph sees.
+    /// Each value that the graph can see, with its unit.
     values: Vec<(String, String)>,
-    answer: AnswerAxis,
+    /// The axis of what it does: the names of the actions, or the first output.
+    answer: Axis,
     episodes: Vec<Shown>,
-}
-
-/// The axis of what a graph does.
-#[derive(Debug)]
-enum AnswerAxis {
-    /// The names of the actions.
-    Actions(Vec<String>),
-    /// Name and unit of the first output.
-    Output(String),
 }
 
 /// An episode.
@@ -42,66 +32,43 @@ struct Shown {
     answers: Vec<f64>,
 }
 
-/// Watches a graph on tasks. `None` where it has a memory, or the environment has other names than the graph.
+/// Watches a graph on tasks. `None` where it has a memory, or the environment is none for it.
 pub(super) fn watch<S: Scalar, M: Maths<S>, E: Environment<S>>(
-    graph: &Graph,
+    (file, graph): &(String, Graph),
     environment: &E,
     tasks: &[E::Task],
 ) -> Option<Watched> {
-    let places = places(graph, &environment.sources()).filter(|_| graph.memory() == 0)?;
-    let (answer, actions) = match environment.actions() {
+    let policy = bind(file, graph, environment).ok().filter(|_| graph.memory() == 0)?;
+    let sources = environment.sources();
+    let answer = match environment.actions() {
         ActionSpace::Discrete(known) => {
-            let place = |action: &tpg_graph::Action| known.iter().position(|other| other.name == action.name);
-            let actions: Vec<usize> = graph.actions().iter().map(place).collect::<Option<_>>()?;
-            (AnswerAxis::Actions(known.into_iter().map(|action| action.name).collect()), actions)
+            Axis::names("action taken", known.into_iter().map(|action| action.name).collect())
         }
-        ActionSpace::Box(outputs) => {
-            let output = outputs.first().filter(|_| outputs.len() == graph.outputs().len())?;
-            (AnswerAxis::Output(labelled(&output.name, &output.unit)), Vec::new())
-        }
+        ActionSpace::Box(outputs) => outputs.first().map(|it| Axis::linear(&labelled(&it.name, &it.unit)))?,
     };
-    let interpreter = Interpreter::<S, M>::new(graph);
+    let single = Single::<S, M>::new(Plan::new::<M>(&policy, &sources, EngineOptions::default()));
     let episode = |task: &E::Task| {
         let mut rollout = Rollout::new(environment, task);
         let (mut states, mut answers) = (Vec::new(), Vec::new());
         loop {
-            let seen = rollout.observe(SourceSet::ALL);
-            let state: Vec<S> = places.iter().map(|&place| seen[place]).collect();
-            let decision = match interpreter.answer(&state) {
-                Answer::Action(ActionId(action)) => {
-                    let action = actions.get(usize::from(action)).copied().unwrap_or_default();
-                    answers.push(action as f64);
-                    Decision::Choice(ActionId(action as u16))
-                }
-                Answer::Values(values) => {
-                    answers.push(values.first().copied().unwrap_or_default());
-                    Decision::Values(values.into_iter().map(S::from_f64).collect())
-                }
-            };
-            states.push(state.into_iter().map(S::to_f64).collect());
+            let state = rollout.observe(SourceSet::ALL);
+            let decision: Decision<S> = single.answer(state).into();
+            states.push(state.iter().map(|value| value.to_f64()).collect());
+            answers.push(match &decision {
+                Decision::Choice(action) => action.0.into(),
+                Decision::Values(values) => values[0].to_f64(),
+            });
             if let Some(ending) = rollout.act(decision.act()) {
                 let outcome = environment.outcomes().get(usize::from(ending.outcome)).copied().unwrap_or("ended");
                 return Shown { outcome, score: ending.score, states, answers };
             }
         }
     };
-    let values = graph.inputs().map(|input| {
-        let (source, place) = graph.source_of(input);
-        let name = if source.ranges.len() == 1 { source.name.clone() } else { format!("{}[{place}]", source.name) };
-        (name, source.unit.clone())
+    let values = sources.iter().flat_map(|source| {
+        let name = |place| if source.length == 1 { source.name.clone() } else { format!("{}[{place}]", source.name) };
+        (0..source.length).map(move |place| (name(place), source.unit.clone()))
     });
     Some(Watched { values: values.collect(), answer, episodes: tasks.iter().map(episode).collect() })
-}
-
-/// The place of each value that a graph reads in the environment's flat state.
-fn places(graph: &Graph, sources: &[tpg_graph::SourceDocument]) -> Option<Vec<usize>> {
-    let mut places = Vec::new();
-    for source in graph.sources() {
-        let at = sources.iter().position(|other| other.name == source.name)?;
-        let first: usize = sources[..at].iter().map(|source| source.length as usize).sum();
-        places.extend((0..source.ranges.len()).map(|place| first + place));
-    }
-    Some(places)
 }
 
 fn labelled(name: &str, unit: &str) -> String {
@@ -128,12 +95,10 @@ pub(super) fn figures(watched: &Watched) -> Vec<Figure> {
         })
     });
     let mut figures: Vec<Figure> = values.collect();
-    let axis = match &watched.answer {
-        AnswerAxis::Actions(names) => Axis::names("action taken", names.clone()),
-        AnswerAxis::Output(label) => Axis::linear(label),
-    };
-    figures.push(draw(axis, "The first test episodes: what the policy does.".to_owned(), &|episode: &Shown| {
-        episode.answers.clone()
-    }));
+    figures.push(draw(
+        watched.answer.clone(),
+        "The first test episodes: what the policy does.".to_owned(),
+        &|episode: &Shown| episode.answers.clone(),
+    ));
     figures
 }

@@ -14,6 +14,7 @@ mod tables;
 mod test;
 
 use crate::hybrid::shared::Shared;
+use crate::run_args::print;
 use clap::Args;
 use runs::{Group, Run};
 use std::path::{Path, PathBuf};
@@ -58,8 +59,7 @@ pub fn report_with(args: &ReportArgs, own: Option<&dyn Shared>) -> Result<(), In
     let page = page(&groups, args.episodes as usize, args.seed, own)?;
     let html = page.html();
     if args.out == Path::new("-") {
-        let written = tpg_graph::command::print(&html);
-        return written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"));
+        return print(&html);
     }
     write_atomically(&args.out, html.as_bytes())?;
     let runs: usize = groups.iter().map(|group| group.runs.len()).sum();

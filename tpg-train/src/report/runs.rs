@@ -80,6 +80,10 @@ impl Group {
 }
 
 impl Run {
+    fn new(name: String, kind: Kind) -> Self {
+        Self { name, seed: None, curves: BTreeMap::new(), cpu: None, kind, hall: Vec::new() }
+    }
+
     /// Returns the mean score on the episodes by which training chose the policy.
     pub(super) fn validated(&self) -> Option<f64> {
         match &self.kind {
@@ -223,7 +227,7 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
     let of_hall = |graph: Graph| {
         let generation = graph.provenance().scores.get("generation").copied().unwrap_or_default();
         let name = format!("generation {generation}");
-        Ok(Run { name, seed, curves: BTreeMap::new(), cpu: None, kind: kind(graph)?, hall: Vec::new() })
+        Ok(Run { seed, ..Run::new(name, kind(graph)?) })
     };
     let hall = hall.into_iter().map(of_hall).collect::<Result<_, InputError>>()?;
     Ok(Run { name, seed, curves, cpu, kind: kind(graph)?, hall })
@@ -265,8 +269,7 @@ fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
     let path = folder.join("policy.safetensors");
     let (network, contract) = weights::read(&path)?;
     let file = path.display().to_string();
-    let known = contract.problem.get("name").and_then(toml::Value::as_str).and_then(ProblemName::from_name);
-    let known = known.ok_or_else(|| {
+    let known = named_in(&contract.problem).ok_or_else(|| {
         InputError::new(&file, Place::Whole, "a network of a problem that is not built in", "one that is")
     })?;
     let problem = Box::new(Problem::tested(known, None)?.joined(&file, &contract.problem, true, false)?);
@@ -284,14 +287,13 @@ fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
     let time: Option<Value> = time.and_then(|text| serde_json::from_str(&text).ok());
     let cpu = time.and_then(|time| time.get("cpu_seconds_of_this_process").and_then(Value::as_f64));
     let seed = Some(contract.provenance.seed);
-    Ok(Run {
-        name,
-        seed,
-        curves,
-        cpu,
-        kind: Kind::Sac { problem, network: Box::new(network), contract: Box::new(contract) },
-        hall: Vec::new(),
-    })
+    let kind = Kind::Sac { problem, network: Box::new(network), contract: Box::new(contract) };
+    Ok(Run { seed, curves, cpu, ..Run::new(name, kind) })
+}
+
+/// The problem that settings name, if it is built in.
+fn named_in(settings: &toml::Table) -> Option<ProblemName> {
+    settings.get("name").and_then(toml::Value::as_str).and_then(ProblemName::from_name)
 }
 
 /// Reads the hybrid of a study.
@@ -303,10 +305,9 @@ fn study(folder: &Path, name: String, text: &str) -> Result<Run, InputError> {
     let file = folder.join("study.toml").display().to_string();
     let Asked { problem } = settings::from_toml(&file, text, "the study.toml of a study")?;
     let hybrid = Box::new(Hybrid::read(&folder.join("hybrid.toml"))?);
-    let known = problem.get("name").and_then(toml::Value::as_str).and_then(ProblemName::from_name);
-    let problem = known.map(|_| Problem::from_table(&file, &problem, PolicyKind::Graph)).transpose()?;
+    let problem = named_in(&problem).map(|_| Problem::from_table(&file, &problem, PolicyKind::Graph)).transpose()?;
     let kind = Kind::Hybrid { problem: problem.map(|problem| Box::new(problem.for_tests())), hybrid };
-    Ok(Run { name, seed: None, curves: BTreeMap::new(), cpu: None, kind, hall: Vec::new() })
+    Ok(Run::new(name, kind))
 }
 
 /// Parses one JSON value per line.

@@ -104,7 +104,7 @@ fn shown<S: Number, M: Maths<S>>(
     let tasks = episodes.in_problem(problem)?;
     opened::<S, _>(problem, &graph.1, |choices| {
         let Some(drawn) = choices.drawn() else {
-            return Ok((Vec::new(), watch::<S, M, _>(&graph.1, choices, &tasks[..EPISODES.min(tasks.len())])));
+            return Ok((Vec::new(), watch::<S, M, _>(graph, choices, &tasks[..EPISODES.min(tasks.len())])));
         };
         let picture = |place: usize| {
             let mut moments = moments::<S, M, _>(choices, graph, &tasks[place], drawn)?;
