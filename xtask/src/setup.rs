@@ -5,42 +5,42 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use tpg_testing::library::TARGETS;
 
-/// Debian packages, each with a program that shows whether it is installed.
-const PACKAGES: &[(&str, &str)] = &[
-    ("gcc", "/usr/bin/gcc"),
-    ("g++", "/usr/bin/g++"),
-    ("clang", "/usr/bin/clang"),
-    ("tcc", "/usr/bin/tcc"),
-    ("clang-tidy", "/usr/bin/clang-tidy"),
-    ("cppcheck", "/usr/bin/cppcheck"),
-    ("gcc-arm-none-eabi", "/usr/bin/arm-none-eabi-gcc"),
-    ("libnewlib-arm-none-eabi", "/usr/lib/arm-none-eabi/include/newlib.h"),
-    ("gcc-riscv64-unknown-elf", "/usr/bin/riscv64-unknown-elf-gcc"),
-    ("picolibc-riscv64-unknown-elf", "/usr/lib/picolibc/riscv64-unknown-elf/include/math.h"),
-    ("picolibc-arm-none-eabi", "/usr/lib/picolibc/arm-none-eabi/include/math.h"),
-    ("gcc-avr", "/usr/bin/avr-gcc"),
-    ("avr-libc", "/usr/lib/avr/include/avr/io.h"),
-    ("gcc-powerpc-linux-gnu", "/usr/bin/powerpc-linux-gnu-gcc"),
-    ("libc6-dev-powerpc-cross", "/usr/powerpc-linux-gnu/include/math.h"),
-    ("lld", "/usr/bin/wasm-ld"),
-    ("wasi-libc", "/usr/include/wasm32-wasi/math.h"),
-    ("libclang-rt-14-dev-wasm32", "/usr/lib/llvm-14/lib/clang/14.0.6/lib/wasi/libclang_rt.builtins-wasm32.a"),
-    ("qemu-system-arm", "/usr/bin/qemu-system-arm"),
-    ("qemu-system-misc", "/usr/bin/qemu-system-riscv32"),
-    ("simavr", "/usr/bin/simavr"),
-    ("qemu-user", "/usr/bin/qemu-ppc"),
-    ("valgrind", "/usr/bin/valgrind"),
-    ("cmake", "/usr/bin/cmake"),
-    ("make", "/usr/bin/make"),
-    ("meson", "/usr/bin/meson"),
-    ("pkg-config", "/usr/bin/pkg-config"),
-    ("frama-c-base", "/usr/bin/frama-c"),
-    ("python3-venv", "/usr/lib/python3.11/ensurepip/__init__.py"),
-    ("openmpi-bin", "/usr/bin/mpirun"),
-    ("libopenmpi-dev", "/usr/bin/mpicc"),
-    ("nodejs", "/usr/bin/node"),
-    ("npm", "/usr/bin/npm"),
-    ("chromium", "/usr/bin/chromium"),
+/// Debian packages, each with a program or file that shows whether it is installed.
+const PACKAGES: &[&str] = &[
+    "gcc /usr/bin/gcc",
+    "g++ /usr/bin/g++",
+    "clang /usr/bin/clang",
+    "tcc /usr/bin/tcc",
+    "clang-tidy /usr/bin/clang-tidy",
+    "cppcheck /usr/bin/cppcheck",
+    "gcc-arm-none-eabi /usr/bin/arm-none-eabi-gcc",
+    "libnewlib-arm-none-eabi /usr/lib/arm-none-eabi/include/newlib.h",
+    "gcc-riscv64-unknown-elf /usr/bin/riscv64-unknown-elf-gcc",
+    "picolibc-riscv64-unknown-elf /usr/lib/picolibc/riscv64-unknown-elf/include/math.h",
+    "picolibc-arm-none-eabi /usr/lib/picolibc/arm-none-eabi/include/math.h",
+    "gcc-avr /usr/bin/avr-gcc",
+    "avr-libc /usr/lib/avr/include/avr/io.h",
+    "gcc-powerpc-linux-gnu /usr/bin/powerpc-linux-gnu-gcc",
+    "libc6-dev-powerpc-cross /usr/powerpc-linux-gnu/include/math.h",
+    "lld /usr/bin/wasm-ld",
+    "wasi-libc /usr/include/wasm32-wasi/math.h",
+    "libclang-rt-14-dev-wasm32 /usr/lib/llvm-14/lib/clang/14.0.6/lib/wasi/libclang_rt.builtins-wasm32.a",
+    "qemu-system-arm /usr/bin/qemu-system-arm",
+    "qemu-system-misc /usr/bin/qemu-system-riscv32",
+    "simavr /usr/bin/simavr",
+    "qemu-user /usr/bin/qemu-ppc",
+    "valgrind /usr/bin/valgrind",
+    "cmake /usr/bin/cmake",
+    "make /usr/bin/make",
+    "meson /usr/bin/meson",
+    "pkg-config /usr/bin/pkg-config",
+    "frama-c-base /usr/bin/frama-c",
+    "python3-venv /usr/lib/python3.11/ensurepip/__init__.py",
+    "openmpi-bin /usr/bin/mpirun",
+    "libopenmpi-dev /usr/bin/mpicc",
+    "nodejs /usr/bin/node",
+    "npm /usr/bin/npm",
+    "chromium /usr/bin/chromium",
 ];
 
 const COMPONENTS: [&str; 2] = ["rustfmt", "clippy"];
@@ -58,8 +58,9 @@ pub(crate) fn run() -> bool {
 }
 
 fn packages() -> bool {
+    let packages = PACKAGES.iter().filter_map(|line| line.split_once(' '));
     let missing: Vec<&str> =
-        PACKAGES.iter().filter(|(_, file)| !Path::new(file).exists()).map(|(package, _)| *package).collect();
+        packages.filter(|(_, file)| !Path::new(file).exists()).map(|(package, _)| package).collect();
     if missing.is_empty() {
         println!("setup: compilers, linters and emulator are installed");
         return true;

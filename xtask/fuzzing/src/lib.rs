@@ -10,11 +10,9 @@
 //! | [`networks`] | `policy.q.json`, packed words, safetensors |
 //! | [`settings`] | tasks, configurations, hybrids, arms |
 //! | [`checkpoints`] | checkpoints of both trainers, and training from them |
-//! | [`mutation`] | changes of seeds, for the test |
 
 pub mod checkpoints;
 pub mod graphs;
-pub mod mutation;
 pub mod networks;
 pub mod settings;
 

@@ -2,12 +2,15 @@
 //!
 //! `cargo xtask fuzz` runs the same functions under libFuzzer, which chooses by what it covers.
 
+#[path = "smoke/mutation.rs"]
+mod mutation;
+
+use mutation::mutate;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
-use tpg_fuzzing::mutation::mutate;
 use tpg_fuzzing::{TARGETS, Target};
 use tpg_testing::library::top;
 

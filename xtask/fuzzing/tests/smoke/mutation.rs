@@ -34,7 +34,7 @@ const NUMBERS: [&str; 24] = [
 ];
 
 /// Changes a seed one to six times. `words` are the entries of a dictionary, `others` seeds of the same kind.
-pub fn mutate(random: &mut ChaCha8Rng, seed: &[u8], words: &[Vec<u8>], others: &[Vec<u8>]) -> Vec<u8> {
+pub(super) fn mutate(random: &mut ChaCha8Rng, seed: &[u8], words: &[Vec<u8>], others: &[Vec<u8>]) -> Vec<u8> {
     let mut data = seed.to_vec();
     for _ in 0..random.random_range(1..=6) {
         change(random, &mut data, words, others);
