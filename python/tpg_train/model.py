@@ -587,7 +587,9 @@ class TPG:
             return Evaluation.of_report(json.loads(_tpg.evaluate_native(self.native, graph, episodes, seed)))
         place = self._episodes(executor, self.n_workers if n_workers is None and self.native is None else n_workers or 0)
         try:
-            return Evaluation.of(place.run([self._interface.policy(graph)], _tpg.test_seeds(seed, episodes))[0], self._interface.name)
+            return Evaluation.of(
+                place.run([self._interface.policy(graph)], _tpg.test_seeds(seed, episodes))[0], self._interface.name
+            )
         finally:
             place.close()
 

@@ -1,6 +1,6 @@
 """Prints what the unit test of the games compares with: episodes, rewards and a digest of 20,000 steps of the package `minatar`.
 
-    pip install minatar==1.0.15 && python record.py
+pip install minatar==1.0.15 && python record.py
 """
 
 from minatar import Environment
@@ -42,7 +42,14 @@ for game, moves in MOVES.items():
         reward, is_over = env.act(env.env.action_map.index(moves[choice]))
         rewards += reward
         state = env.state()
-        boards = [sum(1 << place for place, cell in enumerate(state[:, :, channel].ravel()) if cell) for channel in range(state.shape[2])]
+        boards = [
+            sum(
+                1 << place
+                for place, cell in enumerate(state[:, :, channel].ravel())
+                if cell
+            )
+            for channel in range(state.shape[2])
+        ]
         for word in [choice, int(reward), int(is_over), *boards]:
             for byte in word.to_bytes(16, "little"):
                 digest = ((digest ^ byte) * 0x100000001B3) & WORD
