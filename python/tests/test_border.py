@@ -312,9 +312,9 @@ def test_differences_of_a_dict_keep_its_keys() -> None:
 
 def test_a_policy_reads_features_of_an_image(tmp_path: Path) -> None:
     model = TPG(environments.Spot, seed=1).learn(60_000)
-    assert model.evaluate(100).mean > -12.0, "standing still returns about -20"
+    assert model.evaluate(100).mean > 6.0, "always the middle earns about 4.3"
     graph = model.graph
-    assert 2 <= len(graph.inputs) < 20 and set(name.split("[")[0] for name in graph.inputs) <= set(
+    assert set(name.split("[")[0] for name in graph.inputs) <= set(
         f"channel_{channel}_{part}" for channel in (0, 1) for part in ("bright", "dark", "grid")
     )
     env = environments.Spot()

@@ -62,7 +62,7 @@ impl Asterix {
             self.until_ramp -= 1;
             return;
         }
-        if self.move_every > 1 && self.ramps % 2 != 0 {
+        if self.move_every > 1 && !self.ramps.is_multiple_of(2) {
             self.move_every -= 1;
         }
         self.spawn_every -= i32::from(self.spawn_every > 1);
