@@ -4,6 +4,7 @@ use tpg_codegen::compile;
 use tpg_codegen::emit::{self, Code, Language, Options, Profile};
 use tpg_codegen::quantise::{Request, quantise};
 use tpg_codegen::verify::Proof;
+use tpg_graph::export::dot::{self, Inexpressible};
 use tpg_graph::states::StateSet;
 use tpg_graph::{Graph, interpret};
 
@@ -66,10 +67,11 @@ fn features_that_no_program_reads_are_dropped() {
 }
 
 #[test]
-fn images_stay_out_of_integers() {
+fn images_stay_out_of_integers_and_of_gegelatis_format() {
     let graph = graph();
     let states = StateSet::sampled(&graph, 10, 1);
     let request = Request { inputs: 8, weights: 8, visited: None, margin: 1.0, compared: &states };
     let error = quantise("eye.json", &graph, &request).expect_err("an image").to_string();
     assert!(error.contains("$.sources[0].image: a graph that sees an image"), "{error}");
+    assert_eq!(dot::text(&graph), Err(Inexpressible::Image));
 }

@@ -16,7 +16,8 @@ use tpg_train::loaders::Tensors;
 const ELSEWHERE: &str = "cargo xtask ";
 
 /// Shorter forms of parts of commands.
-const SHORTER: [(&str, &str); 4] = [
+const SHORTER: [(&str, &str); 5] = [
+    ("tpg --problem breakout --target 12", "tpg --problem breakout --generations 2"),
     ("tpg --problem pendulum --out", "tpg --problem pendulum --generations 3 --out"),
     ("hybrid --problem pendulum", "hybrid --hand-back-after 20 --separation inf --patience 10 --problem pendulum"),
     ("verify ", "verify --states 2000 "),
@@ -143,6 +144,7 @@ fn the_commands_of_the_guides_run() {
         ("docs/importing.md", 9),
         ("docs/codegen.md", 10),
         ("docs/no-fpu.md", 7),
+        ("docs/camera.md", 2),
     ] {
         assert!(run(name) >= least, "{name}: commands were not found");
     }

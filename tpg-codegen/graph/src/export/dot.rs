@@ -12,10 +12,13 @@ use std::fmt::{self, Write as _};
 /// program for each value that its label names.
 ///
 /// # Errors
-/// The part of the graph that the format cannot express: counts, or memory.
+/// The part of the graph that the format cannot express: counts, an image, or memory.
 pub fn text(graph: &Graph) -> Result<String, Inexpressible> {
     if graph.has_counts() {
         return Err(Inexpressible::Counts);
+    }
+    if graph.sees() {
+        return Err(Inexpressible::Image);
     }
     match graph.memory() {
         0 => Ok(Writer::new(graph).text()),
@@ -31,6 +34,8 @@ pub fn text(graph: &Graph) -> Result<String, Inexpressible> {
 pub enum Inexpressible {
     /// The worth of counts.
     Counts,
+    /// Features of an image.
+    Image,
     /// Memory, by its names.
     Memory(Vec<String>),
 }
@@ -39,6 +44,7 @@ impl fmt::Display for Inexpressible {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Counts => f.write_str("a policy of counts: GEGELATI's format does not say what a count is worth"),
+            Self::Image => f.write_str("a policy that sees an image: GEGELATI's format has no features of one"),
             Self::Memory(memory) => write!(
                 f,
                 "a policy with memory ({}): in GEGELATI's format a decision depends on the state alone",

@@ -97,6 +97,11 @@ impl<'a, S: Lattice> Frame<'a, S> {
         self.arm.links.base
     }
 
+    /// Wrist to tip, mm.
+    pub fn hand_length(&self) -> S {
+        self.arm.links.hand
+    }
+
     /// ρ, mm: the hand's signed distance from the base's axis.
     pub fn radius(&self) -> S {
         -self.plane.tip.x
@@ -173,6 +178,12 @@ impl<'a, S: Lattice> Frame<'a, S> {
         let back = if front > S::ZERO { front - pi } else { front + pi };
         let at = kinematics::radians(self.pose, Joint(0));
         [front - at, back - at]
+    }
+
+    /// Elevation of the hand over the shoulder's horizon, rad, −π..π: atan2(z − base height, ρ). Beyond ±π/2 the arm
+    /// reaches over its back.
+    pub fn hand_elevation(&self) -> S {
+        (self.height() - self.arm.links.base).atan2(self.radius())
     }
 
     /// Shoulder to target, mm.

@@ -1,6 +1,6 @@
 //! The observation of arm and target, and the data sources of a graph that it fills.
 
-mod derived;
+pub mod derived;
 mod memo;
 mod range;
 mod reach;
@@ -10,8 +10,9 @@ mod source;
 mod stance;
 mod straight;
 
-pub use derived::polar;
+pub use derived::Aim;
 pub use memo::TargetMemo;
+pub use reach::{Reach, ReachErrors, ReachTarget};
 pub use seen::Observation;
 pub use source::Source;
 pub(crate) use source::same;
@@ -24,29 +25,72 @@ use crate::kinematics::Lattice;
 use core::mem::MaybeUninit;
 use tpg_runtime::policy::{ActionId, Policy};
 
-#[inline(always)]
-fn write<S: Lattice, W: Slot<S>>(
-    source: Source,
-    arm: &Arm<S>,
-    seen: &Observation<S>,
-    memo: &TargetMemo<S>,
-    values: &mut [W],
-) {
-    match source {
-        Source::Target => put(values, seen.target),
-        Source::Difference => put(values, seen.difference),
-        Source::Hand => put(values, seen.hand),
-        Source::Motors => put(values, seen.pose.0.map(ticks)),
-        Source::Servos => {
-            let [a, b, c, d] = seen.pose.0;
-            let [e, f] = seen.fixed_servos;
-            put(values, [a, b, c, d, e, f].map(ticks));
+/// Parts that several sources share. The reach is computed once, when the first of them asks; to keep a frame would cost
+/// as much as to compute it.
+struct Parts<'a, S: Copy> {
+    arm: &'a Arm<S>,
+    seen: &'a Observation<S>,
+    memo: &'a TargetMemo<S>,
+    reach: Option<ReachErrors<S>>,
+}
+
+impl<'a, S: Lattice> Parts<'a, S> {
+    fn new(arm: &'a Arm<S>, seen: &'a Observation<S>, memo: &'a TargetMemo<S>) -> Self {
+        Self { arm, seen, memo, reach: None }
+    }
+
+    #[inline(always)]
+    fn frame(&self) -> Frame<'a, S> {
+        Frame::new(self.arm, self.seen)
+    }
+
+    #[inline(never)] // as `bearing`
+    fn reach(&mut self) -> &ReachErrors<S> {
+        let (arm, seen, memo) = (self.arm, self.seen, self.memo);
+        let [.., wrist] = seen.pose.0;
+        self.reach.get_or_insert_with(|| memo.reach(arm, seen.target).keeping_wrist(arm, wrist).errors(arm, seen.pose))
+    }
+
+    #[inline(never)] // the sources that most policies have need far fewer registers than this
+    fn bearing(&self) -> [S; 3] {
+        let aim = self.memo.aim(self.arm, self.seen.target);
+        let frame = self.frame();
+        derived::bearing(&aim, self.seen.pose, frame.hand_elevation(), frame.hand_reach())
+    }
+
+    #[inline(never)] // as `bearing`
+    fn wrist(&self) -> [S; 2] {
+        derived::wrist(&self.frame())
+    }
+
+    #[inline(always)]
+    fn write<W: Slot<S>>(&mut self, source: Source, values: &mut [W]) {
+        let seen = self.seen;
+        match source {
+            Source::Target => put(values, seen.target),
+            Source::Difference => put(values, seen.difference),
+            Source::Hand => put(values, seen.hand),
+            Source::Motors => put(values, seen.pose.0.map(ticks)),
+            Source::Servos => {
+                let [a, b, c, d] = seen.pose.0;
+                let [e, f] = seen.fixed_servos;
+                put(values, [a, b, c, d, e, f].map(ticks));
+            }
+            Source::MotorsCentred => put(values, derived::centred(seen.pose)),
+            Source::Polar => {
+                let frame = self.frame();
+                put(values, derived::polar(&frame, frame.target_reach(), frame.hand_reach()));
+            }
+            Source::Bearing => put(values, self.bearing()),
+            Source::Reach => put(values, self.reach().ticks),
+            Source::ReachExcess => put(values, self.reach().excess),
+            Source::ReachPitch => put(values, [self.reach().pitch]),
+            Source::Wrist => put(values, self.wrist()),
+            Source::Floor => put(values, [self.frame().lowest_corner()]),
+            Source::Stance => put(values, self.memo.stance(self.arm, seen.target).errors(seen.pose)),
+            Source::ShieldLimits => put(values, shield::limits(self.arm, seen.pose, shield::STEP)),
+            Source::ShieldCollision => put(values, shield::collision(self.arm, seen.pose)),
         }
-        Source::Polar => put(values, polar(&Frame::new(arm, seen))),
-        Source::Floor => put(values, [Frame::new(arm, seen).lowest_corner()]),
-        Source::Stance => put(values, memo.stance(arm, seen.target).errors(seen.pose)),
-        Source::ShieldLimits => put(values, shield::limits(arm, seen.pose, shield::STEP)),
-        Source::ShieldCollision => put(values, shield::collision(arm, seen.pose)),
     }
 }
 
@@ -78,9 +122,10 @@ impl Source {
         memo: &TargetMemo<S>,
         state: &mut [W],
     ) {
+        let mut parts = Parts::new(arm, seen, memo);
         let mut rest = state;
         for source in sources {
-            write(source, arm, seen, memo, rest);
+            parts.write(source, rest);
             let length = source.length().min(rest.len());
             rest = &mut rest[length..];
         }

@@ -5,7 +5,7 @@
 //! target's direction. This is knowledge about the arm that the paper's policies did not have.
 
 use super::derived::ticks_of;
-use crate::arm::{Arm, JointRange, TICKS_PER_TURN};
+use crate::arm::{Arm, JointRange, Pose, TICKS_PER_TURN};
 use crate::kinematics::{Angle, Lattice, Vector};
 
 /// Goals of shoulder and elbow, ticks, with the elbow bent one way.
@@ -13,11 +13,13 @@ use crate::kinematics::{Angle, Lattice, Vector};
 struct Bend<S> {
     shoulder: S,
     elbow: S,
+    /// The hand's pitch there, ticks below the horizontal.
+    pitch: S,
 }
 
 /// A target as the inverse kinematics sees it: what does not depend on the wrist.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct ReachTarget<S> {
+pub struct ReachTarget<S> {
     /// Base's goal, ticks.
     base: S,
     /// True where the base turns its back to the target, which lies beyond its range.
@@ -34,7 +36,7 @@ pub(super) struct ReachTarget<S> {
 
 /// Goals of base, shoulder and elbow; they depend on the wrist's position and the target alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Reach<S> {
+pub struct Reach<S> {
     base: S,
     bends: [Bend<S>; 2],
     deficit: S,
@@ -48,13 +50,25 @@ pub(super) struct Goal<S> {
     pub(super) shoulder: S,
     /// Ticks.
     pub(super) elbow: S,
-    /// Ticks by which shoulder and elbow lie outside their ranges, and mm by which the target is too far away or too near.
+    /// As [`ReachErrors::excess`].
     pub(super) excess: [S; 3],
+}
+
+/// Distance of a pose from its [`Reach`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReachErrors<S> {
+    /// Base, shoulder and elbow: goal less position, ticks.
+    pub ticks: [S; 3],
+    /// Ticks by which the goals of shoulder and elbow lie outside their ranges, and mm by which the target is out of
+    /// reach with this wrist: positive too far, negative too near.
+    pub excess: [S; 3],
+    /// The hand's pitch at the goal, ticks below the horizontal.
+    pub pitch: S,
 }
 
 impl<S: Lattice> ReachTarget<S> {
     /// Of a target in mm.
-    pub(super) fn at(arm: &Arm<S>, target: Vector<S>) -> Self {
+    pub fn at(arm: &Arm<S>, target: Vector<S>) -> Self {
         let links = &arm.links;
         let [x, y, z] = target;
         let far = (x * x + y * y).sqrt();
@@ -75,7 +89,7 @@ impl<S: Lattice> ReachTarget<S> {
     }
 
     /// The goals for a wrist position in ticks.
-    pub(super) fn keeping_wrist(&self, arm: &Arm<S>, wrist: i16) -> Reach<S> {
+    pub fn keeping_wrist(&self, arm: &Arm<S>, wrist: i16) -> Reach<S> {
         let Self { base, wanted, direction, upper, upper_angle, .. } = *self;
         let links = &arm.links;
         let turned = Angle(TICKS_PER_TURN / 2 - i32::from(wrist)).direction::<S>();
@@ -95,13 +109,21 @@ impl<S: Lattice> ReachTarget<S> {
             let forearm = bent - lower_angle + upper_angle;
             let shoulder = near_middle(S::from_i32(TICKS_PER_TURN / 4) + ticks_of(upper_arm));
             let elbow = near_middle(S::from_i32(3 * TICKS_PER_TURN / 4) - ticks_of(forearm));
-            Bend { shoulder, elbow }
+            // Angle of the hand in the plane, less the half turn at which it lies level on the front side.
+            let hand = shoulder - elbow + S::from_i32(TICKS_PER_TURN - i32::from(wrist));
+            let pitch = wrapped(hand - S::from_i32(TICKS_PER_TURN / 2));
+            Bend { shoulder, elbow, pitch }
         };
         Reach { base, bends: [bend(bent, lean), bend(-bent, -lean)], deficit: wanted - reach }
     }
 }
 
 impl<S: Lattice> Reach<S> {
+    /// The goals for a wrist position in ticks and a target in mm.
+    pub fn keeping_wrist(arm: &Arm<S>, wrist: i16, target: Vector<S>) -> Self {
+        ReachTarget::at(arm, target).keeping_wrist(arm, wrist)
+    }
+
     /// The goals themselves, with the elbow's bend that the joint ranges allow better, or the first.
     pub(super) fn best(&self, arm: &Arm<S>) -> Goal<S> {
         let [_, shoulder_range, elbow_range, _] = arm.ranges;
@@ -115,6 +137,27 @@ impl<S: Lattice> Reach<S> {
             shoulder: bend.shoulder,
             elbow: bend.elbow,
             excess: [of_shoulder, of_elbow, self.deficit],
+        }
+    }
+
+    /// Errors of a pose. Of the two bends of the elbow, the one that the joint ranges allow better; where both are
+    /// equally good, the nearer.
+    pub fn errors(&self, arm: &Arm<S>, pose: Pose) -> ReachErrors<S> {
+        let [base, shoulder, elbow, _] = pose.0.map(|ticks| S::from_i32(i32::from(ticks)));
+        let [_, shoulder_range, elbow_range, _] = arm.ranges;
+        let judged = self.bends.map(|bend| {
+            let excess = [outside(bend.shoulder, shoulder_range), outside(bend.elbow, elbow_range)];
+            let errors = [bend.shoulder - shoulder, bend.elbow - elbow];
+            let largest = larger(errors[0].abs(), errors[1].abs());
+            (bend, excess, errors, excess[0].abs() + excess[1].abs(), largest)
+        });
+        let [first, second] = judged;
+        let second_is_better = second.3 < first.3 || (second.3 == first.3 && second.4 < first.4);
+        let (bend, excess, errors, ..) = if second_is_better { second } else { first };
+        ReachErrors {
+            ticks: [self.base - base, errors[0], errors[1]],
+            excess: [excess[0], excess[1], self.deficit],
+            pitch: bend.pitch,
         }
     }
 }
@@ -172,4 +215,8 @@ fn clamp<S: Lattice>(value: S, min: S, max: S) -> S {
     } else {
         value
     }
+}
+
+fn larger<S: Lattice>(a: S, b: S) -> S {
+    if a > b { a } else { b }
 }

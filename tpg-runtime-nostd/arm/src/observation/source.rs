@@ -13,9 +13,26 @@ pub enum Source {
     Motors,
     /// The positions of all six servos, ticks: the four motors, wrist rotation and gripper. The paper's graphs read it.
     Servos,
+    /// The four motor positions less 2048, ticks: 0 is the middle of a joint's travel.
+    MotorsCentred,
     /// Errors in the shoulder's polar frame, mm: lateral, tangential, radial. They suit an arm that stays on its front
-    /// side. The frame's origin is the point of the base's axis at the shoulder's height.
+    /// side. The frame's origin is the point of the base's axis at the shoulder's height, as of
+    /// [`Bearing`](Self::Bearing).
     Polar,
+    /// Errors as seen from the shoulder: azimuth (half ticks, not wrapped), elevation (1/250 rad), radial (mm). They also
+    /// suit an arm that reaches over its back.
+    Bearing,
+    /// By how many ticks base, shoulder and elbow are off, if the wrist stays: the closed-form inverse kinematics of
+    /// the other three joints.
+    Reach,
+    /// Excess of [`Reach`](Self::Reach): ticks by which the shoulder's and the elbow's goal lie outside their
+    /// range, and mm by which the target is too far away or too near.
+    ReachExcess,
+    /// The hand's pitch at that goal, ticks below the horizontal.
+    ReachPitch,
+    /// The target as seen from the wrist: distance less the hand's length (mm), and by how many ticks the wrist is off
+    /// that would point the hand at it.
+    Wrist,
     /// Height of the lower corner of the hand's tip over the table, mm.
     Floor,
     /// Ticks by which base, shoulder, elbow and wrist are off from a pose that solves the task: the closed-form inverse
@@ -30,13 +47,19 @@ pub enum Source {
 
 impl Source {
     /// Every source, in the order of the enumeration.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 16] = [
         Self::Target,
         Self::Difference,
         Self::Hand,
         Self::Motors,
         Self::Servos,
+        Self::MotorsCentred,
         Self::Polar,
+        Self::Bearing,
+        Self::Reach,
+        Self::ReachExcess,
+        Self::ReachPitch,
+        Self::Wrist,
         Self::Floor,
         Self::Stance,
         Self::ShieldLimits,
@@ -51,7 +74,13 @@ impl Source {
             Self::Hand => "hand",
             Self::Motors => "motors",
             Self::Servos => "servos",
+            Self::MotorsCentred => "motors_centred",
             Self::Polar => "polar",
+            Self::Bearing => "bearing",
+            Self::Reach => "reach",
+            Self::ReachExcess => "reach_excess",
+            Self::ReachPitch => "reach_pitch",
+            Self::Wrist => "wrist",
             Self::Floor => "floor",
             Self::Stance => "stance",
             Self::ShieldLimits => "shield_limits",
@@ -74,9 +103,11 @@ impl Source {
     /// Number of its values.
     pub const fn length(self) -> usize {
         match self {
-            Self::Floor => 1,
-            Self::Target | Self::Difference | Self::Hand | Self::Polar => 3,
-            Self::Motors | Self::Stance => 4,
+            Self::ReachPitch | Self::Floor => 1,
+            Self::Wrist => 2,
+            Self::Target | Self::Difference | Self::Hand => 3,
+            Self::Polar | Self::Bearing | Self::Reach | Self::ReachExcess => 3,
+            Self::Motors | Self::MotorsCentred | Self::Stance => 4,
             Self::Servos => 6,
             Self::ShieldLimits | Self::ShieldCollision => 8,
         }
@@ -86,8 +117,12 @@ impl Source {
     pub const fn unit(self) -> &'static str {
         match self {
             Self::Target | Self::Difference | Self::Hand | Self::Polar | Self::Floor => "mm",
-            Self::Motors | Self::Servos | Self::Stance => "ticks",
+            Self::Motors | Self::Servos | Self::MotorsCentred | Self::Reach | Self::ReachPitch => "ticks",
+            Self::Stance => "ticks",
             Self::ShieldLimits | Self::ShieldCollision => "bound of a bid",
+            Self::Bearing => "half ticks, 1/250 rad, mm",
+            Self::ReachExcess => "ticks, ticks, mm",
+            Self::Wrist => "mm, ticks",
         }
     }
 }
