@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 __all__ = [
     "Driver",
     "Evolution",
+    "Eye",
     "Graph",
     "InputError",
     "NativeEnv",

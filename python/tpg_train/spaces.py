@@ -86,8 +86,8 @@ def _parts(space: spaces.Space[Any], name: str) -> list[Part]:
     if isinstance(space, spaces.Box):
         if len(space.shape) >= 3 or (space.dtype == np.uint8 and len(space.shape) == 2):
             raise InputError(
-                f"an observation of images, {space.shape} of {space.dtype}; accepted: a single Box of rows, columns and channels, "
-                "of uint8 or bool"
+                f"an observation of images, {space.shape} of {space.dtype}; accepted: a single Box of rows, columns and "
+                "channels, of uint8 or bool"
             )
         return [Part(name, space.low.astype(np.float64).ravel(), space.high.astype(np.float64).ravel())]
     if isinstance(space, (spaces.Discrete, spaces.MultiDiscrete, spaces.MultiBinary)):
