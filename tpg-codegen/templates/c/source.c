@@ -63,7 +63,9 @@ void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_memory_t
 {%- endfor %}
 }
 {% endif %}
+{%- if !look.is_empty() %}
 {{ look }}
+{% endif %}
 #ifndef {{ upper }}_NO_SELFTEST
 {% if gegelati %}
 typedef struct {{ prefix }}_vector {
