@@ -17,7 +17,7 @@ const ELSEWHERE: &str = "cargo xtask ";
 
 /// Shorter forms of parts of commands.
 const SHORTER: [(&str, &str); 5] = [
-    ("tpg --problem breakout --target 12", "tpg --problem breakout --generations 2"),
+    ("--generations 3000 --target 12", "--generations 2"),
     ("tpg --problem pendulum --out", "tpg --problem pendulum --generations 3 --out"),
     ("hybrid --problem pendulum", "hybrid --hand-back-after 20 --separation inf --patience 10 --problem pendulum"),
     ("verify ", "verify --states 2000 "),
