@@ -1,53 +1,115 @@
 //! The decoder: an instruction with its condition.
 
-use super::{Block, Condition, Instruction, Operation::*, PC, narrow, wide};
+use super::forms::FORMS;
+use super::{Block, Condition, Instruction, Operand, Operation::*, PC, Register, SP, Shift};
+
+/// An instruction's bits, of which each field has a letter in its form.
+pub(super) struct Fields {
+    form: &'static str,
+    /// Those of 16 bits are in the upper half.
+    bits: u32,
+    address: u32,
+    pub(super) in_block: bool,
+    /// Registers: a result, a left and a right operand, the one that is loaded or stored, a base.
+    pub(super) d: Register,
+    pub(super) n: Register,
+    pub(super) m: Register,
+    pub(super) t: Register,
+    pub(super) b: Register,
+    /// A number, and the kind of an operation.
+    pub(super) i: u32,
+    pub(super) k: usize,
+    /// Signed or setting flags, loading, indexed before, upwards, written back.
+    pub(super) s: bool,
+    pub(super) l: bool,
+    pub(super) p: bool,
+    pub(super) u: bool,
+    pub(super) w: bool,
+}
+
+/// The letters of a form, each with its bit.
+fn letters(form: &str, bits: u32) -> impl Iterator<Item = (char, u32)> {
+    let letters = form.chars().filter(|letter| *letter != ' ');
+    letters.zip((0..32).rev()).map(move |(letter, place)| (letter, bits >> place & 1))
+}
+
+/// Returns a field: all bits of a letter.
+fn field(form: &str, bits: u32, letter: char) -> u32 {
+    letters(form, bits).filter(|found| found.0 == letter).fold(0, |field, (_, bit)| field << 1 | bit)
+}
+
+impl Fields {
+    /// Reads the fields; none if a register is the stack pointer or the program counter: `d`, `n`, `m` and `a` cannot be.
+    fn new(form: &'static str, bits: u32, address: u32, in_block: bool) -> Option<Self> {
+        let get = |letter| field(form, bits, letter);
+        let [d, n, m, t, b] = ['d', 'n', 'm', 't', 'b'].map(|letter| get(letter) as Register);
+        let [s, l, p, u, w] = ['s', 'l', 'p', 'u', 'w'].map(|letter| get(letter) != 0);
+        let (i, k, sum) = (get('i'), get('k') as usize, get('a') as Register);
+        let valid = ![d, n, m, sum].into_iter().any(|register| [SP, PC].contains(&register));
+        valid.then_some(Self { form, bits, address, in_block, d, n, m, t, b, i, k, s, l, p, u, w })
+    }
+
+    pub(super) fn get(&self, letter: char) -> u32 {
+        field(self.form, self.bits, letter)
+    }
+
+    /// Returns the right operand: a register, which may be shifted by a number, where the form has one, else the number.
+    pub(super) fn right(&self) -> Operand {
+        const SHIFTS: [Shift; 4] = [Shift::Left, Shift::Right, Shift::Arithmetic, Shift::Rotate];
+        let shift = SHIFTS[self.get('h') as usize];
+        match (self.form.contains('m'), shift, self.i) {
+            (false, ..) => Operand::Number(self.i),
+            // 0 to the right means 32.
+            (_, Shift::Right | Shift::Arithmetic, 0) => Operand::Register(self.m, shift, 32),
+            (_, shift, by) => Operand::Register(self.m, shift, by as u8),
+        }
+    }
+
+    /// Returns an address relative to the instruction.
+    pub(super) fn target(&self, distance: i32) -> u32 {
+        self.address.wrapping_add(4).wrapping_add_signed(distance)
+    }
+
+    /// Returns the number as a distance: ahead, unless the form says otherwise in the field `u`.
+    pub(super) fn distance(&self, scale: u32) -> i32 {
+        let distance = (self.i * scale) as i32;
+        if self.form.contains('u') && !self.u { -distance } else { distance }
+    }
+}
 
 /// Decodes the instruction at the start of `code`; returns it with the state of conditional execution behind it.
 /// `None` if it is cut short, unpredictable, or no part of what is covered here.
 pub(crate) fn decode(code: &[u8], address: u32, block: Block) -> Option<(Instruction, Block)> {
     let half = |at: usize| Some(u32::from(u16::from_le_bytes(code.get(at..at + 2)?.try_into().ok()?)));
     let first = half(0)?;
-    let is_wide = first >> 11 > 0b11100;
-    let operation = match is_wide {
-        false => narrow::decode(first, address, block.is_open())?,
-        true => wide::decode(first, half(2)?, address)?,
-    };
-    let size = if is_wide { 4 } else { 2 };
-    if first >> 8 == 0xbf && operation == If {
-        let condition = first >> 4 & 15;
-        let alone = first & 15 == 8;
-        let valid = !block.is_open() && (condition < 14 || (condition == 14 && alone));
+    let (size, second) = if first >> 11 > 0b11100 { (4, half(2)?) } else { (2, 0) };
+    let bits = first << 16 | second;
+    let fits =
+        |form: &str| letters(form, bits).all(|(letter, bit)| letter.to_digit(2).is_none_or(|fixed| fixed == bit));
+    let &(form, meaning) = FORMS.iter().find(|(form, _)| fits(form))?;
+    let fields = Fields::new(form, bits, address, block.is_open())?;
+    let operation = meaning(&fields)?;
+    // The condition of a branch, or of a block that begins.
+    let own = form.contains('c').then(|| fields.get('c'));
+    if operation == If {
+        let valid = !block.is_open() && own.is_some_and(|own| own < 14 || own == 14 && fields.i == 8);
         let next = Block((first & 255) as u8);
         return valid.then_some((Instruction { address, size, condition: Condition::Always, operation }, next));
     }
-    let mut condition = Condition::Always;
-    if block.is_open() {
-        condition = Condition::new(u32::from(block.0 >> 4))?;
-        let last = block.0 & 7 == 0;
-        let (may, only_last) = match &operation {
-            BranchIf { .. } => (false, false),
-            // A conditional branch of its own has no place in a block.
-            Branch { .. } => (own_condition(first, half(2)).is_none(), true),
-            Exchange { .. } | Call { .. } | Table { .. } => (true, true),
-            Transfer { load: true, registers, .. } => (true, registers.contains(&PC)),
-            _ => (true, false),
+    let condition = if block.is_open() {
+        let only_last = match &operation {
+            Branch { .. } | Exchange { .. } | Call { .. } | Table { .. } => true,
+            Transfer { load, registers, .. } => *load && registers.contains(&PC),
+            _ => false,
         };
-        if !may || (only_last && !last) {
+        // A conditional branch of its own has no place in a block.
+        if own.is_some() || matches!(operation, BranchIf { .. }) || only_last && block.0 & 7 != 0 {
             return None;
         }
-    } else if matches!(operation, Branch { .. })
-        && let Some(bits) = own_condition(first, half(2))
-    {
-        condition = Condition::new(bits)?;
-    }
+        Condition::new(u32::from(block.0 >> 4))?
+    } else {
+        // 14 is an undefined instruction or another one, 15 a call of the supervisor.
+        own.map_or(Some(Condition::Always), |own| Condition::new(own).filter(|_| own < 14))?
+    };
     Some((Instruction { address, size, condition, operation }, block.advance()))
-}
-
-/// Returns the field of a branch's own condition.
-const fn own_condition(first: u32, second: Option<u32>) -> Option<u32> {
-    match second {
-        _ if first >> 12 == 0b1101 => Some(first >> 8 & 15),
-        Some(second) if first >> 11 == 0b11110 && second >> 12 & 0b1101 == 0b1000 => Some(first >> 6 & 15),
-        _ => None,
-    }
 }

@@ -4,9 +4,7 @@
 //! numbering, so that moves, loads and stores have one form: 0 to 15 are r0 to pc, 16 to 47 are s0 to s31.
 
 pub(crate) mod decode;
-mod float;
-mod narrow;
-mod wide;
+mod forms;
 
 /// Number of a register: 0 to 15 for integers, 16 to 47 for floats.
 pub(crate) type Register = u8;
