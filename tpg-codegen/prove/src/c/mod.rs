@@ -1,15 +1,11 @@
-//! C as generated code uses it: read, lowered and executed by this crate alone.
+//! C as generated code uses it: read, compiled and executed by this crate alone.
 //!
 //! The subset: integers of 8 to 64 bits, `float`, structures, arrays, pointers, enumerations, functions (inlined from their text),
 //! `if`, `switch`, loops whose rounds are constants, `goto`, `memcpy` of scalars. Anything else is named as missing.
 
 mod code;
+mod compile;
 mod execute;
-mod expression;
-mod lower;
-mod parse;
-mod parser;
-mod syntax;
 mod token;
 mod value;
 
@@ -18,6 +14,7 @@ pub use execute::{Code, Point};
 use crate::input::Missing;
 use crate::machine::Interface;
 use crate::term::{Float, Terms};
+use compile::Compiler;
 use std::path::Path;
 
 /// Reads the function of a policy from a file of C. Files that it includes by names in quotes are read from its folder.
@@ -41,20 +38,19 @@ pub fn read_with(
     function: Option<&str>,
     interface: &Interface,
 ) -> Result<Code, Missing> {
-    let unit = parse::parse(file, token::tokens(file, text, include)?)?;
+    let compiler = Compiler::read(file, token::tokens(file, text, include)?)?;
     let name = match function {
         Some(name) => name.to_owned(),
         None => {
             let mut names =
-                unit.functions.iter().map(|function| &function.name).filter(|name| name.ends_with("_infer"));
+                compiler.functions.iter().map(|function| &function.name).filter(|name| name.ends_with("_infer"));
             match (names.next(), names.next()) {
                 (Some(name), None) => name.clone(),
                 _ => return Err(Missing::new(file, "the name of the function: no or several end in `_infer`")),
             }
         }
     };
-    let program = lower::policy(file, &unit, &name, interface)?;
-    Ok(Code::new(file, program, interface))
+    Ok(Code::new(file, compiler.policy(&name, interface)?, interface))
 }
 
 /// Executes a function of one float from a text that defines what it means.
@@ -65,7 +61,6 @@ pub(crate) fn definition(
     terms: &mut Terms,
     argument: Float,
 ) -> Result<Float, Missing> {
-    let unit = parse::parse(file, token::tokens(file, text, &|_| None)?)?;
-    let program = lower::function(file, &unit, name)?;
-    Code::definition(file, program).of_float(terms, argument)
+    let compiler = Compiler::read(file, token::tokens(file, text, &|_| None)?)?;
+    Code::definition(file, compiler.of_float(name)?).of_float(terms, argument)
 }

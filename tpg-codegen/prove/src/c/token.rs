@@ -2,7 +2,7 @@
 //!
 //! The text is read as a compiler reads it that defines no macro of its own: neither GCC's nor fast maths'.
 
-use super::parse;
+use super::compile;
 use crate::input::Missing;
 use Token::*;
 use std::collections::{HashMap, HashSet};
@@ -239,6 +239,6 @@ impl Preprocessor<'_> {
             });
         }
         let tokens = tokens.into_iter().chain([End]).map(|token| Placed { token, line: 0 });
-        parse::constant(place, tokens.collect()).map_err(|_| missing())
+        compile::constant(place, tokens.collect()).map_err(|_| missing())
     }
 }

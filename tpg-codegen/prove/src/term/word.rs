@@ -27,7 +27,7 @@ impl Width {
         }
     }
 
-    pub(super) const fn signed(self, number: u64) -> i64 {
+    pub(crate) const fn signed(self, number: u64) -> i64 {
         match self {
             Self::W32 => number as u32 as i32 as i64,
             Self::W64 => number as i64,

@@ -1,0 +1,280 @@
+//! Declarations: types, names, functions, variables with their initial values.
+
+use super::{Compiler, Function, Lvalue, Operand, Struct, Type, constant_of, number};
+use crate::c::code::{Constant, Operation, Value};
+use crate::c::token::Token::{Name, Sign};
+use crate::input::Missing;
+use Type::*;
+use std::rc::Rc;
+
+/// What stands before declarators.
+struct Specifiers {
+    ty: Type,
+    is_static: bool,
+    is_typedef: bool,
+    is_extern: bool,
+}
+
+impl Compiler<'_> {
+    pub(super) fn starts_type(&self) -> bool {
+        const QUALIFIERS: &str = "const volatile static inline extern typedef struct union enum";
+        const TYPES: &str = "void float double int unsigned signed char short";
+        let is_word = |name: &String| QUALIFIERS.split(' ').chain(TYPES.split(' ')).any(|word| word == name);
+        matches!(self.peek(), Name(name) if is_word(name) || self.types.contains_key(name))
+    }
+
+    fn specifiers(&mut self) -> Result<Specifiers, Missing> {
+        let mut found = Specifiers { ty: Void, is_static: false, is_typedef: false, is_extern: false };
+        let (mut ty, mut signed) = (None, None);
+        loop {
+            self.attributes()?;
+            let Name(word) = self.peek().clone() else { break };
+            match word.as_str() {
+                "const" | "volatile" | "inline" | "register" | "restrict" | "__inline" => {}
+                "static" => found.is_static = true,
+                "extern" => found.is_extern = true,
+                "typedef" => found.is_typedef = true,
+                "void" => ty = Some(Void),
+                "float" => ty = Some(Float),
+                "double" => ty = Some(Double),
+                "char" => ty = Some(Integer(1, false)),
+                "short" => ty = Some(Integer(2, true)),
+                "int" => ty = ty.or(Some(Type::INT)),
+                "unsigned" => signed = Some(false),
+                "signed" => signed = Some(true),
+                "struct" | "union" => {
+                    self.next();
+                    ty = Some(self.structure(word == "union")?);
+                    continue;
+                }
+                "enum" => {
+                    self.next();
+                    ty = Some(self.enumeration()?);
+                    continue;
+                }
+                _ if ty.is_none() && signed.is_none() && self.types.contains_key(&word) => {
+                    ty = self.types.get(&word).cloned();
+                }
+                _ => break,
+            }
+            self.next();
+        }
+        found.ty = match (ty, signed) {
+            (None, Some(signed)) => Integer(4, signed),
+            (Some(Integer(bytes, _)), Some(signed)) => Integer(bytes, signed),
+            (Some(ty), None) => ty,
+            _ => {
+                let found = self.next();
+                return Err(self.missing(format!("a type, found {found:?}")));
+            }
+        };
+        Ok(found)
+    }
+
+    /// Skips `__attribute__((...))` and the like; they ask for no other results.
+    fn attributes(&mut self) -> Result<(), Missing> {
+        while self.accept("__attribute__") {
+            self.expect("(")?;
+            self.skip("(", ")")?;
+        }
+        Ok(())
+    }
+
+    fn structure(&mut self, union: bool) -> Result<Type, Missing> {
+        let tag = if let Name(_) = self.peek() { self.name()? } else { format!("at {}", self.at) };
+        let number = *self.tags.entry(tag).or_insert(self.structs.len());
+        if number == self.structs.len() {
+            self.structs.push(Struct::default());
+        }
+        if self.accept("{") {
+            let mut members = Vec::new();
+            while !self.accept("}") {
+                let ty = self.specifiers()?.ty;
+                members.extend(self.list(";", |compiler| compiler.declarator(ty.clone()))?);
+            }
+            self.structs[number] = Struct { union, members };
+        }
+        Ok(Type::Struct(number))
+    }
+
+    fn enumeration(&mut self) -> Result<Type, Missing> {
+        if let Name(_) = self.peek() {
+            self.next();
+        }
+        if self.accept("{") {
+            let mut next = 0;
+            self.list("}", |compiler| {
+                let name = compiler.name()?;
+                if compiler.accept("=") {
+                    next = compiler.constant()?;
+                }
+                compiler.constants.insert(name, next);
+                next += 1;
+                Ok(())
+            })?;
+        }
+        Ok(Type::UNSIGNED)
+    }
+
+    /// The value of a constant expression.
+    pub(super) fn constant(&mut self) -> Result<i64, Missing> {
+        let value = self.conditional()?;
+        match self.value(value)? {
+            (value, Integer(bytes, signed)) => match constant_of(&value) {
+                Some(Constant::Number(number)) if signed && bytes < 8 => Ok(i64::from(number as u32 as i32)),
+                Some(Constant::Number(number)) => Ok(number as i64),
+                _ => Err(self.missing("a constant")),
+            },
+            _ => Err(self.missing("a constant")),
+        }
+    }
+
+    /// A name with the type that stars, brackets and parameters around it make.
+    fn declarator(&mut self, mut ty: Type) -> Result<(String, Type), Missing> {
+        loop {
+            self.attributes()?;
+            if self.accept("*") {
+                ty = Pointer(Box::new(ty));
+            } else if !(self.accept("const") || self.accept("volatile") || self.accept("restrict")) {
+                break;
+            }
+        }
+        let name = if let Name(_) = self.peek() { self.name()? } else { String::new() };
+        Ok((name, self.brackets(ty)?))
+    }
+
+    fn brackets(&mut self, ty: Type) -> Result<Type, Missing> {
+        if !self.accept("[") {
+            return Ok(ty);
+        }
+        // as many as are written
+        let count = if *self.peek() == Sign("]") { 0 } else { self.constant()? };
+        let count = u32::try_from(count).map_err(|_| self.missing("a length"))?;
+        self.expect("]")?;
+        Ok(Array(Box::new(self.brackets(ty)?), count))
+    }
+
+    pub(super) fn type_name(&mut self) -> Result<Type, Missing> {
+        let ty = self.specifiers()?.ty;
+        let (name, ty) = self.declarator(ty)?;
+        if name.is_empty() { Ok(ty) } else { Err(self.missing("a type without a name")) }
+    }
+
+    pub(super) fn external(&mut self) -> Result<(), Missing> {
+        if self.accept(";") {
+            return Ok(());
+        }
+        let specifiers = self.specifiers()?;
+        if self.accept(";") {
+            return Ok(());
+        }
+        loop {
+            let (name, ty) = self.declarator(specifiers.ty.clone())?;
+            if specifiers.is_typedef {
+                self.types.insert(name, ty);
+            } else if self.accept("(") {
+                let parameters = self.parameters()?;
+                self.attributes()?;
+                if self.accept("{") {
+                    self.functions.push(Rc::new(Function { name, result: ty, parameters, body: self.at }));
+                    return self.skip("{", "}");
+                }
+            } else if !specifiers.is_extern {
+                self.variable(name, ty, true)?;
+            }
+            if self.accept(";") {
+                return Ok(());
+            }
+            self.expect(",")?;
+        }
+    }
+
+    fn parameters(&mut self) -> Result<Vec<(String, Type)>, Missing> {
+        let mut parameters = self.list(")", |compiler| {
+            let ty = compiler.specifiers()?.ty;
+            let (name, ty) = compiler.declarator(ty)?;
+            Ok((name, if let Array(ty, _) = ty { Pointer(ty) } else { ty }))
+        })?;
+        parameters.retain(|(_, ty)| *ty != Void);
+        Ok(parameters)
+    }
+
+    /// Declares the variables of a statement.
+    pub(super) fn declaration(&mut self) -> Result<(), Missing> {
+        let Specifiers { ty, is_static, .. } = self.specifiers()?;
+        let variable = |compiler: &mut Self| {
+            let (name, ty) = compiler.declarator(ty.clone())?;
+            compiler.variable(name, ty, is_static)
+        };
+        self.list(";", variable).map(|_| ())
+    }
+
+    /// Declares a variable, whose initial value may follow. A static one is set once, before everything.
+    fn variable(&mut self, name: String, mut ty: Type, is_static: bool) -> Result<(), Missing> {
+        let at = self.at;
+        if let Some((place, end)) = self.statics.get(&at).cloned() {
+            self.at = end;
+            self.bind(name, place);
+            return Ok(());
+        }
+        let mut parts = Vec::new();
+        let has_value = self.accept("=");
+        let items = if has_value { self.parts(&ty, 0, &mut parts)? } else { 0 };
+        if let Array(_, count @ 0) = &mut ty {
+            *count = items;
+        }
+        if is_static {
+            let place = self.fixed(ty, parts)?;
+            self.statics.insert(at, (place.clone(), self.at));
+            self.bind(name, place);
+            return Ok(());
+        }
+        let place = Lvalue { address: self.allocate(&ty), ty };
+        if has_value && parts.iter().map(|(_, ty, _)| self.cells(ty)).sum::<u32>() != self.cells(&place.ty) {
+            return Err(self.missing("an initialiser for each part"));
+        }
+        for (offset, ty, item) in parts {
+            self.set(number(place.address + offset), &ty, item)?;
+        }
+        self.bind(name, place);
+        Ok(())
+    }
+
+    /// Reads the parts of an initialiser that are no lists, each with the offset of its cells; returns the number of items.
+    fn parts(&mut self, ty: &Type, start: u32, parts: &mut Vec<(u32, Type, Operand)>) -> Result<u32, Missing> {
+        if !self.accept("{") {
+            let value = self.assignment()?;
+            parts.push((start, ty.clone(), value));
+            return Ok(1);
+        }
+        let (mut offset, mut items) = (start, 0);
+        self.list("}", |compiler| {
+            let inner = match ty {
+                Array(inner, count) if *count == 0 || items < *count => Some(&**inner),
+                Struct(number) => compiler.structs[*number].members.get(items as usize).map(|(_, ty)| ty),
+                _ => None,
+            };
+            let inner = inner.cloned().ok_or_else(|| compiler.missing("an item for each part"))?;
+            compiler.parts(&inner, offset, parts)?;
+            offset += compiler.cells(&inner);
+            items += 1;
+            Ok(())
+        })?;
+        Ok(items)
+    }
+
+    /// Sets what is at an address to what an expression is.
+    pub(super) fn set(&mut self, address: Value, ty: &Type, value: Operand) -> Result<(), Missing> {
+        match (ty, value) {
+            (Struct(_), Operand::Place(from, _)) => {
+                let count = self.cells(ty);
+                self.emit(Operation::Copy(address, from, count));
+                Ok(())
+            }
+            (_, value) => {
+                let value = self.value(value)?;
+                self.put(address, value, ty)
+            }
+        }
+    }
+}

@@ -1,0 +1,420 @@
+//! Expressions, by recursive descent. Their side effects are emitted where they are read.
+
+use super::{Compiler, Operand, Type, Typed, apply, constant_of, moved, number, width};
+use crate::c::code::{Condition, Constant, Operation, Value};
+use crate::c::token::Token;
+use crate::input::Missing;
+use crate::term::{Operator::*, Width};
+use Operand::*;
+use Type::*;
+
+/// Binary operators from the loosest on.
+const LEVELS: [&[&str]; 10] = [
+    &["||"],
+    &["&&"],
+    &["|"],
+    &["^"],
+    &["&"],
+    &["==", "!="],
+    &["<", ">", "<=", ">="],
+    &["<<", ">>"],
+    &["+", "-"],
+    &["*", "/", "%"],
+];
+
+fn truth(condition: Condition) -> Operand {
+    Operand::Value(Value::OfCondition(Box::new(condition)), Type::INT)
+}
+
+impl Compiler<'_> {
+    /// Reads an expression for what it does.
+    pub(super) fn effect(&mut self) -> Result<(), Missing> {
+        match self.assignment()? {
+            Stepped(address, ty, sign) => self.step(address, ty, sign).map(|_| ()),
+            _ => Ok(()),
+        }
+    }
+
+    /// The value of what was read.
+    pub(super) fn value(&mut self, operand: Operand) -> Result<Typed, Missing> {
+        match operand {
+            Operand::Value(value, ty) => Ok((value, ty)),
+            Place(address, Array(ty, _)) => Ok((address, Pointer(ty))),
+            Place(address, ty) => self.loaded(address, ty),
+            Stepped(address, ty, sign) => {
+                let cell = number(self.allocate(&ty));
+                let before = self.loaded(address.clone(), ty.clone())?;
+                self.put(cell.clone(), before, &ty)?;
+                self.step(address, ty.clone(), sign)?;
+                self.loaded(cell, ty)
+            }
+        }
+    }
+
+    /// Changes what is at an address by 1.
+    fn step(&mut self, address: Value, ty: Type, sign: &str) -> Result<Operand, Missing> {
+        self.changed(address, ty, sign, (number(1), Type::INT))
+    }
+
+    fn changed(&mut self, address: Value, ty: Type, sign: &str, by: Typed) -> Result<Operand, Missing> {
+        let before = self.loaded(address.clone(), ty.clone())?;
+        let value = self.operated(sign, before, by)?;
+        self.put(address.clone(), value, &ty)?;
+        Ok(Place(address, ty))
+    }
+
+    fn place(&mut self, operand: Operand) -> Result<Typed, Missing> {
+        match operand {
+            Place(address, ty) => Ok((address, ty)),
+            _ => Err(self.missing("something with an address")),
+        }
+    }
+
+    pub(super) fn assignment(&mut self) -> Result<Operand, Missing> {
+        const COMPOUND: [&str; 10] = ["+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="];
+        let target = self.conditional()?;
+        let Token::Sign(sign) = *self.peek() else { return Ok(target) };
+        if sign != "=" && !COMPOUND.contains(&sign) {
+            return Ok(target);
+        }
+        self.next();
+        let (address, ty) = self.place(target)?;
+        let value = self.assignment()?;
+        if sign == "=" {
+            self.set(address.clone(), &ty, value)?;
+            return Ok(Place(address, ty));
+        }
+        let value = self.value(value)?;
+        self.changed(address, ty, &sign[..sign.len() - 1], value)
+    }
+
+    fn assigned(&mut self) -> Result<Typed, Missing> {
+        let operand = self.assignment()?;
+        self.value(operand)
+    }
+
+    pub(super) fn conditional(&mut self) -> Result<Operand, Missing> {
+        let condition = self.binary(0)?;
+        if !self.accept("?") {
+            return Ok(condition);
+        }
+        let condition = self.condition(condition)?;
+        let (mark, at) = (self.here(), self.at);
+        let (first, second) = (self.side()?, self.other_side()?);
+        let ty = if first.1 == second.1 && !matches!(first.1, Integer(..)) {
+            first.1.clone()
+        } else {
+            self.common(&first.1, &second.1)?
+        };
+        if self.here() == mark {
+            let [first, second] = [self.converted(first, &ty)?, self.converted(second, &ty)?].map(Box::new);
+            return Ok(Operand::Value(Value::If(Box::new(condition), first, second), ty));
+        }
+        // something happens on the way: only on the side that is chosen
+        self.program.operations.truncate(mark);
+        self.at = at;
+        let cell = number(self.allocate(&ty));
+        let branch = self.branch(condition);
+        let first = self.side()?;
+        self.put(cell.clone(), first, &ty)?;
+        let end = self.jump(self.scopes.len());
+        self.land(&[branch]);
+        let second = self.other_side()?;
+        self.put(cell.clone(), second, &ty)?;
+        self.land(&[end]);
+        Ok(Place(cell, ty))
+    }
+
+    fn side(&mut self) -> Result<Typed, Missing> {
+        let side = self.assigned()?;
+        self.expect(":").map(|()| side)
+    }
+
+    fn other_side(&mut self) -> Result<Typed, Missing> {
+        let side = self.conditional()?;
+        self.value(side)
+    }
+
+    fn binary(&mut self, level: usize) -> Result<Operand, Missing> {
+        let Some(operators) = LEVELS.get(level) else { return self.unary() };
+        let mut left = self.binary(level + 1)?;
+        while let Token::Sign(sign) = *self.peek()
+            && operators.contains(&sign)
+        {
+            self.next();
+            if matches!(sign, "&&" | "||") {
+                left = self.logical(sign == "&&", left, level + 1)?;
+                continue;
+            }
+            let left_value = self.value(left)?;
+            let right = self.binary(level + 1)?;
+            let right = self.value(right)?;
+            left = if matches!(level, 5 | 6) {
+                truth(self.compared(sign, left_value, right)?)
+            } else {
+                let (value, ty) = self.operated(sign, left_value, right)?;
+                Operand::Value(value, ty)
+            };
+        }
+        Ok(left)
+    }
+
+    fn logical(&mut self, and: bool, first: Operand, level: usize) -> Result<Operand, Missing> {
+        let first = self.condition(first)?;
+        let (mark, at) = (self.here(), self.at);
+        let second = self.binary(level)?;
+        let second = self.condition(second)?;
+        if self.here() == mark {
+            return Ok(truth(Condition::Logical(and, Box::new(first), Box::new(second))));
+        }
+        // what happens in the second operand happens only if the first asks for it
+        self.program.operations.truncate(mark);
+        self.at = at;
+        let cell = number(self.allocate(&Type::INT));
+        self.emit(Operation::Set(cell.clone(), number(u32::from(!and))));
+        let branch = self.branch(if and { first } else { !first });
+        let second = self.binary(level)?;
+        let second = self.condition(second)?;
+        self.emit(Operation::Set(cell.clone(), Value::OfCondition(Box::new(second))));
+        self.land(&[branch]);
+        Ok(Place(cell, Type::INT))
+    }
+
+    /// What was read as a condition.
+    pub(super) fn condition(&mut self, operand: Operand) -> Result<Condition, Missing> {
+        match self.value(operand)? {
+            (Value::OfCondition(condition), _) => Ok(*condition),
+            (value, ty @ Integer(..)) => Ok(!Condition::Same(width(&ty), value, number(0))),
+            (value, Float) => Ok(!Condition::Compared(crate::term::Terms::equal, value, Value::Float(0))),
+            _ => Err(self.missing("a condition of another type")),
+        }
+    }
+
+    fn unary(&mut self) -> Result<Operand, Missing> {
+        for sign in ["-", "+", "!", "~", "&", "*"] {
+            if self.accept(sign) {
+                let inner = self.unary()?;
+                return self.signed(sign, inner);
+            }
+        }
+        if let Some(sign) = self.steps() {
+            let inner = self.unary()?;
+            let (address, ty) = self.place(inner)?;
+            return self.step(address, ty, sign);
+        }
+        if self.accept("sizeof") {
+            let (mark, bracket) = (self.here(), self.accept("("));
+            let ty = if bracket && self.starts_type() {
+                let ty = self.type_name()?;
+                self.expect(")")?;
+                ty
+            } else {
+                self.at -= usize::from(bracket);
+                match self.unary()? {
+                    Place(_, ty) => ty,
+                    other => self.value(other)?.1,
+                }
+            };
+            self.program.operations.truncate(mark);
+            return Ok(Operand::Value(number(self.bytes(&ty)), Type::UNSIGNED));
+        }
+        if !self.accept("(") {
+            let primary = self.primary()?;
+            return self.postfix(primary);
+        }
+        if self.starts_type() {
+            let ty = self.type_name()?;
+            self.expect(")")?;
+            let inner = self.unary()?;
+            if ty == Void {
+                return Ok(inner);
+            }
+            let value = self.value(inner)?;
+            return Ok(Operand::Value(self.converted(value, &ty)?, ty));
+        }
+        let inner = self.assignment()?;
+        self.expect(")")?;
+        self.postfix(inner)
+    }
+
+    fn signed(&mut self, sign: &str, inner: Operand) -> Result<Operand, Missing> {
+        match sign {
+            "&" => {
+                let (address, ty) = self.place(inner)?;
+                return Ok(Operand::Value(address, Pointer(Box::new(ty))));
+            }
+            "!" => return Ok(truth(!self.condition(inner)?)),
+            _ => {}
+        }
+        let (value, ty) = self.value(inner)?;
+        let value = match (sign, &ty) {
+            ("*", Pointer(inner)) => return Ok(Place(value, (**inner).clone())),
+            ("*", _) => return Err(self.missing("a pointer")),
+            ("-", Float) => Value::Negative(Box::new(value)),
+            ("-", Double) => match value {
+                Value::Float(bits) => Value::Float(bits ^ 0x8000_0000),
+                _ => return Err(self.missing("arithmetic in binary64")),
+            },
+            ("+", Float | Double) => value,
+            ("-" | "~" | "+", Integer(..)) => {
+                let wide = super::operation::promoted(&ty);
+                let value = self.converted((value, ty), &wide)?;
+                let width = width(&wide);
+                let (operator, first) = match sign {
+                    "-" => (Subtract, 0),
+                    "~" => (Xor, width.mask()),
+                    _ => (Add, 0),
+                };
+                return Ok(Operand::Value(apply(operator, width, Value::Number(first), value), wide));
+            }
+            _ => return Err(self.missing(format!("`{sign}` of another type"))),
+        };
+        Ok(Operand::Value(value, ty))
+    }
+
+    fn steps(&mut self) -> Option<&'static str> {
+        [("++", "+"), ("--", "-")].into_iter().find(|(sign, _)| self.accept(sign)).map(|(_, sign)| sign)
+    }
+
+    fn postfix(&mut self, mut inner: Operand) -> Result<Operand, Missing> {
+        loop {
+            inner = if self.accept("[") {
+                let index = self.assigned()?;
+                self.expect("]")?;
+                self.item(inner, index)?
+            } else if self.accept(".") {
+                self.member(inner)?
+            } else if self.accept("->") {
+                let target = self.signed("*", inner)?;
+                self.member(target)?
+            } else if let Some(sign) = self.steps() {
+                let (address, ty) = self.place(inner)?;
+                Stepped(address, ty, sign)
+            } else {
+                return Ok(inner);
+            };
+        }
+    }
+
+    fn item(&mut self, array: Operand, index: Typed) -> Result<Operand, Missing> {
+        if !matches!(index.1, Integer(..)) {
+            return Err(self.missing("an integer as index"));
+        }
+        let index = self.converted(index, &Type::UNSIGNED)?;
+        let (address, ty, index) = match array {
+            Place(address, Array(ty, count)) => (address, ty, Value::Below(Box::new(index), count)),
+            array => match self.value(array)? {
+                (address, Pointer(ty)) => (address, ty, index),
+                _ => return Err(self.missing("an array")),
+            },
+        };
+        Ok(Place(self.element(address, &ty, index), *ty))
+    }
+
+    /// The address of a later element of a type.
+    pub(super) fn element(&self, address: Value, ty: &Type, index: Value) -> Value {
+        moved(address, apply(Multiply, Width::W32, index, number(self.cells(ty))))
+    }
+
+    fn member(&mut self, structure: Operand) -> Result<Operand, Missing> {
+        let name = self.name()?;
+        let (address, Struct(structure)) = self.place(structure)? else { return Err(self.missing("a structure")) };
+        let structure = &self.structs[structure];
+        let mut offset = 0;
+        for (member, ty) in &structure.members {
+            if *member == name {
+                return Ok(Place(moved(address, number(offset)), ty.clone()));
+            }
+            offset += if structure.union { 0 } else { self.cells(ty) };
+        }
+        Err(self.missing(format!("the member `{name}`")))
+    }
+
+    fn primary(&mut self) -> Result<Operand, Missing> {
+        let (value, ty) = match self.next() {
+            Token::Number(text) => self.number(&text)?,
+            Token::Name(name) if name == "__infinity" => (Value::Float(f32::INFINITY.to_bits()), Float),
+            Token::Name(name) if name == "__nan" => (Value::Float(f32::NAN.to_bits()), Float),
+            Token::Name(name) if self.accept("(") => return self.call(&name),
+            Token::Name(name) => match (self.find(&name), self.constants.get(&name)) {
+                (Some(place), _) => return Ok(Place(number(place.address), place.ty.clone())),
+                (None, Some(&value)) => (number(value as u32), Type::INT),
+                (None, None) => return Err(self.missing(format!("the name `{name}`"))),
+            },
+            other => return Err(self.missing(format!("an expression, found {other:?}"))),
+        };
+        Ok(Operand::Value(value, ty))
+    }
+
+    fn call(&mut self, name: &str) -> Result<Operand, Missing> {
+        let known = matches!(name, "memcpy" | "fabsf" | "isnan");
+        let function = if known { None } else { Some(self.function(name)?) };
+        let mut arguments = self.list(")", Self::assigned)?;
+        let Some(function) = function else {
+            if name == "memcpy" {
+                return self.copy(arguments);
+            }
+            let (Some(value), true) = (arguments.pop(), arguments.is_empty()) else {
+                return Err(self.missing(format!("`{name}` of one argument")));
+            };
+            let value = self.converted(value, &Float)?;
+            return Ok(match name {
+                "isnan" => truth(Condition::Nan(value)),
+                _ => Operand::Value(Value::Magnitude(Box::new(value)), Float),
+            });
+        };
+        Ok(match self.inlined(&function, arguments)? {
+            Some(place) => Place(number(place.address), place.ty),
+            None => Operand::Value(number(0), Void),
+        })
+    }
+
+    /// `memcpy` of whole scalars; a cell holds its bits, whatever it is read as.
+    fn copy(&mut self, arguments: Vec<Typed>) -> Result<Operand, Missing> {
+        let [(to, Pointer(to_type)), (from, Pointer(from_type)), (size, _)] = &arguments[..] else {
+            return Err(self.missing("memcpy of two pointers and a size"));
+        };
+        let Some(Constant::Number(size)) = constant_of(size) else { return Err(self.missing("a constant size")) };
+        let widths = [to_type, from_type].map(|ty| self.scalar_bytes(ty));
+        let [Some(width), Some(other)] = widths else { return Err(self.missing("memcpy of mixed scalars")) };
+        if width != other || size % u64::from(width) != 0 {
+            return Err(self.missing("memcpy of scalars of one size"));
+        }
+        let count = u32::try_from(size / u64::from(width)).map_err(|_| self.missing("a smaller memcpy"))?;
+        self.emit(Operation::Copy(to.clone(), from.clone(), count));
+        Ok(Operand::Value(number(0), Void))
+    }
+
+    fn number(&self, text: &str) -> Result<Typed, Missing> {
+        let fault = || self.missing(format!("the number {text}"));
+        let lower = text.to_ascii_lowercase();
+        if !lower.starts_with("0x") && lower.contains(['.', 'e']) {
+            let (digits, ty) = lower.strip_suffix('f').map_or((&*lower, Double), |digits| (digits, Float));
+            // without a suffix it is rounded twice
+            let value = match ty {
+                Float => digits.parse::<f32>().map_err(|_| fault())?,
+                _ => digits.parse::<f64>().map_err(|_| fault())? as f32,
+            };
+            return Ok((Value::Float(value.to_bits()), ty));
+        }
+        let digits = lower.trim_end_matches(['u', 'l']);
+        let suffix = &lower[digits.len()..];
+        let value = match digits.strip_prefix("0x") {
+            Some(digits) => u64::from_str_radix(digits, 16),
+            None if digits.len() > 1 && digits.starts_with('0') => u64::from_str_radix(digits, 8),
+            None => digits.parse(),
+        };
+        let value = value.map_err(|_| fault())?;
+        let unsigned = suffix.contains('u');
+        let ty = if suffix.contains("ll") || value > u64::from(u32::MAX) {
+            Integer(8, !unsigned)
+        } else if unsigned || value > i32::MAX as u64 && digits.starts_with("0x") {
+            Type::UNSIGNED
+        } else if value > i32::MAX as u64 {
+            Integer(8, true)
+        } else {
+            Type::INT
+        };
+        Ok((Value::Number(value), ty))
+    }
+}

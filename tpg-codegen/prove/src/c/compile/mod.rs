@@ -1,0 +1,482 @@
+//! Compiles functions from their tokens straight into operations; a call reads the function's text again, where it is called.
+
+mod declaration;
+mod expression;
+mod memory;
+mod operation;
+mod statement;
+
+use super::code::{Condition, Constant, Operation, Program, Scalar, Value};
+use super::token::{Placed, Token};
+use crate::input::Missing;
+use crate::machine::Interface;
+use crate::term::word::computed;
+use crate::term::{Operator, Width};
+use Operation::*;
+use Token::{End, Name, Sign};
+use Type::*;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// A type. Scalars are one cell each, however many bytes.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Type {
+    Void,
+    /// Bytes, and whether it is signed
+    Integer(u8, bool),
+    Float,
+    /// Constants without a suffix only
+    Double,
+    Struct(usize),
+    Array(Box<Type>, u32),
+    Pointer(Box<Type>),
+}
+
+impl Type {
+    const INT: Self = Self::Integer(4, true);
+    const UNSIGNED: Self = Self::Integer(4, false);
+}
+
+/// The members of a structure or union.
+#[derive(Clone, Debug, Default)]
+struct Struct {
+    union: bool,
+    members: Vec<(String, Type)>,
+}
+
+/// A function, and the token at which its body begins.
+#[derive(Debug)]
+pub(super) struct Function {
+    pub(super) name: String,
+    result: Type,
+    parameters: Vec<(String, Type)>,
+    body: usize,
+}
+
+#[derive(Clone, Debug)]
+struct Lvalue {
+    address: u32,
+    ty: Type,
+}
+
+/// What `break` and `continue` of a loop or switch refer to.
+#[derive(Default)]
+struct JumpTarget {
+    breaks: Vec<usize>,
+    /// None in a switch
+    continues: Option<Vec<usize>>,
+    /// Those of a switch: the numbers, none for the default, and where they are
+    cases: Vec<(Option<u64>, usize)>,
+    scopes: usize,
+}
+
+/// A function that is being inlined.
+#[derive(Default)]
+struct CallFrame {
+    labels: HashMap<String, (usize, Vec<usize>)>,
+    gotos: Vec<(usize, String, Vec<usize>)>,
+    returns: Vec<usize>,
+    result: Option<Lvalue>,
+    scopes: usize,
+    targets: Vec<JumpTarget>,
+}
+
+/// What an expression is.
+enum Operand {
+    Place(Value, Type),
+    Value(Value, Type),
+    /// A place that is set to another value behind its use
+    Stepped(Value, Type, &'static str),
+}
+
+type Typed = (Value, Type);
+
+/// A compiler of a file, at one of its tokens.
+pub(super) struct Compiler<'t> {
+    file: &'t str,
+    tokens: Vec<Placed>,
+    at: usize,
+    /// The line of the last token
+    line: u32,
+    types: HashMap<String, Type>,
+    tags: HashMap<String, usize>,
+    structs: Vec<Struct>,
+    pub(super) functions: Vec<Rc<Function>>,
+    /// Members of enumerations
+    constants: HashMap<String, i64>,
+    program: Program,
+    names: Vec<HashMap<String, Lvalue>>,
+    scopes: Vec<usize>,
+    frame: CallFrame,
+    calls: Vec<Rc<Function>>,
+    /// By the token behind the name: the variable, and the token behind its initialiser
+    statics: HashMap<usize, (Lvalue, usize)>,
+}
+
+fn number(number: u32) -> Value {
+    Value::Number(u64::from(number))
+}
+
+fn apply(operator: Operator, width: Width, a: Value, b: Value) -> Value {
+    Value::Apply(operator, width, Box::new(a), Box::new(b))
+}
+
+fn moved(address: Value, offset: Value) -> Value {
+    Value::Moved(Box::new(address), Box::new(offset))
+}
+
+/// Evaluates a constant expression.
+pub(super) fn constant(file: &str, tokens: Vec<Placed>) -> Result<i64, Missing> {
+    let mut compiler = Compiler::new(file, tokens);
+    let value = compiler.constant()?;
+    if *compiler.peek() == End { Ok(value) } else { Err(compiler.missing("an operator")) }
+}
+
+impl<'t> Compiler<'t> {
+    fn new(file: &'t str, tokens: Vec<Placed>) -> Self {
+        let mut types = HashMap::from([("size_t".to_owned(), Type::UNSIGNED)]);
+        for (bytes, bits) in [(1, 8), (2, 16), (4, 32), (8, 64)] {
+            types.insert(format!("int{bits}_t"), Integer(bytes, true));
+            types.insert(format!("uint{bits}_t"), Integer(bytes, false));
+        }
+        Self {
+            file,
+            tokens,
+            at: 0,
+            line: 0,
+            types,
+            tags: HashMap::new(),
+            structs: Vec::new(),
+            functions: Vec::new(),
+            constants: HashMap::new(),
+            program: Program::default(),
+            names: vec![HashMap::new()],
+            scopes: Vec::new(),
+            frame: CallFrame::default(),
+            calls: Vec::new(),
+            statics: HashMap::new(),
+        }
+    }
+
+    /// Reads a file: its types, its constants, and where its functions are.
+    pub(super) fn read(file: &'t str, tokens: Vec<Placed>) -> Result<Self, Missing> {
+        let mut compiler = Self::new(file, tokens);
+        while *compiler.peek() != End {
+            compiler.external()?;
+        }
+        Ok(compiler)
+    }
+
+    fn finished(mut self) -> Program {
+        self.emit(Return);
+        self.program.objects.sort_by_key(|object| object.start);
+        self.program
+    }
+
+    /// Compiles a function that has the interface of a policy.
+    pub(super) fn policy(mut self, name: &str, interface: &Interface) -> Result<Program, Missing> {
+        let function = self.function(name)?;
+        let mut arguments = Vec::new();
+        let mut structures = Vec::new();
+        for (_, ty) in &function.parameters {
+            let Pointer(target) = ty else { return Err(self.missing("a parameter that is a pointer")) };
+            let address = self.allocate(target);
+            structures.push((address, &**target));
+            arguments.push((number(address), ty.clone()));
+        }
+        let memory = !interface.memory.is_empty();
+        let values = !interface.outputs.is_empty();
+        if structures.len() != 1 + usize::from(memory) + usize::from(values) {
+            return Err(self.missing(format!("other parameters of `{name}`")));
+        }
+        let single = |names: &[String]| names.iter().map(|name| (name.clone(), 1)).collect::<Vec<_>>();
+        self.fields(structures[0].1, &interface.sources)?;
+        self.program.state = structures[0].0;
+        if memory {
+            self.fields(structures[1].1, &single(&interface.memory))?;
+            self.program.memory = Some(structures[1].0);
+        }
+        if values {
+            let (address, ty) = structures[structures.len() - 1];
+            self.program.action = Some(address);
+            self.fields(ty, &single(&interface.outputs))?;
+        }
+        let result = self.inlined(&function, arguments)?;
+        self.program.result = result.map(|place| place.address);
+        if self.program.result.is_none() != values {
+            return Err(self.missing(format!("another result of `{name}`")));
+        }
+        Ok(self.finished())
+    }
+
+    /// Compiles a function of one float, which is cell 0.
+    pub(super) fn of_float(mut self, name: &str) -> Result<Program, Missing> {
+        let argument = self.allocate(&Float);
+        let argument = self.loaded(number(argument), Float)?;
+        let called = self.function(name)?;
+        let result = self.inlined(&called, vec![argument])?;
+        self.program.result = result.map(|place| place.address);
+        Ok(self.finished())
+    }
+
+    /// Checks that a structure holds floats with these names, in this order; underscores may follow a name.
+    fn fields(&self, ty: &Type, names: &[(String, u32)]) -> Result<(), Missing> {
+        let Struct(number) = ty else { return Err(self.missing("a pointer to a structure")) };
+        let members = &self.structs[*number].members;
+        let fits = |member: &(String, Type), (name, length): &(String, u32)| {
+            let floats = match &member.1 {
+                Float => 1,
+                Array(ty, count) if **ty == Float => *count,
+                _ => 0,
+            };
+            floats == *length && member.0.trim_end_matches('_') == name.trim_end_matches('_')
+        };
+        let all = members.len() == names.len() && members.iter().zip(names).all(|(member, name)| fits(member, name));
+        if all { Ok(()) } else { Err(self.missing(format!("a structure of the floats {names:?}"))) }
+    }
+
+    fn function(&self, name: &str) -> Result<Rc<Function>, Missing> {
+        let found = self.functions.iter().find(|function| function.name == name);
+        found.cloned().ok_or_else(|| self.missing(format!("the meaning of the function `{name}`")))
+    }
+
+    /// Inlines a call. The result's place, if it has one.
+    fn inlined(&mut self, function: &Rc<Function>, arguments: Vec<Typed>) -> Result<Option<Lvalue>, Missing> {
+        if self.calls.iter().any(|call| call.name == function.name) {
+            return Err(self.missing(format!("`{}` calls itself", function.name)));
+        }
+        if arguments.len() != function.parameters.len() {
+            return Err(self.missing(format!("arguments of `{}`", function.name)));
+        }
+        let back = (self.at, self.line);
+        let result = (function.result != Void)
+            .then(|| Lvalue { address: self.allocate(&function.result), ty: function.result.clone() });
+        let outside = std::mem::take(&mut self.names);
+        self.names.push(outside[0].clone());
+        let scopes = self.scopes.len();
+        self.enter();
+        for (value, (name, ty)) in arguments.into_iter().zip(&function.parameters) {
+            let place = Lvalue { address: self.allocate(ty), ty: ty.clone() };
+            self.put(number(place.address), value, ty)?;
+            self.bind(name.clone(), place);
+        }
+        self.calls.push(function.clone());
+        let frame = CallFrame { result: result.clone(), scopes, ..CallFrame::default() };
+        let caller = std::mem::replace(&mut self.frame, frame);
+        self.at = function.body;
+        while !self.accept("}") {
+            self.statement()?;
+        }
+        self.leave();
+        self.calls.pop();
+        let frame = std::mem::replace(&mut self.frame, caller);
+        for (jump, label, left) in frame.gotos {
+            let Some((to, inside)) = frame.labels.get(&label) else {
+                self.line = self.program.operations[jump].0;
+                return Err(self.missing(format!("the label `{label}`")));
+            };
+            let left = left.into_iter().filter(|scope| !inside.contains(scope)).collect();
+            self.program.operations[jump].1 = Jump(*to, left);
+        }
+        self.land(&frame.returns);
+        if frame.returns.len() > 1 {
+            self.head();
+        }
+        self.names = outside;
+        (self.at, self.line) = back;
+        Ok(result)
+    }
+
+    fn emit(&mut self, operation: Operation) -> usize {
+        self.program.operations.push((self.line, operation));
+        self.program.operations.len() - 1
+    }
+
+    fn here(&self) -> usize {
+        self.program.operations.len()
+    }
+
+    /// Execution may be cut here.
+    fn head(&mut self) {
+        let here = self.here();
+        self.program.heads.entry(here).or_insert(false);
+    }
+
+    /// Goes on if the condition holds; where else is told later.
+    fn branch(&mut self, condition: Condition) -> usize {
+        self.emit(Branch(condition, usize::MAX))
+    }
+
+    fn land(&mut self, jumps: &[usize]) {
+        let here = self.here();
+        for &jump in jumps {
+            match &mut self.program.operations[jump].1 {
+                Jump(to, _) | Branch(_, to) => *to = here,
+                _ => {}
+            }
+        }
+    }
+
+    fn jump(&mut self, from_scope: usize) -> usize {
+        let left = self.scopes[from_scope..].to_vec();
+        self.emit(Jump(usize::MAX, left))
+    }
+
+    fn enter(&mut self) {
+        self.scopes.push(self.program.scopes.len());
+        self.program.scopes.push((self.program.cells, self.program.cells));
+        self.names.push(HashMap::new());
+    }
+
+    fn leave(&mut self) {
+        self.names.pop();
+        if let Some(scope) = self.scopes.pop() {
+            self.program.scopes[scope].1 = self.program.cells;
+            self.emit(Leave(scope));
+        }
+    }
+
+    /// Sets what is at an address.
+    fn put(&mut self, address: Value, value: Typed, ty: &Type) -> Result<(), Missing> {
+        let value = self.converted(value, ty)?;
+        self.scalar(ty)?;
+        self.emit(Set(address, value));
+        Ok(())
+    }
+
+    fn loaded(&self, address: Value, ty: Type) -> Result<Typed, Missing> {
+        Ok((Value::Load(Box::new(address), self.scalar(&ty)?), ty))
+    }
+
+    fn scalar(&self, ty: &Type) -> Result<Scalar, Missing> {
+        match ty {
+            Float => Ok(Scalar::Float),
+            Integer(..) | Pointer(_) => Ok(Scalar::Word),
+            Double => Err(self.missing("arithmetic in binary64")),
+            _ => Err(self.missing("a scalar")),
+        }
+    }
+
+    fn peek(&self) -> &Token {
+        &self.tokens[self.at].token
+    }
+
+    fn next(&mut self) -> Token {
+        let Placed { token, line } = self.tokens[self.at].clone();
+        self.line = line;
+        self.at = (self.at + 1).min(self.tokens.len() - 1);
+        token
+    }
+
+    fn missing(&self, what: impl Into<String>) -> Missing {
+        Missing::new(format!("{}:{}", self.file, self.line), what)
+    }
+
+    /// Reads a sign or a word, if it is next.
+    fn accept(&mut self, text: &str) -> bool {
+        let is = match self.peek() {
+            Sign(sign) => *sign == text,
+            Name(name) => name == text,
+            _ => false,
+        };
+        if is {
+            self.next();
+        }
+        is
+    }
+
+    fn expect(&mut self, sign: &str) -> Result<(), Missing> {
+        if self.accept(sign) {
+            return Ok(());
+        }
+        let found = self.next();
+        Err(self.missing(format!("`{sign}`, found {found:?}")))
+    }
+
+    fn name(&mut self) -> Result<String, Missing> {
+        match self.next() {
+            Name(name) => Ok(name),
+            other => Err(self.missing(format!("a name, found {other:?}"))),
+        }
+    }
+
+    /// Reads what stands between commas up to a sign, before which another comma may be.
+    fn list<T>(&mut self, end: &str, mut item: impl FnMut(&mut Self) -> Result<T, Missing>) -> Result<Vec<T>, Missing> {
+        let mut items = Vec::new();
+        while !self.accept(end) {
+            items.push(item(self)?);
+            if !self.accept(",") {
+                self.expect(end)?;
+                break;
+            }
+        }
+        Ok(items)
+    }
+
+    /// Skips everything up to the bracket that closes one which was read.
+    fn skip(&mut self, open: &'static str, close: &'static str) -> Result<(), Missing> {
+        let mut depth = 1;
+        while depth > 0 {
+            match self.next() {
+                Sign(sign) if sign == open => depth += 1,
+                Sign(sign) if sign == close => depth -= 1,
+                End => return Err(self.missing(format!("`{close}`"))),
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+}
+
+fn width(ty: &Type) -> Width {
+    match ty {
+        Integer(8, _) => Width::W64,
+        _ => Width::W32,
+    }
+}
+
+/// The constant that a value is.
+fn constant_of(value: &Value) -> Option<Constant> {
+    use Constant::{Float, Number};
+    match value {
+        Value::Number(number) => Some(Number(*number)),
+        Value::Float(bits) => Some(Float(*bits)),
+        Value::Negative(inner) => match constant_of(inner)? {
+            Float(bits) => Some(Float(bits ^ 0x8000_0000)),
+            Number(_) => None,
+        },
+        Value::Apply(operator, width, a, b) => match (constant_of(a)?, constant_of(b)?) {
+            (Number(_), Number(0)) if matches!(operator, Operator::Divide | Operator::Modulo) => None,
+            (Number(a), Number(b)) => Some(Number(computed(*operator, *width, a, b))),
+            _ => None,
+        },
+        Value::OfInteger(signed, inner) => match constant_of(inner)? {
+            Number(number) => {
+                let value = if *signed { number as u32 as i32 as f32 } else { number as u32 as f32 };
+                Some(Float(value.to_bits()))
+            }
+            Float(_) => None,
+        },
+        Value::OfCondition(condition) => Some(Number(u64::from(holds(condition)?))),
+        _ => None,
+    }
+}
+
+/// Tests whether a condition of constants holds.
+fn holds(condition: &Condition) -> Option<bool> {
+    let numbers = |a, b| match (constant_of(a)?, constant_of(b)?) {
+        (Constant::Number(a), Constant::Number(b)) => Some((a, b)),
+        _ => None,
+    };
+    match condition {
+        Condition::Same(_, a, b) => numbers(a, b).map(|(a, b)| a == b),
+        Condition::Below(false, _, a, b) => numbers(a, b).map(|(a, b)| a < b),
+        Condition::Below(true, width, a, b) => numbers(a, b).map(|(a, b)| width.signed(a) < width.signed(b)),
+        Condition::Logical(and, a, b) => {
+            let first = holds(a)?;
+            if first == *and { holds(b) } else { Some(first) }
+        }
+        Condition::Not(inner) => Some(!holds(inner)?),
+        Condition::Compared(..) | Condition::Nan(_) => None,
+    }
+}

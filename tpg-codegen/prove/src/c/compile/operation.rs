@@ -1,0 +1,122 @@
+//! Operators on values, and conversions.
+
+use super::{Compiler, Type, Typed, apply, width};
+use crate::c::code::{Condition, Value};
+use crate::input::Missing;
+use crate::term::{Arithmetic, Operator::*, Terms, Width};
+use Condition::*;
+use Type::*;
+
+pub(super) fn promoted(ty: &Type) -> Type {
+    match ty {
+        Integer(1 | 2, _) => Type::INT,
+        ty => ty.clone(),
+    }
+}
+
+impl Compiler<'_> {
+    pub(super) fn compared(&self, sign: &str, a: Typed, b: Typed) -> Result<Condition, Missing> {
+        let ty = self.common(&a.1, &b.1)?;
+        let (mut a, mut b) = (self.converted(a, &ty)?, self.converted(b, &ty)?);
+        if sign.starts_with('>') {
+            (a, b) = (b, a);
+        }
+        let (width, signed) = (width(&ty), ty != Type::UNSIGNED && ty != Integer(8, false));
+        let condition = match (&ty, sign) {
+            (Float, "==" | "!=") => Compared(Terms::equal, a, b),
+            (Float, "<" | ">") => Compared(Terms::less, a, b),
+            (Float, _) => Compared(Terms::less_or_equal, a, b),
+            (_, "==" | "!=") => Same(width, a, b),
+            (_, "<" | ">") => Below(signed, width, a, b),
+            _ => !Below(signed, width, b, a),
+        };
+        Ok(if sign == "!=" { !condition } else { condition })
+    }
+
+    pub(super) fn operated(&self, sign: &str, a: Typed, b: Typed) -> Result<Typed, Missing> {
+        if let (Pointer(ty), "+", Integer(..)) = (&a.1, sign, &b.1) {
+            let index = self.converted(b, &Type::UNSIGNED)?;
+            return Ok((self.element(a.0, ty, index), a.1.clone()));
+        }
+        let shifts = matches!(sign, "<<" | ">>");
+        let ty = if shifts { promoted(&a.1) } else { self.common(&a.1, &b.1)? };
+        let (a, b) = (self.converted(a, &ty)?, self.converted(b, if shifts { &Type::UNSIGNED } else { &ty })?);
+        if ty == Float {
+            let (operation, b) = match sign {
+                "+" => (Arithmetic::Add, b),
+                "-" => (Arithmetic::Add, Value::Negative(Box::new(b))),
+                "*" => (Arithmetic::Multiply, b),
+                "/" => (Arithmetic::Divide, b),
+                _ => return Err(self.missing(format!("`{sign}` of floats"))),
+            };
+            return Ok((Value::Arithmetic(operation, Box::new(a), Box::new(b)), ty));
+        }
+        let Integer(_, signed) = ty else { return Err(self.missing(format!("`{sign}` of this type"))) };
+        let operator = match sign {
+            "+" => Add,
+            "-" => Subtract,
+            "*" => Multiply,
+            "/" if !signed => Divide,
+            "%" if !signed => Modulo,
+            "&" => And,
+            "|" => Or,
+            "^" => Xor,
+            "<<" => ShiftLeft,
+            ">>" if signed => ShiftArithmetic,
+            ">>" => ShiftRight,
+            _ => return Err(self.missing(format!("`{sign}` of signed integers"))),
+        };
+        Ok((apply(operator, width(&ty), a, b), ty))
+    }
+
+    /// The type in which two operands are computed with.
+    pub(super) fn common(&self, x: &Type, y: &Type) -> Result<Type, Missing> {
+        match (promoted(x), promoted(y)) {
+            (Double, _) | (_, Double) => Err(self.missing("arithmetic in binary64")),
+            (Float, Float | Integer(..)) | (Integer(..), Float) => Ok(Float),
+            // the wider one, or unsigned if either of the same size is
+            (Integer(a, s), Integer(b, t)) => Ok(Integer(
+                a.max(b),
+                if a == b {
+                    s && t
+                } else if a > b {
+                    s
+                } else {
+                    t
+                },
+            )),
+            _ => Err(self.missing("operands of another type")),
+        }
+    }
+
+    pub(super) fn converted(&self, (value, from): Typed, to: &Type) -> Result<Value, Missing> {
+        let apply = |operator, width, a, b| apply(operator, width, a, Value::Number(b));
+        match (&from, to) {
+            _ if from == *to => Ok(value),
+            (Pointer(_), Pointer(_)) | (_, Void) => Ok(value),
+            // a constant of the wider type: it is rounded once more
+            (Double, Float) if matches!(value, Value::Float(_)) => Ok(value),
+            (Integer(bytes, signed), Float) if *bytes <= 4 => Ok(Value::OfInteger(*signed, Box::new(value))),
+            (Float, Integer(..)) => Err(self.missing("a float that is in the range of an integer")),
+            (Integer(a, signed), Integer(b, to_signed)) => Ok(match (a, b) {
+                (8, 8) => value,
+                (_, 8) if *signed => {
+                    let flipped = apply(Xor, Width::W64, value, 0x8000_0000);
+                    apply(Subtract, Width::W64, flipped, 0x8000_0000)
+                }
+                (_, 8) => value,
+                (8, _) | (_, 1 | 2) if *to_signed && *b < 4 => {
+                    let unused = 32 - 8 * u64::from(*b);
+                    let upper = apply(ShiftLeft, Width::W32, value, unused);
+                    apply(ShiftArithmetic, Width::W32, upper, unused)
+                }
+                (8, _) | (_, 1 | 2) => {
+                    let width = if *a == 8 { Width::W64 } else { Width::W32 };
+                    apply(And, width, value, (1 << (8 * u64::from(*b))) - 1)
+                }
+                _ => value,
+            }),
+            _ => Err(self.missing(format!("a conversion from {from:?} to {to:?}"))),
+        }
+    }
+}
