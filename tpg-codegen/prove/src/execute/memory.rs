@@ -1,112 +1,18 @@
-//! Loads and stores.
+//! Registers, loads and stores.
 
-use super::value::{Region, Value};
-use super::{MachineState, Object, Point};
+use super::value::{Region, Value, word};
+use super::{Here, Object, Point, Result};
 use crate::elf::{Address, Part};
 use crate::input::Missing;
 use crate::machine::Answer;
 use crate::term::{Float, Operator::*, Terms, Width as Bits, Word};
-use crate::thumb::{Index, Instruction, Offset, PC, Place, Register, SP, Width};
+use crate::thumb::{Index, Instruction, Offset, PC, Place, Register, SP, WORD, Width};
 use Region::*;
 use Value::*;
 
-type Result<T> = std::result::Result<T, Missing>;
-
-/// Says why an instruction is refused.
-pub(super) fn refuse(instruction: &Instruction, what: impl std::fmt::Display) -> Missing {
-    Missing::new(format!("{:#x}", instruction.address), format!("{:?}: {what}", instruction.operation))
-}
-
 impl Object {
-    /// Returns a register; what is unknown is refused.
-    pub(super) fn register(&self, point: &Point, at: &Instruction, register: Register) -> Result<Value> {
-        let value = point.registers[usize::from(register)];
-        value.ok_or_else(|| refuse(at, format_args!("register {register} holds nothing known")))
-    }
-
-    pub(super) fn word(&self, terms: &mut Terms, point: &Point, at: &Instruction, register: Register) -> Result<Word> {
-        let value = self.register(point, at, register)?;
-        super::value::word(terms, value).ok_or_else(|| refuse(at, format_args!("register {register} is no number")))
-    }
-
-    pub(super) fn float(
-        &self,
-        terms: &mut Terms,
-        point: &Point,
-        at: &Instruction,
-        register: Register,
-    ) -> Result<Float> {
-        match self.register(point, at, register)? {
-            Value::Float(float) => Ok(float),
-            Value::Word(word) => Ok(terms.of_bits(word)),
-            _ => Err(refuse(at, format_args!("register {register} is no number"))),
-        }
-    }
-
-    /// Loads or stores registers.
-    pub(super) fn transfer(
-        &self,
-        terms: &mut Terms,
-        state: &mut MachineState,
-        at: &Instruction,
-        (load, width, registers, place): (bool, Width, &[Register], Place),
-    ) -> Result<()> {
-        let (accessed, written) = self.addresses(terms, &state.point, at, place)?;
-        let mut loaded = Vec::new();
-        for (number, &register) in registers.iter().enumerate() {
-            let distance = terms.number(4 * number as u64);
-            let value = moved(terms, accessed, distance).ok_or_else(|| refuse(at, "not an address"))?;
-            if load {
-                loaded.push((register, self.load(terms, &state.point, at, value, width)?));
-            } else {
-                let stored = self.register(&state.point, at, register)?;
-                self.store(terms, &mut state.point, at, value, width, stored)?;
-            }
-        }
-        if let Some(written) = written {
-            state.point.registers[usize::from(place.base)] = Some(written);
-        }
-        for (register, value) in loaded {
-            state.point.registers[usize::from(register)] = Some(value);
-        }
-        Ok(())
-    }
-
-    /// Returns the address that is accessed, and the one that is written back.
-    pub(super) fn addresses(
-        &self,
-        terms: &mut Terms,
-        point: &Point,
-        at: &Instruction,
-        place: Place,
-    ) -> Result<(Value, Option<Value>)> {
-        let base = if place.base == PC {
-            let code = self.code(point, at.address.wrapping_add(4) & !3);
-            Pointer(Section(code.section), terms.number(code.offset.into()))
-        } else {
-            let base = self.register(point, at, place.base)?;
-            self.unknowns.pointer(terms, base)
-        };
-        let (base, offset) = match place.offset {
-            Offset::Number(number) => (base, terms.number(u64::from(number as u32))),
-            Offset::Register(register, shift) => {
-                let value = self.register(point, at, register)?;
-                match (self.unknowns.pointer(terms, value), base) {
-                    // The address is the register that is added.
-                    (value @ Pointer(..), Value::Word(word)) if shift == 0 => (value, word),
-                    _ => {
-                        let (word, shift) = (self.word(terms, point, at, register)?, terms.number(shift.into()));
-                        (base, terms.apply(ShiftLeft, Bits::W32, word, shift))
-                    }
-                }
-            }
-        };
-        let sum = moved(terms, base, offset).ok_or_else(|| refuse(at, "not an address"))?;
-        Ok(match place.index {
-            Index::Offset => (sum, None),
-            Index::Before => (sum, Some(sum)),
-            Index::After => (base, Some(sum)),
-        })
+    pub(super) fn here<'a>(&'a self, terms: &'a mut Terms, point: &'a mut Point, at: &'a Instruction) -> Here<'a> {
+        Here { object: self, terms, point, at }
     }
 
     /// Returns the place of an address in the section of the code.
@@ -115,80 +21,160 @@ impl Object {
         let offset = address.wrapping_sub(self.image.absolute(function)).wrapping_add(function.offset);
         Address { section: function.section, offset }
     }
+}
 
-    fn load(&self, terms: &mut Terms, point: &Point, at: &Instruction, address: Value, width: Width) -> Result<Value> {
+impl Here<'_> {
+    /// Says why the instruction is refused.
+    pub(super) fn refusal(&self, what: impl std::fmt::Display) -> Missing {
+        Missing::new(format!("{:#x}", self.at.address), format!("{:?}: {what}", self.at.operation))
+    }
+
+    pub(super) fn refuse<T>(&self, what: impl std::fmt::Display) -> Result<T> {
+        Err(self.refusal(what))
+    }
+
+    /// Returns a register; what is unknown is refused.
+    pub(super) fn register(&self, register: Register) -> Result<Value> {
+        let value = self.point.registers[usize::from(register)];
+        value.ok_or_else(|| self.refusal(format_args!("register {register} holds nothing known")))
+    }
+
+    pub(super) fn word(&mut self, register: Register) -> Result<Word> {
+        let value = self.register(register)?;
+        word(self.terms, value).ok_or_else(|| self.refusal(format_args!("register {register} is no number")))
+    }
+
+    pub(super) fn float(&mut self, register: Register) -> Result<Float> {
+        match self.register(register)? {
+            Value::Float(float) => Ok(float),
+            _ => self.word(register).map(|word| self.terms.of_bits(word)),
+        }
+    }
+
+    fn moved(&mut self, base: Value, distance: Word) -> Result<Value> {
+        moved(self.terms, base, distance).ok_or_else(|| self.refusal("not an address"))
+    }
+
+    /// Loads or stores registers.
+    pub(super) fn transfer(&mut self, load: bool, width: Width, registers: &[Register], place: Place) -> Result<()> {
+        let (accessed, written) = self.addresses(place)?;
+        let mut loaded = Vec::new();
+        for (number, &register) in registers.iter().enumerate() {
+            let distance = self.terms.number(4 * number as u64);
+            let address = self.moved(accessed, distance)?;
+            if load {
+                loaded.push((register, self.load(address, width)?));
+            } else {
+                let stored = self.register(register)?;
+                self.store(address, width, stored)?;
+            }
+        }
+        for (register, value) in written.map(|written| (place.base, written)).into_iter().chain(loaded) {
+            self.point.registers[usize::from(register)] = Some(value);
+        }
+        Ok(())
+    }
+
+    /// Returns the address that is accessed, and the one that is written back.
+    pub(super) fn addresses(&mut self, place: Place) -> Result<(Value, Option<Value>)> {
+        let unknowns = &self.object.unknowns;
+        let base = if place.base == PC {
+            let code = self.object.code(self.point, self.at.address.wrapping_add(4) & !3);
+            Pointer(Section(code.section), self.terms.number(code.offset.into()))
+        } else {
+            unknowns.pointer(self.terms, self.register(place.base)?)
+        };
+        let (base, offset) = match place.offset {
+            Offset::Number(number) => (base, self.terms.number(u64::from(number as u32))),
+            Offset::Register(register, shift) => {
+                let value = self.register(register)?;
+                match (unknowns.pointer(self.terms, value), base) {
+                    // The address is the register that is added.
+                    (value @ Pointer(..), Word(word)) if shift == 0 => (value, word),
+                    _ => {
+                        let word = self.word(register)?;
+                        (base, self.with(ShiftLeft, word, shift.into()))
+                    }
+                }
+            }
+        };
+        let sum = self.moved(base, offset)?;
+        Ok(match place.index {
+            Index::Offset => (sum, None),
+            Index::Before => (sum, Some(sum)),
+            Index::After => (base, Some(sum)),
+        })
+    }
+
+    fn load(&mut self, address: Value, width: Width) -> Result<Value> {
         let (region, offset) = match address {
             Pointer(region, offset) => (region, offset),
             // A number is an address of a linked image.
-            Value::Word(word) => {
-                let located = terms.number_of(word).and_then(|number| self.image.locate(number as u32));
-                let located = located.ok_or_else(|| refuse(at, "loads from a number"))?;
-                (Section(located.section), terms.number(located.offset.into()))
+            Word(word) => {
+                let number = self.terms.number_of(word);
+                let Some(located) = number.and_then(|number| self.object.image.locate(number as u32)) else {
+                    return self.refuse("loads from a number");
+                };
+                (Section(located.section), self.terms.number(located.offset.into()))
             }
-            _ => return Err(refuse(at, "loads from no address")),
+            _ => return self.refuse("loads from no address"),
         };
-        if let Some(offset) = terms.number_of(offset) {
-            return self.load_at(terms, point, region, offset as u32, width).ok_or_else(|| {
-                refuse(at, format_args!("loads from {region:?}, offset {}, which is not known", offset as u32 as i32))
+        if let Some(offset) = self.terms.number_of(offset) {
+            return self.load_at(region, offset as u32, width).ok_or_else(|| {
+                let offset = offset as u32 as i32;
+                self.refusal(format_args!("loads from {region:?}, offset {offset}, which is not known"))
             });
         }
         // One of a few constants.
         let mut failed = false;
+        let Self { object, ref mut terms, ref mut point, at } = *self;
         let value = terms.mapped(offset, &mut |terms, offset| {
             let value = terms.number_of(offset).and_then(|offset| {
-                let value = self.load_at(terms, point, region, offset as u32, width)?;
-                super::value::word(terms, value)
+                let value = object.here(terms, point, at).load_at(region, offset as u32, width)?;
+                word(terms, value)
             });
             failed |= value.is_none();
             value.unwrap_or(offset)
         });
-        if failed { Err(refuse(at, "loads from an unknown address")) } else { Ok(Value::Word(value)) }
+        if failed { self.refuse("loads from an unknown address") } else { Ok(Word(value)) }
     }
 
-    fn load_at(&self, terms: &mut Terms, point: &Point, region: Region, offset: u32, width: Width) -> Option<Value> {
+    fn load_at(&mut self, region: Region, offset: u32, width: Width) -> Option<Value> {
         let is_word = width.bytes == 4 && offset.is_multiple_of(4);
-        let index = offset / 4;
-        let sources = self.interface.state_length();
+        let unused = 32 - 8 * u32::from(width.bytes);
+        let Object { image, interface, .. } = self.object;
         match region {
             Section(section) => {
                 let address = Address { section, offset };
-                if self.image.is_relocated(address, width.bytes.into()) {
-                    let target = if is_word { self.image.pointer(address)? } else { return None };
-                    let offset = terms.number(target.offset.into());
-                    return Some(Pointer(Section(target.section), offset));
+                if image.is_relocated(address, width.bytes.into()) {
+                    let target = if is_word { image.pointer(address)? } else { return None };
+                    return Some(Pointer(Section(target.section), self.terms.number(target.offset.into())));
                 }
-                let number = self.image.number(address, width.bytes)?;
-                let unused = 32 - 8 * u32::from(width.bytes);
+                let number = image.number(address, width.bytes)?;
                 let number = if width.signed { ((number << unused) as i32 >> unused) as u32 } else { number };
-                Some(Value::Word(terms.number(number.into())))
+                Some(Word(self.terms.number(number.into())))
             }
-            State if !is_word => None,
-            State => (index < sources).then(|| Value::Float(terms.source(index))),
-            _ => {
-                let value = *point.memory.get(&(region, offset, width.bytes))?;
-                let Value::Word(word) = value else { return Some(value) };
-                let unused = terms.number(32 - 8 * u64::from(width.bytes));
-                let high = terms.apply(ShiftLeft, Bits::W32, word, unused);
-                let extended = terms.apply(ShiftArithmetic, Bits::W32, high, unused);
-                Some(Value::Word(if width.signed { extended } else { word }))
+            State => {
+                let known = is_word && offset / 4 < interface.state_length();
+                known.then(|| Value::Float(self.terms.source(offset / 4)))
             }
+            _ => match *self.point.memory.get(&(region, offset, width.bytes))? {
+                Word(word) if width.signed => {
+                    let high = self.with(ShiftLeft, word, unused.into());
+                    Some(Word(self.with(ShiftArithmetic, high, unused.into())))
+                }
+                value => Some(value),
+            },
         }
     }
 
-    fn store(
-        &self,
-        terms: &mut Terms,
-        point: &mut Point,
-        at: &Instruction,
-        address: Value,
-        width: Width,
-        value: Value,
-    ) -> Result<()> {
-        let Pointer(region, offset) = address else { return Err(refuse(at, "stores to no known address")) };
-        let offset = terms.number_of(offset).ok_or_else(|| refuse(at, "stores to an unknown address"))? as u32;
+    fn store(&mut self, address: Value, width: Width, mut value: Value) -> Result<()> {
+        let Pointer(region, offset) = address else { return self.refuse("stores to no known address") };
+        let Some(offset) = self.terms.number_of(offset) else { return self.refuse("stores to an unknown address") };
+        let offset = offset as u32;
         let length = match region {
-            Memory => self.interface.memory.len(),
-            Outputs => self.interface.outputs.len(),
+            Memory => self.object.interface.memory.len(),
+            Outputs => self.object.interface.outputs.len(),
             // Below the place where the function began with it.
             Stack if (offset as i32) < 0 => usize::MAX,
             _ => 0,
@@ -197,57 +183,51 @@ impl Object {
         let bytes = u32::from(width.bytes);
         let aligned = offset.is_multiple_of(bytes) && (bytes == 4 || region == Stack);
         if !aligned || (region != Stack && (offset / 4) as usize >= length) || length == 0 {
-            return Err(refuse(at, format_args!("stores to {region:?}, offset {}", offset as i32)));
+            return self.refuse(format_args!("stores to {region:?}, offset {}", offset as i32));
         }
-        let value = if bytes == 4 {
-            value
-        } else {
-            let word = super::value::word(terms, value).ok_or_else(|| refuse(at, "stores a part of no number"))?;
-            let mask = terms.number((1 << (8 * bytes)) - 1);
-            Value::Word(terms.apply(And, Bits::W32, word, mask))
-        };
+        if bytes < 4 {
+            let Some(word) = word(self.terms, value) else { return self.refuse("stores a part of no number") };
+            value = Word(self.with(And, word, (1 << (8 * bytes)) - 1));
+        }
         let last = |offset: u32, bytes: u32| offset.wrapping_add(bytes - 1);
-        point.memory.retain(|&(other, at, size), _| {
+        self.point.memory.retain(|&(other, at, size), _| {
             other != region || last(at, size.into()) < offset || last(offset, bytes) < at
         });
-        point.memory.insert((region, offset, width.bytes), value);
+        self.point.memory.insert((region, offset, width.bytes), value);
         Ok(())
     }
 
     /// Checks the calling convention at the end, and returns the answer.
-    pub(super) fn answer(&self, terms: &mut Terms, point: &Point) -> Result<Answer> {
-        let place = self.function_place(point);
+    pub(super) fn answer(&mut self) -> Result<Answer> {
+        let missing = |what: String| Err(Missing::new(format!("{:#x}", self.at.address), what));
         for register in super::flow::preserved() {
-            let expected = if register == SP { Pointer(Stack, terms.number(0)) } else { Initial(register) };
-            if point.registers[usize::from(register)] != Some(expected) {
-                return Err(Missing::new(place, format!("register {register} is not what it was before")));
+            let expected = if register == SP { Pointer(Stack, self.terms.number(0)) } else { Initial(register) };
+            if self.point.registers[usize::from(register)] != Some(expected) {
+                return missing(format!("register {register} is not what it was before"));
             }
         }
-        if self.interface.outputs.is_empty() {
-            let value = point.registers[0].and_then(|value| super::value::word(terms, value));
-            return Ok(Answer::Action(value.ok_or_else(|| Missing::new(place, "the answer is not known"))?));
+        let interface = &self.object.interface;
+        if interface.outputs.is_empty() {
+            let value = self.point.registers[0].and_then(|value| word(self.terms, value));
+            return value
+                .map_or_else(|| missing("the answer is not known".to_owned()), |word| Ok(Answer::Action(word)));
         }
         let mut values = Vec::new();
-        for (region, count) in [(Outputs, self.interface.outputs.len()), (Memory, self.interface.memory.len())] {
+        for (region, count) in [(Outputs, interface.outputs.len()), (Memory, interface.memory.len())] {
             for index in 0..count as u32 {
-                let value = self.load_at(terms, point, region, 4 * index, crate::thumb::WORD);
-                values.push(match value {
+                values.push(match self.load_at(region, 4 * index, WORD) {
                     Some(Value::Float(float)) => float,
-                    Some(Value::Word(word)) => terms.of_bits(word),
-                    _ => return Err(Missing::new(place, format!("{region:?}, value {index}, is not written"))),
+                    Some(Word(word)) => self.terms.of_bits(word),
+                    _ => return self.refuse(format_args!("{region:?}, value {index}, is not written")),
                 });
             }
         }
         Ok(Answer::Values(values))
     }
 
-    fn function_place(&self, point: &Point) -> String {
-        format!("{:#x}", point.address)
-    }
-
     /// Returns the half of an address that the linker inserts.
-    pub(super) fn inserted(&self, point: &Point, at: &Instruction, part: Part) -> Option<Address> {
-        let relocation = self.image.relocation(self.code(point, at.address))?;
+    pub(super) fn inserted(&self, part: Part) -> Option<Address> {
+        let relocation = self.object.image.relocation(self.object.code(self.point, self.at.address))?;
         relocation.target.clone().ok().filter(|_| relocation.part == part)
     }
 }
@@ -256,7 +236,7 @@ impl Object {
 pub(super) fn moved(terms: &mut Terms, base: Value, distance: Word) -> Option<Value> {
     match base {
         Pointer(region, offset) => Some(Pointer(region, terms.apply(Add, Bits::W32, offset, distance))),
-        Value::Word(word) => Some(Value::Word(terms.apply(Add, Bits::W32, word, distance))),
+        Word(word) => Some(Word(terms.apply(Add, Bits::W32, word, distance))),
         _ => None,
     }
 }

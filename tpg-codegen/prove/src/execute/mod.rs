@@ -12,12 +12,14 @@ use crate::elf::{Address, Error, Function, Image};
 use crate::input::Missing;
 use crate::machine::{Interface, Machine, Step};
 use crate::term::{Bool, Terms, Width, Word};
-use crate::thumb::{PC, REGISTERS, Register, SP};
+use crate::thumb::{Instruction, PC, REGISTERS, Register, SP};
 use Value::*;
 use flow::{FLAGS, FLOAT_FLAGS, Flow};
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 use value::{Cell, Flags, Region::*, Unknowns, Value, restricted};
+
+type Result<T> = std::result::Result<T, Missing>;
 
 /// So many instructions are executed at most between two points.
 const LIMIT: usize = 200_000;
@@ -45,6 +47,14 @@ struct MachineState {
     position: Vec<u32>,
 }
 
+/// An instruction that is executed, and where.
+struct Here<'a> {
+    object: &'a Object,
+    terms: &'a mut Terms,
+    point: &'a mut Point,
+    at: &'a Instruction,
+}
+
 /// A state behind an instruction.
 enum Next {
     /// At the next instruction.
@@ -70,13 +80,13 @@ impl Object {
     ///
     /// # Errors
     /// If the file is no object for ARM, or has no such function in Thumb code.
-    pub fn new(file: &[u8], symbol: &str, interface: Interface) -> Result<Self, Error> {
+    pub fn new(file: &[u8], symbol: &str, interface: Interface) -> std::result::Result<Self, Error> {
         let image = Image::read(file)?;
         let function = image.function(symbol)?.clone();
         Ok(Self { image, interface, function, flows: HashMap::new(), unknowns: Unknowns::default() })
     }
 
-    fn flow(&mut self, function: Address) -> Result<Rc<Flow>, Missing> {
+    fn flow(&mut self, function: Address) -> Result<Rc<Flow>> {
         if let Some(flow) = self.flows.get(&function) {
             return Ok(flow.clone());
         }
@@ -113,7 +123,7 @@ impl Object {
     }
 
     /// Forgets what is not read any more, and the choices that the guard decides.
-    fn tidied(&mut self, terms: &Terms, state: &mut MachineState) -> Result<(), Missing> {
+    fn tidied(&mut self, terms: &Terms, state: &mut MachineState) -> Result<()> {
         let facts = terms.parts(state.guard);
         let point = &mut state.point;
         let mut live = self.flow(point.function)?.nodes[&point.address].live;
@@ -144,7 +154,7 @@ impl Object {
     }
 
     /// Splits a state where the next piece begins: integers become constants. None if the piece goes on.
-    fn cut(&mut self, terms: &mut Terms, state: &MachineState) -> Result<Option<Vec<(Bool, Point)>>, Missing> {
+    fn cut(&mut self, terms: &mut Terms, state: &MachineState) -> Result<Option<Vec<(Bool, Point)>>> {
         let point = &state.point;
         let flow = self.flow(point.function)?;
         let node = &flow.nodes[&point.address];
@@ -180,7 +190,7 @@ impl Object {
     }
 
     /// Moves a state to another instruction of its function.
-    fn moved(&mut self, state: &mut MachineState, to: u32) -> Result<(), Missing> {
+    fn moved(&mut self, state: &mut MachineState, to: u32) -> Result<()> {
         let from = state.point.address;
         let flow = self.flow(state.point.function)?;
         let (Some(before), Some(after)) = (flow.nodes.get(&from), flow.nodes.get(&to)) else {
@@ -231,7 +241,7 @@ impl Point {
 impl Machine for Object {
     type Point = Point;
 
-    fn entry(&mut self, terms: &mut Terms) -> Result<Point, Missing> {
+    fn entry(&mut self, terms: &mut Terms) -> Result<Point> {
         let function = self.function.start;
         let mut registers: [Option<Value>; REGISTERS] =
             std::array::from_fn(|register| Some(Initial(register as Register)));
@@ -262,7 +272,7 @@ impl Machine for Object {
         })
     }
 
-    fn run(&mut self, terms: &mut Terms, from: &Point) -> Result<Vec<(Bool, Step<Point>)>, Missing> {
+    fn run(&mut self, terms: &mut Terms, from: &Point) -> Result<Vec<(Bool, Step<Point>)>> {
         let flow = self.flow(from.function)?;
         let mut waiting: BTreeMap<Vec<u32>, MachineState> = BTreeMap::new();
         let node = &flow.nodes[&from.address];
@@ -296,8 +306,10 @@ impl Machine for Object {
                 }
                 for next in followers {
                     let next = match next {
-                        Next::Return(next) => {
-                            let answer = self.answer(terms, &next.point)?;
+                        Next::Return(mut next) => {
+                            let flow = self.flow(next.point.function)?;
+                            let at = &flow.nodes[&next.point.address].instruction;
+                            let answer = self.here(terms, &mut next.point, at).answer()?;
                             pieces.push((next.guard, Step::Return(answer)));
                             continue;
                         }

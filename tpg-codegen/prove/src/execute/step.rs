@@ -1,8 +1,8 @@
 //! Meanings of instructions.
 
-use super::memory::{moved, refuse};
+use super::memory::moved;
 use super::value::{Flags, Region, Value, restricted, word};
-use super::{MachineState, Next, Object, Point};
+use super::{Here, MachineState, Next, Object, Point, Result};
 use crate::elf::{Address, Part};
 use crate::input::Missing;
 use crate::term::{Bool, Operator, Terms, Width, Word};
@@ -13,7 +13,6 @@ use Operation::*;
 use Operator::*;
 use Value::*;
 
-type Result<T> = std::result::Result<T, Missing>;
 const W: Width = Width::W32;
 
 impl Object {
@@ -23,17 +22,17 @@ impl Object {
         let node = &flow.nodes[&state.point.address];
         let at = &node.instruction;
         let behind = at.address + at.size;
+        let mut here = self.here(terms, &mut state.point, at);
         let condition = match at.operation {
             BranchIf { register, zero, .. } => {
-                let (value, none) = (self.word(terms, &state.point, at, register)?, terms.number(0));
-                let same = terms.same(W, value, none);
+                let (value, none) = (here.word(register)?, here.terms.number(0));
+                let same = here.terms.same(W, value, none);
                 if zero { same } else { !same }
             }
-            _ => state
-                .point
-                .flags
-                .condition(terms, at.condition)
-                .ok_or_else(|| refuse(at, format_args!("the flags do not say {:?}", at.condition)))?,
+            _ => {
+                let condition = here.point.flags.condition(here.terms, at.condition);
+                condition.ok_or_else(|| here.refusal(format_args!("the flags do not say {:?}", at.condition)))?
+            }
         };
         let mut followers = Vec::new();
         let leaves =
@@ -54,7 +53,7 @@ impl Object {
             if before.is_some() {
                 restrict(terms, &mut state.point, condition);
             }
-            self.execute(terms, &mut state, at)?;
+            self.here(terms, &mut state.point, at).execute()?;
             if let Some(before) = before {
                 state.point = self.merged(terms, condition, &state.point, &before);
             }
@@ -72,53 +71,52 @@ impl Object {
         callee: Option<Address>,
         followers: &mut Vec<Next>,
     ) -> Result<()> {
+        let mut here = self.here(terms, &mut state.point, at);
         match at.operation {
             Branch { target } | BranchIf { target, .. } => {
                 self.moved(&mut state, target)?;
                 followers.push(Next::At(state));
             }
             Call { .. } => {
-                let callee = callee.ok_or_else(|| refuse(at, "a call of nothing"))?;
-                let flow = self.flow(callee)?;
-                let point = &mut state.point;
+                let Some(callee) = callee else { return here.refuse("a call of nothing") };
+                let point = &mut *here.point;
                 if point.function == callee || point.callers.iter().any(|caller| caller.0 == callee) {
-                    return Err(refuse(at, "recursion"));
+                    return here.refuse("recursion");
                 }
                 point.callers.push((point.function, at.address));
-                (point.function, point.address) = (callee, flow.entry);
-                point.registers[usize::from(LR)] = Some(return_to(terms, point.callers.last().copied()));
+                point.registers[usize::from(LR)] = Some(return_to(here.terms, point.callers.last().copied()));
+                let flow = self.flow(callee)?;
+                (state.point.function, state.point.address) = (callee, flow.entry);
                 let node = &flow.nodes[&flow.entry];
                 state.position.extend(node.loops.iter().flat_map(|&head| [head, 0]));
                 state.position.push(node.order);
                 followers.push(Next::At(state));
             }
             Exchange { register } => {
-                let target = self.register(&state.point, at, register)?;
+                let target = here.register(register)?;
                 followers.push(self.returned(terms, state, at, target)?);
             }
-            Transfer { load, width, ref registers, place } => {
+            Transfer { place, .. } => {
                 if !matches!(place.offset, Offset::Register(..)) {
-                    self.transfer(terms, &mut state, at, (load, width, registers, place))?;
-                    let target = self.register(&state.point, at, PC)?;
-                    state.point.registers[usize::from(PC)] = None;
+                    here.execute()?;
+                    let target = here.register(PC)?;
+                    here.point.registers[usize::from(PC)] = None;
                     followers.push(self.returned(terms, state, at, target)?);
                     return Ok(());
                 }
-                let (Pointer(Region::Section(section), offsets), None) =
-                    self.addresses(terms, &state.point, at, place)?
-                else {
-                    return Err(refuse(at, "a jump by an unknown table"));
+                let (Pointer(Region::Section(section), offsets), None) = here.addresses(place)? else {
+                    return here.refuse("a jump by an unknown table");
                 };
-                for number in terms.numbers(offsets).ok_or_else(|| refuse(at, "a jump by an unknown number"))? {
+                for number in here.numbers(offsets)? {
                     let entry = self.image.pointer(Address { section, offset: number as u32 });
                     let target = entry.map(|entry| self.image.absolute(entry) & !1);
                     self.jump(terms, &state, (offsets, number, target), followers)?;
                 }
             }
             Table { index, bytes, .. } => {
-                let index = self.word(terms, &state.point, at, index)?;
+                let index = here.word(index)?;
                 let behind = at.address + at.size;
-                for number in terms.numbers(index).ok_or_else(|| refuse(at, "a jump by an unknown number"))? {
+                for number in here.numbers(index)? {
                     let mut place = self.code(&state.point, behind);
                     place.offset = place.offset.wrapping_add(number as u32 * u32::from(bytes));
                     let distance = self.image.number(place, bytes);
@@ -126,7 +124,7 @@ impl Object {
                     self.jump(terms, &state, (index, number, target), followers)?;
                 }
             }
-            _ => return Err(refuse(at, "no branch")),
+            _ => return here.refuse("no branch"),
         }
         Ok(())
     }
@@ -161,7 +159,7 @@ impl Object {
         target: Value,
     ) -> Result<Next> {
         if target != return_to(terms, state.point.callers.last().copied()) {
-            return Err(refuse(at, "returns to another address"));
+            return self.here(terms, &mut state.point, at).refuse("returns to another address");
         }
         let Some((caller, address)) = state.point.callers.pop() else { return Ok(Next::Return(state)) };
         let flow = self.flow(state.point.function)?;
@@ -172,248 +170,257 @@ impl Object {
         self.moved(&mut state, behind)?;
         Ok(Next::Behind(state))
     }
+}
 
+impl Here<'_> {
     /// Executes an instruction that goes on with the next.
-    fn execute(&mut self, terms: &mut Terms, state: &mut MachineState, at: &Instruction) -> Result<()> {
-        let point = &mut state.point;
+    fn execute(&mut self) -> Result<()> {
+        let at = self.at;
         let (to, value) = match at.operation {
             Nop | Operation::If => return Ok(()),
             Operation::Integer { name, flags, to, left, right } => {
-                let value = self.integer(terms, point, at, (name, flags, left, right))?;
+                let value = self.integer(name, flags, left, right)?;
                 match to {
                     Some(to) => (to, value),
                     None => return Ok(()),
                 }
             }
-            MultiplyAdd { to, factors, sum, subtract } => {
-                let [a, b, sum] = [factors[0], factors[1], sum].map(|register| self.word(terms, point, at, register));
-                let product = terms.apply(Multiply, W, a?, b?);
+            MultiplyAdd { to, factors: [a, b], sum, subtract } => {
+                let (a, b, sum) = (self.word(a)?, self.word(b)?, self.word(sum)?);
+                let product = self.terms.apply(Multiply, W, a, b);
                 let operator = if subtract { Subtract } else { Add };
-                (to, Value::Word(terms.apply(operator, W, sum?, product)))
+                (to, Word(self.terms.apply(operator, W, sum, product)))
             }
             Extract { to, from, low, width, signed } => {
-                let value = self.word(terms, point, at, from)?;
-                let left = shifted(terms, value, Shift::Left, (32 - low - width).into());
-                let shift = if signed { Shift::Arithmetic } else { Shift::Right };
-                let mask = (1 << width) - 1;
-                (
-                    to,
-                    Value::Word(match (low, signed) {
-                        (0, false) => with(terms, And, value, mask),
-                        _ => shifted(terms, left, shift, (32 - width).into()),
-                    }),
-                )
+                let value = self.word(from)?;
+                if low == 0 && !signed {
+                    (to, Word(self.with(And, value, (1 << width) - 1)))
+                } else {
+                    let left = self.with(ShiftLeft, value, (32 - low - width).into());
+                    let shift = if signed { ShiftArithmetic } else { ShiftRight };
+                    (to, Word(self.with(shift, left, (32 - width).into())))
+                }
             }
             Insert { to, from, low, width } => {
                 let mask = ((1u64 << width) - 1) << low;
-                let old = self.word(terms, point, at, to)?;
-                let kept = with(terms, And, old, !mask & 0xffff_ffff);
-                let new = match from {
-                    Some(from) => self.word(terms, point, at, from)?,
-                    None => terms.number(0),
-                };
-                let new = shifted(terms, new, Shift::Left, (low).into());
-                let new = with(terms, And, new, mask);
-                (to, Value::Word(terms.apply(Or, W, kept, new)))
+                let old = self.word(to)?;
+                let kept = self.with(And, old, !mask & 0xffff_ffff);
+                let new = from.map(|from| self.word(from)).transpose()?.unwrap_or_else(|| self.terms.number(0));
+                let new = self.with(ShiftLeft, new, low.into());
+                let new = self.with(And, new, mask);
+                (to, Word(self.terms.apply(Or, W, kept, new)))
             }
             LeadingZeros { to, from } => {
-                let value = self.word(terms, point, at, from)?;
+                let value = self.word(from)?;
                 // The smallest number of bits in which the value fits.
-                let mut zeros = terms.number(0);
+                let mut zeros = self.terms.number(0);
                 for bits in (0..32).rev() {
-                    let (limit, count) = (terms.number(1 << bits), terms.number(32 - bits));
-                    let fits = terms.below(false, W, value, limit);
-                    zeros = terms.choose_word(fits, count, zeros);
+                    let (limit, count) = (self.terms.number(1 << bits), self.terms.number(32 - bits));
+                    let fits = self.terms.below(false, W, value, limit);
+                    zeros = self.terms.choose_word(fits, count, zeros);
                 }
-                (to, Value::Word(zeros))
+                (to, Word(zeros))
             }
-            Top { to, number } => match (self.inserted(point, at, Part::High), self.register(point, at, to)?) {
-                (Some(address), Half(half)) if address == half => (to, section(terms, address)),
+            Top { to, number } => match (self.inserted(Part::High), self.register(to)?) {
+                (Some(address), Half(half)) if address == half => (to, self.section(address)),
                 (None, _) => {
-                    let low = self.word(terms, point, at, to)?;
-                    let low = with(terms, And, low, 0xffff);
-                    (to, Value::Word(with(terms, Or, low, u64::from(number) << 16)))
+                    let low = self.word(to)?;
+                    let low = self.with(And, low, 0xffff);
+                    (to, Word(self.with(Or, low, u64::from(number) << 16)))
                 }
-                _ => return Err(refuse(at, "half of another address")),
+                _ => return self.refuse("half of another address"),
             },
-            Operation::Address { to, address } => (to, section(terms, self.code(point, address))),
-            Transfer { load, width, ref registers, place } => {
-                return self.transfer(terms, state, at, (load, width, registers, place));
+            Operation::Address { to, address } => {
+                let address = self.object.code(self.point, address);
+                (to, self.section(address))
             }
-            Move { to, from } => (to, self.register(point, at, from)?),
-            Operation::Constant { to, bits } => (to, Value::Word(terms.number((bits).into()))),
+            Transfer { load, width, ref registers, place } => return self.transfer(load, width, registers, place),
+            Move { to, from } => (to, self.register(from)?),
+            Operation::Constant { to, bits } => (to, Word(self.terms.number(bits.into()))),
             Operation::Binary { name, to, left, right } => {
-                let [a, b] = [left, right].map(|register| self.float(terms, point, at, register));
-                let (a, b) = (a?, b?);
+                let (mut a, mut b) = (self.float(left)?, self.float(right)?);
+                use Binary::*;
+                if !matches!(name, Add | Sub | Div) {
+                    b = self.terms.multiply(a, b);
+                    a = if matches!(name, Mul | NegMul) { b } else { self.float(to)? };
+                }
+                if matches!(name, NegMul | MulSub | NegMulAdd) {
+                    b = self.terms.negate(b);
+                }
+                if matches!(name, NegMulAdd | NegMulSub) {
+                    a = self.terms.negate(a);
+                }
                 let value = match name {
-                    Binary::Add => terms.add(a, b),
-                    Binary::Sub => terms.subtract(a, b),
-                    Binary::Div => terms.divide(a, b),
-                    _ => {
-                        let product = terms.multiply(a, b);
-                        let negative = terms.negate(product);
-                        match name {
-                            Binary::Mul => product,
-                            Binary::NegMul => negative,
-                            _ => {
-                                let sum = self.float(terms, point, at, to)?;
-                                let negated = terms.negate(sum);
-                                match name {
-                                    Binary::MulAdd => terms.add(sum, product),
-                                    Binary::MulSub => terms.add(sum, negative),
-                                    Binary::NegMulAdd => terms.add(negated, negative),
-                                    _ => terms.add(negated, product),
-                                }
-                            }
-                        }
-                    }
+                    Mul | NegMul => b,
+                    Sub => self.terms.subtract(a, b),
+                    Div => self.terms.divide(a, b),
+                    _ => self.terms.add(a, b),
                 };
                 (to, Float(value))
             }
-            Operation::Unary { name, to, from } => (
-                to,
-                match name {
-                    Unary::Neg | Unary::Abs | Unary::ToInteger { signed: true } => {
-                        let float = self.float(terms, point, at, from)?;
-                        match name {
-                            Unary::Neg => Float(terms.negate(float)),
-                            Unary::Abs => Float(terms.magnitude(float)),
-                            _ => Value::Word(terms.truncated(float)),
-                        }
-                    }
-                    Unary::FromInteger { signed } => {
-                        let word = self.word(terms, point, at, from)?;
-                        Float(terms.of_integer(signed, word))
-                    }
-                    _ => return Err(refuse(at, "terms have no such operation")),
-                },
-            ),
-            Compare { left, right } => {
-                let a = self.float(terms, point, at, left)?;
-                let b = match right {
-                    Some(right) => self.float(terms, point, at, right)?,
-                    None => terms.constant(0.0),
+            Operation::Unary { name: Unary::FromInteger { signed }, to, from } => {
+                let word = self.word(from)?;
+                (to, Float(self.terms.of_integer(signed, word)))
+            }
+            Operation::Unary { name, to, from } => {
+                let float = self.float(from)?;
+                let value = match name {
+                    Unary::Neg => Float(self.terms.negate(float)),
+                    Unary::Abs => Float(self.terms.magnitude(float)),
+                    Unary::ToInteger { signed: true } => Word(self.terms.truncated(float)),
+                    _ => return self.refuse("terms have no such operation"),
                 };
-                point.float_flags = Flags::Floats(a, b);
+                (to, value)
+            }
+            Compare { left, right } => {
+                let a = self.float(left)?;
+                let zero = self.terms.constant(0.0);
+                let b = right.map_or(Ok(zero), |right| self.float(right))?;
+                self.point.float_flags = Flags::Floats(a, b);
                 return Ok(());
             }
             ReadFlags => {
-                point.flags = point.float_flags.clone();
+                self.point.flags = self.point.float_flags.clone();
                 return Ok(());
             }
-            _ => return Err(refuse(at, "a branch")),
+            _ => return self.refuse("a branch"),
         };
         if matches!(value, Half(_)) && to >= PC || to == PC {
-            return Err(refuse(at, "a computed jump"));
+            return self.refuse("a computed jump");
         }
-        point.registers[usize::from(to)] = Some(value);
+        self.point.registers[usize::from(to)] = Some(value);
         Ok(())
     }
 
     /// Computes with integers, and sets the flags.
-    fn integer(
-        &self,
-        terms: &mut Terms,
-        point: &mut Point,
-        at: &Instruction,
-        (name, flags, left, right): (Integer, bool, Register, Operand),
-    ) -> Result<Value> {
+    fn integer(&mut self, name: Integer, flags: bool, left: Register, right: Operand) -> Result<Value> {
         if let (Integer::Mov, Operand::Number(_)) = (name, right)
-            && let Some(relocation) = self.image.relocation(self.code(point, at.address))
+            && let Some(relocation) = self.object.image.relocation(self.object.code(self.point, self.at.address))
         {
             return match (relocation.part, &relocation.target) {
                 (Part::Low, Ok(address)) if !flags => Ok(Half(*address)),
-                _ => Err(refuse(at, "a constant that the linker changes")),
+                _ => self.refuse("a constant that the linker changes"),
             };
         }
         let b = match right {
-            Operand::Number(number) => Value::Word(terms.number(number.into())),
-            Operand::Register(register, _, 0) => self.register(point, at, register)?,
+            Operand::Number(number) => Word(self.terms.number(number.into())),
+            Operand::Register(register, _, 0) => self.register(register)?,
             Operand::Register(register, shift, amount) => {
-                let value = self.word(terms, point, at, register)?;
-                Value::Word(shifted(terms, value, shift, amount.into()))
+                let value = self.word(register)?;
+                Word(self.shifted(value, shift, amount.into()))
             }
         };
         if name == Integer::Mov && !flags {
             return Ok(b);
         }
-        let number = |terms: &mut Terms, value| word(terms, value).ok_or_else(|| refuse(at, "computes with no number"));
         let copies = matches!(name, Integer::Mov | Integer::Mvn);
-        let a = if copies { Value::Word(terms.number(0)) } else { self.register(point, at, left)? };
+        let a = if copies { Word(self.terms.number(0)) } else { self.register(left)? };
         if let (Integer::Sub, Pointer(first, a), Pointer(second, b)) = (name, a, b)
             && first == second
         {
-            let distance = terms.apply(Subtract, W, a, b);
+            let distance = self.terms.apply(Subtract, W, a, b);
             if flags {
-                point.flags = Flags::Result(distance);
+                self.point.flags = Flags::Result(distance);
             }
-            return Ok(Value::Word(distance));
+            return Ok(Word(distance));
         }
         // Addresses are moved, and nothing else is done with them; their bits set no flags.
         if let Integer::Add | Integer::Sub = name
             && (matches!(a, Pointer(..)) || matches!(b, Pointer(..)))
         {
             let (address, distance) = if matches!(a, Pointer(..)) { (a, b) } else { (b, a) };
-            let distance = number(terms, distance)?;
-            let distance = match name {
-                Integer::Add => distance,
-                _ if address == a => negated(terms, distance),
-                _ => return Err(refuse(at, "subtracts an address")),
-            };
+            let mut distance = self.number(distance)?;
+            if name == Integer::Sub {
+                if address != a {
+                    return self.refuse("subtracts an address");
+                }
+                let zero = self.terms.number(0);
+                distance = self.terms.apply(Subtract, W, zero, distance);
+            }
             if flags {
-                point.flags = Flags::Unknown;
+                self.point.flags = Flags::Unknown;
             }
-            return moved(terms, address, distance).ok_or_else(|| refuse(at, "not an address"));
+            return moved(self.terms, address, distance).map_or_else(|| self.refuse("not an address"), Ok);
         }
-        let (a, b) = (number(terms, a)?, number(terms, b)?);
-        let ones = terms.number(0xffff_ffff);
-        let operators = [
-            (Integer::Add, Add),
-            (Integer::Sub, Subtract),
-            (Integer::And, And),
-            (Integer::Orr, Or),
-            (Integer::Eor, Xor),
-            (Integer::Mul, Multiply),
-        ];
+        let (a, b) = (self.number(a)?, self.number(b)?);
+        // The right operand as it is computed with.
+        let right = match name {
+            Integer::Mvn | Integer::Bic | Integer::Orn | Integer::Sbc => self.with(Xor, b, 0xffff_ffff),
+            _ => b,
+        };
+        let operator = match name {
+            Integer::Mov | Integer::Mvn | Integer::Orr | Integer::Orn => Or,
+            Integer::Add | Integer::Adc | Integer::Sbc => Add,
+            Integer::Sub | Integer::Rsb => Subtract,
+            Integer::And | Integer::Bic => And,
+            Integer::Eor => Xor,
+            Integer::Mul | Integer::Shift(_) => Multiply,
+        };
         let value = match name {
-            Integer::Mov => b,
-            Integer::Mvn => terms.apply(Xor, W, b, ones),
-            Integer::Rsb => terms.apply(Subtract, W, b, a),
-            Integer::Bic | Integer::Orn => {
-                let inverted = terms.apply(Xor, W, b, ones);
-                let operator = if name == Integer::Bic { And } else { Or };
-                terms.apply(operator, W, a, inverted)
-            }
+            Integer::Mov | Integer::Mvn => right,
+            Integer::Rsb => self.terms.apply(operator, W, b, a),
             Integer::Adc | Integer::Sbc => {
-                let carry = point.flags.condition(terms, Condition::Cs);
-                let carry = carry.ok_or_else(|| refuse(at, "the carry is not known"))?;
-                let carry = terms.word_of(carry);
-                let b = if name == Integer::Adc { b } else { terms.apply(Xor, W, b, ones) };
-                let sum = terms.apply(Add, W, a, b);
-                terms.apply(Add, W, sum, carry)
+                let carry = self.point.flags.condition(self.terms, Condition::Cs);
+                let Some(carry) = carry else { return self.refuse("the carry is not known") };
+                let carry = self.terms.word_of(carry);
+                let sum = self.terms.apply(operator, W, a, right);
+                self.terms.apply(operator, W, sum, carry)
             }
             Integer::Shift(shift) => {
                 // By the lowest byte; only constants.
-                let amount = terms.number_of(b).ok_or_else(|| refuse(at, "shifts by an unknown number"))?;
-                shifted(terms, a, shift, amount & 255)
+                let Some(amount) = self.terms.number_of(b) else { return self.refuse("shifts by an unknown number") };
+                self.shifted(a, shift, amount & 255)
             }
-            _ => {
-                let operator = operators.iter().find(|known| known.0 == name).map(|known| known.1);
-                terms.apply(operator.ok_or_else(|| refuse(at, "not understood"))?, W, a, b)
-            }
+            _ => self.terms.apply(operator, W, a, right),
         };
         if flags {
-            let opposite = terms.number_of(b).filter(|&b| b != 0 && b != 0x8000_0000);
-            point.flags = match (name, opposite) {
+            let opposite = self.terms.number_of(b).filter(|&b| b != 0 && b != 0x8000_0000);
+            self.point.flags = match (name, opposite) {
                 (Integer::Sub, _) => Flags::Difference(a, b),
                 (Integer::Rsb, _) => Flags::Difference(b, a),
                 // The flags of a sum with such a constant are those of the difference from its opposite.
-                (Integer::Add, Some(b)) => Flags::Difference(a, terms.number(b.wrapping_neg() & 0xffff_ffff)),
+                (Integer::Add, Some(b)) => Flags::Difference(a, self.terms.number(b.wrapping_neg() & 0xffff_ffff)),
                 (Integer::Add, None) => Flags::Sum(a, b),
                 _ => Flags::Result(value),
             };
         }
-        Ok(Value::Word(value))
+        Ok(Word(value))
+    }
+
+    /// Returns the bits of a value that is no address.
+    fn number(&mut self, value: Value) -> Result<Word> {
+        word(self.terms, value).map_or_else(|| self.refuse("computes with no number"), Ok)
+    }
+
+    /// Returns the numbers that a word can be.
+    fn numbers(&mut self, word: Word) -> Result<Vec<u64>> {
+        let numbers = self.terms.numbers(word).map(|numbers| numbers.into_iter().collect());
+        numbers.map_or_else(|| self.refuse("a jump by an unknown number"), Ok)
+    }
+
+    fn section(&mut self, address: Address) -> Value {
+        Pointer(Region::Section(address.section), self.terms.number(address.offset.into()))
+    }
+
+    /// Applies an operator to a word and a constant.
+    pub(super) fn with(&mut self, operator: Operator, word: Word, number: u64) -> Word {
+        let number = self.terms.number(number);
+        self.terms.apply(operator, W, word, number)
+    }
+
+    /// Shifts a word by a constant.
+    fn shifted(&mut self, word: Word, shift: Shift, amount: u64) -> Word {
+        match shift {
+            Shift::Left => self.with(ShiftLeft, word, amount),
+            Shift::Right => self.with(ShiftRight, word, amount),
+            Shift::Arithmetic => self.with(ShiftArithmetic, word, amount),
+            Shift::Rotate if amount.is_multiple_of(32) => word,
+            Shift::Rotate => {
+                let low = self.with(ShiftRight, word, amount % 32);
+                let high = self.with(ShiftLeft, word, 32 - amount % 32);
+                self.terms.apply(Or, W, low, high)
+            }
+        }
     }
 }
 
@@ -421,36 +428,6 @@ impl Object {
 fn return_to(terms: &mut Terms, call: Option<(Address, u32)>) -> Value {
     let Some((function, address)) = call else { return Initial(LR) };
     Pointer(Region::Return, terms.number((function.section as u64) << 32 | u64::from(address)))
-}
-
-fn section(terms: &mut Terms, address: Address) -> Value {
-    Pointer(Region::Section(address.section), terms.number(address.offset.into()))
-}
-
-/// Applies an operator to a word and a constant.
-fn with(terms: &mut Terms, operator: Operator, word: Word, number: u64) -> Word {
-    let number = terms.number(number);
-    terms.apply(operator, W, word, number)
-}
-
-fn negated(terms: &mut Terms, word: Word) -> Word {
-    let zero = terms.number(0);
-    terms.apply(Subtract, W, zero, word)
-}
-
-/// Shifts a word by a constant.
-fn shifted(terms: &mut Terms, word: Word, shift: Shift, amount: u64) -> Word {
-    match shift {
-        Shift::Left => with(terms, ShiftLeft, word, amount),
-        Shift::Right => with(terms, ShiftRight, word, amount),
-        Shift::Arithmetic => with(terms, ShiftArithmetic, word, amount),
-        Shift::Rotate if amount.is_multiple_of(32) => word,
-        Shift::Rotate => {
-            let low = with(terms, ShiftRight, word, amount % 32);
-            let high = with(terms, ShiftLeft, word, 32 - amount % 32);
-            terms.apply(Or, W, low, high)
-        }
-    }
 }
 
 /// Returns a state where a condition holds, too; none if it cannot.
