@@ -48,36 +48,21 @@ class Problem:
     source: str = "the zoo"
 
 
-# benchmark.md of DLR-RM/rl-baselines3-zoo at 0088472 (LunarLander: version 2 of the environments; Swimmer, Hopper: version 3). The zoo
-# has no InvertedDoublePendulum of MuJoCo's: means of ten runs from deep_rl_data/sumup_rl_results.csv of gegelati/GECCO-2025 (version 4).
+# benchmark.md of DLR-RM/rl-baselines3-zoo at 22e3ff2 (LunarLander: version 2 of the environments; Swimmer, Hopper: version 3); DDQN+PER
+# and CrossQ from docs/BENCHMARKS.md of kengz/SLM-Lab. The zoo has no InvertedDoublePendulum of MuJoCo's: the mean of ten runs from
+# deep_rl_data/sumup_rl_results.csv of gegelati/GECCO-2025 (version 4).
 PROBLEMS = [
-    Problem("cartpole", "CartPole-v1", 200_000, {"PPO": 500.0, "DQN": 500.0, "ARS": 500.0}),
-    Problem("acrobot", "Acrobot-v1", 500_000, {"PPO": -73.5, "DQN": -76.6, "ARS": -82.9}),
+    Problem("cartpole", "CartPole-v1", 200_000, {"PPO": 500.0}),
+    Problem("acrobot", "Acrobot-v1", 500_000, {"QR-DQN": -69.1, "PPO": -73.5}),
     Problem("mountain-car", "MountainCar-v0", 500_000, {"DQN": -100.8, "PPO": -110.4, "ARS": -122.0}),
-    Problem("mountain-car-continuous", "MountainCarContinuous-v0", 500_000, {"ARS": 96.7, "SAC": 94.7, "PPO": 88.3}),
-    Problem("pendulum", "Pendulum-v1", 500_000, {"TD3": -151.9, "SAC": -157.0, "PPO": -172.2, "ARS": -212.5}),
-    Problem("lunar-lander", "LunarLander-v3", 1_000_000, {"PPO": 242.1, "A2C": 155.8, "DQN": 154.4}),
-    Problem(
-        "lunar-lander-continuous",
-        "LunarLanderContinuous-v3",
-        1_000_000,
-        {"TQC": 278.0, "PPO": 270.9, "SAC": 260.4, "ARS": 168.0},
-    ),
-    Problem(
-        "inverted-double-pendulum",
-        "InvertedDoublePendulum-v5",
-        1_000_000,
-        {"SAC": 9348.0, "PPO": 6713.0},
-        "gegelati/GECCO-2025",
-    ),
-    Problem("swimmer", "Swimmer-v5", 1_500_000, {"TD3": 359.1, "ARS": 355.3, "SAC": 345.6, "PPO": 281.6}),
-    Problem(
-        "bipedal-walker",
-        "BipedalWalker-v3",
-        5_000_000,
-        {"TQC": 329.8, "TD3": 306.0, "A2C": 299.8, "SAC": 297.7, "PPO": 213.3, "DDPG": 197.5},
-    ),
-    Problem("hopper", "Hopper-v5", 3_000_000, {"TQC": 3754.0, "TD3": 3606.0, "ARS": 3344.0, "PPO": 2410.0, "SAC": 2326.0}),
+    Problem("mountain-car-continuous", "MountainCarContinuous-v0", 500_000, {"ARS": 96.7, "SAC": 94.7}),
+    Problem("pendulum", "Pendulum-v1", 500_000, {"CrossQ": -145.7, "TQC": -151.3}, "SLM-Lab, the zoo"),
+    Problem("lunar-lander", "LunarLander-v3", 1_000_000, {"DDQN+PER": 265.9, "PPO": 242.1}, "SLM-Lab, the zoo"),
+    Problem("lunar-lander-continuous", "LunarLanderContinuous-v3", 1_000_000, {"TQC": 278.0, "PPO": 270.9}),
+    Problem("inverted-double-pendulum", "InvertedDoublePendulum-v5", 1_000_000, {"SAC": 9348.0}, "gegelati/GECCO-2025"),
+    Problem("swimmer", "Swimmer-v5", 1_500_000, {"TRPO": 365.7, "TD3": 359.1, "ARS": 355.3}),
+    Problem("bipedal-walker", "BipedalWalker-v3", 5_000_000, {"TQC": 329.8, "PPO": 287.9}),
+    Problem("hopper", "Hopper-v5", 3_000_000, {"TQC": 3754.0, "TRPO": 3618.0, "ARS": 3344.0}),
 ]
 
 

@@ -4,7 +4,6 @@ use crate::error;
 use crate::space::Space;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 use tpg_codegen::emit::Code;
 use tpg_codegen::emit::{Language, Options, Prefix, Profile, Style};
@@ -62,7 +61,7 @@ impl Graph {
     /// The SHA-256 of the `graph.json`.
     #[getter]
     fn sha256(&self) -> String {
-        Sha256::digest(self.0.to_json().as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
+        self.0.sha256()
     }
 
     /// The names of the inputs, in the order of the flat state.

@@ -19,6 +19,7 @@ from gymnasium.wrappers import TimeLimit
 
 import tpg_train
 from tpg_train import TPG, InputError, StatefulEnvironmentWarning, TrainingError, VerificationError
+from tpg_train.tuning import Loop, Tuned
 
 SMALL: dict[str, Any] = {
     "population": 20,
@@ -528,3 +529,30 @@ def test_a_model_is_compared_with_another_controller_on_the_same_episodes(pole: 
     assert 0 < bang.efforts[0].chatter < 1 and "saturated" in str(bang) and "this model is better" in str(bang)
     with pytest.raises(InputError, match="other=3; accepted: a function"):
         pole.evaluate(2, other=3)
+    with pytest.raises(InputError, match="other='lqr'; accepted: pid, relay, linear"):
+        pole.evaluate(2, other="lqr")
+    with pytest.raises(InputError, match="whose actions are choices; accepted: relay, linear"):
+        pole.evaluate(2, other="pid")
+
+
+def test_a_rival_is_tuned_and_says_its_law() -> None:
+    swing = TPG("Pendulum-v1", native=False, settings={"start.share": 1.0, "start.random": 1.0}).learn(3_000)
+    for kind, law in (("pid", "torque = "), ("relay", "torque = sign of "), ("linear", "leaf 0")):
+        both = swing.evaluate(5, other=kind)
+        assert both.law is not None and law in both.law
+        assert both.efforts is not None
+        assert kind != "relay" or both.efforts[1].saturated == 1.0
+
+
+def test_a_loop_answers_by_error_sum_and_change() -> None:
+    swing = TPG("Pendulum-v1", native=False)
+    loops = [Loop(1, 0.5, -2.0, 0.25, 1.0)]
+    law = Tuned("pid", swing._interface, loops)
+    first, state = law.predict(np.array([1.0, 0.25, 0.0], np.float32))
+    second, _ = law.predict(np.array([1.0, 0.75, 0.0], np.float32), state)
+    # The errors are -0.25 and 0.25: 0.5 - 0.0625 + 0, and -0.5 + 0 + 0.5.
+    assert first.tolist() == [0.4375] and second.tolist() == [0.0]
+    assert law.formula() == "torque = -2 (sin_theta -0.5) +0.25 sum of (sin_theta -0.5) +1 change of (sin_theta -0.5)"
+    relay = Tuned("relay", TPG("CartPole-v1")._interface, [Loop(2, 0.0, 1.0, 0.0, 0.0)], (1, 0))
+    assert [relay.predict(np.array([0, 0, angle, 0], np.float32))[0] for angle in (0.1, -0.1)] == [0, 1]
+    assert relay.formula() == "left if +1 theta > 0, else right"

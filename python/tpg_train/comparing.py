@@ -33,20 +33,23 @@ class Effort:
 @dataclass(frozen=True)
 class Comparison:
     """Two controllers on the same episodes: `difference` is the mean of this model's return less the other's, `ci95` its 95 %
-    interval; `efforts` are this model's and the other's, None where actions are named."""
+    interval; `efforts` are both controllers', None where actions are named; `law` is the formula of a controller that was
+    tuned for this."""
 
     this: Evaluation
     other: Evaluation
     difference: float
     ci95: tuple[float, float]
     efforts: tuple[Effort, Effort] | None
+    law: str | None = None
 
     def __str__(self) -> str:
         low, high = self.ci95
         words = "no clear difference" if low <= 0 <= high else "this model is better" if low > 0 else "the other is better"
         efforts = ("", "") if self.efforts is None else tuple(f"; {effort}" for effort in self.efforts)
+        law = "" if self.law is None else f"the other's law: {self.law}\n"
         return (
-            f"this model: {self.this}{efforts[0]}\nother:      {self.other}{efforts[1]}\n"
+            f"this model: {self.this}{efforts[0]}\nother:      {self.other}{efforts[1]}\n{law}"
             f"difference: {self.difference:+.2f}, 95 % interval {low:+.2f} to {high:+.2f}: {words}"
         )
 

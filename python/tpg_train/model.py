@@ -30,6 +30,7 @@ from .callbacks import BaseCallback, MaybeCallback, _Bar, _TensorBoard, as_list
 from .comparing import Comparison, compare
 from .reports import Evaluation, HallEntry, Proof, Report
 from .spaces import Interface, _name
+from .tuning import tuned
 
 log = logging.getLogger("tpg_train")
 
@@ -50,6 +51,7 @@ BUILT_IN = {
     "Pendulum-v1": ("pendulum", "gymnasium.envs.classic_control.pendulum:PendulumEnv"),
 }
 MOST_SEED = 2**64 - 1
+MOST_TUNING_STEPS = 200_000
 
 
 class StatefulEnvironmentWarning(UserWarning):
@@ -573,7 +575,9 @@ class TPG:
         Args:
             native: on the built-in problem; by default if the model was trained on it.
             other: another controller, to compare with on the same episodes of the environment, in this process: a function of
-                an observation, or a model with `predict`.
+                an observation, or a model with `predict`. Or one that is tuned first: "pid", a loop around one value of the
+                observation for each output, "relay", a loop that switches, both in up to 200,000 steps, or "linear", weighted
+                sums in as many steps as this model has learned from.
         """
         graph = self._best()
         if episodes < 1:
@@ -582,16 +586,36 @@ class TPG:
             policy, interface = self._interface.policy(graph), self._interface
             seeds = _tpg.test_seeds(seed, episodes)
             this = lambda: Candidate(policy, 0, interface, 0, None, False).predict  # noqa: E731
-            return compare(self.env, this, other, seeds, interface.limit, interface.name)
+            rival = self._rival(other) if isinstance(other, str) else other
+            said = compare(self.env, this, rival, seeds, interface.limit, interface.name)
+            return said if rival is other else dataclasses.replace(said, law=rival.formula())
         if self.native is not None and native is not False:
             return Evaluation.of_report(json.loads(_tpg.evaluate_native(self.native, graph, episodes, seed)))
         place = self._episodes(executor, self.n_workers if n_workers is None and self.native is None else n_workers or 0)
         try:
-            return Evaluation.of(
-                place.run([self._interface.policy(graph)], _tpg.test_seeds(seed, episodes))[0], self._interface.name
-            )
+            played = place.run([self._interface.policy(graph)], _tpg.test_seeds(seed, episodes))[0]
+            self._record(graph, played)
+            return Evaluation.of(played, self._interface.name)
         finally:
             place.close()
+
+    def _record(self, graph: Graph, played: Sequence[tuple[float, int, bool | None]]) -> None:
+        """Writes test episodes into the run's folder, for `tpg-train report`."""
+        results = [
+            {"outcome": 0, "success": success, "score": score, "measure": 0.0, "actions": steps} for score, steps, success in played
+        ]
+        if (self.folder / "graph.json").exists() and all(np.isfinite(score) for score, _, _ in played):
+            (self.folder / "tested.jsonl").write_text(json.dumps({"graph": graph.sha256, "episodes": results}) + "\n")
+
+    def _rival(self, kind: str) -> Any:
+        """Tunes a controller of a kind."""
+        if kind not in ("pid", "relay", "linear"):
+            raise InputError(f"other={kind!r}; accepted: pid, relay, linear, a function of an observation, a model with predict")
+        steps = self.num_timesteps or 100_000
+        if kind != "linear":
+            return tuned(kind, self._env, self._interface, min(steps, MOST_TUNING_STEPS))
+        sums = {"start.share": 1.0, "start.random": 1.0}
+        return TPG(self._interface.name if self.native else self._env, seed=self.seed, settings=sums).learn(steps)
 
     def formula(self) -> str:
         """Returns what the policy computes, as formulas."""

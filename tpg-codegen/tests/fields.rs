@@ -156,7 +156,8 @@ fn every_macro_and_keyword_names_a_source_an_output_and_a_memory() {
             own.into_iter().chain(KEYWORDS.map(str::to_owned)).collect::<BTreeSet<_>>().into_iter().collect();
         for role in ROLES {
             let graph = named(&names, role);
-            for profile in Profile::ALL {
+            // A name has no other place in the other profiles.
+            for &profile in tpg_testing::amount(&[Profile::Fast][..], &Profile::ALL) {
                 let options = Options { profile: Some(profile), ..options("named", Style::Pure) };
                 compiles(folder.path(), compiler, language, &graph, &options);
             }

@@ -128,7 +128,7 @@ impl Run {
             self.missing("runs over MPI", "an MPI with its compiler, and libclang; Debian: libopenmpi-dev, clang");
         }
         // The page's tests need the page, which `web.rs` builds. Features add tests with large dependencies.
-        let features = tpg_testing::amount(&[][..], &["--all-features"]);
+        let features = if tpg_testing::required() { &["--all-features"][..] } else { &[] };
         self.tests("tests", workspace("test", &[&["--exclude", "tpg-web", "--no-fail-fast"], features].concat()));
     }
 

@@ -28,7 +28,9 @@ fn headline(group: &Group, run: &Run, tested: Option<&Tested>) -> Headline {
             result(tested)
         }
         None => {
-            notes.push("on the episodes that chose it; not tested, as the environment is not built in".to_owned());
+            notes.push(
+                "on the episodes that chose it; not tested: evaluate() does that where the environment is".to_owned(),
+            );
             run.validated().map_or_else(|| "–".to_owned(), |score| format!("return {score:.2}"))
         }
     };

@@ -11,6 +11,7 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use tpg_engine::EpisodeResult;
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::files::read_text;
@@ -42,6 +43,15 @@ pub(super) struct Run {
     pub(super) kind: Kind,
     /// The hall of fame: the best policy of each size, without the trained one itself, named by its generation.
     pub(super) hall: Vec<Self>,
+    /// Test episodes of the trained policy that the program with its environment has run.
+    pub(super) tested: Vec<EpisodeResult>,
+}
+
+/// The test episodes of a policy whose environment is not built in.
+#[derive(Deserialize)]
+struct TestedElsewhere {
+    graph: String,
+    episodes: Vec<EpisodeResult>,
 }
 
 /// A trained policy.
@@ -81,7 +91,7 @@ impl Group {
 
 impl Run {
     fn new(name: String, kind: Kind) -> Self {
-        Self { name, seed: None, curves: BTreeMap::new(), cpu: None, kind, hall: Vec::new() }
+        Self { name, seed: None, curves: BTreeMap::new(), cpu: None, kind, hall: Vec::new(), tested: Vec::new() }
     }
 
     /// Returns the mean score on the episodes by which training chose the policy.
@@ -204,6 +214,10 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
     let path = folder.join("graph.json");
     let graph = Graph::from_json(&path.display().to_string(), &read_text(&path, "the graph of a run")?)?;
     let hall = hall(&folder.join("hall.jsonl"), &graph)?;
+    let tested = folder.join("tested.jsonl");
+    let tested = if tested.exists() { lines::<TestedElsewhere>(&tested)? } else { Vec::new() };
+    // A graph that has been trained further has not been tested.
+    let tested = tested.into_iter().find(|one| one.graph == graph.sha256()).map(|one| one.episodes).unwrap_or_default();
     let curve = |value: &dyn Fn(&Row) -> Option<f64>| {
         rows.iter().filter_map(|row| Some([row.steps as f64, value(row)?])).collect::<Vec<_>>()
     };
@@ -230,7 +244,7 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
         Ok(Run { seed, ..Run::new(name, kind(graph)?) })
     };
     let hall = hall.into_iter().map(of_hall).collect::<Result<_, InputError>>()?;
-    Ok(Run { name, seed, curves, cpu, kind: kind(graph)?, hall })
+    Ok(Run { name, seed, curves, cpu, kind: kind(graph)?, hall, tested })
 }
 
 /// A graph with the network that it learned to ask.
