@@ -512,6 +512,9 @@ def test_a_model_is_compared_with_another_controller_on_the_same_episodes(pole: 
     hand = lambda state: int(state[2] + 0.5 * state[3] > 0)  # noqa: E731
     both = pole.evaluate(20, other=hand)
     assert both.this == pole.evaluate(20, native=False) and both.efforts is None
+    tested = json.loads((pole.folder / "tested.jsonl").read_text())
+    assert tested["graph"] == pole.graph.sha256
+    assert np.mean([one["score"] for one in tested["episodes"]]) == both.this.mean
     env = gymnasium.make("CartPole-v1")
     returns = []
     for seed in tpg_train._tpg.test_seeds(1, 20):

@@ -1,6 +1,7 @@
 //! `tpg-train report`: one self-contained file, the same bytes for the same runs, and errors that name the folder.
 
 use assert_cmd::Command;
+use serde_json::json;
 use std::fs;
 use std::path::Path;
 
@@ -89,6 +90,28 @@ fn a_report_of_another_problem_has_a_headline_formulas_units_and_episodes() {
     let quiet =
         tpg_train().arg("report").arg(&run).args(["--quiet", "--episodes", "5", "--out"]).arg(&file).assert().success();
     assert!(quiet.get_output().stderr.is_empty());
+}
+
+#[test]
+fn a_run_of_ones_own_environment_is_tested_where_that_is() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let (run, file) = (place.path().join("pole/seed-1"), place.path().join("report.html"));
+    evolve(&place.path().join("pole"), "cartpole", "1..2");
+    let read = |name: &str| fs::read_to_string(run.join(name)).expect("readable");
+    let mut config: toml::Table = read("config.toml").parse().expect("settings");
+    config.remove("problem").expect("the built-in problem");
+    fs::write(run.join("config.toml"), config.to_string()).expect("it can be written");
+    let graph = tpg_graph::Graph::from_json("graph.json", &read("graph.json")).expect("a graph").sha256();
+    let headline = |graph: &str| {
+        let result = |score: u32| json!({"outcome": 0, "success": null, "score": score, "measure": 0.0, "actions": 9});
+        let tested = json!({"graph": graph, "episodes": [result(14), result(16)]});
+        fs::write(run.join("tested.jsonl"), format!("{tested}\n")).expect("it can be written");
+        tpg_train().arg("report").arg(&run).arg("--out").arg(&file).assert().success();
+        fs::read_to_string(&file).expect("a report")
+    };
+    let html = headline(&graph);
+    assert!(html.contains("return 15.00 ± ") && html.contains("on 2 test episodes"), "not tested");
+    assert!(headline("0").contains("not tested: evaluate()"), "another graph's episodes");
 }
 
 #[test]
