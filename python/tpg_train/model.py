@@ -602,7 +602,8 @@ class TPG:
     def _record(self, graph: Graph, played: Sequence[tuple[float, int, bool | None]]) -> None:
         """Writes test episodes into the run's folder, for `tpg-train report`."""
         results = [
-            {"outcome": 0, "success": success, "score": score, "measure": 0.0, "actions": steps} for score, steps, success in played
+            {"outcome": 0, "success": success, "score": score, "measure": 0.0, "actions": steps}
+            for score, steps, success in played
         ]
         if (self.folder / "graph.json").exists() and all(np.isfinite(score) for score, _, _ in played):
             (self.folder / "tested.jsonl").write_text(json.dumps({"graph": graph.sha256, "episodes": results}) + "\n")
