@@ -100,6 +100,25 @@ pub(crate) fn cargo(arguments: &[&str]) -> Command {
     command
 }
 
+/// Runs a command and shows it first.
+pub(crate) fn step(mut command: Command) -> io::Result<()> {
+    let program = Path::new(command.get_program()).file_name().unwrap_or_default().to_string_lossy();
+    let words: Vec<_> = std::iter::once(program).chain(command.get_args().map(|word| word.to_string_lossy())).collect();
+    println!("{}", words.join(" "));
+    match command.stdin(Stdio::null()).status()? {
+        status if status.success() => Ok(()),
+        status => Err(io::Error::other(format!("{}: {status}", command.get_program().display()))),
+    }
+}
+
+/// True if a program answers without an error; its toolchain is the one that it names, not the pinned one.
+pub(crate) fn answers(program: &str, words: &[&str]) -> bool {
+    let mut command = Command::new(program);
+    command.args(words).env_remove("RUSTUP_TOOLCHAIN");
+    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    command.status().is_ok_and(|status| status.success())
+}
+
 /// Returns a command of cargo on the workspace, as far as this machine can build it.
 fn workspace(command: &str, arguments: &[&str]) -> Command {
     let without: &[&str] = if has_mpi() { &[] } else { &WITHOUT_MPI };
@@ -180,19 +199,14 @@ impl Run {
     /// Checks licences, sources and bans of every crate by `deny.toml`; known defects and abandoned crates where the database
     /// can be fetched.
     fn supply_chain(&mut self) {
-        let works = |words: &[&str]| {
-            let mut command = cargo(words);
-            command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-            command.status().is_ok_and(|status| status.success())
-        };
         let mut skip = |what: &str| {
             tpg_testing::skip(what);
             self.summary.skip(vec![what.to_owned()]);
         };
-        if !works(&["deny", "--version"]) {
+        if !answers("cargo", &["deny", "--version"]) {
             return skip("supply chain: not installed (cargo install --locked cargo-deny)");
         }
-        if !works(&["deny", "fetch", "db"]) {
+        if !answers("cargo", &["deny", "fetch", "db"]) {
             skip("advisories: their database cannot be fetched");
         } else {
             self.check("advisories", cargo(&["deny", "check", "--disable-fetch", "advisories"]));
@@ -225,8 +239,7 @@ impl Run {
     /// Checks the crates that users install with the oldest compiler that they name.
     fn oldest_compiler(&mut self) {
         let (version, crates) = (OLDEST, PUBLISHED.iter().flat_map(|name| ["--package", name]));
-        let works = Command::new("rustup").args(["run", version, "rustc", "--version"]).stdout(Stdio::null()).status();
-        if !works.is_ok_and(|status| status.success()) {
+        if !answers("rustup", &["run", version, "rustc", "--version"]) {
             let what = format!("Rust {version}: not installed (rustup toolchain install {version} --profile minimal)");
             tpg_testing::skip(&what);
             return self.summary.skip(vec![what]);

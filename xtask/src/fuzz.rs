@@ -1,5 +1,6 @@
 //! Runs the fuzz targets under libFuzzer; needs a nightly compiler and cargo-fuzz, and skips loudly without them.
 
+use crate::check::answers;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -23,7 +24,7 @@ pub(crate) struct FuzzArgs {
 impl FuzzArgs {
     /// Runs the targets one after another and prints a table; returns true if nothing was found.
     pub(crate) fn run(&self) -> bool {
-        if !there() {
+        if !answers("cargo", &["+nightly", "fuzz", "--version"]) {
             tpg_testing::skip("fuzzing: not installed (rustup toolchain install nightly; cargo install cargo-fuzz)");
             return !tpg_testing::required();
         }
@@ -84,11 +85,4 @@ fn names(folder: &Path) -> Vec<String> {
         entries.filter_map(|entry| entry.path().file_stem().map(|stem| stem.to_string_lossy().into_owned())).collect();
     names.sort_unstable();
     names
-}
-
-fn there() -> bool {
-    let mut cargo = Command::new("cargo");
-    cargo.args(["+nightly", "fuzz", "--version"]).env_remove("RUSTUP_TOOLCHAIN");
-    cargo.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-    cargo.status().is_ok_and(|status| status.success())
 }

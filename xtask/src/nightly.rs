@@ -1,5 +1,6 @@
 //! Checks that need a nightly compiler: Miri, and sanitizers. Without their tools they are skipped loudly.
 
+use crate::check::answers;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use tpg_testing::library::{self, Missing};
@@ -106,14 +107,7 @@ fn run(program: &mut Command, seed: u32) -> bool {
 
 /// True if cargo answers so; otherwise that `what` is skipped is reported, with the command that installs it.
 fn there(arguments: &[&str], remedy: &str, what: &str) -> bool {
-    let mut cargo = Command::new("cargo");
-    cargo
-        .args(arguments)
-        .env_remove("RUSTUP_TOOLCHAIN")
-        .stdin(Stdio::null())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null());
-    let found = cargo.status().is_ok_and(|status| status.success());
+    let found = answers("cargo", arguments);
     if !found {
         tpg_testing::skip(&format!("{what}: not installed ({remedy})"));
     }

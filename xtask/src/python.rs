@@ -1,7 +1,7 @@
 //! The Python package: built as a wheel, installed into a virtual environment, tested there.
 
-use crate::check::{Run, cargo};
-use crate::venv::{environment, interpreter, step, target};
+use crate::check::{Run, cargo, step};
+use crate::venv::{environment, interpreter, target};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs, io};

@@ -1,6 +1,6 @@
 //! Installs what is missing and prints each command before running it.
 
-use crate::web;
+use crate::{check, web};
 use std::path::Path;
 use std::process::{Command, Stdio};
 use tpg_testing::library::TARGETS;
@@ -123,10 +123,7 @@ fn listed(arguments: &[&str]) -> Option<Vec<String>> {
 }
 
 fn step(words: &[&str]) -> bool {
-    println!("setup: {}", words.join(" "));
-    let good = Command::new(words[0]).args(&words[1..]).status().is_ok_and(|status| status.success());
-    if !good {
-        eprintln!("setup: failed: {}", words.join(" "));
-    }
-    good
+    let mut command = Command::new(words[0]);
+    command.args(&words[1..]);
+    check::step(command).inspect_err(|error| eprintln!("setup: {error}")).is_ok()
 }

@@ -1,7 +1,8 @@
 //! Virtual environments of Python under the target folder, with pinned packages.
 
+use crate::check::{answers, step};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::{env, fs, io};
 use tpg_testing::library::top;
 
@@ -14,8 +15,7 @@ pub(crate) fn target() -> PathBuf {
 pub(crate) fn interpreter() -> Option<String> {
     let named = env::var("TPG_PYTHON").unwrap_or_else(|_| "python3".to_owned());
     let test = "import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 10))";
-    let done = Command::new(&named).args(["-c", test]).stderr(Stdio::null()).status();
-    done.is_ok_and(|status| status.success()).then_some(named)
+    answers(&named, &["-c", test]).then_some(named)
 }
 
 /// Makes a virtual environment with the pinned requirements, unless it is there.
@@ -33,15 +33,4 @@ pub(crate) fn environment(python: &str, venv: &Path, requirements: &Path) -> io:
     step(pip)?;
     fs::write(stamp, wanted)?;
     Ok(venv.to_owned())
-}
-
-/// Runs a command and shows it first.
-pub(crate) fn step(mut command: Command) -> io::Result<()> {
-    let program = Path::new(command.get_program()).file_name().unwrap_or_default().to_string_lossy();
-    let words: Vec<_> = std::iter::once(program).chain(command.get_args().map(|word| word.to_string_lossy())).collect();
-    println!("{}", words.join(" "));
-    match command.stdin(Stdio::null()).status()? {
-        status if status.success() => Ok(()),
-        status => Err(io::Error::other(format!("{}: {status}", command.get_program().display()))),
-    }
 }

@@ -1,8 +1,8 @@
 //! The page: the module as WebAssembly, its data, and tests under Node and in a browser.
 
-use crate::check::{Run, cargo};
+use crate::check::{Run, cargo, step};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::{fs, io};
 use tpg_testing::library::{has_target, target_folder, top};
 
@@ -85,13 +85,4 @@ fn browser_driver() -> io::Result<()> {
     let mut npm = Command::new("npm");
     npm.args(["ci", "--no-audit", "--no-fund", "--ignore-scripts"]).current_dir(web);
     step(npm)
-}
-
-fn step(mut command: Command) -> io::Result<()> {
-    let words: Vec<_> = command.get_args().map(|word| word.to_string_lossy()).collect();
-    println!("page: {}", words.join(" "));
-    match command.stdin(Stdio::null()).status()? {
-        status if status.success() => Ok(()),
-        status => Err(io::Error::other(format!("{}: {status}", command.get_program().display()))),
-    }
 }

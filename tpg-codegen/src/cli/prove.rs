@@ -177,7 +177,8 @@ pub(super) fn proven(codes: &[Code<'_>]) -> (String, Verdict) {
                 if matches!(proof.verdict, proof::Verdict::Different(_)) {
                     verdict = Failed;
                 }
-                text += &format!("{}: {proof}\n", code.program.name());
+                let images = if code.program.graph().sees() { "; what it reads from images is compared" } else { "" };
+                text += &format!("{}: {proof}{images}\n", code.program.name());
             }
             _ => {}
         }

@@ -6,7 +6,7 @@
 
 mod bill;
 
-use crate::check::cargo;
+use crate::check::{cargo, step};
 use clap::Args;
 use sha2::{Digest as _, Sha256};
 use std::fmt::Write as _;
@@ -75,13 +75,15 @@ fn programs(out: &Path) -> io::Result<Option<PathBuf>> {
     for name in PROGRAMS {
         build.args(["--package", name, "--bin", name]);
     }
-    done(&mut build)?;
+    step(build)?;
     let name = format!("tpg-{}-{STATIC}", env!("CARGO_PKG_VERSION"));
     let folder = empty(out.join(&name))?;
     for program in PROGRAMS {
         let (from, to) = (library::target_folder().join(STATIC).join("release").join(program), folder.join(program));
         fs::copy(from, &to)?;
-        done(Command::new("strip").arg(&to))?;
+        let mut strip = Command::new("strip");
+        strip.arg(&to);
+        step(strip)?;
     }
     beside(&folder)?;
     archive(out, &name).map(Some)
@@ -127,7 +129,7 @@ fn archive(out: &Path, name: &str) -> io::Result<PathBuf> {
     let mut tar = Command::new("tar");
     tar.current_dir(out).args(["--sort=name", "--mtime=@0", "--owner=0", "--group=0", "--numeric-owner"]);
     tar.args(["--mode=u=rwX,go=rX", "--use-compress-program=gzip -n", "-cf", &file, name]);
-    done(&mut tar)?;
+    step(tar)?;
     Ok(out.join(file))
 }
 
@@ -143,11 +145,6 @@ fn checksums(files: &[PathBuf]) -> io::Result<String> {
         let _ = writeln!(text, "  {name}");
     }
     Ok(text)
-}
-
-fn done(command: &mut Command) -> io::Result<()> {
-    let status = command.status()?;
-    if status.success() { Ok(()) } else { Err(io::Error::other(format!("{command:?}: {status}"))) }
 }
 
 #[cfg(test)]
