@@ -3,23 +3,23 @@
 use crate::book;
 use crate::python::{self, PythonArgs};
 use crate::summary::{Count, Summary};
+use crate::venv::interpreter;
 use crate::web;
 use std::io::{BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 use std::{env, fs, io};
+use tpg_testing::library::target_folder;
 
-/// The workspace without the crate that needs a Python interpreter: `python.rs` builds, lints and tests it.
-const WORKSPACE: [&str; 3] = ["--workspace", "--exclude", "tpg-python"];
+/// The crate that needs a Python interpreter: `python.rs` builds and tests it.
+const PYTHON: &str = "tpg-python";
 /// The oldest compiler that the workspace's manifest promises.
 const OLDEST: &str = concat!(env!("CARGO_PKG_RUST_VERSION"), ".0");
 /// The crates that depend, together, on all that are published.
 const PUBLISHED: [&str; 3] = ["tpg-train", "tpg-generated", "cortex-bound"];
 /// Bare-metal targets that the runtime without its features is built for.
 const NO_STD: [&str; 3] = ["thumbv7em-none-eabihf", "thumbv7em-none-eabi", "thumbv6m-none-eabi"];
-/// Leaves out the crate that needs an MPI with its compiler.
-const WITHOUT_MPI: [&str; 2] = ["--exclude", "tpg-mpi"];
 
 /// Runs the tests of every crate; returns true if all passed.
 pub(crate) fn test() -> bool {
@@ -32,8 +32,12 @@ pub(crate) fn test() -> bool {
 pub(crate) fn all() -> bool {
     let mut run = Run::new();
     run.check("format", cargo(&["fmt", "--all", "--check"]));
-    run.check("clippy", workspace("clippy", &["--all-targets", "--all-features", "--", "--deny", "warnings"]));
-    let mut documentation = workspace("doc", &["--all-features", "--no-deps", "--quiet"]);
+    let python = interpreter();
+    let without: &[&str] = if python.is_some() { &[] } else { &[PYTHON] };
+    let mut clippy = workspace("clippy", without, &["--all-targets", "--all-features", "--", "--deny", "warnings"]);
+    clippy.envs(python.map(|python| ("PYO3_PYTHON", python)));
+    run.check("clippy", clippy);
+    let mut documentation = workspace("doc", &[PYTHON], &["--all-features", "--no-deps", "--quiet"]);
     documentation.env("RUSTDOCFLAGS", "--deny warnings");
     run.check("documentation", documentation);
     run.supply_chain();
@@ -47,7 +51,6 @@ pub(crate) fn all() -> bool {
     run.firmware(&["size"]);
     run.firmware(&["lint"]);
     python::check(&mut run, PythonArgs::default());
-    web::check(&mut run);
     run.finish()
 }
 
@@ -119,10 +122,28 @@ pub(crate) fn answers(program: &str, words: &[&str]) -> bool {
     command.status().is_ok_and(|status| status.success())
 }
 
-/// Returns a command of cargo on the workspace, as far as this machine can build it.
-fn workspace(command: &str, arguments: &[&str]) -> Command {
-    let without: &[&str] = if has_mpi() { &[] } else { &WITHOUT_MPI };
-    cargo(&[&[command], &WORKSPACE[..], without, arguments].concat())
+/// Returns a command of cargo on the workspace without some crates, and without what this machine cannot build.
+fn workspace(command: &str, without: &[&str], arguments: &[&str]) -> Command {
+    let mut command = cargo(&[command, "--workspace"]);
+    let mpi = (!has_mpi()).then_some("tpg-mpi");
+    without.iter().copied().chain(mpi).for_each(|name| {
+        command.args(["--exclude", name]);
+    });
+    command.args(arguments);
+    command
+}
+
+/// Builds a program from what the tests are built from, so that nothing is compiled twice, and returns it.
+pub(crate) fn program(name: &str) -> io::Result<Command> {
+    // One of the tests, else the features that only tests turn on would be off.
+    let arguments = ["--quiet", "--profile", "test", "--bin", name, "--test", "smoke"];
+    step(workspace("build", &[PYTHON], &[&arguments, features()].concat()))?;
+    Ok(Command::new(target_folder().join("debug").join(name)))
+}
+
+/// The features of tests: some add large dependencies.
+fn features() -> &'static [&'static str] {
+    if tpg_testing::required() { &["--all-features"] } else { &["--features", "tpg-web/page"] }
 }
 
 fn has_mpi() -> bool {
@@ -146,9 +167,11 @@ impl Run {
         if !has_mpi() {
             self.missing("runs over MPI", "an MPI with its compiler, and libclang; Debian: libopenmpi-dev, clang");
         }
-        // The page's tests need the page, which `web.rs` builds. Features add tests with large dependencies.
-        let features = if tpg_testing::required() { &["--all-features"][..] } else { &[] };
-        self.tests("tests", workspace("test", &[&["--exclude", "tpg-web", "--no-fail-fast"], features].concat()));
+        let page = web::page(self);
+        let without: &[&str] = if page.is_some() { &[PYTHON] } else { &[PYTHON, "tpg-web"] };
+        let mut tests = workspace("test", without, &[&["--no-fail-fast"], features()].concat());
+        tests.envs(page.map(|page| (web::PAGE, page)));
+        self.tests("tests", tests);
     }
 
     /// Runs a command that counts as one check.
@@ -175,10 +198,16 @@ impl Run {
         self.summary.missing(name, remedy);
     }
 
-    /// Runs a check of the firmwares, by a program that shares with the tests what they have compiled.
+    /// Runs a check of the firmwares.
     fn firmware(&mut self, words: &[&str]) {
-        let arguments = [&["run", "--quiet", "--profile", "test", "--package", "tpg-harness", "--"], words].concat();
-        self.check(&format!("firmware: {}", words.join(" ")), cargo(&arguments));
+        let name = format!("firmware: {}", words.join(" "));
+        match program("tpg-harness") {
+            Ok(mut harness) => {
+                harness.args(words);
+                self.check(&name, harness);
+            }
+            Err(error) => self.failed(&name, &error),
+        }
     }
 
     /// Builds the book.

@@ -1,6 +1,6 @@
 //! The Python package: built as a wheel, installed into a virtual environment, tested there.
 
-use crate::check::{Run, cargo, step};
+use crate::check::{Run, step};
 use crate::venv::{environment, interpreter, target};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -45,9 +45,6 @@ pub(crate) fn check(run: &mut Run, arguments: PythonArgs) {
         Ok(venv) => venv,
         Err(error) => return run.failed("Python package", &error),
     };
-    let mut lint = cargo(&["clippy", "--package", "tpg-python", "--all-targets", "--", "--deny", "warnings"]);
-    lint.env("PYO3_PYTHON", venv.join("bin/python"));
-    run.check("clippy of the Python package", lint);
     run.tests("pytest", tests(&venv, &place, &["tests"]));
     let settings = folder().join("pyproject.toml");
     let module = |words: &[&str]| {

@@ -1,6 +1,6 @@
 //! The page: the module as WebAssembly, its data, and tests under Node and in a browser.
 
-use crate::check::{Run, cargo, step};
+use crate::check::{Run, cargo, program, step};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{fs, io};
@@ -9,34 +9,36 @@ use tpg_testing::library::{has_target, target_folder, top};
 /// The target of the module.
 pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
 
+/// Names the folder of the page to its tests.
+pub(crate) const PAGE: &str = "TPG_PAGE";
+
 /// Builds the page into `web` in cargo's target folder, and tests it; returns true if all passed.
 pub(crate) fn run() -> bool {
     let mut run = Run::new();
-    check(&mut run);
+    if let Some(page) = page(&mut run) {
+        let mut tests = cargo(&["test", "--package", "tpg-web", "--features", "page", "--no-fail-fast"]);
+        tests.env(PAGE, page);
+        run.tests("page", tests);
+    }
     run.finish()
 }
 
-/// Builds and tests the page.
-pub(crate) fn check(run: &mut Run) {
+/// Builds the page and returns its folder; `None` where that failed or its target is missing.
+pub(crate) fn page(run: &mut Run) -> Option<PathBuf> {
     if !has_target(TARGET) {
-        return run.missing("page", &format!("rustup target add {TARGET}"));
+        run.missing("page", &format!("rustup target add {TARGET}"));
+        return None;
     }
     let folder = target_folder().join("web");
-    match build(&folder) {
+    let size = build(&folder).and_then(|size| browser_driver().map(|()| size));
+    match size {
         Ok(size) => println!("{}: module of {size} bytes", folder.display()),
-        Err(error) => return run.failed("page", &error),
+        Err(error) => {
+            run.failed("page", &error);
+            return None;
+        }
     }
-    if let Err(error) = browser_driver() {
-        return run.failed("playwright-core", &error);
-    }
-    let mut tests = tests(&["--no-fail-fast"]);
-    tests.env("TPG_PAGE", &folder);
-    run.tests("page", tests);
-}
-
-/// The tests of the page.
-fn tests(arguments: &[&str]) -> Command {
-    cargo(&[&["test", "--package", "tpg-web", "--features", "page"], arguments].concat())
+    Some(folder)
 }
 
 /// Builds the page into a folder; returns the module's size, which is within its limit.
@@ -57,9 +59,7 @@ fn build(folder: &Path) -> io::Result<u64> {
         fs::copy(&path, folder.join(path.file_name().unwrap_or_default()))?;
     }
     fs::copy(module, folder.join("tpg_web.wasm"))?;
-    // The tests' own build of the program: nothing is compiled twice.
-    step(tests(&["--quiet", "--no-run"]))?;
-    let mut data = Command::new(target_folder().join("debug/tpg-page"));
+    let mut data = program("tpg-page")?;
     data.args(["data", "--out"]).arg(folder.join("data.json"));
     step(data)?;
     Ok(size)
