@@ -10,7 +10,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use tpg_arm::WIDOWX;
 use tpg_benches::cpu_seconds;
-use tpg_engine::{EngineOptions, Evaluator, LocalThreads, PolicyGraph, UnitKey, Work, WorkUnit};
+use tpg_engine::{EngineOptions, Evaluator, LocalThreads, PolicyGraph, Work};
 use tpg_graph::import::{self, Profile};
 use tpg_graph::{Graph, MathsProvider, ScalarType};
 use tpg_problems::arm::targets::{Set, Start, tasks};
@@ -77,8 +77,7 @@ fn one<S: ArmScalar, M: Maths<S>>(
     let problem = ArmProblem::new(start, Vec::new());
     let environment = ArmEnvironment::<S>::for_graph(name, graph, &WIDOWX, problem)?;
     let tasks = tasks(&WIDOWX, 3, Set::Training, start, 1000).into_iter().map(ArmTask::from).collect();
-    let unit = WorkUnit { key: UnitKey { seed: 0, generation: 0, root: 0 }, policy: PolicyGraph::from(graph) };
-    let work = Work { tasks, units: vec![unit] };
+    let work = Work { tasks, policies: vec![PolicyGraph::from(graph)] };
     println!("{name}: {} episodes", work.tasks.len());
     table(&environment, extent, |evaluator: &LocalThreads<'_, S, M, _>, _| {
         evaluator.evaluate(&work)?;

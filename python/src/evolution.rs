@@ -288,8 +288,8 @@ impl Evolution {
     fn told<'py>(&self, py: Python<'py>, event: Event<Report>) -> PyResult<(&'static str, Bound<'py, PyAny>)> {
         let (kind, says, asked) = match event {
             Event::Evaluate(work) => {
-                let asked = (work.units.len(), work.tasks.len());
-                let policies: Vec<Policy> = work.units.into_iter().map(|unit| self.policy(unit.policy)).collect();
+                let asked = (work.policies.len(), work.tasks.len());
+                let policies: Vec<Policy> = work.policies.into_iter().map(|policy| self.policy(policy)).collect();
                 ("evaluate", (policies, work.tasks).into_pyobject(py)?.into_any(), asked)
             }
             Event::Visit(visits) => {

@@ -3,7 +3,7 @@
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender};
-use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Play, Played, UnitResult, Visit, Work};
+use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Play, Played, Visit, Work};
 
 /// A message of the run.
 pub(crate) enum Event<Report> {
@@ -59,29 +59,22 @@ fn stopped() -> EvaluationError {
 }
 
 impl<Report> Evaluator<u64> for Mailbox<Report> {
-    fn evaluate(&self, work: &Work<u64>) -> Result<Vec<UnitResult>, EvaluationError> {
-        let endings = if work.units.is_empty() || work.tasks.is_empty() {
-            vec![Vec::new(); work.units.len()]
-        } else {
-            match self.ask(Event::Evaluate(work.clone())) {
-                Some(Reply::Endings(endings)) => endings,
-                _ => return Err(stopped()),
-            }
-        };
+    fn evaluate(&self, work: &Work<u64>) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
+        if work.policies.is_empty() || work.tasks.is_empty() {
+            return Ok(vec![Vec::new(); work.policies.len()]);
+        }
+        let Some(Reply::Endings(endings)) = self.ask(Event::Evaluate(work.clone())) else { return Err(stopped()) };
         let actions = endings.iter().flatten().map(|ending| u64::from(ending.actions)).sum();
         self.steps.fetch_add(actions, Ordering::Relaxed);
-        let answers = work.units.iter().zip(endings);
-        Ok(answers.map(|(unit, endings)| UnitResult { key: unit.key, endings }).collect())
+        Ok(endings)
     }
 
     fn visit(&self, visits: &[Visit<u64>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
         if visits.is_empty() {
             return Ok(Vec::new());
         }
-        match self.ask(Event::Visit(visits.to_vec())) {
-            Some(Reply::States(states)) => Ok(states),
-            _ => Err(stopped()),
-        }
+        let Some(Reply::States(states)) = self.ask(Event::Visit(visits.to_vec())) else { return Err(stopped()) };
+        Ok(states)
     }
 
     fn play(&self, plays: &[Play<u64>]) -> Result<Vec<Played>, EvaluationError> {

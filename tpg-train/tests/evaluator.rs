@@ -1,22 +1,21 @@
-//! A custom evaluator of roots behind the same trait, which exchanges units and answers as text, in any order. The run
+//! A custom evaluator of roots behind the same trait, which exchanges policies and answers as text, in any order. The run
 //! is the same.
 
 use std::cell::{Cell, RefCell};
-use std::collections::BTreeSet;
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Destination, Edge, EngineOptions, Environment, EvaluationError, Evaluator, Line, LocalThreads, Operand, Play,
-    Played, PolicyGraph, UnitKey, UnitResult, Visit, Work, WorkUnit,
+    Destination, Edge, EngineOptions, Environment, EpisodeResult, EvaluationError, Evaluator, Line, LocalThreads,
+    Moments, Operand, Play, Played, PolicyGraph, Visit, Work,
 };
 use tpg_problems::arm::targets::Start;
 use tpg_problems::arm::{self, ArmEnvironment, ArmTask};
 use tpg_runtime::ops::{Instruction, Own};
 use tpg_train::{Config as EvolutionConfig, Configuration as _, RunEnd, RunError, RunOptions, train as run};
 
-/// A remote worker: it receives a unit with the tasks and sends an answer. It has no other information.
+/// A remote worker: it receives a policy with the tasks and sends an answer. It has no other information.
 struct Worker<'e> {
     environment: &'e ArmEnvironment<f32>,
 }
@@ -34,30 +33,27 @@ impl Worker<'_> {
     }
 }
 
-/// Sends units one by one, the last first, and sorts the answers by their keys.
+/// Sends policies one by one, the last first.
 struct Wire<'e> {
     worker: Worker<'e>,
-    keys: RefCell<BTreeSet<(UnitKey, String)>>,
+    sent: Cell<u32>,
 }
 
 impl Evaluator<ArmTask> for Wire<'_> {
-    fn evaluate(&self, work: &Work<ArmTask>) -> Result<Vec<UnitResult>, EvaluationError> {
+    fn evaluate(&self, work: &Work<ArmTask>) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
         let mut answers = Vec::new();
-        for unit in work.units.iter().rev() {
-            let one = Work::<ArmTask> { tasks: work.tasks.clone(), units: vec![unit.clone()] };
+        for policy in work.policies.iter().rev() {
+            let one = Work::<ArmTask> { tasks: work.tasks.clone(), policies: vec![policy.clone()] };
             let message = serde_json::to_string(&one).map_err(EvaluationError::new)?;
-            let reply: Vec<UnitResult> =
+            let reply: Vec<Vec<EpisodeResult>> =
                 serde_json::from_str(&self.worker.ask(&message)?).map_err(EvaluationError::new)?;
-            let ([answer], WorkUnit { key, .. }) = (&reply[..], unit) else {
-                return Err(EvaluationError::new(format!("{} answers to a unit", reply.len())));
+            let Ok([answer]) = <[_; 1]>::try_from(reply) else {
+                return Err(EvaluationError::new("another number of answers than one to a policy"));
             };
-            assert_eq!(answer.key, *key, "an answer has its unit's key");
-            // Racing evaluates twice per generation, validation a few more times, each time on different tasks.
-            let tasks = serde_json::to_string(&work.tasks).map_err(EvaluationError::new)?;
-            assert!(self.keys.borrow_mut().insert((*key, tasks)), "{key:?} is no address: it was there before");
-            answers.push(answer.clone());
+            self.sent.set(self.sent.get() + 1);
+            answers.push(answer);
         }
-        answers.sort_by_key(|answer| work.units.iter().position(|unit| unit.key == answer.key));
+        answers.reverse();
         Ok(answers)
     }
 
@@ -65,6 +61,20 @@ impl Evaluator<ArmTask> for Wire<'_> {
         let message = serde_json::to_string(visits).map_err(EvaluationError::new)?;
         let received: Vec<Visit<ArmTask>> = serde_json::from_str(&message).map_err(EvaluationError::new)?;
         LocalThreads::<f32, Own, _>::new(self.worker.environment, EngineOptions::default(), 1)?.visit(&received)
+    }
+
+    /// Runs each episode, and once more for its states.
+    fn play(&self, plays: &[Play<ArmTask>]) -> Result<Vec<Played>, EvaluationError> {
+        let one = |Play { policy, task }: &Play<ArmTask>| {
+            let work = Work { tasks: vec![*task], policies: vec![policy.clone()] };
+            let ending = self.evaluate(&work)?[0][0];
+            let after = (0..ending.actions).collect();
+            let states = self.visit(&[Visit { policy: policy.clone(), task: *task, after }])?.concat();
+            let mut seen = Moments::new(states.first().map_or(0, Vec::len));
+            states.iter().for_each(|state| seen.push(state));
+            Ok(Played { ending, seen })
+        };
+        plays.iter().map(one).collect()
     }
 }
 
@@ -92,10 +102,10 @@ fn a_run_is_the_same_wherever_its_roots_are_evaluated() {
     let environment = arm::Config::default().environment::<f32>(Start::Rs);
     let folder = tempfile::tempdir().expect("a temporary folder");
     let local = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 2).expect("threads start");
-    let wire = Wire { worker: Worker { environment: &environment }, keys: RefCell::default() };
+    let wire = Wire { worker: Worker { environment: &environment }, sent: Cell::default() };
     let expected = train(&folder.path().join("local"), &environment, &local);
     assert!(train(&folder.path().join("wire"), &environment, &wire) == expected, "other bytes over a wire");
-    assert!(wire.keys.borrow().len() > 100 && Environment::<f32>::time_limit(&environment) > 0);
+    assert!(wire.sent.get() > 100 && Environment::<f32>::time_limit(&environment) > 0);
 }
 
 /// Loses its connection at the third call.
@@ -105,13 +115,17 @@ struct Broken<V> {
 }
 
 impl<V: Evaluator<ArmTask>> Evaluator<ArmTask> for Broken<V> {
-    fn evaluate(&self, work: &Work<ArmTask>) -> Result<Vec<UnitResult>, EvaluationError> {
+    fn evaluate(&self, work: &Work<ArmTask>) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
         *self.asked.borrow_mut() += 1;
         if *self.asked.borrow() == 3 { Err(EvaluationError::new("connection lost")) } else { self.inner.evaluate(work) }
     }
 
     fn visit(&self, visits: &[Visit<ArmTask>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
         self.inner.visit(visits)
+    }
+
+    fn play(&self, plays: &[Play<ArmTask>]) -> Result<Vec<Played>, EvaluationError> {
+        self.inner.play(plays)
     }
 }
 
@@ -144,7 +158,7 @@ struct Losing<'e> {
 }
 
 impl Evaluator<ArmTask> for Losing<'_> {
-    fn evaluate(&self, work: &Work<ArmTask>) -> Result<Vec<UnitResult>, EvaluationError> {
+    fn evaluate(&self, work: &Work<ArmTask>) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
         let Some(left) = self.calls_left.get().checked_sub(1) else { return Err(EvaluationError::new("lost")) };
         self.calls_left.set(left);
         self.threads.evaluate(work)
@@ -152,6 +166,10 @@ impl Evaluator<ArmTask> for Losing<'_> {
 
     fn visit(&self, visits: &[Visit<ArmTask>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
         self.threads.visit(visits)
+    }
+
+    fn play(&self, plays: &[Play<ArmTask>]) -> Result<Vec<Played>, EvaluationError> {
+        self.threads.play(plays)
     }
 }
 
@@ -189,7 +207,7 @@ fn an_episode_with_what_was_seen_is_the_same_as_one_that_is_run_again() {
     };
     let task = |number| environment.draw(&mut Stream::new(1, number, Purpose::Test, 0));
     let plays: Vec<_> = (0..9).map(|number| Play { policy: policy(number as u16), task: task(number) }).collect();
-    let again = Wire { worker: Worker { environment: &environment }, keys: RefCell::default() };
+    let again = Wire { worker: Worker { environment: &environment }, sent: Cell::default() };
     let expected = again.play(&plays).expect("no machine is lost");
     let before = threads.steps();
     let played = threads.play(&plays).expect("no machine is lost");

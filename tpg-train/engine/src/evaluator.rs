@@ -5,7 +5,6 @@ use crate::episode_result::EpisodeResult;
 use crate::error::EvaluationError;
 use crate::groups::side_by_side;
 use crate::lanes::Lanes;
-use crate::moments::Moments;
 use crate::options::EngineOptions;
 use crate::plan::Plan;
 use crate::policy::PolicyGraph;
@@ -13,7 +12,7 @@ use crate::rollout::{Decision, Rollout};
 use crate::single::Single;
 use crate::source_set::SourceSet;
 use crate::view::PART;
-use crate::work::{Piece, Play, Played, UnitKey, UnitResult, Visit, Work, WorkUnit};
+use crate::work::{Piece, Play, Played, Visit, Work};
 use rayon::prelude::*;
 use std::marker::PhantomData;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -23,16 +22,16 @@ use tpg_runtime::scalar::Scalar;
 
 /// A place where roots are evaluated.
 ///
-/// An answer depends only on its unit and the tasks. Evolution calls once per generation and waits for the result.
+/// An answer depends only on its policy and the tasks. Evolution calls once per generation and waits for the result.
 pub trait Evaluator<Task> {
-    /// Returns one answer for each unit, in the order of the units.
+    /// Returns the endings of each policy, one for each task.
     ///
     /// # Errors
     /// If an answer cannot be obtained.
-    fn evaluate(&self, work: &Work<Task>) -> Result<Vec<UnitResult>, EvaluationError>;
+    fn evaluate(&self, work: &Work<Task>) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError>;
 
     /// Returns the endings of each piece, one for each of its tasks: those that [`evaluate`](Self::evaluate) returns for
-    /// the unit on these tasks. By default one piece after another.
+    /// the policy on these tasks. By default one piece after another.
     ///
     /// # Errors
     /// If an answer cannot be obtained.
@@ -40,9 +39,9 @@ pub trait Evaluator<Task> {
     where
         Task: Clone,
     {
-        let one = |Piece { unit, tasks }: &Piece| {
-            let work = Work { tasks: work.tasks[tasks.clone()].to_vec(), units: vec![work.units[*unit].clone()] };
-            Ok(self.evaluate(&work)?.into_iter().flat_map(|result| result.endings).collect())
+        let one = |Piece { policy, tasks }: &Piece| {
+            let (tasks, policies) = (work.tasks[tasks.clone()].to_vec(), vec![work.policies[*policy].clone()]);
+            Ok(self.evaluate(&Work { tasks, policies })?.concat())
         };
         pieces.iter().map(one).collect()
     }
@@ -53,27 +52,11 @@ pub trait Evaluator<Task> {
     /// If a state cannot be obtained.
     fn visit(&self, visits: &[Visit<Task>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError>;
 
-    /// Returns the result of each episode, with what the policy saw. By default each episode is run, and run again for its states.
+    /// Returns the result of each episode, with what the policy saw.
     ///
     /// # Errors
     /// If an answer cannot be obtained.
-    fn play(&self, plays: &[Play<Task>]) -> Result<Vec<Played>, EvaluationError>
-    where
-        Task: Clone,
-    {
-        let one = |(root, Play { policy, task }): (u64, &Play<Task>)| {
-            let unit = WorkUnit { key: UnitKey { seed: 0, generation: 0, root }, policy: policy.clone() };
-            let results = self.evaluate(&Work { tasks: vec![task.clone()], units: vec![unit] })?;
-            let no_answer = || EvaluationError::new("no answer to a unit");
-            let ending = *results.first().and_then(|result| result.endings.first()).ok_or_else(no_answer)?;
-            let after = (0..ending.actions).collect();
-            let states = self.visit(&[Visit { policy: policy.clone(), task: task.clone(), after }])?.concat();
-            let mut seen = Moments::new(states.first().map_or(0, Vec::len));
-            states.iter().for_each(|state| seen.push(state));
-            Ok(Played { ending, seen })
-        };
-        (0..).zip(plays).map(one).collect()
-    }
+    fn play(&self, plays: &[Play<Task>]) -> Result<Vec<Played>, EvaluationError>;
 
     /// Returns the number of environment steps so far, for the log's steps per second; 0 if they are not counted.
     fn steps(&self) -> u64 {
@@ -84,7 +67,7 @@ pub trait Evaluator<Task> {
 /// Evaluation on the threads of this machine.
 ///
 /// ```
-/// use tpg_engine::{Destination, Edge, Environment, Evaluator, EngineOptions, LocalThreads, PolicyGraph, UnitKey, Work, WorkUnit};
+/// use tpg_engine::{Destination, Edge, Environment, Evaluator, EngineOptions, LocalThreads, PolicyGraph, Work};
 /// use tpg_runtime::ops::Own;
 /// # use tpg_engine::random::Stream;
 /// # use tpg_engine::{Act, ActionSpace, SourceSet, Step};
@@ -110,14 +93,13 @@ pub trait Evaluator<Task> {
 ///
 /// // `Counter` has the actions `down` and `up`, which earn −1 and 1, and a limit of 5 actions.
 /// // Root n always takes action n.
-/// let unit = |action| WorkUnit {
-///     key: UnitKey { seed: 1, generation: 0, root: u64::from(action) },
-///     policy: PolicyGraph::new(1, 0, vec![vec![Edge { program: 0, to: Destination::Action(action) }]], vec![vec![]]),
+/// let policy = |action| {
+///     PolicyGraph::new(1, 0, vec![vec![Edge { program: 0, to: Destination::Action(action) }]], vec![vec![]])
 /// };
-/// let work = Work { tasks: vec![0.0, 3.0], units: vec![unit(0), unit(1)] };
+/// let work = Work { tasks: vec![0.0, 3.0], policies: vec![policy(0), policy(1)] };
 /// let evaluator = LocalThreads::<f32, Own, _>::new(&Counter, EngineOptions::default(), 2)?;
 /// let answers = evaluator.evaluate(&work)?;
-/// assert_eq!(answers.iter().map(|answer| answer.endings[0].score).collect::<Vec<_>>(), [-5.0, 5.0]);
+/// assert_eq!(answers.iter().map(|endings| endings[0].score).collect::<Vec<_>>(), [-5.0, 5.0]);
 /// assert_eq!(evaluator.steps(), 20);
 /// # Ok::<(), tpg_engine::EvaluationError>(())
 /// ```
@@ -171,15 +153,14 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'_, S, M, E> {
 }
 
 impl<S: Scalar, M: Maths<S>, E: Environment<S>> Evaluator<E::Task> for LocalThreads<'_, S, M, E> {
-    fn evaluate(&self, work: &Work<E::Task>) -> Result<Vec<UnitResult>, EvaluationError> {
-        let endings = self.pieces(work, &Piece::cut(work.units.len(), work.tasks.len(), 1))?;
-        Ok(work.units.iter().zip(endings).map(|(unit, endings)| UnitResult { key: unit.key, endings }).collect())
+    fn evaluate(&self, work: &Work<E::Task>) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
+        self.pieces(work, &Piece::cut(work.policies.len(), work.tasks.len(), 1))
     }
 
     fn pieces(&self, work: &Work<E::Task>, pieces: &[Piece]) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
         let evaluate = |lanes: &mut Lanes<'_, S, M, E>, group: &[Piece]| {
             let before = lanes.steps();
-            let policies: Vec<&PolicyGraph> = group.iter().map(|piece| &work.units[piece.unit].policy).collect();
+            let policies: Vec<&PolicyGraph> = group.iter().map(|piece| &work.policies[piece.policy]).collect();
             let tasks: Vec<&[E::Task]> = group.iter().map(|piece| &work.tasks[piece.tasks.clone()]).collect();
             // A bid of few lanes is cheaper to compute than to ask where it could win.
             let lazy = self.options.lazy && (group.len() == 1 || tasks[0].len() > PART);

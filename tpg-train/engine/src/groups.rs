@@ -18,7 +18,7 @@ pub(super) fn side_by_side<'p, Task>(
     threads: usize,
 ) -> Vec<&'p [Piece]> {
     let most = pieces.len().div_ceil(OF_A_THREAD * threads);
-    let policy = |piece: &Piece| &work.units[piece.unit].policy;
+    let policy = |piece: &Piece| &work.policies[piece.policy];
     let mut groups = Vec::new();
     let mut rest = pieces;
     while let Some(first) = rest.first() {
@@ -42,15 +42,14 @@ pub(super) fn side_by_side<'p, Task>(
 #[cfg(test)]
 mod tests {
     use super::side_by_side;
-    use crate::{Destination, Edge, Piece, PolicyGraph, UnitKey, Work, WorkUnit};
+    use crate::{Destination, Edge, Piece, PolicyGraph, Work};
 
     /// Returns the sizes of the groups of roots with so many edges.
-    fn sizes(units: usize, edges: usize, tasks: usize, lanes: usize, threads: usize) -> Vec<usize> {
+    fn sizes(roots: usize, edges: usize, tasks: usize, lanes: usize, threads: usize) -> Vec<usize> {
         let edge = Edge { program: 0, to: Destination::Action(0) };
         let policy = PolicyGraph::new(1, 0, vec![vec![edge; edges]], vec![vec![]]);
-        let key = UnitKey { seed: 0, generation: 0, root: 0 };
-        let work = Work { tasks: vec![(); tasks], units: vec![WorkUnit { key, policy }; units] };
-        let pieces = Piece::cut(units, tasks, 1);
+        let work = Work { tasks: vec![(); tasks], policies: vec![policy; roots] };
+        let pieces = Piece::cut(roots, tasks, 1);
         let groups = side_by_side(&work, &pieces, lanes, threads);
         assert_eq!(groups.concat(), pieces, "every piece is in a group, in order");
         groups.iter().map(|group| group.len()).collect()

@@ -86,4 +86,4 @@ pub use source_set::SourceSet;
 pub use tasks::{coarser, tasks};
 pub use tpg_graph::SourceDocument;
 pub use view::{BLOCK, Block, View};
-pub use work::{Piece, Play, Played, UnitKey, UnitResult, Visit, Work, WorkUnit};
+pub use work::{Piece, Play, Played, Visit, Work};

@@ -53,6 +53,7 @@ impl Decision<f32> {
 pub struct Rollout<'e, S: Scalar, E: Environment<S> + ?Sized> {
     environment: &'e E,
     episode: E::Episode,
+    /// The flat state; empty before it is first observed.
     state: Vec<S>,
     score: f64,
     actions: u32,
@@ -63,13 +64,16 @@ pub struct Rollout<'e, S: Scalar, E: Environment<S> + ?Sized> {
 impl<'e, S: Scalar, E: Environment<S> + ?Sized> Rollout<'e, S, E> {
     /// Starts an episode.
     pub fn new(environment: &'e E, task: &E::Task) -> Self {
-        let length = environment.sources().iter().map(|source| source.length as usize).sum();
-        let (episode, state) = (environment.start(task), vec![S::ZERO; length]);
-        Self { environment, episode, state, score: 0.0, actions: 0, reward: None }
+        let episode = environment.start(task);
+        Self { environment, episode, state: Vec::new(), score: 0.0, actions: 0, reward: None }
     }
 
     /// Returns the flat state with the wanted sources observed now.
     pub fn observe(&mut self, wanted: SourceSet) -> &[S] {
+        if self.state.is_empty() {
+            let length = self.environment.sources().iter().map(|source| source.length as usize).sum();
+            self.state.resize(length, S::ZERO);
+        }
         self.environment.observe(&mut self.episode, wanted, &mut self.state);
         &self.state
     }

@@ -5,7 +5,7 @@ use std::fmt;
 use tpg_engine::random::Stream;
 use tpg_engine::{
     Act, ActionSpace, Acts, Destination, Edge, EngineOptions, Environment, EpisodeResult, Episodes, EvaluationError,
-    Evaluator, LocalThreads, OneByOne, PolicyGraph, SourceSet, Step, UnitKey, View, Work, WorkUnit,
+    Evaluator, LocalThreads, OneByOne, PolicyGraph, SourceSet, Step, View, Work,
 };
 use tpg_graph::SourceDocument;
 use tpg_runtime::ops::Own;
@@ -95,9 +95,8 @@ impl Episodes<f32, u32> for Remote<'_> {
 fn an_error_of_an_episode_arrives_as_itself() {
     let edge = |action| Edge { program: 0, to: Destination::Action(action) };
     let policy = PolicyGraph::new(1, 0, vec![vec![edge(0), edge(1)]], vec![Vec::new()]);
-    let unit = |root| WorkUnit { key: UnitKey { seed: 0, generation: 0, root }, policy: policy.clone() };
     let evaluator = LocalThreads::<f32, Own, _>::new(&Counter, EngineOptions::default(), 2).expect("threads start");
-    let work = |tasks: Vec<u32>| Work { tasks, units: (0..4).map(unit).collect() };
+    let work = |tasks: Vec<u32>| Work { tasks, policies: vec![policy.clone(); 4] };
 
     let error = evaluator.evaluate(&work(vec![1, 2, 101])).expect_err("one episode loses its connection");
     assert!(error.to_string().ends_with("unplugged at step 3"), "{error}");
@@ -105,5 +104,5 @@ fn an_error_of_an_episode_arrives_as_itself() {
     assert_eq!(*inner, Unplugged { step: 3 });
 
     let answers = evaluator.evaluate(&work(vec![1, 2])).expect("nothing of the failure is left");
-    assert!(answers.iter().flat_map(|answer| &answer.endings).all(|ending| ending.score == 10.0));
+    assert!(answers.iter().flatten().all(|ending| ending.score == 10.0));
 }

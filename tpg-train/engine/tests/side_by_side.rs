@@ -4,7 +4,7 @@ use std::sync::Arc;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
     Act, ActionSpace, Destination, Edge, End, EngineOptions, Environment, EpisodeResult, Evaluator, Lanes, Limits,
-    Line, LocalThreads, Operand, Output, Plan, PolicyGraph, SourceSet, Step, UnitKey, Work, WorkUnit,
+    Line, LocalThreads, Operand, Output, Plan, PolicyGraph, SourceSet, Step, Work,
 };
 use tpg_graph::SourceDocument;
 use tpg_runtime::ops::{Instruction, Maths, Own};
@@ -169,11 +169,7 @@ fn roots_that_cannot_stand_side_by_side_are_evaluated_too() {
         root.outputs[1].max = [1.0, 0.5][place / 2 % 2];
         root.registers = [3, 4][place / 5 % 2];
     }
-    let unit = |(root, policy): (u64, &PolicyGraph)| WorkUnit {
-        key: UnitKey { seed: 1, generation: 0, root },
-        policy: policy.clone(),
-    };
-    let work = Work { tasks: vec![9, 25, 3], units: (0..).zip(&roots).map(unit).collect() };
+    let work = Work { tasks: vec![9, 25, 3], policies: roots.to_vec() };
     let sources = Environment::<f32>::sources(&environment);
     let options = EngineOptions::default();
     for threads in [1, 3] {
@@ -183,7 +179,7 @@ fn roots_that_cannot_stand_side_by_side_are_evaluated_too() {
             let plan = Plan::new::<Own>(root, &sources, options);
             let alone =
                 Lanes::<f32, Own, _>::new(&environment, options).run(&plan, &work.tasks).expect("nothing fails");
-            assert_eq!(bits(&answer.endings), bits(&alone), "{threads} threads");
+            assert_eq!(bits(answer), bits(&alone), "{threads} threads");
         }
         assert_eq!(evaluator.steps(), 30 * (10 + 26 + 4));
     }

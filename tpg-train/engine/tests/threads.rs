@@ -3,7 +3,7 @@
 use tpg_engine::random::Stream;
 use tpg_engine::{
     Act, ActionSpace, Destination, Edge, EngineOptions, Environment, Evaluator, Line, LocalThreads, Operand, Piece,
-    PolicyGraph, SourceSet, Step, UnitKey, Work, WorkUnit,
+    PolicyGraph, SourceSet, Step, Work,
 };
 use tpg_graph::{SourceDocument, Word};
 use tpg_runtime::ops::{Instruction, Own};
@@ -54,9 +54,8 @@ fn policy(index: usize) -> PolicyGraph {
 
 #[test]
 fn any_number_of_threads_answers_the_same() {
-    let key = |root: usize| UnitKey { seed: 1, generation: 0, root: root as u64 };
-    let units = (0..60).map(|index| WorkUnit { key: key(index), policy: policy(index) }).collect();
-    let work = Work { tasks: (0..40).map(|index| index as f32 * 0.25 - 5.0).collect(), units };
+    let policies = (0..60).map(policy).collect();
+    let work = Work { tasks: (0..40).map(|index| index as f32 * 0.25 - 5.0).collect(), policies };
     let on = |threads| LocalThreads::<f32, Own, _>::new(&Ball, EngineOptions::default(), threads).expect("threads");
     let one = on(1);
     let alone = one.evaluate(&work).expect("nothing fails");

@@ -3,7 +3,7 @@
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
     AnyTask, Destination, Edge, EngineOptions, Environment, EpisodeResult, Evaluator, Line, LocalThreads, Operand,
-    PolicyGraph, SourceSet, UnitKey, Work, WorkUnit, erase,
+    PolicyGraph, SourceSet, Work, erase,
 };
 use tpg_problems::{CartPole, PROBLEMS, Problem};
 use tpg_runtime::ops::{Instruction, Own};
@@ -17,10 +17,9 @@ fn falling() -> PolicyGraph {
 
 fn endings<E: Environment<f32>>(environment: &E) -> Vec<EpisodeResult> {
     let draw = |index| environment.draw(&mut Stream::new(7, 0, Purpose::Task, index));
-    let units = vec![WorkUnit { key: UnitKey { seed: 7, generation: 0, root: 0 }, policy: falling() }];
-    let work = Work { tasks: (0..50).map(draw).collect(), units };
+    let work = Work { tasks: (0..50).map(draw).collect(), policies: vec![falling()] };
     let evaluator = LocalThreads::<f32, Own, _>::new(environment, EngineOptions::default(), 1).expect("a thread");
-    evaluator.evaluate(&work).expect("local threads answer").remove(0).endings
+    evaluator.evaluate(&work).expect("local threads answer").remove(0)
 }
 
 #[test]

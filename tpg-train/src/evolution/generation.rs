@@ -12,8 +12,7 @@ use std::collections::VecDeque;
 use std::marker::PhantomData;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Environment, EpisodeResult, EvaluationError, Evaluator, Moments, Play, PolicyGraph, TaskSet, UnitKey, Work,
-    WorkUnit, finite,
+    Environment, EpisodeResult, EvaluationError, Evaluator, Moments, Play, PolicyGraph, TaskSet, Work, finite,
 };
 use tpg_graph::error::Finding;
 use tpg_runtime::scalar::Scalar;
@@ -155,10 +154,8 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         let tasks = self.tasks(&state.pool, moment, count);
         let results = match stage.episodes() {
             Episodes::Own => self.own_episodes(&candidates, &tasks)?,
-            Episodes::Same => self.same_episodes(moment, &candidates, &tasks, None, state.episode_steps)?,
-            Episodes::Racing => {
-                self.same_episodes(moment, &candidates, &tasks, Some(survivors), state.episode_steps)?
-            }
+            Episodes::Same => self.same_episodes(&candidates, &tasks, None, state.episode_steps)?,
+            Episodes::Racing => self.same_episodes(&candidates, &tasks, Some(survivors), state.episode_steps)?,
         };
         let (row, best) = stage.tell(context, moment, &results);
         state.count_training(&results.endings, best);
@@ -188,7 +185,6 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
     /// that is not known.
     fn same_episodes(
         &self,
-        moment: Moment,
         candidates: &[Candidate],
         tasks: &[E::Task],
         survivors: Option<usize>,
@@ -198,8 +194,8 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         let mut open: Vec<usize> = (0..candidates.len()).collect();
         let racing = survivors.map_or(0, |_| self.config.selection.racing_episodes);
         let evaluate = |endings: &mut Vec<Vec<EpisodeResult>>, open: &[usize], tasks: &[E::Task]| {
-            let policies = open.iter().map(|&place| (candidates[place].number, &candidates[place].policy));
-            for (&place, answer) in open.iter().zip(self.endings((moment.seed, moment.generation), policies, tasks)?) {
+            let policies = open.iter().map(|&place| &candidates[place].policy);
+            for (&place, answer) in open.iter().zip(self.endings(policies, tasks)?) {
                 endings[place].extend(answer);
             }
             Ok::<_, EvaluationError>(())
@@ -234,19 +230,14 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         Ok(Results { endings, ..Results::default() })
     }
 
-    /// Lets numbered policies play tasks: the endings of each. Seed and generation are part of their address.
+    /// Lets policies play tasks: the endings of each.
     pub(super) fn endings<'p>(
         &self,
-        (seed, generation): (u64, u64),
-        policies: impl IntoIterator<Item = (u64, &'p PolicyGraph)>,
+        policies: impl IntoIterator<Item = &'p PolicyGraph>,
         tasks: &[E::Task],
     ) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
-        let unit = |(root, policy): (u64, &PolicyGraph)| WorkUnit {
-            key: UnitKey { seed, generation, root },
-            policy: policy.clone(),
-        };
-        let work = Work { tasks: tasks.to_vec(), units: policies.into_iter().map(unit).collect() };
-        Ok(self.evaluator.evaluate(&work)?.into_iter().map(|answer| answer.endings).collect())
+        let policies = policies.into_iter().cloned().collect();
+        self.evaluator.evaluate(&Work { tasks: tasks.to_vec(), policies })
     }
 
     /// Returns the maximum number of steps of a generation's training, and of its validation, unless one episode of each policy takes

@@ -46,11 +46,6 @@ struct Root {
     candidate: Option<usize>,
 }
 
-/// Returns the number of a root in its run, made of deme and team.
-pub(super) fn root_number(deme: usize, team: TeamId) -> u64 {
-    (deme as u64) << 40 | team.0
-}
-
 impl Population {
     /// Creates demes without teams.
     pub fn new(demes: usize) -> Self {
@@ -101,7 +96,7 @@ impl Population {
             for (&team, &record) in &population.records {
                 let policy = population.genome.policy(team, context.vocabulary);
                 let worth = record.mean - context.line_price * policy.lines() as f64;
-                roots.push((worth, Candidate { policy, number: root_number(deme, team), record }));
+                roots.push((worth, Candidate { policy, deme, record }));
             }
         }
         roots.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.policy.lines().cmp(&b.1.policy.lines())));
@@ -117,7 +112,7 @@ impl Population {
         let mut kept = BTreeSet::new();
         for (_, root) in self.survivors(context) {
             if kept.len() < count {
-                kept.insert((root.number >> 40) as usize);
+                kept.insert(root.deme);
             }
         }
         let mut place = 0..;
@@ -205,7 +200,7 @@ impl Stage for Population {
                 // As GEGELATI, which does not evaluate a root whose score is final (`learningAgent.cpp`, `isRootEvalSkipped`).
                 let candidate = (record.evaluations < most).then_some(candidates.len());
                 if candidate.is_some() {
-                    candidates.push(Candidate { policy, number: root_number(deme, team), record });
+                    candidates.push(Candidate { policy, deme, record });
                 }
                 roots.push(Root { deme, team, lines, candidate });
             }
@@ -231,15 +226,12 @@ impl Stage for Population {
         let Summary { success, measure, .. } = Summary::new(endings);
         let row = Row {
             generation: moment.generation,
-            steps: 0,
             best_score: self.record(best).mean,
             median_score: self.record(middle).mean,
             best_success: success,
             best_measure: measure,
             roots: self.roots.len(),
-            teams: 0,
-            programs: 0,
-            validation: None,
+            ..Row::default()
         };
         let best = best.candidate.unwrap_or(usize::MAX);
         self.select(context, moment, results);

@@ -27,7 +27,7 @@ impl Record {
 }
 
 /// One row of the logs. It contains no times: logs are equal for any number of threads, and after a resume.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// The generation, from 0.
     pub generation: u64,

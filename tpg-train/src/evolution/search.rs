@@ -164,12 +164,9 @@ impl Stage for Search {
             }
         };
         self.samples = samples;
-        let candidate = |(number, weights): (u64, &Vec<f64>)| Candidate {
-            policy: writer.policy(weights),
-            number,
-            record: Record::default(),
-        };
-        (0..).zip(&weights).map(candidate).collect()
+        let candidate =
+            |weights: &Vec<f64>| Candidate { policy: writer.policy(weights), deme: 0, record: Record::default() };
+        weights.iter().map(candidate).collect()
     }
 
     fn episodes(&self) -> Episodes {
@@ -200,15 +197,12 @@ impl Stage for Search {
         let best = &summaries[order[0]];
         let row = Row {
             generation: moment.generation,
-            steps: 0,
             best_score: best.score,
             median_score: summaries[order[order.len() / 2]].score,
             best_success: best.success,
             best_measure: best.measure,
             roots: summaries.len(),
-            teams: 0,
-            programs: 0,
-            validation: None,
+            ..Row::default()
         };
         (row, order[0])
     }

@@ -49,8 +49,8 @@ impl Moment {
 pub(crate) struct Candidate {
     /// The policy.
     pub policy: PolicyGraph,
-    /// Its number in the run.
-    pub number: u64,
+    /// Its deme.
+    pub deme: usize,
     /// Its record so far.
     pub record: Record,
 }

@@ -29,7 +29,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_,
         let mut endings: Vec<EpisodeResult> = Vec::new();
         for stage in stages(self.selection_tasks.len()) {
             let tasks = &self.selection_tasks[endings.len()..stage];
-            for answer in self.endings((state.seed, state.generation), [(0, &policy)], tasks)? {
+            for answer in self.endings([&policy], tasks)? {
                 state.count_selection(&answer);
                 endings.extend(answer);
             }

@@ -121,9 +121,9 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_,
             roots.into_iter().map(|(_, root)| (root, Vec::new())).collect();
         let mut done = 0;
         for stage in stages(field.len(), episodes) {
-            let policies = field.iter().map(|(root, _)| (root.number, &root.policy));
+            let policies = field.iter().map(|(root, _)| &root.policy);
             let tasks = &self.selection_tasks[done..stage.max(done)];
-            let answers = self.endings((state.seed, state.generation), policies, tasks)?;
+            let answers = self.endings(policies, tasks)?;
             for ((_, endings), answer) in field.iter_mut().zip(answers) {
                 state.count_selection(&answer);
                 endings.extend(answer);
@@ -162,7 +162,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_,
     /// Returns states along the episodes of policies, each policy on the first of the selection tasks.
     pub(super) fn visited(&self, policies: &[PolicyGraph], episodes: usize) -> Result<Vec<Vec<f64>>, EvaluationError> {
         let tasks = &self.selection_tasks[..episodes.min(self.selection_tasks.len())];
-        let answers = self.endings((0, 0), (0..).zip(policies), tasks)?;
+        let answers = self.endings(policies, tasks)?;
         let along = |(policy, endings): (&PolicyGraph, Vec<EpisodeResult>)| {
             let played = tasks.iter().zip(endings);
             played.map(|(task, ending)| along(policy, task, &ending, STATES_FOR_RANGES)).collect::<Vec<_>>()

@@ -4,14 +4,15 @@
 use super::link::Link;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
-use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Moments, Piece, Play, Played, Work, WorkUnit};
+use std::ops::Range;
+use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Moments, Piece, Play, Played, PolicyGraph, Work};
 
 /// From rank 0 to a worker.
 #[derive(Serialize, Deserialize)]
 pub(super) enum Order {
-    /// Evaluate pieces of these units on tasks in JSON; `None`: on those of the order before. Where `observed`, a piece is an
+    /// Evaluate policies, each on some of the tasks in JSON; `None`: of those of the order before. Where `observed`, a job is an
     /// episode, and what its policy sees is recorded.
-    Evaluate { tasks: Option<Vec<u8>>, units: Vec<WorkUnit>, pieces: Vec<Piece>, observed: bool },
+    Evaluate { tasks: Option<Vec<u8>>, jobs: Vec<(PolicyGraph, Range<usize>)>, observed: bool },
     /// Nothing more comes.
     End,
 }
@@ -46,8 +47,8 @@ pub(super) fn answers<Task: Clone>(
         let endings = local.pieces(work, pieces)?.into_iter();
         return Ok(endings.map(|endings| Answer { endings, seen: None }).collect());
     }
-    let play = |Piece { unit, tasks }: &Piece| Play {
-        policy: work.units[*unit].policy.clone(),
+    let play = |Piece { policy, tasks }: &Piece| Play {
+        policy: work.policies[*policy].clone(),
         task: work.tasks[tasks.start].clone(),
     };
     let played = local.play(&pieces.iter().map(play).collect::<Vec<_>>())?.into_iter();
@@ -77,12 +78,14 @@ pub(super) fn serve<Task: Clone + DeserializeOwned>(
 ) -> Result<(), EvaluationError> {
     link.send(0, &encode(ready)?)?;
     // Tasks stay between orders.
-    let mut work = Work { tasks: Vec::new(), units: Vec::new() };
+    let mut work = Work { tasks: Vec::new(), policies: Vec::new() };
     loop {
         let answered = match decode(&link.receive()?.1) {
             Ok(Order::End) => return Ok(()),
-            Ok(Order::Evaluate { tasks, units, pieces, observed }) => {
-                work.units = units;
+            Ok(Order::Evaluate { tasks, jobs, observed }) => {
+                let ranges: Vec<Range<usize>>;
+                (work.policies, ranges) = jobs.into_iter().unzip();
+                let pieces = (0..).zip(ranges).map(|(policy, tasks)| Piece { policy, tasks }).collect::<Vec<_>>();
                 let read = tasks.map_or(Ok(()), |tasks| unpack_tasks(&tasks).map(|tasks| work.tasks = tasks));
                 read.and_then(|()| answers(local, &work, &pieces, observed))
             }

@@ -1,6 +1,6 @@
 //! The place where a command evaluates roots.
 
-use super::leader::{Crew, Leader, dismiss};
+use super::leader::{Leader, dismiss, gather};
 use super::link::Link;
 use super::worker::{Reply, encode, serve};
 use crate::evolution::run::RunError;
@@ -69,7 +69,7 @@ impl<L: Link> Ranks<L> {
             return told.map(|()| Verdict::Good).map_err(CommandError::other);
         }
         // No run has this identity: all that are ready are dismissed.
-        let _ = Crew::gather(&self.link, "", 0);
+        let _ = gather(&self.link, "", 0);
         result
     }
 }
@@ -87,8 +87,8 @@ impl<L: Link> Workplace for Ranks<L> {
             serve(&self.link, &ready, local)?;
             return Ok(Verdict::Good);
         }
-        let crew = Crew::gather(&self.link, identity, local.threads())?;
-        let result = lead(&Leader::new(&crew, local));
+        let threads = gather(&self.link, identity, local.threads())?;
+        let result = lead(&Leader::new(&self.link, local, threads));
         dismiss(&self.link, 1..self.link.ranks())?;
         result
     }

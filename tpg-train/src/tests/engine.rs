@@ -17,7 +17,7 @@ use tpg_codegen::emit::Language;
 use tpg_codegen::{Options, compile};
 use tpg_engine::{
     Destination, Edge, EngineOptions, Environment, EpisodeResult, Evaluator, Lanes, Line, LocalThreads, Operand, Piece,
-    Plan, PolicyGraph, UnitKey, Work, WorkUnit,
+    Plan, PolicyGraph, Work,
 };
 use tpg_graph::Word;
 use tpg_graph::interpret::Interpreter;
@@ -297,17 +297,14 @@ fn every_step_is_the_interpreters_on_another_arm() {
 #[test]
 fn no_option_and_no_number_of_threads_changes_an_answer() {
     let world = World::<f32>::new(ScalarType::F32, &WIDOWX, problem(Shield::None));
-    let units = (0..)
-        .zip(&world.policies)
-        .take(tpg_testing::amount(25, usize::MAX))
-        .map(|(root, policy)| WorkUnit { key: UnitKey { seed: 1, generation: 0, root }, policy: policy.clone() });
-    let work = Work { tasks: arm_tasks(&WIDOWX, tpg_testing::amount(8, 30)), units: units.collect() };
+    let policies = world.policies.iter().take(tpg_testing::amount(25, usize::MAX)).cloned().collect();
+    let work = Work { tasks: arm_tasks(&WIDOWX, tpg_testing::amount(8, 30)), policies };
     let answers = |options: EngineOptions, threads: usize| {
         let evaluator = LocalThreads::<f32, Own, _>::new(&world.environment, options, threads).expect("threads start");
         evaluator.evaluate(&work).expect("local threads always answer")
     };
     let reference = answers(EngineOptions::default(), 1);
-    assert!(reference.iter().flat_map(|answer| &answer.endings).any(|ending| ending.actions > 100));
+    assert!(reference.iter().flatten().any(|ending| ending.actions > 100));
     for lanes in [1, 2, 7, 64, 500] {
         assert_eq!(answers(EngineOptions { lanes, ..EngineOptions::default() }, 1), reference, "{lanes} lanes");
     }
@@ -324,22 +321,20 @@ fn no_option_and_no_number_of_threads_changes_an_answer() {
     let evaluator =
         LocalThreads::<f32, Own, _>::new(&world.environment, EngineOptions::default(), 2).expect("threads start");
     for parts in [1, 4, 7, 100] {
-        let mut joined = vec![Vec::new(); work.units.len()];
-        let pieces = Piece::cut(work.units.len(), work.tasks.len(), parts);
-        assert_eq!(pieces.len() > work.units.len(), parts > 1);
+        let mut joined = vec![Vec::new(); work.policies.len()];
+        let pieces = Piece::cut(work.policies.len(), work.tasks.len(), parts);
+        assert_eq!(pieces.len() > work.policies.len(), parts > 1);
         for (piece, endings) in pieces.iter().zip(evaluator.pieces(&work, &pieces).expect("local threads answer")) {
-            joined[piece.unit].extend(endings);
+            joined[piece.policy].extend(endings);
         }
-        assert!(joined.iter().eq(reference.iter().map(|answer| &answer.endings)), "{parts} parts");
+        assert_eq!(joined, reference, "{parts} parts");
     }
 }
 
 #[test]
-fn a_work_unit_survives_its_way_over_a_wire() {
+fn work_survives_its_way_over_a_wire() {
     let world = World::<f32>::new(ScalarType::F32, &WIDOWX, problem(Shield::None));
-    let policy = world.policies[3].clone();
-    let unit = WorkUnit { key: UnitKey { seed: 9, generation: 4, root: 77 }, policy };
-    let work = Work { tasks: arm_tasks(&WIDOWX, 3), units: vec![unit] };
-    let text = serde_json::to_string(&work).expect("a work unit is plain data");
+    let work = Work { tasks: arm_tasks(&WIDOWX, 3), policies: vec![world.policies[3].clone()] };
+    let text = serde_json::to_string(&work).expect("work is plain data");
     assert_eq!(serde_json::from_str::<Work<ArmTask>>(&text).expect("and can be read"), work);
 }

@@ -1,10 +1,11 @@
 //! Parallel episodes that are stepped one after another: the default of [`Environment::lanes`].
 
 use super::Environment;
-use crate::action::{Act, Acts};
+use crate::action::Acts;
 use crate::episode_result::EpisodeResult;
 use crate::episodes::Episodes;
 use crate::error::EvaluationError;
+use crate::rollout::Rollout;
 use crate::source_set::SourceSet;
 use crate::view::View;
 use tpg_runtime::scalar::Scalar;
@@ -12,8 +13,7 @@ use tpg_runtime::scalar::Scalar;
 /// Steps one episode after another.
 pub struct OneByOne<'e, S: Scalar, E: Environment<S> + ?Sized> {
     environment: &'e E,
-    limit: u32,
-    lanes: Vec<Lane<E::Episode>>,
+    lanes: Vec<Rollout<'e, S, E>>,
     keys: Vec<u64>,
     /// Number of values of the flat state.
     length: usize,
@@ -21,27 +21,18 @@ pub struct OneByOne<'e, S: Scalar, E: Environment<S> + ?Sized> {
     states: Vec<S>,
 }
 
-/// An episode with its score so far.
-struct Lane<Episode> {
-    episode: Episode,
-    score: f64,
-    actions: u32,
-}
-
 impl<'e, S: Scalar, E: Environment<S> + ?Sized> OneByOne<'e, S, E> {
     /// Creates an empty set of episodes.
     pub fn new(environment: &'e E) -> Self {
         let length = environment.sources().iter().map(|source| source.length as usize).sum();
-        let limit = environment.time_limit();
-        Self { environment, limit, lanes: Vec::new(), keys: Vec::new(), length, states: Vec::new() }
+        Self { environment, lanes: Vec::new(), keys: Vec::new(), length, states: Vec::new() }
     }
 }
 
 impl<S: Scalar, E: Environment<S> + ?Sized> Episodes<S, E::Task> for OneByOne<'_, S, E> {
     fn begin(&mut self, lane: usize, task: &E::Task) -> Result<(), EvaluationError> {
-        let episode = self.environment.start(task);
-        let key = self.environment.key(&episode);
-        let new = Lane { episode, score: 0.0, actions: 0 };
+        let new = Rollout::new(self.environment, task);
+        let key = new.key();
         if lane == self.lanes.len() {
             self.lanes.push(new);
             self.keys.extend(key);
@@ -54,8 +45,8 @@ impl<S: Scalar, E: Environment<S> + ?Sized> Episodes<S, E::Task> for OneByOne<'_
 
     fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, EpisodeResult)>) -> Result<(), EvaluationError> {
         for (place, (lane, act)) in self.lanes.iter_mut().zip(acts.iter()).enumerate() {
-            ended.extend(lane.step(self.environment, self.limit, act).map(|ending| (place, ending)));
-            self.environment.key(&lane.episode).into_iter().for_each(|key| self.keys[place] = key);
+            ended.extend(lane.act(act).map(|ending| (place, ending)));
+            lane.key().into_iter().for_each(|key| self.keys[place] = key);
         }
         Ok(())
     }
@@ -65,7 +56,7 @@ impl<S: Scalar, E: Environment<S> + ?Sized> Episodes<S, E::Task> for OneByOne<'_
     }
 
     fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<EpisodeResult> {
-        self.environment.cycle(&self.lanes[lane].episode, key, actions)
+        self.environment.cycle(self.lanes[lane].episode(), key, actions)
     }
 
     fn observe(&mut self, wanted: SourceSet, view: &mut View<'_, S>) -> Result<(), EvaluationError> {
@@ -73,7 +64,7 @@ impl<S: Scalar, E: Environment<S> + ?Sized> Episodes<S, E::Task> for OneByOne<'_
         states.resize(lanes.len() * *length, S::ZERO);
         let inputs: Vec<u16> = (0..*length as u16).filter(|&input| view.column(input.into()).is_some()).collect();
         for (place, lane) in lanes.iter_mut().enumerate() {
-            environment.observe_some(&mut lane.episode, wanted, &inputs, &mut states[place * *length..][..*length]);
+            environment.observe_some(lane.episode_mut(), wanted, &inputs, &mut states[place * *length..][..*length]);
         }
         for input in inputs {
             if let Some(column) = view.column(input.into()) {
@@ -89,26 +80,5 @@ impl<S: Scalar, E: Environment<S> + ?Sized> Episodes<S, E::Task> for OneByOne<'_
         if !self.keys.is_empty() {
             self.keys.swap_remove(lane);
         }
-    }
-}
-
-impl<Episode> Lane<Episode> {
-    fn step<S: Scalar, E: Environment<S, Episode = Episode> + ?Sized>(
-        &mut self,
-        environment: &E,
-        limit: u32,
-        act: Act<'_, S>,
-    ) -> Option<EpisodeResult> {
-        let step = environment.step(&mut self.episode, act);
-        self.score += step.reward;
-        self.actions += 1;
-        let end = step.end.or_else(|| (self.actions >= limit).then(|| environment.timeout(&self.episode)))?;
-        Some(EpisodeResult {
-            outcome: end.outcome,
-            success: end.success,
-            score: self.score,
-            measure: end.measure,
-            actions: self.actions,
-        })
     }
 }
