@@ -19,6 +19,7 @@ use clap::{CommandFactory as _, Parser, Subcommand};
 use std::process::ExitCode;
 use tpg_codegen::shell::{CompletionsArgs, ManArgs};
 use tpg_graph::command::{CommandError, Verdict, be_quiet, exit_code};
+use tpg_graph::error::InputError;
 
 /// Trains policies for control problems: tangled program graphs, soft actor-critics, and hybrids of both.
 ///
@@ -84,22 +85,26 @@ impl Cli {
     pub fn run(self) -> ExitCode {
         be_quiet(self.quiet);
         exit_code(match self.command {
-            Command::Problems => print_problems().map(|()| Verdict::Good).map_err(CommandError::from),
+            Command::Problems => good(print_problems()),
             Command::Tpg(args) => execute_tpg(&args, &ThisProcess).map_err(CommandError::other),
             Command::Sac(args) => execute_sac(&args).map_err(CommandError::other),
             Command::Hybrid(args) => execute_hybrid(&args).map_err(CommandError::from),
-            Command::Constants(args) => constants(&args).map(|()| Verdict::Good).map_err(CommandError::from),
-            Command::Import(args) => import(&args).map(|()| Verdict::Good).map_err(CommandError::from),
-            Command::Quantise(args) => quantise(&args).map(|()| Verdict::Good).map_err(CommandError::from),
-            Command::Eval(args) => eval(&args).map(|()| Verdict::Good).map_err(CommandError::from),
-            Command::Report(args) => report(&args).map(|()| Verdict::Good).map_err(CommandError::from),
-            Command::Config(args) => print_config(&args).map(|()| Verdict::Good).map_err(CommandError::from),
-            Command::Arm(args) => execute_arm(&args).map(|()| Verdict::Good).map_err(CommandError::from),
-            Command::Targets(args) => print_targets(&args).map(|()| Verdict::Good).map_err(CommandError::from),
+            Command::Constants(args) => good(constants(&args)),
+            Command::Import(args) => good(import(&args)),
+            Command::Quantise(args) => good(quantise(&args)),
+            Command::Eval(args) => good(eval(&args)),
+            Command::Report(args) => good(report(&args)),
+            Command::Config(args) => good(print_config(&args)),
+            Command::Arm(args) => good(execute_arm(&args)),
+            Command::Targets(args) => good(print_targets(&args)),
             Command::Completions(args) => args.run(Self::command()),
             Command::Man(args) => args.run(Self::command()),
         })
     }
+}
+
+fn good(result: Result<(), InputError>) -> Result<Verdict, CommandError> {
+    result.map(|()| Verdict::Good).map_err(CommandError::from)
 }
 
 #[cfg(test)]

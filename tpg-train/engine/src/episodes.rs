@@ -22,11 +22,15 @@ pub trait Episodes<S, Task> {
     /// Takes one action in each lane; appends the lanes whose episode ended, in ascending order.
     fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, EpisodeResult)>) -> Result<(), EvaluationError>;
 
-    /// Returns [`Environment::key`](crate::Environment::key) of each lane; empty if the problem has none.
-    fn keys(&self) -> &[u64];
+    /// Returns [`Environment::key`](crate::Environment::key) of each lane; empty, the default, if the problem has none.
+    fn keys(&self) -> &[u64] {
+        &[]
+    }
 
     /// Returns [`Environment::cycle`](crate::Environment::cycle) of a lane.
-    fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<EpisodeResult>;
+    fn cycle(&self, _lane: usize, _key: u64, _actions: u32) -> Option<EpisodeResult> {
+        None
+    }
 
     /// Writes the observation of each lane's policy.
     fn observe(&mut self, wanted: SourceSet, view: &mut View<'_, S>) -> Result<(), EvaluationError>;

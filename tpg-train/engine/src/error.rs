@@ -13,11 +13,6 @@ impl EvaluationError {
         Self(error.into())
     }
 
-    /// Tests for an error of a type.
-    pub fn is<E: Error + 'static>(&self) -> bool {
-        self.0.is::<E>()
-    }
-
     /// Returns the wrapped error, so that its origin can handle it.
     pub fn into_inner(self) -> Box<dyn Error + Send + Sync> {
         self.0

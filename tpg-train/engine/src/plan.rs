@@ -115,20 +115,6 @@ impl<S: Scalar> Plan<S> {
 
     /// Plans several policies over the same state.
     ///
-    /// ```
-    /// use tpg_engine::{Destination, Edge, EngineOptions, Line, Operand, Plan, PolicyGraph, SourceDocument};
-    /// use tpg_runtime::ops::{Instruction, Own};
-    ///
-    /// let sine = Line { to: 0, instruction: Instruction::Sin.into(), operands: [Operand::Input(0); 2] };
-    /// let edge = |program, action| Edge { program, to: Destination::Action(action) };
-    /// let root = |first, second| {
-    ///     PolicyGraph::new(1, 0, vec![vec![edge(0, first), edge(1, second)]], vec![vec![sine], vec![]])
-    /// };
-    /// let source = SourceDocument::new("angle", "rad", vec![[-3.0, 3.0]]);
-    /// let plan = Plan::<f32>::of_roots::<Own>(&[&root(0, 1), &root(1, 0)], &[source], EngineOptions::default());
-    /// assert_eq!(plan.operations(), 1, "both bid the same sine");
-    /// ```
-    ///
     /// # Panics
     /// If they do not have the same outputs, or there are none.
     pub fn of_roots<M: Maths<S>>(
@@ -198,16 +184,6 @@ impl<S: Scalar> Plan<S> {
     /// Returns the number of values in the flat state.
     pub fn state_length(&self) -> usize {
         self.places.len()
-    }
-
-    /// Returns the number of outputs; 0 for a policy that chooses among actions.
-    pub fn outputs(&self) -> usize {
-        self.limits.len()
-    }
-
-    /// Returns the number of distinct operations of all roots.
-    pub fn operations(&self) -> usize {
-        self.nodes.iter().filter(|node| matches!(node, Node::Operation(..))).count()
     }
 }
 

@@ -104,11 +104,6 @@ impl<E> Remembering<E> {
     pub fn new(environment: E, memory: Vec<Remembered>) -> Self {
         Self { environment, memory }
     }
-
-    /// Returns the inner environment.
-    pub fn inner(&self) -> &E {
-        &self.environment
-    }
 }
 
 impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {

@@ -54,11 +54,6 @@ impl Shape {
     pub fn parameters(&self) -> usize {
         self.layers().last().map_or(0, |last| last.bias + last.outputs)
     }
-
-    /// Returns the number of weight multiplications per sample.
-    pub fn multiplications(&self) -> usize {
-        self.layers().iter().map(|layer| layer.inputs * layer.outputs).sum()
-    }
 }
 
 /// A network: its shape and its parameters. Each layer has weights (column-major, outputs × inputs) and a bias.
@@ -346,7 +341,6 @@ mod tests {
     #[test]
     fn a_wrong_number_of_parameters_is_refused() {
         assert_eq!(shape().parameters(), 7 * 9 + 9 + 9 * 8 + 8 + 8 * 3 + 3);
-        assert_eq!(shape().multiplications(), 7 * 9 + 9 * 8 + 8 * 3);
         assert!(Mlp::from_parameters(shape(), vec![0.0; 5]).is_none());
     }
 }

@@ -8,7 +8,7 @@ use crate::source;
 use crate::varied::{Adjustable, Settings};
 use core::f64::consts::PI;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, End, Environment, Episodes, SourceSet, Step, Training};
+use tpg_engine::{Act, ActionSpace, End, Environment, Episodes, SourceSet, Step};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -63,18 +63,13 @@ type State = [f64; 4];
 /// A running episode: both angles, rad, and angular velocities, rad/s; the sines and then the cosines of both angles, which an
 /// observation and a step read.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Links([f64; 8]);
+pub struct Links(pub(crate) [f64; 8]);
 
 impl Links {
     pub(crate) fn new([angle_1, angle_2, omega_1, omega_2]: State) -> Self {
         // The crate libm instead of the platform's: the same results on every machine.
         let [(sin_1, cos_1), (sin_2, cos_2)] = [angle_1, angle_2].map(libm::sincos);
         Self([angle_1, angle_2, omega_1, omega_2, sin_1, sin_2, cos_1, cos_2])
-    }
-
-    pub(crate) fn state(&self) -> State {
-        let [angle_1, angle_2, omega_1, omega_2, ..] = self.0;
-        [angle_1, angle_2, omega_1, omega_2]
     }
 }
 
@@ -113,10 +108,6 @@ impl<S: Scalar> Environment<S> for Acrobot {
         Links::new(*task)
     }
 
-    fn training(&self) -> Option<&dyn Training<State, Links>> {
-        Some(self)
-    }
-
     fn observe(&self, links: &mut Links, _wanted: SourceSet, values: &mut [S]) {
         let [_, _, omega_1, omega_2, sin_1, sin_2, cos_1, cos_2] = links.0;
         let state = [cos_1, sin_1, cos_2, sin_2, omega_1, omega_2];
@@ -129,12 +120,6 @@ impl<S: Scalar> Environment<S> for Acrobot {
 
     fn lanes(&self) -> Box<dyn Episodes<S, State> + '_> {
         Box::new(Eights::new::<S>(self))
-    }
-}
-
-impl Training<State, Links> for Acrobot {
-    fn task_from(&self, links: &Links) -> Option<State> {
-        Some(links.state())
     }
 }
 

@@ -154,14 +154,6 @@ where
         Ok(())
     }
 
-    fn keys(&self) -> &[u64] {
-        &[]
-    }
-
-    fn cycle(&self, _lane: usize, _key: u64, _actions: u32) -> Option<EpisodeResult> {
-        None
-    }
-
     fn observe(&mut self, _wanted: SourceSet, view: &mut View<'_, S>) -> Result<(), EvaluationError> {
         for (input, &place) in E::OBSERVED.iter().enumerate() {
             let Some(column) = view.column(input) else { continue };

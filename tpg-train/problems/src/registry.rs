@@ -193,7 +193,9 @@ macro_rules! each {
 
 /// Settings that make an environment.
 trait Settings: Serialize {
-    fn check(&self) -> Result<(), Finding>;
+    fn check(&self) -> Result<(), Finding> {
+        Ok(())
+    }
     fn environment<S: ArmScalar>(&self, start: Start) -> AnyEnvironment<S>;
 }
 
@@ -227,9 +229,6 @@ impl Settings for dodge::Config {
 }
 
 impl Settings for minatar::Config {
-    fn check(&self) -> Result<(), Finding> {
-        Ok(())
-    }
     fn environment<S: ArmScalar>(&self, _: Start) -> AnyEnvironment<S> {
         match self.game {
             GameName::Breakout => erase(MinAtar::<Breakout>::default()),
@@ -240,9 +239,6 @@ impl Settings for minatar::Config {
 }
 
 impl Settings for eye::Config {
-    fn check(&self) -> Result<(), Finding> {
-        Ok(())
-    }
     fn environment<S: ArmScalar>(&self, _: Start) -> AnyEnvironment<S> {
         erase(Eye::default())
     }

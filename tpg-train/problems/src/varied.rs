@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Act, End, Environment, Episodes, Mapped, OneByOne, SourceSet, Step, Training};
+use tpg_engine::{Act, End, Environment, Episodes, Mapped, OneByOne, SourceSet, Step};
 use tpg_graph::SourceDocument;
 use tpg_graph::error::Finding;
 use tpg_runtime::policy::ActionId;
@@ -134,7 +134,6 @@ pub struct VariedEpisode<S, P, Episode> {
 /// The constants and the noise of one episode.
 #[derive(Clone, Debug)]
 struct Variation<S, P> {
-    seed: u64,
     physics: P,
     stream: Stream,
     /// Standard deviation of the noise of each source of the bare environment.
@@ -193,7 +192,6 @@ impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>> Environmen
         let is_visible = |&place: &usize| !self.disturbance.hidden.contains(&sources[place].name);
         let rest = if self.environment.actions().outputs().is_empty() { f64::from(E::REST) } else { 0.0 };
         let mut variation = Variation {
-            seed,
             physics: self.constants.draw(&mut stream),
             stream,
             deviations: sources.iter().map(deviation).collect(),
@@ -235,10 +233,6 @@ impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>> Environmen
         }
     }
 
-    fn training(&self) -> Option<&dyn Training<Self::Task, Self::Episode>> {
-        self.environment.training().map(|_| self as _)
-    }
-
     fn distance(&self, running: &Self::Episode) -> Option<f64> {
         self.environment.distance(&running.bare)
     }
@@ -248,18 +242,6 @@ impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>> Environmen
             return Box::new(OneByOne::new(self));
         }
         Box::new(Mapped::new(self.environment.lanes(), VariedTask::start))
-    }
-}
-
-impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>>
-    Training<VariedTask<E::Task>, VariedEpisode<S, E::Physics, E::Episode>> for Varied<E, C>
-{
-    fn task_from(&self, running: &VariedEpisode<S, E::Physics, E::Episode>) -> Option<VariedTask<E::Task>> {
-        let start = self.environment.training()?.task_from(&running.bare)?;
-        Some(match &running.variation {
-            None => VariedTask::Standard(start),
-            Some(variation) => VariedTask::Varied { start, seed: variation.seed },
-        })
     }
 }
 

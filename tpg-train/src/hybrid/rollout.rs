@@ -246,38 +246,26 @@ where
 /// Capacity of the exact set of visited states. A longer episode may miss a repeat.
 const CAPACITY: usize = 4096;
 
-/// The detector of a setting.
-enum AnyDetector {
-    None,
-    Visited(Box<Visited<u64, CAPACITY>>),
-    Brent(Brent<u64>),
-}
+/// The detector of a setting, if it has one.
+struct AnyDetector(Option<Box<dyn CycleDetector<u64>>>);
 
 impl AnyDetector {
     fn new(detector: Detector) -> Self {
-        match detector {
-            Detector::None => Self::None,
-            Detector::Visited => Self::Visited(Box::new(Visited::new())),
-            Detector::Brent => Self::Brent(Brent::new()),
-        }
+        Self(match detector {
+            Detector::None => None,
+            Detector::Visited => Some(Box::new(Visited::<u64, CAPACITY>::new())),
+            Detector::Brent => Some(Box::new(Brent::new())),
+        })
     }
 }
 
 impl CycleDetector<u64> for AnyDetector {
     fn reset(&mut self, key: u64) {
-        match self {
-            Self::None => {}
-            Self::Visited(visited) => visited.reset(key),
-            Self::Brent(brent) => brent.reset(key),
-        }
+        self.0.iter_mut().for_each(|detector| detector.reset(key));
     }
 
     fn repeats(&mut self, key: u64) -> bool {
-        match self {
-            Self::None => false,
-            Self::Visited(visited) => visited.repeats(key),
-            Self::Brent(brent) => brent.repeats(key),
-        }
+        self.0.as_mut().is_some_and(|detector| detector.repeats(key))
     }
 }
 

@@ -1,7 +1,7 @@
 //! The way between an environment's values and a network's.
 
 use serde::{Deserialize, Serialize};
-use tpg_engine::{ActionSpace, Environment, Output};
+use tpg_engine::{ActionSpace, Environment, Output, Sample};
 use tpg_graph::SourceDocument;
 use tpg_graph::error::Finding;
 
@@ -17,15 +17,6 @@ pub struct Input {
     pub offset: f32,
     /// Multiplied with then.
     pub scale: f32,
-}
-
-/// Mean and standard deviation of an input.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Moments {
-    /// Mean.
-    pub mean: f32,
-    /// Standard deviation.
-    pub deviation: f32,
 }
 
 /// An input that changes less stays as it is.
@@ -57,11 +48,12 @@ impl Interface {
 
     /// Makes the network read inputs less their mean, divided by their standard deviation; both are of what it has read so far. An
     /// input that hardly changes, by less than a thousandth of its unit, stays as it is.
-    pub fn measure(&mut self, seen: &[Moments]) {
+    pub fn measure(&mut self, seen: &[Sample]) {
         for (input, seen) in self.inputs.iter_mut().zip(seen) {
-            if seen.deviation > LEAST_DEVIATION {
-                input.offset += seen.mean / input.scale;
-                input.scale /= seen.deviation;
+            let deviation = seen.deviation() as f32;
+            if deviation > LEAST_DEVIATION {
+                input.offset += seen.mean as f32 / input.scale;
+                input.scale /= deviation;
             }
         }
     }

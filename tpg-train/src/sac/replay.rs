@@ -1,6 +1,6 @@
 //! The replay buffer: the latest transitions.
 
-use super::interface::Moments;
+use tpg_engine::Sample;
 use tpg_engine::random::Stream;
 
 /// One transition: a state, an action, its reward and the next state.
@@ -101,15 +101,10 @@ impl Replay {
     }
 
     /// Returns mean and standard deviation of each input, in the states before.
-    pub(crate) fn moments(&self) -> Vec<Moments> {
+    pub(crate) fn moments(&self) -> Vec<Sample> {
         let states = || self.rows.chunks_exact(self.width());
-        let count = self.len().max(1) as f64;
-        let moments = |input: usize| {
-            let mean = states().map(|row| f64::from(row[input])).sum::<f64>() / count;
-            let square = states().map(|row| (f64::from(row[input]) - mean).powi(2)).sum::<f64>() / count;
-            Moments { mean: mean as f32, deviation: square.sqrt() as f32 }
-        };
-        (0..self.inputs).map(moments).collect()
+        let values = |input: usize| states().map(|row| f64::from(row[input])).collect::<Vec<_>>();
+        (0..self.inputs).map(|input| Sample::new(&values(input))).collect()
     }
 
     /// Changes every state.

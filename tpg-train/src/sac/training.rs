@@ -419,7 +419,7 @@ mod tests {
         training.tick();
         let measured = training.interface().clone();
         for moments in training.replay.moments() {
-            assert!(moments.mean.abs() < 1e-4 && (moments.deviation - 1.0).abs() < 1e-4, "{moments:?}");
+            assert!(moments.mean.abs() < 1e-4 && (moments.deviation() - 1.0).abs() < 1e-4, "{moments:?}");
         }
         // The states themselves are the same, by the policy's own scale.
         let (mut before, mut after) = (Vec::new(), Vec::new());

@@ -27,13 +27,6 @@ impl Shield {
         }
     }
 
-    /// Returns the shield of a graph with these sources.
-    pub fn among<'a>(mut names: impl Iterator<Item = &'a str>) -> Self {
-        let shields = [Self::Limits, Self::LimitsAndCollision];
-        let named = |name: &str| shields.into_iter().find(|shield| shield.source().is_some_and(|s| s.name() == name));
-        names.find_map(named).unwrap_or_default()
-    }
-
     /// Returns the name used in configurations and reports.
     pub fn name(self) -> &'static str {
         match self {

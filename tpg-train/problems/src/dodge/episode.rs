@@ -62,11 +62,6 @@ impl Episode {
         View::new(body, self.pose, &self.goals, seen)
     }
 
-    /// Returns the scene.
-    pub fn scene(&self) -> &Scene {
-        &self.scene
-    }
-
     /// Returns the pose.
     pub fn pose(&self) -> Pose {
         self.pose

@@ -42,7 +42,7 @@ impl Recorded for Acrobot {
         Links::new(state.try_into().expect("four numbers"))
     }
     fn state(links: &Links) -> Vec<f64> {
-        links.state().to_vec()
+        links.0[..4].to_vec()
     }
 }
 
