@@ -169,7 +169,8 @@ impl Run {
         }
         let page = web::page(self);
         let without: &[&str] = if page.is_some() { &[PYTHON] } else { &[PYTHON, "tpg-web"] };
-        let mut tests = workspace("test", without, &[&["--no-fail-fast"], features()].concat());
+        let features = if page.is_some() || tpg_testing::required() { features() } else { &[] };
+        let mut tests = workspace("test", without, &[&["--no-fail-fast"], features].concat());
         tests.envs(page.map(|page| (web::PAGE, page)));
         self.tests("tests", tests);
     }
