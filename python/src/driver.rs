@@ -1,16 +1,13 @@
 //! Whole episodes of a Gymnasium environment, next to the environment.
 
 use crate::error;
-use crate::policy::{Parts, Policy};
+use crate::policy::{Acting, Parts, Policy};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping, PyTuple};
-use tpg_engine::{Moments, Single};
-use tpg_graph::ScalarType;
+use tpg_engine::Moments;
 use tpg_graph::interpret::Answer;
-use tpg_runtime::ops::{Maths, Own};
-use tpg_runtime::scalar::Scalar;
 
 /// The keys of an episode's last info that say success, in the order in which they are looked for.
 const SUCCESS: [&str; 2] = ["is_success", "success"];
@@ -91,51 +88,16 @@ impl Driver {
 
     /// Runs one episode for each seed.
     fn run(&self, py: Python<'_>, policy: &Policy, seeds: Vec<u64>) -> PyResult<Vec<Played>> {
-        match policy.scalar() {
-            ScalarType::F32 => self.run_in::<f32>(py, policy, seeds),
-            ScalarType::F64 => self.run_in::<f64>(py, policy, seeds),
-        }
+        let mut acting = policy.acting();
+        seeds.into_iter().map(|seed| self.episode(py, policy, &mut acting, seed, |_, _| true)).collect()
     }
 
     /// Returns the observations after given numbers of actions, ascending.
     fn visit(&self, py: Python<'_>, policy: &Policy, seed: u64, after: Vec<u32>) -> PyResult<Vec<Vec<f64>>> {
-        match policy.scalar() {
-            ScalarType::F32 => self.visit_in::<f32>(py, policy, seed, &after),
-            ScalarType::F64 => self.visit_in::<f64>(py, policy, seed, &after),
-        }
-    }
-
-    /// Runs one episode and returns its result with the moments of the observations.
-    fn play(&self, py: Python<'_>, policy: &Policy, seed: u64) -> PyResult<(Played, Parts)> {
-        match policy.scalar() {
-            ScalarType::F32 => self.play_in::<f32>(py, policy, seed),
-            ScalarType::F64 => self.play_in::<f64>(py, policy, seed),
-        }
-    }
-}
-
-impl Driver {
-    fn inputs(&self) -> usize {
-        self.shape.iter().product()
-    }
-
-    fn run_in<S: Scalar>(&self, py: Python<'_>, policy: &Policy, seeds: Vec<u64>) -> PyResult<Vec<Played>>
-    where
-        Own: Maths<S>,
-    {
-        let single = policy.single::<S>();
-        let memory = self.memory(policy);
-        seeds.into_iter().map(|seed| self.episode(py, &single, memory, seed, |_, _| true)).collect()
-    }
-
-    fn visit_in<S: Scalar>(&self, py: Python<'_>, policy: &Policy, seed: u64, after: &[u32]) -> PyResult<Vec<Vec<f64>>>
-    where
-        Own: Maths<S>,
-    {
         let mut seen = Vec::with_capacity(after.len());
-        self.episode(py, &policy.single::<S>(), self.memory(policy), seed, |step, state| {
+        self.episode(py, policy, &mut policy.acting(), seed, |step, state| {
             while after.get(seen.len()) == Some(&step) {
-                seen.push(state.iter().map(|value| value.to_f64()).collect());
+                seen.push(state.to_vec());
             }
             seen.len() < after.len()
         })?;
@@ -148,49 +110,45 @@ impl Driver {
         }
     }
 
-    fn play_in<S: Scalar>(&self, py: Python<'_>, policy: &Policy, seed: u64) -> PyResult<(Played, Parts)>
-    where
-        Own: Maths<S>,
-    {
-        let (mut seen, mut values) = (Moments::new(policy.inputs()), Vec::with_capacity(policy.inputs()));
-        let played = self.episode(py, &policy.single::<S>(), self.memory(policy), seed, |_, state| {
-            values.clear();
-            values.extend(state.iter().map(|value| value.to_f64()));
-            seen.push(&values);
+    /// Runs one episode and returns its result with the moments of the observations.
+    fn play(&self, py: Python<'_>, policy: &Policy, seed: u64) -> PyResult<(Played, Parts)> {
+        let mut seen = Moments::new(policy.inputs());
+        let played = self.episode(py, policy, &mut policy.acting(), seed, |_, state| {
+            seen.push(state);
             true
         })?;
         Ok((played, seen.into_parts()))
     }
+}
 
-    /// Returns the number of values that a policy remembers.
-    fn memory(&self, policy: &Policy) -> usize {
-        policy.inputs().saturating_sub(self.inputs())
+impl Driver {
+    fn inputs(&self) -> usize {
+        self.shape.iter().product()
     }
 
-    /// Runs one episode of a policy that remembers so many values; `watch` sees each state before the action, and ends the episode
-    /// with false.
-    fn episode<S: Scalar>(
+    /// Runs one episode of a policy; `watch` sees each state before the action, and ends the episode with false.
+    fn episode(
         &self,
         py: Python<'_>,
-        single: &Single<S, Own>,
-        memory: usize,
+        policy: &Policy,
+        acting: &mut Acting,
         seed: u64,
-        mut watch: impl FnMut(u32, &[S]) -> bool,
-    ) -> PyResult<Played>
-    where
-        Own: Maths<S>,
-    {
-        let mut state = Vec::with_capacity(self.inputs() + memory);
+        mut watch: impl FnMut(u32, &[f64]) -> bool,
+    ) -> PyResult<Played> {
+        let mut state = Vec::with_capacity(policy.inputs());
         self.begin(py, seed, &mut state)?;
-        let mut memory = vec![S::ZERO; memory];
-        state.extend(&memory);
+        // What it remembers is read behind the observation.
+        let mut memory = vec![0.0; policy.inputs().saturating_sub(self.inputs())];
         let (mut score, mut actions, mut success) = (0.0, 0, None);
-        while actions < self.limit && watch(actions, &state) {
-            actions += 1;
-            let at = || format!("seed {seed}, step {actions}");
-            let action = self.act(py, single, &state, &mut memory)?;
-            let told = self.advance(action, &mut state, at)?;
+        while actions < self.limit {
             state.extend(&memory);
+            state.iter_mut().for_each(|value| *value = policy.scalar().round(*value));
+            if !watch(actions, &state) {
+                break;
+            }
+            actions += 1;
+            let action = self.act(py, acting(&state), &mut memory)?;
+            let told = self.advance(action, &mut state, || format!("seed {seed}, step {actions}"))?;
             score += told.reward;
             if let Some(end) = told.end {
                 success = end.success;
@@ -201,7 +159,7 @@ impl Driver {
     }
 
     /// Begins an episode and reads its first observation.
-    pub(crate) fn begin<S: Scalar>(&self, py: Python<'_>, seed: u64, state: &mut Vec<S>) -> PyResult<()> {
+    pub(crate) fn begin(&self, py: Python<'_>, seed: u64, state: &mut Vec<f64>) -> PyResult<()> {
         let arguments = PyDict::new(py);
         arguments.set_item("seed", seed)?;
         let pair = self.reset.bind(py).call((), Some(&arguments))?;
@@ -211,10 +169,10 @@ impl Driver {
     }
 
     /// Takes an action and reads what follows, unless the episode ends.
-    pub(crate) fn advance<S: Scalar>(
+    pub(crate) fn advance(
         &self,
         action: Bound<'_, PyAny>,
-        state: &mut Vec<S>,
+        state: &mut Vec<f64>,
         at: impl Fn() -> String,
     ) -> PyResult<Told> {
         let told = self.step.bind(action.py()).call1((action,))?;
@@ -237,24 +195,20 @@ impl Driver {
         Ok(Told { reward, end: None })
     }
 
-    fn act<'py, S: Scalar>(
-        &self,
-        py: Python<'py>,
-        single: &Single<S, Own>,
-        state: &[S],
-        memory: &mut [S],
-    ) -> PyResult<Bound<'py, PyAny>>
-    where
-        Own: Maths<S>,
-    {
-        if let Action::Listed(actions, arrays) = &self.action {
-            let action = actions[usize::from(single.decide(state).0)].bind(py);
-            return if *arrays { action.call_method0("copy") } else { Ok(action.clone()) };
+    /// Returns an answer as the environment's action, and keeps what the policy remembers.
+    fn act<'py>(&self, py: Python<'py>, answer: Answer, memory: &mut [f64]) -> PyResult<Bound<'py, PyAny>> {
+        match (answer, &self.action) {
+            (Answer::Action(action), Action::Listed(actions, arrays)) => {
+                let action = actions[usize::from(action.0)].bind(py);
+                if *arrays { action.call_method0("copy") } else { Ok(action.clone()) }
+            }
+            (Answer::Action(_), _) => unreachable!("a policy of a box has outputs"),
+            (Answer::Values(mut values), _) => {
+                let remembered = values.split_off(values.len().saturating_sub(memory.len()));
+                memory.iter_mut().zip(remembered).for_each(|(to, value)| *to = value);
+                self.values(py, values)
+            }
         }
-        let Answer::Values(mut values) = single.answer(state) else { unreachable!("a policy of a box has outputs") };
-        let remembered = values.split_off(values.len().saturating_sub(memory.len()));
-        memory.iter_mut().zip(remembered).for_each(|(to, value)| *to = S::from_f64(value));
-        self.values(py, values)
     }
 
     /// Returns values as the environment's action.
@@ -266,18 +220,13 @@ impl Driver {
     }
 
     /// Reads an observation.
-    fn read<S: Scalar>(
-        &self,
-        observation: &Bound<'_, PyAny>,
-        state: &mut Vec<S>,
-        at: impl Fn() -> String,
-    ) -> PyResult<()> {
+    fn read(&self, observation: &Bound<'_, PyAny>, state: &mut Vec<f64>, at: impl Fn() -> String) -> PyResult<()> {
         let flat = match &self.flatten {
             Some(flatten) => flatten.bind(observation.py()).call1((observation,))?,
             None => observation.clone(),
         };
         extend_flat(&flat, &self.shape, state, &at)?;
-        match state.iter().position(|value| value.to_f64().is_nan()) {
+        match state.iter().position(|value| value.is_nan()) {
             Some(place) => Err(error::input(format!("{}: observation[{place}] is NaN; accepted: a number", at()))),
             None => Ok(()),
         }
@@ -289,15 +238,15 @@ impl Driver {
 #[pyfunction]
 pub(crate) fn flat<'py>(observation: &Bound<'py, PyAny>, shape: Vec<usize>) -> PyResult<Bound<'py, PyArray1<f64>>> {
     let mut values = Vec::with_capacity(shape.iter().product());
-    extend_flat::<f64>(observation, &shape, &mut values, &|| "predict".to_owned())?;
+    extend_flat(observation, &shape, &mut values, &|| "predict".to_owned())?;
     Ok(PyArray1::from_vec(observation.py(), values))
 }
 
 /// Writes an observation's values in C order, the last index fastest.
-fn extend_flat<S: Scalar>(
+fn extend_flat(
     observation: &Bound<'_, PyAny>,
     shape: &[usize],
-    state: &mut Vec<S>,
+    state: &mut Vec<f64>,
     at: &impl Fn() -> String,
 ) -> PyResult<()> {
     state.clear();
@@ -307,14 +256,14 @@ fn extend_flat<S: Scalar>(
     };
     if let Ok(array) = observation.cast::<PyArrayDyn<f32>>() {
         check(array.shape())?;
-        state.extend(array.readonly().as_array().iter().map(|&value| S::from_f64(f64::from(value))));
+        state.extend(array.readonly().as_array().iter().map(|&value| f64::from(value)));
         return Ok(());
     }
     let array = observation.py().import(intern!(observation.py(), "numpy"))?;
     let array = array.call_method1(intern!(observation.py(), "asarray"), (observation, "float64"))?;
     let array = array.cast::<PyArrayDyn<f64>>()?;
     check(array.shape())?;
-    state.extend(array.readonly().as_array().iter().map(|&value| S::from_f64(value)));
+    state.extend(array.readonly().as_array());
     Ok(())
 }
 

@@ -27,7 +27,7 @@ pub(crate) struct Episode {
     idle: Idle,
     seed: u64,
     step: u32,
-    state: Vec<f32>,
+    state: Vec<f64>,
 }
 
 impl Drop for Episode {
@@ -101,7 +101,7 @@ impl Environment<f32> for Gym {
     }
 
     fn observe(&self, episode: &mut Episode, _wanted: SourceSet, state: &mut [f32]) {
-        state.copy_from_slice(&episode.state);
+        state.iter_mut().zip(&episode.state).for_each(|(slot, &value)| *slot = value as f32);
     }
 
     fn step(&self, episode: &mut Episode, act: Act<'_, f32>) -> Step {

@@ -17,33 +17,16 @@ pub(crate) type Parts = (u64, Vec<f64>, Vec<f64>);
 
 /// A policy that is evaluated in an episode.
 #[pyclass(frozen, module = "tpg_train._tpg")]
-#[derive(Debug)]
 pub(crate) struct Policy {
     policy: tpg_engine::PolicyGraph,
     inputs: usize,
     scalar: ScalarType,
-    /// Its own plan, made when it first acts.
+    /// Its own evaluator, made when it first acts.
     acting: Mutex<Option<Acting>>,
 }
 
 /// An evaluator of one state at a time, in what the policy computes in.
-#[derive(Debug)]
-enum Acting {
-    F32(Single<f32, Own>),
-    F64(Single<f64, Own>),
-}
-
-impl Acting {
-    fn answer(&self, state: &[f64]) -> Answer {
-        fn rounded<S: Scalar>(state: &[f64]) -> Vec<S> {
-            state.iter().map(|&value| S::from_f64(value)).collect()
-        }
-        match self {
-            Self::F32(single) => single.answer(&rounded(state)),
-            Self::F64(single) => single.answer(&rounded(state)),
-        }
-    }
-}
+pub(crate) type Acting = Box<dyn FnMut(&[f64]) -> Answer + Send>;
 
 impl Policy {
     /// Wraps a policy over a state of `inputs` values, computed in `scalar`.
@@ -61,13 +44,27 @@ impl Policy {
         self.scalar
     }
 
-    /// Creates an evaluator of one state at a time; `S` is to be the policy's own scalar.
-    pub(crate) fn single<S: Scalar>(&self) -> Single<S, Own>
+    /// Creates an evaluator.
+    pub(crate) fn acting(&self) -> Acting {
+        match self.scalar {
+            ScalarType::F32 => self.acting_in::<f32>(),
+            ScalarType::F64 => self.acting_in::<f64>(),
+        }
+    }
+
+    fn acting_in<S: Scalar>(&self) -> Acting
     where
         Own: Maths<S>,
     {
         let source = SourceDocument::new("state", "", vec![[-1.0, 1.0]; self.inputs]);
-        Single::new(Plan::new::<Own>(&self.policy, &[source], EngineOptions { lanes: 1, ..EngineOptions::default() }))
+        let options = EngineOptions { lanes: 1, ..EngineOptions::default() };
+        let single = Single::<S, Own>::new(Plan::new::<Own>(&self.policy, &[source], options));
+        let mut rounded = Vec::with_capacity(self.inputs);
+        Box::new(move |state| {
+            rounded.clear();
+            rounded.extend(state.iter().map(|&value| S::from_f64(value)));
+            single.answer(&rounded)
+        })
     }
 }
 
@@ -124,11 +121,8 @@ impl Policy {
             return Err(error::input(format!("a state of {} values; accepted: {}", state.len(), self.inputs)));
         }
         let mut acting = self.acting.lock().map_err(error::training)?;
-        let acting = acting.get_or_insert_with(|| match self.scalar {
-            ScalarType::F32 => Acting::F32(self.single()),
-            ScalarType::F64 => Acting::F64(self.single()),
-        });
-        Ok(match acting.answer(&state) {
+        let acting = acting.get_or_insert_with(|| self.acting());
+        Ok(match acting(&state) {
             Answer::Action(action) => (Some(action.0), Vec::new()),
             Answer::Values(values) => (None, values),
         })
