@@ -211,8 +211,8 @@ fn own_maths_is_the_runtimes() {
             (Meaning::read(word, &text).expect("a graph"), Graph::from_json(word, &text).expect("a graph"));
         let interpreter = Interpreter::<f32, Own>::new(&reference);
         for &bits in &bits {
-            let mut terms = Terms::for_state(&[bits]);
-            let values = graph::meaning::Meaning::new(&graph).values(&mut terms, 0).expect("the definition");
+            let terms = Terms::for_state(&[bits]);
+            let values = graph::meaning::Meaning::new(&graph).values(&terms, 0).expect("the definition");
             let found = Evaluator::new(&[bits]).bits(&terms, values[0]);
             let expected = interpreter.outputs(ActionId(0), &[f32::from_bits(bits)])[0];
             assert_eq!(found, expected.to_bits(), "{word} of {bits:#x}");

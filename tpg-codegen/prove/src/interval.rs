@@ -36,16 +36,16 @@ impl Intervals {
     }
 
     /// The interval of a term.
-    pub fn interval(&mut self, terms: &mut Terms, term: Float) -> Interval {
+    pub fn interval(&mut self, terms: &Terms, term: Float) -> Interval {
         let bounds = self.bounds(terms, term);
         if bounds.low > bounds.high && !bounds.nan { ANY } else { bounds }
     }
 
-    fn bounds(&mut self, terms: &mut Terms, term: Float) -> Interval {
+    fn bounds(&mut self, terms: &Terms, term: Float) -> Interval {
         if let Some(&known) = self.known.get(&term) {
             return known;
         }
-        let result = match *terms.of_float(term) {
+        let result = match terms.of_float(term) {
             Constant(bits) => {
                 let value = f32::from_bits(bits);
                 if value.is_nan() {
@@ -60,8 +60,7 @@ impl Intervals {
             },
             Node::Arithmetic(operation, a, b) => {
                 let same = a == b;
-                let (a, b) = (self.bounds(terms, a), self.bounds(terms, b));
-                combined(operation, a, b, same)
+                combined(operation, self.bounds(terms, a), self.bounds(terms, b), same)
             }
             Negative(a) => {
                 let a = self.bounds(terms, a);
@@ -87,13 +86,13 @@ impl Intervals {
     }
 
     /// The bounds of a term where a condition holds.
-    fn where_holds(&mut self, terms: &mut Terms, condition: Bool, term: Float) -> Interval {
+    fn where_holds(&mut self, terms: &Terms, condition: Bool, term: Float) -> Interval {
         let mut bounds = self.bounds(terms, term);
         let conditions = terms.parts(condition);
         let term = terms.zero_free(term);
         let mirrored = terms.negate(term);
         for condition in conditions {
-            let (&AtMost(a, b), negated) = terms.of_bool(condition) else { continue };
+            let (AtMost(a, b), negated) = terms.of_bool(condition) else { continue };
             // (lower, higher, strictly)
             let (low, high) = if negated { (b, a) } else { (a, b) };
             let (below, above) = (self.bounds(terms, low), self.bounds(terms, high));
@@ -159,19 +158,19 @@ mod tests {
 
     #[test]
     fn bounds_hold_what_can_be() {
-        let mut terms = Terms::new();
+        let terms = Terms::new();
         let (x, y, one) = (terms.source(0), terms.source(1), terms.constant(1.0));
         let mut intervals = Intervals::new(&[[-2.0, 3.0]]);
         let square = terms.multiply(x, x);
-        let bounds = intervals.interval(&mut terms, square);
+        let bounds = intervals.interval(&terms, square);
         assert_eq!((bounds.low, bounds.high, bounds.nan), (0.0, 9.0, false));
         let smaller = terms.minimum(y, one);
-        let bounds = intervals.interval(&mut terms, smaller);
+        let bounds = intervals.interval(&terms, smaller);
         // NaN gives 1
         assert_eq!((bounds.high, bounds.nan), (1.0, false));
         let larger = terms.maximum(one, y);
-        assert!(intervals.interval(&mut terms, larger).nan, "a NaN that is second is the result");
+        assert!(intervals.interval(&terms, larger).nan, "a NaN that is second is the result");
         let any = terms.add(y, y);
-        assert!(intervals.interval(&mut terms, any).nan);
+        assert!(intervals.interval(&terms, any).nan);
     }
 }

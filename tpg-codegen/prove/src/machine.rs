@@ -58,13 +58,13 @@ pub trait Machine {
     ///
     /// # Errors
     /// What cannot be executed.
-    fn entry(&mut self, terms: &mut Terms) -> Result<Self::Point, Missing>;
+    fn entry(&mut self, terms: &Terms) -> Result<Self::Point, Missing>;
 
     /// Executes from a point. The conditions exclude each other, and one of them holds in every state that leads to the point.
     ///
     /// # Errors
     /// What cannot be executed.
-    fn run(&mut self, terms: &mut Terms, from: &Self::Point) -> Result<Ways<Self::Point>, Missing>;
+    fn run(&mut self, terms: &Terms, from: &Self::Point) -> Result<Ways<Self::Point>, Missing>;
 
     /// The place of a point, for people.
     fn place(&self, point: &Self::Point) -> String;

@@ -132,7 +132,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     }
 
     fn walk(&mut self, forgetful: bool) -> Result<(), Missing> {
-        let start = ProductSide::At(self.machine.entry(&mut self.terms)?);
+        let start = ProductSide::At(self.machine.entry(&self.terms)?);
         let mut pairs = vec![(start, self.graph.start(), Terms::TRUE)];
         let mut numbers = HashMap::from([(pairs[0].clone(), 0)]);
         // Of each pair those that come after it.
@@ -184,7 +184,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     ) -> Result<Pairs<M::Point>, Missing> {
         let ends = self.ends(&side)?;
         let team = match place {
-            Team(team) => self.meaning.winners(&mut self.terms, team)?,
+            Team(team) => self.meaning.winners(&self.terms, team)?,
             _ => vec![(Terms::TRUE, place)],
         };
         let graph_is_done = !matches!(place, Team(_));
@@ -248,8 +248,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         let mut next = Vec::new();
         for to in order {
             let wins = if one { Terms::TRUE } else { self.terms.any(by_target[&to].iter().copied()) };
-            let held = self.terms.and(assumed, wins);
-            next.push((side.clone(), to, held));
+            next.push((side.clone(), to, self.terms.and(assumed, wins)));
         }
         next
     }
@@ -257,7 +256,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     /// Finds what can hold together, within the work that is left.
     fn combinations(&mut self, assumed: Bool, sides: [&[Bool]; 2]) -> Option<Together> {
         let left = self.effort.cases.saturating_sub(self.work.cases);
-        let found = together(&mut self.terms, &mut self.intervals, assumed, sides, left).ok();
+        let found = together(&self.terms, &mut self.intervals, assumed, sides, left).ok();
         self.work.cases += found.as_ref().map_or(left, |found| found.cases);
         found
     }
@@ -298,7 +297,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
                 Ok(())
             }
             (ProductSide::Values(values), Leaf(leaf)) => {
-                let expected = self.meaning.values(&mut self.terms, leaf)?;
+                let expected = self.meaning.values(&self.terms, leaf)?;
                 self.terms.complete(|| self.graph.name(place))?;
                 if values.len() != expected.len() {
                     return Err(different(self.name(side, place)));
@@ -349,7 +348,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
                     return Ok(Some(known.clone()));
                 }
                 self.work.pieces += 1;
-                let ends = self.machine.run(&mut self.terms, point)?;
+                let ends = self.machine.run(&self.terms, point)?;
                 self.terms.complete(|| self.machine.place(point))?;
                 let mut sides: Ends<M::Point> = Vec::new();
                 for (condition, step) in ends {
@@ -382,7 +381,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
             let uses = self.parents.entry(word).or_default();
             *uses += 1;
             if *uses == 1
-                && let Node::WordIf(_, a, b) = *self.terms.of_word(word)
+                && let Node::WordIf(_, a, b) = self.terms.of_word(word)
             {
                 open.extend([a, b]);
             }
@@ -397,19 +396,19 @@ impl<'a, M: Machine> Comparison<'a, M> {
         self.evaluator.set(state);
         let mut place = self.graph.start();
         while let Team(team) = place {
-            let winners = self.meaning.winners(&mut self.terms, team)?;
+            let winners = self.meaning.winners(&self.terms, team)?;
             let won = winners.iter().find(|(condition, _)| self.evaluator.truth(&self.terms, *condition));
             place = won.ok_or_else(|| Missing::new(self.graph.name(place), "a winner"))?.1;
         }
         let expected = match place {
             Leaf(leaf) => {
-                let values = self.meaning.values(&mut self.terms, leaf)?;
+                let values = self.meaning.values(&self.terms, leaf)?;
                 Concrete::Values(values.iter().map(|&value| self.evaluator.bits(&self.terms, value)).collect())
             }
             Destination::Action(action) => Concrete::Action(u64::from(action)),
             Team(_) => return Err(Missing::new(self.graph.name(place), "an answer")),
         };
-        let mut side = ProductSide::At(self.machine.entry(&mut self.terms)?);
+        let mut side = ProductSide::At(self.machine.entry(&self.terms)?);
         let mut steps = 0;
         while let ProductSide::At(_) = side {
             steps += 1;
@@ -440,7 +439,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     /// A leaf for which that is not proven.
     pub fn ranges(&mut self) -> Result<(), Missing> {
         for leaf in 0..self.graph.leaves() {
-            let inside = self.meaning.in_range(&mut self.terms, leaf)?;
+            let inside = self.meaning.in_range(&self.terms, leaf)?;
             self.terms.complete(|| self.graph.name(Leaf(leaf)))?;
             let sides = [&[inside, !inside][..], &[Terms::TRUE]];
             let found = self.combinations(Terms::TRUE, sides);

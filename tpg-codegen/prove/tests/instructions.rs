@@ -199,7 +199,7 @@ fn assembly(forms: &[String]) -> String {
 }
 
 /// The results of a form as terms.
-fn executed(file: &[u8], number: usize, terms: &mut Terms) -> Result<Vec<Float>, String> {
+fn executed(file: &[u8], number: usize, terms: &Terms) -> Result<Vec<Float>, String> {
     let names = ["r4", "s4"].map(str::to_owned).to_vec();
     let interface = Interface { sources: vec![("operand".to_owned(), 4)], memory: Vec::new(), outputs: names };
     let mut object = Object::new(file, &format!("form_{number}"), interface).map_err(|error| error.to_string())?;
@@ -208,7 +208,7 @@ fn executed(file: &[u8], number: usize, terms: &mut Terms) -> Result<Vec<Float>,
 }
 
 /// The results from a point on, chosen by the conditions of the steps.
-fn followed(object: &mut Object, terms: &mut Terms, point: Point) -> Result<Vec<Float>, String> {
+fn followed(object: &mut Object, terms: &Terms, point: Point) -> Result<Vec<Float>, String> {
     let mut chosen: Option<Vec<Float>> = None;
     for (guard, step) in object.run(terms, &point).map_err(|error| error.to_string())? {
         let values = match step {
@@ -241,8 +241,8 @@ fn forms_compute_what_the_processor_does() {
     let mut operands = Operands(1);
     let mut failures = Vec::new();
     for (number, form) in forms.iter().enumerate() {
-        let mut terms = Terms::new();
-        let results = executed(&file, number, &mut terms);
+        let terms = Terms::new();
+        let results = executed(&file, number, &terms);
         let (mut hash, mut first) = (2_166_136_261_u32, Vec::new());
         let mut evaluator = Evaluator::default();
         for _ in 0..states {

@@ -36,50 +36,41 @@ pub enum Kind {
 const CONDITIONS: [&str; 16] =
     ["eq", "ne", "cs", "hs", "cc", "lo", "mi", "pl", "vs", "vc", "hi", "ls", "ge", "lt", "gt", "le"];
 
+/// Instructions that may have a condition.
+const CONDITIONAL: [&str; 3] = [
+    "b bl blx bx pop ldm ldmia ldmfd ldmdb ldr mov",
+    "push vpush stmdb stmfd vstmdb",
+    "add addw sub subw subs cmp cmn tst",
+];
+
+/// Returns a mnemonic without its width and its condition, and tests for a condition.
+fn base(line: &Line) -> (&str, bool) {
+    let name = bare(&line.mnemonic);
+    let names = || CONDITIONAL.iter().flat_map(|names| names.split(' '));
+    let conditional = |base: &str| name.strip_prefix(base).is_some_and(|rest| CONDITIONS.contains(&rest));
+    names().find(|base| conditional(base)).map_or((name, false), |base| (base, true))
+}
+
 /// Classifies an instruction.
 pub fn kind(line: &Line) -> Kind {
-    let (name, operands) = (bare(&line.mnemonic), line.operands.as_str());
-    if matches!(name, "cbz" | "cbnz") {
-        return Branch { conditional: true };
-    }
+    let ((name, conditional), operands) = (base(line), line.operands.as_str());
     match name {
-        "tbb" | "tbh" | "jr" => return JumpTable,
-        "udf" | "unimp" | "ebreak" => return Trap,
-        "j" => return Branch { conditional: false },
-        "beqz" | "bnez" | "bltz" | "bgez" | "blez" | "bgtz" | "bltu" | "bgeu" | "bleu" | "bgtu" => {
-            return Branch { conditional: true };
+        "tbb" | "tbh" | "jr" => JumpTable,
+        "udf" | "unimp" | "ebreak" => Trap,
+        "j" => Branch { conditional: false },
+        "cbz" | "cbnz" | "beqz" | "bnez" | "bltz" | "bgez" | "blez" | "bgtz" | "bltu" | "bgeu" | "bleu" | "bgtu" => {
+            Branch { conditional: true }
         }
-        "jal" => return Call,
-        "jalr" => return Indirect { goes_on: true },
-        "ret" => return Return { conditional: false },
-        _ => {}
-    }
-    if let Some(conditional) = is(name, "b") {
-        return Branch { conditional };
-    }
-    if is(name, "bl").is_some() {
-        return Call;
-    }
-    if is(name, "blx").is_some() {
-        return Indirect { goes_on: true };
-    }
-    if let Some(conditional) = is(name, "bx") {
-        return if operands == "lr" { Return { conditional } } else { Indirect { goes_on: conditional } };
-    }
-    if let Some(conditional) = loads_many(name)
-        && operands.contains("pc}")
-    {
-        return Return { conditional };
-    }
-    if let Some(conditional) = is(name, "ldr")
-        && operands.starts_with("pc,")
-    {
-        return if operands.starts_with("pc, [sp]") { Return { conditional } } else { JumpTable };
-    }
-    let writes_pc = operands.starts_with("pc,");
-    match is(name, "mov") {
-        Some(conditional) if operands == "pc, lr" => Return { conditional },
-        _ if writes_pc => JumpTable,
+        "jal" | "bl" => Call,
+        "jalr" | "blx" => Indirect { goes_on: true },
+        "ret" => Return { conditional: false },
+        "b" => Branch { conditional },
+        "bx" if operands == "lr" => Return { conditional },
+        "bx" => Indirect { goes_on: conditional },
+        "pop" | "ldm" | "ldmia" | "ldmfd" | "ldmdb" if operands.contains("pc}") => Return { conditional },
+        "ldr" if operands.starts_with("pc, [sp]") => Return { conditional },
+        "mov" if operands == "pc, lr" => Return { conditional },
+        _ if operands.starts_with("pc,") => JumpTable,
         _ => Plain,
     }
 }
@@ -106,70 +97,36 @@ pub enum Stack {
 /// Returns the effect of an instruction on the stack pointer. Releasing stack is not counted, which keeps the bound
 /// safe.
 pub fn stack(line: &Line) -> Stack {
-    let (name, operands) = (bare(&line.mnemonic), line.operands.as_str());
-    if is(name, "push").is_some() {
-        return Down(4 * registers(operands));
-    }
-    if is(name, "vpush").is_some() {
-        return Down(floats(operands));
-    }
-    if (is(name, "stmdb").is_some() || is(name, "stmfd").is_some()) && operands.starts_with("sp!") {
-        return Down(4 * registers(operands));
-    }
-    if is(name, "vstmdb").is_some() && operands.starts_with("sp!") {
-        return Down(floats(operands));
-    }
-    if name.starts_with("str") && operands.contains("[sp, #-") && operands.ends_with("]!") {
-        return number(operands.rsplit("#-").next()).map_or(Unknown, Down);
-    }
-    if !operands.starts_with("sp,") {
-        return Same;
-    }
-    // RISC-V: a number without a mark.
-    if let Some(amount) = operands.strip_prefix("sp,sp,").filter(|_| matches!(name, "add" | "addi")) {
-        return match amount.strip_prefix('-') {
-            Some(bytes) => number(Some(bytes)).map_or(Unknown, Down),
-            None => number(Some(amount)).map_or(Unknown, |_| Same),
-        };
-    }
+    let ((name, _), operands) = (base(line), line.operands.as_str());
     let by_number = || number(operands.rsplit('#').next().filter(|_| operands.contains('#')));
-    if is(name, "sub").is_some() || is(name, "subw").is_some() || is(name, "subs").is_some() {
-        return by_number().map_or(Unknown, Down);
+    match name {
+        "push" => Down(4 * registers(operands)),
+        "vpush" => Down(floats(operands)),
+        "stmdb" | "stmfd" if operands.starts_with("sp!") => Down(4 * registers(operands)),
+        "vstmdb" if operands.starts_with("sp!") => Down(floats(operands)),
+        _ if name.starts_with("str") && operands.contains("[sp, #-") && operands.ends_with("]!") => {
+            number(operands.rsplit("#-").next()).map_or(Unknown, Down)
+        }
+        _ if !operands.starts_with("sp,") => Same,
+        // RISC-V: a number without a mark.
+        "add" | "addi" if operands.starts_with("sp,sp,") => match operands["sp,sp,".len()..].strip_prefix('-') {
+            Some(bytes) => number(Some(bytes)).map_or(Unknown, Down),
+            None => number(operands.rsplit(',').next()).map_or(Unknown, |_| Same),
+        },
+        "sub" | "subw" | "subs" => by_number().map_or(Unknown, Down),
+        // Stores and loads at the stack pointer without changing it: `stmia sp, {r3, r5}`.
+        _ if ["str", "stm", "vstm", "ldm", "vldm"].iter().any(|start| name.starts_with(start)) => Same,
+        // Releases stack: by a constant, or from the frame pointer that saved the previous value.
+        "add" | "addw" if by_number().is_some() => Same,
+        "mov" if operands == "sp, r7" => Same,
+        "cmp" | "cmn" | "tst" => Same,
+        _ => Unknown,
     }
-    // Stores and loads at the stack pointer without changing it: `stmia sp, {r3, r5}`.
-    let many = ["stm", "vstm", "ldm", "vldm"].iter().any(|start| name.starts_with(start));
-    if name.starts_with("str") || many {
-        return Same;
-    }
-    // Releases stack: by a constant, or from the frame pointer that saved the previous value.
-    let gives_back = (is(name, "add").is_some() || is(name, "addw").is_some()) && by_number().is_some();
-    if gives_back || (is(name, "mov").is_some() && operands == "sp, r7") || is_compare(name) {
-        return Same;
-    }
-    Unknown
-}
-
-fn is_compare(name: &str) -> bool {
-    is(name, "cmp").is_some() || is(name, "cmn").is_some() || is(name, "tst").is_some()
 }
 
 /// Removes the width from a mnemonic.
 fn bare(mnemonic: &str) -> &str {
     mnemonic.trim_end_matches(".n").trim_end_matches(".w")
-}
-
-/// Returns `Some` if a mnemonic is `base`: `Some(true)` if it has a condition.
-fn is(name: &str, base: &str) -> Option<bool> {
-    let condition = name.strip_prefix(base)?;
-    if condition.is_empty() {
-        return Some(false);
-    }
-    CONDITIONS.contains(&condition).then_some(true)
-}
-
-/// Matches `pop`, `ldmia` and similar instructions.
-fn loads_many(name: &str) -> Option<bool> {
-    ["pop", "ldmia", "ldmfd", "ldmdb", "ldm"].into_iter().find_map(|base| is(name, base))
 }
 
 /// Counts the registers in a list in braces.

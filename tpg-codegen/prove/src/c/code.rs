@@ -34,7 +34,7 @@ pub(super) enum Condition {
     Same(Width, Value, Value),
     Below(bool, Width, Value, Value),
     /// A relation of floats
-    Compared(fn(&mut Terms, Float, Float) -> Bool, Value, Value),
+    Compared(fn(&Terms, Float, Float) -> Bool, Value, Value),
     Nan(Value),
     /// Both hold, or one of them; the second is not evaluated where the first decides
     Logical(bool, Box<Condition>, Box<Condition>),

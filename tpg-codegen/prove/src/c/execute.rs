@@ -38,7 +38,7 @@ struct CState {
 type Reached = HashMap<(usize, Vec<(u32, Option<Cell>)>), BTreeMap<u32, Float>>;
 
 /// Called with every return: its place in the code, and the state there.
-type Returned<'a> = dyn FnMut(&Code, &mut Terms, usize, &CState) -> Result<(), Missing> + 'a;
+type Returned<'a> = dyn FnMut(&Code, &Terms, usize, &CState) -> Result<(), Missing> + 'a;
 
 /// A function of C, ready to be executed.
 #[derive(Debug)]
@@ -86,7 +86,7 @@ impl Code {
     }
 
     /// The result for a float in cell 0.
-    pub(super) fn of_float(&mut self, terms: &mut Terms, argument: Float) -> Result<Float, Missing> {
+    pub(super) fn of_float(&mut self, terms: &Terms, argument: Float) -> Result<Float, Missing> {
         self.first[0] = Some(Cell::Float(argument));
         let start = Point { at: 0, cells: Rc::new([]) };
         let mut results = Vec::new();
@@ -107,14 +107,14 @@ impl Code {
         self.program.result.ok_or_else(|| self.missing(at, "a result"))
     }
 
-    fn here<'a>(&'a self, terms: &'a mut Terms, at: usize, state: &'a CState) -> Here<'a> {
+    fn here<'a>(&'a self, terms: &'a Terms, at: usize, state: &'a CState) -> Here<'a> {
         Here { code: self, terms, at, cells: &state.cells }
     }
 
     /// Executes from a point; every return is reported, and every point where execution is cut.
     fn pieces(
         &mut self,
-        terms: &mut Terms,
+        terms: &Terms,
         from: &Point,
         returned: &mut Returned<'_>,
     ) -> Result<Vec<(Bool, Point)>, Missing> {
@@ -139,7 +139,7 @@ impl Code {
     /// Executes until paths part or meet.
     fn straight(
         &self,
-        terms: &mut Terms,
+        terms: &Terms,
         (round, mut at): (u64, usize),
         mut state: CState,
         pending: &mut BTreeMap<(u64, usize), CState>,
@@ -158,12 +158,12 @@ impl Code {
             terms.complete(|| self.missing(at, "").place)?;
             match &self.program.operations[at].1 {
                 Operation::Set(address, value) => {
-                    let mut here = self.here(terms, at, &state);
+                    let here = self.here(terms, at, &state);
                     let (address, cell) = (here.word(address)?, here.value(value)?);
                     *self.target(at, terms.number_of(address), &mut state.cells)? = Some(cell);
                 }
                 Operation::Copy(to, from, count) => {
-                    let mut here = self.here(terms, at, &state);
+                    let here = self.here(terms, at, &state);
                     let (to, from) = (here.range(to, *count)?, here.range(from, *count)?);
                     let copied: Vec<_> = (from..).take(*count as usize).map(|address| here.cell(address)).collect();
                     for (to, cell) in (to..).zip(copied) {
@@ -215,7 +215,7 @@ impl Code {
     /// Lets a path wait where it may meet others.
     fn arrive(
         &self,
-        terms: &mut Terms,
+        terms: &Terms,
         place: (u64, usize),
         mut state: CState,
         pending: &mut BTreeMap<(u64, usize), CState>,
@@ -228,13 +228,12 @@ impl Code {
     }
 
     /// Makes one state of two. Their conditions exclude each other: what both ask for decides nothing.
-    fn met(&self, terms: &mut Terms, at: usize, a: CState, b: CState) -> Result<CState, Missing> {
+    fn met(&self, terms: &Terms, at: usize, a: CState, b: CState) -> Result<CState, Missing> {
         let (first, second) = (terms.parts(a.guard), terms.parts(b.guard));
         let (shared, only): (Vec<_>, Vec<_>) = first.into_iter().partition(|part| second.contains(part));
         let rest: Vec<_> = second.into_iter().filter(|part| !shared.contains(part)).collect();
         let (only, rest) = (terms.all(only), terms.all(rest));
-        let either = terms.or(only, rest);
-        let guard = terms.all(shared.into_iter().chain([either]));
+        let guard = terms.all(shared.into_iter().chain([terms.or(only, rest)]));
         let mut agreed = a.agreed && b.agreed;
         let mut cells = a.cells;
         for (address, (cell, other)) in cells.iter_mut().zip(b.cells).enumerate() {
@@ -268,13 +267,7 @@ impl Code {
     }
 
     /// Cuts execution: a point for each choice of integers.
-    fn cut(
-        &mut self,
-        terms: &mut Terms,
-        at: usize,
-        state: CState,
-        cuts: &mut Vec<(Bool, Point)>,
-    ) -> Result<(), Missing> {
+    fn cut(&mut self, terms: &Terms, at: usize, state: CState, cuts: &mut Vec<(Bool, Point)>) -> Result<(), Missing> {
         if state.guard == Terms::FALSE {
             return Ok(());
         }
@@ -287,8 +280,7 @@ impl Code {
         {
             for number in numbers {
                 let constant = terms.number(number);
-                let is = terms.same(Width::W32, word, constant);
-                let guard = terms.and(state.guard, is);
+                let guard = terms.and(state.guard, terms.same(Width::W32, word, constant));
                 let cells = (state.cells.iter())
                     .map(|&cell| if cell == Some(Cell::Word(word)) { Some(Cell::Word(constant)) } else { cell })
                     .collect();
@@ -326,7 +318,7 @@ impl Code {
 impl Machine for Code {
     type Point = Point;
 
-    fn entry(&mut self, terms: &mut Terms) -> Result<Point, Missing> {
+    fn entry(&mut self, terms: &Terms) -> Result<Point, Missing> {
         let sources = (0..self.interface.state_length()).map(|index| (self.program.state + index, index));
         let memory = (self.interface.state_length()..).zip(&self.interface.memory);
         let remembered = memory
@@ -337,7 +329,7 @@ impl Machine for Code {
         Ok(Point { at: 0, cells: Rc::new([]) })
     }
 
-    fn run(&mut self, terms: &mut Terms, from: &Point) -> Result<Vec<(Bool, Step<Point>)>, Missing> {
+    fn run(&mut self, terms: &Terms, from: &Point) -> Result<Vec<(Bool, Step<Point>)>, Missing> {
         let mut ends = Vec::new();
         let cuts = self.pieces(terms, from, &mut |code, terms, at, state| {
             let answer = match code.program.action {

@@ -54,13 +54,7 @@ pub fn read_with(
 }
 
 /// Executes a function of one float from a text that defines what it means.
-pub(crate) fn definition(
-    file: &str,
-    text: &str,
-    name: &str,
-    terms: &mut Terms,
-    argument: Float,
-) -> Result<Float, Missing> {
+pub(crate) fn definition(file: &str, text: &str, name: &str, terms: &Terms, argument: Float) -> Result<Float, Missing> {
     let compiler = Compiler::read(file, token::tokens(file, text, &|_| None)?)?;
     Code::definition(file, compiler.of_float(name)?).of_float(terms, argument)
 }

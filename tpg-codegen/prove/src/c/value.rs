@@ -12,7 +12,7 @@ use std::rc::Rc;
 /// A place in the code, and the cells there.
 pub(super) struct Here<'a> {
     pub(super) code: &'a Code,
-    pub(super) terms: &'a mut Terms,
+    pub(super) terms: &'a Terms,
     pub(super) at: usize,
     pub(super) cells: &'a [Option<Cell>],
 }
@@ -22,7 +22,7 @@ impl Here<'_> {
         Err(self.code.missing(self.at, what))
     }
 
-    pub(super) fn cell(&mut self, address: u64) -> Result<Cell, Missing> {
+    pub(super) fn cell(&self, address: u64) -> Result<Cell, Missing> {
         let Ok(address) = u32::try_from(address) else { return self.missing("an address") };
         let found = match address.checked_sub(CONSTANTS) {
             None => self.cells.get(address as usize).copied(),
@@ -40,14 +40,14 @@ impl Here<'_> {
         }
     }
 
-    pub(super) fn read_float(&mut self, address: u64) -> Result<Float, Missing> {
+    pub(super) fn read_float(&self, address: u64) -> Result<Float, Missing> {
         Ok(match self.cell(address)? {
             Cell::Word(word) => self.terms.of_bits(word),
             Cell::Float(float) => float,
         })
     }
 
-    pub(super) fn read_word(&mut self, address: u64) -> Result<Word, Missing> {
+    pub(super) fn read_word(&self, address: u64) -> Result<Word, Missing> {
         Ok(match self.cell(address)? {
             Cell::Float(float) => self.terms.bits(float),
             Cell::Word(word) => word,
@@ -55,7 +55,7 @@ impl Here<'_> {
     }
 
     /// The constant address of some cells of one variable.
-    pub(super) fn range(&mut self, address: &Value, count: u32) -> Result<u64, Missing> {
+    pub(super) fn range(&self, address: &Value, count: u32) -> Result<u64, Missing> {
         let word = self.word(address)?;
         let first = self.terms.number_of(word).and_then(|address| u32::try_from(address).ok());
         let Some(first) = first else { return self.missing("an address that is a constant") };
@@ -65,8 +65,8 @@ impl Here<'_> {
         }
     }
 
-    fn loaded_float(&mut self, address: Word) -> Result<Float, Missing> {
-        match *self.terms.of_word(address) {
+    fn loaded_float(&self, address: Word) -> Result<Float, Missing> {
+        match self.terms.of_word(address) {
             Node::Number(number) => self.read_float(number),
             Node::WordIf(condition, a, b) => {
                 let (a, b) = (self.loaded_float(a)?, self.loaded_float(b)?);
@@ -76,20 +76,19 @@ impl Here<'_> {
         }
     }
 
-    fn loaded_word(&mut self, address: Word) -> Result<Word, Missing> {
+    fn loaded_word(&self, address: Word) -> Result<Word, Missing> {
         if let Some(numbers) = self.terms.numbers(address) {
             for number in numbers {
                 self.read_word(number)?;
             }
-            let Self { code, at, cells, .. } = *self;
-            return Ok(self.terms.mapped(address, &mut |terms, leaf| {
-                let number = terms.number_of(leaf).unwrap_or_default();
-                Here { code, terms, at, cells }.read_word(number).unwrap_or(leaf)
+            return Ok(self.terms.mapped(address, &mut |leaf| {
+                let number = self.terms.number_of(leaf).unwrap_or_default();
+                self.read_word(number).unwrap_or(leaf)
             }));
         }
         // an element of a constant table
-        let terms = &mut *self.terms;
-        if let Node::Apply(Add, W32, index, base) = *terms.of_word(address)
+        let terms = self.terms;
+        if let Node::Apply(Add, W32, index, base) = terms.of_word(address)
             && let Some(base) = terms.number_of(base)
             && let Some(object) = u32::try_from(base).ok().and_then(|base| self.code.program.object(base))
             && object.start >= CONSTANTS
@@ -101,8 +100,7 @@ impl Here<'_> {
                     Constant::Number(number) => number,
                 })
                 .collect();
-            let offset = terms.number(base - u64::from(object.start));
-            let index = terms.apply(Add, W32, index, offset);
+            let index = terms.apply(Add, W32, index, terms.number(base - u64::from(object.start)));
             let length = object.end - object.start;
             if largest(terms, index) >= u64::from(length) && !terms.is_granted(index, length) {
                 return self.missing("an index that is in bounds");
@@ -112,92 +110,70 @@ impl Here<'_> {
         self.missing("an index that is a constant")
     }
 
-    pub(super) fn float(&mut self, value: &Value) -> Result<Float, Missing> {
+    pub(super) fn float(&self, value: &Value) -> Result<Float, Missing> {
         match self.value(value)? {
             Cell::Float(float) => Ok(float),
             Cell::Word(_) => self.missing("a float"),
         }
     }
 
-    pub(super) fn word(&mut self, value: &Value) -> Result<Word, Missing> {
+    pub(super) fn word(&self, value: &Value) -> Result<Word, Missing> {
         match self.value(value)? {
             Cell::Word(word) => Ok(word),
             Cell::Float(_) => self.missing("an integer"),
         }
     }
 
-    pub(super) fn value(&mut self, value: &Value) -> Result<Cell, Missing> {
-        let word = match value {
-            Load(address, Scalar::Float) => {
-                let address = self.word(address)?;
-                return self.loaded_float(address).map(Cell::Float);
-            }
-            Value::Float(bits) => return Ok(Cell::Float(self.terms.constant_bits(*bits))),
-            Arithmetic(operation, a, b) => {
-                let (a, b) = (self.float(a)?, self.float(b)?);
-                return Ok(Cell::Float(self.terms.arithmetic(*operation, a, b)));
-            }
-            Negative(a) => {
-                let a = self.float(a)?;
-                return Ok(Cell::Float(self.terms.negate(a)));
-            }
-            Magnitude(a) => {
-                let a = self.float(a)?;
-                return Ok(Cell::Float(self.terms.magnitude(a)));
-            }
-            OfInteger(signed, a) => {
-                let a = self.word(a)?;
-                return Ok(Cell::Float(self.terms.of_integer(*signed, a)));
-            }
-            If(condition, a, b) => {
-                let condition = self.condition(condition)?;
-                if condition == Terms::TRUE {
-                    return self.value(a);
-                }
-                if condition == Terms::FALSE {
-                    return self.value(b);
-                }
-                let (a, b) = (self.value(a)?, self.value(b)?);
-                return chosen(self.terms, condition, a, b).map_or_else(|| self.missing("one kind of value"), Ok);
-            }
-            Load(address, Scalar::Word) => {
-                let address = self.word(address)?;
-                self.loaded_word(address)?
-            }
-            Number(number) => self.terms.number(*number),
+    pub(super) fn value(&self, value: &Value) -> Result<Cell, Missing> {
+        let terms = self.terms;
+        Ok(match value {
+            Load(address, Scalar::Float) => Cell::Float(self.loaded_float(self.word(address)?)?),
+            Load(address, Scalar::Word) => Cell::Word(self.loaded_word(self.word(address)?)?),
+            Value::Float(bits) => Cell::Float(terms.constant_bits(*bits)),
+            Number(number) => Cell::Word(terms.number(*number)),
+            Arithmetic(operation, a, b) => Cell::Float(terms.arithmetic(*operation, self.float(a)?, self.float(b)?)),
+            Negative(a) => Cell::Float(terms.negate(self.float(a)?)),
+            Magnitude(a) => Cell::Float(terms.magnitude(self.float(a)?)),
+            OfInteger(signed, a) => Cell::Float(terms.of_integer(*signed, self.word(a)?)),
+            OfCondition(condition) => Cell::Word(terms.word_of(self.condition(condition)?)),
+            If(condition, a, b) => match self.condition(condition)? {
+                Terms::TRUE => self.value(a)?,
+                Terms::FALSE => self.value(b)?,
+                condition => match chosen(terms, condition, self.value(a)?, self.value(b)?) {
+                    Some(value) => value,
+                    None => return self.missing("one kind of value"),
+                },
+            },
             Apply(operator, width, a, b) => {
                 let (a, b) = (self.word(a)?, self.word(b)?);
                 match operator {
-                    Divide | Modulo if self.terms.numbers(b).is_none_or(|numbers| numbers.contains(&0)) => {
+                    Divide | Modulo if terms.numbers(b).is_none_or(|numbers| numbers.contains(&0)) => {
                         return self.missing("a divisor that is not 0");
                     }
-                    ShiftLeft | ShiftRight | ShiftArithmetic if largest(self.terms, b) >= u64::from(width.bits()) => {
+                    ShiftLeft | ShiftRight | ShiftArithmetic if largest(terms, b) >= u64::from(width.bits()) => {
                         return self.missing("a shift below the width");
                     }
-                    _ => self.terms.apply(*operator, *width, a, b),
+                    _ => Cell::Word(terms.apply(*operator, *width, a, b)),
                 }
-            }
-            OfCondition(condition) => {
-                let condition = self.condition(condition)?;
-                self.terms.word_of(condition)
             }
             Below(a, length) => {
                 let a = self.word(a)?;
-                let largest = largest(self.terms, a);
+                let largest = largest(terms, a);
                 if largest >= u64::from(*length) {
                     if self.code.defines {
-                        self.terms.grant(a, *length);
-                    } else if !self.terms.is_granted(a, *length) {
+                        terms.grant(a, *length);
+                    } else if !terms.is_granted(a, *length) {
                         return self.missing("an index that is in bounds");
                     }
                 }
-                if largest < FEW && self.terms.numbers(a).is_none() { each(self.terms, a, largest) } else { a }
+                let is_choice = largest < FEW && terms.numbers(a).is_none();
+                Cell::Word(if is_choice { each(terms, a, largest) } else { a })
             }
             Moved(address, offset) => {
                 let (address, offset) = (self.word(address)?, self.word(offset)?);
-                let sum = self.terms.apply(Add, W32, address, offset);
+                let sum = terms.apply(Add, W32, address, offset);
                 // constants are checked here, other indices where they are below a length
-                if let (Some(from), Some(to)) = (self.terms.numbers(address), self.terms.numbers(sum)) {
+                if let (Some(from), Some(to)) = (terms.numbers(address), terms.numbers(sum)) {
                     let objects: BTreeSet<_> = (from.iter().chain(&to))
                         .map(|&address| Some(self.code.program.object(u32::try_from(address).ok()?)?.start))
                         .collect();
@@ -205,30 +181,17 @@ impl Here<'_> {
                         return self.missing("an address in bounds");
                     }
                 }
-                sum
+                Cell::Word(sum)
             }
-        };
-        Ok(Cell::Word(word))
+        })
     }
 
-    pub(super) fn condition(&mut self, condition: &Condition) -> Result<Bool, Missing> {
+    pub(super) fn condition(&self, condition: &Condition) -> Result<Bool, Missing> {
         Ok(match condition {
-            Condition::Same(width, a, b) => {
-                let (a, b) = (self.word(a)?, self.word(b)?);
-                self.terms.same(*width, a, b)
-            }
-            Condition::Below(signed, width, a, b) => {
-                let (a, b) = (self.word(a)?, self.word(b)?);
-                self.terms.below(*signed, *width, a, b)
-            }
-            Condition::Compared(relation, a, b) => {
-                let (a, b) = (self.float(a)?, self.float(b)?);
-                relation(self.terms, a, b)
-            }
-            Condition::Nan(a) => {
-                let a = self.float(a)?;
-                self.terms.is_nan(a)
-            }
+            Condition::Same(width, a, b) => self.terms.same(*width, self.word(a)?, self.word(b)?),
+            Condition::Below(signed, width, a, b) => self.terms.below(*signed, *width, self.word(a)?, self.word(b)?),
+            Condition::Compared(relation, a, b) => relation(self.terms, self.float(a)?, self.float(b)?),
+            Condition::Nan(a) => self.terms.is_nan(self.float(a)?),
             Condition::Logical(and, a, b) => {
                 let a = self.condition(a)?;
                 if a == Terms::known(!and) {
@@ -243,7 +206,7 @@ impl Here<'_> {
 }
 
 /// One of two values of one kind.
-pub(super) fn chosen(terms: &mut Terms, condition: Bool, a: Cell, b: Cell) -> Option<Cell> {
+pub(super) fn chosen(terms: &Terms, condition: Bool, a: Cell, b: Cell) -> Option<Cell> {
     match (a, b) {
         (Cell::Float(a), Cell::Float(b)) => Some(Cell::Float(terms.choose_float(condition, a, b))),
         (Cell::Word(a), Cell::Word(b)) => Some(Cell::Word(terms.choose_word(condition, a, b))),
@@ -255,19 +218,18 @@ pub(super) fn chosen(terms: &mut Terms, condition: Bool, a: Cell, b: Cell) -> Op
 const FEW: u64 = 4;
 
 /// A word as a choice of the numbers up to the largest.
-fn each(terms: &mut Terms, word: Word, largest: u64) -> Word {
+fn each(terms: &Terms, word: Word, largest: u64) -> Word {
     let mut result = terms.number(largest);
     for number in (0..largest).rev() {
         let number = terms.number(number);
-        let is = terms.same(W32, word, number);
-        result = terms.choose_word(is, number, result);
+        result = terms.choose_word(terms.same(W32, word, number), number, result);
     }
     result
 }
 
 /// A number that a word is at most.
-fn largest(terms: &mut Terms, word: Word) -> u64 {
-    match *terms.of_word(word) {
+fn largest(terms: &Terms, word: Word) -> u64 {
+    match terms.of_word(word) {
         Node::Number(number) => number,
         Node::WordIf(_, a, b) => largest(terms, a).max(largest(terms, b)),
         Node::Apply(And, _, a, b) => largest(terms, a).min(largest(terms, b)),

@@ -11,7 +11,7 @@ use Region::*;
 use Value::*;
 
 impl Object {
-    pub(super) fn here<'a>(&'a self, terms: &'a mut Terms, point: &'a mut Point, at: &'a Instruction) -> Here<'a> {
+    pub(super) fn here<'a>(&'a self, terms: &'a Terms, point: &'a mut Point, at: &'a Instruction) -> Here<'a> {
         Here { object: self, terms, point, at }
     }
 
@@ -39,19 +39,19 @@ impl Here<'_> {
         value.ok_or_else(|| self.refusal(format_args!("register {register} holds nothing known")))
     }
 
-    pub(super) fn word(&mut self, register: Register) -> Result<Word> {
+    pub(super) fn word(&self, register: Register) -> Result<Word> {
         let value = self.register(register)?;
         word(self.terms, value).ok_or_else(|| self.refusal(format_args!("register {register} is no number")))
     }
 
-    pub(super) fn float(&mut self, register: Register) -> Result<Float> {
+    pub(super) fn float(&self, register: Register) -> Result<Float> {
         match self.register(register)? {
             Value::Float(float) => Ok(float),
             _ => self.word(register).map(|word| self.terms.of_bits(word)),
         }
     }
 
-    fn moved(&mut self, base: Value, distance: Word) -> Result<Value> {
+    fn moved(&self, base: Value, distance: Word) -> Result<Value> {
         moved(self.terms, base, distance).ok_or_else(|| self.refusal("not an address"))
     }
 
@@ -60,8 +60,7 @@ impl Here<'_> {
         let (accessed, written) = self.addresses(place)?;
         let mut loaded = Vec::new();
         for (number, &register) in registers.iter().enumerate() {
-            let distance = self.terms.number(4 * number as u64);
-            let address = self.moved(accessed, distance)?;
+            let address = self.moved(accessed, self.terms.number(4 * number as u64))?;
             if load {
                 loaded.push((register, self.load(address, width)?));
             } else {
@@ -76,7 +75,7 @@ impl Here<'_> {
     }
 
     /// Returns the address that is accessed, and the one that is written back.
-    pub(super) fn addresses(&mut self, place: Place) -> Result<(Value, Option<Value>)> {
+    pub(super) fn addresses(&self, place: Place) -> Result<(Value, Option<Value>)> {
         let unknowns = &self.object.unknowns;
         let base = if place.base == PC {
             let code = self.object.code(self.point, self.at.address.wrapping_add(4) & !3);
@@ -91,10 +90,7 @@ impl Here<'_> {
                 match (unknowns.pointer(self.terms, value), base) {
                     // The address is the register that is added.
                     (value @ Pointer(..), Word(word)) if shift == 0 => (value, word),
-                    _ => {
-                        let word = self.word(register)?;
-                        (base, self.with(ShiftLeft, word, shift.into()))
-                    }
+                    _ => (base, self.with(ShiftLeft, self.word(register)?, shift.into())),
                 }
             }
         };
@@ -106,7 +102,7 @@ impl Here<'_> {
         })
     }
 
-    fn load(&mut self, address: Value, width: Width) -> Result<Value> {
+    fn load(&self, address: Value, width: Width) -> Result<Value> {
         let (region, offset) = match address {
             Pointer(region, offset) => (region, offset),
             // A number is an address of a linked image.
@@ -127,11 +123,10 @@ impl Here<'_> {
         }
         // One of a few constants.
         let mut failed = false;
-        let Self { object, ref mut terms, ref mut point, at } = *self;
-        let value = terms.mapped(offset, &mut |terms, offset| {
-            let value = terms.number_of(offset).and_then(|offset| {
-                let value = object.here(terms, point, at).load_at(region, offset as u32, width)?;
-                word(terms, value)
+        let value = self.terms.mapped(offset, &mut |offset| {
+            let value = self.terms.number_of(offset).and_then(|offset| {
+                let value = self.load_at(region, offset as u32, width)?;
+                word(self.terms, value)
             });
             failed |= value.is_none();
             value.unwrap_or(offset)
@@ -139,7 +134,7 @@ impl Here<'_> {
         if failed { self.refuse("loads from an unknown address") } else { Ok(Word(value)) }
     }
 
-    fn load_at(&mut self, region: Region, offset: u32, width: Width) -> Option<Value> {
+    fn load_at(&self, region: Region, offset: u32, width: Width) -> Option<Value> {
         let is_word = width.bytes == 4 && offset.is_multiple_of(4);
         let unused = 32 - 8 * u32::from(width.bytes);
         let Object { image, interface, .. } = self.object;
@@ -160,8 +155,7 @@ impl Here<'_> {
             }
             _ => match *self.point.memory.get(&(region, offset, width.bytes))? {
                 Word(word) if width.signed => {
-                    let high = self.with(ShiftLeft, word, unused.into());
-                    Some(Word(self.with(ShiftArithmetic, high, unused.into())))
+                    Some(Word(self.with(ShiftArithmetic, self.with(ShiftLeft, word, unused.into()), unused.into())))
                 }
                 value => Some(value),
             },
@@ -198,7 +192,7 @@ impl Here<'_> {
     }
 
     /// Checks the calling convention at the end, and returns the answer.
-    pub(super) fn answer(&mut self) -> Result<Answer> {
+    pub(super) fn answer(&self) -> Result<Answer> {
         let missing = |what: String| Err(Missing::new(format!("{:#x}", self.at.address), what));
         for register in super::flow::preserved() {
             let expected = if register == SP { Pointer(Stack, self.terms.number(0)) } else { Initial(register) };
@@ -233,7 +227,7 @@ impl Here<'_> {
 }
 
 /// Returns an address moved by a distance, or a sum of numbers.
-pub(super) fn moved(terms: &mut Terms, base: Value, distance: Word) -> Option<Value> {
+pub(super) fn moved(terms: &Terms, base: Value, distance: Word) -> Option<Value> {
     match base {
         Pointer(region, offset) => Some(Pointer(region, terms.apply(Add, Bits::W32, offset, distance))),
         Word(word) => Some(Word(terms.apply(Add, Bits::W32, word, distance))),

@@ -50,7 +50,7 @@ struct MachineState {
 /// An instruction that is executed, and where.
 struct Here<'a> {
     object: &'a Object,
-    terms: &'a mut Terms,
+    terms: &'a Terms,
     point: &'a mut Point,
     at: &'a Instruction,
 }
@@ -98,14 +98,14 @@ impl Object {
     }
 
     /// Joins two states at the same place.
-    fn joined(&mut self, terms: &mut Terms, a: &MachineState, b: &MachineState) -> MachineState {
+    fn joined(&mut self, terms: &Terms, a: &MachineState, b: &MachineState) -> MachineState {
         let guard = terms.or(a.guard, b.guard);
         let condition = distinguishing(terms, a.guard, b.guard);
         MachineState { point: self.merged(terms, condition, &a.point, &b.point), guard, position: a.position.clone() }
     }
 
     /// Returns a point that is the first where the condition holds, else the second.
-    fn merged(&mut self, terms: &mut Terms, condition: Bool, a: &Point, b: &Point) -> Point {
+    fn merged(&mut self, terms: &Terms, condition: Bool, a: &Point, b: &Point) -> Point {
         let mut point = a.clone();
         for (register, value) in point.registers.iter_mut().enumerate() {
             let both = a.registers[register].zip(b.registers[register]);
@@ -154,7 +154,7 @@ impl Object {
     }
 
     /// Splits a state where the next piece begins: integers become constants. None if the piece goes on.
-    fn cut(&mut self, terms: &mut Terms, state: &MachineState) -> Result<Option<Vec<(Bool, Point)>>> {
+    fn cut(&mut self, terms: &Terms, state: &MachineState) -> Result<Option<Vec<(Bool, Point)>>> {
         let point = &state.point;
         let flow = self.flow(point.function)?;
         let node = &flow.nodes[&point.address];
@@ -215,7 +215,7 @@ impl Object {
 }
 
 /// Returns a condition that tells two guards apart: without what they share.
-fn distinguishing(terms: &mut Terms, a: Bool, b: Bool) -> Bool {
+fn distinguishing(terms: &Terms, a: Bool, b: Bool) -> Bool {
     let (first, second) = (terms.parts(a), terms.parts(b));
     if let Some(&fact) = first.iter().find(|&&fact| second.contains(&!fact)) {
         return fact;
@@ -241,7 +241,7 @@ impl Point {
 impl Machine for Object {
     type Point = Point;
 
-    fn entry(&mut self, terms: &mut Terms) -> Result<Point> {
+    fn entry(&mut self, terms: &Terms) -> Result<Point> {
         let function = self.function.start;
         let mut registers: [Option<Value>; REGISTERS] =
             std::array::from_fn(|register| Some(Initial(register as Register)));
@@ -258,8 +258,7 @@ impl Machine for Object {
         // The memory's values follow those of the state.
         let mut memory = BTreeMap::new();
         for (index, _) in (0..).zip(&self.interface.memory) {
-            let value = terms.source(self.interface.state_length() + index);
-            memory.insert((Memory, 4 * index, 4), Float(value));
+            memory.insert((Memory, 4 * index, 4), Float(terms.source(self.interface.state_length() + index)));
         }
         Ok(Point {
             address,
@@ -272,7 +271,7 @@ impl Machine for Object {
         })
     }
 
-    fn run(&mut self, terms: &mut Terms, from: &Point) -> Result<Vec<(Bool, Step<Point>)>> {
+    fn run(&mut self, terms: &Terms, from: &Point) -> Result<Vec<(Bool, Step<Point>)>> {
         let flow = self.flow(from.function)?;
         let mut waiting: BTreeMap<Vec<u32>, MachineState> = BTreeMap::new();
         let node = &flow.nodes[&from.address];

@@ -17,12 +17,12 @@ const W: Width = Width::W32;
 
 impl Object {
     /// Executes an instruction.
-    pub(super) fn step(&mut self, terms: &mut Terms, mut state: MachineState) -> Result<Vec<Next>> {
+    pub(super) fn step(&mut self, terms: &Terms, mut state: MachineState) -> Result<Vec<Next>> {
         let flow = self.flow(state.point.function)?;
         let node = &flow.nodes[&state.point.address];
         let at = &node.instruction;
         let behind = at.address + at.size;
-        let mut here = self.here(terms, &mut state.point, at);
+        let here = self.here(terms, &mut state.point, at);
         let condition = match at.operation {
             BranchIf { register, zero, .. } => {
                 let (value, none) = (here.word(register)?, here.terms.number(0));
@@ -65,7 +65,7 @@ impl Object {
     /// Executes a branch, call or return that is taken.
     fn leave(
         &mut self,
-        terms: &mut Terms,
+        terms: &Terms,
         mut state: MachineState,
         at: &Instruction,
         callee: Option<Address>,
@@ -132,13 +132,12 @@ impl Object {
     /// Goes to an address if a word is a number.
     fn jump(
         &mut self,
-        terms: &mut Terms,
+        terms: &Terms,
         state: &MachineState,
         (word, number, target): (Word, u64, Option<u32>),
         followers: &mut Vec<Next>,
     ) -> Result<()> {
-        let number = terms.number(number);
-        let same = terms.same(W, word, number);
+        let same = terms.same(W, word, terms.number(number));
         if let Some(mut state) = under(terms, state, same) {
             let from = state.point.address;
             let flow = self.flow(state.point.function)?;
@@ -151,13 +150,7 @@ impl Object {
     }
 
     /// Returns from a function.
-    fn returned(
-        &mut self,
-        terms: &mut Terms,
-        mut state: MachineState,
-        at: &Instruction,
-        target: Value,
-    ) -> Result<Next> {
+    fn returned(&mut self, terms: &Terms, mut state: MachineState, at: &Instruction, target: Value) -> Result<Next> {
         if target != return_to(terms, state.point.callers.last().copied()) {
             return self.here(terms, &mut state.point, at).refuse("returns to another address");
         }
@@ -203,31 +196,26 @@ impl Here<'_> {
             }
             Insert { to, from, low, width } => {
                 let mask = ((1u64 << width) - 1) << low;
-                let old = self.word(to)?;
-                let kept = self.with(And, old, !mask & 0xffff_ffff);
+                let kept = self.with(And, self.word(to)?, !mask & 0xffff_ffff);
                 let new = from.map(|from| self.word(from)).transpose()?.unwrap_or_else(|| self.terms.number(0));
-                let new = self.with(ShiftLeft, new, low.into());
-                let new = self.with(And, new, mask);
-                (to, Word(self.terms.apply(Or, W, kept, new)))
+                (to, Word(self.terms.apply(Or, W, kept, self.with(And, self.with(ShiftLeft, new, low.into()), mask))))
             }
             LeadingZeros { to, from } => {
                 let value = self.word(from)?;
                 // The smallest number of bits in which the value fits.
                 let mut zeros = self.terms.number(0);
                 for bits in (0..32).rev() {
-                    let (limit, count) = (self.terms.number(1 << bits), self.terms.number(32 - bits));
-                    let fits = self.terms.below(false, W, value, limit);
-                    zeros = self.terms.choose_word(fits, count, zeros);
+                    zeros = self.terms.choose_word(
+                        self.terms.below(false, W, value, self.terms.number(1 << bits)),
+                        self.terms.number(32 - bits),
+                        zeros,
+                    );
                 }
                 (to, Word(zeros))
             }
             Top { to, number } => match (self.inserted(Part::High), self.register(to)?) {
                 (Some(address), Half(half)) if address == half => (to, self.section(address)),
-                (None, _) => {
-                    let low = self.word(to)?;
-                    let low = self.with(And, low, 0xffff);
-                    (to, Word(self.with(Or, low, u64::from(number) << 16)))
-                }
+                (None, _) => (to, Word(self.with(Or, self.with(And, self.word(to)?, 0xffff), u64::from(number) << 16))),
                 _ => return self.refuse("half of another address"),
             },
             Operation::Address { to, address } => {
@@ -259,8 +247,7 @@ impl Here<'_> {
                 (to, Float(value))
             }
             Operation::Unary { name: Unary::FromInteger { signed }, to, from } => {
-                let word = self.word(from)?;
-                (to, Float(self.terms.of_integer(signed, word)))
+                (to, Float(self.terms.of_integer(signed, self.word(from)?)))
             }
             Operation::Unary { name, to, from } => {
                 let float = self.float(from)?;
@@ -306,8 +293,7 @@ impl Here<'_> {
             Operand::Number(number) => Word(self.terms.number(number.into())),
             Operand::Register(register, _, 0) => self.register(register)?,
             Operand::Register(register, shift, amount) => {
-                let value = self.word(register)?;
-                Word(self.shifted(value, shift, amount.into()))
+                Word(self.shifted(self.word(register)?, shift, amount.into()))
             }
         };
         if name == Integer::Mov && !flags {
@@ -334,8 +320,7 @@ impl Here<'_> {
                 if address != a {
                     return self.refuse("subtracts an address");
                 }
-                let zero = self.terms.number(0);
-                distance = self.terms.apply(Subtract, W, zero, distance);
+                distance = self.terms.apply(Subtract, W, self.terms.number(0), distance);
             }
             if flags {
                 self.point.flags = Flags::Unknown;
@@ -362,9 +347,7 @@ impl Here<'_> {
             Integer::Adc | Integer::Sbc => {
                 let carry = self.point.flags.condition(self.terms, Condition::Cs);
                 let Some(carry) = carry else { return self.refuse("the carry is not known") };
-                let carry = self.terms.word_of(carry);
-                let sum = self.terms.apply(operator, W, a, right);
-                self.terms.apply(operator, W, sum, carry)
+                self.terms.apply(operator, W, self.terms.apply(operator, W, a, right), self.terms.word_of(carry))
             }
             Integer::Shift(shift) => {
                 // By the lowest byte; only constants.
@@ -388,50 +371,50 @@ impl Here<'_> {
     }
 
     /// Returns the bits of a value that is no address.
-    fn number(&mut self, value: Value) -> Result<Word> {
+    fn number(&self, value: Value) -> Result<Word> {
         word(self.terms, value).map_or_else(|| self.refuse("computes with no number"), Ok)
     }
 
     /// Returns the numbers that a word can be.
-    fn numbers(&mut self, word: Word) -> Result<Vec<u64>> {
+    fn numbers(&self, word: Word) -> Result<Vec<u64>> {
         let numbers = self.terms.numbers(word).map(|numbers| numbers.into_iter().collect());
         numbers.map_or_else(|| self.refuse("a jump by an unknown number"), Ok)
     }
 
-    fn section(&mut self, address: Address) -> Value {
+    fn section(&self, address: Address) -> Value {
         Pointer(Region::Section(address.section), self.terms.number(address.offset.into()))
     }
 
     /// Applies an operator to a word and a constant.
-    pub(super) fn with(&mut self, operator: Operator, word: Word, number: u64) -> Word {
-        let number = self.terms.number(number);
-        self.terms.apply(operator, W, word, number)
+    pub(super) fn with(&self, operator: Operator, word: Word, number: u64) -> Word {
+        self.terms.apply(operator, W, word, self.terms.number(number))
     }
 
     /// Shifts a word by a constant.
-    fn shifted(&mut self, word: Word, shift: Shift, amount: u64) -> Word {
+    fn shifted(&self, word: Word, shift: Shift, amount: u64) -> Word {
         match shift {
             Shift::Left => self.with(ShiftLeft, word, amount),
             Shift::Right => self.with(ShiftRight, word, amount),
             Shift::Arithmetic => self.with(ShiftArithmetic, word, amount),
             Shift::Rotate if amount.is_multiple_of(32) => word,
-            Shift::Rotate => {
-                let low = self.with(ShiftRight, word, amount % 32);
-                let high = self.with(ShiftLeft, word, 32 - amount % 32);
-                self.terms.apply(Or, W, low, high)
-            }
+            Shift::Rotate => self.terms.apply(
+                Or,
+                W,
+                self.with(ShiftRight, word, amount % 32),
+                self.with(ShiftLeft, word, 32 - amount % 32),
+            ),
         }
     }
 }
 
 /// Returns the address behind a call; that of no call is what the function began with.
-fn return_to(terms: &mut Terms, call: Option<(Address, u32)>) -> Value {
+fn return_to(terms: &Terms, call: Option<(Address, u32)>) -> Value {
     let Some((function, address)) = call else { return Initial(LR) };
     Pointer(Region::Return, terms.number((function.section as u64) << 32 | u64::from(address)))
 }
 
 /// Returns a state where a condition holds, too; none if it cannot.
-fn under(terms: &mut Terms, state: &MachineState, condition: Bool) -> Option<MachineState> {
+fn under(terms: &Terms, state: &MachineState, condition: Bool) -> Option<MachineState> {
     let guard = terms.and(state.guard, condition);
     if guard == Terms::FALSE {
         return None;

@@ -60,7 +60,7 @@ const W: Width = Width::W32;
 
 impl Flags {
     /// Returns the condition as a truth value; none if the flags do not give it.
-    pub(super) fn condition(&self, terms: &mut Terms, condition: Condition) -> Option<Bool> {
+    pub(super) fn condition(&self, terms: &Terms, condition: Condition) -> Option<Bool> {
         use Condition::*;
         let negated = match condition {
             Ne => Eq,
@@ -76,7 +76,7 @@ impl Flags {
         Some(!self.positive(terms, negated)?)
     }
 
-    fn positive(&self, terms: &mut Terms, condition: Condition) -> Option<Bool> {
+    fn positive(&self, terms: &Terms, condition: Condition) -> Option<Bool> {
         use Condition::*;
         Some(match *self {
             Unknown => return None,
@@ -89,10 +89,7 @@ impl Flags {
                 Eq => terms.equal(a, b),
                 Cs => !terms.less(a, b),
                 Mi => terms.less(a, b),
-                Vs => {
-                    let (a, b) = (terms.is_nan(a), terms.is_nan(b));
-                    terms.or(a, b)
-                }
+                Vs => terms.or(terms.is_nan(a), terms.is_nan(b)),
                 Hi => !terms.less_or_equal(a, b),
                 Ge => terms.less_or_equal(b, a),
                 Gt => terms.less(b, a),
@@ -101,10 +98,7 @@ impl Flags {
             Difference(a, b) => match condition {
                 Eq => terms.same(W, a, b),
                 Cs => !terms.below(false, W, a, b),
-                Mi => {
-                    let difference = terms.apply(Operator::Subtract, W, a, b);
-                    terms.is_negative(W, difference)
-                }
+                Mi => terms.is_negative(W, terms.apply(Operator::Subtract, W, a, b)),
                 Hi => terms.below(false, W, b, a),
                 Ge => !terms.below(true, W, a, b),
                 Gt => terms.below(true, W, b, a),
@@ -118,10 +112,7 @@ impl Flags {
                 }
             }
             Result(word) => match condition {
-                Eq => {
-                    let zero = terms.number(0);
-                    terms.same(W, word, zero)
-                }
+                Eq => terms.same(W, word, terms.number(0)),
                 Mi => terms.is_negative(W, word),
                 _ => return None,
             },
@@ -162,7 +153,7 @@ pub(super) struct Unknowns(HashMap<Name, Float>, HashMap<Float, Region>);
 
 impl Unknowns {
     /// Returns the bits of any value; those of an address are a sum.
-    pub(super) fn word(&mut self, terms: &mut Terms, value: Value) -> Word {
+    pub(super) fn word(&mut self, terms: &Terms, value: Value) -> Word {
         let (name, offset) = match value {
             Value::Word(word) => return word,
             Value::Float(float) => return terms.bits(float),
@@ -179,32 +170,29 @@ impl Unknowns {
     }
 
     /// Returns a value as an address, if its bits are those of one.
-    pub(super) fn pointer(&self, terms: &mut Terms, value: Value) -> Value {
+    pub(super) fn pointer(&self, terms: &Terms, value: Value) -> Value {
         let Value::Word(word) = value else { return value };
-        let (base, offset) = match *terms.of_word(word) {
+        let (base, offset) = match terms.of_word(word) {
             Node::Apply(Operator::Add, W, base, offset) => (base, offset),
             _ => (word, terms.number(0)),
         };
-        let Node::Bits(float) = *terms.of_word(base) else { return value };
+        let Node::Bits(float) = terms.of_word(base) else { return value };
         self.1.get(&float).map_or(value, |&region| Pointer(region, offset))
     }
 
     /// Returns a value that is the first where the condition holds, else the second.
-    pub(super) fn merged(&mut self, terms: &mut Terms, condition: Bool, a: Value, b: Value) -> Value {
+    pub(super) fn merged(&mut self, terms: &Terms, condition: Bool, a: Value, b: Value) -> Value {
         match (a, b) {
             (a, b) if a == b => a,
             (Pointer(x, a), Pointer(y, b)) if x == y => Pointer(x, terms.choose_word(condition, a, b)),
             (Value::Float(a), Value::Float(b)) => Value::Float(terms.choose_float(condition, a, b)),
-            _ => {
-                let (a, b) = (self.word(terms, a), self.word(terms, b));
-                Value::Word(terms.choose_word(condition, a, b))
-            }
+            _ => Value::Word(terms.choose_word(condition, self.word(terms, a), self.word(terms, b))),
         }
     }
 }
 
 /// Returns the bits of a number.
-pub(super) fn word(terms: &mut Terms, value: Value) -> Option<Word> {
+pub(super) fn word(terms: &Terms, value: Value) -> Option<Word> {
     match value {
         Value::Word(word) => Some(word),
         Value::Float(float) => Some(terms.bits(float)),

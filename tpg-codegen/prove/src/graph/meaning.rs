@@ -24,12 +24,11 @@ impl<'g> Meaning<'g> {
     }
 
     /// The result of a program: its lines in order, on registers that are zero at first.
-    fn program(&mut self, terms: &mut Terms, program: usize) -> Result<Float, Missing> {
+    fn program(&mut self, terms: &Terms, program: usize) -> Result<Float, Missing> {
         if let Some(&known) = self.programs.get(&program) {
             return Ok(known);
         }
-        let zero = terms.constant(0.0);
-        let mut registers = vec![zero; self.graph.registers];
+        let mut registers = vec![terms.constant(0.0); self.graph.registers];
         for line in &self.graph.programs[program] {
             let operands: Vec<_> = (line.operands.iter())
                 .map(|&operand| match operand {
@@ -45,28 +44,18 @@ impl<'g> Meaning<'g> {
     }
 
     /// A line's result; `to` is what its register holds before.
-    fn line(&mut self, terms: &mut Terms, line: &GraphLine, to: Float, operands: &[Float]) -> Result<Float, Missing> {
+    fn line(&mut self, terms: &Terms, line: &GraphLine, to: Float, operands: &[Float]) -> Result<Float, Missing> {
         let result = match (line.word.as_str(), operands) {
             ("add", &[a, b]) => terms.add(a, b),
             ("sub", &[a, b]) => terms.subtract(a, b),
             ("mul", &[a, b]) => terms.multiply(a, b),
             ("div", &[a, b]) => terms.divide(a, b),
             ("fmod", &[a, b]) => terms.remainder(a, b),
-            ("multiply_add", &[a, b]) => {
-                let product = terms.multiply(a, b);
-                terms.add(to, product)
-            }
-            ("negate_if_less", &[a, b]) => {
-                let (less, negated) = (terms.less(a, b), terms.negate(a));
-                terms.choose_float(less, negated, a)
-            }
+            ("multiply_add", &[a, b]) => terms.add(to, terms.multiply(a, b)),
+            ("negate_if_less", &[a, b]) => terms.choose_float(terms.less(a, b), terms.negate(a), a),
             ("min", &[a, b]) | ("std_min", &[b, a]) => terms.minimum(a, b),
             ("max", &[a, b]) | ("std_max", &[b, a]) => terms.maximum(a, b),
-            ("gate", &[a, b]) => {
-                let (zero, negative_zero) = (terms.constant(0.0), terms.constant(-0.0));
-                let closed = terms.equal(b, zero);
-                terms.choose_float(closed, negative_zero, a)
-            }
+            ("gate", &[a, b]) => terms.choose_float(terms.equal(b, terms.constant(0.0)), terms.constant(-0.0), a),
             ("copy", &[a]) => a,
             ("abs", &[a]) => terms.magnitude(a),
             (word, &[a]) => match Function::named(word) {
@@ -88,7 +77,7 @@ impl<'g> Meaning<'g> {
     ///
     /// # Errors
     /// A word without a meaning.
-    pub fn winners(&mut self, terms: &mut Terms, team: usize) -> Result<Vec<(Bool, Destination)>, Missing> {
+    pub fn winners(&mut self, terms: &Terms, team: usize) -> Result<Vec<(Bool, Destination)>, Missing> {
         if let Some(known) = self.teams.get(&team) {
             return Ok(known.clone());
         }
@@ -117,7 +106,7 @@ impl<'g> Meaning<'g> {
     ///
     /// # Errors
     /// A word without a meaning.
-    pub fn values(&mut self, terms: &mut Terms, leaf: usize) -> Result<Vec<Float>, Missing> {
+    pub fn values(&mut self, terms: &Terms, leaf: usize) -> Result<Vec<Float>, Missing> {
         if let Some(known) = self.leaves.get(&leaf) {
             return Ok(known.clone());
         }
@@ -135,21 +124,17 @@ impl<'g> Meaning<'g> {
     ///
     /// # Errors
     /// A word without a meaning.
-    pub fn in_range(&mut self, terms: &mut Terms, leaf: usize) -> Result<Bool, Missing> {
+    pub fn in_range(&mut self, terms: &Terms, leaf: usize) -> Result<Bool, Missing> {
         let mut conditions = Vec::new();
         for (value, [low, high, _]) in self.values(terms, leaf)?.into_iter().zip(self.graph.limits.clone()) {
-            let (low, high) = (terms.constant(low), terms.constant(high));
-            conditions.push(terms.less_or_equal(low, value));
-            conditions.push(terms.less_or_equal(value, high));
+            conditions.push(terms.less_or_equal(terms.constant(low), value));
+            conditions.push(terms.less_or_equal(value, terms.constant(high)));
         }
         Ok(terms.all(conditions))
     }
 }
 
 /// Tests whether bid `a` is as high as bid `b`; a NaN counts as minus infinity.
-fn as_high(terms: &mut Terms, a: Float, b: Float) -> Bool {
-    let lowest = terms.constant(f32::NEG_INFINITY);
-    let (reaches, nan, bottom) = (terms.at_most(b, a), terms.is_nan(a), terms.at_most(b, lowest));
-    let both = terms.and(nan, bottom);
-    terms.or(reaches, both)
+fn as_high(terms: &Terms, a: Float, b: Float) -> Bool {
+    terms.or(terms.at_most(b, a), terms.and(terms.is_nan(a), terms.at_most(b, terms.constant(f32::NEG_INFINITY))))
 }

@@ -36,7 +36,7 @@ pub(super) struct Closure {
 
 impl Closure {
     /// The order of elements that are sorted: NaN, constants, others. None if the facts contradict each other.
-    pub(super) fn new(terms: &mut Terms, intervals: &mut Intervals, elements: &[Float]) -> Option<Self> {
+    pub(super) fn new(terms: &Terms, intervals: &mut Intervals, elements: &[Float]) -> Option<Self> {
         let count = elements.len();
         let words = count.div_ceil(64);
         let facts = OrderFacts { mirror: vec![None; count], lowest: vec![None; count], ..OrderFacts::default() };
@@ -57,7 +57,7 @@ impl Closure {
 
     fn learn(
         &mut self,
-        terms: &mut Terms,
+        terms: &Terms,
         intervals: &mut Intervals,
         elements: &[Float],
         mut facts: OrderFacts,
@@ -74,9 +74,7 @@ impl Closure {
             }
         }
         for (at, &element) in elements.iter().enumerate().skip(1) {
-            let negated = terms.negate(element);
-            let negated = terms.zero_free(negated);
-            facts.mirror[at] = places.get(&negated).copied();
+            facts.mirror[at] = places.get(&terms.zero_free(terms.negate(element))).copied();
             if at < constants.len() {
                 continue;
             }
@@ -100,14 +98,14 @@ impl Closure {
 
     /// Learns how an operation's result depends on its operands. Returns what is NaN exactly where the result is.
     fn relate(
-        terms: &mut Terms,
+        terms: &Terms,
         places: &HashMap<Float, usize>,
         (at, element): (usize, Float),
         facts: &mut OrderFacts,
     ) -> Float {
         let mut inner = element;
         loop {
-            let next = match *terms.of_float(inner) {
+            let next = match terms.of_float(inner) {
                 Node::Negative(a) | Node::Magnitude(a) => a,
                 Node::Arithmetic(operation, a, b) => match nan_with(terms, operation, a, b) {
                     Some(other) => other,
@@ -118,7 +116,7 @@ impl Closure {
             inner = terms.zero_free(next);
             facts.nan_as.extend(places.get(&inner).map(|&other| (at, other)));
         }
-        let Node::Arithmetic(operation, a, b) = *terms.of_float(element) else { return inner };
+        let Node::Arithmetic(operation, a, b) = terms.of_float(element) else { return inner };
         let [a, b] = [a, b].map(|operand| terms.zero_free(operand));
         for operand in [a, b] {
             let mirrored = terms.negate(operand);

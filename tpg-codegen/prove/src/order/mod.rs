@@ -47,7 +47,7 @@ pub struct TooMany;
 /// # Errors
 /// More cases than allowed.
 pub fn together(
-    terms: &mut Terms,
+    terms: &Terms,
     intervals: &mut Intervals,
     assumption: Bool,
     [left, right]: [&[Bool]; 2],
@@ -78,7 +78,7 @@ pub fn together(
 }
 
 /// All floats that are compared: NaN first, then constants from the lowest on, then the others.
-fn elements(terms: &mut Terms, roots: &[Bool]) -> Vec<Float> {
+fn elements(terms: &Terms, roots: &[Bool]) -> Vec<Float> {
     let mut seen: BTreeSet<Bool> = BTreeSet::new();
     let mut floats = BTreeSet::new();
     let mut open = roots.to_vec();
@@ -88,7 +88,7 @@ fn elements(terms: &mut Terms, roots: &[Bool]) -> Vec<Float> {
         }
         match terms.of_bool(term).0 {
             And(members) => open.extend(members.iter()),
-            &AtMost(a, b) => floats.extend([a, b]),
+            AtMost(a, b) => floats.extend([a, b]),
             _ => {}
         }
     }
@@ -97,8 +97,7 @@ fn elements(terms: &mut Terms, roots: &[Bool]) -> Vec<Float> {
     for bits in constants.into_iter().filter(|&bits| !is_nan_bits(bits) && bits != INFINITY) {
         for bits in [bits, next_above(bits)] {
             for bits in [bits, bits ^ NEGATIVE_ZERO] {
-                let constant = terms.constant_bits(bits);
-                floats.insert(terms.zero_free(constant));
+                floats.insert(terms.zero_free(terms.constant_bits(bits)));
             }
         }
     }
@@ -188,7 +187,7 @@ impl OrderSearch<'_> {
 
     fn assume(&mut self, closure: &mut Closure, atom: u32, value: bool) -> bool {
         self.set(atom, value);
-        let AtMost(a, b) = *self.terms.node_at(atom) else { return true };
+        let AtMost(a, b) = self.terms.node_at(atom) else { return true };
         let (a, b) = (self.places[&a], self.places[&b]);
         if value { closure.assume(a, b, false) } else { closure.assume(b, a, true) }
     }
@@ -215,7 +214,7 @@ impl OrderSearch<'_> {
             return Open(atom);
         }
         let terms = self.terms;
-        let value = match *terms.node_at(node) {
+        let value = match terms.node_at(node) {
             True => Known(true),
             And(ref members) => {
                 let mut open = None;
@@ -251,7 +250,7 @@ mod tests {
     use super::{Intervals, together};
     use crate::term::{Bool, Float, Terms};
 
-    fn holds(terms: &mut Terms, condition: Bool) -> bool {
+    fn holds(terms: &Terms, condition: Bool) -> bool {
         let (left, right) = ([condition, !condition], [Terms::TRUE]);
         let mut intervals = Intervals::new(&[]);
         let found = together(terms, &mut intervals, Terms::TRUE, [&left, &right], 1 << 16).expect("few cases");
@@ -259,7 +258,7 @@ mod tests {
     }
 
     /// The code's way to find the winner: the best bid so far, from the lowest number on.
-    fn winners(terms: &mut Terms, bids: &[Float], strict: Option<usize>) -> Vec<Bool> {
+    fn winners(terms: &Terms, bids: &[Float], strict: Option<usize>) -> Vec<Bool> {
         let lowest = terms.constant(f32::MIN);
         let (mut best, mut winner) = (lowest, vec![Terms::FALSE; bids.len()]);
         winner[bids.len() - 1] = Terms::TRUE;
@@ -274,7 +273,7 @@ mod tests {
     }
 
     /// The declarative meaning: no earlier bid is higher, no later one is as high, NaN counts as minus infinity.
-    fn meaning(terms: &mut Terms, bids: &[Float], at: usize) -> Bool {
+    fn meaning(terms: &Terms, bids: &[Float], at: usize) -> Bool {
         let infinity = terms.constant(f32::NEG_INFINITY);
         let keys: Vec<_> = (bids.iter())
             .map(|&bid| {
@@ -295,44 +294,44 @@ mod tests {
 
     #[test]
     fn the_best_so_far_is_the_highest_bid() {
-        let mut terms = Terms::new();
+        let terms = Terms::new();
         let bids: Vec<_> = (0..7).map(|index| terms.source(index)).collect();
-        let code = winners(&mut terms, &bids, None);
-        let graph: Vec<_> = (0..7).map(|at| meaning(&mut terms, &bids, at)).collect();
+        let code = winners(&terms, &bids, None);
+        let graph: Vec<_> = (0..7).map(|at| meaning(&terms, &bids, at)).collect();
         let mut intervals = Intervals::new(&[]);
-        let found = together(&mut terms, &mut intervals, Terms::TRUE, [&code, &graph], 1 << 20).expect("few cases");
+        let found = together(&terms, &mut intervals, Terms::TRUE, [&code, &graph], 1 << 20).expect("few cases");
         assert_eq!(found.pairs, (0..7).map(|at| (at, at)).collect());
     }
 
     #[test]
     fn one_strict_comparison_is_noticed() {
-        let mut terms = Terms::new();
+        let terms = Terms::new();
         let bids: Vec<_> = (0..4).map(|index| terms.source(index)).collect();
-        let code = winners(&mut terms, &bids, Some(2));
-        let graph: Vec<_> = (0..4).map(|at| meaning(&mut terms, &bids, at)).collect();
+        let code = winners(&terms, &bids, Some(2));
+        let graph: Vec<_> = (0..4).map(|at| meaning(&terms, &bids, at)).collect();
         let mut intervals = Intervals::new(&[]);
-        let found = together(&mut terms, &mut intervals, Terms::TRUE, [&code, &graph], 1 << 20).expect("few cases");
+        let found = together(&terms, &mut intervals, Terms::TRUE, [&code, &graph], 1 << 20).expect("few cases");
         assert!(found.pairs.contains(&(0, 2)) || found.pairs.contains(&(1, 2)), "{:?}", found.pairs);
     }
 
     #[test]
     fn orders_are_total_and_transitive() {
-        let mut terms = Terms::new();
+        let terms = Terms::new();
         let [a, b, c] = [0, 1, 2].map(|index| terms.source(index));
         let (first, second, third) = (terms.at_most(a, b), terms.at_most(b, c), terms.at_most(a, c));
         let both = terms.and(first, second);
         let transitive = terms.or(!both, third);
-        assert!(holds(&mut terms, transitive));
+        assert!(holds(&terms, transitive));
         let converse = terms.or(!third, both);
-        assert!(!holds(&mut terms, converse));
+        assert!(!holds(&terms, converse));
         let back = terms.at_most(b, a);
         let total = terms.or(first, back);
-        assert!(holds(&mut terms, total));
+        assert!(holds(&terms, total));
     }
 
     #[test]
     fn mirrored_and_neighbouring_numbers_are_known() {
-        let mut terms = Terms::new();
+        let terms = Terms::new();
         let [a, b, c] = [0, 1, 2].map(|index| terms.source(index));
         let negated = terms.negate(a);
         // c <= -a and b <= c give a <= -b
@@ -341,11 +340,11 @@ mod tests {
         let down = terms.less_or_equal(a, mirrored);
         let both = terms.and(up, middle);
         let implied = terms.or(!both, down);
-        assert!(holds(&mut terms, implied));
+        assert!(holds(&terms, implied));
         // nothing is between minus infinity and the lowest number
         let (lowest, infinity) = (terms.constant(f32::MIN), terms.constant(f32::NEG_INFINITY));
         let (above, reaches) = (terms.less(infinity, a), terms.less_or_equal(lowest, a));
         let gap = terms.or(!above, reaches);
-        assert!(holds(&mut terms, gap));
+        assert!(holds(&terms, gap));
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{Bool, Node, Terms};
 use std::ops::Not;
+use std::rc::Rc;
 
 impl Not for Bool {
     type Output = Self;
@@ -31,61 +32,59 @@ impl Terms {
     }
 
     /// Makes a truth value of a node.
-    pub(super) fn atom(&mut self, node: Node) -> Bool {
+    pub(super) fn atom(&self, node: Node) -> Bool {
         Bool(self.node(node) << 1)
     }
 
     /// The members of a conjunction; a truth value of another kind is its own only member.
-    fn conjuncts(&self, term: Bool) -> &[Bool] {
+    fn conjuncts(&self, term: Bool) -> Rc<[Bool]> {
         match self.of_bool(term) {
             (Node::And(members), false) => members,
-            _ => &[],
+            _ => Rc::default(),
         }
     }
 
     /// The members of a conjunction, or the truth value alone.
     pub(crate) fn parts(&self, term: Bool) -> Vec<Bool> {
-        match self.conjuncts(term) {
+        match &*self.conjuncts(term) {
             [] => vec![term],
             members => members.to_vec(),
         }
     }
 
     /// `a && b`
-    pub fn and(&mut self, a: Bool, b: Bool) -> Bool {
+    pub fn and(&self, a: Bool, b: Bool) -> Bool {
         self.all([a, b])
     }
 
     /// `a || b`
-    pub fn or(&mut self, a: Bool, b: Bool) -> Bool {
+    pub fn or(&self, a: Bool, b: Bool) -> Bool {
         !self.all([!a, !b])
     }
 
     /// The disjunction of all.
-    pub fn any(&mut self, terms: impl IntoIterator<Item = Bool>) -> Bool {
+    pub fn any(&self, terms: impl IntoIterator<Item = Bool>) -> Bool {
         let negated: Vec<_> = terms.into_iter().map(|term| !term).collect();
         !self.all(negated)
     }
 
     /// A choice between two truth values.
-    pub fn choose(&mut self, condition: Bool, a: Bool, b: Bool) -> Bool {
+    pub fn choose(&self, condition: Bool, a: Bool, b: Bool) -> Bool {
         if a == b {
             return a;
         }
-        let first = self.and(condition, a);
-        let second = self.and(!condition, b);
-        self.or(first, second)
+        self.or(self.and(condition, a), self.and(!condition, b))
     }
 
     /// The conjunction of all.
-    pub fn all(&mut self, terms: impl IntoIterator<Item = Bool>) -> Bool {
+    pub fn all(&self, terms: impl IntoIterator<Item = Bool>) -> Bool {
         let mut members = Vec::new();
         for term in terms {
             if term == Self::TRUE {
                 continue;
             }
             let inner = self.conjuncts(term);
-            if inner.is_empty() { members.push(term) } else { members.extend_from_slice(inner) }
+            if inner.is_empty() { members.push(term) } else { members.extend_from_slice(&inner) }
         }
         loop {
             members.sort_unstable();
@@ -107,9 +106,9 @@ impl Terms {
     }
 
     /// The members without what the others decide: `a && !(a && b)` is `a && !b`, and `!(c && a) && !(c && !a)` is `!c`.
-    fn shortened(&mut self, members: &[Bool]) -> Option<Vec<Bool>> {
+    fn shortened(&self, members: &[Bool]) -> Option<Vec<Bool>> {
         for (at, &member) in members.iter().enumerate() {
-            let inner = self.conjuncts(!member).to_vec();
+            let inner = self.conjuncts(!member);
             if inner.is_empty() {
                 continue;
             }
@@ -118,13 +117,13 @@ impl Terms {
                 return Some([&members[..at], &members[at + 1..]].concat());
             }
             if inner.iter().any(has) {
-                let rest: Vec<_> = inner.into_iter().filter(|term| !has(term)).collect();
+                let rest: Vec<_> = inner.iter().copied().filter(|term| !has(term)).collect();
                 let mut shorter = [&members[..at], &members[at + 1..]].concat();
                 shorter.push(!self.all(rest));
                 return Some(self.flattened(shorter));
             }
             for (offset, &other) in members[at + 1..].iter().enumerate() {
-                let Some(common) = self.without_case(&inner, self.conjuncts(!other)) else { continue };
+                let Some(common) = self.without_case(&inner, &self.conjuncts(!other)) else { continue };
                 let mut shorter = members.to_vec();
                 shorter.remove(at + 1 + offset);
                 shorter.remove(at);
@@ -139,7 +138,7 @@ impl Terms {
         let mut flat = Vec::new();
         for member in members {
             let inner = self.conjuncts(member);
-            if inner.is_empty() { flat.push(member) } else { flat.extend_from_slice(inner) }
+            if inner.is_empty() { flat.push(member) } else { flat.extend_from_slice(&inner) }
         }
         flat.retain(|&member| member != Self::TRUE);
         flat
@@ -162,7 +161,7 @@ mod tests {
 
     #[test]
     fn conjunctions_are_simplified() {
-        let mut terms = Terms::new();
+        let terms = Terms::new();
         let [x, y, z] = [0, 1, 2].map(|index| {
             let (source, zero) = (terms.source(index), terms.constant(0.0));
             terms.at_most(source, zero)

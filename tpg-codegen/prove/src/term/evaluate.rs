@@ -59,7 +59,7 @@ impl Evaluator {
         {
             return value;
         }
-        let value = self.computed(terms, &terms.nodes[at as usize]);
+        let value = self.computed(terms, &terms.node_at(at));
         if self.values.len() <= at as usize {
             self.values.resize(terms.count(), (0, 0));
         }
@@ -76,10 +76,7 @@ impl Evaluator {
             IsNegativeZero(a) => u64::from(self.bits(terms, a) == NEGATIVE_ZERO),
             // every NaN is evaluated as a positive one
             IsNegativeNan(_) => 0,
-            Within(word, ref set) => {
-                let word = self.word(terms, word);
-                u64::from(holds(set, word))
-            }
+            Within(word, ref set) => u64::from(holds(set, self.word(terms, word))),
             Below(signed, width, a, b) => {
                 let (a, b) = (self.word(terms, a), self.word(terms, b));
                 u64::from(if signed { width.signed(a) < width.signed(b) } else { a < b })
@@ -112,10 +109,7 @@ impl Evaluator {
             }
             Bits(a) => u64::from(self.bits(terms, a)),
             Truncated(a) => u64::from(f32::from_bits(self.bits(terms, a)) as i32 as u32),
-            Apply(operator, width, a, b) => {
-                let (a, b) = (self.word(terms, a), self.word(terms, b));
-                computed(operator, width, a, b)
-            }
+            Apply(operator, width, a, b) => computed(operator, width, self.word(terms, a), self.word(terms, b)),
             Element(ref table, index) => {
                 let index = self.word(terms, index);
                 usize::try_from(index).ok().and_then(|index| table.get(index)).copied().unwrap_or_default()
@@ -131,7 +125,7 @@ mod tests {
 
     #[test]
     fn evaluates_what_was_built() {
-        let mut terms = Terms::new();
+        let terms = Terms::new();
         let (x, y) = (terms.source(0), terms.source(1));
         let (smaller, sum) = (terms.minimum(x, y), terms.add(x, y));
         let bits = terms.bits(sum);

@@ -12,17 +12,17 @@ const ONE: u32 = 0x3f80_0000;
 
 impl Terms {
     /// A constant by its bits.
-    pub fn constant_bits(&mut self, bits: u32) -> Float {
+    pub fn constant_bits(&self, bits: u32) -> Float {
         Float(self.node(Constant(if is_nan_bits(bits) { NAN } else { bits })))
     }
 
     /// A constant.
-    pub fn constant(&mut self, value: f32) -> Float {
+    pub fn constant(&self, value: f32) -> Float {
         self.constant_bits(value.to_bits())
     }
 
     /// A value of the state.
-    pub fn source(&mut self, index: u32) -> Float {
+    pub fn source(&self, index: u32) -> Float {
         if let Some(&bits) = self.state.as_ref().and_then(|state| state.get(index as usize)) {
             return self.constant_bits(bits);
         }
@@ -30,68 +30,64 @@ impl Terms {
     }
 
     /// A new value of which nothing is known.
-    pub fn unknown(&mut self) -> Float {
-        self.unknowns += 1;
-        Float(self.node(Unknown(self.unknowns)))
+    pub fn unknown(&self) -> Float {
+        self.unknowns.set(self.unknowns.get() + 1);
+        Float(self.node(Unknown(self.unknowns.get())))
     }
 
     /// The bits of a constant.
     #[must_use]
     pub fn bits_of(&self, term: Float) -> Option<u32> {
-        match *self.of_float(term) {
+        match self.of_float(term) {
             Constant(bits) => Some(bits),
             _ => None,
         }
     }
 
     /// `a + b`
-    pub fn add(&mut self, a: Float, b: Float) -> Float {
+    pub fn add(&self, a: Float, b: Float) -> Float {
         self.arithmetic(Add, a, b)
     }
 
     /// `a - b`
-    pub fn subtract(&mut self, a: Float, b: Float) -> Float {
+    pub fn subtract(&self, a: Float, b: Float) -> Float {
         self.uses("x - y = x + (-y)");
-        let negated = self.negate(b);
-        self.arithmetic(Add, a, negated)
+        self.arithmetic(Add, a, self.negate(b))
     }
 
     /// `a * b`
-    pub fn multiply(&mut self, a: Float, b: Float) -> Float {
+    pub fn multiply(&self, a: Float, b: Float) -> Float {
         self.arithmetic(Multiply, a, b)
     }
 
     /// `a / b`
-    pub fn divide(&mut self, a: Float, b: Float) -> Float {
+    pub fn divide(&self, a: Float, b: Float) -> Float {
         self.arithmetic(Divide, a, b)
     }
 
     /// `fmod(a, b)`
-    pub fn remainder(&mut self, a: Float, b: Float) -> Float {
+    pub fn remainder(&self, a: Float, b: Float) -> Float {
         self.arithmetic(Remainder, a, b)
     }
 
     /// `a < b ? a : b`
-    pub fn minimum(&mut self, a: Float, b: Float) -> Float {
-        let less = self.less(a, b);
-        self.choose_float(less, a, b)
+    pub fn minimum(&self, a: Float, b: Float) -> Float {
+        self.choose_float(self.less(a, b), a, b)
     }
 
     /// `a > b ? a : b`
-    pub fn maximum(&mut self, a: Float, b: Float) -> Float {
-        let less = self.less(b, a);
-        self.choose_float(less, a, b)
+    pub fn maximum(&self, a: Float, b: Float) -> Float {
+        self.choose_float(self.less(b, a), a, b)
     }
 
     /// `value >= low ? (value > high ? high : value) : value < low ? low : nan`
-    pub fn clamp(&mut self, value: Float, [low, high, nan]: [Float; 3]) -> Float {
+    pub fn clamp(&self, value: Float, [low, high, nan]: [Float; 3]) -> Float {
         let (reaches, above, below) = (self.less_or_equal(low, value), self.less(high, value), self.less(value, low));
-        let (limited, otherwise) = (self.choose_float(above, high, value), self.choose_float(below, low, nan));
-        self.choose_float(reaches, limited, otherwise)
+        self.choose_float(reaches, self.choose_float(above, high, value), self.choose_float(below, low, nan))
     }
 
     /// A choice between two floats.
-    pub fn choose_float(&mut self, condition: Bool, a: Float, b: Float) -> Float {
+    pub fn choose_float(&self, condition: Bool, a: Float, b: Float) -> Float {
         Float(self.chosen(condition, a.0, b.0, |condition, a, b| FloatIf(condition, Float(a), Float(b))))
     }
 
@@ -101,21 +97,16 @@ impl Terms {
     }
 
     /// `-a`
-    pub fn negate(&mut self, a: Float) -> Float {
-        match *self.of_float(a) {
+    pub fn negate(&self, a: Float) -> Float {
+        match self.of_float(a) {
             Constant(bits) => self.constant_bits(bits ^ NEGATIVE_ZERO),
             Negative(inner) => inner,
-            FloatIf(condition, x, y) => {
-                let (x, y) = (self.negate(x), self.negate(y));
-                self.choose_float(condition, x, y)
-            }
+            FloatIf(condition, x, y) => self.choose_float(condition, self.negate(x), self.negate(y)),
             Node::Arithmetic(operation @ (Multiply | Divide), x, y) => {
                 if let Some(bits) = self.bits_of(x) {
-                    let x = self.constant_bits(bits ^ NEGATIVE_ZERO);
-                    self.arithmetic(operation, x, y)
+                    self.arithmetic(operation, self.constant_bits(bits ^ NEGATIVE_ZERO), y)
                 } else if let Some(bits) = self.bits_of(y) {
-                    let y = self.constant_bits(bits ^ NEGATIVE_ZERO);
-                    self.arithmetic(operation, x, y)
+                    self.arithmetic(operation, x, self.constant_bits(bits ^ NEGATIVE_ZERO))
                 } else {
                     Float(self.node(Negative(a)))
                 }
@@ -125,22 +116,19 @@ impl Terms {
     }
 
     /// `|a|`
-    pub fn magnitude(&mut self, a: Float) -> Float {
+    pub fn magnitude(&self, a: Float) -> Float {
         let a = self.zero_free(a);
-        match *self.of_float(a) {
+        match self.of_float(a) {
             Constant(bits) => self.constant_bits(bits & !NEGATIVE_ZERO),
             Magnitude(_) => a,
             Negative(inner) => self.magnitude(inner),
-            FloatIf(condition, x, y) => {
-                let (x, y) = (self.magnitude(x), self.magnitude(y));
-                self.choose_float(condition, x, y)
-            }
+            FloatIf(condition, x, y) => self.choose_float(condition, self.magnitude(x), self.magnitude(y)),
             _ => Float(self.node(Magnitude(a))),
         }
     }
 
     /// A rounded operation.
-    pub fn arithmetic(&mut self, operation: Arithmetic, a: Float, b: Float) -> Float {
+    pub fn arithmetic(&self, operation: Arithmetic, a: Float, b: Float) -> Float {
         if let Some(lifted) = self.lifted(operation, a, b) {
             return lifted;
         }
@@ -159,8 +147,8 @@ impl Terms {
     }
 
     /// An operation of choices of few values as a choice of operations.
-    fn lifted(&mut self, operation: Arithmetic, a: Float, b: Float) -> Option<Float> {
-        let ((&FloatIf(condition, ..), _) | (_, &FloatIf(condition, ..))) = (self.of_float(a), self.of_float(b)) else {
+    fn lifted(&self, operation: Arithmetic, a: Float, b: Float) -> Option<Float> {
+        let ((FloatIf(condition, ..), _) | (_, FloatIf(condition, ..))) = (self.of_float(a), self.of_float(b)) else {
             return None;
         };
         let (first, second) = (self.leaves(a.0).len(), self.leaves(b.0).len());
@@ -169,7 +157,7 @@ impl Terms {
             return None;
         }
         let sides = [condition, !condition].map(|side| {
-            let inner = |terms: &Self, term| match *terms.of_float(term) {
+            let inner = |terms: &Self, term| match terms.of_float(term) {
                 FloatIf(of, x, y) if of == condition => {
                     terms.given_float(if side == condition { x } else { y }, &[side])
                 }
@@ -181,7 +169,7 @@ impl Terms {
         Some(self.choose_float(condition, x, y))
     }
 
-    fn sum(&mut self, mut a: Float, mut b: Float) -> Float {
+    fn sum(&self, mut a: Float, mut b: Float) -> Float {
         let nonzero = |bits: Option<u32>| bits.is_some_and(|bits| bits & !NEGATIVE_ZERO != 0);
         let (x, y) = (self.bits_of(a), self.bits_of(b));
         if x == Some(NEGATIVE_ZERO) || y == Some(NEGATIVE_ZERO) {
@@ -198,21 +186,20 @@ impl Terms {
         self.commuted(Add, a, b)
     }
 
-    fn commuted(&mut self, operation: Arithmetic, a: Float, b: Float) -> Float {
+    fn commuted(&self, operation: Arithmetic, a: Float, b: Float) -> Float {
         if a > b {
             self.uses("x + y = y + x, x * y = y * x");
         }
         Float(self.node(Node::Arithmetic(operation, a.min(b), a.max(b))))
     }
 
-    fn product(&mut self, operation: Arithmetic, a: Float, b: Float) -> Float {
+    fn product(&self, operation: Arithmetic, a: Float, b: Float) -> Float {
         let multiplies = operation == Multiply;
         for (negated, other, first) in [(a, b, true), (b, a, false)] {
-            if let Negative(inner) = *self.of_float(negated) {
+            if let Negative(inner) = self.of_float(negated) {
                 self.uses("(-x) * y = -(x * y), x / (-y) = -(x / y)");
                 let (a, b) = if first { (inner, other) } else { (other, inner) };
-                let positive = self.arithmetic(operation, a, b);
-                return self.negate(positive);
+                return self.negate(self.arithmetic(operation, a, b));
             }
         }
         if self.bits_of(b) == Some(ONE) || multiplies && self.bits_of(a) == Some(ONE) {
@@ -224,23 +211,19 @@ impl Terms {
         }
         if let Some(reciprocal) = self.bits_of(b).and_then(exact_reciprocal) {
             self.uses("x / 2^k = x * 2^-k");
-            let factor = self.constant_bits(reciprocal);
-            return self.arithmetic(Multiply, a, factor);
+            return self.arithmetic(Multiply, a, self.constant_bits(reciprocal));
         }
         Float(self.node(Node::Arithmetic(operation, a, b)))
     }
 
     /// A term that equals another up to the sign of a zero, which comparisons do not see.
-    pub fn zero_free(&mut self, term: Float) -> Float {
-        if let Some(&known) = self.zero_free.get(&term) {
+    pub fn zero_free(&self, term: Float) -> Float {
+        if let Some(&known) = self.zero_free.borrow().get(&term) {
             return known;
         }
-        let result = match *self.of_float(term) {
+        let result = match self.of_float(term) {
             Constant(NEGATIVE_ZERO) => self.constant_bits(0),
-            FloatIf(condition, a, b) => {
-                let (a, b) = (self.zero_free(a), self.zero_free(b));
-                self.choose_float(condition, a, b)
-            }
+            FloatIf(condition, a, b) => self.choose_float(condition, self.zero_free(a), self.zero_free(b)),
             Node::Arithmetic(Add, a, b) => {
                 let (a, b) = (self.zero_free(a), self.zero_free(b));
                 if self.bits_of(a) == Some(0) || self.bits_of(b) == Some(0) {
@@ -250,22 +233,13 @@ impl Terms {
                     self.add(a, b)
                 }
             }
-            Node::Arithmetic(Multiply, a, b) => {
-                let (a, b) = (self.zero_free(a), self.zero_free(b));
-                self.multiply(a, b)
-            }
-            Node::Arithmetic(operation, a, b) => {
-                let a = self.zero_free(a);
-                self.arithmetic(operation, a, b)
-            }
-            Negative(a) => {
-                let a = self.zero_free(a);
-                self.negate(a)
-            }
+            Node::Arithmetic(Multiply, a, b) => self.multiply(self.zero_free(a), self.zero_free(b)),
+            Node::Arithmetic(operation, a, b) => self.arithmetic(operation, self.zero_free(a), b),
+            Negative(a) => self.negate(self.zero_free(a)),
             _ => term,
         };
-        self.zero_free.insert(term, result);
-        self.zero_free.entry(result).or_insert(result);
+        self.zero_free.borrow_mut().insert(term, result);
+        self.zero_free.borrow_mut().entry(result).or_insert(result);
         result
     }
 }
@@ -292,7 +266,7 @@ mod tests {
 
     #[test]
     fn identities_give_one_node() {
-        let mut terms = Terms::new();
+        let terms = Terms::new();
         let (x, y, zero) = (terms.source(0), terms.source(1), terms.constant(0.0));
         assert_eq!(terms.add(x, y), terms.add(y, x));
         let (difference, negated) = (terms.subtract(x, y), terms.negate(y));
@@ -307,7 +281,7 @@ mod tests {
 
     #[test]
     fn a_zero_that_is_added_matters_to_signs_only() {
-        let mut terms = Terms::new();
+        let terms = Terms::new();
         let (x, y, zero) = (terms.source(0), terms.source(1), terms.constant(0.0));
         let sum = terms.add(x, zero);
         assert_ne!(sum, x);
@@ -319,7 +293,7 @@ mod tests {
 
     #[test]
     fn operations_go_into_small_choices() {
-        let mut terms = Terms::new();
+        let terms = Terms::new();
         let (x, y) = (terms.source(0), terms.source(1));
         let (smaller, two) = (terms.minimum(x, y), terms.constant(2.0));
         let (outside, less) = (terms.multiply(smaller, two), terms.less(x, y));

@@ -17,6 +17,7 @@ pub use rank::{INFINITY, NAN, NEGATIVE_ZERO, is_nan_bits, next_above, next_below
 
 use crate::input::Missing;
 use Node::*;
+use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::rc::Rc;
 
@@ -166,38 +167,38 @@ impl Node {
 /// The depth up to which terms are built: the rules walk down them by recursion.
 const DEEPEST: u16 = 2_000;
 
-/// The table of terms.
+/// The table of terms. It only grows: what a shared reference adds changes no term that is there.
 #[derive(Debug)]
 pub struct Terms {
-    nodes: Vec<Node>,
+    nodes: RefCell<Vec<Node>>,
     /// The depth of each node
-    depths: Vec<u16>,
+    depths: RefCell<Vec<u16>>,
     /// A node had to be left out
-    too_deep: bool,
-    index: HashMap<Node, u32>,
-    lemmas: BTreeMap<&'static str, u64>,
-    at_most: HashMap<(Float, Float), Bool>,
-    zero_free: HashMap<Float, Float>,
-    leaves: HashMap<u32, Rc<[u32]>>,
-    unknowns: u32,
-    granted: HashSet<(Word, u32)>,
+    too_deep: Cell<bool>,
+    index: RefCell<HashMap<Node, u32>>,
+    lemmas: RefCell<BTreeMap<&'static str, u64>>,
+    at_most: RefCell<HashMap<(Float, Float), Bool>>,
+    zero_free: RefCell<HashMap<Float, Float>>,
+    leaves: RefCell<HashMap<u32, Rc<[u32]>>>,
+    unknowns: Cell<u32>,
+    granted: RefCell<HashSet<(Word, u32)>>,
     /// The bits of the sources, if only one state is looked at
     state: Option<Vec<u32>>,
 }
 
 impl Default for Terms {
     fn default() -> Self {
-        let mut terms = Self {
-            nodes: Vec::new(),
-            depths: Vec::new(),
-            too_deep: false,
-            index: HashMap::new(),
-            lemmas: BTreeMap::new(),
-            at_most: HashMap::new(),
-            zero_free: HashMap::new(),
-            leaves: HashMap::new(),
-            unknowns: 0,
-            granted: HashSet::new(),
+        let terms = Self {
+            nodes: RefCell::default(),
+            depths: RefCell::default(),
+            too_deep: Cell::default(),
+            index: RefCell::default(),
+            lemmas: RefCell::default(),
+            at_most: RefCell::default(),
+            zero_free: RefCell::default(),
+            leaves: RefCell::default(),
+            unknowns: Cell::default(),
+            granted: RefCell::default(),
             state: None,
         };
         terms.node(True);
@@ -224,38 +225,39 @@ impl Terms {
     }
 
     /// Records that an index is below a length, because a definition uses it so.
-    pub(crate) fn grant(&mut self, index: Word, length: u32) {
-        self.granted.insert((index, length));
+    pub(crate) fn grant(&self, index: Word, length: u32) {
+        self.granted.borrow_mut().insert((index, length));
     }
 
     /// Tests whether a definition uses an index below a length.
     pub(crate) fn is_granted(&self, index: Word, length: u32) -> bool {
-        self.granted.contains(&(index, length))
+        self.granted.borrow().contains(&(index, length))
     }
 
-    fn node(&mut self, node: Node) -> u32 {
-        if let Some(&at) = self.index.get(&node) {
+    fn node(&self, node: Node) -> u32 {
+        if let Some(&at) = self.index.borrow().get(&node) {
             return at;
         }
-        let at = u32::try_from(self.nodes.len()).unwrap_or(u32::MAX);
+        let at = u32::try_from(self.count()).unwrap_or(u32::MAX);
         assert!(at < u32::MAX / 2, "the table of terms is full");
         let depth = self.deepest_part(&node) + 1;
         if depth > DEEPEST {
-            self.too_deep = true;
+            self.too_deep.set(true);
             return self.node(node.simplest());
         }
-        self.nodes.push(node.clone());
-        self.depths.push(depth);
-        self.index.insert(node, at);
+        self.nodes.borrow_mut().push(node.clone());
+        self.depths.borrow_mut().push(depth);
+        self.index.borrow_mut().insert(node, at);
         at
     }
 
     /// Returns the depth of the deepest part of a node; 0 where it has none.
     fn deepest_part(&self, node: &Node) -> u16 {
-        let deepest = |parts: &[u32]| parts.iter().map(|&part| self.depths[part as usize]).max().unwrap_or(0);
+        let depths = self.depths.borrow();
+        let deepest = |parts: &[u32]| parts.iter().map(|&part| depths[part as usize]).max().unwrap_or(0);
         match *node {
             True | Constant(_) | Source(_) | Unknown(_) | Number(_) => 0,
-            And(ref parts) => parts.iter().map(|part| self.depths[(part.0 >> 1) as usize]).max().unwrap_or(0),
+            And(ref parts) => parts.iter().map(|part| depths[(part.0 >> 1) as usize]).max().unwrap_or(0),
             AtMost(a, b) | Arithmetic(_, a, b) => deepest(&[a.0, b.0]),
             IsNegativeZero(a) | IsNegativeNan(a) | Negative(a) | Magnitude(a) | Bits(a) | Truncated(a) => {
                 deepest(&[a.0])
@@ -270,12 +272,12 @@ impl Terms {
     /// Returns an error if a term was too deep to be built: nothing can be claimed with these terms then.
     pub(crate) fn complete(&self, place: impl FnOnce() -> String) -> Result<(), Missing> {
         let missing = || Missing::new(place(), format!("a proof with expressions of at most {DEEPEST} levels"));
-        if self.too_deep { Err(missing()) } else { Ok(()) }
+        if self.too_deep.get() { Err(missing()) } else { Ok(()) }
     }
 
     /// The condition and the sides of a choice between floats or words.
     fn sides(&self, node: u32) -> Option<(Bool, u32, u32)> {
-        match self.nodes[node as usize] {
+        match self.node_at(node) {
             FloatIf(condition, a, b) => Some((condition, a.0, b.0)),
             WordIf(condition, a, b) => Some((condition, a.0, b.0)),
             _ => None,
@@ -283,7 +285,7 @@ impl Terms {
     }
 
     /// A choice between two nodes of one kind, which `make` makes.
-    fn chosen(&mut self, condition: Bool, a: u32, b: u32, make: fn(Bool, u32, u32) -> Node) -> u32 {
+    fn chosen(&self, condition: Bool, a: u32, b: u32, make: fn(Bool, u32, u32) -> Node) -> u32 {
         if condition == Self::TRUE || a == b {
             return a;
         }
@@ -308,9 +310,9 @@ impl Terms {
     }
 
     /// The nodes that a choice leads to, itself if it is none. Counts no further than is of interest.
-    fn leaves(&mut self, node: u32) -> Rc<[u32]> {
+    fn leaves(&self, node: u32) -> Rc<[u32]> {
         let Some((_, a, b)) = self.sides(node) else { return Rc::new([node]) };
-        if let Some(known) = self.leaves.get(&node) {
+        if let Some(known) = self.leaves.borrow().get(&node) {
             return known.clone();
         }
         let (a, b) = (self.leaves(a), self.leaves(b));
@@ -320,19 +322,18 @@ impl Terms {
         // more than any limit
         all.truncate(1 << 12);
         let leaves: Rc<[u32]> = all.into();
-        self.leaves.insert(node, leaves.clone());
+        self.leaves.borrow_mut().insert(node, leaves.clone());
         leaves
     }
 
     /// The nodes that a choice leads to, each with its condition, as far as the next one that is an end.
-    fn cases(&mut self, from: u32, is_end: impl Fn(u32) -> bool) -> Vec<(Bool, u32)> {
+    fn cases(&self, from: u32, is_end: impl Fn(u32) -> bool) -> Vec<(Bool, u32)> {
         let mut found: Vec<(u32, Vec<Bool>)> = Vec::new();
         let mut open = vec![(from, Self::TRUE)];
         while let Some((node, held)) = open.pop() {
             match self.sides(node).filter(|_| !is_end(node)) {
                 Some((condition, a, b)) => {
-                    let (with, without) = (self.and(held, condition), self.and(held, !condition));
-                    open.extend([(b, without), (a, with)]);
+                    open.extend([(b, self.and(held, !condition)), (a, self.and(held, condition))]);
                 }
                 None if held == Self::FALSE => {}
                 None => match found.iter_mut().find(|(other, _)| *other == node) {
@@ -345,53 +346,53 @@ impl Terms {
     }
 
     /// The values that a float is chosen from, each with its condition.
-    pub(crate) fn float_cases(&mut self, float: Float) -> Vec<(Bool, Float)> {
+    pub(crate) fn float_cases(&self, float: Float) -> Vec<(Bool, Float)> {
         self.cases(float.0, |_| false).into_iter().map(|(condition, node)| (condition, Float(node))).collect()
     }
 
     /// The words that a choice leads to, as far as the next one that is an end.
-    pub(crate) fn word_cases(&mut self, word: Word, is_end: impl Fn(Word) -> bool) -> Vec<(Bool, Word)> {
+    pub(crate) fn word_cases(&self, word: Word, is_end: impl Fn(Word) -> bool) -> Vec<(Bool, Word)> {
         let cases = self.cases(word.0, |node| is_end(Word(node)));
         cases.into_iter().map(|(condition, node)| (condition, Word(node))).collect()
     }
 
-    fn uses(&mut self, lemma: &'static str) {
-        *self.lemmas.entry(lemma).or_default() += 1;
+    fn uses(&self, lemma: &'static str) {
+        *self.lemmas.borrow_mut().entry(lemma).or_default() += 1;
     }
 
     /// The rules that were applied, with how often each was.
     #[must_use]
-    pub fn lemmas(&self) -> &BTreeMap<&'static str, u64> {
-        &self.lemmas
+    pub fn lemmas(&self) -> BTreeMap<&'static str, u64> {
+        self.lemmas.borrow().clone()
     }
 
     /// The number of nodes.
     #[must_use]
     pub fn count(&self) -> usize {
-        self.nodes.len()
+        self.nodes.borrow().len()
     }
 
     /// The node of a truth value, and whether the value is its negation.
     #[must_use]
-    pub fn of_bool(&self, term: Bool) -> (&Node, bool) {
-        (&self.nodes[(term.0 >> 1) as usize], term.0 & 1 == 1)
+    pub fn of_bool(&self, term: Bool) -> (Node, bool) {
+        (self.node_at(term.0 >> 1), term.0 & 1 == 1)
     }
 
     /// A node by its number.
-    pub(crate) fn node_at(&self, number: u32) -> &Node {
-        &self.nodes[number as usize]
+    pub(crate) fn node_at(&self, number: u32) -> Node {
+        self.nodes.borrow()[number as usize].clone()
     }
 
     /// The node of a float.
     #[must_use]
-    pub fn of_float(&self, term: Float) -> &Node {
-        &self.nodes[term.0 as usize]
+    pub fn of_float(&self, term: Float) -> Node {
+        self.node_at(term.0)
     }
 
     /// The node of a word.
     #[must_use]
-    pub fn of_word(&self, term: Word) -> &Node {
-        &self.nodes[term.0 as usize]
+    pub fn of_word(&self, term: Word) -> Node {
+        self.node_at(term.0)
     }
 }
 
@@ -409,7 +410,7 @@ mod tests {
 
     #[test]
     fn terms_that_are_too_deep_for_the_rules_are_named() {
-        let mut terms = Terms::new();
+        let terms = Terms::new();
         let (mut sum, source) = (terms.source(0), terms.source(1));
         for _ in 1..DEEPEST {
             sum = terms.arithmetic(Arithmetic::Add, sum, source);
@@ -420,7 +421,7 @@ mod tests {
         assert_eq!(missing.to_string(), "line 3: a proof with expressions of at most 2000 levels");
 
         // A choice of a choice, and so on, whose bits are read: the rule for bits goes down all of them.
-        let mut terms = Terms::new();
+        let terms = Terms::new();
         let (zero, one) = (terms.source(0), terms.source(1));
         let mut chosen = terms.bits(zero);
         for number in 0..100_000 {

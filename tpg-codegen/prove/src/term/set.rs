@@ -7,7 +7,7 @@ use Operator::*;
 
 impl Terms {
     /// Tests whether a word is in a set: closed intervals.
-    pub fn within(&mut self, word: Word, width: Width, set: &[(u64, u64)]) -> Bool {
+    pub fn within(&self, word: Word, width: Width, set: &[(u64, u64)]) -> Bool {
         let (word, set) = self.reduced(word, width, merged(set.to_vec()));
         let mask = width.mask();
         if set.is_empty() {
@@ -16,11 +16,10 @@ impl Terms {
         if set[..] == [(0, mask)] {
             return Self::TRUE;
         }
-        match *self.of_word(word) {
+        match self.of_word(word) {
             Number(number) => return Self::known(holds(&set, number)),
             WordIf(condition, a, b) => {
-                let (a, b) = (self.within(a, width, &set), self.within(b, width, &set));
-                return self.choose(condition, a, b);
+                return self.choose(condition, self.within(a, width, &set), self.within(b, width, &set));
             }
             Bits(float) => return self.float_within(float, &set),
             Apply(operator @ (Operator::And | Or | Xor), of, a, b)
@@ -45,7 +44,7 @@ impl Terms {
     /// The word below operations with constants, and the set that it is in exactly where the whole is in the given set.
     fn reduced(&self, word: Word, width: Width, set: Vec<(u64, u64)>) -> (Word, Vec<(u64, u64)>) {
         let mask = width.mask();
-        let Apply(operator, of, a, b) = *self.of_word(word) else { return (word, set) };
+        let Apply(operator, of, a, b) = self.of_word(word) else { return (word, set) };
         if of != width {
             return (word, set);
         }
@@ -101,7 +100,7 @@ impl Terms {
     }
 
     /// Tests whether the bits of a float are in a set.
-    fn float_within(&mut self, float: Float, set: &[(u64, u64)]) -> Bool {
+    fn float_within(&self, float: Float, set: &[(u64, u64)]) -> Bool {
         let (infinity, sign) = (u64::from(INFINITY), u64::from(NEGATIVE_ZERO));
         // the part of the set between two numbers
         let part = |low: u64, high: u64| -> Vec<(u64, u64)> {
@@ -150,10 +149,10 @@ impl Terms {
     }
 
     /// `low <= float <= high`, for bounds other than NaN
-    fn between(&mut self, float: Float, low: u32, high: u32) -> Bool {
+    fn between(&self, float: Float, low: u32, high: u32) -> Bool {
         if low == 1 && high == INFINITY || low == INFINITY | NEGATIVE_ZERO && high == NEGATIVE_ZERO | 1 {
             // the sign of a difference
-            let (small, large) = match *self.of_float(float) {
+            let (small, large) = match self.of_float(float) {
                 Node::Arithmetic(Arithmetic::Add, a, b) => (self.negate(b), a),
                 _ => (self.constant(0.0), float),
             };
@@ -162,25 +161,22 @@ impl Terms {
             }
             return if low == 1 { self.less(small, large) } else { self.less(large, small) };
         }
-        let (low, high) = (self.constant_bits(low), self.constant_bits(high));
-        let (above, below) = (self.less_or_equal(low, float), self.less_or_equal(float, high));
-        self.and(above, below)
+        self.and(
+            self.less_or_equal(self.constant_bits(low), float),
+            self.less_or_equal(float, self.constant_bits(high)),
+        )
     }
 
     /// Tests for minus zero.
-    fn is_negative_zero(&mut self, float: Float) -> Bool {
-        match *self.of_float(float) {
+    fn is_negative_zero(&self, float: Float) -> Bool {
+        match self.of_float(float) {
             Constant(bits) => Self::known(bits == NEGATIVE_ZERO),
             // a sum is minus zero only if both are
             Node::Arithmetic(Arithmetic::Add, a, b) => {
                 self.uses("x + y = -0 only where x and y are");
-                let (a, b) = (self.is_negative_zero(a), self.is_negative_zero(b));
-                self.and(a, b)
+                self.and(self.is_negative_zero(a), self.is_negative_zero(b))
             }
-            FloatIf(condition, a, b) => {
-                let (a, b) = (self.is_negative_zero(a), self.is_negative_zero(b));
-                self.choose(condition, a, b)
-            }
+            FloatIf(condition, a, b) => self.choose(condition, self.is_negative_zero(a), self.is_negative_zero(b)),
             _ => self.atom(IsNegativeZero(float)),
         }
     }

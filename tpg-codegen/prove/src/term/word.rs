@@ -68,27 +68,26 @@ pub(crate) fn computed(operator: Operator, width: Width, a: u64, b: u64) -> u64 
 
 impl Terms {
     /// A constant word.
-    pub fn number(&mut self, number: u64) -> Word {
+    pub fn number(&self, number: u64) -> Word {
         Word(self.node(Number(number)))
     }
 
     /// The number of a constant word.
     #[must_use]
     pub fn number_of(&self, word: Word) -> Option<u64> {
-        match *self.of_word(word) {
+        match self.of_word(word) {
             Number(number) => Some(number),
             _ => None,
         }
     }
 
     /// 1 where the condition holds, else 0.
-    pub fn word_of(&mut self, condition: Bool) -> Word {
-        let (one, zero) = (self.number(1), self.number(0));
-        self.choose_word(condition, one, zero)
+    pub fn word_of(&self, condition: Bool) -> Word {
+        self.choose_word(condition, self.number(1), self.number(0))
     }
 
     /// A choice between two words.
-    pub fn choose_word(&mut self, condition: Bool, a: Word, b: Word) -> Word {
+    pub fn choose_word(&self, condition: Bool, a: Word, b: Word) -> Word {
         Word(self.chosen(condition, a.0, b.0, |condition, a, b| WordIf(condition, Word(a), Word(b))))
     }
 
@@ -99,7 +98,7 @@ impl Terms {
 
     /// The numbers that a word can be, if it is a constant or a choice of constants. Sorted.
     #[must_use]
-    pub fn numbers(&mut self, word: Word) -> Option<Vec<u64>> {
+    pub fn numbers(&self, word: Word) -> Option<Vec<u64>> {
         let leaves = self.leaves(word.0);
         let mut numbers = leaves.iter().map(|&leaf| self.number_of(Word(leaf))).collect::<Option<Vec<_>>>()?;
         numbers.sort_unstable();
@@ -108,138 +107,128 @@ impl Terms {
     }
 
     /// The number of constants that a word is chosen from; 0 if it is chosen from others, too.
-    fn constants(&mut self, word: Word) -> usize {
+    fn constants(&self, word: Word) -> usize {
         let leaves = self.leaves(word.0);
         if leaves.iter().all(|&leaf| self.number_of(Word(leaf)).is_some()) { leaves.len() } else { 0 }
     }
 
     /// The bits of a float.
-    pub fn bits(&mut self, float: Float) -> Word {
-        match *self.of_float(float) {
+    pub fn bits(&self, float: Float) -> Word {
+        match self.of_float(float) {
             OfBits(word) => word,
             // the bits of a NaN are unknown
             Constant(bits) if !is_nan_bits(bits) => self.number(u64::from(bits)),
-            FloatIf(condition, a, b) => {
-                let (a, b) = (self.bits(a), self.bits(b));
-                self.choose_word(condition, a, b)
-            }
+            FloatIf(condition, a, b) => self.choose_word(condition, self.bits(a), self.bits(b)),
             _ => Word(self.node(Bits(float))),
         }
     }
 
     /// The float with these bits, of 32.
-    pub fn of_bits(&mut self, word: Word) -> Float {
-        match *self.of_word(word) {
+    pub fn of_bits(&self, word: Word) -> Float {
+        match self.of_word(word) {
             Bits(float) => float,
             Number(bits) => self.constant_bits(bits as u32),
-            WordIf(condition, a, b) => {
-                let (a, b) = (self.of_bits(a), self.of_bits(b));
-                self.choose_float(condition, a, b)
-            }
+            WordIf(condition, a, b) => self.choose_float(condition, self.of_bits(a), self.of_bits(b)),
             // the sign turned, and the sign taken off
             Apply(Operator::Xor, Width::W32, a, b) if self.number_of(b) == Some(u64::from(NEGATIVE_ZERO)) => {
-                let float = self.of_bits(a);
-                self.negate(float)
+                self.negate(self.of_bits(a))
             }
             Apply(Operator::And, Width::W32, a, b) if self.number_of(b) == Some(u64::from(!NEGATIVE_ZERO)) => {
-                let float = self.of_bits(a);
-                self.magnitude(float)
+                self.magnitude(self.of_bits(a))
             }
             _ => Float(self.node(OfBits(word))),
         }
     }
 
     /// A 32-bit integer, rounded to a float.
-    pub fn of_integer(&mut self, signed: bool, word: Word) -> Float {
-        match *self.of_word(word) {
+    pub fn of_integer(&self, signed: bool, word: Word) -> Float {
+        match self.of_word(word) {
             Number(number) if signed => self.constant(number as u32 as i32 as f32),
             Number(number) => self.constant(number as u32 as f32),
             WordIf(condition, a, b) => {
-                let (a, b) = (self.of_integer(signed, a), self.of_integer(signed, b));
-                self.choose_float(condition, a, b)
+                self.choose_float(condition, self.of_integer(signed, a), self.of_integer(signed, b))
             }
             _ => Float(self.node(OfInteger(signed, word))),
         }
     }
 
     /// A float truncated to a signed 32-bit integer, saturated; 0 for NaN.
-    pub fn truncated(&mut self, float: Float) -> Word {
-        match *self.of_float(float) {
+    pub fn truncated(&self, float: Float) -> Word {
+        match self.of_float(float) {
             Constant(bits) => self.number(u64::from(f32::from_bits(bits) as i32 as u32)),
-            FloatIf(condition, a, b) => {
-                let (a, b) = (self.truncated(a), self.truncated(b));
-                self.choose_word(condition, a, b)
-            }
+            FloatIf(condition, a, b) => self.choose_word(condition, self.truncated(a), self.truncated(b)),
             _ => Word(self.node(Truncated(float))),
         }
     }
 
     /// An element of a constant table. The index must be below its length; that is for the caller to see to.
-    pub fn element(&mut self, table: &Rc<[u64]>, index: Word) -> Word {
-        match *self.of_word(index) {
+    pub fn element(&self, table: &Rc<[u64]>, index: Word) -> Word {
+        match self.of_word(index) {
             Number(at) => {
                 let element = usize::try_from(at).ok().and_then(|at| table.get(at)).copied().unwrap_or_default();
                 self.number(element)
             }
-            WordIf(..) => self.mapped(index, &mut |terms, index| terms.element(table, index)),
+            WordIf(..) => self.mapped(index, &mut |index| self.element(table, index)),
             _ => Word(self.node(Element(table.clone(), index))),
         }
     }
 
     /// A word with a function applied to each word that it is chosen from. Shared choices stay shared.
-    pub fn mapped(&mut self, word: Word, function: &mut dyn FnMut(&mut Self, Word) -> Word) -> Word {
+    pub fn mapped(&self, word: Word, function: &mut dyn FnMut(Word) -> Word) -> Word {
         let mut done = std::collections::HashMap::new();
         self.mapped_with(word, function, &mut done)
     }
 
     fn mapped_with(
-        &mut self,
+        &self,
         word: Word,
-        function: &mut dyn FnMut(&mut Self, Word) -> Word,
+        function: &mut dyn FnMut(Word) -> Word,
         done: &mut std::collections::HashMap<Word, Word>,
     ) -> Word {
         if let Some(&known) = done.get(&word) {
             return known;
         }
-        let result = match *self.of_word(word) {
+        let result = match self.of_word(word) {
             WordIf(condition, a, b) => {
                 let (a, b) = (self.mapped_with(a, function, done), self.mapped_with(b, function, done));
                 self.choose_word(condition, a, b)
             }
-            _ => function(self, word),
+            _ => function(word),
         };
         done.insert(word, result);
         result
     }
 
     /// An operation of two words.
-    pub fn apply(&mut self, operator: Operator, width: Width, a: Word, b: Word) -> Word {
+    pub fn apply(&self, operator: Operator, width: Width, a: Word, b: Word) -> Word {
         if let (Some(a), Some(b)) = (self.number_of(a), self.number_of(b)) {
             return self.number(computed(operator, width, a, b));
         }
         // masks and numbers that are chosen from go into the operation; what they are applied to stays whole
         let (first, second) = (self.constants(a), self.constants(b));
-        if let (&WordIf(x, a1, a2), &WordIf(y, b1, b2)) = (self.of_word(a), self.of_word(b))
+        if let (WordIf(x, a1, a2), WordIf(y, b1, b2)) = (self.of_word(a), self.of_word(b))
             && x == y
         {
-            let (a, b) = (self.apply(operator, width, a1, b1), self.apply(operator, width, a2, b2));
-            return self.choose_word(x, a, b);
+            return self.choose_word(x, self.apply(operator, width, a1, b1), self.apply(operator, width, a2, b2));
         }
         if first.max(1) * second.max(1) <= PAIRS {
             if second > 1 {
-                return self.mapped(b, &mut |terms, b| terms.apply(operator, width, a, b));
+                return self.mapped(b, &mut |b| self.apply(operator, width, a, b));
             }
             if first > 1 {
-                return self.mapped(a, &mut |terms, a| terms.apply(operator, width, a, b));
+                return self.mapped(a, &mut |a| self.apply(operator, width, a, b));
             }
         }
         if matches!(operator, Operator::And | Operator::Or | Operator::Xor) {
             for (choice, other) in [(b, a), (a, b)] {
-                if let &WordIf(condition, x, y) = self.of_word(choice)
+                if let WordIf(condition, x, y) = self.of_word(choice)
                     && self.cancels(width, choice, other)
                 {
-                    let (x, y) = (self.apply(operator, width, other, x), self.apply(operator, width, other, y));
-                    return self.choose_word(condition, x, y);
+                    return self.choose_word(
+                        condition,
+                        self.apply(operator, width, other, x),
+                        self.apply(operator, width, other, y),
+                    );
                 }
             }
         }
@@ -247,15 +236,15 @@ impl Terms {
     }
 
     /// Tests whether a bitwise operation of a choice and another word becomes simpler in some case.
-    fn cancels(&mut self, width: Width, choice: Word, other: Word) -> bool {
-        self.leaves(choice.0).iter().any(|&leaf| match *self.of_word(Word(leaf)) {
+    fn cancels(&self, width: Width, choice: Word, other: Word) -> bool {
+        self.leaves(choice.0).iter().any(|&leaf| match self.of_word(Word(leaf)) {
             Number(number) => number == 0 || number == width.mask(),
             Apply(Operator::Xor, _, p, q) => p == other || q == other,
             _ => leaf == other.0,
         })
     }
 
-    fn simplified(&mut self, operator: Operator, width: Width, a: Word, b: Word) -> Word {
+    fn simplified(&self, operator: Operator, width: Width, a: Word, b: Word) -> Word {
         use Operator::{Add, And, Multiply, Or, ShiftArithmetic, ShiftLeft, ShiftRight, Subtract, Xor};
         let (x, y, ones) = (self.number_of(a), self.number_of(b), width.mask());
         match operator {
@@ -271,29 +260,26 @@ impl Terms {
             Xor | Subtract if a == b => return self.number(0),
             // a difference by a constant is a sum
             Subtract if y.is_some() => {
-                let negated = self.number(y.unwrap_or_default().wrapping_neg() & ones);
-                return self.apply(Add, width, a, negated);
+                return self.apply(Add, width, a, self.number(y.unwrap_or_default().wrapping_neg() & ones));
             }
             // the sign alone
             ShiftRight | ShiftArithmetic if y == Some(u64::from(width.bits()) - 1) => {
                 let (negative, zero) = (self.is_negative(width, a), self.number(0));
-                let set = self.number(if operator == ShiftRight { 1 } else { ones });
-                return self.choose_word(negative, set, zero);
+                return self.choose_word(negative, self.number(if operator == ShiftRight { 1 } else { ones }), zero);
             }
             _ => {}
         }
         if let (Xor | Add | And | Or, Some(y)) = (operator, y)
-            && let Apply(inner, of, p, q) = *self.of_word(a)
+            && let Apply(inner, of, p, q) = self.of_word(a)
             && inner == operator
             && of == width
             && let Some(q) = self.number_of(q)
         {
-            let both = self.number(computed(operator, width, q, y));
-            return self.apply(operator, width, p, both);
+            return self.apply(operator, width, p, self.number(computed(operator, width, q, y)));
         }
         if operator == Xor {
             for (word, other) in [(a, b), (b, a)] {
-                if let Apply(Xor, _, p, q) = *self.of_word(word) {
+                if let Apply(Xor, _, p, q) = self.of_word(word) {
                     if p == other {
                         return q;
                     }
@@ -310,24 +296,23 @@ impl Terms {
     }
 
     /// Tests the sign bit.
-    pub fn is_negative(&mut self, width: Width, word: Word) -> Bool {
+    pub fn is_negative(&self, width: Width, word: Word) -> Bool {
         self.within(word, width, &[(width.mask() / 2 + 1, width.mask())])
     }
 
     /// `a == b`
-    pub fn same(&mut self, width: Width, a: Word, b: Word) -> Bool {
+    pub fn same(&self, width: Width, a: Word, b: Word) -> Bool {
         if a == b {
             return Self::TRUE;
         }
         if let Some(b) = self.number_of(b) {
             return self.within(a, width, &[(b, b)]);
         }
-        let difference = self.apply(Operator::Xor, width, a, b);
-        self.within(difference, width, &[(0, 0)])
+        self.within(self.apply(Operator::Xor, width, a, b), width, &[(0, 0)])
     }
 
     /// `a < b` of unsigned or signed numbers.
-    pub fn below(&mut self, signed: bool, width: Width, a: Word, b: Word) -> Bool {
+    pub fn below(&self, signed: bool, width: Width, a: Word, b: Word) -> Bool {
         let half = width.mask() / 2 + 1;
         let shifted = |number: u64| if signed { number ^ half } else { number };
         // the numbers whose order is between two places, seen as unsigned ones
@@ -348,14 +333,12 @@ impl Terms {
             (Some(a), _) if shifted(a) == width.mask() => Self::FALSE,
             (Some(a), _) => self.within(b, width, &between(shifted(a) + 1, width.mask())),
             _ if a == b => Self::FALSE,
-            _ => match (self.of_word(a).clone(), self.of_word(b).clone()) {
+            _ => match (self.of_word(a), self.of_word(b)) {
                 (WordIf(condition, x, y), _) => {
-                    let (x, y) = (self.below(signed, width, x, b), self.below(signed, width, y, b));
-                    self.choose(condition, x, y)
+                    self.choose(condition, self.below(signed, width, x, b), self.below(signed, width, y, b))
                 }
                 (_, WordIf(condition, x, y)) => {
-                    let (x, y) = (self.below(signed, width, a, x), self.below(signed, width, a, y));
-                    self.choose(condition, x, y)
+                    self.choose(condition, self.below(signed, width, a, x), self.below(signed, width, a, y))
                 }
                 _ => self.atom(Below(signed, width, a, b)),
             },
@@ -369,7 +352,7 @@ mod tests {
 
     #[test]
     fn masks_of_differences_are_comparisons() {
-        let mut terms = Terms::new();
+        let terms = Terms::new();
         let (a, b) = (terms.source(0), terms.source(1));
         let difference = terms.subtract(a, b);
         let bits = terms.bits(difference);
@@ -394,7 +377,7 @@ mod tests {
 
     #[test]
     fn a_mask_of_nan_is_a_test_for_it() {
-        let mut terms = Terms::new();
+        let terms = Terms::new();
         let a = terms.source(0);
         let bits = terms.bits(a);
         let w = Width::W32;
@@ -408,7 +391,7 @@ mod tests {
 
     #[test]
     fn comparisons_of_choices_of_constants_are_decided() {
-        let mut terms = Terms::new();
+        let terms = Terms::new();
         let (x, y) = (terms.source(0), terms.source(1));
         let less = terms.less(x, y);
         let (three, five) = (terms.number(3), terms.number(0xffff_fffb));
