@@ -51,5 +51,5 @@ pub(crate) fn command_line(found: impl Into<String>, accepted: impl Into<String>
 /// # Errors
 /// If it cannot be written.
 pub(crate) fn print(text: &str) -> Result<(), InputError> {
-    tpg_graph::command::print(text).map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
+    tpg_graph::command::print(text)
 }

@@ -48,11 +48,11 @@ const CLOSED_PIPE: i32 = 141;
 ///
 /// # Errors
 /// If it cannot be written for another reason.
-pub fn print(text: impl AsRef<[u8]>) -> io::Result<()> {
+pub fn print(text: impl AsRef<[u8]>) -> Result<(), InputError> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_ref()).and_then(|()| out.flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => process::exit(CLOSED_PIPE),
-        written => written,
+        written => written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe")),
     }
 }
 

@@ -3,6 +3,7 @@
 //! A file's bytes go to a temporary file in the same folder, are flushed to the disk, and only then is the file
 //! renamed. Readers see either the old file or the new one, never a part, regardless of what fails.
 
+use crate::command::print;
 use crate::error::InputError;
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -27,6 +28,15 @@ use tempfile::{Builder, NamedTempFile};
 /// If the file cannot be written: no such folder, no permission, no space. Nothing has changed in that case.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), InputError> {
     write_all(&[(path, bytes)])
+}
+
+/// Writes a text to a file, or to standard output where the path is `-`; tests for a file.
+///
+/// # Errors
+/// As [`write_atomically`] and [`print`].
+pub fn write_or_print(path: &Path, text: &str) -> Result<bool, InputError> {
+    let is_file = path != Path::new("-");
+    if is_file { write_atomically(path, text.as_bytes()) } else { print(text) }.map(|()| is_file)
 }
 
 /// Writes a set of files. All go to temporary files first, so that if one cannot be written none of them appears.

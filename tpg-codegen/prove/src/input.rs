@@ -48,3 +48,6 @@ impl Missing {
         Self { place: place.into(), what: what.into() }
     }
 }
+
+/// A result, or what it lacks.
+pub type Result<T> = std::result::Result<T, Missing>;

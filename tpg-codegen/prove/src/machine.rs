@@ -1,6 +1,6 @@
 //! Code that is executed over terms: what a reader of C and a decoder of machine code have in common.
 
-use crate::input::Missing;
+use crate::input::Result;
 use crate::term::{Bool, Float, Terms, Word};
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -58,13 +58,13 @@ pub trait Machine {
     ///
     /// # Errors
     /// What cannot be executed.
-    fn entry(&mut self, terms: &Terms) -> Result<Self::Point, Missing>;
+    fn entry(&mut self, terms: &Terms) -> Result<Self::Point>;
 
     /// Executes from a point. The conditions exclude each other, and one of them holds in every state that leads to the point.
     ///
     /// # Errors
     /// What cannot be executed.
-    fn run(&mut self, terms: &Terms, from: &Self::Point) -> Result<Ways<Self::Point>, Missing>;
+    fn run(&mut self, terms: &Terms, from: &Self::Point) -> Result<Ways<Self::Point>>;
 
     /// The place of a point, for people.
     fn place(&self, point: &Self::Point) -> String;

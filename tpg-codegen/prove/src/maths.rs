@@ -1,7 +1,7 @@
 //! Functions of own maths as terms: those that the file `own_maths.c` computes.
 
 use crate::c;
-use crate::input::Missing;
+use crate::input::Result;
 use crate::term::{Float, Terms};
 use std::collections::HashMap;
 
@@ -50,7 +50,7 @@ pub(crate) struct Maths {
 
 impl Maths {
     /// A function of a term.
-    pub(crate) fn apply(&mut self, terms: &Terms, function: Function, argument: Float) -> Result<Float, Missing> {
+    pub(crate) fn apply(&mut self, terms: &Terms, function: Function, argument: Float) -> Result<Float> {
         if let Some(&known) = self.known.get(&(function, argument)) {
             return Ok(known);
         }

@@ -5,7 +5,7 @@
 
 use crate::graph::meaning::Meaning;
 use crate::graph::{Destination, Graph, circle};
-use crate::input::Missing;
+use crate::input::{Missing, Result};
 use crate::interval::Intervals;
 use crate::machine::{Answer, Machine, Step};
 use crate::order::{Together, together};
@@ -123,7 +123,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     ///
     /// # Errors
     /// What no rule decides.
-    pub fn prove(&mut self) -> Result<(), Missing> {
+    pub fn prove(&mut self) -> Result<()> {
         match self.walk(true) {
             Ok(()) => Ok(()),
             // once more with all that held on the way
@@ -131,7 +131,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         }
     }
 
-    fn walk(&mut self, forgetful: bool) -> Result<(), Missing> {
+    fn walk(&mut self, forgetful: bool) -> Result<()> {
         let start = ProductSide::At(self.machine.entry(&self.terms)?);
         let mut pairs = vec![(start, self.graph.start(), Terms::TRUE)];
         let mut numbers = HashMap::from([(pairs[0].clone(), 0)]);
@@ -181,7 +181,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         place: Destination,
         assumed: Bool,
         forgetful: bool,
-    ) -> Result<Pairs<M::Point>, Missing> {
+    ) -> Result<Pairs<M::Point>> {
         let ends = self.ends(&side)?;
         let team = match place {
             Team(team) => self.meaning.winners(&self.terms, team)?,
@@ -268,7 +268,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         assumed: Bool,
         conditions: &[Bool],
         team: &[(Bool, Destination)],
-    ) -> Result<BTreeSet<(usize, usize)>, Missing> {
+    ) -> Result<BTreeSet<(usize, usize)>> {
         let wins: Vec<_> = team.iter().map(|&(condition, _)| condition).collect();
         let key = (assumed, conditions.to_vec(), wins);
         if let Some(known) = self.combined.get(&key) {
@@ -288,7 +288,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     }
 
     /// Compares answers. They are compared where the assumption can hold, which was found before.
-    fn answers(&mut self, side: &ProductSide<M::Point>, place: Destination, assumed: Bool) -> Result<(), Missing> {
+    fn answers(&mut self, side: &ProductSide<M::Point>, place: Destination, assumed: Bool) -> Result<()> {
         let different = |what: String| Missing::new(what, "a proof that the answers are equal");
         match (side, place) {
             (ProductSide::Action(word), Destination::Action(action))
@@ -320,7 +320,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         b: Float,
         assumed: Bool,
         (side, place): (&ProductSide<M::Point>, Destination),
-    ) -> Result<bool, Missing> {
+    ) -> Result<bool> {
         if a == b {
             return Ok(true);
         }
@@ -333,7 +333,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     }
 
     /// Where the code can go on from a side; none where it has answered.
-    fn ends(&mut self, side: &ProductSide<M::Point>) -> Result<Option<Ends<M::Point>>, Missing> {
+    fn ends(&mut self, side: &ProductSide<M::Point>) -> Result<Option<Ends<M::Point>>> {
         match side {
             ProductSide::Values(_) => Ok(None),
             ProductSide::Action(word) if self.terms.number_of(*word).is_some() => Ok(None),
@@ -392,7 +392,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     ///
     /// # Errors
     /// What cannot be executed.
-    pub fn answers_for(&mut self, state: &[u32]) -> Result<(Concrete, Concrete), Missing> {
+    pub fn answers_for(&mut self, state: &[u32]) -> Result<(Concrete, Concrete)> {
         self.evaluator.set(state);
         let mut place = self.graph.start();
         while let Team(team) = place {
@@ -437,7 +437,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     ///
     /// # Errors
     /// A leaf for which that is not proven.
-    pub fn ranges(&mut self) -> Result<(), Missing> {
+    pub fn ranges(&mut self) -> Result<()> {
         for leaf in 0..self.graph.leaves() {
             let inside = self.meaning.in_range(&self.terms, leaf)?;
             self.terms.complete(|| self.graph.name(Leaf(leaf)))?;

@@ -1,7 +1,7 @@
 //! Three answers: proven for all inputs, different in a state, or not decided.
 
 use crate::graph::Graph;
-use crate::input::Missing;
+use crate::input::{Missing, Result};
 use crate::machine::Machine;
 use crate::product::{Comparison, Effort, Work};
 use crate::states::Stream;
@@ -75,10 +75,10 @@ impl fmt::Display for Proof {
 /// Code that cannot be read.
 pub fn prove<M: Machine>(
     graph: &Graph,
-    read: &dyn Fn() -> Result<M, Missing>,
+    read: &dyn Fn() -> Result<M>,
     assume_ranges: bool,
     effort: Effort,
-) -> Result<Proof, Missing> {
+) -> Result<Proof> {
     let ranges = if assume_ranges { graph.ranges() } else { &[] };
     let mut machine = read()?;
     let mut comparison = Comparison::new(graph, &mut machine, Terms::new(), ranges, effort);
@@ -112,18 +112,13 @@ fn difference<M: Machine>(comparison: &mut Comparison<'_, M>, graph: &Graph, ins
 }
 
 /// A difference in one of so many states, each computed by itself: nothing that a proof uses has a part in it.
-pub fn sampled<M: Machine>(
-    graph: &Graph,
-    read: &dyn Fn() -> Result<M, Missing>,
-    states: u64,
-    seed: u64,
-) -> Option<Difference> {
+pub fn sampled<M: Machine>(graph: &Graph, read: &dyn Fn() -> Result<M>, states: u64, seed: u64) -> Option<Difference> {
     let (special, mut stream) = (graph.constants(), Stream::new(seed));
     (0..states).find_map(|_| replayed(graph, &stream.state(graph.ranges(), &special, false), read))
 }
 
 /// The difference in a state, computed with that state's numbers from the start on.
-fn replayed<M: Machine>(graph: &Graph, state: &[u32], read: &dyn Fn() -> Result<M, Missing>) -> Option<Difference> {
+fn replayed<M: Machine>(graph: &Graph, state: &[u32], read: &dyn Fn() -> Result<M>) -> Option<Difference> {
     let mut machine = read().ok()?;
     let mut comparison = Comparison::new(graph, &mut machine, Terms::for_state(state), &[], Effort::default());
     let (expected, found) = comparison.answers_for(state).ok()?;

@@ -64,7 +64,7 @@ impl CodeArgs {
         if let Some(bits) = self.fixed {
             let states = self.states.load(&graph)?;
             let request = Request::of_bits(bits, &states, self.states.is_recorded());
-            let (whole, report) = quantise(&self.file(), &graph, &request)?;
+            let (whole, report) = quantise(&self.graph.name(), &graph, &request)?;
             tpg_graph::command::note(report.to_string().trim_end());
             graph = whole;
         }
@@ -77,15 +77,15 @@ impl CodeArgs {
         };
         if options.style == Style::Gegelati && !graph.outputs().is_empty() {
             let found = "--style gegelati for a policy with outputs";
-            let file = self.graph.graph.display().to_string();
-            return Err(InputError::new(file, Place::Whole, found, "--style pure: GEGELATI's answers an action").into());
+            return Err(InputError::new(
+                self.graph.name(),
+                Place::Whole,
+                found,
+                "--style pure: GEGELATI's answers an action",
+            )
+            .into());
         }
         Ok((graph, options))
-    }
-
-    /// The graph's name in messages.
-    fn file(&self) -> String {
-        self.graph.graph.display().to_string()
     }
 
     /// The code in a language: in integers where that is asked for.
@@ -96,7 +96,7 @@ impl CodeArgs {
         language: Language,
     ) -> Result<Code<'g>, InputError> {
         if self.integers || self.fixed.is_some() {
-            Code::in_integers(&self.file(), graph, options, language)
+            Code::in_integers(&self.graph.name(), graph, options, language)
         } else {
             Ok(Code::of(compile(graph, options, language)))
         }

@@ -4,7 +4,7 @@ use super::graph::GraphArgs;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use tpg_graph::Graph;
-use tpg_graph::command::{CommandError, Verdict, print};
+use tpg_graph::command::{CommandError, Verdict};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{export, output};
 
@@ -21,14 +21,17 @@ pub(super) struct ConvertArgs {
 
 impl ConvertArgs {
     pub(super) fn run(&self) -> Result<Verdict, CommandError> {
-        let format = Format::detect(&self.out)?;
-        let graph = self.graph.load()?;
-        match format {
-            Format::Stdout => {
-                print(graph.to_json()).map_err(CommandError::other)?;
+        let extension = self.out.extension().and_then(|extension| extension.to_str());
+        match extension {
+            Some("dot") => self.write_dot(&self.graph.load()?)?,
+            _ if extension == Some("json") || self.out == Path::new("-") => {
+                output::write_or_print(&self.out, &self.graph.load()?.to_json())?;
             }
-            Format::Json => output::write_atomically(&self.out, graph.to_json().as_bytes())?,
-            Format::Dot => self.write_dot(&graph)?,
+            _ => {
+                let found = "an output whose name does not say its format";
+                let accepted = "NAME.json, NAME.dot, or -";
+                return Err(InputError::new(self.out.display().to_string(), Place::Whole, found, accepted).into());
+            }
         }
         Ok(Verdict::Good)
     }
@@ -41,29 +44,5 @@ impl ConvertArgs {
         output::write_all(&[(&self.out, text), (&sidecar, export::sidecar::text(graph))])?;
         eprintln!("{} needs --sidecar {} to be read", self.out.display(), sidecar.display());
         Ok(())
-    }
-}
-
-/// The output format.
-#[derive(Clone, Copy)]
-enum Format {
-    Stdout,
-    Json,
-    Dot,
-}
-
-impl Format {
-    fn detect(out: &Path) -> Result<Self, InputError> {
-        if out == Path::new("-") {
-            return Ok(Self::Stdout);
-        }
-        match out.extension().and_then(|extension| extension.to_str()) {
-            Some("json") => Ok(Self::Json),
-            Some("dot") => Ok(Self::Dot),
-            _ => {
-                let found = "an output whose name does not say its format";
-                Err(InputError::new(out.display().to_string(), Place::Whole, found, "NAME.json, NAME.dot, or -"))
-            }
-        }
     }
 }

@@ -67,12 +67,12 @@ impl GenerateArgs {
             return Ok(self.stale(&files));
         }
         if self.to_stdout() {
-            command::print(joined(&files)).map_err(CommandError::other)?;
+            command::print(joined(&files))?;
         } else {
             let files: Vec<(PathBuf, &str)> =
                 files.iter().map(|file| (self.output.join(&file.name), file.text.as_str())).collect();
             output::write_folder(&self.output, &files)?;
-            command::print(report(&codes, &files)).map_err(CommandError::other)?;
+            command::print(report(&codes, &files))?;
         }
         if self.no_verify { Ok(Good) } else { self.prove(&codes) }
     }
@@ -100,7 +100,7 @@ impl GenerateArgs {
         if self.to_stdout() {
             eprint!("{sentences}");
         } else {
-            command::print(sentences).map_err(CommandError::other)?;
+            command::print(sentences)?;
         }
         Ok(if of_all == Failed { of_all } else { verdict(&proof) })
     }
@@ -126,11 +126,7 @@ impl GenerateArgs {
 }
 
 fn explain_to(path: &Path, text: &str) -> Result<Verdict, CommandError> {
-    if path == Path::new("-") {
-        command::print(text).map_err(CommandError::other)?;
-    } else {
-        output::write_atomically(path, text.as_bytes())?;
-    }
+    output::write_or_print(path, text)?;
     Ok(Good)
 }
 

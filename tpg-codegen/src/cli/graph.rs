@@ -19,6 +19,11 @@ pub(crate) struct GraphArgs {
 }
 
 impl GraphArgs {
+    /// Returns the graph's name in messages.
+    pub(crate) fn name(&self) -> String {
+        self.graph.display().to_string()
+    }
+
     /// Reads and validates the graph.
     ///
     /// # Errors

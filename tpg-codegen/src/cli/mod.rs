@@ -117,12 +117,17 @@ impl Cli {
             Policy(args) => args.run(),
             Package(args) => args.run(),
             Quantise(args) => args.run(),
-            Schema => print(tpg_graph::schema()).map(|()| Verdict::Good).map_err(CommandError::other),
-            Command::Sidecar => print(Sidecar::EXAMPLE).map(|()| Verdict::Good).map_err(CommandError::other),
+            Schema => printed(tpg_graph::schema()),
+            Command::Sidecar => printed(Sidecar::EXAMPLE),
             Completions(args) => args.run(Self::command()),
             Man(args) => args.run(Self::command()),
         })
     }
+}
+
+fn printed(text: impl AsRef<[u8]>) -> Result<Verdict, CommandError> {
+    print(text)?;
+    Ok(Verdict::Good)
 }
 
 #[cfg(test)]

@@ -63,9 +63,10 @@ impl PackageArgs {
     pub(super) fn run(&self) -> Result<Verdict, CommandError> {
         let Chosen { graph, conversion } = self.scalar.choose(&self.graph, self.graph.load()?, &self.states)?;
         if self.ecosystem == Ecosystem::Arduino && graph.scalar() == ScalarType::F64 {
-            let file = self.graph.graph.display().to_string();
             let found = "a graph that computes in f64, which an AVR's double is not";
-            return Err(InputError::new(file, Place::Whole, found, "--scalar f32, or another --for").into());
+            return Err(
+                InputError::new(self.graph.name(), Place::Whole, found, "--scalar f32, or another --for").into()
+            );
         }
         let prefix = self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.graph.graph));
         let options = Options { profile: self.profile, conversion, ..Options::new(prefix) };

@@ -1,8 +1,9 @@
 //! `tpg-codegen policy`: a quantised network as C and Rust.
 
+use super::code::LanguageArg;
 use crate::options::Prefix;
 use crate::policy::{QuantisedPolicy, to_c, to_rust};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use std::fs;
 use std::path::PathBuf;
 use tpg_graph::command::{self, CommandError, Verdict};
@@ -15,21 +16,14 @@ pub(super) struct PolicyArgs {
     /// A policy.q.json
     policy: PathBuf,
     /// The language to write
-    #[arg(long, value_enum, default_value_t = PolicyLanguage::All)]
-    lang: PolicyLanguage,
+    #[arg(long, value_enum, default_value_t = LanguageArg::All)]
+    lang: LanguageArg,
     /// The name of the C array and of the files [default: from the file's name]
     #[arg(long, value_name = "NAME")]
     prefix: Option<Prefix>,
     /// The output folder, created if it does not exist
     #[arg(short, long, value_name = "DIR", default_value = ".")]
     output: PathBuf,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum PolicyLanguage {
-    C,
-    Rust,
-    All,
 }
 
 impl PolicyArgs {
@@ -40,10 +34,10 @@ impl PolicyArgs {
         let policy = QuantisedPolicy::from_json(&name, &text)?;
         let prefix = self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.policy.with_extension("")));
         let mut files = Vec::new();
-        if self.lang != PolicyLanguage::Rust {
+        if self.lang != LanguageArg::Rust {
             files.extend(to_c(&policy, &prefix)?.into_iter().map(|file| (self.output.join(file.name), file.text)));
         }
-        if self.lang != PolicyLanguage::C {
+        if self.lang != LanguageArg::C {
             files.push((self.output.join(format!("{prefix}.rs")), to_rust(&policy)?));
         }
         fs::create_dir_all(&self.output)
@@ -51,7 +45,7 @@ impl PolicyArgs {
         output::write_all(&files)?;
         if !command::is_quiet() {
             let paths: String = files.iter().map(|(path, _)| format!("{}\n", path.display())).collect();
-            command::print(paths).map_err(CommandError::other)?;
+            command::print(paths)?;
         }
         Ok(Verdict::Good)
     }

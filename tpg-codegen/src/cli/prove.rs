@@ -51,11 +51,11 @@ impl ProveArgs {
     pub(super) fn run(&self) -> Result<Verdict, CommandError> {
         let loaded = self.graph.load()?;
         let text = loaded.to_json();
-        let name = self.graph.graph.display().to_string();
+        let name = self.graph.name();
         let graph = match Graph::read(&name, &text) {
             Ok(graph) => graph,
             Err(error) => {
-                command::print(format!("not decided: {error}\n")).map_err(CommandError::other)?;
+                command::print(format!("not decided: {error}\n"))?;
                 return Ok(Undecided);
             }
         };
@@ -74,18 +74,10 @@ impl ProveArgs {
                 let bytes = read(path)?;
                 let file = path.display().to_string();
                 let symbol = self.symbol.as_deref().unwrap_or_default();
-                Object::new(&bytes, symbol, graph.interface().clone()).map_err(|error| {
-                    InputError::new(
-                        file.clone(),
-                        Place::Whole,
-                        error.to_string(),
-                        "an object for ARM with that function",
-                    )
-                })?;
-                let read = || {
-                    Object::new(&bytes, symbol, graph.interface().clone())
-                        .map_err(|error| Missing::new(file.clone(), error.to_string()))
-                };
+                let object = || Object::new(&bytes, symbol, graph.interface().clone());
+                let accepted = "an object for ARM with that function";
+                object().map_err(|error| InputError::new(&*file, Place::Whole, error.to_string(), accepted))?;
+                let read = || object().map_err(|error| Missing::new(&*file, error.to_string()));
                 let proof = proof::prove(&graph, &read, self.assume_ranges, Effort::default());
                 proofs.push((file.clone(), undecided(proof), with(vec![(file.clone(), bytes.clone())])));
             }
@@ -101,7 +93,7 @@ impl ProveArgs {
             }
         }
         for (name, proof, _) in &proofs {
-            command::print(format!("{name}: {proof}\n")).map_err(CommandError::other)?;
+            command::print(format!("{name}: {proof}\n"))?;
         }
         if let Some(path) = &self.certificate {
             self.certify(path, &proofs)?;

@@ -3,7 +3,7 @@
 use super::graph::GraphArgs;
 use crate::quantise::{Request, quantise};
 use clap::Args;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use tpg_graph::command::{self, CommandError, Verdict};
 use tpg_graph::output;
 use tpg_graph::states::StateSet;
@@ -61,20 +61,16 @@ impl QuantiseArgs {
             margin: self.margin,
             compared: recorded.as_ref().unwrap_or(&sampled),
         };
-        let (whole, report) = quantise(&self.graph.graph.display().to_string(), &graph, &request)?;
+        let (whole, report) = quantise(&self.graph.name(), &graph, &request)?;
         let report = if self.json {
             serde_json::to_string(&report).map_err(CommandError::other)? + "\n"
         } else {
             report.to_string()
         };
-        if self.output == Path::new("-") {
+        if !output::write_or_print(&self.output, &whole.to_json())? {
             command::note(report.trim_end());
-            command::print(whole.to_json()).map_err(CommandError::other)?;
-        } else {
-            output::write_atomically(&self.output, whole.to_json().as_bytes())?;
-            if self.json || !command::is_quiet() {
-                command::print(report).map_err(CommandError::other)?;
-            }
+        } else if self.json || !command::is_quiet() {
+            command::print(report)?;
         }
         Ok(Verdict::Good)
     }

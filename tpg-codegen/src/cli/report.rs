@@ -10,7 +10,7 @@ use crate::quantise::{Request, quantise};
 use crate::report;
 use crate::size::Target;
 use clap::Args;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use tpg_graph::command::{self, CommandError, Verdict};
 use tpg_graph::error::InputError;
 use tpg_graph::states::StateSet;
@@ -51,16 +51,13 @@ impl ReportArgs {
         let targets = if self.target.is_empty() { &Target::DEFAULT[..] } else { &self.target };
         let states = self.states.load(&graph)?;
         let whole = self.integers(&graph, &states)?;
-        let file = self.graph.graph.display().to_string();
+        let file = self.graph.name();
         let report = report::report(&file, &graph, &options, targets, &states, whole.as_ref())?;
         if let Some(path) = &self.html {
             let name =
                 self.graph.graph.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
             let page = report::html::page(&name, &report, &graph, &options, &states).html();
-            if path == Path::new("-") {
-                command::print(page).map_err(CommandError::other)?;
-            } else {
-                output::write_atomically(path, page.as_bytes())?;
+            if output::write_or_print(path, &page)? {
                 command::note(format_args!("wrote {}", path.display()));
             }
         } else {
@@ -69,7 +66,7 @@ impl ReportArgs {
             } else {
                 report.to_string()
             };
-            command::print(text).map_err(CommandError::other)?;
+            command::print(text)?;
         }
         if self.limits.any() {
             let options = Options { profile: Some(self.profile), ..options };
@@ -88,6 +85,6 @@ impl ReportArgs {
     fn integers(&self, graph: &Graph, states: &StateSet) -> Result<Option<Graph>, InputError> {
         let Some(bits) = self.fixed else { return Ok(None) };
         let request = Request::of_bits(bits, states, self.states.is_recorded());
-        Ok(Some(quantise(&self.graph.graph.display().to_string(), graph, &request)?.0))
+        Ok(Some(quantise(&self.graph.name(), graph, &request)?.0))
     }
 }

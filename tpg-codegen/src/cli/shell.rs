@@ -43,7 +43,7 @@ impl CompletionsArgs {
     pub fn run(&self, mut program: Command) -> Result<Verdict, CommandError> {
         let (mut text, name) = (Vec::new(), program.get_name().to_owned());
         clap_complete::generate(self.shell, &mut program, name, &mut text);
-        print(text).map_err(CommandError::other)?;
+        print(text)?;
         Ok(Verdict::Good)
     }
 }
@@ -66,7 +66,8 @@ impl ManArgs {
             }
         };
         let mut text = Vec::new();
-        clap_mangen::Man::new(page).render(&mut text).and_then(|()| print(text)).map_err(CommandError::other)?;
+        clap_mangen::Man::new(page).render(&mut text).map_err(CommandError::other)?;
+        print(text)?;
         Ok(Verdict::Good)
     }
 }

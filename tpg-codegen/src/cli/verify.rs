@@ -50,11 +50,11 @@ impl VerifyArgs {
             let text = serde_json::json!({
                 "graph_sha256": sha256, "expected": expected, "comparisons": comparisons, "unproven": unproven,
             });
-            command::print(format!("{text}\n")).map_err(CommandError::other)?;
+            command::print(format!("{text}\n"))?;
         } else {
             let expected = expected.as_ref().filter(|expected| expected.differences > 0 || !command::is_quiet());
             let expected = expected.map_or_else(String::new, |expected| format!("{expected}\n"));
-            command::print(expected + &sentences(&proof)).map_err(CommandError::other)?;
+            command::print(expected + &sentences(&proof))?;
         }
         let as_recorded = expected.is_none_or(|expected| expected.differences == 0);
         Ok(if as_recorded { verdict(&proof) } else { Verdict::Failed })

@@ -54,63 +54,64 @@ pub(super) fn files(facts: &Facts<'_>, ecosystem: Ecosystem, code: &Code<'_>) ->
     let main = || ended(Example { it: facts, entry: "int main(void)", returns: true }.render());
     let mut files: Vec<(String, String)> = facts.details.license.files.clone();
     files.push(("README.md".to_owned(), ended(Readme { it: facts, ecosystem }.render())));
-    let (mut add, mut sources) = (Vec::new(), ("include", "src"));
+    let mut added: Vec<(String, String)> = Vec::new();
+    let mut add = |path: &str, text: String| added.push((path.to_owned(), text));
+    let mut sources = ("include", "src");
     match ecosystem {
         Arduino => {
             sources = ("src", "src");
-            add.push(("library.properties".to_owned(), text!(facts, "package/library.properties")));
-            add.push(("keywords.txt".to_owned(), text!(facts, "package/keywords.txt")));
-            add.push(("examples/Decide/Decide.ino".to_owned(), text!(facts, "package/Decide.ino")));
+            add("library.properties", text!(facts, "package/library.properties"));
+            add("keywords.txt", text!(facts, "package/keywords.txt"));
+            add("examples/Decide/Decide.ino", text!(facts, "package/Decide.ino"));
         }
         Platformio => {
-            add.push(("library.json".to_owned(), library_json(facts)));
-            add.push(("examples/decide/main.c".to_owned(), main()));
+            add("library.json", library_json(facts));
+            add("examples/decide/main.c", main());
         }
         EspIdf => {
             sources = ("include", "");
             let entry = Example { it: facts, entry: "void app_main(void)", returns: false };
-            add.push(("idf_component.yml".to_owned(), text!(facts, "package/idf_component.yml")));
-            add.push(("CMakeLists.txt".to_owned(), text!(facts, "package/esp_idf.cmake")));
-            add.push(("examples/decide/CMakeLists.txt".to_owned(), text!(facts, "package/esp_idf_project.cmake")));
-            add.push(("examples/decide/main/CMakeLists.txt".to_owned(), ESP_IDF_MAIN.to_owned()));
-            add.push(("examples/decide/main/idf_component.yml".to_owned(), text!(facts, "package/esp_idf_main.yml")));
-            add.push(("examples/decide/main/main.c".to_owned(), ended(entry.render())));
+            add("idf_component.yml", text!(facts, "package/idf_component.yml"));
+            add("CMakeLists.txt", text!(facts, "package/esp_idf.cmake"));
+            add("examples/decide/CMakeLists.txt", text!(facts, "package/esp_idf_project.cmake"));
+            add("examples/decide/main/CMakeLists.txt", ESP_IDF_MAIN.to_owned());
+            add("examples/decide/main/idf_component.yml", text!(facts, "package/esp_idf_main.yml"));
+            add("examples/decide/main/main.c", ended(entry.render()));
         }
         Zephyr => {
-            add.push(("zephyr/module.yml".to_owned(), text!(facts, "package/zephyr_module.yml")));
-            add.push(("zephyr/CMakeLists.txt".to_owned(), text!(facts, "package/zephyr.cmake")));
-            add.push(("zephyr/Kconfig".to_owned(), text!(facts, "package/zephyr.kconfig")));
-            add.push(("samples/decide/CMakeLists.txt".to_owned(), text!(facts, "package/zephyr_sample.cmake")));
-            add.push(("samples/decide/prj.conf".to_owned(), text!(facts, "package/zephyr_prj.conf")));
-            add.push(("samples/decide/sample.yaml".to_owned(), text!(facts, "package/zephyr_sample.yaml")));
-            add.push(("samples/decide/src/main.c".to_owned(), main()));
+            add("zephyr/module.yml", text!(facts, "package/zephyr_module.yml"));
+            add("zephyr/CMakeLists.txt", text!(facts, "package/zephyr.cmake"));
+            add("zephyr/Kconfig", text!(facts, "package/zephyr.kconfig"));
+            add("samples/decide/CMakeLists.txt", text!(facts, "package/zephyr_sample.cmake"));
+            add("samples/decide/prj.conf", text!(facts, "package/zephyr_prj.conf"));
+            add("samples/decide/sample.yaml", text!(facts, "package/zephyr_sample.yaml"));
+            add("samples/decide/src/main.c", main());
         }
         Cmake => {
-            add.push(("CMakeLists.txt".to_owned(), text!(facts, "package/cmake.cmake")));
-            add.push((format!("cmake/{name}-config.cmake.in"), text!(facts, "package/cmake_config.cmake")));
-            add.push(("examples/decide.c".to_owned(), main()));
+            add("CMakeLists.txt", text!(facts, "package/cmake.cmake"));
+            add(&format!("cmake/{name}-config.cmake.in"), text!(facts, "package/cmake_config.cmake"));
+            add("examples/decide.c", main());
         }
         Meson => {
-            add.push(("meson.build".to_owned(), text!(facts, "package/meson.build")));
-            add.push(("examples/decide.c".to_owned(), main()));
+            add("meson.build", text!(facts, "package/meson.build"));
+            add("examples/decide.c", main());
         }
         Cargo => {
-            add.push(("Cargo.toml".to_owned(), text!(facts, "package/crate.toml")));
-            add.push(("src/lib.rs".to_owned(), text!(facts, "package/lib.rs")));
-            add.push(("examples/decide.rs".to_owned(), text!(facts, "package/decide.rs")));
-            add.push(("runtime/Cargo.toml".to_owned(), text!(facts, "package/crate_runtime.toml")));
-            let runtime = standalone::FILES
-                .into_iter()
-                .map(|(path, text)| (format!("runtime/src/{path}"), text.replace("extern crate std;\n", "")));
-            add.extend(runtime);
+            add("Cargo.toml", text!(facts, "package/crate.toml"));
+            add("src/lib.rs", text!(facts, "package/lib.rs"));
+            add("examples/decide.rs", text!(facts, "package/decide.rs"));
+            add("runtime/Cargo.toml", text!(facts, "package/crate_runtime.toml"));
+            for (path, text) in standalone::FILES {
+                add(&format!("runtime/src/{path}"), text.replace("extern crate std;\n", ""));
+            }
         }
     }
     for file in &code.files {
         let folder = if file.name.ends_with(".h") { sources.0 } else { sources.1 };
         let path = if folder.is_empty() { file.name.clone() } else { format!("{folder}/{}", file.name) };
-        add.push((path, file.text.clone()));
+        add(&path, file.text.clone());
     }
-    files.extend(add);
+    files.extend(added);
     files
 }
 

@@ -221,6 +221,10 @@ impl Sidecar {
         InputError::new(&self.file, self.place(path), found, accepted)
     }
 
+    fn refuse<T>(&self, path: &str, found: impl Into<String>, accepted: &str) -> Result<T, InputError> {
+        Err(self.error(path, found, accepted))
+    }
+
     fn instructions_of(&self, described: &Described) -> Result<Vec<Operator>, InputError> {
         let mut operators: Vec<Operator> = Vec::new();
         for (index, instruction) in described.instructions.iter().enumerate() {
@@ -240,7 +244,7 @@ impl Sidecar {
                 }
             };
             if operators.iter().any(|operator| operator.name == *name) {
-                return Err(self.error(&path, format!("{name:?} a second time"), "each instruction once"));
+                return self.refuse(&path, format!("{name:?} a second time"), "each instruction once");
             }
             operators.push(Operator { name: name.clone(), value, windows });
         }
@@ -253,11 +257,11 @@ impl Sidecar {
         for (name, extent) in described {
             let path = format!("{path}.windows.{name}");
             let Some(place) = OPERANDS.iter().position(|operand| operand == name) else {
-                return Err(self.error(&path, format!("a window {name:?}"), &OPERANDS.join(", ")));
+                return self.refuse(&path, format!("a window {name:?}"), &OPERANDS.join(", "));
             };
             if !(1..=2).contains(&extent.len()) || extent.contains(&0) {
                 let accepted = "[columns] or [rows, columns], as in double[3] and double[3][3]";
-                return Err(self.error(&path, format!("a window of {extent:?}"), accepted));
+                return self.refuse(&path, format!("a window of {extent:?}"), accepted);
             }
             windows[place].clone_from(extent);
         }
@@ -273,7 +277,7 @@ impl Sidecar {
         };
         if !outputs.is_empty() && needed > described.registers as usize {
             let found = format!("{} registers for {} outputs", described.registers, outputs.len());
-            return Err(self.error("$.registers", found, &format!("at least {needed}")));
+            return self.refuse("$.registers", found, &format!("at least {needed}"));
         }
         (outputs.iter().enumerate())
             .map(|(index, output)| {
@@ -283,7 +287,7 @@ impl Sidecar {
                     Expression::parse(text, &Windows::default()).map_err(|found| self.error(&path, found, FORM))?;
                 match (value.arity(), value.constants()) {
                     (0 | 1, 0) => Ok(Some(value)),
-                    _ => Err(self.error(&path, format!("{text:?}"), "a call on the value a alone")),
+                    _ => self.refuse(&path, format!("{text:?}"), "a call on the value a alone"),
                 }
             })
             .collect()
@@ -324,19 +328,19 @@ impl Sidecar {
             let path = format!("$.sources[{index}]");
             let DescribedSource { name, length, shape, unit, range, ranges } = source;
             if length as usize > MAX_NUMBERED {
-                return Err(self.error(&format!("{path}.length"), length.to_string(), "1 to 65536"));
+                return self.refuse(&format!("{path}.length"), length.to_string(), "1 to 65536");
             }
             if let Some([rows, columns]) = shape.filter(|[rows, columns]| rows.checked_mul(*columns) != Some(length)) {
                 let accepted = format!("two numbers whose product is the length, {length}");
-                return Err(self.error(&format!("{path}.shape"), format!("{rows} by {columns}"), &accepted));
+                return self.refuse(&format!("{path}.shape"), format!("{rows} by {columns}"), &accepted);
             }
             let ranges = match (range, ranges) {
                 (Some(range), None) => vec![range; length as usize],
                 (None, Some(ranges)) => ranges,
-                (Some(_), Some(_)) => return Err(self.error(&path, "both \"range\" and \"ranges\"", "one of the two")),
+                (Some(_), Some(_)) => return self.refuse(&path, "both \"range\" and \"ranges\"", "one of the two"),
                 (None, None) => {
                     let accepted = "\"range\" for all its values, or \"ranges\" with one for each";
-                    return Err(self.error(&path, "a source without range", accepted));
+                    return self.refuse(&path, "a source without range", accepted);
                 }
             };
             sources.push(SourceDocument { length, ..SourceDocument::new(name, unit, ranges) });

@@ -66,6 +66,15 @@ impl Validator<'_> {
         InputError::new(self.file, Place::Path(path.into()), found, accepted)
     }
 
+    fn refuse<T>(
+        &self,
+        path: impl Into<String>,
+        found: impl Into<String>,
+        accepted: impl Into<String>,
+    ) -> Result<T, InputError> {
+        Err(self.error(path, found, accepted))
+    }
+
     fn graph(&self) -> Result<Graph, InputError> {
         self.header()?;
         let mut sources = self.sources()?;
@@ -115,13 +124,13 @@ impl Validator<'_> {
     fn header(&self) -> Result<(), InputError> {
         let Document { format, version, registers, .. } = self.document;
         if format != FORMAT {
-            return Err(self.error("$.format", format!("{format:?}"), format!("{FORMAT:?}")));
+            return self.refuse("$.format", format!("{format:?}"), format!("{FORMAT:?}"));
         }
         if !VERSIONS.contains(version) {
             return Err(other_version(self.file, u64::from(*version)));
         }
         if !(1..=MAX_REGISTERS).contains(registers) {
-            return Err(self.error("$.registers", registers.to_string(), format!("1 to {MAX_REGISTERS}")));
+            return self.refuse("$.registers", registers.to_string(), format!("1 to {MAX_REGISTERS}"));
         }
         Ok(())
     }
@@ -132,15 +141,15 @@ impl Validator<'_> {
         for (index, source) in self.document.sources.iter().enumerate() {
             let path = format!("$.sources[{index}]");
             if !name::is_source(&source.name) {
-                return Err(self.error(format!("{path}.name"), format!("{:?}", source.name), name::SOURCE));
+                return self.refuse(format!("{path}.name"), format!("{:?}", source.name), name::SOURCE);
             }
             if !name::is_text(&source.unit) {
-                return Err(self.error(format!("{path}.unit"), format!("{:?}", source.unit), name::TEXT));
+                return self.refuse(format!("{path}.unit"), format!("{:?}", source.unit), name::TEXT);
             }
             let length = source.length as usize;
             if source.ranges.len() != length || length == 0 {
                 let found = format!("{} for a length of {length}", counted(source.ranges.len(), "range"));
-                return Err(self.error(format!("{path}.ranges"), found, "one range for each value, at least one"));
+                return self.refuse(format!("{path}.ranges"), found, "one range for each value, at least one");
             }
             for (place, [min, max]) in source.ranges.iter().enumerate() {
                 let exact = |value: &f64| value.is_finite() && self.document.scalar.round(*value) == *value;
@@ -148,19 +157,19 @@ impl Validator<'_> {
                     let found = format!("[{min}, {max}]");
                     let scalar = self.document.scalar.name();
                     let accepted = format!("[lowest, highest], finite and exact in {scalar}");
-                    return Err(self.error(format!("{path}.ranges[{place}]"), found, accepted));
+                    return self.refuse(format!("{path}.ranges[{place}]"), found, accepted);
                 }
             }
             self.source_counts(&path, source)?;
             self.source_image(&path, source)?;
             if places.insert(source.name.as_str(), (first, length)).is_some() {
                 let found = format!("{:?} a second time", source.name);
-                return Err(self.error(format!("{path}.name"), found, "a name that no other source has"));
+                return self.refuse(format!("{path}.name"), found, "a name that no other source has");
             }
             first += length;
         }
         if first == 0 || first > MAX_NUMBERED {
-            return Err(self.error("$.sources", format!("{first} values"), format!("1 to {MAX_NUMBERED} values")));
+            return self.refuse("$.sources", format!("{first} values"), format!("1 to {MAX_NUMBERED} values"));
         }
         Ok(places)
     }
@@ -172,12 +181,12 @@ impl Validator<'_> {
             let instruction = Word::from_name(name)
                 .ok_or_else(|| self.error(&path, format!("unknown instruction {name:?}"), known_instructions()))?;
             if set.contains(&instruction) {
-                return Err(self.error(path, format!("{name:?} a second time"), "each instruction once"));
+                return self.refuse(path, format!("{name:?} a second time"), "each instruction once");
             }
             set.push(instruction);
         }
         if set.is_empty() {
-            return Err(self.error("$.instructions", "an empty list", known_instructions()));
+            return self.refuse("$.instructions", "an empty list", known_instructions());
         }
         Ok(set)
     }
@@ -192,7 +201,7 @@ impl Validator<'_> {
         for (index, id) in (0u32..).zip(ids) {
             if by_id.insert(id, new(index)).is_some() {
                 let path = format!("$.{list}[{index}].id");
-                return Err(self.error(path, format!("{id} a second time"), "an id that no other one of the list has"));
+                return self.refuse(path, format!("{id} a second time"), "an id that no other one of the list has");
             }
         }
         Ok(by_id)
@@ -203,15 +212,15 @@ impl Validator<'_> {
         for (index, action) in actions.iter().enumerate() {
             if action.id as usize != index {
                 let path = format!("$.actions[{index}].id");
-                return Err(self.error(path, action.id.to_string(), format!("{index}, its place in the list")));
+                return self.refuse(path, action.id.to_string(), format!("{index}, its place in the list"));
             }
             if !name::is_text(&action.name) {
                 let path = format!("$.actions[{index}].name");
-                return Err(self.error(path, format!("{:?}", action.name), name::TEXT));
+                return self.refuse(path, format!("{:?}", action.name), name::TEXT);
             }
         }
         if actions.is_empty() || actions.len() > MAX_NUMBERED {
-            return Err(self.error("$.actions", format!("{} actions", actions.len()), format!("1 to {MAX_NUMBERED}")));
+            return self.refuse("$.actions", format!("{} actions", actions.len()), format!("1 to {MAX_NUMBERED}"));
         }
         self.asks()?;
         self.effects()
@@ -222,7 +231,7 @@ impl Validator<'_> {
         for (index, action) in self.document.actions.iter().enumerate() {
             let Some(ask) = &action.ask else { continue };
             let refuse = |found: String, accepted: &str| {
-                Err(self.error(format!("$.actions[{index}].ask"), found, accepted.to_owned()))
+                self.refuse(format!("$.actions[{index}].ask"), found, accepted.to_owned())
             };
             if !name::is_source(ask) {
                 return refuse(format!("{ask:?}"), name::SOURCE);
@@ -237,7 +246,7 @@ impl Validator<'_> {
         }
         if asked.len() == self.document.actions.len() {
             let found = "actions that all ask".to_owned();
-            return Err(self.error("$.actions", found, "an action of the graph's own, too"));
+            return self.refuse("$.actions", found, "an action of the graph's own, too");
         }
         Ok(())
     }
@@ -252,11 +261,11 @@ impl Validator<'_> {
         let length = effects.clone().next().map_or(0, |(_, effect)| effect.values.len());
         effects.try_for_each(|(path, effect)| {
             if let Some(value) = effect.values.iter().find(|value| !value.is_finite()) {
-                return Err(self.error(path, value.to_string(), "finite numbers"));
+                return self.refuse(path, value.to_string(), "finite numbers");
             }
             if effect.values.len() != length {
                 let found = format!("{} numbers", effect.values.len());
-                return Err(self.error(path, found, format!("{length}, as {first}")));
+                return self.refuse(path, found, format!("{length}, as {first}"));
             }
             Ok(())
         })
@@ -264,13 +273,13 @@ impl Validator<'_> {
 
     fn teams(&self, names: &KnownNames<'_>) -> Result<Vec<Team>, InputError> {
         if self.document.teams.is_empty() {
-            return Err(self.error("$.teams", "an empty list", "at least one"));
+            return self.refuse("$.teams", "an empty list", "at least one");
         }
         let mut teams = Vec::new();
         for (index, team) in self.document.teams.iter().enumerate() {
             if team.edges.is_empty() {
                 let path = format!("$.teams[{index}].edges");
-                return Err(self.error(path, format!("team {} without edges", team.id), "at least one edge"));
+                return self.refuse(path, format!("team {} without edges", team.id), "at least one edge");
             }
             let edges = (team.edges.iter().enumerate())
                 .map(|(place, edge)| self.edge(&format!("$.teams[{index}].edges[{place}]"), edge, names))
@@ -299,7 +308,7 @@ impl Validator<'_> {
             (None, Some(action), None) if end == "action" => {
                 if action as usize > last {
                     let accepted = format!("0 to {last}");
-                    return Err(self.error(format!("{path}.action"), format!("action {action}"), accepted));
+                    return self.refuse(format!("{path}.action"), format!("action {action}"), accepted);
                 }
                 Destination::Action(ActionId(action as u16))
             }
@@ -310,13 +319,13 @@ impl Validator<'_> {
                 })?)
             }
             (None, Some(_), None) => {
-                return Err(self.error(format!("{path}.action"), "an action of a policy with outputs", accepted));
+                return self.refuse(format!("{path}.action"), "an action of a policy with outputs", accepted);
             }
             (None, None, Some(_)) => {
-                return Err(self.error(format!("{path}.leaf"), "a leaf of a policy without outputs", accepted));
+                return self.refuse(format!("{path}.leaf"), "a leaf of a policy without outputs", accepted);
             }
-            (None, None, None) => return Err(self.error(path, "no destination", accepted)),
-            _ => return Err(self.error(path, "several destinations", accepted)),
+            (None, None, None) => return self.refuse(path, "no destination", accepted),
+            _ => return self.refuse(path, "several destinations", accepted),
         };
         Ok(Edge { program, to })
     }
@@ -329,11 +338,11 @@ impl Validator<'_> {
             for (place, edge) in team.edges.iter().enumerate() {
                 if *destination.entry(edge.program).or_insert(edge.to) != edge.to {
                     let program = self.document.programs[edge.program.index()].id;
-                    return Err(self.error(
+                    return self.refuse(
                         format!("$.teams[{index}].edges[{place}]"),
                         format!("a second destination for program {program}"),
                         "one destination for each program: give the copy an id of its own",
-                    ));
+                    );
                 }
             }
         }
@@ -341,11 +350,11 @@ impl Validator<'_> {
         let is_used = |id: ProgramId| destination.contains_key(&id) || computing.contains(&id);
         let unused = (0u32..).zip(&self.document.programs).find(|(id, _)| !is_used(ProgramId(*id)));
         match unused {
-            Some((index, program)) => Err(self.error(
+            Some((index, program)) => self.refuse(
                 format!("$.programs[{index}]"),
                 format!("program {}, which no edge and no leaf uses", program.id),
                 "programs that bid, or compute an output",
-            )),
+            ),
             None => Ok(()),
         }
     }
@@ -365,13 +374,13 @@ impl Validator<'_> {
         }
         if entered[root.index()] {
             let found = format!("no root: edges lead to team {declared}");
-            return Err(self.error("$.root", found, "the one team that no edge leads to"));
+            return self.refuse("$.root", found, "the one team that no edge leads to");
         }
         match (0u32..).zip(&entered).find(|&(index, &entered)| !entered && TeamId(index) != root) {
             Some((index, _)) => {
                 let other = teams[index as usize].label;
                 let found = format!("a second root: no edge leads to team {other} (the root is {declared})");
-                Err(self.error(format!("$.teams[{index}]"), found, "exactly one team that no edge leads to"))
+                self.refuse(format!("$.teams[{index}]"), found, "exactly one team that no edge leads to")
             }
             None => Ok(root),
         }
@@ -419,7 +428,7 @@ impl Validator<'_> {
             (2, &[a, b]) => [a, b],
             (arity, found) => {
                 let found = format!("{} of {:?}", counted(found.len(), "operand"), line.op);
-                return Err(self.error(format!("{path}.args"), found, arity.to_string()));
+                return self.refuse(format!("{path}.args"), found, arity.to_string());
             }
         };
         Ok(Line { to, instruction, operands })
@@ -431,7 +440,7 @@ impl Validator<'_> {
             Some(register) if register < self.document.registers => Ok(Reg(register as u16)),
             _ => {
                 let accepted = format!("register 0 to {}", self.document.registers - 1);
-                Err(self.error(path, format!("register {found}"), accepted))
+                self.refuse(path, format!("register {found}"), accepted)
             }
         }
     }
@@ -456,7 +465,7 @@ impl Validator<'_> {
             Ok(offset) if offset < length && name::is_number(index) => {
                 Ok(Operand::Input(Input((first + offset) as u16)))
             }
-            _ => Err(self.error(path, format!("{place:?}"), format!("{name}[0] to {name}[{}]", length - 1))),
+            _ => self.refuse(path, format!("{place:?}"), format!("{name}[0] to {name}[{}]", length - 1)),
         }
     }
 
@@ -471,7 +480,7 @@ impl Validator<'_> {
                 super::ScalarType::F32 => f64::from(f32::MAX),
                 super::ScalarType::F64 => f64::MAX,
             };
-            Err(self.error(path, found, format!("a magnitude of at most {largest:e}")))
+            self.refuse(path, found, format!("a magnitude of at most {largest:e}"))
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::code::{Operation, Program};
 use super::value::{Here, chosen};
-use crate::input::Missing;
+use crate::input::{Missing, Result};
 use crate::machine::{Answer, Interface, Machine, Step};
 use crate::term::{Bool, Float, Node, Terms, Width, Word};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -38,7 +38,7 @@ struct CState {
 type Reached = HashMap<(usize, Vec<(u32, Option<Cell>)>), BTreeMap<u32, Float>>;
 
 /// Called with every return: its place in the code, and the state there.
-type Returned<'a> = dyn FnMut(&Code, &Terms, usize, &CState) -> Result<(), Missing> + 'a;
+type Returned<'a> = dyn FnMut(&Code, &Terms, usize, &CState) -> Result<()> + 'a;
 
 /// A function of C, ready to be executed.
 #[derive(Debug)]
@@ -86,7 +86,7 @@ impl Code {
     }
 
     /// The result for a float in cell 0.
-    pub(super) fn of_float(&mut self, terms: &Terms, argument: Float) -> Result<Float, Missing> {
+    pub(super) fn of_float(&mut self, terms: &Terms, argument: Float) -> Result<Float> {
         self.first[0] = Some(Cell::Float(argument));
         let start = Point { at: 0, cells: Rc::new([]) };
         let mut results = Vec::new();
@@ -103,7 +103,7 @@ impl Code {
     }
 
     /// The cell of the result.
-    fn result(&self, at: usize) -> Result<u32, Missing> {
+    fn result(&self, at: usize) -> Result<u32> {
         self.program.result.ok_or_else(|| self.missing(at, "a result"))
     }
 
@@ -112,12 +112,7 @@ impl Code {
     }
 
     /// Executes from a point; every return is reported, and every point where execution is cut.
-    fn pieces(
-        &mut self,
-        terms: &Terms,
-        from: &Point,
-        returned: &mut Returned<'_>,
-    ) -> Result<Vec<(Bool, Point)>, Missing> {
+    fn pieces(&mut self, terms: &Terms, from: &Point, returned: &mut Returned<'_>) -> Result<Vec<(Bool, Point)>> {
         let mut cells = self.first.clone();
         for &(address, cell) in from.cells.iter() {
             cells[address as usize] = cell;
@@ -145,7 +140,7 @@ impl Code {
         pending: &mut BTreeMap<(u64, usize), CState>,
         returned: &mut Returned<'_>,
         steps: &mut u64,
-    ) -> Result<(), Missing> {
+    ) -> Result<()> {
         let start = at;
         loop {
             if at != start && self.joins.contains(&at) {
@@ -202,7 +197,7 @@ impl Code {
         at: usize,
         address: Option<u64>,
         cells: &'c mut [Option<Cell>],
-    ) -> Result<&'c mut Option<Cell>, Missing> {
+    ) -> Result<&'c mut Option<Cell>> {
         let cell = address.and_then(|address| cells.get_mut(usize::try_from(address).ok()?));
         cell.ok_or_else(|| self.missing(at, "a place to write to that is a constant"))
     }
@@ -219,7 +214,7 @@ impl Code {
         place: (u64, usize),
         mut state: CState,
         pending: &mut BTreeMap<(u64, usize), CState>,
-    ) -> Result<(), Missing> {
+    ) -> Result<()> {
         if let Some(other) = pending.remove(&place) {
             state = self.met(terms, place.1, state, other)?;
         }
@@ -228,7 +223,7 @@ impl Code {
     }
 
     /// Makes one state of two. Their conditions exclude each other: what both ask for decides nothing.
-    fn met(&self, terms: &Terms, at: usize, a: CState, b: CState) -> Result<CState, Missing> {
+    fn met(&self, terms: &Terms, at: usize, a: CState, b: CState) -> Result<CState> {
         let (first, second) = (terms.parts(a.guard), terms.parts(b.guard));
         let (shared, only): (Vec<_>, Vec<_>) = first.into_iter().partition(|part| second.contains(part));
         let rest: Vec<_> = second.into_iter().filter(|part| !shared.contains(part)).collect();
@@ -267,7 +262,7 @@ impl Code {
     }
 
     /// Cuts execution: a point for each choice of integers.
-    fn cut(&mut self, terms: &Terms, at: usize, state: CState, cuts: &mut Vec<(Bool, Point)>) -> Result<(), Missing> {
+    fn cut(&mut self, terms: &Terms, at: usize, state: CState, cuts: &mut Vec<(Bool, Point)>) -> Result<()> {
         if state.guard == Terms::FALSE {
             return Ok(());
         }
@@ -318,7 +313,7 @@ impl Code {
 impl Machine for Code {
     type Point = Point;
 
-    fn entry(&mut self, terms: &Terms) -> Result<Point, Missing> {
+    fn entry(&mut self, terms: &Terms) -> Result<Point> {
         let sources = (0..self.interface.state_length()).map(|index| (self.program.state + index, index));
         let memory = (self.interface.state_length()..).zip(&self.interface.memory);
         let remembered = memory
@@ -329,7 +324,7 @@ impl Machine for Code {
         Ok(Point { at: 0, cells: Rc::new([]) })
     }
 
-    fn run(&mut self, terms: &Terms, from: &Point) -> Result<Vec<(Bool, Step<Point>)>, Missing> {
+    fn run(&mut self, terms: &Terms, from: &Point) -> Result<Vec<(Bool, Step<Point>)>> {
         let mut ends = Vec::new();
         let cuts = self.pieces(terms, from, &mut |code, terms, at, state| {
             let answer = match code.program.action {
@@ -339,7 +334,7 @@ impl Machine for Code {
                     let memory = (code.program.memory.unwrap_or_default()..).zip(&code.interface.memory);
                     let all = outputs.chain(memory.map(|(address, _)| address));
                     let values = all.map(|address| code.here(terms, at, state).read_float(address.into()));
-                    Answer::Values(values.collect::<Result<_, _>>()?)
+                    Answer::Values(values.collect::<Result<_>>()?)
                 }
             };
             ends.push((state.guard, Step::Return(answer)));

@@ -11,7 +11,7 @@ mod value;
 
 pub use execute::{Code, Point};
 
-use crate::input::Missing;
+use crate::input::{Missing, Result};
 use crate::machine::Interface;
 use crate::term::{Float, Terms};
 use compile::Compiler;
@@ -21,7 +21,7 @@ use std::path::Path;
 ///
 /// # Errors
 /// What is not of the subset.
-pub fn read(path: &Path, text: &str, function: Option<&str>, interface: &Interface) -> Result<Code, Missing> {
+pub fn read(path: &Path, text: &str, function: Option<&str>, interface: &Interface) -> Result<Code> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let file = path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned());
     read_with(&file, text, &|name| std::fs::read_to_string(folder.join(name)).ok(), function, interface)
@@ -37,7 +37,7 @@ pub fn read_with(
     include: &dyn Fn(&str) -> Option<String>,
     function: Option<&str>,
     interface: &Interface,
-) -> Result<Code, Missing> {
+) -> Result<Code> {
     let compiler = Compiler::read(file, token::tokens(file, text, include)?)?;
     let name = match function {
         Some(name) => name.to_owned(),
@@ -54,7 +54,7 @@ pub fn read_with(
 }
 
 /// Executes a function of one float from a text that defines what it means.
-pub(crate) fn definition(file: &str, text: &str, name: &str, terms: &Terms, argument: Float) -> Result<Float, Missing> {
+pub(crate) fn definition(file: &str, text: &str, name: &str, terms: &Terms, argument: Float) -> Result<Float> {
     let compiler = Compiler::read(file, token::tokens(file, text, &|_| None)?)?;
     Code::definition(file, compiler.of_float(name)?).of_float(terms, argument)
 }

@@ -3,7 +3,7 @@
 //! The text is read as a compiler reads it that defines no macro of its own: neither GCC's nor fast maths'.
 
 use super::compile;
-use crate::input::Missing;
+use crate::input::{Missing, Result};
 use Token::*;
 use std::collections::{HashMap, HashSet};
 
@@ -52,7 +52,7 @@ struct Preprocessor<'a> {
 }
 
 /// The tokens of a file and of what it includes.
-pub(super) fn tokens(file: &str, text: &str, include: Include<'_>) -> Result<Vec<Placed>, Missing> {
+pub(super) fn tokens(file: &str, text: &str, include: Include<'_>) -> Result<Vec<Placed>> {
     let mut preprocessor = Preprocessor { include, macros: HashMap::new(), tokens: Vec::new(), depth: 0 };
     for (name, value) in STANDARD {
         let value = line_tokens(file, value, 0)?;
@@ -92,7 +92,7 @@ fn plain(text: &str) -> String {
     plain
 }
 
-fn line_tokens(file: &str, text: &str, line: u32) -> Result<Vec<Placed>, Missing> {
+fn line_tokens(file: &str, text: &str, line: u32) -> Result<Vec<Placed>> {
     let mut tokens = Vec::new();
     let mut rest = text.trim_start();
     while let Some(first) = rest.chars().next() {
@@ -129,7 +129,7 @@ fn line_tokens(file: &str, text: &str, line: u32) -> Result<Vec<Placed>, Missing
 }
 
 impl Preprocessor<'_> {
-    fn file(&mut self, file: &str, text: &str) -> Result<(), Missing> {
+    fn file(&mut self, file: &str, text: &str) -> Result<()> {
         self.depth += 1;
         if self.depth > 16 {
             return Err(Missing::new(file, "files that include each other"));
@@ -215,7 +215,7 @@ impl Preprocessor<'_> {
     }
 
     /// The value of a condition of `#if`: numbers, `defined`, `!`, `&&`, `||`, comparisons. Names that are not defined are 0.
-    fn condition(&self, place: &str, text: &str) -> Result<i64, Missing> {
+    fn condition(&self, place: &str, text: &str) -> Result<i64> {
         let missing = || Missing::new(place, format!("#if {text}"));
         let mut tokens = Vec::new();
         let mut rest = line_tokens(place, text, 0)?.into_iter();

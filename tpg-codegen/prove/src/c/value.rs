@@ -2,7 +2,7 @@
 
 use super::code::{CONSTANTS, Condition, Constant, Scalar, Value};
 use super::execute::{Cell, Code};
-use crate::input::Missing;
+use crate::input::Result;
 use crate::term::word::computed;
 use crate::term::{Bool, Float, Node, Operator::*, Terms, Width::*, Word};
 use Value::*;
@@ -18,11 +18,11 @@ pub(super) struct Here<'a> {
 }
 
 impl Here<'_> {
-    fn missing<T>(&self, what: &str) -> Result<T, Missing> {
+    fn missing<T>(&self, what: &str) -> Result<T> {
         Err(self.code.missing(self.at, what))
     }
 
-    pub(super) fn cell(&self, address: u64) -> Result<Cell, Missing> {
+    pub(super) fn cell(&self, address: u64) -> Result<Cell> {
         let Ok(address) = u32::try_from(address) else { return self.missing("an address") };
         let found = match address.checked_sub(CONSTANTS) {
             None => self.cells.get(address as usize).copied(),
@@ -40,14 +40,14 @@ impl Here<'_> {
         }
     }
 
-    pub(super) fn read_float(&self, address: u64) -> Result<Float, Missing> {
+    pub(super) fn read_float(&self, address: u64) -> Result<Float> {
         Ok(match self.cell(address)? {
             Cell::Word(word) => self.terms.of_bits(word),
             Cell::Float(float) => float,
         })
     }
 
-    pub(super) fn read_word(&self, address: u64) -> Result<Word, Missing> {
+    pub(super) fn read_word(&self, address: u64) -> Result<Word> {
         Ok(match self.cell(address)? {
             Cell::Float(float) => self.terms.bits(float),
             Cell::Word(word) => word,
@@ -55,7 +55,7 @@ impl Here<'_> {
     }
 
     /// The constant address of some cells of one variable.
-    pub(super) fn range(&self, address: &Value, count: u32) -> Result<u64, Missing> {
+    pub(super) fn range(&self, address: &Value, count: u32) -> Result<u64> {
         let word = self.word(address)?;
         let first = self.terms.number_of(word).and_then(|address| u32::try_from(address).ok());
         let Some(first) = first else { return self.missing("an address that is a constant") };
@@ -65,7 +65,7 @@ impl Here<'_> {
         }
     }
 
-    fn loaded_float(&self, address: Word) -> Result<Float, Missing> {
+    fn loaded_float(&self, address: Word) -> Result<Float> {
         match self.terms.of_word(address) {
             Node::Number(number) => self.read_float(number),
             Node::WordIf(condition, a, b) => {
@@ -76,7 +76,7 @@ impl Here<'_> {
         }
     }
 
-    fn loaded_word(&self, address: Word) -> Result<Word, Missing> {
+    fn loaded_word(&self, address: Word) -> Result<Word> {
         if let Some(numbers) = self.terms.numbers(address) {
             for number in numbers {
                 self.read_word(number)?;
@@ -110,21 +110,21 @@ impl Here<'_> {
         self.missing("an index that is a constant")
     }
 
-    pub(super) fn float(&self, value: &Value) -> Result<Float, Missing> {
+    pub(super) fn float(&self, value: &Value) -> Result<Float> {
         match self.value(value)? {
             Cell::Float(float) => Ok(float),
             Cell::Word(_) => self.missing("a float"),
         }
     }
 
-    pub(super) fn word(&self, value: &Value) -> Result<Word, Missing> {
+    pub(super) fn word(&self, value: &Value) -> Result<Word> {
         match self.value(value)? {
             Cell::Word(word) => Ok(word),
             Cell::Float(_) => self.missing("an integer"),
         }
     }
 
-    pub(super) fn value(&self, value: &Value) -> Result<Cell, Missing> {
+    pub(super) fn value(&self, value: &Value) -> Result<Cell> {
         let terms = self.terms;
         Ok(match value {
             Load(address, Scalar::Float) => Cell::Float(self.loaded_float(self.word(address)?)?),
@@ -186,7 +186,7 @@ impl Here<'_> {
         })
     }
 
-    pub(super) fn condition(&self, condition: &Condition) -> Result<Bool, Missing> {
+    pub(super) fn condition(&self, condition: &Condition) -> Result<Bool> {
         Ok(match condition {
             Condition::Same(width, a, b) => self.terms.same(*width, self.word(a)?, self.word(b)?),
             Condition::Below(signed, width, a, b) => self.terms.below(*signed, *width, self.word(a)?, self.word(b)?),

@@ -1,7 +1,7 @@
 //! Control flow of one function: instructions, an order that follows it, loops, and what is alive where.
 
 use crate::elf::{Address, Function, Image, Part};
-use crate::input::Missing;
+use crate::input::{Missing, Result};
 use crate::thumb::decode::decode;
 use crate::thumb::{
     Binary, Block, Condition, Instruction, Integer, LR, Offset, Operand, Operation, PC, Place, Register, S0, SP,
@@ -51,7 +51,7 @@ pub(super) struct Flow {
 
 impl Flow {
     /// Decodes a function, from its first instruction along all branches.
-    pub(super) fn new(image: &Image, function: &Function) -> Result<Self, Missing> {
+    pub(super) fn new(image: &Image, function: &Function) -> Result<Self> {
         let (section, entry) = (function.start.section, image.absolute(function.start));
         let mut flow = Self { nodes: BTreeMap::new(), entry, section };
         let mut blocks: HashMap<u32, Block> = HashMap::new();
@@ -94,7 +94,7 @@ impl Flow {
         image: &Image,
         function: &Function,
         instruction: &Instruction,
-    ) -> Result<(Vec<u32>, Option<Address>), Missing> {
+    ) -> Result<(Vec<u32>, Option<Address>)> {
         let refuse = |what: &str| Missing::new(format!("{:#x}", instruction.address), what);
         let behind = instruction.address + instruction.size;
         let place = Address {

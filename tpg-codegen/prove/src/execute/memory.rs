@@ -1,9 +1,9 @@
 //! Registers, loads and stores.
 
 use super::value::{Region, Value, word};
-use super::{Here, Object, Point, Result};
+use super::{Here, Object, Point};
 use crate::elf::{Address, Part};
-use crate::input::Missing;
+use crate::input::{Missing, Result};
 use crate::machine::Answer;
 use crate::term::{Float, Operator::*, Terms, Width as Bits, Word};
 use crate::thumb::{Index, Instruction, Offset, PC, Place, Register, SP, WORD, Width};

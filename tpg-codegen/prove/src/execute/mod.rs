@@ -9,7 +9,7 @@ mod step;
 mod value;
 
 use crate::elf::{Address, Error, Function, Image};
-use crate::input::Missing;
+use crate::input::{Missing, Result};
 use crate::machine::{Interface, Machine, Step};
 use crate::term::{Bool, Terms, Width, Word};
 use crate::thumb::{Instruction, PC, REGISTERS, Register, SP};
@@ -18,8 +18,6 @@ use flow::{FLAGS, FLOAT_FLAGS, Flow};
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 use value::{Cell, Flags, Region::*, Unknowns, Value, restricted};
-
-type Result<T> = std::result::Result<T, Missing>;
 
 /// So many instructions are executed at most between two points.
 const LIMIT: usize = 200_000;

@@ -2,9 +2,9 @@
 
 use super::memory::moved;
 use super::value::{Flags, Region, Value, restricted, word};
-use super::{Here, MachineState, Next, Object, Point, Result};
+use super::{Here, MachineState, Next, Object, Point};
 use crate::elf::{Address, Part};
-use crate::input::Missing;
+use crate::input::{Missing, Result};
 use crate::term::{Bool, Operator, Terms, Width, Word};
 use crate::thumb::{
     Binary, Condition, Instruction, Integer, LR, Offset, Operand, Operation, PC, Register, Shift, Unary,

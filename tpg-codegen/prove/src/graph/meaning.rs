@@ -1,7 +1,7 @@
 //! The meaning of a graph as terms, declaratively: an edge wins if no earlier bid is higher and no later one is as high.
 
 use super::{Destination, Graph, GraphLine, GraphOperand};
-use crate::input::Missing;
+use crate::input::{Missing, Result};
 use crate::maths::{Function, Maths};
 use crate::term::{Bool, Float, Terms};
 use std::collections::HashMap;
@@ -24,7 +24,7 @@ impl<'g> Meaning<'g> {
     }
 
     /// The result of a program: its lines in order, on registers that are zero at first.
-    fn program(&mut self, terms: &Terms, program: usize) -> Result<Float, Missing> {
+    fn program(&mut self, terms: &Terms, program: usize) -> Result<Float> {
         if let Some(&known) = self.programs.get(&program) {
             return Ok(known);
         }
@@ -44,7 +44,7 @@ impl<'g> Meaning<'g> {
     }
 
     /// A line's result; `to` is what its register holds before.
-    fn line(&mut self, terms: &Terms, line: &GraphLine, to: Float, operands: &[Float]) -> Result<Float, Missing> {
+    fn line(&mut self, terms: &Terms, line: &GraphLine, to: Float, operands: &[Float]) -> Result<Float> {
         let result = match (line.word.as_str(), operands) {
             ("add", &[a, b]) => terms.add(a, b),
             ("sub", &[a, b]) => terms.subtract(a, b),
@@ -77,7 +77,7 @@ impl<'g> Meaning<'g> {
     ///
     /// # Errors
     /// A word without a meaning.
-    pub fn winners(&mut self, terms: &Terms, team: usize) -> Result<Vec<(Bool, Destination)>, Missing> {
+    pub fn winners(&mut self, terms: &Terms, team: usize) -> Result<Vec<(Bool, Destination)>> {
         if let Some(known) = self.teams.get(&team) {
             return Ok(known.clone());
         }
@@ -106,7 +106,7 @@ impl<'g> Meaning<'g> {
     ///
     /// # Errors
     /// A word without a meaning.
-    pub fn values(&mut self, terms: &Terms, leaf: usize) -> Result<Vec<Float>, Missing> {
+    pub fn values(&mut self, terms: &Terms, leaf: usize) -> Result<Vec<Float>> {
         if let Some(known) = self.leaves.get(&leaf) {
             return Ok(known.clone());
         }
@@ -124,7 +124,7 @@ impl<'g> Meaning<'g> {
     ///
     /// # Errors
     /// A word without a meaning.
-    pub fn in_range(&mut self, terms: &Terms, leaf: usize) -> Result<Bool, Missing> {
+    pub fn in_range(&mut self, terms: &Terms, leaf: usize) -> Result<Bool> {
         let mut conditions = Vec::new();
         for (value, [low, high, _]) in self.values(terms, leaf)?.into_iter().zip(self.graph.limits.clone()) {
             conditions.push(terms.less_or_equal(terms.constant(low), value));

@@ -15,7 +15,7 @@ pub(crate) mod word;
 
 pub use rank::{INFINITY, NAN, NEGATIVE_ZERO, is_nan_bits, next_above, next_below, rank};
 
-use crate::input::Missing;
+use crate::input::{Missing, Result};
 use Node::*;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -270,7 +270,7 @@ impl Terms {
     }
 
     /// Returns an error if a term was too deep to be built: nothing can be claimed with these terms then.
-    pub(crate) fn complete(&self, place: impl FnOnce() -> String) -> Result<(), Missing> {
+    pub(crate) fn complete(&self, place: impl FnOnce() -> String) -> Result<()> {
         let missing = || Missing::new(place(), format!("a proof with expressions of at most {DEEPEST} levels"));
         if self.too_deep.get() { Err(missing()) } else { Ok(()) }
     }

@@ -1,6 +1,6 @@
 //! The nodes and edges that a file declares.
 
-use super::fault::Fault;
+use super::fault::{Fault, refuse};
 use crate::import::composed::OPERANDS;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -41,7 +41,7 @@ impl<T> Table<T> {
     pub(super) fn insert(&mut self, node: Node, item: T) -> Result<(), Fault> {
         if self.places.insert(node.number, self.items.len()).is_some() {
             let accepted = format!("a number that no other {} has", node.kind.letter());
-            return Err(Fault::new(format!("{node} a second time"), accepted));
+            return refuse(format!("{node} a second time"), accepted);
         }
         self.items.push(item);
         Ok(())

@@ -18,3 +18,8 @@ impl Fault {
         InputError::new(file, Place::Line(line), self.found, self.accepted)
     }
 }
+
+/// Returns an error on a line that is named later.
+pub(super) fn refuse<T>(found: impl Into<String>, accepted: impl Into<String>) -> Result<T, Fault> {
+    Err(Fault::new(found, accepted))
+}

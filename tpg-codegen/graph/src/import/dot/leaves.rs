@@ -65,7 +65,7 @@ impl LeafBuilder<'_, '_> {
     fn of_action(&mut self, action: &Action) -> Result<Vec<u32>, InputError> {
         let Action { node, line, labels, programs } = action;
         let count = programs.len();
-        let refused = |found: String, accepted: String| Err(self.resolver.error(*line, found, accepted));
+        let refused = |found: String, accepted: String| self.resolver.refuse(*line, found, accepted);
         if self.resolver.sidecar.values() == Values::Registers {
             return match programs.as_slice() {
                 &[program] => {
@@ -111,7 +111,7 @@ impl LeafBuilder<'_, '_> {
             if let Some(Action { line, programs, .. }) = action.filter(|action| !action.programs.is_empty()) {
                 let found = format!("A{node} with {}", counted(programs.len(), "program"));
                 let accepted = "actions without programs, or another field \"values\" in the sidecar";
-                return Err(self.resolver.error(*line, found, accepted));
+                return self.resolver.refuse(*line, found, accepted);
             }
             let program = edge.program;
             edge.leaf = Some(program);
@@ -124,11 +124,11 @@ impl LeafBuilder<'_, '_> {
         }
         if leaves.is_empty() {
             let accepted = "edges to actions: the values are registers of the programs that bid for them";
-            return Err(self.resolver.error(
+            return self.resolver.refuse(
                 self.resolver.declared.close,
                 "a graph without an edge to an action",
                 accepted,
-            ));
+            );
         }
         Ok(leaves)
     }

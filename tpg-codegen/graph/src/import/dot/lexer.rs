@@ -1,6 +1,6 @@
 //! Tokens of one line.
 
-use super::fault::Fault;
+use super::fault::{Fault, refuse};
 
 /// A token.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,7 +34,7 @@ pub(super) fn tokens<'t>(line: &'t str, tokens: &mut Vec<Token<'t>>) -> Result<(
             let length = rest.find(|c| !is_word(c)).unwrap_or(rest.len());
             (Token::Word(&rest[..length]), length)
         } else {
-            return Err(Fault::new(quote(rest), "a statement of GEGELATI's .dot format"));
+            return refuse(quote(rest), "a statement of GEGELATI's .dot format");
         };
         tokens.push(token);
         rest = rest[length..].trim_start();

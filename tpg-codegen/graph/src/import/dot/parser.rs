@@ -1,7 +1,7 @@
 //! From text to what it declares, one line at a time.
 
 use super::declared::{Action, Declared, Edge, Kind, Lines, Node, Program, Rank, Team};
-use super::fault::Fault;
+use super::fault::{Fault, refuse};
 use super::label;
 use super::lexer::{self, Token, quote};
 use crate::error::InputError;
@@ -60,13 +60,13 @@ impl DotSection {
             }
             (_, [Comment(_)]) => {}
             (Self::Before, [Word("digraph"), Mark('{')]) => *self = Self::Inside,
-            (Self::Before, _) => return Err(Fault::new(quote(content), "`digraph{`, and comments before it")),
+            (Self::Before, _) => return refuse(quote(content), "`digraph{`, and comments before it"),
             (Self::Inside, [Mark('}')]) => {
                 *self = Self::After;
                 declared.close = line;
             }
             (Self::Inside, _) => return inside(declared, line, content, tokens),
-            (Self::After, _) => return Err(Fault::new(quote(content), "nothing after the closing }")),
+            (Self::After, _) => return refuse(quote(content), "nothing after the closing }"),
         }
         Ok(())
     }
@@ -81,7 +81,7 @@ fn inside(declared: &mut Declared, line: usize, content: &str, tokens: &[Token<'
     if let [Mark('{'), Word("rank"), Mark('='), Word("same"), nodes @ .., Mark('}')] = tokens {
         let roots = nodes.iter().map(|token| node(token)?.ok_or_else(unknown)).collect::<Result<_, _>>()?;
         return match declared.rank.replace(Rank { line, roots }) {
-            Some(_) => Err(Fault::new("the roots a second time", "one line `{ rank= same … }`")),
+            Some(_) => refuse("the roots a second time", "one line `{ rank= same … }`"),
             None => Ok(()),
         };
     }
@@ -98,7 +98,7 @@ fn inside(declared: &mut Declared, line: usize, content: &str, tokens: &[Token<'
         ([Kind::Program], &[program]) => {
             if let Some(label) = label.filter(|label| !["0", "1"].contains(label)) {
                 let accepted = "no label, \"0\" for a program that bids, \"1\" for one of an action";
-                return Err(Fault::new(format!("{program} with the label {label:?}"), accepted));
+                return refuse(format!("{program} with the label {label:?}"), accepted);
             }
             let constants = label::constants(comment)?;
             declared.programs.insert(program, Program { number: program.number, line, constants })?;
@@ -128,7 +128,7 @@ fn inside(declared: &mut Declared, line: usize, content: &str, tokens: &[Token<'
         ([Kind::Program, Kind::Lines], &[program, lines]) => {
             if program.number != lines.number {
                 let accepted = format!("{program} -> I{}: a program's lines have its number", program.number);
-                return Err(Fault::new(format!("{program} -> {lines}"), accepted));
+                return refuse(format!("{program} -> {lines}"), accepted);
             }
             declared.links.push((line, program.number));
         }
@@ -180,7 +180,7 @@ fn label_of<'t>(attributes: &[Token<'t>]) -> Result<Option<&'t str>, Fault> {
     let mut rest = match attributes {
         [] => return Ok(None),
         [Mark('['), rest @ .., Mark(']')] => rest,
-        _ => return Err(Fault::new("attributes without their closing ]", accepted)),
+        _ => return refuse("attributes without their closing ]", accepted),
     };
     let mut label = None;
     while !rest.is_empty() {
@@ -191,10 +191,10 @@ fn label_of<'t>(attributes: &[Token<'t>]) -> Result<Option<&'t str>, Fault> {
                 continue;
             }
             [Word(name), Mark('='), Word(value) | Text(value), after @ ..] => (*name, *value, after),
-            _ => return Err(Fault::new("something else between [ and ]", accepted)),
+            _ => return refuse("something else between [ and ]", accepted),
         };
         if name == "label" && label.replace(value).is_some() {
-            return Err(Fault::new("two labels", "one"));
+            return refuse("two labels", "one");
         }
     }
     Ok(label)

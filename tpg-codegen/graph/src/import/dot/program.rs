@@ -1,7 +1,7 @@
 //! Translation of programs from the numbers of the file to the names of the document.
 
 use super::declared::{OperandText, ProgramLine};
-use super::fault::Fault;
+use super::fault::{Fault, refuse};
 use crate::Word;
 use crate::error::counted;
 use crate::import::composed::{FORM, Given, Operator};
@@ -30,7 +30,7 @@ impl Meaning<'_> {
         let each = self.of_lines.len().checked_div(lines.len()).unwrap_or(0);
         if each * lines.len() != self.of_lines.len() {
             let found = format!("{} on {}", counted(self.of_lines.len(), "constant"), counted(lines.len(), "line"));
-            return Err(Fault::new(found, "as many for each line: instructions of the sidecar read k0"));
+            return refuse(found, "as many for each line: instructions of the sidecar read k0");
         }
         let mut document = Vec::new();
         for (place, line) in (1..).zip(lines) {
@@ -46,15 +46,15 @@ impl Meaning<'_> {
             let known: Vec<&str> = self.instructions.iter().map(|operator| &*operator.name).collect();
             let known = known.join(", ");
             let accepted = format!("0 to {}: {known}", self.instructions.len() - 1);
-            return Err(Fault::new(format!("instruction {}", line.instruction), accepted));
+            return refuse(format!("instruction {}", line.instruction), accepted);
         };
         let Some(value) = value else {
             let found = format!("instruction {}, {name}, whose meaning the sidecar does not give", line.instruction);
-            return Err(Fault::new(found, format!("{{ name = {name:?}, is = … }} in the sidecar, {FORM}")));
+            return refuse(found, format!("{{ name = {name:?}, is = … }} in the sidecar, {FORM}"));
         };
         if line.to >= self.registers {
             let accepted = format!("0 to {}", self.registers - 1);
-            return Err(Fault::new(format!("register {}", line.to), accepted));
+            return refuse(format!("register {}", line.to), accepted);
         }
         // Operands beyond the arity are present in the file but never read.
         let arity = value.arity();
@@ -65,12 +65,12 @@ impl Meaning<'_> {
                 None if has_constants => "; constants of the line itself are k0 to k3, not operands",
                 _ => "",
             };
-            return Err(Fault::new(found, format!("at least {arity}{hint}")));
+            return refuse(found, format!("at least {arity}{hint}"));
         };
         let needed = value.constants();
         if constants.len() < needed {
             let found = format!("{} of a line for {name}", counted(constants.len(), "constant"));
-            return Err(Fault::new(found, format!("at least {needed}")));
+            return refuse(found, format!("at least {needed}"));
         }
         let operands = (operands.iter().zip(windows))
             .map(|(operand, window)| match window.as_slice() {
@@ -94,7 +94,7 @@ impl Meaning<'_> {
         };
         match self.document.sources.get(index) {
             Some(source) => Ok(OperandDocument::Place(format!("{}[{}]", source.name, place(source.ranges.len())))),
-            None => Err(Fault::new(format!("source {}", operand.source), self.sources(first))),
+            None => refuse(format!("source {}", operand.source), self.sources(first)),
         }
     }
 
@@ -103,20 +103,20 @@ impl Meaning<'_> {
         let first = if self.constants.is_empty() { 1 } else { 2 };
         let (name, [rows, columns]) = match (operand.source as usize).checked_sub(first) {
             _ if operand.source == 0 => (None, [1, self.registers]),
-            None => return Err(Fault::new("a window on the constants", "a source of numbers, or the registers")),
+            None => return refuse("a window on the constants", "a source of numbers, or the registers"),
             Some(index) => match self.document.sources.get(index) {
                 Some(source) => (Some(&source.name), self.shapes[index].unwrap_or([1, source.length])),
-                None => return Err(Fault::new(format!("source {}", operand.source), self.sources(first))),
+                None => return refuse(format!("source {}", operand.source), self.sources(first)),
             },
         };
         let [height, width] = match *window {
             [width] => [1, width],
             [height, width] => [height, width],
-            _ => return Err(Fault::new(format!("a window of {} dimensions", window.len()), "1 or 2")),
+            _ => return refuse(format!("a window of {} dimensions", window.len()), "1 or 2"),
         };
         let (Some(down), Some(across)) = (rows.checked_sub(height), columns.checked_sub(width)) else {
             let found = format!("a window of {height} by {width} on {rows} by {columns} values");
-            return Err(Fault::new(found, "a window that is not larger than its source"));
+            return refuse(found, "a window that is not larger than its source");
         };
         let across = u64::from(across) + 1;
         let place = operand.location % ((u64::from(down) + 1) * across);

@@ -31,14 +31,22 @@ impl Resolver<'_> {
         Fault::new(found, accepted).on(self.file, line)
     }
 
+    pub(super) fn refuse<T>(
+        &self,
+        line: usize,
+        found: impl Into<String>,
+        accepted: impl Into<String>,
+    ) -> Result<T, InputError> {
+        Err(self.error(line, found, accepted))
+    }
+
     /// Tests for a policy that answers with values.
     pub(super) fn has_values(&self) -> bool {
         !self.document.outputs.is_empty()
     }
 
     pub(super) fn is_something(&self) -> Result<(), InputError> {
-        let missing =
-            |what: &str| Err(self.error(self.declared.close, format!("a graph without {what}"), "at least one"));
+        let missing = |what: &str| self.refuse(self.declared.close, format!("a graph without {what}"), "at least one");
         match (self.declared.teams.items(), self.declared.programs.items()) {
             ([], _) if !self.has_values() => missing("teams"),
             (_, []) => missing("programs"),
@@ -54,9 +62,7 @@ impl Resolver<'_> {
     fn program_exists(&self, line: usize, program: u32) -> Result<(), InputError> {
         match self.declared.programs.place(program) {
             Some(_) => Ok(()),
-            None => {
-                Err(self.error(line, format!("P{program}, which does not exist"), "a program that the file declares"))
-            }
+            None => self.refuse(line, format!("P{program}, which does not exist"), "a program that the file declares"),
         }
     }
 
@@ -75,7 +81,7 @@ impl Resolver<'_> {
             self.program_exists(line, program)?;
             let Some((destination, _)) = destinations.get(&program) else {
                 let found = format!("T{team} -> P{program}, and no edge that says where P{program} leads");
-                return Err(self.error(line, found, format!("T{team} -> P{program} -> a team or an action")));
+                return self.refuse(line, found, format!("T{team} -> P{program} -> a team or an action"));
             };
             let mut edge = EdgeDocument { program, ..EdgeDocument::default() };
             match *destination {
@@ -105,7 +111,7 @@ impl Resolver<'_> {
                 };
                 let found =
                     format!("P{program} leads to {}, and on line {first_line} to {}", name(destination), name(first));
-                return Err(self.error(line, found, "one destination for each program"));
+                return self.refuse(line, found, "one destination for each program");
             }
         }
         Ok(destinations)
@@ -123,10 +129,10 @@ impl Resolver<'_> {
                 &[action] if programs.is_empty() => Ok(EdgeEnd::Action(action)),
                 _ => {
                     let accepted = "actions without programs, or outputs instead of actions in the sidecar";
-                    Err(self.error(*line, format!("{to}, whose programs compute values"), accepted))
+                    self.refuse(*line, format!("{to}, whose programs compute values"), accepted)
                 }
             },
-            None => Err(self.error(line, format!("{to}, which does not exist"), "an action that the file declares")),
+            None => self.refuse(line, format!("{to}, which does not exist"), "an action that the file declares"),
         }
     }
 
@@ -141,7 +147,7 @@ impl Resolver<'_> {
             let number = node.number;
             let Some(content) = self.declared.lines.get(number) else {
                 let accepted = format!("`I{number} [… label=\"…\"]`, with an empty label for no lines");
-                return Err(self.error(node.line, format!("P{number} without its lines I{number}"), accepted));
+                return self.refuse(node.line, format!("P{number} without its lines I{number}"), accepted);
             };
             let (constants, line) = match (node.constants.as_slice(), content.constants.as_slice()) {
                 (integers, []) => (integers, node.line),
@@ -149,7 +155,7 @@ impl Resolver<'_> {
                 ([], reals) => (reals, content.line),
                 _ => {
                     let accepted = format!("constants in one place, on line {} or here", node.line);
-                    return Err(self.error(content.line, format!("constants of P{number} a second time"), accepted));
+                    return self.refuse(content.line, format!("constants of P{number} a second time"), accepted);
                 }
             };
             // The number of constants determines the meaning of source numbers, so it must be the same for all
@@ -157,7 +163,7 @@ impl Resolver<'_> {
             let (first, first_line) = *constants_of_first.get_or_insert((constants.len(), line));
             if constants.len() != first {
                 let accepted = format!("as many in each program: {first} on line {first_line}");
-                return Err(self.error(line, counted(constants.len(), "constant"), accepted));
+                return self.refuse(line, counted(constants.len(), "constant"), accepted);
             }
             let meaning = Meaning {
                 document: self.document,
@@ -198,7 +204,7 @@ impl Resolver<'_> {
         match (first, second) {
             (Some(only), None) if teams[only].id != root => {
                 let found = format!("T{root} as the root, and edges that lead to it");
-                Err(self.error(rank.line, found, format!("T{}, the one team that no edge leads to", teams[only].id)))
+                self.refuse(rank.line, found, format!("T{}, the one team that no edge leads to", teams[only].id))
             }
             _ => Ok(Some(root)),
         }
@@ -209,16 +215,16 @@ impl Resolver<'_> {
         let actions = self.declared.actions.items();
         let [action] = actions else {
             let line = actions.get(1).map_or(self.declared.close, |action| action.line);
-            return Err(self.error(line, format!("{} and no team", counted(actions.len(), "action")), "one action"));
+            return self.refuse(line, format!("{} and no team", counted(actions.len(), "action")), "one action");
         };
         match &self.declared.rank {
             Some(Rank { line, roots }) => match roots.as_slice() {
                 &[root] if (root.kind, root.number) == (Kind::Action, action.node) => Ok(()),
                 [root] => {
                     let accepted = format!("A{}, the only action", action.node);
-                    Err(self.error(*line, format!("{root} as the root"), accepted))
+                    self.refuse(*line, format!("{root} as the root"), accepted)
                 }
-                _ => Err(self.error(*line, counted(roots.len(), "root"), "one")),
+                _ => self.refuse(*line, counted(roots.len(), "root"), "one"),
             },
             None => Ok(()),
         }
@@ -228,11 +234,11 @@ impl Resolver<'_> {
         match rank.roots.as_slice() {
             &[Node { kind: Kind::Team, number }] if self.declared.teams.place(number).is_some() => Ok(number),
             &[Node { kind: Kind::Team, number }] => Err(self.no_team(rank.line, number)),
-            [] => Err(self.error(rank.line, "no root", "one team")),
-            [node] => Err(self.error(rank.line, format!("{node} as the root"), "a team")),
+            [] => self.refuse(rank.line, "no root", "one team"),
+            [node] => self.refuse(rank.line, format!("{node} as the root"), "a team"),
             roots => {
                 let names: Vec<String> = roots.iter().map(Node::to_string).collect();
-                Err(self.error(rank.line, format!("{} roots: {}", roots.len(), names.join(" ")), "one team"))
+                self.refuse(rank.line, format!("{} roots: {}", roots.len(), names.join(" ")), "one team")
             }
         }
     }

@@ -18,10 +18,10 @@ impl Validator<'_> {
         let path = format!("{path}.counts");
         if source.counts.len() != source.length as usize {
             let found = format!("{} for a length of {}", counted(source.counts.len(), "count"), source.length);
-            return Err(self.error(path, found, "one for each value of every source, or none at all"));
+            return self.refuse(path, found, "one for each value of every source, or none at all");
         }
         if self.document.version < 2 {
-            return Err(self.error(path, "counts in version 1", "version 2"));
+            return self.refuse(path, "counts in version 1", "version 2");
         }
         for (place, (counts, range)) in source.counts.iter().zip(&source.ranges).enumerate() {
             self.counts(&format!("{path}[{place}]"), *counts, *range)?;
@@ -33,7 +33,7 @@ impl Validator<'_> {
         let path = format!("{path}.counts");
         match output.counts {
             Some(_) if !self.is_counted() => {
-                Err(self.error(path, "counts beside sources without", "counts of all or of none"))
+                self.refuse(path, "counts beside sources without", "counts of all or of none")
             }
             Some(counts) => self.counts(&path, counts, [output.min, output.max]),
             None => Ok(()),
@@ -44,18 +44,18 @@ impl Validator<'_> {
         let Counts { bits, scale, offset } = counts;
         if !Counts::BITS.contains(&bits) {
             let (low, high) = Counts::BITS.into_inner();
-            return Err(self.error(format!("{path}.bits"), bits.to_string(), format!("{low} to {high}")));
+            return self.refuse(format!("{path}.bits"), bits.to_string(), format!("{low} to {high}"));
         }
         if !(scale > 0.0 && scale.is_finite()) {
-            return Err(self.error(format!("{path}.scale"), scale.to_string(), "a finite number above 0"));
+            return self.refuse(format!("{path}.scale"), scale.to_string(), "a finite number above 0");
         }
         if !offset.is_finite() {
-            return Err(self.error(format!("{path}.offset"), offset.to_string(), "a finite number"));
+            return self.refuse(format!("{path}.offset"), offset.to_string(), "a finite number");
         }
         let [low, high] = counts.limits();
         if range.iter().any(|end| end.fract() != 0.0 || !(low..=high).contains(end)) {
             let found = format!("a range of {} to {}", range[0], range[1]);
-            return Err(self.error(path, found, format!("whole numbers from {low} to {high}, as {bits} bits have")));
+            return self.refuse(path, found, format!("whole numbers from {low} to {high}, as {bits} bits have"));
         }
         Ok(())
     }

@@ -10,10 +10,10 @@ impl Validator<'_> {
         let Some(image) = &source.image else { return Ok(()) };
         let path = format!("{path}.image");
         if self.document.version < 2 {
-            return Err(self.error(path, "an image in version 1", "version 2"));
+            return self.refuse(path, "an image in version 1", "version 2");
         }
         if !source.counts.is_empty() {
-            return Err(self.error(path, "an image beside counts", "one of the two"));
+            return self.refuse(path, "an image beside counts", "one of the two");
         }
         let known = self.document.sources.iter().find_map(|source| source.image.as_ref()).map(|image| image.shape);
         let [rows, columns, channels] = image.shape;
@@ -22,17 +22,17 @@ impl Validator<'_> {
             let accepted = format!(
                 "[rows, columns, channels], the same in all sources, at most {MAX_CELLS} cells of 1 to 256 channels"
             );
-            return Err(self.error(format!("{path}.shape"), format!("{:?}", image.shape), accepted));
+            return self.refuse(format!("{path}.shape"), format!("{:?}", image.shape), accepted);
         }
         if image.features.len() != source.length as usize {
             let found = format!("{} for a length of {}", counted(image.features.len(), "feature"), source.length);
-            return Err(self.error(format!("{path}.features"), found, "one for each value"));
+            return self.refuse(format!("{path}.features"), found, "one for each value");
         }
         match (0..)
             .zip(&image.features)
             .find_map(|(place, feature): (usize, _)| Some((place, feature.refusal(image.shape)?)))
         {
-            Some((place, (found, accepted))) => Err(self.error(format!("{path}.features[{place}]"), found, accepted)),
+            Some((place, (found, accepted))) => self.refuse(format!("{path}.features[{place}]"), found, accepted),
             None => Ok(()),
         }
     }

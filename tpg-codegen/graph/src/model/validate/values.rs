@@ -16,14 +16,14 @@ impl Validator<'_> {
         }
         let found = || counted(document.outputs.len(), "output");
         if document.version < 2 {
-            return Err(self.error("$.outputs", found(), "none in version 1: a policy with outputs is version 2"));
+            return self.refuse("$.outputs", found(), "none in version 1: a policy with outputs is version 2");
         }
         if !document.actions.is_empty() {
             let found = format!("{} beside {}", counted(document.actions.len(), "action"), found());
-            return Err(self.error("$.actions", found, "either \"actions\" or \"outputs\""));
+            return self.refuse("$.actions", found, "either \"actions\" or \"outputs\"");
         }
         if document.outputs.len() > MAX_NUMBERED {
-            return Err(self.error("$.outputs", found(), format!("1 to {MAX_NUMBERED}")));
+            return self.refuse("$.outputs", found(), format!("1 to {MAX_NUMBERED}"));
         }
         let mut names = BTreeSet::new();
         (document.outputs.iter().enumerate())
@@ -34,7 +34,7 @@ impl Validator<'_> {
                     return Ok(output);
                 }
                 let found = format!("{:?} a second time", output.name);
-                Err(self.error(format!("{path}.name"), found, "a name that no other output has"))
+                self.refuse(format!("{path}.name"), found, "a name that no other output has")
             })
             .collect()
     }
@@ -43,20 +43,20 @@ impl Validator<'_> {
     fn output(&self, path: &str, field: &str, output: &OutputDocument) -> Result<Output, InputError> {
         let OutputDocument { name, unit, min, max, nan, counts } = output;
         if !name::is_source(name) {
-            return Err(self.error(format!("{path}.name"), format!("{name:?}"), name::SOURCE));
+            return self.refuse(format!("{path}.name"), format!("{name:?}"), name::SOURCE);
         }
         if !name::is_text(unit) {
-            return Err(self.error(format!("{path}.unit"), format!("{unit:?}"), name::TEXT));
+            return self.refuse(format!("{path}.unit"), format!("{unit:?}"), name::TEXT);
         }
         let scalar = self.document.scalar;
         let exact = |value: &f64| value.is_finite() && scalar.round(*value) == *value;
         if !(min <= max && exact(min) && exact(max)) {
             let accepted = format!("min not above max, both finite and exact in {}", scalar.name());
-            return Err(self.error(path, format!("min {min} and max {max}"), accepted));
+            return self.refuse(path, format!("min {min} and max {max}"), accepted);
         }
         if !((min..=max).contains(&nan) && exact(nan)) {
             let accepted = format!("a number from {min} to {max}, exact in {}", scalar.name());
-            return Err(self.error(format!("{path}.{field}"), nan.to_string(), accepted));
+            return self.refuse(format!("{path}.{field}"), nan.to_string(), accepted);
         }
         self.output_counts(path, output)?;
         let range = Range { min: *min, max: *max };
@@ -71,7 +71,7 @@ impl Validator<'_> {
         let document = self.document;
         if !document.memory.is_empty() && document.outputs.is_empty() {
             let found = format!("{} of a policy without outputs", counted(document.memory.len(), "value"));
-            return Err(self.error("$.memory", found, "\"outputs\" beside them: leaves compute the memory"));
+            return self.refuse("$.memory", found, "\"outputs\" beside them: leaves compute the memory");
         }
         let mut next = sources.values().map(|(_, length)| length).sum();
         (document.memory.iter().enumerate())
@@ -90,12 +90,12 @@ impl Validator<'_> {
                 if is_output || sources.insert(name, (next, 1)).is_some() {
                     let found = format!("{name:?} a second time");
                     let accepted = "a name that no source, no output and no other value of the memory has";
-                    return Err(self.error(format!("{path}.name"), found, accepted));
+                    return self.refuse(format!("{path}.name"), found, accepted);
                 }
                 next += 1;
                 if next > MAX_NUMBERED {
                     let found = format!("{next} values with those of the sources");
-                    return Err(self.error(path, found, format!("1 to {MAX_NUMBERED} values")));
+                    return self.refuse(path, found, format!("1 to {MAX_NUMBERED} values"));
                 }
                 Ok(memory)
             })
@@ -105,7 +105,7 @@ impl Validator<'_> {
     pub(super) fn leaf_ids(&self) -> Result<BTreeMap<u32, ActionId>, InputError> {
         let count = self.document.leaves.len();
         if count > MAX_NUMBERED {
-            return Err(self.error("$.leaves", format!("{count} leaves"), format!("1 to {MAX_NUMBERED}")));
+            return self.refuse("$.leaves", format!("{count} leaves"), format!("1 to {MAX_NUMBERED}"));
         }
         self.numbered("leaves", self.document.leaves.iter().map(|leaf| leaf.id), |index| ActionId(index as u16))
     }
@@ -116,9 +116,9 @@ impl Validator<'_> {
             (0, 0) => return Ok(Vec::new()),
             (0, count) => {
                 let found = format!("{count} leaves of a policy without outputs");
-                return Err(self.error("$.leaves", found, "\"outputs\" beside them"));
+                return self.refuse("$.leaves", found, "\"outputs\" beside them");
             }
-            (_, 0) => return Err(self.error("$.leaves", "an empty list", "at least one leaf: there are outputs")),
+            (_, 0) => return self.refuse("$.leaves", "an empty list", "at least one leaf: there are outputs"),
             _ => {}
         }
         (leaves.iter().enumerate())
@@ -126,13 +126,13 @@ impl Validator<'_> {
                 let path = format!("$.leaves[{index}].programs");
                 if leaf.programs.len() != outputs {
                     let found = counted(leaf.programs.len(), "program");
-                    return Err(self.error(path, found, format!("{outputs}, one for each output")));
+                    return self.refuse(path, found, format!("{outputs}, one for each output"));
                 }
                 let of_memory = format!("$.leaves[{index}].memory");
                 let memory = self.document.memory.len();
                 if leaf.memory.len() != memory {
                     let found = counted(leaf.memory.len(), "program");
-                    return Err(self.error(of_memory, found, format!("{memory}, one for each value of the memory")));
+                    return self.refuse(of_memory, found, format!("{memory}, one for each value of the memory"));
                 }
                 let program = |(path, place, id): (&str, usize, &u32)| -> Result<ProgramId, InputError> {
                     names.programs.get(id).copied().ok_or_else(|| {
@@ -155,7 +155,7 @@ impl Validator<'_> {
         match self.document.leaves.iter().enumerate().find(|&(index, _)| !is_reached(index)) {
             Some((index, leaf)) => {
                 let found = format!("leaf {}, which no edge leads to", leaf.id);
-                Err(self.error(format!("$.leaves[{index}]"), found, "leaves that some edge leads to"))
+                self.refuse(format!("$.leaves[{index}]"), found, "leaves that some edge leads to")
             }
             None => Ok(()),
         }
@@ -169,10 +169,10 @@ impl Validator<'_> {
         }
         if document.leaves.len() > 1 {
             let found = format!("no team to choose among {} leaves", document.leaves.len());
-            return Err(self.error("$.teams", found, "at least one team, or a single leaf"));
+            return self.refuse("$.teams", found, "at least one team, or a single leaf");
         }
         match document.root {
-            Some(root) => Err(self.error("$.root", format!("team {root}, but there are no teams"), "no root")),
+            Some(root) => self.refuse("$.root", format!("team {root}, but there are no teams"), "no root"),
             None => Ok(true),
         }
     }

@@ -3,7 +3,7 @@
 use super::{Compiler, Function, Lvalue, Operand, Struct, Type, constant_of, number};
 use crate::c::code::{Constant, Operation, Value};
 use crate::c::token::Token::{Name, Sign};
-use crate::input::Missing;
+use crate::input::Result;
 use Type::*;
 use std::rc::Rc;
 
@@ -23,7 +23,7 @@ impl Compiler<'_> {
         matches!(self.peek(), Name(name) if is_word(name) || self.types.contains_key(name))
     }
 
-    fn specifiers(&mut self) -> Result<Specifiers, Missing> {
+    fn specifiers(&mut self) -> Result<Specifiers> {
         let mut found = Specifiers { ty: Void, is_static: false, is_typedef: false, is_extern: false };
         let (mut ty, mut signed) = (None, None);
         loop {
@@ -65,14 +65,14 @@ impl Compiler<'_> {
             (Some(ty), None) => ty,
             _ => {
                 let found = self.next();
-                return Err(self.missing(format!("a type, found {found:?}")));
+                return self.refuse(format!("a type, found {found:?}"));
             }
         };
         Ok(found)
     }
 
     /// Skips `__attribute__((...))` and the like; they ask for no other results.
-    fn attributes(&mut self) -> Result<(), Missing> {
+    fn attributes(&mut self) -> Result<()> {
         while self.accept("__attribute__") {
             self.expect("(")?;
             self.skip("(", ")")?;
@@ -80,7 +80,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    fn structure(&mut self, union: bool) -> Result<Type, Missing> {
+    fn structure(&mut self, union: bool) -> Result<Type> {
         let tag = if let Name(_) = self.peek() { self.name()? } else { format!("at {}", self.at) };
         let number = *self.tags.entry(tag).or_insert(self.structs.len());
         if number == self.structs.len() {
@@ -97,7 +97,7 @@ impl Compiler<'_> {
         Ok(Type::Struct(number))
     }
 
-    fn enumeration(&mut self) -> Result<Type, Missing> {
+    fn enumeration(&mut self) -> Result<Type> {
         if let Name(_) = self.peek() {
             self.next();
         }
@@ -117,20 +117,20 @@ impl Compiler<'_> {
     }
 
     /// The value of a constant expression.
-    pub(super) fn constant(&mut self) -> Result<i64, Missing> {
+    pub(super) fn constant(&mut self) -> Result<i64> {
         let value = self.conditional()?;
         match self.value(value)? {
             (value, Integer(bytes, signed)) => match constant_of(&value) {
                 Some(Constant::Number(number)) if signed && bytes < 8 => Ok(i64::from(number as u32 as i32)),
                 Some(Constant::Number(number)) => Ok(number as i64),
-                _ => Err(self.missing("a constant")),
+                _ => self.refuse("a constant"),
             },
-            _ => Err(self.missing("a constant")),
+            _ => self.refuse("a constant"),
         }
     }
 
     /// A name with the type that stars, brackets and parameters around it make.
-    fn declarator(&mut self, mut ty: Type) -> Result<(String, Type), Missing> {
+    fn declarator(&mut self, mut ty: Type) -> Result<(String, Type)> {
         loop {
             self.attributes()?;
             if self.accept("*") {
@@ -143,7 +143,7 @@ impl Compiler<'_> {
         Ok((name, self.brackets(ty)?))
     }
 
-    fn brackets(&mut self, ty: Type) -> Result<Type, Missing> {
+    fn brackets(&mut self, ty: Type) -> Result<Type> {
         if !self.accept("[") {
             return Ok(ty);
         }
@@ -154,13 +154,13 @@ impl Compiler<'_> {
         Ok(Array(Box::new(self.brackets(ty)?), count))
     }
 
-    pub(super) fn type_name(&mut self) -> Result<Type, Missing> {
+    pub(super) fn type_name(&mut self) -> Result<Type> {
         let ty = self.specifiers()?.ty;
         let (name, ty) = self.declarator(ty)?;
-        if name.is_empty() { Ok(ty) } else { Err(self.missing("a type without a name")) }
+        if name.is_empty() { Ok(ty) } else { self.refuse("a type without a name") }
     }
 
-    pub(super) fn external(&mut self) -> Result<(), Missing> {
+    pub(super) fn external(&mut self) -> Result<()> {
         if self.accept(";") {
             return Ok(());
         }
@@ -189,7 +189,7 @@ impl Compiler<'_> {
         }
     }
 
-    fn parameters(&mut self) -> Result<Vec<(String, Type)>, Missing> {
+    fn parameters(&mut self) -> Result<Vec<(String, Type)>> {
         let mut parameters = self.list(")", |compiler| {
             let ty = compiler.specifiers()?.ty;
             let (name, ty) = compiler.declarator(ty)?;
@@ -200,7 +200,7 @@ impl Compiler<'_> {
     }
 
     /// Declares the variables of a statement.
-    pub(super) fn declaration(&mut self) -> Result<(), Missing> {
+    pub(super) fn declaration(&mut self) -> Result<()> {
         let Specifiers { ty, is_static, .. } = self.specifiers()?;
         let variable = |compiler: &mut Self| {
             let (name, ty) = compiler.declarator(ty.clone())?;
@@ -210,7 +210,7 @@ impl Compiler<'_> {
     }
 
     /// Declares a variable, whose initial value may follow. A static one is set once, before everything.
-    fn variable(&mut self, name: String, mut ty: Type, is_static: bool) -> Result<(), Missing> {
+    fn variable(&mut self, name: String, mut ty: Type, is_static: bool) -> Result<()> {
         let at = self.at;
         if let Some((place, end)) = self.statics.get(&at).cloned() {
             self.at = end;
@@ -231,7 +231,7 @@ impl Compiler<'_> {
         }
         let place = Lvalue { address: self.allocate(&ty), ty };
         if has_value && parts.iter().map(|(_, ty, _)| self.cells(ty)).sum::<u32>() != self.cells(&place.ty) {
-            return Err(self.missing("an initialiser for each part"));
+            return self.refuse("an initialiser for each part");
         }
         for (offset, ty, item) in parts {
             self.set(number(place.address + offset), &ty, item)?;
@@ -241,7 +241,7 @@ impl Compiler<'_> {
     }
 
     /// Reads the parts of an initialiser that are no lists, each with the offset of its cells; returns the number of items.
-    fn parts(&mut self, ty: &Type, start: u32, parts: &mut Vec<(u32, Type, Operand)>) -> Result<u32, Missing> {
+    fn parts(&mut self, ty: &Type, start: u32, parts: &mut Vec<(u32, Type, Operand)>) -> Result<u32> {
         if !self.accept("{") {
             let value = self.assignment()?;
             parts.push((start, ty.clone(), value));
@@ -264,7 +264,7 @@ impl Compiler<'_> {
     }
 
     /// Sets what is at an address to what an expression is.
-    pub(super) fn set(&mut self, address: Value, ty: &Type, value: Operand) -> Result<(), Missing> {
+    pub(super) fn set(&mut self, address: Value, ty: &Type, value: Operand) -> Result<()> {
         match (ty, value) {
             (Struct(_), Operand::Place(from, _)) => {
                 let count = self.cells(ty);

@@ -3,7 +3,7 @@
 use super::{Compiler, Operand, Type, Typed, apply, constant_of, moved, number, width};
 use crate::c::code::{Condition, Constant, Operation, Value};
 use crate::c::token::Token;
-use crate::input::Missing;
+use crate::input::Result;
 use crate::term::{Operator::*, Width};
 use Operand::*;
 use Type::*;
@@ -28,7 +28,7 @@ fn truth(condition: Condition) -> Operand {
 
 impl Compiler<'_> {
     /// Reads an expression for what it does.
-    pub(super) fn effect(&mut self) -> Result<(), Missing> {
+    pub(super) fn effect(&mut self) -> Result<()> {
         match self.assignment()? {
             Stepped(address, ty, sign) => self.step(address, ty, sign).map(|_| ()),
             _ => Ok(()),
@@ -36,7 +36,7 @@ impl Compiler<'_> {
     }
 
     /// The value of what was read.
-    pub(super) fn value(&mut self, operand: Operand) -> Result<Typed, Missing> {
+    pub(super) fn value(&mut self, operand: Operand) -> Result<Typed> {
         match operand {
             Operand::Value(value, ty) => Ok((value, ty)),
             Place(address, Array(ty, _)) => Ok((address, Pointer(ty))),
@@ -52,25 +52,25 @@ impl Compiler<'_> {
     }
 
     /// Changes what is at an address by 1.
-    fn step(&mut self, address: Value, ty: Type, sign: &str) -> Result<Operand, Missing> {
+    fn step(&mut self, address: Value, ty: Type, sign: &str) -> Result<Operand> {
         self.changed(address, ty, sign, (number(1), Type::INT))
     }
 
-    fn changed(&mut self, address: Value, ty: Type, sign: &str, by: Typed) -> Result<Operand, Missing> {
+    fn changed(&mut self, address: Value, ty: Type, sign: &str, by: Typed) -> Result<Operand> {
         let before = self.loaded(address.clone(), ty.clone())?;
         let value = self.operated(sign, before, by)?;
         self.put(address.clone(), value, &ty)?;
         Ok(Place(address, ty))
     }
 
-    fn place(&mut self, operand: Operand) -> Result<Typed, Missing> {
+    fn place(&mut self, operand: Operand) -> Result<Typed> {
         match operand {
             Place(address, ty) => Ok((address, ty)),
-            _ => Err(self.missing("something with an address")),
+            _ => self.refuse("something with an address"),
         }
     }
 
-    pub(super) fn assignment(&mut self) -> Result<Operand, Missing> {
+    pub(super) fn assignment(&mut self) -> Result<Operand> {
         const COMPOUND: [&str; 10] = ["+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="];
         let target = self.conditional()?;
         let Token::Sign(sign) = *self.peek() else { return Ok(target) };
@@ -88,12 +88,12 @@ impl Compiler<'_> {
         self.changed(address, ty, &sign[..sign.len() - 1], value)
     }
 
-    fn assigned(&mut self) -> Result<Typed, Missing> {
+    fn assigned(&mut self) -> Result<Typed> {
         let operand = self.assignment()?;
         self.value(operand)
     }
 
-    pub(super) fn conditional(&mut self) -> Result<Operand, Missing> {
+    pub(super) fn conditional(&mut self) -> Result<Operand> {
         let condition = self.binary(0)?;
         if !self.accept("?") {
             return Ok(condition);
@@ -125,17 +125,17 @@ impl Compiler<'_> {
         Ok(Place(cell, ty))
     }
 
-    fn side(&mut self) -> Result<Typed, Missing> {
+    fn side(&mut self) -> Result<Typed> {
         let side = self.assigned()?;
         self.expect(":").map(|()| side)
     }
 
-    fn other_side(&mut self) -> Result<Typed, Missing> {
+    fn other_side(&mut self) -> Result<Typed> {
         let side = self.conditional()?;
         self.value(side)
     }
 
-    fn binary(&mut self, level: usize) -> Result<Operand, Missing> {
+    fn binary(&mut self, level: usize) -> Result<Operand> {
         let Some(operators) = LEVELS.get(level) else { return self.unary() };
         let mut left = self.binary(level + 1)?;
         while let Token::Sign(sign) = *self.peek()
@@ -159,7 +159,7 @@ impl Compiler<'_> {
         Ok(left)
     }
 
-    fn logical(&mut self, and: bool, first: Operand, level: usize) -> Result<Operand, Missing> {
+    fn logical(&mut self, and: bool, first: Operand, level: usize) -> Result<Operand> {
         let first = self.condition(first)?;
         let (mark, at) = (self.here(), self.at);
         let second = self.binary(level)?;
@@ -181,16 +181,16 @@ impl Compiler<'_> {
     }
 
     /// What was read as a condition.
-    pub(super) fn condition(&mut self, operand: Operand) -> Result<Condition, Missing> {
+    pub(super) fn condition(&mut self, operand: Operand) -> Result<Condition> {
         match self.value(operand)? {
             (Value::OfCondition(condition), _) => Ok(*condition),
             (value, ty @ Integer(..)) => Ok(!Condition::Same(width(&ty), value, number(0))),
             (value, Float) => Ok(!Condition::Compared(crate::term::Terms::equal, value, Value::Float(0))),
-            _ => Err(self.missing("a condition of another type")),
+            _ => self.refuse("a condition of another type"),
         }
     }
 
-    fn unary(&mut self) -> Result<Operand, Missing> {
+    fn unary(&mut self) -> Result<Operand> {
         for sign in ["-", "+", "!", "~", "&", "*"] {
             if self.accept(sign) {
                 let inner = self.unary()?;
@@ -237,7 +237,7 @@ impl Compiler<'_> {
         self.postfix(inner)
     }
 
-    fn signed(&mut self, sign: &str, inner: Operand) -> Result<Operand, Missing> {
+    fn signed(&mut self, sign: &str, inner: Operand) -> Result<Operand> {
         match sign {
             "&" => {
                 let (address, ty) = self.place(inner)?;
@@ -249,11 +249,11 @@ impl Compiler<'_> {
         let (value, ty) = self.value(inner)?;
         let value = match (sign, &ty) {
             ("*", Pointer(inner)) => return Ok(Place(value, (**inner).clone())),
-            ("*", _) => return Err(self.missing("a pointer")),
+            ("*", _) => return self.refuse("a pointer"),
             ("-", Float) => Value::Negative(Box::new(value)),
             ("-", Double) => match value {
                 Value::Float(bits) => Value::Float(bits ^ 0x8000_0000),
-                _ => return Err(self.missing("arithmetic in binary64")),
+                _ => return self.refuse("arithmetic in binary64"),
             },
             ("+", Float | Double) => value,
             ("-" | "~" | "+", Integer(..)) => {
@@ -267,7 +267,7 @@ impl Compiler<'_> {
                 };
                 return Ok(Operand::Value(apply(operator, width, Value::Number(first), value), wide));
             }
-            _ => return Err(self.missing(format!("`{sign}` of another type"))),
+            _ => return self.refuse(format!("`{sign}` of another type")),
         };
         Ok(Operand::Value(value, ty))
     }
@@ -276,7 +276,7 @@ impl Compiler<'_> {
         [("++", "+"), ("--", "-")].into_iter().find(|(sign, _)| self.accept(sign)).map(|(_, sign)| sign)
     }
 
-    fn postfix(&mut self, mut inner: Operand) -> Result<Operand, Missing> {
+    fn postfix(&mut self, mut inner: Operand) -> Result<Operand> {
         loop {
             inner = if self.accept("[") {
                 let index = self.assigned()?;
@@ -296,16 +296,16 @@ impl Compiler<'_> {
         }
     }
 
-    fn item(&mut self, array: Operand, index: Typed) -> Result<Operand, Missing> {
+    fn item(&mut self, array: Operand, index: Typed) -> Result<Operand> {
         if !matches!(index.1, Integer(..)) {
-            return Err(self.missing("an integer as index"));
+            return self.refuse("an integer as index");
         }
         let index = self.converted(index, &Type::UNSIGNED)?;
         let (address, ty, index) = match array {
             Place(address, Array(ty, count)) => (address, ty, Value::Below(Box::new(index), count)),
             array => match self.value(array)? {
                 (address, Pointer(ty)) => (address, ty, index),
-                _ => return Err(self.missing("an array")),
+                _ => return self.refuse("an array"),
             },
         };
         Ok(Place(self.element(address, &ty, index), *ty))
@@ -316,9 +316,9 @@ impl Compiler<'_> {
         moved(address, apply(Multiply, Width::W32, index, number(self.cells(ty))))
     }
 
-    fn member(&mut self, structure: Operand) -> Result<Operand, Missing> {
+    fn member(&mut self, structure: Operand) -> Result<Operand> {
         let name = self.name()?;
-        let (address, Struct(structure)) = self.place(structure)? else { return Err(self.missing("a structure")) };
+        let (address, Struct(structure)) = self.place(structure)? else { return self.refuse("a structure") };
         let structure = &self.structs[structure];
         let mut offset = 0;
         for (member, ty) in &structure.members {
@@ -327,10 +327,10 @@ impl Compiler<'_> {
             }
             offset += if structure.union { 0 } else { self.cells(ty) };
         }
-        Err(self.missing(format!("the member `{name}`")))
+        self.refuse(format!("the member `{name}`"))
     }
 
-    fn primary(&mut self) -> Result<Operand, Missing> {
+    fn primary(&mut self) -> Result<Operand> {
         let (value, ty) = match self.next() {
             Token::Number(text) => self.number(&text)?,
             Token::Name(name) if name == "__infinity" => (Value::Float(f32::INFINITY.to_bits()), Float),
@@ -339,14 +339,14 @@ impl Compiler<'_> {
             Token::Name(name) => match (self.find(&name), self.constants.get(&name)) {
                 (Some(place), _) => return Ok(Place(number(place.address), place.ty.clone())),
                 (None, Some(&value)) => (number(value as u32), Type::INT),
-                (None, None) => return Err(self.missing(format!("the name `{name}`"))),
+                (None, None) => return self.refuse(format!("the name `{name}`")),
             },
-            other => return Err(self.missing(format!("an expression, found {other:?}"))),
+            other => return self.refuse(format!("an expression, found {other:?}")),
         };
         Ok(Operand::Value(value, ty))
     }
 
-    fn call(&mut self, name: &str) -> Result<Operand, Missing> {
+    fn call(&mut self, name: &str) -> Result<Operand> {
         let known = matches!(name, "memcpy" | "fabsf" | "isnan");
         let function = if known { None } else { Some(self.function(name)?) };
         let mut arguments = self.list(")", Self::assigned)?;
@@ -355,7 +355,7 @@ impl Compiler<'_> {
                 return self.copy(arguments);
             }
             let (Some(value), true) = (arguments.pop(), arguments.is_empty()) else {
-                return Err(self.missing(format!("`{name}` of one argument")));
+                return self.refuse(format!("`{name}` of one argument"));
             };
             let value = self.converted(value, &Float)?;
             return Ok(match name {
@@ -370,22 +370,22 @@ impl Compiler<'_> {
     }
 
     /// `memcpy` of whole scalars; a cell holds its bits, whatever it is read as.
-    fn copy(&mut self, arguments: Vec<Typed>) -> Result<Operand, Missing> {
+    fn copy(&mut self, arguments: Vec<Typed>) -> Result<Operand> {
         let [(to, Pointer(to_type)), (from, Pointer(from_type)), (size, _)] = &arguments[..] else {
-            return Err(self.missing("memcpy of two pointers and a size"));
+            return self.refuse("memcpy of two pointers and a size");
         };
-        let Some(Constant::Number(size)) = constant_of(size) else { return Err(self.missing("a constant size")) };
+        let Some(Constant::Number(size)) = constant_of(size) else { return self.refuse("a constant size") };
         let widths = [to_type, from_type].map(|ty| self.scalar_bytes(ty));
-        let [Some(width), Some(other)] = widths else { return Err(self.missing("memcpy of mixed scalars")) };
+        let [Some(width), Some(other)] = widths else { return self.refuse("memcpy of mixed scalars") };
         if width != other || size % u64::from(width) != 0 {
-            return Err(self.missing("memcpy of scalars of one size"));
+            return self.refuse("memcpy of scalars of one size");
         }
         let count = u32::try_from(size / u64::from(width)).map_err(|_| self.missing("a smaller memcpy"))?;
         self.emit(Operation::Copy(to.clone(), from.clone(), count));
         Ok(Operand::Value(number(0), Void))
     }
 
-    fn number(&self, text: &str) -> Result<Typed, Missing> {
+    fn number(&self, text: &str) -> Result<Typed> {
         let fault = || self.missing(format!("the number {text}"));
         let lower = text.to_ascii_lowercase();
         if !lower.starts_with("0x") && lower.contains(['.', 'e']) {

@@ -2,7 +2,7 @@
 
 use super::{Compiler, Lvalue, Operand, Type, constant_of};
 use crate::c::code::{CONSTANTS, Constant, Object};
-use crate::input::Missing;
+use crate::input::Result;
 use Type::*;
 
 impl Compiler<'_> {
@@ -56,7 +56,7 @@ impl Compiler<'_> {
     }
 
     /// Makes a variable of constants.
-    pub(super) fn fixed(&mut self, ty: Type, parts: Vec<(u32, Type, Operand)>) -> Result<Lvalue, Missing> {
+    pub(super) fn fixed(&mut self, ty: Type, parts: Vec<(u32, Type, Operand)>) -> Result<Lvalue> {
         let offset = self.program.constants.len();
         let address = CONSTANTS + u32::try_from(offset).map_err(|_| self.missing("smaller tables"))?;
         let mut scalar = &ty;

@@ -8,7 +8,7 @@ mod statement;
 
 use super::code::{Condition, Constant, Operation, Program, Scalar, Value};
 use super::token::{Placed, Token};
-use crate::input::Missing;
+use crate::input::{Missing, Result};
 use crate::machine::Interface;
 use crate::term::word::computed;
 use crate::term::{Operator, Width};
@@ -126,10 +126,10 @@ fn moved(address: Value, offset: Value) -> Value {
 }
 
 /// Evaluates a constant expression.
-pub(super) fn constant(file: &str, tokens: Vec<Placed>) -> Result<i64, Missing> {
+pub(super) fn constant(file: &str, tokens: Vec<Placed>) -> Result<i64> {
     let mut compiler = Compiler::new(file, tokens);
     let value = compiler.constant()?;
-    if *compiler.peek() == End { Ok(value) } else { Err(compiler.missing("an operator")) }
+    if *compiler.peek() == End { Ok(value) } else { compiler.refuse("an operator") }
 }
 
 impl<'t> Compiler<'t> {
@@ -159,7 +159,7 @@ impl<'t> Compiler<'t> {
     }
 
     /// Reads a file: its types, its constants, and where its functions are.
-    pub(super) fn read(file: &'t str, tokens: Vec<Placed>) -> Result<Self, Missing> {
+    pub(super) fn read(file: &'t str, tokens: Vec<Placed>) -> Result<Self> {
         let mut compiler = Self::new(file, tokens);
         while *compiler.peek() != End {
             compiler.external()?;
@@ -174,12 +174,12 @@ impl<'t> Compiler<'t> {
     }
 
     /// Compiles a function that has the interface of a policy.
-    pub(super) fn policy(mut self, name: &str, interface: &Interface) -> Result<Program, Missing> {
+    pub(super) fn policy(mut self, name: &str, interface: &Interface) -> Result<Program> {
         let function = self.function(name)?;
         let mut arguments = Vec::new();
         let mut structures = Vec::new();
         for (_, ty) in &function.parameters {
-            let Pointer(target) = ty else { return Err(self.missing("a parameter that is a pointer")) };
+            let Pointer(target) = ty else { return self.refuse("a parameter that is a pointer") };
             let address = self.allocate(target);
             structures.push((address, &**target));
             arguments.push((number(address), ty.clone()));
@@ -187,7 +187,7 @@ impl<'t> Compiler<'t> {
         let memory = !interface.memory.is_empty();
         let values = !interface.outputs.is_empty();
         if structures.len() != 1 + usize::from(memory) + usize::from(values) {
-            return Err(self.missing(format!("other parameters of `{name}`")));
+            return self.refuse(format!("other parameters of `{name}`"));
         }
         let single = |names: &[String]| names.iter().map(|name| (name.clone(), 1)).collect::<Vec<_>>();
         self.fields(structures[0].1, &interface.sources)?;
@@ -204,13 +204,13 @@ impl<'t> Compiler<'t> {
         let result = self.inlined(&function, arguments)?;
         self.program.result = result.map(|place| place.address);
         if self.program.result.is_none() != values {
-            return Err(self.missing(format!("another result of `{name}`")));
+            return self.refuse(format!("another result of `{name}`"));
         }
         Ok(self.finished())
     }
 
     /// Compiles a function of one float, which is cell 0.
-    pub(super) fn of_float(mut self, name: &str) -> Result<Program, Missing> {
+    pub(super) fn of_float(mut self, name: &str) -> Result<Program> {
         let argument = self.allocate(&Float);
         let argument = self.loaded(number(argument), Float)?;
         let called = self.function(name)?;
@@ -220,8 +220,8 @@ impl<'t> Compiler<'t> {
     }
 
     /// Checks that a structure holds floats with these names, in this order; underscores may follow a name.
-    fn fields(&self, ty: &Type, names: &[(String, u32)]) -> Result<(), Missing> {
-        let Struct(number) = ty else { return Err(self.missing("a pointer to a structure")) };
+    fn fields(&self, ty: &Type, names: &[(String, u32)]) -> Result<()> {
+        let Struct(number) = ty else { return self.refuse("a pointer to a structure") };
         let members = &self.structs[*number].members;
         let fits = |member: &(String, Type), (name, length): &(String, u32)| {
             let floats = match &member.1 {
@@ -232,21 +232,21 @@ impl<'t> Compiler<'t> {
             floats == *length && member.0.trim_end_matches('_') == name.trim_end_matches('_')
         };
         let all = members.len() == names.len() && members.iter().zip(names).all(|(member, name)| fits(member, name));
-        if all { Ok(()) } else { Err(self.missing(format!("a structure of the floats {names:?}"))) }
+        if all { Ok(()) } else { self.refuse(format!("a structure of the floats {names:?}")) }
     }
 
-    fn function(&self, name: &str) -> Result<Rc<Function>, Missing> {
+    fn function(&self, name: &str) -> Result<Rc<Function>> {
         let found = self.functions.iter().find(|function| function.name == name);
         found.cloned().ok_or_else(|| self.missing(format!("the meaning of the function `{name}`")))
     }
 
     /// Inlines a call. The result's place, if it has one.
-    fn inlined(&mut self, function: &Rc<Function>, arguments: Vec<Typed>) -> Result<Option<Lvalue>, Missing> {
+    fn inlined(&mut self, function: &Rc<Function>, arguments: Vec<Typed>) -> Result<Option<Lvalue>> {
         if self.calls.iter().any(|call| call.name == function.name) {
-            return Err(self.missing(format!("`{}` calls itself", function.name)));
+            return self.refuse(format!("`{}` calls itself", function.name));
         }
         if arguments.len() != function.parameters.len() {
-            return Err(self.missing(format!("arguments of `{}`", function.name)));
+            return self.refuse(format!("arguments of `{}`", function.name));
         }
         let back = (self.at, self.line);
         let result = (function.result != Void)
@@ -273,7 +273,7 @@ impl<'t> Compiler<'t> {
         for (jump, label, left) in frame.gotos {
             let Some((to, inside)) = frame.labels.get(&label) else {
                 self.line = self.program.operations[jump].0;
-                return Err(self.missing(format!("the label `{label}`")));
+                return self.refuse(format!("the label `{label}`"));
             };
             let left = left.into_iter().filter(|scope| !inside.contains(scope)).collect();
             self.program.operations[jump].1 = Jump(*to, left);
@@ -337,23 +337,23 @@ impl<'t> Compiler<'t> {
     }
 
     /// Sets what is at an address.
-    fn put(&mut self, address: Value, value: Typed, ty: &Type) -> Result<(), Missing> {
+    fn put(&mut self, address: Value, value: Typed, ty: &Type) -> Result<()> {
         let value = self.converted(value, ty)?;
         self.scalar(ty)?;
         self.emit(Set(address, value));
         Ok(())
     }
 
-    fn loaded(&self, address: Value, ty: Type) -> Result<Typed, Missing> {
+    fn loaded(&self, address: Value, ty: Type) -> Result<Typed> {
         Ok((Value::Load(Box::new(address), self.scalar(&ty)?), ty))
     }
 
-    fn scalar(&self, ty: &Type) -> Result<Scalar, Missing> {
+    fn scalar(&self, ty: &Type) -> Result<Scalar> {
         match ty {
             Float => Ok(Scalar::Float),
             Integer(..) | Pointer(_) => Ok(Scalar::Word),
-            Double => Err(self.missing("arithmetic in binary64")),
-            _ => Err(self.missing("a scalar")),
+            Double => self.refuse("arithmetic in binary64"),
+            _ => self.refuse("a scalar"),
         }
     }
 
@@ -372,6 +372,10 @@ impl<'t> Compiler<'t> {
         Missing::new(format!("{}:{}", self.file, self.line), what)
     }
 
+    fn refuse<T>(&self, what: impl Into<String>) -> Result<T> {
+        Err(self.missing(what))
+    }
+
     /// Reads a sign or a word, if it is next.
     fn accept(&mut self, text: &str) -> bool {
         let is = match self.peek() {
@@ -385,23 +389,23 @@ impl<'t> Compiler<'t> {
         is
     }
 
-    fn expect(&mut self, sign: &str) -> Result<(), Missing> {
+    fn expect(&mut self, sign: &str) -> Result<()> {
         if self.accept(sign) {
             return Ok(());
         }
         let found = self.next();
-        Err(self.missing(format!("`{sign}`, found {found:?}")))
+        self.refuse(format!("`{sign}`, found {found:?}"))
     }
 
-    fn name(&mut self) -> Result<String, Missing> {
+    fn name(&mut self) -> Result<String> {
         match self.next() {
             Name(name) => Ok(name),
-            other => Err(self.missing(format!("a name, found {other:?}"))),
+            other => self.refuse(format!("a name, found {other:?}")),
         }
     }
 
     /// Reads what stands between commas up to a sign, before which another comma may be.
-    fn list<T>(&mut self, end: &str, mut item: impl FnMut(&mut Self) -> Result<T, Missing>) -> Result<Vec<T>, Missing> {
+    fn list<T>(&mut self, end: &str, mut item: impl FnMut(&mut Self) -> Result<T>) -> Result<Vec<T>> {
         let mut items = Vec::new();
         while !self.accept(end) {
             items.push(item(self)?);
@@ -414,13 +418,13 @@ impl<'t> Compiler<'t> {
     }
 
     /// Skips everything up to the bracket that closes one which was read.
-    fn skip(&mut self, open: &'static str, close: &'static str) -> Result<(), Missing> {
+    fn skip(&mut self, open: &'static str, close: &'static str) -> Result<()> {
         let mut depth = 1;
         while depth > 0 {
             match self.next() {
                 Sign(sign) if sign == open => depth += 1,
                 Sign(sign) if sign == close => depth -= 1,
-                End => return Err(self.missing(format!("`{close}`"))),
+                End => return self.refuse(format!("`{close}`")),
                 _ => {}
             }
         }

@@ -2,7 +2,7 @@
 
 use super::{Compiler, Type, Typed, apply, width};
 use crate::c::code::{Condition, Value};
-use crate::input::Missing;
+use crate::input::Result;
 use crate::term::{Arithmetic, Operator::*, Terms, Width};
 use Condition::*;
 use Type::*;
@@ -15,7 +15,7 @@ pub(super) fn promoted(ty: &Type) -> Type {
 }
 
 impl Compiler<'_> {
-    pub(super) fn compared(&self, sign: &str, a: Typed, b: Typed) -> Result<Condition, Missing> {
+    pub(super) fn compared(&self, sign: &str, a: Typed, b: Typed) -> Result<Condition> {
         let ty = self.common(&a.1, &b.1)?;
         let (mut a, mut b) = (self.converted(a, &ty)?, self.converted(b, &ty)?);
         if sign.starts_with('>') {
@@ -33,7 +33,7 @@ impl Compiler<'_> {
         Ok(if sign == "!=" { !condition } else { condition })
     }
 
-    pub(super) fn operated(&self, sign: &str, a: Typed, b: Typed) -> Result<Typed, Missing> {
+    pub(super) fn operated(&self, sign: &str, a: Typed, b: Typed) -> Result<Typed> {
         if let (Pointer(ty), "+", Integer(..)) = (&a.1, sign, &b.1) {
             let index = self.converted(b, &Type::UNSIGNED)?;
             return Ok((self.element(a.0, ty, index), a.1.clone()));
@@ -47,11 +47,11 @@ impl Compiler<'_> {
                 "-" => (Arithmetic::Add, Value::Negative(Box::new(b))),
                 "*" => (Arithmetic::Multiply, b),
                 "/" => (Arithmetic::Divide, b),
-                _ => return Err(self.missing(format!("`{sign}` of floats"))),
+                _ => return self.refuse(format!("`{sign}` of floats")),
             };
             return Ok((Value::Arithmetic(operation, Box::new(a), Box::new(b)), ty));
         }
-        let Integer(_, signed) = ty else { return Err(self.missing(format!("`{sign}` of this type"))) };
+        let Integer(_, signed) = ty else { return self.refuse(format!("`{sign}` of this type")) };
         let operator = match sign {
             "+" => Add,
             "-" => Subtract,
@@ -64,15 +64,15 @@ impl Compiler<'_> {
             "<<" => ShiftLeft,
             ">>" if signed => ShiftArithmetic,
             ">>" => ShiftRight,
-            _ => return Err(self.missing(format!("`{sign}` of signed integers"))),
+            _ => return self.refuse(format!("`{sign}` of signed integers")),
         };
         Ok((apply(operator, width(&ty), a, b), ty))
     }
 
     /// The type in which two operands are computed with.
-    pub(super) fn common(&self, x: &Type, y: &Type) -> Result<Type, Missing> {
+    pub(super) fn common(&self, x: &Type, y: &Type) -> Result<Type> {
         match (promoted(x), promoted(y)) {
-            (Double, _) | (_, Double) => Err(self.missing("arithmetic in binary64")),
+            (Double, _) | (_, Double) => self.refuse("arithmetic in binary64"),
             (Float, Float | Integer(..)) | (Integer(..), Float) => Ok(Float),
             // the wider one, or unsigned if either of the same size is
             (Integer(a, s), Integer(b, t)) => Ok(Integer(
@@ -85,11 +85,11 @@ impl Compiler<'_> {
                     t
                 },
             )),
-            _ => Err(self.missing("operands of another type")),
+            _ => self.refuse("operands of another type"),
         }
     }
 
-    pub(super) fn converted(&self, (value, from): Typed, to: &Type) -> Result<Value, Missing> {
+    pub(super) fn converted(&self, (value, from): Typed, to: &Type) -> Result<Value> {
         let apply = |operator, width, a, b| apply(operator, width, a, Value::Number(b));
         match (&from, to) {
             _ if from == *to => Ok(value),
@@ -97,7 +97,7 @@ impl Compiler<'_> {
             // a constant of the wider type: it is rounded once more
             (Double, Float) if matches!(value, Value::Float(_)) => Ok(value),
             (Integer(bytes, signed), Float) if *bytes <= 4 => Ok(Value::OfInteger(*signed, Box::new(value))),
-            (Float, Integer(..)) => Err(self.missing("a float that is in the range of an integer")),
+            (Float, Integer(..)) => self.refuse("a float that is in the range of an integer"),
             (Integer(a, signed), Integer(b, to_signed)) => Ok(match (a, b) {
                 (8, 8) => value,
                 (_, 8) if *signed => {
@@ -116,7 +116,7 @@ impl Compiler<'_> {
                 }
                 _ => value,
             }),
-            _ => Err(self.missing(format!("a conversion from {from:?} to {to:?}"))),
+            _ => self.refuse(format!("a conversion from {from:?} to {to:?}")),
         }
     }
 }

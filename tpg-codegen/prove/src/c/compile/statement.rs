@@ -3,11 +3,11 @@
 use super::{Compiler, JumpTarget, Type, number};
 use crate::c::code::{Condition, Operation, Value};
 use crate::c::token::Token::{Name, Sign};
-use crate::input::Missing;
+use crate::input::Result;
 use crate::term::Width;
 
 impl Compiler<'_> {
-    pub(super) fn statement(&mut self) -> Result<(), Missing> {
+    pub(super) fn statement(&mut self) -> Result<()> {
         if self.accept(";") {
             return Ok(());
         }
@@ -64,14 +64,14 @@ impl Compiler<'_> {
                 let here = self.here();
                 match self.frame.targets.iter_mut().rfind(|target| target.continues.is_none()) {
                     Some(switch) => switch.cases.push((value, here)),
-                    None => return Err(self.missing("the switch of a case")),
+                    None => return self.refuse("the switch of a case"),
                 }
                 Ok(())
             }
             "break" | "continue" => {
                 let breaks = word == "break";
                 let target = self.frame.targets.iter().rposition(|target| breaks || target.continues.is_some());
-                let Some(target) = target else { return Err(self.missing("a loop around")) };
+                let Some(target) = target else { return self.refuse("a loop around") };
                 let jump = self.jump(self.frame.targets[target].scopes);
                 let target = &mut self.frame.targets[target];
                 match &mut target.continues {
@@ -108,12 +108,12 @@ impl Compiler<'_> {
         }
     }
 
-    fn evaluated(&mut self) -> Result<(), Missing> {
+    fn evaluated(&mut self) -> Result<()> {
         self.effect()?;
         self.expect(";")
     }
 
-    fn bracketed(&mut self) -> Result<Condition, Missing> {
+    fn bracketed(&mut self) -> Result<Condition> {
         self.expect("(")?;
         let inner = self.assignment()?;
         let condition = self.condition(inner)?;
@@ -122,7 +122,7 @@ impl Compiler<'_> {
     }
 
     /// Reads a loop behind its first word, or behind the first statement in its brackets.
-    fn repeat(&mut self, word: &str) -> Result<(), Missing> {
+    fn repeat(&mut self, word: &str) -> Result<()> {
         let target = JumpTarget { continues: Some(Vec::new()), scopes: self.scopes.len(), ..JumpTarget::default() };
         let mut exits = Vec::new();
         let head = self.here();
@@ -162,13 +162,13 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    fn switch(&mut self) -> Result<(), Missing> {
+    fn switch(&mut self) -> Result<()> {
         self.expect("(")?;
         let value = self.assignment()?;
         let value = self.value(value)?;
         self.expect(")")?;
         if !matches!(value.1, Type::Integer(..)) {
-            return Err(self.missing("a switch over an integer"));
+            return self.refuse("a switch over an integer");
         }
         let cell = self.allocate(&Type::UNSIGNED);
         self.put(number(cell), value, &Type::UNSIGNED)?;
