@@ -14,7 +14,7 @@ pub(crate) struct Address {
 }
 
 /// Address inserted by the linker.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub(crate) struct Relocation {
     /// Part of the address that is inserted, and where.
     pub(crate) part: Part,
@@ -23,7 +23,7 @@ pub(crate) struct Relocation {
 }
 
 /// Part of an address inserted by the linker.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Part {
     /// A word.
     Word,

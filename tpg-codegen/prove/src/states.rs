@@ -1,7 +1,7 @@
 //! States to look for a difference in: in the ranges, at their ends and beyond, ties, NaN, infinities and any bits.
 
 /// A stream of numbers: SplitMix64.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Stream(u64);
 
 impl Stream {

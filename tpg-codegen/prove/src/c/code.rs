@@ -77,7 +77,7 @@ pub(super) struct Object {
 pub(super) const CONSTANTS: u32 = 0x4000_0000;
 
 /// A constant cell.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) enum Constant {
     Float(u32),
     Number(u64),

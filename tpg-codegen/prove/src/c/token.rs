@@ -19,7 +19,7 @@ pub(super) enum Token {
 }
 
 /// A token with the line that it is on.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(super) struct Placed {
     pub(super) token: Token,
     pub(super) line: u32,

@@ -36,7 +36,7 @@ pub struct Point {
 }
 
 /// A point on its way, with the condition under which it is reached.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 struct MachineState {
     point: Point,
     guard: Bool,

@@ -33,14 +33,14 @@ pub(crate) fn circle(after: &[Vec<usize>]) -> Option<usize> {
 }
 
 /// An operand of a line.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 enum GraphOperand {
     Register(usize),
     Source(u32),
     Constant(f32),
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 struct GraphLine {
     to: usize,
     word: String,

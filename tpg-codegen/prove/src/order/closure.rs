@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 /// What is known of the elements for good.
-#[derive(Debug, Default)]
+#[derive(Default)]
 struct OrderFacts {
     /// Where the negated element is
     mirror: Vec<Option<usize>>,
@@ -24,7 +24,7 @@ struct OrderFacts {
 }
 
 /// An order of elements as far as it is known. Element 0 is NaN.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(super) struct Closure {
     facts: Rc<OrderFacts>,
     words: usize,

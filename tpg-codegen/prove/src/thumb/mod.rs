@@ -21,7 +21,7 @@ pub(crate) const S0: Register = 16;
 pub(crate) const REGISTERS: usize = 48;
 
 /// Condition of an instruction, by its name in assembly.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Condition {
     Eq,
     Ne,
@@ -50,7 +50,7 @@ impl Condition {
 }
 
 /// Shift of an operand; `Right` fills with zeros, `Arithmetic` with the sign.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Shift {
     Left,
     Right,
@@ -59,7 +59,7 @@ pub(crate) enum Shift {
 }
 
 /// Second operand of an instruction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Operand {
     Number(u32),
     /// A register, shifted by a constant of 0 to 32.
@@ -73,7 +73,7 @@ impl Operand {
 }
 
 /// Operation on integers, by its name in assembly: `to = left ∘ right`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Integer {
     Mov,
     Mvn,
@@ -93,7 +93,7 @@ pub(crate) enum Integer {
 }
 
 /// Operation on two floats.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Binary {
     Add,
     Sub,
@@ -111,7 +111,7 @@ pub(crate) enum Binary {
 }
 
 /// Operation on one float.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Unary {
     Neg,
     Abs,
@@ -127,7 +127,7 @@ pub(crate) enum Unary {
 }
 
 /// Place in memory: base and offset.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Place {
     /// For `PC` the address is aligned to four.
     pub(crate) base: Register,
@@ -136,7 +136,7 @@ pub(crate) struct Place {
 }
 
 /// Offset from a base register.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Offset {
     Number(i32),
     /// A register, shifted to the left.
@@ -144,7 +144,7 @@ pub(crate) enum Offset {
 }
 
 /// Address of an access, and writing back.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Index {
     /// Base and offset; the base keeps its value.
     Offset,
@@ -155,7 +155,7 @@ pub(crate) enum Index {
 }
 
 /// Size of an access in memory.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Width {
     /// 1, 2 or 4.
     pub(crate) bytes: u8,
@@ -166,7 +166,7 @@ pub(crate) struct Width {
 pub(crate) const WORD: Width = Width { bytes: 4, signed: false };
 
 /// Operation of an instruction.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Operation {
     /// Does nothing.
     Nop,
@@ -213,7 +213,7 @@ pub(crate) enum Operation {
 }
 
 /// A decoded instruction.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub(crate) struct Instruction {
     pub(crate) address: u32,
     pub(crate) size: u32,
@@ -222,7 +222,7 @@ pub(crate) struct Instruction {
 }
 
 /// State of conditional execution before an instruction: the architecture's ITSTATE.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Default, PartialEq)]
 pub(crate) struct Block(u8);
 
 impl Block {

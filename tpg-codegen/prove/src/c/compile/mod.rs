@@ -38,7 +38,7 @@ impl Type {
 }
 
 /// The members of a structure or union.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 struct Struct {
     union: bool,
     members: Vec<(String, Type)>,
@@ -53,7 +53,7 @@ pub(super) struct Function {
     body: usize,
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 struct Lvalue {
     address: u32,
     ty: Type,
