@@ -2,9 +2,11 @@
 
 use super::block::unused;
 use super::c::field::field;
+use super::file::comment;
+use super::names;
 use super::syntax::Syntax;
 use std::collections::BTreeSet;
-use tpg_graph::{Graph, Output, Range};
+use tpg_graph::{Action, Graph, Output, Range};
 
 /// A source.
 pub(super) struct SourceView {
@@ -43,6 +45,15 @@ pub(super) fn sources(graph: &Graph, safe: impl Fn(&str) -> String) -> Vec<Sourc
             }
         })
         .collect()
+}
+
+/// The constant of each action, and its name where the constant does not say it.
+pub(super) fn actions(graph: &Graph, upper: &str) -> Vec<(String, String)> {
+    let said = |(action, name): (&Action, String)| {
+        let shown = comment(&action.to_string());
+        (format!("{upper}_{}", name.to_ascii_uppercase()), if shown == name { String::new() } else { shown })
+    };
+    graph.actions().iter().zip(names::actions(graph)).map(said).collect()
 }
 
 /// The name in capitals of the policy that each asking action asks, and the action's number.

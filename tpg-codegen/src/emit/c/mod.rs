@@ -15,11 +15,11 @@ mod small;
 mod walk;
 
 use super::file::{File, comment};
-use super::interface::{OutputView, SourceView, asks, outputs, sources};
+use super::interface::{OutputView, SourceView, actions, asks, outputs, sources};
 use super::look::{self, LookView};
 use super::syntax::Syntax;
 use super::vectors::{Vectors, vectors};
-use super::{banner, layout, moves::moves, names, team::compares_in_functions};
+use super::{banner, layout, moves::moves, team::compares_in_functions};
 use crate::cost::{Cost, Costs};
 use crate::program::Program;
 use crate::shape::Shape;
@@ -139,7 +139,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         upper: &upper,
         scalar: printer.scalar(),
         sources: seen,
-        actions: actions(&printer),
+        actions: actions(graph, &upper),
         asks: asks(graph),
         outputs: answers,
         memory,
@@ -191,17 +191,6 @@ fn uses_maths(text: &str) -> bool {
         ["INFINITY", "NAN", "isnan"].contains(&word) || FUNCTIONS.contains(&function)
     };
     text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').any(word)
-}
-
-/// The constants of the actions, each with its name where the constant does not say it.
-fn actions(printer: &Printer<'_>) -> Vec<(String, String)> {
-    let named = printer.graph.actions().iter().zip(names::actions(printer.graph)).zip(printer.constants());
-    named
-        .map(|((action, name), constant)| {
-            let text = action.to_string();
-            (constant, if text == name { String::new() } else { comment(&text) })
-        })
-        .collect()
 }
 
 /// `None` where the runtime's C interface cannot drive the arm with it: it computes in `f32`.

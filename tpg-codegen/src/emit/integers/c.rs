@@ -3,8 +3,9 @@
 use super::body::body;
 use super::dense::{Dense, Table};
 use super::spelling::{Function, IntegerHelpers, IntegerSpelling};
-use super::view::{self, FieldView, VectorView, actions, sources};
+use super::view::{self, FieldView, VectorView, sources};
 use crate::emit::file::File;
+use crate::emit::interface::actions;
 use crate::emit::vectors::vectors;
 use crate::emit::{banner, layout};
 use crate::integers::Integers;

@@ -1,8 +1,8 @@
 //! What C and Rust spell their own way: a text of several lines is indented where it is written.
 
-use super::view::actions;
 use crate::emit::c::field::field;
 use crate::emit::file::{comment, one_line};
+use crate::emit::interface::actions;
 use crate::integers::{input_bits, output_bits};
 use crate::options::Language;
 use crate::program::Program;

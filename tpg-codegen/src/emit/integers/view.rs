@@ -3,7 +3,7 @@
 use super::comment::{with_unit, worth, worth_from};
 use crate::emit::c::field::field;
 use crate::emit::file::comment;
-use crate::emit::names;
+use crate::emit::interface::actions;
 use crate::emit::vectors::Vectors;
 use crate::integers::output_bits;
 use tpg_graph::Graph;
@@ -33,15 +33,6 @@ pub(super) struct VectorView {
     pub(super) memory: String,
     pub(super) answer: String,
     pub(super) next: String,
-}
-
-/// The constant of each action, and its name where the constant does not say it.
-pub(super) fn actions(graph: &Graph, upper: &str) -> Vec<(String, String)> {
-    let said = |(action, name): (&tpg_graph::Action, String)| {
-        let shown = comment(&action.to_string());
-        (format!("{upper}_{}", name.to_ascii_uppercase()), if shown == name { String::new() } else { shown })
-    };
-    graph.actions().iter().zip(names::actions(graph)).map(said).collect()
 }
 
 /// The fields of a state.
