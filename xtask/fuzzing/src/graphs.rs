@@ -1,6 +1,6 @@
 //! Graphs: their files, and the code made of them.
 
-use crate::Bytes;
+use crate::{Bytes, accepted};
 use std::sync::OnceLock;
 use tpg_codegen::emit::{self, Language, Options, Profile, Style};
 use tpg_codegen::verify::{self, Workshop};
@@ -15,9 +15,8 @@ const LONGEST: usize = 5000;
 /// A `graph.json` of either version: what is accepted is interpreted, written, read again and compiled.
 pub fn json(data: &[u8]) {
     let text = String::from_utf8_lossy(data);
-    match import::from_text("fuzzed.json", &text, None) {
-        Ok(graph) => exercise(&graph),
-        Err(error) => drop(error.to_string()),
+    if let Some(graph) = accepted(import::from_text("fuzzed.json", &text, None)) {
+        exercise(&graph);
     }
 }
 
@@ -28,9 +27,8 @@ pub fn dot(data: &[u8]) {
         Some((sidecar, dot)) => (Sidecar::from_toml("fuzzed.toml", sidecar), dot),
         None => (Ok(import::Profile::Ecta24.sidecar()), &*text),
     };
-    match sidecar.and_then(|sidecar| import::from_text("fuzzed.dot", dot, Some(&sidecar))) {
-        Ok(graph) => exercise(&graph),
-        Err(error) => drop(error.to_string()),
+    if let Some(graph) = accepted(sidecar.and_then(|sidecar| import::from_text("fuzzed.dot", dot, Some(&sidecar)))) {
+        exercise(&graph);
     }
 }
 
@@ -38,9 +36,8 @@ pub fn dot(data: &[u8]) {
 pub fn trace(data: &[u8]) {
     static GRAPH: OnceLock<Graph> = OnceLock::new();
     let graph = GRAPH.get_or_init(|| sample::graph(&Shape { sources: vec![2, 1], ..Shape::default() }, 1));
-    match tpg_graph::trace::from_text("fuzzed.csv", &String::from_utf8_lossy(data), graph) {
-        Ok(states) => assert_eq!(states.len() % graph.state_length(), 0),
-        Err(error) => drop(error.to_string()),
+    if let Some(states) = accepted(tpg_graph::trace::from_text("fuzzed.csv", &String::from_utf8_lossy(data), graph)) {
+        assert_eq!(states.len() % graph.state_length(), 0);
     }
 }
 
@@ -48,15 +45,14 @@ pub fn trace(data: &[u8]) {
 pub fn recording(data: &[u8]) {
     static GRAPH: OnceLock<Graph> = OnceLock::new();
     let graph = GRAPH.get_or_init(|| sample::graph(&Shape { sources: vec![2, 1], ..Shape::default() }, 1));
-    match tpg_graph::trace::recording_from_text("fuzzed.csv", &String::from_utf8_lossy(data), graph) {
-        Ok(recording) => {
-            assert_eq!(recording.states.len(), graph.state_length() * recording.answers.len());
-            assert_eq!(recording.lines.len(), recording.answers.len());
-            let actions = graph.actions().len();
-            let known = |answer: &Answer| matches!(answer, Answer::Action(action) if usize::from(action.0) < actions);
-            assert!(recording.answers.iter().all(known), "every answer is an action of the graph");
-        }
-        Err(error) => drop(error.to_string()),
+    if let Some(recording) =
+        accepted(tpg_graph::trace::recording_from_text("fuzzed.csv", &String::from_utf8_lossy(data), graph))
+    {
+        assert_eq!(recording.states.len(), graph.state_length() * recording.answers.len());
+        assert_eq!(recording.lines.len(), recording.answers.len());
+        let actions = graph.actions().len();
+        let known = |answer: &Answer| matches!(answer, Answer::Action(action) if usize::from(action.0) < actions);
+        assert!(recording.answers.iter().all(known), "every answer is an action of the graph");
     }
 }
 

@@ -49,6 +49,11 @@ pub const TARGETS: [Target; 18] = [
     Target { name: "c_interface", run: c_interface },
 ];
 
+/// Returns what is accepted; a refusal must have a text.
+pub(crate) fn accepted<T>(result: Result<T, impl std::fmt::Display>) -> Option<T> {
+    result.map_err(|error| error.to_string()).ok()
+}
+
 /// Takes numbers from what a fuzzer wrote, and 0 behind its end.
 #[derive(Clone, Debug)]
 pub(crate) struct Bytes<'a>(pub(crate) &'a [u8]);

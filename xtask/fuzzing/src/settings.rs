@@ -1,12 +1,13 @@
 //! Files of settings, tasks and arms: TOML, CSV and URDF.
 
+use crate::accepted;
 use tpg_arm::WIDOWX;
 use tpg_problems::arm::import::{Radii, import};
 use tpg_problems::arm::targets;
 use tpg_problems::dodge::file as scenes_file;
 use tpg_problems::{PolicyKind, Problem};
 use tpg_train::loaders::parse_file;
-use tpg_train::{Config as EvolutionConfig, Configuration as _, SacConfig};
+use tpg_train::{Config as EvolutionConfig, Configuration, SacConfig};
 
 /// Tasks of the arm as CSV.
 ///
@@ -14,12 +15,9 @@ use tpg_train::{Config as EvolutionConfig, Configuration as _, SacConfig};
 /// If what is written is not read again.
 pub fn targets(data: &[u8]) {
     let parse = |text: &str| targets::parse_csv(&WIDOWX, "targets.csv", text);
-    match parse(&String::from_utf8_lossy(data)) {
-        Ok(tasks) => {
-            let again = parse(&targets::to_csv(&tasks)).expect("what is written is read");
-            assert!(again == tasks, "what is read is what was written");
-        }
-        Err(error) => drop(error.to_string()),
+    if let Some(tasks) = accepted(parse(&String::from_utf8_lossy(data))) {
+        let again = parse(&targets::to_csv(&tasks)).expect("what is written is read");
+        assert!(again == tasks, "what is read is what was written");
     }
 }
 
@@ -28,13 +26,10 @@ pub fn targets(data: &[u8]) {
 /// # Panics
 /// If what is written is not read again.
 pub fn scenes(data: &[u8]) {
-    match scenes_file::parse_csv("scenes.csv", &String::from_utf8_lossy(data)) {
-        Ok(scenes) => {
-            let written = scenes_file::to_csv(&scenes);
-            let again = scenes_file::parse_csv("written.csv", &written).expect("what is written is read");
-            assert_eq!(scenes_file::to_csv(&again), written, "what is read is what was written");
-        }
-        Err(error) => drop(error.to_string()),
+    if let Some(scenes) = accepted(scenes_file::parse_csv("scenes.csv", &String::from_utf8_lossy(data))) {
+        let written = scenes_file::to_csv(&scenes);
+        let again = scenes_file::parse_csv("written.csv", &written).expect("what is written is read");
+        assert_eq!(scenes_file::to_csv(&again), written, "what is read is what was written");
     }
 }
 
@@ -45,9 +40,8 @@ pub fn scenes(data: &[u8]) {
 pub fn urdf(data: &[u8]) {
     let text = String::from_utf8_lossy(data);
     let radii = Radii { link: 20.0, base: 60.0 };
-    match import("fuzzed.urdf", &text, "tip", &[("roll".to_owned(), 0.0)], &[], radii) {
-        Ok(text) => drop(text.parse::<toml::Table>().expect("the section is TOML")),
-        Err(error) => drop(error.to_string()),
+    if let Some(text) = accepted(import("fuzzed.urdf", &text, "tip", &[("roll".to_owned(), 0.0)], &[], radii)) {
+        drop(text.parse::<toml::Table>().expect("the section is TOML"));
     }
 }
 
@@ -57,13 +51,10 @@ pub fn urdf(data: &[u8]) {
 /// If what is written is not read again.
 pub fn hybrid(data: &[u8]) {
     let (name, text) = ("hybrid.toml", String::from_utf8_lossy(data));
-    match parse_file(name, &text) {
-        Ok(file) => {
-            drop((file.to_rust(), file.setting().sentence()));
-            let text = toml::to_string(&file).expect("plain data");
-            parse_file(name, &text).expect("what is written is read");
-        }
-        Err(error) => drop(error.to_string()),
+    if let Some(file) = accepted(parse_file(name, &text)) {
+        drop((file.to_rust(), file.setting().sentence()));
+        let text = toml::to_string(&file).expect("plain data");
+        parse_file(name, &text).expect("what is written is read");
     }
 }
 
@@ -72,15 +63,8 @@ pub fn hybrid(data: &[u8]) {
 /// # Panics
 /// If what is written is not read again, or differs.
 pub fn tpg_config(data: &[u8]) {
-    match EvolutionConfig::from_toml("fuzzed.toml", &String::from_utf8_lossy(data)) {
-        Ok(config) => {
-            let text = config.to_toml();
-            let again =
-                EvolutionConfig::from_toml("written.toml", &text).unwrap_or_else(|error| panic!("{error}\n{text}"));
-            assert_eq!(again.to_toml(), text);
-            drop(config.instructions());
-        }
-        Err(error) => drop(error.to_string()),
+    if let Some(config) = config::<EvolutionConfig>(data) {
+        drop(config.instructions());
     }
 }
 
@@ -89,14 +73,15 @@ pub fn tpg_config(data: &[u8]) {
 /// # Panics
 /// If what is written is not read again, or differs.
 pub fn sac_config(data: &[u8]) {
-    match SacConfig::from_toml("fuzzed.toml", &String::from_utf8_lossy(data)) {
-        Ok(config) => {
-            let text = config.to_toml();
-            let again = SacConfig::from_toml("written.toml", &text);
-            let again = again.unwrap_or_else(|error| panic!("{error}\n{text}"));
-            assert_eq!(again.to_toml(), text);
-            let _ = Problem::from_table("fuzzed.toml", &config.problem, PolicyKind::Network).is_ok();
-        }
-        Err(error) => drop(error.to_string()),
+    if let Some(config) = config::<SacConfig>(data) {
+        let _ = Problem::from_table("fuzzed.toml", &config.problem, PolicyKind::Network).is_ok();
     }
+}
+
+fn config<C: Configuration>(data: &[u8]) -> Option<C> {
+    let config = accepted(C::from_toml("fuzzed.toml", &String::from_utf8_lossy(data)))?;
+    let text = toml::to_string(&config).expect("plain data");
+    let again = C::from_toml("written.toml", &text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    assert_eq!(toml::to_string(&again).expect("plain data"), text);
+    Some(config)
 }

@@ -41,6 +41,14 @@ pub struct Costs {
     pub reference: Time,
 }
 
+/// The policy of a generated graph.
+macro_rules! arm_policy {
+    ($graph:ident) => {{
+        let (sources, moves) = const { (&binding::sources($graph::SOURCES), &binding::moves($graph::MOVES)) };
+        ArmPolicy::new($graph, &ARM, sources, moves)
+    }};
+}
+
 fn network() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
     let model = Model::parse(&widowx_sac::MODEL).expect("a committed model");
     PackedPolicy::<{ widowx_sac::SCRATCH }>::new(&ARM, model).expect("its own scratch memory")
@@ -50,8 +58,8 @@ fn network() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
 pub fn times(start: Start, tasks: &[Task]) -> Times {
     use {widowx_fs_hybrid as of_fs, widowx_rs_hybrid as of_rs};
     match start {
-        Start::Fs => parts(start, tasks, fs(), of_fs::SETTINGS, &of_fs::Detector::new()),
-        Start::Rs => parts(start, tasks, rs(), of_rs::SETTINGS, &of_rs::Detector::new()),
+        Start::Fs => parts(start, tasks, arm_policy!(WidowxFsFast), of_fs::SETTINGS, &of_fs::Detector::new()),
+        Start::Rs => parts(start, tasks, arm_policy!(WidowxRsFast), of_rs::SETTINGS, &of_rs::Detector::new()),
     }
 }
 
@@ -66,16 +74,6 @@ pub fn measure(start: Start, tasks: &[Task]) -> Costs {
     Costs { shipped, reference }
 }
 
-fn fs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {
-    let (sources, moves) = const { (&binding::sources(WidowxFsFast::SOURCES), &binding::moves(WidowxFsFast::MOVES)) };
-    ArmPolicy::new(WidowxFsFast, &ARM, sources, moves)
-}
-
-fn rs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {
-    let (sources, moves) = const { (&binding::sources(WidowxRsFast::SOURCES), &binding::moves(WidowxRsFast::MOVES)) };
-    ArmPolicy::new(WidowxRsFast, &ARM, sources, moves)
-}
-
 fn parts<T, D>(start: Start, tasks: &[Task], tpg: T, settings: Settings<f32>, detector: &D) -> Times
 where
     T: Policy<State = Observation<f32>, Action = Move> + Clone,
@@ -84,16 +82,8 @@ where
     Times {
         tpg: timing::of_policy(&ARM, &tpg, start, tasks),
         tpg_constant_time: match start {
-            Start::Fs => {
-                let (sources, moves) =
-                    const { (&binding::sources(WidowxFs::SOURCES), &binding::moves(WidowxFs::MOVES)) };
-                timing::of_policy(&ARM, &ArmPolicy::new(WidowxFs, &ARM, sources, moves), start, tasks)
-            }
-            Start::Rs => {
-                let (sources, moves) =
-                    const { (&binding::sources(WidowxRs::SOURCES), &binding::moves(WidowxRs::MOVES)) };
-                timing::of_policy(&ARM, &ArmPolicy::new(WidowxRs, &ARM, sources, moves), start, tasks)
-            }
+            Start::Fs => timing::of_policy(&ARM, &arm_policy!(WidowxFs), start, tasks),
+            Start::Rs => timing::of_policy(&ARM, &arm_policy!(WidowxRs), start, tasks),
         },
         sac: timing::of_policy(&ARM, &network(), start, tasks),
         hybrid: timing::of_hybrid(&Hybrid { arm: &ARM, tpg, sac: network(), settings }, detector, start, tasks),

@@ -101,18 +101,14 @@ fn line_tokens(file: &str, text: &str, line: u32) -> Result<Vec<Placed>> {
             let length = taken(&|letter| letter.is_ascii_alphanumeric() || letter == '_');
             (Name(rest[..length].to_owned()), length)
         } else if first.is_ascii_digit() || first == '.' && rest[1..].starts_with(|next: char| next.is_ascii_digit()) {
-            let hexadecimal = rest.starts_with("0x") || rest.starts_with("0X");
-            let mut length = 0;
+            // a sign belongs to a number behind the letter of an exponent
             let mut before = ' ';
-            for letter in rest.chars() {
-                let exponent = if hexadecimal { "pP" } else { "eE" };
-                let sign = "+-".contains(letter) && exponent.contains(before);
-                if !(letter.is_ascii_alphanumeric() || letter == '.' || sign) {
-                    break;
-                }
+            let goes_on = |&letter: &char| {
+                let sign = "+-".contains(letter) && "eEpP".contains(before);
                 before = letter;
-                length += 1;
-            }
+                letter.is_ascii_alphanumeric() || letter == '.' || sign
+            };
+            let length = rest.chars().take_while(goes_on).count();
             (Number(rest[..length].to_owned()), length)
         } else if first == '"' {
             let length = rest[1..].find('"').map_or(rest.len(), |end| end + 2);

@@ -88,7 +88,7 @@ impl Compiler<'_> {
         self.changed(address, ty, &sign[..sign.len() - 1], value)
     }
 
-    fn assigned(&mut self) -> Result<Typed> {
+    pub(super) fn assigned(&mut self) -> Result<Typed> {
         let operand = self.assignment()?;
         self.value(operand)
     }
@@ -162,8 +162,7 @@ impl Compiler<'_> {
     fn logical(&mut self, and: bool, first: Operand, level: usize) -> Result<Operand> {
         let first = self.condition(first)?;
         let (mark, at) = (self.here(), self.at);
-        let second = self.binary(level)?;
-        let second = self.condition(second)?;
+        let second = self.tested(|compiler| compiler.binary(level))?;
         if self.here() == mark {
             return Ok(truth(Condition::Logical(and, Box::new(first), Box::new(second))));
         }
@@ -173,15 +172,20 @@ impl Compiler<'_> {
         let cell = number(self.allocate(&Type::INT));
         self.emit(Operation::Set(cell.clone(), number(u32::from(!and))));
         let branch = self.branch(if and { first } else { !first });
-        let second = self.binary(level)?;
-        let second = self.condition(second)?;
+        let second = self.tested(|compiler| compiler.binary(level))?;
         self.emit(Operation::Set(cell.clone(), Value::OfCondition(Box::new(second))));
         self.land(&[branch]);
         Ok(Place(cell, Type::INT))
     }
 
+    /// What is read as a condition.
+    pub(super) fn tested(&mut self, read: impl FnOnce(&mut Self) -> Result<Operand>) -> Result<Condition> {
+        let operand = read(self)?;
+        self.condition(operand)
+    }
+
     /// What was read as a condition.
-    pub(super) fn condition(&mut self, operand: Operand) -> Result<Condition> {
+    fn condition(&mut self, operand: Operand) -> Result<Condition> {
         match self.value(operand)? {
             (Value::OfCondition(condition), _) => Ok(*condition),
             (value, ty @ Integer(..)) => Ok(!Condition::Same(width(&ty), value, number(0))),

@@ -90,8 +90,7 @@ impl Compiler<'_> {
                 if *self.peek() != Sign(";") {
                     match self.frame.result.clone() {
                         Some(place) => {
-                            let value = self.assignment()?;
-                            let value = self.value(value)?;
+                            let value = self.assigned()?;
                             self.put(number(place.address), value, &place.ty)?;
                         }
                         None => self.effect()?,
@@ -115,10 +114,8 @@ impl Compiler<'_> {
 
     fn bracketed(&mut self) -> Result<Condition> {
         self.expect("(")?;
-        let inner = self.assignment()?;
-        let condition = self.condition(inner)?;
-        self.expect(")")?;
-        Ok(condition)
+        let condition = self.tested(Self::assignment)?;
+        self.expect(")").map(|()| condition)
     }
 
     /// Reads a loop behind its first word, or behind the first statement in its brackets.
@@ -133,8 +130,7 @@ impl Compiler<'_> {
             exits.push(self.branch(condition));
         } else if word == "for" {
             if *self.peek() != Sign(";") {
-                let condition = self.assignment()?;
-                let condition = self.condition(condition)?;
+                let condition = self.tested(Self::assignment)?;
                 exits.push(self.branch(condition));
             }
             self.expect(";")?;
@@ -164,8 +160,7 @@ impl Compiler<'_> {
 
     fn switch(&mut self) -> Result<()> {
         self.expect("(")?;
-        let value = self.assignment()?;
-        let value = self.value(value)?;
+        let value = self.assigned()?;
         self.expect(")")?;
         if !matches!(value.1, Type::Integer(..)) {
             return self.refuse("a switch over an integer");
