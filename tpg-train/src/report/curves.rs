@@ -7,78 +7,56 @@ use tpg_picture::{Axis, Colour, Figure, Plot, Section};
 /// The label of axes of scores.
 const SCORE: &str = "score";
 
-/// A curve with its presentation.
-struct Shown {
-    curve: &'static str,
-    y: Axis,
-    caption: &'static str,
-}
+/// A curve with its axis and caption.
+type Shown = (&'static str, Axis, &'static str);
 
 pub(super) fn sections(groups: &[Group]) -> Vec<Section> {
-    let of_kind = |kind: &str| groups.iter().filter(|group| group.runs[0].kind.name() == kind).collect::<Vec<_>>();
-    let part = |label: &str| Axis::linear(label).between(0.0, 1.0);
+    let score = |caption| ("score", Axis::linear(SCORE), caption);
+    let success = |caption| ("success", Axis::linear("success").between(0.0, 1.0), caption);
+    let measure = (
+        "measure",
+        Axis::log("measure", 1.0),
+        "The problem's measure at the end of these episodes, such as a distance.",
+    );
     let tpg = [
-        Shown {
-            curve: "score",
-            y: Axis::linear(SCORE),
-            caption: "Mean score of the best survivor on the selection episodes.",
-        },
-        Shown { curve: "success", y: part("success"), caption: "Share of the selection episodes that it solved." },
-        Shown {
-            curve: "measure",
-            y: Axis::log("measure", 1.0),
-            caption: "The problem's measure at the end of these episodes, such as a distance.",
-        },
-        Shown { curve: "best score", y: Axis::linear(SCORE), caption: "Best running mean of a root's score." },
-        Shown { curve: "median score", y: Axis::linear(SCORE), caption: "Median of the roots' running means." },
-        Shown { curve: "teams", y: Axis::linear("teams"), caption: "Teams of the surviving population." },
+        score("Mean score of the best survivor on the selection episodes."),
+        success("Share of the selection episodes that it solved."),
+        measure.clone(),
+        ("best score", Axis::linear(SCORE), "Best running mean of a root's score."),
+        ("median score", Axis::linear(SCORE), "Median of the roots' running means."),
+        ("teams", Axis::linear("teams"), "Teams of the surviving population."),
     ];
     let sac = [
-        Shown {
-            curve: "score",
-            y: Axis::linear(SCORE),
-            caption: "Mean score of the actor on the validation episodes.",
-        },
-        Shown { curve: "success", y: part("success"), caption: "Share of the validation episodes that it solved." },
-        Shown {
-            curve: "measure",
-            y: Axis::log("measure", 1.0),
-            caption: "The problem's measure at the end of these episodes, such as a distance.",
-        },
-        Shown { curve: "entropy", y: Axis::linear("nats"), caption: "Entropy of the actor's decisions in training." },
+        score("Mean score of the actor on the validation episodes."),
+        success("Share of the validation episodes that it solved."),
+        measure,
+        ("entropy", Axis::linear("nats"), "Entropy of the actor's decisions in training."),
     ];
     let mut sections = Vec::new();
     for (kind, title, x, shown) in
         [("TPG", "Evolution", "steps", &tpg[..]), ("SAC", "Soft actor-critic", "decisions", &sac[..])]
     {
-        let groups = of_kind(kind);
-        let mut problems: Vec<String> = groups.iter().map(|group| group.problem()).collect();
+        let groups: Vec<&Group> = groups.iter().filter(|group| group.runs[0].kind.name() == kind).collect();
+        let mut problems: Vec<&str> = groups.iter().map(|group| group.problem()).collect();
         problems.dedup();
         // Scores of different problems have nothing to do with each other.
         for problem in problems {
             let groups: Vec<&Group> = groups.iter().copied().filter(|group| group.problem() == problem).collect();
-            sections.extend(section(&format!("{title}: {problem}"), x, &groups, shown));
+            sections.push(section(format!("{title}: {problem}"), x, &groups, shown));
         }
     }
     sections
 }
 
-fn section(title: &str, x: &str, groups: &[&Group], shown: &[Shown]) -> Option<Section> {
-    if groups.is_empty() {
-        return None;
-    }
+fn section(title: String, x: &str, groups: &[&Group], shown: &[Shown]) -> Section {
+    let runs = || groups.iter().flat_map(|group| &group.runs);
     // A problem may define no success or no measure.
-    let known = |shown: &&Shown| {
-        groups
-            .iter()
-            .flat_map(|group| &group.runs)
-            .any(|run| run.curves.get(shown.curve).is_some_and(|c| !c.is_empty()))
-    };
+    let known = |(curve, ..): &&Shown| runs().any(|run| run.curves.get(curve).is_some_and(|c| !c.is_empty()));
     // All curves begin where training does, and end together.
-    let ends = groups.iter().flat_map(|group| &group.runs).flat_map(|run| run.curves.values().flatten());
+    let ends = runs().flat_map(|run| run.curves.values().flatten());
     let end = ends.map(|&[x, _]| x).fold(1.0, f64::max);
     let scores = ends_of_scores(groups, shown);
-    let figure = |Shown { curve, y, caption }: &Shown| {
+    let figure = |(curve, y, caption): &Shown| {
         let y = scores.filter(|_| y.label == SCORE).map_or(y.clone(), |[low, high]| y.clone().between(low, high));
         let mut plot = Plot::new(Axis::linear(x).between(0.0, end), y);
         for (colour, group) in (0..).map(Colour).zip(groups) {
@@ -91,17 +69,12 @@ fn section(title: &str, x: &str, groups: &[&Group], shown: &[Shown]) -> Option<S
         Figure { svg: plot.svg(caption), caption: (*caption).to_owned(), ..Figure::default() }
     };
     let text = "Lines are means over the seeds (how many, in brackets), bands one standard deviation.".to_owned();
-    Some(Section {
-        title: title.to_owned(),
-        text,
-        figures: shown.iter().filter(known).map(figure).collect(),
-        ..Section::default()
-    })
+    Section { title, text, figures: shown.iter().filter(known).map(figure).collect(), ..Section::default() }
 }
 
 /// The least and the greatest score of all curves of scores, which share their axis; `None` where they are all the same.
 fn ends_of_scores(groups: &[&Group], shown: &[Shown]) -> Option<[f64; 2]> {
-    let curves = shown.iter().filter(|shown| shown.y.label == SCORE).map(|shown| shown.curve);
+    let curves = shown.iter().filter(|(_, y, _)| y.label == SCORE).map(|(curve, ..)| *curve);
     let runs = || groups.iter().flat_map(|group| &group.runs);
     let scores = curves.flat_map(|curve| runs().filter_map(move |run| run.curves.get(curve)).flatten());
     let finite = scores.map(|&[_, score]| score).filter(|score| score.is_finite());

@@ -35,9 +35,9 @@ fn headline(group: &Group, run: &Run, tested: Option<&Tested>) -> Headline {
         }
     };
     notes.push(match &run.kind {
-        Kind::Tpg { graph, .. } => flash_in_words(graph),
-        Kind::Hybrid { hybrid, .. } => format!("its graph: {}", flash_in_words(&hybrid.graph.1)),
-        Kind::Sac { contract, .. } => format!("hidden layers {:?}", contract.actor.hidden),
+        Kind::Tpg(graph) => flash_in_words(&graph.1),
+        Kind::Hybrid(hybrid) => format!("its graph: {}", flash_in_words(&hybrid.graph.1)),
+        Kind::Sac(network) => format!("hidden layers {:?}", network.1.actor.hidden),
     });
     notes.extend(run.cpu.map(|cpu| format!("trained in {cpu:.1} CPU seconds")));
     let whose = if group.runs.len() > 1 {

@@ -2,7 +2,7 @@
 
 use super::episode;
 use super::headline::options;
-use super::runs::{Kind, Run};
+use super::runs::Run;
 use super::test::Tested;
 use tpg_codegen::report::PolicyFormulas;
 use tpg_graph::Graph;
@@ -10,11 +10,7 @@ use tpg_picture::{Formulas, Section, graph};
 
 /// The section of a run's policy.
 pub(super) fn section(run: &Run, tested: Option<&Tested>) -> Section {
-    let graph = match &run.kind {
-        Kind::Tpg { graph, .. } => Some(&**graph),
-        Kind::Hybrid { hybrid, .. } => Some(&hybrid.graph.1),
-        Kind::Sac { .. } => None,
-    };
+    let graph = run.kind.graph();
     let mut figures: Vec<_> = graph.map(graph::figure).into_iter().collect();
     figures.extend(tested.map(|tested| tested.pictures.clone()).unwrap_or_default());
     figures.extend(tested.and_then(|tested| tested.watched.as_ref()).map(episode::figures).unwrap_or_default());

@@ -39,6 +39,8 @@ pub(super) struct Run {
     pub(super) curves: BTreeMap<&'static str, Vec<[f64; 2]>>,
     /// CPU time in seconds, if the run states it.
     pub(super) cpu: Option<f64>,
+    /// The problem; `None` if a program supplied its own environment.
+    pub(super) problem: Option<Problem>,
     /// The trained policy.
     pub(super) kind: Kind,
     /// The hall of fame: the best policy of each size, without the trained one itself, named by its generation.
@@ -57,83 +59,68 @@ struct TestedElsewhere {
 /// A trained policy.
 #[derive(Debug)]
 pub(super) enum Kind {
-    /// A tangled program graph.
-    Tpg {
-        /// The problem; `None` if a program supplied its own environment.
-        problem: Option<Box<Problem>>,
-        /// The graph.
-        graph: Box<Graph>,
-    },
-    /// A soft actor-critic.
-    Sac {
-        /// The problem that it was trained on and chosen by.
-        problem: Box<Problem>,
-        /// Its network.
-        network: Box<Mlp>,
-        /// Its inputs, outputs and origin.
-        contract: Box<Contract>,
-    },
+    /// A tangled program graph, with its file.
+    Tpg(Box<(String, Graph)>),
+    /// A soft actor-critic, with its inputs, outputs and origin.
+    Sac(Box<(Mlp, Contract)>),
     /// A graph with a network: of a study, or one that learned to ask.
-    Hybrid {
-        /// The problem; `None` if a program supplied its own environment.
-        problem: Option<Box<Problem>>,
-        /// The policies and their setting.
-        hybrid: Box<Hybrid>,
-    },
+    Hybrid(Box<Hybrid>),
 }
 
 impl Group {
-    /// Returns the name of the problem.
-    pub(super) fn problem(&self) -> String {
-        self.runs[0].kind.problem()
+    /// Returns the name of the problem; "own" for one that is not built in.
+    pub(super) fn problem(&self) -> &'static str {
+        self.runs[0].problem.as_ref().map_or("own", |problem| problem.name().name())
     }
 }
 
 impl Run {
-    fn new(name: String, kind: Kind) -> Self {
-        Self { name, seed: None, curves: BTreeMap::new(), cpu: None, kind, hall: Vec::new(), tested: Vec::new() }
+    fn new(name: String, problem: Option<Problem>, kind: Kind) -> Self {
+        Self {
+            name,
+            seed: None,
+            curves: BTreeMap::new(),
+            cpu: None,
+            problem,
+            kind,
+            hall: Vec::new(),
+            tested: Vec::new(),
+        }
     }
 
     /// Returns the mean score on the episodes by which training chose the policy.
     pub(super) fn validated(&self) -> Option<f64> {
         match &self.kind {
-            Kind::Tpg { graph, .. } => graph.provenance().scores.get("validation_score").copied(),
-            Kind::Sac { contract, .. } => contract.provenance.validation.map(|result| result.score),
-            Kind::Hybrid { .. } => None,
+            Kind::Tpg(graph) => graph.1.provenance().scores.get("validation_score").copied(),
+            Kind::Sac(network) => network.1.provenance.validation.map(|result| result.score),
+            Kind::Hybrid(_) => None,
         }
     }
 }
 
 impl Kind {
+    /// Returns the graph.
+    pub(super) fn graph(&self) -> Option<&Graph> {
+        match self {
+            Self::Tpg(graph) => Some(&graph.1),
+            Self::Hybrid(hybrid) => Some(&hybrid.graph.1),
+            Self::Sac(_) => None,
+        }
+    }
+
     /// Returns the graph that evolution has found: its bytes can be compared. `None` for a network, and for a hybrid of a graph and
     /// rules, which was put together later.
     pub(super) fn evolved(&self) -> Option<&Graph> {
-        match self {
-            Self::Tpg { graph, .. } => Some(graph),
-            Self::Hybrid { hybrid, .. } => (!hybrid.setting.has_trigger()).then_some(&hybrid.graph.1),
-            Self::Sac { .. } => None,
-        }
-    }
-
-    /// The built-in problem.
-    pub(super) fn built_in(&self) -> Option<&Problem> {
-        match self {
-            Self::Tpg { problem, .. } | Self::Hybrid { problem, .. } => problem.as_deref(),
-            Self::Sac { problem, .. } => Some(problem),
-        }
-    }
-
-    /// The name of the problem; "own" for one that is not built in.
-    fn problem(&self) -> String {
-        self.built_in().map_or("own", |problem| problem.name().name()).to_owned()
+        let rules = matches!(self, Self::Hybrid(hybrid) if hybrid.setting.has_trigger());
+        self.graph().filter(|_| !rules)
     }
 
     /// The kind in a word.
     pub(super) fn name(&self) -> &'static str {
         match self {
-            Self::Tpg { .. } => "TPG",
-            Self::Sac { .. } => "SAC",
-            Self::Hybrid { .. } => "hybrid",
+            Self::Tpg(_) => "TPG",
+            Self::Sac(_) => "SAC",
+            Self::Hybrid(_) => "hybrid",
         }
     }
 }
@@ -208,8 +195,7 @@ fn named(mut group: Group) -> Group {
 fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
     let file = folder.join("config.toml").display().to_string();
     let EvolutionConfig { problem, ask, .. } = EvolutionConfig::of_run(&file, config)?;
-    let problem =
-        if problem.is_empty() { None } else { Some(Box::new(Problem::from_toml(&file, config)?.for_tests())) };
+    let problem = if problem.is_empty() { None } else { Some(Problem::from_toml(&file, config)?.for_tests()) };
     let rows: Vec<Row> = lines(&folder.join("generations.jsonl"))?;
     let path = folder.join("graph.json");
     let graph = Graph::from_json(&path.display().to_string(), &read_text(&path, "the graph of a run")?)?;
@@ -231,27 +217,23 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
     ]);
     let timing = fs::read_to_string(folder.join("timing.csv")).ok();
     let (seed, cpu) = (graph.provenance().seed, timing.as_deref().and_then(cpu_of_sessions));
-    let kind = |graph: Graph| {
-        let problem = problem.clone();
-        Ok(match &ask {
-            Some(ask) => asking(ask, problem, (path.display().to_string(), graph))?,
-            None => Kind::Tpg { problem, graph: Box::new(graph) },
-        })
+    let run = |name: String, graph: Graph| {
+        let graph = (path.display().to_string(), graph);
+        let kind = match &ask {
+            Some(AskConfig { policy, .. }) => {
+                let network = (policy.clone(), Network::read(Path::new(policy))?);
+                Kind::Hybrid(Box::new(Hybrid { problem: None, graph, network, setting: Setting::only_asks() }))
+            }
+            None => Kind::Tpg(Box::new(graph)),
+        };
+        Ok(Run { seed, ..Run::new(name, problem.clone(), kind) })
     };
     let of_hall = |graph: Graph| {
         let generation = graph.provenance().scores.get("generation").copied().unwrap_or_default();
-        let name = format!("generation {generation}");
-        Ok(Run { seed, ..Run::new(name, kind(graph)?) })
+        run(format!("generation {generation}"), graph)
     };
     let hall = hall.into_iter().map(of_hall).collect::<Result<_, InputError>>()?;
-    Ok(Run { name, seed, curves, cpu, kind: kind(graph)?, hall, tested })
-}
-
-/// A graph with the network that it learned to ask.
-fn asking(ask: &AskConfig, problem: Option<Box<Problem>>, graph: (String, Graph)) -> Result<Kind, InputError> {
-    let network = (ask.policy.clone(), Network::read(Path::new(&ask.policy))?);
-    let hybrid = Hybrid { problem: None, graph, network, setting: Setting::only_asks() };
-    Ok(Kind::Hybrid { problem, hybrid: Box::new(hybrid) })
+    Ok(Run { curves, cpu, hall, tested, ..run(name, graph)? })
 }
 
 /// Reads a run's hall of fame, without its best graph; empty for a run of an earlier version, which has none.
@@ -286,7 +268,7 @@ fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
     let known = named_in(&contract.problem).ok_or_else(|| {
         InputError::new(&file, Place::Whole, "a network of a problem that is not built in", "one that is")
     })?;
-    let problem = Box::new(Problem::tested(known, None)?.joined(&file, &contract.problem, true, false)?);
+    let problem = Problem::tested(known, None)?.joined(&file, &contract.problem, true, false)?;
     let value = |row: &BTreeMap<String, Value>, key: &str| row.get(key).and_then(Value::as_f64);
     let curve = |key: &str| {
         rows.iter().filter_map(|row| Some([value(row, "decisions")?, value(row, key)?])).collect::<Vec<_>>()
@@ -301,8 +283,7 @@ fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
     let time: Option<Value> = time.and_then(|text| serde_json::from_str(&text).ok());
     let cpu = time.and_then(|time| time.get("cpu_seconds_of_this_process").and_then(Value::as_f64));
     let seed = Some(contract.provenance.seed);
-    let kind = Kind::Sac { problem, network: Box::new(network), contract: Box::new(contract) };
-    Ok(Run { seed, curves, cpu, ..Run::new(name, kind) })
+    Ok(Run { seed, curves, cpu, ..Run::new(name, Some(problem), Kind::Sac(Box::new((network, contract)))) })
 }
 
 /// The problem that settings name, if it is built in.
@@ -318,10 +299,9 @@ fn study(folder: &Path, name: String, text: &str) -> Result<Run, InputError> {
     }
     let file = folder.join("study.toml").display().to_string();
     let Asked { problem } = settings::from_toml(&file, text, "the study.toml of a study")?;
-    let hybrid = Box::new(Hybrid::read(&folder.join("hybrid.toml"))?);
+    let hybrid = Kind::Hybrid(Box::new(Hybrid::read(&folder.join("hybrid.toml"))?));
     let problem = named_in(&problem).map(|_| Problem::from_table(&file, &problem, PolicyKind::Graph)).transpose()?;
-    let kind = Kind::Hybrid { problem: problem.map(|problem| Box::new(problem.for_tests())), hybrid };
-    Ok(Run::new(name, kind))
+    Ok(Run::new(name, problem.map(|problem| problem.for_tests()), hybrid))
 }
 
 /// Parses one JSON value per line.

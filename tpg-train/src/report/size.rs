@@ -11,7 +11,7 @@ pub(super) fn section(
     tested: &[Vec<Option<Tested>>],
     halls: &[Vec<(String, &Run, Tested)>],
 ) -> Option<Section> {
-    let mut problems: Vec<String> = Vec::new();
+    let mut problems: Vec<&str> = Vec::new();
     for group in groups {
         if !problems.contains(&group.problem()) {
             problems.push(group.problem());

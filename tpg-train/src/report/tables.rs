@@ -70,17 +70,19 @@ fn told(Table { header, rows }: Table) -> Table {
 
 fn row(run: &Run, tested: Option<&Tested>) -> Vec<String> {
     let what = match &run.kind {
-        Kind::Tpg { graph, .. } => {
+        Kind::Tpg(named) => {
+            let graph = &named.1;
             let edges: usize = graph.teams().iter().map(|team| team.edges.len()).sum();
             [(graph.teams().len(), "team"), (edges, "edge"), (graph.programs().len(), "program")]
                 .map(|(count, what)| counted(count, what))
                 .join(", ")
         }
-        Kind::Sac { network, contract, .. } => {
+        Kind::Sac(policy) => {
+            let (network, contract) = &**policy;
             let hidden: Vec<String> = contract.actor.hidden.iter().map(usize::to_string).collect();
             format!("{} inputs, {}", network.shape().inputs, hidden.join("-"))
         }
-        Kind::Hybrid { hybrid, .. } => hybrid.setting.sentence(),
+        Kind::Hybrid(hybrid) => hybrid.setting.sentence(),
     };
     let text = |value: Option<f64>| value.map_or_else(String::new, one_decimal);
     let summary = tested.map(Tested::summary);

@@ -59,7 +59,7 @@ pub(super) fn hall<'r>(
 
 /// Tests a run; `None` if its environment is not available, and the program that has it did not test the run.
 pub(super) fn test(run: &Run, count: usize, seed: u64, own: Option<&dyn Shared>) -> Result<Option<Tested>, InputError> {
-    let built_in = run.kind.built_in();
+    let built_in = run.problem.as_ref();
     let Some(problem) = built_in.map(|problem| problem as &dyn Shared).or(own) else {
         let tested = |endings| Tested { endings, measure: None, pictures: Vec::new(), watched: None };
         return Ok(Some(run.tested.clone()).filter(|endings| !endings.is_empty()).map(tested));
@@ -67,30 +67,30 @@ pub(super) fn test(run: &Run, count: usize, seed: u64, own: Option<&dyn Shared>)
     let episodes = Episodes { set: TaskSet::Test, count, seed, file: None };
     let (mut pictures, mut watched) = (Vec::new(), None);
     let endings = match &run.kind {
-        Kind::Tpg { graph, .. } => {
-            let graph = (run.name.clone(), (**graph).clone());
-            let endings = problem.play(Acting::Graph(&graph), episodes)?.endings;
+        Kind::Tpg(graph) => {
+            let endings = problem.play(Acting::Graph(graph), episodes)?.endings;
             if let Some(problem) = built_in {
-                (pictures, watched) = in_arithmetic_of!(graph.1, shown(problem, &graph, episodes, &endings))?;
+                (pictures, watched) = in_arithmetic_of!(graph.1, shown(problem, graph, episodes, &endings))?;
             }
             endings
         }
-        Kind::Sac { problem: trained, network, contract } => {
-            let whole = Network::Float(Box::new(((**network).clone(), (**contract).clone())));
-            let endings = problem.play(Acting::Network(&(run.name.clone(), whole)), episodes)?.endings;
-            let environment = trained.network_environment(0);
-            let tasks = tpg_engine::tasks(&*environment, TaskSet::Test, seed, count);
-            let policy = NetworkPolicy::new(network, contract.interface());
-            if let Some(drawn) = environment.drawn() {
+        Kind::Sac(trained) => {
+            let (network, contract) = &**trained;
+            let whole = (run.name.clone(), Network::Float(trained.clone()));
+            let endings = problem.play(Acting::Network(&whole), episodes)?.endings;
+            let environment = built_in.map(|problem| problem.network_environment(0));
+            if let Some((environment, drawn)) = environment.as_ref().and_then(|it| Some((it, it.drawn()?))) {
+                let tasks = tpg_engine::tasks(&**environment, TaskSet::Test, seed, count);
+                let policy = NetworkPolicy::new(network, contract.interface());
                 pictures.extend(chosen(&endings).into_iter().map(|place| {
                     let mut moments = Vec::new();
-                    policy.watch(&&*environment, &tasks[place], |episode| moments.push(drawn.moment(episode)));
+                    policy.watch(&&**environment, &tasks[place], |episode| moments.push(drawn.moment(episode)));
                     figure(problem, place, &endings[place], drawn.picture(&moments))
                 }));
             }
             endings
         }
-        Kind::Hybrid { hybrid, .. } => {
+        Kind::Hybrid(hybrid) => {
             problem.play(Acting::Both(&hybrid.graph, &hybrid.network, &hybrid.setting), episodes)?.endings
         }
     };
