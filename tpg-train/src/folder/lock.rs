@@ -19,6 +19,13 @@ const LONGEST: u64 = 200;
 #[derive(Debug)]
 pub(crate) struct Lock(File);
 
+impl Drop for Lock {
+    /// Unlocks the folder at once: a child that is just starting may hold a copy of the file.
+    fn drop(&mut self) {
+        let _ = self.0.unlock();
+    }
+}
+
 impl Lock {
     /// True if another process has locked the folder.
     pub(crate) fn is_held(folder: &Path) -> bool {
