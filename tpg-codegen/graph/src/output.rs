@@ -33,7 +33,7 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), InputError> {
 /// Writes a text to a file, or to standard output where the path is `-`; tests for a file.
 ///
 /// # Errors
-/// As [`write_atomically`] and [`print`].
+/// As [`write_atomically`] and [`print()`].
 pub fn write_or_print(path: &Path, text: &str) -> Result<bool, InputError> {
     let is_file = path != Path::new("-");
     if is_file { write_atomically(path, text.as_bytes()) } else { print(text) }.map(|()| is_file)
