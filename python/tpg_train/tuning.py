@@ -60,16 +60,16 @@ class Tuned:
             total, last = (0.0, error) if state is None else state[place]
             signals.append(loop.signal(error, total + error, error - last))
             kept.append((total + error, error))
+        return self.interface.to_actions(self._answers(signals), False), kept
+
+    def _answers(self, signals: Sequence[float]) -> NDArray[Any]:
+        """Returns the number of the action, or the row of values."""
         if self.ends:
-            answer: list[float] = [self.ends[int(signals[0] > 0)]]
-        elif self.kind == "relay":
-            answer = [high if signal > 0 else low for signal, (_, low, high) in zip(signals, self._outputs, strict=True)]
-        else:
-            answer = [
-                min(max((low + high) / 2 + signal, low), high)
-                for signal, (_, low, high) in zip(signals, self._outputs, strict=True)
-            ]
-        return self.interface.to_actions(np.array([answer[0] if self.ends else answer]), False), kept
+            return np.array([self.ends[int(signals[0] > 0)]])
+        ends = [(signal, low, high) for signal, (_, low, high) in zip(signals, self._outputs, strict=True)]
+        if self.kind == "relay":
+            return np.array([[high if signal > 0 else low for signal, low, high in ends]])
+        return np.array([[min(max((low + high) / 2 + signal, low), high) for signal, low, high in ends]])
 
     def formula(self) -> str:
         """Returns the law."""
