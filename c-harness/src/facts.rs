@@ -34,8 +34,6 @@ fn common() -> Facts {
     loops.extend([
         ("11pair_inputs", vec![FOURS]),
         ("5fixed13quantise_into", vec![FEATURES as u64]),
-        // The eight actions of a shield: there, but not reached.
-        ("6shield9collision", vec![8]),
         // What is cleared or copied has at most 64 words, or 32: four words a turn, but one where it is not aligned, and
         // up to three and four bytes before and behind.
         ("__aeabi_memclr4", vec![16, 4]),
@@ -43,9 +41,6 @@ fn common() -> Facts {
         ("3mem6memcpy", vec![4, 8, 4, 32]),
     ]);
     let limits = vec![
-        // The shipped graphs have no shield among their sources.
-        ("6shield6limits", 0),
-        ("6shield9collision", 0),
         // Two hidden layers.
         ("tpg_kernels6hidden", 2),
         // A stance is kept while the target stays: at most the four candidates of one.
@@ -72,8 +67,6 @@ pub(crate) fn control(language: &str) -> Facts {
             ("6hybrid4part10valid_part17", vec![14]),
             // Four parts of the arm, four edges of the base.
             ("9collision10meets_base", vec![4, 4]),
-            // The eight actions of a shield: there, but not reached.
-            ("6shield6limits", vec![8]),
             // Four edges of the base, two sides of a part of the arm.
             ("9clearance7nearest", vec![4, 2]),
             // Two hidden layers, and four outputs: in an order that is the compiler's.

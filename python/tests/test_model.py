@@ -513,7 +513,7 @@ def test_a_model_is_compared_with_another_controller_on_the_same_episodes(pole: 
     both = pole.evaluate(20, other=hand)
     assert both.this == pole.evaluate(20, native=False) and both.efforts is None
     tested = json.loads((pole.folder / "tested.jsonl").read_text())
-    assert tested["graph"] == pole.graph.sha256
+    assert tested["graph"] == pole.graph.sha256 and tested["rivals"][0]["scores"] == both.returns[1]
     assert np.mean([one["score"] for one in tested["episodes"]]) == both.this.mean
     env = gymnasium.make("CartPole-v1")
     returns = []
@@ -545,6 +545,23 @@ def test_a_rival_is_tuned_and_says_its_law() -> None:
         assert both.law is not None and law in both.law
         assert both.efforts is not None
         assert kind != "relay" or both.efforts[1].saturated == 1.0
+    all_of_them = swing.evaluate(5, other=["relay", lambda state: np.zeros(1, np.float32)])
+    assert [one.name for one in all_of_them] == ["relay", "<lambda>"]
+    assert "less <lambda>" in str(all_of_them) and "the law of relay: torque" in str(all_of_them)
+    with pytest.raises(InputError, match="one or more controllers"):
+        swing.evaluate(5, other=[])
+
+
+def test_rivals_on_the_same_episodes_are_kept_for_the_report(tmp_path: Path) -> None:
+    swing = TPG("Pendulum-v1", native=False, folder=tmp_path, settings={"start.share": 1.0, "start.random": 1.0}).learn(3_000)
+    still = lambda state: np.zeros(1, np.float32)  # noqa: E731
+    swing.evaluate(4, other="relay")
+    swing.evaluate(4, other=still)
+    swing.evaluate(4)
+    tested = json.loads((tmp_path / "tested.jsonl").read_text())
+    assert [rival["name"] for rival in tested["rivals"]] == ["relay", "<lambda>"] and tested["effort"]["chatter"] > 0
+    swing.evaluate(5)
+    assert json.loads((tmp_path / "tested.jsonl").read_text())["rivals"] == []
 
 
 def test_a_loop_answers_by_error_sum_and_change() -> None:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from ._tpg import Graph, InputError, TrainingError, __version__
 from .asking import Asking
-from .comparing import Comparison, Effort
+from .comparing import Comparison, Comparisons, Effort
 from .envs import register_envs
 from .model import TPG, Candidate, StatefulEnvironmentWarning, VerificationError
 from .network import NetworkPolicy, from_sb3, train_network
@@ -39,6 +39,7 @@ __all__ = [
     "Asking",
     "Candidate",
     "Comparison",
+    "Comparisons",
     "Effort",
     "Evaluation",
     "Graph",

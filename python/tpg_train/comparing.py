@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import gymnasium
@@ -34,24 +34,52 @@ class Effort:
 class Comparison:
     """Two controllers on the same episodes: `difference` is the mean of this model's return less the other's, `ci95` its 95 %
     interval; `efforts` are both controllers', None where actions are named; `law` is the formula of a controller that was
-    tuned for this."""
+    tuned for this; `returns` are those of each episode."""
 
+    name: str
     this: Evaluation
     other: Evaluation
     difference: float
     ci95: tuple[float, float]
     efforts: tuple[Effort, Effort] | None
-    law: str | None = None
+    law: str | None
+    returns: tuple[list[float], list[float]] = field(repr=False)
 
     def __str__(self) -> str:
-        low, high = self.ci95
-        words = "no clear difference" if low <= 0 <= high else "this model is better" if low > 0 else "the other is better"
         efforts = ("", "") if self.efforts is None else tuple(f"; {effort}" for effort in self.efforts)
         law = "" if self.law is None else f"the other's law: {self.law}\n"
         return (
             f"this model: {self.this}{efforts[0]}\nother:      {self.other}{efforts[1]}\n{law}"
-            f"difference: {self.difference:+.2f}, 95 % interval {low:+.2f} to {high:+.2f}: {words}"
+            f"difference: {self.difference_text()}: {self.verdict()}"
         )
+
+    def difference_text(self) -> str:
+        """Returns the difference with its interval."""
+        return f"{self.difference:+.2f}, 95 % interval {self.ci95[0]:+.2f} to {self.ci95[1]:+.2f}"
+
+    def verdict(self) -> str:
+        """Returns which of the two is better."""
+        low, high = self.ci95
+        return "no clear difference" if low <= 0 <= high else "this model is better" if low > 0 else "the other is better"
+
+    def as_json(self) -> dict[str, Any]:
+        """Returns the other controller as a line of `tested.jsonl` holds it."""
+        effort = None if self.efforts is None else asdict(self.efforts[1])
+        return {"name": self.name, "law": self.law, "scores": self.returns[1], "effort": effort}
+
+
+class Comparisons(tuple[Comparison, ...]):
+    """A model beside several controllers, on the same episodes."""
+
+    __slots__ = ()
+
+    def __str__(self) -> str:
+        rows = [("this model", self[0].this, self[0].efforts and self[0].efforts[0])]
+        rows += [(one.name, one.other, one.efforts and one.efforts[1]) for one in self]
+        width = max(len(name) for name, *_ in rows)
+        lines = [f"{name:{width}}  {result}{'' if effort is None else f'; {effort}'}" for name, result, effort in rows]
+        lines += [f"less {one.name:{width}}  {one.difference_text()}: {one.verdict()}" for one in self]
+        return "\n".join([*lines, *(f"the law of {one.name}: {one.law}" for one in self if one.law is not None)])
 
 
 def play(
@@ -112,17 +140,27 @@ def controller(other: Any) -> Callable[[], Act]:
 
 
 def compare(
-    env: gymnasium.Env[Any, Any], this: Callable[[], Act], other: Any, seeds: Sequence[int], limit: int, name: str
-) -> Comparison:
-    """Plays the same episodes with both controllers."""
-    (ours, effort), (theirs, other_effort) = (play(env, start, seeds, limit) for start in (this, controller(other)))
-    differences = np.asarray([mine[0] - its[0] for mine, its in zip(ours, theirs, strict=True)])
-    mean = float(differences.mean())
-    half = 1.959963984540054 * float(differences.std(ddof=1)) / math.sqrt(len(differences)) if len(differences) > 1 else math.inf
-    return Comparison(
-        this=Evaluation.of(ours, name),
-        other=Evaluation.of(theirs, name),
-        difference=mean,
-        ci95=(mean - half, mean + half),
-        efforts=None if effort is None or other_effort is None else (effort, other_effort),
-    )
+    env: gymnasium.Env[Any, Any], this: Callable[[], Act], others: Sequence[Any], seeds: Sequence[int], limit: int, name: str
+) -> tuple[list[Played], Comparisons]:
+    """Plays the same episodes with each controller; returns this one's, and the comparisons."""
+    starts = [this, *map(controller, others)]
+    (ours, effort), *all_theirs = (play(env, start, seeds, limit) for start in starts)
+    found = []
+    for other, (theirs, other_effort) in zip(others, all_theirs, strict=True):
+        returns = [score for score, *_ in ours], [score for score, *_ in theirs]
+        differences = np.subtract(*returns)
+        mean, count = float(differences.mean()), len(differences)
+        half = 1.959963984540054 * float(differences.std(ddof=1)) / math.sqrt(count) if count > 1 else math.inf
+        found.append(
+            Comparison(
+                name=getattr(other, "kind", None) or getattr(other, "__name__", None) or type(other).__name__,
+                this=Evaluation.of(ours, name),
+                other=Evaluation.of(theirs, name),
+                difference=mean,
+                ci95=(mean - half, mean + half),
+                efforts=None if effort is None or other_effort is None else (effort, other_effort),
+                law=None,
+                returns=returns,
+            )
+        )
+    return ours, Comparisons(found)

@@ -27,7 +27,7 @@ from . import _tpg
 from ._episodes import Episodes, Here, Workers, first_difference
 from ._tpg import Evolution, Graph, InputError, Policy, Samples, TrainingError
 from .callbacks import BaseCallback, MaybeCallback, _Bar, _TensorBoard, as_list
-from .comparing import Comparison, compare
+from .comparing import Comparison, Comparisons, compare
 from .reports import Evaluation, HallEntry, Proof, Report
 from .spaces import Interface, _name
 from .tuning import tuned
@@ -558,6 +558,9 @@ class TPG:
     ) -> Evaluation: ...
 
     @overload
+    def evaluate(self, episodes: int = 100, *, seed: int = 1, other: list[Any]) -> Comparisons: ...
+
+    @overload
     def evaluate(self, episodes: int = 100, *, seed: int = 1, other: Any) -> Comparison: ...
 
     def evaluate(
@@ -569,7 +572,7 @@ class TPG:
         executor: concurrent.futures.Executor | None = None,
         n_workers: int | None = None,
         other: Any = None,
-    ) -> Evaluation | Comparison:
+    ) -> Evaluation | Comparison | Comparisons:
         """Runs the policy on test episodes, which no training and no selection has seen.
 
         Args:
@@ -577,7 +580,7 @@ class TPG:
             other: another controller, to compare with on the same episodes of the environment, in this process: a function of
                 an observation, or a model with `predict`. Or one that is tuned first: "pid", a loop around one value of the
                 observation for each output, "relay", a loop that switches, both in up to 200,000 steps, or "linear", weighted
-                sums in as many steps as this model has learned from.
+                sums in as many steps as this model has learned from. Or a list of such; `tpg-train report` shows them.
         """
         graph = self._best()
         if episodes < 1:
@@ -586,9 +589,17 @@ class TPG:
             policy, interface = self._interface.policy(graph), self._interface
             seeds = _tpg.test_seeds(seed, episodes)
             this = lambda: Candidate(policy, 0, interface, 0, None, False).predict  # noqa: E731
-            rival = self._rival(other) if isinstance(other, str) else other
-            said = compare(self.env, this, rival, seeds, interface.limit, interface.name)
-            return said if rival is other else dataclasses.replace(said, law=rival.formula())
+            kinds = other if isinstance(other, list) else [other]
+            if not kinds:
+                raise InputError("other=[]; accepted: one or more controllers")
+            rivals = [self._rival(kind) if isinstance(kind, str) else kind for kind in kinds]
+            ours, found = compare(self.env, this, rivals, seeds, interface.limit, interface.name)
+            named = [
+                dataclasses.replace(one, name=kind, law=rival.formula()) if isinstance(kind, str) else one
+                for one, kind, rival in zip(found, kinds, rivals, strict=True)
+            ]
+            self._record(graph, ours, named)
+            return Comparisons(named) if isinstance(other, list) else named[0]
         if self.native is not None and native is not False:
             return Evaluation.of_report(json.loads(_tpg.evaluate_native(self.native, graph, episodes, seed)))
         place = self._episodes(executor, self.n_workers if n_workers is None and self.native is None else n_workers or 0)
@@ -599,14 +610,23 @@ class TPG:
         finally:
             place.close()
 
-    def _record(self, graph: Graph, played: Sequence[tuple[float, int, bool | None]]) -> None:
-        """Writes test episodes into the run's folder, for `tpg-train report`."""
+    def _record(self, graph: Graph, played: Sequence[tuple[float, int, bool | None]], rivals: Sequence[Comparison] = ()) -> None:
+        """Writes test episodes into the run's folder, for `tpg-train report`; rivals on the same episodes stay there."""
         results = [
             {"outcome": 0, "success": success, "score": score, "measure": 0.0, "actions": steps}
             for score, steps, success in played
         ]
-        if (self.folder / "graph.json").exists() and all(np.isfinite(score) for score, _, _ in played):
-            (self.folder / "tested.jsonl").write_text(json.dumps({"graph": graph.sha256, "episodes": results}) + "\n")
+        file = self.folder / "tested.jsonl"
+        said = {"graph": graph.sha256, "episodes": results}
+        old = json.loads(file.read_text()) if file.exists() else {}
+        known = {rival["name"]: rival for rival in old.get("rivals", []) if said == {key: old[key] for key in said}}
+        known |= {rival.name: rival.as_json() for rival in rivals}
+        effort = next(
+            (dataclasses.asdict(rival.efforts[0]) for rival in rivals if rival.efforts), old.get("effort") if known else None
+        )
+        scores = [score for score, *_ in played] + [score for rival in rivals for score in rival.returns[1]]
+        if (self.folder / "graph.json").exists() and np.isfinite(scores).all():
+            file.write_text(json.dumps({**said, "effort": effort, "rivals": list(known.values())}) + "\n")
 
     def _rival(self, kind: str) -> Any:
         """Tunes a controller of a kind."""

@@ -12,4 +12,3 @@ mod readme;
 mod report;
 mod runs;
 mod sac_runs;
-mod shielded;

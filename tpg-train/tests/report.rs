@@ -104,13 +104,17 @@ fn a_run_of_ones_own_environment_is_tested_where_that_is() {
     let graph = tpg_graph::Graph::from_json("graph.json", &read("graph.json")).expect("a graph").sha256();
     let headline = |graph: &str| {
         let result = |score: u32| json!({"outcome": 0, "success": null, "score": score, "measure": 0.0, "actions": 9});
-        let tested = json!({"graph": graph, "episodes": [result(14), result(16)]});
+        let effort = json!({"saturated": 0.25, "chatter": 0.5});
+        let rival = json!({"name": "pid", "law": "push = -2 theta", "scores": [10, 13], "effort": effort});
+        let tested = json!({"graph": graph, "episodes": [result(14), result(16)], "effort": null, "rivals": [rival]});
         fs::write(run.join("tested.jsonl"), format!("{tested}\n")).expect("it can be written");
         tpg_train().arg("report").arg(&run).arg("--out").arg(&file).assert().success();
         fs::read_to_string(&file).expect("a report")
     };
     let html = headline(&graph);
     assert!(html.contains("return 15.00 ± ") && html.contains("on 2 test episodes"), "not tested");
+    let row = "<td>pid</td><td>11.50 ± 2.94</td><td>25.0</td><td>0.5000</td><td>3.50 ± 0.98</td>";
+    assert!(html.contains(row) && html.contains(" pid: push = -2 theta."), "{html}");
     assert!(headline("0").contains("not tested: evaluate()"), "another graph's episodes");
 }
 

@@ -1,9 +1,8 @@
 //! The data sources of a graph: their values, and the ranges that `graph.json` declares for them.
 
 use tpg_arm::kinematics::{self, Lattice, Plane};
-use tpg_arm::observation::shield::{ALLOWED, SHIELDED, STEP, action};
 use tpg_arm::observation::{Observation, Reach, Source, TargetMemo};
-use tpg_arm::{Arm, Invalid, JOINTS, Pose, WIDOWX};
+use tpg_arm::{Arm, JOINTS, Pose, WIDOWX};
 
 const ARM_F32: Arm<f32> = WIDOWX.to_f32();
 
@@ -134,28 +133,6 @@ fn the_stance_is_free_and_solves_nearly_every_task() {
     }
     // Poses are uniform here, not targets: more of them are folded than the arm's tasks ask for.
     assert!(solved > 4700 && straight > 3500 && straight < solved, "{solved} solved, {straight} with a straight wrist");
-}
-
-#[test]
-fn a_shield_refuses_what_a_step_refuses() {
-    let mut poses = Poses(6);
-    let mut refused = [0; 2];
-    for _ in 0..20_000 {
-        let pose = poses.free();
-        let limits = values(Source::ShieldLimits, &ARM_F32, pose, [0.0; 3]);
-        let collision = values(Source::ShieldCollision, &ARM_F32, pose, [0.0; 3]);
-        for place in 0..SHIELDED as u8 {
-            let invalid = ARM_F32.step(pose, action(place, STEP)).invalid;
-            let limit = matches!(invalid, Some(Invalid::JointLimit(_)));
-            let expected = |refused: bool| if refused { -ALLOWED } else { ALLOWED };
-            assert_eq!(limits[usize::from(place)], expected(limit), "{pose:?}, action {place}");
-            assert_eq!(collision[usize::from(place)], expected(invalid.is_some()), "{pose:?}, action {place}");
-            refused[0] += u32::from(limit);
-            refused[1] += u32::from(invalid.is_some());
-        }
-    }
-    assert!(refused[0] > 500 && refused[1] > refused[0] + 50, "refusals must occur: {refused:?}");
-    assert!(f64::from(ALLOWED as f32) == ALLOWED, "exact in both scalars");
 }
 
 #[test]

@@ -289,12 +289,6 @@
 // By how many ticks all four joints are off from a pose that reaches the target.
 #define TPG_SOURCE_STANCE 13
 
-// Bounds of the bids of eight actions: negative where a joint would leave its range.
-#define TPG_SOURCE_SHIELD_LIMITS 14
-
-// Negative also where the arm would collide.
-#define TPG_SOURCE_SHIELD_COLLISION 15
-
 // Words of a tpg_sac_t.
 #define TPG_SAC_WORDS 30
 

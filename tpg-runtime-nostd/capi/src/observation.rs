@@ -83,12 +83,8 @@ pub const TPG_SOURCE_WRIST: u8 = 11;
 pub const TPG_SOURCE_FLOOR: u8 = 12;
 /// By how many ticks all four joints are off from a pose that reaches the target.
 pub const TPG_SOURCE_STANCE: u8 = 13;
-/// Bounds of the bids of eight actions: negative where a joint would leave its range.
-pub const TPG_SOURCE_SHIELD_LIMITS: u8 = 14;
-/// Negative also where the arm would collide.
-pub const TPG_SOURCE_SHIELD_COLLISION: u8 = 15;
 
-const _: () = assert!(TPG_SOURCE_SHIELD_COLLISION as usize + 1 == Source::ALL.len(), "a source without a number");
+const _: () = assert!(TPG_SOURCE_STANCE as usize + 1 == Source::ALL.len(), "a source without a number");
 
 /// The numbers above are the places in [`Source::ALL`].
 pub(crate) fn source(number: u8) -> Result<Source, Refusal> {

@@ -105,7 +105,7 @@ fn every_function_keeps_to_the_memory_that_it_was_given() {
             assert_eq!(tpg_observation_distance(seen.as_ptr(), hand.as_mut_ptr().cast()), TPG_OK);
             assert_eq!(tpg_arm_hand(arm, &pose, hand.as_mut_ptr().cast()), TPG_OK);
             assert_eq!(tpg_arm_collision(arm, &pose, answer.as_mut_ptr()), TPG_OK);
-            for source in 0..=TPG_SOURCE_SHIELD_COLLISION {
+            for source in 0..=TPG_SOURCE_STANCE {
                 let mut state = raw::<[f32; TPG_STATE_LENGTH]>();
                 let (values, kept) = (state.as_mut_ptr().cast(), if source % 2 == 0 { memo } else { null_mut() });
                 assert_eq!(

@@ -19,15 +19,6 @@ pub enum TaskSet {
     Test,
 }
 
-/// The unit of a source that bounds the bids for the first actions.
-pub const BID_BOUND: &str = "bound of a bid";
-
-/// Returns the place of the last source if it holds upper bounds for the bids of the first actions, in order: programs cannot
-/// read it.
-pub fn bid_bounds(sources: &[SourceDocument]) -> Option<usize> {
-    sources.last().filter(|source| source.unit == BID_BOUND).map(|_| sources.len() - 1)
-}
-
 /// Tasks beyond those that are drawn: see [`Environment::training`](crate::Environment::training).
 pub trait Training<Task, Episode>: Sync {
     /// Returns the same task in coarser steps, `factor` times as large.

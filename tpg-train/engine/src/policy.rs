@@ -3,12 +3,11 @@
 mod check;
 
 use serde::{Deserialize, Serialize};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use tpg_graph::Graph;
 use tpg_graph::Word;
 use tpg_graph::dataflow::{depth_first, effective};
-use tpg_runtime::ops::Instruction;
 
 /// An operand of an instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -143,40 +142,6 @@ impl PolicyGraph {
     pub fn size(&self) -> usize {
         self.lines() + self.teams.iter().map(Vec::len).filter(|&edges| edges > 1).sum::<usize>()
     }
-
-    /// Returns the same policy under a shield: each bid for an action is capped by a value of the state. A policy with
-    /// outputs has no shield.
-    ///
-    /// `bound` returns the index of an action's bound in the flat state; `None` if the action is not shielded. Each
-    /// program that bids for a shielded action gets [`bounded`] as its last line; programs that bid for several are
-    /// duplicated.
-    #[must_use]
-    pub fn shielded(&self, bound: impl Fn(u16) -> Option<u16>) -> Self {
-        let mut programs: Vec<Arc<[Line]>> = Vec::new();
-        let mut known = BTreeMap::new();
-        let edge = |edge: &Edge| {
-            let input = match edge.to {
-                Destination::Action(action) => bound(action),
-                Destination::Team(_) => None,
-            };
-            let program = *known.entry((edge.program, input)).or_insert_with(|| {
-                let lines = self.programs[edge.program as usize].iter().copied();
-                programs.push(lines.chain(input.map(bounded)).collect());
-                programs.len() as u32 - 1
-            });
-            Edge { program, ..*edge }
-        };
-        let mut edge = edge;
-        let teams = self.teams.iter().map(|team| team.iter().map(&mut edge).collect()).collect();
-        Self { registers: self.registers, teams, programs, outputs: Vec::new(), leaves: Vec::new() }
-    }
-}
-
-/// Returns the last line of a shielded program: the minimum of its bid and the bound.
-///
-/// With this order of operands, a NaN bid stays NaN.
-pub fn bounded(bound: u16) -> Line {
-    Line { to: 0, instruction: Instruction::Min.into(), operands: [Operand::Input(bound), Operand::Register(0)] }
 }
 
 impl From<&Graph> for PolicyGraph {

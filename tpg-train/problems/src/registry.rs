@@ -473,7 +473,7 @@ mod tests {
             ("[problem]\nname = \"pendulum\"\ntolerance = 3.0\n", 3, "unknown field `tolerance`"),
             ("[problem]\nname = \"pendulum\"\nlevels = 1\n", 3, "problem.levels = 1"),
             ("[problem]\nname = \"pendulum\"\nlevels = \"many\"\n", 3, "invalid type"),
-            ("[problem]\nname = \"fs\"\nstep = 5\nshield = \"limits\"\n", 4, "problem.shield = \"limits\""),
+            ("[problem]\nname = \"fs\"\nstep = 5\nbacklash = 201\n", 4, "problem.backlash = 201"),
             ("[problem]\nname = \"cartpole\"\n[problem.physics]\nlength = 0.0\n", 4, "problem.physics.length = 0"),
             (
                 "[problem]\nname = \"acrobot\"\n[problem.physics]\nmass_2 = [2, 1]\n",

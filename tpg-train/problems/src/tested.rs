@@ -119,14 +119,6 @@ impl Problem {
         }
     }
 
-    /// Returns the shields that keep a graph from choosing what would be refused: the name of each, and the source that bounds bids.
-    pub fn shields(&self) -> &'static [(&'static str, &'static str)] {
-        match &self.settings {
-            ProblemSettings::Arm(_) => &[("limits", "shield_limits"), ("limits-and-collision", "shield_collision")],
-            _ => &[],
-        }
-    }
-
     /// Returns true if policies of one problem can act in the other.
     pub fn share_policies(one: &str, other: &str) -> bool {
         let is_arm = |name: &str| PROBLEMS.iter().any(|entry| entry.text == name && entry.start.is_some());

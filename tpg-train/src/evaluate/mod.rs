@@ -63,9 +63,6 @@ pub(crate) struct EvalArgs {
     /// The seed of the test episodes
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
-    /// Add a shield to a graph that has none: actions that would be refused cannot be chosen
-    #[arg(long, value_name = "SHIELD", conflicts_with_all = ["policy", "hybrid"])]
-    pub shield: Option<String>,
     /// Let another policy do the same episodes, and print the difference of the scores with its interval: a graph, a network, a
     /// hybrid.toml, or a controller that the problem brings
     #[arg(long, value_name = "POLICY")]
@@ -111,7 +108,7 @@ pub(crate) fn eval(args: &EvalArgs) -> Result<(), InputError> {
 
 /// Returns the arguments that let another policy do the same episodes.
 fn alone(args: &EvalArgs, other: &str, problem: &Problem) -> EvalArgs {
-    let mut args = EvalArgs { tpg: None, policy: None, hybrid: None, shield: None, against: None, ..args.clone() };
+    let mut args = EvalArgs { tpg: None, policy: None, hybrid: None, against: None, ..args.clone() };
     match other {
         _ if problem.controllers().contains(&other) => args.policy = Some(other.to_owned()),
         _ if other.ends_with(".toml") => args.hybrid = Some(other.into()),
@@ -129,28 +126,20 @@ fn played(
 ) -> Result<(EvaluationReport, Vec<EpisodeResult>), InputError> {
     let episodes =
         Episodes { set: TaskSet::Test, count: args.episodes, seed: args.seed, file: args.targets.as_deref() };
-    let (mut report, endings) = match policy {
-        Policy::Graph(graph) => {
-            let acting = match args.shield.as_deref().filter(|shield| *shield != UNSHIELDED) {
-                Some(shield) => Acting::Shielded(graph, shield_source(problem, graph, shield)?),
-                None => Acting::Graph(graph),
-            };
-            play(problem, &graph.0, acting, episodes)?
-        }
-        Policy::Network(network) => play(problem, &network.0, Acting::Network(network), episodes)?,
+    match policy {
+        Policy::Graph(graph) => play(problem, &graph.0, Acting::Graph(graph), episodes),
+        Policy::Network(network) => play(problem, &network.0, Acting::Network(network), episodes),
         Policy::Hybrid(name, hybrid) => {
-            play(problem, name, Acting::Both(&hybrid.graph, &hybrid.network, &hybrid.setting), episodes)?
+            play(problem, name, Acting::Both(&hybrid.graph, &hybrid.network, &hybrid.setting), episodes)
         }
         Policy::Controller(name) => {
             let began = Instant::now();
             let endings = problem.controlled(name, &episodes.in_problem(problem)?).unwrap_or_default();
             let done = HybridResult::alone(endings);
             let report = EvaluationReport::new(problem, name, episodes, &done, None, began.elapsed().as_secs_f64());
-            (report, done.endings)
+            Ok((report, done.endings))
         }
-    };
-    report.shield = shield_of(problem, policy, args.shield.as_deref());
-    Ok((report, endings))
+    }
 }
 
 /// Reads the policies that the arguments name, and the problem that they are tested on.
@@ -279,39 +268,6 @@ fn play(
     let done = problem.play(acting, episodes)?;
     let report = EvaluationReport::new(problem, name, episodes, &done, hybrid, began.elapsed().as_secs_f64());
     Ok((report, done.endings))
-}
-
-/// The name for no shield.
-const UNSHIELDED: &str = "none";
-
-/// Returns the source that bounds the bids of a graph under a shield that it does not have itself.
-fn shield_source<'p>(
-    problem: &'p Problem,
-    (file, graph): &(String, Graph),
-    shield: &str,
-) -> Result<&'p str, InputError> {
-    let shields = problem.shields();
-    if let Some((own, _)) = shields.iter().find(|(_, source)| reads(graph, source)) {
-        let found = format!("--shield for a graph that has the shield {own:?}");
-        return Err(InputError::new(file, Place::Whole, found, "a graph without a shield"));
-    }
-    let known = shields.iter().find(|(name, _)| *name == shield);
-    known.map(|&(_, source)| source).ok_or_else(|| {
-        let names: Vec<&str> = shields.iter().map(|&(name, _)| name).chain([UNSHIELDED]).collect();
-        command_line(format!("--shield {shield} with --problem {}", problem.name().name()), names.join(", "))
-    })
-}
-
-/// Returns the shield of a policy on a problem that has shields: the graph's own, or the one that was added.
-fn shield_of(problem: &Problem, policy: &Policy, added: Option<&str>) -> Option<String> {
-    let shields = problem.shields();
-    let own = |graph: &Graph| shields.iter().find(|(_, source)| reads(graph, source)).map(|&(name, _)| name);
-    let own = if let Policy::Graph(graph) = policy { own(&graph.1) } else { None };
-    (!shields.is_empty()).then(|| own.or(added).unwrap_or(UNSHIELDED).to_owned())
-}
-
-fn reads(graph: &Graph, source: &str) -> bool {
-    graph.sources().iter().any(|other| other.name == source)
 }
 
 /// Returns a problem with the settings of a configuration, or the one that a graph is tested on without.

@@ -39,9 +39,6 @@ pub struct EvaluationReport {
     pub ns_per_action: f64,
     /// The fraction of actions that a graph chose.
     pub tpg_action_ratio: f64,
-    /// The actions that a graph cannot choose; absent where the problem has no shields.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub shield: Option<String>,
     /// The figures of a hybrid.
     #[serde(flatten)]
     pub hybrid: Option<HybridFigures>,
@@ -160,7 +157,6 @@ impl EvaluationReport {
             outcomes: outcomes.iter().enumerate().map(|(place, &name)| (name.to_owned(), count(place))).collect(),
             ns_per_action: seconds * 1e9 / (actions * endings.len() as f64).max(1.0),
             tpg_action_ratio: done.tpg_action_ratio,
-            shield: None,
             hybrid: hybrid.map(|graph| HybridFigures {
                 network_actions: done.network_actions,
                 hand_overs: hand_overs.collect(),
@@ -182,9 +178,6 @@ impl EvaluationReport {
         row("score", format!("{:.2} mean, ± {:.2} sd, {:.2} lowest", self.mean_score, self.std_score, self.min_score));
         if let (Some(rate), Some([low, high])) = (self.success_rate, self.success_ci95) {
             row("success", format!("{:.1} % (95 %: {:.1} to {:.1})", 100.0 * rate, 100.0 * low, 100.0 * high));
-        }
-        if let Some(shield) = &self.shield {
-            row("shield", shield.clone());
         }
         if let Some((Measure { name, unit }, [mean, median])) = &self.measure {
             row(name, format!("{mean:.2} {unit} mean, {median:.2} {unit} median"));
@@ -221,9 +214,7 @@ mod tests {
         assert_eq!((&json["mean_score"], &json["min_score"]), (&3.0.into(), &2.0.into()));
         assert!((json["std_score"].as_f64().expect("a number") - 2f64.sqrt()).abs() < 1e-12);
         assert!(json["success_rate"].is_null() && json["success_ci95"].is_null());
-        assert!(
-            json.get("mean_distance_mm").is_none() && json.get("shield").is_none() && json.get("against").is_none()
-        );
+        assert!(json.get("mean_distance_mm").is_none() && json.get("against").is_none());
     }
 
     #[test]

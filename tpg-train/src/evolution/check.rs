@@ -43,7 +43,7 @@ impl<Task: std::fmt::Debug> State<Task> {
         Finding::range("episode_steps", self.episode_steps, 0, MAX_COUNT)?;
         Finding::range("generation", self.generation, 0, 1_000_000_000)?;
         equal("rows", self.rows.len() as u64, self.generation)?;
-        equal("scales", self.scales.len(), lengths(tpg_engine::bid_bounds(&sources).unwrap_or(sources.len())))?;
+        equal("scales", self.scales.len(), lengths(sources.len()))?;
         let vocabulary = config.vocabulary(environment, self.scales.clone());
         let actions = space.count().unwrap_or(0);
         let context = Context {
@@ -75,7 +75,7 @@ impl<Task: std::fmt::Debug> State<Task> {
             if best.ranges.as_ref().is_some_and(|all| all.len() != inputs || all.iter().any(|[low, high]| low > high)) {
                 return Err(Finding::new("ranges", "other ranges", format!("{inputs} of a low and a high end")));
             }
-            let policy = best.policy.check(config.learning.nb_registers, inputs, &space);
+            let policy = best.policy.check(vocabulary.policy_registers(), inputs, &space);
             policy.map_err(|finding| finding.within("policy"))
         };
         self.best.as_ref().map_or(Ok(()), best).map_err(|finding| finding.within("best"))?;

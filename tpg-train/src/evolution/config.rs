@@ -7,14 +7,13 @@
 mod check;
 
 use super::linear::{LinearWriter, ProgramKind};
-use super::vocabulary::Vocabulary;
+use super::vocabulary::{Spoken, Vocabulary};
 use super::{params, presets};
 use crate::configuration::{Configuration, Preset};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_engine::Environment;
 use tpg_graph::ScalarType;
-use tpg_graph::Word;
 use tpg_graph::error::InputError;
 use tpg_graph::settings;
 use tpg_problems::{PolicyKind, ProblemName};
@@ -88,7 +87,7 @@ pub struct AskConfig {
 pub struct LanguageConfig {
     /// Precision of all arithmetic; a Cortex-M4F has an FPU for `f32`.
     pub scalar: ScalarType,
-    /// Instruction set; the order gives the numbers.
+    /// Instruction set; the order gives the numbers. Words, or calls of words on `a` and `b`: `"div(a, add(1, abs(a)))"`.
     pub instructions: Vec<String>,
     /// Operands may be literal numbers.
     pub literals: bool,
@@ -369,20 +368,15 @@ impl EvolutionConfig {
     /// the flat state.
     pub fn vocabulary<S: Scalar>(&self, environment: &impl Environment<S>, scales: Vec<f64>) -> Vocabulary {
         let sources = environment.sources();
-        let bounds = tpg_engine::bid_bounds(&sources);
         let vocabulary = Vocabulary::new(
             self.instructions(),
             self.learning.nb_registers,
-            &sources[..bounds.unwrap_or(sources.len())],
+            &sources,
             self.language.literals.then_some(scales),
             self.language.scalar,
         );
         let limits = environment.actions().outputs().iter().map(|output| output.limits(self.language.scalar)).collect();
-        let vocabulary = vocabulary.with_outputs(limits);
-        match bounds {
-            Some(place) => vocabulary.with_bounds(&sources[place]),
-            None => vocabulary,
-        }
+        vocabulary.with_outputs(limits)
     }
 
     /// Returns the configuration with the sizes that a problem needs: a root for each action, and room for sums of all inputs if
@@ -415,9 +409,9 @@ impl EvolutionConfig {
         (0..halvings.min(64)).fold(self.demes.count, |demes, _| demes.div_ceil(2))
     }
 
-    /// Returns the instruction set, looked up by name.
-    pub fn instructions(&self) -> Vec<Word> {
-        self.language.instructions.iter().filter_map(|name| Word::from_name(name)).collect()
+    /// Returns the instruction set.
+    pub fn instructions(&self) -> Vec<Spoken> {
+        self.language.instructions.iter().filter_map(|text| Spoken::parse(text).ok()).collect()
     }
 
     /// Returns the number of survivors of a deme, at least 1. A larger first population is cut to them at once.

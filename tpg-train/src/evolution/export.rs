@@ -9,7 +9,6 @@ use tpg_graph::{
     Document, EdgeDocument, FORMAT, Graph, LeafDocument, LineDocument, MathsProvider, MemoryDocument, OperandDocument,
     OutputDocument, ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument,
 };
-use tpg_runtime::ops::Instruction;
 
 /// Converts a policy to a graph. Lines without effect are removed; a program that bids for several destinations is
 /// duplicated, because a graph's program has only one. The last `memory` outputs and sources are the policy's memory.
@@ -76,10 +75,8 @@ pub(super) fn graph(
         LeafDocument { id, programs, memory }
     });
     let leaves: Vec<LeafDocument> = leaves.collect();
-    let mut instructions = vocabulary.instructions().to_vec();
-    if vocabulary.bound(0).is_some() && !instructions.contains(&Instruction::Min.into()) {
-        instructions.push(Instruction::Min.into());
-    }
+    let mut words = Vec::new();
+    vocabulary.instructions().iter().for_each(|instruction| instruction.words(&mut words));
     let observed = sources.len() - memory.len();
     let sees = sources.iter().any(|source| source.image.is_some());
     let sources = sources.into_iter().take(observed).map(|source| exact(source, vocabulary.scalar())).collect();
@@ -90,7 +87,7 @@ pub(super) fn graph(
         maths: MathsProvider::Own,
         registers: u32::from(policy.registers),
         sources,
-        instructions: instructions.iter().map(|i| i.name().to_owned()).collect(),
+        instructions: words.into_iter().map(|word| word.name().to_owned()).collect(),
         actions,
         outputs,
         memory,

@@ -80,12 +80,11 @@ impl Program {
 
     /// Returns the effective lines with every operand resolved; they are few of a long program's lines.
     pub fn lines(&self, vocabulary: &Vocabulary) -> Vec<Line> {
-        let line = |line: &GenomeLine| Line {
-            to: line.to,
-            instruction: vocabulary.instruction(line.instruction),
-            operands: line.operands.map(|gene| vocabulary.read(&gene)),
-        };
-        self.effective_lines(vocabulary).map(line).collect()
+        let mut lines = Vec::new();
+        for line in self.effective_lines(vocabulary) {
+            vocabulary.spell(line.instruction, line.to, &line.operands, &mut lines);
+        }
+        lines
     }
 
     /// Iterates over the lines that reach the bid.
@@ -107,10 +106,10 @@ impl Assignment for Spelled<'_> {
 
     fn reads(&self) -> impl Iterator<Item = usize> {
         let Self { line, vocabulary } = *self;
-        let word = vocabulary.instruction(line.instruction);
-        let genes = line.operands.iter().take(word.arity());
+        let instruction = vocabulary.instruction(line.instruction);
+        let genes = line.operands.iter().take(instruction.arity());
         let registers = genes.filter_map(|gene| vocabulary.register(gene).map(usize::from));
-        registers.chain(word.reads_destination().then(|| self.writes()))
+        registers.chain(instruction.reads_destination().then(|| self.writes()))
     }
 }
 
@@ -288,9 +287,8 @@ impl Genome {
             });
             teams.push(edges.collect());
         }
-        let policy = PolicyGraph::with_programs(vocabulary.registers(), place(root), teams, programs)
-            .with_outputs(vocabulary.outputs().to_vec(), leaves);
-        if vocabulary.bound(0).is_some() { policy.shielded(|action| vocabulary.bound(action)) } else { policy }
+        PolicyGraph::with_programs(vocabulary.policy_registers(), place(root), teams, programs)
+            .with_outputs(vocabulary.outputs().to_vec(), leaves)
     }
 }
 
@@ -303,7 +301,7 @@ mod tests {
         pub(in crate::evolution) fn bid(&self, vocabulary: &Vocabulary, state: &[f64]) -> f64 {
             use tpg_runtime::ops::Own;
             let mut arena = tpg_engine::Arena::<f64, Own>::default();
-            let bid = arena.program(vocabulary.registers(), &self.lines(vocabulary));
+            let bid = arena.program(vocabulary.policy_registers(), &self.lines(vocabulary));
             let mut values: Vec<f64> = Vec::new();
             for node in arena.nodes() {
                 values.push(match *node {

@@ -30,7 +30,7 @@ pub(super) fn scales<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Size
     seed: u64,
 ) -> Result<Vec<f64>, EvaluationError> {
     let sources = environment.sources();
-    let readable = tpg_engine::bid_bounds(&sources).unwrap_or(sources.len());
+    let readable = sources.len();
     let ranges: Vec<[f64; 2]> = sources[..readable].iter().flat_map(|source| source.ranges.clone()).collect();
     let units = config.literals.units;
     let states = if units == Units::Declared && ranges.iter().flatten().all(|end| end.is_finite()) {

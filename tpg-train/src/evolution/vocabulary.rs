@@ -1,15 +1,77 @@
 //! The vocabulary of programs: instructions, registers and sources, numbered as in GEGELATI.
 
 use serde::{Deserialize, Serialize};
-use tpg_engine::{Limits, Operand};
-use tpg_graph::Word;
-use tpg_graph::{ScalarType, SourceDocument};
+use tpg_engine::{Limits, Line, Operand};
+use tpg_graph::import::{Expression, Reading};
+use tpg_graph::{ScalarType, SourceDocument, Word};
 
 /// Number of operands of a line, GEGELATI's `maxNbOperands`; no instruction has more.
 pub(super) const OPERANDS: usize = 2;
 
 /// Index of an instruction in its set, as stored in a line.
 pub(super) type InstructionIndex = u8;
+
+/// An instruction of programs.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Spoken {
+    /// A word.
+    Word(Word),
+    /// A call that is composed of words.
+    Call(Expression),
+}
+
+impl From<Word> for Spoken {
+    fn from(word: Word) -> Self {
+        Self::Word(word)
+    }
+}
+
+impl Spoken {
+    /// Reads a word's name, or a call of words on `a` and `b`; the error says what was found.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        if let Some(word) = Word::from_name(text) {
+            return Ok(Self::Word(word));
+        }
+        let call = Expression::call(text)?;
+        if call.arity() > OPERANDS || call.constants() > 0 {
+            return Err(format!("{text:?}, which reads more than a and b"));
+        }
+        Ok(Self::Call(call))
+    }
+
+    /// Returns the number of operands that it reads.
+    pub fn arity(&self) -> usize {
+        match self {
+            Self::Word(word) => word.arity(),
+            Self::Call(call) => call.arity(),
+        }
+    }
+
+    /// Returns true if it also reads the register that it writes.
+    pub fn reads_destination(&self) -> bool {
+        matches!(self, Self::Word(word) if word.reads_destination())
+    }
+
+    /// Adds the words that it is made of, in order.
+    pub fn words(&self, words: &mut Vec<Word>) {
+        let mut add = |word: Word| {
+            if !words.contains(&word) {
+                words.push(word);
+            }
+        };
+        match self {
+            Self::Word(word) => add(*word),
+            Self::Call(call) => call.spell(0, 0, &mut |_, word, _| add(word)),
+        }
+    }
+
+    fn scratch(&self) -> u16 {
+        match self {
+            Self::Word(_) => 0,
+            Self::Call(call) => call.scratch() as u16,
+        }
+    }
+}
 
 /// An operand of a genome's line: GEGELATI's pair of data source and location (`program/line.h`), and a literal number
 /// if literals are allowed.
@@ -44,7 +106,7 @@ pub enum Kind {
 /// The vocabulary of programs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vocabulary {
-    instructions: Vec<Word>,
+    instructions: Vec<Spoken>,
     registers: u16,
     kinds: Vec<Kind>,
     /// Exclusive upper bound of locations (GEGELATI, `environment.cpp`, `computeLargestAddressSpace`).
@@ -52,8 +114,6 @@ pub struct Vocabulary {
     scalar: ScalarType,
     /// Units of literals: half the range of each value of the flat state; empty without literals.
     scales: Vec<f64>,
-    /// Upper bounds of the bids for the first actions: first index and count, after all values that programs can read.
-    bounds: Option<(u16, u16)>,
     /// The outputs, where there are some in place of actions.
     outputs: Vec<Limits>,
 }
@@ -64,12 +124,13 @@ impl Vocabulary {
     /// # Panics
     /// If there are no registers, no instructions or more than 256: configurations are checked earlier.
     pub fn new(
-        instructions: Vec<Word>,
+        instructions: Vec<impl Into<Spoken>>,
         registers: u16,
         sources: &[SourceDocument],
         literals: Option<Vec<f64>>,
         scalar: ScalarType,
     ) -> Self {
+        let instructions: Vec<Spoken> = instructions.into_iter().map(Into::into).collect();
         assert!(registers > 0 && (1..=256).contains(&instructions.len()));
         let mut kinds = vec![Kind::Registers];
         let mut place = 0;
@@ -89,7 +150,6 @@ impl Vocabulary {
             largest_address_space,
             scalar,
             scales: literals.unwrap_or_default(),
-            bounds: None,
             outputs: Vec::new(),
         }
     }
@@ -105,41 +165,24 @@ impl Vocabulary {
         &self.outputs
     }
 
-    /// Appends a source that bounds bids from above, one value for each of the first actions; operands cannot refer to
-    /// it.
-    #[must_use]
-    pub fn with_bounds(self, source: &SourceDocument) -> Self {
-        let readable = self.kinds.iter().filter_map(|kind| match *kind {
-            Kind::Data(place, length) => Some(place + length),
-            Kind::Registers | Kind::Literal => None,
-        });
-        let place = readable.max().unwrap_or(0);
-        Self { bounds: Some((place, source.length as u16)), ..self }
-    }
-
-    /// Returns the index of an action's bound in the flat state, if it has one.
-    pub fn bound(&self, action: u16) -> Option<u16> {
-        self.bounds.filter(|&(_, length)| action < length).map(|(place, _)| place + action)
-    }
-
     /// Returns the units of literals; empty if there are none.
     pub fn scales(&self) -> &[f64] {
         &self.scales
     }
 
     /// Returns the instruction set.
-    pub fn instructions(&self) -> &[Word] {
+    pub fn instructions(&self) -> &[Spoken] {
         &self.instructions
     }
 
     /// Returns the instruction at an index of the set.
-    pub fn instruction(&self, index: InstructionIndex) -> Word {
-        self.instructions[usize::from(index)]
+    pub fn instruction(&self, index: InstructionIndex) -> &Spoken {
+        &self.instructions[usize::from(index)]
     }
 
     /// Returns the index of an instruction in the set, if it is in it.
     pub fn index(&self, word: Word) -> Option<InstructionIndex> {
-        self.instructions.iter().position(|known| *known == word).map(|place| place as InstructionIndex)
+        self.instructions.iter().position(|known| *known == Spoken::Word(word)).map(|place| place as InstructionIndex)
     }
 
     /// Returns the operand that is a literal number; only where literals are allowed.
@@ -147,9 +190,36 @@ impl Vocabulary {
         Gene { source: (self.sources() - 1) as u8, location: 0, literal }
     }
 
-    /// Returns the number of registers of a program.
+    /// Returns the number of registers that programs name.
     pub fn registers(&self) -> u16 {
         self.registers
+    }
+
+    /// Returns the number of registers of a policy: calls need some for what they compute on the way.
+    pub fn policy_registers(&self) -> u16 {
+        self.registers + self.instructions.iter().map(Spoken::scratch).max().unwrap_or(0)
+    }
+
+    /// Appends the lines of a policy that an instruction with its operands is.
+    pub fn spell(&self, index: InstructionIndex, to: u16, genes: &[Gene; OPERANDS], lines: &mut Vec<Line>) {
+        let call = match self.instruction(index) {
+            &Spoken::Word(instruction) => {
+                lines.push(Line { to, instruction, operands: genes.map(|gene| self.read(&gene)) });
+                return;
+            }
+            Spoken::Call(call) => call,
+        };
+        let operand = |read: &Reading| match *read {
+            Reading::Operand(place, _) => self.read(&genes[place]),
+            Reading::Number(value) => Operand::Constant(self.scalar.round(value)),
+            Reading::Register(register) => Operand::Register(register as u16),
+            Reading::Constant(_) => unreachable!("a call without constants of the line"),
+        };
+        call.spell(to.into(), self.registers.into(), &mut |to, instruction, reads| {
+            let mut operands = [Operand::Register(0); OPERANDS];
+            operands.iter_mut().zip(reads).for_each(|(slot, read)| *slot = operand(read));
+            lines.push(Line { to: to as u16, instruction, operands });
+        });
     }
 
     /// Returns the number of sources that an operand can refer to.
@@ -195,6 +265,49 @@ impl Vocabulary {
             Kind::Registers => Operand::Register(gene.location % self.registers),
             Kind::Data(place, length) => Operand::Input(place + gene.location % length),
             Kind::Literal => Operand::Constant(gene.literal),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Gene, Spoken, Vocabulary};
+    use tpg_engine::{Line, Operand};
+    use tpg_graph::{ScalarType, SourceDocument, Word};
+
+    #[test]
+    fn a_call_is_spelled_in_registers_that_programs_do_not_name() {
+        let instructions =
+            ["copy(3.14159265)", "div(a, add(1, abs(b)))", "abs"].map(|text| Spoken::parse(text).expect(text));
+        let source = SourceDocument::new("x", "", vec![[-1.0, 1.0]]);
+        let vocabulary = Vocabulary::new(instructions.to_vec(), 3, &[source], None, ScalarType::F32);
+        assert_eq!((vocabulary.registers(), vocabulary.policy_registers()), (3, 5));
+        let (x, r) = (Gene { source: 1, location: 0, literal: 0.0 }, Gene::register);
+        let spelled = |index: u8| {
+            let mut lines = Vec::new();
+            vocabulary.spell(index, 1, &[x, r(2)], &mut lines);
+            lines
+        };
+        let line =
+            |to, word: &str, a, b| Line { to, instruction: Word::from_name(word).expect(word), operands: [a, b] };
+        let (zero, pi) = (Operand::Register(0), Operand::Constant(f64::from(3.141_592_7_f32)));
+        assert_eq!(spelled(0), [line(1, "copy", pi, zero)]);
+        assert_eq!(
+            spelled(1),
+            [
+                line(4, "abs", Operand::Register(2), zero),
+                line(3, "add", Operand::Constant(1.0), Operand::Register(4)),
+                line(1, "div", Operand::Input(0), Operand::Register(3)),
+            ]
+        );
+        assert_eq!(spelled(2), [line(1, "abs", Operand::Input(0), Operand::Register(2))]);
+        for (text, found) in [
+            ("pi", "neither an operand nor"),
+            ("a", "which calls no word"),
+            ("mul(a, c)", "more than a and b"),
+            ("mul(a, k0)", "more than"),
+        ] {
+            assert!(Spoken::parse(text).expect_err(text).contains(found), "{text}");
         }
     }
 }

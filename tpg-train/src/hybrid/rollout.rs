@@ -24,8 +24,6 @@ use tpg_runtime::switch::{
 pub enum Acting<'a> {
     /// A graph alone.
     Graph(&'a (String, Graph)),
-    /// A graph alone whose bids a source of that name bounds, in the order of the actions.
-    Shielded(&'a (String, Graph), &'a str),
     /// A network alone.
     Network(&'a (String, Network)),
     /// A graph that hands over to a network, or asks it.
@@ -36,7 +34,7 @@ impl<'a> Acting<'a> {
     /// Returns the graph, if one acts.
     pub fn graph(self) -> Option<&'a Graph> {
         match self {
-            Self::Graph((_, graph)) | Self::Shielded((_, graph), _) | Self::Both((_, graph), ..) => Some(graph),
+            Self::Graph((_, graph)) | Self::Both((_, graph), ..) => Some(graph),
             Self::Network(_) => None,
         }
     }
@@ -73,11 +71,10 @@ pub(crate) fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
     tasks: &[E::Task],
 ) -> Result<HybridResult, InputError> {
     let episodes: Vec<PlayedEpisode> = match acting {
-        Acting::Graph(graph) | Acting::Shielded(graph, _) => {
-            let shield = if let Acting::Shielded(_, source) = acting { Some(source) } else { None };
+        Acting::Graph(graph) => {
             let counting = Counting::new::<S>(environment, &graph.1);
             let remembering = Remembering::new(counting, Remembered::in_graph(&graph.1));
-            let endings = alone::<S, M, _>(&remembering, graph, shield, tasks)?;
+            let endings = alone::<S, M, _>(&remembering, graph, tasks)?;
             let counts = |tpg_actions| Counts { tpg_actions, ..Counts::default() };
             endings.into_iter().map(|ending| (ending, counts(ending.actions), 0)).collect()
         }
@@ -112,17 +109,10 @@ pub(crate) fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
 fn alone<S: Scalar, M: Maths<S>, E: Environment<S>>(
     environment: &E,
     (file, graph): &(String, Graph),
-    shield: Option<&str>,
     tasks: &[E::Task],
 ) -> Result<Vec<EpisodeResult>, InputError> {
-    let (mut policy, sources) = (bind(file, graph, environment)?, environment.sources());
-    if let Some(shield) = shield {
-        let length = |source: &SourceDocument| source.length as u16;
-        let first: u16 = sources.iter().take_while(|source| source.name != shield).map(length).sum();
-        let bounds = sources.iter().find(|source| source.name == shield).map_or(0, length);
-        policy = policy.shielded(|action| (action < bounds).then_some(first + action));
-    }
-    let plan = Plan::new::<M>(&policy, &sources, EngineOptions::default());
+    let policy = bind(file, graph, environment)?;
+    let plan = Plan::new::<M>(&policy, &environment.sources(), EngineOptions::default());
     Lanes::<S, M, _>::new(environment, EngineOptions::default())
         .run(&plan, tasks)
         .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "episodes that can be run"))

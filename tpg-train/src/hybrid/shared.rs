@@ -135,7 +135,7 @@ impl Shared for Problem {
                 let problem = self.clone().joined(file, &network.settings(), false, true)?;
                 in_arithmetic_of!(graph, play_named(&problem, graph, acting, episodes))
             }
-            Acting::Graph((_, graph)) | Acting::Shielded((_, graph), _) => {
+            Acting::Graph((_, graph)) => {
                 in_arithmetic_of!(graph, play_named(self, graph, acting, episodes))
             }
         }

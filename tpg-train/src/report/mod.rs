@@ -8,6 +8,7 @@ mod curves;
 mod episode;
 mod headline;
 mod policy;
+mod rivals;
 mod runs;
 mod size;
 mod tables;
@@ -96,6 +97,7 @@ fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<&dyn Shared>) 
     sections.extend(size::section(groups, &tested, &halls));
     for ((group, tested), best) in groups.iter().zip(&tested).zip(&best) {
         let Some(best) = *best else { continue };
+        sections.extend(rivals::section(&group.runs[best]));
         sections.push(policy::section(&group.runs[best], tested[best].as_ref()));
     }
     let title = groups.iter().map(|group| group.name.as_str()).collect::<Vec<_>>().join(", ");

@@ -45,15 +45,45 @@ pub(super) struct Run {
     pub(super) kind: Kind,
     /// The hall of fame: the best policy of each size, without the trained one itself, named by its generation.
     pub(super) hall: Vec<Self>,
-    /// Test episodes of the trained policy that the program with its environment has run.
-    pub(super) tested: Vec<EpisodeResult>,
+    /// What the program with the environment found on test episodes of the trained policy.
+    pub(super) tested: Option<TestedElsewhere>,
 }
 
-/// The test episodes of a policy whose environment is not built in.
-#[derive(Deserialize)]
-struct TestedElsewhere {
+/// Test episodes that the program with the environment has run: `tested.jsonl`.
+#[derive(Debug, Deserialize)]
+pub(super) struct TestedElsewhere {
+    /// The SHA-256 of the graph.
     graph: String,
-    episodes: Vec<EpisodeResult>,
+    /// Its episodes.
+    pub(super) episodes: Vec<EpisodeResult>,
+    /// Its effort, where actions are values between bounds.
+    #[serde(default)]
+    pub(super) effort: Option<Effort>,
+    /// Other controllers on the same episodes.
+    #[serde(default)]
+    pub(super) rivals: Vec<Rival>,
+}
+
+/// Another controller on the same episodes.
+#[derive(Debug, Deserialize)]
+pub(super) struct Rival {
+    /// Its name.
+    pub(super) name: String,
+    /// Its formula, if it was tuned for this.
+    pub(super) law: Option<String>,
+    /// The return of each episode.
+    pub(super) scores: Vec<f64>,
+    /// Its effort.
+    pub(super) effort: Option<Effort>,
+}
+
+/// Wear of actuators.
+#[derive(Clone, Copy, Debug, Deserialize)]
+pub(super) struct Effort {
+    /// The share of steps with a value at a bound.
+    pub(super) saturated: f64,
+    /// The mean change of a value from step to step, as a share of its range.
+    pub(super) chatter: f64,
 }
 
 /// A trained policy.
@@ -76,16 +106,7 @@ impl Group {
 
 impl Run {
     fn new(name: String, problem: Option<Problem>, kind: Kind) -> Self {
-        Self {
-            name,
-            seed: None,
-            curves: BTreeMap::new(),
-            cpu: None,
-            problem,
-            kind,
-            hall: Vec::new(),
-            tested: Vec::new(),
-        }
+        Self { name, seed: None, curves: BTreeMap::new(), cpu: None, problem, kind, hall: Vec::new(), tested: None }
     }
 
     /// Returns the mean score on the episodes by which training chose the policy.
@@ -203,7 +224,7 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
     let tested = folder.join("tested.jsonl");
     let tested = if tested.exists() { lines::<TestedElsewhere>(&tested)? } else { Vec::new() };
     // A graph that has been trained further has not been tested.
-    let tested = tested.into_iter().find(|one| one.graph == graph.sha256()).map(|one| one.episodes).unwrap_or_default();
+    let tested = tested.into_iter().find(|one| one.graph == graph.sha256());
     let curve = |value: &dyn Fn(&Row) -> Option<f64>| {
         rows.iter().filter_map(|row| Some([row.steps as f64, value(row)?])).collect::<Vec<_>>()
     };

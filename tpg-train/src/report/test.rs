@@ -62,7 +62,7 @@ pub(super) fn test(run: &Run, count: usize, seed: u64, own: Option<&dyn Shared>)
     let built_in = run.problem.as_ref();
     let Some(problem) = built_in.map(|problem| problem as &dyn Shared).or(own) else {
         let tested = |endings| Tested { endings, measure: None, pictures: Vec::new(), watched: None };
-        return Ok(Some(run.tested.clone()).filter(|endings| !endings.is_empty()).map(tested));
+        return Ok(run.tested.as_ref().map(|one| tested(one.episodes.clone())));
     };
     let episodes = Episodes { set: TaskSet::Test, count, seed, file: None };
     let (mut pictures, mut watched) = (Vec::new(), None);

@@ -26,7 +26,7 @@ pub(crate) type Windows = [Vec<u32>; OPERANDS.len()];
 
 /// The value of an instruction, made of its operands.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Expression {
+pub enum Expression {
     /// The operand at this place, `a` is 0, `b` is 1; and which of its values, 0 but for a window.
     Operand(usize, usize),
     /// The constant of the line at this place: `k0` is 0.
@@ -46,6 +46,19 @@ pub(crate) struct Given<'l> {
     pub(crate) constants: &'l [f64],
 }
 
+/// What a line reads that is a part of an expression.
+#[derive(Clone, Copy, Debug)]
+pub enum Reading {
+    /// The operand at this place, and which of its values.
+    Operand(usize, usize),
+    /// The constant of the line at this place.
+    Constant(usize),
+    /// A number.
+    Number(f64),
+    /// A register that an earlier line has written.
+    Register(u32),
+}
+
 /// The accepted form, for messages.
 pub(crate) const FORM: &str = "a word with its operands in brackets, each of them a to f, a constant of the line k0 to k3, a number or such a call: mul(a, div(b, 10))";
 
@@ -53,6 +66,23 @@ impl Expression {
     /// Returns the expression that a word stands for by itself.
     pub(crate) fn word(word: Word) -> Self {
         Self::Call(word, (0..word.arity()).map(|place| Self::Operand(place, 0)).collect())
+    }
+
+    /// Parses a call on numbers `a` to `f`; the error says what was found.
+    ///
+    /// ```
+    /// use tpg_graph::import::Expression;
+    ///
+    /// let half = Expression::call("div(add(a, b), 2)")?;
+    /// assert_eq!((half.arity(), half.scratch()), (2, 1));
+    /// assert!(Expression::call("plus(a, b)").is_err());
+    /// # Ok::<(), String>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If it is no call, or calls what is no word.
+    pub fn call(text: &str) -> Result<Self, String> {
+        Self::parse(text, &Windows::default())
     }
 
     /// Parses a call on operands of which some are windows; the error says what was found.
@@ -66,7 +96,7 @@ impl Expression {
     }
 
     /// Returns the number of operands that a line must have: 2 if `b` occurs and `c` does not.
-    pub(crate) fn arity(&self) -> usize {
+    pub fn arity(&self) -> usize {
         match self {
             Self::Operand(place, _) => place + 1,
             Self::Number(_) | Self::Constant(_) => 0,
@@ -75,7 +105,7 @@ impl Expression {
     }
 
     /// Returns the number of constants that a line must have: 2 if `k1` occurs and no later one.
-    pub(crate) fn constants(&self) -> usize {
+    pub fn constants(&self) -> usize {
         match self {
             Self::Constant(place) => place + 1,
             Self::Operand(..) | Self::Number(_) => 0,
@@ -84,7 +114,7 @@ impl Expression {
     }
 
     /// Adds the words that occur.
-    pub(crate) fn words(&self, words: &mut BTreeSet<Word>) {
+    pub fn words(&self, words: &mut BTreeSet<Word>) {
         if let Self::Call(word, operands) = self {
             words.insert(*word);
             operands.iter().for_each(|operand| operand.words(words));
@@ -92,7 +122,7 @@ impl Expression {
     }
 
     /// Returns the number of registers that its intermediate values need.
-    pub(crate) fn scratch(&self) -> u32 {
+    pub fn scratch(&self) -> u32 {
         let Self::Call(_, operands) = self else { return 0 };
         let is_call = |operand: &&Self| matches!(operand, Self::Call(..));
         (0..)
@@ -102,24 +132,38 @@ impl Expression {
             .unwrap_or(0)
     }
 
-    /// Appends the lines that leave the value in register `to`. Registers from `free` on are for intermediate values.
-    pub(crate) fn lines(&self, given: Given<'_>, to: u32, free: u32, lines: &mut Vec<LineDocument>) {
+    /// Tells `line` of each line that leaves the value in register `to`, in order: its register, its word and what it reads.
+    /// Registers from `free` on are for intermediate values.
+    pub fn spell(&self, to: u32, free: u32, line: &mut impl FnMut(u32, Word, &[Reading])) {
         let Self::Call(word, inner) = self else { return };
         let mut held = free;
-        let args = inner
-            .iter()
-            .map(|operand| match operand {
-                Self::Operand(place, value) => given.operands[*place][*value].clone(),
-                Self::Constant(place) => OperandDocument::Constant(given.constants[*place]),
-                Self::Number(value) => OperandDocument::Constant(*value),
+        let mut reads = Vec::with_capacity(inner.len());
+        for operand in inner {
+            reads.push(match *operand {
+                Self::Operand(place, value) => Reading::Operand(place, value),
+                Self::Constant(place) => Reading::Constant(place),
+                Self::Number(value) => Reading::Number(value),
                 Self::Call(..) => {
-                    operand.lines(given, held, held + 1, lines);
+                    operand.spell(held, held + 1, line);
                     held += 1;
-                    OperandDocument::Place(format!("r{}", held - 1))
+                    Reading::Register(held - 1)
                 }
-            })
-            .collect();
-        lines.push(LineDocument { to, op: word.name().to_owned(), args });
+            });
+        }
+        line(to, *word, &reads);
+    }
+
+    /// Appends the lines of a graph's document that leave the value in register `to`.
+    pub(crate) fn lines(&self, given: Given<'_>, to: u32, free: u32, lines: &mut Vec<LineDocument>) {
+        let operand = |read: &Reading| match *read {
+            Reading::Operand(place, value) => given.operands[place][value].clone(),
+            Reading::Constant(place) => OperandDocument::Constant(given.constants[place]),
+            Reading::Number(value) => OperandDocument::Constant(value),
+            Reading::Register(register) => OperandDocument::Place(format!("r{register}")),
+        };
+        self.spell(to, free, &mut |to, word, reads| {
+            lines.push(LineDocument { to, op: word.name().to_owned(), args: reads.iter().map(operand).collect() });
+        });
     }
 }
 

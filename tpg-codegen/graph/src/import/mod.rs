@@ -5,6 +5,7 @@ mod dot;
 mod profile;
 mod sidecar;
 
+pub use composed::{Expression, Reading};
 pub use profile::Profile;
 pub use sidecar::Sidecar;
 

@@ -5,7 +5,6 @@ mod memo;
 mod range;
 mod reach;
 pub(crate) mod seen;
-pub mod shield;
 mod source;
 mod stance;
 mod straight;
@@ -17,7 +16,7 @@ pub use seen::Observation;
 pub use source::Source;
 pub(crate) use source::same;
 pub use stance::Stance;
-pub use straight::Straight;
+pub use straight::{STEP, Straight};
 
 use crate::arm::{Arm, Move};
 use crate::frame::Frame;
@@ -88,8 +87,6 @@ impl<'a, S: Lattice> Parts<'a, S> {
             Source::Wrist => put(values, self.wrist()),
             Source::Floor => put(values, [self.frame().lowest_corner()]),
             Source::Stance => put(values, self.memo.stance(self.arm, seen.target).errors(seen.pose)),
-            Source::ShieldLimits => put(values, shield::limits(self.arm, seen.pose, shield::STEP)),
-            Source::ShieldCollision => put(values, shield::collision(self.arm, seen.pose)),
         }
     }
 }

@@ -1,7 +1,6 @@
 //! The finite range of every value of every source, from the arm's own lengths and limits.
 
 use super::Source;
-use super::shield::ALLOWED;
 use crate::arm::{Arm, JointRange, TICKS_PER_TURN};
 use crate::kinematics::Lattice;
 
@@ -58,7 +57,6 @@ impl Source {
                 [min - max, max - min]
             }
             (Self::Stance, _) => less(goal, joint(index)),
-            (Self::ShieldLimits | Self::ShieldCollision, _) => around(ALLOWED),
             (Self::Floor, _) => [0.0, links.base + reach + corner_reach(arm)],
         }
     }

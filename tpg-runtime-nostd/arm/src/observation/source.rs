@@ -38,16 +38,11 @@ pub enum Source {
     /// Ticks by which base, shoulder, elbow and wrist are off from a pose that solves the task: the closed-form inverse
     /// kinematics of the whole arm, for the first of four wrist positions that limits and shapes allow.
     Stance,
-    /// For each of the paper's eight actions (base, shoulder, elbow, wrist; up, down): 2¹²⁷ where the joint stays within
-    /// its limits, −2¹²⁷ where it would not. See [`shield`](super::shield).
-    ShieldLimits,
-    /// The same, negative also where the arm would collide.
-    ShieldCollision,
 }
 
 impl Source {
     /// Every source, in the order of the enumeration.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 14] = [
         Self::Target,
         Self::Difference,
         Self::Hand,
@@ -62,8 +57,6 @@ impl Source {
         Self::Wrist,
         Self::Floor,
         Self::Stance,
-        Self::ShieldLimits,
-        Self::ShieldCollision,
     ];
 
     /// The name in `graph.json`.
@@ -83,8 +76,6 @@ impl Source {
             Self::Wrist => "wrist",
             Self::Floor => "floor",
             Self::Stance => "stance",
-            Self::ShieldLimits => "shield_limits",
-            Self::ShieldCollision => "shield_collision",
         }
     }
 
@@ -109,7 +100,6 @@ impl Source {
             Self::Polar | Self::Bearing | Self::Reach | Self::ReachExcess => 3,
             Self::Motors | Self::MotorsCentred | Self::Stance => 4,
             Self::Servos => 6,
-            Self::ShieldLimits | Self::ShieldCollision => 8,
         }
     }
 
@@ -119,7 +109,6 @@ impl Source {
             Self::Target | Self::Difference | Self::Hand | Self::Polar | Self::Floor => "mm",
             Self::Motors | Self::Servos | Self::MotorsCentred | Self::Reach | Self::ReachPitch => "ticks",
             Self::Stance => "ticks",
-            Self::ShieldLimits | Self::ShieldCollision => "bound of a bid",
             Self::Bearing => "half ticks, 1/250 rad, mm",
             Self::ReachExcess => "ticks, ticks, mm",
             Self::Wrist => "mm, ticks",

@@ -4,11 +4,13 @@
 //! inverse kinematics for each target, and then hardly anything.
 
 use super::memo::TargetMemo;
-use super::shield::STEP;
 use super::{Observation, Source};
 use crate::arm::{Arm, JOINTS, Move};
 use crate::kinematics::Lattice;
 use tpg_runtime::policy::Policy;
+
+/// Ticks by which an action moves a joint (the paper, section 4.2).
+pub const STEP: i8 = 3;
 
 /// Moves all joints at once towards the target's stance, up to three ticks a step, and stops there.
 ///

@@ -5,13 +5,11 @@ use super::description::ArmDescription;
 use super::environment::{ArmEnvironment, ArmScalar};
 use super::motors;
 use super::problem::ArmProblem;
-use super::shield::Shield;
 use super::targets::{Start, TOLERANCE};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_arm::hybrid::{Guard, NEVER};
-use tpg_arm::observation::Source;
-use tpg_arm::observation::shield::STEP;
+use tpg_arm::observation::{STEP, Source};
 use tpg_arm::{Arm, WIDOWX};
 use tpg_graph::error::Finding;
 
@@ -21,8 +19,6 @@ use tpg_graph::error::Finding;
 pub struct Config {
     /// Sources that programs read, in order.
     pub sources: Vec<String>,
-    /// Masked actions; requires `step = 3`.
-    pub shield: Shield,
     /// Distance below which the hand has reached its target, mm.
     pub tolerance: f64,
     /// Play of the gears: maximum ticks of a joint beside its motor, drawn for each episode. Only the hand feels it.
@@ -69,7 +65,6 @@ impl Default for Config {
     fn default() -> Self {
         Self {
             sources: [Source::Stance, Source::Floor].map(|source| source.name().to_owned()).to_vec(),
-            shield: Shield::None,
             tolerance: TOLERANCE,
             backlash: 0,
             step: STEP,
@@ -90,10 +85,6 @@ impl Config {
     /// # Errors
     /// The first invalid setting.
     pub fn check(&self) -> Result<(), Finding> {
-        if self.shield != Shield::None && self.step != STEP {
-            let accepted = format!("\"none\": a shield knows actions of {STEP} ticks only");
-            return Err(Finding::new("problem.shield", format!("{:?}", self.shield.name()), accepted));
-        }
         self.check_sources()?;
         if let Some(arm) = &self.arm {
             arm.check()?;
@@ -108,8 +99,7 @@ impl Config {
 
     /// Checks that each source exists and occurs once.
     fn check_sources(&self) -> Result<(), Finding> {
-        let readable = |source: &&str| !source.starts_with("shield_");
-        let known: Vec<&str> = Source::ALL.iter().map(|source| source.name()).filter(readable).collect();
+        let known: Vec<&str> = Source::ALL.iter().map(|source| source.name()).collect();
         let accepted = || format!("one or more of {}, each once", known.join(", "));
         if self.sources.is_empty() {
             return Err(Finding::new("problem.sources", "an empty list", accepted()));
@@ -137,7 +127,7 @@ impl Config {
             backlash: self.backlash,
             step: self.step,
             may_stop: self.may_stop || self.tests,
-            sources: if self.tests { Source::ALL.to_vec() } else { sources.chain(self.shield.source()).collect() },
+            sources: if self.tests { Source::ALL.to_vec() } else { sources.collect() },
             bonus: self.bonus_success,
             per_unused_action: self.coef_reward_multiplication,
         }

@@ -17,13 +17,13 @@ use crate::arm::evaluation::figures;
 use crate::arm::problem::{ArmProblem, ArmTask, DISTANCE, OUTCOMES, on_the_arm};
 use crate::arm::targets::{self, ReachableSpace, Set};
 use crate::arm::{drawing, motors};
-use clearance::{Clearances, swing};
+use clearance::Clearances;
 use guard::Steering;
 use serde_json::{Map, Value};
 use tpg_arm::binding::MOVE;
 use tpg_arm::episode::Outcome;
 use tpg_arm::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, Vector, link_angles};
-use tpg_arm::observation::{Observation, ReachErrors, Source, derived, shield};
+use tpg_arm::observation::{Observation, ReachErrors, Source, derived};
 use tpg_arm::{Arm, JOINTS, Joint, Move, Play, Pose, TICKS_PER_TURN};
 use tpg_engine::random::Stream;
 use tpg_engine::{
@@ -62,8 +62,6 @@ pub struct ArmEnvironment<S> {
     /// First index of each source in the flat state.
     places: Vec<usize>,
     clearances: Clearances<S>,
-    /// Maximum distance that a shielded action moves any point of the arm, mm.
-    swing: S,
     sines: Box<Sines<S>>,
     /// How networks drive the arm.
     steering: Steering,
@@ -115,7 +113,6 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             tolerance: S::from_f64(problem.tolerance),
             problem,
             clearances: Clearances::new(arm),
-            swing: S::from_f64(swing(arm, f64::from(shield::STEP))),
             moves,
             places,
             sines: Box::new(std::array::from_fn(|ticks| Angle(ticks as i32).direction().sin)),
@@ -168,17 +165,6 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         self.direction(base_angle(pose))
     }
 
-    /// Returns [`Source::ShieldCollision`], skipping the collision test if the arm is far from everything.
-    fn shield(&self, episode: &ArmEpisode<S>) -> [S; shield::SHIELDED] {
-        let step = episode.shielded_step();
-        if episode.roughness == 1 && self.clearances.leaves_free(&episode.plane, self.swing) {
-            return shield::limits(&self.arm, episode.pose, step);
-        }
-        shield::collision_with(&self.arm, episode.pose, step, |pose| {
-            if pose == episode.pose { episode.collides } else { self.plane(pose).collision(&self.arm.shapes).is_some() }
-        })
-    }
-
     /// Moves the arm to a pose; `plane` is given if it changed.
     fn arrive(&self, episode: &mut ArmEpisode<S>, pose: Pose, plane: Option<Plane<S>>) {
         if pose.0[0] != episode.pose.0[0] {
@@ -219,7 +205,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             }
             let plane = self.plane(moved);
             moved_plane = Some(plane);
-            if self.clearances.leaves_free(&plane, S::ZERO) { None } else { plane.collision(&self.arm.shapes) }
+            if self.clearances.leaves_free(&plane) { None } else { plane.collision(&self.arm.shapes) }
         });
         episode.actions += 1;
         if step.pose != before {
@@ -389,10 +375,6 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
                     let pose = episode.pose;
                     values.copy_from_slice(&episode.stance(&self.arm).errors(pose));
                 }
-                Source::ShieldLimits => {
-                    values.copy_from_slice(&shield::limits(&self.arm, episode.pose, episode.shielded_step()))
-                }
-                Source::ShieldCollision => values.copy_from_slice(&self.shield(episode)),
                 Source::Wrist => values.copy_from_slice(&derived::wrist(&episode.frame(&self.arm))),
                 Source::Floor => values.copy_from_slice(&[episode.frame(&self.arm).lowest_corner()]),
                 Source::Target | Source::Difference | Source::Hand | Source::Motors | Source::Servos => {

@@ -5,7 +5,6 @@
 //! | [`environment`] | the arm as an [`Environment`](tpg_engine::Environment), many episodes in parallel |
 //! | [`binding`] | translation of a graph's sources and actions |
 //! | [`config`] | the arm's section of a configuration |
-//! | [`shield`] | actions that a graph cannot choose |
 //! | [`motors`] | the arm by its four motors, for policies with outputs |
 //! | [`description`] | an arm as a section of a configuration |
 //! | [`arms`] | arms that are known by name |
@@ -28,11 +27,9 @@ pub mod import;
 pub mod motors;
 pub mod planner;
 pub mod problem;
-pub mod shield;
 pub mod targets;
 
 pub use config::Config;
 pub use description::ArmDescription;
 pub use environment::{ArmEnvironment, ArmScalar};
 pub use problem::{ArmProblem, ArmTask};
-pub use shield::Shield;

@@ -12,7 +12,6 @@ use std::sync::OnceLock;
 use tpg_engine::{Choices, EngineOptions, Environment, LocalThreads};
 use tpg_graph::error::{InputError, Place};
 use tpg_problems::Pendulum;
-use tpg_problems::arm::shield::Shield;
 use tpg_problems::arm::targets::Start;
 use tpg_problems::arm::{self, ArmEnvironment};
 use tpg_runtime::ops::Own;
@@ -75,14 +74,13 @@ fn a_real_state_is_accepted_and_written_as_it_was_read() {
 }
 
 #[test]
-fn a_real_state_of_a_shielded_arm_is_accepted() {
+fn a_real_state_of_an_arm_is_accepted() {
     let mut config = config();
     config.language.literals = true;
-    let (mut limits, mut small) = (arm::Config::default(), config);
-    limits.shield = Shield::LimitsAndCollision;
+    let mut small = config;
     (small.learning.nb_iterations_per_policy_evaluation, small.learning.nb_generations) = (3, 2);
     (small.tpg.nb_roots, small.tpg.init_nb_roots) = (12, 12);
-    let environment: ArmEnvironment<f32> = limits.environment(Start::Rs);
+    let environment: ArmEnvironment<f32> = arm::Config::default().environment(Start::Rs);
     let content = content(&small, &environment).to_string();
     let read = from_bytes("x", content.as_bytes(), &small, 1, &environment);
     assert!(read.is_ok(), "{:?}", read.err());

@@ -1,6 +1,7 @@
 //! Validity of configurations.
 
 use super::EvolutionConfig;
+use crate::evolution::vocabulary::Spoken;
 use tpg_engine::{Environment, NETWORK};
 use tpg_graph::Word;
 use tpg_graph::error::Finding;
@@ -127,16 +128,23 @@ impl EvolutionConfig {
 
     /// Checks that each instruction exists and occurs once.
     fn check_instructions(&self) -> Result<(), Finding> {
-        let names = &self.language.instructions;
-        let accepted = || format!("one or more of {}, each once", Word::ALL.map(Word::name).join(", "));
-        if names.is_empty() {
-            return Err(Finding::new("language.instructions", "an empty list", accepted()));
+        let texts = &self.language.instructions;
+        let refused = |found: String| {
+            let words = Word::ALL.map(Word::name).join(", ");
+            let accepted =
+                format!("one or more of {words}, or calls of them on a and b, such as mul(a, div(b, 10)), each once");
+            Err(Finding::new("language.instructions", found, accepted))
+        };
+        if !(1..=256).contains(&texts.len()) {
+            return refused(format!("{} instructions", texts.len()));
         }
-        let wrong =
-            |&(place, name): &(usize, &String)| Word::from_name(name).is_none() || names[..place].contains(name);
-        match names.iter().enumerate().find(wrong) {
-            Some((_, name)) => Err(Finding::new("language.instructions", format!("{name:?}"), accepted())),
-            None => Ok(()),
+        for (place, text) in texts.iter().enumerate() {
+            match Spoken::parse(text) {
+                Err(found) => return refused(found),
+                Ok(_) if texts[..place].contains(text) => return refused(format!("{text:?} twice")),
+                Ok(_) => {}
+            }
         }
+        Ok(())
     }
 }

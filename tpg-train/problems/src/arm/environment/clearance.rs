@@ -34,13 +34,13 @@ impl<S: ArmScalar> Clearances<S> {
         Self { elbow, wrist, tip, top, side }
     }
 
-    /// True if the arm is certainly free, with `more` mm to spare: high enough above the table, and above the base or
+    /// Returns true if the arm is certainly free: high enough above the table, and above the base or
     /// to one side of it. Branch-free, for vectorisation.
     #[inline(always)]
-    pub(super) fn leaves_free(&self, plane: &Plane<S>, more: S) -> bool {
+    pub(super) fn leaves_free(&self, plane: &Plane<S>) -> bool {
         let Clearances { elbow, wrist, tip, top, side } = *self;
-        let joints = [(plane.elbow, elbow + more), (plane.wrist, wrist + more), (plane.tip, tip + more)];
-        let (mut over_table, mut above, mut before, mut behind) = (plane.bracket.z > more, true, true, true);
+        let joints = [(plane.elbow, elbow), (plane.wrist, wrist), (plane.tip, tip)];
+        let (mut over_table, mut above, mut before, mut behind) = (plane.bracket.z > S::ZERO, true, true, true);
         for (joint, around) in joints {
             over_table &= joint.z > around;
             above &= joint.z > top + around;

@@ -2,7 +2,7 @@
 
 use tpg_arm::frame::Frame;
 use tpg_arm::kinematics::{Direction, Lattice, Plane, Vector};
-use tpg_arm::observation::{Aim, Reach, ReachTarget, Stance, shield};
+use tpg_arm::observation::{Aim, Reach, ReachTarget, Stance};
 use tpg_arm::{Arm, Play, Pose};
 
 /// A running episode with its cached values.
@@ -31,11 +31,6 @@ impl<S: Lattice> ArmEpisode<S> {
     /// Returns the pose.
     pub fn pose(&self) -> Pose {
         self.pose
-    }
-
-    /// Returns the step that the shield checks: that of the episode, which may be coarser than the problem's.
-    pub(super) fn shielded_step(&self) -> i8 {
-        shield::STEP.saturating_mul(self.roughness as i8)
     }
 
     pub(super) fn frame<'a>(&self, arm: &'a Arm<S>) -> Frame<'a, S> {

@@ -84,7 +84,7 @@ fn regular<S: ArmScalar>(
         for axis in 0..3 {
             hands[axis][lane] = hand[axis];
         }
-        let clear = environment.clearances.leaves_free(&plane, S::ZERO);
+        let clear = environment.clearances.leaves_free(&plane);
         group.other[lane] = !(inside[lane] & (moved[lane] != 0) & far & clear & (group.left[lane] > 0));
     }
     for lane in 0..BLOCK {
