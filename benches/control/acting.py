@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Pictures of the shipped policies at work on real Gymnasium: moments of one episode, driven by the generated C.
+"""Pictures of the shipped policies at work: on real Gymnasium moments of one episode, driven by the generated C, and of the arm's
+policies an episode as `tpg-train report` draws it.
 
     python3 -m venv control && control/bin/pip install "gymnasium[box2d,mujoco]==1.4.0"
     control/bin/python benches/control/acting.py
@@ -9,6 +10,8 @@ Writes `generated/*/acting.svg`. Earlier moments are paler.
 
 from __future__ import annotations
 
+import re
+import subprocess
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
@@ -165,9 +168,37 @@ def picture(moments: list[list[Shape]], ground: Shape | None, title: str) -> str
     )
 
 
+# The arm's policies: problem, policy, and the log that makes a folder a run.
+ARMS = [
+    ("widowx-fs", "fs", "graph.json", "generations.jsonl"),
+    ("widowx-rs", "rs", "graph.json", "generations.jsonl"),
+    ("widowx-sac", "fs", "policy.safetensors", "log.jsonl"),
+]
+
+
+def reported(folder: Path, place: Path, problem: str, policy: str, log: str) -> str:
+    """Returns the shortest picture of an episode in the report of a policy."""
+    folder.mkdir()
+    (folder / policy).write_bytes((place / policy).read_bytes())
+    (folder / "config.toml").write_text(f'[problem]\nname = "{problem}"\n')
+    (folder / log).touch()
+    command = ["cargo", "run", "--release", "-q", "-p", "tpg-train", "--", "report", str(folder), "--episodes", "8", "-o", "-"]
+    page = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    styles = ROOT / "tpg-codegen/picture/templates"
+    style = "".join((styles / name).read_text() for name in ("colours.css", "picture.css"))
+    pictures = [one for one in re.findall(r"<svg.*?</svg>", page, re.DOTALL) if "an episode" in one.split(">", 1)[0]]
+    start, rest = min(pictures, key=len).split(">", 1)
+    start = start.replace("<svg", '<svg xmlns="http://www.w3.org/2000/svg"', 1)
+    return f"{start}>\n<style>{style}</style>{rest}\n"
+
+
 def main() -> None:
     """Draws every shipped policy."""
     with tempfile.TemporaryDirectory() as folder:
+        for name, *how in ARMS:
+            place = ROOT / "generated" / name
+            (place / "acting.svg").write_text(reported(Path(folder, name), place, *how))
+            print(f"generated/{name}/acting.svg")
         for name, known_as, look, ground, every, count in SCENES:
             place = ROOT / "generated" / name
             policy = Policy(place / "graph.json", place / f"{name.replace('-', '_')}.c", Path(folder))

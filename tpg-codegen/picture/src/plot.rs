@@ -4,8 +4,10 @@ use super::axis::{Axis, Fitted};
 use super::svg::{Point, Svg};
 
 const SIZE: [f64; 2] = [620.0, 340.0];
-/// Left, top, right and bottom margins for numbers and labels.
+/// Left, top, right and bottom margins for numbers and labels; names need more on the left.
 const MARGIN: [f64; 4] = [72.0, 12.0, 14.0, 44.0];
+/// Width of the label of the y axis with its gaps, and of a character of a name.
+const LABEL: [f64; 2] = [30.0, 6.2];
 const LEGEND_ROW: f64 = 18.0;
 const LEGEND_COLUMN: f64 = 270.0;
 
@@ -113,7 +115,9 @@ impl Plot {
         let rows = self.legend.len().div_ceil(2) as f64;
         let mut svg = Svg::new(width, height + rows * LEGEND_ROW);
         let (xs, ys): (Vec<f64>, Vec<f64>) = self.extent().into_iter().map(|[x, y]| (x, y)).unzip();
-        let mut frame = PlotFrame { x: self.x.fit(xs.into_iter()), y: self.y.fit(ys.into_iter()) };
+        let mut frame = PlotFrame { x: self.x.fit(xs.into_iter()), y: self.y.fit(ys.into_iter()), left: MARGIN[0] };
+        let longest = frame.y.ticks().iter().map(|(_, text)| text.chars().count()).max().unwrap_or(0);
+        frame.left = frame.left.max(LABEL[0] + LABEL[1] * longest as f64);
         if self.marks.iter().any(|(_, mark)| matches!(mark, Mark::Points(_))) {
             (frame.x, frame.y) = (frame.x.roomy(), frame.y.roomy());
         }
@@ -145,7 +149,7 @@ impl Plot {
     }
 
     fn axes(&self, svg: &mut Svg, frame: &PlotFrame<'_>) {
-        let [left, top, right, bottom] = MARGIN;
+        let ([_, top, right, bottom], left) = (MARGIN, frame.left);
         let [width, height] = SIZE;
         for (value, text) in frame.y.ticks() {
             let y = frame.at([f64::NAN, value])[1];
@@ -166,11 +170,12 @@ impl Plot {
 struct PlotFrame<'a> {
     x: Fitted<'a>,
     y: Fitted<'a>,
+    left: f64,
 }
 
 impl PlotFrame<'_> {
     fn at(&self, [x, y]: Point) -> Point {
-        let [left, top, right, bottom] = MARGIN;
+        let ([_, top, right, bottom], left) = (MARGIN, self.left);
         let [width, height] = SIZE;
         [left + self.x.place(x) * (width - left - right), height - bottom - self.y.place(y) * (height - top - bottom)]
     }
@@ -214,7 +219,7 @@ impl Mark {
             }
             Self::Rule(y, text) => {
                 let y = frame.at([f64::NAN, *y])[1];
-                svg.line("rule", [MARGIN[0], y], [SIZE[0] - MARGIN[2], y]);
+                svg.line("rule", [frame.left, y], [SIZE[0] - MARGIN[2], y]);
                 svg.text("end note", [SIZE[0] - MARGIN[2] - 3.0, y - 4.0], text);
             }
         }
