@@ -23,7 +23,7 @@ editors.
 
 ## `tpg-train tpg`
 
-The default is the preset `thorough`; others are `quick` and `gegelati`.
+The default is the preset `thorough`; `tpg-train config --list` names the others.
 
 "
     .to_owned();
