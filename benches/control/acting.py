@@ -23,8 +23,8 @@ from generated import ROOT, Policy
 
 SEED, WIDTH, HEIGHT, MARGIN = 10_000_000, 360, 180, 8
 Point = tuple[float, float]
-# A line along points, with its width in the environment's units, and whether it encloses an area.
-Shape = tuple[list[Point], float, bool]
+# A line along points, its width in the environment's units, and its style: `line` and `ground` are open, the others areas.
+Shape = tuple[list[Point], float, str]
 
 
 def arm(at: Point, lengths: list[float], angles: list[float], width: float) -> Shape:
@@ -33,17 +33,13 @@ def arm(at: Point, lengths: list[float], angles: list[float], width: float) -> S
     for length, angle in zip(lengths, angles, strict=True):
         x, y = points[-1]
         points.append((x - length * float(np.sin(angle)), y + length * float(np.cos(angle))))
-    return points, width, False
-
-
-def box(x: float, y: float, wide: float, high: float) -> Shape:
-    """Returns a box around a point."""
-    return [(x - wide, y - high), (x + wide, y - high), (x + wide, y + high), (x - wide, y + high)], 0.0, True
+    return points, width, "line"
 
 
 def pole(env: Any) -> list[Shape]:
     x, _, angle, _ = env.state
-    return [arm((x, 0.0), [1.0], [-angle], 0.08), box(x, -0.1, 0.25, 0.12)]
+    cart = [(x - 0.25, -0.22), (x + 0.25, -0.22), (x + 0.25, 0.02), (x - 0.25, 0.02)]
+    return [arm((x, 0.0), [1.0], [-angle], 0.08), (cart, 0.0, "soft")]
 
 
 def acrobot(env: Any) -> list[Shape]:
@@ -61,15 +57,18 @@ def hill(x: float) -> Point:
 
 
 def car(env: Any) -> list[Shape]:
-    x, y = hill(env.state[0])
-    return [box(x, y + 0.05, 0.05, 0.03)]
+    at, rise = np.array(hill(env.state[0])), 1.35 * np.cos(3 * env.state[0])
+    along = np.array([1.0, rise]) / np.hypot(1.0, rise)
+    up = np.array([-along[1], along[0]])
+    return [([tuple(at + 0.05 * x * along + y * up) for x, y in ((-1, 0.01), (1, 0.01), (1, 0.07), (-1, 0.07))], 0.0, "area")]
 
 
 def bodies(env: Any) -> list[Shape]:
-    """Returns the polygons of Box2D's moving bodies."""
+    """Returns the polygons of Box2D's moving bodies, the walker's far leg in another tone."""
+    far = env.legs[:-2]
     return [
-        ([tuple(body.transform * corner) for corner in part.shape.vertices], 0.0, True)
-        for body in [*env.legs, getattr(env, "lander", None) or env.hull]
+        ([tuple(body.transform * corner) for corner in part.shape.vertices], 0.0, "soft" if body in far else "area")
+        for body in [*far, getattr(env, "lander", None) or env.hull, *env.legs[-2:]]
         for part in body.fixtures
     ]
 
@@ -83,30 +82,30 @@ def capsules(env: Any) -> list[Shape]:
         radius, half = model.geom_size[place][:2]
         along = data.geom_xmat[place].reshape(3, 3)[:, 2] * half
         ends = (data.geom_xpos[place] - along, data.geom_xpos[place] + along)
-        shapes.append(([(float(end[plane[0]]), float(end[plane[1]])) for end in ends], 2 * float(radius), False))
+        shapes.append(([(float(end[plane[0]]), float(end[plane[1]])) for end in ends], 2 * float(radius), "line"))
     return shapes
 
 
 def slope(_: Any) -> Shape:
-    return [hill(x) for x in np.linspace(-1.2, 0.6, 60)], 0.02, False
+    return [hill(x) for x in np.linspace(-1.2, 0.6, 60)], 0.02, "ground"
 
 
 def moon(env: Any) -> Shape:
-    return [env.sky_polys[0][0], *(part[1] for part in env.sky_polys)], 0.06, False
+    return [env.sky_polys[0][0], *(part[1] for part in env.sky_polys)], 0.06, "ground"
 
 
 def track(env: Any) -> Shape:
     end = max(point[0] for shape in bodies(env) for point in shape[0]) + 2
-    return [points[0] for points, _ in env.terrain_poly if points[0][0] < end], 0.12, False
+    return [points[0] for points, _ in env.terrain_poly if 2 < points[0][0] < end], 0.12, "ground"
 
 
 def rail(env: Any) -> Shape:
-    return [(-1.0, -0.24), (1.0, -0.24)], 0.03, False
+    return [(-1.0, -0.24), (1.0, -0.24)], 0.03, "ground"
 
 
 def floor(env: Any) -> Shape:
     end = max(point[0] for shape in capsules(env) for point in shape[0]) + 0.5
-    return [(-0.5, 0.0), (end, 0.0)], 0.02, False
+    return [(-0.5, 0.0), (end, 0.0)], 0.02, "ground"
 
 
 def push_pole(env: Any) -> Any:
@@ -115,7 +114,7 @@ def push_pole(env: Any) -> Any:
 
 
 def push_poles(env: Any) -> Any:
-    env.set_state(np.array([-0.2, 0.0, 0.0]), np.array([0.0, 1.2, 0.0]))
+    env.set_state(np.array([-0.5, 0.0, 0.0]), np.array([0.0, 0.9, 0.0]))
     return env._get_obs()
 
 
@@ -123,44 +122,45 @@ def push_poles(env: Any) -> Any:
 PUSHES = {"cartpole": push_pole, "inverted-double-pendulum": push_poles}
 # Problem, Gymnasium's id, what moves, the ground, steps from moment to moment, moments.
 SCENES: list[tuple[str, str, Callable[[Any], list[Shape]], Callable[[Any], Shape] | None, int, int]] = [
-    ("cartpole", "CartPole-v1", pole, rail, 4, 12),
+    ("cartpole", "CartPole-v1", pole, rail, 8, 6),
     ("acrobot", "Acrobot-v1", acrobot, None, 5, 16),
     ("mountain-car", "MountainCar-v0", car, slope, 4, 60),
     ("mountain-car-continuous", "MountainCarContinuous-v0", car, slope, 12, 90),
     ("pendulum", "Pendulum-v1", pendulum, None, 4, 16),
     ("lunar-lander", "LunarLander-v3", bodies, moon, 16, 40),
     ("lunar-lander-continuous", "LunarLanderContinuous-v3", bodies, moon, 16, 40),
-    ("inverted-double-pendulum", "InvertedDoublePendulum-v5", capsules, None, 2, 10),
+    ("inverted-double-pendulum", "InvertedDoublePendulum-v5", capsules, None, 2, 5),
     ("swimmer", "Swimmer-v5", capsules, None, 15, 8),
-    ("bipedal-walker", "BipedalWalker-v3", bodies, track, 24, 8),
+    ("bipedal-walker", "BipedalWalker-v3", bodies, track, 48, 4),
     ("hopper", "Hopper-v5", capsules, floor, 14, 12),
 ]
 
 
 def picture(moments: list[list[Shape]], ground: Shape | None, title: str) -> str:
     """Draws moments, the last one darkest."""
-    shapes = [shape for moment in moments for shape in moment]
-    points = np.array([point for points, _, _ in [*shapes, *([ground] if ground else [])] for point in points])
-    low, high = points.min(axis=0), points.max(axis=0)
+    shapes = [*(shape for moment in moments for shape in moment), *([ground] if ground else [])]
+    low = np.min([np.min(points, axis=0) - width / 2 for points, width, _ in shapes], axis=0)
+    high = np.max([np.max(points, axis=0) + width / 2 for points, width, _ in shapes], axis=0)
     scale = float(min((np.array([WIDTH, HEIGHT]) - 2 * MARGIN) / np.maximum(high - low, 1e-9)))
     shift = (np.array([WIDTH, HEIGHT]) - scale * (high - low)) / 2
 
-    def path(shape: Shape, style: str) -> str:
-        line, width, is_area = shape
+    def path(shape: Shape) -> str:
+        line, width, style = shape
+        is_open = style in ("line", "ground")
         place = [shift + scale * (np.array(point) - low) for point in line]
-        text = "M" + "L".join(f"{x:.1f} {HEIGHT - y:.1f}" for x, y in place) + ("z" if is_area else "")
-        fill = "" if is_area else f' fill="none" stroke-width="{max(1.0, scale * width):.1f}"'
+        text = "M" + "L".join(f"{x:.1f} {HEIGHT - y:.1f}" for x, y in place) + ("" if is_open else "z")
+        fill = f' fill="none" stroke-width="{max(1.0, scale * width):.1f}"' if is_open else ""
         return f'<path class="{style}"{fill} d="{text}"/>\n'
 
-    body = path(ground, "ground") if ground else ""
+    body = path(ground) if ground else ""
     for number, moment in enumerate(moments):
         ink = 0.12 + 0.88 * (number / max(1, len(moments) - 1)) ** 2
-        parts = "".join(path(shape, "area" if shape[2] else "line") for shape in moment)
+        parts = "".join(path(shape) for shape in moment)
         body += f'<g opacity="{ink:.2f}">\n{parts}</g>\n'
     style = (
         "svg { --ink: #00805c; --soft: #9aa5af; } @media (prefers-color-scheme: dark) { svg { --ink: #35c79b; --soft: #5b6670; } } "
         ".line { stroke: var(--ink); stroke-linecap: round; stroke-linejoin: round; } .area { fill: var(--ink); } "
-        ".ground { stroke: var(--soft); }"
+        ".soft { fill: var(--soft); } .ground { stroke: var(--soft); }"
     )
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}" role="img">\n'
