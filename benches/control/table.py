@@ -3,7 +3,7 @@
 
     cargo build --release -p tpg-codegen -p cortex-bound
     python3 -m venv control && control/bin/pip install "gymnasium[box2d,mujoco]==1.4.0" scikit-learn
-    control/bin/python benches/control/table.py [--episodes 1000] [--rivals] [--only cartpole] [--json FILE] [--figure FILE.svg]
+    control/bin/python benches/control/table.py [--episodes 1000] [--rivals] [--only cartpole] [--json FILE]
 
 Every policy plays the same episodes, seeds 10,000,000 and up, which nothing was trained or chosen on. A return has its 95 %
 interval; bytes are code and constants for a Cortex-M4F, `arm-none-eabi-gcc -Os`, instructions the most that one decision takes
@@ -28,7 +28,6 @@ from typing import Any
 import gymnasium
 import numpy as np
 from agents import RECIPES, Agent, Integers, trained
-from figure import figure
 from generated import ROOT, Policy, built, flash_of, footprint, report
 from pruned import pruned_search
 from rivals import distilled, episode, random_search, write_c
@@ -106,7 +105,8 @@ def rows(problem: Problem, episodes: int, with_rivals: bool, folder: Path) -> li
     found.append(rival(problem, "linear, random search", linear, episodes, folder, f"{steps / 1e6:.2f} M steps"))
     whole, small, steps = pruned_search(env, problem.steps, 1)
     found.append(rival(problem, "linear, covariance matrix adaptation", whole, episodes, folder, f"{steps / 1e6:.2f} M steps"))
-    found.append(rival(problem, "the same, pruned", small, episodes, folder, f"{np.count_nonzero(small.weights)} weights"))
+    pruned = f"{np.count_nonzero(small.weights)} weights"
+    found.append(rival(problem, "linear, covariance matrix adaptation, pruned", small, episodes, folder, pruned))
     for leaves in TREE_LEAVES:
         tree = distilled(env, policy, leaves)
         found.append(rival(problem, f"tree of {leaves} leaves", tree, episodes, folder, "imitates this project's"))
@@ -152,7 +152,6 @@ def main() -> None:
     parser.add_argument("--agents", action="store_true", help="train agents of Stable-Baselines3, too")
     parser.add_argument("--only", action="append", help="one problem; can be repeated")
     parser.add_argument("--json", type=Path, help="writes the figures")
-    parser.add_argument("--figure", type=Path, help="writes return against bytes as SVG")
     options = parser.parse_args()
     unknown = set(options.only or []) - {problem.name for problem in PROBLEMS}
     if unknown:
@@ -179,8 +178,6 @@ def main() -> None:
             print(f"| {problem.name} | published by {problem.source} | {published} | | | | |")
     if options.json:
         options.json.write_text(json.dumps([asdict(row) for row in table], indent=1) + "\n")
-    if options.figure:
-        options.figure.write_text(figure([asdict(row) for row in table if row.flash]))
 
 
 if __name__ == "__main__":
