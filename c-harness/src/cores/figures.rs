@@ -215,7 +215,7 @@ impl std::fmt::Display for Figures {
         )?;
         writeln!(
             f,
-            "## Flash of the C\n\nBytes of code and constants, `-Os`. Without an FPU an image also has the functions for floats, once.\n\n{}",
+            "## Flash of the C\n\nBytes of code and constants, `-Os`, with picolibc (`report`: newlib). Without an FPU an image also has the functions for floats, once.\n\n{}",
             self.table(&[], |figures| {
                 figures
                     .flash
