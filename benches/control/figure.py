@@ -39,7 +39,7 @@ def shipped(folder: str) -> Point:
 
 def ticks(low: float, high: float) -> list[float]:
     """Returns the round numbers of a range, at least three."""
-    power = 10 ** math.floor(math.log10((high - low) / 3))
+    power = 10.0 ** math.floor(math.log10((high - low) / 3))
     step = next(power * one for one in (5, 2, 1) if power * one <= (high - low) / 3)
     return [step * place for place in range(math.ceil(low / step), math.floor(high / step) + 1)]
 
