@@ -540,7 +540,7 @@ def test_a_model_is_compared_with_another_controller_on_the_same_episodes(pole: 
 
 def test_a_rival_is_tuned_and_says_its_law() -> None:
     swing = TPG("Pendulum-v1", native=False, settings={"start.share": 1.0, "start.random": 1.0}).learn(3_000)
-    for kind, law in (("pid", "torque = "), ("relay", "torque = sign of "), ("linear", "leaf 0")):
+    for kind, law in (("pid", "torque = "), ("relay", "torque = 2 if "), ("linear", "torque = ")):
         both = swing.evaluate(5, other=kind)
         assert both.law is not None and law in both.law
         assert both.efforts is not None
@@ -550,6 +550,18 @@ def test_a_rival_is_tuned_and_says_its_law() -> None:
     assert "less <lambda>" in str(all_of_them) and "the law of relay: torque" in str(all_of_them)
     with pytest.raises(InputError, match="one or more controllers"):
         swing.evaluate(5, other=[])
+
+
+def test_a_run_is_resumed_with_its_names_only(tmp_path: Path) -> None:
+    swing = lambda **names: TPG("Pendulum-v1", native=False, folder=tmp_path, **names)  # noqa: E731
+    swing(input_names=["x", "y", "speed"]).learn(3_000)
+    with pytest.raises(InputError, match=r"a graph of the inputs x\[0\], y\[0\], speed\[0\]; accepted: cos_theta"):
+        swing(resume=True).learn(6_000)
+    swing(input_names=["x", "y", "speed"], resume=True).learn(6_000)
+
+
+def test_a_quantised_policy_has_a_report(pole: TPG) -> None:
+    assert "Cortex-M0" in str(pole.quantise(16).report("m0"))
 
 
 def test_rivals_on_the_same_episodes_are_kept_for_the_report(tmp_path: Path) -> None:
@@ -572,7 +584,9 @@ def test_a_loop_answers_by_error_sum_and_change() -> None:
     second, _ = law.predict(np.array([1.0, 0.75, 0.0], np.float32), state)
     # The errors are -0.25 and 0.25: 0.5 - 0.0625 + 0, and -0.5 + 0 + 0.5.
     assert first.tolist() == [0.4375] and second.tolist() == [0.0]
-    assert law.formula() == "torque = -2 (sin_theta -0.5) +0.25 sum of (sin_theta -0.5) +1 change of (sin_theta -0.5)"
+    gains = "-2 * (sin_theta - 0.5) + 0.25 * sum(sin_theta - 0.5) + 1 * change(sin_theta)"
+    assert law.formula() == f"torque = {gains}, limited to -2 to 2"
+    assert Loop(0, 0.0, 0.5, 0.0, 0.0).text("error", 0.5) == "0.5 + 0.5 * error"
     relay = Tuned("relay", TPG("CartPole-v1")._interface, [Loop(2, 0.0, 1.0, 0.0, 0.0)], (1, 0))
     assert [relay.predict(np.array([0, 0, angle, 0], np.float32))[0] for angle in (0.1, -0.1)] == [0, 1]
-    assert relay.formula() == "left if +1 theta > 0, else right"
+    assert relay.formula() == "left if 1 * theta > 0, else right"

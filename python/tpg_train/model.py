@@ -285,6 +285,8 @@ class TPG:
             "target": target,
             "max_steps": max_steps,
         }
+        if self._resume and not self._runs_here and (self.folder / "graph.json").exists():
+            _check_graph(Graph.load(self.folder / "graph.json"), str(self.folder), self._interface, is_named=True)
         self._resume = True
         if self._samples is not None:
             return Evolution.start_samples(self._samples, settings, self.n_workers)
@@ -400,7 +402,7 @@ class TPG:
                 callbacks.on_training_end()
             self._read_best()
         made = self.num_timesteps - before
-        if made > 2 * total_timesteps:
+        if made > 1.2 * total_timesteps:
             warnings.warn(
                 f"learn({total_timesteps}) made {made} steps: an episode of each policy takes that many. max_episode_steps= "
                 "makes them shorter, population= fewer",
@@ -595,7 +597,7 @@ class TPG:
             rivals = [self._rival(kind) if isinstance(kind, str) else kind for kind in kinds]
             ours, found = compare(self.env, this, rivals, seeds, interface.limit, interface.name)
             named = [
-                dataclasses.replace(one, name=kind, law=rival.formula()) if isinstance(kind, str) else one
+                dataclasses.replace(one, name=kind, law=_law(rival.formula())) if isinstance(kind, str) else one
                 for one, kind, rival in zip(found, kinds, rivals, strict=True)
             ]
             self._record(graph, ours, named)
@@ -636,7 +638,8 @@ class TPG:
         if kind != "linear":
             return tuned(kind, self._env, self._interface, min(steps, MOST_TUNING_STEPS))
         sums = {"start.share": 1.0, "start.random": 1.0}
-        return TPG(self._interface.name if self.native else self._env, seed=self.seed, settings=sums).learn(steps)
+        names = {} if self.native else {"input_names": self._settings["input_names"], "action_names": self._settings["end_names"]}
+        return TPG(self._interface.name if self.native else self._env, seed=self.seed, settings=sums, **names).learn(steps)
 
     def formula(self) -> str:
         """Returns what the policy computes, as formulas."""
@@ -648,8 +651,7 @@ class TPG:
         By default these are "m4f" and "host"; others are "m0", "m3", "m4", "m7", "m33", "rv32imac",
         "rv32imafc", "rp2040", "esp32-c3" and "atmega328p".
         """
-        text, data = self._best().report(list(targets) or ["m4f", "host"])
-        return Report(text, json.loads(data))
+        return self.graph.report(*targets)
 
     def quantise(self, bits: int = 16, states: Any = None) -> _GraphView:
         """Returns the policy in integers, for chips without an FPU: a graph of whole numbers, with its report in `said`.
@@ -755,6 +757,12 @@ class TPG:
         return f"<TPG on {where}, seed {self.seed}, {self.num_timesteps} steps>"
 
 
+def _law(formula: str) -> str:
+    """Returns the equations of a formula in one line."""
+    lines = [line.strip() for line in formula.splitlines() if line.startswith("  ")]
+    return "; ".join(lines) or formula
+
+
 def _check_graph(graph: Graph, file: str, interface: Interface, is_named: bool) -> None:
     """Compares a graph's inputs and answers with those of an environment: their number, names and bounds.
 
@@ -797,6 +805,11 @@ class _GraphView:
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._graph, name)
+
+    def report(self, *targets: str) -> Report:
+        """Returns what the code costs on targets, as `TPG.report` does."""
+        text, data = self._graph.report(list(targets) or ["m4f", "host"])
+        return Report(text, json.loads(data))
 
     def _repr_svg_(self) -> str:
         return self._graph.svg()

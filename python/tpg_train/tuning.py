@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -34,11 +35,18 @@ class Loop:
         """Returns the signal for an error's value, sum and change."""
         return self.proportional * value + self.integral * total + self.derivative * change
 
-    def text(self, name: str) -> str:
-        """Returns the formula."""
-        error = name if self.set_point == 0 else f"({name} {-self.set_point:+.4g})"
-        terms = ((self.proportional, error), (self.integral, f"sum of {error}"), (self.derivative, f"change of {error}"))
-        return " ".join(f"{gain:+.4g} {of}" for gain, of in terms if gain != 0) or "0"
+    def text(self, name: str, middle: float = 0.0) -> str:
+        """Returns the formula of the signal around a middle."""
+        error = name if self.set_point == 0 else f"{name} {_signed(-self.set_point)}"
+        factor = error if self.set_point == 0 else f"({error})"
+        terms = ((self.proportional, factor), (self.integral, f"sum({error})"), (self.derivative, f"change({name})"))
+        parts = [_signed(middle)] * (middle != 0) + [f"{_signed(gain)} * {of}" for gain, of in terms if gain != 0]
+        return re.sub(r"^- ", "-", " ".join(parts).removeprefix("+ ")) or "0"
+
+
+def _signed(value: float) -> str:
+    """Returns a number with its sign apart, as a term of a sum."""
+    return f"{'-' if value < 0 else '+'} {abs(value):.4g}"
 
 
 class Tuned:
@@ -77,11 +85,15 @@ class Tuned:
             f"{name}[{place}]" if len(ends) > 1 else name for name, ends in self.interface.sources() for place in range(len(ends))
         ]
         choices = self.interface.actions()[0]
-        laws = [loop.text(names[loop.value]) for loop in self.loops]
         if self.ends:
-            return f"{choices[self.ends[1]]} if {laws[0]} > 0, else {choices[self.ends[0]]}"
-        of = "sign of " if self.kind == "relay" else ""
-        return "; ".join(f"{name} = {of}{law}" for (name, _, _), law in zip(self._outputs, laws, strict=True))
+            law = self.loops[0].text(names[self.loops[0].value])
+            return f"{choices[self.ends[1]]} if {law} > 0, else {choices[self.ends[0]]}"
+        return "; ".join(
+            f"{name} = {high:g} if {loop.text(names[loop.value])} > 0, else {low:g}"
+            if self.kind == "relay"
+            else f"{name} = {loop.text(names[loop.value], (low + high) / 2)}, limited to {low:g} to {high:g}"
+            for (name, low, high), loop in zip(self._outputs, self.loops, strict=True)
+        )
 
 
 def tuned(kind: str, env: gymnasium.Env[Any, Any], interface: Interface, steps: int) -> Tuned:

@@ -9,12 +9,15 @@ use tpg_testing::{exists, skip, tool};
 
 use crate::common::run;
 
-/// Graphs that answer with an action, with a value, and with a value and memory.
-const GRAPHS: [(&str, &str); 3] = [
+/// Graphs that answer with an action, with a value, with a value and memory, and [in counts](IN_COUNTS).
+const GRAPHS: [(&str, &str); 4] = [
     ("cartpole", "generated/cartpole/graph.json"),
     ("pendulum", "generated/pendulum/graph.json"),
     ("recall", "c-harness/pendulum/recall.json"),
+    (IN_COUNTS, "generated/pendulum/graph.json"),
 ];
+/// The graph that is first put into integers.
+const IN_COUNTS: &str = "counted";
 
 fn codegen() -> assert_cmd::Command {
     assert_cmd::Command::cargo_bin("tpg-codegen").expect("the program is built")
@@ -24,9 +27,15 @@ fn codegen() -> assert_cmd::Command {
 fn packed(ecosystem: &str) -> TempDir {
     let folder = TempDir::new().expect("a temporary folder");
     for (name, graph) in GRAPHS {
+        let mut file = top().join(graph);
+        if name == IN_COUNTS {
+            let whole = folder.path().join("whole.json");
+            codegen().arg("quantise").arg(&file).arg("-o").arg(&whole).assert().success();
+            file = whole;
+        }
         let mut command = codegen();
         command.current_dir(folder.path()).args(["package", "--for", ecosystem, "-o", name, "--no-verify"]);
-        command.args(["--prefix", name]).arg(top().join(graph)).assert().success();
+        command.args(["--prefix", name]).arg(&file).assert().success();
         let readme = read(&folder.path().join(name).join("README.md"));
         assert!(readme.contains("SHA-256") && readme.contains("of flash") && readme.contains("MIT OR Apache-2.0"));
         assert!(read(&folder.path().join(name).join("LICENSE-MIT")).contains("Permission is hereby granted"));

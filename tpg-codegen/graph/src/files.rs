@@ -1,7 +1,7 @@
 //! Folders, text files and graphs, with errors that name them. Files are written by [`write_atomically`].
 
 use crate::Graph;
-use crate::error::InputError;
+use crate::error::{InputError, Place};
 use crate::output::{self, remove_unfinished};
 use std::fs;
 use std::path::Path;
@@ -30,6 +30,10 @@ pub fn make_folder(folder: &Path) -> Result<(), InputError> {
 /// # Errors
 /// If it cannot be read or is not a graph.
 pub fn read_graph(path: &Path) -> Result<Graph, InputError> {
+    if path.extension().is_some_and(|extension| extension == "dot") {
+        let accepted = "a graph.json, which `tpg-codegen convert` makes of it";
+        return Err(InputError::new(path.display().to_string(), Place::Whole, "a .dot of GEGELATI", accepted));
+    }
     Graph::from_json(&path.display().to_string(), &read_text(path, "a graph.json")?)
 }
 

@@ -62,7 +62,7 @@ pub(super) struct PackageArgs {
 impl PackageArgs {
     pub(super) fn run(&self) -> Result<Verdict, CommandError> {
         let Chosen { graph, conversion } = self.scalar.choose(&self.graph, self.graph.load()?, &self.states)?;
-        if self.ecosystem == Ecosystem::Arduino && graph.scalar() == ScalarType::F64 {
+        if self.ecosystem == Ecosystem::Arduino && graph.scalar() == ScalarType::F64 && !graph.has_counts() {
             let found = "a graph that computes in f64, which an AVR's double is not";
             return Err(
                 InputError::new(self.graph.name(), Place::Whole, found, "--scalar f32, or another --for").into()
@@ -76,7 +76,7 @@ impl PackageArgs {
             url: self.url.clone(),
             license: self.license()?,
         };
-        let made = package(&graph, &options, self.ecosystem, &details);
+        let made = package(&self.graph.name(), &graph, &options, self.ecosystem, &details)?;
         let files: Vec<(PathBuf, &str)> =
             made.files.iter().map(|(path, text)| (self.output.join(path), text.as_str())).collect();
         output::write_folder(&self.output, &files)?;

@@ -52,6 +52,13 @@ impl ProveArgs {
         let loaded = self.graph.load()?;
         let text = loaded.to_json();
         let name = self.graph.name();
+        if loaded.has_counts() {
+            let instead = "generate --integers shows that its values are whole and fit; verify --integers compares";
+            command::print(format!(
+                "not decided: {name}: a graph of counts, which this proof does not cover: {instead}\n"
+            ))?;
+            return Ok(Undecided);
+        }
         let graph = match Graph::read(&name, &text) {
             Ok(graph) => graph,
             Err(error) => {

@@ -7,7 +7,7 @@ mod cases;
 mod choice;
 pub(crate) mod file;
 mod helpers;
-mod integers;
+pub(crate) mod integers;
 pub(crate) mod interface;
 pub(crate) mod layout;
 mod leaves;

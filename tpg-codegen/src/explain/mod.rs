@@ -12,26 +12,29 @@ use crate::formula::Spelling;
 use crate::options::{Language, Options};
 use crate::program::compile;
 use std::fmt::{self, Write as _};
-use tpg_graph::{Graph, Output, Word};
-use tpg_runtime::ops::Instruction;
+use tpg_graph::{Graph, Output};
 
 /// Returns the formulas of a graph as fast C: what each team's bids are, and what each leaf computes.
 pub fn explain(graph: &Graph, options: &Options) -> String {
     let mut out = String::new();
     let formulas = PolicyFormulas::of_program(&compile(graph, &fast(options), Language::C), Spelling::Exact);
-    let written =
-        write_teams(graph, &formulas.teams, &mut out).and_then(|()| write_leaves(graph, &formulas.leaves, &mut out));
+    let written = write_teams(&formulas.teams, &mut out).and_then(|()| write_leaves(graph, &formulas.leaves, &mut out));
     written.expect("a string takes everything");
     out.trim_start().to_owned()
 }
 
-fn write_teams(graph: &Graph, teams: &[TeamFormulas], out: &mut String) -> fmt::Result {
+fn write_teams(teams: &[TeamFormulas], out: &mut String) -> fmt::Result {
     if teams.is_empty() {
         return Ok(());
     }
     writeln!(out, "\nWhat the teams compute\n")?;
     writeln!(out, "The highest bid wins, of equal bids the last; a NaN is the lowest.")?;
-    write_words(graph, out)?;
+    let formulas = |team: &'_ TeamFormulas| {
+        (team.bids.iter().map(|bid| bid.formula.clone()))
+            .chain(team.shared.iter().map(|(_, formula)| formula.clone()))
+            .collect::<Vec<_>>()
+    };
+    write_words(teams.iter().flat_map(formulas), out)?;
     for (index, team) in teams.iter().enumerate() {
         writeln!(out, "\nteam {}{}", team.id, if index == 0 { ", the root" } else { "" })?;
         write_shared(out, &team.shared)?;
@@ -43,9 +46,8 @@ fn write_teams(graph: &Graph, teams: &[TeamFormulas], out: &mut String) -> fmt::
 }
 
 /// Writes what a word means whose name does not say it.
-fn write_words(graph: &Graph, out: &mut String) -> fmt::Result {
-    let negates = |word: &Word| *word == Instruction::NegateIfLess.into();
-    if graph.instructions().iter().any(negates) {
+fn write_words(mut formulas: impl Iterator<Item = String>, out: &mut String) -> fmt::Result {
+    if formulas.any(|formula| formula.contains("negate_if_less(")) {
         writeln!(out, "negate_if_less(a, b) is -a where a < b, else a.")?;
     }
     Ok(())
@@ -58,7 +60,8 @@ fn write_leaves(graph: &Graph, leaves: &[LeafFormulas], out: &mut String) -> fmt
     }
     writeln!(out, "\nWhat the leaves compute\n")?;
     for Output { name, unit, range, nan, .. } in answers {
-        writeln!(out, "{name} is limited to {range} {unit}; {nan} replaces NaN.")?;
+        let space = if unit.is_empty() { "" } else { " " };
+        writeln!(out, "{name} is limited to {range}{space}{unit}; {nan} replaces NaN.")?;
     }
     for Output { name, range, nan, .. } in memory {
         writeln!(
@@ -67,7 +70,10 @@ fn write_leaves(graph: &Graph, leaves: &[LeafFormulas], out: &mut String) -> fmt
                  {nan} replaces NaN."
         )?;
     }
-    write_words(graph, out)?;
+    write_words(
+        leaves.iter().flat_map(|leaf| leaf.values.iter().chain(&leaf.shared)).map(|(_, formula)| formula.clone()),
+        out,
+    )?;
     for leaf in leaves {
         writeln!(out, "\nleaf {}", leaf.id)?;
         write_shared(out, &leaf.shared)?;

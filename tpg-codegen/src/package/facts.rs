@@ -4,12 +4,12 @@ use super::details::Details;
 use crate::cost::{Cost, Costs};
 use crate::emit::Code;
 use crate::emit::c::field::field;
+use crate::emit::integers::worth_from;
 use crate::emit::interface::written;
 use crate::options::{Language, Options};
-use crate::program::compile;
 use crate::size::{self, Linked, Target};
 use cortex_bound::Bound;
-use tpg_graph::{Graph, MathsProvider, ScalarType};
+use tpg_graph::{Counts, Graph, MathsProvider, ScalarType};
 
 /// The facts.
 pub(super) struct Facts<'a> {
@@ -36,6 +36,8 @@ pub(super) struct Facts<'a> {
     pub(super) rust: bool,
     /// The platform's libm is called.
     pub(super) libm: bool,
+    /// The policy sees counts and computes in integers.
+    pub(super) whole: bool,
 }
 
 /// An input or output: name, values, unit, range.
@@ -56,15 +58,23 @@ fn cell(text: &str) -> String {
 impl<'a> Facts<'a> {
     pub(super) fn new(
         code: &Code<'_>,
+        c: &Code<'_>,
         graph: &Graph,
         options: &'a Options,
         details: &'a Details,
         target: Target,
     ) -> Self {
         let (seen, (answered, _)) = (graph.observed(), graph.split_outputs());
-        let suffix = if graph.scalar() == ScalarType::F32 { "F" } else { "" };
-        let middle =
-            |range: &tpg_graph::Range| format!("{:?}", graph.scalar().round(range.min / 2.0 + range.max / 2.0));
+        let suffix = if graph.scalar() == ScalarType::F32 && !graph.has_counts() { "F" } else { "" };
+        let whole = graph.has_counts();
+        let middle = |range: &tpg_graph::Range| match range.min / 2.0 + range.max / 2.0 {
+            count if whole => format!("{}", count.round() as i64),
+            value => format!("{:?}", graph.scalar().round(value)),
+        };
+        let unit = |counts: Option<&Counts>, unit: &str| match counts {
+            Some(counts) => cell(&worth_from(counts, unit)),
+            None => cell(unit),
+        };
         let group = |source: &tpg_graph::Source| {
             let values: Vec<String> = source.ranges.iter().map(|range| middle(range) + suffix).collect();
             if let [value] = &values[..] { value.clone() } else { format!("{{ {} }}", values.join(", ")) }
@@ -89,7 +99,7 @@ impl<'a> Facts<'a> {
                     name: source.name.clone(),
                     field: field(graph, &source.name),
                     length: source.ranges.len(),
-                    unit: cell(&source.unit),
+                    unit: unit(source.counts.first(), &source.unit),
                     range: source.ranges.iter().map(written).collect::<Vec<_>>().join("; "),
                 })
                 .collect(),
@@ -100,7 +110,7 @@ impl<'a> Facts<'a> {
                     name: output.name.clone(),
                     field: field(graph, &output.name),
                     length: 1,
-                    unit: cell(&output.unit),
+                    unit: unit(output.counts.as_ref(), &output.unit),
                     range: written(&output.range),
                 })
                 .collect(),
@@ -112,20 +122,20 @@ impl<'a> Facts<'a> {
                 .map(|r| middle(&r))
                 .collect::<Vec<_>>()
                 .join(", "),
-            figures: figures(graph, options, target),
+            figures: figures(c, target),
             worst: Costs::of(&code.program).worst(),
             sha256: code.program.graph_sha256(),
             runtime: env!("CARGO_PKG_VERSION"),
             rust: code.program.language == Language::Rust,
-            libm: graph.maths() == MathsProvider::System,
+            libm: graph.maths() == MathsProvider::System && !whole,
+            whole,
         }
     }
 }
 
 /// What the C needs on the package's chip, with the library functions that it calls; nothing where its compiler is not installed.
-fn figures(graph: &Graph, options: &Options, target: Target) -> Vec<String> {
-    let code = Code::of(compile(graph, options, Language::C));
-    let linked = size::build_c(&code, target).and_then(|built| Ok((built.link(&code)?, built.stack)));
+fn figures(code: &Code<'_>, target: Target) -> Vec<String> {
+    let linked = size::build_c(code, target).and_then(|built| Ok((built.link(code)?, built.stack)));
     let Ok((Some(Linked { size, bound }), stack)) = linked else { return Vec::new() };
     let (flash, ram) = (size.flash(), size.ram());
     let mut figures = vec![format!(

@@ -12,10 +12,11 @@ mod layout;
 pub(crate) use details::{Details, Ecosystem, License};
 
 use crate::emit::Code;
-use crate::options::Options;
+use crate::options::{Language, Options};
 use crate::program::compile;
 use facts::Facts;
 use tpg_graph::Graph;
+use tpg_graph::error::InputError;
 
 /// A package: the code that it holds, and all of its files by path in the package.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,10 +28,23 @@ pub(crate) struct Package<'g> {
 }
 
 /// Makes the package of a graph. The same graph and options give the same bytes but for the figures in its README, which depend
-/// on the compilers that are installed.
-pub(crate) fn package<'g>(graph: &'g Graph, options: &Options, ecosystem: Ecosystem, details: &Details) -> Package<'g> {
-    let code = Code::of(compile(graph, options, ecosystem.language()));
-    let facts = Facts::new(&code, graph, options, details, ecosystem.target());
+/// on the compilers that are installed. A graph of counts is compiled to integers.
+///
+/// # Errors
+/// If a value of a graph of counts is not known to be whole; `file` is its name in messages.
+pub(crate) fn package<'g>(
+    file: &str,
+    graph: &'g Graph,
+    options: &Options,
+    ecosystem: Ecosystem,
+    details: &Details,
+) -> Result<Package<'g>, InputError> {
+    let coded = |language| match graph.has_counts() {
+        true => Code::in_integers(file, graph, options, language),
+        false => Ok(Code::of(compile(graph, options, language))),
+    };
+    let code = coded(ecosystem.language())?;
+    let facts = Facts::new(&code, &coded(Language::C)?, graph, options, details, ecosystem.target());
     let files = layout::files(&facts, ecosystem, &code);
-    Package { code, files }
+    Ok(Package { code, files })
 }

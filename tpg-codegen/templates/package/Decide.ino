@@ -24,7 +24,7 @@ void loop() {
   {{ it.name }}_infer(&state{% if it.memory > 0 %}, &memory{% endif %}, &action);
 {%- for row in it.outputs %}
   Serial.print("{{ row.name }} ");
-  Serial.println(action.{{ row.field }}, 6);
+  Serial.println(action.{{ row.field }}{% if !it.whole %}, 6{% endif %});
 {%- endfor %}
 {%- endif %}
   delay(1000);

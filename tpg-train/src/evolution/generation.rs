@@ -205,7 +205,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         if self.most_steps().is_some_and(|most| expected == 0 || expected > most / 4) && tasks.len() > 1 {
             evaluate(&mut endings, &open, &tasks[..1])?;
             done = 1;
-            tasks = &tasks[..self.affordable(actions(endings.iter().flatten()), tasks.len())];
+            tasks = &tasks[..Self::affordable(self.most_steps(), actions(endings.iter().flatten()), tasks.len())];
         }
         let racing = racing.min(tasks.len());
         if racing > 0 && !open.is_empty() {
@@ -240,16 +240,26 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         self.evaluator.evaluate(&Work { tasks: tasks.to_vec(), policies })
     }
 
-    /// Returns the maximum number of steps of a generation's training, and of its validation, unless one episode of each policy takes
-    /// more: half of the run's.
+    /// Returns the maximum number of steps of a generation's training, unless one episode of each policy takes more: half of the run's.
     fn most_steps(&self) -> Option<u64> {
         self.goal.max_steps.map(|most| most / 2)
     }
 
-    /// Returns how many of `count` rounds, each of so many steps, a generation has the steps for; at least one.
-    pub(super) fn affordable(&self, steps: u64, count: usize) -> usize {
-        let most = self.most_steps().map_or(u64::MAX, |most| most / steps.max(1));
-        most.clamp(1, count.max(1) as u64) as usize
+    /// Returns how many of `count` rounds, each of so many steps, `most` steps are enough for; at least one.
+    pub(super) fn affordable(most: Option<u64>, steps: u64, count: usize) -> usize {
+        let rounds = most.map_or(u64::MAX, |most| most / steps.max(1));
+        rounds.clamp(1, count.max(1) as u64) as usize
+    }
+
+    /// Returns the number of steps that validations may take, of which the last one has what others have left.
+    pub(super) fn steps_of_validation(&self) -> Option<u64> {
+        self.goal.max_steps.map(|most| (self.config.selection.validation_share * most as f64) as u64)
+    }
+
+    /// Returns the part of the run's training steps that is over.
+    fn trained(&self, state: &State<E::Task>) -> Option<f64> {
+        let most = self.goal.max_steps.zip(self.steps_of_validation()).map(|(all, validation)| all - validation);
+        most.map(|most| (state.steps - state.selection_steps) as f64 / most.max(1) as f64)
     }
 
     /// Returns the tasks of a generation.
@@ -286,14 +296,14 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         Ok(())
     }
 
-    /// Returns the parts of the run for searches: longer ones where there are outputs and the rest is too short for a generation of
-    /// evolution, with episodes as long as the best sample's.
+    /// Returns the parts of the run for searches: the whole run where the rest is too short for a generation of evolution, with
+    /// episodes as long as the best sample's; for half of one where actions are named, which sums choose less well.
     fn start(&self, state: &State<E::Task>) -> StartConfig {
         let StartConfig { random, share } = self.config.start;
         let episodes = (self.config.tpg.nb_roots * self.config.demes.count) as f64;
-        let generation = episodes * state.episode_steps as f64;
+        let generation = episodes * state.episode_steps as f64 * if self.actions == 0 { 1.0 } else { 0.5 };
         let is_short = self.goal.max_steps.is_some_and(|most| (1.0 - share) * (most as f64) < generation);
-        if is_short && self.actions == 0 && share > 0.0 {
+        if is_short && share > 0.0 {
             StartConfig { random: random / share, share: 1.0 }
         } else {
             StartConfig { random, share }
@@ -302,10 +312,9 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
 
     /// Returns the part of the run that is over after the current generation; none in a run without a limit.
     fn part(&self, state: &State<E::Task>) -> Option<f64> {
-        let steps = self.goal.max_steps.map(|most| state.steps as f64 / most.max(1) as f64);
         let most = self.config.learning.nb_generations;
         let generations = (most > 0).then(|| (state.generation + 1) as f64 / most as f64);
-        [steps, generations].into_iter().flatten().reduce(f64::max)
+        [self.trained(state), generations].into_iter().flatten().reduce(f64::max)
     }
 
     /// True if the current generation is the run's last one.
@@ -322,7 +331,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
 
     fn is_spent(&self, state: &State<E::Task>, generations: u64) -> bool {
         let most = self.config.learning.nb_generations;
-        self.goal.max_steps.is_some_and(|most| state.steps >= most) || (most > 0 && generations >= most)
+        self.trained(state).is_some_and(|part| part >= 1.0) || (most > 0 && generations >= most)
     }
 
     /// Returns the price of a line, in the unit of the score.
@@ -348,7 +357,6 @@ mod tests {
     #[test]
     fn searches_have_a_run_whose_rest_is_too_short_for_evolution() {
         let environment: Choices<f32, Pendulum> = Choices::new(Pendulum, None).expect("a torque");
-        let named: Choices<f32, Pendulum> = Choices::new(Pendulum, Some(2)).expect("two torques");
         let mut config = EvolutionConfig::default();
         (config.tpg.nb_roots, config.demes.count) = (10, 3);
         let evaluator = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 1).expect("a thread");
@@ -369,10 +377,5 @@ mod tests {
             let evolution = Evolution::new(&config, &environment, &evaluator, vec![1.0; 3], goal);
             assert_eq!(evolution.start(&state), expected, "{max_steps:?}");
         }
-        config.start = start(0.5, 0.75);
-        let evaluator = LocalThreads::<f32, Own, _>::new(&named, EngineOptions::default(), 1).expect("a thread");
-        let goal = Goal { max_steps: Some(1), target: None };
-        let evolution = Evolution::new(&config, &named, &evaluator, vec![1.0; 3], goal);
-        assert_eq!(evolution.start(&state), config.start, "named actions");
     }
 }

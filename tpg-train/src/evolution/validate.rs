@@ -102,7 +102,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_,
             let affordable = (all as u64 * left / cost.max(1)) as usize;
             // A race of so many roots costs a multiple of its episodes.
             let each = self::cost(roots, MIN_EPISODES).div_ceil(MIN_EPISODES as u64);
-            let least = self.affordable(each * state.episode_steps, MIN_EPISODES.min(all));
+            let least = Self::affordable(self.steps_of_validation(), each * state.episode_steps, MIN_EPISODES.min(all));
             return Some(affordable.clamp(least, all));
         }
         let training = state.steps - state.selection_steps;

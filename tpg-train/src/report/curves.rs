@@ -50,8 +50,12 @@ pub(super) fn sections(groups: &[Group]) -> Vec<Section> {
 
 fn section(title: String, x: &str, groups: &[&Group], shown: &[Shown]) -> Section {
     let runs = || groups.iter().flat_map(|group| &group.runs);
-    // A problem may define no success or no measure.
-    let known = |(curve, ..): &&Shown| runs().any(|run| run.curves.get(curve).is_some_and(|c| !c.is_empty()));
+    // A problem may define no success or no measure; a point is no curve, nor is a run without teams.
+    let known = |(curve, ..): &&Shown| {
+        let tells =
+            |points: &Vec<[f64; 2]>| points.len() > 1 && (*curve != "teams" || points.iter().any(|it| it[1] != 0.0));
+        runs().any(|run| run.curves.get(curve).is_some_and(tells))
+    };
     // All curves begin where training does, and end together.
     let ends = runs().flat_map(|run| run.curves.values().flatten());
     let end = ends.map(|&[x, _]| x).fold(1.0, f64::max);

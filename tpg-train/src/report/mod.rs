@@ -83,8 +83,11 @@ fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<&dyn Shared>) 
             Ok(archives.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
         })
         .collect::<Result<_, InputError>>()?;
-    let mut lead = "In the tables ± is the standard deviation over the seeds of a group.".to_owned();
-    if tested.iter().flatten().any(Option::is_some) {
+    let several = groups.iter().any(|group| group.runs.len() > 1);
+    let mut lead =
+        if several { "In the tables ± is the standard deviation over the seeds of a group." } else { "" }.to_owned();
+    let runs = || groups.iter().flat_map(|group| &group.runs);
+    if own.is_some() || runs().any(|run| run.problem.is_some()) {
         let test = format!(
             "Tested on {episodes} episodes of the test set with seed {seed}, which no training and no selection reads."
         );

@@ -43,7 +43,9 @@ fn formulas(graph: &Graph) -> Vec<Formulas> {
     let outputs = graph.outputs();
     let unit = |name: &str| {
         let output = outputs.iter().find(|output| output.name == name);
-        output.map_or_else(String::new, |output| format!(", limited to {} {}", output.range, output.unit))
+        output.map_or_else(String::new, |output| {
+            format!(", limited to {} {}", output.range, output.unit).trim_end().to_owned()
+        })
     };
     let leaves = leaves.into_iter().map(|leaf| {
         let limits: String = leaf.values.first().map(|(name, _)| unit(name)).unwrap_or_default();

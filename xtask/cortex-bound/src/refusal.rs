@@ -34,8 +34,7 @@ pub enum Refusal {
     },
     /// The number of bounds differs from the number of loops.
     #[error(
-        "{function} has {} loops (at {}), but {given} bounds were given: accepted is one for each, in this order",
-        found.len(),
+        "{function} has loops at {}, and {given} bounds are given; accepted: one for each, in this order",
         places(found)
     )]
     OtherLoops {

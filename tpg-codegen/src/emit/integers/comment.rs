@@ -160,7 +160,7 @@ pub(super) fn worth(scale: f64, unit: &str) -> String {
 }
 
 /// The worth of a count, and the value of the count 0 unless that is 0.
-pub(super) fn worth_from(counts: &Counts, unit: &str) -> String {
+pub(crate) fn worth_from(counts: &Counts, unit: &str) -> String {
     let offset = if counts.offset == 0.0 { String::new() } else { format!(" from {} on", counts.offset) };
     worth(counts.scale, unit) + &offset
 }

@@ -18,6 +18,8 @@ mod rust;
 mod spelling;
 mod view;
 
+pub(crate) use comment::worth_from;
+
 use super::file::File;
 use crate::integers::Integers;
 use crate::options::Language;
