@@ -542,7 +542,7 @@ def test_a_rival_is_tuned_and_says_its_law() -> None:
     swing = TPG("Pendulum-v1", native=False, settings={"start.share": 1.0, "start.random": 1.0}).learn(3_000)
     for kind, law in (("pid", "torque = "), ("relay", "torque = 2 if "), ("linear", "torque = ")):
         both = swing.evaluate(5, other=kind)
-        assert both.law is not None and law in both.law
+        assert both.law is not None and law in both.law and "[" not in both.law
         assert both.efforts is not None
         assert kind != "relay" or both.efforts[1].saturated == 1.0
     all_of_them = swing.evaluate(5, other=["relay", lambda state: np.zeros(1, np.float32)])

@@ -597,7 +597,7 @@ class TPG:
             rivals = [self._rival(kind) if isinstance(kind, str) else kind for kind in kinds]
             ours, found = compare(self.env, this, rivals, seeds, interface.limit, interface.name)
             named = [
-                dataclasses.replace(one, name=kind, law=_law(rival.formula())) if isinstance(kind, str) else one
+                dataclasses.replace(one, name=kind, law=_law(rival)) if isinstance(kind, str) else one
                 for one, kind, rival in zip(found, kinds, rivals, strict=True)
             ]
             self._record(graph, ours, named)
@@ -757,10 +757,15 @@ class TPG:
         return f"<TPG on {where}, seed {self.seed}, {self.num_timesteps} steps>"
 
 
-def _law(formula: str) -> str:
-    """Returns the equations of a formula in one line."""
-    lines = [line.strip() for line in formula.splitlines() if line.startswith("  ")]
-    return "; ".join(lines) or formula
+def _law(rival: Any) -> str:
+    """Returns the equations of a controller's formula in one line; a source of one value has no index."""
+    formula = str(rival.formula())
+    if isinstance(rival, TPG):
+        inputs = rival._best().inputs
+        formula = "; ".join(line.strip() for line in formula.splitlines() if line.startswith("  "))
+        for name in (name.removesuffix("[0]") for name in inputs if name.removesuffix("[0]") + "[1]" not in inputs):
+            formula = formula.replace(f"{name}[0]", name)
+    return formula
 
 
 def _check_graph(graph: Graph, file: str, interface: Interface, is_named: bool) -> None:
