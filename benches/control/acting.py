@@ -188,6 +188,7 @@ def reported(folder: Path, place: Path, problem: str, policy: str, log: str) -> 
     style = "".join((styles / name).read_text() for name in ("colours.css", "picture.css"))
     pictures = [one for one in re.findall(r"<svg.*?</svg>", page, re.DOTALL) if "an episode" in one.split(">", 1)[0]]
     start, rest = min(pictures, key=len).split(">", 1)
+    start = start.replace("<svg", '<svg xmlns="http://www.w3.org/2000/svg"', 1)
     return f"{start}>\n<style>{style}</style>{rest}\n"
 
 

@@ -85,7 +85,8 @@ pub fn figure(graph: &Graph) -> Figure {
 
 /// Draws a graph as an SVG element that needs no page: for a notebook, say.
 pub fn standalone(graph: &Graph) -> String {
-    let head = format!(" style=\"background: var(--paper)\"><style>{}{}</style>", super::COLOURS, super::STYLE);
+    let (space, paper) = ("xmlns=\"http://www.w3.org/2000/svg\"", "style=\"background: var(--paper)\"");
+    let head = format!(" {space} {paper}><style>{}{}</style>", super::COLOURS, super::STYLE);
     figure(graph).svg.replacen('>', &head, 1)
 }
 

@@ -76,7 +76,7 @@ impl Svg {
         let [width, height] = self.size.map(SvgNumber);
         let title = Escaped(title);
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" role=\"img\" aria-label=\"{title}\">\n{}</svg>",
+            "<svg viewBox=\"0 0 {width} {height}\" width=\"{width}\" role=\"img\" aria-label=\"{title}\">\n{}</svg>",
             self.body
         )
     }
@@ -143,7 +143,7 @@ mod tests {
         let text = svg.finish("x & y");
         assert_eq!(
             text,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 20 10\" width=\"20\" role=\"img\" aria-label=\"x &amp; y\">\n\
+            "<svg viewBox=\"0 0 20 10\" width=\"20\" role=\"img\" aria-label=\"x &amp; y\">\n\
              <polyline class=\"c0\" points=\"0,1.3 0,0\"/>\n\
              <text class=\"end\" x=\"3\" y=\"4.5\">a &lt; &quot;b&quot;</text>\n</svg>"
         );

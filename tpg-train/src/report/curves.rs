@@ -1,6 +1,6 @@
 //! Learning curves: mean over the seeds of a group, with a band of one standard deviation.
 
-use super::runs::Group;
+use super::runs::{Group, OWN};
 use tpg_engine::Sample;
 use tpg_picture::{Axis, Colour, Figure, Plot, Section};
 
@@ -42,7 +42,8 @@ pub(super) fn sections(groups: &[Group]) -> Vec<Section> {
         // Scores of different problems have nothing to do with each other.
         for problem in problems {
             let groups: Vec<&Group> = groups.iter().copied().filter(|group| group.problem() == problem).collect();
-            sections.push(section(format!("{title}: {problem}"), x, &groups, shown));
+            let of = if problem == OWN { String::new() } else { format!(": {problem}") };
+            sections.push(section(format!("{title}{of}"), x, &groups, shown));
         }
     }
     sections

@@ -39,7 +39,9 @@ fn headline(group: &Group, run: &Run, tested: Option<&Tested>) -> Headline {
         Kind::Hybrid(hybrid) => format!("its graph: {}", flash_in_words(&hybrid.graph.1)),
         Kind::Sac(network) => format!("hidden layers {:?}", network.1.actor.hidden),
     });
-    notes.extend(run.cpu.map(|cpu| format!("trained in {cpu:.1} CPU seconds")));
+    notes.extend(run.cpu.map(|cpu| {
+        format!("trained in {} CPU seconds", if cpu < 0.1 { "under 0.1".to_owned() } else { format!("{cpu:.1}") })
+    }));
     let whose = if group.runs.len() > 1 {
         format!("{}, the best of {} seeds", group.name, group.runs.len())
     } else {

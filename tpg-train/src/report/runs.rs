@@ -19,6 +19,9 @@ use tpg_graph::settings;
 use tpg_nn::Mlp;
 use tpg_problems::{PolicyKind, Problem, ProblemName};
 
+/// The name of a problem that is not built in.
+pub(super) const OWN: &str = "own";
+
 /// Runs with the same configuration.
 #[derive(Debug)]
 pub(super) struct Group {
@@ -98,9 +101,9 @@ pub(super) enum Kind {
 }
 
 impl Group {
-    /// Returns the name of the problem; "own" for one that is not built in.
+    /// Returns the name of the problem; [`OWN`] for one that is not built in.
     pub(super) fn problem(&self) -> &'static str {
-        self.runs[0].problem.as_ref().map_or("own", |problem| problem.name().name())
+        self.runs[0].problem.as_ref().map_or(OWN, |problem| problem.name().name())
     }
 }
 

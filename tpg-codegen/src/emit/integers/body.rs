@@ -148,7 +148,7 @@ impl IntegerBody<'_> {
                 _ => spelling.place(ends.iter().position(|&end| end == edge.to).unwrap_or(0)),
             };
             if place == 0 {
-                let best = spelling.best(wide);
+                let best = spelling.best(wide, bids.len() > 2);
                 self.line(&format!("{best} = {value};\n{declaration} = {to};"));
                 continue;
             }

@@ -80,7 +80,7 @@ impl<'a> Lines<'a> {
 
     /// The statement of a node.
     pub(super) fn statement(&self, id: NodeId) -> String {
-        self.spelling.statement(&self.named[&id], self.is_wide(id), &self.expression(id))
+        self.spelling.statement(&self.named[&id], self.is_wide(id), bare(&self.expression(id)))
     }
 
     /// Tests for a value of 64 bits.
@@ -231,6 +231,18 @@ impl<'a> Lines<'a> {
             self.call(Function::Divide, wide, &[dividend, divisor_text])
         }
     }
+}
+
+/// Returns an expression without brackets around all of it.
+fn bare(text: &str) -> &str {
+    let is_whole = |inner: &&str| {
+        let mut depth = 0;
+        inner.chars().all(|letter| {
+            depth += i32::from(letter == '(') - i32::from(letter == ')');
+            depth >= 0
+        })
+    };
+    text.strip_prefix('(').and_then(|text| text.strip_suffix(')')).filter(is_whole).unwrap_or(text)
 }
 
 fn is_sum(instruction: Instruction) -> bool {

@@ -187,10 +187,13 @@ impl<'a> IntegerSpelling<'a> {
         format!("{place}{}", self.either("U", ""))
     }
 
-    /// The declaration of a team's best bid.
-    pub(super) fn best(&self, wide: bool) -> String {
+    /// The declaration of a team's best bid, which changes where there are more than two.
+    pub(super) fn best(&self, wide: bool, changes: bool) -> String {
         let int = self.integer(wide);
-        self.either(format!("{int} best"), format!("let mut best: {int}"))
+        match changes {
+            true => self.either(format!("{int} best"), format!("let mut best: {int}")),
+            false => self.either(format!("const {int} best"), format!("let best: {int}")),
+        }
     }
 
     /// The variable of the winner, which is an action or a destination, and its declaration.
