@@ -13,7 +13,7 @@ use tpg_codegen::verify::Proof;
 use tpg_codegen::{compile, report};
 use tpg_engine::PolicyGraph;
 use tpg_graph::Counts;
-use tpg_graph::error::InputError;
+use tpg_graph::error::{InputError, counted};
 use tpg_graph::files::{read_graph, write_atomically};
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::output::write_folder;
@@ -231,9 +231,13 @@ impl Graph {
     }
 
     fn __repr__(&self) -> String {
-        let ends = if self.0.outputs().is_empty() { "actions" } else { "leaves" };
+        let ends = match (self.0.outputs().is_empty(), self.0.ends()) {
+            (true, ends) => counted(ends, "action"),
+            (false, 1) => "1 leaf".to_owned(),
+            (false, ends) => format!("{ends} leaves"),
+        };
         let (teams, programs) = (self.0.teams().len(), self.0.programs().len());
-        format!("<Graph of {teams} teams, {programs} programs, {} {ends}>", self.0.ends())
+        format!("<Graph of {}, {}, {ends}>", counted(teams, "team"), counted(programs, "program"))
     }
 }
 
