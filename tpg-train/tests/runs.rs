@@ -265,11 +265,12 @@ fn a_bad_configuration_is_refused_with_its_line_and_what_is_accepted() {
         assert!(error.starts_with(&format!("c.toml: {place}")), "{error}");
         assert!(error.contains(found) && error.contains(accepted), "{error}");
     }
-    for (text, found, accepted) in [("sources = [\"polar\", \"smell\"]", "\"smell\"", "stance")] {
-        let text = format!("[problem]\nname = \"fs\"\n{text}\n");
-        let error = Problem::from_toml("c.toml", &text).expect_err("it is wrong").to_string();
-        assert!(error.starts_with("c.toml: line 3: ") && error.contains(found) && error.contains(accepted), "{error}");
-    }
+    let text = "[problem]\nname = \"fs\"\nsources = [\"polar\", \"smell\"]\n";
+    let error = Problem::from_toml("c.toml", text).expect_err("it is wrong").to_string();
+    assert!(
+        error.starts_with("c.toml: line 3: ") && error.contains("\"smell\"") && error.contains("stance"),
+        "{error}"
+    );
     // Also the line of a key in a nested section.
     let arm =
         "[problem]\nname = \"fs\"\n".to_owned() + &ARMS[0].text.replace("elbow_offset = 49.0", "elbow_offset = -1.0");

@@ -134,6 +134,9 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         if state.budget.ended.is_some() {
             (state.search, state.stalled) = (None, None);
         }
+        if self.is_last(state) {
+            state.ended_at = self.goal.max_steps;
+        }
         row.steps = state.steps;
         state.rows.push(row);
         state.generation += 1;
@@ -326,12 +329,19 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
     pub fn finished(&self, state: &State<E::Task>) -> bool {
         let reached =
             state.best.as_ref().zip(self.goal.target).is_some_and(|(best, target)| best.result.score >= target);
-        reached || self.is_spent(state, state.generation)
+        let ended = |most: u64| state.steps >= most || state.ended_at == Some(most);
+        reached || self.goal.max_steps.is_some_and(ended) || self.has_generations(state.generation)
     }
 
+    /// True if the run has no steps left but for its last validation, or no generations.
     fn is_spent(&self, state: &State<E::Task>, generations: u64) -> bool {
+        let left = self.steps_of_validation().map_or(0, |all| all.saturating_sub(state.selection_steps));
+        self.goal.max_steps.is_some_and(|most| state.steps + left >= most) || self.has_generations(generations)
+    }
+
+    fn has_generations(&self, generations: u64) -> bool {
         let most = self.config.learning.nb_generations;
-        self.trained(state).is_some_and(|part| part >= 1.0) || (most > 0 && generations >= most)
+        most > 0 && generations >= most
     }
 
     /// Returns the price of a line, in the unit of the score.

@@ -70,6 +70,9 @@ pub struct State<Task> {
     pub steps: u64,
     /// Number of them in validation.
     pub selection_steps: u64,
+    /// The maximum number of steps with which the newest generation was the last one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ended_at: Option<u64>,
     /// Mean number of actions in a training episode of the newest generation's best candidate, rounded up.
     pub episode_steps: u64,
 }
@@ -96,6 +99,7 @@ impl<Task> State<Task> {
             scales: Vec::new(),
             steps: 0,
             selection_steps: 0,
+            ended_at: None,
             episode_steps: 0,
         }
     }
