@@ -560,7 +560,7 @@ class TPG:
     ) -> Evaluation: ...
 
     @overload
-    def evaluate(self, episodes: int = 100, *, seed: int = 1, other: list[Any]) -> Comparisons: ...
+    def evaluate(self, episodes: int = 100, *, seed: int = 1, other: list[Any] | tuple[Any, ...]) -> Comparisons: ...
 
     @overload
     def evaluate(self, episodes: int = 100, *, seed: int = 1, other: Any) -> Comparison: ...
@@ -591,7 +591,8 @@ class TPG:
             policy, interface = self._interface.policy(graph), self._interface
             seeds = _tpg.test_seeds(seed, episodes)
             this = lambda: Candidate(policy, 0, interface, 0, None, False).predict  # noqa: E731
-            kinds = other if isinstance(other, list) else [other]
+            several = isinstance(other, (list, tuple))
+            kinds = list(other) if several else [other]
             if not kinds:
                 raise InputError("other=[]; accepted: one or more controllers")
             rivals = [self._rival(kind) if isinstance(kind, str) else kind for kind in kinds]
@@ -601,7 +602,7 @@ class TPG:
                 for one, kind, rival in zip(found, kinds, rivals, strict=True)
             ]
             self._record(graph, ours, named)
-            return Comparisons(named) if isinstance(other, list) else named[0]
+            return Comparisons(named) if several else named[0]
         if self.native is not None and native is not False:
             return Evaluation.of_report(json.loads(_tpg.evaluate_native(self.native, graph, episodes, seed)))
         place = self._episodes(executor, self.n_workers if n_workers is None and self.native is None else n_workers or 0)

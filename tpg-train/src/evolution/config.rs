@@ -7,7 +7,7 @@
 mod check;
 
 use super::linear::{LinearWriter, ProgramKind};
-use super::vocabulary::{Spoken, Vocabulary};
+use super::vocabulary::{ProgramInstruction, Vocabulary};
 use super::{params, presets};
 use crate::configuration::{Configuration, Preset};
 use schemars::JsonSchema;
@@ -410,8 +410,8 @@ impl EvolutionConfig {
     }
 
     /// Returns the instruction set.
-    pub fn instructions(&self) -> Vec<Spoken> {
-        self.language.instructions.iter().filter_map(|text| Spoken::parse(text).ok()).collect()
+    pub fn instructions(&self) -> Vec<ProgramInstruction> {
+        self.language.instructions.iter().filter_map(|text| ProgramInstruction::parse(text).ok()).collect()
     }
 
     /// Returns the number of survivors of a deme, at least 1. A larger first population is cut to them at once.

@@ -13,20 +13,20 @@ pub(super) type InstructionIndex = u8;
 
 /// An instruction of programs.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Spoken {
+pub enum ProgramInstruction {
     /// A word.
     Word(Word),
     /// A call that is composed of words.
     Call(Expression),
 }
 
-impl From<Word> for Spoken {
+impl From<Word> for ProgramInstruction {
     fn from(word: Word) -> Self {
         Self::Word(word)
     }
 }
 
-impl Spoken {
+impl ProgramInstruction {
     /// Reads a word's name, or a call of words on `a` and `b`; the error says what was found.
     pub fn parse(text: &str) -> Result<Self, String> {
         if let Some(word) = Word::from_name(text) {
@@ -106,7 +106,7 @@ pub enum Kind {
 /// The vocabulary of programs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vocabulary {
-    instructions: Vec<Spoken>,
+    instructions: Vec<ProgramInstruction>,
     registers: u16,
     kinds: Vec<Kind>,
     /// Exclusive upper bound of locations (GEGELATI, `environment.cpp`, `computeLargestAddressSpace`).
@@ -124,13 +124,13 @@ impl Vocabulary {
     /// # Panics
     /// If there are no registers, no instructions or more than 256: configurations are checked earlier.
     pub fn new(
-        instructions: Vec<impl Into<Spoken>>,
+        instructions: Vec<impl Into<ProgramInstruction>>,
         registers: u16,
         sources: &[SourceDocument],
         literals: Option<Vec<f64>>,
         scalar: ScalarType,
     ) -> Self {
-        let instructions: Vec<Spoken> = instructions.into_iter().map(Into::into).collect();
+        let instructions: Vec<ProgramInstruction> = instructions.into_iter().map(Into::into).collect();
         assert!(registers > 0 && (1..=256).contains(&instructions.len()));
         let mut kinds = vec![Kind::Registers];
         let mut place = 0;
@@ -171,18 +171,21 @@ impl Vocabulary {
     }
 
     /// Returns the instruction set.
-    pub fn instructions(&self) -> &[Spoken] {
+    pub fn instructions(&self) -> &[ProgramInstruction] {
         &self.instructions
     }
 
     /// Returns the instruction at an index of the set.
-    pub fn instruction(&self, index: InstructionIndex) -> &Spoken {
+    pub fn instruction(&self, index: InstructionIndex) -> &ProgramInstruction {
         &self.instructions[usize::from(index)]
     }
 
     /// Returns the index of an instruction in the set, if it is in it.
     pub fn index(&self, word: Word) -> Option<InstructionIndex> {
-        self.instructions.iter().position(|known| *known == Spoken::Word(word)).map(|place| place as InstructionIndex)
+        self.instructions
+            .iter()
+            .position(|known| *known == ProgramInstruction::Word(word))
+            .map(|place| place as InstructionIndex)
     }
 
     /// Returns the operand that is a literal number; only where literals are allowed.
@@ -197,17 +200,17 @@ impl Vocabulary {
 
     /// Returns the number of registers of a policy: calls need some for what they compute on the way.
     pub fn policy_registers(&self) -> u16 {
-        self.registers + self.instructions.iter().map(Spoken::scratch).max().unwrap_or(0)
+        self.registers + self.instructions.iter().map(ProgramInstruction::scratch).max().unwrap_or(0)
     }
 
     /// Appends the lines of a policy that an instruction with its operands is.
     pub fn spell(&self, index: InstructionIndex, to: u16, genes: &[Gene; OPERANDS], lines: &mut Vec<Line>) {
         let call = match self.instruction(index) {
-            &Spoken::Word(instruction) => {
+            &ProgramInstruction::Word(instruction) => {
                 lines.push(Line { to, instruction, operands: genes.map(|gene| self.read(&gene)) });
                 return;
             }
-            Spoken::Call(call) => call,
+            ProgramInstruction::Call(call) => call,
         };
         let operand = |read: &Reading| match *read {
             Reading::Operand(place, _) => self.read(&genes[place]),
@@ -271,13 +274,14 @@ impl Vocabulary {
 
 #[cfg(test)]
 mod tests {
-    use super::{Gene, Spoken, Vocabulary};
+    use super::{Gene, ProgramInstruction, Vocabulary};
     use tpg_engine::{Line, Operand};
     use tpg_graph::{ScalarType, SourceDocument, Word};
 
     #[test]
     fn a_call_is_spelled_in_registers_that_programs_do_not_name() {
-        let instructions = ["copy(0.1)", "div(a, add(1, abs(b)))", "abs"].map(|text| Spoken::parse(text).expect(text));
+        let instructions =
+            ["copy(0.1)", "div(a, add(1, abs(b)))", "abs"].map(|text| ProgramInstruction::parse(text).expect(text));
         let source = SourceDocument::new("x", "", vec![[-1.0, 1.0]]);
         let vocabulary = Vocabulary::new(instructions.to_vec(), 3, &[source], None, ScalarType::F32);
         assert_eq!((vocabulary.registers(), vocabulary.policy_registers()), (3, 5));
@@ -306,7 +310,7 @@ mod tests {
             ("mul(a, c)", "more than a and b"),
             ("mul(a, k0)", "more than"),
         ] {
-            assert!(Spoken::parse(text).expect_err(text).contains(found), "{text}");
+            assert!(ProgramInstruction::parse(text).expect_err(text).contains(found), "{text}");
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Validity of configurations.
 
 use super::EvolutionConfig;
-use crate::evolution::vocabulary::Spoken;
+use crate::evolution::vocabulary::ProgramInstruction;
 use tpg_engine::{Environment, NETWORK};
 use tpg_graph::Word;
 use tpg_graph::error::Finding;
@@ -139,7 +139,7 @@ impl EvolutionConfig {
             return refused(format!("{} instructions", texts.len()));
         }
         for (place, text) in texts.iter().enumerate() {
-            match Spoken::parse(text) {
+            match ProgramInstruction::parse(text) {
                 Err(found) => return refused(found),
                 Ok(_) if texts[..place].contains(text) => return refused(format!("{text:?} twice")),
                 Ok(_) => {}
