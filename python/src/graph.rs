@@ -8,12 +8,12 @@ use std::path::PathBuf;
 use tpg_codegen::emit::Code;
 use tpg_codegen::emit::{Language, Options, Prefix, Profile, Style};
 use tpg_codegen::quantise::{Request, quantise};
+use tpg_codegen::report;
 use tpg_codegen::size::Target;
 use tpg_codegen::verify::Proof;
-use tpg_codegen::{compile, report};
 use tpg_engine::PolicyGraph;
 use tpg_graph::Counts;
-use tpg_graph::error::{InputError, counted};
+use tpg_graph::error::counted;
 use tpg_graph::files::{read_graph, write_atomically};
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::output::write_folder;
@@ -185,7 +185,7 @@ impl Graph {
     /// "constant-time".
     fn code(&self, py: Python<'_>, language: &str, prefix: &str, profile: &str) -> PyResult<Vec<(String, String)>> {
         let (language, options) = (language_of(language)?, options(prefix, profile)?);
-        let code = py.detach(|| compiled(&self.0, &options, language)).map_err(error::input)?;
+        let code = py.detach(|| Code::of_graph("graph", &self.0, &options, language)).map_err(error::input)?;
         Ok(code.files.into_iter().map(|file| (file.name, file.text)).collect())
     }
 
@@ -218,7 +218,7 @@ impl Graph {
             }
         }
         let proof = py.detach(|| {
-            let code = |(language, options): &(Language, Options)| compiled(&self.0, options, *language);
+            let code = |(language, options): &(Language, Options)| Code::of_graph("graph", &self.0, options, *language);
             let codes = shapes.iter().map(code).collect::<Result<Vec<_>, _>>().map_err(error::input)?;
             Proof::of(&codes, states, seed).map_err(error::training)
         })?;
@@ -238,15 +238,6 @@ impl Graph {
         };
         let (teams, programs) = (self.0.teams().len(), self.0.programs().len());
         format!("<Graph of {}, {}, {ends}>", counted(teams, "team"), counted(programs, "program"))
-    }
-}
-
-/// Compiles a graph, to integers where it is one of counts.
-fn compiled<'g>(graph: &'g tpg_graph::Graph, options: &Options, language: Language) -> Result<Code<'g>, InputError> {
-    if graph.has_counts() {
-        Code::in_integers("graph", graph, options, language)
-    } else {
-        Ok(Code::of(compile(graph, options, language)))
     }
 }
 

@@ -11,7 +11,7 @@ import gymnasium
 import numpy as np
 
 from ._tpg import InputError, success_of
-from .reports import Evaluation
+from .reports import Evaluation, interval
 
 Played = tuple[float, int, "bool | None"]
 # Answers the observations of one episode.
@@ -150,14 +150,14 @@ def compare(
         returns = [score for score, *_ in ours], [score for score, *_ in theirs]
         differences = np.subtract(*returns)
         mean, count = float(differences.mean()), len(differences)
-        half = 1.959963984540054 * float(differences.std(ddof=1)) / math.sqrt(count) if count > 1 else math.inf
+        deviation = float(differences.std(ddof=1)) if count > 1 else math.inf
         found.append(
             Comparison(
                 name=getattr(other, "kind", None) or getattr(other, "__name__", None) or type(other).__name__,
                 this=Evaluation.of(ours, name),
                 other=Evaluation.of(theirs, name),
                 difference=mean,
-                ci95=(mean - half, mean + half),
+                ci95=interval(mean, deviation, count),
                 efforts=None if effort is None or other_effort is None else (effort, other_effort),
                 law=None,
                 returns=returns,

@@ -36,7 +36,7 @@ class Evaluation:
             mean=float(scores.mean()),
             std=std,
             min=float(scores.min()),
-            ci95=_interval(float(scores.mean()), std, len(played)),
+            ci95=interval(float(scores.mean()), std, len(played)),
             mean_steps=float(np.mean([steps for _, steps, _ in played])),
             success_rate=sum(successes) / len(successes) if successes else None,
             environment=environment,
@@ -51,7 +51,7 @@ class Evaluation:
             mean=mean,
             std=std,
             min=report["min_score"],
-            ci95=_interval(mean, std, episodes),
+            ci95=interval(mean, std, episodes),
             mean_steps=report["mean_steps"],
             success_rate=report["success_rate"],
             environment=f"built-in {report['problem']}",
@@ -66,7 +66,8 @@ class Evaluation:
         )
 
 
-def _interval(mean: float, std: float, count: int) -> tuple[float, float]:
+def interval(mean: float, std: float, count: int) -> tuple[float, float]:
+    """Returns the 95 % interval of a mean."""
     half = 1.959963984540054 * std / math.sqrt(count)
     return mean - half, mean + half
 

@@ -61,6 +61,17 @@ impl<'g> Code<'g> {
     ) -> Result<Self, InputError> {
         compile_integers(file, graph, options, language).map(Self::of)
     }
+
+    /// Compiles a graph and prints it, in integers if it is one of counts; `file` is its name in messages.
+    ///
+    /// # Errors
+    /// The first value of a graph of counts that is not known to be whole.
+    pub fn of_graph(file: &str, graph: &'g Graph, options: &Options, language: Language) -> Result<Self, InputError> {
+        match graph.has_counts() {
+            true => Self::in_integers(file, graph, options, language),
+            false => Ok(Self::of(compile(graph, options, language))),
+        }
+    }
 }
 
 /// Compiles and prints a graph, if nothing but the text is needed. The same graph and options give the same bytes.

@@ -29,12 +29,7 @@ fn write_teams(teams: &[TeamFormulas], out: &mut String) -> fmt::Result {
     }
     writeln!(out, "\nWhat the teams compute\n")?;
     writeln!(out, "The highest bid wins, of equal bids the last; a NaN is the lowest.")?;
-    let formulas = |team: &'_ TeamFormulas| {
-        (team.bids.iter().map(|bid| bid.formula.clone()))
-            .chain(team.shared.iter().map(|(_, formula)| formula.clone()))
-            .collect::<Vec<_>>()
-    };
-    write_words(teams.iter().flat_map(formulas), out)?;
+    write_words(&teams, out)?;
     for (index, team) in teams.iter().enumerate() {
         writeln!(out, "\nteam {}{}", team.id, if index == 0 { ", the root" } else { "" })?;
         write_shared(out, &team.shared)?;
@@ -46,8 +41,8 @@ fn write_teams(teams: &[TeamFormulas], out: &mut String) -> fmt::Result {
 }
 
 /// Writes what a word means whose name does not say it.
-fn write_words(mut formulas: impl Iterator<Item = String>, out: &mut String) -> fmt::Result {
-    if formulas.any(|formula| formula.contains("negate_if_less(")) {
+fn write_words(formulas: &impl fmt::Debug, out: &mut String) -> fmt::Result {
+    if format!("{formulas:?}").contains("negate_if_less(") {
         writeln!(out, "negate_if_less(a, b) is -a where a < b, else a.")?;
     }
     Ok(())
@@ -70,10 +65,7 @@ fn write_leaves(graph: &Graph, leaves: &[LeafFormulas], out: &mut String) -> fmt
                  {nan} replaces NaN."
         )?;
     }
-    write_words(
-        leaves.iter().flat_map(|leaf| leaf.values.iter().chain(&leaf.shared)).map(|(_, formula)| formula.clone()),
-        out,
-    )?;
+    write_words(&leaves, out)?;
     for leaf in leaves {
         writeln!(out, "\nleaf {}", leaf.id)?;
         write_shared(out, &leaf.shared)?;

@@ -65,8 +65,8 @@ impl<'a> Facts<'a> {
         target: Target,
     ) -> Self {
         let (seen, (answered, _)) = (graph.observed(), graph.split_outputs());
-        let suffix = if graph.scalar() == ScalarType::F32 && !graph.has_counts() { "F" } else { "" };
         let whole = graph.has_counts();
+        let suffix = if graph.scalar() == ScalarType::F32 && !whole { "F" } else { "" };
         let middle = |range: &tpg_graph::Range| match range.min / 2.0 + range.max / 2.0 {
             count if whole => format!("{}", count.round() as i64),
             value => format!("{:?}", graph.scalar().round(value)),

@@ -13,7 +13,6 @@ pub(crate) use details::{Details, Ecosystem, License};
 
 use crate::emit::Code;
 use crate::options::{Language, Options};
-use crate::program::compile;
 use facts::Facts;
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
@@ -39,12 +38,9 @@ pub(crate) fn package<'g>(
     ecosystem: Ecosystem,
     details: &Details,
 ) -> Result<Package<'g>, InputError> {
-    let coded = |language| match graph.has_counts() {
-        true => Code::in_integers(file, graph, options, language),
-        false => Ok(Code::of(compile(graph, options, language))),
-    };
-    let code = coded(ecosystem.language())?;
-    let facts = Facts::new(&code, &coded(Language::C)?, graph, options, details, ecosystem.target());
+    let code = Code::of_graph(file, graph, options, ecosystem.language())?;
+    let c = Code::of_graph(file, graph, options, Language::C)?;
+    let facts = Facts::new(&code, &c, graph, options, details, ecosystem.target());
     let files = layout::files(&facts, ecosystem, &code);
     Ok(Package { code, files })
 }

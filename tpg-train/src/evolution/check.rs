@@ -35,15 +35,14 @@ impl<Task: std::fmt::Debug> State<Task> {
         config: &EvolutionConfig,
         environment: &E,
     ) -> Result<(), Finding> {
-        let sources = environment.sources();
-        let lengths = |count: usize| sources[..count].iter().map(|source| source.length as usize).sum::<usize>();
-        let (inputs, space) = (lengths(sources.len()), environment.actions());
+        let inputs = environment.sources().iter().map(|source| source.length as usize).sum();
+        let space = environment.actions();
         Finding::range("steps", self.steps, 0, MAX_COUNT)?;
         Finding::range("selection_steps", self.selection_steps, 0, self.steps)?;
         Finding::range("episode_steps", self.episode_steps, 0, MAX_COUNT)?;
         Finding::range("generation", self.generation, 0, 1_000_000_000)?;
         equal("rows", self.rows.len() as u64, self.generation)?;
-        equal("scales", self.scales.len(), lengths(sources.len()))?;
+        equal("scales", self.scales.len(), inputs)?;
         let vocabulary = config.vocabulary(environment, self.scales.clone());
         let actions = space.count().unwrap_or(0);
         let context = Context {

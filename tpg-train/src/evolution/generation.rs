@@ -367,6 +367,7 @@ mod tests {
     #[test]
     fn searches_have_a_run_whose_rest_is_too_short_for_evolution() {
         let environment: Choices<f32, Pendulum> = Choices::new(Pendulum, None).expect("a torque");
+        let named: Choices<f32, Pendulum> = Choices::new(Pendulum, Some(2)).expect("two torques");
         let mut config = EvolutionConfig::default();
         (config.tpg.nb_roots, config.demes.count) = (10, 3);
         let evaluator = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 1).expect("a thread");
@@ -386,6 +387,14 @@ mod tests {
             let goal = Goal { max_steps, target: None };
             let evolution = Evolution::new(&config, &environment, &evaluator, vec![1.0; 3], goal);
             assert_eq!(evolution.start(&state), expected, "{max_steps:?}");
+        }
+        // Where actions are named, half a generation is enough.
+        let evaluator = LocalThreads::<f32, Own, _>::new(&named, EngineOptions::default(), 1).expect("a thread");
+        config.start = start(0.5, 0.75);
+        for (max_steps, expected) in [(enough / 2, start(0.5, 0.75)), (enough / 2 - 4, start(0.5 / 0.75, 1.0))] {
+            let goal = Goal { max_steps: Some(max_steps), target: None };
+            let evolution = Evolution::new(&config, &named, &evaluator, vec![1.0; 3], goal);
+            assert_eq!(evolution.start(&state), expected, "named actions, {max_steps}");
         }
     }
 }

@@ -30,8 +30,7 @@ pub(super) fn scales<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Size
     seed: u64,
 ) -> Result<Vec<f64>, EvaluationError> {
     let sources = environment.sources();
-    let readable = sources.len();
-    let ranges: Vec<[f64; 2]> = sources[..readable].iter().flat_map(|source| source.ranges.clone()).collect();
+    let ranges: Vec<[f64; 2]> = sources.into_iter().flat_map(|source| source.ranges).collect();
     let units = config.literals.units;
     let states = if units == Units::Declared && ranges.iter().flatten().all(|end| end.is_finite()) {
         Vec::new()
