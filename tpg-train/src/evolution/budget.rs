@@ -16,6 +16,11 @@ const MAX_LENGTHS: u64 = 30;
 const TOO_LATE: f64 = 0.9;
 /// The part of its budget after which a random search ends that is no better than luck.
 const TRIAL: f64 = 0.25;
+/// A random search that gains less than this part of all that it had gained before, in this part of its budget, starts again, unless more
+/// than this part is over.
+const RANDOM_PROGRESS: f64 = 0.1;
+const RANDOM_PATIENCE: f64 = 0.15;
+const RANDOM_TOO_LATE: f64 = 0.75;
 
 /// Progress of the search for weights.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -25,10 +30,12 @@ pub struct Budget {
     pub begun: u64,
     /// Number of searches before it.
     pub searches: u64,
+    /// The part of the run that was over then.
+    pub part: f64,
     /// First score of the current search.
     first: Option<f64>,
-    /// Generation and score at its last progress.
-    progress: Option<(u64, f64)>,
+    /// Generation, part of the run and score at its last progress.
+    progress: Option<(u64, f64, f64)>,
     /// The generation before which the last search ended.
     pub ended: Option<u64>,
 }
@@ -59,35 +66,47 @@ impl Budget {
     /// Records what a generation has brought; the search goes on unless `searches` or `ended` has changed.
     pub(super) fn spend(&mut self, point: Point, limits: Limits) {
         let first = *self.first.get_or_insert(point.score);
-        if self.progress.is_none_or(|(_, last)| point.score - last > PROGRESS * (last - first).max(0.0)) {
-            self.progress = Some((point.generation, point.score));
+        let (progress, now) =
+            (if limits.luck.is_some() { RANDOM_PROGRESS } else { PROGRESS }, point.part.unwrap_or(0.0));
+        if self.progress.is_none_or(|(_, _, last)| point.score - last > progress * (last - first).max(0.0)) {
+            self.progress = Some((point.generation, now, point.score));
         }
         let since = |begin: u64| point.generation - begin;
         let has_stalled = since(self.begun) >= limits.length
-            && self.progress.is_some_and(|(last, _)| since(last) >= (limits.length / 2).max(MIN_PATIENCE));
+            && self.progress.is_some_and(|(last, ..)| since(last) >= (limits.length / 2).max(MIN_PATIENCE));
         let is_over = |part: f64| point.part.is_some_and(|over| over >= part * limits.part);
         if let Some(luck) = limits.luck {
             let is_lucky = point.score > luck;
-            if is_over(if is_lucky { 1.0 } else { TRIAL }) || (point.part.is_none() && has_stalled) {
-                self.begin_another(point.generation);
+            let share = |part: f64| self.part + part * (limits.part - self.part);
+            if now >= share(if is_lucky { 1.0 } else { TRIAL }) && point.part.is_some()
+                || (point.part.is_none() && has_stalled)
+            {
+                self.begin_another(&point);
+            } else if is_lucky
+                && self.progress.is_some_and(|(_, last, _)| now - last >= RANDOM_PATIENCE * limits.part)
+                && !is_over(RANDOM_TOO_LATE)
+            {
+                self.begin_another(&point);
+                self.searches -= 1;
             }
         } else if is_over(1.0) || point.generation >= MAX_LENGTHS * limits.length {
             self.ended = Some(point.generation);
         } else if has_stalled {
             match point.part.is_none() || is_over(TOO_LATE) {
                 true => self.ended = Some(point.generation),
-                false => self.begin_another(point.generation),
+                false => self.begin_another(&point),
             }
         }
     }
 
-    fn begin_another(&mut self, generation: u64) {
-        *self = Self { begun: generation, searches: self.searches + 1, ..Self::default() };
+    fn begin_another(&mut self, point: &Point) {
+        let part = point.part.unwrap_or(0.0);
+        *self = Self { begun: point.generation, part, searches: self.searches + 1, ..Self::default() };
     }
 
     /// True if the budget, read from a file, is one of a run after so many generations.
     pub(super) fn is_valid(&self, generation: u64) -> bool {
-        let latest = [Some(self.begun), self.progress.map(|(last, _)| last), self.ended];
+        let latest = [Some(self.begun), self.progress.map(|(last, ..)| last), self.ended];
         latest.iter().flatten().all(|&at| at <= generation) && self.searches <= generation
     }
 }
@@ -136,6 +155,18 @@ mod tests {
         ] {
             assert_eq!(run(limits, has_limit, score), events, "{what}");
         }
+        let mut budget = Budget::default();
+        let begun = (1..60).map(|generation: i32| {
+            let (part, score) = (Some(f64::from(generation) / 100.0), f64::from(generation.min(20)));
+            budget.spend(Point { generation: generation as u64, part, score }, Limits { luck: Some(5.0), ..cma });
+            (budget.begun, budget.part)
+        });
+        let begun: std::collections::BTreeMap<_, _> = begun.collect();
+        assert_eq!(
+            begun,
+            [(0, 0.0), (28, 0.28), (38, 0.38)].into(),
+            "a random search starts again where it has stalled, but not late"
+        );
         let long = Limits { length: 20, part: 1e9, luck: None };
         assert_eq!(run(long, true, flat).last(), Some(&600), "30 lengths at most");
     }

@@ -53,6 +53,7 @@ impl<Task: std::fmt::Debug> State<Task> {
             preference: environment.preference(),
             line_price: 0.0,
             left: 1.0,
+            samples: 8,
         };
         if !self.budget.is_valid(self.generation) {
             return Err(Finding::new("budget", format!("{:?}", self.budget), "generations of the run"));

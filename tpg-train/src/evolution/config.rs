@@ -87,7 +87,7 @@ pub struct AskConfig {
 pub struct LanguageConfig {
     /// Precision of all arithmetic; a Cortex-M4F has an FPU for `f32`.
     pub scalar: ScalarType,
-    /// Instruction set; the order gives the numbers. Words, or calls of words on `a` and `b`: `"div(a, add(1, abs(a)))"`.
+    /// Instruction set; the order gives the numbers. Words, or formulas of `a` and `b`: `"a / (1 + abs(a))"`.
     pub instructions: Vec<String>,
     /// Operands may be literal numbers.
     pub literals: bool,

@@ -97,12 +97,18 @@ pub(super) fn graph(
         programs,
         provenance,
     };
-    Graph::from_document("<evolved graph>", document).map(Graph::without_unread_features)
+    Graph::from_document("<evolved graph>", document)
+}
+
+/// Returns a source with finite ranges, for a graph that is only evaluated: no answer depends on them.
+pub(crate) fn finite(mut source: SourceDocument) -> SourceDocument {
+    source.ranges.iter_mut().flatten().for_each(|end| *end = end.clamp(-1e6, 1e6));
+    source
 }
 
 /// Moves the ends of a range outwards to the next numbers that are exact in the graph's scalar type, as a graph
 /// requires.
-fn exact(source: SourceDocument, scalar: ScalarType) -> SourceDocument {
+pub(crate) fn exact(source: SourceDocument, scalar: ScalarType) -> SourceDocument {
     let outwards = |[min, max]: [f64; 2]| match scalar {
         ScalarType::F64 => [min, max],
         ScalarType::F32 => {

@@ -21,6 +21,12 @@ use tpg_runtime::scalar::Scalar;
 const POOL: usize = 300;
 /// Fraction of the candidates that play on after a race.
 const RACING_SHARE: f64 = 0.4;
+/// Fewest and most samples of a generation of random search, and for how many generations its episodes should be enough.
+const SAMPLES: [usize; 2] = [8, 16];
+const STEPS: f64 = 75.0;
+/// Generations of evolution for which a run must have steps left, with outputs and with named actions, which sums choose less well.
+/// Otherwise the searches for weights take all of it.
+const GENERATIONS: [f64; 2] = [10.0, 0.5];
 /// The mean of samples that are better than luck, as a part of the way from the first generation's median score to its best.
 const LUCK: f64 = 0.9;
 
@@ -76,7 +82,11 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
 
     /// Returns what stages know.
     pub fn context(&self, state: &State<E::Task>) -> Context<'_> {
-        let part = self.part(state).map_or(0.0, |part| part / self.start(state).random);
+        let random = self.start(state).random;
+        let begun = state.budget.part;
+        let part = self.part(state).map_or(0.0, |part| (part - begun) / (random - begun));
+        let episodes = self.goal.max_steps.map(|most| random * most as f64 / state.episode_steps.max(1) as f64);
+        let [fewest, most] = SAMPLES;
         Context {
             config: self.config,
             vocabulary: &self.vocabulary,
@@ -84,7 +94,8 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
             opposites: &self.opposites,
             preference: self.environment.preference(),
             line_price: self.line_price(state),
-            left: (1.0 - part).max(0.0),
+            left: (1.0 - part).clamp(0.0, 1.0),
+            samples: episodes.map_or(most, |all| (all / STEPS) as usize).clamp(fewest, most),
         }
     }
 
@@ -292,24 +303,23 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         let limits = Limits {
             length: search.length(context)?,
             part: if search.is_random() { start.random } else { start.share },
-            luck: search.is_random().then_some(if search.is_trial() { f64::NEG_INFINITY } else { luck }),
+            luck: search.is_random().then_some(luck),
         };
         let (generation, score) = (state.generation + 1, search.score.unwrap_or(f64::NEG_INFINITY));
         state.budget.spend(Point { generation, part: self.part(state), score }, limits);
         Ok(())
     }
 
-    /// Returns the parts of the run for searches: the whole run where the rest is too short for a generation of evolution, with
-    /// episodes as long as the best sample's; for half of one where actions are named, which sums choose less well.
+    /// Returns the parts of the run for searches: the whole run where the rest is too short for evolution, with episodes as long as the
+    /// best sample's.
     fn start(&self, state: &State<E::Task>) -> StartConfig {
-        let StartConfig { random, share } = self.config.start;
+        let start = self.config.start.clone();
         let episodes = (self.config.tpg.nb_roots * self.config.demes.count) as f64;
-        let generation = episodes * state.episode_steps as f64 * if self.actions == 0 { 1.0 } else { 0.5 };
-        let is_short = self.goal.max_steps.is_some_and(|most| (1.0 - share) * (most as f64) < generation);
-        if is_short && share > 0.0 {
-            StartConfig { random: random / share, share: 1.0 }
-        } else {
-            StartConfig { random, share }
+        let evolution = GENERATIONS[usize::from(self.actions > 0)] * episodes * state.episode_steps as f64;
+        let is_short = self.goal.max_steps.is_some_and(|most| (1.0 - start.share) * (most as f64) < evolution);
+        match is_short && start.share > 0.0 {
+            true => StartConfig { random: if start.random > 0.0 { 1.0 } else { 0.0 }, share: 1.0 },
+            false => start,
         }
     }
 
@@ -373,12 +383,12 @@ mod tests {
         let evaluator = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 1).expect("a thread");
         let mut state = State::new(1, 1);
         state.episode_steps = 200;
-        // A quarter of so many steps is enough.
-        let enough = 4 * 10 * 3 * 200;
+        // A quarter of so many steps is enough for ten generations.
+        let enough = 4 * 10 * 10 * 3 * 200;
         let start = |random, share| StartConfig { random, share };
         for (asked, max_steps, expected) in [
             (start(0.5, 0.75), Some(enough), start(0.5, 0.75)),
-            (start(0.375, 0.75), Some(enough - 4), start(0.5, 1.0)),
+            (start(0.375, 0.75), Some(enough - 4), start(1.0, 1.0)),
             (start(0.0, 0.75), Some(1), start(0.0, 1.0)),
             (start(0.0, 0.0), Some(1), start(0.0, 0.0)),
             (start(0.5, 0.75), None, start(0.5, 0.75)),
@@ -391,7 +401,7 @@ mod tests {
         // Where actions are named, half a generation is enough.
         let evaluator = LocalThreads::<f32, Own, _>::new(&named, EngineOptions::default(), 1).expect("a thread");
         config.start = start(0.5, 0.75);
-        for (max_steps, expected) in [(enough / 2, start(0.5, 0.75)), (enough / 2 - 4, start(0.5 / 0.75, 1.0))] {
+        for (max_steps, expected) in [(enough / 20, start(0.5, 0.75)), (enough / 20 - 4, start(1.0, 1.0))] {
             let goal = Goal { max_steps: Some(max_steps), target: None };
             let evolution = Evolution::new(&config, &named, &evaluator, vec![1.0; 3], goal);
             assert_eq!(evolution.start(&state), expected, "named actions, {max_steps}");

@@ -4,13 +4,10 @@
 //! 2018): one row of weights for each output or action, of inputs less their mean, divided by their standard deviation, both over
 //! visited states. Steps shrink as the search goes on. Small steps find what a wide search for weights misses: a policy that hovers,
 //! balances or walks a little, and gets better.
-//!
-//! Where every step is rewarded, a policy that stands still soon gets more than one that walks and falls, and the search stays there.
-//! A toll, taken from the score for each step, makes the first as worthless as it is.
 
 use serde::{Deserialize, Serialize};
+use tpg_engine::Moments;
 use tpg_engine::random::Stream;
-use tpg_engine::{Moments, Summary};
 
 /// Length of a step along a direction whose samples differ by the scores' standard deviation.
 const STEP: f64 = 0.03;
@@ -38,28 +35,12 @@ pub(super) struct RandomSearch {
     weights: Vec<f64>,
     /// Mean and spread of the inputs that its samples have seen.
     seen: Moments,
-    /// The part of the score that a step costs.
-    toll: f64,
 }
 
 impl RandomSearch {
-    /// Starts at 0, without a toll.
+    /// Starts at 0.
     pub(super) fn new(rows: usize, inputs: usize) -> Self {
-        Self { weights: vec![0.0; rows * inputs], seen: Moments::new(inputs), toll: 0.0 }
-    }
-
-    /// Starts at 0 again, with what has been seen, and with a toll: what samples with these results have gained for a step. `None` if
-    /// that is nothing, or if their episodes are equally long.
-    pub(super) fn with_toll(&self, results: &[Summary]) -> Option<Self> {
-        let total = |value: fn(&Summary) -> f64| results.iter().map(value).sum::<f64>();
-        let toll = total(|result| result.score) / total(|result| result.actions);
-        let varies = results.windows(2).any(|pair| pair[0].actions != pair[1].actions);
-        (varies && toll > 0.0).then(|| Self { weights: vec![0.0; self.weights.len()], seen: self.seen.clone(), toll })
-    }
-
-    /// True if the search takes a toll.
-    pub(super) fn has_toll(&self) -> bool {
-        self.toll > 0.0
+        Self { weights: vec![0.0; rows * inputs], seen: Moments::new(inputs) }
     }
 
     /// Returns the weights of the normalised inputs, row after row.
@@ -82,10 +63,9 @@ impl RandomSearch {
         (0..count.div_ceil(2)).flat_map(pair).collect()
     }
 
-    /// Moves the weights towards the better sample of each of the best pairs by the results less the toll, less far the smaller the part
-    /// of the search that is `left`, from 1 to 0; scores without spread move nothing.
-    pub(super) fn update(&mut self, samples: &[Vec<f64>], results: &[Summary], left: f64) {
-        let scores: Vec<f64> = results.iter().map(|result| result.score - self.toll * result.actions).collect();
+    /// Moves the weights towards the better sample of each of the best pairs, less far the smaller the part of the search that is
+    /// `left`, from 1 to 0; scores without spread move nothing.
+    pub(super) fn update(&mut self, samples: &[Vec<f64>], scores: &[f64], left: f64) {
         let mut pairs: Vec<_> = samples.chunks_exact(2).zip(scores.chunks_exact(2)).collect();
         pairs.sort_by(|(_, a), (_, b)| b[0].max(b[1]).total_cmp(&a[0].max(a[1])));
         pairs.truncate(pairs.len().div_ceil(DIRECTIONS_FOR_ONE));
@@ -131,24 +111,18 @@ impl RandomSearch {
     /// True if the search, read from a file, is one for so many rows and inputs.
     pub(super) fn is_valid(&self, rows: usize, inputs: usize) -> bool {
         let weights = self.weights.len() == rows * inputs && self.weights.iter().all(|weight| weight.is_finite());
-        weights && self.toll.is_finite() && self.toll >= 0.0 && self.seen.length() == inputs && self.seen.is_possible()
+        weights && self.seen.length() == inputs && self.seen.is_possible()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::{INPUTS, MIN_STEP, NOISE, RandomSearch, STEP};
+    use tpg_engine::Moments;
     use tpg_engine::random::{Purpose, Stream};
-    use tpg_engine::{EpisodeResult, Moments, Summary};
 
     fn stream(number: u64) -> Stream {
         Stream::new(1, number, Purpose::Test, 0)
-    }
-
-    /// Returns results of an episode each, with these scores and numbers of steps.
-    fn results<const N: usize>(episodes: [(f64, u32); N]) -> Vec<Summary> {
-        let result = |(score, actions)| EpisodeResult { outcome: 0, success: None, score, measure: 0.0, actions };
-        episodes.map(|episode| Summary::new(&[result(episode)])).into()
     }
 
     #[test]
@@ -170,27 +144,11 @@ mod tests {
         let noise = search.noise();
         let samples = [[noise, 0.0], [-noise, 0.0], [0.0, noise], [0.0, -noise]].map(Vec::from);
         // The first pair has the best score, of mean 2 and deviation 1; the second does not count.
-        search.update(&samples, &results([3.0, 1.0, 2.0, -9.0].map(|score| (score, 9))), 1.0);
+        search.update(&samples, &[3.0, 1.0, 2.0, -9.0], 1.0);
         assert_eq!(search.mean(), [2.0 * STEP, 0.0]);
         let before = search.clone();
-        search.update(&samples, &results([(1.0, 9); 4]), 1.0);
+        search.update(&samples, &[1.0; 4], 1.0);
         assert_eq!(search, before, "scores without a spread move nothing");
-    }
-
-    #[test]
-    fn a_toll_is_what_a_step_has_gained() {
-        let mut search = RandomSearch::new(1, 2);
-        let samples = [search.noise(), -search.noise()].map(|distance| vec![distance, 0.0]);
-        // The first sample stands for longer, the second one gets on.
-        let walk = results([(50.0, 50), (40.0, 10)]);
-        let mut other = search.with_toll(&results([(10.0, 8), (2.0, 4)])).expect("a point a step");
-        assert!(other.has_toll() && !search.has_toll());
-        search.update(&samples, &walk, 1.0);
-        other.update(&samples, &walk, 1.0);
-        assert!(search.mean()[0] > 0.0 && other.mean()[0] < 0.0, "{:?} {:?}", search.mean(), other.mean());
-        for (what, episodes) in [("equally long", [(3.0, 5), (4.0, 5)]), ("no gain", [(1.0, 5), (-1.0, 4)])] {
-            assert_eq!(search.with_toll(&results(episodes)), None, "{what}");
-        }
     }
 
     #[test]
@@ -212,7 +170,7 @@ mod tests {
         for (left, length) in [(1.0, 1.0), (0.5, 0.5), (0.0, MIN_STEP)] {
             let mut search = RandomSearch::new(1, 2);
             let samples = [search.noise(), -search.noise()].map(|distance| vec![distance, 0.0]);
-            search.update(&samples, &results([(3.0, 9), (1.0, 9)]), left);
+            search.update(&samples, &[3.0, 1.0], left);
             assert!((search.mean()[0] - 2.0 * STEP * length).abs() < 1e-12, "{left}: {:?}", search.mean());
         }
     }
@@ -224,8 +182,8 @@ mod tests {
         let mut search = RandomSearch::new(1, 3);
         for generation in 0..100 {
             let samples = search.samples(16, &mut stream(generation));
-            let results: Vec<Summary> = samples.iter().flat_map(|sample| results([(score(sample), 9)])).collect();
-            search.update(&samples, &results, 1.0);
+            let scores: Vec<f64> = samples.iter().map(score).collect();
+            search.update(&samples, &scores, 1.0);
         }
         assert!(score(&search.weights) > -0.01, "{:?}", search.weights);
     }

@@ -266,6 +266,7 @@ pub(crate) fn graph_of<S: Scalar, E: Environment<S>>(
     let vocabulary = config.vocabulary(environment, Vec::new());
     let memory = tpg_engine::remembered(&sources, &environment.actions());
     export::graph(&best.policy, &vocabulary, sources, environment.actions(), memory, provenance)
+        .map(Graph::without_unread_features)
 }
 
 /// The times of a run, `timing.csv`: the only log that depends on the clock.

@@ -15,14 +15,9 @@ use tpg_graph::error::Finding;
 const NEWEST: f64 = 0.2;
 /// Samples of a generation that adapts variances, in Hansen's numbers of them.
 const BREADTH: usize = 2;
-/// Samples of a generation of random search. They are few, so that a run of few long episodes has many steps.
-const RANDOM_SAMPLES: usize = 8;
 /// Default length of a search: generations for each weight, and their minimum.
 const GENERATIONS_PER_WEIGHT: u64 = 3;
 const MIN_GENERATIONS: u64 = 20;
-/// The parts of a random search after which another one with a toll is tried, and after which the better one goes on.
-const TRIAL: [f64; 2] = [0.1, 0.2];
-
 /// One search for weights.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -31,9 +26,6 @@ pub struct Search {
     pub kind: ProgramKind,
     /// The method.
     method: Method,
-    /// The random search without a toll and its score, while one with a toll is tried.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    free: Option<(RandomSearch, f64)>,
     /// Mean score of the samples, smoothed over generations.
     pub score: Option<f64>,
     /// The samples that are being evaluated.
@@ -65,35 +57,12 @@ impl Search {
         } else {
             Method::Cma(Cma::new(writer.weights()))
         };
-        Ok(Self { kind, method, free: None, score: None, samples: Vec::new() })
+        Ok(Self { kind, method, score: None, samples: Vec::new() })
     }
 
     /// True for a random search.
     pub(super) fn is_random(&self) -> bool {
         matches!(self.method, Method::Random(_))
-    }
-
-    /// True while a random search with a toll is tried.
-    pub(super) fn is_trial(&self) -> bool {
-        self.free.is_some()
-    }
-
-    /// Begins or ends the trial of a toll, when it is time to, after a generation with these results.
-    fn try_toll(&mut self, left: f64, results: &[Summary]) {
-        let Method::Random(search) = &mut self.method else { return };
-        let [begin, end] = TRIAL.map(|part| left <= 1.0 - part);
-        if end && let Some((free, score)) = self.free.take() {
-            if self.score.is_none_or(|of_toll| of_toll <= score) {
-                (*search, self.score) = (free, Some(score));
-            }
-        } else if begin
-            && !end
-            && !search.has_toll()
-            && let (Some(other), Some(score)) = (search.with_toll(results), self.score)
-        {
-            self.free = Some((std::mem::replace(search, other), score));
-            self.score = None;
-        }
     }
 
     /// Returns the default number of generations.
@@ -120,8 +89,7 @@ impl Search {
         let is_valid = match &self.method {
             Method::Cma(cma) => cma.is_valid(writer.weights()),
             Method::Random(search) => {
-                let mut searches = std::iter::once(search).chain(self.free.iter().map(|(search, _)| search));
-                self.kind == ProgramKind::Sum && searches.all(|it| it.is_valid(writer.rows(), writer.units().len()))
+                self.kind == ProgramKind::Sum && search.is_valid(writer.rows(), writer.units().len())
             }
         };
         match is_valid && self.score.is_none_or(f64::is_finite) {
@@ -156,7 +124,7 @@ impl Stage for Search {
                 (samples.clone(), samples)
             }
             Method::Random(search) => {
-                let samples = search.samples(RANDOM_SAMPLES, &mut stream);
+                let samples = search.samples(context.samples, &mut stream);
                 let units = writer.units();
                 let weights = samples.iter().map(|sample| writer.weights_of_rows(&search.unfolded(sample, &units)));
                 let weights = weights.collect();
@@ -187,13 +155,13 @@ impl Stage for Search {
                 cma.update(&ranked);
             }
             Method::Random(search) => {
-                search.update(&samples, &summaries, context.left);
+                let scores: Vec<f64> = summaries.iter().map(|result| result.score).collect();
+                search.update(&samples, &scores, context.left);
                 if let Ok(writer) = context.writer(self.kind) {
                     search.observe(&results.seen.select(writer.places()));
                 }
             }
         }
-        self.try_toll(context.left, &summaries);
         let best = &summaries[order[0]];
         let row = Row {
             generation: moment.generation,
@@ -210,52 +178,5 @@ impl Stage for Search {
     fn best(&self, context: &Context<'_>) -> Option<PolicyGraph> {
         let writer = context.writer(self.kind).ok()?;
         Some(writer.policy(&self.weights(&writer)))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Method, ProgramKind, RandomSearch, Search};
-    use tpg_engine::{EpisodeResult, Summary};
-
-    /// Returns results of episodes that gain a point a step, and a search whose samples had a score.
-    fn search(actions: [u32; 2], score: f64) -> (Search, Vec<Summary>) {
-        let result =
-            |actions| EpisodeResult { outcome: 0, success: None, score: f64::from(actions), measure: 0.0, actions };
-        let method = Method::Random(RandomSearch::new(1, 2));
-        let search = Search { kind: ProgramKind::Sum, method, free: None, score: Some(score), samples: Vec::new() };
-        (search, actions.map(|actions| Summary::new(&[result(actions)])).into())
-    }
-
-    fn has_toll(search: &Search) -> bool {
-        matches!(&search.method, Method::Random(random) if random.has_toll())
-    }
-
-    #[test]
-    fn the_better_search_goes_on_after_the_trial_of_a_toll() {
-        for (score, is_better) in [(6.0, false), (7.0, false), (8.0, true)] {
-            let (mut search, results) = search([9, 5], 7.0);
-            search.try_toll(0.95, &results);
-            assert!(!search.is_trial() && !has_toll(&search), "too early");
-            search.try_toll(0.9, &results);
-            assert!(search.is_trial() && has_toll(&search) && search.score.is_none());
-            let written = serde_json::to_string(&search).expect("plain data");
-            assert_eq!(serde_json::from_str::<Search>(&written).expect("as written"), search);
-            search.score = Some(score);
-            search.try_toll(0.85, &results);
-            assert!(search.is_trial(), "not over");
-            search.try_toll(0.8, &results);
-            assert_eq!((search.is_trial(), has_toll(&search)), (false, is_better), "{score}");
-            assert_eq!(search.score, Some(score.max(7.0)));
-            search.try_toll(0.7, &results);
-            assert!(!search.is_trial(), "one trial");
-        }
-    }
-
-    #[test]
-    fn no_toll_is_tried_where_episodes_are_equally_long() {
-        let (mut search, results) = search([9, 9], 7.0);
-        search.try_toll(0.85, &results);
-        assert_eq!((search.is_trial(), search.score), (false, Some(7.0)));
     }
 }

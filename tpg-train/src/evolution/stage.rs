@@ -24,6 +24,8 @@ pub struct Context<'a> {
     pub line_price: f64,
     /// The part of a random search that is still to come, 0 to 1.
     pub left: f64,
+    /// Number of samples of its generations.
+    pub samples: usize,
 }
 
 /// Seed, generation and deme: the first half of every stream's address.

@@ -16,6 +16,8 @@ use tpg_runtime::scalar::Scalar;
 const MIN_EPISODES: usize = 20;
 /// Number of roots that are compared: the best by running mean.
 const ROOTS: usize = 8;
+/// Number of thinned versions of the best policy for which a run's last validation has episodes left.
+const THINNED: u64 = 2;
 /// Number of episodes from which unknown ranges of inputs are estimated, and of states in each.
 const EPISODES_FOR_RANGES: usize = 16;
 const STATES_FOR_RANGES: u32 = 16;
@@ -54,7 +56,16 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_,
         let best = roots.iter().map(|(_, root)| root.record.mean).fold(f64::NEG_INFINITY, f64::max);
         let Some(episodes) = self.episodes_to_spend(state, roots.len(), best) else { return Ok(None) };
         let (policy, endings) = self.race(state, roots, episodes)?;
-        self.enter(state, policy, &endings).map(Some)
+        let result = self.enter(state, policy, &endings)?;
+        if self.is_thinned(state) {
+            self.thin(state, episodes)?;
+        }
+        Ok(Some(result))
+    }
+
+    /// True if this is the last validation of a run that prefers small policies.
+    fn is_thinned(&self, state: &State<E::Task>) -> bool {
+        self.config.selection.line_price > 0.0 && self.is_last(state)
     }
 
     /// Enters a policy with its endings on the selection set, the first tasks first; returns its result.
@@ -96,12 +107,12 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_,
     fn episodes_to_spend(&self, state: &State<E::Task>, roots: usize, best: f64) -> Option<usize> {
         let selection = &self.config.selection;
         let all = selection.validation_episodes;
-        let cost = cost(roots, all);
+        let cost = cost(roots, all) + if self.is_thinned(state) { THINNED * all as u64 } else { 0 };
         let left = episodes_left(state, selection.validation_share);
         if self.is_last(state) {
             let affordable = (all as u64 * left / cost.max(1)) as usize;
             // A race of so many roots costs a multiple of its episodes.
-            let each = self::cost(roots, MIN_EPISODES).div_ceil(MIN_EPISODES as u64);
+            let each = cost.div_ceil(all.max(1) as u64);
             let least = Self::affordable(self.steps_of_validation(), each * state.episode_steps, MIN_EPISODES.min(all));
             return Some(affordable.clamp(least, all));
         }
@@ -173,7 +184,12 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_,
 }
 
 /// Returns a visit of `states` evenly spaced states of an episode that ended so.
-fn along<Task: Clone>(policy: &PolicyGraph, task: &Task, ending: &EpisodeResult, states: u32) -> Visit<Task> {
+pub(super) fn along<Task: Clone>(
+    policy: &PolicyGraph,
+    task: &Task,
+    ending: &EpisodeResult,
+    states: u32,
+) -> Visit<Task> {
     let actions = u64::from(ending.actions);
     let after = (0..states).map(|state| (u64::from(state) * actions / u64::from(states)) as u32);
     Visit { policy: policy.clone(), task: task.clone(), after: after.collect() }

@@ -306,7 +306,7 @@ mod tests {
         assert_eq!(spelled(2), [line(1, "abs", Operand::Input(0), Operand::Register(2))]);
         for (text, found) in [
             ("pi", "neither an operand nor"),
-            ("a", "which calls no word"),
+            ("a", "which computes nothing"),
             ("mul(a, c)", "more than a and b"),
             ("mul(a, k0)", "more than"),
         ] {

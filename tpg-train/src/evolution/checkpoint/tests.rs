@@ -170,7 +170,6 @@ fn a_damaged_search_is_refused_at_its_place() {
         ("/state/search/method/cma/deviation", json!(-1.0), "state.search"),
         ("/state/search/kind", json!("product"), "state.search"),
         ("/state/stalled/method/random/weights", json!([0.0]), "state.search"),
-        ("/state/stalled/method/random/toll", json!(-1.0), "state.search"),
         ("/state/stalled/kind", json!("product"), "state.search"),
         ("/state/budget/begun", json!(99), "state.budget"),
         ("/state/budget/searches", json!(99), "state.budget"),
