@@ -1,5 +1,6 @@
 //! `tpg-train eval`: lets a policy act on test episodes and reports how they end.
 
+mod law;
 mod report;
 
 pub use report::{Against, EvaluationReport};
@@ -111,7 +112,7 @@ fn alone(args: &EvalArgs, other: &str, problem: &Problem) -> EvalArgs {
     let mut args = EvalArgs { tpg: None, policy: None, hybrid: None, against: None, ..args.clone() };
     match other {
         _ if problem.controllers().contains(&other) => args.policy = Some(other.to_owned()),
-        _ if other.ends_with(".toml") => args.hybrid = Some(other.into()),
+        _ if other.ends_with(".toml") && !law::is_law(other) => args.hybrid = Some(other.into()),
         _ if other.ends_with(".q.json") || other.ends_with(".safetensors") => args.policy = Some(other.to_owned()),
         _ => args.tpg = Some(other.into()),
     }
@@ -145,6 +146,13 @@ fn played(
 /// Reads the policies that the arguments name, and the problem that they are tested on.
 fn asked(args: &EvalArgs) -> Result<(Policy, Problem), InputError> {
     let (config, from_file) = (args.config.as_deref(), args.config.is_none());
+    let read = |path: &Path| match path.extension().is_some_and(|extension| extension == "toml") {
+        true => {
+            let environment = problem_for(args.problem, config, None)?.environment::<f32>();
+            law::read(path, environment.sources(), environment.actions())
+        }
+        false => read_graph(path),
+    };
     let problem_for = |graph: Option<&(String, Graph)>| {
         problem_for(args.problem, config, graph.map(|(file, graph)| (file.as_str(), graph)))
     };
@@ -165,7 +173,7 @@ fn asked(args: &EvalArgs) -> Result<(Policy, Problem), InputError> {
             Ok((Policy::Hybrid(path.display().to_string(), Box::new(hybrid)), problem))
         }
         (None, Some(graph), Some(actor)) => {
-            let graph = (graph.display().to_string(), read_graph(graph)?);
+            let graph = (graph.display().to_string(), read(graph)?);
             let network = (actor.clone(), Network::read(Path::new(actor))?);
             let problem = joined(Some(&graph), &network)?;
             let setting = setting(args, &problem.facts());
@@ -175,7 +183,7 @@ fn asked(args: &EvalArgs) -> Result<(Policy, Problem), InputError> {
             Ok((Policy::Hybrid(name, Box::new(Hybrid { problem: None, graph, network, setting })), problem))
         }
         (None, Some(path), None) => {
-            let graph = (path.display().to_string(), read_graph(path)?);
+            let graph = (path.display().to_string(), read(path)?);
             let problem = problem_for(Some(&graph))?;
             Ok((Policy::Graph(Box::new(graph)), problem))
         }

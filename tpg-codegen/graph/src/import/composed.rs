@@ -1,8 +1,9 @@
-//! Instructions of a `.dot` file that a sidecar composes of words: `mul(a, div(b, 10))`.
+//! Formulas of words: instructions of a `.dot` file, a run's own ones, laws.
 
 use crate::Word;
 use crate::model::{LineDocument, OperandDocument};
 use std::collections::BTreeSet;
+use tpg_runtime::ops::Instruction;
 
 /// The meaning of an instruction number in a `.dot` file.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,7 +61,8 @@ pub enum Reading {
 }
 
 /// The accepted form, for messages.
-pub(crate) const FORM: &str = "a word with its operands in brackets, each of them a to f, a constant of the line k0 to k3, a number or such a call: mul(a, div(b, 10))";
+pub(crate) const FORM: &str =
+    "a formula of words, +, -, *, /, operands a to f, constants of the line k0 to k3, and numbers: a * div(b, 10)";
 
 impl Expression {
     /// Returns the expression that a word stands for by itself.
@@ -68,12 +70,12 @@ impl Expression {
         Self::Call(word, (0..word.arity()).map(|place| Self::Operand(place, 0)).collect())
     }
 
-    /// Parses a call on numbers `a` to `f`; the error says what was found.
+    /// Parses a formula of numbers `a` to `f` that is at least one call; the error says what was found.
     ///
     /// ```
     /// use tpg_graph::import::Expression;
     ///
-    /// let half = Expression::call("div(add(a, b), 2)")?;
+    /// let half = Expression::call("(a + b) / 2")?;
     /// assert_eq!((half.arity(), half.scratch()), (2, 1));
     /// assert!(Expression::call("plus(a, b)").is_err());
     /// # Ok::<(), String>(())
@@ -85,13 +87,24 @@ impl Expression {
         Self::parse(text, &Windows::default())
     }
 
-    /// Parses a call on operands of which some are windows; the error says what was found.
+    /// Parses such a formula of operands of which some are windows; the error says what was found.
     pub(crate) fn parse(text: &str, windows: &Windows) -> Result<Self, String> {
-        let mut parser = ComposedParser { rest: text, windows };
-        match parser.expression()? {
-            call @ Self::Call(..) if parser.rest.trim().is_empty() => Ok(call),
-            Self::Call(..) => Err(format!("`{}` after the last bracket", parser.rest.trim())),
-            _ => Err(format!("`{text}`, which calls no word")),
+        match Self::formula(text, |name| leaf(name, windows))? {
+            call @ Self::Call(..) => Ok(call),
+            _ => Err(format!("`{text}`, which computes nothing")),
+        }
+    }
+
+    /// Parses a formula of calls, `+`, `-`, `*`, `/`, brackets, numbers, and what `leaf` makes of other names; the error says what was
+    /// found.
+    ///
+    /// # Errors
+    /// If it is no formula, or calls what is no word.
+    pub fn formula(text: &str, leaf: impl Fn(&str) -> Result<Self, String>) -> Result<Self, String> {
+        let mut parser = FormulaParser { rest: text, leaf: &leaf };
+        match parser.sum()? {
+            _ if !parser.rest.trim().is_empty() => Err(format!("`{}` after the formula", parser.rest.trim())),
+            found => Ok(found),
         }
     }
 
@@ -167,33 +180,55 @@ impl Expression {
     }
 }
 
-struct ComposedParser<'t> {
+struct FormulaParser<'t, 'l> {
     rest: &'t str,
-    windows: &'t Windows,
+    leaf: &'l dyn Fn(&str) -> Result<Expression, String>,
 }
 
-impl<'t> ComposedParser<'t> {
-    fn expression(&mut self) -> Result<Expression, String> {
-        let text = self.word();
+impl<'t> FormulaParser<'t, '_> {
+    fn sum(&mut self) -> Result<Expression, String> {
+        self.operators([('+', Instruction::Add), ('-', Instruction::Sub)], |it| {
+            it.operators([('*', Instruction::Mul), ('/', Instruction::Div)], Self::factor)
+        })
+    }
+
+    /// Parses operands with operators of the same rank between them, from the left.
+    fn operators(
+        &mut self,
+        operators: [(char, Instruction); 2],
+        operand: impl Fn(&mut Self) -> Result<Expression, String>,
+    ) -> Result<Expression, String> {
+        let mut left = operand(self)?;
+        while let Some((_, instruction)) = operators.into_iter().find(|(mark, _)| self.takes(*mark)) {
+            left = Expression::Call(instruction.into(), vec![left, operand(self)?]);
+        }
+        Ok(left)
+    }
+
+    fn factor(&mut self) -> Result<Expression, String> {
+        if self.takes('-') {
+            return Ok(match self.factor()? {
+                Expression::Number(value) => Expression::Number(-value),
+                value => Expression::Call(Instruction::Sub.into(), vec![Expression::Number(0.0), value]),
+            });
+        }
+        if self.takes('(') {
+            let inner = self.sum()?;
+            return if self.takes(')') { Ok(inner) } else { Err("`(` without its closing bracket".to_owned()) };
+        }
+        let text = self.token();
         if !self.takes('(') {
-            let name = text.split('[').next().unwrap_or_default();
-            if let Some(place) = OPERANDS.iter().position(|operand| *operand == name) {
-                return self.operand(place, &text[name.len()..]).map(|value| Expression::Operand(place, value));
-            }
-            if let Some(place) = CONSTANTS.iter().position(|constant| *constant == text) {
-                return Ok(Expression::Constant(place));
-            }
             return match text.parse::<f64>() {
                 Ok(value) if value.is_finite() => Ok(Expression::Number(value)),
-                _ => Err(format!("{text:?}, which is neither an operand nor a finite number")),
+                _ => (self.leaf)(text),
             };
         }
         // A register that is written and read needs a line of its own.
         let word =
             Word::from_name(text).filter(|word| !word.reads_destination()).ok_or(format!("{text:?} as a word"))?;
-        let mut operands = vec![self.expression()?];
+        let mut operands = vec![self.sum()?];
         while self.takes(',') {
-            operands.push(self.expression()?);
+            operands.push(self.sum()?);
         }
         if !self.takes(')') {
             return Err(format!("`{text}(` without its closing bracket"));
@@ -205,37 +240,18 @@ impl<'t> ComposedParser<'t> {
         }
     }
 
-    /// Returns the place of a value in an operand's window: `[1][2]` of 3 by 3 is 5.
-    fn operand(&self, place: usize, indices: &str) -> Result<usize, String> {
-        let window = &self.windows[place];
-        let found = || {
-            let name = OPERANDS[place];
-            let extent: Vec<String> = window.iter().map(u32::to_string).collect();
-            match window.as_slice() {
-                [] => format!("{name}{indices} of a number"),
-                _ => format!("{name}{indices} of a window of {}", extent.join(" by ")),
-            }
-        };
-        let inner = indices.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
-        let indices: Vec<u32> = match inner {
-            None if indices.is_empty() => Vec::new(),
-            None => return Err(found()),
-            Some(inner) => {
-                inner.split("][").map(|index| index.parse().map_err(|_| found())).collect::<Result<_, _>>()?
-            }
-        };
-        if indices.len() != window.len() || indices.iter().zip(window).any(|(index, extent)| index >= extent) {
-            return Err(found());
-        }
-        Ok(indices.iter().zip(window).fold(0, |before, (&index, &extent)| before * extent as usize + index as usize))
-    }
-
-    /// Takes everything up to a space, a bracket or a comma.
-    fn word(&mut self) -> &'t str {
+    /// Takes a number or a name: everything up to a space, a bracket, a comma or an operator.
+    fn token(&mut self) -> &'t str {
         let text = self.rest.trim_start();
-        let end = text.find(|c: char| c.is_whitespace() || "(),".contains(c)).unwrap_or(text.len());
-        self.rest = &text[end..];
-        &text[..end]
+        let is_number = text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+        let mut last = ' ';
+        let ends = |c: char| {
+            let is_sign = is_number && "eE".contains(std::mem::replace(&mut last, c));
+            c.is_whitespace() || "(),*/".contains(c) || ("+-".contains(c) && !is_sign)
+        };
+        let (token, rest) = text.split_at(text.find(ends).unwrap_or(text.len()));
+        self.rest = rest;
+        token
     }
 
     fn takes(&mut self, mark: char) -> bool {
@@ -243,6 +259,38 @@ impl<'t> ComposedParser<'t> {
         self.rest = after.unwrap_or(self.rest);
         after.is_some()
     }
+}
+
+/// Returns the operand or the constant of that name, where some operands are windows.
+fn leaf(text: &str, windows: &Windows) -> Result<Expression, String> {
+    let name = text.split('[').next().unwrap_or_default();
+    if let Some(place) = OPERANDS.iter().position(|operand| *operand == name) {
+        return in_window(place, &text[name.len()..], &windows[place]).map(|value| Expression::Operand(place, value));
+    }
+    let constant = CONSTANTS.iter().position(|constant| *constant == text).map(Expression::Constant);
+    constant.ok_or_else(|| format!("{text:?}, which is neither an operand nor a finite number"))
+}
+
+/// Returns the place of a value in an operand's window: `[1][2]` of 3 by 3 is 5.
+fn in_window(place: usize, indices: &str, window: &[u32]) -> Result<usize, String> {
+    let found = || {
+        let name = OPERANDS[place];
+        let extent: Vec<String> = window.iter().map(u32::to_string).collect();
+        match window {
+            [] => format!("{name}{indices} of a number"),
+            _ => format!("{name}{indices} of a window of {}", extent.join(" by ")),
+        }
+    };
+    let inner = indices.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
+    let indices: Vec<u32> = match inner {
+        None if indices.is_empty() => Vec::new(),
+        None => return Err(found()),
+        Some(inner) => inner.split("][").map(|index| index.parse().map_err(|_| found())).collect::<Result<_, _>>()?,
+    };
+    if indices.len() != window.len() || indices.iter().zip(window).any(|(index, extent)| index >= extent) {
+        return Err(found());
+    }
+    Ok(indices.iter().zip(window).fold(0, |before, (&index, &extent)| before * extent as usize + index as usize))
 }
 
 #[cfg(test)]
@@ -273,6 +321,10 @@ mod tests {
         assert_eq!(written("copy(3.25)"), ["r1 = copy(3.25)"]);
         let weighted = ["r8 = mul(x[0], 0.5)", "r9 = mul(r3, -2)", "r1 = sub(r8, r9)"];
         assert_eq!(written("sub(mul(a, k0), mul(b, k1))"), weighted);
+        let infix = ["r10 = mul(2, r3)", "r9 = sub(x[0], r10)", "r8 = div(r9, 1e-3)", "r1 = add(r8, -4)"];
+        assert_eq!(written("(a-2*b) / 1e-3 + -4").last(), infix.last().map(|line| (*line).to_owned()).as_ref());
+        assert_eq!(written("a - b - 1")[0], "r8 = sub(x[0], r3)", "from the left");
+        assert_eq!(written("-a"), ["r1 = sub(0, x[0])"]);
         let nested = ["r8 = sin(x[0])", "r9 = cos(r3)", "r10 = abs(r9)", "r9 = add(r10, 1)", "r1 = sub(r8, r9)"];
         let found = written(" sub( sin(a), add(abs(cos(b)) ,1) ) ");
         assert_eq!(found.len(), nested.len(), "{found:?}");
@@ -289,6 +341,10 @@ mod tests {
             "mul(a, b",
             "plus(a, b)",
             "mul(a, b) c",
+            "(a + b",
+            "a +",
+            "a ** b",
+            "1e999 * a",
             "mul(a, g)",
             "mul(a, k4)",
             "mul(a, nan)",
