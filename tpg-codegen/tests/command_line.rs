@@ -51,16 +51,3 @@ fn completions_and_manual_pages_know_the_options() {
     let error = String::from_utf8_lossy(&output.get_output().stderr).into_owned();
     assert!(error.contains("reprot") && error.contains("generate, verify, report"), "{error}");
 }
-
-#[test]
-fn the_page_of_a_graph_has_its_formulas_and_the_inputs_that_matter() {
-    let words = ["report", GRAPH, "--html", "-"];
-    let html = codegen(&words);
-    for part in ["Bytes", "What was removed", "Inputs that matter", "answers changed", "<svg", "The policy", "theta"] {
-        assert!(html.contains(part), "{part} is missing");
-    }
-    for never in ["<script", "http:", "https:", "NaN %"] {
-        assert!(!html.contains(never), "{never} has no place in a report");
-    }
-    assert!(codegen(&words) == html, "the same graph gives the same bytes");
-}

@@ -29,7 +29,8 @@ pub fn figure(graph: &Graph) -> Figure {
     let layers = layers(graph);
     let width = width(&layers);
     let places = places(&layers);
-    let mut svg = Svg::new(width, 2.0 * TOP + LAYER * layers.len() as f64);
+    let bottom = places.values().map(|at| at[1]).fold(0.0, f64::max);
+    let mut svg = Svg::new(width, bottom + TOP);
     for (from, to, count) in edges(graph) {
         let class = match to {
             Action(action) => format!("thin c{}", joint_colour(graph, action)),

@@ -27,7 +27,6 @@ Examples:
 pub(super) const REPORT: &str = "\
 Examples:
   tpg-codegen report graph.json
-  tpg-codegen report graph.json --html report.html
   tpg-codegen report graph.json --target m0,esp32-c3 --fixed 16
   tpg-codegen report graph.json --target rp2040 --max-flash 4096 --max-instructions 5000";
 

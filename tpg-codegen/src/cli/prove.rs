@@ -67,7 +67,13 @@ impl ProveArgs {
             }
         };
         let mut proofs: Vec<(String, Proof, Files)> = Vec::new();
-        let with = |files: Files| [vec![(name.clone(), text.clone().into_bytes())], files].concat();
+        // A long proof says what it has found so far.
+        let mut add = |code: String, proof: Result<Proof, Missing>, files: Files| {
+            let proof = proof.unwrap_or_else(Proof::undecided);
+            command::print(format!("{code}: {proof}\n"))?;
+            proofs.push((code, proof, [vec![(name.clone(), text.clone().into_bytes())], files].concat()));
+            Ok::<(), CommandError>(())
+        };
         match (&self.source, &self.object) {
             (Some(path), _) => {
                 let bytes = read(path)?;
@@ -75,7 +81,7 @@ impl ProveArgs {
                 let read = || c::read(path, &source, self.symbol.as_deref(), graph.interface());
                 let proof = proof::prove(&graph, &read, self.assume_ranges, Effort::default());
                 let file = path.display().to_string();
-                proofs.push((file.clone(), undecided(proof), with(vec![(file, bytes)])));
+                add(file.clone(), proof, vec![(file, bytes)])?;
             }
             (None, Some(path)) => {
                 let bytes = read(path)?;
@@ -86,7 +92,7 @@ impl ProveArgs {
                 object().map_err(|error| InputError::new(&*file, Place::Whole, error.to_string(), accepted))?;
                 let read = || object().map_err(|error| Missing::new(&*file, error.to_string()));
                 let proof = proof::prove(&graph, &read, self.assume_ranges, Effort::default());
-                proofs.push((file.clone(), undecided(proof), with(vec![(file.clone(), bytes.clone())])));
+                add(file.clone(), proof, vec![(file.clone(), bytes.clone())])?;
             }
             (None, None) => {
                 for profile in Profile::ALL {
@@ -95,12 +101,9 @@ impl ProveArgs {
                     let code = Code::of(compile(&loaded, &options, Language::C));
                     let proof = of_code(&code, &graph, self.assume_ranges, Effort::default());
                     let files = code.files.iter().map(|file| (file.name.clone(), file.text.clone().into_bytes()));
-                    proofs.push((code.program.name(), undecided(proof), with(files.collect())));
+                    add(code.program.name(), proof, files.collect())?;
                 }
             }
-        }
-        for (name, proof, _) in &proofs {
-            command::print(format!("{name}: {proof}\n"))?;
         }
         if let Some(path) = &self.certificate {
             self.certify(path, &proofs)?;
@@ -141,11 +144,6 @@ impl ProveArgs {
 
 fn read(path: &Path) -> Result<Vec<u8>, InputError> {
     fs::read(path).map_err(|error| InputError::io(path, &error, "a file that can be read"))
-}
-
-/// Code that cannot be read is not decided.
-fn undecided(proof: Result<Proof, Missing>) -> Proof {
-    proof.unwrap_or_else(Proof::undecided)
 }
 
 /// Proves generated C.

@@ -10,11 +10,10 @@ use crate::quantise::{Request, quantise};
 use crate::report;
 use crate::size::Target;
 use clap::Args;
-use std::path::PathBuf;
+use tpg_graph::Graph;
 use tpg_graph::command::{self, CommandError, Verdict};
 use tpg_graph::error::InputError;
 use tpg_graph::states::StateSet;
-use tpg_graph::{Graph, output};
 
 /// Report the flash, RAM, stack and operations of a graph's code, and what was removed from it.
 #[derive(Clone, Debug, Args)]
@@ -39,9 +38,6 @@ pub(super) struct ReportArgs {
     /// Print one JSON object
     #[arg(long)]
     json: bool,
-    /// Write a page with the policy as formulas and as a graph, and which inputs matter; - for standard output
-    #[arg(long, value_name = "FILE", conflicts_with = "json")]
-    html: Option<PathBuf>,
 }
 
 impl ReportArgs {
@@ -53,21 +49,12 @@ impl ReportArgs {
         let whole = self.integers(&graph, &states)?;
         let file = self.graph.name();
         let report = report::report(&file, &graph, &options, targets, &states, whole.as_ref())?;
-        if let Some(path) = &self.html {
-            let name =
-                self.graph.graph.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-            let page = report::html::page(&name, &report, &graph, &options, &states).html();
-            if output::write_or_print(path, &page)? {
-                command::note(format_args!("wrote {}", path.display()));
-            }
+        let text = if self.json {
+            serde_json::to_string(&report).map_err(CommandError::other)? + "\n"
         } else {
-            let text = if self.json {
-                serde_json::to_string(&report).map_err(CommandError::other)? + "\n"
-            } else {
-                report.to_string()
-            };
-            command::print(text)?;
-        }
+            report.to_string()
+        };
+        command::print(text)?;
         if self.limits.any() {
             let options = Options { profile: Some(self.profile), ..options };
             let whole = whole.as_ref().or_else(|| graph.has_counts().then_some(&graph));

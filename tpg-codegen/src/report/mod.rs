@@ -1,7 +1,6 @@
 //! The resources a graph's code needs, before it is flashed: bytes, stack, operations; and the parts of the graph that never
 //! mattered.
 
-pub mod html;
 mod text;
 
 pub use crate::explain::{BidFormula, Bids, Destination, LeafFormulas, PolicyFormulas, TeamFormulas, Value, explain};
