@@ -7,13 +7,15 @@ use tpg_picture::{Point, Svg};
 /// Size of a panel in pixels; there are two panels.
 const PANEL: f64 = 300.0;
 
-/// Returns what a picture needs to know of a moment: positions in ticks, then the target in mm.
-pub(super) fn moment(pose: Pose, target: [f64; 3]) -> Vec<f64> {
+/// Returns what a picture needs to know of a moment: positions in ticks, then the target in mm; centre and radius of each ball may
+/// follow.
+pub(crate) fn moment(pose: Pose, target: [f64; 3]) -> Vec<f64> {
     pose.0.map(f64::from).into_iter().chain(target).collect()
 }
 
-/// Draws the arm at the start (grey) and at the end (blue), the way of the hand (orange) and the target (green).
-pub(super) fn picture(arm: &Arm<f64>, moments: &[Vec<f64>]) -> String {
+/// Draws the arm at the start (grey) and at the end (blue), the way of the hand (orange), the target (green), and balls at the end
+/// with their ways (pink).
+pub(crate) fn picture(arm: &Arm<f64>, moments: &[Vec<f64>]) -> String {
     let pose = |moment: &[f64]| Pose(std::array::from_fn(|joint| moment[joint] as i16));
     let poses: Vec<Pose> = moments.iter().map(|moment| pose(moment)).collect();
     let (Some(&first), Some(&last), Some(moment)) = (poses.first(), poses.last(), moments.first()) else {
@@ -45,6 +47,15 @@ pub(super) fn picture(arm: &Arm<f64>, moments: &[Vec<f64>]) -> String {
     let base = base_direction::<f64>(last);
     svg.circle("fill c2", view.side([x * base.sin - y * base.cos, z]), 5.0, "target, in the last pose's plane");
     svg.circle("fill c2", view.above([x, y]), 5.0, "target");
+    for ball in 0..(moment.len() - JOINTS - 3) / 4 {
+        let at = |moment: &Vec<f64>| [0, 1, 2, 3].map(|place| moment[JOINTS + 3 + 4 * ball + place]);
+        let way: Vec<Point> = moments.iter().map(|moment| view.above([at(moment)[0], at(moment)[1]])).collect();
+        svg.polyline("line c3", &way);
+        let [x, y, z, radius] = moments.last().map(at).unwrap_or_default();
+        let title = format!("ball {ball}");
+        svg.circle("faint fill c3", view.side([x * base.sin - y * base.cos, z]), view.scale * radius, &title);
+        svg.circle("faint fill c3", view.above([x, y]), view.scale * radius, &title);
+    }
     svg.text("note", [6.0, 14.0], "side");
     svg.text("note", [PANEL + 6.0, 14.0], "above");
     svg.finish("an episode")

@@ -19,7 +19,7 @@ pub mod arms;
 pub mod binding;
 pub mod config;
 pub mod description;
-mod drawing;
+pub(crate) mod drawing;
 pub mod environment;
 pub mod evaluation;
 pub mod ik;

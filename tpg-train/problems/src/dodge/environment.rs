@@ -4,11 +4,13 @@ use super::config::Config;
 use super::draw::{Generator, LIMIT, SEED};
 use super::episode::{self, Episode, OUTCOMES};
 use super::scene::Scene;
+use crate::arm::drawing;
 use crate::arm::targets::Set;
 use std::sync::OnceLock;
+use tpg_arm::WIDOWX;
 use tpg_arm::dodge::{Behaviour, Body, Dodger, Source};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Act, ActionSpace, End, Environment, Measure, Preference, SourceSet, Step, TaskSet, Training};
+use tpg_engine::{Act, ActionSpace, Drawn, End, Environment, Measure, Preference, SourceSet, Step, TaskSet, Training};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -84,6 +86,10 @@ impl<S: Scalar> Environment<S> for Dodge {
         Some(self)
     }
 
+    fn drawn(&self) -> Option<&dyn Drawn<DodgeEpisode>> {
+        Some(self)
+    }
+
     fn accepts(&self, scene: &Scene) -> bool {
         let is_on_the_arm =
             |pose: &[i16; 4]| pose.iter().zip(&self.body.arm.ranges).all(|(&t, range)| range.contains(t));
@@ -124,6 +130,20 @@ impl Training<Scene, DodgeEpisode> for Dodge {
         let generator = (set == TaskSet::Validation).then(|| self.generator(Set::Validation))?;
         let stream = |index| Stream::new(SEED, (Set::Validation as u64) << 8 | 77, Purpose::Task, index);
         Some((0..count as u64).map(|index| generator.draw(&mut stream(index), self.config.tries).scene).collect())
+    }
+}
+
+impl Drawn<DodgeEpisode> for Dodge {
+    fn moment(&self, running: &DodgeEpisode) -> Vec<f64> {
+        let episode = &running.episode;
+        let mut moment = drawing::moment(episode.pose(), episode.target().map(f64::from));
+        let balls = episode.balls().iter().map(|ball| [ball.at[0], ball.at[1], ball.at[2], ball.radius]);
+        moment.extend(balls.flatten().map(f64::from));
+        moment
+    }
+
+    fn picture(&self, moments: &[Vec<f64>]) -> String {
+        drawing::picture(&WIDOWX, moments)
     }
 }
 

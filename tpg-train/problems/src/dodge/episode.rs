@@ -6,7 +6,7 @@ use super::sensing::{Sensing, Sensors};
 use super::walk::moved;
 use std::sync::Arc;
 use tpg_arm::dodge::{Ball, Body, Posture, View};
-use tpg_arm::kinematics::distance;
+use tpg_arm::kinematics::{Vector, distance};
 use tpg_arm::{Move, Pose};
 
 /// Names of the ways in which an episode ends.
@@ -65,6 +65,16 @@ impl Episode {
     /// Returns the pose.
     pub fn pose(&self) -> Pose {
         self.pose
+    }
+
+    /// Returns the hand's target, mm.
+    pub(super) fn target(&self) -> Vector<f32> {
+        self.scene.target
+    }
+
+    /// Returns the balls as they are now.
+    pub(super) fn balls(&self) -> &[Ball] {
+        &self.balls
     }
 
     /// Returns the number of steps so far.
