@@ -173,6 +173,7 @@ ARMS = [
     ("widowx-fs", "fs", "graph.json", "generations.jsonl"),
     ("widowx-rs", "rs", "graph.json", "generations.jsonl"),
     ("widowx-sac", "fs", "policy.safetensors", "log.jsonl"),
+    ("dodge", "dodge", "graph.json", "generations.jsonl"),
 ]
 
 
