@@ -24,9 +24,9 @@ const RACING_SHARE: f64 = 0.4;
 /// Fewest and most samples of a generation of random search, and for how many generations its episodes should be enough.
 const SAMPLES: [usize; 2] = [8, 16];
 const STEPS: f64 = 75.0;
-/// Generations of evolution, with outputs and with named actions, which sums choose less well: for fewer than the first, a run has none;
-/// for fewer than the last, only the second.
-const GENERATIONS: [[f64; 3]; 2] = [[1.0, 2.0, 10.0], [0.5; 3]];
+/// Generations of evolution for which a run must have steps left, with outputs and with named actions, which sums choose less well.
+/// Otherwise the searches for weights take all of it.
+const GENERATIONS: [f64; 2] = [10.0, 0.5];
 /// The mean of samples that are better than luck, as a part of the way from the first generation's median score to its best.
 const LUCK: f64 = 0.9;
 
@@ -310,20 +310,17 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         Ok(())
     }
 
-    /// Returns the parts of the run for searches. Where the rest is too short for evolution, with episodes as long as the best sample's,
-    /// random search takes the run but for a little evolution; or for none where it is too short for any.
+    /// Returns the parts of the run for searches: the whole run where the rest is too short for evolution, with episodes as long as the
+    /// best sample's.
     fn start(&self, state: &State<E::Task>) -> StartConfig {
         let start = self.config.start.clone();
         let episodes = (self.config.tpg.nb_roots * self.config.demes.count) as f64;
-        let Some(most) = self.goal.max_steps.filter(|_| start.share > 0.0) else { return start };
-        let generation = episodes * state.episode_steps as f64 / most as f64;
-        let [fewest, little, enough] = GENERATIONS[usize::from(self.actions > 0)].map(|count| count * generation);
-        let share = match 1.0 - start.share {
-            rest if rest < fewest => 1.0,
-            rest if rest < enough => (1.0 - little).max(start.share),
-            _ => return start,
-        };
-        StartConfig { random: if start.random > 0.0 { share } else { 0.0 }, share }
+        let evolution = GENERATIONS[usize::from(self.actions > 0)] * episodes * state.episode_steps as f64;
+        let is_short = self.goal.max_steps.is_some_and(|most| (1.0 - start.share) * (most as f64) < evolution);
+        match is_short && start.share > 0.0 {
+            true => StartConfig { random: if start.random > 0.0 { 1.0 } else { 0.0 }, share: 1.0 },
+            false => start,
+        }
     }
 
     /// Returns the part of the run that is over after the current generation; none in a run without a limit.
@@ -391,8 +388,7 @@ mod tests {
         let start = |random, share| StartConfig { random, share };
         for (asked, max_steps, expected) in [
             (start(0.5, 0.75), Some(enough), start(0.5, 0.75)),
-            (start(0.375, 0.75), Some(enough / 2), start(0.9, 0.9)),
-            (start(0.375, 0.75), Some(enough / 10 - 4), start(1.0, 1.0)),
+            (start(0.375, 0.75), Some(enough - 4), start(1.0, 1.0)),
             (start(0.0, 0.75), Some(1), start(0.0, 1.0)),
             (start(0.0, 0.0), Some(1), start(0.0, 0.0)),
             (start(0.5, 0.75), None, start(0.5, 0.75)),
