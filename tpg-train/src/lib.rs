@@ -17,6 +17,7 @@ mod arm_import;
 mod cli;
 mod configuration;
 mod csv_text;
+mod effort;
 mod evaluate;
 mod evolution;
 mod folder;
@@ -35,6 +36,7 @@ mod tests;
 
 pub use cli::Cli;
 pub use configuration::{Configuration, Layers, Preset};
+pub use effort::Effort;
 pub use evaluate::{Against, EvaluationReport, evaluate};
 pub use evolution::checkpoint::steps_of;
 pub use evolution::command::{TpgArgs, execute as evolve};

@@ -392,6 +392,17 @@ fn two_policies_are_compared_on_the_same_episodes() {
     let same = evaluated(&["--against", &name, "--tpg"], &[&graph]);
     assert_eq!(same["against"]["difference_ci95"], serde_json::json!([0.0, 0.0]), "the episodes are the same");
 
+    // A relay with a memory, which counts with it, is at a bound in every step.
+    let law = folder.path().join("relay.toml");
+    fs::write(&law, "[law]\ntorque = \"-9e9 * omega + old\"\nold = \"omega\"\n[memory]\nold = [0.5, 0.75]\n")
+        .expect("a file");
+    let relay = evaluated(&["--against", &law.display().to_string(), "--policy", NETWORK], &[]);
+    let effort = |report: &Value, key: &str| report["effort"][key].as_f64().expect("a number");
+    let other = &relay["against"]["other"];
+    assert_eq!(effort(other, "saturated"), 1.0, "{relay}");
+    assert!(effort(&relay, "saturated") < 0.9 && effort(&relay, "chatter") > 0.0, "{relay}");
+    assert!(both.get("effort").is_none(), "torques by name: {both}");
+
     for (more, found) in [(&["--against", "none.json"][..], "none.json"), (&["--against", "none.toml"], "none.toml")] {
         let mut eval = tpg_train();
         let eval = eval.args(["eval", "--problem", "pendulum", "--policy", NETWORK]).args(more).assert().code(2);

@@ -21,7 +21,7 @@ const ACCEPTED: &str = "a section [law] with a formula for each output, or a bid
 struct LawFile {
     /// The formula of each output, or the bid of each named action; and the next value of what is remembered.
     law: BTreeMap<String, String>,
-    /// The range of each value that is remembered.
+    /// The range of each value that is remembered; it begins with 0, or the nearest value of the range.
     #[serde(default)]
     memory: BTreeMap<String, [f64; 2]>,
 }
@@ -129,7 +129,7 @@ impl LawFile {
             memory: self
                 .memory
                 .into_iter()
-                .map(|(name, [min, max])| MemoryDocument { name, min, max, initial: 0.0 })
+                .map(|(name, [min, max])| MemoryDocument { name, min, max, initial: min.max(0.0).min(max) })
                 .collect(),
             root: is_choice.then_some(0),
             teams: if is_choice { vec![TeamDocument { id: 0, edges }] } else { Vec::new() },

@@ -13,7 +13,6 @@ use crate::run_args::{command_line, print};
 use crate::sac::network::Network;
 use clap::Args;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 use tpg_engine::{EpisodeResult, TaskSet};
 use tpg_graph::Graph;
 use tpg_graph::error::{Finding, InputError, Place};
@@ -134,10 +133,9 @@ fn played(
             play(problem, name, Acting::Both(&hybrid.graph, &hybrid.network, &hybrid.setting), episodes)
         }
         Policy::Controller(name) => {
-            let began = Instant::now();
             let endings = problem.controlled(name, &episodes.in_problem(problem)?).unwrap_or_default();
             let done = HybridResult::alone(endings);
-            let report = EvaluationReport::new(problem, name, episodes, &done, None, began.elapsed().as_secs_f64());
+            let report = EvaluationReport::new(problem, name, episodes, &done, None);
             Ok((report, done.endings))
         }
     }
@@ -272,9 +270,9 @@ fn play(
         }
         _ => None,
     };
-    let began = Instant::now();
     let done = problem.play(acting, episodes)?;
-    let report = EvaluationReport::new(problem, name, episodes, &done, hybrid, began.elapsed().as_secs_f64());
+    let mut report = EvaluationReport::new(problem, name, episodes, &done, hybrid);
+    report.effort = problem.effort(acting, episodes)?;
     Ok((report, done.endings))
 }
 

@@ -1,5 +1,6 @@
 //! The figures that `tpg-train eval` prints.
 
+use crate::effort::Effort;
 use crate::hybrid::rollout::{HybridResult, TRIGGERS};
 use crate::hybrid::shared::{Episodes, Facts, Shared};
 use serde::Serialize;
@@ -35,8 +36,9 @@ pub struct EvaluationReport {
     pub success_ci95: Option<[f64; 2]>,
     /// The number of episodes for each way to end.
     pub outcomes: BTreeMap<String, usize>,
-    /// The time of one action on this machine, ns: policy and environment, all lanes together.
-    pub ns_per_action: f64,
+    /// Wear of actuators; absent for named actions, for hybrids, and for controllers that the problem brings.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub effort: Option<Effort>,
     /// The fraction of actions that a graph chose.
     pub tpg_action_ratio: f64,
     /// The figures of a hybrid.
@@ -126,14 +128,13 @@ fn listed(ratio: f64, hand_overs: &BTreeMap<String, f64>) -> String {
 }
 
 impl EvaluationReport {
-    /// Creates the report of episodes; `seconds` is the time they took, `hybrid` the graph of a hybrid.
+    /// Creates the report of episodes; `hybrid` is the graph of a hybrid.
     pub fn new(
         problem: &dyn Shared,
         policy: &str,
         episodes: Episodes<'_>,
         done: &HybridResult,
         hybrid: Option<&Graph>,
-        seconds: f64,
     ) -> Self {
         let (endings, Facts { outcomes, measure, .. }) = (&done.endings, problem.facts());
         let summary = Summary::new(endings);
@@ -155,7 +156,7 @@ impl EvaluationReport {
             success_rate: success,
             success_ci95: success.map(|rate| confidence(rate, judged)),
             outcomes: outcomes.iter().enumerate().map(|(place, &name)| (name.to_owned(), count(place))).collect(),
-            ns_per_action: seconds * 1e9 / (actions * endings.len() as f64).max(1.0),
+            effort: None,
             tpg_action_ratio: done.tpg_action_ratio,
             hybrid: hybrid.map(|graph| HybridFigures {
                 network_actions: done.network_actions,
@@ -183,6 +184,9 @@ impl EvaluationReport {
             row(name, format!("{mean:.2} {unit} mean, {median:.2} {unit} median"));
         }
         row("actions", format!("{:.1} mean", self.mean_steps));
+        if let Some(Effort { saturated, chatter }) = self.effort {
+            row("effort", format!("{:.1} % of actions saturated, chatter {chatter:.4}", 100.0 * saturated));
+        }
         if let Some(hybrid) = &self.hybrid {
             row("by the graph", listed(self.tpg_action_ratio, &hybrid.hand_overs));
             if let Some(Asks { asks, asks_ci95: [few, many], mean_score_ci95: [low, high] }) = hybrid.asks {
@@ -192,7 +196,6 @@ impl EvaluationReport {
         }
         let ends = self.outcomes.iter().filter(|(_, count)| **count > 0);
         row("ends", ends.map(|(name, count)| format!("{name} {count}")).collect::<Vec<_>>().join(", "));
-        row("time", format!("{:.1} ns per action, all lanes together", self.ns_per_action));
         text + &self.against.as_ref().map(|against| against.to_table()).unwrap_or_default()
     }
 }
@@ -209,7 +212,7 @@ mod tests {
         let done = HybridResult::alone(vec![ending, EpisodeResult { score: 4.0, ..ending }]);
         let problem = Problem::new(ProblemName::Pendulum);
         let episodes = Episodes { set: TaskSet::Test, count: 2, seed: 1, file: None };
-        let report = EvaluationReport::new(&problem, "graph.json", episodes, &done, None, 0.0);
+        let report = EvaluationReport::new(&problem, "graph.json", episodes, &done, None);
         let json = serde_json::to_value(&report).expect("plain data");
         assert_eq!((&json["mean_score"], &json["min_score"]), (&3.0.into(), &2.0.into()));
         assert!((json["std_score"].as_f64().expect("a number") - 2f64.sqrt()).abs() < 1e-12);
@@ -225,7 +228,7 @@ mod tests {
         let problem = Problem::new(ProblemName::Pendulum);
         let report = |endings: &[EpisodeResult]| {
             let done = HybridResult::alone(endings.to_vec());
-            EvaluationReport::new(&problem, "graph.json", episodes, &done, None, 0.0)
+            EvaluationReport::new(&problem, "graph.json", episodes, &done, None)
         };
         let against = |others: &[EpisodeResult]| Against::new(report(others), &these, others);
         let found = against(&others);

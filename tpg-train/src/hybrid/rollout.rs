@@ -1,6 +1,7 @@
 //! Trials of a graph, a network, or both together, on any environment.
 
 use super::setting::{Detector, Setting};
+use crate::effort::{Effort, Meter};
 use crate::sac::network::Network;
 use std::cell::RefCell;
 use std::marker::PhantomData;
@@ -104,6 +105,65 @@ pub(crate) fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
         }
     };
     Ok(HybridResult::new(&episodes))
+}
+
+/// Returns the effort of a graph or a network in an environment with outputs; none for any other.
+///
+/// # Errors
+/// As [`run`].
+pub(crate) fn effort<S: Scalar, M: Maths<S>, E: Environment<S>>(
+    environment: &Choices<S, E>,
+    acting: Acting<'_>,
+    tasks: &[E::Task],
+) -> Result<Option<Effort>, InputError> {
+    let outputs = environment.actions().outputs().len();
+    if outputs == 0 {
+        return Ok(None);
+    }
+    match acting {
+        Acting::Graph(graph) => {
+            let remembering =
+                Remembering::new(Counting::new::<S>(environment, &graph.1), Remembered::in_graph(&graph.1));
+            let policy = graph_policy::<S, M, _>(graph, &remembering)?;
+            let decide = |answer| match answer {
+                Answer::Act(decision) => decision,
+                Answer::Ask => unreachable!("outputs leave no action that asks"),
+            };
+            Ok(Some(measured(&remembering, outputs, |state| decide(policy.decide(state)), tasks)))
+        }
+        Acting::Network(network) => {
+            fit(network, environment)?;
+            let effort = network.1.deciding(|decide| {
+                let policy = network_policy(environment, decide);
+                measured(environment, outputs, |state| policy.decide(state), tasks)
+            });
+            Ok(Some(effort))
+        }
+        Acting::Both(..) => Ok(None),
+    }
+}
+
+/// Measures the effort of the first `outputs` values of a policy on tasks.
+fn measured<'e, S: Scalar, E: Environment<S>>(
+    environment: &'e E,
+    outputs: usize,
+    decide: impl Fn(&State<'e, S, E>) -> Decision<S>,
+    tasks: &[E::Task],
+) -> Effort {
+    let space = environment.actions();
+    let mut meter = Meter::new(&space.outputs()[..outputs]);
+    for task in tasks {
+        meter.begin();
+        let state = RefCell::new(Rollout::new(environment, task));
+        loop {
+            let decision = decide(&state);
+            meter.step(decision.act().values().iter().map(|value| value.to_f64()));
+            if state.borrow_mut().act(decision.act()).is_some() {
+                break;
+            }
+        }
+    }
+    meter.effort()
 }
 
 fn alone<S: Scalar, M: Maths<S>, E: Environment<S>>(

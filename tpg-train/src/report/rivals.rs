@@ -1,6 +1,7 @@
 //! Other controllers on the same episodes as a trained policy.
 
-use super::runs::{Effort, Run};
+use super::runs::Run;
+use crate::effort::Effort;
 use tpg_engine::Sample;
 use tpg_picture::{Section, Table};
 

@@ -1,5 +1,6 @@
 //! Reading and grouping of run folders.
 
+use crate::effort::Effort;
 use crate::evolution::config::{AskConfig, EvolutionConfig};
 use crate::evolution::record::Row;
 use crate::hybrid::setting::{Hybrid, Setting};
@@ -78,15 +79,6 @@ pub(super) struct Rival {
     pub(super) scores: Vec<f64>,
     /// Its effort.
     pub(super) effort: Option<Effort>,
-}
-
-/// Wear of actuators.
-#[derive(Clone, Copy, Debug, Deserialize)]
-pub(super) struct Effort {
-    /// The share of steps with a value at a bound.
-    pub(super) saturated: f64,
-    /// The mean change of a value from step to step, as a share of its range.
-    pub(super) chatter: f64,
 }
 
 /// A trained policy.
