@@ -289,7 +289,7 @@ def test_a_file_of_settings_is_a_preset(tmp_path: Path) -> None:
 
 def test_python_speaks_of_its_own_arguments(tmp_path: Path) -> None:
     TPG(environments.Cart, folder=tmp_path / "run", **SMALL).learn(100)
-    with pytest.raises(InputError, match="an empty folder, or resume=True"):
+    with pytest.raises(InputError, match="another folder, or resume=True"):
         TPG(environments.Cart, folder=tmp_path / "run", **SMALL).learn(100)
 
 

@@ -7,6 +7,7 @@ import json
 import pickle
 import subprocess
 import sys
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -548,7 +549,7 @@ def test_a_rival_is_tuned_and_says_its_law() -> None:
         assert kind != "relay" or both.efforts[1].saturated == 1.0
     all_of_them = swing.evaluate(5, other=["relay", lambda state: np.zeros(1, np.float32)])
     assert [one.name for one in all_of_them] == ["relay", "<lambda>"]
-    assert "less <lambda>" in str(all_of_them) and "the law of relay: torque" in str(all_of_them)
+    assert "this model - <lambda>: " in str(all_of_them) and "the law of relay: torque" in str(all_of_them)
     with pytest.raises(InputError, match="one or more controllers"):
         swing.evaluate(5, other=[])
 
@@ -558,7 +559,14 @@ def test_a_run_is_resumed_with_its_names_only(tmp_path: Path) -> None:
     swing(input_names=["x", "y", "speed"]).learn(3_000)
     with pytest.raises(InputError, match=r"a graph of the inputs x\[0\], y\[0\], speed\[0\]; accepted: cos_theta"):
         swing(resume=True).learn(6_000)
-    swing(input_names=["x", "y", "speed"], resume=True).learn(6_000)
+    resumed = swing(input_names=["x", "y", "speed"], resume=True)
+    steps = resumed.num_timesteps
+    assert resumed.evaluate(2).mean < 0, "a resumed model can be used at once"
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        resumed.learn(1)
+    assert resumed.num_timesteps == steps, "it had more steps already"
+    resumed.learn(3_000)
 
 
 def test_a_quantised_policy_has_a_report(pole: TPG) -> None:

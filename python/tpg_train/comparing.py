@@ -60,7 +60,7 @@ class Comparison:
     def verdict(self) -> str:
         """Returns which of the two is better."""
         low, high = self.ci95
-        return "no clear difference" if low <= 0 <= high else "this model is better" if low > 0 else "the other is better"
+        return "no clear difference" if low <= 0 <= high else f"{'this model' if low > 0 else self.name} is better"
 
     def as_json(self) -> dict[str, Any]:
         """Returns the other controller as a line of `tested.jsonl` holds it."""
@@ -78,7 +78,7 @@ class Comparisons(tuple[Comparison, ...]):
         rows += [(one.name, one.other, one.efforts and one.efforts[1]) for one in self]
         width = max(len(name) for name, *_ in rows)
         lines = [f"{name:{width}}  {result}{'' if effort is None else f'; {effort}'}" for name, result, effort in rows]
-        lines += [f"less {one.name:{width}}  {one.difference_text()}: {one.verdict()}" for one in self]
+        lines += [f"this model - {one.name}: {one.difference_text()}: {one.verdict()}" for one in self]
         return "\n".join([*lines, *(f"the law of {one.name}: {one.law}" for one in self if one.law is not None)])
 
 

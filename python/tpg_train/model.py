@@ -174,6 +174,8 @@ class TPG:
         self._hall: list[HallEntry] = []
         self._asked: _Asked | None = None
         self._checked = False
+        if resume:
+            self._read_best()
 
     def _keep(self, folder: PathLike | None, own_env: Environment | None) -> None:
         """Takes the run's folder, a temporary one for None, and closes what is the model's own with the model."""
@@ -285,8 +287,6 @@ class TPG:
             "target": target,
             "max_steps": max_steps,
         }
-        if self._resume and not self._runs_here and (self.folder / "graph.json").exists():
-            _check_graph(Graph.load(self.folder / "graph.json"), str(self.folder), self._interface, is_named=True)
         self._resume = True
         if self._samples is not None:
             return Evolution.start_samples(self._samples, settings, self.n_workers)
@@ -356,7 +356,7 @@ class TPG:
         callbacks = as_list(callback, more)
         callbacks.init_callback(self)
         figures: dict[str, Any] = {"self": self, "progress": {}}
-        before = 0 if self._counts_total else self.num_timesteps
+        begin, before = self.num_timesteps, 0 if self._counts_total else self.num_timesteps
         self._counts_total = False
         evolution = self._start(target, before + total_timesteps)
         episodes: Episodes | None = None
@@ -402,7 +402,7 @@ class TPG:
                 callbacks.on_training_end()
             self._read_best()
         made = self.num_timesteps - before
-        if made > 1.2 * total_timesteps:
+        if made > 1.2 * max(total_timesteps, begin - before):
             warnings.warn(
                 f"learn({total_timesteps}) made {made} steps: an episode of each policy takes that many. max_episode_steps= "
                 "makes them shorter, population= fewer",
@@ -418,10 +418,17 @@ class TPG:
             self._hall = [HallEntry(size, score, graph) for size, score, graph in says["hall"]]
 
     def _read_best(self) -> None:
-        """Reads the best graph of a run that stopped before this process saw one."""
+        """Reads the best graph of a run that stopped before this process saw one.
+
+        Raises:
+            InputError: if it is one for another environment.
+        """
         file = self.folder / "graph.json"
         if self._graph is None and file.exists():
-            self._graph = Graph.load(file)
+            graph = Graph.load(file)
+            if not self._runs_here:
+                _check_graph(graph, str(self.folder), self._interface, is_named=True)
+            self._graph = graph
 
     # Hardware in the loop
 

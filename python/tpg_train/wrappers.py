@@ -41,13 +41,13 @@ class Differences(gymnasium.ObservationWrapper[Any, Any, Any], gymnasium.utils.R
         return {"now": observation, "change": change}
 
 
-def _changes(space: spaces.Space[Any]) -> spaces.Space[Any]:
+def _changes(space: spaces.Space[Any], key: str = "the observation") -> spaces.Space[Any]:
     """Returns the space of differences of two observations."""
     if isinstance(space, spaces.Dict):
-        return spaces.Dict({key: _changes(inner) for key, inner in space.spaces.items()})
+        return spaces.Dict({key: _changes(inner, key) for key, inner in space.spaces.items()})
     if not isinstance(space, spaces.Box) or len(space.shape) != 1:
         raise ValueError(
-            f"the observation space {space}; accepted: a flat Box, as FlattenObservation gives it, or a Dict of them"
+            f"{key}: the space {space}; accepted: a flat Box, as FlattenObservation gives it, or a Dict of them"
         )
     reach = np.subtract(space.high, space.low, dtype=np.float32)
     return spaces.Box(-reach, reach, dtype=np.float32)

@@ -92,7 +92,7 @@ fn neither_trainer_overwrites_a_run_of_the_other() {
         assert_eq!(run(first, first, &[]).0, Some(0));
         let before = fs::read(place.path().join(first).join("checkpoint")).expect("a checkpoint");
         let (code, error) = run(second, first, &[]);
-        assert!(code == Some(2) && error.contains("a run; accepted: an empty folder"), "{error}");
+        assert!(code == Some(2) && error.contains("already holds a run; accepted: another folder"), "{error}");
         let (code, error) = run(second, first, &["--resume"]);
         assert!(code == Some(2) && error.contains(&format!("a run of tpg-train {first}")), "{error}");
         assert!(fs::read(place.path().join(first).join("checkpoint")).is_ok_and(|left| left == before));

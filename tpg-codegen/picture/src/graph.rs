@@ -10,8 +10,9 @@ use tpg_graph::{ActionId, Destination, Graph};
 const COLUMN: f64 = 480.0;
 /// The largest width, of a graph that takes the whole width of a page.
 const BROAD: f64 = 960.0;
-/// The room that an action takes.
-const ACTION: f64 = 96.0;
+/// The minimum width of an action's box, and the gap beside it.
+const ACTION: f64 = 88.0;
+const GAP: f64 = 8.0;
 const LAYER: f64 = 84.0;
 const TOP: f64 = 24.0;
 /// Number of passes that sort nodes by the positions of their neighbours above; more passes change little.
@@ -27,8 +28,9 @@ enum DrawnNode {
 /// Draws a graph for a page.
 pub fn figure(graph: &Graph) -> Figure {
     let layers = layers(graph);
-    let width = width(&layers);
-    let places = places(&layers);
+    let room = box_width(graph, &layers);
+    let width = width(&layers, room);
+    let places = places(&layers, room);
     let bottom = places.values().map(|at| at[1]).fold(0.0, f64::max);
     let mut svg = Svg::new(width, bottom + TOP);
     for (from, to, count) in edges(graph) {
@@ -51,12 +53,9 @@ pub fn figure(graph: &Graph) -> Figure {
                 svg.text(class, [at[0], at[1] + 4.0], &of_team.edges.len().to_string());
             }
             Action(action) => {
-                let name = match graph.actions().get(action) {
-                    Some(action) => action.to_string(),
-                    None => graph.end_name(ActionId(action as u16)),
-                };
-                svg.rect("body", [at[0] - 44.0, at[1] - 11.0], [88.0, 22.0], &name);
-                svg.text("middle", [at[0], at[1] + 4.0], &name);
+                let name = name(graph, action);
+                svg.rect("body", [at[0] - room / 2.0, at[1] - 11.0], [room, 22.0], &name);
+                svg.text("middle", [at[0], at[1] + 4.0], &shortened(&name, room));
             }
         }
     }
@@ -137,11 +136,11 @@ fn layers(graph: &Graph) -> Vec<Vec<DrawnNode>> {
     layers.push((0..graph.ends()).map(Action).filter(used).collect());
     for _ in 0..SWEEPS {
         for layer in 1..layers.len() - 1 {
-            let places = places(&layers);
+            let places = places(&layers, ACTION);
             let middle = |node: &DrawnNode| {
                 let above = edges.iter().filter(|(_, to, _)| to == node).map(|(from, ..)| places[from][0]);
                 let (sum, count) = above.fold((0.0, 0.0), |(sum, count), x| (sum + x, count + 1.0));
-                if count > 0.0 { sum / count } else { width(&layers) / 2.0 }
+                if count > 0.0 { sum / count } else { width(&layers, ACTION) / 2.0 }
             };
             let mut sorted: Vec<(f64, DrawnNode)> = layers[layer].iter().map(|node| (middle(node), *node)).collect();
             sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -151,18 +150,53 @@ fn layers(graph: &Graph) -> Vec<Vec<DrawnNode>> {
     layers
 }
 
-/// Returns the width of a picture in which the actions have room, as far as a page has it.
-fn width(layers: &[Vec<DrawnNode>]) -> f64 {
-    let widest = layers.iter().map(Vec::len).max().unwrap_or(0);
-    (ACTION * widest as f64).clamp(COLUMN, BROAD)
+fn name(graph: &Graph, action: usize) -> String {
+    match graph.actions().get(action) {
+        Some(action) => action.to_string(),
+        None => graph.end_name(ActionId(action as u16)),
+    }
 }
 
-fn places(layers: &[Vec<DrawnNode>]) -> BTreeMap<DrawnNode, Point> {
-    let width = width(layers);
+/// Estimates the width of a letter of a label.
+fn letter_width(letter: char) -> f64 {
+    match letter {
+        '\u{2e80}'.. => 12.0,
+        'm' | 'w' => 9.0,
+        _ if letter.is_uppercase() => 9.0,
+        _ => 6.4,
+    }
+}
+
+/// Returns the width of the actions' boxes: that of the longest name, as far as two rows of boxes have room on a page.
+fn box_width(graph: &Graph, layers: &[Vec<DrawnNode>]) -> f64 {
+    let count = layers.last().map_or(1, Vec::len).max(1);
+    let longest = (0..graph.ends()).map(|action| name(graph, action).chars().map(letter_width).sum::<f64>() + GAP);
+    longest.fold(ACTION, f64::max).min((2.0 * BROAD / count as f64 - GAP).max(ACTION))
+}
+
+/// Shortens a name that is wider than its box.
+fn shortened(name: &str, room: f64) -> String {
+    let mut left = room - GAP;
+    let fits = |letter: &char| {
+        left -= letter_width(*letter);
+        left >= 0.0
+    };
+    let kept: String = name.chars().take_while(fits).collect();
+    if kept == name { kept } else { kept + "…" }
+}
+
+/// Returns the width of a picture in which the actions have room, as far as a page has it.
+fn width(layers: &[Vec<DrawnNode>], room: f64) -> f64 {
+    let widest = layers.iter().map(Vec::len).max().unwrap_or(0);
+    ((room + GAP) * widest as f64).clamp(COLUMN, BROAD)
+}
+
+fn places(layers: &[Vec<DrawnNode>], room: f64) -> BTreeMap<DrawnNode, Point> {
+    let width = width(layers, room);
     let layer = |(row, nodes): (usize, &Vec<DrawnNode>)| {
         let step = width / nodes.len().max(1) as f64;
         // Neighbours alternate between two heights to make room.
-        let dodge = |k: usize| if step < ACTION && k % 2 == 1 { LAYER / 3.0 } else { 0.0 };
+        let dodge = |k: usize| if step < room + GAP && k % 2 == 1 { LAYER / 3.0 } else { 0.0 };
         let place = move |(k, node): (usize, &DrawnNode)| {
             (*node, [(k as f64 + 0.5) * step, TOP + row as f64 * LAYER + dodge(k)])
         };
@@ -173,7 +207,7 @@ fn places(layers: &[Vec<DrawnNode>]) -> BTreeMap<DrawnNode, Point> {
 
 #[cfg(test)]
 mod tests {
-    use super::{figure, standalone};
+    use super::{ACTION, figure, shortened, standalone};
     use tpg_graph::sample::{self, Shape};
 
     #[test]
@@ -185,6 +219,17 @@ mod tests {
         });
         assert_eq!(widths[0], (false, 480.0));
         assert!(widths[1].0 && widths[1].1 > 480.0, "{widths:?}");
+    }
+
+    #[test]
+    fn a_name_that_is_too_long_for_its_box_is_shortened() {
+        for (name, expected) in [
+            ("gripper_open", "gripper_open"),
+            ("field_wrist_down", "field_wrist_…"),
+            ("开阀门全开阀门", "开阀门全开阀…"),
+        ] {
+            assert_eq!(shortened(name, ACTION), expected);
+        }
     }
 
     #[test]

@@ -63,15 +63,21 @@ impl LawFile {
             if !ends.contains(name) && !self.memory.contains_key(name) {
                 return Err(Finding::new(path, format!("{name:?}"), format!("one of {}, or memory", ends.join(", "))));
             }
-            let operand = |text: &str| {
-                let is_called = |(name, place, length): &(String, u32, u32)| {
-                    (*length == 1 && text == name) || text == format!("{name}[{place}]")
-                };
-                let place = places.iter().position(is_called).map(|place| Expression::Operand(place, 0));
-                place.ok_or_else(|| format!("{text:?}, which is neither a value of the problem nor a number"))
+            let names = |(name, place, length): &(String, u32, u32)| match length {
+                1 => name.clone(),
+                _ => format!("{name}[{place}]"),
             };
-            let formula = Expression::formula(text, operand)
-                .map_err(|found| Finding::new(path, found, "a formula: -8 * theta - 2 * max(omega, 0)"))?;
+            let operand = |text: &str| {
+                let place = places
+                    .iter()
+                    .position(|value| text == names(value) || text == format!("{}[{}]", value.0, value.1))
+                    .map(|place| Expression::Operand(place, 0));
+                place.ok_or_else(|| format!("{text:?}, an unknown name"))
+            };
+            let formula = Expression::formula(text, operand).map_err(|found| {
+                let known = places.iter().map(names).collect::<Vec<_>>().join(", ");
+                Finding::new(path, found, format!("a formula of numbers, {known}"))
+            })?;
             let formula = match formula {
                 call @ Expression::Call(..) => call,
                 value => Expression::Call(Word::Copy, vec![value]),
@@ -172,7 +178,10 @@ mod tests {
     #[test]
     fn what_is_no_law_is_refused_at_its_line() {
         for (law, found) in [
-            ("[law]\ntorque = \"2 * sinus\"\n", "line 2: law.torque = \"sinus\""),
+            (
+                "[law]\ntorque = \"2 * sinus\"\n",
+                "line 2: law.torque = \"sinus\", an unknown name; accepted: a formula of numbers, cos_theta, sin_theta, omega",
+            ),
             ("[law]\nforce = \"2\"\ntorque = \"1\"\n", "line 2: law.force"),
             ("[law]\n", "no formula of torque"),
             ("[law]\ntorque = \"omega\"\n[memory]\nlast = [0, 1]\n", "no formula of last"),

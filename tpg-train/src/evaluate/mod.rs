@@ -41,7 +41,7 @@ pub(crate) struct EvalArgs {
     /// With --tpg and --policy: actions of the network before the graph takes over again, or `never`
     #[arg(long, value_name = "N", default_value = "100")]
     pub hand_back_after: Span,
-    /// With --tpg and --policy: the network takes over when the distance to the goal exceeds its least by this, in the problem's
+    /// With --tpg and --policy: the network takes over when the distance to the goal exceeds its minimum by this, in the problem's
     /// own unit
     #[arg(long, value_name = "D", alias = "separation-mm", default_value_t = f64::INFINITY)]
     pub separation: f64,
@@ -89,7 +89,7 @@ pub(crate) fn eval(args: &EvalArgs) -> Result<(), InputError> {
     let (policy, problem) = asked(args)?;
     let (mut report, endings) = played(args, &policy, &problem)?;
     if let Some(other) = &args.against {
-        let args = alone(args, other, &problem);
+        let args = alone(args, other, &problem)?;
         let (policy, its) = asked(&args)?;
         if !problem.has_same_episodes(&its) {
             let accepted = "a policy for the same settings of the problem; --config FILE gives them to both";
@@ -107,15 +107,23 @@ pub(crate) fn eval(args: &EvalArgs) -> Result<(), InputError> {
 }
 
 /// Returns the arguments that let another policy do the same episodes.
-fn alone(args: &EvalArgs, other: &str, problem: &Problem) -> EvalArgs {
+///
+/// # Errors
+/// If there is neither such a file nor such a controller.
+fn alone(args: &EvalArgs, other: &str, problem: &Problem) -> Result<EvalArgs, InputError> {
     let mut args = EvalArgs { tpg: None, policy: None, hybrid: None, against: None, ..args.clone() };
     match other {
+        _ if !Path::new(other).exists() && !problem.controllers().contains(&other) => {
+            let mut accepted = "a graph.json, a TOML file with [law], a network, a hybrid.toml".to_owned();
+            problem.controllers().iter().for_each(|controller| accepted += &format!(", {controller}"));
+            return Err(command_line(format!("--against {other}: no such file"), accepted));
+        }
         _ if problem.controllers().contains(&other) => args.policy = Some(other.to_owned()),
         _ if other.ends_with(".toml") && !law::is_law(other) => args.hybrid = Some(other.into()),
         _ if other.ends_with(".q.json") || other.ends_with(".safetensors") => args.policy = Some(other.to_owned()),
         _ => args.tpg = Some(other.into()),
     }
-    args
+    Ok(args)
 }
 
 /// Lets a policy do the episodes that the arguments ask for.

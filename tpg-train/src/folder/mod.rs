@@ -117,8 +117,8 @@ impl RunFolder {
 
 fn refuse_run(path: &Path) -> Result<(), InputError> {
     if MARKS.iter().any(|name| path.join(name).exists()) {
-        let accepted = "an empty folder, or --resume";
-        return Err(InputError::new(path.display().to_string(), Place::Whole, "a run", accepted));
+        let accepted = "another folder, or --resume to continue";
+        return Err(InputError::new(path.display().to_string(), Place::Whole, "already holds a run", accepted));
     }
     Ok(())
 }

@@ -69,7 +69,7 @@ pub struct StudyArgs {
     /// Actions of the network before the graph takes over again, or `never` [default: 1, 5, 20, 50, 100 and never]
     #[arg(long, value_name = "N", value_delimiter = ',')]
     pub hand_back_after: Vec<Span>,
-    /// The network takes over when the distance to the goal exceeds its least by this, in the problem's own unit, or `inf`
+    /// The network takes over when the distance to the goal exceeds its minimum by this, in the problem's own unit, or `inf`
     /// [default: quantiles of what the graphs alone do, and inf]
     #[arg(long, value_name = "D", value_delimiter = ',')]
     pub separation: Vec<f64>,

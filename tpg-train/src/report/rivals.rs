@@ -18,7 +18,7 @@ pub(super) fn section(run: &Run) -> Option<Section> {
         let differences: Vec<f64> = ours.iter().zip(&rival.scores).map(|(ours, theirs)| ours - theirs).collect();
         row(&rival.name, &rival.scores, rival.effort, mean(&differences))
     });
-    let header = ["controller", "return", "saturated steps %", "chatter", "the policy's return less this"];
+    let header = ["controller", "return", "saturated steps %", "chatter", "lead of the policy"];
     let laws = tested.rivals.iter().filter_map(|rival| Some(format!(" {}: {}.", rival.name, rival.law.as_ref()?)));
     Some(Section {
         title: format!("{} beside other controllers", run.name),

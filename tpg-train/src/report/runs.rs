@@ -158,7 +158,7 @@ pub(super) fn read(folders: &[PathBuf]) -> Result<Vec<Group>, InputError> {
             sac(&folder, name)?
         } else {
             let accepted = "a folder of `tpg-train tpg`, `sac` or `hybrid` that has begun";
-            return Err(InputError::new(folder.display().to_string(), Place::Whole, "no run", accepted));
+            return Err(InputError::new(folder.display().to_string(), Place::Whole, "not a run folder", accepted));
         };
         let key = format!("{}\n{text}", run.kind.name());
         match groups.iter_mut().find(|(other, _)| *other == key) {
@@ -192,7 +192,7 @@ fn with_restarts(folder: &Path) -> Result<Vec<(PathBuf, String)>, InputError> {
     if restarts.is_empty() {
         let accepted =
             "the folder of a run, with config.toml, of a study, with study.toml, or of restarts, with seed-S";
-        return Err(InputError::new(folder.display().to_string(), Place::Whole, "no run", accepted));
+        return Err(InputError::new(folder.display().to_string(), Place::Whole, "not a run folder", accepted));
     }
     Ok(restarts.into_iter().map(|path| (path.clone(), format!("{name}/{}", last(&path)))).collect())
 }
