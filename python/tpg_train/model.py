@@ -339,7 +339,7 @@ class TPG:
         the last generation is kept.
 
         Args:
-            target: ends the training as soon as a policy reaches this mean return on the selection episodes.
+            target: ends the training as soon as a policy reaches this mean return on the validation episodes.
             callback: called after every generation: see `tpg_train.callbacks`.
             executor: runs the episodes: any `concurrent.futures.Executor`.
             n_workers: worker processes, if there is no executor; by default the model's.

@@ -74,7 +74,7 @@ def interval(mean: float, std: float, count: int) -> tuple[float, float]:
 
 @dataclass(frozen=True)
 class HallEntry:
-    """A policy of the hall of fame: its size in lines and edges, and its mean return on the selection episodes."""
+    """A policy of the hall of fame: its size in lines and edges, and its mean return on the validation episodes."""
 
     size: int
     score: float

@@ -45,7 +45,7 @@ fn a_report_shows_every_run_and_is_the_same_wherever_the_runs_are() {
     };
     let html = report(&[&evolved, &sac]);
     for part in
-        ["evolved/seed-1", "evolved/seed-2", ">sac<", "TPG", "SAC", "<svg", "selection episodes", "target, in the last"]
+        ["evolved/seed-1", "evolved/seed-2", ">sac<", "TPG", "SAC", "<svg", "validation episodes", "target, in the last"]
     {
         assert!(html.contains(part), "{part} is missing");
     }

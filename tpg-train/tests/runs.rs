@@ -179,7 +179,7 @@ fn a_target_that_the_search_for_weights_reaches_ends_it() {
     let state = state(&place.path().join("one"));
     let number = |key: &str| state[key].as_u64().expect(key);
     assert!(number("generation") < 20, "{} generations", number("generation"));
-    assert_eq!(state["best"]["result"]["episodes"], 100, "it has played all selection episodes");
+    assert_eq!(state["best"]["result"]["episodes"], 100, "it has played all validation episodes");
     assert!(state["best"]["result"]["score"].as_f64().expect("a score") >= 475.0);
     assert!(number("steps") < 150_000, "{} steps", number("steps"));
 }

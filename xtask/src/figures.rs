@@ -1,15 +1,16 @@
 //! Tables of the README and of the book, written from measured results: `docs/figures.toml`, and the PROVENANCE.md of each
-//! shipped policy.
+//! shipped policy; and from the instructions that `c-harness/costs.toml` holds.
 //!
 //! A table is what a document holds between `<!-- table NAME -->` and `<!-- end -->`.
 
 use serde::Deserialize;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 use tpg_testing::library::top;
 
 /// Documents with tables.
-const DOCUMENTS: [&str; 2] = ["README.md", "docs/experiments.md"];
+const DOCUMENTS: [&str; 3] = ["README.md", "docs/experiments.md", "docs/performance.md"];
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -43,8 +44,9 @@ struct FigureTask {
 struct Default {
     /// The mean return of each seed.
     seeds: Vec<f64>,
-    /// The commit of the trainer.
+    /// The commit of the trainer, and its date.
     trained_at: String,
+    date: String,
     /// Steps asked for, if training ran on Gymnasium.
     steps: Option<String>,
     /// CPU seconds for a seed.
@@ -103,6 +105,45 @@ impl ShippedFigures {
             bytes: between(&code, "", " bytes")?,
             instructions: between(&code, "at most ", " instructions")?,
         })
+    }
+}
+
+/// Instructions counted under QEMU: `c-harness/costs.toml`.
+#[derive(Debug, Deserialize)]
+struct Costs {
+    cost: BTreeMap<String, Cost>,
+}
+
+#[derive(Debug, Deserialize)]
+struct Cost {
+    actions: u32,
+    instructions: u32,
+    worst: u32,
+}
+
+impl Costs {
+    fn read() -> io::Result<Self> {
+        let path = top().join("c-harness/costs.toml");
+        toml::from_str(&fs::read_to_string(&path)?).map_err(|error| invalid(&path, &error.to_string()))
+    }
+
+    /// Returns the costs of the arm's control step in C: mean and maximum, from a fixed and from a random start.
+    fn table(&self) -> Vec<String> {
+        let mut lines = vec!["| C | mean | worst |".into(), "| --- | --- | --- |".into()];
+        for (part, what) in [
+            ("graph", "graph with what it reads"),
+            ("network", "network, from observation to move"),
+            ("hybrid", "the hybrid's decision"),
+            ("step", "a whole control step"),
+        ] {
+            let both = ["fs", "rs"].map(|start| &self.cost[&format!("C {start} {part}")]);
+            let [mean, worst] = [
+                both.map(|cost| number(f64::from(cost.instructions) / f64::from(cost.actions), 0)),
+                both.map(|cost| number(cost.worst.into(), 0)),
+            ];
+            lines.push(format!("| {what} | {} | {} |", mean.join(" / "), worst.join(" / ")));
+        }
+        lines
     }
 }
 
@@ -172,8 +213,9 @@ impl FigureResults {
     fn table(&self, name: &str) -> io::Result<Option<Vec<String>>> {
         Ok(Some(match name {
             "results" => self.overview()?,
-            "default" => self.built_in(),
-            "default-python" => self.python(),
+            "default" => self.trainings(false),
+            "default-python" => self.trainings(true),
+            "costs" => Costs::read()?.table(),
             "shipped" => self.shipped()?,
             "rivals" => self.rivals()?,
             _ => return Ok(None),
@@ -202,46 +244,26 @@ impl FigureResults {
         Ok(lines)
     }
 
-    /// Returns trainings on this project's own simulators.
-    fn built_in(&self) -> Vec<String> {
+    /// Returns trainings on Gymnasium, which are limited by steps, or those on this project's own simulators.
+    fn trainings(&self, is_limited: bool) -> Vec<String> {
         let mut lines = vec![
-            "| problem | seeds | mean | CPU s per seed | trainer |".into(),
-            "| --- | --- | --: | --- | --- |".into(),
-        ];
-        let own = self.tasks.iter().filter_map(|task| Some((task, task.by_default.as_ref()?)));
-        for (task, default) in own.filter(|(_, default)| default.steps.is_none()) {
-            lines.push(format!(
-                "| `{}` | {} | {} ± {} | {} | {} |",
-                task.folder,
-                seeds(task, default),
-                default_mean(task, default),
-                number(interval(&default.seeds), task.decimals),
-                default.cpu_s.as_deref().unwrap_or("–"),
-                default.trained_at
-            ));
-        }
-        lines
-    }
-
-    /// Returns trainings on Gymnasium.
-    fn python(&self) -> Vec<String> {
-        let mut lines = vec![
-            "| problem | steps | seeds | mean | CPU s per seed | trainer |".into(),
+            "| task | steps | seeds | mean | CPU s per seed | trainer |".into(),
             "| --- | --- | --- | --: | --- | --- |".into(),
         ];
-        for task in &self.tasks {
-            let Some(default) = &task.by_default else { continue };
-            let Some(steps) = &default.steps else { continue };
+        let trained = self.tasks.iter().filter_map(|task| Some((task, task.by_default.as_ref()?)));
+        for (task, default) in trained.filter(|(_, default)| default.steps.is_some() == is_limited) {
             let how = default.how.as_ref().map(|how| format!(", {how}")).unwrap_or_default();
             let precise = if mean(&default.seeds).abs() >= 1000.0 { 0 } else { task.decimals };
             lines.push(format!(
-                "| {}{how} | {steps} | {} | {} ± {} | {} | {} |",
-                task.id,
+                "| {}{how} | {} | {} | {} ± {} | {} | {}, {} |",
+                if is_limited { task.id.clone() } else { format!("`{}`", task.folder) },
+                default.steps.as_deref().unwrap_or("–"),
                 seeds(task, default),
                 default_mean(task, default),
                 number(interval(&default.seeds), precise),
                 default.cpu_s.as_deref().unwrap_or("–"),
-                default.trained_at
+                default.trained_at,
+                default.date
             ));
         }
         lines

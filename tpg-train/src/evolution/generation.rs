@@ -47,7 +47,7 @@ pub struct Evolution<'e, S: Scalar, E: Environment<S>, V: ?Sized> {
 /// Conditions under which a run ends before its last generation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Goal {
-    /// Target for the mean score on the selection set.
+    /// Target for the mean score on the validation set.
     pub target: Option<f64>,
     /// Number of environment steps after which the run ends.
     pub max_steps: Option<u64>,

@@ -47,7 +47,7 @@ pub struct Row {
     pub teams: usize,
     /// Number of programs after selection.
     pub programs: usize,
-    /// Result of the best root on the selection set, in generations that validate.
+    /// Result of the best root on the validation set, in generations that validate.
     pub validation: Option<Summary>,
 }
 

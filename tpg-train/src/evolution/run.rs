@@ -54,7 +54,7 @@ pub struct Progress<'a> {
     pub steps: u64,
     /// Newest row of the logs; none before the first generation.
     pub row: Option<&'a Row>,
-    /// Best root on the selection set so far.
+    /// Best root on the validation set so far.
     pub best: Option<&'a Best>,
     /// The best roots of each size.
     pub hall: &'a [Best],

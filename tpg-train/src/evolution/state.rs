@@ -8,12 +8,12 @@ use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use tpg_engine::{EpisodeResult, PolicyGraph, Preference, Summary};
 
-/// The best root on the selection set so far.
+/// The best root on the validation set so far.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Best {
     /// Generation in which it was found.
     pub generation: u64,
-    /// Its result on the selection set.
+    /// Its result on the validation set.
     pub result: Summary,
     /// The root.
     pub policy: PolicyGraph,
@@ -57,7 +57,7 @@ pub struct State<Task> {
     pub population: Population,
     /// Episodes that a best root failed, newest last.
     pub pool: VecDeque<Task>,
-    /// The best root on the selection set.
+    /// The best root on the validation set.
     pub best: Option<Best>,
     /// The hall of fame: of the roots that won a validation, those of which no other is both smaller and better; smallest
     /// first.

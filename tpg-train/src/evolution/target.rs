@@ -1,4 +1,4 @@
-//! An early end for a run with a target: what reaches it in training plays the selection episodes for as long as it may.
+//! An early end for a run with a target: what reaches it in training plays the validation episodes for as long as it may.
 
 use super::generation::Evolution;
 use super::state::State;
@@ -15,7 +15,7 @@ fn stages(episodes: usize) -> impl Iterator<Item = usize> {
 }
 
 impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_, S, E, V> {
-    /// Lets a policy play the selection episodes and enters it, if their mean reaches the run's target after each stage. `found`
+    /// Lets a policy play the validation episodes and enters it, if their mean reaches the run's target after each stage. `found`
     /// is what training has found of it: a trial is due where that reaches the target, and where no more steps have been
     /// spent on selection than on training.
     pub(super) fn try_for_target(

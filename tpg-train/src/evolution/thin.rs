@@ -21,7 +21,7 @@ type Place = (usize, usize);
 
 impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_, S, E, V> {
     /// Enters ever smaller versions of the best policy, until one has lost half of what the run has gained; each plays so many
-    /// selection episodes.
+    /// validation episodes.
     pub(super) fn thin(&self, state: &mut State<E::Task>, episodes: usize) -> Result<(), EvaluationError> {
         let Some(policy) = state.best.as_ref().map(|best| best.policy.clone()) else { return Ok(()) };
         let first = state.rows.first().map_or(f64::NEG_INFINITY, |first| first.median_score);

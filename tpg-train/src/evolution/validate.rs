@@ -1,4 +1,4 @@
-//! Validation: the best roots race on the selection set, within a budget.
+//! Validation: the best roots race on the validation set, within a budget.
 //!
 //! Running means are noisy, so the root to keep is chosen on episodes that no root was trained on. The best few roots
 //! by running mean start; after part of the episodes the better half continues (successive halving), and the last one
@@ -68,7 +68,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_,
         self.config.selection.line_price > 0.0 && self.is_last(state)
     }
 
-    /// Enters a policy with its endings on the selection set, the first tasks first; returns its result.
+    /// Enters a policy with its endings on the validation set, the first tasks first; returns its result.
     pub(super) fn enter(
         &self,
         state: &mut State<E::Task>,

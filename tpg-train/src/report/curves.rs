@@ -19,8 +19,8 @@ pub(super) fn sections(groups: &[Group]) -> Vec<Section> {
         "The problem's measure at the end of these episodes, such as a distance.",
     );
     let tpg = [
-        score("Mean score of the best survivor on the selection episodes."),
-        success("Share of the selection episodes that it solved."),
+        score("Mean score of the best survivor on the validation episodes."),
+        success("Share of the validation episodes that it solved."),
         measure.clone(),
         ("best score", Axis::linear(SCORE), "Best running mean of a root's score."),
         ("median score", Axis::linear(SCORE), "Median of the roots' running means."),

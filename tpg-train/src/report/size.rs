@@ -21,7 +21,7 @@ pub(super) fn section(
     (!figures.is_empty()).then(|| Section {
         title: "Return against size".to_owned(),
         text: "Each point is a graph: the one that a run has chosen, and those of its hall of fame, which nothing smaller was better than on \
-               the selection episodes. Its mean return on the test episodes stands against the flash of its fast C on a Cortex-M4F, \
+               the validation episodes. Its mean return on the test episodes stands against the flash of its fast C on a Cortex-M4F, \
                compiled with -Os; a network that it asks is not counted. Further up and further left is better; a line of \
                hall.jsonl is a graph.json."
             .to_owned(),
