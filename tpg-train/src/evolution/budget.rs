@@ -92,9 +92,12 @@ impl Budget {
         } else if is_over(1.0) || point.generation >= MAX_LENGTHS * limits.length {
             self.ended = Some(point.generation);
         } else if has_stalled {
-            match point.part.is_none() || is_over(TOO_LATE) {
-                true => self.ended = Some(point.generation),
-                false => self.begin_another(&point),
+            let is_late = point.part.is_none() || is_over(TOO_LATE);
+            // Nothing follows a search that has the whole run.
+            if is_late && (point.part.is_none() || limits.part < 1.0) {
+                self.ended = Some(point.generation);
+            } else if !is_late {
+                self.begin_another(&point);
             }
         }
     }
@@ -148,6 +151,7 @@ mod tests {
             ("slow gains are none", cma, true, &slow, &[20, 60]),
             ("the second one goes on", cma, true, &second, &[20, 60]),
             ("without a limit the first that stalls is the last", cma, false, &flat, &[20]),
+            ("with the whole run it goes on", Limits { part: 1.0, ..cma }, true, &flat, &[20, 40, 60, 80, 100]),
             ("a part that is short ends it early", Limits { part: 0.1, ..cma }, true, &rising, &[10]),
             ("a random search has its part if it is good", random, true, &|_| 51.0, &[60]),
             ("and a quarter of it if it is not", random, true, &flat, &[15]),

@@ -287,7 +287,8 @@ impl CurriculumConfig {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct StartConfig {
-    /// Fraction of the run for a random search; it ends after a quarter of that if no better than chance. At most `share`.
+    /// Fraction of the run for a random search; it ends after a quarter of that if no better than chance. At most `share`; 1 searches
+    /// sums only, no products.
     pub random: f64,
     /// Fraction of the run after which the search ends; 0 for a random start. After the random search, the variances of weights
     /// are adapted.

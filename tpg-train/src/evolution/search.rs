@@ -45,11 +45,12 @@ enum Method {
 
 impl Search {
     /// Begins the search that follows `before` others: a random one if there is one, then sums and, where programs can be that,
-    /// products in turns.
+    /// products in turns. A run that is for random search alone has sums only.
     pub(super) fn begin(context: &Context<'_>, before: u64) -> Result<Self, Finding> {
-        let has_random = context.config.start.random > 0.0;
+        let random = context.config.start.random;
+        let has_random = random > 0.0;
         let others = before.saturating_sub(has_random.into());
-        let is_product = others % 2 == 1 && context.writer(ProgramKind::Product).is_ok_and(|it| context.fits(&it));
+        let is_product = others % 2 == 1 && random < 1.0 && context.writer(ProgramKind::Product).is_ok_and(|it| context.fits(&it));
         let kind = if is_product { ProgramKind::Product } else { ProgramKind::Sum };
         let writer = context.writer(kind)?;
         let method = if has_random && before == 0 {
