@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 /// Minimum number of generations without progress before a search has stalled.
 const MIN_PATIENCE: u64 = 10;
-/// A search makes progress when it gains this part of all that it had gained before: slow gains do not count.
+/// A search makes progress when it gains this part of what its last progress was: slow gains do not count.
 const PROGRESS: f64 = 0.2;
 /// Maximum number of generations of all searches, in default lengths of one: a run without a limit must terminate.
 const MAX_LENGTHS: u64 = 30;
@@ -16,7 +16,7 @@ const MAX_LENGTHS: u64 = 30;
 const TOO_LATE: f64 = 0.9;
 /// The part of its budget after which a random search ends that is no better than luck.
 const TRIAL: f64 = 0.25;
-/// A random search that gains less than this part of all that it had gained before, in this part of its budget, starts again, unless more
+/// A random search that gains less than this part of its last progress, in this part of its budget, starts again, unless more
 /// than this part is over.
 const RANDOM_PROGRESS: f64 = 0.1;
 const RANDOM_PATIENCE: f64 = 0.15;
@@ -32,8 +32,8 @@ pub struct Budget {
     pub searches: u64,
     /// The part of the run that was over then.
     pub part: f64,
-    /// First score of the current search.
-    first: Option<f64>,
+    /// The gain of its last progress.
+    gain: f64,
     /// Generation, part of the run and score at its last progress.
     progress: Option<(u64, f64, f64)>,
     /// The generation before which the last search ended.
@@ -65,10 +65,11 @@ pub(super) struct Limits {
 impl Budget {
     /// Records what a generation has brought; the search goes on unless `searches` or `ended` has changed.
     pub(super) fn spend(&mut self, point: Point, limits: Limits) {
-        let first = *self.first.get_or_insert(point.score);
         let (progress, now) =
             (if limits.luck.is_some() { RANDOM_PROGRESS } else { PROGRESS }, point.part.unwrap_or(0.0));
-        if self.progress.is_none_or(|(_, _, last)| point.score - last > progress * (last - first).max(0.0)) {
+        let gain = self.progress.map(|(_, _, last)| point.score - last);
+        if gain.is_none_or(|gain| gain > progress * self.gain) {
+            self.gain = gain.unwrap_or(0.0);
             self.progress = Some((point.generation, now, point.score));
         }
         let since = |begin: u64| point.generation - begin;
@@ -168,7 +169,7 @@ mod tests {
         let begun: std::collections::BTreeMap<_, _> = begun.collect();
         assert_eq!(
             begun,
-            [(0, 0.0), (28, 0.28), (38, 0.38)].into(),
+            [(0, 0.0), (30, 0.3), (40, 0.4)].into(),
             "a random search starts again where it has stalled, but not late"
         );
         let long = Limits { length: 20, part: 1e9, luck: None };

@@ -11,7 +11,7 @@ use tpg_graph::error::{InputError, Place};
 use tpg_runtime::scalar::Scalar;
 
 /// Incremented with every change to the content or meaning of checkpoints.
-pub const VERSION: u32 = 13;
+pub const VERSION: u32 = 14;
 
 /// The serialised form, one line of JSON.
 #[derive(Debug, Serialize, Deserialize)]

@@ -21,8 +21,9 @@ use tpg_runtime::scalar::Scalar;
 const POOL: usize = 300;
 /// Fraction of the candidates that play on after a race.
 const RACING_SHARE: f64 = 0.4;
-/// Fewest and most samples of a generation of random search, and for how many generations its episodes should be enough.
-const SAMPLES: [usize; 2] = [8, 16];
+/// Fewest and most samples of a generation of random search, and for how many generations its episodes should be enough, if they are
+/// as long as those of the first generation.
+const SAMPLES: [usize; 2] = [8, 24];
 const STEPS: f64 = 75.0;
 /// Generations of evolution for which a run must have steps left, with outputs and with named actions, which sums choose less well.
 /// Otherwise the searches for weights take all of it.
@@ -85,7 +86,8 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         let random = self.start(state).random;
         let begun = state.budget.part;
         let part = self.part(state).map_or(0.0, |part| (part - begun) / (random - begun));
-        let episodes = self.goal.max_steps.map(|most| random * most as f64 / state.episode_steps.max(1) as f64);
+        let first = state.rows.first().map_or(1.0, |row| row.steps as f64 / row.roots.max(1) as f64);
+        let episodes = self.goal.max_steps.map(|most| random * most as f64 / first.max(1.0));
         let [fewest, most] = SAMPLES;
         Context {
             config: self.config,
@@ -164,10 +166,10 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         };
         let candidates = stage.ask(context, moment);
         let episodes = self.config.learning.nb_iterations_per_policy_evaluation;
-        let count = if stage.episodes() == Episodes::Own { candidates.len() } else { episodes };
+        let count = if stage.episodes() == Episodes::Pairs { candidates.len().div_ceil(2) } else { episodes };
         let tasks = self.tasks(&state.pool, moment, count);
         let results = match stage.episodes() {
-            Episodes::Own => self.own_episodes(&candidates, &tasks)?,
+            Episodes::Pairs => self.pairs_of_episodes(&candidates, &tasks)?,
             Episodes::Same => self.same_episodes(&candidates, &tasks, None, state.episode_steps)?,
             Episodes::Racing => self.same_episodes(&candidates, &tasks, Some(survivors), state.episode_steps)?,
         };
@@ -180,8 +182,9 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         Ok(row)
     }
 
-    /// Lets every candidate play an episode of its own.
-    fn own_episodes(&self, candidates: &[Candidate], tasks: &[E::Task]) -> Result<Results, EvaluationError> {
+    /// Lets every two candidates play an episode of their own.
+    fn pairs_of_episodes(&self, candidates: &[Candidate], tasks: &[E::Task]) -> Result<Results, EvaluationError> {
+        let tasks = tasks.iter().flat_map(|task| [task; 2]);
         let plays: Vec<_> = (candidates.iter().zip(tasks))
             .map(|(candidate, task)| Play { policy: candidate.policy.clone(), task: task.clone() })
             .collect();
@@ -305,7 +308,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
             part: if search.is_random() { start.random } else { start.share },
             luck: search.is_random().then_some(luck),
         };
-        let (generation, score) = (state.generation + 1, search.score.unwrap_or(f64::NEG_INFINITY));
+        let (generation, score) = (state.generation + 1, search.score().unwrap_or(f64::NEG_INFINITY));
         state.budget.spend(Point { generation, part: self.part(state), score }, limits);
         Ok(())
     }

@@ -54,14 +54,14 @@ impl Population {
 
     /// Lets half of the demes begin with what searches have found, the best first.
     pub(super) fn begin(&mut self, context: &Context<'_>, mut found: Vec<&Search>) -> Result<(), Finding> {
-        found.sort_by(|a, b| b.score.partial_cmp(&a.score).unwrap_or(std::cmp::Ordering::Equal));
+        found.sort_by(|a, b| b.score().partial_cmp(&a.score()).unwrap_or(std::cmp::Ordering::Equal));
         let half = self.demes.len().div_ceil(2);
         for deme in &mut self.demes[..half] {
             *deme = Deme::default();
             for search in &found {
                 let writer = context.writer(search.kind)?;
                 let root = writer.add_root(&mut deme.genome, &search.weights(&writer));
-                deme.records.insert(root, Record { mean: search.score.unwrap_or(f64::MIN), evaluations: 0 });
+                deme.records.insert(root, Record { mean: search.score().unwrap_or(f64::MIN), evaluations: 0 });
             }
         }
         Ok(())

@@ -7,12 +7,15 @@ use super::random_search::RandomSearch;
 use super::record::{Record, Row};
 use super::stage::{Candidate, Context, Episodes, Moment, Results, Stage};
 use serde::{Deserialize, Serialize};
+use std::collections::VecDeque;
 use tpg_engine::random::Purpose;
 use tpg_engine::{PolicyGraph, Summary};
 use tpg_graph::error::Finding;
 
-/// Weight of the newest generation in a search's score.
-const NEWEST: f64 = 0.2;
+/// Number of generations whose median is a search's score.
+const NEWEST: usize = 9;
+/// The part of the samples that counts in a generation's score, the best ones: one that is unstable may lose a million.
+const COUNTED: f64 = 0.75;
 /// Samples of a generation that adapts variances, in Hansen's numbers of them.
 const BREADTH: usize = 2;
 /// Default length of a search: generations for each weight, and their minimum.
@@ -26,8 +29,8 @@ pub struct Search {
     pub kind: ProgramKind,
     /// The method.
     method: Method,
-    /// Mean score of the samples, smoothed over generations.
-    pub score: Option<f64>,
+    /// The newest generations' scores.
+    scores: VecDeque<f64>,
     /// The samples that are being evaluated.
     #[serde(skip)]
     samples: Vec<Vec<f64>>,
@@ -50,7 +53,8 @@ impl Search {
         let random = context.config.start.random;
         let has_random = random > 0.0;
         let others = before.saturating_sub(has_random.into());
-        let is_product = others % 2 == 1 && random < 1.0 && context.writer(ProgramKind::Product).is_ok_and(|it| context.fits(&it));
+        let is_product =
+            others % 2 == 1 && random < 1.0 && context.writer(ProgramKind::Product).is_ok_and(|it| context.fits(&it));
         let kind = if is_product { ProgramKind::Product } else { ProgramKind::Sum };
         let writer = context.writer(kind)?;
         let method = if has_random && before == 0 {
@@ -58,7 +62,7 @@ impl Search {
         } else {
             Method::Cma(Cma::new(writer.weights()))
         };
-        Ok(Self { kind, method, score: None, samples: Vec::new() })
+        Ok(Self { kind, method, scores: VecDeque::new(), samples: Vec::new() })
     }
 
     /// True for a random search.
@@ -79,9 +83,16 @@ impl Search {
         }
     }
 
+    /// Returns the score: a mean of samples, the median over some generations.
+    pub(super) fn score(&self) -> Option<f64> {
+        let mut scores: Vec<f64> = self.scores.iter().copied().collect();
+        scores.sort_by(f64::total_cmp);
+        scores.get(scores.len() / 2).copied()
+    }
+
     /// Returns the better one of two searches; the first of equals.
     pub(super) fn better(self, other: Self) -> Self {
-        if other.score > self.score { other } else { self }
+        if other.score() > self.score() { other } else { self }
     }
 
     /// Checks a search that was read from a file.
@@ -93,7 +104,7 @@ impl Search {
                 self.kind == ProgramKind::Sum && search.is_valid(writer.rows(), writer.units().len())
             }
         };
-        match is_valid && self.score.is_none_or(f64::is_finite) {
+        match is_valid && self.scores.iter().all(|score| score.is_finite()) {
             true => Ok(()),
             false => Err(Finding::new("search", "other numbers", format!("{} finite weights", writer.weights()))),
         }
@@ -139,16 +150,17 @@ impl Stage for Search {
     }
 
     fn episodes(&self) -> Episodes {
-        if self.is_random() { Episodes::Own } else { Episodes::Same }
+        if self.is_random() { Episodes::Pairs } else { Episodes::Same }
     }
 
     fn tell(&mut self, context: &Context<'_>, moment: Moment, results: &Results) -> (Row, usize) {
         let summaries: Vec<Summary> = results.endings.iter().map(|endings| Summary::new(endings)).collect();
-        let mean = summaries.iter().map(|result| result.score).sum::<f64>() / summaries.len() as f64;
-        let score = self.score.map_or(mean, |score| score + NEWEST * (mean - score));
-        self.score = Some(score.clamp(-1e30, 1e30));
         let mut order: Vec<usize> = (0..summaries.len()).collect();
         order.sort_by(|&a, &b| summaries[b].score.total_cmp(&summaries[a].score));
+        let counted = &order[..(COUNTED * order.len() as f64).ceil() as usize];
+        let sum: f64 = counted.iter().map(|&place| summaries[place].score).sum();
+        self.scores.push_back((sum / counted.len() as f64).clamp(-1e30, 1e30));
+        self.scores.drain(..self.scores.len().saturating_sub(NEWEST));
         let samples = std::mem::take(&mut self.samples);
         match &mut self.method {
             Method::Cma(cma) => {

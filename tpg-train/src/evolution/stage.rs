@@ -60,8 +60,8 @@ pub(crate) struct Candidate {
 /// The episodes that the candidates of a generation play.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Episodes {
-    /// Each its own: most is seen.
-    Own,
+    /// Every two candidates in a row another one: much is seen, and opposites are compared under the same conditions.
+    Pairs,
     /// All the same.
     Same,
     /// The same, and after some of them only the better candidates play on.
@@ -73,7 +73,7 @@ pub(crate) enum Episodes {
 pub(crate) struct Results {
     /// The endings of each candidate.
     pub endings: Vec<Vec<EpisodeResult>>,
-    /// Moments of the flat states, if each candidate played its own episode.
+    /// Moments of the flat states, if candidates played in pairs.
     pub seen: Moments,
 }
 
