@@ -1,4 +1,4 @@
-//! Effects of guards and final hand-overs, with the shipped graph and actor, on validation episodes.
+//! Effects of guards and final hand-overs, with the shipped graph and actor of a random start, on validation episodes.
 
 use super::ProblemInputs;
 use super::ours::{Ours, paper_setting};
@@ -15,10 +15,10 @@ const EPISODES: usize = 1000;
 ///
 /// # Errors
 /// Files that are not policies.
-pub fn measure(start: Start, inputs: &ProblemInputs) -> Result<Vec<Row>, InputError> {
+pub fn measure(inputs: &ProblemInputs) -> Result<Vec<Row>, InputError> {
     let shipped = Hybrid::read(&inputs.shipped)?;
-    let ours = Ours::validation(start, EPISODES, SEED);
-    let paper = paper_setting(start);
+    let ours = Ours::validation(Start::Rs, EPISODES, SEED);
+    let paper = paper_setting(Start::Rs);
     let guard = |setting: &Setting, guard: &str| Setting { guard: guard.to_owned(), ..setting.clone() };
     let no_hand_back = guard(&Setting { hand_back_after: Span::NEVER, ..paper.clone() }, "both");
     let settings = [

@@ -1,7 +1,7 @@
 //! Renders `docs/results.md`.
 
 use super::compiled::Costs;
-use super::paper;
+use super::paper::PRINTED;
 use super::rows::Row;
 use super::timing::Time;
 use askama::Template;
@@ -20,8 +20,6 @@ pub struct ProblemResults {
     pub rows: Vec<Row>,
     /// Times of compiled code.
     pub costs: Costs,
-    /// Results of the ideas, on validation episodes.
-    pub ideas: Vec<Row>,
 }
 
 impl ProblemResults {
@@ -39,6 +37,8 @@ impl ProblemResults {
 struct MarkdownPage<'a> {
     problems: &'a [MarkdownSection],
     costs: String,
+    ideas: String,
+    printed: String,
 }
 
 /// The tables of one problem.
@@ -46,24 +46,20 @@ struct MarkdownSection {
     title: String,
     episodes: usize,
     table: String,
-    ideas: String,
-    printed: String,
 }
 
-/// Renders the file.
+/// Renders the file, with the results of `ideas` on validation episodes.
 ///
 /// # Panics
 /// Never: the template only puts text together.
-pub fn page(problems: &[ProblemResults]) -> String {
+pub fn page(problems: &[ProblemResults], ideas: &[Row]) -> String {
     let section = |problem: &ProblemResults| MarkdownSection {
         title: capital(problem.name()),
         episodes: problem.episodes,
         table: table(&problem.rows, problem.episodes),
-        ideas: ideas(&problem.ideas),
-        printed: printed(problem.start),
     };
     let sections: Vec<MarkdownSection> = problems.iter().map(section).collect();
-    let page = MarkdownPage { problems: &sections, costs: costs(problems) };
+    let page = MarkdownPage { problems: &sections, costs: costs(problems), ideas: effects(ideas), printed: printed() };
     page.render().expect("text is put together").trim_end().to_owned() + "\n"
 }
 
@@ -108,7 +104,6 @@ fn table(rows: &[Row], episodes: usize) -> String {
         "collision %",
         "distance mm",
         "actions",
-        "by graph %",
         "ns per action",
         "worst ns",
         "bytes, fast · small",
@@ -126,17 +121,7 @@ fn table(rows: &[Row], episodes: usize) -> String {
             let [low, high] = confidence(row.success.mean, episodes).map(|end| 100.0 * end);
             success += &format!(" ({low:.1} to {high:.1})");
         }
-        [
-            name,
-            success,
-            collision,
-            distance,
-            actions,
-            by_graph(row),
-            time(|time| time.mean),
-            time(|time| time.worst),
-            bytes,
-        ]
+        [name, success, collision, distance, actions, time(|time| time.mean), time(|time| time.worst), bytes]
     };
     grid(names, rows.iter().map(cells))
 }
@@ -193,7 +178,7 @@ fn costs(problems: &[ProblemResults]) -> String {
     grid(["times", title(0), title(1)], rows)
 }
 
-fn ideas(rows: &[Row]) -> String {
+fn effects(rows: &[Row]) -> String {
     let cells = |row: &Row| {
         let [success, collision, distance, actions] = outcome(row);
         [row.name.clone(), success, collision, distance, actions, by_graph(row)]
@@ -201,10 +186,14 @@ fn ideas(rows: &[Row]) -> String {
     grid(["policy", "success %", "collision %", "distance mm", "actions", "by graph %"], rows.iter().map(cells))
 }
 
-fn printed(start: Start) -> String {
-    let cells = |row: &paper::Printed| {
-        let [distance, success, collision] = row.recomputed.map(str::to_owned);
-        [row.name.to_owned(), distance, success, collision]
+/// Tabulates what the paper's own files say.
+fn printed() -> String {
+    let cells = |(name, fixed, random): &(&str, [&str; 3], [&str; 3])| {
+        let [a, b, c] = fixed.map(str::to_owned);
+        let [d, e, f] = random.map(str::to_owned);
+        [(*name).to_owned(), a, b, c, d, e, f]
     };
-    grid(["policy", "distance mm", "success %", "collision %"], paper::printed(start).iter().map(cells))
+    let names =
+        ["policy", "fixed: distance mm", "success %", "collision %", "random: distance mm", "success %", "collision %"];
+    grid(names, PRINTED.iter().map(cells))
 }

@@ -6,7 +6,7 @@
 //! | [`timing`] | measured times |
 //! | [`compiled`] | the shipped policies as compiled code |
 //! | [`mod@reference`] | the network that the paper compares with |
-//! | [`ideas`] | effects of guards, hand-overs and detectors, on validation episodes |
+//! | [`ideas`] | effects of guards, hand-overs and detectors from a random start, on validation episodes |
 //! | [`ours`] | this project's policies, run by the trainer |
 //! | [`paper`] | the paper's figures |
 //! | [`markdown`] | the text |
@@ -80,6 +80,7 @@ pub fn execute(args: &Table2Args) -> Result<(), InputError> {
     let text = read_text(&args.inputs, "a list of policies")?;
     let inputs: InputsFile = settings::from_toml(&name, &text, "[fs] and [rs] with shipped, tpg, sac")?;
     let folder = args.inputs.parent().unwrap_or(Path::new(""));
+    let ideas = ideas::measure(&inputs.rs.clone().beside(folder))?;
     let mut problems = Vec::new();
     for (start, file, inputs) in [(Start::Fs, "fs.csv", inputs.fs), (Start::Rs, "rs.csv", inputs.rs)] {
         let tasks = targets::read_csv(&WIDOWX, &args.targets.join(file))?;
@@ -90,13 +91,12 @@ pub fn execute(args: &Table2Args) -> Result<(), InputError> {
             episodes: tasks.len(),
             rows: rows::measure(start, &inputs, &tasks, &args.targets.join(file))?,
             costs: compiled::measure(start, &tasks),
-            ideas: ideas::measure(start, &inputs)?,
         });
     }
     if let Some(folder) = args.out.parent().filter(|folder| !folder.as_os_str().is_empty()) {
         make_folder(folder)?;
     }
-    write_atomically(&args.out, markdown::page(&problems).as_bytes())?;
+    write_atomically(&args.out, markdown::page(&problems, &ideas).as_bytes())?;
     eprintln!("wrote {}", args.out.display());
     Ok(())
 }
