@@ -38,11 +38,11 @@ fn front(summaries: &[Summary]) -> Section {
     ];
     let row = |summary: &Summary| {
         vec![
-            summary.guard.clone(),
-            summary.cycle_detector.name().to_owned(),
-            summary.hand_back_after.to_string(),
-            shown(summary.separation),
-            summary.patience.to_string(),
+            summary.setting.guard.clone(),
+            summary.setting.detector.name().to_owned(),
+            summary.setting.hand_back_after.to_string(),
+            shown(summary.setting.separation),
+            summary.setting.patience.to_string(),
             format!("{:.2} ± {:.2}", summary.score, summary.score_sd),
             percent(summary.success),
             format!("{:.1}", summary.steps),
@@ -55,7 +55,7 @@ fn front(summaries: &[Summary]) -> Section {
     listed.sort_by(|a, b| a.network_actions.total_cmp(&b.network_actions));
     let mut plot = Plot::new(Axis::linear("actions of the network in an episode"), Axis::linear("score"));
     let point = |summary: &Summary| {
-        let hint = format!("{}: score {:.2}", summary.setting().sentence(), summary.score);
+        let hint = format!("{}: score {:.2}", summary.setting.sentence(), summary.score);
         ([summary.network_actions, summary.score], hint)
     };
     plot.points(Colour(0), summaries.iter().map(point).collect());
@@ -92,8 +92,8 @@ fn parts(alone: &[Alone]) -> Section {
 
 fn together(cells: &[Cell], summaries: &[Summary], alone: &[Alone]) -> Section {
     let kind = |kind: &str| -> Vec<f64> { alone.iter().filter(|a| a.kind == kind).map(|a| a.mean_score).collect() };
-    let chosen = summaries.iter().find(|summary| summary.chosen).map(Summary::setting);
-    let hybrid = cells.iter().filter(|cell| chosen == Some(cell.setting())).map(|cell| cell.mean_score).collect();
+    let chosen = summaries.iter().find(|summary| summary.chosen).map(|summary| &summary.setting);
+    let hybrid = cells.iter().filter(|cell| chosen == Some(&cell.setting)).map(|cell| cell.mean_score).collect();
     let names = ["graph alone", "network alone", "hybrid"].map(str::to_owned).into();
     let mut plot = Plot::new(Axis::names("", names), Axis::linear("score"));
     for (place, sample) in [kind("tpg"), kind("sac"), hybrid].into_iter().enumerate() {
