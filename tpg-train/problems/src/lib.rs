@@ -21,6 +21,7 @@
 //! | [`mountain_car_continuous`] | driving out of a valley by a force |
 //! | [`pendulum`] | swinging a pendulum up |
 //! | `breakout` | MinAtar's Breakout, an image of ten by ten cells |
+//! | `rows` | tasks as CSV |
 //! | [`varied`], [`physics`], [`amount`] | other constants, late actions, noise and hidden sources |
 
 pub mod acrobot;
@@ -36,6 +37,7 @@ pub mod mountain_car_continuous;
 pub mod pendulum;
 pub mod physics;
 pub mod registry;
+mod rows;
 mod tested;
 #[cfg(test)]
 mod tests;
