@@ -1,17 +1,16 @@
 //! `tpg-train hybrid`: the study of a hybrid's settings.
 //!
 //! The folder of a study contains `study.toml` (the request), `cells.csv` (a row for each pair and setting),
-//! `settings.csv` (means over pairs, front, choice), `alone.csv`, `hybrid.toml` (the chosen setting with the best pair)
-//! and `report.html`: the same bytes for equal runs.
+//! `settings.csv` (means over pairs, front, choice), `alone.csv`, `hybrid.toml` (the chosen setting with the best pair): the same bytes for equal
+//! runs.
 
 use super::cells::{Alone, Cell, Subject, grid};
 use super::choice;
-use super::report;
 use super::rollout::Acting;
 use super::setting::{Detector, HybridFile, Setting, UNGUARDED};
 use super::shared::{Episodes, Facts, Shared};
 use super::span::Span;
-use super::study::{self, Input, absolute, to_csv};
+use super::study::{self, absolute, to_csv};
 use crate::run_args::command_line;
 use crate::sac::network::Network;
 use clap::Args;
@@ -89,9 +88,9 @@ struct Asked {
     hand_back_after: Vec<Span>,
     separation: Vec<f64>,
     patience: Vec<Span>,
+    tpg: Vec<PathBuf>,
+    policy: Vec<PathBuf>,
     problem: toml::Table,
-    tpg: Vec<Input>,
-    policy: Vec<Input>,
 }
 
 /// Runs the study that the command line asks for.
@@ -130,9 +129,9 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, Input
         hand_back_after: or_spans(&args.hand_back_after, &[1, 5, 20, 50, 100], &facts),
         separation: separations(args, &subject)?,
         patience: or_spans(&args.patience, &[5, 10, 20, 50], &facts),
+        tpg: args.tpg.clone(),
+        policy: args.policy.clone(),
         problem: problem.table(),
-        tpg: Input::read_all(&args.tpg)?,
-        policy: Input::read_all(&args.policy)?,
     };
     let Asked { guards, cycle_detectors, hand_back_after, separation, patience, .. } = &asked;
     subject.settings = grid(guards, cycle_detectors, hand_back_after, separation, patience);
@@ -166,7 +165,6 @@ fn finish(
     let file = |name: &str| args.out.join(name);
     write_atomically(&file("settings.csv"), &to_csv(summaries.iter().map(|summary| (&summary.setting, summary))))?;
     write_atomically(&file("alone.csv"), &to_csv(alone.iter()))?;
-    write_atomically(&file("report.html"), report::page(&problem.name(), cells, &summaries, alone).as_bytes())?;
     let chosen = summaries.iter().find(|summary| summary.chosen);
     let best = chosen.and_then(|chosen| choice::best_pair(cells, &chosen.setting, facts.preference));
     let Some((chosen, best)) = chosen.zip(best) else { return Ok(Verdict::Good) };

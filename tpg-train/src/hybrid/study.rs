@@ -1,14 +1,12 @@
 //! Studies: every pair of a graph and a network under every setting, in parallel.
 
 use super::cells::{Cell, Subject};
-use crate::folder::frame::checksum;
 use crate::folder::{RunFolder, Trainer};
 use crate::progress::Bar;
 use rayon::ThreadPool;
 use rayon::prelude::*;
 use serde::Serialize;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::files::write_atomically;
@@ -39,34 +37,6 @@ pub(crate) fn to_csv(rows: impl Iterator<Item = impl Serialize>) -> Vec<u8> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     rows.for_each(|row| writer.serialize(row).expect("plain data in memory"));
     writer.into_inner().expect("memory can be written")
-}
-
-/// An input file with its content.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub(crate) struct Input {
-    file: String,
-    /// Checksum of its bytes, in hexadecimal digits.
-    pub(super) sha256: String,
-}
-
-impl Input {
-    /// Reads files.
-    ///
-    /// # Errors
-    /// If one cannot be read.
-    pub(crate) fn read_all(paths: &[PathBuf]) -> Result<Vec<Self>, InputError> {
-        paths.iter().map(|path| Self::read(path)).collect()
-    }
-
-    /// Reads a file.
-    ///
-    /// # Errors
-    /// If it cannot be read.
-    pub(crate) fn read(path: &Path) -> Result<Self, InputError> {
-        let bytes = fs::read(path).map_err(|error| InputError::io(path, &error, "a graph or an actor"))?;
-        let sha256 = checksum(&bytes);
-        Ok(Self { file: path.display().to_string(), sha256 })
-    }
 }
 
 /// Starts a study in a folder; `asked` is the content of its `study.toml`.
