@@ -4,26 +4,15 @@
 //! code and PyTorch take turns; a figure is the median of many bursts of about half a millisecond, which a busy machine
 //! rarely interrupts.
 //!
-//! The network alone is timed, from its inputs to its preferences, and for the shipped one also the step before it: the
-//! features of an observation.
+//! The network in floating point is timed, from its inputs to its preferences; `tpg-paper table2` times the shipped one in integers.
 
 mod pytorch;
 
 use std::hint::black_box;
 use std::time::Instant;
-use tpg_arm::frame::Frame;
-use tpg_arm::observation::Observation;
-use tpg_arm::sac::fixed::{FixedDecision, quantise};
-use tpg_arm::sac::packed::{Model, PackedPolicy};
-use tpg_arm::sac::{FEATURES, features};
-use tpg_arm::{Arm, JOINTS, Pose, WIDOWX};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_generated::widowx_sac;
 use tpg_nn::{Mlp, Shape, Tape};
-use tpg_runtime::net::{self, Kind, LayerRows, Rescale, Weights};
-use tpg_runtime::policy::Policy as _;
 
-const ARM: Arm<f32> = WIDOWX.to_f32();
 const BURSTS: usize = 401;
 const TURNS: usize = 3;
 
@@ -54,35 +43,6 @@ fn float(inputs: usize, units: usize) -> f64 {
     })
 }
 
-/// Packs a network of arbitrary numbers: its time does not depend on them.
-fn model(units: usize) -> Vec<u32> {
-    let meaning = FixedDecision::from_flags(0).meaning();
-    let sizes = [(FEATURES, units), (units, units), (units, JOINTS)];
-    let weights = [1i8, -77, 3, 120].repeat(units * units.max(FEATURES) / 4);
-    let (bias, rescale) =
-        (vec![100; units.max(JOINTS)], vec![Rescale { factor: 20_000, shift: 24 }; units.max(JOINTS)]);
-    let rows = sizes.map(|(inputs, outputs)| LayerRows {
-        inputs,
-        kind: Kind::W8A16,
-        weights: Weights::I8(&weights[..inputs * outputs]),
-        bias: &bias[..outputs],
-        rescale: &rescale[..outputs],
-    });
-    let mut words = vec![0; net::words(&sizes.map(|(inputs, outputs)| (inputs, outputs, Kind::W8A16)), &meaning)];
-    assert!(net::pack(&rows, &meaning, &mut words), "no accumulator overflows");
-    words
-}
-
-/// Times a network as stored in flash, with the kernels of this machine.
-fn integers(words: &[u32]) -> f64 {
-    let model = Model::parse(words).expect("what was packed");
-    let mut scratch = vec![0; model.scratch()];
-    let input: [i16; FEATURES] = std::array::from_fn(|i| i as i16 * 97 - 1500);
-    nanoseconds(|| {
-        black_box(model.preferences(black_box(&input), &mut scratch));
-    })
-}
-
 fn main() {
     // `cargo test --benches` only needs to check that it runs.
     if std::env::args().any(|argument| argument == "--test") {
@@ -110,21 +70,4 @@ fn main() {
         }
         println!();
     }
-    let form = tpg_kernels::form();
-    for units in [256, 16] {
-        println!("integers, 38-{units}-{units}-4, {form}: {:.0}", integers(&model(units)));
-    }
-    println!("integers, 38-64-64-4 (widowx-sac), {form}: {:.0}", integers(&widowx_sac::MODEL));
-
-    let seen = Observation::at(&ARM, Pose([1500, 2100, 1900, 2300]), [120.0, 260.0, 140.0]);
-    let input = nanoseconds(|| {
-        black_box(quantise(&features(&Frame::new(&ARM, black_box(&seen)))));
-    });
-    println!("the features of an observation, as integers: {input:.0}");
-    let model = Model::parse(&widowx_sac::MODEL).expect("a committed model");
-    let policy = PackedPolicy::<{ widowx_sac::SCRATCH }>::new(&ARM, model).expect("its own scratch memory");
-    let decision = nanoseconds(|| {
-        black_box(policy.decide(black_box(&seen)));
-    });
-    println!("widowx-sac from the observation to the move: {decision:.0}");
 }

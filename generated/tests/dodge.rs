@@ -12,9 +12,8 @@ const COMMITTED: &str = include_str!("../test-targets/dodge.csv");
 fn every_certificate_solves_its_scene_with_a_millimetre_to_spare() {
     let list = parse_csv("dodge.csv", COMMITTED).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(list.len(), 1000);
-    let body = Config::default().body();
     for (index, certified) in list.iter().enumerate() {
-        let outcome = replay(&body, &certified.scene, &certified.plan, 1.0);
+        let outcome = replay(&certified.scene, &certified.plan, 1.0);
         assert!(
             matches!(outcome, Outcome::Arrives(steps) if steps <= LIMIT),
             "scene {index}: {outcome:?}"

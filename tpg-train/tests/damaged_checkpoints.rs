@@ -48,7 +48,7 @@ fn sac(place: &Path) -> Run {
     (config.actor.hidden, config.critic.hidden) = (vec![3], vec![3]);
     (config.learning.decisions, config.learning.random_decisions, config.learning.batch) = (24, 8, 4);
     (config.validation.every, config.validation.episodes) = (12, 1);
-    run(place, "sac", &config.to_toml(), &["policy.safetensors", "log.csv", "log.jsonl", "checkpoint"])
+    run(place, "sac", &config.to_toml(), &["policy.safetensors", "log.jsonl", "checkpoint"])
 }
 
 fn run(place: &Path, command: &'static str, config: &str, results: &'static [&'static str]) -> Run {

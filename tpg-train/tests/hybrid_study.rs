@@ -1,10 +1,8 @@
-//! `tpg-train hybrid`: the same bytes for any number of threads and after an interruption; existing folders are not
-//! overwritten.
+//! `tpg-train hybrid`: the same bytes for any number of threads; existing folders are not overwritten.
 
 use assert_cmd::Command;
 use std::fs;
 use std::path::Path;
-use tpg_train::loaders::{Trainer, seal};
 
 fn study(out: &Path, more: &[&str]) -> assert_cmd::assert::Assert {
     let generated = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("../generated").join(name);
@@ -33,21 +31,13 @@ fn text(out: &Path, name: &str) -> String {
 }
 
 #[test]
-fn threads_and_interruptions_do_not_matter() {
+fn threads_do_not_matter() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let (one, two) = (folder.path().join("one"), folder.path().join("two"));
     study(&one, &["--threads", "1"]).success();
     study(&two, &["--threads", "2"]).success();
     let cells = text(&one, "cells.csv");
     assert_eq!(cells.lines().count(), 1 + 2 * 12, "two pairs, 12 settings");
-    assert_eq!(text(&two, "cells.csv"), cells);
-
-    // Simulates a run that was killed after every third cell.
-    let kept: String =
-        cells.lines().enumerate().filter(|(line, _)| line % 3 == 0).map(|(_, l)| format!("{l}\n")).collect();
-    fs::write(two.join("checkpoint"), seal(kept.into_bytes(), Trainer::Hybrid, 1)).expect("a file");
-    fs::remove_file(two.join("report.html")).expect("a file");
-    study(&two, &["--resume"]).success();
     assert_eq!(text(&two, "cells.csv"), cells);
 
     // The chosen hybrid can be used, and shown beside runs.
@@ -65,18 +55,9 @@ fn threads_and_interruptions_do_not_matter() {
 }
 
 #[test]
-fn a_study_is_not_overwritten_or_mixed_with_another() {
+fn a_study_is_not_overwritten() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     study(folder.path(), &[]).success();
-    let refused = |more: &[&str], says: &str| {
-        let stderr = String::from_utf8(study(folder.path(), more).code(2).get_output().stderr.clone()).expect("text");
-        assert!(stderr.contains(says), "{stderr}");
-    };
-    refused(&[], "or --resume");
-    refused(&["--resume", "--seed", "9"], "another study");
-    let cells = b"tpg,sac\n0,never\n".to_vec();
-    fs::write(folder.path().join("checkpoint"), seal(cells, Trainer::Hybrid, 1)).expect("a file");
-    refused(&["--resume"], "checkpoint: line 2");
-    fs::write(folder.path().join("checkpoint"), "tpg,sac\n0,never\n").expect("a file");
-    refused(&["--resume"], "there is no previous one");
+    let stderr = String::from_utf8(study(folder.path(), &[]).code(2).get_output().stderr.clone()).expect("text");
+    assert!(stderr.contains("an empty folder"), "{stderr}");
 }

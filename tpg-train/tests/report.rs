@@ -70,7 +70,7 @@ fn a_report_shows_every_run_and_is_the_same_wherever_the_runs_are() {
 }
 
 #[test]
-fn a_report_of_another_problem_has_a_headline_formulas_units_and_episodes() {
+fn a_report_of_another_problem_has_a_headline_formulas_and_units() {
     let place = tempfile::tempdir().expect("a temporary folder");
     let (run, file) = (place.path().join("pole"), place.path().join("report.html"));
     evolve(&run, "cartpole", "1..2");
@@ -86,10 +86,7 @@ fn a_report_of_another_problem_has_a_headline_formulas_units_and_episodes() {
         "Evolution: cartpole",
         "Policy of ",
         "theta in rad",
-        ">omega, rad/s<",
         "the root: the highest bid wins",
-        "what the policy does",
-        ">left</",
     ] {
         assert!(html.contains(part), "{part} is missing");
     }

@@ -37,7 +37,7 @@ fn train(folder: &Path, more: &[&str]) -> std::process::Command {
 
 /// Everything but the times.
 fn results(folder: &Path) -> Vec<Vec<u8>> {
-    ["policy.safetensors", "log.csv", "log.jsonl", "checkpoint", "config.toml"]
+    ["policy.safetensors", "log.jsonl", "checkpoint", "config.toml"]
         .map(|name| fs::read(folder.join(name)).unwrap_or_else(|_| panic!("{name} is missing")))
         .to_vec()
 }

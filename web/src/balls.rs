@@ -2,9 +2,10 @@
 
 use crate::arm::points;
 use std::array;
-use tpg_arm::dodge::{Behaviour, Body, Dodger, DodgerSettings, SCOUT, WIDOWX_RADII};
-use tpg_arm::{JOINTS, Pose, WIDOWX};
+use tpg_arm::dodge::{Behaviour, Dodger, DodgerSettings, SCOUT};
+use tpg_arm::{JOINTS, Pose};
 use tpg_generated::dodge::Dodge;
+use tpg_problems::dodge::BODY;
 use tpg_problems::dodge::episode::{End, Episode};
 use tpg_problems::dodge::scene::{Path, Scene};
 use tpg_runtime::policy::{ActionId, Policy};
@@ -19,8 +20,6 @@ pub const GOALS: usize = 4;
 pub const NUMBERS: usize = JOINTS + 3 + 1 + GOALS * JOINTS + 1 + BALLS * BALL;
 /// Numbers of a ball: both ends, radius, period, phase, 1 for a sine.
 const BALL: usize = 10;
-
-static BODY: Body = Body::new(WIDOWX.to_f32(), WIDOWX_RADII);
 
 /// An arm among balls as a page reads it; the same layout in JavaScript.
 #[repr(C)]

@@ -2,8 +2,6 @@
 //!
 //! The dynamics are those of `tpg-problems`, which training and evaluation step, too.
 
-use crate::bids;
-use crate::decision::{Bids, Decision, MOST};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Act, SourceSet};
 use tpg_generated::{cartpole::Cartpole, mountain_car::MountainCar as CarPolicy, pendulum::Pendulum as PendulumPolicy};
@@ -26,18 +24,12 @@ pub struct View {
     pub score: f64,
     /// The sum of rewards of the last whole episode; NaN before there is one.
     pub last_score: f64,
-    /// The bids of the last decision, team after team.
-    pub bids: [f32; MOST],
-    /// The winning edges of the last decision; −1 behind the end.
-    pub way: [i32; MOST],
-    /// The action or leaf that the decision led to.
-    pub end: u32,
+    /// What the policy saw at the last action, from which the page computes the bids.
+    pub seen: [f32; STATE],
     /// Actions since the last time limit.
     pub actions: u32,
     /// 1 where the episode has ended: fallen, or at the goal.
     pub ended: u32,
-    /// 8 bytes a row in JavaScript, too.
-    pub padding: u32,
 }
 
 /// A policy's answer as an action of an environment.
@@ -82,7 +74,6 @@ pub trait Rig {
 struct Driven<E: Adjustable<f32>, P, const N: usize> {
     environment: E,
     policy: P,
-    bids: &'static Bids,
     physics: E::Physics,
     /// The constants that a page may change, in its order.
     constants: fn(&mut E::Physics) -> [&mut f64; 2],
@@ -94,28 +85,19 @@ impl<E, P, const N: usize> Driven<E, P, N>
 where
     E: Adjustable<f32, Task: AsRef<[f64]> + AsMut<[f64]>>,
 {
-    fn new(
-        environment: E,
-        policy: P,
-        bids: &'static Bids,
-        physics: E::Physics,
-        constants: fn(&mut E::Physics) -> [&mut f64; 2],
-    ) -> Self {
+    fn new(environment: E, policy: P, physics: E::Physics, constants: fn(&mut E::Physics) -> [&mut f64; 2]) -> Self {
         let task = environment.draw(&mut Stream::new(1, 0, Purpose::Test, 0));
         let view = View {
             state: [0.0; STATE],
             action: 0.0,
             score: 0.0,
             last_score: f64::NAN,
-            bids: [0.0; MOST],
-            way: [-1; MOST],
-            end: 0,
+            seen: [0.0; STATE],
             actions: 0,
             ended: 0,
-            padding: 0,
         };
         let episode = environment.start(&task);
-        let mut driven = Self { environment, policy, bids, physics, constants, episode, view };
+        let mut driven = Self { environment, policy, physics, constants, episode, view };
         driven.show();
         driven
     }
@@ -146,10 +128,10 @@ where
         let mut seen = [0.0; N];
         self.environment.observe(&mut self.episode, SourceSet::ALL, &mut seen);
         let answer = self.policy.decide(&seen);
-        let Decision { bids, way, end } = self.bids.decide(&seen);
         let step = self.environment.step_under(&self.physics, &mut self.episode, answer.act());
         let view = &mut self.view;
-        (view.bids, view.way, view.end, view.action) = (bids, way, u32::from(end), answer.number());
+        view.seen[..N].copy_from_slice(&seen);
+        view.action = answer.number();
         view.score += step.reward;
         view.actions += 1;
         view.ended = u32::from(step.end.is_some());
@@ -188,22 +170,14 @@ where
 /// The problems in the page's order, each with the constants that a page may change.
 pub fn rigs() -> [Box<dyn Rig>; 3] {
     [
-        Box::new(Driven::<_, _, 4>::new(CartPole, Cartpole, &bids::CARTPOLE, cartpole::Physics::STANDARD, |physics| {
+        Box::new(Driven::<_, _, 4>::new(CartPole, Cartpole, cartpole::Physics::STANDARD, |physics| {
             [&mut physics.length, &mut physics.force]
         })),
-        Box::new(Driven::<_, _, 3>::new(
-            Pendulum,
-            PendulumPolicy,
-            &bids::PENDULUM,
-            pendulum::Physics::STANDARD,
-            |physics| [&mut physics.mass, &mut physics.length],
-        )),
-        Box::new(Driven::<_, _, 2>::new(
-            MountainCar,
-            CarPolicy,
-            &bids::MOUNTAIN_CAR,
-            mountain_car::Physics::STANDARD,
-            |physics| [&mut physics.force, &mut physics.slope],
-        )),
+        Box::new(Driven::<_, _, 3>::new(Pendulum, PendulumPolicy, pendulum::Physics::STANDARD, |physics| {
+            [&mut physics.mass, &mut physics.length]
+        })),
+        Box::new(Driven::<_, _, 2>::new(MountainCar, CarPolicy, mountain_car::Physics::STANDARD, |physics| {
+            [&mut physics.force, &mut physics.slope]
+        })),
     ]
 }

@@ -10,15 +10,11 @@
 //! | [`arm`] | four arms with one target: the hybrid's, the graph's, the network's, a classical planner's |
 //! | [`balls`] | two arms among moving balls: the shipped policy's, and one that walks straight |
 //! | [`control`] | CartPole, Pendulum and MountainCar, driven by their generated code |
-//! | [`decision`] | the bids behind a decision, and the teams that it went through |
-//! | [`bids`] | the bids of the three policies as tables; written by `tpg-page bids` |
 //! | [`exports`] | the functions that a page calls |
 
 pub mod arm;
 pub mod balls;
-pub mod bids;
 pub mod control;
-pub mod decision;
 pub mod exports;
 
 /// The page's allocator: less code than the standard one, for the one thread of a page.

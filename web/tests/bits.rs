@@ -57,8 +57,8 @@ fn a_thousand_targets_give_the_poses_of_native_code() {
 }
 
 #[test]
-fn the_way_that_is_lit_ends_at_the_action_of_the_arm() {
-    let Some(folder) = page("the arm's decisions under Node", &["node"]) else { return };
+fn the_way_that_is_lit_ends_at_the_action_that_is_taken() {
+    let Some(folder) = page("the decisions under Node", &["node"]) else { return };
     print!("{}", node("decision.mjs", &folder, &targets()[..40]));
 }
 

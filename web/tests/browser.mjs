@@ -166,7 +166,7 @@ async function balls(tab) {
 async function problems(tab) {
   for (let number = 0; number < 3; number++) {
     await tab.locator(".problem canvas").nth(number).scrollIntoViewIfNeeded();
-    await tab.waitForFunction(number => page.controls[number].now.way.length > 0, number);
+    await tab.waitForFunction(number => page.controls[number].decision !== null, number);
   }
   for (let number = 0; number < 3; number++) {
     const lit = await tab.locator(".problem").nth(number).locator(".bid.lit").count();

@@ -1,4 +1,5 @@
-// node decision.mjs PAGE TARGETS GRAPH: the graph's arm goes to every target; each action is the one that the page would light.
+// node decision.mjs PAGE TARGETS GRAPH: the graph's arm goes to every target, and each problem acts through a hundred episodes;
+// each action is the one that the page would light.
 
 import { readFile } from "node:fs/promises";
 import { pathToFileURL } from "node:url";
@@ -6,8 +7,8 @@ import assert from "node:assert/strict";
 
 const [page, targets, graph] = process.argv.slice(2);
 const [{ wrap, REACHED }, { decide }] = await Promise.all(["module.js", "decision.js"].map(file => import(pathToFileURL(`${page}/${file}`))));
-const { arms } = wrap((await WebAssembly.instantiate(await readFile(`${page}/tpg_web.wasm`), {})).instance.exports);
-const { table } = JSON.parse(await readFile(`${page}/data.json`, "utf8")).arm;
+const { arms, problems } = wrap((await WebAssembly.instantiate(await readFile(`${page}/tpg_web.wasm`), {})).instance.exports);
+const { arm: { table }, problems: tables } = JSON.parse(await readFile(`${page}/data.json`, "utf8"));
 const moves = JSON.parse(await readFile(graph, "utf8")).actions.map(({ move }) => move);
 
 const GRAPH = 1, ends = new Set(), lengths = new Set();
@@ -26,4 +27,20 @@ for (const target of JSON.parse(await readFile(targets, "utf8"))) {
   }
 }
 assert.ok(ends.size === moves.length && lengths.size > 3, "a test that sees every action and ways of many lengths");
+
+problems.forEach((problem, number) => {
+  const lit = new Set(), { title } = tables[number];
+  for (let seed = 0; seed < 100; seed++) {
+    problem.restart(seed);
+    for (let step = 0; step < 200 && !problem.view().ended; step++) {
+      problem.act();
+      const { seen, action } = problem.view(), { end } = decide(tables[number].table, seen);
+      // The pendulum's ends are its leaves, whose torques are not in the table.
+      if (title !== "Pendulum") assert.equal(end, action, `${title}: ${seen}`);
+      lit.add(end);
+      actions++;
+    }
+  }
+  assert.ok(lit.size > 1, `${title}: a test that sees more than one end`);
+});
 console.log(`${actions} actions are those that the page lights`);

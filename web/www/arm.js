@@ -184,7 +184,7 @@ export class ArmView {
     const ways = all.flatMap(({ id, bids }) => bids.map(({ to }) => [id, to.replaceAll("_", " ")]));
     this.decision = decision;
     decider.textContent = [...decision.way.map(edge => `team ${ways[edge][0]}`), ways[decision.way.at(-1)][1]].join(" → ");
-    this.formulas.show({ ...decision, actions: 1 });
+    this.formulas.show(decision);
   }
 
   tellCard({ state, numbers }, arm) {

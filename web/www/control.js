@@ -1,5 +1,6 @@
 // CartPole, Pendulum and MountainCar: drawn from the state, pushed by buttons. No dynamics here: those are the module's.
 
+import { decide } from "./decision.js";
 import { Formulas } from "./formulas.js";
 
 /** The page's additions to each problem: its rhythm, its pushes, its sliders, its drawing. */
@@ -26,7 +27,7 @@ const PROBLEMS = [
 
 export class Control {
   constructor(parent, module, data, number, colours, still) {
-    Object.assign(this, { module, data, colours, owed: 0, seed: 1, running: !still, rest: 0 }, PROBLEMS[number]);
+    Object.assign(this, { module, data, colours, owed: 0, seed: 1, running: !still, rest: 0, decision: null }, PROBLEMS[number]);
     this.values = this.sliders.map(([, value]) => value);
     const article = document.createElement("article");
     article.className = "problem";
@@ -101,7 +102,8 @@ export class Control {
     this.before = this.now;
     this.module.act();
     this.now = this.module.view();
-    this.formulas.show(this.now);
+    this.decision = decide(this.data.table, this.now.seen);
+    this.formulas.show(this.decision);
     this.dirty = true;
   }
 
@@ -136,7 +138,7 @@ export class Control {
     g.setTransform(ratio, 0, 0, ratio, 0, 0);
     g.clearRect(0, 0, width, height);
     g.lineCap = g.lineJoin = "round";
-    this.draw(g, colours, { width, height, state, action: this.now.action, values: this.values, acted: this.now.way.length > 0 });
+    this.draw(g, colours, { width, height, state, action: this.now.action, values: this.values, acted: this.decision !== null });
   }
 }
 

@@ -1,4 +1,4 @@
-// The decision of the arm's graph: each bid computed from the graph's table, in 32-bit floats as the generated code does.
+// The decision of a graph: each bid computed from the graph's table, in 32-bit floats as the generated code does.
 // A test holds that the action which the highest bids lead to is the one that the module takes.
 
 const OPERATIONS = {
@@ -12,7 +12,7 @@ const OPERATIONS = {
   max: (a, b) => a > b ? a : b,
 };
 
-/** Computes every bid at a state, and follows the highest, of equal ones the last, from the root to an action. */
+/** Computes every bid at a state, and follows the highest, of equal ones the last, from the root to an action or a leaf. */
 export function decide({ values, teams }, state) {
   const known = [];
   for (const value of values) {

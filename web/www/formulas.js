@@ -64,7 +64,7 @@ export class Formulas {
     }
   }
 
-  show({ bids, way, end, actions }) {
+  show({ bids, way, end }) {
     const lit = new Set(way);
     const shown = new Set(way.map(edge => this.bids[edge].group));
     if (this.along) {
@@ -74,8 +74,8 @@ export class Formulas {
     this.bids.forEach(({ element, value, group }, edge) => {
       element.classList.toggle("lit", lit.has(edge));
       if (this.along && !shown.has(group)) return;
-      value.textContent = actions || way.length ? bidText(bids[edge]) : "";
+      value.textContent = bidText(bids[edge]);
     });
-    for (const { number, element } of this.leaves) element.classList.toggle("lit", way.length > 0 && number === end);
+    for (const { number, element } of this.leaves) element.classList.toggle("lit", number === end);
   }
 }

@@ -3,7 +3,6 @@
 export const ARMS = ["hybrid", "graph", "network", "planner"];
 export const STATES = ["graph", "network", "planner", "reached", "stop", "cycle", "joint limit", "collision", "time limit"];
 export const REACHED = 3;
-const MOST = 64;
 
 export async function load(url) {
   const answer = await fetch(url);
@@ -57,14 +56,12 @@ export function wrap(exports) {
     push: (value, by) => exports.tpg_control_push(number, value, by),
     set: (constant, to) => exports.tpg_control_set(number, constant, to),
     view() {
-      const data = at(exports.tpg_control_view(number), 584), double = offset => data.getFloat64(offset, true);
-      const list = (offset, get) => Array.from({ length: MOST }, (_, index) => get(offset + 4 * index));
+      const data = at(exports.tpg_control_view(number), 80), double = offset => data.getFloat64(offset, true);
       return {
         state: [0, 8, 16, 24].map(double),
         action: double(32), score: double(40), lastScore: double(48),
-        bids: list(56, offset => data.getFloat32(offset, true)),
-        way: list(312, offset => data.getInt32(offset, true)).filter(edge => edge >= 0),
-        end: data.getUint32(568, true), actions: data.getUint32(572, true), ended: data.getUint32(576, true) === 1,
+        seen: [56, 60, 64, 68].map(offset => data.getFloat32(offset, true)),
+        actions: data.getUint32(72, true), ended: data.getUint32(76, true) === 1,
       };
     },
   });

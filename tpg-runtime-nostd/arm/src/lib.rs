@@ -52,6 +52,7 @@ pub mod episode;
 pub mod frame;
 pub mod hybrid;
 pub mod kinematics;
+mod named;
 pub mod observation;
 pub mod sac;
 pub mod sensors;

@@ -1,12 +1,13 @@
 //! The Adam optimiser (Kingma and Ba 2015), as PyTorch computes it: β = (0.9, 0.999), ε = 1e-8.
 
 use super::vectors::vectorised;
+use serde::{Deserialize, Serialize};
 
 const BETA: [f64; 2] = [0.9, 0.999];
 const EPSILON: f32 = 1e-8;
 
 /// Adam's state for one vector of parameters.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Adam {
     steps: u64,
     mean: Vec<f32>,
@@ -19,9 +20,9 @@ impl Adam {
         Self { steps: 0, mean: vec![0.0; parameters], square: vec![0.0; parameters] }
     }
 
-    /// Returns the number of steps, the running mean of the gradient and that of its square.
-    pub fn state_mut(&mut self) -> (&mut u64, &mut [f32], &mut [f32]) {
-        (&mut self.steps, &mut self.mean, &mut self.square)
+    /// True if another is for as many parameters.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        [other.mean.len(), other.square.len()] == [self.mean.len(); 2]
     }
 
     /// Takes one step of gradient descent.
@@ -30,7 +31,7 @@ impl Adam {
     /// If `parameters` or `gradient` differs in length from the optimiser's state.
     pub fn step(&mut self, parameters: &mut [f32], gradient: &[f32], rate: f64) {
         assert!(parameters.len() == self.mean.len() && gradient.len() == self.mean.len(), "another parameter vector");
-        self.steps += 1;
+        self.steps = self.steps.saturating_add(1);
         let steps = self.steps as f64;
         let [correction, square_correction] = BETA.map(|beta| 1.0 - libm::pow(beta, steps));
         let (rate, root) = ((rate / correction) as f32, (1.0 / square_correction.sqrt()) as f32);

@@ -56,7 +56,7 @@ pub struct UpdateFigures {
 }
 
 /// A parameter vector with its optimiser.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Learner {
     /// The network.
     pub network: Mlp,
@@ -70,13 +70,17 @@ impl Learner {
         Self { network, adam }
     }
 
+    fn is_like(&self, other: &Self) -> bool {
+        self.network.is_like(&other.network) && self.adam.is_like(&other.adam)
+    }
+
     fn descend(&mut self, gradient: &[f32], rate: f64) {
         self.adam.step(self.network.parameters_mut(), gradient, rate);
     }
 }
 
 /// Everything that learns.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Agent {
     /// Outputs a [`Gaussian`] over actions.
     pub actor: Learner,
@@ -258,18 +262,13 @@ impl Agent {
         f64::from(loss * share)
     }
 
-    /// Returns all that learning changes: the optimisers' numbers of steps, and every vector of numbers, in a fixed order.
-    pub fn state_mut(&mut self) -> (Vec<&mut u64>, Vec<&mut [f32]>) {
-        let (mut counts, mut numbers) = (Vec::new(), vec![std::slice::from_mut(&mut self.log_alpha)]);
-        let learners = [&mut self.actor].into_iter().chain(&mut self.critics);
-        let optimisers = learners.map(|learner| (Some(&mut learner.network), &mut learner.adam));
-        for (network, adam) in optimisers.chain([(None, &mut self.alpha_adam)]) {
-            let (steps, mean, square) = adam.state_mut();
-            counts.push(steps);
-            numbers.extend(network.map(Mlp::parameters_mut).into_iter().chain([mean, square]));
-        }
-        numbers.extend(self.slow.iter_mut().map(Mlp::parameters_mut));
-        (counts, numbers)
+    /// True if another has networks of the same shapes, each with its optimiser.
+    pub fn is_like(&self, other: &Self) -> bool {
+        self.gaussian == other.gaussian
+            && self.actor.is_like(&other.actor)
+            && self.critics.iter().zip(&other.critics).all(|(critic, other)| critic.is_like(other))
+            && self.slow.iter().zip(&other.slow).all(|(slow, other)| slow.is_like(other))
+            && self.alpha_adam.is_like(&other.alpha_adam)
     }
 
     /// Returns the distribution that the actor's outputs parameterise.

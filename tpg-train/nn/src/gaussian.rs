@@ -8,11 +8,13 @@
 //!
 //! The last term is computed as 2·(ln 2 − u − softplus(−2u)), which does not overflow.
 
+use serde::{Deserialize, Serialize};
+
 /// The range of an actor's ln σ.
 const LOG_SIGMA: [f32; 2] = [-5.0, 2.0];
 
 /// The distribution defined by an actor with `2·actions` outputs: means first, then ln σ, clipped to −5..2.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Gaussian {
     /// Number of action components.
     pub actions: usize,

@@ -16,7 +16,7 @@ pub struct Shape {
 }
 
 /// Offsets of one layer's parameters in the flat vector.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 struct MlpLayer {
     inputs: usize,
     outputs: usize,
@@ -57,7 +57,7 @@ impl Shape {
 }
 
 /// A network: its shape and its parameters. Each layer has weights (column-major, outputs × inputs) and a bias.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Mlp {
     shape: Shape,
     layers: Vec<MlpLayer>,
@@ -126,6 +126,12 @@ impl Mlp {
     /// Creates a network from given parameters; `None` if their number does not match the shape.
     pub fn from_parameters(shape: Shape, parameters: Vec<f32>) -> Option<Self> {
         (parameters.len() == shape.parameters()).then(|| Self { layers: shape.layers(), shape, parameters })
+    }
+
+    /// True if another is of the same shape.
+    pub fn is_like(&self, other: &Self) -> bool {
+        let sizes = |network: &Self| (network.shape.clone(), network.layers.clone(), network.parameters.len());
+        sizes(self) == sizes(other)
     }
 
     /// Returns the shape.

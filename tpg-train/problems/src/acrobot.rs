@@ -1,14 +1,13 @@
 //! Gymnasium's Acrobot-v1: swing two links up by a motor at the joint between them.
 
-mod lanes;
-
-use crate::eights::Eights;
+use crate::circle::sincos;
+use crate::eights::{ByEight, Eights, observe_one, step_one};
 use crate::physics::physics;
 use crate::source;
 use crate::varied::{Adjustable, Settings};
 use core::f64::consts::PI;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, End, Environment, Episodes, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, Environment, Episodes, SourceSet, Step};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -62,15 +61,12 @@ type State = [f64; 4];
 
 /// A running episode: both angles, rad, and angular velocities, rad/s; the sines and then the cosines of both angles, which an
 /// observation and a step read.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Links(pub(crate) [f64; 8]);
+type Links = [f64; 8];
 
-impl Links {
-    pub(crate) fn new([angle_1, angle_2, omega_1, omega_2]: State) -> Self {
-        // The crate libm instead of the platform's: the same results on every machine.
-        let [(sin_1, cos_1), (sin_2, cos_2)] = [angle_1, angle_2].map(libm::sincos);
-        Self([angle_1, angle_2, omega_1, omega_2, sin_1, sin_2, cos_1, cos_2])
-    }
+fn links([angle_1, angle_2, omega_1, omega_2]: State) -> Links {
+    // The crate libm instead of the platform's: the same results on every machine.
+    let [(sin_1, cos_1), (sin_2, cos_2)] = [angle_1, angle_2].map(libm::sincos);
+    [angle_1, angle_2, omega_1, omega_2, sin_1, sin_2, cos_1, cos_2]
 }
 
 impl<S: Scalar> Environment<S> for Acrobot {
@@ -105,13 +101,11 @@ impl<S: Scalar> Environment<S> for Acrobot {
     }
 
     fn start(&self, task: &State) -> Links {
-        Links::new(*task)
+        links(*task)
     }
 
     fn observe(&self, links: &mut Links, _wanted: SourceSet, values: &mut [S]) {
-        let [_, _, omega_1, omega_2, sin_1, sin_2, cos_1, cos_2] = links.0;
-        let state = [cos_1, sin_1, cos_2, sin_2, omega_1, omega_2];
-        values.iter_mut().zip(state).for_each(|(slot, value)| *slot = S::from_f64(f64::from(value as f32)));
+        observe_one::<S, Self, 8>(links, values);
     }
 
     fn step(&self, links: &mut Links, act: Act<'_, S>) -> Step {
@@ -128,51 +122,41 @@ impl<S: Scalar> Adjustable<S> for Acrobot {
 
     const REST: u16 = 1;
 
-    #[inline]
     fn step_under(&self, physics: &Physics, links: &mut Links, act: Act<'_, S>) -> Step {
-        let torque = act.choice().min(2) as f64 - 1.0;
-        let mut numbers = links.0.map(|number| [number]);
-        let [is_up] = moved::<1, One>(physics, &mut numbers, &[torque]);
-        *links = Links(numbers.map(|[number]| number));
-        if is_up { Step::reward(0.0).ending(End::new(0)) } else { Step::reward(-1.0) }
+        step_one::<S, Self, 8>(physics, links, act)
     }
 }
 
-/// What moving `L` pairs of links at once needs of angles: with the same bits whatever `L` is. Functions must be `#[inline(always)]`.
-trait Angles<const L: usize> {
-    /// Wraps angles to −π..π; one within it stays as it is.
-    fn wrap(angles: &mut [f64; L]);
-
-    /// Returns their sines and cosines.
-    fn sincos(angles: &[f64; L]) -> [[f64; L]; 2];
-}
-
-/// The angle of one pair of links.
-struct One;
-
-impl Angles<1> for One {
-    #[inline(always)]
-    fn wrap([angle]: &mut [f64; 1]) {
-        *angle = wrapped(*angle);
-    }
+impl ByEight<8> for Acrobot {
+    type Physics = Physics;
+    const STANDARD: Physics = Physics::STANDARD;
+    const OBSERVED: &[usize] = &[6, 4, 7, 5, 2, 3];
+    const ROUNDS: bool = true;
 
     #[inline(always)]
-    fn sincos(&[angle]: &[f64; 1]) -> [[f64; 1]; 2] {
-        // The crate libm instead of the platform's: the same results on every machine.
-        let (sine, cosine) = libm::sincos(angle);
-        [[sine], [cosine]]
+    fn step_many<const L: usize>(
+        physics: &Physics,
+        numbers: &mut [[f64; L]; 8],
+        acts: &[f64; L],
+        rewards: &mut [f64; L],
+        ended: &mut [bool; L],
+    ) {
+        let mut torques = *acts;
+        torques.iter_mut().for_each(|torque| *torque -= 1.0);
+        *ended = moved(physics, numbers, &torques);
+        rewards.iter_mut().zip(ended).for_each(|(reward, ended)| *reward = if *ended { 0.0 } else { -1.0 });
     }
 }
 
 /// Moves `L` pairs of links for one action, a step of the classical Runge–Kutta method; returns which have come up.
 #[inline(always)]
-fn moved<const L: usize, A: Angles<L>>(physics: &Physics, links: &mut [[f64; L]; 8], torques: &[f64; L]) -> [bool; L] {
+fn moved<const L: usize>(physics: &Physics, links: &mut [[f64; L]; 8], torques: &[f64; L]) -> [bool; L] {
     let [angle_1, angle_2, omega_1, omega_2, _, sin_2, _, cos_2] = *links;
     let start = [angle_1, angle_2, omega_1, omega_2];
-    let first = slopes::<L, A>(physics, &start, &[sin_2, cos_2], torques);
-    let second = slopes_after::<L, A>(physics, &start, STEP / 2.0, &first, torques);
-    let third = slopes_after::<L, A>(physics, &start, STEP / 2.0, &second, torques);
-    let fourth = slopes_after::<L, A>(physics, &start, STEP, &third, torques);
+    let first = slopes(physics, &start, &[sin_2, cos_2], torques);
+    let second = slopes_after(physics, &start, STEP / 2.0, &first, torques);
+    let third = slopes_after(physics, &start, STEP / 2.0, &second, torques);
+    let fourth = slopes_after(physics, &start, STEP, &third, torques);
     let mut end = start;
     for (place, values) in end.iter_mut().enumerate() {
         for (lane, value) in values.iter_mut().enumerate() {
@@ -181,16 +165,16 @@ fn moved<const L: usize, A: Angles<L>>(physics: &Physics, links: &mut [[f64; L];
         }
     }
     let [mut angle_1, mut angle_2, mut omega_1, mut omega_2] = end;
-    A::wrap(&mut angle_1);
-    A::wrap(&mut angle_2);
+    wrap(&mut angle_1);
+    wrap(&mut angle_2);
     for (omegas, fastest) in [&mut omega_1, &mut omega_2].into_iter().zip(FASTEST) {
         omegas.iter_mut().for_each(|omega| *omega = omega.clamp(-fastest, fastest));
     }
-    let ([sin_1, cos_1], [sin_2, cos_2]) = (A::sincos(&angle_1), A::sincos(&angle_2));
+    let ([sin_1, cos_1], [sin_2, cos_2]) = (sincos(&angle_1), sincos(&angle_2));
     *links = [angle_1, angle_2, omega_1, omega_2, sin_1, sin_2, cos_1, cos_2];
     let mut angle_12 = angle_2;
     angle_12.iter_mut().zip(&angle_1).for_each(|(angle, angle_1)| *angle += angle_1);
-    let [_, cos_12] = A::sincos(&angle_12);
+    let [_, cos_12] = sincos(&angle_12);
     let mut are_up = [false; L];
     for (lane, is_up) in are_up.iter_mut().enumerate() {
         *is_up = -cos_1[lane] - cos_12[lane] > 1.0;
@@ -200,7 +184,7 @@ fn moved<const L: usize, A: Angles<L>>(physics: &Physics, links: &mut [[f64; L];
 
 /// Returns the derivatives of states that have followed the given derivatives for some seconds.
 #[inline(always)]
-fn slopes_after<const L: usize, A: Angles<L>>(
+fn slopes_after<const L: usize>(
     physics: &Physics,
     start: &[[f64; L]; 4],
     seconds: f64,
@@ -211,12 +195,12 @@ fn slopes_after<const L: usize, A: Angles<L>>(
     for (values, slopes) in states.iter_mut().zip(slopes_before) {
         values.iter_mut().zip(slopes).for_each(|(value, slope)| *value += seconds * slope);
     }
-    slopes::<L, A>(physics, &states, &A::sincos(&states[1]), torques)
+    slopes(physics, &states, &sincos(&states[1]), torques)
 }
 
 /// Returns the derivatives of states, with sines and cosines of the second angles.
 #[inline(always)]
-fn slopes<const L: usize, A: Angles<L>>(
+fn slopes<const L: usize>(
     physics: &Physics,
     [angle_1, angle_2, omega_1, omega_2]: &[[f64; L]; 4],
     [sin_2, cos_2]: &[[f64; L]; 2],
@@ -227,7 +211,7 @@ fn slopes<const L: usize, A: Angles<L>>(
         *behind_1 -= PI / 2.0;
         *behind_12 = angle_1[lane] + angle_2[lane] - PI / 2.0;
     }
-    let ([_, cos_1], [_, cos_12]) = (A::sincos(&behind_1), A::sincos(&behind_12));
+    let ([_, cos_1], [_, cos_12]) = (sincos(&behind_1), sincos(&behind_12));
     let mut faster = [[0.0; L]; 2];
     for lane in 0..L {
         let (omegas, circle_2) = ([omega_1[lane], omega_2[lane]], [sin_2[lane], cos_2[lane]]);
@@ -265,7 +249,23 @@ fn accelerations(
     [faster_1, faster_2]
 }
 
-/// Wraps an angle to −π..π; an angle within it stays as it is.
+/// Wraps angles to −π..π; one within it stays as it is.
+#[inline(always)]
+fn wrap<const L: usize>(angles: &mut [f64; L]) {
+    let (far, mut any_is_far) = (*angles, false);
+    for angle in &mut *angles {
+        let (less, more) = (*angle - 2.0 * PI, *angle + 2.0 * PI);
+        *angle = if *angle > PI { less } else { *angle };
+        *angle = if *angle < -PI { more } else { *angle };
+        any_is_far |= (*angle > PI) | (*angle < -PI);
+    }
+    // Few are further away than one turn.
+    if any_is_far {
+        angles.iter_mut().zip(far).for_each(|(angle, far)| *angle = wrapped(far));
+    }
+}
+
+/// Wraps an angle as [`wrap`] does, however far it is.
 fn wrapped(mut angle: f64) -> f64 {
     while angle > PI {
         angle -= 2.0 * PI;
@@ -278,9 +278,11 @@ fn wrapped(mut angle: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Acrobot, Links, Physics, accelerations, wrapped};
+    use super::{Acrobot, Physics, accelerations, links, wrap, wrapped};
+    use crate::tests::lanes::{policy, same_as_one_by_one};
     use core::f64::consts::PI;
-    use tpg_engine::{Act, Environment};
+    use tpg_engine::{Act, Environment, Operand};
+    use tpg_runtime::ops::Instruction;
     use tpg_runtime::policy::ActionId;
 
     /// Hanging: the lower link straight below the upper one, both cosines of a quarter of a turn.
@@ -309,8 +311,32 @@ mod tests {
 
     #[test]
     fn upright_is_the_end() {
-        let mut links = Links::new([PI - 0.01, 0.0, 0.0, 0.0]);
-        let step = Environment::<f64>::step(&Acrobot, &mut links, Act::Choice(ActionId(1)));
+        let mut upright = links([PI - 0.01, 0.0, 0.0, 0.0]);
+        let step = Environment::<f64>::step(&Acrobot, &mut upright, Act::Choice(ActionId(1)));
         assert!(step.reward == 0.0 && step.end.is_some_and(|end| end.outcome == 0));
+    }
+
+    #[test]
+    fn eight_angles_are_wrapped_as_one() {
+        let turns = (-9..=9).map(|half| f64::from(half) * PI);
+        let near = |angle: f64| (0..50).map(move |bit| f64::from_bits(angle.to_bits() ^ 1 << bit));
+        let angles: Vec<f64> = turns.flat_map(near).chain((-900..900).map(|step| f64::from(step) * 0.0137)).collect();
+        for eight in angles.as_chunks::<8>().0.iter().chain(&[[f64::NAN, 0.0, -0.0, 1.0, -1.0, 4.0, -4.0, 0.5]]) {
+            let bits = |angles: [f64; 8]| angles.map(|angle| if angle.is_nan() { 0 } else { angle.to_bits() });
+            let mut near = *eight;
+            wrap(&mut near);
+            assert_eq!(bits(near), bits(eight.map(wrapped)), "{eight:?}");
+        }
+    }
+
+    #[test]
+    fn eight_pairs_swing_as_one() {
+        let [sin_2, omega_1, omega_2] = [3, 4, 5].map(Operand::Input);
+        let mut ends = Vec::new();
+        for operands in [[omega_1, omega_2], [omega_2, sin_2], [sin_2, Operand::Constant(0.1)]] {
+            ends.extend(same_as_one_by_one(Acrobot, &policy(Instruction::Sub, operands, 3)));
+        }
+        ends.extend(same_as_one_by_one(Acrobot, &policy(Instruction::Mul, [omega_1, Operand::Constant(1.0)], 3)));
+        assert!(ends.iter().any(|ending| ending.outcome == 0) && ends.iter().any(|ending| ending.outcome == 1));
     }
 }

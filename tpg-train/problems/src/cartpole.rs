@@ -1,13 +1,13 @@
 //! Gymnasium's CartPole-v1: balance a pole on a cart that is pushed to the left or to the right.
 
 use crate::circle::sincos;
-use crate::eights::{ByEight, Eights};
+use crate::eights::{ByEight, Eights, observe_one, step_one};
 use crate::physics::physics;
 use crate::source;
 use crate::varied::{Adjustable, Settings};
 use core::f64::consts::PI;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, End, Environment, Episodes, SourceSet, Step, Training};
+use tpg_engine::{Act, ActionSpace, Environment, Episodes, SourceSet, Step, Training};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -102,7 +102,7 @@ impl<S: Scalar> Environment<S> for CartPole {
     }
 
     fn observe(&self, state: &mut State, _wanted: SourceSet, values: &mut [S]) {
-        values.iter_mut().zip(state).for_each(|(slot, value)| *slot = S::from_f64(*value));
+        observe_one::<S, Self, 4>(state, values);
     }
 
     fn step(&self, state: &mut State, act: Act<'_, S>) -> Step {
@@ -125,32 +125,20 @@ impl<S: Scalar> Adjustable<S> for CartPole {
 
     const REST: u16 = 0;
 
-    #[inline]
     fn step_under(&self, physics: &Physics, state: &mut State, act: Act<'_, S>) -> Step {
-        // The crate libm instead of the platform's: the same results on every machine.
-        let circle = libm::sincos(state[2]);
-        *state = moved(physics, *state, circle, act.choice() == 1);
-        let step = Step::reward(1.0);
-        if is_over(state) { step.ending(End::new(0)) } else { step }
+        step_one::<S, Self, 4>(physics, state, act)
     }
 }
 
 impl ByEight<4> for CartPole {
-    type State = State;
-
+    type Physics = Physics;
+    const STANDARD: Physics = Physics::STANDARD;
     const OBSERVED: &[usize] = &[0, 1, 2, 3];
     const ROUNDS: bool = false;
 
-    fn numbers(state: &State) -> [f64; 4] {
-        *state
-    }
-
-    fn episode(numbers: [f64; 4]) -> State {
-        numbers
-    }
-
     #[inline(always)]
     fn step_many<const L: usize>(
+        physics: &Physics,
         states: &mut [[f64; L]; 4],
         acts: &[f64; L],
         rewards: &mut [f64; L],
@@ -161,7 +149,7 @@ impl ByEight<4> for CartPole {
         let [xs, vs, thetas, omegas] = states;
         for lane in 0..L {
             let (state, circle) = ([xs[lane], vs[lane], thetas[lane], omegas[lane]], (sines[lane], cosines[lane]));
-            let state = moved(&Physics::STANDARD, state, circle, acts[lane] == 1.0);
+            let state = moved(physics, state, circle, acts[lane] == 1.0);
             [xs[lane], vs[lane], thetas[lane], omegas[lane]] = state;
             ended[lane] = is_over(&state);
         }

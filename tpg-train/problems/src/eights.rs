@@ -1,33 +1,59 @@
 //! Episodes that are stepped eight at a time, in a form that compilers turn into vectors.
 
 use fearless_simd::{Level, dispatch};
-use tpg_engine::{Acts, End, Environment, EpisodeResult, Episodes, EvaluationError, SourceSet, View};
+use tpg_engine::{Act, Acts, End, Environment, EpisodeResult, Episodes, EvaluationError, SourceSet, Step, View};
+use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
 /// A problem whose episodes are `N` numbers each, and whose steps are the same operations for all of them and for policies in any
 /// numbers.
 pub(crate) trait ByEight<const N: usize> {
-    /// An episode, as the environment has it.
-    type State;
+    /// The constants of the rules.
+    type Physics;
+    /// Those of the problem itself.
+    const STANDARD: Self::Physics;
     /// Places of the observed values among the numbers.
     const OBSERVED: &[usize];
     /// True if observations are rounded to `f32`, as Gymnasium's are.
     const ROUNDS: bool;
 
-    /// Returns the numbers of an episode.
-    fn numbers(episode: &Self::State) -> [f64; N];
-
-    /// Returns the episode with the given numbers.
-    fn episode(numbers: [f64; N]) -> Self::State;
-
     /// Takes one action in each of `L` episodes: the number of an action, or the value of the output. Writes the rewards, and
     /// which episodes have come to their outcome 0. Must be `#[inline(always)]`.
     fn step_many<const L: usize>(
+        physics: &Self::Physics,
         numbers: &mut [[f64; L]; N],
         acts: &[f64; L],
         rewards: &mut [f64; L],
         ended: &mut [bool; L],
     );
+}
+
+/// Takes an action in one episode.
+#[inline]
+pub(crate) fn step_one<S: Scalar, E: ByEight<N>, const N: usize>(
+    physics: &E::Physics,
+    episode: &mut [f64; N],
+    act: Act<'_, S>,
+) -> Step {
+    let act = match act {
+        Act::Choice(ActionId(action)) => f64::from(action),
+        Act::Values(values) => values[0].to_f64(),
+    };
+    let (mut numbers, mut rewards, mut ended) = (episode.map(|number| [number]), [0.0], [false]);
+    E::step_many(physics, &mut numbers, &[act], &mut rewards, &mut ended);
+    *episode = numbers.map(|[number]| number);
+    let step = Step::reward(rewards[0]);
+    if ended[0] { step.ending(End::new(0)) } else { step }
+}
+
+/// Writes what is observed of an episode.
+pub(crate) fn observe_one<S: Scalar, E: ByEight<N>, const N: usize>(episode: &[f64; N], state: &mut [S]) {
+    state.iter_mut().zip(E::OBSERVED).for_each(|(slot, &place)| *slot = observed::<S, E, N>(episode[place]));
+}
+
+#[inline(always)]
+fn observed<S: Scalar, E: ByEight<N>, const N: usize>(value: f64) -> S {
+    S::from_f64(if E::ROUNDS { f64::from(value as f32) } else { value })
 }
 
 /// The lanes of a problem: with the results of [`OneByOne`](tpg_engine::OneByOne), bit for bit.
@@ -75,7 +101,7 @@ impl<const N: usize> Eight<N> {
             to.copy_from_slice(&from[..L]);
         }
         let (mut rewards, mut ended) = ([0.0; L], [false; L]);
-        E::step_many(&mut numbers, &first, &mut rewards, &mut ended);
+        E::step_many(&E::STANDARD, &mut numbers, &first, &mut rewards, &mut ended);
         for (to, from) in self.numbers.iter_mut().zip(&numbers) {
             to[..L].copy_from_slice(from);
         }
@@ -104,7 +130,7 @@ impl<'e, E, const N: usize> Eights<'e, E, N> {
     /// Returns how a lane's episode has ended, if it has.
     fn ending<S: Scalar>(&self, lane: usize) -> Option<EpisodeResult>
     where
-        E: ByEight<N> + Environment<S, Episode = <E as ByEight<N>>::State>,
+        E: ByEight<N> + Environment<S, Episode = [f64; N]>,
     {
         let Eight { ended, actions, .. } = &self.eights[lane / 8];
         if !ended[lane % 8] && actions[lane % 8] < self.limit {
@@ -112,7 +138,7 @@ impl<'e, E, const N: usize> Eights<'e, E, N> {
         }
         let (numbers, score, actions) = self.eights[lane / 8].get(lane % 8);
         let End { outcome, success, measure, .. } =
-            if ended[lane % 8] { End::new(0) } else { self.environment.timeout(&E::episode(numbers)) };
+            if ended[lane % 8] { End::new(0) } else { self.environment.timeout(&numbers) };
         Some(EpisodeResult { outcome, success, score, measure, actions })
     }
 }
@@ -134,12 +160,12 @@ fn step_all<E: ByEight<N>, const N: usize>(eights: &mut [Eight<N>], acts: &[f64]
 
 impl<S: Scalar, E, const N: usize> Episodes<S, E::Task> for Eights<'_, E, N>
 where
-    E: ByEight<N> + Environment<S, Episode = <E as ByEight<N>>::State>,
+    E: ByEight<N> + Environment<S, Episode = [f64; N]>,
 {
     fn begin(&mut self, lane: usize, task: &E::Task) -> Result<(), EvaluationError> {
         self.lanes = self.lanes.max(lane + 1);
         self.eights.resize_with(self.lanes.div_ceil(8), Eight::new);
-        self.eights[lane / 8].set(lane % 8, (E::numbers(&self.environment.start(task)), 0.0, 0));
+        self.eights[lane / 8].set(lane % 8, (self.environment.start(task), 0.0, 0));
         Ok(())
     }
 
@@ -159,7 +185,7 @@ where
             let Some(column) = view.column(input) else { continue };
             for (slots, eight) in column.as_flattened_mut().chunks_exact_mut(8).zip(&self.eights) {
                 for (slot, &value) in slots.iter_mut().zip(&eight.numbers[place]) {
-                    *slot = S::from_f64(if E::ROUNDS { f64::from(value as f32) } else { value });
+                    *slot = observed::<S, E, N>(value);
                 }
             }
         }

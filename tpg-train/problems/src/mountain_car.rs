@@ -1,12 +1,12 @@
 //! Gymnasium's MountainCar-v0: drive a weak car out of a valley by pushes to either side, as fast as possible.
 
 use crate::circle::sincos;
-use crate::eights::{ByEight, Eights};
+use crate::eights::{ByEight, Eights, observe_one, step_one};
 use crate::physics::physics;
 use crate::source;
 use crate::varied::{Adjustable, Settings};
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, End, Environment, Episodes, SourceSet, Step, Training};
+use tpg_engine::{Act, ActionSpace, Environment, Episodes, SourceSet, Step, Training};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -84,8 +84,7 @@ impl<S: Scalar> Environment<S> for MountainCar {
     }
 
     fn observe(&self, state: &mut State, _wanted: SourceSet, values: &mut [S]) {
-        let state = state.map(|value| f64::from(value as f32));
-        values.iter_mut().zip(state).for_each(|(slot, value)| *slot = S::from_f64(value));
+        observe_one::<S, Self, 2>(state, values);
     }
 
     fn step(&self, state: &mut State, act: Act<'_, S>) -> Step {
@@ -108,31 +107,20 @@ impl<S: Scalar> Adjustable<S> for MountainCar {
 
     const REST: u16 = 1;
 
-    #[inline]
     fn step_under(&self, physics: &Physics, state: &mut State, act: Act<'_, S>) -> Step {
-        // The crate libm instead of the platform's: the same results on every machine.
-        *state = moved(physics, *state, libm::cos(3.0 * state[0]), act.choice() as f64);
-        let step = Step::reward(-1.0);
-        if is_there(*state) { step.ending(End::new(0)) } else { step }
+        step_one::<S, Self, 2>(physics, state, act)
     }
 }
 
 impl ByEight<2> for MountainCar {
-    type State = State;
-
+    type Physics = Physics;
+    const STANDARD: Physics = Physics::STANDARD;
     const OBSERVED: &[usize] = &[0, 1];
     const ROUNDS: bool = true;
 
-    fn numbers(state: &State) -> [f64; 2] {
-        *state
-    }
-
-    fn episode(numbers: [f64; 2]) -> State {
-        numbers
-    }
-
     #[inline(always)]
     fn step_many<const L: usize>(
+        physics: &Physics,
         states: &mut [[f64; L]; 2],
         acts: &[f64; L],
         rewards: &mut [f64; L],
@@ -144,7 +132,7 @@ impl ByEight<2> for MountainCar {
         let [_, cosines] = sincos(&angles);
         *rewards = [-1.0; L];
         for lane in 0..L {
-            let state = moved(&Physics::STANDARD, [positions[lane], velocities[lane]], cosines[lane], acts[lane]);
+            let state = moved(physics, [positions[lane], velocities[lane]], cosines[lane], acts[lane]);
             [positions[lane], velocities[lane]] = state;
             ended[lane] = is_there(state);
         }

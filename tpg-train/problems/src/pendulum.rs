@@ -1,8 +1,7 @@
 //! Gymnasium's Pendulum-v1: swing a pendulum up with a motor that is too weak to lift it directly, and keep it up.
 
-mod lanes;
-
-use crate::eights::Eights;
+use crate::circle::sincos;
+use crate::eights::{ByEight, Eights, observe_one, step_one};
 use crate::physics::physics;
 use crate::source;
 use crate::varied::{Adjustable, Disturbance};
@@ -64,25 +63,14 @@ pub struct Config {
 #[derive(Clone, Copy, Debug)]
 pub struct Pendulum;
 
-/// A running episode.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Swing {
-    /// Angle from upright, rad; not wrapped.
-    pub(crate) angle: f64,
-    /// Angular velocity, rad/s.
-    pub(crate) velocity: f64,
-    /// Sine of the angle: an observation and a step read it.
-    sine: f64,
-    /// Cosine of the angle, from the same reduction of the angle.
-    cosine: f64,
-}
+/// A running episode: angle from upright, rad, not wrapped; angular velocity, rad/s; sine and cosine of the angle, which an
+/// observation and a step read.
+type Swing = [f64; 4];
 
-impl Swing {
-    pub(crate) fn new(angle: f64, velocity: f64) -> Self {
-        // The crate libm instead of the platform's: the same results on every machine.
-        let (sine, cosine) = libm::sincos(angle);
-        Self { angle, velocity, sine, cosine }
-    }
+fn swing([angle, velocity]: [f64; 2]) -> Swing {
+    // The crate libm instead of the platform's: the same results on every machine.
+    let (sine, cosine) = libm::sincos(angle);
+    [angle, velocity, sine, cosine]
 }
 
 impl<S: Scalar> Environment<S> for Pendulum {
@@ -115,8 +103,8 @@ impl<S: Scalar> Environment<S> for Pendulum {
         [TAU * stream.unit() - PI, 2.0 * stream.unit() - 1.0]
     }
 
-    fn start(&self, &[angle, velocity]: &[f64; 2]) -> Swing {
-        Swing::new(angle, velocity)
+    fn start(&self, task: &[f64; 2]) -> Swing {
+        swing(*task)
     }
 
     fn training(&self) -> Option<&dyn Training<[f64; 2], Swing>> {
@@ -124,7 +112,7 @@ impl<S: Scalar> Environment<S> for Pendulum {
     }
 
     fn observe(&self, swing: &mut Swing, _wanted: SourceSet, state: &mut [S]) {
-        state.copy_from_slice(&[swing.cosine, swing.sine, swing.velocity].map(S::from_f64));
+        observe_one::<S, Self, 4>(swing, state);
     }
 
     fn step(&self, swing: &mut Swing, act: Act<'_, S>) -> Step {
@@ -137,8 +125,8 @@ impl<S: Scalar> Environment<S> for Pendulum {
 }
 
 impl Training<[f64; 2], Swing> for Pendulum {
-    fn task_from(&self, swing: &Swing) -> Option<[f64; 2]> {
-        Some([swing.angle, swing.velocity])
+    fn task_from(&self, &[angle, velocity, ..]: &Swing) -> Option<[f64; 2]> {
+        Some([angle, velocity])
     }
 }
 
@@ -147,13 +135,35 @@ impl<S: Scalar> Adjustable<S> for Pendulum {
 
     const REST: u16 = 0;
 
-    #[inline]
     fn step_under(&self, physics: &Physics, swing: &mut Swing, act: Act<'_, S>) -> Step {
-        let Swing { angle, velocity, sine, .. } = *swing;
-        let torque = act.values()[0].to_f64() as f32;
-        let (cost, angle, velocity) = moved(physics, (angle, velocity, sine), wrapped(angle), torque);
-        *swing = Swing::new(angle, velocity);
-        Step::reward(-cost)
+        step_one::<S, Self, 4>(physics, swing, act)
+    }
+}
+
+impl ByEight<4> for Pendulum {
+    type Physics = Physics;
+    const STANDARD: Physics = Physics::STANDARD;
+    const OBSERVED: &[usize] = &[3, 2, 1];
+    const ROUNDS: bool = false;
+
+    #[inline(always)]
+    fn step_many<const L: usize>(
+        physics: &Physics,
+        numbers: &mut [[f64; L]; 4],
+        torques: &[f64; L],
+        rewards: &mut [f64; L],
+        _ended: &mut [bool; L],
+    ) {
+        let [angle, velocity, sine, cosine] = numbers;
+        let mut off = [0.0; L];
+        wrap(angle, &mut off);
+        let moments = angle.iter_mut().zip(velocity).zip(&*sine).zip(off).zip(torques).zip(rewards);
+        for (((((angle, velocity), &sine), off), &torque), reward) in moments {
+            let cost;
+            (cost, *angle, *velocity) = moved(physics, (*angle, *velocity, sine), off, torque as f32);
+            *reward = -cost;
+        }
+        [*sine, *cosine] = sincos(angle);
     }
 }
 
@@ -171,19 +181,41 @@ fn moved(physics: &Physics, (angle, velocity, sine): (f64, f64, f64), off: f64, 
     (cost, angle + velocity * STEP, velocity)
 }
 
+/// A turn in two parts: times a whole number below 2048, each is exact.
+const TAU_HIGH: f64 = f64::from_bits(TAU.to_bits() & !0x7ff);
+const TAU_LOW: f64 = TAU - TAU_HIGH;
+
+/// Writes what [`wrapped`] makes of each angle.
+///
+/// Below 2048 the remainder is exact: whole turns are taken off in two parts, both differences are multiples of 2⁻⁵⁰ below 8,
+/// and where the quotient was rounded up to a whole number, the turn too many is put back.
+#[inline(always)]
+fn wrap<const L: usize>(angles: &[f64; L], off: &mut [f64; L]) {
+    let mut any_is_far = false;
+    for (off, &angle) in off.iter_mut().zip(angles) {
+        let turned = angle + PI;
+        any_is_far |= (turned.abs() >= 2048.0) | turned.is_nan();
+        let turns = (turned / TAU).trunc();
+        let rest = (turned - turns * TAU_HIGH) - turns * TAU_LOW;
+        *off = if rest < 0.0 { rest + TAU } else { rest } - PI;
+    }
+    if any_is_far {
+        off.iter_mut().zip(angles).for_each(|(off, &angle)| *off = wrapped(angle));
+    }
+}
+
 /// Wraps the angle to −π..π, with every bit of NumPy's remainder.
 fn wrapped(angle: f64) -> f64 {
-    let turned = angle + PI;
-    // A remainder is slow; within one turn it is exact without one.
-    let rest = if (0.0..TAU).contains(&turned) { turned } else { turned.rem_euclid(TAU) };
-    rest - PI
+    (angle + PI).rem_euclid(TAU) - PI
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Pendulum, Swing, wrapped};
+    use super::{Pendulum, Swing, swing, wrap, wrapped};
+    use crate::tests::lanes::{policy, same_as_one_by_one};
     use core::f64::consts::PI;
-    use tpg_engine::{Act, Environment, SourceSet};
+    use tpg_engine::{Act, Environment, Operand, SourceSet};
+    use tpg_runtime::ops::Instruction;
 
     fn step(swing: &mut Swing, torque: f64) -> f64 {
         Environment::<f64>::step(&Pendulum, swing, Act::Values(&[torque])).reward
@@ -201,19 +233,19 @@ mod tests {
     /// Checks three steps of Pendulum-v1, computed by hand from its published rules.
     #[test]
     fn the_rules_are_gymnasiums() {
-        let mut swing = Swing::new(0.5, -1.0);
-        let reward = step(&mut swing, 1.5);
+        let mut moving = swing([0.5, -1.0]);
+        let reward = step(&mut moving, 1.5);
         // The torque's part is an f32.
         assert!((reward + (0.25 + 0.1 + 0.001 * 2.25)).abs() < 1e-9);
         let velocity = -1.0 + (15.0 * 0.5f64.sin() + 4.5) * 0.05;
-        assert!((swing.velocity - velocity).abs() < 1e-12 && (swing.angle - (0.5 + 0.05 * velocity)).abs() < 1e-12);
+        assert!((moving[1] - velocity).abs() < 1e-12 && (moving[0] - (0.5 + 0.05 * velocity)).abs() < 1e-12);
         // Torques beyond the limit are clamped, in motion and in cost.
-        let (mut a, mut b) = (swing, swing);
+        let (mut a, mut b) = (moving, moving);
         assert_eq!((step(&mut a, 9.0), a), (step(&mut b, 2.0), b));
         // No velocity beyond 8 rad/s.
-        let mut fast = Swing::new(PI / 2.0, 7.9);
+        let mut fast = swing([PI / 2.0, 7.9]);
         step(&mut fast, 2.0);
-        assert_eq!(fast.velocity, 8.0);
+        assert_eq!(fast[1], 8.0);
     }
 
     /// Small angles, where the functions take short cuts, and large ones, where they reduce the angle.
@@ -222,8 +254,8 @@ mod tests {
         let exponents = (-60..=12).map(|exponent| f64::from(exponent).exp2());
         let angles = exponents.flat_map(|scale| (0..2000).map(move |step| scale * (1.0 + f64::from(step) / 2000.0)));
         for angle in angles.flat_map(|angle| [angle, -angle]) {
-            let swing = Swing::new(angle, 0.0);
-            let bits = [swing.sine, swing.cosine].map(f64::to_bits);
+            let [.., sine, cosine] = swing([angle, 0.0]);
+            let bits = [sine, cosine].map(f64::to_bits);
             assert_eq!(bits, [libm::sin(angle), libm::cos(angle)].map(f64::to_bits), "{angle}");
         }
     }
@@ -231,8 +263,29 @@ mod tests {
     #[test]
     fn the_state_is_gymnasiums_observation() {
         let mut state = [0f32; 3];
-        let mut swing = Swing::new(PI / 2.0, -3.0);
-        Environment::<f32>::observe(&Pendulum, &mut swing, SourceSet::ALL, &mut state);
+        let mut moving = swing([PI / 2.0, -3.0]);
+        Environment::<f32>::observe(&Pendulum, &mut moving, SourceSet::ALL, &mut state);
         assert!(state[0].abs() < 1e-7 && state[1] == 1.0 && state[2] == -3.0);
+    }
+
+    #[test]
+    fn eight_angles_are_wrapped_as_one() {
+        let turns = (-400..400).map(|turn| f64::from(turn) * PI);
+        let near = |angle: f64| (0..50).map(move |bit| f64::from_bits(angle.to_bits() ^ 1 << bit));
+        let angles: Vec<f64> = turns.flat_map(near).chain((-9000..9000).map(|step| f64::from(step) * 0.37)).collect();
+        for eight in angles.as_chunks::<8>().0 {
+            let mut off = [0.0; 8];
+            wrap(eight, &mut off);
+            assert_eq!(off.map(f64::to_bits), eight.map(|angle| wrapped(angle).to_bits()), "{eight:?}");
+        }
+    }
+
+    #[test]
+    fn eight_at_once_swing_as_one() {
+        let [cosine, sine, velocity] = [0, 1, 2].map(Operand::Input);
+        // The first goes round and round.
+        same_as_one_by_one(Pendulum, &policy(Instruction::Add, [velocity, Operand::Constant(2.0)], 0));
+        same_as_one_by_one(Pendulum, &policy(Instruction::Sub, [sine, velocity], 0));
+        same_as_one_by_one(Pendulum, &policy(Instruction::Mul, [cosine, velocity], 0));
     }
 }

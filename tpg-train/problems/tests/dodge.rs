@@ -1,6 +1,5 @@
 //! The arm among balls: what the generator promises, the rules of a step, and the problem as an environment.
 
-use tpg_arm::dodge::Body;
 use tpg_arm::dodge::plan::{steps, straight};
 use tpg_arm::frame::Clearance;
 use tpg_arm::kinematics::distance;
@@ -8,16 +7,12 @@ use tpg_arm::{Move, Pose, WIDOWX};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Act, Environment, SourceSet};
 use tpg_problems::arm::targets::Set;
-use tpg_problems::dodge::draw::{Certified, Generator, LIMIT, SEED, TEST_TRIES, replay, scenes};
+use tpg_problems::dodge::draw::{Certified, Generator, LIMIT, SEED, replay, scenes};
 use tpg_problems::dodge::episode::{End, Episode};
 use tpg_problems::dodge::scene::{Path, Scene};
 use tpg_problems::dodge::walk::{Leg, Outcome, follow, moved};
-use tpg_problems::dodge::{Config, Dodge};
+use tpg_problems::dodge::{BODY, Config, Dodge};
 use tpg_runtime::policy::ActionId;
-
-fn body() -> Body {
-    Config::default().body()
-}
 
 fn hundred() -> Vec<Certified> {
     scenes(&Config::default(), SEED, Set::Validation, 100, 1500)
@@ -41,37 +36,36 @@ fn a_ball_goes_back_and_forth_at_its_speed() {
 
 #[test]
 fn scenes_keep_the_generators_rules() {
-    let body = body();
     let list = hundred();
     let mut counts = [0; 3];
     for Certified { scene, plan } in &list {
         let start = Pose(scene.start);
         counts[scene.balls.len() - 1] += 1;
         for (index, goal) in scene.goals.iter().enumerate() {
-            let posture = body.at(Pose(*goal));
-            let Clearance { hand, forearm } = Clearance::new(&posture.plane(), &body.arm.shapes);
-            assert!(body.is_free(&posture) && hand > 0.0 && forearm > 0.0);
+            let posture = BODY.at(Pose(*goal));
+            let Clearance { hand, forearm } = Clearance::new(&posture.plane(), &BODY.arm.shapes);
+            assert!(BODY.is_free(&posture) && hand > 0.0 && forearm > 0.0);
             assert!(distance(posture.hand(), scene.target) < 2.7);
             assert!(scene.goals[..index].iter().all(|other| steps(Pose(*goal), Pose(*other)) > 20));
         }
         let first = Pose(scene.goals[0]);
         assert!((60..=600).contains(&steps(start, first)) && scene.goals.len() <= 4);
         // Without balls a straight walk arrives: the balls are the whole problem.
-        let walk = follow(&body, start, &[Leg { to: first, wait: 0 }], LIMIT, 0.0, |_, _| 1.0);
+        let walk = follow(&BODY, start, &[Leg { to: first, wait: 0 }], LIMIT, 0.0, |_, _| 1.0);
         assert_eq!(walk, Outcome::Arrives(steps(start, first)));
         for ball in &scene.balls {
             assert!(
                 (30.0..=60.0).contains(&ball.radius) && (ball.period == 0.0 || (0.29..=2.01).contains(&ball.speed()))
             );
-            let rest = body.at(start);
-            assert!(body.clearance(&rest, ball.at(0.0), ball.radius) >= 40.0);
-            assert!((0..=40).all(|time| body.clearance(&rest, ball.at(time as f32), ball.radius) >= 5.0));
+            let rest = BODY.at(start);
+            assert!(BODY.clearance(&rest, ball.at(0.0), ball.radius) >= 40.0);
+            assert!((0..=40).all(|time| BODY.clearance(&rest, ball.at(time as f32), ball.radius) >= 5.0));
             for time in 0..1000 {
                 let [x, y, z] = ball.at(time as f32);
                 assert!(z > ball.radius - 0.01 && (x.hypot(y) > ball.radius + 60.0 || z > 400.0));
             }
         }
-        assert!(matches!(replay(&body, scene, plan, 1.0), Outcome::Arrives(time) if time <= LIMIT));
+        assert!(matches!(replay(scene, plan, 1.0), Outcome::Arrives(time) if time <= LIMIT));
     }
     assert!(counts.iter().all(|&count| count > 15), "{counts:?}");
 }
@@ -88,9 +82,9 @@ fn sets_differ_and_a_longer_list_begins_with_the_shorter() {
 
 #[test]
 fn a_plan_that_is_followed_by_the_rules_does_what_its_replay_says() {
-    let (body, config) = (body(), Config::default());
+    let config = Config::default();
     for Certified { scene, plan } in hundred().iter().take(30) {
-        let mut episode = Episode::new(&body, scene);
+        let mut episode = Episode::new(&BODY, scene);
         let mut legs = plan.clone();
         let end = loop {
             let at = episode.pose();
@@ -100,35 +94,34 @@ fn a_plan_that_is_followed_by_the_rules_does_what_its_replay_says() {
             let leg = &mut legs[0];
             let step = if leg.to == at { Move::STOP } else { straight(at, leg.to) };
             leg.wait -= u16::from(leg.to == at);
-            if let Some(end) = episode.step(&body, step, config.tolerance) {
+            if let Some(end) = episode.step(&BODY, step, config.tolerance) {
                 break end;
             }
         };
         // The hand is within the tolerance a few steps before the last pose.
         assert_eq!(end, End::Reached);
-        assert!(matches!(replay(&body, scene, plan, 1.0), Outcome::Arrives(time) if time >= episode.steps()));
+        assert!(matches!(replay(scene, plan, 1.0), Outcome::Arrives(time) if time >= episode.steps()));
     }
 }
 
 #[test]
 fn a_step_against_limits_table_or_base_is_refused_and_no_failure() {
-    let body = body();
     let ball =
         Path { from: [0.0, 0.0, 2000.0], to: [0.0, 0.0, 2000.0], radius: 30.0, period: 0.0, phase: 0.0, sine: false };
     let scene = |start| Scene { start, target: [0.0, -300.0, 300.0], goals: vec![[2048; 4]], balls: vec![ball] };
     let at_limit = [WIDOWX.ranges[0].max, 2048, 2048, 2048];
-    let mut episode = Episode::new(&body, &scene(at_limit));
-    assert_eq!(episode.step(&body, Move([3, 0, 0, 0]), 3.0), None);
+    let mut episode = Episode::new(&BODY, &scene(at_limit));
+    assert_eq!(episode.step(&BODY, Move([3, 0, 0, 0]), 3.0), None);
     assert_eq!(episode.pose(), Pose(at_limit));
     // The others still move.
-    assert_eq!(episode.step(&body, Move([3, 3, 0, 0]), 3.0), None);
+    assert_eq!(episode.step(&BODY, Move([3, 3, 0, 0]), 3.0), None);
     assert_eq!(episode.pose(), moved(Pose(at_limit), Move([0, 3, 0, 0])));
     // Down to the table, and not through it.
-    let mut low = Episode::new(&body, &scene([2048, 2048, 2048, 2048]));
+    let mut low = Episode::new(&BODY, &scene([2048, 2048, 2048, 2048]));
     let mut ended = None;
     for _ in 0..LIMIT {
-        ended = ended.or(low.step(&body, Move([0, -3, 0, 0]), 3.0));
-        assert!(body.is_free(&body.at(low.pose())));
+        ended = ended.or(low.step(&BODY, Move([0, -3, 0, 0]), 3.0));
+        assert!(BODY.is_free(&BODY.at(low.pose())));
     }
     assert_eq!(ended, Some(End::Timeout));
 }
@@ -188,33 +181,4 @@ fn validation_scenes_are_those_of_their_set() {
     // Training scenes come from another sample of the space.
     let training = Generator::new(&Config::default(), SEED, Set::Training);
     assert!(!expected.contains(&training.draw(&mut Stream::new(1, 2, Purpose::Test, 3), 1500).scene));
-}
-
-#[test]
-fn hard_scenes_are_certified_and_balls_are_not_seen_where_they_are() {
-    let body = body();
-    let config = Config { speed: [0.3, 4.0], noise: 3.0, delay: 2, velocities: false, ..Config::default() };
-    let (mut off, mut count) = ([0.0; 2], 0.0);
-    for Certified { scene, plan } in scenes(&config, SEED, Set::Test, 20, TEST_TRIES) {
-        assert!(matches!(replay(&body, &scene, &plan, config.margin), Outcome::Arrives(_)));
-        let mut episodes = [(); 2].map(|()| Episode::sensed(&body, &scene, config.sensing()));
-        for time in 1..100 {
-            let [end, same] = episodes.each_mut().map(|episode| episode.step(&body, Move::STOP, config.tolerance));
-            assert_eq!(end, same);
-            let [seen, again] = episodes.each_ref().map(|episode| episode.view(&body).balls.to_vec());
-            assert_eq!(seen, again, "the same noise");
-            for (ball, path) in seen.iter().zip(&scene.balls) {
-                let is = path.observed(time as f32);
-                off[0] += distance(ball.at, is.at);
-                off[1] += distance(ball.velocity, is.velocity);
-                count += 1.0;
-            }
-            if end.is_some() {
-                break;
-            }
-        }
-    }
-    let [place, velocity] = off.map(|sum| sum / count);
-    // What is measured is off by 4.8 mm in the mean and two steps old; the difference of two places would be off by 6.8 mm a step.
-    assert!((1.0..8.0).contains(&place) && (0.05..0.8).contains(&velocity), "{place} mm, {velocity} mm a step");
 }

@@ -4,7 +4,7 @@ use crate::configuration::Preset;
 use tpg_problems::ProblemName;
 
 /// Every preset.
-pub(crate) const PRESETS: [Preset; 12] = [
+pub(crate) const PRESETS: [Preset; 11] = [
     Preset::base("thorough", "for any problem; the default of built-in ones", ""),
     Preset::new(
         "quick",
@@ -45,12 +45,6 @@ pub(crate) const PRESETS: [Preset; 12] = [
         "the arm among balls: few roots, many episodes",
         "thorough",
         include_str!("presets/dodge.toml"),
-    ),
-    Preset::new(
-        "dodge-hard",
-        "faster balls that are seen late, with noise, and without their velocities",
-        "dodge",
-        include_str!("presets/dodge-hard.toml"),
     ),
 ];
 

@@ -93,11 +93,11 @@ impl RunFolder {
         make_folder(path)?;
         // First without the lock: a folder that is refused stays as it is.
         if !resume && !Lock::is_held(path) {
-            refuse_run(path)?;
+            refuse_run(path, trainer)?;
         }
         let lock = Lock::take(path, trainer)?;
         if !resume {
-            refuse_run(path)?;
+            refuse_run(path, trainer)?;
         }
         remove_unfinished(path);
         lock.write(path, trainer)?;
@@ -115,9 +115,10 @@ impl RunFolder {
     }
 }
 
-fn refuse_run(path: &Path) -> Result<(), InputError> {
+fn refuse_run(path: &Path, trainer: Trainer) -> Result<(), InputError> {
     if MARKS.iter().any(|name| path.join(name).exists()) {
-        let accepted = "another folder, or --resume to continue";
+        let accepted =
+            if trainer == Trainer::Hybrid { "another folder" } else { "another folder, or --resume to continue" };
         return Err(InputError::new(path.display().to_string(), Place::Whole, "already holds a run", accepted));
     }
     Ok(())

@@ -3,10 +3,11 @@
 //! Evolution on such a problem learns when the network is worth its price. Actions must be named: outputs take levels, as
 //! [`Choices`](tpg_engine::Choices) makes them, and the network answers what lies between.
 
-use super::study::Input;
 use crate::evolution::config::AskConfig;
 use crate::evolution::run::RunError;
+use crate::folder::frame::checksum;
 use crate::sac::network::Network;
+use std::fs;
 use std::path::Path;
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_engine::{Act, ActionSpace, Decision, Environment, NETWORK, Preference, SourceSet, Step};
@@ -33,7 +34,7 @@ pub(crate) fn read(ask: &mut AskConfig, problem: &Problem) -> Result<QuantisedPo
         let accepted = "a policy.q.json, as `tpg-train quantise` writes it: the network that ships";
         return Err(refuse("a network in floating point".to_owned(), accepted).into());
     };
-    let sha256 = Input::read(path)?.sha256;
+    let sha256 = checksum(fs::read(path).map_err(|error| InputError::io(path, &error, "a network"))?);
     if let Some(known) = ask.sha256.as_ref().filter(|known| **known != sha256) {
         return Err(refuse(format!("sha256 {sha256}"), &format!("{known}, as ask.sha256 says")).into());
     }

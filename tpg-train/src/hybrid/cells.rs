@@ -5,28 +5,21 @@ use super::setting::{Detector, Setting};
 use super::shared::{Episodes, Shared};
 use super::span::Span;
 use crate::sac::network::Network;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use tpg_engine::Summary;
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 
 /// One row of `cells.csv`: a pair under a setting.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub(crate) struct Cell {
     /// Position of the graph on the command line, from 0.
     pub tpg: usize,
     /// Position of the network on the command line, from 0.
     pub sac: usize,
-    /// Method of detecting cycles.
-    pub cycle_detector: Detector,
-    /// Number of actions of the network before the graph takes over again.
-    pub hand_back_after: Span,
-    /// The separation, in the unit of the problem's distance.
-    pub separation: f64,
-    /// The patience, in actions of the graph.
-    pub patience: Span,
-    /// The guard's name.
-    pub guard: String,
+    /// The setting, written before the other columns.
+    #[serde(skip)]
+    pub setting: Setting,
     /// Number of episodes.
     pub episodes: usize,
     /// Mean score.
@@ -53,19 +46,6 @@ pub(crate) struct Cell {
     pub hand_overs_cycle: f64,
     /// Number of times per episode that the network handed back.
     pub hand_backs: f64,
-}
-
-impl Cell {
-    /// Returns the setting.
-    pub(crate) fn setting(&self) -> Setting {
-        let Self { hand_back_after, separation, patience, cycle_detector: detector, .. } = *self;
-        Setting { hand_back_after, separation, patience, detector, guard: self.guard.clone() }
-    }
-
-    /// Returns its identity.
-    pub(crate) fn key(&self) -> Key {
-        key(self.tpg, self.sac, &self.setting())
-    }
 }
 
 /// One row of `alone.csv`: a policy acting alone.
@@ -121,11 +101,7 @@ impl Subject<'_> {
         Ok(Cell {
             tpg,
             sac,
-            cycle_detector: setting.detector,
-            hand_back_after: setting.hand_back_after,
-            separation: setting.separation,
-            patience: setting.patience,
-            guard: setting.guard.clone(),
+            setting: setting.clone(),
             episodes: summary.episodes,
             mean_score: summary.score,
             std_score: summary.score_deviation(&done.endings),
@@ -141,16 +117,6 @@ impl Subject<'_> {
             hand_backs: done.hand_backs,
         })
     }
-}
-
-/// Identity of a cell, in the order of `cells.csv`.
-pub(crate) type Key = (usize, usize, String, Detector, Span, u64, Span);
-
-/// Returns the identity of the cell of a graph, a network and a setting.
-pub(crate) fn key(tpg: usize, sac: usize, setting: &Setting) -> Key {
-    let Setting { hand_back_after, separation, patience, detector, .. } = *setting;
-    // No separation is negative, so their bits are in the order of their values.
-    (tpg, sac, setting.guard.clone(), detector, hand_back_after, separation.to_bits(), patience)
 }
 
 /// Returns the settings of a grid that can hand over, in the order of `cells.csv`.

@@ -1,24 +1,16 @@
 //! Evaluation of the cells: means over pairs, the Pareto front, the setting to use.
 
 use super::cells::Cell;
-use super::setting::{Detector, Setting};
-use super::span::Span;
+use super::setting::Setting;
 use serde::Serialize;
 use tpg_engine::{Preference, Sample};
 
 /// One row of `settings.csv`: a setting, averaged over all pairs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(crate) struct Summary {
-    /// Method of detecting cycles.
-    pub cycle_detector: Detector,
-    /// Number of actions of the network before the graph takes over again.
-    pub hand_back_after: Span,
-    /// The separation, in the unit of the problem's distance.
-    pub separation: f64,
-    /// The patience, in actions of the graph.
-    pub patience: Span,
-    /// The guard's name.
-    pub guard: String,
+    /// The setting, written before the other columns.
+    #[serde(skip)]
+    pub setting: Setting,
     /// Mean score over pairs.
     pub score: f64,
     /// Its standard deviation over pairs.
@@ -47,11 +39,7 @@ impl Summary {
         let score = spread(&|cell| cell.mean_score);
         let success = cells.iter().all(|cell| cell.success.is_some());
         Self {
-            cycle_detector: setting.detector,
-            hand_back_after: setting.hand_back_after,
-            separation: setting.separation,
-            patience: setting.patience,
-            guard: setting.guard.clone(),
+            setting: setting.clone(),
             score: score.mean,
             score_sd: score.deviation(),
             success: success.then(|| spread(&|cell| cell.success.unwrap_or(0.0)).mean),
@@ -62,12 +50,6 @@ impl Summary {
             on_front: false,
             chosen: false,
         }
-    }
-
-    /// Returns the setting.
-    pub(crate) fn setting(&self) -> Setting {
-        let Self { hand_back_after, separation, patience, cycle_detector: detector, .. } = *self;
-        Setting { hand_back_after, separation, patience, detector, guard: self.guard.clone() }
     }
 
     /// Returns the quantity that is preferred: the score, or the success rate.
@@ -88,7 +70,7 @@ fn worth(preference: Preference, score: f64, success: Option<f64>) -> f64 {
 /// The choice is, among the settings whose worth (the mean score, or the success rate where the problem prefers it) lies
 /// within one standard error of the highest, the one with the fewest actions of the network; ties go to the first.
 pub(crate) fn summarise(cells: &[Cell], settings: &[Setting], preference: Preference) -> Vec<Summary> {
-    let matching = |setting: &Setting| cells.iter().filter(|cell| cell.setting() == *setting).collect::<Vec<_>>();
+    let matching = |setting: &Setting| cells.iter().filter(|cell| cell.setting == *setting).collect::<Vec<_>>();
     let mut summaries: Vec<Summary> =
         settings.iter().map(|setting| Summary::new(setting, &matching(setting))).collect();
     let costs: Vec<(f64, f64)> =
@@ -120,22 +102,19 @@ fn standard_error(cells: &[&Cell], preference: Preference) -> f64 {
 /// Returns the pair with the highest worth under a setting; ties go to the first.
 pub(crate) fn best_pair<'a>(cells: &'a [Cell], setting: &Setting, preference: Preference) -> Option<&'a Cell> {
     let cell_worth = |cell: &Cell| worth(preference, cell.mean_score, cell.success);
-    cells.iter().rev().filter(|cell| cell.setting() == *setting).max_by(|a, b| cell_worth(a).total_cmp(&cell_worth(b)))
+    cells.iter().rev().filter(|cell| cell.setting == *setting).max_by(|a, b| cell_worth(a).total_cmp(&cell_worth(b)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::hybrid::span::Span;
 
     fn cell(sac: usize, patience: u32, score: f64, network_actions: f64) -> Cell {
         Cell {
             tpg: 0,
             sac,
-            cycle_detector: Detector::None,
-            hand_back_after: Span(10),
-            separation: 2.0,
-            patience: Span(patience),
-            guard: "none".to_owned(),
+            setting: Setting { patience: Span(patience), ..Setting::only_asks() },
             episodes: 100,
             mean_score: score,
             std_score: 20.0,
@@ -164,7 +143,7 @@ mod tests {
             cell(0, 4, -160.0, 60.0), // dominated
             cell(1, 4, -160.0, 60.0),
         ];
-        let settings: Vec<Setting> = cells.iter().step_by(2).map(Cell::setting).collect();
+        let settings: Vec<Setting> = cells.iter().step_by(2).map(|cell| cell.setting.clone()).collect();
         let marks = |preference| {
             let summaries = summarise(&cells, &settings, preference);
             let front: Vec<bool> = summaries.iter().map(|summary| summary.on_front).collect();

@@ -1,22 +1,21 @@
 //! `tpg-train hybrid`: the study of a hybrid's settings.
 //!
 //! The folder of a study contains `study.toml` (the request), `cells.csv` (a row for each pair and setting),
-//! `settings.csv` (means over pairs, front, choice), `alone.csv`, `hybrid.toml` (the chosen setting with the best pair)
-//! and `report.html`: the same bytes for equal runs.
+//! `settings.csv` (means over pairs, front, choice), `alone.csv`, `hybrid.toml` (the chosen setting with the best pair): the same bytes for equal
+//! runs.
 
 use super::cells::{Alone, Cell, Subject, grid};
 use super::choice;
-use super::report;
 use super::rollout::Acting;
 use super::setting::{Detector, HybridFile, Setting, UNGUARDED};
 use super::shared::{Episodes, Facts, Shared};
 use super::span::Span;
-use super::study::{self, Input, absolute, to_csv};
+use super::study::{self, absolute, to_csv};
 use crate::run_args::command_line;
 use crate::sac::network::Network;
 use clap::Args;
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::path::PathBuf;
 use tpg_engine::{Summary, TaskSet};
 use tpg_graph::Graph;
@@ -51,9 +50,6 @@ pub struct StudyArgs {
     /// The folder of the study
     #[arg(long, value_name = "RUN")]
     pub out: PathBuf,
-    /// Continue the study in the folder
-    #[arg(long)]
-    pub resume: bool,
     /// Validation episodes for each pair and setting
     #[arg(long, value_name = "N", default_value_t = 500)]
     pub episodes: usize,
@@ -83,7 +79,7 @@ pub struct StudyArgs {
 }
 
 /// Content of `study.toml`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize)]
 struct Asked {
     episodes: usize,
     seed: u64,
@@ -92,15 +88,15 @@ struct Asked {
     hand_back_after: Vec<Span>,
     separation: Vec<f64>,
     patience: Vec<Span>,
+    tpg: Vec<PathBuf>,
+    policy: Vec<PathBuf>,
     problem: toml::Table,
-    tpg: Vec<Input>,
-    policy: Vec<Input>,
 }
 
 /// Runs the study that the command line asks for.
 ///
 /// # Errors
-/// Files that are not policies of the problem, settings that it does not have, a folder with another study, files that
+/// Files that are not policies of the problem, settings that it does not have, a folder with a run, files that
 /// cannot be written.
 pub(crate) fn execute(args: &HybridArgs) -> Result<Verdict, InputError> {
     study_on(&shared_problem(args)?, &args.study)
@@ -133,9 +129,9 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, Input
         hand_back_after: or_spans(&args.hand_back_after, &[1, 5, 20, 50, 100], &facts),
         separation: separations(args, &subject)?,
         patience: or_spans(&args.patience, &[5, 10, 20, 50], &facts),
+        tpg: args.tpg.clone(),
+        policy: args.policy.clone(),
         problem: problem.table(),
-        tpg: Input::read_all(&args.tpg)?,
-        policy: Input::read_all(&args.policy)?,
     };
     let Asked { guards, cycle_detectors, hand_back_after, separation, patience, .. } = &asked;
     subject.settings = grid(guards, cycle_detectors, hand_back_after, separation, patience);
@@ -151,8 +147,8 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, Input
     // Policies that do not fit are refused before the folder is made.
     let threads = study::threads(args.threads)?;
     let alone = threads.install(|| alone(&subject))?;
-    let folder = study::open_folder(&args.out, args.resume, &asked)?;
-    let Some(cells) = study::run(&subject, &folder, &threads)? else { return Ok(Verdict::Interrupted) };
+    let folder = study::open_folder(&args.out, &asked)?;
+    let cells = study::run(&subject, &folder, &threads)?;
     finish(args, &subject, &facts, &cells, &alone)
 }
 
@@ -167,26 +163,25 @@ fn finish(
     let problem = subject.problem;
     let summaries = choice::summarise(cells, &subject.settings, facts.preference);
     let file = |name: &str| args.out.join(name);
-    write_atomically(&file("settings.csv"), &to_csv(summaries.iter()))?;
+    write_atomically(&file("settings.csv"), &to_csv(summaries.iter().map(|summary| (&summary.setting, summary))))?;
     write_atomically(&file("alone.csv"), &to_csv(alone.iter()))?;
-    write_atomically(&file("report.html"), report::page(&problem.name(), cells, &summaries, alone).as_bytes())?;
     let chosen = summaries.iter().find(|summary| summary.chosen);
-    let best = chosen.and_then(|chosen| choice::best_pair(cells, &chosen.setting(), facts.preference));
+    let best = chosen.and_then(|chosen| choice::best_pair(cells, &chosen.setting, facts.preference));
     let Some((chosen, best)) = chosen.zip(best) else { return Ok(Verdict::Good) };
     let hybrid = HybridFile {
         problem: Some(problem.name()),
         graph: absolute(&args.tpg[best.tpg]),
         actor: absolute(&args.policy[best.sac]),
-        hand_back_after: chosen.hand_back_after,
-        separation: chosen.separation,
-        patience: chosen.patience,
-        cycle_detector: chosen.cycle_detector,
-        guard: (!facts.guards.is_empty()).then(|| chosen.guard.clone()),
+        hand_back_after: chosen.setting.hand_back_after,
+        separation: chosen.setting.separation,
+        patience: chosen.setting.patience,
+        cycle_detector: chosen.setting.detector,
+        guard: (!facts.guards.is_empty()).then(|| chosen.setting.guard.clone()),
     };
     write_atomically(&file("hybrid.toml"), toml::to_string(&hybrid).expect("plain data").as_bytes())?;
     tpg_graph::command::note(format_args!(
         "chosen: {}: score {:.2}, {:.1} of {:.1} actions by the network",
-        chosen.setting().sentence(),
+        chosen.setting.sentence(),
         chosen.score,
         chosen.network_actions,
         chosen.steps

@@ -12,7 +12,6 @@
 //! | [`study`] | every pair under every setting, in a folder |
 //! | [`cells`] | the rows of a study |
 //! | [`choice`] | means over pairs, Pareto front, the setting to use |
-//! | [`report`] | the study as a page |
 //! | [`command`] | `tpg-train hybrid` |
 //! | [`constants`](mod@constants) | `tpg-train constants` |
 
@@ -21,7 +20,6 @@ pub(crate) mod cells;
 pub(crate) mod choice;
 pub(crate) mod command;
 pub(crate) mod constants;
-pub(crate) mod report;
 pub(crate) mod rollout;
 pub(crate) mod setting;
 pub(crate) mod shared;

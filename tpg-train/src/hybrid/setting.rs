@@ -13,7 +13,7 @@ use tpg_runtime::scalar::Scalar;
 use tpg_runtime::switch::Settings;
 
 /// Method of detecting that the graph has returned to an earlier state.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum Detector {
     /// Cycles are not detected.
@@ -40,8 +40,11 @@ impl Detector {
 ///
 /// A graph that asks needs no trigger. All triggers judge the distance to the goal, in the problem's own unit: see
 /// [`Environment::distance`](tpg_engine::Environment::distance).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Setting {
+    /// Method of detecting cycles, after which the network takes over too.
+    #[serde(rename = "cycle_detector")]
+    pub detector: Detector,
     /// Number of actions of the network before the graph takes over again.
     pub hand_back_after: Span,
     /// The network takes over when the distance exceeds the least one of the graph's turn by more than this; infinity
@@ -49,8 +52,6 @@ pub struct Setting {
     pub separation: f64,
     /// The network takes over after that many actions of the graph without a new least distance.
     pub patience: Span,
-    /// Method of detecting cycles, after which the network takes over too.
-    pub detector: Detector,
     /// The problem's guard of that name: the network takes over where it refuses an action of the graph.
     pub guard: String,
 }

@@ -12,7 +12,7 @@ use tpg_runtime::switch::NEVER;
 /// assert_eq!("never".parse(), Ok(Span::NEVER));
 /// assert!("0".parse::<Span>().is_err());
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Span(pub u32);
 
 impl Span {

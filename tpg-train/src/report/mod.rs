@@ -5,7 +5,6 @@
 //! on the clock or on the location of the folders: the same runs give the same bytes.
 
 mod curves;
-mod episode;
 mod headline;
 mod policy;
 mod rivals;

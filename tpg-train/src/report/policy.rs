@@ -1,6 +1,5 @@
 //! A trained policy: as formulas in the problem's units, as a graph, and what it does in episodes.
 
-use super::episode;
 use super::headline::options;
 use super::runs::Run;
 use super::test::Tested;
@@ -13,7 +12,6 @@ pub(super) fn section(run: &Run, tested: Option<&Tested>) -> Section {
     let graph = run.kind.graph();
     let mut figures: Vec<_> = graph.map(graph::figure).into_iter().collect();
     figures.extend(tested.map(|tested| tested.pictures.clone()).unwrap_or_default());
-    figures.extend(tested.and_then(|tested| tested.watched.as_ref()).map(episode::figures).unwrap_or_default());
     let episodes = if tested.is_some() { "the test episodes" } else { "the episodes that chose it" };
     let mut text = format!("The best of the group on {episodes}.");
     text.extend(graph.map(|graph| format!(" It sees {}.", seen(graph))));

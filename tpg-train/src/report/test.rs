@@ -1,6 +1,5 @@
 //! Tests of runs: the trained policy on the test episodes.
 
-use super::episode::{EPISODES, Watched, watch};
 use super::runs::{Kind, Run};
 use crate::hybrid::rollout::{Acting, moments};
 use crate::hybrid::shared::{Episodes, Shared, opened};
@@ -25,8 +24,6 @@ pub(super) struct Tested {
     pub(super) measure: Option<Measure>,
     /// Some episodes as the problem draws them.
     pub(super) pictures: Vec<Figure>,
-    /// Some episodes, action by action, where the problem draws none.
-    pub(super) watched: Option<Watched>,
 }
 
 impl Tested {
@@ -61,16 +58,16 @@ pub(super) fn hall<'r>(
 pub(super) fn test(run: &Run, count: usize, seed: u64, own: Option<&dyn Shared>) -> Result<Option<Tested>, InputError> {
     let built_in = run.problem.as_ref();
     let Some(problem) = built_in.map(|problem| problem as &dyn Shared).or(own) else {
-        let tested = |endings| Tested { endings, measure: None, pictures: Vec::new(), watched: None };
+        let tested = |endings| Tested { endings, measure: None, pictures: Vec::new() };
         return Ok(run.tested.as_ref().map(|one| tested(one.episodes.clone())));
     };
     let episodes = Episodes { set: TaskSet::Test, count, seed, file: None };
-    let (mut pictures, mut watched) = (Vec::new(), None);
+    let mut pictures = Vec::new();
     let endings = match &run.kind {
         Kind::Tpg(graph) => {
             let endings = problem.play(Acting::Graph(graph), episodes)?.endings;
             if let Some(problem) = built_in {
-                (pictures, watched) = in_arithmetic_of!(graph.1, shown(problem, graph, episodes, &endings))?;
+                pictures = in_arithmetic_of!(graph.1, shown(problem, graph, episodes, &endings))?;
             }
             endings
         }
@@ -94,28 +91,26 @@ pub(super) fn test(run: &Run, count: usize, seed: u64, own: Option<&dyn Shared>)
             problem.play(Acting::Both(&hybrid.graph, &hybrid.network, &hybrid.setting), episodes)?.endings
         }
     };
-    Ok(Some(Tested { endings, measure: problem.facts().measure, pictures, watched }))
+    Ok(Some(Tested { endings, measure: problem.facts().measure, pictures }))
 }
 
-/// Shows some episodes of a graph: as the problem draws them, or action by action.
+/// Shows some episodes of a graph, where the problem draws them.
 fn shown<S: Number, M: Maths<S>>(
     problem: &Problem,
     graph: &(String, Graph),
     episodes: Episodes<'_>,
     endings: &[EpisodeResult],
-) -> Result<(Vec<Figure>, Option<Watched>), InputError> {
+) -> Result<Vec<Figure>, InputError> {
     let tasks = episodes.in_problem(problem)?;
     opened::<S, _>(problem, &graph.1, |choices| {
-        let Some(drawn) = choices.drawn() else {
-            return Ok((Vec::new(), watch::<S, M, _>(graph, choices, &tasks[..EPISODES.min(tasks.len())])));
-        };
+        let Some(drawn) = choices.drawn() else { return Ok(Vec::new()) };
         let picture = |place: usize| {
             let mut moments = moments::<S, M, _>(choices, graph, &tasks[place], drawn)?;
             // The engine detects a cycle late; the episode ended at its first repeat.
             moments.truncate(endings[place].actions as usize + 1);
             Ok(figure(problem, place, &endings[place], drawn.picture(&moments)))
         };
-        Ok((chosen(endings).into_iter().map(picture).collect::<Result<_, InputError>>()?, None))
+        chosen(endings).into_iter().map(picture).collect()
     })
 }
 

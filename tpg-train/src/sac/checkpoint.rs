@@ -1,22 +1,21 @@
 //! The content of a checkpoint: all that a run needs to end in the same bytes as if it had never stopped.
 //!
-//! Postcard's bytes: settings, tasks and counters as one JSON text, then networks, optimisers, replay buffer and best candidate
-//! as vectors of numbers. A running episode is stored as its task and its actions so far, which are repeated. There is no random
-//! state: every stream is a function of the seed and the counters.
+//! Postcard's bytes: settings, tasks and counters as one JSON text, then networks, optimisers, replay buffer and best candidate.
+//! A running episode is stored as its task and its actions so far, which are repeated. There is no random state: every stream is
+//! a function of the seed and the counters.
 
 use super::config::SacConfig;
 use super::interface::Input;
-use super::lanes::Lanes;
 use super::replay::Replay;
 use super::tensors::place;
-use super::training::{Best, Recent, Training, agent, interface};
+use super::training::{Best, Recent, Training};
 use serde::{Deserialize, Serialize};
 use tpg_engine::{Environment, Summary};
 use tpg_graph::error::{Finding, InputError};
-use tpg_nn::Mlp;
+use tpg_nn::{Agent, Mlp};
 
 /// Incremented with every change to the content or meaning of checkpoints.
-pub const VERSION: u32 = 8;
+pub const VERSION: u32 = 9;
 /// No run counts further: sums of two such counts do not overflow, and `f64` holds them exactly.
 const MOST: u64 = 1 << 53;
 
@@ -29,13 +28,10 @@ struct CheckpointState<Task> {
     decisions: u64,
     updates: u64,
     episodes: u64,
-    replayed: u64,
-    adam_steps: Vec<u64>,
-    best: Option<(Summary, u64)>,
     last: Option<Summary>,
     recent: Recent,
-    /// The task of each lane, and the number of values in its actions so far.
-    lanes: Vec<(Task, usize)>,
+    /// The task of each lane.
+    lanes: Vec<Task>,
     failures: Vec<Task>,
     /// The inputs, which a run may have measured.
     inputs: Vec<Input>,
@@ -50,8 +46,8 @@ struct CheckpointHeader {
     seed: u64,
 }
 
-/// The JSON text of a [`CheckpointState`]; the vectors of the agent, the average and the best actor, the rows of the replay buffer, the actions.
-type Content = (String, Vec<Vec<f32>>, Option<Vec<f32>>, Option<Vec<f32>>, Vec<f32>, Vec<f32>);
+/// The JSON text of a [`CheckpointState`], the numbers, the actions of each lane so far.
+type Content = (String, Agent, Option<Mlp>, Option<Best>, Replay, Vec<Vec<f32>>);
 
 /// Returns the content of a checkpoint. `log` is kept for the run's log files.
 ///
@@ -59,29 +55,22 @@ type Content = (String, Vec<Vec<f32>>, Option<Vec<f32>>, Option<Vec<f32>>, Vec<f
 /// If a task of the environment cannot be written as JSON.
 pub fn to_bytes<E: Environment<f32>>(training: &Training<'_, E>, log: &[serde_json::Value]) -> Vec<u8> {
     let Training { config, seed, agent, average, replay, lanes, decisions, updates, best, last, recent, .. } = training;
-    let mut agent = agent.clone();
-    let (adam_steps, agent) = agent.state_mut();
-    let (replayed, rows) = replay.state();
-    let actions: Vec<f32> = lanes.lanes.iter().flat_map(|lane| &lane.actions).copied().collect();
     let state = CheckpointState {
         config: config.clone(),
         seed: *seed,
         decisions: *decisions,
         updates: *updates,
         episodes: lanes.episodes,
-        replayed,
-        adam_steps: adam_steps.into_iter().map(|steps| *steps).collect(),
-        best: best.as_ref().map(|best| (best.result, best.decisions)),
         last: *last,
         recent: recent.clone(),
-        lanes: lanes.lanes.iter().map(|lane| (lane.task.clone(), lane.actions.len())).collect(),
+        lanes: lanes.lanes.iter().map(|lane| lane.task.clone()).collect(),
         failures: lanes.failures.places.clone(),
         inputs: lanes.interface().inputs.clone(),
         log: log.to_vec(),
     };
     let text = serde_json::to_string(&state).expect("plain data");
-    let (average, best) = (average.as_ref().map(Mlp::parameters), best.as_ref().map(|best| best.actor.parameters()));
-    postcard::to_stdvec(&(text, agent, average, best, rows, actions)).expect("plain data")
+    let actions: Vec<&[f32]> = lanes.lanes.iter().map(|lane| lane.actions.as_slice()).collect();
+    postcard::to_stdvec(&(text, agent, average, best, replay, actions)).expect("plain data")
 }
 
 /// A run under way, and the rows of its log.
@@ -105,71 +94,46 @@ pub fn from_bytes<'e, E: Environment<f32>>(
         .map_err(|finding| place(file.as_ref(), finding))
 }
 
-/// Overwrites numbers with as many others.
-fn overwrite(name: &str, numbers: &mut [f32], read: Option<&Vec<f32>>) -> Result<(), Finding> {
-    let found = read.map_or(0, Vec::len);
-    let read = read.filter(|read| read.len() == numbers.len());
-    let other = || Finding::new(name, format!("{found} numbers"), format!("{} numbers", numbers.len()));
-    numbers.copy_from_slice(read.ok_or_else(other)?);
-    Ok(())
-}
-
 fn restore<'e, E: Environment<f32>>(
-    (text, vectors, average, best, rows, done): Content,
+    (text, agent, average, best, replay, actions): Content,
     environment: &'e E,
     config: &SacConfig,
     seed: u64,
 ) -> Result<Loaded<'e, E>, Finding> {
     check_header(&text, config, seed)?;
     let state: CheckpointState<E::Task> = parse(&text)?;
-    let interface = interface(environment, config)?;
-    let (inputs, actions) = (interface.inputs.len(), interface.outputs.len());
-    state.check(config, environment, actions)?;
-    check_inputs(&state.inputs, &interface.inputs)?;
-    // The weights drawn here are all overwritten: only the shapes count.
-    let mut agent = agent(config, &interface, seed);
-    let (counts, numbers) = agent.state_mut();
-    if (state.adam_steps.len(), vectors.len()) != (counts.len(), numbers.len()) {
-        return Err(Finding::new("agent", vectors.len(), format!("{} vectors of numbers", numbers.len())));
+    state.check(environment, replay.added)?;
+    // What is drawn here is all overwritten: only the shapes count.
+    let mut training = Training::new(environment, config.clone(), seed)?;
+    let networks = || average.iter().chain(best.iter().map(|best| &best.actor));
+    let is_whole = training.agent.is_like(&agent)
+        && training.average.is_some() == average.is_some()
+        && networks().all(|network| network.is_like(&agent.actor.network))
+        && training.replay.is_like(&replay)
+        && [state.lanes.len(), actions.len()] == [config.learning.lanes; 2]
+        && names(&state.inputs).eq(names(&training.interface().inputs));
+    if !is_whole {
+        let found = "networks, inputs, lanes or a replay buffer of another size";
+        return Err(Finding::new("", found, "those of the configuration"));
     }
-    counts.into_iter().zip(state.adam_steps).for_each(|(count, steps)| *count = steps);
-    numbers.into_iter().zip(&vectors).try_for_each(|(numbers, read)| overwrite("agent", numbers, Some(read)))?;
-    let network = |name: &str, read: Option<Vec<f32>>| {
-        let mut network = agent.actor.network.clone();
-        overwrite(name, network.parameters_mut(), read.as_ref()).map(|()| network)
-    };
-    let average = config.learning.average.map(|_| network("average", average)).transpose()?;
-    let candidate = |(result, decisions)| Ok::<_, Finding>(Best { result, decisions, actor: network("best", best)? });
-    let best = state.best.map(candidate).transpose()?;
-    let replay = Replay::from_state(inputs, actions, config.learning.replay, state.replayed, rows)
-        .ok_or_else(|| Finding::new("replay", "another number of rows", "the rows that were replayed from"))?;
-    if done.len() != state.lanes.iter().map(|(_, count)| count).sum::<usize>() {
-        return Err(Finding::new("actions", done.len(), "those of the lanes"));
-    }
-    let mut lanes = Lanes::empty(environment, interface, config, seed);
-    let mut done = done.as_slice();
-    for (place, (task, count)) in state.lanes.into_iter().enumerate() {
-        let (of_lane, rest) = done.split_at(count);
-        if let Some(action) = of_lane.iter().find(|action| !(-1.0..=1.0).contains(*action)) {
-            return Err(Finding::new("actions", action, "-1 to 1"));
-        }
-        if !lanes.resume(task, of_lane) {
+    training.lanes.lanes.clear();
+    for (place, (task, actions)) in state.lanes.into_iter().zip(&actions).enumerate() {
+        if !training.lanes.resume(task, actions) {
             let key = format!("lanes[{place}]");
             return Err(Finding::new(key, "actions after the end of the episode", "an episode under way"));
         }
-        done = rest;
     }
-    lanes.episodes = state.episodes;
-    lanes.failures.places = state.failures;
-    lanes.set_inputs(state.inputs);
-    let mut training = Training::of_parts(config.clone(), seed, agent, replay, lanes);
-    training.average = average;
-    training.decisions = state.decisions;
-    training.updates = state.updates;
-    training.best = best;
-    training.last = state.last;
-    training.recent = state.recent;
+    training.lanes.episodes = state.episodes;
+    training.lanes.failures.places = state.failures;
+    training.lanes.set_inputs(state.inputs);
+    (training.agent, training.average, training.best, training.replay) = (agent, average, best, replay);
+    (training.decisions, training.updates) = (state.decisions, state.updates);
+    (training.last, training.recent) = (state.last, state.recent);
     Ok((training, state.log))
+}
+
+fn names(inputs: &[Input]) -> impl Iterator<Item = &str> {
+    inputs.iter().map(|input| input.name.as_str())
 }
 
 fn parse<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, Finding> {
@@ -177,58 +141,17 @@ fn parse<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, Finding> {
         .map_err(|error| Finding::new("", error, "the text that this version of tpg-train writes"))
 }
 
-impl<Task> CheckpointState<Task> {
-    /// Checks what would panic later: counts that overflow, another number of lanes, tasks of another problem.
-    fn check<E: Environment<f32, Task = Task>>(
-        &self,
-        config: &SacConfig,
-        environment: &E,
-        outputs: usize,
-    ) -> Result<(), Finding> {
-        for (key, count) in [
-            ("decisions", self.decisions),
-            ("updates", self.updates),
-            ("episodes", self.episodes),
-            ("recent.updates", self.recent.updates),
-            ("recent.steps", self.recent.steps),
-        ] {
-            Finding::range(key, count, 0, MOST)?;
+impl<Task: std::fmt::Debug> CheckpointState<Task> {
+    /// Checks what would panic later: counts that overflow, tasks of another problem.
+    fn check<E: Environment<f32, Task = Task>>(&self, environment: &E, replayed: u64) -> Result<(), Finding> {
+        let Recent { updates, steps, ends, .. } = &self.recent;
+        let counts = [self.decisions, self.updates, self.episodes, replayed, *updates, *steps];
+        counts.iter().chain(ends).try_for_each(|&count| Finding::range("a count", count, 0, MOST))?;
+        match self.lanes.iter().chain(&self.failures).find(|task| !environment.accepts(task)) {
+            Some(task) => Err(Finding::new("lanes or failures", format!("{task:?}"), "tasks of the problem")),
+            None => Ok(()),
         }
-        let counts = self.adam_steps.iter().chain(&self.recent.ends);
-        counts.clone().try_for_each(|&count| Finding::range("adam_steps or recent.ends", count, 0, MOST))?;
-        if self.lanes.len() != config.learning.lanes {
-            return Err(Finding::new("lanes", self.lanes.len(), config.learning.lanes.to_string()));
-        }
-        let limit = environment.time_limit() as usize;
-        for (place, (task, count)) in self.lanes.iter().enumerate() {
-            check_task(environment, &format!("lanes[{place}][0]"), task)?;
-            if count.checked_rem(outputs) != Some(0) || *count > limit.saturating_mul(outputs) {
-                let accepted = format!("{outputs} for each action, at most {limit} actions");
-                return Err(Finding::new(format!("lanes[{place}][1]"), count, accepted));
-            }
-        }
-        (self.failures.iter().enumerate())
-            .try_for_each(|(place, task)| check_task(environment, &format!("failures[{place}]"), task))
     }
-}
-
-fn check_task<E: Environment<f32>>(environment: &E, key: &str, task: &E::Task) -> Result<(), Finding> {
-    if environment.accepts(task) {
-        return Ok(());
-    }
-    Err(Finding::new(key, format!("{task:?}"), "a task of the problem"))
-}
-
-/// Refuses other inputs than the environment's, and scales that are no numbers.
-fn check_inputs(found: &[Input], accepted: &[Input]) -> Result<(), Finding> {
-    let same = |(found, accepted): (&Input, &Input)| {
-        found.name == accepted.name && found.offset.is_finite() && found.scale.is_finite() && found.scale > 0.0
-    };
-    if found.len() == accepted.len() && found.iter().zip(accepted).all(same) {
-        return Ok(());
-    }
-    let accepted = accepted.iter().map(|input| input.name.as_str()).collect::<Vec<_>>().join(" ");
-    Err(Finding::new("inputs", format!("{found:?}"), format!("{accepted}, each with a finite offset and scale")))
 }
 
 /// Refuses the checkpoint of another configuration or seed.

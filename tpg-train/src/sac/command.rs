@@ -1,6 +1,6 @@
 //! `tpg-train sac`: a training run in a folder of its own.
 //!
-//! The folder contains `config.toml` (the request), `log.csv` and `log.jsonl` (a row for each validation), `time.json` (the
+//! The folder contains `config.toml` (the request), `log.jsonl` (a row for each validation), `time.json` (the
 //! run's time), `checkpoint`, and, from the first validation on, `policy.safetensors`: the best candidate so far, and at
 //! the end the last one.
 

@@ -50,21 +50,17 @@ pub(crate) struct Lanes<'e, E: Environment<f32>> {
 impl<'e, E: Environment<f32>> Lanes<'e, E> {
     /// Begins an episode in each lane.
     pub(crate) fn new(environment: &'e E, interface: Interface, config: &SacConfig, seed: u64) -> Self {
-        let mut lanes = Self::empty(environment, interface, config, seed);
-        for _ in 0..config.learning.lanes {
-            let lane = lanes.begin();
-            lanes.lanes.push(lane);
-        }
-        lanes
-    }
-
-    /// Creates the lanes without episodes: see [`resume`](Self::resume).
-    pub(crate) fn empty(environment: &'e E, interface: Interface, config: &SacConfig, seed: u64) -> Self {
         let retried = config.retry.map_or(0.0, |retry| retry.share);
         let (limit, failures) = (environment.time_limit(), Failures::default());
         let (lasts, discount) = (config.learning.decision_lasts, config.learning.discount as f32);
         let lanes = Vec::new();
-        Self { environment, interface, limit, lasts, discount, seed, lanes, episodes: 0, failures, retried }
+        let mut new =
+            Self { environment, interface, limit, lasts, discount, seed, lanes, episodes: 0, failures, retried };
+        for _ in 0..config.learning.lanes {
+            let lane = new.begin();
+            new.lanes.push(lane);
+        }
+        new
     }
 
     /// Adds a lane whose episode began with `task` and has had `actions`: they are done again. False if the episode ends
@@ -153,7 +149,8 @@ mod tests {
         for action in 0..199 {
             assert_eq!(lanes.act(0, &[(action as f32).sin()]).end, None);
         }
-        let mut again = Lanes::empty(&Pendulum, interface, &config, 5);
+        let mut again = Lanes::new(&Pendulum, interface, &config, 5);
+        again.lanes.clear();
         assert!(again.resume(lanes.lanes[0].task, &lanes.lanes[0].actions));
         let (mut here, mut there) = ([0.0; 3], [0.0; 3]);
         lanes.observe(0, &mut here);

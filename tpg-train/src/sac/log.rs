@@ -1,7 +1,6 @@
 //! The log of a run: a row for each validation, without a clock, so that equal runs have equal logs.
 
 use super::training::{Recent, Training};
-use crate::csv_text::table;
 use crate::evolution::logs::cpu_seconds;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -41,21 +40,13 @@ pub(crate) fn row<E: Environment<f32>>(
     row
 }
 
-/// Writes `log.jsonl`, `log.csv`, and `time.json`: the time of this process, which began its part of the run at `began`.
+/// Writes `log.jsonl` and `time.json`: the time of this process, which began its part of the run at `began`.
 ///
 /// # Errors
 /// If they cannot be written.
 pub(crate) fn write(folder: &Path, rows: &[Value], began: Instant) -> Result<(), InputError> {
     let lines = rows.iter().map(|row| format!("{row}\n"));
     write_atomically(&folder.join("log.jsonl"), lines.collect::<String>().as_bytes())?;
-    write_atomically(&folder.join("log.csv"), &csv(rows))?;
     let time = json!({ "cpu_seconds_of_this_process": cpu_seconds(), "seconds": began.elapsed().as_secs_f64() });
     write_atomically(&folder.join("time.json"), format!("{time}\n").as_bytes())
-}
-
-/// Returns the rows as CSV. serde_json keeps an object's keys sorted: the columns are in alphabetical order.
-fn csv(rows: &[Value]) -> Vec<u8> {
-    let objects: Vec<_> = rows.iter().filter_map(Value::as_object).collect();
-    let Some(first) = objects.first() else { return Vec::new() };
-    table(first.keys(), objects.iter().map(|row| row.values().map(Value::to_string)))
 }

@@ -1,5 +1,6 @@
 //! The replay buffer: the latest transitions.
 
+use serde::{Deserialize, Serialize};
 use tpg_engine::Sample;
 use tpg_engine::random::Stream;
 
@@ -19,13 +20,13 @@ pub(crate) struct Transition<'a> {
 }
 
 /// A ring of transitions of `inputs` values a state and `actions` components an action.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Replay {
     inputs: usize,
     actions: usize,
     capacity: usize,
     /// Transitions ever added; the newest is at (added − 1) mod capacity.
-    added: u64,
+    pub(crate) added: u64,
     /// Row by row: state, action, reward, discount, next state.
     rows: Vec<f32>,
 }
@@ -138,22 +139,11 @@ impl Replay {
         }
     }
 
-    /// Returns the number of transitions ever added, and the rows in memory order.
-    pub(crate) fn state(&self) -> (u64, &[f32]) {
-        (self.added, &self.rows)
-    }
-
-    /// Continues from a [`state`](Self::state); `None` if it is none of such a buffer.
-    pub(crate) fn from_state(
-        inputs: usize,
-        actions: usize,
-        capacity: usize,
-        added: u64,
-        rows: Vec<f32>,
-    ) -> Option<Self> {
-        let buffer = Self { inputs, actions, capacity, added, rows };
-        let held = added.min(capacity as u64) as usize;
-        (capacity > 0 && buffer.rows.len() == held * buffer.width()).then_some(buffer)
+    /// True if another is of the same size, with the rows of its transitions.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        let held = other.added.min(other.capacity as u64) as usize;
+        let sizes = |buffer: &Self| (buffer.inputs, buffer.actions, buffer.capacity);
+        sizes(self) == sizes(other) && other.rows.len() == held * other.width()
     }
 }
 
@@ -184,11 +174,11 @@ mod tests {
     }
 
     #[test]
-    fn it_continues_from_its_state_and_refuses_another() {
+    fn another_size_or_number_of_rows_is_unlike() {
         let mut buffer = Replay::new(3, 4, 10);
         (0..25).for_each(|value| push(&mut buffer, value as f32));
-        let (added, rows) = buffer.state();
-        assert_eq!(Replay::from_state(3, 4, 10, added, rows.to_vec()).as_ref(), Some(&buffer));
-        assert!(Replay::from_state(3, 4, 11, added, rows.to_vec()).is_none());
+        assert!(Replay::new(3, 4, 10).is_like(&buffer) && !Replay::new(3, 4, 11).is_like(&buffer));
+        buffer.rows.pop();
+        assert!(!Replay::new(3, 4, 10).is_like(&buffer));
     }
 }

@@ -37,7 +37,7 @@ pub struct Training<'e, E: Environment<f32>> {
 }
 
 /// The best candidate so far.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Best {
     /// Its result on the validation tasks.
     pub result: Summary,
@@ -99,27 +99,11 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         let agent = agent(&config, &interface, seed);
         let replay = Replay::new(inputs, actions, config.learning.replay);
         let lanes = Lanes::new(environment, interface, &config, seed);
-        Ok(Self::of_parts(config, seed, agent, replay, lanes))
-    }
-
-    pub(super) fn of_parts(config: SacConfig, seed: u64, agent: Agent, replay: Replay, lanes: Lanes<'e, E>) -> Self {
         let space = TrainingScratch::new(&config, &agent);
         let recent = Recent::default();
         let average = config.learning.average.map(|_| agent.actor.network.clone());
-        Self {
-            config,
-            seed,
-            agent,
-            average,
-            replay,
-            lanes,
-            decisions: 0,
-            updates: 0,
-            best: None,
-            last: None,
-            recent,
-            space,
-        }
+        let (decisions, updates, best, last) = (0, 0, None, None);
+        Ok(Self { config, seed, agent, average, replay, lanes, decisions, updates, best, last, recent, space })
     }
 
     /// Returns the contract of a candidate; `name` is the configuration's, `problem` that of the problem.

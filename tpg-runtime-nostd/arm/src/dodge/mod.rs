@@ -12,7 +12,6 @@
 //! | [`guarded`] | the guard: a step that would be hit is replaced, none is against limits, table or base |
 //! | [`Source`] | what a policy sees |
 //! | [`Dodger`] | all of that around a policy |
-//! | [`Tracker`] | balls that are seen late, with noise, and without velocities |
 //! | [`Control`] | a control step on a real arm, whose readings may be wrong |
 
 mod ball;
@@ -24,7 +23,6 @@ mod guard;
 pub mod plan;
 mod scout;
 mod sources;
-mod tracker;
 
 pub use ball::Ball;
 pub use behaviour::{BALLS, Behaviour, EVASION, FIELD, Field, Shift, View, away};
@@ -34,4 +32,3 @@ pub use dodger::{Dodger, DodgerSettings};
 pub use guard::{Guarded, guarded, permitted};
 pub use scout::{Fate, HORIZON, SCOUT, Scout, ScoutSettings};
 pub use sources::{Source, VALUES};
-pub use tracker::Tracker;

@@ -4,57 +4,32 @@ use super::behaviour::View;
 use super::body::Nearest;
 use super::scout::{HORIZON, Scout};
 use crate::arm::JOINTS;
-use crate::observation::same;
+use crate::named::named;
 
 /// Number of values of all sources.
 pub const VALUES: usize = 17;
 
-/// A source of the arm among balls.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Source {
-    /// Goal less pose of base, shoulder, elbow and wrist, ticks.
-    Left,
-    /// Of the nearest ball: clearance, mm; its change in a step if the arm holds, mm; by how much each joint changes it, mm a
-    /// radian.
-    Near,
-    /// Of the second nearest ball: clearance, mm; its change in a step if the arm holds, mm. 500 and 0 without one.
-    Second,
-    /// Steps until the straight walk and the plan meet something, at most 160, and until the plan arrives.
-    Ahead,
-    /// Steps since the arm was nearer to its goal than ever, at most 255.
-    Progress,
-    /// Steps of the plan less those of the straight walk, and those that the plan still waits.
-    Detour,
+named! {
+    /// A source of the arm among balls.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Source {
+        /// Goal less pose of base, shoulder, elbow and wrist, ticks.
+        Left = "left",
+        /// Of the nearest ball: clearance, mm; its change in a step if the arm holds, mm; by how much each joint changes it, mm a
+        /// radian.
+        Near = "near",
+        /// Of the second nearest ball: clearance, mm; its change in a step if the arm holds, mm. 500 and 0 without one.
+        Second = "second",
+        /// Steps until the straight walk and the plan meet something, at most 160, and until the plan arrives.
+        Ahead = "ahead",
+        /// Steps since the arm was nearer to its goal than ever, at most 255.
+        Progress = "progress",
+        /// Steps of the plan less those of the straight walk, and those that the plan still waits.
+        Detour = "detour",
+    }
 }
 
 impl Source {
-    /// Every source, in the order of the state.
-    pub const ALL: [Self; 6] = [Self::Left, Self::Near, Self::Second, Self::Ahead, Self::Progress, Self::Detour];
-
-    /// Returns its name in a graph.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Left => "left",
-            Self::Near => "near",
-            Self::Second => "second",
-            Self::Ahead => "ahead",
-            Self::Progress => "progress",
-            Self::Detour => "detour",
-        }
-    }
-
-    /// Finds a source by its name.
-    pub const fn from_name(name: &str) -> Option<Self> {
-        let mut place = 0;
-        while place < Self::ALL.len() {
-            if same(Self::ALL[place].name().as_bytes(), name.as_bytes()) {
-                return Some(Self::ALL[place]);
-            }
-            place += 1;
-        }
-        None
-    }
-
     /// Returns the places of its values among those of all sources: the first, and their number.
     const fn place(self) -> (usize, usize) {
         match self {

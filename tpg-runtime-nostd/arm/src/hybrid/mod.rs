@@ -62,6 +62,7 @@ pub use turns::{CAUSES, Cause, Chosen, Counts, Driver, Switch};
 use crate::arm::{Arm, Collision, Leeway, Move, Pose};
 use crate::cycle::CycleDetector;
 use crate::kinematics::Lattice;
+use crate::named::named;
 use crate::observation::Observation;
 use part::valid_part;
 use tpg_runtime::policy::Policy;
@@ -80,40 +81,24 @@ pub struct Settings<S> {
     pub guard: Guard,
 }
 
-/// The actions that are not executed. The paper has no guard.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Guard {
-    /// Every action is executed, and an invalid one ends the episode.
-    None,
-    /// Not the graph's that leave a joint's range: the network takes over instead. Two comparisons a joint.
-    JointLimits,
-    /// Nor the graph's that collide: at most one collision test an action of the graph.
-    Collisions,
-    /// Nor the network's: where its action would be invalid it holds joints, or lets the graph act once, or rests. From a
-    /// free pose no invalid action is ever executed. At most one collision test an action, up to 9 where the network's would be
-    /// invalid.
-    Both,
+named! {
+    /// The actions that are not executed. The paper has no guard.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Guard {
+        /// Every action is executed, and an invalid one ends the episode.
+        None = "none",
+        /// Not the graph's that leave a joint's range: the network takes over instead. Two comparisons a joint.
+        JointLimits = "joint-limits",
+        /// Nor the graph's that collide: at most one collision test an action of the graph.
+        Collisions = "collisions",
+        /// Nor the network's: where its action would be invalid it holds joints, or lets the graph act once, or rests. From a
+        /// free pose no invalid action is ever executed. At most one collision test an action, up to 9 where the network's would be
+        /// invalid.
+        Both = "both",
+    }
 }
 
 impl Guard {
-    /// Every guard.
-    pub const ALL: [Self; 4] = [Self::None, Self::JointLimits, Self::Collisions, Self::Both];
-
-    /// The name in setting files.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::JointLimits => "joint-limits",
-            Self::Collisions => "collisions",
-            Self::Both => "both",
-        }
-    }
-
-    /// The guard of that [`name`](Self::name).
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|guard| guard.name() == name)
-    }
-
     /// Returns true if an action of the graph must not be executed. `collision` finds the arm's collision at a pose.
     #[inline(always)] // as `Hybrid::decide`
     pub fn refuses<S: Lattice>(

@@ -23,57 +23,37 @@ pub trait Lattice: Scalar {
 
 include!(concat!(env!("OUT_DIR"), "/sine.rs"));
 
-impl Lattice for f32 {
-    #[inline]
-    fn quarter_sine(index: usize) -> Self {
-        SINE_F32.get(index).copied().unwrap_or(0.0)
-    }
-    #[inline]
-    fn negated_if(self, negative: bool) -> Self {
-        // In an integer register, where it takes one instruction on a Cortex-M.
-        Self::from_bits(self.to_bits() ^ u32::from(negative) << 31)
-    }
-    #[inline]
-    fn direction_of(radians: Self) -> Direction<Self> {
-        Direction { cos: libm::cosf(radians), sin: libm::sinf(radians) }
-    }
-    #[inline]
-    fn sqrt(self) -> Self {
-        tpg_kernels::sqrt(self)
-    }
-    #[inline]
-    fn atan2(self, x: Self) -> Self {
-        libm::atan2f(self, x)
-    }
-    #[inline]
-    fn ln(self) -> Self {
-        libm::logf(self)
-    }
+macro_rules! lattice {
+    ($type:ty, $bits:ty, $sines:ident, $sin:path, $cos:path, $sqrt:path, $atan2:path, $ln:path) => {
+        impl Lattice for $type {
+            #[inline]
+            fn quarter_sine(index: usize) -> Self {
+                $sines.get(index).copied().unwrap_or(0.0)
+            }
+            #[inline]
+            fn negated_if(self, negative: bool) -> Self {
+                // In an integer register, where it takes one instruction on a Cortex-M.
+                Self::from_bits(self.to_bits() ^ <$bits>::from(negative) << (<$bits>::BITS - 1))
+            }
+            #[inline]
+            fn direction_of(radians: Self) -> Direction<Self> {
+                Direction { cos: $cos(radians), sin: $sin(radians) }
+            }
+            #[inline]
+            fn sqrt(self) -> Self {
+                $sqrt(self)
+            }
+            #[inline]
+            fn atan2(self, x: Self) -> Self {
+                $atan2(self, x)
+            }
+            #[inline]
+            fn ln(self) -> Self {
+                $ln(self)
+            }
+        }
+    };
 }
 
-impl Lattice for f64 {
-    #[inline]
-    fn quarter_sine(index: usize) -> Self {
-        SINE_F64.get(index).copied().unwrap_or(0.0)
-    }
-    #[inline]
-    fn negated_if(self, negative: bool) -> Self {
-        Self::from_bits(self.to_bits() ^ u64::from(negative) << 63)
-    }
-    #[inline]
-    fn direction_of(radians: Self) -> Direction<Self> {
-        Direction { cos: libm::cos(radians), sin: libm::sin(radians) }
-    }
-    #[inline]
-    fn sqrt(self) -> Self {
-        libm::sqrt(self)
-    }
-    #[inline]
-    fn atan2(self, x: Self) -> Self {
-        libm::atan2(self, x)
-    }
-    #[inline]
-    fn ln(self) -> Self {
-        libm::log(self)
-    }
-}
+lattice!(f32, u32, SINE_F32, libm::sinf, libm::cosf, tpg_kernels::sqrt, libm::atan2f, libm::logf);
+lattice!(f64, u64, SINE_F64, libm::sin, libm::cos, libm::sqrt, libm::atan2, libm::log);

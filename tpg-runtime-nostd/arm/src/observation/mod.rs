@@ -14,7 +14,6 @@ pub use memo::TargetMemo;
 pub use reach::{Reach, ReachErrors, ReachTarget};
 pub use seen::Observation;
 pub use source::Source;
-pub(crate) use source::same;
 pub use stance::Stance;
 pub use straight::{STEP, Straight};
 

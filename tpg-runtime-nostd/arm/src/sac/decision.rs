@@ -1,6 +1,7 @@
 //! From the network's preferences to a move of the arm.
 
 use crate::arm::{JOINTS, JointRange, Move, Pose};
+use crate::named::named;
 
 /// A number that a network answers in: thresholds are compared with its magnitude.
 pub trait Magnitude: Copy + PartialOrd {
@@ -28,51 +29,25 @@ impl Magnitude for i32 {
     }
 }
 
-/// The moves a policy chooses from, for each joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Actions {
-    /// −3, 0 or 3 ticks: the paper's set.
-    Coarse,
-    /// −3 to 3 ticks.
-    Fine,
-}
-
-impl Actions {
-    /// The name in weight files and configurations.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Coarse => "coarse",
-            Self::Fine => "fine",
-        }
-    }
-
-    /// The set of that [`name`](Self::name).
-    pub fn from_name(name: &str) -> Option<Self> {
-        [Self::Coarse, Self::Fine].into_iter().find(|actions| actions.name() == name)
+named! {
+    /// The moves a policy chooses from, for each joint.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Actions {
+        /// −3, 0 or 3 ticks: the paper's set.
+        Coarse = "coarse",
+        /// −3 to 3 ticks.
+        Fine = "fine",
     }
 }
 
-/// The moves that a policy refuses by itself. It is part of the policy and named wherever its results are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Mask {
-    /// None.
-    None,
-    /// A joint that would leave its range does not move.
-    JointLimits,
-}
-
-impl Mask {
-    /// The name in weight files and configurations.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::JointLimits => "joint-limits",
-        }
-    }
-
-    /// The mask of that [`name`](Self::name).
-    pub fn from_name(name: &str) -> Option<Self> {
-        [Self::None, Self::JointLimits].into_iter().find(|mask| mask.name() == name)
+named! {
+    /// The moves that a policy refuses by itself. It is part of the policy and named wherever its results are.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Mask {
+        /// None.
+        None = "none",
+        /// A joint that would leave its range does not move.
+        JointLimits = "joint-limits",
     }
 }
 

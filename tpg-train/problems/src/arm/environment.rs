@@ -12,7 +12,6 @@ mod regular;
 
 pub use episode::ArmEpisode;
 
-use crate::arm::binding::bind;
 use crate::arm::evaluation::figures;
 use crate::arm::problem::{ArmProblem, ArmTask, DISTANCE, OUTCOMES, on_the_arm};
 use crate::arm::targets::{self, ReachableSpace, Set};
@@ -30,8 +29,7 @@ use tpg_engine::{
     Act, ActionSpace, Drawn, End, Environment, EpisodeResult, Episodes, Guarded, Measure, Preference, SourceSet, Step,
     TaskSet, Training,
 };
-use tpg_graph::error::InputError;
-use tpg_graph::{ActionDocument, Effect, Graph, SourceDocument};
+use tpg_graph::{ActionDocument, Effect, SourceDocument};
 
 /// Scalars that the arm supports.
 pub trait ArmScalar: Lattice {
@@ -89,31 +87,18 @@ impl<S: ArmScalar> ArmEnvironment<S> {
     ///
     /// Training tasks come from one sample of the reachable space, validation tasks from another.
     pub fn new(arm: &Arm<f64>, problem: ArmProblem) -> Self {
-        let mut environment = Self::for_evaluation(arm, problem, Vec::new());
-        environment.moves = (0..JOINTS as u8)
-            .flat_map(|joint| {
-                let step = environment.problem.step;
-                [step, -step].map(|ticks| Move::single(Joint(joint), ticks))
-            })
-            .collect();
-        if environment.problem.may_stop {
-            environment.moves.push(Move::STOP);
-        }
-        environment
-    }
-
-    /// Creates an environment with a policy's own actions.
-    pub fn for_evaluation(arm: &Arm<f64>, problem: ArmProblem, moves: Vec<Move>) -> Self {
         let places = (0..problem.sources.len())
             .map(|place| problem.sources[..place].iter().map(|source| source.length()).sum())
             .collect();
+        let steps = |joint| [problem.step, -problem.step].map(|ticks| Move::single(Joint(joint), ticks));
+        let stop = problem.may_stop.then_some(Move::STOP);
         Self {
+            moves: (0..JOINTS as u8).flat_map(steps).chain(stop).collect(),
             arm: S::arm(arm),
             description: *arm,
             tolerance: S::from_f64(problem.tolerance),
             problem,
             clearances: Clearances::new(arm),
-            moves,
             places,
             sines: Box::new(std::array::from_fn(|ticks| Angle(ticks as i32).direction().sin)),
             steering: Steering::new(&motors::Config::default(), arm),
@@ -123,15 +108,6 @@ impl<S: ArmScalar> ArmEnvironment<S> {
     /// Returns the same environment for networks of these settings.
     pub fn with_network(self, config: &motors::Config) -> Self {
         Self { steering: Steering::new(config, &self.description), ..self }
-    }
-
-    /// Creates an environment for a graph's tests, with the graph's sources and actions.
-    ///
-    /// # Errors
-    /// If the graph reads sources that the arm does not have, or has actions that do not state their move.
-    pub fn for_graph(file: &str, graph: &Graph, arm: &Arm<f64>, problem: ArmProblem) -> Result<Self, InputError> {
-        let (sources, moves) = bind(file, graph)?;
-        Ok(Self::for_evaluation(arm, ArmProblem { sources, ..problem }, moves))
     }
 
     /// Returns the arm in this environment's scalar.

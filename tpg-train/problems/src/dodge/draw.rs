@@ -1,16 +1,19 @@
 //! The generator of scenes: every one is solvable, and a plan proves it.
 
+use super::BODY;
 use super::config::Config;
 pub use super::scene::SEED;
 use super::scene::{Path, Scene};
 use super::walk::{self, Leg, Outcome, candidate, follow};
 use crate::arm::targets::{ReachableSpace, Set, Start};
+use tpg_arm::dodge::CAPSULES;
 use tpg_arm::dodge::plan::steps;
-use tpg_arm::dodge::{Body, CAPSULES};
 use tpg_arm::kinematics::{Vector, distance};
 use tpg_arm::{Pose, WIDOWX};
 use tpg_engine::random::{Purpose, Stream};
 
+/// Tries for the certificate of a scene of training or validation.
+pub(super) const TRIES: u32 = 1500;
 /// Tries for the certificate of a test scene.
 pub const TEST_TRIES: u32 = 2500;
 /// Steps of an episode.
@@ -19,6 +22,20 @@ pub const LIMIT: u32 = 1000;
 const FIRST_GOALS: usize = 24;
 /// Draws of one ball before the scene is drawn anew.
 const BALL_DRAWS: usize = 30;
+/// Share of balls that do not move.
+const SHARE_STATIC: f64 = 0.15;
+/// Share of balls that cross the arm's straight walk: the first ball, and the others.
+const AIMED: [f64; 2] = [0.85, 0.6];
+/// Maximum distance of an aimed ball's path from a point of the arm, mm.
+const PASS_BY: f64 = 90.0;
+/// Minimum and maximum way of a ball to either side of a point that it passes, mm.
+const WAY: [f64; 2] = [120.0, 350.0];
+/// Minimum clearance from the arm at step 0, mm.
+const CLEAR_AT_START: f32 = 40.0;
+/// Steps for which an arm at its start is not hit.
+const REST_FREE: u32 = 40;
+/// Clearance that a solving plan keeps, mm.
+pub const MARGIN: f32 = 1.0;
 
 /// A scene with the plan that solves it.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,7 +49,6 @@ pub struct Certified {
 /// Draws scenes.
 #[derive(Clone, Debug)]
 pub struct Generator {
-    body: Body,
     space: ReachableSpace,
     config: Config,
 }
@@ -40,8 +56,7 @@ pub struct Generator {
 impl Generator {
     /// Prepares the scenes of a set; `seed` samples the reachable space.
     pub fn new(config: &Config, seed: u64, set: Set) -> Self {
-        let body = config.body();
-        Self { body, space: ReachableSpace::sample(&WIDOWX, seed, set), config: config.clone() }
+        Self { space: ReachableSpace::sample(&WIDOWX, seed, set), config: config.clone() }
     }
 
     /// Draws a scene. Those without a certificate after `tries` tries are drawn anew.
@@ -49,7 +64,7 @@ impl Generator {
         loop {
             let task = self.space.task(Start::Rs, random);
             let (start, target) = (task.start, task.target.map(|value| value as f32));
-            let solutions = walk::solutions(&self.body, target, start.0);
+            let solutions = walk::solutions(&BODY, target, start.0);
             let Some(goal) = self.first_goal(start, &solutions) else { continue };
             let Some(balls) = self.balls(start, goal, random) else { continue };
             let goals = walk::stances(start, goal, &solutions).into_iter().map(|pose| pose.0).collect();
@@ -66,7 +81,7 @@ impl Generator {
     fn first_goal(&self, start: Pose, solutions: &[Pose]) -> Option<Pose> {
         let is_free = |goal: &Pose| {
             let legs = [Leg { to: *goal, wait: 0 }];
-            matches!(follow(&self.body, start, &legs, 1400, 0.0, |_, _| 1.0), Outcome::Arrives(_))
+            matches!(follow(&BODY, start, &legs, 1400, 0.0, |_, _| 1.0), Outcome::Arrives(_))
         };
         let goal = solutions.iter().take(FIRST_GOALS).copied().find(is_free)?;
         let ticks = goal.0.iter().zip(start.0).map(|(to, from)| to.abs_diff(from)).max().unwrap_or(0);
@@ -85,13 +100,13 @@ impl Generator {
     fn ball(&self, index: usize, start: Pose, goal: Pose, random: &mut Stream) -> Option<Path> {
         let between = |[low, high]: [f64; 2], random: &mut Stream| (low + random.unit() * (high - low)) as f32;
         let radius = between(self.config.radius, random);
-        let speed = if random.chance(self.config.share_static) { 0.0 } else { between(self.config.speed, random) };
-        let [first, others] = self.config.aimed;
+        let speed = if random.chance(SHARE_STATIC) { 0.0 } else { between(self.config.speed, random) };
+        let [first, others] = AIMED;
         let aimed = random.chance(if index == 0 { first } else { others });
         let (pass, when) = if aimed { self.aim(start, goal, random) } else { self.elsewhere(start, goal, random) };
         let mut direction = unit_vector(random);
         direction[2] *= 0.5;
-        let [before, after] = [(); 2].map(|()| between(self.config.path, random));
+        let [before, after] = [(); 2].map(|()| between(WAY, random));
         let end = |side: f32| std::array::from_fn(|axis| pass[axis] + side * direction[axis]);
         let (from, to) = if speed == 0.0 { (pass, pass) } else { (end(-before), end(after)) };
         let length = distance(from, to);
@@ -118,15 +133,15 @@ impl Generator {
             Pose(std::array::from_fn(|joint| start.0[joint] + (goal.0[joint] - start.0[joint]).clamp(-moved, moved)));
         let capsule = 1 + random.below(CAPSULES - 1);
         let place = random.unit() as f32;
-        let point = self.body.at(pose).on_axis(capsule, place);
-        let aside = (self.config.pass_by * random.unit()) as f32;
+        let point = BODY.at(pose).on_axis(capsule, place);
+        let aside = (PASS_BY * random.unit()) as f32;
         let direction = unit_vector(random);
         (std::array::from_fn(|axis| point[axis] + aside * direction[axis]), when)
     }
 
     /// A place that the hand can reach, and a time of the straight walk.
     fn elsewhere(&self, start: Pose, goal: Pose, random: &mut Stream) -> (Vector<f32>, f32) {
-        let place = self.body.at(self.space.pose(random)).hand();
+        let place = BODY.at(self.space.pose(random)).hand();
         (place, random.unit() as f32 * steps(start, goal) as f32)
     }
 
@@ -138,25 +153,23 @@ impl Generator {
             let [x, y, z]: [f32; 3] = std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * part);
             z >= radius && (x.hypot(y) >= radius + 90.0 || z > 420.0 + radius)
         });
-        let posture = self.body.at(start);
-        let least = |time| if time == 0 { self.config.clear_at_start } else { 5.0 };
-        let rest = u32::from(self.config.rest_free);
-        on_the_way && (0..=rest).all(|time| self.body.clearance(&posture, path.at(time as f32), radius) >= least(time))
+        let posture = BODY.at(start);
+        let least = |time| if time == 0 { CLEAR_AT_START } else { 5.0 };
+        on_the_way && (0..=REST_FREE).all(|time| BODY.clearance(&posture, path.at(time as f32), radius) >= least(time))
     }
 
     /// A plan that solves a scene with a margin, by trying; `None` if none is found.
     fn certificate(&self, scene: &Scene, goals: &[Pose], tries: u32, random: &mut Stream) -> Option<Vec<Leg>> {
         let start = Pose(scene.start);
-        let holds =
-            |legs: &Vec<Leg>| matches!(replay(&self.body, scene, legs, self.config.margin), Outcome::Arrives(_));
+        let holds = |legs: &Vec<Leg>| matches!(replay(scene, legs, MARGIN), Outcome::Arrives(_));
         (0..tries as usize).map(|index| candidate(index, start, goals, random)).find(holds)
     }
 }
 
 /// Follows a plan in a scene whose future is known.
-pub fn replay(body: &Body, scene: &Scene, legs: &[Leg], margin: f32) -> Outcome {
-    follow(body, Pose(scene.start), legs, LIMIT, margin, |posture, time| {
-        let clearances = scene.balls.iter().map(|path| body.clearance(posture, path.at(time as f32), path.radius));
+pub fn replay(scene: &Scene, legs: &[Leg], margin: f32) -> Outcome {
+    follow(&BODY, Pose(scene.start), legs, LIMIT, margin, |posture, time| {
+        let clearances = scene.balls.iter().map(|path| BODY.clearance(posture, path.at(time as f32), path.radius));
         clearances.fold(f32::INFINITY, f32::min)
     })
 }

@@ -1,14 +1,15 @@
 //! The arm among balls as an [`Environment`].
 
+use super::BODY;
 use super::config::Config;
-use super::draw::{Generator, LIMIT, SEED};
+use super::draw::{Generator, LIMIT, SEED, TRIES};
 use super::episode::{self, Episode, OUTCOMES};
 use super::scene::Scene;
 use crate::arm::drawing;
 use crate::arm::targets::Set;
 use std::sync::OnceLock;
 use tpg_arm::WIDOWX;
-use tpg_arm::dodge::{Behaviour, Body, Dodger, Source};
+use tpg_arm::dodge::{Behaviour, Dodger, Source};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Act, ActionSpace, Drawn, End, Environment, Measure, Preference, SourceSet, Step, TaskSet, Training};
 use tpg_graph::SourceDocument;
@@ -24,7 +25,6 @@ const FAR: f64 = 0.05;
 /// The environment.
 #[derive(Debug)]
 pub struct Dodge {
-    body: Body,
     config: Config,
     training: OnceLock<Generator>,
     validation: OnceLock<Generator>,
@@ -41,7 +41,7 @@ impl Dodge {
     /// Creates the environment; the settings have been checked.
     pub fn new(config: &Config) -> Self {
         let (training, validation) = (OnceLock::new(), OnceLock::new());
-        Self { body: config.body(), config: config.clone(), training, validation }
+        Self { config: config.clone(), training, validation }
     }
 
     fn generator(&self, set: Set) -> &Generator {
@@ -79,7 +79,7 @@ impl<S: Scalar> Environment<S> for Dodge {
     }
 
     fn draw(&self, stream: &mut Stream) -> Scene {
-        self.generator(Set::Training).draw(stream, self.config.tries).scene
+        self.generator(Set::Training).draw(stream, TRIES).scene
     }
 
     fn training(&self) -> Option<&dyn Training<Scene, DodgeEpisode>> {
@@ -91,26 +91,25 @@ impl<S: Scalar> Environment<S> for Dodge {
     }
 
     fn accepts(&self, scene: &Scene) -> bool {
-        let is_on_the_arm =
-            |pose: &[i16; 4]| pose.iter().zip(&self.body.arm.ranges).all(|(&t, range)| range.contains(t));
+        let is_on_the_arm = |pose: &[i16; 4]| pose.iter().zip(&BODY.arm.ranges).all(|(&t, range)| range.contains(t));
         !scene.goals.is_empty() && scene.goals.iter().chain([&scene.start]).all(is_on_the_arm)
     }
 
     fn start(&self, scene: &Scene) -> DodgeEpisode {
-        let episode = Episode::sensed(&self.body, scene, self.config.sensing());
-        let dodger = Dodger::new(self.config.settings(), &episode.view(&self.body));
+        let episode = Episode::new(&BODY, scene);
+        let dodger = Dodger::new(self.config.settings(), &episode.view(&BODY));
         DodgeEpisode { episode, dodger }
     }
 
     fn observe(&self, running: &mut DodgeEpisode, _wanted: SourceSet, state: &mut [S]) {
-        let values = running.dodger.observe(&running.episode.view(&self.body));
+        let values = running.dodger.observe(&running.episode.view(&BODY));
         state.iter_mut().zip(values).for_each(|(slot, value)| *slot = S::from_f64(f64::from(value)));
     }
 
     fn step(&self, running: &mut DodgeEpisode, act: Act<'_, S>) -> Step {
         let (behaviour, _) = Behaviour::ALL[act.choice()];
-        let wanted = running.dodger.act(&running.episode.view(&self.body), behaviour);
-        let Some(end) = running.episode.step(&self.body, wanted, self.config.tolerance) else {
+        let wanted = running.dodger.act(&running.episode.view(&BODY), behaviour);
+        let Some(end) = running.episode.step(&BODY, wanted, self.config.tolerance) else {
             return Step::reward(0.0);
         };
         let distance = f64::from(running.episode.distance());
@@ -129,7 +128,7 @@ impl Training<Scene, DodgeEpisode> for Dodge {
     fn tasks(&self, set: TaskSet, _seed: u64, count: usize) -> Option<Vec<Scene>> {
         let generator = (set == TaskSet::Validation).then(|| self.generator(Set::Validation))?;
         let stream = |index| Stream::new(SEED, (Set::Validation as u64) << 8 | 77, Purpose::Task, index);
-        Some((0..count as u64).map(|index| generator.draw(&mut stream(index), self.config.tries).scene).collect())
+        Some((0..count as u64).map(|index| generator.draw(&mut stream(index), TRIES).scene).collect())
     }
 }
 

@@ -2,7 +2,6 @@
 
 use super::draw::LIMIT;
 use super::scene::Scene;
-use super::sensing::{Sensing, Sensors};
 use super::walk::moved;
 use std::sync::Arc;
 use tpg_arm::dodge::{Ball, Body, Posture, View};
@@ -19,8 +18,6 @@ pub struct Episode {
     goals: Vec<Pose>,
     /// The balls as they are now.
     balls: Vec<Ball>,
-    /// Those that see them otherwise, and the balls as they see them; `None` where they are seen as they are.
-    sensors: Option<(Sensors, Vec<Ball>)>,
     pose: Pose,
     posture: Posture,
     steps: u32,
@@ -38,28 +35,17 @@ pub enum End {
 }
 
 impl Episode {
-    /// Starts an episode in which the balls are seen as they are.
+    /// Starts an episode.
     pub fn new(body: &Body, scene: &Scene) -> Self {
-        Self::sensed(body, scene, Sensing::EXACT)
-    }
-
-    /// Starts an episode in which the balls are seen so.
-    pub fn sensed(body: &Body, scene: &Scene, sensing: Sensing) -> Self {
         let pose = Pose(scene.start);
         let balls = scene.balls.iter().map(|path| path.observed(0.0)).collect();
         let goals = scene.goals.iter().copied().map(Pose).collect();
-        let sensors = (sensing != Sensing::EXACT).then(|| {
-            let mut sensors = Sensors::new(sensing, scene);
-            let seen = sensors.see(scene, 0.0);
-            (sensors, seen)
-        });
-        Self { scene: Arc::new(scene.clone()), goals, balls, sensors, pose, posture: body.at(pose), steps: 0 }
+        Self { scene: Arc::new(scene.clone()), goals, balls, pose, posture: body.at(pose), steps: 0 }
     }
 
     /// Returns what a controller sees.
     pub fn view<'a>(&'a self, body: &'a Body) -> View<'a> {
-        let seen = self.sensors.as_ref().map_or(&self.balls, |(_, seen)| seen);
-        View::new(body, self.pose, &self.goals, seen)
+        View::new(body, self.pose, &self.goals, &self.balls)
     }
 
     /// Returns the pose.
@@ -107,9 +93,6 @@ impl Episode {
             let at = path.at(time);
             ball.velocity = std::array::from_fn(|axis| at[axis] - ball.at[axis]);
             ball.at = at;
-        }
-        if let Some((sensors, seen)) = &mut self.sensors {
-            *seen = sensors.see(&self.scene, time);
         }
         if body.clearance_of_all(&self.posture, &self.balls, 0.0) < 0.0 {
             Some(End::Hit)

@@ -7,7 +7,6 @@
 //! | [`draw`] | the generator: every scene has a plan that solves it |
 //! | [`walk`] | plans of any number of legs, followed step by step |
 //! | [`mod@file`] | lists of scenes as CSV |
-//! | [`sensing`] | how balls are seen: exactly, or late, with noise, and without velocities |
 //! | [`episode`] | the rules of a step |
 //! | [`environment`] | the problem as an [`Environment`](tpg_engine::Environment) |
 
@@ -17,8 +16,13 @@ pub mod environment;
 pub mod episode;
 pub mod file;
 pub mod scene;
-pub mod sensing;
 pub mod walk;
 
 pub use config::Config;
 pub use environment::Dodge;
+
+use tpg_arm::WIDOWX;
+use tpg_arm::dodge::{Body, WIDOWX_RADII};
+
+/// The arm with its capsules.
+pub static BODY: Body = Body::new(WIDOWX.to_f32(), WIDOWX_RADII);

@@ -4,9 +4,7 @@
 //! rewards but for the last bits of a square. Numbers may differ only by what separates two good libraries for sines: a few
 //! units in the last place.
 
-use crate::acrobot::Links;
 use crate::mountain_car_continuous::Drive;
-use crate::pendulum::Swing;
 use crate::{Acrobot, CartPole, MountainCar, MountainCarContinuous, Pendulum, ProblemName};
 use flate2::read::GzDecoder;
 use std::fs::File;
@@ -38,11 +36,11 @@ impl Recorded for CartPole {
 }
 
 impl Recorded for Acrobot {
-    fn episode(state: &[f64], _: bool) -> Links {
-        Links::new(state.try_into().expect("four numbers"))
+    fn episode(state: &[f64], _: bool) -> [f64; 8] {
+        Environment::<f64>::start(&Acrobot, &state.try_into().expect("four numbers"))
     }
-    fn state(links: &Links) -> Vec<f64> {
-        links.0[..4].to_vec()
+    fn state(links: &[f64; 8]) -> Vec<f64> {
+        links[..4].to_vec()
     }
 }
 
@@ -60,11 +58,11 @@ impl Recorded for Pendulum {
     /// times 0.001.
     const REWARD: f64 = 5e-10;
 
-    fn episode(state: &[f64], _: bool) -> Swing {
-        Swing::new(state[0], state[1])
+    fn episode(state: &[f64], _: bool) -> [f64; 4] {
+        Environment::<f64>::start(&Pendulum, &state.try_into().expect("two numbers"))
     }
-    fn state(swing: &Swing) -> Vec<f64> {
-        vec![swing.angle, swing.velocity]
+    fn state(swing: &[f64; 4]) -> Vec<f64> {
+        swing[..2].to_vec()
     }
 }
 

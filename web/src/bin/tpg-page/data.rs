@@ -1,12 +1,12 @@
-//! The data of the page: the policies as formulas, their code, and what a decision costs.
+//! The data of the page: the policies as formulas and tables of bids, their code, and what a decision costs.
 
-use crate::bids::bids;
 use crate::policies::{ARM, POLICIES, Policy, read, top};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io;
 use tpg_arm::dodge::Behaviour;
-use tpg_codegen::report::{Bids, PolicyFormulas};
+use tpg_codegen::report::{Bids, PolicyFormulas, Value};
+use tpg_graph::Graph;
 use tpg_problems::dodge::draw::Certified;
 use tpg_problems::dodge::file::read_csv;
 use tpg_web::balls::numbers;
@@ -16,14 +16,14 @@ use tpg_web::balls::numbers;
 struct PageData {
     /// Instructions of an action on a Cortex-M4, by driver.
     costs: BTreeMap<&'static str, PageCost>,
-    arm: PageGraph,
+    arm: PageTeams,
     balls: PageBalls,
     problems: Vec<PageProblem>,
 }
 
-/// The graph of the arm: what its teams compare, in words and as a table that the page evaluates.
+/// What the teams of a graph compare, in words and as a table that the page evaluates.
 #[derive(Serialize)]
-struct PageGraph {
+struct PageTeams {
     table: Bids,
     #[serde(flatten)]
     formulas: PolicyFormulas,
@@ -62,7 +62,7 @@ struct PageProblem {
     result: String,
     code: String,
     #[serde(flatten)]
-    formulas: PolicyFormulas,
+    teams: PageTeams,
 }
 
 /// The rows of `costs.toml` that the page shows.
@@ -78,7 +78,7 @@ pub(crate) fn text() -> io::Result<String> {
     let problems = POLICIES.iter().map(problem).collect::<io::Result<_>>()?;
     let costs = costs()?;
     let balls = balls(costs["balls"].worst)?;
-    let arm = PageGraph { table: bids(&ARM)?, formulas: PolicyFormulas::of(&ARM.graph()?, &ARM.options()?) };
+    let arm = teams(&ARM, &ARM.graph()?)?;
     let text = serde_json::to_string(&PageData { costs, arm, balls, problems }).map_err(io::Error::other)?;
     Ok(text + "\n")
 }
@@ -121,8 +121,19 @@ fn problem(policy: &Policy) -> io::Result<PageProblem> {
         size: policy.provenance("| C, profile `fast` |")?,
         result: result(policy)?,
         code: policy.code()?,
-        formulas: PolicyFormulas::of(&graph, &policy.options()?),
+        teams: teams(policy, &graph)?,
     })
+}
+
+/// The teams of a policy, whose numbers JSON can hold.
+fn teams(policy: &Policy, graph: &Graph) -> io::Result<PageTeams> {
+    let options = policy.options()?;
+    let table = Bids::of(graph, &options);
+    let is_odd = |value: &&Value| matches!(value, Value::Constant(number) if !number.is_finite());
+    match table.values.iter().find(is_odd) {
+        Some(value) => Err(io::Error::other(format!("{value:?} among the values of a bid"))),
+        None => Ok(PageTeams { table, formulas: PolicyFormulas::of(graph, &options) }),
+    }
 }
 
 /// The figures in bold of the test on real Gymnasium.
