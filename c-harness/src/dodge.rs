@@ -15,7 +15,7 @@ use tpg_arm::kinematics::Vector;
 use tpg_arm::sensors::Watch;
 use tpg_codegen::emit::{self, File, Language, Options};
 use tpg_generated::dodge::Dodge;
-use tpg_problems::dodge::Config;
+use tpg_problems::dodge::{BODY, Config};
 use tpg_problems::dodge::episode::{End, Episode};
 use tpg_problems::dodge::file::read_csv;
 use tpg_problems::dodge::scene::Scene;
@@ -36,22 +36,22 @@ struct DodgeRollout {
 /// Runs the scenes here: each, and a hash of every pose.
 fn run() -> Result<(Vec<DodgeRollout>, Hash), Failure> {
     let config = Config::default();
-    let (body, settings) = (config.body(), config.settings());
+    let (body, settings) = (&BODY, config.settings());
     let behaviours = Behaviour::ALL.map(|(behaviour, _)| behaviour);
     let chooser = Chooser { policy: Dodge, sources: &Source::ALL, behaviours: &behaviours };
     let choose = |values: &_| chooser.choose(values);
     let mut poses = Hash::new();
     let rollout = |scene: Scene| {
         let goals: Vec<Pose> = scene.goals.iter().copied().map(Pose).collect();
-        let mut episode = Episode::new(&body, &scene);
+        let mut episode = Episode::new(body, &scene);
         let mut centres: Vec<Vector<f32>> = scene.balls.iter().map(|path| path.at(-1.0)).collect();
-        let begun = Control::new(&body, settings, Watch::DEFAULT, &goals, episode.pose(), episode.view(&body).balls);
+        let begun = Control::new(body, settings, Watch::DEFAULT, &goals, episode.pose(), episode.view(body).balls);
         let mut control = begun.map_err(Failure::new)?;
         let end = loop {
-            let view = episode.view(&body);
+            let view = episode.view(body);
             centres.extend(view.balls.iter().map(|ball| ball.at));
-            let step = control.step(&body, &choose, view.pose, view.balls).map_err(Failure::new)?;
-            let end = episode.step(&body, step.wanted, config.tolerance);
+            let step = control.step(body, &choose, view.pose, view.balls).map_err(Failure::new)?;
+            let end = episode.step(body, step.wanted, config.tolerance);
             poses.add_pose(episode.pose());
             if let Some(end) = end {
                 break end;

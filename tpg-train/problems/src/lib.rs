@@ -20,18 +20,20 @@
 //! | [`mountain_car`] | driving out of a valley by three pushes |
 //! | [`mountain_car_continuous`] | driving out of a valley by a force |
 //! | [`pendulum`] | swinging a pendulum up |
-//! | `breakout` | MinAtar's Breakout, an image of ten by ten cells |
 //! | `rows` | tasks as CSV |
+//! | `eye` | a camera that follows a ball |
+//! | `minatar` | games of ten by ten cells: `breakout`, `asterix`, `space-invaders` |
 //! | [`varied`], [`physics`], [`amount`] | other constants, late actions, noise and hidden sources |
 
 pub mod acrobot;
 pub mod amount;
 pub mod arm;
-mod breakout;
 pub mod cartpole;
 mod circle;
 pub mod dodge;
 mod eights;
+mod eye;
+mod minatar;
 pub mod mountain_car;
 pub mod mountain_car_continuous;
 pub mod pendulum;

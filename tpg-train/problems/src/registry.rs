@@ -4,9 +4,10 @@ use crate::acrobot::{self, Acrobot};
 use crate::arm::motors::Motors;
 use crate::arm::targets::Start;
 use crate::arm::{self, ArmScalar, motors};
-use crate::breakout::{self, Breakout};
 use crate::cartpole::{self, CartPole};
 use crate::dodge::{self, Dodge};
+use crate::eye::{self, Eye};
+use crate::minatar::{self, Asterix, Breakout, GameName, MinAtar, SpaceInvaders};
 use crate::mountain_car::{self, MountainCar};
 use crate::mountain_car_continuous::{self, MountainCarContinuous};
 use crate::pendulum::{self, Pendulum};
@@ -41,6 +42,12 @@ pub enum ProblemName {
     MountainCarContinuous,
     /// A paddle keeps a ball in play: MinAtar's Breakout
     Breakout,
+    /// A player takes gold and avoids enemies: MinAtar's Asterix
+    Asterix,
+    /// A cannon shoots aliens: MinAtar's Space Invaders
+    SpaceInvaders,
+    /// A camera follows a ball that is lighter or darker than what is behind it
+    Eye,
 }
 
 /// The kind of policies that a problem is set up for: only the arm differs between them.
@@ -84,7 +91,7 @@ const fn arm(name: ProblemName, text: &'static str, start: Start) -> Entry {
 }
 
 /// Every built-in problem, in the order of [`ProblemName`].
-pub const PROBLEMS: [Entry; 9] = [
+pub const PROBLEMS: [Entry; 12] = [
     arm(ProblemName::Fs, "fs", Start::Fs),
     arm(ProblemName::Rs, "rs", Start::Rs),
     entry(ProblemName::Dodge, "dodge", read!(Dodge)),
@@ -93,8 +100,16 @@ pub const PROBLEMS: [Entry; 9] = [
     entry(ProblemName::MountainCar, "mountain-car", read!(MountainCar)),
     entry(ProblemName::Pendulum, "pendulum", read!(Pendulum)),
     entry(ProblemName::MountainCarContinuous, "mountain-car-continuous", read!(MountainCarContinuous)),
-    entry(ProblemName::Breakout, "breakout", read!(Breakout)),
+    entry(ProblemName::Breakout, "breakout", |table| game(table, GameName::Breakout)),
+    entry(ProblemName::Asterix, "asterix", |table| game(table, GameName::Asterix)),
+    entry(ProblemName::SpaceInvaders, "space-invaders", |table| game(table, GameName::SpaceInvaders)),
+    entry(ProblemName::Eye, "eye", read!(Eye)),
 ];
+
+fn game(table: toml::Table, game: GameName) -> Result<ProblemSettings, PathError> {
+    let read = serde_path_to_error::deserialize(toml::Value::Table(table));
+    read.map(|minatar::Config { .. }| ProblemSettings::MinAtar(minatar::Config { game }))
+}
 
 impl ProblemName {
     const fn entry(self) -> Entry {
@@ -153,8 +168,10 @@ pub enum ProblemSettings {
     Pendulum(pendulum::Config),
     /// The car in a valley, by a force.
     MountainCarContinuous(mountain_car_continuous::Config),
-    /// The game.
-    Breakout(breakout::Config),
+    /// A game of MinAtar.
+    MinAtar(minatar::Config),
+    /// The camera.
+    Eye(eye::Config),
 }
 
 macro_rules! each {
@@ -168,7 +185,8 @@ macro_rules! each {
             ProblemSettings::MountainCar($config) => $result,
             ProblemSettings::Pendulum($config) => $result,
             ProblemSettings::MountainCarContinuous($config) => $result,
-            ProblemSettings::Breakout($config) => $result,
+            ProblemSettings::MinAtar($config) => $result,
+            ProblemSettings::Eye($config) => $result,
         }
     };
 }
@@ -210,9 +228,19 @@ impl Settings for dodge::Config {
     }
 }
 
-impl Settings for breakout::Config {
+impl Settings for minatar::Config {
     fn environment<S: ArmScalar>(&self, _: Start) -> AnyEnvironment<S> {
-        erase(Breakout::default())
+        match self.game {
+            GameName::Breakout => erase(MinAtar::<Breakout>::default()),
+            GameName::Asterix => erase(MinAtar::<Asterix>::default()),
+            GameName::SpaceInvaders => erase(MinAtar::<SpaceInvaders>::default()),
+        }
+    }
+}
+
+impl Settings for eye::Config {
+    fn environment<S: ArmScalar>(&self, _: Start) -> AnyEnvironment<S> {
+        erase(Eye::default())
     }
 }
 

@@ -1,0 +1,232 @@
+//! A camera on a pan-tilt head follows a ball that is lighter or darker than what is behind it.
+//!
+//! The camera gives 24 rows of 32 grey pixels. Brightness, its gradient, the texture behind the ball and the noise of the pixels differ
+//! from episode to episode; the head follows its commands with a lag.
+
+use serde::{Deserialize, Serialize};
+use tpg_engine::random::Stream;
+use tpg_engine::{Act, ActionSpace, End, Environment, Output, SourceSet, Step};
+use tpg_graph::SourceDocument;
+use tpg_graph::image::{Image, Vision, features_of};
+use tpg_runtime::scalar::Scalar;
+
+const ROWS: usize = 24;
+const COLUMNS: usize = 32;
+/// Actions of an episode.
+const ACTIONS: u32 = 200;
+/// The fastest command, in pixels an action.
+const FASTEST: f32 = 2.0;
+/// The part of the difference to its command by which the head's speed changes in an action.
+const LAG: f32 = 0.6;
+/// The distance of the ball from the middle, in pixels, at which an action earns nothing.
+const FAR: f64 = 8.0;
+/// Pixels of a patch of the texture are in one square of so many.
+const PATCH: f32 = 4.0;
+
+/// The section `[problem]` of a configuration for the camera: it has no settings.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Config {}
+
+/// The problem. An action earns the more the nearer the ball is to the middle of the image, 100 in an episode at most; the episode
+/// ends when the ball has left the image.
+#[derive(Clone, Debug)]
+pub(crate) struct Eye {
+    sources: Vec<SourceDocument>,
+    vision: Vision,
+}
+
+impl Default for Eye {
+    fn default() -> Self {
+        let sources = features_of([ROWS as u32, COLUMNS as u32, 1], &["image"], u8::MAX);
+        let vision = Vision::new(&sources).expect("the sources are of an image");
+        Self { sources, vision }
+    }
+}
+
+/// A running episode. Places are those of the middle of the image, down and to the right, in pixels.
+#[derive(Clone, Debug)]
+pub(crate) struct Scene {
+    seed: u64,
+    actions: u64,
+    radius: f32,
+    contrast: f32,
+    brightness: f32,
+    gradient: [f32; 2],
+    texture: f32,
+    noise: f32,
+    ball: [f32; 2],
+    velocity: [f32; 2],
+    head: [f32; 2],
+    speed: [f32; 2],
+}
+
+/// Mixes two numbers into random bits.
+fn mixed(seed: u64, number: u64) -> u64 {
+    let mixed = seed.wrapping_add(number.wrapping_mul(0x9E37_79B9_7F4A_7C15));
+    let mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    mixed ^ (mixed >> 31)
+}
+
+/// Returns a number from 0 to below 1 of the upper 24 bits.
+fn unit(bits: u64) -> f32 {
+    (bits >> 40) as f32 / (1_u32 << 24) as f32
+}
+
+impl Scene {
+    fn new(seed: u64) -> Self {
+        let mut number = 0;
+        let mut draw = |low: f32, high: f32| {
+            number += 1;
+            low + (high - low) * unit(mixed(seed, number))
+        };
+        let sign = if draw(0.0, 1.0) < 0.5 { -1.0 } else { 1.0 };
+        Self {
+            seed,
+            actions: 0,
+            radius: draw(2.0, 4.0),
+            contrast: sign * draw(50.0, 90.0),
+            brightness: draw(95.0, 150.0),
+            gradient: [draw(-1.0, 1.0), draw(-1.0, 1.0)],
+            texture: draw(5.0, 15.0),
+            noise: draw(2.0, 8.0),
+            ball: [draw(-7.0, 7.0), draw(-10.0, 10.0)],
+            velocity: [draw(-0.6, 0.6), draw(-0.6, 0.6)],
+            head: [0.0; 2],
+            speed: [0.0; 2],
+        }
+    }
+
+    /// Returns the ball's distance from the middle of the image.
+    fn distance(&self) -> [f32; 2] {
+        [self.ball[0] - self.head[0], self.ball[1] - self.head[1]]
+    }
+
+    fn step(&mut self, command: [f32; 2]) -> Step {
+        self.actions += 1;
+        for axis in 0..2 {
+            let command = command[axis].clamp(-FASTEST, FASTEST);
+            self.speed[axis] += LAG * (command - self.speed[axis]);
+            self.head[axis] += self.speed[axis];
+            // The ball is pushed another way every eight actions.
+            let push = 2.0 * unit(mixed(self.seed ^ 0xAAAA, self.actions / 8 * 2 + axis as u64)) - 1.0;
+            self.velocity[axis] = (self.velocity[axis] + 0.12 * push).clamp(-1.2, 1.2);
+            self.ball[axis] += self.velocity[axis];
+        }
+        let [down, right] = self.distance();
+        let near = 1.0 - f64::from(down * down + right * right).sqrt() / FAR;
+        let step = Step::reward(near.max(0.0) * 100.0 / f64::from(ACTIONS));
+        let is_lost = down.abs() > ROWS as f32 / 2.0 || right.abs() > COLUMNS as f32 / 2.0;
+        if is_lost { step.ending(End::new(0)) } else { step }
+    }
+}
+
+impl Image for Scene {
+    fn cell(&self, row: usize, column: usize, _: usize) -> u8 {
+        let at = [row as f32 - (ROWS - 1) as f32 / 2.0, column as f32 - (COLUMNS - 1) as f32 / 2.0];
+        let patch = [0, 1].map(|axis| ((at[axis] + self.head[axis]) / PATCH).floor() as i64 as u64);
+        let patch = mixed(self.seed ^ 0x5555, patch[0] << 32 ^ patch[1] & 0xFFFF_FFFF);
+        let [down, right] = self.distance();
+        let (down, right) = (at[0] - down, at[1] - right);
+        let inside = (self.radius + 0.5 - (down * down + right * right).sqrt()).clamp(0.0, 1.0);
+        let noise = mixed(self.seed ^ self.actions << 32, (row * COLUMNS + column) as u64);
+        let noise = (unit(noise) + unit(noise << 20) - 1.0) * 2.4 * self.noise;
+        let behind = self.brightness + self.gradient[0] * at[0] + self.gradient[1] * at[1];
+        let texture = (2.0 * unit(patch) - 1.0) * self.texture * (1.0 - inside);
+        (behind + texture + self.contrast * inside + noise).round().clamp(0.0, 255.0) as u8
+    }
+}
+
+/// A scene drawn once, for features that look at each pixel many times.
+struct Frame(Vec<u8>);
+
+impl Image for Frame {
+    fn cell(&self, row: usize, column: usize, _: usize) -> u8 {
+        self.0[row * COLUMNS + column]
+    }
+}
+
+impl<S: Scalar> Environment<S> for Eye {
+    /// The seed of a scene.
+    type Task = u64;
+    type Episode = Scene;
+
+    fn sources(&self) -> Vec<SourceDocument> {
+        self.sources.clone()
+    }
+
+    fn actions(&self) -> ActionSpace {
+        let output = |name: &str| {
+            let (min, max) = (-f64::from(FASTEST), f64::from(FASTEST));
+            Output { name: name.to_owned(), unit: "pixels".to_owned(), min, max }
+        };
+        ActionSpace::Box(["tilt", "pan"].map(output).into())
+    }
+
+    fn outcomes(&self) -> &'static [&'static str] {
+        &["lost", "time limit"]
+    }
+
+    fn time_limit(&self) -> u32 {
+        ACTIONS
+    }
+
+    fn draw(&self, stream: &mut Stream) -> u64 {
+        stream.bits()
+    }
+
+    fn start(&self, seed: &u64) -> Scene {
+        Scene::new(*seed)
+    }
+
+    fn observe(&self, scene: &mut Scene, wanted: SourceSet, state: &mut [S]) {
+        let inputs: Vec<u16> = (0..state.len() as u16).collect();
+        self.observe_some(scene, wanted, &inputs, state);
+    }
+
+    fn observe_some(&self, scene: &mut Scene, _: SourceSet, inputs: &[u16], state: &mut [S]) {
+        let pixels = (0..ROWS).flat_map(|row| (0..COLUMNS).map(move |column| (row, column)));
+        let frame = Frame(pixels.map(|(row, column)| scene.cell(row, column, 0)).collect());
+        let inputs = inputs.iter().map(|&input| usize::from(input));
+        self.vision.look(&frame, inputs, |input, value| state[input] = S::from_f64(value));
+    }
+
+    fn step(&self, scene: &mut Scene, act: Act<'_, S>) -> Step {
+        let values = act.values();
+        scene.step([values[0], values[1]].map(|value| value.to_f64() as f32))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Eye, Scene};
+    use tpg_engine::{Act, Environment, SourceSet};
+
+    /// Returns the mean score of a head that follows the brightest or the darkest window, whichever has more contrast, or does nothing.
+    fn followed(is_still: bool) -> f64 {
+        let eye = Eye::default();
+        let scores = (0..100).map(|seed| {
+            let (mut scene, mut score) = (Scene::new(seed), 0.0);
+            let mut state = [0.0_f64; 54];
+            for _ in 0..200 {
+                eye.observe(&mut scene, SourceSet::ALL, &mut state);
+                let place = if state[2] > state[5] { &state[..2] } else { &state[3..5] };
+                let command = if is_still { [0.0; 2] } else { [0.3 * (place[0] - 11.5), 0.3 * (place[1] - 15.5)] };
+                let step = Environment::<f64>::step(&eye, &mut scene, Act::Values(&command));
+                score += step.reward;
+                if step.end.is_some() {
+                    break;
+                }
+            }
+            score
+        });
+        scores.sum::<f64>() / 100.0
+    }
+
+    #[test]
+    fn contrast_tells_where_the_ball_is() {
+        let (followed, still) = (followed(false), followed(true));
+        assert!(followed > 50.0 && still < 10.0, "{followed} {still}");
+    }
+}

@@ -1,0 +1,231 @@
+//! Games of MinAtar: images of ten by ten cells, each with a flag for every channel.
+//!
+//! The rules are those of the package `minatar` 1.0.15 with its sticky actions and rising difficulty; an episode here has at most
+//! 5,000 actions.
+
+mod asterix;
+mod board;
+mod breakout;
+mod space_invaders;
+
+pub(crate) use asterix::Asterix;
+pub(crate) use breakout::Breakout;
+pub(crate) use space_invaders::SpaceInvaders;
+
+use board::{Board, Draws, SIDE};
+use serde::{Deserialize, Serialize};
+use tpg_engine::random::Stream;
+use tpg_engine::{Act, ActionSpace, End, Environment, SourceSet, Step};
+use tpg_graph::SourceDocument;
+use tpg_graph::image::{Image, Vision, features_of};
+use tpg_runtime::scalar::Scalar;
+
+/// The probability that the last move is made once more instead of the one that is chosen.
+const STICKY: f64 = 0.1;
+/// Actions of an episode.
+const ACTIONS: u32 = 5000;
+
+/// A game.
+pub(crate) trait Game: Clone + Send + Sync {
+    /// The names of the image's channels; the first one shows what the player moves.
+    const CHANNELS: &'static [&'static str];
+    /// The names of the actions, and the moves that they are.
+    const MOVES: &'static [(&'static str, Move)];
+
+    /// Begins a game.
+    fn new(draws: &mut Draws) -> Self;
+    /// Makes a move.
+    fn step(&mut self, taken: Move, draws: &mut Draws) -> Outcome;
+    /// Returns the channels.
+    fn boards(&self) -> Vec<Board>;
+}
+
+/// A move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Move {
+    Stay,
+    Left,
+    Up,
+    Right,
+    Down,
+    Fire,
+}
+
+impl Move {
+    fn right(self) -> i32 {
+        i32::from(self == Self::Right) - i32::from(self == Self::Left)
+    }
+
+    fn down(self) -> i32 {
+        i32::from(self == Self::Down) - i32::from(self == Self::Up)
+    }
+}
+
+/// The consequence of a move.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Outcome {
+    reward: u32,
+    is_over: bool,
+}
+
+/// The section `[problem]` of a configuration for a game: it has no settings.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Config {
+    #[serde(skip)]
+    pub(crate) game: GameName,
+}
+
+/// The name of a game.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum GameName {
+    #[default]
+    Breakout,
+    Asterix,
+    SpaceInvaders,
+}
+
+/// A game as a problem. A policy reads features of the image: see [`features_of`].
+#[derive(Clone, Debug)]
+pub(crate) struct MinAtar<G> {
+    sources: Vec<SourceDocument>,
+    vision: Vision,
+    game: std::marker::PhantomData<G>,
+}
+
+impl<G: Game> Default for MinAtar<G> {
+    fn default() -> Self {
+        let side = SIDE as u32;
+        let sources = features_of([side, side, G::CHANNELS.len() as u32], G::CHANNELS, 1);
+        let vision = Vision::new(&sources).expect("the sources are of an image");
+        Self { sources, vision, game: std::marker::PhantomData }
+    }
+}
+
+/// A running game.
+#[derive(Clone, Debug)]
+pub(crate) struct Play<G> {
+    game: G,
+    draws: Draws,
+    last: Move,
+}
+
+impl<G: Game> Play<G> {
+    fn new(seed: u64) -> Self {
+        let mut draws = Draws(seed);
+        Self { game: G::new(&mut draws), draws, last: Move::Stay }
+    }
+
+    fn step(&mut self, choice: usize) -> Outcome {
+        if self.draws.unit() >= STICKY {
+            self.last = G::MOVES[choice].1;
+        }
+        self.game.step(self.last, &mut self.draws)
+    }
+}
+
+/// The channels of a game as an image.
+struct Boards(Vec<Board>);
+
+impl Boards {
+    fn place(bit: u32) -> [usize; 2] {
+        let bit = bit as usize;
+        [bit / SIDE as usize, bit % SIDE as usize]
+    }
+}
+
+impl Image for Boards {
+    fn cell(&self, row: usize, column: usize, channel: usize) -> u8 {
+        (self.0[channel] >> (row * SIDE as usize + column) & 1) as u8
+    }
+    fn first(&self, _: [usize; 3], channel: usize) -> Option<[usize; 2]> {
+        (self.0[channel] != 0).then(|| Self::place(self.0[channel].trailing_zeros()))
+    }
+    fn last(&self, _: [usize; 3], channel: usize) -> Option<[usize; 2]> {
+        self.0[channel].checked_ilog2().map(Self::place)
+    }
+}
+
+impl<S: Scalar, G: Game> Environment<S> for MinAtar<G> {
+    /// The seed of the game's draws.
+    type Task = u64;
+    type Episode = Play<G>;
+
+    fn sources(&self) -> Vec<SourceDocument> {
+        self.sources.clone()
+    }
+
+    fn actions(&self) -> ActionSpace {
+        ActionSpace::discrete(G::MOVES.iter().map(|(name, _)| *name))
+    }
+
+    fn outcomes(&self) -> &'static [&'static str] {
+        &["lost", "time limit"]
+    }
+
+    fn time_limit(&self) -> u32 {
+        ACTIONS
+    }
+
+    fn draw(&self, stream: &mut Stream) -> u64 {
+        stream.bits()
+    }
+
+    fn start(&self, seed: &u64) -> Play<G> {
+        Play::new(*seed)
+    }
+
+    fn observe(&self, play: &mut Play<G>, wanted: SourceSet, state: &mut [S]) {
+        let inputs: Vec<u16> = (0..state.len() as u16).collect();
+        self.observe_some(play, wanted, &inputs, state);
+    }
+
+    fn observe_some(&self, play: &mut Play<G>, _: SourceSet, inputs: &[u16], state: &mut [S]) {
+        let boards = Boards(play.game.boards());
+        let inputs = inputs.iter().map(|&input| usize::from(input));
+        self.vision.look(&boards, inputs, |input, value| state[input] = S::from_f64(value));
+    }
+
+    fn step(&self, play: &mut Play<G>, act: Act<'_, S>) -> Step {
+        let Outcome { reward, is_over } = play.step(act.choice());
+        let step = Step::reward(reward.into());
+        if is_over { step.ending(End::new(0)) } else { step }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Asterix, Breakout, Draws, Game, Outcome, Play, SpaceInvaders};
+
+    /// Returns the number of episodes, the rewards, and a digest of 20,000 steps by random moves.
+    fn played<G: Game>() -> (u32, u32, u64) {
+        let mut seed = 7;
+        let (mut choices, mut play) = (Draws(seed ^ 0xABCD), Play::<G>::new(seed));
+        let (mut episodes, mut rewards, mut digest) = (0, 0, 0xCBF2_9CE4_8422_2325_u64);
+        for _ in 0..20_000 {
+            let choice = choices.below(G::MOVES.len());
+            let Outcome { reward, is_over } = play.step(choice);
+            rewards += reward;
+            let head = [choice as u128, reward.into(), is_over.into()];
+            for word in head.into_iter().chain(play.game.boards()) {
+                let bytes = word.to_le_bytes();
+                digest =
+                    bytes.iter().fold(digest, |digest, &byte| (digest ^ u64::from(byte)).wrapping_mul(0x100_0000_01B3));
+            }
+            if is_over {
+                seed += 1;
+                episodes += 1;
+                play = Play::new(seed);
+            }
+        }
+        (episodes, rewards, digest)
+    }
+
+    /// The numbers are those that `minatar/record.py` prints of the package, with the same draws.
+    #[test]
+    fn games_are_played_as_by_the_package() {
+        assert_eq!(played::<Breakout>(), (1957, 810, 0x991C_8C9C_CDE9_49F8));
+        assert_eq!(played::<Asterix>(), (302, 153, 0x772F_5132_2391_A234));
+        assert_eq!(played::<SpaceInvaders>(), (347, 1408, 0xB7CD_AE94_84D2_839B));
+    }
+}
