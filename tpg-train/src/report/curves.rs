@@ -2,7 +2,7 @@
 
 use super::runs::{Group, OWN};
 use tpg_engine::Sample;
-use tpg_picture::{Axis, Colour, Figure, Plot, Section};
+use tpg_picture::{Axis, Colour, Figure, FiveNumbers, Plot, Section};
 
 /// The label of axes of scores.
 const SCORE: &str = "score";
@@ -62,29 +62,33 @@ fn section(title: String, x: &str, groups: &[&Group], shown: &[Shown]) -> Sectio
     let end = ends.map(|&[x, _]| x).fold(1.0, f64::max);
     let scores = ends_of_scores(groups, shown);
     let figure = |(curve, y, caption): &Shown| {
-        let y = scores.filter(|_| y.label == SCORE).map_or(y.clone(), |[low, high]| y.clone().between(low, high));
+        let ends = scores.filter(|_| y.label == SCORE);
+        let y = ends.map_or(y.clone(), |[low, high]| y.clone().between(low, high));
+        let inside = |y: f64| ends.map_or(y, |[low, high]| y.clamp(low, high));
         let mut plot = Plot::new(Axis::linear(x).between(0.0, end), y);
         for (colour, group) in (0..).map(Colour).zip(groups) {
             let curves = group.runs.iter().filter_map(|run| run.curves.get(curve)).filter(|curve| !curve.is_empty());
             let points = over_seeds(&curves.map(Vec::as_slice).collect::<Vec<_>>());
-            plot.band(colour, points.iter().filter_map(|&(x, mean, sd)| Some([x, mean - sd?, mean + sd?])).collect());
-            plot.line(colour, points.iter().map(|&(x, mean, _)| [x, mean]).collect());
+            let band = |&(x, mean, sd): &(f64, f64, Option<f64>)| Some([x, inside(mean - sd?), inside(mean + sd?)]);
+            plot.band(colour, points.iter().filter_map(band).collect());
+            plot.line(colour, points.iter().map(|&(x, mean, _)| [x, inside(mean)]).collect());
             plot.name(colour, &format!("{} ({})", group.name, group.runs.len()));
         }
         Figure { svg: plot.svg(caption), caption: (*caption).to_owned(), ..Figure::default() }
     };
-    let text = "Lines are means over the seeds (how many, in brackets), bands one standard deviation.".to_owned();
+    let text = "Lines are means over the seeds (how many, in brackets), bands one standard deviation. Scores below the fifth percentile \
+                are drawn at the lower end of the axis."
+        .to_owned();
     Section { title, text, figures: shown.iter().filter(known).map(figure).collect(), ..Section::default() }
 }
 
-/// The least and the greatest score of all curves of scores, which share their axis; `None` where they are all the same.
+/// The fifth percentile and the maximum of all curves of scores, which share their axis; `None` where these are the same.
 fn ends_of_scores(groups: &[&Group], shown: &[Shown]) -> Option<[f64; 2]> {
     let curves = shown.iter().filter(|(_, y, _)| y.label == SCORE).map(|(curve, ..)| *curve);
     let runs = || groups.iter().flat_map(|group| &group.runs);
     let scores = curves.flat_map(|curve| runs().filter_map(move |run| run.curves.get(curve)).flatten());
-    let finite = scores.map(|&[_, score]| score).filter(|score| score.is_finite());
-    let [low, high] =
-        finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], score| [low.min(score), high.max(score)]);
+    let finite: Vec<f64> = scores.map(|&[_, score]| score).filter(|score| score.is_finite()).collect();
+    let [low, high] = [FiveNumbers::new(&finite)?.low, finite.iter().copied().fold(f64::NEG_INFINITY, f64::max)];
     (low < high).then_some([low, high])
 }
 

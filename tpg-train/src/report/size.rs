@@ -20,10 +20,9 @@ pub(super) fn section(
     let figures: Vec<Figure> = problems.iter().filter_map(|problem| figure(groups, tested, halls, problem)).collect();
     (!figures.is_empty()).then(|| Section {
         title: "Return against size".to_owned(),
-        text: "Each point is a graph: the one that a run has chosen, and those of its hall of fame, which nothing smaller was better than on \
-               the validation episodes. Its mean return on the test episodes stands against the flash of its fast C on a Cortex-M4F, \
-               compiled with -Os; a network that it asks is not counted. Further up and further left is better; a line of \
-               hall.jsonl is a graph.json."
+        text: "Each point is a policy: the chosen one, and entries of the hall of fame, which beat every smaller one. Vertical: mean return \
+               on test episodes. Horizontal: flash of its fast C on a Cortex-M4F, compiled with -Os, without a network that it asks. A \
+               line of hall.jsonl is a graph.json."
             .to_owned(),
         figures,
         ..Section::default()
