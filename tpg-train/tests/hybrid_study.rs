@@ -59,5 +59,5 @@ fn a_study_is_not_overwritten() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     study(folder.path(), &[]).success();
     let stderr = String::from_utf8(study(folder.path(), &[]).code(2).get_output().stderr.clone()).expect("text");
-    assert!(stderr.contains("an empty folder"), "{stderr}");
+    assert!(stderr.contains("another folder"), "{stderr}");
 }

@@ -51,7 +51,7 @@ fn a_report_shows_every_run_and_is_the_same_wherever_the_runs_are() {
         "TPG",
         "SAC",
         "<svg",
-        "validation episodes",
+        "test episodes",
         "target, in the last",
     ] {
         assert!(html.contains(part), "{part} is missing");
