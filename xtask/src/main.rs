@@ -44,7 +44,7 @@ enum XtaskCommand {
         #[arg(short, long)]
         out: Option<PathBuf>,
     },
-    /// Run both firmwares under QEMU: trajectories as on the host, instructions as in costs.toml
+    /// Run the firmware under QEMU: trajectories as on the host, instructions as in costs.toml
     Qemu {
         /// Write costs.toml instead of comparing with it
         #[arg(long)]
