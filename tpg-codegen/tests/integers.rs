@@ -96,8 +96,8 @@ fn sanitized(folder: &Path) -> Command {
     command
 }
 
-fn options(number: usize, profile: Profile) -> Options {
-    Options { profile: Some(profile), ..Options::new(format!("p{number}").parse().expect("a prefix")) }
+fn options(number: usize) -> Options {
+    Options::new(format!("p{number}").parse().expect("a prefix"))
 }
 
 /// Tests for values in 64 bits.
@@ -106,11 +106,9 @@ fn is_wide(code: &Code<'_>) -> bool {
 }
 
 /// Compares the code of graphs with the interpreter; returns how many values needed 64 bits.
-fn assert_equal(language: Language, profile: Profile, graphs: &[Graph], states: usize) {
+fn assert_equal(language: Language, graphs: &[Graph], states: usize) {
     let codes: Vec<Code<'_>> = (graphs.iter().enumerate())
-        .map(|(number, graph)| {
-            Code::in_integers("graph", graph, &options(number, profile), language).expect("whole numbers")
-        })
+        .map(|(number, graph)| Code::in_integers("graph", graph, &options(number), language).expect("whole numbers"))
         .collect();
     let floats = ["float", "double", "math.h", "f32", "f64"];
     for file in codes.iter().flat_map(|code| &code.files) {
@@ -136,7 +134,7 @@ fn random_graphs_of_whole_numbers_are_the_interpreters_and_never_overflow() {
     let (mut graphs, mut refused, mut wide) = (Vec::new(), 0, 0);
     for seed in 0.. {
         let graph = whole(seed);
-        match Code::in_integers("random", &graph, &options(0, Profile::Fast), Language::C) {
+        match Code::in_integers("random", &graph, &options(0), Language::C) {
             Ok(code) => {
                 wide += usize::from(is_wide(&code));
                 drop(code);
@@ -154,9 +152,9 @@ fn random_graphs_of_whole_numbers_are_the_interpreters_and_never_overflow() {
     }
     assert!(refused > 0 && wide > wanted / 20, "{refused} refused, {wide} of {wanted} with 64 bits");
     for graphs in graphs.chunks(100) {
-        assert_equal(Language::C, Profile::Fast, graphs, 500);
+        assert_equal(Language::C, graphs, 500);
     }
-    assert_equal(Language::Rust, Profile::Fast, &graphs[..wanted / 4], 500);
+    assert_equal(Language::Rust, &graphs[..wanted / 4], 500);
 }
 
 fn shipped(name: &str) -> Graph {
@@ -198,22 +196,21 @@ fn shipped_policies_keep_their_decisions_and_are_the_interpreters() {
             assert!(found.same as f64 >= same * found.states as f64, "{name} at {bits} bits: {report}");
             assert!(found.outputs.iter().all(|output| output.mean <= mean), "{name} at {bits} bits: {report}");
             assert!(report.bounds.iter().all(|(_, bound)| *bound <= 1 << 31), "{name} at {bits} bits: {report}");
-            let code = Code::in_integers(name, &graph, &options(0, Profile::Fast), Language::C).expect("whole numbers");
+            let code = Code::in_integers(name, &graph, &options(0), Language::C).expect("whole numbers");
             assert!(!is_wide(&code), "{name} at {bits} bits needs no 64");
             drop(code);
             graphs.push(graph);
         }
     }
-    assert_equal(Language::C, Profile::Fast, &graphs, 2000);
-    assert_equal(Language::C, Profile::Small, &graphs, 2000);
-    assert_equal(Language::Rust, Profile::Fast, &graphs, 2000);
+    assert_equal(Language::C, &graphs, 2000);
+    assert_equal(Language::Rust, &graphs, 2000);
 }
 
 #[test]
 fn a_factor_that_is_computed_is_kept_until_its_product_is_added() {
     let (graph, report) = quantised("seeds/tpg-fs-7.json", 16);
     assert!(report.comparison.same as f64 >= 0.99 * report.comparison.states as f64, "{report}");
-    assert_equal(Language::C, Profile::Fast, &[graph], 2000);
+    assert_equal(Language::C, &[graph], 2000);
 }
 
 #[test]
@@ -225,17 +222,15 @@ fn memory_is_kept_in_counts() {
     let request = Request { inputs: 16, weights: 16, visited: None, margin: 1.0, compared: &states };
     let (whole, report) = quantise("recall", &graph, &request).expect("integers");
     assert!(report.comparison.outputs.iter().all(|output| output.mean < 0.001), "{report}");
-    assert_equal(Language::C, Profile::Fast, std::slice::from_ref(&whole), 2000);
-    assert_equal(Language::Rust, Profile::Fast, &[whole], 2000);
+    assert_equal(Language::C, std::slice::from_ref(&whole), 2000);
+    assert_equal(Language::Rust, &[whole], 2000);
 }
 
 #[test]
 fn the_code_reads_as_an_engineer_would_write_it() {
-    for (name, profile) in
-        [("lunar-lander-continuous", Profile::Fast), ("mountain-car", Profile::Fast), ("swimmer", Profile::Small)]
-    {
+    for name in ["lunar-lander-continuous", "mountain-car"] {
         let (graph, _) = quantised(name, 16);
-        let options = Options { profile: Some(profile), ..Options::new("policy".parse().expect("a prefix")) };
+        let options = Options { profile: Some(Profile::Fast), ..Options::new("policy".parse().expect("a prefix")) };
         let code = Code::in_integers(name, &graph, &options, Language::C).expect("whole numbers");
         let text: String = code.files.iter().map(|file| format!("{}\n{}\n", file.name, file.text)).collect();
         insta::assert_snapshot!(
@@ -252,7 +247,7 @@ fn refused(change: impl Fn(&mut Document)) -> String {
     document.instructions = Word::ALL.map(Word::name).map(str::to_owned).to_vec();
     change(&mut document);
     let graph = Graph::from_document("graph.json", document).unwrap_or_else(|error| panic!("{error}"));
-    let error = Code::in_integers("graph.json", &graph, &options(0, Profile::Fast), Language::C).map(|_| ());
+    let error = Code::in_integers("graph.json", &graph, &options(0), Language::C).map(|_| ());
     error.expect_err("no whole number").to_string()
 }
 
@@ -273,8 +268,7 @@ fn what_does_not_fit_is_named() {
     assert!(refused(line("div", 3.0)).contains("/ 3, which may be a fraction"), "{}", refused(line("div", 3.0)));
     assert!(refused(line("mul", 1e13)).contains("can reach"), "{}", refused(line("mul", 1e13)));
     assert!(refused(line("fmod", 0.0)).contains("may divide by 0"), "{}", refused(line("fmod", 0.0)));
-    let error =
-        Code::in_integers("pole.json", &shipped("cartpole"), &options(0, Profile::Fast), Language::C).map(|_| ());
+    let error = Code::in_integers("pole.json", &shipped("cartpole"), &options(0), Language::C).map(|_| ());
     assert_eq!(
         error.expect_err("floats").to_string(),
         "pole.json: $.scalar: f32; accepted: f64, which holds every whole number to 2^53"

@@ -19,8 +19,6 @@ use tpg_graph::{Graph, Input, ScalarType};
 pub(crate) struct Integers {
     /// The interval of each node.
     pub values: Vec<Whole>,
-    /// Dense sums are tables.
-    pub tables: bool,
 }
 
 impl Integers {

@@ -4,31 +4,6 @@
 {%- endfor %}
  */
 #include "{{ prefix }}.h"
-{% if let Some(table) = table %}
-/* On an AVR, tables stay in flash. */
-#ifdef __AVR__
-#include <avr/pgmspace.h>
-#define {{ upper }}_TABLE PROGMEM
-#define {{ upper }}_WEIGHT(place) (({{ table.weight }})pgm_read_{% if table.weight == "int8_t" %}byte{% else %}word{% endif %}(place))
-#define {{ upper }}_NUMBER(place) ((int32_t)pgm_read_dword(place))
-#else
-#define {{ upper }}_TABLE
-#define {{ upper }}_WEIGHT(place) (*(place))
-#define {{ upper }}_NUMBER(place) (*(place))
-#endif
-
-{% for comment in table.comments -%}
-/* {{ comment }} */
-{% endfor -%}
-static const {{ table.weight }} {{ prefix }}_weights[{{ table.rows.len() }}][{{ table.columns }}] {{ upper }}_TABLE = {
-{%- for row in table.rows %}
-    { {{ row }} },
-{%- endfor %}
-};
-{%- for (name, values) in table.numbers %}
-static const int32_t {{ prefix }}_{{ name }}[{{ table.rows.len() }}] {{ upper }}_TABLE = { {{ values }} };
-{%- endfor %}
-{% endif %}
 {%- for helper in helpers %}
 {%- let (int, bits) = (helper.int, helper.end) %}
 {% if helper.calls(Function::Shift) %}

@@ -1,7 +1,6 @@
 //! C99 in integers: counts in, counts out.
 
 use super::body::body;
-use super::dense::{Dense, Table};
 use super::spelling::{Function, IntegerHelpers, IntegerSpelling};
 use super::view::{self, FieldView, VectorView, sources};
 use crate::emit::file::File;
@@ -34,7 +33,6 @@ struct IntegerSource<'a> {
     prefix: &'a str,
     upper: &'a str,
     helpers: [IntegerHelpers; 2],
-    table: Option<Table>,
     outputs: Vec<FieldView>,
     memory: Vec<FieldView>,
     body: String,
@@ -46,11 +44,7 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
     let graph = program.graph();
     let (prefix, upper) = (program.options.prefix.lower(), program.options.prefix.upper());
     let spelling = IntegerSpelling::new(program);
-    let dense = Dense::find(&program.module, integers);
-    let (mut body, called) = match &dense {
-        Some(dense) => dense.body(prefix),
-        None => body(&program.module, integers, &spelling),
-    };
+    let (mut body, called) = body(&program.module, integers, &spelling);
     // What no walk reads may still be a node.
     if !body.contains("state->") {
         body.insert_str(0, "    (void)state;\n");
@@ -72,7 +66,6 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
         prefix,
         upper: &upper,
         helpers: spelling.helpers(&called),
-        table: dense.map(|dense| dense.table()),
         outputs: view::outputs(graph, false),
         memory: view::outputs(graph, true),
         body,

@@ -10,14 +10,14 @@ use tpg_runtime::ops::Instruction::*;
 
 /// A sum of multiples of values of the state.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct LinearSum {
-    pub(super) weights: BTreeMap<Input, f64>,
-    pub(super) constant: f64,
+struct LinearSum {
+    weights: BTreeMap<Input, f64>,
+    constant: f64,
 }
 
 impl LinearSum {
     /// The sum that a node is, if it is one.
-    pub(super) fn from_node(module: &Module<'_>, id: NodeId) -> Option<Self> {
+    fn from_node(module: &Module<'_>, id: NodeId) -> Option<Self> {
         let mut linear = Self::default();
         linear.add(module, id, 1.0).then_some(linear)
     }
@@ -176,7 +176,7 @@ fn five_digits(number: f64) -> String {
 }
 
 /// A number with commas between thousands.
-pub(super) fn grouped(number: u64) -> String {
+fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();
     for (place, digit) in digits.chars().enumerate() {

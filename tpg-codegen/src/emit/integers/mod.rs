@@ -6,13 +6,11 @@
 //! | `lines` | values as statements: one sum a line |
 //! | `spelling` | what a language spells its own way |
 //! | `comment` | the formula in the units of the sources, and the bound |
-//! | `dense` | outputs that are sums of the same values, as a table and a loop |
 //! | `c`, `view`, `rust` | text |
 
 mod body;
 mod c;
 mod comment;
-mod dense;
 mod lines;
 mod rust;
 mod spelling;
