@@ -1,7 +1,6 @@
 /*
  * The control step among balls in C: recorded scenes, in which every motor position is as on the host, and drawn ones with three
- * balls, which are counted. balls.c is made from the committed scenes by src/dodge.rs; src/dodge.rs of the firmware in
- * Rust does the same.
+ * balls, which are counted. balls.c is made from the committed scenes by src/dodge.rs.
  */
 #include "dodge.h"
 #include "hash.h"

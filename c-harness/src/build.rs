@@ -2,8 +2,7 @@
 
 use crate::Failure;
 use crate::programs::Program;
-use crate::{dodge, network, problems, table};
-use std::env;
+use crate::{dodge, problems};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -50,25 +49,22 @@ fn harness() -> PathBuf {
     library::top().join("c-harness")
 }
 
-/// A folder with what a board's images need: its memories as the linkers want them.
+/// A folder with what a board's images need: its memories as the linker wants them.
 fn board_folder(board: Board) -> Result<PathBuf, Failure> {
     let folder = room()?.join(board.name());
     fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;
     let memories = harness().join("example/boards").join(format!("{}.ld", board.name()));
     let memories = fs::read(&memories).map_err(|error| Failure::at(&memories, error))?;
-    for name in ["board.ld", "memory.x"] {
-        write_changed(&folder.join(name), &memories)?;
-    }
+    let script = folder.join("board.ld");
+    fs::write(&script, &memories).map_err(|error| Failure::at(&script, error))?;
     Ok(folder)
 }
 
-/// Writes what is generated for the firmwares: policies in C and Rust, and what both run.
+/// Writes what is generated for the firmwares: policies, and what they run.
 pub(crate) fn generated_c() -> Result<PathBuf, Failure> {
     let folder = room()?.join("generated");
     fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;
-    let mut files = vec![table::file()];
-    files.extend(problems::files()?);
-    files.extend(network::files()?);
+    let mut files = vec![problems::file()?];
     files.extend(dodge::files()?);
     for start in problems::STARTS.map(problems::name) {
         let graph = load(&format!("generated/widowx-{start}/graph.json"))?;
@@ -78,7 +74,8 @@ pub(crate) fn generated_c() -> Result<PathBuf, Failure> {
     let network = "widowx_sac".parse().map_err(Failure::new::<String>)?;
     files.extend(to_c(&load_network("generated/widowx-sac/policy.q.json")?, &network).map_err(Failure::new)?);
     for File { name, text } in files {
-        write_changed(&folder.join(name), text.as_bytes())?;
+        let path = folder.join(name);
+        fs::write(&path, text).map_err(|error| Failure::at(&path, error))?;
     }
     Ok(folder)
 }
@@ -93,14 +90,6 @@ pub(crate) fn load_network(path: &str) -> Result<QuantisedPolicy, Failure> {
     let path = library::top().join(path);
     let text = fs::read_to_string(&path).map_err(|error| Failure::at(&path, error))?;
     QuantisedPolicy::from_json(&path.display().to_string(), &text).map_err(Failure::new)
-}
-
-/// Writes a file where its content is another one: otherwise cargo need not compile again.
-fn write_changed(path: &Path, content: &[u8]) -> Result<(), Failure> {
-    if fs::read(path).is_ok_and(|old| old == content) {
-        return Ok(());
-    }
-    fs::write(path, content).map_err(|error| Failure::at(path, error))
 }
 
 /// `None` where a tool is missing, which has been said.
@@ -120,12 +109,12 @@ fn add_sources(gcc: &mut Command, program: &Program, platform: &[&str], archive:
     {
         gcc.arg(format!("-I{}", folder.display()));
     }
-    gcc.arg(harness().join(program.main())).args(platform.iter().map(|name| harness().join(name)));
+    gcc.arg(harness().join(program.main)).args(platform.iter().map(|name| harness().join(name)));
     gcc.args(program.generated.iter().map(|name| generated.join(format!("{name}.c")))).arg(archive);
     Ok(())
 }
 
-/// A program in C for this machine; `None` where a tool is missing.
+/// A program for this machine; `None` where a tool is missing.
 pub(crate) fn host(program: &Program) -> Result<Option<PathBuf>, Failure> {
     if !tpg_testing::tool("gcc", "gcc", &format!("the {} program in C on this machine", program.name)) {
         return Ok(None);
@@ -139,9 +128,9 @@ pub(crate) fn host(program: &Program) -> Result<Option<PathBuf>, Failure> {
     Ok(Some(image))
 }
 
-/// A program in C for a board; `None` where a tool is missing.
-pub(crate) fn c(program: &Program, board: Board) -> Result<Option<PathBuf>, Failure> {
-    if !tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "the firmware in C") {
+/// A program for a board; `None` where a tool is missing.
+pub(crate) fn board(program: &Program, board: Board) -> Result<Option<PathBuf>, Failure> {
+    if !tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "the firmware") {
         return Ok(None);
     }
     let Some(archive) = there(library::make(TARGET, &library::dist()))? else { return Ok(None) };
@@ -158,28 +147,6 @@ pub(crate) fn c(program: &Program, board: Board) -> Result<Option<PathBuf>, Fail
     gcc.args(["-Wl,--gc-sections", "-Wl,--no-warn-rwx-segments", "-Wl,-z,noexecstack", "-lc", "-lgcc", "-o"]);
     there(library::output(gcc.arg(&image)))?;
     Ok(Some(image))
-}
-
-/// A program in Rust for a board; `None` where a target is missing.
-pub(crate) fn rust(program: &Program, board: Board) -> Result<Option<PathBuf>, Failure> {
-    if !library::rust_target(TARGET, "the firmware in Rust") {
-        return Ok(None);
-    }
-    let made = library::target_folder().join("firmware-rust").join(board.name());
-    let mut cargo = cargo_here(&harness().join("firmware-rust"), &made);
-    cargo.args(["build", "--quiet", "--release", "--locked", "--target", TARGET, "--bin", program.name]);
-    cargo.env("TPG_BOARD", board_folder(board)?).env("TPG_GENERATED", generated_c()?);
-    if there(library::output(&mut cargo))?.is_none() {
-        return Ok(None);
-    }
-    Ok(Some(made.join(TARGET).join("release").join(program.name)))
-}
-
-/// Cargo in the folder of another workspace, with a target folder of its own.
-pub(crate) fn cargo_here(folder: &Path, made: &Path) -> Command {
-    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.current_dir(folder).env("CARGO_TARGET_DIR", made).env_remove("CARGO_ENCODED_RUSTFLAGS");
-    cargo
 }
 
 /// A program's version, its last word of the first line.

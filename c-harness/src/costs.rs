@@ -97,18 +97,18 @@ impl Costs {
         Self { compilers: compilers.into(), cost: BTreeMap::new() }
     }
 
-    /// Counts what a firmware printed; names get its language in front.
-    pub(crate) fn add(&mut self, language: &str, lines: &[Line]) {
+    /// Counts what a firmware printed.
+    pub(crate) fn add(&mut self, lines: &[Line]) {
         for line in lines {
             match line.words.split_first() {
                 Some((first, names)) if first == "episode" || first == "cost" => {
-                    self.cost.entry(format!("{language} {}", names.join(" "))).or_default().add(line);
+                    self.cost.entry(names.join(" ")).or_default().add(line);
                 }
                 Some((first, [])) if first == "around" => {
                     for name in ["observe", "switch"] {
                         let count = line.number(name);
                         let cost = Cost { actions: 1, instructions: count, worst: count };
-                        self.cost.insert(format!("{language} {name}"), cost);
+                        self.cost.insert(name.to_owned(), cost);
                     }
                 }
                 _ => {}

@@ -1,4 +1,4 @@
-//! The control step among balls: the first test scenes with the shipped graph, run here and written down for the firmwares,
+//! The control step among balls: the first test scenes with the shipped graph, run here and written down for the firmware,
 //! which must come to the same motor positions.
 //!
 //! A firmware has no model of how balls fly: it gets where they were seen, step by step.
@@ -6,8 +6,7 @@
 use crate::Failure;
 use crate::build::load;
 use crate::data::{self, Data};
-use crate::line;
-use crate::programs::Ran;
+use crate::line::{self, Line};
 use crate::record::Hash;
 use tpg_arm::Pose;
 use tpg_arm::dodge::{BALLS, Behaviour, Chooser, Control, GOALS, Source};
@@ -65,58 +64,47 @@ fn run() -> Result<(Vec<DodgeRollout>, Hash), Failure> {
     Ok((scenes, poses))
 }
 
-/// The shipped graph in C, and the scenes in both languages.
+/// The shipped graph and the scenes in C.
 pub(crate) fn files() -> Result<Vec<File>, Failure> {
     let graph = load("generated/dodge/graph.json")?;
     let mut files = emit::emit(&graph, Language::C, &Options::new("dodge".parse().map_err(Failure::new::<String>)?));
     let (scenes, _) = run()?;
     let count: usize = scenes.iter().map(|rollout| rollout.centres.len()).sum();
     let mut data = Data::new("balls", "#include \"scenes.h\"\n\n");
-    let c = format!("const float centres[{count}][3]");
-    let rust = format!("static CENTRES: [[f32; 3]; {count}]");
     let centres = scenes.iter().flat_map(|rollout| &rollout.centres);
-    data.table([&c, &rust], centres.map(|centre| (data::list(centre), format!("{centre:?}"))));
-    data.rust(
-        "struct Scene {\n    start: [i16; 4],\n    goals: &'static [[i16; 4]],\n    radii: &'static [f32],\n    first: usize,\n    \
-         steps: usize,\n}\n",
-    );
+    data.table(&format!("const float centres[{count}][3]"), centres.map(|centre| data::list(centre)));
     let mut next = 0;
     let rows =
         scenes.iter().map(|DodgeRollout { scene: Scene { start, goals, balls, .. }, steps, centres, .. }| {
             let first = next;
             next += centres.len();
             let mut radii: Vec<f32> = balls.iter().map(|ball| ball.radius).collect();
-            let rust = format!(
-                "Scene {{ start: {start:?}, goals: &{goals:?}, radii: &{radii:?}, first: {first}, steps: {steps} }}"
-            );
+            radii.resize(BALLS, 0.0);
             let pose = |ticks: &[i16; 4]| format!("{{ {{ {}, {}, {}, {} }} }}", ticks[0], ticks[1], ticks[2], ticks[3]);
             let poses: Vec<String> = (0..GOALS).map(|place| pose(goals.get(place).unwrap_or(&[0; 4]))).collect();
-            radii.resize(BALLS, 0.0);
-            let c = format!(
+            format!(
                 "{{ {}, {{ {} }}, {}U, {}, {}U, {first}U, {steps}U }}",
                 pose(start),
                 poses.join(", "),
                 goals.len(),
                 data::list(&radii),
                 balls.len()
-            );
-            (c, rust)
+            )
         });
-    data.table(["const scene_t scenes[SCENES]", &format!("static SCENES: [Scene; {}]", scenes.len())], rows);
+    data.table("const scene_t scenes[SCENES]", rows);
     // The header with the declarations is written by hand: linters would take minutes over all these numbers.
-    files.extend(data.files().map(|File { name, text }| File { name: name.replace(".h", ".c"), text }));
+    files.push(File { name: "balls.c".to_owned(), ..data.file() });
     Ok(files)
 }
 
 /// Compares a firmware's motor positions with this machine's.
-pub(crate) fn check(ran: &Ran<'_>) -> Result<(), Failure> {
+pub(crate) fn check(lines: &[Line]) -> Result<(), Failure> {
     let (scenes, poses) = run()?;
     let steps: u64 = scenes.iter().map(|rollout| u64::from(rollout.steps)).sum();
-    line::check(ran.language, ran.lines, "cost dodge scenes", steps, &poses)?;
+    line::check("firmware", lines, "cost dodge scenes", steps, &poses)?;
     let reached = scenes.iter().filter(|rollout| rollout.end == End::Reached).count();
     println!(
-        "{}: {} scenes among balls, {reached} targets reached, {steps} steps: every position as on the host",
-        ran.language,
+        "{} scenes among balls, {reached} targets reached, {steps} steps: every position as on the host",
         scenes.len()
     );
     Ok(())
@@ -126,7 +114,6 @@ pub(crate) fn check(ran: &Ran<'_>) -> Result<(), Failure> {
 mod tests {
     use super::{check, run};
     use crate::line::Line;
-    use crate::programs::Ran;
 
     #[test]
     fn one_other_bit_is_a_failure() {
@@ -134,7 +121,7 @@ mod tests {
         let steps: u32 = scenes.iter().map(|rollout| rollout.steps).sum();
         let checked = |steps: u32, hash: u64| {
             let text = format!("cost dodge scenes actions={steps} instructions=1 worst=1 hash={hash:016x}");
-            check(&Ran { language: "C", image: "image".as_ref(), lines: &[Line::parse(&text)] })
+            check(&[Line::parse(&text)])
         };
         assert!(checked(steps, poses.0).is_ok());
         assert!(checked(steps, poses.0 ^ 1).is_err());

@@ -1,11 +1,13 @@
 //! The example in Embassy: it stops where the same loop stops here.
 
 use crate::Failure;
-use crate::build::{self, there};
+use crate::build::there;
 use crate::emulate;
 use crate::expected::{self, ARM, NETWORK};
 use crate::line::Line;
 use crate::problems::settings;
+use std::env;
+use std::process::Command;
 use tpg_arm::Pose;
 use tpg_arm::cycle::Brent;
 use tpg_arm::hybrid::{Control, Hybrid};
@@ -31,8 +33,11 @@ pub(crate) fn check() -> Result<(), Failure> {
     }
     let expected = expected()?;
     let made = library::target_folder().join(EXAMPLE);
-    let mut cargo = build::cargo_here(&library::top().join("c-harness").join(EXAMPLE), &made);
-    if there(library::output(cargo.args(["build", "--quiet", "--release", "--locked"])))?.is_none() {
+    // Another workspace, with a target folder of its own.
+    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    cargo.current_dir(library::top().join("c-harness").join(EXAMPLE)).env("CARGO_TARGET_DIR", &made);
+    cargo.env_remove("CARGO_ENCODED_RUSTFLAGS").args(["build", "--quiet", "--release", "--locked"]);
+    if there(library::output(&mut cargo))?.is_none() {
         return Ok(());
     }
     let image = made.join(TARGET).join("release").join(format!("tpg-{EXAMPLE}"));

@@ -5,7 +5,6 @@ use crate::build;
 use crate::line::Line;
 use crate::problems::{self, PARTS, problems, settings};
 use crate::record::{Hash, code};
-use crate::table;
 use Start::*;
 use std::sync::LazyLock;
 use tpg_arm::binding;
@@ -55,11 +54,6 @@ fn rs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {
     const SOURCES: [Source; WidowxRs::SOURCES.len()] = binding::sources(WidowxRs::SOURCES);
     const MOVES: [Move; WidowxRs::MOVES.len()] = binding::moves(WidowxRs::MOVES);
     ArmPolicy::new(WidowxRs, &ARM, &SOURCES, &MOVES)
-}
-
-/// The lines of every scenario of sensor faults.
-pub(crate) fn faults() -> Vec<Line> {
-    table::lines(&Hybrid { arm: &ARM, tpg: fs(), sac: NETWORK, settings: settings(Fs) })
 }
 
 /// Checks that every episode is as on the host: its end, the actions of each policy, and a hash of every motor position.

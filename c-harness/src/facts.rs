@@ -1,4 +1,4 @@
-//! Facts about the firmwares that the analyser takes for granted, each with its reason: a bound is as good as they are.
+//! Facts about the firmware that the analyser takes for granted, each with its reason: a bound is as good as they are.
 //!
 //! Functions are named by a part of their name, their loops by their order in the code. A fact about a function that is not
 //! there, or that has another number of loops, is a failure.
@@ -26,8 +26,8 @@ const BLOCKS: u64 = 64 / 4;
 /// Features as words: four a turn, and one more for the rest.
 const FOURS: u64 = FEATURES as u64 / 4 + 1;
 
-/// Facts about functions of the library, which both images have.
-fn common() -> Facts {
+/// The facts about the control program.
+pub(crate) fn control() -> Facts {
     let blocks = ["6thumb210w16a16_raw", "6thumb29w8a16_raw"].map(|name| (name, vec![COLUMNS]));
     let layers = ["6thumb211w8a16_layer", "6thumb212w16a16_layer"].map(|name| (name, vec![BLOCKS, COLUMNS]));
     let mut loops: Vec<_> = blocks.into_iter().chain(layers).collect();
@@ -39,57 +39,35 @@ fn common() -> Facts {
         ("__aeabi_memclr4", vec![16, 4]),
         ("__aeabi_memcpy4", vec![8]),
         ("3mem6memcpy", vec![4, 8, 4, 32]),
+        // Two sources at most.
+        ("16tpg_runtime_capi11observation4fill", vec![2]),
+        // Four joints.
+        ("13FixedDecision6decide", vec![4]),
+        // Fourteen ways to hold joints.
+        ("6hybrid4part10valid_part17", vec![14]),
+        // Four parts of the arm, four edges of the base.
+        ("9collision10meets_base", vec![4, 4]),
+        // Four edges of the base, two sides of a part of the arm.
+        ("9clearance7nearest", vec![4, 2]),
+        // Two hidden layers, and four outputs: in an order that is the compiler's.
+        ("5model5Model5first", vec![4; 2]),
     ]);
-    let limits = vec![
-        // Two hidden layers.
-        ("tpg_kernels6hidden", 2),
-        // A stance is kept while the target stays: at most the four candidates of one.
-        ("6stance9candidate", 4),
-        // The guard's own test of the graph's move, and of the network's move and its parts the eight that differ in the
-        // arm's plane.
-        ("6leeway6Leeway4look", 1 + 8),
-    ];
-    Facts { roots: "", stack_roots: "", loops, calls: vec![], limits }
-}
-
-/// The facts about a language's control program.
-pub(crate) fn control(language: &str) -> Facts {
-    let mut facts = common();
-    if language == "C" {
-        facts.roots = "tpg_hybrid_episode_decide";
-        facts.stack_roots = "hybrid_decides";
-        facts.loops.extend([
-            // Two sources at most.
-            ("16tpg_runtime_capi11observation4fill", vec![2]),
-            // Four joints.
-            ("13FixedDecision6decide", vec![4]),
-            // Fourteen ways to hold joints.
-            ("6hybrid4part10valid_part17", vec![14]),
-            // Four parts of the arm, four edges of the base.
-            ("9collision10meets_base", vec![4, 4]),
-            // Four edges of the base, two sides of a part of the arm.
-            ("9clearance7nearest", vec![4, 2]),
-            // Two hidden layers, and four outputs: in an order that is the compiler's.
-            ("5model5Model5first", vec![4; 2]),
-        ]);
-        // The hook calls what the policies of control.c name; a decision asks the graph once.
-        facts.calls.push(("6switch17Pair$LT$T$C$P$GT$6decide28_", &["fs_infer", "rs_infer"]));
-        facts.limits.push(("6switch17Pair$LT$T$C$P$GT$6decide28_", 1));
-    } else {
-        facts.roots = "hybrid_decide";
-        facts.stack_roots = "hybrid_decide";
-        // A decision asks the graph once.
-        facts.limits.push(("6switch17Pair$LT$T$C$P$GT$6decide28_", 1));
-        facts.loops.extend([
-            // Two sources at most.
-            ("Source$GT$9fill_each", vec![2]),
+    Facts {
+        roots: "tpg_hybrid_episode_decide",
+        stack_roots: "hybrid_decides",
+        loops,
+        // The hook calls what the policies of control.c name.
+        calls: vec![("6switch17Pair$LT$T$C$P$GT$6decide28_", &["fs_infer", "rs_infer"])],
+        limits: vec![
             // Two hidden layers.
-            ("5model5Model5first", vec![2]),
-            // Four edges of the base; the sides are not a loop here.
-            ("9clearance7nearest", vec![4]),
-            // Four parts of the arm; the edges of the base are not a loop here.
-            ("9collision10meets_base", vec![4]),
-        ]);
+            ("tpg_kernels6hidden", 2),
+            // A stance is kept while the target stays: at most the four candidates of one.
+            ("6stance9candidate", 4),
+            // The guard's own test of the graph's move, and of the network's move and its parts the eight that differ in the
+            // arm's plane.
+            ("6leeway6Leeway4look", 1 + 8),
+            // A decision asks the graph once.
+            ("6switch17Pair$LT$T$C$P$GT$6decide28_", 1),
+        ],
     }
-    facts
 }

@@ -3,7 +3,7 @@
 
 use crate::Failure;
 use crate::build::{self, BOARD, HOST};
-use crate::programs::{self, CONTROL, EXAMPLE, FAULTS, Program};
+use crate::programs::{CHECKED, CONTROL, EXAMPLE, Program};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use tpg_testing::library;
@@ -11,10 +11,10 @@ use tpg_testing::library;
 /// The files of each program, and whether it is for this machine: rules about a whole program need to see one, and no more.
 fn files() -> Vec<(Vec<String>, bool)> {
     let with = |program: &Program, platform: &[&str]| -> Vec<String> {
-        std::iter::once(program.main()).chain(platform.iter().map(|&name| name.to_owned())).collect()
+        std::iter::once(&program.main).chain(platform).map(|&name| name.to_owned()).collect()
     };
-    let board = programs::all().into_iter().chain([&EXAMPLE]).map(|program| (with(program, &BOARD), false));
-    board.chain([&CONTROL, &FAULTS].map(|program| (with(program, &HOST), true))).collect()
+    let board = CHECKED.into_iter().chain([&EXAMPLE]).map(|program| (with(program, &BOARD), false));
+    board.chain([(with(&CONTROL, &HOST), true)]).collect()
 }
 
 /// Two parameters of one type are what coordinates need. A linker script's symbols begin with an underscore. Padding differs

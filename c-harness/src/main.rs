@@ -2,16 +2,14 @@
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`programs`] | the programs, in C and in Rust |
-//! | [`data`] | tables of numbers for both |
+//! | [`programs`] | the programs |
+//! | [`data`] | tables of numbers in C |
 //! | [`problems`] | which episodes, and how graph and network share the arm |
-//! | [`build`] | the firmwares in C and Rust |
-//! | [`network`] | a network of another problem than the arm's |
+//! | [`build`] | the firmwares |
 //! | [`dodge`] | the control step among balls, on test scenes |
 //! | [`emulate`] | QEMU |
 //! | [`expected`] | the host's trajectories |
 //! | [`record`] | how an episode is written down, here and in the firmware |
-//! | [`scenarios`], [`faults`], [`table`] | the table of sensor faults: the table, its run in Rust, its comparison |
 //! | [`mod@cores`] | the shipped policies and the hybrid on every core |
 //! | [`embassy`] | the example in Embassy |
 //! | [`costs`] | instructions beside `costs.toml` |
@@ -29,24 +27,19 @@ mod embassy;
 mod emulate;
 mod expected;
 mod facts;
-mod faults;
 mod line;
 mod lint;
-mod network;
 mod problems;
 mod programs;
-#[allow(unreachable_pub, reason = "the firmware in Rust has it in its library")]
 mod record;
-mod scenarios;
 mod size;
 mod symbols;
-mod table;
 mod worst;
 
 use build::Board;
 use clap::{Parser, Subcommand};
 use costs::Costs;
-use programs::{CONTROL, FAULTS, LANGUAGES, Ran};
+use programs::{CHECKED, CONTROL};
 use std::fmt::Display;
 use std::path::Path;
 use std::process::{Command, ExitCode};
@@ -82,7 +75,7 @@ struct HarnessCli {
 
 #[derive(Debug, Subcommand)]
 enum Check {
-    /// Trajectories, instructions and stack of both firmwares
+    /// Trajectories, instructions and stack of the firmwares
     Qemu {
         /// Write costs.toml instead of comparing with it
         #[arg(long)]
@@ -123,30 +116,25 @@ fn qemu(update: bool) -> Result<(), Failure> {
     if !tpg_testing::tool("qemu-system-arm", "qemu-system-arm", "the firmwares under QEMU") {
         return Ok(());
     }
-    table::check("Rust on this machine", &expected::faults())?;
-    for (program, check) in [(&CONTROL, expected::check as fn(&str, &[_]) -> _), (&FAULTS, table::check)] {
-        if let Some(image) = build::host(program)? {
-            check("C on this machine", &emulate::until_done(&mut Command::new(image))?)?;
-        }
+    if let Some(image) = build::host(&CONTROL)? {
+        expected::check("C on this machine", &emulate::until_done(&mut Command::new(image))?)?;
     }
     let mut costs = Costs::new();
     let mut all = true;
-    for (language, builder) in LANGUAGES {
-        for program in programs::all() {
-            let Some(image) = builder(program, Board::Mps2An386)? else {
-                all = false;
-                break;
-            };
-            symbols::check(&image)?;
-            let lines = emulate::run(Board::Mps2An386, &image)?;
-            program.check(&Ran { language, image: &image, lines: &lines })?;
-            costs.add(language, &lines);
-        }
-        // The board with little memory runs the same episodes to the same ends.
-        if let Some(image) = builder(&CONTROL, Board::NetduinoPlus2)? {
-            let lines = emulate::run(Board::NetduinoPlus2, &image)?;
-            expected::check(&format!("{language} on netduinoplus2"), &lines)?;
-        }
+    for program in CHECKED {
+        let Some(image) = build::board(program, Board::Mps2An386)? else {
+            all = false;
+            break;
+        };
+        symbols::check(&image)?;
+        let lines = emulate::run(Board::Mps2An386, &image)?;
+        (program.check)(&image, &lines)?;
+        size::stack(program, &lines)?;
+        costs.add(&lines);
+    }
+    // The board with little memory runs the same episodes to the same ends.
+    if let Some(image) = build::board(&CONTROL, Board::NetduinoPlus2)? {
+        expected::check("netduinoplus2", &emulate::run(Board::NetduinoPlus2, &image)?)?;
     }
     embassy::check()?;
     costs.print();

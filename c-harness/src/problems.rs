@@ -41,29 +41,26 @@ pub(crate) fn problems(start: Start) -> Result<Vec<ReachTask<f32>>, Failure> {
     Ok(tasks.iter().take(PROBLEMS).map(|task| task.problem(start)).collect())
 }
 
-/// `problems.h` and `problems.rs`.
-pub(crate) fn files() -> Result<[File; 2], Failure> {
+/// `problems.h`.
+pub(crate) fn file() -> Result<File, Failure> {
     let mut data = Data::new("problems", "#include \"tpg_runtime.h\"\n\n#include <math.h>\n\n");
     // Fewer of them are run on slow cores.
     data.number("PROBLEMS", PROBLEMS);
     data.number("PARTS", PARTS);
     for start in STARTS {
-        let (name, upper) = (name(start), name(start).to_ascii_uppercase());
+        let name = name(start);
         let Settings { hand_back_after, separation, guard } = settings(start);
         let guard = Guard::ALL.iter().position(|&other| other == guard).unwrap_or(0);
         let separation = if separation.is_finite() { format!("{separation:?}F") } else { "INFINITY".to_owned() };
-        data.c(&format!(
+        data.text(&format!(
             "static const tpg_settings_t {name}_settings = {{ {hand_back_after}U, {separation}, {guard} }};\n"
         ));
-        let c = format!("static const tpg_problem_t {name}_problems[]");
-        let rust = format!("static {upper}_PROBLEMS: [ReachTask<f32>; {PROBLEMS}]");
         let row = |task: ReachTask<f32>| {
             let ReachTask { start: Pose([p, q, r, s]), target, tolerance, max_actions } = task;
             let target = data::list(&target);
-            let c = format!("{{ {{ {{ {p}, {q}, {r}, {s} }} }}, {target}, {tolerance:?}F, {max_actions}U }}");
-            (c, format!("{task:?}"))
+            format!("{{ {{ {{ {p}, {q}, {r}, {s} }} }}, {target}, {tolerance:?}F, {max_actions}U }}")
         };
-        data.table([&c, &rust], problems(start)?.into_iter().map(row));
+        data.table(&format!("static const tpg_problem_t {name}_problems[]"), problems(start)?.into_iter().map(row));
     }
-    Ok(data.files())
+    Ok(data.file())
 }

@@ -1,84 +1,54 @@
-//! The programs of the firmwares: what each is linked with in C, and what its output must be, in C and in Rust.
+//! The programs of the firmwares: what each is linked with, and what its output must be.
 
-use crate::build::{self, Board};
 use crate::line::Line;
-use crate::{Failure, dodge, expected, network, size, table, worst};
-use std::path::{Path, PathBuf};
+use crate::{Failure, dodge, expected, worst};
+use std::path::Path;
 
-/// The stack of a C program that the linker script keeps free, bytes.
+/// The stack of a program that the linker script keeps free, bytes.
 pub(crate) const STACK: u64 = 2304;
 
-/// A program in both languages.
+/// A program.
 pub(crate) struct Program {
     pub(crate) name: &'static str,
+    /// The file with `main`.
+    pub(crate) main: &'static str,
     /// The files of generated C that it is linked with.
     pub(crate) generated: &'static [&'static str],
-    /// Bytes kept for the stack in C.
+    /// Bytes kept for the stack.
     pub(crate) stack: u64,
-    check: fn(&Ran<'_>) -> Result<(), Failure>,
-}
-
-/// The output of a program under QEMU.
-pub(crate) struct Ran<'a> {
-    pub(crate) language: &'a str,
-    pub(crate) image: &'a Path,
-    pub(crate) lines: &'a [Line],
-}
-
-/// The files of a hybrid of each start.
-const HYBRIDS: &[&str] = &["widowx_fs", "widowx_rs", "widowx_sac"];
-
-const fn program(
-    name: &'static str,
-    generated: &'static [&'static str],
-    check: fn(&Ran<'_>) -> Result<(), Failure>,
-) -> Program {
-    Program { name, generated, stack: STACK, check }
+    /// Compares what an image printed with this machine.
+    pub(crate) check: fn(&Path, &[Line]) -> Result<(), Failure>,
 }
 
 /// The control program, which runs on this machine and on every board, too.
-pub(crate) static CONTROL: Program = program("control", HYBRIDS, |ran| {
-    expected::check(ran.language, ran.lines)?;
-    size::stack(ran, &CONTROL)?;
-    worst::check(ran)
-});
-
-/// The table of sensor faults.
-pub(crate) static FAULTS: Program = program("faults", HYBRIDS, |ran| table::check(ran.language, ran.lines));
+pub(crate) static CONTROL: Program = Program {
+    name: "control",
+    main: "firmware-c/control.c",
+    generated: &["widowx_fs", "widowx_rs", "widowx_sac"],
+    stack: STACK,
+    check: |image, lines| {
+        expected::check("firmware", lines)?;
+        worst::check(image, lines)
+    },
+};
 
 /// The control step among balls, which needs more stack.
 static DODGE: Program = Program {
+    name: "dodge",
+    main: "firmware-c/dodge.c",
+    generated: &["dodge", "balls"],
     stack: 4096,
-    ..program("dodge", &["dodge", "balls"], |ran| {
-        dodge::check(ran)?;
-        size::stack(ran, &DODGE)
-    })
+    check: |_, lines| dodge::check(lines),
 };
 
 /// The control loop that a user copies.
-pub(crate) static EXAMPLE: Program = program("example", &["widowx_fs", "widowx_sac"], |_| Ok(()));
-
-/// The pendulum's network.
-static NETWORK: Program = program("network", &["pendulum"], network::check);
+pub(crate) static EXAMPLE: Program = Program {
+    name: "example",
+    main: "example/main.c",
+    generated: &["widowx_fs", "widowx_sac"],
+    stack: STACK,
+    check: |_, _| Ok(()),
+};
 
 /// Every program whose output is checked.
-pub(crate) fn all() -> [&'static Program; 4] {
-    [&CONTROL, &FAULTS, &DODGE, &NETWORK]
-}
-
-/// A language of the firmwares, and the builder of its images.
-pub(crate) type Language = (&'static str, fn(&Program, Board) -> Result<Option<PathBuf>, Failure>);
-
-pub(crate) const LANGUAGES: [Language; 2] = [("C", build::c), ("Rust", build::rust)];
-
-impl Program {
-    /// The file with `main`, in C.
-    pub(crate) fn main(&self) -> String {
-        if self.name == "example" { "example/main.c".to_owned() } else { format!("firmware-c/{}.c", self.name) }
-    }
-
-    /// Compares what it printed with this machine.
-    pub(crate) fn check(&self, ran: &Ran<'_>) -> Result<(), Failure> {
-        (self.check)(ran)
-    }
-}
+pub(crate) static CHECKED: [&Program; 2] = [&CONTROL, &DODGE];

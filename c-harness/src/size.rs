@@ -2,24 +2,20 @@
 
 use crate::Failure;
 use crate::build::{self, Board};
-use crate::programs::{EXAMPLE, Program, Ran, STACK};
+use crate::line::Line;
+use crate::programs::{EXAMPLE, Program, STACK};
 use object::{Object as _, ObjectSection as _, SectionKind};
 use serde::Deserialize;
 use std::fs;
 use std::path::Path;
 
-/// Most bytes of stack of a Rust program, which has its hybrids and episodes there, too.
-const STACK_OF_RUST: u64 = 3072;
-
 /// Compares the stack that a program has written to with what there is for it.
-pub(crate) fn stack(ran: &Ran<'_>, Program { name, stack, .. }: &Program) -> Result<(), Failure> {
-    let Ran { language, lines, .. } = ran;
+pub(crate) fn stack(Program { name, stack, .. }: &Program, lines: &[Line]) -> Result<(), Failure> {
     let used = lines.iter().find(|line| line.words == ["done"]).map_or(0, |line| line.number("stack"));
-    println!("{language}, {name}: {used} bytes of stack were written to");
-    let most = if *language == "C" { *stack } else { STACK_OF_RUST };
+    println!("{name}: {used} bytes of stack were written to");
     // Only as much as there is was painted: a program that has written to all of it may have written beyond.
-    if used == 0 || used >= most {
-        return Err(Failure(format!("{language}, {name}: {used} bytes of stack, accepted: less than {most}")));
+    if used == 0 || used >= *stack {
+        return Err(Failure(format!("{name}: {used} bytes of stack, accepted: less than {stack}")));
     }
     Ok(())
 }
@@ -56,9 +52,9 @@ fn flash_and_ram(image: &Path) -> Result<(u64, u64), Failure> {
 pub(crate) fn check() -> Result<(), Failure> {
     let budget: SizeBudget = toml::from_str(&build::committed("sizes.toml")?).map_err(Failure::new)?;
     println!("{:<28} {:>8} {:>8} {:>8}", "on an STM32F405, bytes", "flash", "data", "stack");
-    let Some(image) = build::c(&EXAMPLE, Board::NetduinoPlus2)? else { return Ok(()) };
+    let Some(image) = build::board(&EXAMPLE, Board::NetduinoPlus2)? else { return Ok(()) };
     let (flash, ram) = flash_and_ram(&image)?;
-    println!("{:<28} {flash:>8} {ram:>8} {STACK:>8}", "the control loop in C");
+    println!("{:<28} {flash:>8} {ram:>8} {STACK:>8}", "the control loop");
     println!("{:<28} {:>8} {:>8}", "budget", budget.flash, budget.ram);
     if flash > budget.flash || ram + STACK > budget.ram {
         return Err(Failure::new("the control loop does not fit its budget"));

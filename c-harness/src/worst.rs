@@ -3,7 +3,6 @@
 use crate::Failure;
 use crate::facts::{self, Facts};
 use crate::line::Line;
-use crate::programs::Ran;
 use cortex_bound::{Analyser, Bound, Calls, Limit, Listing, LoopBounds, Turns, disassemble};
 use std::path::Path;
 
@@ -20,9 +19,9 @@ struct WorstTold {
 
 impl WorstTold {
     /// Reads an image. A fact that speaks of nothing in it is a failure: it would be believed and say nothing.
-    fn read(language: &str, image: &Path) -> Result<Self, Failure> {
+    fn read(image: &Path) -> Result<Self, Failure> {
         let listing = disassemble(image).map_err(Failure::new)?;
-        let Facts { roots, stack_roots, loops, calls, limits } = facts::control(language);
+        let Facts { roots, stack_roots, loops, calls, limits } = facts::control();
         let names = |part: &str| -> Result<Vec<String>, Failure> {
             let all = listing.functions().iter().map(|function| function.name.clone());
             let found: Vec<String> = all.filter(|name| name.contains(part)).collect();
@@ -75,9 +74,8 @@ impl WorstTold {
 }
 
 /// Checks that no measurement exceeds the bound.
-pub(crate) fn check(ran: &Ran<'_>) -> Result<(), Failure> {
-    let Ran { language, image, lines } = ran;
-    let bound = WorstTold::read(language, image)?.bound()?;
+pub(crate) fn check(image: &Path, lines: &[Line]) -> Result<(), Failure> {
+    let bound = WorstTold::read(image)?.bound()?;
     let most = |first: &str, last: &str, value: &str| {
         let matching = |line: &&Line| line.starts_with(first) && line.words.last().is_some_and(|word| word == last);
         lines.iter().filter(matching).map(|line| line.number(value)).max().unwrap_or(0)
@@ -85,7 +83,7 @@ pub(crate) fn check(ran: &Ran<'_>) -> Result<(), Failure> {
     let (instructions, stack) =
         (most("episode", "hybrid", "worst"), most("decision", "fs", "stack").max(most("decision", "rs", "stack")));
     println!(
-        "{language}: a decision takes at most {} instructions (counted: {instructions}) and {} bytes of stack \
+        "a decision takes at most {} instructions (counted: {instructions}) and {} bytes of stack \
          (painted: {stack})",
         bound.instructions, bound.stack
     );

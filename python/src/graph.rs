@@ -142,10 +142,7 @@ impl Graph {
     /// Returns what the code costs on `targets`, named as by `tpg-codegen report`, as text and as JSON.
     fn report(&self, py: Python<'_>, targets: Vec<String>) -> PyResult<(String, String)> {
         let targets = targets.iter().map(|name| target(name)).collect::<PyResult<Vec<_>>>()?;
-        let report = py.detach(|| {
-            let states = StateSet::sampled(&self.0, STATES, SEED);
-            report::report("graph", &self.0, &Options::new(prefix_of("policy")), &targets, &states, None)
-        });
+        let report = py.detach(|| report::report("graph", &self.0, &Options::new(prefix_of("policy")), &targets, None));
         let report = report.map_err(error::input)?;
         Ok((report.to_string(), serde_json::to_string(&report).map_err(error::input)?))
     }

@@ -175,6 +175,12 @@ impl<'g> Module<'g> {
         }
     }
 
+    /// The bids of the teams that have something to decide.
+    pub(crate) fn deciding_bids(&self) -> BTreeSet<NodeId> {
+        let deciding = self.teams.iter().filter(|team| team.edges.len() > 1);
+        deciding.flat_map(|team| &team.edges).map(|edge| self.bidders[edge.bidder].value).collect()
+    }
+
     /// The number of edges of all teams.
     pub(crate) fn edges(&self) -> usize {
         self.teams.iter().map(|team| team.edges.len()).sum()

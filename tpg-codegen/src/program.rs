@@ -1,10 +1,10 @@
 //! A graph compiled for a language: all decisions are made before any text is printed.
 
 use crate::integers::{self, Integers};
-use crate::ir::{Module, topological};
+use crate::ir::Module;
 use crate::options::{Language, Options, Profile, Style};
 use crate::passes::removed::Removed;
-use crate::passes::{self, bytecode, cases, functions, schedule};
+use crate::passes::{self, bytecode, cases, schedule};
 use crate::shape::{Formula, Shape};
 use Shape::*;
 use tpg_graph::Graph;
@@ -55,14 +55,14 @@ pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> P
     }
     let profile = if chooses { options.profile_in(language) } else { Profile::Fast };
     let shape = |profile| match profile {
-        Profile::Fast => fast(&module),
+        Profile::Fast => Fast(schedule::schedule(&module)),
         Profile::Balanced => Balanced(cases::tabulate(&module, schedule::schedule(&module))),
         Profile::Small => Small(bytecode::encode(&module)),
-        Profile::ConstantTime => ConstantTime(functions::split(&module)),
+        Profile::ConstantTime => ConstantTime,
     };
     let shape = match profile {
         Profile::Small if module.edges() <= FEW_EDGES => match (shape(Profile::Fast), language) {
-            (Fast { schedule, .. }, _) if schedule.is_lazy() => shape(Profile::Balanced),
+            (Fast(schedule), _) if schedule.is_lazy() => shape(Profile::Balanced),
             (_, Language::C) if module.edges() > NATIVE_EDGES_OF_C => shape(Profile::Balanced),
             (native, _) => native,
         },
@@ -91,12 +91,6 @@ pub(crate) fn compile_integers<'g>(
     let tables = options.profile_in(language) == Profile::Small;
     let integers = Integers { values: integers::analyse(file, &module)?, tables };
     Ok(Program { module, language, options: options.clone(), shape: Shape::Integers(integers), removed })
-}
-
-fn fast(module: &Module<'_>) -> Shape {
-    let order = topological(&module.teams);
-    let functions = order.chunks(functions::together(order.len())).map(<[usize]>::to_vec).collect();
-    Fast { schedule: schedule::schedule(module), functions }
 }
 
 impl<'g> Program<'g> {

@@ -5,7 +5,6 @@ use crate::ir::{Module, NodeId};
 use crate::options::Profile;
 use crate::passes::bytecode::Bytecode;
 use crate::passes::cases::Cases;
-use crate::passes::functions::Function;
 use crate::passes::schedule::Schedule;
 use std::collections::BTreeSet;
 
@@ -13,18 +12,13 @@ use std::collections::BTreeSet;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Shape {
     /// See [`Profile::Fast`].
-    Fast {
-        /// The order of each team's bids.
-        schedule: Schedule,
-        /// The teams of each function, in topological order: what a team leads to comes after it.
-        functions: Vec<Vec<usize>>,
-    },
+    Fast(Schedule),
     /// See [`Profile::Balanced`].
     Balanced(Cases),
     /// Tables and an evaluator: [`Profile::Small`], unless another shape of a small graph is less.
     Small(Bytecode),
     /// See [`Profile::ConstantTime`].
-    ConstantTime(Vec<Function>),
+    ConstantTime,
     /// Nothing to decide: the outputs of the only leaf. In any profile; without a branch for [`Profile::ConstantTime`].
     Formula(Formula),
     /// See [`Style::Gegelati`].

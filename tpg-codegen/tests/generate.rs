@@ -162,31 +162,6 @@ fn agreement_is_measured_on_recorded_states_where_there_are_some() {
 }
 
 #[test]
-fn a_flash_limit_keeps_what_is_bigger_from_appearing() {
-    if !tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "--max-flash") {
-        return;
-    }
-    let (folder, _) = folder();
-    let folder = folder.path();
-    let (_, err) = generate(folder, &["--max-flash", "100", "-o", "out"], 1);
-    assert!(err.starts_with("refused: ") && err.ends_with(" more than --max-flash 100\n"), "{err}");
-    assert!(!folder.join("out").exists());
-    generate(folder, &["--max-flash", "1000000", "-o", "out"], 0);
-    let (_, err) = generate(folder, &["--max-flash", "100", "--lang", "rust"], 2);
-    assert!(err.contains("accepted with --lang c"), "{err}");
-}
-
-#[test]
-fn a_limit_that_cannot_be_measured_is_not_kept() {
-    let (folder, _) = folder();
-    let mut command = tool(folder.path());
-    command.args(["arm.json", "--no-verify", "--max-flash", "1000000", "-o", "out"]).env("PATH", "");
-    let (_, err) = said(&mut command, 1);
-    assert!(err.contains("--max-flash 1000000 cannot be checked on Cortex-M4F: arm-none-eabi-gcc: "), "{err}");
-    assert!(!folder.path().join("out").exists());
-}
-
-#[test]
 fn an_explanation_instead_of_code() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let folder = folder.path();

@@ -44,7 +44,7 @@ enum XtaskCommand {
         #[arg(short, long)]
         out: Option<PathBuf>,
     },
-    /// Run both firmwares under QEMU: trajectories as on the host, instructions as in costs.toml
+    /// Run the firmware under QEMU: trajectories as on the host, instructions as in costs.toml
     Qemu {
         /// Write costs.toml instead of comparing with it
         #[arg(long)]
@@ -70,7 +70,7 @@ enum XtaskCommand {
         #[arg(long, default_value_t = 40)]
         graphs: u32,
     },
-    /// Every loader, the compiler and the C interface under libFuzzer (nightly, cargo-fuzz)
+    /// Every loader and the compiler under libFuzzer (nightly, cargo-fuzz)
     Fuzz(fuzz::FuzzArgs),
     /// Run tests of the runtime, the kernels and the C interface under Miri (nightly)
     Miri,

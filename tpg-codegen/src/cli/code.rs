@@ -105,8 +105,8 @@ impl CodeArgs {
     /// Every combination of language, style and profile that the arguments and the graph admit.
     pub(super) fn shapes(&self, graph: &Graph) -> Vec<(Language, Style, Option<Profile>)> {
         let is_integers = self.integers || self.fixed.is_some();
-        // In integers, a profile says whether dense sums are tables.
-        let all = if is_integers { vec![Profile::Fast, Profile::Small] } else { Profile::ALL.to_vec() };
+        // Integers have the same text in every profile.
+        let all = if is_integers { vec![Profile::Fast] } else { Profile::ALL.to_vec() };
         let profiles = self.profile.map_or(all, |profile| vec![profile]);
         let pure = |language| profiles.iter().map(move |&profile| (language, Style::Pure, Some(profile)));
         let mut shapes = Vec::new();

@@ -1,12 +1,10 @@
 //! `tpg-codegen GRAPH`: writes code, reports its size, compares it and proves it.
 
 use super::code::CodeArgs;
-use super::limits::LimitArgs;
 use super::prove::proven;
 use super::verify::{prove, sentences, verdict};
 use crate::emit::{Code, File};
 use crate::options::Language;
-use crate::size::Target;
 use crate::{explain, size};
 use Verdict::*;
 use clap::Args;
@@ -31,8 +29,6 @@ pub(crate) struct GenerateArgs {
     /// Write nothing; exit with status 1 if the files in the output folder differ from those that would be written
     #[arg(long)]
     check: bool,
-    #[command(flatten)]
-    limits: LimitArgs,
     /// Instead of generating, explain what each pass removed and what every team computes, on standard output or in a file
     #[arg(
         long,
@@ -40,7 +36,7 @@ pub(crate) struct GenerateArgs {
         num_args = 0..=1,
         require_equals = true,
         default_missing_value = "-",
-        conflicts_with_all = ["check", "max_flash", "max_instructions", "style"]
+        conflicts_with_all = ["check", "style"]
     )]
     explain: Option<PathBuf>,
     /// Do not compile the code and compare it with the interpreter
@@ -52,7 +48,7 @@ impl GenerateArgs {
     /// Generates.
     ///
     /// # Errors
-    /// Bad input, an output that cannot be written, or a limit that is exceeded.
+    /// Bad input, or an output that cannot be written.
     pub(crate) fn run(&self) -> Result<Verdict, CommandError> {
         let (graph, options) = self.code.load()?;
         if let Some(path) = &self.explain {
@@ -61,7 +57,6 @@ impl GenerateArgs {
         let codes: Vec<Code<'_>> = (self.code.lang.languages().iter())
             .map(|&language| self.code.code(&graph, &options, language))
             .collect::<Result<_, _>>()?;
-        self.check_limits(&codes)?;
         let files: Vec<&File> = codes.iter().flat_map(|code| &code.files).collect();
         if self.check {
             return Ok(self.stale(&files));
@@ -79,15 +74,6 @@ impl GenerateArgs {
 
     fn to_stdout(&self) -> bool {
         self.output == Path::new("-")
-    }
-
-    fn check_limits(&self, codes: &[Code<'_>]) -> Result<(), CommandError> {
-        if !self.limits.any() {
-            return Ok(());
-        }
-        let accepted = "limits are those of the C; accepted with --lang c and --lang all";
-        let c = c_of(codes).ok_or_else(|| CommandError::Other(accepted.to_owned()))?;
-        self.limits.check(c, Target::M4f)
     }
 
     /// Compares and proves the texts that were written, and no others.
@@ -130,10 +116,6 @@ fn explain_to(path: &Path, text: &str) -> Result<Verdict, CommandError> {
     Ok(Good)
 }
 
-fn c_of<'a, 'g>(codes: &'a [Code<'g>]) -> Option<&'a Code<'g>> {
-    codes.iter().find(|code| code.program.language == Language::C)
-}
-
 /// Tells the change of scalar type, if there was one, the files, and the size of the C; nothing if it shall be quiet.
 fn report(codes: &[Code<'_>], files: &[(PathBuf, &str)]) -> String {
     let program = codes.first().map(|code| &code.program);
@@ -142,7 +124,8 @@ fn report(codes: &[Code<'_>], files: &[(PathBuf, &str)]) -> String {
         format!("{} instead of {}: {}", program.graph().scalar().name(), was.from.name(), was.agreement)
     });
     let wrote = |(path, text): &(PathBuf, &str)| format!("wrote {} ({} lines)", path.display(), text.lines().count());
-    let sizes = c_of(codes).map(size::describe_c).into_iter().flatten();
+    let c = codes.iter().filter(|code| code.program.language == Language::C);
+    let sizes = c.flat_map(size::describe_c);
     if command::is_quiet() {
         return String::new();
     }

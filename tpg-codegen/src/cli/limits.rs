@@ -1,4 +1,4 @@
-//! The limits on flash and instructions that several commands take.
+//! The limits on flash and instructions that `report` takes.
 
 use crate::emit::Code;
 use crate::size::{self, Target};

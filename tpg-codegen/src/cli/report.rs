@@ -13,7 +13,6 @@ use clap::Args;
 use tpg_graph::Graph;
 use tpg_graph::command::{self, CommandError, Verdict};
 use tpg_graph::error::InputError;
-use tpg_graph::states::StateSet;
 
 /// Report the flash, RAM, stack and operations of a graph's code, and what was removed from it.
 #[derive(Clone, Debug, Args)]
@@ -45,10 +44,9 @@ impl ReportArgs {
         let Chosen { graph, conversion } = self.scalar.choose(&self.graph, self.graph.load()?, &self.states)?;
         let options = Options { conversion, ..Options::new(Prefix::of_file(&self.graph.graph)) };
         let targets = if self.target.is_empty() { &Target::DEFAULT[..] } else { &self.target };
-        let states = self.states.load(&graph)?;
-        let whole = self.integers(&graph, &states)?;
+        let whole = self.integers(&graph)?;
         let file = self.graph.name();
-        let report = report::report(&file, &graph, &options, targets, &states, whole.as_ref())?;
+        let report = report::report(&file, &graph, &options, targets, whole.as_ref())?;
         let text = if self.json {
             serde_json::to_string(&report).map_err(CommandError::other)? + "\n"
         } else {
@@ -69,9 +67,10 @@ impl ReportArgs {
     }
 
     /// Returns the graph in integers, if it is asked for.
-    fn integers(&self, graph: &Graph, states: &StateSet) -> Result<Option<Graph>, InputError> {
+    fn integers(&self, graph: &Graph) -> Result<Option<Graph>, InputError> {
         let Some(bits) = self.fixed else { return Ok(None) };
-        let request = Request::of_bits(bits, states, self.states.is_recorded());
+        let states = self.states.load(graph)?;
+        let request = Request::of_bits(bits, &states, self.states.is_recorded());
         Ok(Some(quantise(&self.graph.name(), graph, &request)?.0))
     }
 }

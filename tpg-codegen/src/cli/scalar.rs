@@ -17,7 +17,7 @@ const SEED: u64 = 1;
 /// The states for measurements.
 #[derive(Clone, Debug, Args)]
 pub(super) struct StatesArgs {
-    /// Recorded states: CSV with a column for every value of the state, named as in target[0]. Agreement and means are
+    /// Recorded states: CSV with a column for every value of the state, named as in target[0]. Agreement is
     /// measured over them [default: 20000 states sampled in the declared ranges]
     #[arg(long, value_name = "FILE")]
     trace: Option<PathBuf>,

@@ -1,7 +1,7 @@
 //! Facts about a policy for the templates of packages.
 
 use super::details::Details;
-use crate::cost::{Cost, Costs};
+use crate::cost::Cost;
 use crate::emit::Code;
 use crate::emit::c::field::field;
 use crate::emit::integers::worth_from;
@@ -29,7 +29,7 @@ pub(super) struct Facts<'a> {
     pub(super) state_c: String,
     pub(super) state_rust: String,
     pub(super) figures: Vec<String>,
-    pub(super) worst: Cost<u64>,
+    pub(super) worst: Cost,
     pub(super) sha256: String,
     /// The version of the runtime that Rust stands on: this tool's.
     pub(super) runtime: &'static str,
@@ -123,7 +123,7 @@ impl<'a> Facts<'a> {
                 .collect::<Vec<_>>()
                 .join(", "),
             figures: figures(c, target),
-            worst: Costs::of(&code.program).worst(),
+            worst: Cost::worst(&code.program),
             sha256: code.program.graph_sha256(),
             runtime: env!("CARGO_PKG_VERSION"),
             rust: code.program.language == Language::Rust,

@@ -66,26 +66,19 @@ pub(crate) struct Cases {
 }
 
 impl Cases {
-    /// The operations of a bid: those that are computed always, and the others.
-    pub(crate) fn operations(&self, case: Case) -> [Vec<NodeId>; 2] {
-        let always = match case.kind {
-            Plain => case.value,
-            Bounded(bound) => bound,
-            Kind::Function(Function { argument, .. }) => argument,
-        };
-        let before = needed(&self.nodes, always, |_| true);
-        let inside = needed(&self.nodes, case.value, |id| !before.contains(&id));
-        [before, inside]
+    /// The operations of a bid and of its bound.
+    pub(crate) fn operations(&self, case: Case) -> Vec<NodeId> {
+        let mut operations = needed(&self.nodes, case.value, |_| true);
+        if let Bounded(bound) = case.kind {
+            operations.extend(needed(&self.nodes, bound, |id| !operations.contains(&id)));
+        }
+        operations
     }
 
-    /// The cases that a team's edges name, in order of evaluation, each with its place.
-    pub(crate) fn team(&self, team: usize) -> impl Iterator<Item = (usize, Case)> {
+    /// The cases that a team's edges name, in order of evaluation.
+    pub(crate) fn team(&self, team: usize) -> impl Iterator<Item = Case> {
         let edges = self.teams[team] as usize..self.teams[team + 1] as usize;
-        let first = edges.start;
-        edges.map(move |edge| {
-            let place = self.places.get(edge).map_or(edge - first, |&place| place as usize - 1);
-            (place, self.bids[self.bidders[edge] as usize])
-        })
+        self.bidders[edges].iter().map(|&bidder| self.bids[bidder as usize])
     }
 
     /// The functions behind the switch: each with the number of its first bid, the highest first.
@@ -144,7 +137,8 @@ pub(crate) fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
     }
     collect::keep(&mut nodes, roots);
     let mut cases = Cases { bids, bidders, places, targets, teams, otherwise, nodes, leaves };
-    if (0..plans.len()).all(|team| cases.team(team).is_sorted_by_key(|(place, _)| place)) {
+    let mut of_teams = cases.teams.windows(2).map(|ends| ends[0] as usize..ends[1] as usize);
+    if of_teams.all(|edges| cases.places[edges].is_sorted()) {
         cases.places.clear();
     }
     cases

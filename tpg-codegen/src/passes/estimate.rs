@@ -7,7 +7,6 @@
 
 use ScalarType::*;
 use tpg_graph::ScalarType;
-use tpg_runtime::ops::Instruction;
 
 /// The numbers that estimates are made with, in a scalar type. All are exact in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,52 +54,10 @@ pub(crate) const fn numbers(scalar: ScalarType) -> Estimate {
     }
 }
 
-/// The estimate that generated code computes: not below the function's value, or NaN.
-pub(crate) fn upper(scalar: ScalarType, instruction: Instruction, x: f64) -> f64 {
-    let numbers = numbers(scalar);
-    let Estimate { exp_between: (least, greatest), exp_scale, exp_offset, exp_below, .. } = numbers;
-    let Estimate { exp_infinite_above, ln_scale, ln_offset, .. } = numbers;
-    if instruction == Instruction::Exp {
-        return if least <= x && x <= greatest {
-            match scalar {
-                F32 => {
-                    let whole = (x as f32 * exp_scale as f32) as i32;
-                    f64::from(f32::from_bits((whole as u32).wrapping_add(exp_offset as u32)))
-                }
-                F64 => f64::from_bits(((x * exp_scale) as i64 as u64).wrapping_add(exp_offset)),
-            }
-        } else if x < least {
-            exp_below
-        } else if x > exp_infinite_above {
-            f64::INFINITY
-        } else {
-            f64::NAN
-        };
-    }
-    let (tiniest, greatest) = match scalar {
-        F32 => (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX)),
-        F64 => (f64::MIN_POSITIVE, f64::MAX),
-    };
-    if tiniest <= x && x <= greatest {
-        match scalar {
-            F32 => {
-                let whole = (x as f32).to_bits() as i32;
-                f64::from(whole as f32 * ln_scale as f32 - ln_offset as f32)
-            }
-            F64 => x.to_bits() as i64 as f64 * ln_scale - ln_offset,
-        }
-    } else if x <= 0.0 {
-        f64::NEG_INFINITY
-    } else if x > greatest {
-        f64::INFINITY
-    } else {
-        f64::NAN
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{LN_LESS, upper};
+    use super::LN_LESS;
+    use crate::passes::tests::upper;
     use tpg_graph::ScalarType;
     use tpg_runtime::ops::{Instruction, Maths, Own, System};
     use tpg_runtime::scalar::Scalar;

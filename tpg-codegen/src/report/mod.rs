@@ -6,7 +6,7 @@ mod text;
 pub use crate::explain::{BidFormula, Bids, Destination, LeafFormulas, PolicyFormulas, TeamFormulas, Value, explain};
 pub use crate::passes::removed::Removed;
 
-use crate::cost::{Cost, Costs};
+use crate::cost::Cost;
 use crate::emit::Code;
 use crate::ir::{Module, Node};
 use crate::options::{Language, Options, Profile, Style};
@@ -18,7 +18,6 @@ use std::collections::BTreeSet;
 use tpg_graph::conversion::Conversion;
 use tpg_graph::dataflow::effective;
 use tpg_graph::error::InputError;
-use tpg_graph::states::StateSet;
 use tpg_graph::{Graph, Input, MathsProvider, ScalarType};
 
 /// The report.
@@ -43,8 +42,6 @@ pub struct Report {
     pub dead_inputs: Vec<String>,
     /// The passes' removals.
     pub removed: Removed,
-    /// The origin of the states that means are taken over.
-    pub states: String,
     /// The cost of a decision in C.
     pub costs: Vec<ShapeCost>,
     /// The size of the C on each target.
@@ -99,9 +96,7 @@ pub struct ShapeCost {
     /// The shape.
     pub profile: &'static str,
     /// At most.
-    pub worst: Cost<u64>,
-    /// On average over the states.
-    pub mean: Cost<f64>,
+    pub worst: Cost,
 }
 
 /// The size of one shape on one target.
@@ -138,7 +133,7 @@ pub struct RustSize {
     pub unavailable: Option<String>,
 }
 
-/// Puts a report together; means are taken over `set`. `whole` is the policy in integers, whose sizes are reported, too; a graph that is
+/// Puts a report together. `whole` is the policy in integers, whose sizes are reported, too; a graph that is
 /// in integers itself is.
 ///
 /// # Errors
@@ -148,7 +143,6 @@ pub fn report(
     graph: &Graph,
     options: &Options,
     targets: &[Target],
-    set: &StateSet,
     whole: Option<&Graph>,
 ) -> Result<Report, InputError> {
     let whole = whole.or_else(|| graph.has_counts().then_some(graph));
@@ -162,10 +156,7 @@ pub fn report(
     let codes: Vec<(&str, Code<'_>)> = (shapes(graph, options, Language::C).into_iter())
         .map(|(shape, options)| (shape, Code::of(compile(graph, &options, Language::C))))
         .collect();
-    let forms: Vec<Costs<'_>> = codes.iter().map(|(_, code)| Costs::of(&code.program)).collect();
-    let means = Costs::means(&forms, set);
-    let costs = codes.iter().zip(&forms).zip(means);
-    let costs = costs.map(|(((shape, _), form), mean)| ShapeCost { profile: shape, worst: form.worst(), mean });
+    let costs = codes.iter().map(|(shape, code)| ShapeCost { profile: shape, worst: Cost::worst(&code.program) });
     // A graph in integers is compiled to floats only to be interpreted.
     let floats = if graph.has_counts() { &[][..] } else { &codes };
     let sizes = targets.iter().flat_map(|&target| {
@@ -182,7 +173,6 @@ pub fn report(
         asks: graph.asks().map(str::to_owned).collect(),
         dead_inputs: dead_inputs(optimised),
         removed: codes[0].1.program.removed(),
-        states: set.origin.clone(),
         costs: costs.collect(),
         sizes: sizes.collect(),
         rust_sizes: if targets.contains(&Target::M4f) { rust_sizes(graph, options) } else { Vec::new() },

@@ -1,6 +1,6 @@
 //! The report for people.
 
-use super::{GraphCounts, Report, ShapeCost, ShapeSize};
+use super::{Cost, GraphCounts, Report, ShapeCost, ShapeSize};
 use crate::passes::removed::Removed;
 use crate::size::Target;
 use std::fmt;
@@ -80,28 +80,12 @@ impl Report {
             MathsProvider::System => "libm calls",
             MathsProvider::Own => "own maths calls",
         };
-        writeln!(f, "\ncost of a decision in C; means over {}", self.states)?;
-        writeln!(f, "{:<14}{:>18}{maths:>18}{:>16}{:>14}", "", "operations", "bids", "teams")?;
-        let pair = format!("{:>9}{:>7}", "worst", "mean");
-        writeln!(f, "{:<16}{pair}  {pair}{pair}{pair}", "")?;
-        for cost in &self.costs {
-            let (worst, mean) = (cost.worst, cost.mean);
-            write!(f, "{:<16}", cost.profile)?;
-            write!(f, "{:>9}{:>7.1}  ", worst.operations, mean.operations)?;
-            write!(f, "{:>9}{:>7.2}", worst.maths_calls, mean.maths_calls)?;
-            write!(f, "{:>9}{:>7.1}", worst.bids, mean.bids)?;
-            writeln!(f, "{:>9}{:>7.2}", worst.teams, mean.teams)?;
+        writeln!(f, "\na decision in C at most")?;
+        writeln!(f, "{:<16}{:>12}{maths:>18}{:>8}{:>8}", "", "operations", "bids", "teams")?;
+        for ShapeCost { profile, worst: Cost { teams, bids, operations, maths_calls } } in &self.costs {
+            writeln!(f, "{profile:<16}{operations:>12}{maths_calls:>18}{bids:>8}{teams:>8}")?;
         }
-        // Bounds spare functions on average; at worst they come on top.
-        let worst = |cost: &&ShapeCost| cost.worst.operations;
-        match (self.costs.iter().find(|cost| cost.profile == "fast"), self.costs.iter().min_by_key(worst)) {
-            (Some(fast), Some(least)) if worst(&fast) > worst(&least) => writeln!(
-                f,
-                "fast is for the mean: at worst it takes {} operations, {} takes {}",
-                fast.worst.operations, least.profile, least.worst.operations
-            ),
-            _ => Ok(()),
-        }
+        Ok(())
     }
 
     /// The sizes on one target.

@@ -58,11 +58,6 @@ fn loops(program: &Program<'_>, entry: &str, listing: &Listing) -> LoopBounds {
             loops.insert("memcpy".to_owned(), Turns::Every(value * code.first_result as u64 + 1));
             loops
         }
-        // The table of a dense sum.
-        Shape::Integers(integers) if integers.tables => {
-            let (rows, columns) = (module.graph.outputs().len() as u64, module.graph.state_length() as u64);
-            LoopBounds::from([(entry.to_owned(), turns(&[rows, columns]))])
-        }
         _ => LoopBounds::new(),
     }
 }

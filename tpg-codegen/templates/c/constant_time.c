@@ -1,14 +1,4 @@
-{% for function in functions %}
-{%- if functions.len() > 1 %}
-/* Some of the teams. */
-static void {{ prefix }}_teams_{{ loop.index0 }}(const {{ entry.state }} *state, {{ vertex }} *next)
-{
-    {{ scalar }} best;
-    uint32_t to;{{ function }}
-}
 
-{% endif %}
-{%- endfor %}
 {{ entry.head }}
 {
 {%- if only %}
@@ -17,22 +7,41 @@ static void {{ prefix }}_teams_{{ loop.index0 }}(const {{ entry.state }} *state,
 {%- else %}
     {{ vertex }} next[{{ upper }}_TEAMS + {{ ends.len() }}U];
 {%- endif %}
-{%- if functions.len() == 1 %}
     {{ scalar }} best;
     uint32_t to;
-{%- endif %}
 {%- if !only %}
     uint32_t vertex;
 {%- endif %}
-{%- for function in functions %}
-{%- if functions.len() == 1 -%}
-{{ function }}
-{%- else %}
-{%- if loop.first %}
+{%- if !reads_state %}
 
-    /* What teams of several functions need, each computes. */
+    (void)state;
 {%- endif %}
-    {{ prefix }}_teams_{{ loop.index0 }}(state, next);
+{%- for statement in bids %}
+    {{ statement }}
+{%- endfor %}
+{%- if !keys.is_empty() %}
+
+    /* What is bid, so that it can be compared. */
+{%- endif %}
+{%- for bid in keys %}
+    const {{ scalar }} {{ bid.name }} = {{ prefix }}_number({{ bid.value }});
+{%- endfor %}
+
+{% if only %}    /* Where the team leads. */{% else %}    /* Where each team leads: teams are numbered from 0, the root, and the actions follow them. */{% endif %}
+{%- for team in teams %}
+    /* Team {{ team.label }} */
+{%- for edge in team.edges %}
+{%- if loop.first %}
+{%- if team.edges.len() > 1 %}
+    best = {{ edge.key }};
+{%- endif %}
+    to = {% if only %}{{ edge.to - 1 }}{% else %}{{ edge.to }}{% endif %}U;
+{%- else %}
+    {{ prefix }}_challenge(&best, &to, {{ edge.key }}, {% if only %}{{ edge.to - 1 }}{% else %}{{ edge.to }}{% endif %}U);
+{%- endif %}
+{%- endfor %}
+{%- if !only %}
+    next[{{ team.number }}] = ({{ vertex }})to;
 {%- endif %}
 {%- endfor %}
 {%- if !only %}

@@ -1,37 +1,24 @@
-{% if functions.len() > 1 %}
-/* Teams are numbered so that every one comes after all that lead to it; the actions follow them. {{ rule }} */
-{%- else if has_order %}
+{%- if teams.len() > 1 %}
 /* {{ rule }} Every team comes after all that lead to it. */
 {%- else %}
 /* {{ rule }} */
 {%- endif %}
-{%- for function in functions %}
-{%- if functions.len() > 1 %}
-
-{% endif %}
-{{ function.head }}
+{{ entry.head }}
 {
 {%- if !leaves.is_empty() || answers_in_place %}
 {%- for output in outputs %}
     {{ scalar }} {{ output.variable }};
 {%- endfor %}
 {% endif %}
-{%- if !function.reads_state %}
+{%- if !reads_state %}
 
     (void)state;
 {%- endif %}
-{% if !function.entries.is_empty() %}
-{% for (number, label) in function.entries %}    {% if !loop.first %}} else {% endif %}if (start == {{ number }}U) {
-        goto team_{{ label }};
-{% endfor %}    } else {
-        /* never: every team that may be asked for has a number */
-    }
-{% endif %}
-{% for team in function.teams %}
-{%- if function.is_entered(team.view.label) %}
+{% for team in teams %}
+{%- if self.is_entered("team", team.view.label) %}
 team_{{ team.view.label }}:
 {%- endif %}
-{%- if function.teams.len() > 1 %}
+{%- if teams.len() > 1 %}
     {
 {%- endif %}
 {%- if let Some(first) = team.view.first %}
@@ -87,13 +74,13 @@ team_{{ team.view.label }}:
 {% for line in team.decision %}
 {{ line }}
 {%- endfor %}
-{%- if function.teams.len() > 1 %}
+{%- if teams.len() > 1 %}
     }
 {%- endif %}
 {% endfor %}
 {%- for leaf in leaves %}
 
-{%- if function.is_entered_leaf(leaf.label) %}
+{%- if self.is_entered("leaf", leaf.label) %}
 leaf_{{ leaf.label }}:
 {%- endif %}
     {
@@ -117,28 +104,3 @@ answered:
 {%- endfor %}
 {%- endif %}
 }
-{% endfor %}
-{% if functions.len() > 1 %}
-{% if outputs.is_empty() -%}
-{{ entry.head }}
-{%- else -%}
-static uint32_t {{ prefix }}_leaf(const {{ entry.state }} *state)
-{%- endif %}
-{
-    uint32_t vertex = {{ prefix }}_walk_0(state, 0U);
-{% for function in functions %}
-{%- if !loop.first %}
-    if (vertex < {{ function.end }}U) {
-        vertex = {{ prefix }}_walk_{{ loop.index0 }}(state, vertex);
-    }
-{%- endif %}
-{%- endfor %}
-    vertex -= {{ upper }}_TEAMS;
-{%- if outputs.is_empty() %}
-    return ({{ entry.action }})vertex;
-{%- else %}
-    return vertex;
-{%- endif %}
-}
-{{ over_functions }}
-{% endif %}

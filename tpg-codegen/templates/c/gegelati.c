@@ -41,4 +41,25 @@ static uint32_t {{ prefix }}_team_{{ team.label }}(void)
     return next[{{ prefix }}_highest(bids, {{ team.programs.len() }}U)];
 }
 {% endfor %}
-{{ walk }}
+
+/* Teams are numbered from 0, which is the root; the actions follow them. */
+int inferenceTPG(void)
+{
+    uint32_t vertex = 0U;
+    uint32_t hop;
+
+    for (hop = 0U; (hop < {{ upper }}_DEPTH) && (vertex < {{ upper }}_TEAMS); hop++) {
+        switch (vertex) {
+{%- for team in teams %}
+        case {{ loop.index0 }}U:
+            vertex = {{ prefix }}_team_{{ team.label }}();
+            break;
+{%- endfor %}
+        default:
+            vertex = {{ upper }}_TEAMS; /* never: every team has its case */
+            break;
+        }
+    }
+    vertex -= {{ upper }}_TEAMS;
+    return (int)vertex;
+}

@@ -28,45 +28,8 @@ pub struct Site {
     pub text: String,
 }
 
-/// A loop and its bound.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Loop {
-    /// The function.
-    pub function: String,
-    /// Address of its first instruction.
-    pub address: u64,
-    /// Maximum number of times that control reaches that address each time the loop is entered, if a bound was given.
-    pub turns: Option<u64>,
-    /// Addresses of the instructions outside the loop that lead into it.
-    pub entered_from: Vec<u64>,
-}
-
-/// A function's contribution to a worst case.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Share {
-    /// The function.
-    pub function: String,
-    /// Number of runs on the longest path.
-    pub runs: u64,
-    /// The function's own instructions in all these runs.
-    pub own: u64,
-    /// Instructions of one run including callees, except those that a [`Limit`] counts elsewhere.
-    pub each: u64,
-    /// Callees, the most expensive first.
-    pub parts: Vec<Share>,
-}
-
 /// Functions that a limit counts elsewhere.
 type Elsewhere = BTreeSet<usize>;
-
-/// The worst case of one function, with its parts.
-#[derive(Clone, Debug)]
-struct WorstCase {
-    instructions: u64,
-    own: u64,
-    /// For each callee the number of calls, and the functions counted elsewhere in this context.
-    calls: Vec<(usize, u64, Elsewhere)>,
-}
 
 static NO_CALLS: Calls = Calls::new();
 
@@ -78,7 +41,7 @@ pub struct Analyser<'a> {
     calls: &'a Calls,
     limits: &'a [Limit],
     flows: BTreeMap<usize, Flow>,
-    known: BTreeMap<(usize, Elsewhere), WorstCase>,
+    known: BTreeMap<(usize, Elsewhere), u64>,
     stacks: BTreeMap<usize, u64>,
 }
 
@@ -108,39 +71,7 @@ impl<'a> Analyser<'a> {
     pub fn bound(&mut self, name: &str) -> Result<Bound, Refusal> {
         let place = self.place(name)?;
         let stack = self.stack(place, &mut Vec::new())?;
-        Ok(Bound { instructions: self.worst(place, &Elsewhere::new())?.instructions, stack })
-    }
-
-    /// Returns the parts of a function's worst case.
-    ///
-    /// # Errors
-    /// The reason why there is none.
-    pub fn explain(&mut self, name: &str) -> Result<Share, Refusal> {
-        let place = self.place(name)?;
-        self.stack(place, &mut Vec::new())?;
-        self.share(place, 1, &Elsewhere::new())
-    }
-
-    /// Returns every loop of a function and its callees.
-    ///
-    /// # Errors
-    /// The reason why there is no bound.
-    pub fn loops(&mut self, name: &str) -> Result<Vec<Loop>, Refusal> {
-        let mut loops = Vec::new();
-        let from = self.place(name)?;
-        for place in self.reached(from)? {
-            let headers = self.headers(place)?;
-            let turns = self.turns(place, &headers)?;
-            let function = &self.listing.functions()[place];
-            let address = |node: usize| function.lines[node].address;
-            loops.extend(headers.into_iter().map(|header| Loop {
-                function: function.name.clone(),
-                address: address(header.node),
-                turns: turns.get(&header.node).copied(),
-                entered_from: header.entered_from.into_iter().map(address).collect(),
-            }));
-        }
-        Ok(loops)
+        Ok(Bound { instructions: self.worst(place, &Elsewhere::new())?, stack })
     }
 
     /// Returns every instruction whose control flow depends on data, in a function and its callees.
@@ -276,13 +207,14 @@ impl<'a> Analyser<'a> {
         Ok(limits)
     }
 
-    fn worst(&mut self, place: usize, elsewhere: &Elsewhere) -> Result<WorstCase, Refusal> {
+    /// Returns the instructions of a function at most; `elsewhere` are counted where limits say.
+    fn worst(&mut self, place: usize, elsewhere: &Elsewhere) -> Result<u64, Refusal> {
         if elsewhere.contains(&place) {
-            return Ok(WorstCase { instructions: 0, own: 0, calls: vec![] });
+            return Ok(0);
         }
         let key = (place, elsewhere.clone());
-        if let Some(known) = self.known.get(&key) {
-            return Ok(known.clone());
+        if let Some(&known) = self.known.get(&key) {
+            return Ok(known);
         }
         let limits = self.limits(place, elsewhere)?;
         let without: Elsewhere =
@@ -291,48 +223,21 @@ impl<'a> Analyser<'a> {
         let turns = self.turns(place, &headers)?;
         let flow = self.flow(place)?.clone();
         let mut costs = Vec::with_capacity(flow.calls.len());
-        let mut most_expensive = Vec::with_capacity(flow.calls.len());
         for callees in &flow.calls {
-            let mut most = None;
+            let mut most = 0;
             for &callee in callees {
-                let instructions = self.worst(callee, &without)?.instructions;
-                if most.is_none_or(|(_, other)| other < instructions) {
-                    most = Some((callee, instructions));
-                }
+                most = most.max(self.worst(callee, &without)?);
             }
-            costs.push(1 + most.map_or(0, |(_, instructions)| instructions));
-            most_expensive.push(most.map(|(callee, _)| callee));
+            costs.push(1 + most);
         }
-        let found = longest(&flow.next, &costs, 0, &turns).map_err(|endless| self.endless(place, endless))?;
-        let mut calls: BTreeMap<usize, u64> = BTreeMap::new();
-        for (callee, &visits) in most_expensive.into_iter().zip(&found.visits) {
-            if let Some(callee) = callee.filter(|callee| visits > 0 && !without.contains(callee)) {
-                *calls.entry(callee).or_default() += visits;
-            }
-        }
-        let mut known = WorstCase {
-            instructions: found.cost,
-            own: found.visits.iter().sum(),
-            calls: calls.into_iter().map(|(callee, times)| (callee, times, without.clone())).collect(),
-        };
+        let mut worst = longest(&flow.next, &costs, 0, &turns).map_err(|endless| self.endless(place, endless))?;
         for &(function, times) in &limits {
             // Calls from this function to the others are counted with them.
             let others: Elsewhere = without.iter().copied().filter(|&other| other != function).collect();
-            known.instructions += times * self.worst(function, &others)?.instructions;
-            known.calls.push((function, times, others));
+            worst += times * self.worst(function, &others)?;
         }
-        self.known.insert(key, known.clone());
-        Ok(known)
-    }
-
-    fn share(&mut self, place: usize, runs: u64, elsewhere: &Elsewhere) -> Result<Share, Refusal> {
-        let WorstCase { instructions, own, calls } = self.worst(place, elsewhere)?;
-        let mut parts = Vec::with_capacity(calls.len());
-        for (callee, times, elsewhere) in calls {
-            parts.push(self.share(callee, runs * times, &elsewhere)?);
-        }
-        parts.sort_by_key(|part| std::cmp::Reverse(part.runs * part.each));
-        Ok(Share { function: self.name(place).to_owned(), runs, own: runs * own, each: instructions, parts })
+        self.known.insert(key, worst);
+        Ok(worst)
     }
 }
 

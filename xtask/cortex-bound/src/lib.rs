@@ -18,7 +18,7 @@
 //! | [`instruction`] | effects of an instruction on control flow and stack |
 //! | `flow`, `table` | control flow of one function, and its tables of jumps |
 //! | [`facts`] | facts supplied by the user: loop bounds, targets of calls through registers, limits on runs |
-//! | `longest`, `path` | the longest path through it, and its visits of each instruction |
+//! | `longest` | the longest path through it |
 //! | [`analysis`] | a function together with its callees |
 
 pub mod analysis;
@@ -27,11 +27,10 @@ mod flow;
 pub mod instruction;
 pub mod listing;
 mod longest;
-mod path;
 mod refusal;
 mod table;
 
-pub use analysis::{Analyser, Bound, Loop, Share, Site};
+pub use analysis::{Analyser, Bound, Site};
 pub use facts::{Calls, Limit, LoopBounds, Turns};
 pub use listing::{Listing, disassemble};
 pub use refusal::Refusal;

@@ -5,7 +5,6 @@
 //! header to the exit. Nested loops are found by removing the edges back to the header. In a loop with several entries, as hand-written
 //! code has, every instruction counts n times.
 
-use super::path::{Paths, Step};
 use std::collections::BTreeMap;
 
 /// Reason why there is no longest path.
@@ -17,30 +16,19 @@ pub(super) enum Endless {
     Tangled(usize),
 }
 
-/// The longest path: its cost, and the number of visits of each node.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Longest {
-    pub(super) cost: u64,
-    pub(super) visits: Vec<u64>,
-}
-
-/// Finds the longest path from `entry`. `turns` holds the maximum iterations of the loop of each header.
+/// Returns the cost of the longest path from `entry`. `turns` holds the maximum iterations of the loop of each header.
 pub(super) fn longest(
     next: &[Vec<usize>],
     cost: &[u64],
     entry: usize,
     turns: &BTreeMap<usize, u64>,
-) -> Result<Longest, Endless> {
+) -> Result<u64, Endless> {
     let mut search = Search::new(next, cost, entry, Some(turns));
     let found = search.walk(&vec![true; next.len() + 1], next.len())?;
-    let longest = found.into_iter().flatten().max_by_key(|reach| reach.cost);
-    let Reach { cost, path } = longest.unwrap_or(Reach { cost: 0, path: None });
-    let mut visits = search.paths.visits(path, next.len() + 1);
-    visits.pop();
-    Ok(Longest { cost, visits })
+    Ok(found.into_iter().flatten().max().unwrap_or(0))
 }
 
-/// A loop: its first node, and the nodes outside that lead to it.
+/// A loop, by its first node.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Header {
     pub(super) node: usize,
@@ -48,7 +36,6 @@ pub(super) struct Header {
     pub(super) depth: usize,
     /// The loop has other entries, too; the node is its first.
     pub(super) is_tangled: bool,
-    pub(super) entered_from: Vec<usize>,
 }
 
 /// Returns all loops, in the order of the nodes.
@@ -60,13 +47,6 @@ pub(super) fn headers(next: &[Vec<usize>], entry: usize) -> Result<Vec<Header>, 
     Ok(search.headers)
 }
 
-/// The longest path to a node, including the node.
-#[derive(Clone, Copy)]
-struct Reach {
-    cost: u64,
-    path: Option<Step>,
-}
-
 struct Search<'a> {
     next: Vec<Vec<usize>>,
     cost: Vec<u64>,
@@ -75,7 +55,6 @@ struct Search<'a> {
     headers: Vec<Header>,
     /// Number of loops around the subgraph that is walked.
     depth: usize,
-    paths: Paths,
 }
 
 impl<'a> Search<'a> {
@@ -87,35 +66,33 @@ impl<'a> Search<'a> {
             turns,
             headers: Vec::new(),
             depth: 0,
-            paths: Paths::default(),
         }
     }
 
-    /// Finds the longest paths in the subgraph `inside`, ignoring edges back to `entry`.
-    fn walk(&mut self, inside: &[bool], entry: usize) -> Result<Vec<Option<Reach>>, Endless> {
+    /// Finds the cost of the longest path to each node of the subgraph `inside`, the node included, ignoring edges back to `entry`.
+    fn walk(&mut self, inside: &[bool], entry: usize) -> Result<Vec<Option<u64>>, Endless> {
         let parts = components(&self.next, inside, entry);
         let mut part_of = vec![usize::MAX; self.next.len()];
         for (number, part) in parts.iter().enumerate() {
             part.iter().for_each(|&node| part_of[node] = number);
         }
-        let mut found: Vec<Option<Reach>> = vec![None; self.next.len()];
+        let mut found: Vec<Option<u64>> = vec![None; self.next.len()];
         // The longest path before a node.
-        let mut before: Vec<Option<Reach>> = vec![None; self.next.len()];
-        before[entry] = Some(Reach { cost: 0, path: None });
+        let mut before: Vec<Option<u64>> = vec![None; self.next.len()];
+        before[entry] = Some(0);
         // Components are in reverse topological order.
         for part in parts.iter().rev() {
             let alone = part[0];
             if part.len() > 1 || self.next[alone].iter().any(|&to| to == alone && to != entry) {
                 self.turn(part, &before, &mut found)?;
-            } else if let Some(Reach { cost, path }) = before[alone] {
-                let path = Some(self.paths.then(path, alone));
-                found[alone] = Some(Reach { cost: cost + self.cost[alone], path });
+            } else {
+                found[alone] = before[alone].map(|cost| cost + self.cost[alone]);
             }
             for &node in part {
-                let Some(reach) = found[node] else { continue };
+                let Some(cost) = found[node] else { continue };
                 for &to in self.next[node].iter().filter(|&&to| inside[to] && to != entry) {
-                    if part_of[to] != part_of[node] && before[to].is_none_or(|other| other.cost < reach.cost) {
-                        before[to] = Some(reach);
+                    if part_of[to] != part_of[node] {
+                        before[to] = before[to].max(Some(cost));
                     }
                 }
             }
@@ -124,7 +101,7 @@ impl<'a> Search<'a> {
     }
 
     /// Handles a loop.
-    fn turn(&mut self, part: &[usize], before: &[Option<Reach>], found: &mut [Option<Reach>]) -> Result<(), Endless> {
+    fn turn(&mut self, part: &[usize], before: &[Option<u64>], found: &mut [Option<u64>]) -> Result<(), Endless> {
         let mut entries = part.iter().copied().filter(|&node| before[node].is_some());
         let first = entries.next();
         let is_tangled = entries.next().is_some();
@@ -138,40 +115,22 @@ impl<'a> Search<'a> {
         };
         let mut body = vec![false; self.next.len()];
         part.iter().for_each(|&node| body[node] = true);
-        // Excludes the virtual first node, which is not an instruction.
-        let outside = (0..self.next.len() - 1).filter(|&node| !body[node] && self.next[node].contains(&header));
-        self.headers.push(Header { node: header, depth: self.depth, is_tangled, entered_from: outside.collect() });
+        self.headers.push(Header { node: header, depth: self.depth, is_tangled });
         if is_tangled {
-            self.every_instruction(part, turns, before, found);
+            // Each of its instructions is reached at most so many times.
+            let once: u64 = part.iter().map(|&node| self.cost[node]).sum();
+            let entered = part.iter().filter_map(|&node| before[node]).max().unwrap_or(0);
+            part.iter().for_each(|&node| found[node] = Some(entered + turns * once));
             return Ok(());
         }
         self.depth += 1;
         let within = self.walk(&body, header)?;
         self.depth -= 1;
         let latches = part.iter().filter(|&&node| self.next[node].contains(&header));
-        let turn = latches.filter_map(|&node| within[node]).max_by_key(|reach| reach.cost);
-        let Reach { cost, path } = before[header].unwrap_or(Reach { cost: 0, path: None });
-        let again = turns.saturating_sub(1);
-        let turn = turn.unwrap_or(Reach { cost: 0, path: None });
-        let base = cost + again * turn.cost;
-        let path = self.paths.repeat(path, turn.path, again);
-        for &node in part {
-            found[node] =
-                within[node].map(|reach| Reach { cost: base + reach.cost, path: self.paths.join(path, reach.path) });
-        }
+        let turn = latches.filter_map(|&node| within[node]).max().unwrap_or(0);
+        let base = before[header].unwrap_or(0) + turns.saturating_sub(1) * turn;
+        part.iter().for_each(|&node| found[node] = within[node].map(|cost| base + cost));
         Ok(())
-    }
-}
-
-impl Search<'_> {
-    /// Handles a loop with several entries: each of its instructions is reached at most `turns` times.
-    fn every_instruction(&mut self, part: &[usize], turns: u64, before: &[Option<Reach>], found: &mut [Option<Reach>]) {
-        let entries = part.iter().filter_map(|&node| before[node]);
-        let Reach { cost, path } = entries.max_by_key(|reach| reach.cost).unwrap_or(Reach { cost: 0, path: None });
-        let all = part.iter().fold(None, |path, &node| Some(self.paths.then(path, node)));
-        let once: u64 = part.iter().map(|&node| self.cost[node]).sum();
-        let reach = Reach { cost: cost + turns * once, path: self.paths.repeat(path, all, turns) };
-        part.iter().for_each(|&node| found[node] = Some(reach));
     }
 }
 
@@ -240,10 +199,7 @@ mod tests {
         let headers = if turns.is_some() { headers(&next, 0)? } else { vec![] };
         let turns: BTreeMap<usize, u64> =
             headers.into_iter().map(|header| header.node).zip(turns.into_iter().cycle()).collect();
-        longest(&next, &vec![1; next.len()], 0, &turns).map(|found| {
-            assert_eq!(found.cost, found.visits.iter().sum::<u64>(), "every node costs 1");
-            found.cost
-        })
+        longest(&next, &vec![1; next.len()], 0, &turns)
     }
 
     #[test]
@@ -274,12 +230,10 @@ mod tests {
     #[test]
     fn each_loop_has_its_own_bound() {
         let next = graph(&[&[1], &[2], &[2, 3], &[1, 4], &[]]);
-        let header = |node, depth| Header { node, depth, is_tangled: false, entered_from: vec![node - 1] };
+        let header = |node, depth| Header { node, depth, is_tangled: false };
         assert_eq!(headers(&next, 0), Ok(vec![header(1, 0), header(2, 1)]));
         let turns = BTreeMap::from([(1, 3), (2, 7)]);
-        let found = longest(&next, &[1, 10, 100, 1000, 1], 0, &turns).expect("bounded");
-        assert_eq!(found.visits, [1, 3, 21, 3, 1]);
-        assert_eq!(found.cost, 1 + 3 * (10 + 7 * 100 + 1000) + 1);
+        assert_eq!(longest(&next, &[1, 10, 100, 1000, 1], 0, &turns), Ok(1 + 3 * (10 + 7 * 100 + 1000) + 1));
     }
 
     #[test]

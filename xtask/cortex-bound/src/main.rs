@@ -1,7 +1,7 @@
 //! The program `cortex-bound`.
 
 use clap::Parser;
-use cortex_bound::{Analyser, Calls, Limit, Listing, LoopBounds, Refusal, Share, Turns, disassemble};
+use cortex_bound::{Analyser, Calls, Limit, Listing, LoopBounds, Turns, disassemble};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -24,9 +24,6 @@ struct Cli {
     /// While FUNCTION runs once, CALLEE runs no more than N times, regardless of its caller
     #[arg(long, value_name = "FUNCTION:CALLEE=N", value_parser = limit)]
     at_most: Vec<Limit>,
-    /// Print the parts of each worst case, and every loop with its bound
-    #[arg(long)]
-    explain: bool,
     /// Fail if control flow depends on data: branches, predicated blocks, tables
     #[arg(long)]
     constant_time: bool,
@@ -69,11 +66,6 @@ impl Cli {
                     good &= self.functions.is_empty();
                 }
             }
-            if self.explain
-                && let Err(refusal) = explain(&mut analyser, &name)
-            {
-                eprintln!("{name}: {refusal}");
-            }
             if self.constant_time {
                 match analyser.decisions(&name) {
                     Ok(sites) => {
@@ -93,26 +85,6 @@ impl Cli {
             }
         }
         good
-    }
-}
-
-/// Prints the loops of a function and its callees and, if there is a bound, its parts.
-fn explain(analyser: &mut Analyser<'_>, name: &str) -> Result<(), Refusal> {
-    for found in analyser.loops(name)? {
-        let turns = found.turns.map_or("no bound".to_owned(), |turns| format!("{turns} turns"));
-        println!("  loop at {:#x}: {turns} ({})", found.address, found.function);
-    }
-    let share = analyser.explain(name)?;
-    tree(&share, share.each.max(1), 1);
-    Ok(())
-}
-
-/// Prints the parts of at least one hundredth.
-fn tree(share: &Share, whole: u64, depth: usize) {
-    let total = share.runs * share.each;
-    println!("{:>8}{:indent$}{} × {} (own {})", total, "", share.runs, share.function, share.own, indent = 2 * depth);
-    for part in share.parts.iter().filter(|part| part.runs * part.each * 100 >= whole) {
-        tree(part, whole, depth + 1);
     }
 }
 

@@ -72,10 +72,5 @@ fn main() -> std::io::Result<()> {
     put("sac_checkpoint", "pendulum", &sac)?;
     put("checkpoint_file", "pendulum", &sealed[sealed.len().saturating_sub(3000)..])?;
     put("checkpoint_file", "beginning", &sealed[..sealed.len().min(3000)])?;
-    put("checkpoint_file", "whole", &sealed)?;
-
-    // Sequences of calls: readings, a model, a hybrid, its steps; then everything else.
-    let steps: Vec<u8> = [4, 7, 2, 0, 20, 0, 0, 0, 0, 4, 255, 15, 9, 10, 12, 10, 12, 13].to_vec();
-    put("c_interface", "hybrid", &steps)?;
-    put("c_interface", "each", &(0..=23).flat_map(|call| [call, 1, 2, 3, 4, 5]).collect::<Vec<u8>>())
+    put("checkpoint_file", "whole", &sealed)
 }

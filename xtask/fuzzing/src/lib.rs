@@ -1,4 +1,4 @@
-//! Targets of fuzzers: every loader, the compiler and the C interface, each as a function of bytes.
+//! Targets of fuzzers: every loader and the compiler, each as a function of bytes.
 //!
 //! `fuzz/` hands each [target](TARGETS) to libFuzzer; a test of this crate runs the same functions on a stable compiler,
 //! from the seeds in `fuzz/corpus` and fixed random numbers. A target panics where something is wrong: a panic of the
@@ -16,8 +16,6 @@ pub mod graphs;
 pub mod networks;
 pub mod settings;
 
-pub use tpg_capi_fuzzing::call as c_interface;
-
 /// A function that a fuzzer calls.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
@@ -28,7 +26,7 @@ pub struct Target {
 }
 
 /// Every target.
-pub const TARGETS: [Target; 18] = [
+pub const TARGETS: [Target; 17] = [
     Target { name: "graph_json", run: graphs::json },
     Target { name: "dot", run: graphs::dot },
     Target { name: "trace", run: graphs::trace },
@@ -46,7 +44,6 @@ pub const TARGETS: [Target; 18] = [
     Target { name: "tpg_checkpoint", run: checkpoints::tpg },
     Target { name: "sac_checkpoint", run: checkpoints::sac },
     Target { name: "checkpoint_file", run: checkpoints::file },
-    Target { name: "c_interface", run: c_interface },
 ];
 
 /// Returns what is accepted; a refusal must have a text.

@@ -80,8 +80,7 @@ targets!(
     sac_config,
     tpg_checkpoint,
     sac_checkpoint,
-    checkpoint_file,
-    c_interface
+    checkpoint_file
 );
 
 #[test]

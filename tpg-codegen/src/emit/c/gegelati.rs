@@ -2,7 +2,6 @@
 //! switch. Nothing is optimised: it is what the profiles are measured against.
 
 use super::expression::Printer;
-use super::walk;
 use crate::emit::block::Block;
 use crate::emit::syntax::Syntax;
 use crate::ir::{Bidder, Module};
@@ -12,12 +11,11 @@ use askama::Template;
 #[template(path = "c/gegelati.c", escape = "none")]
 struct Gegelati<'a> {
     prefix: &'a str,
+    upper: &'a str,
     scalar: &'a str,
     vertex: String,
     programs: Vec<ProgramView>,
     teams: Vec<GegelatiTeamView>,
-    /// The entry point.
-    walk: String,
 }
 
 struct ProgramView {
@@ -36,6 +34,7 @@ struct GegelatiTeamView {
 pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, upper: &str) -> String {
     let gegelati = Gegelati {
         prefix: printer.prefix,
+        upper,
         scalar: printer.scalar(),
         vertex: printer.vertex_type(module.vertices()),
         programs: module.bidders.iter().map(|bidder| program(printer, bidder)).collect(),
@@ -51,7 +50,6 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, upper: &str) ->
                     .join(", "),
             })
             .collect(),
-        walk: walk::render(printer, module, upper),
     };
     gegelati.render().expect("the template renders")
 }

@@ -12,7 +12,6 @@ mod helpers;
 mod leaves;
 mod own;
 mod small;
-mod walk;
 
 use super::file::{File, comment};
 use super::interface::{OutputView, SourceView, actions, asks, outputs, sources};
@@ -20,7 +19,7 @@ use super::look::{self, LookView};
 use super::syntax::Syntax;
 use super::vectors::{Vectors, vectors};
 use super::{banner, layout, moves::moves, team::compares_in_functions};
-use crate::cost::{Cost, Costs};
+use crate::cost::Cost;
 use crate::program::Program;
 use crate::shape::Shape;
 use askama::Template;
@@ -45,7 +44,7 @@ struct CHeader<'a> {
     memory: &'a [OutputView],
     teams: usize,
     depth: usize,
-    worst: Cost<u64>,
+    worst: Cost,
     gegelati: bool,
     system_maths: bool,
     arm: Option<CArmView>,
@@ -99,7 +98,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let upper = program.options.prefix.upper();
     let gegelati = program.shape == Shape::Gegelati;
     let branch_free = match &program.shape {
-        Shape::ConstantTime(_) => true,
+        Shape::ConstantTime => true,
         Shape::Formula(formula) => formula.branch_free,
         _ => false,
     };
@@ -108,20 +107,17 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let outputs = outputs(&printer, comment);
     let (printer, body) = match &program.shape {
         Shape::Gegelati => (printer, gegelati::render(&printer, module, &upper)),
-        Shape::Fast { schedule, functions } => {
-            let printer =
-                Printer { nodes: &schedule.nodes, short_cuts: true, leads: compares_in_functions(module), ..printer };
-            let body = fast::render(&printer, module, schedule, functions, &outputs, &upper);
-            (printer, body)
+        Shape::Fast(schedule) => {
+            let leads = compares_in_functions(module);
+            let printer = Printer { nodes: &schedule.nodes, short_cuts: true, leads, ..printer };
+            (printer, fast::render(&printer, module, schedule, &outputs))
         }
         Shape::Balanced(cases) => {
             let printer = Printer { nodes: &cases.nodes, ..printer };
             (printer, balanced::render(&printer, cases, &outputs, &upper))
         }
         Shape::Small(code) => (printer, small::render(&printer, code, &outputs, &upper)),
-        Shape::ConstantTime(functions) => {
-            (printer, constant_time::render(&printer, module, functions, &outputs, &upper))
-        }
+        Shape::ConstantTime => (printer, constant_time::render(&printer, module, &outputs, &upper)),
         Shape::Formula(formula) => (printer, formula::render(&printer, formula, &outputs)),
         Shape::Integers(_) => unreachable!("integers have a back end of their own"),
     };
@@ -145,7 +141,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         memory,
         teams: module.teams.len(),
         depth: module.depth,
-        worst: Costs::of(program).worst(),
+        worst: Cost::worst(program),
         gegelati,
         system_maths: graph.maths() == MathsProvider::System,
         arm: arm_view(graph),

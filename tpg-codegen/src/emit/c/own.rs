@@ -25,50 +25,40 @@ pub(super) struct OwnMaths {
 /// Entries of the `f32` table of 2/π that are read; the zeros after them save a bounds check in Rust.
 const READ: usize = 25;
 
+/// The constants of a scalar type as literals; what the types have in other shapes is given.
+macro_rules! constants {
+    ($printer:expr, $own:ident, $row:expr, $two_over_pi:expr, $half_pi:expr, $log2_e:expr) => {{
+        let number = |value| $printer.literal(f64::from(value));
+        OwnMaths {
+            two_over_pi: words($two_over_pi),
+            circle: $own::CIRCLE.map(|row| $row(row.map(number))),
+            half_pi: $half_pi,
+            ln_2_high: number($own::LN_2_HIGH),
+            ln_2_low: number($own::LN_2_LOW),
+            log2_e: number($log2_e),
+            ln: $own::LN.map(number).to_vec(),
+            exp: $own::EXP.map(number).to_vec(),
+            atan: $own::ATAN.map(number).to_vec(),
+            quarters: $own::QUARTERS.as_flattened().iter().copied().map(number).collect(),
+            tanh: $own::TANH.map(number).to_vec(),
+        }
+    }};
+}
+
 impl OwnMaths {
     pub(super) fn new(printer: &Printer<'_>) -> Self {
         match printer.graph.scalar() {
-            ScalarType::F32 => Self::single(printer),
-            ScalarType::F64 => Self::double(printer),
-        }
-    }
-
-    fn single(printer: &Printer<'_>) -> Self {
-        let number = |value: f32| printer.literal(f64::from(value));
-        Self {
-            two_over_pi: words(&single::TWO_OVER_PI[..READ]),
-            circle: single::CIRCLE.map(|row| row.map(number).join(", ")),
-            half_pi: format!("{:#x}U", single::HALF_PI),
-            ln_2_high: number(single::LN_2_HIGH),
-            ln_2_low: number(single::LN_2_LOW),
-            log2_e: number(std::f32::consts::LOG2_E),
-            ln: single::LN.map(number).to_vec(),
-            exp: single::EXP.map(number).to_vec(),
-            atan: single::ATAN.map(number).to_vec(),
-            quarters: single::QUARTERS.as_flattened().iter().copied().map(number).collect(),
-            tanh: single::TANH.map(number).to_vec(),
-        }
-    }
-
-    fn double(printer: &Printer<'_>) -> Self {
-        let number = |value: f64| printer.literal(value);
-        let row = |row: [f64; 7]| {
-            let (first, second) = row.split_at(5);
-            let line = |numbers: &[f64]| numbers.iter().map(|&value| number(value)).collect::<Vec<_>>().join(", ");
-            format!("{},\n         {}", line(first), line(second))
-        };
-        Self {
-            two_over_pi: words(&double::TWO_OVER_PI),
-            circle: double::CIRCLE.map(row),
-            half_pi: format!("((uint64_t){:#x}U << 32) | {:#x}U", double::HALF_PI >> 32, double::HALF_PI as u32),
-            ln_2_high: number(double::LN_2_HIGH),
-            ln_2_low: number(double::LN_2_LOW),
-            log2_e: number(std::f64::consts::LOG2_E),
-            ln: double::LN.map(number).to_vec(),
-            exp: double::EXP.map(number).to_vec(),
-            atan: double::ATAN.map(number).to_vec(),
-            quarters: double::QUARTERS.as_flattened().iter().copied().map(number).collect(),
-            tanh: double::TANH.map(number).to_vec(),
+            ScalarType::F32 => {
+                let half_pi = format!("{:#x}U", single::HALF_PI);
+                let row = |row: [String; 4]| row.join(", ");
+                constants!(printer, single, row, &single::TWO_OVER_PI[..READ], half_pi, std::f32::consts::LOG2_E)
+            }
+            ScalarType::F64 => {
+                let half_pi =
+                    format!("((uint64_t){:#x}U << 32) | {:#x}U", double::HALF_PI >> 32, double::HALF_PI as u32);
+                let row = |row: [String; 7]| format!("{},\n         {}", row[..5].join(", "), row[5..].join(", "));
+                constants!(printer, double, row, &double::TWO_OVER_PI, half_pi, std::f64::consts::LOG2_E)
+            }
         }
     }
 }

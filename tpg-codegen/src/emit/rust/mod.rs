@@ -13,7 +13,7 @@ use super::file::{File, one_line};
 use super::interface::{OutputView, SourceView, asks, outputs, sources};
 use super::look::{self, LookView};
 use super::{banner, layout, moves::moves, names, team::compares_in_functions};
-use crate::cost::{Cost, Costs};
+use crate::cost::Cost;
 use crate::program::Program;
 use crate::shape::Shape;
 use askama::Template;
@@ -48,7 +48,7 @@ struct RustPolicy<'a> {
     answered: Vec<String>,
     arm: Option<RustArmView>,
     depth: usize,
-    worst: Cost<u64>,
+    worst: Cost,
     body: String,
     items: String,
     look: String,
@@ -67,7 +67,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let printer = Printer { graph, nodes: &module.nodes, short_cuts: false, branch_free: false, leads: false };
     let outputs = outputs(&printer, one_line);
     let (title, parts) = match &program.shape {
-        Shape::Fast { schedule, .. } => {
+        Shape::Fast(schedule) => {
             let leads = compares_in_functions(module);
             let printer = Printer { nodes: &schedule.nodes, short_cuts: true, leads, ..printer };
             ("expensive bids are computed only where they can win", fast::render(&printer, module, schedule, &outputs))
@@ -77,9 +77,9 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
             ("tables of teams over native bids", balanced::render(&printer, module, cases, &outputs))
         }
         Shape::Small(code) => ("tables and one small evaluator", small::render(&printer, module, code, &outputs)),
-        Shape::ConstantTime(functions) => {
+        Shape::ConstantTime => {
             let printer = Printer { branch_free: true, ..printer };
-            let parts = constant_time::render(&printer, module, functions, &outputs);
+            let parts = constant_time::render(&printer, module, &outputs);
             ("branch-free, the same time for every state", parts)
         }
         Shape::Formula(formula) => {
@@ -113,7 +113,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         answered: outputs[..first].iter().map(leaves::element).collect(),
         arm: arm_view(graph),
         depth: module.depth,
-        worst: Costs::of(program).worst(),
+        worst: Cost::worst(program),
         body: parts.body.trim_matches('\n').to_owned(),
         items: parts.items,
     };

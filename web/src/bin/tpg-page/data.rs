@@ -67,10 +67,10 @@ struct PageProblem {
 
 /// The rows of `costs.toml` that the page shows.
 const COSTS: [(&str, &str); 4] = [
-    ("graph", "C rs graph"),
-    ("network", "C rs network"),
-    ("hybrid", "C rs hybrid"),
-    ("balls", "Rust dodge any behaviour"),
+    ("graph", "rs graph"),
+    ("network", "rs network"),
+    ("hybrid", "rs hybrid"),
+    ("balls", "dodge any behaviour"),
 ];
 
 /// The text of the file.
