@@ -4,13 +4,20 @@ use object::read::{Object as _, ObjectSection as _, ObjectSymbol as _};
 use object::{RelocationFlags, RelocationTarget, SectionFlags, SectionIndex, elf};
 use std::collections::{BTreeMap, HashMap};
 
-/// Place in an image: a section and an offset from its start.
+/// Place in an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(crate) struct Address {
+pub struct Address {
     /// Number of the section.
     pub(crate) section: usize,
-    /// Bytes from its start.
+    /// The address as the file counts: in an object from the section's start.
     pub(crate) offset: u32,
+}
+
+impl Address {
+    /// Returns another address in the section.
+    pub(crate) const fn at(self, offset: u32) -> Self {
+        Self { offset, ..self }
+    }
 }
 
 /// Address inserted by the linker.
@@ -36,7 +43,7 @@ pub(crate) enum Part {
 }
 
 /// A function of an image.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Function {
     /// Its first instruction.
     pub(crate) start: Address,
@@ -88,7 +95,7 @@ struct ElfSection {
 pub struct Image {
     sections: Vec<ElfSection>,
     relocations: BTreeMap<Address, Relocation>,
-    functions: HashMap<String, Vec<Option<Function>>>,
+    functions: BTreeMap<String, Vec<Option<Function>>>,
     linked: bool,
 }
 
@@ -105,7 +112,7 @@ impl Image {
             return Err(format(&format_args!("found {:?}, {:?}", found.0, found.1)));
         }
         let linked = file.kind() != object::ObjectKind::Relocatable;
-        let mut image = Self { sections: Vec::new(), relocations: BTreeMap::new(), functions: HashMap::new(), linked };
+        let mut image = Self { sections: Vec::new(), relocations: BTreeMap::new(), functions: BTreeMap::new(), linked };
         let mut numbers: HashMap<SectionIndex, usize> = HashMap::new();
         for section in file.sections() {
             let SectionFlags::Elf { sh_flags, .. } = section.flags() else { continue };
@@ -113,7 +120,8 @@ impl Image {
                 continue;
             }
             let bytes = section.data().map_err(|error| format(&error))?.to_vec();
-            let start = u32::try_from(section.address()).map_err(|error| format(&error))?;
+            let start = if linked { section.address() } else { 0 };
+            let start = u32::try_from(start).map_err(|error| format(&error))?;
             let constant = !sh_flags.contains(elf::SHF_WRITE);
             numbers.insert(section.index(), image.sections.len());
             image.sections.push(ElfSection { start, bytes, constant });
@@ -150,8 +158,7 @@ impl Image {
         address: u64,
     ) -> Option<Address> {
         let section = *numbers.get(&symbol.section_index()?)?;
-        let offset = u32::try_from(address).ok()?.checked_sub(self.sections[section].start)?;
-        Some(Address { section, offset })
+        Some(Address { section, offset: u32::try_from(address).ok()? })
     }
 
     fn find_relocations(
@@ -217,8 +224,7 @@ impl Image {
     /// If there is none, or several, or it is not Thumb code.
     pub(crate) fn function(&self, name: &str) -> Result<&Function, Error> {
         let missing = || {
-            let mut found: Vec<&str> = self.functions.keys().map(String::as_str).collect();
-            found.sort_unstable();
+            let found: Vec<&str> = self.functions.keys().map(String::as_str).collect();
             Error::Missing { name: name.to_owned(), found: found.join(", ") }
         };
         match self.functions.get(name).ok_or_else(missing)?.as_slice() {
@@ -231,13 +237,13 @@ impl Image {
     /// Returns the function that begins at a place.
     pub(crate) fn function_at(&self, start: Address) -> Option<Function> {
         let mut known = self.functions.values().flatten().flatten().filter(|function| function.start == start);
-        known.next().cloned()
+        known.next().copied()
     }
 
     /// Returns bytes that never change: of a section that is not writable.
     pub(crate) fn constant(&self, address: Address, count: u32) -> Option<&[u8]> {
         let section = self.sections.get(address.section).filter(|section| section.constant)?;
-        let start = address.offset as usize;
+        let start = address.offset.checked_sub(section.start)? as usize;
         section.bytes.get(start..start.checked_add(count as usize)?)
     }
 
@@ -269,15 +275,10 @@ impl Image {
         self.relocations.range(from..to).next().is_some()
     }
 
-    /// Returns the address in the processor's memory; sections of an object that is not linked begin at zero.
-    pub(crate) fn absolute(&self, address: Address) -> u32 {
-        self.sections[address.section].start.wrapping_add(address.offset)
-    }
-
     /// Returns the place of an address in the memory of a linked image.
     pub(crate) fn locate(&self, absolute: u32) -> Option<Address> {
         let inside = |section: &ElfSection| (absolute.wrapping_sub(section.start) as usize) < section.bytes.len();
         let section = self.sections.iter().position(inside).filter(|_| self.linked)?;
-        Some(Address { section, offset: absolute - self.sections[section].start })
+        Some(Address { section, offset: absolute })
     }
 }

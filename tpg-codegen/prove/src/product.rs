@@ -7,7 +7,7 @@ use crate::graph::meaning::Meaning;
 use crate::graph::{Destination, Graph, circle};
 use crate::input::{Missing, Result};
 use crate::interval::Intervals;
-use crate::machine::{Answer, Machine, Step};
+use crate::machine::{Answer, Machine, Point, Step};
 use crate::order::{Together, together};
 use crate::term::evaluate::Evaluator;
 use crate::term::{Bool, Float, Node, Terms, Word};
@@ -72,7 +72,7 @@ pub struct Comparison<'a, M: Machine> {
     evaluator: Evaluator,
     /// What was done
     pub work: Work,
-    pieces: Pieces<M::Point>,
+    pieces: Pieces<Point<M::Cell>>,
     combined: Combined,
     /// How often a word is a part of an answer
     parents: HashMap<Word, u32>,
@@ -166,9 +166,9 @@ impl<'a, M: Machine> Comparison<'a, M> {
         }
     }
 
-    fn name(&self, side: &ProductSide<M::Point>, place: Destination) -> String {
+    fn name(&self, side: &ProductSide<Point<M::Cell>>, place: Destination) -> String {
         let code = match side {
-            ProductSide::At(point) => self.machine.place(point),
+            ProductSide::At(point) => self.machine.place(point.at),
             ProductSide::Action(_) | ProductSide::Values(_) => "the answer".to_owned(),
         };
         format!("{code} and {}", self.graph.name(place))
@@ -177,11 +177,11 @@ impl<'a, M: Machine> Comparison<'a, M> {
     /// The pairs after a pair.
     fn follow(
         &mut self,
-        side: ProductSide<M::Point>,
+        side: ProductSide<Point<M::Cell>>,
         place: Destination,
         assumed: Bool,
         forgetful: bool,
-    ) -> Result<Pairs<M::Point>> {
+    ) -> Result<Pairs<Point<M::Cell>>> {
         let ends = self.ends(&side)?;
         let team = match place {
             Team(team) => self.meaning.winners(&self.terms, team)?,
@@ -229,11 +229,11 @@ impl<'a, M: Machine> Comparison<'a, M> {
 
     fn alone(
         &mut self,
-        side: ProductSide<M::Point>,
+        side: ProductSide<Point<M::Cell>>,
         assumed: Bool,
         team: &[(Bool, Destination)],
         pairs: &BTreeSet<(usize, usize)>,
-    ) -> Vec<(ProductSide<M::Point>, Destination, Bool)> {
+    ) -> Vec<(ProductSide<Point<M::Cell>>, Destination, Bool)> {
         let mut by_target: HashMap<Destination, Vec<Bool>> = HashMap::new();
         let mut order = Vec::new();
         for &(_, edge) in pairs {
@@ -263,7 +263,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
 
     fn together(
         &mut self,
-        side: &ProductSide<M::Point>,
+        side: &ProductSide<Point<M::Cell>>,
         place: Destination,
         assumed: Bool,
         conditions: &[Bool],
@@ -283,12 +283,12 @@ impl<'a, M: Machine> Comparison<'a, M> {
         Ok(found.pairs)
     }
 
-    fn too_many(&self, (side, place): (&ProductSide<M::Point>, Destination)) -> Missing {
+    fn too_many(&self, (side, place): (&ProductSide<Point<M::Cell>>, Destination)) -> Missing {
         Missing::new(self.name(side, place), format!("a proof of at most {} cases", self.effort.cases))
     }
 
     /// Compares answers. They are compared where the assumption can hold, which was found before.
-    fn answers(&mut self, side: &ProductSide<M::Point>, place: Destination, assumed: Bool) -> Result<()> {
+    fn answers(&mut self, side: &ProductSide<Point<M::Cell>>, place: Destination, assumed: Bool) -> Result<()> {
         let different = |what: String| Missing::new(what, "a proof that the answers are equal");
         match (side, place) {
             (ProductSide::Action(word), Destination::Action(action))
@@ -319,7 +319,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         a: Float,
         b: Float,
         assumed: Bool,
-        (side, place): (&ProductSide<M::Point>, Destination),
+        (side, place): (&ProductSide<Point<M::Cell>>, Destination),
     ) -> Result<bool> {
         if a == b {
             return Ok(true);
@@ -333,7 +333,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     }
 
     /// Where the code can go on from a side; none where it has answered.
-    fn ends(&mut self, side: &ProductSide<M::Point>) -> Result<Option<Ends<M::Point>>> {
+    fn ends(&mut self, side: &ProductSide<Point<M::Cell>>) -> Result<Option<Ends<Point<M::Cell>>>> {
         match side {
             ProductSide::Values(_) => Ok(None),
             ProductSide::Action(word) if self.terms.number_of(*word).is_some() => Ok(None),
@@ -349,8 +349,8 @@ impl<'a, M: Machine> Comparison<'a, M> {
                 }
                 self.work.pieces += 1;
                 let ends = self.machine.run(&self.terms, point)?;
-                self.terms.complete(|| self.machine.place(point))?;
-                let mut sides: Ends<M::Point> = Vec::new();
+                self.terms.complete(|| self.machine.place(point.at))?;
+                let mut sides: Ends<Point<M::Cell>> = Vec::new();
                 for (condition, step) in ends {
                     if condition == Terms::FALSE {
                         continue;

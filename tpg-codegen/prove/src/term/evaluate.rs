@@ -108,7 +108,6 @@ impl Evaluator {
                 self.word(terms, side)
             }
             Bits(a) => u64::from(self.bits(terms, a)),
-            Truncated(a) => u64::from(f32::from_bits(self.bits(terms, a)) as i32 as u32),
             Apply(operator, width, a, b) => computed(operator, width, self.word(terms, a), self.word(terms, b)),
             Element(ref table, index) => {
                 let index = self.word(terms, index);

@@ -126,8 +126,6 @@ pub enum Node {
     WordIf(Bool, Word, Word),
     /// The bits of a float
     Bits(Float),
-    /// A float truncated to a signed 32-bit number. Saturates as ARM's `vcvt`; C defines only what fits
-    Truncated(Float),
     /// An operation of words
     Apply(Operator, Width, Word, Word),
     /// An element of a constant table
@@ -154,12 +152,7 @@ impl Node {
             | Self::FloatIf(..)
             | Self::OfBits(_)
             | Self::OfInteger(..) => Self::Constant(NAN),
-            Self::Number(_)
-            | Self::WordIf(..)
-            | Self::Bits(_)
-            | Self::Truncated(_)
-            | Self::Apply(..)
-            | Self::Element(..) => Self::Number(0),
+            Self::Number(_) | Self::WordIf(..) | Self::Bits(_) | Self::Apply(..) | Self::Element(..) => Self::Number(0),
         }
     }
 }
@@ -259,9 +252,7 @@ impl Terms {
             True | Constant(_) | Source(_) | Unknown(_) | Number(_) => 0,
             And(ref parts) => parts.iter().map(|part| depths[(part.0 >> 1) as usize]).max().unwrap_or(0),
             AtMost(a, b) | Arithmetic(_, a, b) => deepest(&[a.0, b.0]),
-            IsNegativeZero(a) | IsNegativeNan(a) | Negative(a) | Magnitude(a) | Bits(a) | Truncated(a) => {
-                deepest(&[a.0])
-            }
+            IsNegativeZero(a) | IsNegativeNan(a) | Negative(a) | Magnitude(a) | Bits(a) => deepest(&[a.0]),
             Within(a, _) | OfBits(a) | OfInteger(_, a) | Element(_, a) => deepest(&[a.0]),
             Below(_, _, a, b) | Apply(_, _, a, b) => deepest(&[a.0, b.0]),
             FloatIf(condition, a, b) => deepest(&[condition.0 >> 1, a.0, b.0]),

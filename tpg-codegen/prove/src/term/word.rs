@@ -152,15 +152,6 @@ impl Terms {
         }
     }
 
-    /// A float truncated to a signed 32-bit integer, saturated; 0 for NaN.
-    pub fn truncated(&self, float: Float) -> Word {
-        match self.of_float(float) {
-            Constant(bits) => self.number(u64::from(f32::from_bits(bits) as i32 as u32)),
-            FloatIf(condition, a, b) => self.choose_word(condition, self.truncated(a), self.truncated(b)),
-            _ => Word(self.node(Truncated(float))),
-        }
-    }
-
     /// An element of a constant table. The index must be below its length; that is for the caller to see to.
     pub fn element(&self, table: &Rc<[u64]>, index: Word) -> Word {
         match self.of_word(index) {
@@ -246,52 +237,45 @@ impl Terms {
 
     fn simplified(&self, operator: Operator, width: Width, a: Word, b: Word) -> Word {
         use Operator::{Add, And, Multiply, Or, ShiftArithmetic, ShiftLeft, ShiftRight, Subtract, Xor};
-        let (x, y, ones) = (self.number_of(a), self.number_of(b), width.mask());
-        match operator {
-            Add | Or | Xor | Subtract | ShiftLeft | ShiftRight | ShiftArithmetic if y == Some(0) => return a,
-            Add | Or | Xor if x == Some(0) => return b,
-            And | Multiply if x == Some(0) || y == Some(0) => return self.number(0),
-            And if y == Some(ones) || a == b => return a,
-            And if x == Some(ones) => return b,
-            Multiply if y == Some(1) => return a,
-            Multiply if x == Some(1) => return b,
-            Or if x == Some(ones) || y == Some(ones) => return self.number(ones),
-            Or if a == b => return a,
-            Xor | Subtract if a == b => return self.number(0),
+        let commutes = matches!(operator, Add | Multiply | And | Or | Xor);
+        // constants are second
+        let swaps = commutes && (self.number_of(a).is_some() || self.number_of(b).is_none() && a > b);
+        let (a, b) = if swaps { (b, a) } else { (a, b) };
+        let ones = width.mask();
+        match (operator, self.number_of(b)) {
+            (Add | Or | Xor | Subtract | ShiftLeft | ShiftRight | ShiftArithmetic, Some(0)) => return a,
+            (And | Multiply, Some(0)) => return b,
+            (Multiply, Some(1)) => return a,
+            (And, Some(number)) if number == ones => return a,
+            (Or, Some(number)) if number == ones => return b,
+            (And | Or, _) if a == b => return a,
+            (Xor | Subtract, _) if a == b => return self.number(0),
             // a difference by a constant is a sum
-            Subtract if y.is_some() => {
-                return self.apply(Add, width, a, self.number(y.unwrap_or_default().wrapping_neg() & ones));
-            }
+            (Subtract, Some(number)) => return self.apply(Add, width, a, self.number(number.wrapping_neg() & ones)),
             // the sign alone
-            ShiftRight | ShiftArithmetic if y == Some(u64::from(width.bits()) - 1) => {
+            (ShiftRight | ShiftArithmetic, Some(number)) if number == u64::from(width.bits()) - 1 => {
                 let (negative, zero) = (self.is_negative(width, a), self.number(0));
                 return self.choose_word(negative, self.number(if operator == ShiftRight { 1 } else { ones }), zero);
             }
-            _ => {}
-        }
-        if let (Xor | Add | And | Or, Some(y)) = (operator, y)
-            && let Apply(inner, of, p, q) = self.of_word(a)
-            && inner == operator
-            && of == width
-            && let Some(q) = self.number_of(q)
-        {
-            return self.apply(operator, width, p, self.number(computed(operator, width, q, y)));
-        }
-        if operator == Xor {
-            for (word, other) in [(a, b), (b, a)] {
-                if let Apply(Xor, _, p, q) = self.of_word(word) {
-                    if p == other {
-                        return q;
-                    }
-                    if q == other {
-                        return p;
+            (Xor | Add | And | Or, Some(number)) => {
+                if let Apply(inner, of, p, q) = self.of_word(a)
+                    && (inner, of) == (operator, width)
+                    && let Some(q) = self.number_of(q)
+                {
+                    return self.apply(operator, width, p, self.number(computed(operator, width, q, number)));
+                }
+            }
+            (Xor, None) => {
+                for (word, other) in [(a, b), (b, a)] {
+                    match self.of_word(word) {
+                        Apply(Xor, _, p, q) if p == other => return q,
+                        Apply(Xor, _, p, q) if q == other => return p,
+                        _ => {}
                     }
                 }
             }
+            _ => {}
         }
-        let commutes = matches!(operator, Add | Multiply | And | Or | Xor);
-        // constants are second
-        let (a, b) = if commutes && (x.is_some() || y.is_none() && a > b) { (b, a) } else { (a, b) };
         Word(self.node(Apply(operator, width, a, b)))
     }
 

@@ -1,7 +1,7 @@
 //! Declarations: types, names, functions, variables with their initial values.
 
-use super::{Compiler, Function, Lvalue, Operand, Struct, Type, constant_of, number};
-use crate::c::code::{Constant, Operation, Value};
+use super::{Compiler, Function, Lvalue, Operand, Struct, Type, number};
+use crate::c::code::{Constant, Expression, Operation};
 use crate::c::token::Token::{Name, Sign};
 use crate::input::Result;
 use Type::*;
@@ -120,7 +120,7 @@ impl Compiler<'_> {
     pub(super) fn constant(&mut self) -> Result<i64> {
         let value = self.conditional()?;
         match self.value(value)? {
-            (value, Integer(bytes, signed)) => match constant_of(&value) {
+            (value, Integer(bytes, signed)) => match self.constant_of(&value) {
                 Some(Constant::Number(number)) if signed && bytes < 8 => Ok(i64::from(number as u32 as i32)),
                 Some(Constant::Number(number)) => Ok(number as i64),
                 _ => self.refuse("a constant"),
@@ -264,7 +264,7 @@ impl Compiler<'_> {
     }
 
     /// Sets what is at an address to what an expression is.
-    pub(super) fn set(&mut self, address: Value, ty: &Type, value: Operand) -> Result<()> {
+    pub(super) fn set(&mut self, address: Expression, ty: &Type, value: Operand) -> Result<()> {
         match (ty, value) {
             (Struct(_), Operand::Place(from, _)) => {
                 let count = self.cells(ty);

@@ -1,7 +1,7 @@
 //! Expressions, by recursive descent. Their side effects are emitted where they are read.
 
-use super::{Compiler, Operand, Type, Typed, apply, constant_of, moved, number, width};
-use crate::c::code::{Condition, Constant, Operation, Value};
+use super::{Compiler, Operand, Type, Typed, apply, number, width};
+use crate::c::code::{Computed, Constant, Expression, Operation, of};
 use crate::c::token::Token;
 use crate::input::Result;
 use crate::term::{Operator::*, Width};
@@ -22,41 +22,17 @@ const LEVELS: [&[&str]; 10] = [
     &["*", "/", "%"],
 ];
 
-fn truth(condition: Condition) -> Operand {
-    Operand::Value(Value::OfCondition(Box::new(condition)), Type::INT)
-}
-
 impl Compiler<'_> {
-    /// Reads an expression for what it does.
-    pub(super) fn effect(&mut self) -> Result<()> {
-        match self.assignment()? {
-            Stepped(address, ty, sign) => self.step(address, ty, sign).map(|_| ()),
-            _ => Ok(()),
-        }
-    }
-
     /// The value of what was read.
     pub(super) fn value(&mut self, operand: Operand) -> Result<Typed> {
         match operand {
             Operand::Value(value, ty) => Ok((value, ty)),
             Place(address, Array(ty, _)) => Ok((address, Pointer(ty))),
             Place(address, ty) => self.loaded(address, ty),
-            Stepped(address, ty, sign) => {
-                let cell = number(self.allocate(&ty));
-                let before = self.loaded(address.clone(), ty.clone())?;
-                self.put(cell.clone(), before, &ty)?;
-                self.step(address, ty.clone(), sign)?;
-                self.loaded(cell, ty)
-            }
         }
     }
 
-    /// Changes what is at an address by 1.
-    fn step(&mut self, address: Value, ty: Type, sign: &str) -> Result<Operand> {
-        self.changed(address, ty, sign, (number(1), Type::INT))
-    }
-
-    fn changed(&mut self, address: Value, ty: Type, sign: &str, by: Typed) -> Result<Operand> {
+    fn changed(&mut self, address: Expression, ty: Type, sign: &str, by: Typed) -> Result<Operand> {
         let before = self.loaded(address.clone(), ty.clone())?;
         let value = self.operated(sign, before, by)?;
         self.put(address.clone(), value, &ty)?;
@@ -107,8 +83,8 @@ impl Compiler<'_> {
             self.common(&first.1, &second.1)?
         };
         if self.here() == mark {
-            let [first, second] = [self.converted(first, &ty)?, self.converted(second, &ty)?].map(Box::new);
-            return Ok(Operand::Value(Value::If(Box::new(condition), first, second), ty));
+            let [first, second] = [self.converted(first, &ty)?, self.converted(second, &ty)?];
+            return Ok(Operand::Value(of(Computed::If, [condition, first, second]), ty));
         }
         // something happens on the way: only on the side that is chosen
         self.program.operations.truncate(mark);
@@ -150,7 +126,7 @@ impl Compiler<'_> {
             let right = self.binary(level + 1)?;
             let right = self.value(right)?;
             left = if matches!(level, 5 | 6) {
-                truth(self.compared(sign, left_value, right)?)
+                Operand::Value(self.compared(sign, left_value, right)?, Type::INT)
             } else {
                 let (value, ty) = self.operated(sign, left_value, right)?;
                 Operand::Value(value, ty)
@@ -164,7 +140,8 @@ impl Compiler<'_> {
         let (mark, at) = (self.here(), self.at);
         let second = self.tested(|compiler| compiler.binary(level))?;
         if self.here() == mark {
-            return Ok(truth(Condition::Logical(and, Box::new(first), Box::new(second))));
+            let parts = if and { [first, second, number(0)] } else { [first, number(1), second] };
+            return Ok(Operand::Value(of(Computed::If, parts), Type::INT));
         }
         // what happens in the second operand happens only if the first asks for it
         self.program.operations.truncate(mark);
@@ -173,23 +150,22 @@ impl Compiler<'_> {
         self.emit(Operation::Set(cell.clone(), number(u32::from(!and))));
         let branch = self.branch(if and { first } else { !first });
         let second = self.tested(|compiler| compiler.binary(level))?;
-        self.emit(Operation::Set(cell.clone(), Value::OfCondition(Box::new(second))));
+        self.emit(Operation::Set(cell.clone(), second));
         self.land(&[branch]);
         Ok(Place(cell, Type::INT))
     }
 
     /// What is read as a condition.
-    pub(super) fn tested(&mut self, read: impl FnOnce(&mut Self) -> Result<Operand>) -> Result<Condition> {
+    pub(super) fn tested(&mut self, read: impl FnOnce(&mut Self) -> Result<Operand>) -> Result<Expression> {
         let operand = read(self)?;
         self.condition(operand)
     }
 
     /// What was read as a condition.
-    fn condition(&mut self, operand: Operand) -> Result<Condition> {
+    fn condition(&mut self, operand: Operand) -> Result<Expression> {
         match self.value(operand)? {
-            (Value::OfCondition(condition), _) => Ok(*condition),
-            (value, ty @ Integer(..)) => Ok(!Condition::Same(width(&ty), value, number(0))),
-            (value, Float) => Ok(!Condition::Compared(crate::term::Terms::equal, value, Value::Float(0))),
+            (value, ty @ Integer(..)) => Ok(!of(Computed::Same(width(&ty)), [value, number(0)])),
+            (value, Float) => Ok(!of(Computed::Compared(crate::term::Terms::equal), [value, Expression::Float(0)])),
             _ => self.refuse("a condition of another type"),
         }
     }
@@ -204,7 +180,7 @@ impl Compiler<'_> {
         if let Some(sign) = self.steps() {
             let inner = self.unary()?;
             let (address, ty) = self.place(inner)?;
-            return self.step(address, ty, sign);
+            return self.changed(address, ty, sign, (number(1), Type::INT));
         }
         if self.accept("sizeof") {
             let (mark, bracket) = (self.here(), self.accept("("));
@@ -247,16 +223,16 @@ impl Compiler<'_> {
                 let (address, ty) = self.place(inner)?;
                 return Ok(Operand::Value(address, Pointer(Box::new(ty))));
             }
-            "!" => return Ok(truth(!self.condition(inner)?)),
+            "!" => return Ok(Operand::Value(!self.condition(inner)?, Type::INT)),
             _ => {}
         }
         let (value, ty) = self.value(inner)?;
         let value = match (sign, &ty) {
             ("*", Pointer(inner)) => return Ok(Place(value, (**inner).clone())),
             ("*", _) => return self.refuse("a pointer"),
-            ("-", Float) => Value::Negative(Box::new(value)),
+            ("-", Float) => of(Computed::Negative, [value]),
             ("-", Double) => match value {
-                Value::Float(bits) => Value::Float(bits ^ 0x8000_0000),
+                Expression::Float(bits) => Expression::Float(bits ^ 0x8000_0000),
                 _ => return self.refuse("arithmetic in binary64"),
             },
             ("+", Float | Double) => value,
@@ -269,7 +245,7 @@ impl Compiler<'_> {
                     "~" => (Xor, width.mask()),
                     _ => (Add, 0),
                 };
-                return Ok(Operand::Value(apply(operator, width, Value::Number(first), value), wide));
+                return Ok(Operand::Value(apply(operator, width, Expression::Number(first), value), wide));
             }
             _ => return self.refuse(format!("`{sign}` of another type")),
         };
@@ -292,8 +268,10 @@ impl Compiler<'_> {
                 let target = self.signed("*", inner)?;
                 self.member(target)?
             } else if let Some(sign) = self.steps() {
+                // what it was before has no use in generated code
                 let (address, ty) = self.place(inner)?;
-                Stepped(address, ty, sign)
+                self.changed(address, ty, sign, (number(1), Type::INT))?;
+                Operand::Value(number(0), Void)
             } else {
                 return Ok(inner);
             };
@@ -306,7 +284,7 @@ impl Compiler<'_> {
         }
         let index = self.converted(index, &Type::UNSIGNED)?;
         let (address, ty, index) = match array {
-            Place(address, Array(ty, count)) => (address, ty, Value::Below(Box::new(index), count)),
+            Place(address, Array(ty, count)) => (address, ty, of(Computed::Bounded(count), [index])),
             array => match self.value(array)? {
                 (address, Pointer(ty)) => (address, ty, index),
                 _ => return self.refuse("an array"),
@@ -316,8 +294,8 @@ impl Compiler<'_> {
     }
 
     /// The address of a later element of a type.
-    pub(super) fn element(&self, address: Value, ty: &Type, index: Value) -> Value {
-        moved(address, apply(Multiply, Width::W32, index, number(self.cells(ty))))
+    pub(super) fn element(&self, address: Expression, ty: &Type, index: Expression) -> Expression {
+        of(Computed::Moved, [address, apply(Multiply, Width::W32, index, number(self.cells(ty)))])
     }
 
     fn member(&mut self, structure: Operand) -> Result<Operand> {
@@ -327,7 +305,7 @@ impl Compiler<'_> {
         let mut offset = 0;
         for (member, ty) in &structure.members {
             if *member == name {
-                return Ok(Place(moved(address, number(offset)), ty.clone()));
+                return Ok(Place(of(Computed::Moved, [address, number(offset)]), ty.clone()));
             }
             offset += if structure.union { 0 } else { self.cells(ty) };
         }
@@ -337,8 +315,8 @@ impl Compiler<'_> {
     fn primary(&mut self) -> Result<Operand> {
         let (value, ty) = match self.next() {
             Token::Number(text) => self.number(&text)?,
-            Token::Name(name) if name == "__infinity" => (Value::Float(f32::INFINITY.to_bits()), Float),
-            Token::Name(name) if name == "__nan" => (Value::Float(f32::NAN.to_bits()), Float),
+            Token::Name(name) if name == "__infinity" => (Expression::Float(f32::INFINITY.to_bits()), Float),
+            Token::Name(name) if name == "__nan" => (Expression::Float(f32::NAN.to_bits()), Float),
             Token::Name(name) if self.accept("(") => return self.call(&name),
             Token::Name(name) => match (self.find(&name), self.constants.get(&name)) {
                 (Some(place), _) => return Ok(Place(number(place.address), place.ty.clone())),
@@ -363,8 +341,8 @@ impl Compiler<'_> {
             };
             let value = self.converted(value, &Float)?;
             return Ok(match name {
-                "isnan" => truth(Condition::Nan(value)),
-                _ => Operand::Value(Value::Magnitude(Box::new(value)), Float),
+                "isnan" => Operand::Value(of(Computed::IsNan, [value]), Type::INT),
+                _ => Operand::Value(of(Computed::Magnitude, [value]), Float),
             });
         };
         Ok(match self.inlined(&function, arguments)? {
@@ -378,7 +356,7 @@ impl Compiler<'_> {
         let [(to, Pointer(to_type)), (from, Pointer(from_type)), (size, _)] = &arguments[..] else {
             return self.refuse("memcpy of two pointers and a size");
         };
-        let Some(Constant::Number(size)) = constant_of(size) else { return self.refuse("a constant size") };
+        let Some(Constant::Number(size)) = self.constant_of(size) else { return self.refuse("a constant size") };
         let widths = [to_type, from_type].map(|ty| self.scalar_bytes(ty));
         let [Some(width), Some(other)] = widths else { return self.refuse("memcpy of mixed scalars") };
         if width != other || size % u64::from(width) != 0 {
@@ -399,7 +377,7 @@ impl Compiler<'_> {
                 Float => digits.parse::<f32>().map_err(|_| fault())?,
                 _ => digits.parse::<f64>().map_err(|_| fault())? as f32,
             };
-            return Ok((Value::Float(value.to_bits()), ty));
+            return Ok((Expression::Float(value.to_bits()), ty));
         }
         let digits = lower.trim_end_matches(['u', 'l']);
         let suffix = &lower[digits.len()..];
@@ -419,6 +397,6 @@ impl Compiler<'_> {
         } else {
             Type::INT
         };
-        Ok((Value::Number(value), ty))
+        Ok((Expression::Number(value), ty))
     }
 }

@@ -1,6 +1,6 @@
 //! Cells of variables, and constants in them.
 
-use super::{Compiler, Lvalue, Operand, Type, constant_of};
+use super::{Compiler, Lvalue, Operand, Type};
 use crate::c::code::{CONSTANTS, Constant, Object};
 use crate::input::Result;
 use Type::*;
@@ -68,7 +68,7 @@ impl Compiler<'_> {
         for (offset, ty, item) in parts {
             let value = self.value(item)?;
             let value = self.converted(value, &ty)?;
-            cells[offset as usize] = constant_of(&value).ok_or_else(|| self.missing("a constant initialiser"))?;
+            cells[offset as usize] = self.constant_of(&value).ok_or_else(|| self.missing("a constant initialiser"))?;
         }
         self.program.constants.extend(cells);
         self.program.objects.push(Object { start: address, end: address + self.cells(&ty).max(1), array: true });
