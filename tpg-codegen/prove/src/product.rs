@@ -10,9 +10,9 @@ use crate::interval::Intervals;
 use crate::machine::{Answer, Machine, Point, Step};
 use crate::order::{Together, together};
 use crate::term::evaluate::Evaluator;
-use crate::term::{Bool, Float, Node, Terms, Word};
+use crate::term::{Bool, Float, Terms, Word};
 use Destination::*;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fmt;
 
 /// A bound on the work of a proof.
@@ -53,9 +53,6 @@ enum ProductSide<Point> {
 /// The sides that follow from a point, each with its condition.
 type Pieces<Point> = HashMap<Point, Vec<(Bool, ProductSide<Point>)>>;
 
-/// What can hold together, by what was assumed.
-type Combined = HashMap<(Bool, Vec<Bool>, Vec<Bool>), BTreeSet<(usize, usize)>>;
-
 /// Pairs of a side and a place of the graph, each with its condition.
 type Pairs<Point> = Vec<(ProductSide<Point>, Destination, Bool)>;
 
@@ -73,9 +70,6 @@ pub struct Comparison<'a, M: Machine> {
     /// What was done
     pub work: Work,
     pieces: Pieces<Point<M::Cell>>,
-    combined: Combined,
-    /// How often a word is a part of an answer
-    parents: HashMap<Word, u32>,
 }
 
 /// An answer in one state.
@@ -114,8 +108,6 @@ impl<'a, M: Machine> Comparison<'a, M> {
             evaluator: Evaluator::default(),
             work: Work::default(),
             pieces: HashMap::new(),
-            combined: HashMap::new(),
-            parents: HashMap::new(),
         }
     }
 
@@ -182,29 +174,23 @@ impl<'a, M: Machine> Comparison<'a, M> {
         assumed: Bool,
         forgetful: bool,
     ) -> Result<Pairs<Point<M::Cell>>> {
-        let ends = self.ends(&side)?;
+        let (ends, answered) = match self.ends(&side)? {
+            Some(ends) => (ends, false),
+            None => (vec![(Terms::TRUE, side.clone())], true),
+        };
+        let graph_is_done = !matches!(place, Team(_));
+        if answered && graph_is_done {
+            self.answers(&side, place, assumed)?;
+            return Ok(Vec::new());
+        }
+        if !answered && ends.len() == 1 && ends[0].0 == Terms::TRUE {
+            return Ok(ends.into_iter().map(|(_, end)| (end, place, assumed)).collect());
+        }
         let team = match place {
             Team(team) => self.meaning.winners(&self.terms, team)?,
             _ => vec![(Terms::TRUE, place)],
         };
-        let graph_is_done = !matches!(place, Team(_));
-        let Some(ends) = ends else {
-            if graph_is_done {
-                self.answers(&side, place, assumed)?;
-                return Ok(Vec::new());
-            }
-            // the code has answered: the graph goes on alone
-            let pairs = self.together(&side, place, assumed, &[Terms::TRUE], &team)?;
-            return Ok(self.alone(side, assumed, &team, &pairs));
-        };
-        let conditions: Vec<_> = ends.iter().map(|&(condition, _)| condition).collect();
-        if conditions == [Terms::TRUE] {
-            return Ok(vec![(ends[0].1.clone(), place, assumed)]);
-        }
-        let pairs = self.together(&side, place, assumed, &conditions, &team)?;
-        let targets = |of: usize| -> BTreeSet<Destination> {
-            pairs.iter().filter(|(end, _)| *end == of).map(|&(_, edge)| team[edge].1).collect()
-        };
+        let pairs = self.together(&side, place, assumed, &ends, &team)?;
         let all: BTreeSet<_> = pairs.iter().map(|&(_, edge)| team[edge].1).collect();
         if !graph_is_done && all.len() == 1 {
             // whatever the bids are, the team leads there
@@ -212,45 +198,29 @@ impl<'a, M: Machine> Comparison<'a, M> {
         }
         let mut next = Vec::new();
         for (of, (condition, end)) in ends.into_iter().enumerate() {
-            let targets = targets(of);
+            let mut targets: BTreeMap<Destination, Vec<Bool>> = BTreeMap::new();
+            for &(_, edge) in pairs.iter().filter(|&&(end, _)| end == of) {
+                targets.entry(team[edge].1).or_default().push(team[edge].0);
+            }
             let held = self.terms.and(assumed, condition);
-            match (targets.len(), graph_is_done) {
-                (0, _) => {}
-                (1, false) => {
-                    let held = if forgetful { Terms::TRUE } else { held };
-                    next.extend(targets.into_iter().map(|to| (end.clone(), to, held)));
-                }
+            if targets.is_empty() {
+                continue;
+            }
+            if answered {
+                // the graph goes on alone
+                next.extend(targets.into_iter().map(|(to, wins)| {
+                    let won = self.terms.any(wins);
+                    (end.clone(), to, self.terms.and(held, won))
+                }));
+            } else if targets.len() == 1 && !graph_is_done {
+                let held = if forgetful { Terms::TRUE } else { held };
+                next.extend(targets.into_keys().map(|to| (end.clone(), to, held)));
+            } else {
                 // the code has decided something, but not yet what the graph decides here
-                _ => next.push((end, place, held)),
+                next.push((end, place, held));
             }
         }
         Ok(next)
-    }
-
-    fn alone(
-        &mut self,
-        side: ProductSide<Point<M::Cell>>,
-        assumed: Bool,
-        team: &[(Bool, Destination)],
-        pairs: &BTreeSet<(usize, usize)>,
-    ) -> Vec<(ProductSide<Point<M::Cell>>, Destination, Bool)> {
-        let mut by_target: HashMap<Destination, Vec<Bool>> = HashMap::new();
-        let mut order = Vec::new();
-        for &(_, edge) in pairs {
-            let (condition, to) = team[edge];
-            let conditions = by_target.entry(to).or_default();
-            if conditions.is_empty() {
-                order.push(to);
-            }
-            conditions.push(condition);
-        }
-        let one = order.len() == 1;
-        let mut next = Vec::new();
-        for to in order {
-            let wins = if one { Terms::TRUE } else { self.terms.any(by_target[&to].iter().copied()) };
-            next.push((side.clone(), to, self.terms.and(assumed, wins)));
-        }
-        next
     }
 
     /// Finds what can hold together, within the work that is left.
@@ -266,20 +236,16 @@ impl<'a, M: Machine> Comparison<'a, M> {
         side: &ProductSide<Point<M::Cell>>,
         place: Destination,
         assumed: Bool,
-        conditions: &[Bool],
+        ends: &Ends<Point<M::Cell>>,
         team: &[(Bool, Destination)],
     ) -> Result<BTreeSet<(usize, usize)>> {
+        let conditions: Vec<_> = ends.iter().map(|&(condition, _)| condition).collect();
         let wins: Vec<_> = team.iter().map(|&(condition, _)| condition).collect();
-        let key = (assumed, conditions.to_vec(), wins);
-        if let Some(known) = self.combined.get(&key) {
-            return Ok(known.clone());
-        }
-        let found = self.combinations(assumed, [conditions, &key.2]);
+        let found = self.combinations(assumed, [&conditions, &wins]);
         let found = found.ok_or_else(|| self.too_many((side, place)))?;
         if found.incomplete {
             return Err(Missing::new(self.name(side, place), "a way on in every state"));
         }
-        self.combined.insert(key, found.pairs.clone());
         Ok(found.pairs)
     }
 
@@ -338,9 +304,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
             ProductSide::Values(_) => Ok(None),
             ProductSide::Action(word) if self.terms.number_of(*word).is_some() => Ok(None),
             ProductSide::Action(word) => {
-                // as far as the next word that is shared
-                let shared = |inner| inner != *word && self.parents.get(&inner).is_some_and(|&uses| uses > 1);
-                let cases = self.terms.word_cases(*word, shared);
+                let cases = self.terms.one_choice(*word);
                 Ok(Some(cases.into_iter().map(|(held, word)| (held, ProductSide::Action(word))).collect()))
             }
             ProductSide::At(point) => {
@@ -358,10 +322,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
                     let side = match step {
                         Step::To(point) => ProductSide::At(point),
                         Step::Return(Answer::Values(values)) => ProductSide::Values(values),
-                        Step::Return(Answer::Action(word)) => {
-                            self.count(word);
-                            ProductSide::Action(word)
-                        }
+                        Step::Return(Answer::Action(word)) => ProductSide::Action(word),
                     };
                     match sides.iter_mut().find(|(_, other)| *other == side) {
                         Some((known, _)) => *known = self.terms.or(*known, condition),
@@ -370,20 +331,6 @@ impl<'a, M: Machine> Comparison<'a, M> {
                 }
                 self.pieces.insert(point.clone(), sides.clone());
                 Ok(Some(sides))
-            }
-        }
-    }
-
-    /// Counts what a word is made of: what is shared is where several paths meet.
-    fn count(&mut self, word: Word) {
-        let mut open = vec![word];
-        while let Some(word) = open.pop() {
-            let uses = self.parents.entry(word).or_default();
-            *uses += 1;
-            if *uses == 1
-                && let Node::WordIf(_, a, b) = self.terms.of_word(word)
-            {
-                open.extend([a, b]);
             }
         }
     }

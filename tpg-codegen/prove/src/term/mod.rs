@@ -347,6 +347,14 @@ impl Terms {
         cases.into_iter().map(|(condition, node)| (condition, Word(node))).collect()
     }
 
+    /// The two sides of a choice, each with its condition; the word alone if it is none.
+    pub(crate) fn one_choice(&self, word: Word) -> Vec<(Bool, Word)> {
+        match self.of_word(word) {
+            WordIf(condition, a, b) => vec![(condition, a), (!condition, b)],
+            _ => vec![(Self::TRUE, word)],
+        }
+    }
+
     fn uses(&self, lemma: &'static str) {
         *self.lemmas.borrow_mut().entry(lemma).or_default() += 1;
     }

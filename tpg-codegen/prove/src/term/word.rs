@@ -265,6 +265,10 @@ impl Terms {
                     return self.apply(operator, width, p, self.number(computed(operator, width, q, number)));
                 }
             }
+            // the distance of two addresses
+            (Subtract, None) if self.moved(width, a).0 == self.moved(width, b).0 => {
+                return self.number(self.moved(width, a).1.wrapping_sub(self.moved(width, b).1) & ones);
+            }
             (Xor, None) => {
                 for (word, other) in [(a, b), (b, a)] {
                     match self.of_word(word) {
@@ -277,6 +281,14 @@ impl Terms {
             _ => {}
         }
         Word(self.node(Apply(operator, width, a, b)))
+    }
+
+    /// A word as a sum with a constant.
+    fn moved(&self, width: Width, word: Word) -> (Word, u64) {
+        match self.of_word(word) {
+            Apply(Operator::Add, of, base, by) if of == width => self.number_of(by).map_or((word, 0), |by| (base, by)),
+            _ => (word, 0),
+        }
     }
 
     /// Tests the sign bit.
@@ -292,7 +304,7 @@ impl Terms {
         if let Some(b) = self.number_of(b) {
             return self.within(a, width, &[(b, b)]);
         }
-        self.within(self.apply(Operator::Xor, width, a, b), width, &[(0, 0)])
+        self.within(self.apply(Operator::Subtract, width, a, b), width, &[(0, 0)])
     }
 
     /// `a < b` of unsigned or signed numbers.
