@@ -51,38 +51,6 @@ pub(crate) struct Function {
     pub(crate) size: u32,
 }
 
-/// Why an object is refused.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum Error {
-    /// Not an object, or a damaged one.
-    #[error("not an ELF object for ARM, little-endian: {0}")]
-    Format(String),
-    /// A missing function.
-    #[error("no function {name:?}; there are: {found}")]
-    Missing {
-        /// The name that was asked for.
-        name: String,
-        /// The functions that are there.
-        found: String,
-    },
-    /// A function that is there twice.
-    #[error("several functions {0:?}")]
-    Ambiguous(String),
-    /// A function that is not in Thumb code, or without a size.
-    #[error("function {0:?} is not Thumb code with a size in a section with code")]
-    NotThumb(String),
-    /// Relocation of an unknown type.
-    #[error("section {section}, offset {offset:#x}: relocation of type {kind} is not understood")]
-    Relocation {
-        /// Name of the section.
-        section: String,
-        /// Offset in the section.
-        offset: u64,
-        /// Its type, as in the ARM ELF specification.
-        kind: u32,
-    },
-}
-
 #[derive(Clone, Debug)]
 struct ElfSection {
     start: u32,
@@ -104,8 +72,8 @@ impl Image {
     ///
     /// # Errors
     /// If it is not a little-endian ELF file for ARM.
-    pub fn read(file: &[u8]) -> Result<Self, Error> {
-        let format = |error: &dyn std::fmt::Display| Error::Format(error.to_string());
+    pub fn read(file: &[u8]) -> Result<Self, String> {
+        let format = |error: &dyn std::fmt::Display| format!("not an ELF object for ARM, little-endian: {error}");
         let file = object::File::parse(file).map_err(|error| format(&error))?;
         let found = (file.format(), file.architecture(), file.is_little_endian());
         if found != (object::BinaryFormat::Elf, object::Architecture::Arm, true) {
@@ -165,7 +133,7 @@ impl Image {
         &mut self,
         file: &object::File<'_>,
         numbers: &HashMap<SectionIndex, usize>,
-    ) -> Result<(), Error> {
+    ) -> Result<(), String> {
         for section in file.sections() {
             let Some(&number) = numbers.get(&section.index()) else { continue };
             if !self.sections[number].constant {
@@ -174,7 +142,10 @@ impl Image {
             let name = section.name().unwrap_or_default();
             for (offset, relocation) in section.relocations() {
                 let RelocationFlags::Elf { r_type } = relocation.flags() else { continue };
-                let error = || Error::Relocation { section: name.to_owned(), offset, kind: r_type.0 };
+                let error = || {
+                    let kind = r_type.0;
+                    format!("section {name}, offset {offset:#x}: relocation of type {kind} is not understood")
+                };
                 let part = match r_type {
                     elf::R_ARM_NONE | elf::R_ARM_PREL31 => continue,
                     elf::R_ARM_ABS32 => Part::Word,
@@ -222,15 +193,15 @@ impl Image {
     ///
     /// # Errors
     /// If there is none, or several, or it is not Thumb code.
-    pub(crate) fn function(&self, name: &str) -> Result<&Function, Error> {
-        let missing = || {
-            let found: Vec<&str> = self.functions.keys().map(String::as_str).collect();
-            Error::Missing { name: name.to_owned(), found: found.join(", ") }
+    pub(crate) fn function(&self, name: &str) -> Result<Function, String> {
+        let Some(found) = self.functions.get(name) else {
+            let names: Vec<&str> = self.functions.keys().map(String::as_str).collect();
+            return Err(format!("no function {name:?}; there are: {}", names.join(", ")));
         };
-        match self.functions.get(name).ok_or_else(missing)?.as_slice() {
-            [Some(function)] if self.constant(function.start, function.size).is_some() => Ok(function),
-            [_] => Err(Error::NotThumb(name.to_owned())),
-            _ => Err(Error::Ambiguous(name.to_owned())),
+        match found.as_slice() {
+            &[Some(function)] if self.constant(function.start, function.size).is_some() => Ok(function),
+            [_] => Err(format!("function {name:?} is not Thumb code with a size in a section with code")),
+            _ => Err(format!("several functions {name:?}")),
         }
     }
 

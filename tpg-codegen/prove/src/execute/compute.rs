@@ -94,7 +94,7 @@ impl Here<'_> {
                     None => Ok(()),
                 }
             }
-            Transfer { load, width, ref registers, place } => self.transfer(load, width, registers, place),
+            Transfer { load, bytes, ref registers, place } => self.transfer(load, bytes, registers, place),
             Compare { left, right } => {
                 let a = self.number(self.register(left)?)?;
                 let b = match right {
@@ -154,12 +154,9 @@ impl Here<'_> {
                 let product = terms.apply(Multiply, W, self.bits(a)?, self.bits(b)?);
                 Ok(Bits(terms.apply(operator, W, self.bits(sum)?, product)))
             }
-            (Computed::Extracted { low: 0, width, signed: false }, &[value]) => {
-                Ok(Bits(self.with(And, self.bits(value)?, (1 << width) - 1)))
-            }
-            (Computed::Extracted { low, width, signed }, &[value]) => {
-                let left = self.with(ShiftLeft, self.bits(value)?, (32 - low - width).into());
-                Ok(Bits(self.with(if signed { ShiftArithmetic } else { ShiftRight }, left, (32 - width).into())))
+            (Computed::Extracted { low, width }, &[value]) => {
+                let above = self.with(ShiftRight, self.bits(value)?, low.into());
+                Ok(Bits(self.with(And, above, (1 << width) - 1)))
             }
             (Computed::Inserted { low, width }, &[into, from]) => {
                 let mask = ((1u64 << width) - 1) << low;

@@ -2,9 +2,8 @@
 
 use crate::elf::{Address, Function, Image, Part};
 use crate::input::{Missing, Result};
-use crate::term::Operator;
 use crate::thumb::decode::decode;
-use crate::thumb::{ALWAYS, Block, Computed, Instruction, LR, Offset, Operand, Operation, PC, Place, Register, S0, SP};
+use crate::thumb::{ALWAYS, Block, Computed, Instruction, LR, Offset, Operand, Operation, PC, Register, S0, SP};
 use Operation::*;
 use std::collections::{HashMap, HashSet};
 
@@ -109,13 +108,13 @@ pub(super) fn flow(image: &Image, function: &Function) -> Result<Flow> {
                 if relocation.is_some() && operation.leaves() {
                     return Err(missing("a branch to another function"));
                 }
-                let entries = entries(&nodes, &location, operation);
+
                 let inside = |target: u32| (function.start.offset..end).contains(&target);
                 let targets = match *operation {
                     Branch { target } | BranchIf { target, .. } => vec![target],
-                    Table { base: PC, bytes, .. } => table(image, *address, (behind, Some(bytes)), entries, inside),
+                    Table { base: PC, bytes, .. } => table(image, *address, behind, Some(bytes), inside),
                     Transfer { load: true, ref registers, .. } if registers.contains(&PC) => {
-                        table(image, *address, (behind, None), entries, inside)
+                        table(image, *address, behind, None, inside)
                     }
                     Table { .. } | Exchange { .. } => return Err(missing("a jump to a computed address")),
                     _ => Vec::new(),
@@ -133,29 +132,6 @@ pub(super) fn flow(image: &Image, function: &Function) -> Result<Flow> {
 /// Returns the address behind a call.
 pub(super) fn behind_call(call: Address) -> Address {
     call.at(call.offset.wrapping_add(4))
-}
-
-/// Returns the entries of a table, by the comparison before its branch.
-fn entries<T>(
-    nodes: &HashMap<Location, (Instruction, Block, T)>,
-    (callers, address): &Location,
-    operation: &Operation,
-) -> Option<u32> {
-    let index = match *operation {
-        Table { index, .. } | Transfer { place: Place { offset: Offset::Register(index, _), .. }, .. } => index,
-        _ => return None,
-    };
-    let before =
-        (1..16).filter_map(|halves| nodes.get(&(callers.clone(), address.at(address.offset.wrapping_sub(2 * halves)))));
-    before.map(|(instruction, ..)| &instruction.operation).find_map(|operation| match operation {
-        Compute { name: Computed::Integers(Operator::Subtract), to: None, from, .. } => match from[..] {
-            [Operand::Register(left, _, 0), Operand::Number(last)] if left == index => {
-                Some(last.saturating_add(1).min(1024))
-            }
-            _ => None,
-        },
-        _ => None,
-    })
 }
 
 /// Puts instructions in order, and finds where paths meet and what is alive.
@@ -221,29 +197,22 @@ pub(super) fn ends(operation: &Operation) -> bool {
     }
 }
 
-/// Reads the targets of a table that follows its branch: of offsets, or of addresses. It has as many entries as a comparison
-/// says, else it ends where its first target is. What is jumped to in an execution is compared with these.
-fn table(
-    image: &Image,
-    place: Address,
-    (behind, bytes): (u32, Option<u8>),
-    known: Option<u32>,
-    inside: impl Fn(u32) -> bool,
-) -> Vec<u32> {
+/// Reads the targets of a table that follows its branch: of offsets, or of addresses. It ends where its first target is. What is
+/// jumped to in an execution is compared with these.
+fn table(image: &Image, branch: Address, behind: u32, bytes: Option<u8>, inside: impl Fn(u32) -> bool) -> Vec<u32> {
     let mut targets: Vec<u32> = Vec::new();
-    let start = if bytes.is_some() { behind } else { behind.wrapping_add(3) & !3 };
-    let width = u32::from(bytes.unwrap_or(4));
-    for at in 0..known.unwrap_or(1024) {
-        let address = place.at(start.wrapping_add(at * width));
+    let mut entry = branch.at(if bytes.is_some() { behind } else { behind.wrapping_add(3) & !3 });
+    while !targets.iter().any(|&target| target > behind && target <= entry.offset) {
         let target = match bytes {
-            Some(bytes) => image.number(address, bytes).map(|distance| behind.wrapping_add(2 * distance)),
-            None => image.pointer(address).filter(|to| to.section == place.section).map(|to| to.offset & !1),
+            // what leads nowhere fills the table up
+            Some(bytes) => {
+                image.number(entry, bytes).filter(|&ahead| ahead > 0).map(|ahead| behind.wrapping_add(2 * ahead))
+            }
+            None => image.pointer(entry).filter(|to| to.section == branch.section).map(|to| to.offset & !1),
         };
-        let passed = known.is_none() && targets.iter().any(|&first| first > behind && address.offset >= first);
-        match target.filter(|&target| !passed && inside(target)) {
-            Some(target) => targets.push(target),
-            None => break,
-        }
+        let Some(target) = target.filter(|&target| inside(target)) else { break };
+        targets.push(target);
+        entry.offset = entry.offset.wrapping_add(bytes.unwrap_or(4).into());
     }
     targets
 }

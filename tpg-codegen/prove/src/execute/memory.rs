@@ -5,7 +5,7 @@ use crate::elf::Address;
 use crate::input::{Missing, Result};
 use crate::machine::{Answer, Value};
 use crate::term::{self, Operator::*};
-use crate::thumb::{Index, Offset, PC, Place, Register, WORD, Width};
+use crate::thumb::{Index, Offset, PC, Place, Register};
 use Region::*;
 use Value::*;
 
@@ -41,16 +41,16 @@ impl Here<'_> {
     }
 
     /// Loads or stores registers.
-    pub(super) fn transfer(&mut self, load: bool, width: Width, registers: &[Register], place: Place) -> Result<()> {
+    pub(super) fn transfer(&mut self, load: bool, bytes: u8, registers: &[Register], place: Place) -> Result<()> {
         let (accessed, written) = self.addresses(place)?;
         let mut loaded = Vec::new();
         for (number, &register) in registers.iter().enumerate() {
             let address = self.with(Add, accessed, 4 * number as u64);
             if load {
-                loaded.push((register, self.load(address, width)?));
+                loaded.push((register, self.load(address, bytes)?));
             } else {
                 let stored = self.register(register)?;
-                self.store(address, width, stored)?;
+                self.store(address, bytes, stored)?;
             }
         }
         for (register, value) in written.map(|written| (place.base, Word(written))).into_iter().chain(loaded) {
@@ -79,10 +79,10 @@ impl Here<'_> {
     }
 
     /// Loads from an address, or from one of a few.
-    fn load(&self, address: term::Word, width: Width) -> Result<Value> {
+    fn load(&self, address: term::Word, bytes: u8) -> Result<Value> {
         let load = |address| {
             let (region, offset) = self.object.located(self.terms, address)?;
-            self.load_at(region, offset, width)
+            self.load_at(region, offset, bytes)
         };
         let refusal = || self.refusal("loads what is not known");
         if !matches!(self.terms.of_word(address), term::Node::WordIf(..)) {
@@ -97,34 +97,27 @@ impl Here<'_> {
         if failed { Err(refusal()) } else { Ok(Word(value)) }
     }
 
-    fn load_at(&self, region: Region, offset: u32, width: Width) -> Option<Value> {
-        let is_word = width.bytes == 4 && offset.is_multiple_of(4);
-        let unused = 32 - 8 * u32::from(width.bytes);
+    fn load_at(&self, region: Region, offset: u32, bytes: u8) -> Option<Value> {
+        let is_word = bytes == 4 && offset.is_multiple_of(4);
+
         let Object { image, interface, .. } = self.object;
         match region {
             Section(section) => {
                 let address = Address { section, offset };
-                if image.is_relocated(address, width.bytes.into()) {
+                if image.is_relocated(address, bytes.into()) {
                     return if is_word { image.pointer(address).map(|target| self.section(target)) } else { None };
                 }
-                let number = image.number(address, width.bytes)?;
-                let number = if width.signed { ((number << unused) as i32 >> unused) as u32 } else { number };
-                Some(Word(self.terms.number(number.into())))
+                Some(Word(self.terms.number(image.number(address, bytes)?.into())))
             }
             State => {
                 let known = is_word && offset / 4 < interface.state_length();
                 known.then(|| Value::Float(self.terms.source(offset / 4)))
             }
-            _ => match *self.cells.get(&Cell::Memory(region, offset, width.bytes))? {
-                Word(word) if width.signed => {
-                    Some(Word(self.with(ShiftArithmetic, self.with(ShiftLeft, word, unused.into()), unused.into())))
-                }
-                value => Some(value),
-            },
+            _ => self.cells.get(&Cell::Memory(region, offset, bytes)).copied(),
         }
     }
 
-    fn store(&mut self, address: term::Word, width: Width, mut value: Value) -> Result<()> {
+    fn store(&mut self, address: term::Word, size: u8, mut value: Value) -> Result<()> {
         let Some((region, offset)) = self.object.located(self.terms, address) else {
             return self.refuse("stores to an unknown address");
         };
@@ -136,7 +129,7 @@ impl Here<'_> {
             _ => 0,
         };
         // Parts of words are stored on the stack only.
-        let bytes = u32::from(width.bytes);
+        let bytes = u32::from(size);
         let aligned = offset.is_multiple_of(bytes) && (bytes == 4 || region == Stack);
         if !aligned || (region != Stack && (offset / 4) as usize >= length) || length == 0 {
             return self.refuse(format_args!("stores to {region:?}, offset {}", offset as i32));
@@ -151,7 +144,7 @@ impl Here<'_> {
             }
             _ => true,
         });
-        self.cells.insert(Cell::Memory(region, offset, width.bytes), value);
+        self.cells.insert(Cell::Memory(region, offset, size), value);
         Ok(())
     }
 
@@ -169,7 +162,7 @@ impl Here<'_> {
         let mut values = Vec::new();
         for (region, count) in [(Outputs, interface.outputs.len()), (Memory, interface.memory.len())] {
             for index in 0..count as u32 {
-                let value = self.load_at(region, 4 * index, WORD).and_then(|value| value.float(self.terms));
+                let value = self.load_at(region, 4 * index, 4).and_then(|value| value.float(self.terms));
                 let refusal = || self.refusal(format_args!("{region:?}, value {index}, is not written"));
                 values.push(value.ok_or_else(refusal)?);
             }

@@ -7,7 +7,7 @@ mod compute;
 mod flow;
 mod memory;
 
-use crate::elf::{Address, Error, Function, Image};
+use crate::elf::{Address, Function, Image};
 use crate::input::{Missing, Result};
 use crate::machine::{Cells, Interface, Machine, State, Step, Value, merged};
 use crate::term::{Bool, Node as Term, Operator, Terms, Width, Word as TermWord};
@@ -83,9 +83,9 @@ impl Object {
     ///
     /// # Errors
     /// If the file is no object for ARM, or has no such function in Thumb code.
-    pub fn new(file: &[u8], symbol: &str, interface: Interface) -> std::result::Result<Self, Error> {
+    pub fn new(file: &[u8], symbol: &str, interface: Interface) -> std::result::Result<Self, String> {
         let image = Image::read(file)?;
-        let function = *image.function(symbol)?;
+        let function = image.function(symbol)?;
         Ok(Self { image, interface, function, flow: Rc::default(), first: Cells::new(), bases: RefCell::default() })
     }
 

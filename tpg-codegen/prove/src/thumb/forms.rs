@@ -3,7 +3,7 @@
 //! Of several forms that fit, the first counts. Points are bits that are not looked at.
 
 use super::decode::{Fields, SHIFTS};
-use super::{Computed, Index, LR, Offset, Operand, Operation, PC, Place, Register, S0, SP, WORD, Width, list, signed};
+use super::{Computed, Index, LR, Offset, Operand, Operation, PC, Place, Register, S0, SP, list, signed};
 use crate::term::Arithmetic;
 use crate::term::Operator::{Add, And, Multiply, Or, Subtract, Xor};
 use Computed::*;
@@ -60,8 +60,9 @@ pub(super) const FORMS: &[(&str, Meaning)] = &[
     }),
     ("01001 ttt iiiiiiii", |f| near(f, 4, PC)),
     ("0101 kkk mmm bbb ttt", |f| {
-        let width = Width { bytes: [4, 2, 1, 1, 4, 2, 1, 2][f.k], signed: matches!(f.k, 3 | 7) };
-        transfer(f.k > 2, width, f.t, f.b, Offset::Register(f.m, 0))
+        // What extends a sign is left out.
+        let &bytes = [4, 2, 1].get(f.k % 4)?;
+        transfer(f.k > 2, bytes, f.t, f.b, Offset::Register(f.m, 0))
     }),
     ("0110 l iiiii bbb ttt", |f| near(f, 4, f.b)),
     ("0111 l iiiii bbb ttt", |f| near(f, 1, f.b)),
@@ -71,7 +72,7 @@ pub(super) const FORMS: &[(&str, Meaning)] = &[
     ("10101 ddd iiiiiiii", |f| processed(ADD, false, Some(f.d), Some(SP), Operand::Number(f.i * 4))),
     ("1011 k0i1 iiiii nnn", |f| Some(BranchIf { register: f.n, zero: f.k == 0, target: f.target(f.distance(2)) })),
     ("1011 0000 k iiiiiii", |f| processed([ADD, SUB][f.k], false, Some(SP), Some(SP), Operand::Number(f.i * 4))),
-    ("1011 0010 uk nnn ddd", |f| extract(f, 0, [16, 8][f.k])),
+    ("1011 0010 1k nnn ddd", |f| extract(f, 0, [16, 8][f.k])),
     ("1011 010 i iiiiiiii", |f| several(false, SP, list((f.i & 256) << 6 | f.i & 255), true, true)),
     ("1011 110 i iiiiiiii", |f| several(true, SP, list((f.i & 256) << 7 | f.i & 255), false, true)),
     ("1011 1111 0000 0000", |_| Some(Nop)),
@@ -96,7 +97,7 @@ pub(super) const FORMS: &[(&str, Meaning)] = &[
         let place = Place { base: f.b, offset: Offset::Number(f.distance(4)), index: index(f)? };
         let clash = place.index != Index::Offset && [PC, f.n, f.m].contains(&f.b);
         let valid = !clash && if f.l { f.n != f.m } else { f.b != PC };
-        valid.then(|| Transfer { load: f.l, width: WORD, registers: vec![f.n, f.m], place })
+        valid.then(|| Transfer { load: f.l, bytes: 4, registers: vec![f.n, f.m], place })
     }),
     // Rotations are left out.
     ("1110101 .... . .... .... .... ..11 ....", |_| None),
@@ -115,7 +116,7 @@ pub(super) const FORMS: &[(&str, Meaning)] = &[
     ("11110 i1 01100 hhhh 0iii dddd iiiiiiii", |f| {
         compute(Upper, false, f.d, &[Operand::plain(f.d), Operand::Number(f.get('h') << 12 | f.i)])
     }),
-    ("11110 .1 1u100 nnnn 0iii dddd ii.kkkkk", |f| {
+    ("11110 .1 11100 nnnn 0iii dddd ii.kkkkk", |f| {
         if f.i as usize + f.k < 32 { extract(f, f.i as u8, f.k as u8 + 1) } else { None }
     }),
     ("11110 .1 10110 bbbb 0iii dddd ii.kkkkk", |f| {
@@ -140,17 +141,17 @@ pub(super) const FORMS: &[(&str, Meaning)] = &[
         }
     }),
     // One register: relative to the program counter, with an offset, with writing back, with a register.
-    ("1111100 sukkl 1111 tttt iiiiiiiiiiii", |f| single(f, PC, Offset::Number(f.distance(1)), Index::Offset)),
-    ("1111100 s1kkl bbbb tttt iiiiiiiiiiii", |f| single(f, f.b, Offset::Number(f.distance(1)), Index::Offset)),
-    ("1111100 s0kkl bbbb tttt 1puw iiiiiiii", |f| {
+    ("1111100 0ukkl 1111 tttt iiiiiiiiiiii", |f| single(f, PC, Offset::Number(f.distance(1)), Index::Offset)),
+    ("1111100 01kkl bbbb tttt iiiiiiiiiiii", |f| single(f, f.b, Offset::Number(f.distance(1)), Index::Offset)),
+    ("1111100 00kkl bbbb tttt 1puw iiiiiiii", |f| {
         // Unprivileged accesses are left out.
         let valid = !(f.w && f.t == f.b) && (f.w || !f.u);
         if valid { single(f, f.b, Offset::Number(f.distance(1)), index(f)?) } else { None }
     }),
-    ("1111100 s0kkl bbbb tttt 000000 ii mmmm", |f| single(f, f.b, Offset::Register(f.m, f.i as u8), Index::Offset)),
+    ("1111100 00kkl bbbb tttt 000000 ii mmmm", |f| single(f, f.b, Offset::Register(f.m, f.i as u8), Index::Offset)),
     ("11111010 0kks nnnn 1111 dddd 0000 mmmm", |f| shift(f, f.k, f.s, f.n)),
     // Extension alone; with a sum or a rotation it is left out.
-    ("11111010 0k0u 1111 1111 dddd 1000 nnnn", |f| extract(f, 0, [16, 8][f.k])),
+    ("11111010 0k01 1111 1111 dddd 1000 nnnn", |f| extract(f, 0, [16, 8][f.k])),
     ("11111011 0000 nnnn 1111 dddd 0000 mmmm", |f| {
         compute(Integers(Multiply), false, f.d, &[Operand::plain(f.n), f.right()])
     }),
@@ -169,9 +170,9 @@ pub(super) const FORMS: &[(&str, Meaning)] = &[
         }
         let registers = (start as Register..(start + count) as Register).collect();
         let several = several(f.l, f.b, registers, f.p && !single, f.w)?;
-        let Transfer { load, width, registers, place } = several else { return None };
+        let Transfer { load, bytes, registers, place } = several else { return None };
         let offset = if single { Offset::Number(f.distance(4)) } else { place.offset };
-        Some(Transfer { load, width, registers, place: Place { offset, ..place } })
+        Some(Transfer { load, bytes, registers, place: Place { offset, ..place } })
     }),
     ("1110111011110001 1111 101000010000", |_| Some(ReadFlags)),
     ("11101110000l eeee nnnn 1010 e0010000", |f| {
@@ -247,20 +248,20 @@ fn shift(f: &Fields, number: usize, flags: bool, left: Register) -> Option<Opera
 }
 
 fn extract(f: &Fields, low: u8, width: u8) -> Option<Operation> {
-    compute(Extracted { low, width, signed: !f.u }, false, f.d, &[Operand::plain(f.n)])
+    compute(Extracted { low, width }, false, f.d, &[Operand::plain(f.n)])
 }
 
 fn branch(f: &Fields, halves: u32, bits: u32) -> Option<Operation> {
     Some(Branch { target: f.target(signed(halves, bits) * 2) })
 }
 
-fn transfer(load: bool, width: Width, register: Register, base: Register, offset: Offset) -> Option<Operation> {
-    Some(Transfer { load, width, registers: vec![register], place: Place { base, offset, index: Index::Offset } })
+fn transfer(load: bool, bytes: u8, register: Register, base: Register, offset: Offset) -> Option<Operation> {
+    Some(Transfer { load, bytes, registers: vec![register], place: Place { base, offset, index: Index::Offset } })
 }
 
 fn near(f: &Fields, bytes: u8, base: Register) -> Option<Operation> {
     let offset = Offset::Number(f.distance(bytes.into()));
-    transfer(f.l || base == PC, Width { bytes, signed: false }, f.t, base, offset)
+    transfer(f.l || base == PC, bytes, f.t, base, offset)
 }
 
 /// Loads or stores registers from the base on, or up to it.
@@ -273,7 +274,7 @@ fn several(load: bool, base: Register, registers: Vec<Register>, down: bool, wri
         (true, false) => (-bytes, Index::Offset),
     };
     let place = Place { base, offset: Offset::Number(offset), index };
-    (!registers.is_empty()).then_some(Transfer { load, width: WORD, registers, place })
+    (!registers.is_empty()).then_some(Transfer { load, bytes: 4, registers, place })
 }
 
 fn index(f: &Fields) -> Option<Index> {
@@ -286,12 +287,12 @@ fn index(f: &Fields) -> Option<Index> {
 }
 
 fn single(f: &Fields, base: Register, offset: Offset, index: Index) -> Option<Operation> {
-    let width = Width { bytes: *[1, 2, 4].get(f.k)?, signed: f.s };
-    let is_word = f.k == 2;
+    let &bytes = [1, 2, 4].get(f.k)?;
+    let is_word = bytes == 4;
     // Only whole words are loaded into the stack pointer or the program counter; bytes there are hints.
-    let odd = f.t == PC && !(f.l && is_word) || f.t == SP && !is_word || f.s && (is_word || !f.l) || base == PC && !f.l;
+    let odd = f.t == PC && !(f.l && is_word) || f.t == SP && !is_word || base == PC && !f.l;
     let place = Place { base, offset, index };
-    (!odd).then(|| Transfer { load: f.l, width, registers: vec![f.t], place })
+    (!odd).then(|| Transfer { load: f.l, bytes, registers: vec![f.t], place })
 }
 
 /// Expands an immediate operand: a byte repeated or rotated.

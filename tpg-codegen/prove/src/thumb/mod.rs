@@ -53,11 +53,10 @@ pub(crate) enum Computed {
     WithCarry,
     /// An operation of an integer and the product of two more.
     OfProduct(Operator),
-    /// Bits of an integer, extended with zeros or the sign.
+    /// Bits of an integer.
     Extracted {
         low: u8,
         width: u8,
-        signed: bool,
     },
     /// An integer with bits replaced by the lowest ones of another.
     Inserted {
@@ -117,17 +116,6 @@ pub(crate) enum Index {
     After,
 }
 
-/// Size of an access in memory.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Width {
-    /// 1, 2 or 4.
-    pub(crate) bytes: u8,
-    pub(crate) signed: bool,
-}
-
-/// A word of memory.
-pub(crate) const WORD: Width = Width { bytes: 4, signed: false };
-
 /// Operation of an instruction.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Operation {
@@ -137,8 +125,8 @@ pub(crate) enum Operation {
     If,
     /// Computes; comparisons write no register. The last operand may be inverted.
     Compute { name: Computed, flags: bool, to: Option<Register>, from: Vec<Operand>, inverted: bool },
-    /// Loads or stores registers at ascending addresses.
-    Transfer { load: bool, width: Width, registers: Vec<Register>, place: Place },
+    /// Loads or stores registers at ascending addresses, of 1, 2 or 4 bytes.
+    Transfer { load: bool, bytes: u8, registers: Vec<Register>, place: Place },
     /// Compares floats; their flags wait for `ReadFlags`.
     Compare { left: Register, right: Option<Register> },
     /// Makes the flags of floats those of conditions.
