@@ -31,11 +31,6 @@ impl Terms {
         if value { Self::TRUE } else { Self::FALSE }
     }
 
-    /// Makes a truth value of a node.
-    pub(super) fn atom(&self, node: Node) -> Bool {
-        Bool(self.node(node) << 1)
-    }
-
     /// The members of a conjunction; a truth value of another kind is its own only member.
     fn conjuncts(&self, term: Bool) -> Rc<[Bool]> {
         match self.of_bool(term) {

@@ -17,7 +17,6 @@ impl Terms {
             return Self::TRUE;
         }
         match self.of_word(word) {
-            Number(number) => return Self::known(holds(&set, number)),
             WordIf(condition, a, b) => {
                 return self.choose(condition, self.within(a, width, &set), self.within(b, width, &set));
             }
@@ -114,7 +113,7 @@ impl Terms {
         let all_negative = whole(&negative_nan, sign + infinity + 1, u64::from(u32::MAX));
         if !(all_positive || positive_nan.is_empty()) || !(all_negative || negative_nan.is_empty()) {
             // a matter of payloads
-            let word = Word(self.node(Bits(float)));
+            let word = self.word(Bits(float));
             return self.atom(Within(word, set.into()));
         }
         let mut cases = Vec::new();
@@ -170,7 +169,6 @@ impl Terms {
     /// Tests for minus zero.
     fn is_negative_zero(&self, float: Float) -> Bool {
         match self.of_float(float) {
-            Constant(bits) => Self::known(bits == NEGATIVE_ZERO),
             // a sum is minus zero only if both are
             Node::Arithmetic(Arithmetic::Add, a, b) => {
                 self.uses("x + y = -0 only where x and y are");

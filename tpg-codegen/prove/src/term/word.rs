@@ -1,7 +1,7 @@
 //! Machine words. Those that hold few numbers are choices of constants; the bits of floats are taken apart only as far as the order
 //! of floats goes.
 
-use super::rank::{NEGATIVE_ZERO, is_nan_bits};
+use super::rank::NEGATIVE_ZERO;
 use super::{Bool, Float, Node::*, Operator, Terms, Width, Word};
 use std::rc::Rc;
 
@@ -69,7 +69,7 @@ pub(crate) fn computed(operator: Operator, width: Width, a: u64, b: u64) -> u64 
 impl Terms {
     /// A constant word.
     pub fn number(&self, number: u64) -> Word {
-        Word(self.node(Number(number)))
+        self.word(Number(number))
     }
 
     /// The number of a constant word.
@@ -116,10 +116,9 @@ impl Terms {
     pub fn bits(&self, float: Float) -> Word {
         match self.of_float(float) {
             OfBits(word) => word,
-            // the bits of a NaN are unknown
-            Constant(bits) if !is_nan_bits(bits) => self.number(u64::from(bits)),
+
             FloatIf(condition, a, b) => self.choose_word(condition, self.bits(a), self.bits(b)),
-            _ => Word(self.node(Bits(float))),
+            _ => self.word(Bits(float)),
         }
     }
 
@@ -127,7 +126,7 @@ impl Terms {
     pub fn of_bits(&self, word: Word) -> Float {
         match self.of_word(word) {
             Bits(float) => float,
-            Number(bits) => self.constant_bits(bits as u32),
+
             WordIf(condition, a, b) => self.choose_float(condition, self.of_bits(a), self.of_bits(b)),
             // the sign turned, and the sign taken off
             Apply(Operator::Xor, Width::W32, a, b) if self.number_of(b) == Some(u64::from(NEGATIVE_ZERO)) => {
@@ -136,31 +135,25 @@ impl Terms {
             Apply(Operator::And, Width::W32, a, b) if self.number_of(b) == Some(u64::from(!NEGATIVE_ZERO)) => {
                 self.magnitude(self.of_bits(a))
             }
-            _ => Float(self.node(OfBits(word))),
+            _ => self.float(OfBits(word)),
         }
     }
 
     /// A 32-bit integer, rounded to a float.
     pub fn of_integer(&self, signed: bool, word: Word) -> Float {
         match self.of_word(word) {
-            Number(number) if signed => self.constant(number as u32 as i32 as f32),
-            Number(number) => self.constant(number as u32 as f32),
             WordIf(condition, a, b) => {
                 self.choose_float(condition, self.of_integer(signed, a), self.of_integer(signed, b))
             }
-            _ => Float(self.node(OfInteger(signed, word))),
+            _ => self.float(OfInteger(signed, word)),
         }
     }
 
     /// An element of a constant table. The index must be below its length; that is for the caller to see to.
     pub fn element(&self, table: &Rc<[u64]>, index: Word) -> Word {
         match self.of_word(index) {
-            Number(at) => {
-                let element = usize::try_from(at).ok().and_then(|at| table.get(at)).copied().unwrap_or_default();
-                self.number(element)
-            }
             WordIf(..) => self.mapped(index, &mut |index| self.element(table, index)),
-            _ => Word(self.node(Element(table.clone(), index))),
+            _ => self.word(Element(table.clone(), index)),
         }
     }
 
@@ -192,9 +185,6 @@ impl Terms {
 
     /// An operation of two words.
     pub fn apply(&self, operator: Operator, width: Width, a: Word, b: Word) -> Word {
-        if let (Some(a), Some(b)) = (self.number_of(a), self.number_of(b)) {
-            return self.number(computed(operator, width, a, b));
-        }
         // masks and numbers that are chosen from go into the operation; what they are applied to stays whole
         let (first, second) = (self.constants(a), self.constants(b));
         if let (WordIf(x, a1, a2), WordIf(y, b1, b2)) = (self.of_word(a), self.of_word(b))
@@ -280,7 +270,7 @@ impl Terms {
             }
             _ => {}
         }
-        Word(self.node(Apply(operator, width, a, b)))
+        self.word(Apply(operator, width, a, b))
     }
 
     /// A word as a sum with a constant.

@@ -75,40 +75,21 @@ impl Compiler<'_> {
             return Ok(condition);
         }
         let condition = self.condition(condition)?;
-        let (mark, at) = (self.here(), self.at);
-        let (first, second) = (self.side()?, self.other_side()?);
+        let mark = self.here();
+        let first = self.assigned()?;
+        self.expect(":")?;
+        let second = self.conditional()?;
+        let second = self.value(second)?;
         let ty = if first.1 == second.1 && !matches!(first.1, Integer(..)) {
             first.1.clone()
         } else {
             self.common(&first.1, &second.1)?
         };
-        if self.here() == mark {
-            let [first, second] = [self.converted(first, &ty)?, self.converted(second, &ty)?];
-            return Ok(Operand::Value(of(Computed::If, [condition, first, second]), ty));
+        if self.here() != mark {
+            return self.refuse("choices without side effects");
         }
-        // something happens on the way: only on the side that is chosen
-        self.program.operations.truncate(mark);
-        self.at = at;
-        let cell = number(self.allocate(&ty));
-        let branch = self.branch(condition);
-        let first = self.side()?;
-        self.put(cell.clone(), first, &ty)?;
-        let end = self.jump(self.scopes.len());
-        self.land(&[branch]);
-        let second = self.other_side()?;
-        self.put(cell.clone(), second, &ty)?;
-        self.land(&[end]);
-        Ok(Place(cell, ty))
-    }
-
-    fn side(&mut self) -> Result<Typed> {
-        let side = self.assigned()?;
-        self.expect(":").map(|()| side)
-    }
-
-    fn other_side(&mut self) -> Result<Typed> {
-        let side = self.conditional()?;
-        self.value(side)
+        let parts = [condition, self.converted(first, &ty)?, self.converted(second, &ty)?];
+        Ok(Operand::Value(of(Computed::If, parts), ty))
     }
 
     fn binary(&mut self, level: usize) -> Result<Operand> {
@@ -137,22 +118,13 @@ impl Compiler<'_> {
 
     fn logical(&mut self, and: bool, first: Operand, level: usize) -> Result<Operand> {
         let first = self.condition(first)?;
-        let (mark, at) = (self.here(), self.at);
+        let mark = self.here();
         let second = self.tested(|compiler| compiler.binary(level))?;
-        if self.here() == mark {
-            let parts = if and { [first, second, number(0)] } else { [first, number(1), second] };
-            return Ok(Operand::Value(of(Computed::If, parts), Type::INT));
+        if self.here() != mark {
+            return self.refuse("conditions without side effects");
         }
-        // what happens in the second operand happens only if the first asks for it
-        self.program.operations.truncate(mark);
-        self.at = at;
-        let cell = number(self.allocate(&Type::INT));
-        self.emit(Operation::Set(cell.clone(), number(u32::from(!and))));
-        let branch = self.branch(if and { first } else { !first });
-        let second = self.tested(|compiler| compiler.binary(level))?;
-        self.emit(Operation::Set(cell.clone(), second));
-        self.land(&[branch]);
-        Ok(Place(cell, Type::INT))
+        let parts = if and { [first, second, number(0)] } else { [first, number(1), second] };
+        Ok(Operand::Value(of(Computed::If, parts), Type::INT))
     }
 
     /// What is read as a condition.
@@ -165,13 +137,13 @@ impl Compiler<'_> {
     fn condition(&mut self, operand: Operand) -> Result<Expression> {
         match self.value(operand)? {
             (value, ty @ Integer(..)) => Ok(!of(Computed::Same(width(&ty)), [value, number(0)])),
-            (value, Float) => Ok(!of(Computed::Compared(crate::term::Terms::equal), [value, Expression::Float(0)])),
+
             _ => self.refuse("a condition of another type"),
         }
     }
 
     fn unary(&mut self) -> Result<Operand> {
-        for sign in ["-", "+", "!", "~", "&", "*"] {
+        for sign in ["-", "!", "~", "&", "*"] {
             if self.accept(sign) {
                 let inner = self.unary()?;
                 return self.signed(sign, inner);
@@ -183,18 +155,9 @@ impl Compiler<'_> {
             return self.changed(address, ty, sign, (number(1), Type::INT));
         }
         if self.accept("sizeof") {
-            let (mark, bracket) = (self.here(), self.accept("("));
-            let ty = if bracket && self.starts_type() {
-                let ty = self.type_name()?;
-                self.expect(")")?;
-                ty
-            } else {
-                self.at -= usize::from(bracket);
-                match self.unary()? {
-                    Place(_, ty) => ty,
-                    other => self.value(other)?.1,
-                }
-            };
+            let mark = self.here();
+            let inner = self.unary()?;
+            let (_, ty) = self.place(inner)?;
             self.program.operations.truncate(mark);
             return Ok(Operand::Value(number(self.bytes(&ty)), Type::UNSIGNED));
         }
@@ -231,20 +194,11 @@ impl Compiler<'_> {
             ("*", Pointer(inner)) => return Ok(Place(value, (**inner).clone())),
             ("*", _) => return self.refuse("a pointer"),
             ("-", Float) => of(Computed::Negative, [value]),
-            ("-", Double) => match value {
-                Expression::Float(bits) => Expression::Float(bits ^ 0x8000_0000),
-                _ => return self.refuse("arithmetic in binary64"),
-            },
-            ("+", Float | Double) => value,
-            ("-" | "~" | "+", Integer(..)) => {
+            ("-" | "~", Integer(..)) => {
                 let wide = super::operation::promoted(&ty);
                 let value = self.converted((value, ty), &wide)?;
                 let width = width(&wide);
-                let (operator, first) = match sign {
-                    "-" => (Subtract, 0),
-                    "~" => (Xor, width.mask()),
-                    _ => (Add, 0),
-                };
+                let (operator, first) = if sign == "-" { (Subtract, 0) } else { (Xor, width.mask()) };
                 return Ok(Operand::Value(apply(operator, width, Expression::Number(first), value), wide));
             }
             _ => return self.refuse(format!("`{sign}` of another type")),
@@ -301,13 +255,12 @@ impl Compiler<'_> {
     fn member(&mut self, structure: Operand) -> Result<Operand> {
         let name = self.name()?;
         let (address, Struct(structure)) = self.place(structure)? else { return self.refuse("a structure") };
-        let structure = &self.structs[structure];
         let mut offset = 0;
-        for (member, ty) in &structure.members {
+        for (member, ty) in &self.structs[structure] {
             if *member == name {
                 return Ok(Place(of(Computed::Moved, [address, number(offset)]), ty.clone()));
             }
-            offset += if structure.union { 0 } else { self.cells(ty) };
+            offset += self.cells(ty);
         }
         self.refuse(format!("the member `{name}`"))
     }
@@ -371,19 +324,15 @@ impl Compiler<'_> {
         let fault = || self.missing(format!("the number {text}"));
         let lower = text.to_ascii_lowercase();
         if !lower.starts_with("0x") && lower.contains(['.', 'e']) {
-            let (digits, ty) = lower.strip_suffix('f').map_or((&*lower, Double), |digits| (digits, Float));
-            // without a suffix it is rounded twice
-            let value = match ty {
-                Float => digits.parse::<f32>().map_err(|_| fault())?,
-                _ => digits.parse::<f64>().map_err(|_| fault())? as f32,
-            };
-            return Ok((Expression::Float(value.to_bits()), ty));
+            let Some(digits) = lower.strip_suffix('f') else { return self.refuse("arithmetic in binary64") };
+            let value: f32 = digits.parse().map_err(|_| fault())?;
+            return Ok((Expression::Float(value.to_bits()), Float));
         }
         let digits = lower.trim_end_matches(['u', 'l']);
         let suffix = &lower[digits.len()..];
         let value = match digits.strip_prefix("0x") {
             Some(digits) => u64::from_str_radix(digits, 16),
-            None if digits.len() > 1 && digits.starts_with('0') => u64::from_str_radix(digits, 8),
+            None if digits.len() > 1 && digits.starts_with('0') => return Err(fault()),
             None => digits.parse(),
         };
         let value = value.map_err(|_| fault())?;

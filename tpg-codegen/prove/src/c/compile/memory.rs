@@ -10,11 +10,7 @@ impl Compiler<'_> {
     fn size(&self, ty: &Type, scalar: fn(&Type) -> u32) -> u32 {
         match ty {
             Void => 0,
-            Struct(number) => {
-                let structure = &self.structs[*number];
-                let sizes = structure.members.iter().map(|(_, ty)| self.size(ty, scalar));
-                if structure.union { sizes.max().unwrap_or(0) } else { sizes.sum() }
-            }
+            Struct(number) => self.structs[*number].iter().map(|(_, ty)| self.size(ty, scalar)).sum(),
             Array(ty, count) => self.size(ty, scalar).saturating_mul(*count),
             _ => scalar(ty),
         }
@@ -27,7 +23,7 @@ impl Compiler<'_> {
     pub(super) fn bytes(&self, ty: &Type) -> u32 {
         self.size(ty, |ty| match ty {
             Integer(bytes, _) => u32::from(*bytes),
-            Double => 8,
+
             _ => 4,
         })
     }
@@ -39,7 +35,7 @@ impl Compiler<'_> {
             Float => Some(4),
             Array(ty, _) => self.scalar_bytes(ty),
             Struct(number) => {
-                let mut sizes = self.structs[*number].members.iter().map(|(_, ty)| self.scalar_bytes(ty));
+                let mut sizes = self.structs[*number].iter().map(|(_, ty)| self.scalar_bytes(ty));
                 let first = sizes.next()??;
                 sizes.all(|size| size == Some(first)).then_some(first)
             }

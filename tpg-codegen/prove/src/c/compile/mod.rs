@@ -26,8 +26,7 @@ pub(super) enum Type {
     /// Bytes, and whether it is signed
     Integer(u8, bool),
     Float,
-    /// Constants without a suffix only
-    Double,
+
     Struct(usize),
     Array(Box<Type>, u32),
     Pointer(Box<Type>),
@@ -38,12 +37,8 @@ impl Type {
     const UNSIGNED: Self = Self::Integer(4, false);
 }
 
-/// The members of a structure or union.
-#[derive(Clone, Default)]
-struct Struct {
-    union: bool,
-    members: Vec<(String, Type)>,
-}
+/// The members of a structure.
+type Members = Vec<(String, Type)>;
 
 /// A function, and the token at which its body begins.
 #[derive(Debug)]
@@ -99,7 +94,7 @@ pub(super) struct Compiler<'t> {
     line: u32,
     types: HashMap<String, Type>,
     tags: HashMap<String, usize>,
-    structs: Vec<Struct>,
+    structs: Vec<Members>,
     pub(super) functions: Vec<Rc<Function>>,
     /// Members of enumerations
     constants: HashMap<String, i64>,
@@ -129,7 +124,14 @@ pub(super) fn constant(file: &str, tokens: Vec<Placed>) -> Result<i64> {
 
 impl<'t> Compiler<'t> {
     fn new(file: &'t str, tokens: Vec<Placed>) -> Self {
-        let mut types = HashMap::from([("size_t".to_owned(), Type::UNSIGNED)]);
+        let names = [
+            ("void", Void),
+            ("float", Float),
+            ("int", Type::INT),
+            ("unsigned", Type::UNSIGNED),
+            ("size_t", Type::UNSIGNED),
+        ];
+        let mut types: HashMap<_, _> = names.map(|(name, ty)| (name.to_owned(), ty)).into();
         for (bytes, bits) in [(1, 8), (2, 16), (4, 32), (8, 64)] {
             types.insert(format!("int{bits}_t"), Integer(bytes, true));
             types.insert(format!("uint{bits}_t"), Integer(bytes, false));
@@ -214,7 +216,7 @@ impl<'t> Compiler<'t> {
     /// Checks that a structure holds floats with these names, in this order; underscores may follow a name.
     fn fields(&self, ty: &Type, names: &[(String, u32)]) -> Result<()> {
         let Struct(number) = ty else { return self.refuse("a pointer to a structure") };
-        let members = &self.structs[*number].members;
+        let members = &self.structs[*number];
         let fits = |member: &(String, Type), (name, length): &(String, u32)| {
             let floats = match &member.1 {
                 Float => 1,
@@ -345,7 +347,7 @@ impl<'t> Compiler<'t> {
         match ty {
             Float => Ok(Computed::LoadedFloat),
             Integer(..) | Pointer(_) => Ok(Computed::LoadedWord),
-            Double => self.refuse("arithmetic in binary64"),
+
             _ => self.refuse("a scalar"),
         }
     }

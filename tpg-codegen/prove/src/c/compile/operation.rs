@@ -72,7 +72,6 @@ impl Compiler<'_> {
     /// The type in which two operands are computed with.
     pub(super) fn common(&self, x: &Type, y: &Type) -> Result<Type> {
         match (promoted(x), promoted(y)) {
-            (Double, _) | (_, Double) => self.refuse("arithmetic in binary64"),
             (Float, Float | Integer(..)) | (Integer(..), Float) => Ok(Float),
             // the wider one, or unsigned if either of the same size is
             (Integer(a, s), Integer(b, t)) => Ok(Integer(
@@ -94,8 +93,7 @@ impl Compiler<'_> {
         match (&from, to) {
             _ if from == *to => Ok(value),
             (Pointer(_), Pointer(_)) | (_, Void) => Ok(value),
-            // a constant of the wider type: it is rounded once more
-            (Double, Float) if matches!(value, Expression::Float(_)) => Ok(value),
+
             (Integer(bytes, signed), Float) if *bytes <= 4 => Ok(of(Computed::OfInteger(*signed), [value])),
             (Float, Integer(..)) => self.refuse("a float that is in the range of an integer"),
             (Integer(a, signed), Integer(b, to_signed)) => Ok(match (a, b) {

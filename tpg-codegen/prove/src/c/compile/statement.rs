@@ -47,7 +47,7 @@ impl Compiler<'_> {
                 }
                 Ok(())
             }
-            "while" | "do" | "for" => {
+            "while" | "for" => {
                 self.enter();
                 if word == "for" {
                     self.expect("(")?;
@@ -124,7 +124,7 @@ impl Compiler<'_> {
         if word == "while" {
             let condition = self.bracketed()?;
             exits.push(self.branch(condition));
-        } else if word == "for" {
+        } else {
             if *self.peek() != Sign(";") {
                 let condition = self.tested(Self::assignment)?;
                 exits.push(self.branch(condition));
@@ -142,12 +142,7 @@ impl Compiler<'_> {
             self.assignment()?;
             self.at = behind;
         }
-        if word == "do" {
-            self.expect("while")?;
-            let condition = self.bracketed()?;
-            exits.push(self.branch(condition));
-            self.expect(";")?;
-        }
+
         self.emit(Operation::Jump(head, Vec::new()));
         exits.extend(target.breaks);
         self.land(&exits);
