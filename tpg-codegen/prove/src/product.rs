@@ -8,7 +8,7 @@ use crate::graph::{Destination, Graph, circle};
 use crate::input::{Missing, Result};
 use crate::interval::Intervals;
 use crate::machine::{Answer, Machine, Point, Step};
-use crate::order::{Together, together};
+use crate::order::together;
 use crate::term::evaluate::Evaluator;
 use crate::term::{Bool, Float, Terms, Word};
 use Destination::*;
@@ -190,7 +190,9 @@ impl<'a, M: Machine> Comparison<'a, M> {
             Team(team) => self.meaning.winners(&self.terms, team)?,
             _ => vec![(Terms::TRUE, place)],
         };
-        let pairs = self.together(&side, place, assumed, &ends, &team)?;
+        let conditions: Vec<_> = ends.iter().map(|&(condition, _)| condition).collect();
+        let wins: Vec<_> = team.iter().map(|&(condition, _)| condition).collect();
+        let pairs = self.together((&side, place), assumed, [&conditions, &wins])?;
         let all: BTreeSet<_> = pairs.iter().map(|&(_, edge)| team[edge].1).collect();
         if !graph_is_done && all.len() == 1 {
             // whatever the bids are, the team leads there
@@ -223,34 +225,24 @@ impl<'a, M: Machine> Comparison<'a, M> {
         Ok(next)
     }
 
-    /// Finds what can hold together, within the work that is left.
-    fn combinations(&mut self, assumed: Bool, sides: [&[Bool]; 2]) -> Option<Together> {
+    /// Finds which conditions of both sides can hold together, within the work that is left.
+    fn together(
+        &mut self,
+        (side, place): (&ProductSide<Point<M::Cell>>, Destination),
+        assumed: Bool,
+        sides: [&[Bool]; 2],
+    ) -> Result<BTreeSet<(usize, usize)>> {
         let left = self.effort.cases.saturating_sub(self.work.cases);
         let found = together(&self.terms, &mut self.intervals, assumed, sides, left).ok();
         self.work.cases += found.as_ref().map_or(left, |found| found.cases);
-        found
-    }
-
-    fn together(
-        &mut self,
-        side: &ProductSide<Point<M::Cell>>,
-        place: Destination,
-        assumed: Bool,
-        ends: &Ends<Point<M::Cell>>,
-        team: &[(Bool, Destination)],
-    ) -> Result<BTreeSet<(usize, usize)>> {
-        let conditions: Vec<_> = ends.iter().map(|&(condition, _)| condition).collect();
-        let wins: Vec<_> = team.iter().map(|&(condition, _)| condition).collect();
-        let found = self.combinations(assumed, [&conditions, &wins]);
-        let found = found.ok_or_else(|| self.too_many((side, place)))?;
-        if found.incomplete {
-            return Err(Missing::new(self.name(side, place), "a way on in every state"));
+        match found {
+            Some(found) if !found.incomplete => Ok(found.pairs),
+            Some(_) => Err(Missing::new(self.name(side, place), "a way on in every state")),
+            None => {
+                let what = format!("a proof of at most {} cases", self.effort.cases);
+                Err(Missing::new(self.name(side, place), what))
+            }
         }
-        Ok(found.pairs)
-    }
-
-    fn too_many(&self, (side, place): (&ProductSide<Point<M::Cell>>, Destination)) -> Missing {
-        Missing::new(self.name(side, place), format!("a proof of at most {} cases", self.effort.cases))
     }
 
     /// Compares answers. They are compared where the assumption can hold, which was found before.
@@ -293,9 +285,8 @@ impl<'a, M: Machine> Comparison<'a, M> {
         let (first, second) = (self.terms.float_cases(a), self.terms.float_cases(b));
         let conditions = |cases: &[(Bool, Float)]| cases.iter().map(|&(condition, _)| condition).collect::<Vec<_>>();
         let sides = [&conditions(&first)[..], &conditions(&second)];
-        let found = self.combinations(assumed, sides);
-        let found = found.ok_or_else(|| self.too_many((side, place)))?;
-        Ok(!found.incomplete && found.pairs.iter().all(|&(x, y)| first[x].1 == second[y].1))
+        let pairs = self.together((side, place), assumed, sides)?;
+        Ok(pairs.iter().all(|&(x, y)| first[x].1 == second[y].1))
     }
 
     /// Where the code can go on from a side; none where it has answered.
@@ -350,7 +341,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         let expected = match place {
             Leaf(leaf) => {
                 let values = self.meaning.values(&self.terms, leaf)?;
-                Concrete::Values(values.iter().map(|&value| self.evaluator.bits(&self.terms, value)).collect())
+                self.numbers(&values)
             }
             Destination::Action(action) => Concrete::Action(u64::from(action)),
             Team(_) => return Err(Missing::new(self.graph.name(place), "an answer")),
@@ -368,9 +359,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         }
         let found = match side {
             ProductSide::Action(word) => Concrete::Action(self.evaluator.word(&self.terms, word)),
-            ProductSide::Values(values) => {
-                Concrete::Values(values.iter().map(|&value| self.evaluator.bits(&self.terms, value)).collect())
-            }
+            ProductSide::Values(values) => self.numbers(&values),
             ProductSide::At(_) => return Err(Missing::new("the code", "an answer")),
         };
         self.terms.complete(|| "the code".to_owned())?;
@@ -378,6 +367,10 @@ impl<'a, M: Machine> Comparison<'a, M> {
             return Err(Missing::new("the code", "all values that the answer depends on"));
         }
         Ok((expected, found))
+    }
+
+    fn numbers(&mut self, values: &[Float]) -> Concrete {
+        Concrete::Values(values.iter().map(|&value| self.evaluator.bits(&self.terms, value)).collect())
     }
 
     /// Proves that every answer is in its range, for every state.
@@ -389,8 +382,8 @@ impl<'a, M: Machine> Comparison<'a, M> {
             let inside = self.meaning.in_range(&self.terms, leaf)?;
             self.terms.complete(|| self.graph.name(Leaf(leaf)))?;
             let sides = [&[inside, !inside][..], &[Terms::TRUE]];
-            let found = self.combinations(Terms::TRUE, sides);
-            if !found.is_some_and(|found| !found.incomplete && !found.pairs.contains(&(1, 0))) {
+            let pairs = self.together((&ProductSide::Values(Vec::new()), Leaf(leaf)), Terms::TRUE, sides)?;
+            if pairs.contains(&(1, 0)) {
                 return Err(Missing::new(self.graph.name(Leaf(leaf)), "a proof that its values are in range"));
             }
         }

@@ -63,7 +63,7 @@ impl Terms {
         }
         match (self.of_float(a), self.of_float(b)) {
             (Negative(x), Constant(bits)) if is_nan_bits(bits) => self.is_nan(x),
-            (Magnitude(x), Constant(bits)) if is_nan_bits(bits) => self.is_nan(x),
+
             // -x <= c where -c <= x
             (Negative(x), Constant(bits)) => {
                 self.or(self.is_nan(x), self.at_most(self.constant_bits(bits ^ NEGATIVE_ZERO), x))

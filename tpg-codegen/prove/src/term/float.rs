@@ -253,7 +253,7 @@ pub(super) fn rounded(operation: Arithmetic, a: f32, b: f32) -> f32 {
 /// The reciprocal of a power of two that has an exact one that is normal.
 fn exact_reciprocal(bits: u32) -> Option<u32> {
     let exponent = bits >> 23 & 255;
-    (bits & 0x007f_ffff == 0 && (1..=253).contains(&exponent)).then_some(bits & NEGATIVE_ZERO | (254 - exponent) << 23)
+    (bits & 0x007f_ffff == 0 && (1..=253).contains(&exponent)).then(|| bits & NEGATIVE_ZERO | (254 - exponent) << 23)
 }
 
 #[cfg(test)]

@@ -53,10 +53,6 @@ impl Terms {
         };
         let half = mask / 2 + 1;
         match (operator, self.number_of(a), self.number_of(b)) {
-            (Add, _, Some(c)) => {
-                let moved = preimage(&|low, high| turned(low.wrapping_sub(c) & mask, high.wrapping_sub(c) & mask));
-                self.reduced(a, width, moved)
-            }
             (Subtract, Some(c), _) => {
                 let mirrored = preimage(&|low, high| turned(c.wrapping_sub(high) & mask, c.wrapping_sub(low) & mask));
                 self.reduced(b, width, mirrored)
@@ -64,7 +60,7 @@ impl Terms {
             (Xor, _, Some(c)) if c == mask => {
                 self.reduced(a, width, preimage(&|low, high| vec![(!high & mask, !low & mask)]))
             }
-            (Xor, _, Some(c)) if c == half => {
+            (Add | Xor, _, Some(c)) if operator == Add || c == half => {
                 let moved = preimage(&|low, high| turned(low.wrapping_sub(c) & mask, high.wrapping_sub(c) & mask));
                 self.reduced(a, width, moved)
             }

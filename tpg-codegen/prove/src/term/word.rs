@@ -106,12 +106,6 @@ impl Terms {
         Some(numbers)
     }
 
-    /// The number of constants that a word is chosen from; 0 if it is chosen from others, too.
-    fn constants(&self, word: Word) -> usize {
-        let leaves = self.leaves(word.0);
-        if leaves.iter().all(|&leaf| self.number_of(Word(leaf)).is_some()) { leaves.len() } else { 0 }
-    }
-
     /// The bits of a float.
     pub fn bits(&self, float: Float) -> Word {
         match self.of_float(float) {
@@ -186,7 +180,7 @@ impl Terms {
     /// An operation of two words.
     pub fn apply(&self, operator: Operator, width: Width, a: Word, b: Word) -> Word {
         // masks and numbers that are chosen from go into the operation; what they are applied to stays whole
-        let (first, second) = (self.constants(a), self.constants(b));
+        let [first, second] = [a, b].map(|word| self.numbers(word).map_or(0, |numbers| numbers.len()));
         if let (WordIf(x, a1, a2), WordIf(y, b1, b2)) = (self.of_word(a), self.of_word(b))
             && x == y
         {

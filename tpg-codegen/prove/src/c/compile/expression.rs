@@ -304,19 +304,17 @@ impl Compiler<'_> {
         })
     }
 
-    /// `memcpy` of whole scalars; a cell holds its bits, whatever it is read as.
+    /// `memcpy` of a scalar; a cell holds its bits, whatever it is read as.
     fn copy(&mut self, arguments: Vec<Typed>) -> Result<Operand> {
         let [(to, Pointer(to_type)), (from, Pointer(from_type)), (size, _)] = &arguments[..] else {
             return self.refuse("memcpy of two pointers and a size");
         };
         let Some(Constant::Number(size)) = self.constant_of(size) else { return self.refuse("a constant size") };
-        let widths = [to_type, from_type].map(|ty| self.scalar_bytes(ty));
-        let [Some(width), Some(other)] = widths else { return self.refuse("memcpy of mixed scalars") };
-        if width != other || size % u64::from(width) != 0 {
-            return self.refuse("memcpy of scalars of one size");
+        let fits = |ty: &Type| matches!(ty, Integer(..) | Float) && u64::from(self.bytes(ty)) == size;
+        if !fits(to_type) || !fits(from_type) {
+            return self.refuse("memcpy of a scalar");
         }
-        let count = u32::try_from(size / u64::from(width)).map_err(|_| self.missing("a smaller memcpy"))?;
-        self.emit(Operation::Copy(to.clone(), from.clone(), count));
+        self.emit(Operation::Copy(to.clone(), from.clone(), 1));
         Ok(Operand::Value(number(0), Void))
     }
 
