@@ -177,6 +177,9 @@ impl<Cell: Copy + Ord> State<Cell> {
     }
 }
 
+/// The ways on from a place, each with what holds on it.
+pub type Followers<Cell> = Vec<(State<Cell>, Step<usize>)>;
+
 /// Code that can be executed piece by piece.
 ///
 /// A point is a place in the code together with all values that are alive there, as terms. Where to cut is the machine's choice and
@@ -197,12 +200,7 @@ pub trait Machine {
     ///
     /// # Errors
     /// What cannot be executed.
-    fn step(
-        &mut self,
-        terms: &Terms,
-        at: usize,
-        state: State<Self::Cell>,
-    ) -> Result<Vec<(State<Self::Cell>, Step<usize>)>>;
+    fn step(&mut self, terms: &Terms, at: usize, state: State<Self::Cell>) -> Result<Followers<Self::Cell>>;
 
     /// Tests whether paths may meet at a place.
     fn meets(&self, at: usize) -> bool;

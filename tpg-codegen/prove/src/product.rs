@@ -53,6 +53,9 @@ enum ProductSide<Point> {
 /// The sides that follow from a point, each with its condition.
 type Pieces<Point> = HashMap<Point, Vec<(Bool, ProductSide<Point>)>>;
 
+/// Conditions of both sides that can hold together, by their places.
+type Combined = BTreeSet<(usize, usize)>;
+
 /// Pairs of a side and a place of the graph, each with its condition.
 type Pairs<Point> = Vec<(ProductSide<Point>, Destination, Bool)>;
 
@@ -70,6 +73,7 @@ pub struct Comparison<'a, M: Machine> {
     /// What was done
     pub work: Work,
     pieces: Pieces<Point<M::Cell>>,
+    combined: HashMap<(Bool, [Vec<Bool>; 2]), Combined>,
 }
 
 /// An answer in one state.
@@ -108,6 +112,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
             evaluator: Evaluator::default(),
             work: Work::default(),
             pieces: HashMap::new(),
+            combined: HashMap::new(),
         }
     }
 
@@ -231,12 +236,20 @@ impl<'a, M: Machine> Comparison<'a, M> {
         (side, place): (&ProductSide<Point<M::Cell>>, Destination),
         assumed: Bool,
         sides: [&[Bool]; 2],
-    ) -> Result<BTreeSet<(usize, usize)>> {
+    ) -> Result<Combined> {
+        // places that are reached in several ways ask for the same
+        let key = (assumed, sides.map(<[Bool]>::to_vec));
+        if let Some(known) = self.combined.get(&key) {
+            return Ok(known.clone());
+        }
         let left = self.effort.cases.saturating_sub(self.work.cases);
         let found = together(&self.terms, &mut self.intervals, assumed, sides, left).ok();
         self.work.cases += found.as_ref().map_or(left, |found| found.cases);
         match found {
-            Some(found) if !found.incomplete => Ok(found.pairs),
+            Some(found) if !found.incomplete => {
+                self.combined.insert(key, found.pairs.clone());
+                Ok(found.pairs)
+            }
             Some(_) => Err(Missing::new(self.name(side, place), "a way on in every state")),
             None => {
                 let what = format!("a proof of at most {} cases", self.effort.cases);

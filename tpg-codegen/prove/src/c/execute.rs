@@ -1,9 +1,9 @@
 //! Executes operations over terms. Paths that meet become one; integers that decide where control goes are constants.
 
 use super::code::{Operation, Program};
-use super::value::Here;
+use super::value::{Found, Here};
 use crate::input::{Missing, Result};
-use crate::machine::{self, Answer, Cells, Interface, Machine, State, Step, Value};
+use crate::machine::{self, Answer, Cells, Followers, Interface, Machine, State, Step, Value};
 use crate::term::{Bool, Float, Node, Terms};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -51,7 +51,7 @@ impl Code {
     }
 
     /// The cell at a constant address of a variable.
-    fn target(&self, address: Option<u64>) -> std::result::Result<u32, &'static str> {
+    fn target(&self, address: Option<u64>) -> Found<u32> {
         let address = address.and_then(|address| u32::try_from(address).ok());
         address.filter(|&address| address < self.program.cells).ok_or("a place to write to that is a constant")
     }
@@ -62,12 +62,7 @@ impl Code {
     }
 
     /// Executes an operation; where it goes if that is not behind it.
-    fn executed(
-        &self,
-        terms: &Terms,
-        at: usize,
-        mut state: State<u32>,
-    ) -> std::result::Result<Vec<(State<u32>, Step<usize>)>, &'static str> {
+    fn executed(&self, terms: &Terms, at: usize, mut state: State<u32>) -> Found<Followers<u32>> {
         let here = Here { program: &self.program, terms, cells: &state.cells, defines: self.defines };
         match &self.program.operations[at].1 {
             Operation::Set(address, value) => {
@@ -100,7 +95,7 @@ impl Code {
                     Answer::Action(here.read_word(answers[0].into())?)
                 } else {
                     let values = answers.iter().map(|&address| here.read_float(address.into()));
-                    Answer::Values(values.collect::<std::result::Result<_, _>>()?)
+                    Answer::Values(values.collect::<Found<_>>()?)
                 };
                 return Ok(vec![(state, Step::Return(answer))]);
             }
@@ -136,7 +131,7 @@ impl Machine for Code {
         Ok(Point { at: 0, cells: self.first.clone() })
     }
 
-    fn step(&mut self, terms: &Terms, at: usize, state: State<u32>) -> Result<Vec<(State<u32>, Step<usize>)>> {
+    fn step(&mut self, terms: &Terms, at: usize, state: State<u32>) -> Result<Followers<u32>> {
         self.executed(terms, at, state).map_err(|what| Missing::new(self.place(at), what))
     }
 

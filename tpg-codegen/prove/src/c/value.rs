@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::rc::Rc;
 
 /// A value, or what it lacks.
-type Found<T> = Result<T, &'static str>;
+pub(super) type Found<T> = Result<T, &'static str>;
 
 /// The cells where something is evaluated.
 pub(super) struct Here<'a> {

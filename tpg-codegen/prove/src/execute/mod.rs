@@ -9,7 +9,7 @@ mod memory;
 
 use crate::elf::{Address, Function, Image};
 use crate::input::{Missing, Result};
-use crate::machine::{Cells, Interface, Machine, State, Step, Value, merged};
+use crate::machine::{Cells, Followers, Interface, Machine, State, Step, Value, merged};
 use crate::term::{Bool, Node as Term, Operator, Terms, Width, Word as TermWord};
 use crate::thumb::{LR, Offset, Operation, PC, REGISTERS, Register, SP};
 use Operation::*;
@@ -151,7 +151,7 @@ impl Machine for Object {
         Ok(Point { at: 0, cells: self.first.clone() })
     }
 
-    fn step(&mut self, terms: &Terms, at: usize, mut state: State<Cell>) -> Result<Vec<(State<Cell>, Step<usize>)>> {
+    fn step(&mut self, terms: &Terms, at: usize, mut state: State<Cell>) -> Result<Followers<Cell>> {
         let flow = self.flow.clone();
         let node = &flow[at];
         let operation = &node.instruction.operation;

@@ -137,7 +137,6 @@ impl Compiler<'_> {
     fn condition(&mut self, operand: Operand) -> Result<Expression> {
         match self.value(operand)? {
             (value, ty @ Integer(..)) => Ok(!of(Computed::Same(width(&ty)), [value, number(0)])),
-
             _ => self.refuse("a condition of another type"),
         }
     }
@@ -304,17 +303,19 @@ impl Compiler<'_> {
         })
     }
 
-    /// `memcpy` of a scalar; a cell holds its bits, whatever it is read as.
+    /// `memcpy` of whole scalars; a cell holds its bits, whatever it is read as.
     fn copy(&mut self, arguments: Vec<Typed>) -> Result<Operand> {
         let [(to, Pointer(to_type)), (from, Pointer(from_type)), (size, _)] = &arguments[..] else {
             return self.refuse("memcpy of two pointers and a size");
         };
         let Some(Constant::Number(size)) = self.constant_of(size) else { return self.refuse("a constant size") };
-        let fits = |ty: &Type| matches!(ty, Integer(..) | Float) && u64::from(self.bytes(ty)) == size;
-        if !fits(to_type) || !fits(from_type) {
-            return self.refuse("memcpy of a scalar");
+        let widths = [to_type, from_type].map(|ty| self.scalar_bytes(ty));
+        let [Some(width), Some(other)] = widths else { return self.refuse("memcpy of mixed scalars") };
+        if width != other || size % u64::from(width) != 0 {
+            return self.refuse("memcpy of scalars of one size");
         }
-        self.emit(Operation::Copy(to.clone(), from.clone(), 1));
+        let count = u32::try_from(size / u64::from(width)).map_err(|_| self.missing("a smaller memcpy"))?;
+        self.emit(Operation::Copy(to.clone(), from.clone(), count));
         Ok(Operand::Value(number(0), Void))
     }
 

@@ -28,6 +28,21 @@ impl Compiler<'_> {
         })
     }
 
+    /// The bytes of each scalar in a type, if all have the same.
+    pub(super) fn scalar_bytes(&self, ty: &Type) -> Option<u32> {
+        match ty {
+            Integer(bytes, _) => Some(u32::from(*bytes)),
+            Float => Some(4),
+            Array(ty, _) => self.scalar_bytes(ty),
+            Struct(number) => {
+                let mut sizes = self.structs[*number].iter().map(|(_, ty)| self.scalar_bytes(ty));
+                let first = sizes.next()??;
+                sizes.all(|size| size == Some(first)).then_some(first)
+            }
+            _ => None,
+        }
+    }
+
     pub(super) fn allocate(&mut self, ty: &Type) -> u32 {
         let start = self.program.cells;
         let end = start + self.cells(ty).max(1);
