@@ -4,13 +4,20 @@ use object::read::{Object as _, ObjectSection as _, ObjectSymbol as _};
 use object::{RelocationFlags, RelocationTarget, SectionFlags, SectionIndex, elf};
 use std::collections::{BTreeMap, HashMap};
 
-/// Place in an image: a section and an offset from its start.
+/// Place in an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(crate) struct Address {
+pub struct Address {
     /// Number of the section.
     pub(crate) section: usize,
-    /// Bytes from its start.
+    /// The address as the file counts: in an object from the section's start.
     pub(crate) offset: u32,
+}
+
+impl Address {
+    /// Returns another address in the section.
+    pub(crate) const fn at(self, offset: u32) -> Self {
+        Self { offset, ..self }
+    }
 }
 
 /// Address inserted by the linker.
@@ -36,44 +43,12 @@ pub(crate) enum Part {
 }
 
 /// A function of an image.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Function {
     /// Its first instruction.
     pub(crate) start: Address,
     /// Bytes of code and of constants between it.
     pub(crate) size: u32,
-}
-
-/// Why an object is refused.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum Error {
-    /// Not an object, or a damaged one.
-    #[error("not an ELF object for ARM, little-endian: {0}")]
-    Format(String),
-    /// A missing function.
-    #[error("no function {name:?}; there are: {found}")]
-    Missing {
-        /// The name that was asked for.
-        name: String,
-        /// The functions that are there.
-        found: String,
-    },
-    /// A function that is there twice.
-    #[error("several functions {0:?}")]
-    Ambiguous(String),
-    /// A function that is not in Thumb code, or without a size.
-    #[error("function {0:?} is not Thumb code with a size in a section with code")]
-    NotThumb(String),
-    /// Relocation of an unknown type.
-    #[error("section {section}, offset {offset:#x}: relocation of type {kind} is not understood")]
-    Relocation {
-        /// Name of the section.
-        section: String,
-        /// Offset in the section.
-        offset: u64,
-        /// Its type, as in the ARM ELF specification.
-        kind: u32,
-    },
 }
 
 #[derive(Clone, Debug)]
@@ -88,7 +63,7 @@ struct ElfSection {
 pub struct Image {
     sections: Vec<ElfSection>,
     relocations: BTreeMap<Address, Relocation>,
-    functions: HashMap<String, Vec<Option<Function>>>,
+    functions: BTreeMap<String, Vec<Option<Function>>>,
     linked: bool,
 }
 
@@ -97,15 +72,15 @@ impl Image {
     ///
     /// # Errors
     /// If it is not a little-endian ELF file for ARM.
-    pub fn read(file: &[u8]) -> Result<Self, Error> {
-        let format = |error: &dyn std::fmt::Display| Error::Format(error.to_string());
+    pub fn read(file: &[u8]) -> Result<Self, String> {
+        let format = |error: &dyn std::fmt::Display| format!("not an ELF object for ARM, little-endian: {error}");
         let file = object::File::parse(file).map_err(|error| format(&error))?;
         let found = (file.format(), file.architecture(), file.is_little_endian());
         if found != (object::BinaryFormat::Elf, object::Architecture::Arm, true) {
             return Err(format(&format_args!("found {:?}, {:?}", found.0, found.1)));
         }
         let linked = file.kind() != object::ObjectKind::Relocatable;
-        let mut image = Self { sections: Vec::new(), relocations: BTreeMap::new(), functions: HashMap::new(), linked };
+        let mut image = Self { sections: Vec::new(), relocations: BTreeMap::new(), functions: BTreeMap::new(), linked };
         let mut numbers: HashMap<SectionIndex, usize> = HashMap::new();
         for section in file.sections() {
             let SectionFlags::Elf { sh_flags, .. } = section.flags() else { continue };
@@ -113,7 +88,8 @@ impl Image {
                 continue;
             }
             let bytes = section.data().map_err(|error| format(&error))?.to_vec();
-            let start = u32::try_from(section.address()).map_err(|error| format(&error))?;
+            let start = if linked { section.address() } else { 0 };
+            let start = u32::try_from(start).map_err(|error| format(&error))?;
             let constant = !sh_flags.contains(elf::SHF_WRITE);
             numbers.insert(section.index(), image.sections.len());
             image.sections.push(ElfSection { start, bytes, constant });
@@ -150,15 +126,14 @@ impl Image {
         address: u64,
     ) -> Option<Address> {
         let section = *numbers.get(&symbol.section_index()?)?;
-        let offset = u32::try_from(address).ok()?.checked_sub(self.sections[section].start)?;
-        Some(Address { section, offset })
+        Some(Address { section, offset: u32::try_from(address).ok()? })
     }
 
     fn find_relocations(
         &mut self,
         file: &object::File<'_>,
         numbers: &HashMap<SectionIndex, usize>,
-    ) -> Result<(), Error> {
+    ) -> Result<(), String> {
         for section in file.sections() {
             let Some(&number) = numbers.get(&section.index()) else { continue };
             if !self.sections[number].constant {
@@ -167,7 +142,10 @@ impl Image {
             let name = section.name().unwrap_or_default();
             for (offset, relocation) in section.relocations() {
                 let RelocationFlags::Elf { r_type } = relocation.flags() else { continue };
-                let error = || Error::Relocation { section: name.to_owned(), offset, kind: r_type.0 };
+                let error = || {
+                    let kind = r_type.0;
+                    format!("section {name}, offset {offset:#x}: relocation of type {kind} is not understood")
+                };
                 let part = match r_type {
                     elf::R_ARM_NONE | elf::R_ARM_PREL31 => continue,
                     elf::R_ARM_ABS32 => Part::Word,
@@ -215,29 +193,28 @@ impl Image {
     ///
     /// # Errors
     /// If there is none, or several, or it is not Thumb code.
-    pub(crate) fn function(&self, name: &str) -> Result<&Function, Error> {
-        let missing = || {
-            let mut found: Vec<&str> = self.functions.keys().map(String::as_str).collect();
-            found.sort_unstable();
-            Error::Missing { name: name.to_owned(), found: found.join(", ") }
+    pub(crate) fn function(&self, name: &str) -> Result<Function, String> {
+        let Some(found) = self.functions.get(name) else {
+            let names: Vec<&str> = self.functions.keys().map(String::as_str).collect();
+            return Err(format!("no function {name:?}; there are: {}", names.join(", ")));
         };
-        match self.functions.get(name).ok_or_else(missing)?.as_slice() {
-            [Some(function)] if self.constant(function.start, function.size).is_some() => Ok(function),
-            [_] => Err(Error::NotThumb(name.to_owned())),
-            _ => Err(Error::Ambiguous(name.to_owned())),
+        match found.as_slice() {
+            &[Some(function)] if self.constant(function.start, function.size).is_some() => Ok(function),
+            [_] => Err(format!("function {name:?} is not Thumb code with a size in a section with code")),
+            _ => Err(format!("several functions {name:?}")),
         }
     }
 
     /// Returns the function that begins at a place.
     pub(crate) fn function_at(&self, start: Address) -> Option<Function> {
         let mut known = self.functions.values().flatten().flatten().filter(|function| function.start == start);
-        known.next().cloned()
+        known.next().copied()
     }
 
     /// Returns bytes that never change: of a section that is not writable.
     pub(crate) fn constant(&self, address: Address, count: u32) -> Option<&[u8]> {
         let section = self.sections.get(address.section).filter(|section| section.constant)?;
-        let start = address.offset as usize;
+        let start = address.offset.checked_sub(section.start)? as usize;
         section.bytes.get(start..start.checked_add(count as usize)?)
     }
 
@@ -269,15 +246,10 @@ impl Image {
         self.relocations.range(from..to).next().is_some()
     }
 
-    /// Returns the address in the processor's memory; sections of an object that is not linked begin at zero.
-    pub(crate) fn absolute(&self, address: Address) -> u32 {
-        self.sections[address.section].start.wrapping_add(address.offset)
-    }
-
     /// Returns the place of an address in the memory of a linked image.
     pub(crate) fn locate(&self, absolute: u32) -> Option<Address> {
         let inside = |section: &ElfSection| (absolute.wrapping_sub(section.start) as usize) < section.bytes.len();
         let section = self.sections.iter().position(inside).filter(|_| self.linked)?;
-        Some(Address { section, offset: absolute - self.sections[section].start })
+        Some(Address { section, offset: absolute })
     }
 }

@@ -1,7 +1,5 @@
 //! Faults of input, and what a proof lacks.
 
-use std::path::PathBuf;
-
 /// A fault of a file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{file}: {place}: found {found}, expected {accepted}")]
@@ -14,22 +12,6 @@ pub struct InputError {
     pub found: String,
     /// What is accepted
     pub accepted: String,
-}
-
-/// A failure of a command.
-#[derive(Debug, thiserror::Error)]
-pub enum Error {
-    /// Bad input
-    #[error(transparent)]
-    Input(#[from] InputError),
-    /// A file that cannot be read or written
-    #[error("{}: {error}", path.display())]
-    File {
-        /// The file
-        path: PathBuf,
-        /// The reason
-        error: std::io::Error,
-    },
 }
 
 /// Something that a proof lacks: a construct that is not read, or a fact that no rule gives. Nothing is claimed then.

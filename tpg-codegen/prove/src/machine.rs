@@ -1,9 +1,13 @@
 //! Code that is executed over terms: what a reader of C and a decoder of machine code have in common.
 
-use crate::input::Result;
-use crate::term::{Bool, Float, Terms, Word};
+use crate::input::{Missing, Result};
+use crate::term::{Bool, Float, Terms, Width, Word};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Debug;
 use std::hash::Hash;
+
+/// So much is executed at most between two points.
+const LONGEST: u64 = 1_000_000;
 
 /// What a policy reads and answers: the names of the C interface's fields, in order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -45,27 +49,223 @@ pub enum Step<Point> {
 /// The ways on from a point, each with its condition.
 pub type Ways<Point> = Vec<(Bool, Step<Point>)>;
 
+/// What a cell holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(crate) enum Value {
+    Word(Word),
+    Float(Float),
+    /// 1 where something holds, else 0
+    Truth(Word),
+}
+
+impl Value {
+    /// The bits of a number.
+    pub(crate) fn bits(self, terms: &Terms) -> Option<Word> {
+        match self {
+            Self::Word(word) => Some(word),
+            Self::Float(float) => Some(terms.bits(float)),
+            _ => None,
+        }
+    }
+
+    /// The number of 32 bits as a float.
+    pub(crate) fn float(self, terms: &Terms) -> Option<Float> {
+        match self {
+            Self::Word(word) => Some(terms.of_bits(word)),
+            Self::Float(float) => Some(float),
+            _ => None,
+        }
+    }
+
+    /// The first where the condition holds, else the second; nothing for values of different kinds.
+    pub(crate) fn chosen(terms: &Terms, condition: Bool, a: Self, b: Self) -> Option<Self> {
+        Some(match (a, b) {
+            _ if a == b => a,
+            (Self::Float(a), Self::Float(b)) => Self::Float(terms.choose_float(condition, a, b)),
+            (Self::Truth(a), Self::Truth(b)) => Self::Truth(terms.choose_word(condition, a, b)),
+            _ => Self::Word(terms.choose_word(condition, a.bits(terms)?, b.bits(terms)?)),
+        })
+    }
+
+    /// The value where facts hold: choices that they decide are made.
+    pub(crate) fn given(self, terms: &Terms, facts: &[Bool]) -> Self {
+        match self {
+            Self::Float(float) => Self::Float(terms.given_float(float, facts)),
+            Self::Word(word) => Self::Word(terms.given_word(word, facts)),
+            Self::Truth(word) => Self::Truth(terms.given_word(word, facts)),
+        }
+    }
+}
+
+/// What cells hold; those that are missing hold nothing known.
+pub(crate) type Cells<Cell> = BTreeMap<Cell, Value>;
+
+/// The cells of the first where the condition holds, else those of the second.
+pub(crate) fn merged<Cell: Copy + Ord>(
+    terms: &Terms,
+    condition: Bool,
+    a: &Cells<Cell>,
+    b: &Cells<Cell>,
+) -> Cells<Cell> {
+    let both = a.iter().filter_map(|(cell, &a)| Some((*cell, Value::chosen(terms, condition, a, *b.get(cell)?)?)));
+    both.collect()
+}
+
+/// A place in the code with all that is known there.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Point<Cell: Ord> {
+    pub(crate) at: usize,
+    pub(crate) cells: Cells<Cell>,
+}
+
+/// What is known on a way, and under which condition the way is taken.
+#[derive(Clone, Debug)]
+pub struct State<Cell> {
+    pub(crate) guard: Bool,
+    pub(crate) cells: Cells<Cell>,
+    /// Cells that held different floats where paths met
+    pub(crate) differing: BTreeSet<Cell>,
+}
+
+impl<Cell: Copy + Ord> State<Cell> {
+    /// The state where a condition holds, too; none if it cannot.
+    pub(crate) fn under(&self, terms: &Terms, condition: Bool) -> Option<Self> {
+        let guard = terms.and(self.guard, condition);
+        (guard != Terms::FALSE).then(|| Self { guard, ..self.clone() })
+    }
+
+    /// One state of two. Their conditions exclude each other: what both ask for decides nothing.
+    fn met(&self, terms: &Terms, other: &Self) -> Self {
+        let (first, second) = (terms.parts(self.guard), terms.parts(other.guard));
+        let (shared, own): (Vec<_>, Vec<_>) = first.into_iter().partition(|part| second.contains(part));
+        let rest: Vec<_> = second.into_iter().filter(|part| !shared.contains(part)).collect();
+        let opposite = own.iter().copied().find(|&part| rest.contains(&!part));
+        let (only, rest) = (terms.all(own), terms.all(rest));
+        let guard = terms.all(shared.into_iter().chain([terms.or(only, rest)]));
+        let cells = merged(terms, opposite.unwrap_or(only), &self.cells, &other.cells);
+        let differs = |(cell, value): (&Cell, &Value)| {
+            let differs = other.cells.get(cell).is_some_and(|other| other != value);
+            (differs && matches!(value, Value::Float(_))).then_some(*cell)
+        };
+        let differing = self.cells.iter().filter_map(differs).chain(other.differing.iter().copied());
+        Self { guard, differing: differing.chain(self.differing.iter().copied()).collect(), cells }
+    }
+
+    /// The points of a state at a place: where integers are chosen from constants, one for each choice.
+    pub(crate) fn points(&self, terms: &Terms, at: usize) -> Vec<(Bool, Point<Cell>)> {
+        let mut points = vec![(self.guard, Point { at, cells: self.cells.clone() })];
+        let integers: BTreeSet<_> = self.cells.values().collect();
+        for &integer in integers {
+            let Value::Word(word) = integer else { continue };
+            let Some(numbers) = terms.numbers(word).filter(|numbers| numbers.len() > 1) else { continue };
+            let mut split = Vec::new();
+            for number in numbers {
+                let constant = terms.number(number);
+                let same = terms.same(Width::W32, word, constant);
+                for (guard, point) in &points {
+                    let (guard, mut point) = (terms.and(*guard, same), point.clone());
+                    for found in point.cells.values_mut().filter(|found| **found == integer) {
+                        *found = Value::Word(constant);
+                    }
+                    split.push((guard, point));
+                }
+            }
+            points = split;
+        }
+        points.retain(|&(guard, _)| guard != Terms::FALSE);
+        points
+    }
+}
+
+/// The ways on from a place, each with what holds on it.
+pub type Followers<Cell> = Vec<(State<Cell>, Step<usize>)>;
+
 /// Code that can be executed piece by piece.
 ///
 /// A point is a place in the code together with all values that are alive there, as terms. Where to cut is the machine's choice and
 /// changes no result: the more paths meet at a point, with integers that are constants, the fewer pieces there are to look at. A
 /// loop is cut or unrolled; its integers are constants.
 pub trait Machine {
-    /// A place in the code with its state.
-    type Point: Clone + Eq + Hash + Debug;
+    /// A variable, a register, or a place in memory.
+    type Cell: Copy + Ord + Hash + Debug;
 
     /// The point at which the function begins.
     ///
     /// # Errors
     /// What cannot be executed.
-    fn entry(&mut self, terms: &Terms) -> Result<Self::Point>;
+    fn entry(&mut self, terms: &Terms) -> Result<Point<Self::Cell>>;
+
+    /// Executes what is at a place. The conditions of the ways on exclude each other; the code lies in the order in which it is
+    /// executed, but for loops.
+    ///
+    /// # Errors
+    /// What cannot be executed.
+    fn step(&mut self, terms: &Terms, at: usize, state: State<Self::Cell>) -> Result<Followers<Self::Cell>>;
+
+    /// Tests whether paths may meet at a place.
+    fn meets(&self, at: usize) -> bool;
+
+    /// The points at which execution is cut where paths met; none if it goes on.
+    fn cut(
+        &mut self,
+        terms: &Terms,
+        at: usize,
+        state: &mut State<Self::Cell>,
+    ) -> Option<Vec<(Bool, Point<Self::Cell>)>>;
+
+    /// A place, for people.
+    fn place(&self, at: usize) -> String;
 
     /// Executes from a point. The conditions exclude each other, and one of them holds in every state that leads to the point.
     ///
     /// # Errors
     /// What cannot be executed.
-    fn run(&mut self, terms: &Terms, from: &Self::Point) -> Result<Ways<Self::Point>>;
-
-    /// The place of a point, for people.
-    fn place(&self, point: &Self::Point) -> String;
+    fn run(&mut self, terms: &Terms, from: &Point<Self::Cell>) -> Result<Ways<Point<Self::Cell>>> {
+        let first = State { guard: Terms::TRUE, cells: from.cells.clone(), differing: BTreeSet::new() };
+        // in the order of the code, each time around a loop after the one before
+        let mut pending = BTreeMap::from([((0, from.at), first)]);
+        let (mut ways, mut count) = (Vec::new(), 0);
+        while let Some(((round, mut at), mut state)) = pending.pop_first() {
+            if count > 0
+                && let Some(points) = self.cut(terms, at, &mut state)
+            {
+                ways.extend(points.into_iter().map(|(guard, point)| (guard, Step::To(point))));
+                continue;
+            }
+            state.differing.clear();
+            loop {
+                count += 1;
+                if count > LONGEST {
+                    return Err(Missing::new(self.place(at), "a loop that ends soon"));
+                }
+                let mut next = self.step(terms, at, state)?;
+                terms.complete(|| self.place(at))?;
+                if let [(_, Step::To(to))] = next[..]
+                    && to > at
+                    && !self.meets(to)
+                    && let Some((alone, _)) = next.pop()
+                {
+                    (at, state) = (to, alone);
+                    continue;
+                }
+                for (state, step) in next {
+                    let to = match step {
+                        Step::To(to) => to,
+                        Step::Return(answer) => {
+                            ways.push((state.guard, Step::Return(answer)));
+                            continue;
+                        }
+                    };
+                    let place = (round + u64::from(to <= at), to);
+                    let state = match pending.remove(&place) {
+                        Some(other) => state.met(terms, &other),
+                        None => state,
+                    };
+                    pending.insert(place, state);
+                }
+                break;
+            }
+        }
+        Ok(ways)
+    }
 }

@@ -8,61 +8,31 @@ use std::collections::HashMap;
 /// The definition.
 const TEXT: &str = include_str!("own_maths.c");
 
-/// A function of one number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Function {
-    Sin,
-    Cos,
-    Tan,
-    Ln,
-    Exp,
-}
-
-impl Function {
-    /// The function that a word of graphs names.
-    pub(crate) fn named(word: &str) -> Option<Self> {
-        match word {
-            "sin" => Some(Self::Sin),
-            "cos" => Some(Self::Cos),
-            "tan" => Some(Self::Tan),
-            "ln" => Some(Self::Ln),
-            "exp" => Some(Self::Exp),
-            _ => None,
-        }
-    }
-
-    const fn name(self) -> &'static str {
-        match self {
-            Self::Sin => "own_sin",
-            Self::Cos => "own_cos",
-            Self::Tan => "own_tan",
-            Self::Ln => "own_ln",
-            Self::Exp => "own_exp",
-        }
-    }
-}
+/// The words of graphs for functions of one number.
+pub(crate) const WORDS: [&str; 5] = ["sin", "cos", "tan", "ln", "exp"];
 
 /// Functions of terms of one table.
 #[derive(Debug, Default)]
 pub(crate) struct Maths {
-    known: HashMap<(Function, Float), Float>,
+    known: HashMap<(String, Float), Float>,
 }
 
 impl Maths {
-    /// A function of a term.
-    pub(crate) fn apply(&mut self, terms: &Terms, function: Function, argument: Float) -> Result<Float> {
-        if let Some(&known) = self.known.get(&(function, argument)) {
+    /// The function that a word of graphs names, of a term.
+    pub(crate) fn apply(&mut self, terms: &Terms, word: &str, argument: Float) -> Result<Float> {
+        let key = (word.to_owned(), argument);
+        if let Some(&known) = self.known.get(&key) {
             return Ok(known);
         }
-        let result = c::definition("own_maths.c", TEXT, function.name(), terms, argument)?;
-        self.known.insert((function, argument), result);
+        let result = c::definition("own_maths.c", TEXT, &format!("own_{word}"), terms, argument)?;
+        self.known.insert(key, result);
         Ok(result)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Function, Maths};
+    use super::Maths;
     use crate::term::Terms;
 
     #[test]
@@ -70,16 +40,16 @@ mod tests {
         let terms = Terms::new();
         let mut maths = Maths::default();
         for (function, argument, expected, error) in [
-            (Function::Sin, 1.0f32, 1.0f64.sin(), 1e-6),
-            (Function::Cos, 100.0, 100.0f64.cos(), 1e-6),
-            (Function::Tan, -0.5, (-0.5f64).tan(), 1e-6),
-            (Function::Ln, 10.0, 10.0f64.ln(), 1e-6),
-            (Function::Exp, -3.5, (-3.5f64).exp(), 1e-6),
+            ("sin", 1.0f32, 1.0f64.sin(), 1e-6),
+            ("cos", 100.0, 100.0f64.cos(), 1e-6),
+            ("tan", -0.5, (-0.5f64).tan(), 1e-6),
+            ("ln", 10.0, 10.0f64.ln(), 1e-6),
+            ("exp", -3.5, (-3.5f64).exp(), 1e-6),
         ] {
             let argument = terms.constant(argument);
             let result = maths.apply(&terms, function, argument).expect("the definition is read");
             let bits = terms.bits_of(result).expect("a constant");
-            assert!((f64::from(f32::from_bits(bits)) - expected).abs() <= error * expected.abs(), "{function:?}");
+            assert!((f64::from(f32::from_bits(bits)) - expected).abs() <= error * expected.abs(), "{function}");
         }
     }
 }

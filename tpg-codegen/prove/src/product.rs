@@ -7,12 +7,12 @@ use crate::graph::meaning::Meaning;
 use crate::graph::{Destination, Graph, circle};
 use crate::input::{Missing, Result};
 use crate::interval::Intervals;
-use crate::machine::{Answer, Machine, Step};
-use crate::order::{Together, together};
+use crate::machine::{Answer, Machine, Point, Step};
+use crate::order::together;
 use crate::term::evaluate::Evaluator;
-use crate::term::{Bool, Float, Node, Terms, Word};
+use crate::term::{Bool, Float, Terms, Word};
 use Destination::*;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fmt;
 
 /// A bound on the work of a proof.
@@ -53,8 +53,8 @@ enum ProductSide<Point> {
 /// The sides that follow from a point, each with its condition.
 type Pieces<Point> = HashMap<Point, Vec<(Bool, ProductSide<Point>)>>;
 
-/// What can hold together, by what was assumed.
-type Combined = HashMap<(Bool, Vec<Bool>, Vec<Bool>), BTreeSet<(usize, usize)>>;
+/// Conditions of both sides that can hold together, by their places.
+type Combined = BTreeSet<(usize, usize)>;
 
 /// Pairs of a side and a place of the graph, each with its condition.
 type Pairs<Point> = Vec<(ProductSide<Point>, Destination, Bool)>;
@@ -72,10 +72,8 @@ pub struct Comparison<'a, M: Machine> {
     evaluator: Evaluator,
     /// What was done
     pub work: Work,
-    pieces: Pieces<M::Point>,
-    combined: Combined,
-    /// How often a word is a part of an answer
-    parents: HashMap<Word, u32>,
+    pieces: Pieces<Point<M::Cell>>,
+    combined: HashMap<(Bool, [Vec<Bool>; 2]), Combined>,
 }
 
 /// An answer in one state.
@@ -115,7 +113,6 @@ impl<'a, M: Machine> Comparison<'a, M> {
             work: Work::default(),
             pieces: HashMap::new(),
             combined: HashMap::new(),
-            parents: HashMap::new(),
         }
     }
 
@@ -166,9 +163,9 @@ impl<'a, M: Machine> Comparison<'a, M> {
         }
     }
 
-    fn name(&self, side: &ProductSide<M::Point>, place: Destination) -> String {
+    fn name(&self, side: &ProductSide<Point<M::Cell>>, place: Destination) -> String {
         let code = match side {
-            ProductSide::At(point) => self.machine.place(point),
+            ProductSide::At(point) => self.machine.place(point.at),
             ProductSide::Action(_) | ProductSide::Values(_) => "the answer".to_owned(),
         };
         format!("{code} and {}", self.graph.name(place))
@@ -177,34 +174,30 @@ impl<'a, M: Machine> Comparison<'a, M> {
     /// The pairs after a pair.
     fn follow(
         &mut self,
-        side: ProductSide<M::Point>,
+        side: ProductSide<Point<M::Cell>>,
         place: Destination,
         assumed: Bool,
         forgetful: bool,
-    ) -> Result<Pairs<M::Point>> {
-        let ends = self.ends(&side)?;
+    ) -> Result<Pairs<Point<M::Cell>>> {
+        let (ends, answered) = match self.ends(&side)? {
+            Some(ends) => (ends, false),
+            None => (vec![(Terms::TRUE, side.clone())], true),
+        };
+        let graph_is_done = !matches!(place, Team(_));
+        if answered && graph_is_done {
+            self.answers(&side, place, assumed)?;
+            return Ok(Vec::new());
+        }
+        if !answered && ends.len() == 1 && ends[0].0 == Terms::TRUE {
+            return Ok(ends.into_iter().map(|(_, end)| (end, place, assumed)).collect());
+        }
         let team = match place {
             Team(team) => self.meaning.winners(&self.terms, team)?,
             _ => vec![(Terms::TRUE, place)],
         };
-        let graph_is_done = !matches!(place, Team(_));
-        let Some(ends) = ends else {
-            if graph_is_done {
-                self.answers(&side, place, assumed)?;
-                return Ok(Vec::new());
-            }
-            // the code has answered: the graph goes on alone
-            let pairs = self.together(&side, place, assumed, &[Terms::TRUE], &team)?;
-            return Ok(self.alone(side, assumed, &team, &pairs));
-        };
         let conditions: Vec<_> = ends.iter().map(|&(condition, _)| condition).collect();
-        if conditions == [Terms::TRUE] {
-            return Ok(vec![(ends[0].1.clone(), place, assumed)]);
-        }
-        let pairs = self.together(&side, place, assumed, &conditions, &team)?;
-        let targets = |of: usize| -> BTreeSet<Destination> {
-            pairs.iter().filter(|(end, _)| *end == of).map(|&(_, edge)| team[edge].1).collect()
-        };
+        let wins: Vec<_> = team.iter().map(|&(condition, _)| condition).collect();
+        let pairs = self.together((&side, place), assumed, [&conditions, &wins])?;
         let all: BTreeSet<_> = pairs.iter().map(|&(_, edge)| team[edge].1).collect();
         if !graph_is_done && all.len() == 1 {
             // whatever the bids are, the team leads there
@@ -212,83 +205,61 @@ impl<'a, M: Machine> Comparison<'a, M> {
         }
         let mut next = Vec::new();
         for (of, (condition, end)) in ends.into_iter().enumerate() {
-            let targets = targets(of);
+            let mut targets: BTreeMap<Destination, Vec<Bool>> = BTreeMap::new();
+            for &(_, edge) in pairs.iter().filter(|&&(end, _)| end == of) {
+                targets.entry(team[edge].1).or_default().push(team[edge].0);
+            }
             let held = self.terms.and(assumed, condition);
-            match (targets.len(), graph_is_done) {
-                (0, _) => {}
-                (1, false) => {
-                    let held = if forgetful { Terms::TRUE } else { held };
-                    next.extend(targets.into_iter().map(|to| (end.clone(), to, held)));
-                }
+            if targets.is_empty() {
+                continue;
+            }
+            if answered {
+                // the graph goes on alone
+                next.extend(targets.into_iter().map(|(to, wins)| {
+                    let won = self.terms.any(wins);
+                    (end.clone(), to, self.terms.and(held, won))
+                }));
+            } else if targets.len() == 1 && !graph_is_done {
+                let held = if forgetful { Terms::TRUE } else { held };
+                next.extend(targets.into_keys().map(|to| (end.clone(), to, held)));
+            } else {
                 // the code has decided something, but not yet what the graph decides here
-                _ => next.push((end, place, held)),
+                next.push((end, place, held));
             }
         }
         Ok(next)
     }
 
-    fn alone(
-        &mut self,
-        side: ProductSide<M::Point>,
-        assumed: Bool,
-        team: &[(Bool, Destination)],
-        pairs: &BTreeSet<(usize, usize)>,
-    ) -> Vec<(ProductSide<M::Point>, Destination, Bool)> {
-        let mut by_target: HashMap<Destination, Vec<Bool>> = HashMap::new();
-        let mut order = Vec::new();
-        for &(_, edge) in pairs {
-            let (condition, to) = team[edge];
-            let conditions = by_target.entry(to).or_default();
-            if conditions.is_empty() {
-                order.push(to);
-            }
-            conditions.push(condition);
-        }
-        let one = order.len() == 1;
-        let mut next = Vec::new();
-        for to in order {
-            let wins = if one { Terms::TRUE } else { self.terms.any(by_target[&to].iter().copied()) };
-            next.push((side.clone(), to, self.terms.and(assumed, wins)));
-        }
-        next
-    }
-
-    /// Finds what can hold together, within the work that is left.
-    fn combinations(&mut self, assumed: Bool, sides: [&[Bool]; 2]) -> Option<Together> {
-        let left = self.effort.cases.saturating_sub(self.work.cases);
-        let found = together(&self.terms, &mut self.intervals, assumed, sides, left).ok();
-        self.work.cases += found.as_ref().map_or(left, |found| found.cases);
-        found
-    }
-
+    /// Finds which conditions of both sides can hold together, within the work that is left.
     fn together(
         &mut self,
-        side: &ProductSide<M::Point>,
-        place: Destination,
+        (side, place): (&ProductSide<Point<M::Cell>>, Destination),
         assumed: Bool,
-        conditions: &[Bool],
-        team: &[(Bool, Destination)],
-    ) -> Result<BTreeSet<(usize, usize)>> {
-        let wins: Vec<_> = team.iter().map(|&(condition, _)| condition).collect();
-        let key = (assumed, conditions.to_vec(), wins);
+        sides: [&[Bool]; 2],
+    ) -> Result<Combined> {
+        // places that are reached in several ways ask for the same
+        let key = (assumed, sides.map(<[Bool]>::to_vec));
         if let Some(known) = self.combined.get(&key) {
             return Ok(known.clone());
         }
-        let found = self.combinations(assumed, [conditions, &key.2]);
-        let found = found.ok_or_else(|| self.too_many((side, place)))?;
-        if found.incomplete {
-            return Err(Missing::new(self.name(side, place), "a way on in every state"));
+        let left = self.effort.cases.saturating_sub(self.work.cases);
+        let found = together(&self.terms, &mut self.intervals, assumed, sides, left).ok();
+        self.work.cases += found.as_ref().map_or(left, |found| found.cases);
+        match found {
+            Some(found) if !found.incomplete => {
+                self.combined.insert(key, found.pairs.clone());
+                Ok(found.pairs)
+            }
+            Some(_) => Err(Missing::new(self.name(side, place), "a way on in every state")),
+            None => {
+                let what = format!("a proof of at most {} cases", self.effort.cases);
+                Err(Missing::new(self.name(side, place), what))
+            }
         }
-        self.combined.insert(key, found.pairs.clone());
-        Ok(found.pairs)
-    }
-
-    fn too_many(&self, (side, place): (&ProductSide<M::Point>, Destination)) -> Missing {
-        Missing::new(self.name(side, place), format!("a proof of at most {} cases", self.effort.cases))
     }
 
     /// Compares answers. They are compared where the assumption can hold, which was found before.
-    fn answers(&mut self, side: &ProductSide<M::Point>, place: Destination, assumed: Bool) -> Result<()> {
+    fn answers(&mut self, side: &ProductSide<Point<M::Cell>>, place: Destination, assumed: Bool) -> Result<()> {
         let different = |what: String| Missing::new(what, "a proof that the answers are equal");
         match (side, place) {
             (ProductSide::Action(word), Destination::Action(action))
@@ -319,7 +290,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         a: Float,
         b: Float,
         assumed: Bool,
-        (side, place): (&ProductSide<M::Point>, Destination),
+        (side, place): (&ProductSide<Point<M::Cell>>, Destination),
     ) -> Result<bool> {
         if a == b {
             return Ok(true);
@@ -327,20 +298,17 @@ impl<'a, M: Machine> Comparison<'a, M> {
         let (first, second) = (self.terms.float_cases(a), self.terms.float_cases(b));
         let conditions = |cases: &[(Bool, Float)]| cases.iter().map(|&(condition, _)| condition).collect::<Vec<_>>();
         let sides = [&conditions(&first)[..], &conditions(&second)];
-        let found = self.combinations(assumed, sides);
-        let found = found.ok_or_else(|| self.too_many((side, place)))?;
-        Ok(!found.incomplete && found.pairs.iter().all(|&(x, y)| first[x].1 == second[y].1))
+        let pairs = self.together((side, place), assumed, sides)?;
+        Ok(pairs.iter().all(|&(x, y)| first[x].1 == second[y].1))
     }
 
     /// Where the code can go on from a side; none where it has answered.
-    fn ends(&mut self, side: &ProductSide<M::Point>) -> Result<Option<Ends<M::Point>>> {
+    fn ends(&mut self, side: &ProductSide<Point<M::Cell>>) -> Result<Option<Ends<Point<M::Cell>>>> {
         match side {
             ProductSide::Values(_) => Ok(None),
             ProductSide::Action(word) if self.terms.number_of(*word).is_some() => Ok(None),
             ProductSide::Action(word) => {
-                // as far as the next word that is shared
-                let shared = |inner| inner != *word && self.parents.get(&inner).is_some_and(|&uses| uses > 1);
-                let cases = self.terms.word_cases(*word, shared);
+                let cases = self.terms.one_choice(*word);
                 Ok(Some(cases.into_iter().map(|(held, word)| (held, ProductSide::Action(word))).collect()))
             }
             ProductSide::At(point) => {
@@ -349,8 +317,8 @@ impl<'a, M: Machine> Comparison<'a, M> {
                 }
                 self.work.pieces += 1;
                 let ends = self.machine.run(&self.terms, point)?;
-                self.terms.complete(|| self.machine.place(point))?;
-                let mut sides: Ends<M::Point> = Vec::new();
+                self.terms.complete(|| self.machine.place(point.at))?;
+                let mut sides: Ends<Point<M::Cell>> = Vec::new();
                 for (condition, step) in ends {
                     if condition == Terms::FALSE {
                         continue;
@@ -358,10 +326,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
                     let side = match step {
                         Step::To(point) => ProductSide::At(point),
                         Step::Return(Answer::Values(values)) => ProductSide::Values(values),
-                        Step::Return(Answer::Action(word)) => {
-                            self.count(word);
-                            ProductSide::Action(word)
-                        }
+                        Step::Return(Answer::Action(word)) => ProductSide::Action(word),
                     };
                     match sides.iter_mut().find(|(_, other)| *other == side) {
                         Some((known, _)) => *known = self.terms.or(*known, condition),
@@ -370,20 +335,6 @@ impl<'a, M: Machine> Comparison<'a, M> {
                 }
                 self.pieces.insert(point.clone(), sides.clone());
                 Ok(Some(sides))
-            }
-        }
-    }
-
-    /// Counts what a word is made of: what is shared is where several paths meet.
-    fn count(&mut self, word: Word) {
-        let mut open = vec![word];
-        while let Some(word) = open.pop() {
-            let uses = self.parents.entry(word).or_default();
-            *uses += 1;
-            if *uses == 1
-                && let Node::WordIf(_, a, b) = self.terms.of_word(word)
-            {
-                open.extend([a, b]);
             }
         }
     }
@@ -403,7 +354,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         let expected = match place {
             Leaf(leaf) => {
                 let values = self.meaning.values(&self.terms, leaf)?;
-                Concrete::Values(values.iter().map(|&value| self.evaluator.bits(&self.terms, value)).collect())
+                self.numbers(&values)
             }
             Destination::Action(action) => Concrete::Action(u64::from(action)),
             Team(_) => return Err(Missing::new(self.graph.name(place), "an answer")),
@@ -421,9 +372,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         }
         let found = match side {
             ProductSide::Action(word) => Concrete::Action(self.evaluator.word(&self.terms, word)),
-            ProductSide::Values(values) => {
-                Concrete::Values(values.iter().map(|&value| self.evaluator.bits(&self.terms, value)).collect())
-            }
+            ProductSide::Values(values) => self.numbers(&values),
             ProductSide::At(_) => return Err(Missing::new("the code", "an answer")),
         };
         self.terms.complete(|| "the code".to_owned())?;
@@ -431,6 +380,10 @@ impl<'a, M: Machine> Comparison<'a, M> {
             return Err(Missing::new("the code", "all values that the answer depends on"));
         }
         Ok((expected, found))
+    }
+
+    fn numbers(&mut self, values: &[Float]) -> Concrete {
+        Concrete::Values(values.iter().map(|&value| self.evaluator.bits(&self.terms, value)).collect())
     }
 
     /// Proves that every answer is in its range, for every state.
@@ -442,8 +395,8 @@ impl<'a, M: Machine> Comparison<'a, M> {
             let inside = self.meaning.in_range(&self.terms, leaf)?;
             self.terms.complete(|| self.graph.name(Leaf(leaf)))?;
             let sides = [&[inside, !inside][..], &[Terms::TRUE]];
-            let found = self.combinations(Terms::TRUE, sides);
-            if !found.is_some_and(|found| !found.incomplete && !found.pairs.contains(&(1, 0))) {
+            let pairs = self.together((&ProductSide::Values(Vec::new()), Leaf(leaf)), Terms::TRUE, sides)?;
+            if pairs.contains(&(1, 0)) {
                 return Err(Missing::new(self.graph.name(Leaf(leaf)), "a proof that its values are in range"));
             }
         }

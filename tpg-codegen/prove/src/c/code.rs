@@ -3,62 +3,60 @@
 use crate::term::{Arithmetic, Bool, Float, Operator, Terms, Width};
 use std::collections::BTreeMap;
 
-/// What a cell is read as.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Scalar {
-    Float,
-    Word,
-}
-
-/// A value without side effects. Words of 32 bits hold narrower integers as C extends them.
+/// A value without side effects. Words of 32 bits hold narrower integers as C extends them; conditions are 1 or 0.
 #[derive(Clone, Debug)]
-pub(super) enum Value {
+pub(super) enum Expression {
     Number(u64),
     Float(u32),
-    Load(Box<Value>, Scalar),
-    Apply(Operator, Width, Box<Value>, Box<Value>),
-    Arithmetic(Arithmetic, Box<Value>, Box<Value>),
-    Negative(Box<Value>),
-    Magnitude(Box<Value>),
-    If(Box<Condition>, Box<Value>, Box<Value>),
-    OfCondition(Box<Condition>),
-    OfInteger(bool, Box<Value>),
-    /// A number that must be below a length
-    Below(Box<Value>, u32),
-    /// An address moved by cells; both must be in one object
-    Moved(Box<Value>, Box<Value>),
+    Of(Computed, Vec<Expression>),
 }
 
-#[derive(Clone, Debug)]
-pub(super) enum Condition {
-    Same(Width, Value, Value),
-    Below(bool, Width, Value, Value),
+/// What is computed from values.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Computed {
+    LoadedFloat,
+    LoadedWord,
+    Apply(Operator, Width),
+    Arithmetic(Arithmetic),
+    Negative,
+    Magnitude,
+    OfInteger(bool),
+    /// The second where the first is not 0, else the third
+    If,
+    Same(Width),
+    Below(bool, Width),
     /// A relation of floats
-    Compared(fn(&Terms, Float, Float) -> Bool, Value, Value),
-    Nan(Value),
-    /// Both hold, or one of them; the second is not evaluated where the first decides
-    Logical(bool, Box<Condition>, Box<Condition>),
-    Not(Box<Condition>),
+    Compared(fn(&Terms, Float, Float) -> Bool),
+    IsNan,
+    /// A number that must be below a length
+    Bounded(u32),
+    /// An address moved by cells; both must be in one object
+    Moved,
 }
 
-impl std::ops::Not for Condition {
+/// Makes an expression.
+pub(super) fn of<const N: usize>(computed: Computed, parts: [Expression; N]) -> Expression {
+    Expression::Of(computed, parts.into())
+}
+
+impl std::ops::Not for Expression {
     type Output = Self;
 
     fn not(self) -> Self {
-        Self::Not(Box::new(self))
+        of(Computed::Same(Width::W32), [self, Self::Number(0)])
     }
 }
 
 /// An operation.
 #[derive(Clone, Debug)]
 pub(super) enum Operation {
-    Set(Value, Value),
+    Set(Expression, Expression),
     /// Copies so many cells
-    Copy(Value, Value, u32),
+    Copy(Expression, Expression, u32),
     /// A scope ends
     Leave(usize),
     /// Goes on behind if the condition holds, else there
-    Branch(Condition, usize),
+    Branch(Expression, usize),
     /// Goes there, out of some scopes
     Jump(usize, Vec<usize>),
     /// The whole function returns
@@ -95,12 +93,10 @@ pub(super) struct Program {
     pub(super) objects: Vec<Object>,
     pub(super) constants: Vec<Constant>,
     pub(super) cells: u32,
-    /// Where the state is, and the answer with the next memory, if the function has none of its own
-    pub(super) state: u32,
-    pub(super) memory: Option<u32>,
-    pub(super) action: Option<u32>,
-    /// The cell of the result
-    pub(super) result: Option<u32>,
+    /// Where the state is with the memory, cell by cell
+    pub(super) inputs: Vec<u32>,
+    /// Where the outputs are with the next memory, or else the result
+    pub(super) answers: Vec<u32>,
 }
 
 impl Program {

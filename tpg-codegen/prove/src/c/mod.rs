@@ -50,11 +50,11 @@ pub fn read_with(
             }
         }
     };
-    Ok(Code::new(file, compiler.policy(&name, interface)?, interface))
+    Ok(Code::new(file, compiler.policy(&name, interface)?, interface, false))
 }
 
 /// Executes a function of one float from a text that defines what it means.
 pub(crate) fn definition(file: &str, text: &str, name: &str, terms: &Terms, argument: Float) -> Result<Float> {
     let compiler = Compiler::read(file, token::tokens(file, text, &|_| None)?)?;
-    Code::definition(file, compiler.of_float(name)?).of_float(terms, argument)
+    Code::new(file, compiler.of_float(name)?, &Interface::default(), true).of_float(terms, argument)
 }

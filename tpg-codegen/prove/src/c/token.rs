@@ -13,7 +13,7 @@ pub(super) enum Token {
     Name(String),
     /// A number as it is written
     Number(String),
-    Text,
+
     Sign(&'static str),
     End,
 }
@@ -27,8 +27,8 @@ pub(super) struct Placed {
 
 /// Signs, the longest first.
 const SIGNS: [&str; 2] = [
-    "... <<= >>= -> ++ -- << >> <= >= == != && || += -= *= /= %= &= |= ^= ##",
-    "{ } ( ) [ ] ; , : ? = + - * / % & | ^ ~ ! < > . #",
+    "<<= >>= -> ++ -- << >> <= >= == != && || += -= *= /= %= &= |= ^=",
+    "{ } ( ) [ ] ; , : ? = + - * / % & | ^ ~ ! < > .",
 ];
 
 /// Macros of the standard headers that generated code uses.
@@ -64,30 +64,15 @@ pub(super) fn tokens(file: &str, text: &str, include: Include<'_>) -> Result<Vec
     Ok(preprocessor.tokens)
 }
 
-/// The text with comments as spaces and continued lines joined; line breaks stay.
+/// The text with comments as spaces; line breaks stay.
 fn plain(text: &str) -> String {
-    let mut plain = String::new();
-    let mut rest = text;
-    let mut owed = 0;
-    while let Some(next) = rest.chars().next() {
-        if let Some(after) = rest.strip_prefix("/*") {
-            let length = after.find("*/").unwrap_or(after.len());
-            plain.push(' ');
-            plain.extend(after[..length].chars().filter(|&letter| letter == '\n'));
-            rest = after[length..].strip_prefix("*/").unwrap_or("");
-        } else if rest.starts_with("//") {
-            rest = &rest[rest.find('\n').unwrap_or(rest.len())..];
-        } else if let Some(after) = rest.strip_prefix("\\\n") {
-            owed += 1;
-            rest = after;
-        } else {
-            plain.push(next);
-            if next == '\n' {
-                plain.extend((0..owed).map(|_| '\n'));
-                owed = 0;
-            }
-            rest = &rest[next.len_utf8()..];
-        }
+    let mut parts = text.split("/*");
+    let mut plain = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (comment, behind) = part.split_once("*/").unwrap_or((part, ""));
+        plain.push(' ');
+        plain.extend(comment.chars().filter(|&letter| letter == '\n'));
+        plain += behind;
     }
     plain
 }
@@ -110,9 +95,6 @@ fn line_tokens(file: &str, text: &str, line: u32) -> Result<Vec<Placed>> {
             };
             let length = rest.chars().take_while(goes_on).count();
             (Number(rest[..length].to_owned()), length)
-        } else if first == '"' {
-            let length = rest[1..].find('"').map_or(rest.len(), |end| end + 2);
-            (Text, length)
         } else if let Some(sign) = SIGNS.iter().flat_map(|signs| signs.split(' ')).find(|sign| rest.starts_with(sign)) {
             (Sign(sign), sign.len())
         } else {
@@ -183,9 +165,7 @@ impl Preprocessor<'_> {
                     let value = line_tokens(file, value, number)?;
                     self.macros.insert(name.to_owned(), value);
                 }
-                "undef" => {
-                    self.macros.remove(rest);
-                }
+
                 // the pragmas of generated code ask for what C defines: no fused operations
                 "pragma" => {}
                 _ => return Err(Missing::new(place(), format!("#{word} {rest}"))),

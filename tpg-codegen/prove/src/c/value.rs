@@ -1,216 +1,192 @@
-//! Values and conditions over the cells of a state.
+//! Values of expressions over the cells of a state.
 
-use super::code::{CONSTANTS, Condition, Constant, Scalar, Value};
-use super::execute::{Cell, Code};
-use crate::input::Result;
+use super::code::{CONSTANTS, Computed, Constant, Expression, Program};
+use crate::machine::{Cells, Value};
 use crate::term::word::computed;
 use crate::term::{Bool, Float, Node, Operator::*, Terms, Width::*, Word};
-use Value::*;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-/// A place in the code, and the cells there.
+/// A value, or what it lacks.
+pub(super) type Found<T> = Result<T, &'static str>;
+
+/// The cells where something is evaluated.
 pub(super) struct Here<'a> {
-    pub(super) code: &'a Code,
+    pub(super) program: &'a Program,
     pub(super) terms: &'a Terms,
-    pub(super) at: usize,
-    pub(super) cells: &'a [Option<Cell>],
+    pub(super) cells: &'a Cells<u32>,
+    /// That indices are in bounds is known
+    pub(super) defines: bool,
 }
 
 impl Here<'_> {
-    fn missing<T>(&self, what: &str) -> Result<T> {
-        Err(self.code.missing(self.at, what))
-    }
-
-    pub(super) fn cell(&self, address: u64) -> Result<Cell> {
-        let Ok(address) = u32::try_from(address) else { return self.missing("an address") };
-        let found = match address.checked_sub(CONSTANTS) {
-            None => self.cells.get(address as usize).copied(),
-            Some(place) => self.code.program.constants.get(place as usize).map(|constant| {
-                Some(match *constant {
-                    Constant::Float(bits) => Cell::Float(self.terms.constant_bits(bits)),
-                    Constant::Number(number) => Cell::Word(self.terms.number(number)),
-                })
-            }),
-        };
-        match found {
-            Some(Some(cell)) => Ok(cell),
-            Some(None) => self.missing("a value: it is not set on every way here"),
-            None => self.missing("an address in bounds"),
+    pub(super) fn cell(&self, address: u64) -> Found<Value> {
+        let address = u32::try_from(address).map_err(|_| "an address")?;
+        match address.checked_sub(CONSTANTS) {
+            None if address < self.program.cells => {
+                self.cells.get(&address).copied().ok_or("a value: it is not set on every way here")
+            }
+            None => Err("an address in bounds"),
+            Some(place) => match self.program.constants.get(place as usize) {
+                Some(&Constant::Float(bits)) => Ok(Value::Float(self.terms.constant_bits(bits))),
+                Some(&Constant::Number(number)) => Ok(Value::Word(self.terms.number(number))),
+                None => Err("an address in bounds"),
+            },
         }
     }
 
-    pub(super) fn read_float(&self, address: u64) -> Result<Float> {
-        Ok(match self.cell(address)? {
-            Cell::Word(word) => self.terms.of_bits(word),
-            Cell::Float(float) => float,
-        })
+    pub(super) fn read_float(&self, address: u64) -> Found<Float> {
+        self.cell(address)?.float(self.terms).ok_or("a float")
     }
 
-    pub(super) fn read_word(&self, address: u64) -> Result<Word> {
-        Ok(match self.cell(address)? {
-            Cell::Float(float) => self.terms.bits(float),
-            Cell::Word(word) => word,
-        })
+    pub(super) fn read_word(&self, address: u64) -> Found<Word> {
+        self.cell(address)?.bits(self.terms).ok_or("an integer")
     }
 
     /// The constant address of some cells of one variable.
-    pub(super) fn range(&self, address: &Value, count: u32) -> Result<u64> {
-        let word = self.word(address)?;
-        let first = self.terms.number_of(word).and_then(|address| u32::try_from(address).ok());
-        let Some(first) = first else { return self.missing("an address that is a constant") };
-        match self.code.program.object(first) {
+    pub(super) fn range(&self, address: &Expression, count: u32) -> Found<u64> {
+        let address = self.terms.number_of(self.word(address)?).and_then(|address| u32::try_from(address).ok());
+        let first = address.ok_or("an address that is a constant")?;
+        match self.program.object(first) {
             Some(object) if first + count <= object.end => Ok(first.into()),
-            _ => self.missing("a copy in bounds"),
+            _ => Err("a copy in bounds"),
         }
     }
 
-    fn loaded_float(&self, address: Word) -> Result<Float> {
+    fn loaded_float(&self, address: Word) -> Found<Float> {
         match self.terms.of_word(address) {
             Node::Number(number) => self.read_float(number),
             Node::WordIf(condition, a, b) => {
                 let (a, b) = (self.loaded_float(a)?, self.loaded_float(b)?);
                 Ok(self.terms.choose_float(condition, a, b))
             }
-            _ => self.missing("an index that is a constant"),
+            _ => Err("an index that is a constant"),
         }
     }
 
-    fn loaded_word(&self, address: Word) -> Result<Word> {
-        if let Some(numbers) = self.terms.numbers(address) {
+    fn loaded_word(&self, address: Word) -> Found<Word> {
+        let terms = self.terms;
+        if let Some(numbers) = terms.numbers(address) {
             for number in numbers {
                 self.read_word(number)?;
             }
-            return Ok(self.terms.mapped(address, &mut |leaf| {
-                let number = self.terms.number_of(leaf).unwrap_or_default();
-                self.read_word(number).unwrap_or(leaf)
+            return Ok(terms.mapped(address, &mut |leaf| {
+                self.read_word(terms.number_of(leaf).unwrap_or_default()).unwrap_or(leaf)
             }));
         }
         // an element of a constant table
-        let terms = self.terms;
         if let Node::Apply(Add, W32, index, base) = terms.of_word(address)
             && let Some(base) = terms.number_of(base)
-            && let Some(object) = u32::try_from(base).ok().and_then(|base| self.code.program.object(base))
+            && let Some(object) = u32::try_from(base).ok().and_then(|base| self.program.object(base))
             && object.start >= CONSTANTS
         {
             let range = (object.start - CONSTANTS) as usize..(object.end - CONSTANTS) as usize;
-            let table: Rc<[u64]> = (self.code.program.constants[range].iter())
+            let table: Rc<[u64]> = (self.program.constants[range].iter())
                 .map(|constant| match *constant {
                     Constant::Float(bits) => u64::from(bits),
                     Constant::Number(number) => number,
                 })
                 .collect();
             let index = terms.apply(Add, W32, index, terms.number(base - u64::from(object.start)));
-            let length = object.end - object.start;
-            if largest(terms, index) >= u64::from(length) && !terms.is_granted(index, length) {
-                return self.missing("an index that is in bounds");
-            }
+            self.bounded(index, object.end - object.start, false)?;
             return Ok(terms.element(&table, index));
         }
-        self.missing("an index that is a constant")
+        Err("an index that is a constant")
     }
 
-    pub(super) fn float(&self, value: &Value) -> Result<Float> {
+    /// Checks that an index is below a length. One that a definition uses is, where that `asks` for it.
+    fn bounded(&self, index: Word, length: u32, asks: bool) -> Found<()> {
+        if largest(self.terms, index) < u64::from(length) || self.terms.is_granted(index, length) {
+            return Ok(());
+        }
+        if self.defines && asks {
+            self.terms.grant(index, length);
+            return Ok(());
+        }
+        Err("an index that is in bounds")
+    }
+
+    fn float(&self, value: &Expression) -> Found<Float> {
         match self.value(value)? {
-            Cell::Float(float) => Ok(float),
-            Cell::Word(_) => self.missing("a float"),
+            Value::Float(float) => Ok(float),
+            _ => Err("a float"),
         }
     }
 
-    pub(super) fn word(&self, value: &Value) -> Result<Word> {
+    pub(super) fn word(&self, value: &Expression) -> Found<Word> {
         match self.value(value)? {
-            Cell::Word(word) => Ok(word),
-            Cell::Float(_) => self.missing("an integer"),
+            Value::Word(word) => Ok(word),
+            _ => Err("an integer"),
         }
     }
 
-    pub(super) fn value(&self, value: &Value) -> Result<Cell> {
+    pub(super) fn condition(&self, value: &Expression) -> Found<Bool> {
+        Ok(!self.terms.same(W32, self.word(value)?, self.terms.number(0)))
+    }
+
+    pub(super) fn value(&self, value: &Expression) -> Found<Value> {
         let terms = self.terms;
-        Ok(match value {
-            Load(address, Scalar::Float) => Cell::Float(self.loaded_float(self.word(address)?)?),
-            Load(address, Scalar::Word) => Cell::Word(self.loaded_word(self.word(address)?)?),
-            Value::Float(bits) => Cell::Float(terms.constant_bits(*bits)),
-            Number(number) => Cell::Word(terms.number(*number)),
-            Arithmetic(operation, a, b) => Cell::Float(terms.arithmetic(*operation, self.float(a)?, self.float(b)?)),
-            Negative(a) => Cell::Float(terms.negate(self.float(a)?)),
-            Magnitude(a) => Cell::Float(terms.magnitude(self.float(a)?)),
-            OfInteger(signed, a) => Cell::Float(terms.of_integer(*signed, self.word(a)?)),
-            OfCondition(condition) => Cell::Word(terms.word_of(self.condition(condition)?)),
-            If(condition, a, b) => match self.condition(condition)? {
+        let (name, parts) = match value {
+            Expression::Number(number) => return Ok(Value::Word(terms.number(*number))),
+            Expression::Float(bits) => return Ok(Value::Float(terms.constant_bits(*bits))),
+            Expression::Of(name, parts) => (*name, &parts[..]),
+        };
+        let truth = |condition| Value::Word(terms.word_of(condition));
+        Ok(match (name, parts) {
+            (Computed::LoadedFloat, [address]) => Value::Float(self.loaded_float(self.word(address)?)?),
+            (Computed::LoadedWord, [address]) => Value::Word(self.loaded_word(self.word(address)?)?),
+            (Computed::Arithmetic(operation), [a, b]) => {
+                Value::Float(terms.arithmetic(operation, self.float(a)?, self.float(b)?))
+            }
+            (Computed::Negative, [a]) => Value::Float(terms.negate(self.float(a)?)),
+            (Computed::Magnitude, [a]) => Value::Float(terms.magnitude(self.float(a)?)),
+            (Computed::OfInteger(signed), [a]) => Value::Float(terms.of_integer(signed, self.word(a)?)),
+            (Computed::If, [condition, a, b]) => match self.condition(condition)? {
                 Terms::TRUE => self.value(a)?,
                 Terms::FALSE => self.value(b)?,
-                condition => match chosen(terms, condition, self.value(a)?, self.value(b)?) {
-                    Some(value) => value,
-                    None => return self.missing("one kind of value"),
-                },
+                condition => {
+                    Value::chosen(terms, condition, self.value(a)?, self.value(b)?).ok_or("one kind of value")?
+                }
             },
-            Apply(operator, width, a, b) => {
+            (Computed::Same(width), [a, b]) => truth(terms.same(width, self.word(a)?, self.word(b)?)),
+            (Computed::Below(signed, width), [a, b]) => truth(terms.below(signed, width, self.word(a)?, self.word(b)?)),
+            (Computed::Compared(relation), [a, b]) => truth(relation(terms, self.float(a)?, self.float(b)?)),
+            (Computed::IsNan, [a]) => truth(terms.is_nan(self.float(a)?)),
+            (Computed::Apply(operator, width), [a, b]) => {
                 let (a, b) = (self.word(a)?, self.word(b)?);
                 match operator {
                     Divide | Modulo if terms.numbers(b).is_none_or(|numbers| numbers.contains(&0)) => {
-                        return self.missing("a divisor that is not 0");
+                        return Err("a divisor that is not 0");
                     }
                     ShiftLeft | ShiftRight | ShiftArithmetic if largest(terms, b) >= u64::from(width.bits()) => {
-                        return self.missing("a shift below the width");
+                        return Err("a shift below the width");
                     }
-                    _ => Cell::Word(terms.apply(*operator, *width, a, b)),
+                    _ => Value::Word(terms.apply(operator, width, a, b)),
                 }
             }
-            Below(a, length) => {
+            (Computed::Bounded(length), [a]) => {
                 let a = self.word(a)?;
+                self.bounded(a, length, true)?;
                 let largest = largest(terms, a);
-                if largest >= u64::from(*length) {
-                    if self.code.defines {
-                        terms.grant(a, *length);
-                    } else if !terms.is_granted(a, *length) {
-                        return self.missing("an index that is in bounds");
-                    }
-                }
                 let is_choice = largest < FEW && terms.numbers(a).is_none();
-                Cell::Word(if is_choice { each(terms, a, largest) } else { a })
+                Value::Word(if is_choice { each(terms, a, largest) } else { a })
             }
-            Moved(address, offset) => {
+            (Computed::Moved, [address, offset]) => {
                 let (address, offset) = (self.word(address)?, self.word(offset)?);
                 let sum = terms.apply(Add, W32, address, offset);
                 // constants are checked here, other indices where they are below a length
                 if let (Some(from), Some(to)) = (terms.numbers(address), terms.numbers(sum)) {
                     let objects: BTreeSet<_> = (from.iter().chain(&to))
-                        .map(|&address| Some(self.code.program.object(u32::try_from(address).ok()?)?.start))
+                        .map(|&address| Some(self.program.object(u32::try_from(address).ok()?)?.start))
                         .collect();
                     if objects.len() != 1 || objects.contains(&None) {
-                        return self.missing("an address in bounds");
+                        return Err("an address in bounds");
                     }
                 }
-                Cell::Word(sum)
+                Value::Word(sum)
             }
+            _ => return Err("other operands"),
         })
-    }
-
-    pub(super) fn condition(&self, condition: &Condition) -> Result<Bool> {
-        Ok(match condition {
-            Condition::Same(width, a, b) => self.terms.same(*width, self.word(a)?, self.word(b)?),
-            Condition::Below(signed, width, a, b) => self.terms.below(*signed, *width, self.word(a)?, self.word(b)?),
-            Condition::Compared(relation, a, b) => relation(self.terms, self.float(a)?, self.float(b)?),
-            Condition::Nan(a) => self.terms.is_nan(self.float(a)?),
-            Condition::Logical(and, a, b) => {
-                let a = self.condition(a)?;
-                if a == Terms::known(!and) {
-                    return Ok(a);
-                }
-                let b = self.condition(b)?;
-                if *and { self.terms.and(a, b) } else { self.terms.or(a, b) }
-            }
-            Condition::Not(a) => !self.condition(a)?,
-        })
-    }
-}
-
-/// One of two values of one kind.
-pub(super) fn chosen(terms: &Terms, condition: Bool, a: Cell, b: Cell) -> Option<Cell> {
-    match (a, b) {
-        (Cell::Float(a), Cell::Float(b)) => Some(Cell::Float(terms.choose_float(condition, a, b))),
-        (Cell::Word(a), Cell::Word(b)) => Some(Cell::Word(terms.choose_word(condition, a, b))),
-        _ => None,
     }
 }
 

@@ -1,32 +1,19 @@
 //! Registers, loads and stores.
 
-use super::value::{Region, Value, word};
-use super::{Here, Object, Point};
-use crate::elf::{Address, Part};
+use super::{Cell, Here, Object, Region};
+use crate::elf::Address;
 use crate::input::{Missing, Result};
-use crate::machine::Answer;
-use crate::term::{Float, Operator::*, Terms, Width as Bits, Word};
-use crate::thumb::{Index, Instruction, Offset, PC, Place, Register, SP, WORD, Width};
+use crate::machine::{Answer, Value};
+use crate::term::{self, Operator::*};
+use crate::thumb::{Index, Offset, PC, Place, Register};
 use Region::*;
 use Value::*;
-
-impl Object {
-    pub(super) fn here<'a>(&'a self, terms: &'a Terms, point: &'a mut Point, at: &'a Instruction) -> Here<'a> {
-        Here { object: self, terms, point, at }
-    }
-
-    /// Returns the place of an address in the section of the code.
-    pub(super) fn code(&self, point: &Point, address: u32) -> Address {
-        let function = point.function;
-        let offset = address.wrapping_sub(self.image.absolute(function)).wrapping_add(function.offset);
-        Address { section: function.section, offset }
-    }
-}
 
 impl Here<'_> {
     /// Says why the instruction is refused.
     pub(super) fn refusal(&self, what: impl std::fmt::Display) -> Missing {
-        Missing::new(format!("{:#x}", self.at.address), format!("{:?}: {what}", self.at.operation))
+        let (address, operation) = (self.node.address.offset, &self.node.instruction.operation);
+        Missing::new(format!("{address:#x}"), format!("{operation:?}: {what}"))
     }
 
     pub(super) fn refuse<T>(&self, what: impl std::fmt::Display) -> Result<T> {
@@ -35,66 +22,55 @@ impl Here<'_> {
 
     /// Returns a register; what is unknown is refused.
     pub(super) fn register(&self, register: Register) -> Result<Value> {
-        let value = self.point.registers[usize::from(register)];
+        let value = self.cells.get(&Cell::Register(register)).copied();
         value.ok_or_else(|| self.refusal(format_args!("register {register} holds nothing known")))
     }
 
-    pub(super) fn word(&self, register: Register) -> Result<Word> {
-        let value = self.register(register)?;
-        word(self.terms, value).ok_or_else(|| self.refusal(format_args!("register {register} is no number")))
+    /// Returns the bits of a value that is no address.
+    pub(super) fn bits(&self, value: Value) -> Result<term::Word> {
+        value.bits(self.terms).ok_or_else(|| self.refusal("computes with no number"))
     }
 
-    pub(super) fn float(&self, register: Register) -> Result<Float> {
-        match self.register(register)? {
-            Value::Float(float) => Ok(float),
-            _ => self.word(register).map(|word| self.terms.of_bits(word)),
-        }
+    pub(super) fn word(&self, register: Register) -> Result<term::Word> {
+        self.bits(self.register(register)?)
     }
 
-    fn moved(&self, base: Value, distance: Word) -> Result<Value> {
-        moved(self.terms, base, distance).ok_or_else(|| self.refusal("not an address"))
+    /// Returns a value that is no address as a float.
+    pub(super) fn number(&self, value: Value) -> Result<term::Float> {
+        value.float(self.terms).ok_or_else(|| self.refusal("computes with no number"))
     }
 
     /// Loads or stores registers.
-    pub(super) fn transfer(&mut self, load: bool, width: Width, registers: &[Register], place: Place) -> Result<()> {
+    pub(super) fn transfer(&mut self, load: bool, bytes: u8, registers: &[Register], place: Place) -> Result<()> {
         let (accessed, written) = self.addresses(place)?;
         let mut loaded = Vec::new();
         for (number, &register) in registers.iter().enumerate() {
-            let address = self.moved(accessed, self.terms.number(4 * number as u64))?;
+            let address = self.with(Add, accessed, 4 * number as u64);
             if load {
-                loaded.push((register, self.load(address, width)?));
+                loaded.push((register, self.load(address, bytes)?));
             } else {
                 let stored = self.register(register)?;
-                self.store(address, width, stored)?;
+                self.store(address, bytes, stored)?;
             }
         }
-        for (register, value) in written.map(|written| (place.base, written)).into_iter().chain(loaded) {
-            self.point.registers[usize::from(register)] = Some(value);
+        for (register, value) in written.map(|written| (place.base, Word(written))).into_iter().chain(loaded) {
+            self.cells.insert(Cell::Register(register), value);
         }
         Ok(())
     }
 
     /// Returns the address that is accessed, and the one that is written back.
-    pub(super) fn addresses(&self, place: Place) -> Result<(Value, Option<Value>)> {
-        let unknowns = &self.object.unknowns;
+    pub(super) fn addresses(&self, place: Place) -> Result<(term::Word, Option<term::Word>)> {
         let base = if place.base == PC {
-            let code = self.object.code(self.point, self.at.address.wrapping_add(4) & !3);
-            Pointer(Section(code.section), self.terms.number(code.offset.into()))
+            self.bits(self.section(self.node.address.at(self.node.address.offset.wrapping_add(4) & !3)))?
         } else {
-            unknowns.pointer(self.terms, self.register(place.base)?)
+            self.word(place.base)?
         };
-        let (base, offset) = match place.offset {
-            Offset::Number(number) => (base, self.terms.number(u64::from(number as u32))),
-            Offset::Register(register, shift) => {
-                let value = self.register(register)?;
-                match (unknowns.pointer(self.terms, value), base) {
-                    // The address is the register that is added.
-                    (value @ Pointer(..), Word(word)) if shift == 0 => (value, word),
-                    _ => (base, self.with(ShiftLeft, self.word(register)?, shift.into())),
-                }
-            }
+        let offset = match place.offset {
+            Offset::Number(number) => self.terms.number(u64::from(number as u32)),
+            Offset::Register(register, shift) => self.with(ShiftLeft, self.word(register)?, shift.into()),
         };
-        let sum = self.moved(base, offset)?;
+        let sum = self.terms.apply(Add, term::Width::W32, base, offset);
         Ok(match place.index {
             Index::Offset => (sum, None),
             Index::Before => (sum, Some(sum)),
@@ -102,70 +78,49 @@ impl Here<'_> {
         })
     }
 
-    fn load(&self, address: Value, width: Width) -> Result<Value> {
-        let (region, offset) = match address {
-            Pointer(region, offset) => (region, offset),
-            // A number is an address of a linked image.
-            Word(word) => {
-                let number = self.terms.number_of(word);
-                let Some(located) = number.and_then(|number| self.object.image.locate(number as u32)) else {
-                    return self.refuse("loads from a number");
-                };
-                (Section(located.section), self.terms.number(located.offset.into()))
-            }
-            _ => return self.refuse("loads from no address"),
+    /// Loads from an address, or from one of a few.
+    fn load(&self, address: term::Word, bytes: u8) -> Result<Value> {
+        let load = |address| {
+            let (region, offset) = self.object.located(self.terms, address)?;
+            self.load_at(region, offset, bytes)
         };
-        if let Some(offset) = self.terms.number_of(offset) {
-            return self.load_at(region, offset as u32, width).ok_or_else(|| {
-                let offset = offset as u32 as i32;
-                self.refusal(format_args!("loads from {region:?}, offset {offset}, which is not known"))
-            });
+        let refusal = || self.refusal("loads what is not known");
+        if !matches!(self.terms.of_word(address), term::Node::WordIf(..)) {
+            return load(address).ok_or_else(refusal);
         }
-        // One of a few constants.
         let mut failed = false;
-        let value = self.terms.mapped(offset, &mut |offset| {
-            let value = self.terms.number_of(offset).and_then(|offset| {
-                let value = self.load_at(region, offset as u32, width)?;
-                word(self.terms, value)
-            });
+        let value = self.terms.mapped(address, &mut |address| {
+            let value = load(address).and_then(|value| value.bits(self.terms));
             failed |= value.is_none();
-            value.unwrap_or(offset)
+            value.unwrap_or(address)
         });
-        if failed { self.refuse("loads from an unknown address") } else { Ok(Word(value)) }
+        if failed { Err(refusal()) } else { Ok(Word(value)) }
     }
 
-    fn load_at(&self, region: Region, offset: u32, width: Width) -> Option<Value> {
-        let is_word = width.bytes == 4 && offset.is_multiple_of(4);
-        let unused = 32 - 8 * u32::from(width.bytes);
+    fn load_at(&self, region: Region, offset: u32, bytes: u8) -> Option<Value> {
+        let is_word = bytes == 4 && offset.is_multiple_of(4);
+
         let Object { image, interface, .. } = self.object;
         match region {
             Section(section) => {
                 let address = Address { section, offset };
-                if image.is_relocated(address, width.bytes.into()) {
-                    let target = if is_word { image.pointer(address)? } else { return None };
-                    return Some(Pointer(Section(target.section), self.terms.number(target.offset.into())));
+                if image.is_relocated(address, bytes.into()) {
+                    return if is_word { image.pointer(address).map(|target| self.section(target)) } else { None };
                 }
-                let number = image.number(address, width.bytes)?;
-                let number = if width.signed { ((number << unused) as i32 >> unused) as u32 } else { number };
-                Some(Word(self.terms.number(number.into())))
+                Some(Word(self.terms.number(image.number(address, bytes)?.into())))
             }
             State => {
                 let known = is_word && offset / 4 < interface.state_length();
                 known.then(|| Value::Float(self.terms.source(offset / 4)))
             }
-            _ => match *self.point.memory.get(&(region, offset, width.bytes))? {
-                Word(word) if width.signed => {
-                    Some(Word(self.with(ShiftArithmetic, self.with(ShiftLeft, word, unused.into()), unused.into())))
-                }
-                value => Some(value),
-            },
+            _ => self.cells.get(&Cell::Memory(region, offset, bytes)).copied(),
         }
     }
 
-    fn store(&mut self, address: Value, width: Width, mut value: Value) -> Result<()> {
-        let Pointer(region, offset) = address else { return self.refuse("stores to no known address") };
-        let Some(offset) = self.terms.number_of(offset) else { return self.refuse("stores to an unknown address") };
-        let offset = offset as u32;
+    fn store(&mut self, address: term::Word, size: u8, mut value: Value) -> Result<()> {
+        let Some((region, offset)) = self.object.located(self.terms, address) else {
+            return self.refuse("stores to an unknown address");
+        };
         let length = match region {
             Memory => self.object.interface.memory.len(),
             Outputs => self.object.interface.outputs.len(),
@@ -174,63 +129,44 @@ impl Here<'_> {
             _ => 0,
         };
         // Parts of words are stored on the stack only.
-        let bytes = u32::from(width.bytes);
+        let bytes = u32::from(size);
         let aligned = offset.is_multiple_of(bytes) && (bytes == 4 || region == Stack);
         if !aligned || (region != Stack && (offset / 4) as usize >= length) || length == 0 {
             return self.refuse(format_args!("stores to {region:?}, offset {}", offset as i32));
         }
         if bytes < 4 {
-            let Some(word) = word(self.terms, value) else { return self.refuse("stores a part of no number") };
-            value = Word(self.with(And, word, (1 << (8 * bytes)) - 1));
+            value = Word(self.with(And, self.bits(value)?, (1 << (8 * bytes)) - 1));
         }
         let last = |offset: u32, bytes: u32| offset.wrapping_add(bytes - 1);
-        self.point.memory.retain(|&(other, at, size), _| {
-            other != region || last(at, size.into()) < offset || last(offset, bytes) < at
+        self.cells.retain(|cell, _| match *cell {
+            Cell::Memory(other, at, size) => {
+                other != region || last(at, size.into()) < offset || last(offset, bytes) < at
+            }
+            _ => true,
         });
-        self.point.memory.insert((region, offset, width.bytes), value);
+        self.cells.insert(Cell::Memory(region, offset, size), value);
         Ok(())
     }
 
     /// Checks the calling convention at the end, and returns the answer.
     pub(super) fn answer(&self) -> Result<Answer> {
-        let missing = |what: String| Err(Missing::new(format!("{:#x}", self.at.address), what));
         for register in super::flow::preserved() {
-            let expected = if register == SP { Pointer(Stack, self.terms.number(0)) } else { Initial(register) };
-            if self.point.registers[usize::from(register)] != Some(expected) {
-                return missing(format!("register {register} is not what it was before"));
+            if self.register(register)? != self.object.first[&Cell::Register(register)] {
+                return self.refuse(format_args!("register {register} is not what it was before"));
             }
         }
         let interface = &self.object.interface;
         if interface.outputs.is_empty() {
-            let value = self.point.registers[0].and_then(|value| word(self.terms, value));
-            return value
-                .map_or_else(|| missing("the answer is not known".to_owned()), |word| Ok(Answer::Action(word)));
+            return self.word(0).map(Answer::Action);
         }
         let mut values = Vec::new();
         for (region, count) in [(Outputs, interface.outputs.len()), (Memory, interface.memory.len())] {
             for index in 0..count as u32 {
-                values.push(match self.load_at(region, 4 * index, WORD) {
-                    Some(Value::Float(float)) => float,
-                    Some(Word(word)) => self.terms.of_bits(word),
-                    _ => return self.refuse(format_args!("{region:?}, value {index}, is not written")),
-                });
+                let value = self.load_at(region, 4 * index, 4).and_then(|value| value.float(self.terms));
+                let refusal = || self.refusal(format_args!("{region:?}, value {index}, is not written"));
+                values.push(value.ok_or_else(refusal)?);
             }
         }
         Ok(Answer::Values(values))
-    }
-
-    /// Returns the half of an address that the linker inserts.
-    pub(super) fn inserted(&self, part: Part) -> Option<Address> {
-        let relocation = self.object.image.relocation(self.object.code(self.point, self.at.address))?;
-        relocation.target.clone().ok().filter(|_| relocation.part == part)
-    }
-}
-
-/// Returns an address moved by a distance, or a sum of numbers.
-pub(super) fn moved(terms: &Terms, base: Value, distance: Word) -> Option<Value> {
-    match base {
-        Pointer(region, offset) => Some(Pointer(region, terms.apply(Add, Bits::W32, offset, distance))),
-        Word(word) => Some(Word(terms.apply(Add, Bits::W32, word, distance))),
-        _ => None,
     }
 }

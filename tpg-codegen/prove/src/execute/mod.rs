@@ -3,65 +3,67 @@
 //! Assumed: the default floating-point environment (round to nearest, no flush to zero, no default NaN), that the state,
 //! the memory and the outputs do not overlap each other or the stack, and that nothing else writes to them meanwhile.
 
+mod compute;
 mod flow;
 mod memory;
-mod step;
-mod value;
 
-use crate::elf::{Address, Error, Function, Image};
+use crate::elf::{Address, Function, Image};
 use crate::input::{Missing, Result};
-use crate::machine::{Interface, Machine, Step};
-use crate::term::{Bool, Terms, Width, Word};
-use crate::thumb::{Instruction, PC, REGISTERS, Register, SP};
-use Value::*;
-use flow::{FLAGS, FLOAT_FLAGS, Flow};
-use std::collections::{BTreeMap, HashMap};
+use crate::machine::{Cells, Followers, Interface, Machine, State, Step, Value, merged};
+use crate::term::{Bool, Node as Term, Operator, Terms, Width, Word as TermWord};
+use crate::thumb::{LR, Offset, Operation, PC, REGISTERS, Register, SP};
+use Operation::*;
+use Region::Stack;
+use Value::{Float, Truth, Word};
+use compute::FLAG_COUNT;
+use flow::{FLAGS, FLOAT_FLAGS, Flow, Node, behind_call};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::rc::Rc;
-use value::{Cell, Flags, Region::*, Unknowns, Value, restricted};
 
-/// So many instructions are executed at most between two points.
-const LIMIT: usize = 200_000;
+/// Something with an address that is not known. What is in memory overlaps nothing else.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Region {
+    /// The values of the state, which are only read
+    State,
+    /// The values of the memory
+    Memory,
+    /// The outputs
+    Outputs,
+    /// What is below the place where the function began with the stack
+    Stack,
+    /// A section of the image; offsets from it are addresses as the file counts
+    Section(usize),
+    /// The code behind a call
+    Behind(Address),
+    /// The lower half of an address alone
+    Half(Address),
+}
+
+/// A register, what flags say, or a place in memory with its bytes; places do not overlap.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Cell {
+    /// A register of integers or floats
+    Register(Register),
+    /// A condition by its number; with `true`, as floats were compared before those flags are read
+    Flag(bool, u8),
+    /// Bytes in a part of memory
+    Memory(Region, u32, u8),
+}
 
 /// A place in machine code, with everything that is alive there.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Point {
-    address: u32,
-    registers: [Option<Value>; REGISTERS],
-    flags: Flags,
-    float_flags: Flags,
-    memory: BTreeMap<Cell, Value>,
-    /// The function that is executed, and the callers with the addresses of their next instructions.
-    function: Address,
-    callers: Vec<(Address, u32)>,
-}
-
-/// A point on its way, with the condition under which it is reached.
-#[derive(Clone)]
-struct MachineState {
-    point: Point,
-    guard: Bool,
-    /// Its place in an order in which everything comes after what leads to it: for each call, the iterations of the
-    /// loops and the instruction's own place.
-    position: Vec<u32>,
-}
+pub type Point = crate::machine::Point<Cell>;
 
 /// An instruction that is executed, and where.
 struct Here<'a> {
     object: &'a Object,
     terms: &'a Terms,
-    point: &'a mut Point,
-    at: &'a Instruction,
+    node: &'a Node,
+    cells: &'a mut Cells<Cell>,
 }
 
-/// A state behind an instruction.
-enum Next {
-    /// At the next instruction.
-    At(MachineState),
-    /// Behind a call, where all paths through the function that was called meet.
-    Behind(MachineState),
-    /// At the end of the function.
-    Return(MachineState),
-}
+/// Where control goes: an address, or back to what called the function.
+type Target = Option<Address>;
 
 /// Machine code that is executed.
 #[derive(Debug)]
@@ -69,8 +71,11 @@ pub struct Object {
     image: Image,
     interface: Interface,
     function: Function,
-    flows: HashMap<Address, Rc<Flow>>,
-    unknowns: Unknowns,
+    flow: Rc<Flow>,
+    /// What cells hold when the function begins
+    first: Cells<Cell>,
+    /// What stands for the addresses of regions
+    bases: RefCell<BTreeMap<Region, TermWord>>,
 }
 
 impl Object {
@@ -78,253 +83,223 @@ impl Object {
     ///
     /// # Errors
     /// If the file is no object for ARM, or has no such function in Thumb code.
-    pub fn new(file: &[u8], symbol: &str, interface: Interface) -> std::result::Result<Self, Error> {
+    pub fn new(file: &[u8], symbol: &str, interface: Interface) -> std::result::Result<Self, String> {
         let image = Image::read(file)?;
-        let function = image.function(symbol)?.clone();
-        Ok(Self { image, interface, function, flows: HashMap::new(), unknowns: Unknowns::default() })
+        let function = image.function(symbol)?;
+        Ok(Self { image, interface, function, flow: Rc::default(), first: Cells::new(), bases: RefCell::default() })
     }
 
-    fn flow(&mut self, function: Address) -> Result<Rc<Flow>> {
-        if let Some(flow) = self.flows.get(&function) {
-            return Ok(flow.clone());
-        }
-        let place = format!("{:#x}", self.image.absolute(function));
-        let function = self.image.function_at(function).ok_or_else(|| Missing::new(place, "a call to no function"))?;
-        let flow = Rc::new(Flow::new(&self.image, &function)?);
-        self.flows.insert(function.start, flow.clone());
-        Ok(flow)
+    fn here<'a>(&'a self, terms: &'a Terms, node: &'a Node, cells: &'a mut Cells<Cell>) -> Here<'a> {
+        Here { object: self, terms, node, cells }
     }
 
-    /// Joins two states at the same place.
-    fn joined(&mut self, terms: &Terms, a: &MachineState, b: &MachineState) -> MachineState {
-        let guard = terms.or(a.guard, b.guard);
-        let condition = distinguishing(terms, a.guard, b.guard);
-        MachineState { point: self.merged(terms, condition, &a.point, &b.point), guard, position: a.position.clone() }
+    /// What stands for the address of a region.
+    fn base(&self, terms: &Terms, region: Region) -> TermWord {
+        *self.bases.borrow_mut().entry(region).or_insert_with(|| terms.bits(terms.unknown()))
     }
 
-    /// Returns a point that is the first where the condition holds, else the second.
-    fn merged(&mut self, terms: &Terms, condition: Bool, a: &Point, b: &Point) -> Point {
-        let mut point = a.clone();
-        for (register, value) in point.registers.iter_mut().enumerate() {
-            let both = a.registers[register].zip(b.registers[register]);
-            *value = both.map(|(a, b)| self.unknowns.merged(terms, condition, a, b));
-        }
-        point.memory = BTreeMap::new();
-        for (&cell, &value) in &a.memory {
-            if let Some(&other) = b.memory.get(&cell) {
-                point.memory.insert(cell, self.unknowns.merged(terms, condition, value, other));
+    /// The region of an address, and the bytes from its base on.
+    fn located(&self, terms: &Terms, address: TermWord) -> Option<(Region, u32)> {
+        let (base, offset) = match terms.of_word(address) {
+            // in a linked image
+            Term::Number(number) => {
+                let place = self.image.locate(number as u32)?;
+                return Some((Region::Section(place.section), place.offset));
             }
-        }
-        point.flags = Flags::merged(condition, &a.flags, &b.flags);
-        point.float_flags = Flags::merged(condition, &a.float_flags, &b.float_flags);
-        point
-    }
-
-    /// Forgets what is not read any more, and the choices that the guard decides.
-    fn tidied(&mut self, terms: &Terms, state: &mut MachineState) -> Result<()> {
-        let facts = terms.parts(state.guard);
-        let point = &mut state.point;
-        let mut live = self.flow(point.function)?.nodes[&point.address].live;
-        for &(function, address) in &point.callers {
-            live |= self.flow(function)?.nodes[&address].live;
-        }
-        for (register, value) in point.registers.iter_mut().enumerate() {
-            let is_live = live >> register & 1 == 1;
-            *value = value.filter(|_| is_live).map(|value| restricted(terms, value, &facts));
-        }
-        if live & FLAGS == 0 {
-            point.flags = Flags::Unknown;
-        }
-        if live & FLOAT_FLAGS == 0 {
-            point.float_flags = Flags::Unknown;
-        }
-        let top = match point.registers[SP as usize] {
-            Some(Pointer(Stack, offset)) => terms.number_of(offset),
-            _ => None,
+            Term::Apply(Operator::Add, Width::W32, base, offset) => (base, terms.number_of(offset)?),
+            _ => (address, 0),
         };
-        // What is below the stack pointer is lost; offsets are negative.
-        let lost = |region, offset| region == Stack && top.is_some_and(|top| (offset as i32) < top as u32 as i32);
-        point.memory.retain(|&(region, offset, _), _| !lost(region, offset));
-        for value in point.memory.values_mut() {
-            *value = restricted(terms, *value, &facts);
-        }
-        Ok(())
+        let bases = self.bases.borrow();
+        bases.iter().find(|(_, known)| **known == base).map(|(&region, _)| (region, offset as u32))
     }
 
-    /// Splits a state where the next piece begins: integers become constants. None if the piece goes on.
-    fn cut(&mut self, terms: &Terms, state: &MachineState) -> Result<Option<Vec<(Bool, Point)>>> {
-        let point = &state.point;
-        let flow = self.flow(point.function)?;
-        let node = &flow.nodes[&point.address];
-        if !point.callers.is_empty() || !node.begins {
-            return Ok(None);
-        }
-        let mut cases = vec![(state.guard, point.clone())];
-        let mut words = Vec::new();
-        for value in point.registers.iter().flatten().chain(point.memory.values()) {
-            if let Value::Word(word) | Pointer(_, word) = value
-                && terms.number_of(*word).is_none()
-                && !words.contains(word)
-            {
-                words.push(*word);
-            }
-        }
-        for word in words {
-            let Some(numbers) = terms.numbers(word) else { return Ok(None) };
-            let mut split = Vec::new();
-            for number in numbers {
-                let constant = terms.number(number);
-                let same = terms.same(Width::W32, word, constant);
-                for (guard, point) in &cases {
-                    let guard = terms.and(*guard, same);
-                    if guard != Terms::FALSE {
-                        split.push((guard, point.with(word, constant)));
-                    }
-                }
-            }
-            cases = split;
-        }
-        Ok(Some(cases))
-    }
-
-    /// Moves a state to another instruction of its function.
-    fn moved(&mut self, state: &mut MachineState, to: u32) -> Result<()> {
-        let from = state.point.address;
-        let flow = self.flow(state.point.function)?;
-        let (Some(before), Some(after)) = (flow.nodes.get(&from), flow.nodes.get(&to)) else {
-            return Err(Missing::new(format!("{from:#x}"), "a path that leaves the function"));
-        };
-        let own = state.position.len() - 1 - 2 * before.loops.len();
-        let mut position = state.position[..own].to_vec();
-        for (depth, &head) in after.loops.iter().enumerate() {
-            let inside = before.loops.get(depth) == Some(&head) && before.loops[..depth] == after.loops[..depth];
-            let iteration = if inside { state.position[own + 2 * depth + 1] } else { 0 };
-            let again = inside && after.order == head;
-            position.extend([head, iteration + u32::from(again)]);
-            if again {
-                break;
-            }
-        }
-        position.push(after.order);
-        state.position = position;
-        state.point.address = to;
-        Ok(())
-    }
-}
-
-/// Returns a condition that tells two guards apart: without what they share.
-fn distinguishing(terms: &Terms, a: Bool, b: Bool) -> Bool {
-    let (first, second) = (terms.parts(a), terms.parts(b));
-    if let Some(&fact) = first.iter().find(|&&fact| second.contains(&!fact)) {
-        return fact;
-    }
-    let own: Vec<Bool> = first.into_iter().filter(|fact| !second.contains(fact)).collect();
-    if own.is_empty() { a } else { terms.all(own) }
-}
-
-impl Point {
-    /// Replaces a word wherever it is.
-    fn with(&self, word: Word, number: Word) -> Self {
-        let mut point = self.clone();
-        for place in point.registers.iter_mut().flatten().chain(point.memory.values_mut()) {
-            match place {
-                Value::Word(found) | Pointer(_, found) if *found == word => *found = number,
-                _ => {}
-            }
-        }
-        point
+    /// Finds the place of an address that control may go to.
+    fn next(&self, node: &Node, target: Address) -> Result<usize> {
+        let found = node.next.iter().find(|&&next| self.flow[next].address == target);
+        found.copied().ok_or_else(|| Missing::new(format!("{:#x}", node.address.offset), "a jump outside its table"))
     }
 }
 
 impl Machine for Object {
-    type Point = Point;
+    type Cell = Cell;
 
     fn entry(&mut self, terms: &Terms) -> Result<Point> {
-        let function = self.function.start;
-        let mut registers: [Option<Value>; REGISTERS] =
-            std::array::from_fn(|register| Some(Initial(register as Register)));
-        let zero = terms.number(0);
-        let mut arguments = vec![State];
-        arguments.extend((!self.interface.memory.is_empty()).then_some(Memory));
-        arguments.extend((!self.interface.outputs.is_empty()).then_some(Outputs));
-        for (register, region) in registers.iter_mut().zip(arguments) {
-            *register = Some(Pointer(region, zero));
+        if self.flow.is_empty() {
+            self.flow = Rc::new(flow::flow(&self.image, &self.function)?);
+            let anything = || terms.bits(terms.unknown());
+            let mut cells = Cells::new();
+            for register in (0..REGISTERS).filter(|&register| register != PC) {
+                cells.insert(Cell::Register(register), Word(anything()));
+            }
+            for number in 0..FLAG_COUNT {
+                cells.insert(Cell::Flag(false, number), Truth(anything()));
+                cells.insert(Cell::Flag(true, number), Truth(anything()));
+            }
+            let mut arguments = vec![Region::State];
+            arguments.extend((!self.interface.memory.is_empty()).then_some(Region::Memory));
+            arguments.extend((!self.interface.outputs.is_empty()).then_some(Region::Outputs));
+            for (register, region) in (0..).zip(arguments).chain([(SP, Stack)]) {
+                cells.insert(Cell::Register(register), Word(self.base(terms, region)));
+            }
+            // The memory's values follow those of the state.
+            for (index, _) in (0..).zip(&self.interface.memory) {
+                let source = terms.source(self.interface.state_length() + index);
+                cells.insert(Cell::Memory(Region::Memory, 4 * index, 4), Float(source));
+            }
+            self.first = cells;
         }
-        registers[SP as usize] = Some(Pointer(Stack, zero));
-        registers[PC as usize] = None;
-        let address = self.flow(function)?.entry;
-        // The memory's values follow those of the state.
-        let mut memory = BTreeMap::new();
-        for (index, _) in (0..).zip(&self.interface.memory) {
-            memory.insert((Memory, 4 * index, 4), Float(terms.source(self.interface.state_length() + index)));
-        }
-        Ok(Point {
-            address,
-            registers,
-            flags: Flags::Unknown,
-            float_flags: Flags::Unknown,
-            memory,
-            function,
-            callers: Vec::new(),
-        })
+        Ok(Point { at: 0, cells: self.first.clone() })
     }
 
-    fn run(&mut self, terms: &Terms, from: &Point) -> Result<Vec<(Bool, Step<Point>)>> {
-        let flow = self.flow(from.function)?;
-        let mut waiting: BTreeMap<Vec<u32>, MachineState> = BTreeMap::new();
-        let node = &flow.nodes[&from.address];
-        let mut position: Vec<u32> = node.loops.iter().flat_map(|&head| [head, 0]).collect();
-        position.push(node.order);
-        let mut pieces: Vec<(Bool, Step<Point>)> = Vec::new();
-        let mut first = Some(MachineState { point: from.clone(), guard: Terms::TRUE, position });
-        let mut count = 0;
-        while let Some(mut state) = first.take().or_else(|| waiting.pop_first().map(|(_, state)| state)) {
-            if count > 0 {
-                self.tidied(terms, &mut state)?;
-                if let Some(cases) = self.cut(terms, &state)? {
-                    pieces.extend(cases.into_iter().map(|(guard, point)| (guard, Step::To(point))));
-                    continue;
+    fn step(&mut self, terms: &Terms, at: usize, mut state: State<Cell>) -> Result<Followers<Cell>> {
+        let flow = self.flow.clone();
+        let node = &flow[at];
+        let operation = &node.instruction.operation;
+        let behind = node.address.at(node.instruction.behind());
+        let condition = self.here(terms, node, &mut state.cells).condition()?;
+        if operation.leaves() {
+            let mut ways = Vec::new();
+            if let Some(other) = under(terms, &state, !condition) {
+                ways.push((other, Step::To(self.next(node, behind)?)));
+            }
+            let Some(mut taken) = under(terms, &state, condition) else { return Ok(ways) };
+            for (held, target) in self.here(terms, node, &mut taken.cells).targets()? {
+                if let Some(mut state) = under(terms, &taken, held) {
+                    let step = match target {
+                        Some(target) => Step::To(self.next(node, target)?),
+                        None => Step::Return(self.here(terms, node, &mut state.cells).answer()?),
+                    };
+                    ways.push((state, step));
                 }
             }
-            loop {
-                count += 1;
-                if count > LIMIT {
-                    return Err(Missing::new(self.place(&state.point), "more instructions than can be looked at"));
-                }
-                let address = state.point.address;
-                let mut followers = self.step(terms, state)?;
-                terms.complete(|| format!("{address:#x}"))?;
-                if let [Next::At(next)] = &followers[..]
-                    && !self.flow(next.point.function)?.nodes[&next.point.address].begins
-                    && let Some(Next::At(next)) = followers.pop()
-                {
-                    state = next;
-                    continue;
-                }
-                for next in followers {
-                    let next = match next {
-                        Next::Return(mut next) => {
-                            let flow = self.flow(next.point.function)?;
-                            let at = &flow.nodes[&next.point.address].instruction;
-                            let answer = self.here(terms, &mut next.point, at).answer()?;
-                            pieces.push((next.guard, Step::Return(answer)));
-                            continue;
-                        }
-                        Next::At(next) | Next::Behind(next) => next,
-                    };
-                    let next = match waiting.remove(&next.position) {
-                        Some(other) => self.joined(terms, &next, &other),
-                        None => next,
-                    };
-                    waiting.insert(next.position.clone(), next);
-                }
-                break;
-            }
+            return Ok(ways);
         }
-        Ok(pieces)
+        if condition == Terms::TRUE {
+            self.here(terms, node, &mut state.cells).execute()?;
+        } else if condition != Terms::FALSE {
+            let mut changed = state.cells.clone();
+            restrict(terms, &mut changed, condition);
+            self.here(terms, node, &mut changed).execute()?;
+            state.cells = merged(terms, condition, &changed, &state.cells);
+        }
+        Ok(vec![(state, Step::To(self.next(node, behind)?))])
     }
 
-    fn place(&self, point: &Point) -> String {
-        format!("{:#x}", point.address)
+    fn meets(&self, at: usize) -> bool {
+        self.flow[at].begins
+    }
+
+    /// Cuts outside of calls, where no integer is a choice of others than constants.
+    fn cut(&mut self, terms: &Terms, at: usize, state: &mut State<Cell>) -> Option<Vec<(Bool, Point)>> {
+        let live = self.flow[at].live;
+        let top = match state.cells.get(&Cell::Register(SP)) {
+            Some(&Word(top)) => self.located(terms, top).filter(|(region, _)| *region == Stack),
+            _ => None,
+        };
+        // What is not read any more is forgotten, as is what is below the stack pointer; offsets are negative.
+        state.cells.retain(|cell, _| match *cell {
+            Cell::Register(register) => live >> register & 1 == 1,
+            Cell::Flag(floats, _) => live & if floats { FLOAT_FLAGS } else { FLAGS } != 0,
+            Cell::Memory(Stack, offset, _) => top.is_none_or(|(_, top)| offset as i32 >= top as i32),
+            Cell::Memory(..) => true,
+        });
+        restrict(terms, &mut state.cells, state.guard);
+        let known = |value: &Value| match *value {
+            Word(word) => !matches!(terms.of_word(word), Term::WordIf(..)) || terms.numbers(word).is_some(),
+            _ => true,
+        };
+        let cuts = self.flow[at].callers.is_empty() && self.flow[at].begins && state.cells.values().all(known);
+        cuts.then(|| state.points(terms, at))
+    }
+
+    fn place(&self, at: usize) -> String {
+        format!("{:#x}", self.flow[at].address.offset)
+    }
+}
+
+/// Returns a state where a condition holds, too, with the choices made that it decides; none if it cannot hold.
+fn under(terms: &Terms, state: &State<Cell>, condition: Bool) -> Option<State<Cell>> {
+    let mut state = state.under(terms, condition)?;
+    restrict(terms, &mut state.cells, condition);
+    Some(state)
+}
+
+/// Makes the choices that a condition decides.
+fn restrict(terms: &Terms, cells: &mut Cells<Cell>, condition: Bool) {
+    let facts = terms.parts(condition);
+    for value in cells.values_mut() {
+        *value = value.given(terms, &facts);
+    }
+}
+
+impl Here<'_> {
+    /// Returns what holds where the instruction is executed.
+    fn condition(&self) -> Result<Bool> {
+        match self.node.instruction.operation {
+            BranchIf { register, zero, .. } => {
+                let same = self.terms.same(Width::W32, self.word(register)?, self.terms.number(0));
+                Ok(if zero { same } else { !same })
+            }
+            _ => self.flag(self.node.instruction.condition),
+        }
+    }
+
+    /// Executes a branch, call or return: where it goes, and what must hold for that.
+    fn targets(&mut self) -> Result<Vec<(Bool, Target)>> {
+        let place = self.node.address;
+        let by_table = |index, table: &dyn Fn(TermWord) -> Option<Address>| {
+            let targets = self.terms.word_cases(index, |_| false).into_iter().map(|(held, index)| {
+                let target = table(index).ok_or_else(|| self.refusal("a jump by an unknown table"))?;
+                Ok((held, Some(target)))
+            });
+            targets.collect()
+        };
+        match self.node.instruction.operation {
+            Branch { target } | BranchIf { target, .. } => Ok(vec![(Terms::TRUE, Some(place.at(target)))]),
+            Call { .. } => {
+                let callee = self.node.next.last().map(|&next| self.object.flow[next].address);
+                let back = self.object.base(self.terms, Region::Behind(place));
+                self.cells.insert(Cell::Register(LR), Word(back));
+                Ok(vec![(Terms::TRUE, callee)])
+            }
+            Exchange { register } => self.returned(self.register(register)?),
+            Transfer { place: at, .. } if matches!(at.offset, Offset::Register(..)) => {
+                by_table(self.addresses(at)?.0, &|entry| {
+                    let (Region::Section(section), offset) = self.object.located(self.terms, entry)? else {
+                        return None;
+                    };
+                    let target = self.object.image.pointer(Address { section, offset })?;
+                    Some(target.at(target.offset & !1))
+                })
+            }
+            Transfer { .. } => {
+                self.execute()?;
+                let target = self.register(PC)?;
+                self.cells.remove(&Cell::Register(PC));
+                self.returned(target)
+            }
+            Table { index, bytes, .. } => {
+                let behind = self.node.instruction.behind();
+                by_table(self.word(index)?, &|index| {
+                    let index = self.terms.number_of(index)? as u32;
+                    let entry = place.at(behind.wrapping_add(index.wrapping_mul(bytes.into())));
+                    Some(place.at(behind.wrapping_add(2 * self.object.image.number(entry, bytes)?)))
+                })
+            }
+            _ => self.refuse("no branch"),
+        }
+    }
+
+    /// Returns to the caller, if an address is the one behind the call.
+    fn returned(&self, to: Value) -> Result<Vec<(Bool, Target)>> {
+        let caller = self.node.callers.last();
+        let expected = match caller {
+            Some(&(_, call)) => Word(self.object.base(self.terms, Region::Behind(call))),
+            None => self.object.first[&Cell::Register(LR)],
+        };
+        if to != expected {
+            return self.refuse("returns to another address");
+        }
+        Ok(vec![(Terms::TRUE, caller.map(|&(_, call)| behind_call(call)))])
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Destination, Graph, GraphLine, GraphOperand};
 use crate::input::{Missing, Result};
-use crate::maths::{Function, Maths};
+use crate::maths::{Maths, WORDS};
 use crate::term::{Bool, Float, Terms};
 use std::collections::HashMap;
 
@@ -58,16 +58,10 @@ impl<'g> Meaning<'g> {
             ("gate", &[a, b]) => terms.choose_float(terms.equal(b, terms.constant(0.0)), terms.constant(-0.0), a),
             ("copy", &[a]) => a,
             ("abs", &[a]) => terms.magnitude(a),
-            (word, &[a]) => match Function::named(word) {
-                Some(_) if !self.graph.own_maths => {
-                    return Err(Missing::new("graph", format!("the meaning of the platform's `{word}`")));
-                }
-                Some(function) => self.maths.apply(terms, function, a)?,
-                None => return Err(Missing::new("graph", format!("the meaning of the word `{word}`"))),
-            },
+            (word, &[a]) if WORDS.contains(&word) && self.graph.own_maths => self.maths.apply(terms, word, a)?,
             (word, _) => {
-                let count = operands.len();
-                return Err(Missing::new("graph", format!("the meaning of the word `{word}` with {count} operands")));
+                let whose = if WORDS.contains(&word) && !self.graph.own_maths { "platform's" } else { "word" };
+                return Err(Missing::new("graph", format!("the meaning of the {whose} `{word}`")));
             }
         };
         Ok(result)

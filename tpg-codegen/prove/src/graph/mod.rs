@@ -109,12 +109,6 @@ impl Graph {
         constants.collect()
     }
 
-    /// The number of teams.
-    #[must_use]
-    pub fn teams(&self) -> usize {
-        self.teams.len()
-    }
-
     /// The number of leaves.
     #[must_use]
     pub fn leaves(&self) -> usize {

@@ -1,183 +1,106 @@
 //! A reader of `graph.json`, versions 1 and 2, in binary32.
 
-use super::{Destination::*, Graph, GraphEdge, GraphLine, GraphOperand, GraphTeam, ValueLimits, circle};
+use super::{Destination::*, Graph, GraphEdge, GraphLine, GraphOperand, GraphTeam, circle};
 use crate::input::InputError;
 use crate::machine::Interface;
-use serde::Deserialize;
-use serde::de::IgnoredAny;
+use serde::Deserialize as _;
+use serde_json::Value as Json;
 use std::collections::HashMap;
+use std::ops::RangeInclusive;
 
-/// The file. What is not read could change what the graph means: it is refused.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-#[expect(dead_code, reason = "some members are read to be checked")]
-struct GraphJson {
-    format: FormatJson,
-    version: u32,
-    scalar: ScalarJson,
-    maths: MathsJson,
-    registers: usize,
-    #[serde(default)]
-    sources: Vec<SourceJson>,
-    instructions: IgnoredAny,
-    #[serde(default)]
-    actions: Vec<IgnoredAny>,
-    #[serde(default)]
-    outputs: Vec<OutputJson>,
-    #[serde(default)]
-    memory: Vec<MemoryJson>,
-    root: Option<u64>,
-    #[serde(default)]
-    teams: Vec<TeamJson>,
-    #[serde(default)]
-    leaves: Vec<LeafJson>,
-    programs: Vec<ProgramJson>,
-    provenance: Option<IgnoredAny>,
+/// A part of the file, and its place there. A part that is missing is null.
+struct Part<'j> {
+    json: &'j Json,
+    place: String,
 }
 
-#[derive(Deserialize)]
-enum FormatJson {
-    #[serde(rename = "tpg-graph")]
-    Graph,
-}
+/// Places in a list by the ids of its items.
+type Ids = HashMap<u64, usize>;
 
-#[derive(Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum ScalarJson {
-    F32,
-}
-
-#[derive(Deserialize, PartialEq)]
-#[serde(rename_all = "lowercase")]
-enum MathsJson {
-    Own,
-    System,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-#[expect(dead_code, reason = "a unit is for people")]
-struct SourceJson {
-    name: String,
-    length: u32,
-    unit: Option<IgnoredAny>,
-    #[serde(default)]
-    ranges: Vec<[NumberJson; 2]>,
-    /// The proof is of the decision for a state, however its values came about.
-    image: Option<IgnoredAny>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-#[expect(dead_code, reason = "a unit is for people")]
-struct OutputJson {
-    name: String,
-    unit: Option<IgnoredAny>,
-    min: NumberJson,
-    max: NumberJson,
-    nan: NumberJson,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct MemoryJson {
-    name: String,
-    min: NumberJson,
-    max: NumberJson,
-    initial: NumberJson,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct TeamJson {
-    id: u64,
-    edges: Vec<EdgeJson>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct EdgeJson {
-    program: u64,
-    team: Option<u64>,
-    action: Option<u32>,
-    leaf: Option<u64>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct LeafJson {
-    id: u64,
-    #[serde(default)]
-    programs: Vec<u64>,
-    #[serde(default)]
-    memory: Vec<u64>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ProgramJson {
-    id: u64,
-    lines: Vec<LineJson>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct LineJson {
-    to: usize,
-    op: String,
-    args: Vec<OperandJson>,
-}
-
-#[derive(Deserialize)]
-#[serde(
-    untagged,
-    expecting = "something else, expected a finite number of binary32, a register or a value of a source or memory"
-)]
-enum OperandJson {
-    Number(NumberJson),
-    Name(String),
-}
-
-/// The binary32 number nearest to the binary64 number nearest to what is written, as the format says.
-#[derive(Clone, Copy, Deserialize)]
-#[serde(try_from = "f64")]
-struct NumberJson(f32);
-
-impl TryFrom<f64> for NumberJson {
-    type Error = String;
-
-    fn try_from(value: f64) -> Result<Self, String> {
-        let number = Some(Self(value as f32)).filter(|number| number.0.is_finite());
-        number.ok_or_else(|| format!("{value}, expected a finite number of binary32"))
+impl<'j> Part<'j> {
+    fn fault(&self, accepted: impl Into<String>) -> InputError {
+        let (place, found) = (self.place.clone(), self.json.to_string());
+        InputError { file: String::new(), place, found, accepted: accepted.into() }
     }
-}
 
-/// A fault of the file that is being read.
-fn fault(place: String, found: impl ToString, accepted: &str) -> InputError {
-    InputError { file: String::new(), place, found: found.to_string(), accepted: accepted.to_owned() }
-}
+    fn member(&self, name: &str) -> Self {
+        Self { json: &self.json[name], place: format!("{}.{name}", self.place) }
+    }
 
-/// The places of a list's items by their ids.
-struct Ids {
-    list: &'static str,
-    places: HashMap<u64, usize>,
-}
-
-impl Ids {
-    fn new(list: &'static str, ids: impl Iterator<Item = u64>) -> Result<Self, InputError> {
-        let mut places = HashMap::new();
-        for (place, id) in ids.enumerate() {
-            if places.insert(id, place).is_some() {
-                return Err(fault(format!("graph.{list}[{place}].id"), id, "an id that no other has"));
-            }
+    /// Refuses other members than these: what is not read could change what the graph means.
+    fn only(&self, names: &str) -> Result<(), InputError> {
+        let members = self.json.as_object().ok_or_else(|| self.fault("an object"))?;
+        match members.keys().find(|key| !names.split(' ').any(|name| name == *key)) {
+            Some(other) => Err(self.member(other).fault(format!("one of {names}"))),
+            None => Ok(()),
         }
-        Ok(Self { list, places })
     }
 
-    fn find(&self, id: u64, place: impl FnOnce() -> String) -> Result<usize, InputError> {
-        let known = self.places.get(&id).copied();
-        known.ok_or_else(|| fault(place(), id, &format!("an id of {}", self.list)))
+    fn items(&self) -> Result<Vec<Self>, InputError> {
+        let items = match self.json {
+            Json::Null => &[][..],
+            json => json.as_array().ok_or_else(|| self.fault("a list"))?,
+        };
+        let places = items.iter().enumerate();
+        Ok(places.map(|(at, json)| Self { json, place: format!("{}[{at}]", self.place) }).collect())
     }
+
+    /// The items of a list of objects that have these members.
+    fn objects(&self, names: &str) -> Result<Vec<Self>, InputError> {
+        let items = self.items()?;
+        items.iter().try_for_each(|item| item.only(names))?;
+        Ok(items)
+    }
+
+    fn text(&self) -> Result<String, InputError> {
+        self.json.as_str().map(str::to_owned).ok_or_else(|| self.fault("a text"))
+    }
+
+    /// Which of several words this is.
+    fn word(&self, words: &[&str]) -> Result<usize, InputError> {
+        let found = words.iter().position(|word| self.json == word);
+        found.ok_or_else(|| self.fault(words.join(" or ")))
+    }
+
+    fn whole(&self, range: RangeInclusive<usize>) -> Result<usize, InputError> {
+        let number = self.json.as_u64().and_then(|number| usize::try_from(number).ok());
+        let accepted = || self.fault(format!("a whole number from {} to {}", range.start(), range.end()));
+        number.filter(|number| range.contains(number)).ok_or_else(accepted)
+    }
+
+    /// The binary32 number nearest to the binary64 number nearest to what is written, as the format says.
+    fn number(&self) -> Result<f32, InputError> {
+        let number = self.json.as_f64().map(|number| number as f32).filter(|number| number.is_finite());
+        number.ok_or_else(|| self.fault("a finite number of binary32"))
+    }
+
+    fn numbers<const N: usize>(&self, names: [&str; N]) -> Result<[f32; N], InputError> {
+        let mut numbers = [0.0; N];
+        for (number, name) in numbers.iter_mut().zip(names) {
+            *number = self.member(name).number()?;
+        }
+        Ok(numbers)
+    }
+
+    fn id(&self) -> Result<u64, InputError> {
+        self.json.as_u64().ok_or_else(|| self.fault("an id"))
+    }
+
+    /// The place of what this is the id of.
+    fn find(&self, ids: &Ids) -> Result<usize, InputError> {
+        ids.get(&self.id()?).copied().ok_or_else(|| self.fault("the id of something that is there"))
+    }
+}
+
+fn ids(items: &[Part<'_>]) -> Result<Ids, InputError> {
+    let mut ids = Ids::new();
+    for (place, item) in items.iter().enumerate() {
+        let id = item.member("id");
+        if ids.insert(id.id()?, place).is_some() {
+            return Err(id.fault("an id that no other has"));
+        }
+    }
+    Ok(ids)
 }
 
 impl Graph {
@@ -187,132 +110,134 @@ impl Graph {
     /// The first fault.
     pub fn read(file: &str, text: &str) -> Result<Self, InputError> {
         let mut json = serde_json::Deserializer::from_str(text);
-        let read = serde_path_to_error::deserialize(&mut json).map_err(|error| {
-            let (path, message) = (error.path().to_string(), error.inner().to_string());
-            let (found, accepted) = message.split_once(", expected ").unwrap_or((&message, "a graph in JSON"));
-            let place = if path == "." { "graph".to_owned() } else { format!("graph.{path}") };
-            fault(place, found, accepted)
-        });
-        let end = |written| json.end().map(|()| written).map_err(|error| fault("the end".to_owned(), error, "nothing"));
-        let graph = read.and_then(end).and_then(|written| Self::resolve(&written));
+        let fault = |place: &str, error: serde_json::Error| InputError {
+            file: String::new(),
+            place: place.to_owned(),
+            found: error.to_string(),
+            accepted: "a graph in JSON".to_owned(),
+        };
+        let read = Json::deserialize(&mut json).map_err(|error| fault("graph", error));
+        let whole = read.and_then(|read| json.end().map(|()| read).map_err(|error| fault("the end", error)));
+        let graph = whole.and_then(|json| Self::resolve(&Part { json: &json, place: "graph".to_owned() }));
         graph.map_err(|error| InputError { file: file.to_owned(), ..error })
     }
 
-    fn resolve(written: &GraphJson) -> Result<Self, InputError> {
-        if !(1..=2).contains(&written.version) {
-            return Err(fault("graph.version".to_owned(), written.version, "1 or 2"));
-        }
-        let registers = written.registers;
-        if !(1..=256).contains(&registers) {
-            return Err(fault("graph.registers".to_owned(), registers, "1 to 256"));
-        }
-        let (mut interface, mut ranges, mut values) = (Interface::default(), Vec::new(), HashMap::new());
-        for SourceJson { name, length, ranges: declared, .. } in &written.sources {
-            for at in 0..*length {
-                values.insert(format!("{name}[{at}]"), interface.state_length() + at);
-                let range = declared.get(at as usize).or(declared.first());
-                ranges.push(range.map_or([f32::NEG_INFINITY, f32::INFINITY], |ends| ends.map(|end| end.0)));
+    fn resolve(top: &Part<'_>) -> Result<Self, InputError> {
+        top.only(
+            "format version scalar maths registers sources instructions actions outputs memory root teams leaves \
+             programs provenance",
+        )?;
+        top.member("format").word(&["tpg-graph"])?;
+        top.member("version").whole(1..=2)?;
+        top.member("scalar").word(&["f32"])?;
+        let own_maths = top.member("maths").word(&["own", "system"])? == 0;
+        let registers = top.member("registers").whole(1..=256)?;
+        let (mut interface, mut ranges, mut limits) = (Interface::default(), Vec::new(), Vec::new());
+        let mut values = HashMap::new();
+        // the proof is of the decision for a state, however its values came about: what an image becomes is not read
+        for source in top.member("sources").objects("name length unit ranges image")? {
+            let (name, length) = (source.member("name").text()?, source.member("length").whole(0..=1 << 20)?);
+            let declared = source.member("ranges").items()?;
+            for at in 0..length {
+                values.insert(format!("{name}[{at}]"), ranges.len() as u32);
+                let range = match declared.get(at).or(declared.first()) {
+                    None => [f32::NEG_INFINITY, f32::INFINITY],
+                    Some(range) => match &range.items()?[..] {
+                        [low, high] => [low.number()?, high.number()?],
+                        _ => return Err(range.fault("two numbers")),
+                    },
+                };
+                ranges.push(range);
             }
-            interface.sources.push((name.clone(), *length));
+            interface.sources.push((name, length as u32));
         }
-        let mut limits: Vec<ValueLimits> = Vec::new();
-        for OutputJson { name, min, max, nan, .. } in &written.outputs {
-            interface.outputs.push(name.clone());
-            limits.push([min.0, max.0, nan.0]);
+        for output in top.member("outputs").objects("name unit min max nan")? {
+            interface.outputs.push(output.member("name").text()?);
+            limits.push(output.numbers(["min", "max", "nan"])?);
         }
-        let state = interface.state_length();
-        for (number, MemoryJson { name, min, max, initial }) in (state..).zip(&written.memory) {
-            values.insert(format!("{name}[0]"), number);
-            interface.memory.push(name.clone());
-            ranges.push([min.0, max.0]);
-            limits.push([min.0, max.0, initial.0]);
+        for memory in top.member("memory").objects("name min max initial")? {
+            let name = memory.member("name").text()?;
+            values.insert(format!("{name}[0]"), ranges.len() as u32);
+            interface.memory.push(name);
+            let [low, high, initial] = memory.numbers(["min", "max", "initial"])?;
+            ranges.push([low, high]);
+            limits.push([low, high, initial]);
         }
-        let programs = (written.programs.iter().enumerate()).map(|(place, program)| {
-            let lines = program.lines.iter().enumerate();
-            lines
-                .map(|(line, it)| it.read(&format!("graph.programs[{place}].lines[{line}]"), &values, registers))
-                .collect()
-        });
-        let programs = programs.collect::<Result<_, _>>()?;
-        let program_ids = Ids::new("programs", written.programs.iter().map(|program| program.id))?;
-        let leaf_ids = Ids::new("leaves", written.leaves.iter().map(|leaf| leaf.id))?;
+        let written = top.member("programs").objects("id lines")?;
+        let program_ids = ids(&written)?;
+        let mut programs = Vec::new();
+        for program in written {
+            let lines = program.member("lines").objects("to op args")?;
+            programs.push(lines.iter().map(|line| line.line(&values, registers)).collect::<Result<_, _>>()?);
+        }
+        let written = top.member("leaves").objects("id programs memory")?;
+        let leaf_ids = ids(&written)?;
         let mut leaves = Vec::new();
-        for (place, leaf) in written.leaves.iter().enumerate() {
+        for leaf in written {
             let mut all = Vec::new();
-            for (member, ids, count) in
-                [("programs", &leaf.programs, written.outputs.len()), ("memory", &leaf.memory, written.memory.len())]
-            {
-                let list = format!("graph.leaves[{place}].{member}");
-                if ids.len() != count {
-                    return Err(fault(list, format!("{} programs", ids.len()), &format!("{count} programs")));
+            for (name, count) in [("programs", interface.outputs.len()), ("memory", interface.memory.len())] {
+                let list = leaf.member(name);
+                let items = list.items()?;
+                if items.len() != count {
+                    return Err(list.fault(format!("{count} programs")));
                 }
-                for (at, &id) in ids.iter().enumerate() {
-                    all.push(program_ids.find(id, || format!("{list}[{at}]"))?);
+                for id in items {
+                    all.push(id.find(&program_ids)?);
                 }
             }
             leaves.push(all);
         }
-        let team_ids = Ids::new("teams", written.teams.iter().map(|team| team.id))?;
+        let actions = top.member("actions").items()?.len();
+        let written = top.member("teams").objects("id edges")?;
+        let team_ids = ids(&written)?;
         let mut teams = Vec::new();
-        for (place, team) in written.teams.iter().enumerate() {
+        for team in written {
+            let list = team.member("edges");
             let mut edges = Vec::new();
-            for (at, edge) in team.edges.iter().enumerate() {
-                let place = |member: &str| format!("graph.teams[{place}].edges[{at}]{member}");
-                let to = match (edge.team, edge.action, edge.leaf) {
-                    (Some(id), None, None) => Team(team_ids.find(id, || place(".team"))?),
-                    (None, Some(action), None) if (action as usize) < written.actions.len() => Action(action),
-                    (None, Some(action), None) => return Err(fault(place(".action"), action, "the id of an action")),
-                    (None, None, Some(id)) => Leaf(leaf_ids.find(id, || place(".leaf"))?),
-                    _ => return Err(fault(place(""), "none of them or several", "a team, an action or a leaf")),
+            for edge in list.objects("program team action leaf")? {
+                let [team, action, leaf] = ["team", "action", "leaf"].map(|name| edge.member(name));
+                let to = match [&team, &action, &leaf].map(|to| to.json.is_null()) {
+                    [false, true, true] => Team(team.find(&team_ids)?),
+                    [true, false, true] if actions == 0 => return Err(action.fault("no action: there is none")),
+                    [true, false, true] => Action(action.whole(0..=actions - 1)? as u32),
+                    [true, true, false] => Leaf(leaf.find(&leaf_ids)?),
+                    _ => return Err(edge.fault("a team, an action or a leaf")),
                 };
-                edges.push(GraphEdge { program: program_ids.find(edge.program, || place(".program"))?, to });
+                edges.push(GraphEdge { program: edge.member("program").find(&program_ids)?, to });
             }
             if edges.is_empty() {
-                return Err(fault(format!("graph.teams[{place}].edges"), "none", "at least one edge"));
+                return Err(list.fault("at least one edge"));
             }
-            teams.push(GraphTeam { id: team.id, edges });
+            teams.push(GraphTeam { id: team.member("id").id()?, edges });
         }
-        let start = match (written.root, leaves.len()) {
-            (Some(id), _) => Team(team_ids.find(id, || "graph.root".to_owned())?),
-            (None, 1) => Leaf(0),
-            (None, _) => return Err(fault("graph.root".to_owned(), "none", "the id of a team")),
-        };
-        let own_maths = written.maths == MathsJson::Own;
-        let graph = Self { interface, ranges, registers, own_maths, programs, teams, leaves, limits, start };
-        graph.leads_forward()?;
-        Ok(graph)
-    }
-
-    /// Refuses teams that lead back: every team must come before those that it leads to.
-    fn leads_forward(&self) -> Result<(), InputError> {
+        let root = top.member("root");
+        let start = if root.json.is_null() && leaves.len() == 1 { Leaf(0) } else { Team(root.find(&team_ids)?) };
+        // every team must come before those that it leads to
         let to = |edge: &GraphEdge| if let Team(to) = edge.to { Some(to) } else { None };
-        let after: Vec<Vec<usize>> = self.teams.iter().map(|team| team.edges.iter().filter_map(to).collect()).collect();
-        match circle(&after) {
-            None => Ok(()),
-            Some(_) => Err(fault("graph.teams".to_owned(), "a circle of teams", "teams that never lead back")),
+        let after: Vec<Vec<usize>> = teams.iter().map(|team| team.edges.iter().filter_map(to).collect()).collect();
+        if circle(&after).is_some() {
+            return Err(top.member("teams").fault("teams that never lead back"));
         }
+        Ok(Self { interface, ranges, registers, own_maths, programs, teams, leaves, limits, start })
     }
 }
 
-impl LineJson {
-    /// The line at a place, of the numbers of values by their names.
-    fn read(&self, place: &str, values: &HashMap<String, u32>, registers: usize) -> Result<GraphLine, InputError> {
-        if self.to >= registers {
-            return Err(fault(format!("{place}.to"), self.to, "a register"));
+impl Part<'_> {
+    /// A line of a program, of the numbers of values by their names.
+    fn line(&self, values: &HashMap<String, u32>, registers: usize) -> Result<GraphLine, InputError> {
+        let mut operands = Vec::new();
+        for operand in self.member("args").items()? {
+            let register = |name: &str| name.strip_prefix('r')?.parse().ok().filter(|&register| register < registers);
+            operands.push(match operand.json.as_str() {
+                None => GraphOperand::Constant(operand.number()?),
+                Some(name) => match (values.get(name), register(name)) {
+                    (Some(&index), _) => GraphOperand::Source(index),
+                    (None, Some(register)) => GraphOperand::Register(register),
+                    _ => return Err(operand.fault("a register or a value of a source or memory")),
+                },
+            });
         }
-        let operand = |(at, operand): (usize, &OperandJson)| {
-            let name = match operand {
-                OperandJson::Number(number) => return Ok(GraphOperand::Constant(number.0)),
-                OperandJson::Name(name) => name,
-            };
-            let register = name.strip_prefix('r').and_then(|number| number.parse().ok());
-            let register = register.filter(|&register| register < registers).map(GraphOperand::Register);
-            let value = values.get(name).map(|&index| GraphOperand::Source(index)).or(register);
-            value.ok_or_else(|| {
-                fault(format!("{place}.args[{at}]"), name, "a register or a value of a source or memory")
-            })
-        };
-        let operands = self.args.iter().enumerate().map(operand).collect::<Result<_, _>>()?;
-        Ok(GraphLine { to: self.to, word: self.op.clone(), operands })
+        let to = self.member("to").whole(0..=registers - 1)?;
+        Ok(GraphLine { to, word: self.member("op").text()?, operands })
     }
 }

@@ -189,7 +189,7 @@ impl OrderSearch<'_> {
         self.set(atom, value);
         let AtMost(a, b) = self.terms.node_at(atom) else { return true };
         let (a, b) = (self.places[&a], self.places[&b]);
-        if value { closure.assume(a, b, false) } else { closure.assume(b, a, true) }
+        closure.assume(if value { (a, b, false) } else { (b, a, true) })
     }
 
     fn set(&mut self, node: u32, value: bool) {

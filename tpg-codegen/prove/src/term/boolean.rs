@@ -31,11 +31,6 @@ impl Terms {
         if value { Self::TRUE } else { Self::FALSE }
     }
 
-    /// Makes a truth value of a node.
-    pub(super) fn atom(&self, node: Node) -> Bool {
-        Bool(self.node(node) << 1)
-    }
-
     /// The members of a conjunction; a truth value of another kind is its own only member.
     fn conjuncts(&self, term: Bool) -> Rc<[Bool]> {
         match self.of_bool(term) {
@@ -78,14 +73,7 @@ impl Terms {
 
     /// The conjunction of all.
     pub fn all(&self, terms: impl IntoIterator<Item = Bool>) -> Bool {
-        let mut members = Vec::new();
-        for term in terms {
-            if term == Self::TRUE {
-                continue;
-            }
-            let inner = self.conjuncts(term);
-            if inner.is_empty() { members.push(term) } else { members.extend_from_slice(&inner) }
-        }
+        let mut members = self.flattened(terms);
         loop {
             members.sort_unstable();
             members.dedup();
@@ -94,7 +82,7 @@ impl Terms {
                 return Self::FALSE;
             }
             match self.shortened(&members) {
-                Some(shorter) => members = shorter,
+                Some(shorter) => members = self.flattened(shorter),
                 None => break,
             }
         }
@@ -120,7 +108,7 @@ impl Terms {
                 let rest: Vec<_> = inner.iter().copied().filter(|term| !has(term)).collect();
                 let mut shorter = [&members[..at], &members[at + 1..]].concat();
                 shorter.push(!self.all(rest));
-                return Some(self.flattened(shorter));
+                return Some(shorter);
             }
             for (offset, &other) in members[at + 1..].iter().enumerate() {
                 let Some(common) = self.without_case(&inner, &self.conjuncts(!other)) else { continue };
@@ -128,20 +116,16 @@ impl Terms {
                 shorter.remove(at + 1 + offset);
                 shorter.remove(at);
                 shorter.push(!self.all(common));
-                return Some(self.flattened(shorter));
+                return Some(shorter);
             }
         }
         None
     }
 
-    fn flattened(&self, members: Vec<Bool>) -> Vec<Bool> {
-        let mut flat = Vec::new();
-        for member in members {
-            let inner = self.conjuncts(member);
-            if inner.is_empty() { flat.push(member) } else { flat.extend_from_slice(&inner) }
-        }
-        flat.retain(|&member| member != Self::TRUE);
-        flat
+    /// The members of all, but for *true*.
+    fn flattened(&self, terms: impl IntoIterator<Item = Bool>) -> Vec<Bool> {
+        let parts = terms.into_iter().flat_map(|term| self.parts(term));
+        parts.filter(|&part| part != Self::TRUE).collect()
     }
 
     /// What two conjunctions share, if they differ in one member, which the other negates.

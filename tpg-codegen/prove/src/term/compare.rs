@@ -1,6 +1,6 @@
 //! Comparisons of floats: all are made of one atom, *ranks at most as high*.
 
-use super::rank::{INFINITY, NAN, NEGATIVE_ZERO, is_nan_bits, next_below, rank};
+use super::rank::{INFINITY, NAN, NEGATIVE_ZERO, is_nan_bits, next_below};
 use super::{Bool, Float, Node::*, Terms};
 
 /// Choices of at most so many values are compared value by value.
@@ -43,7 +43,6 @@ impl Terms {
 
     fn compared(&self, a: Float, b: Float) -> Bool {
         match (self.bits_of(a), self.bits_of(b)) {
-            (Some(x), Some(y)) => return Self::known(rank(x) <= rank(y)),
             (Some(x), None) if is_nan_bits(x) => return Self::TRUE,
             // c <= b unless b ranks at most as high as what is just below c
             (Some(x), None) => {
@@ -64,7 +63,7 @@ impl Terms {
         }
         match (self.of_float(a), self.of_float(b)) {
             (Negative(x), Constant(bits)) if is_nan_bits(bits) => self.is_nan(x),
-            (Magnitude(x), Constant(bits)) if is_nan_bits(bits) => self.is_nan(x),
+
             // -x <= c where -c <= x
             (Negative(x), Constant(bits)) => {
                 self.or(self.is_nan(x), self.at_most(self.constant_bits(bits ^ NEGATIVE_ZERO), x))

@@ -68,54 +68,66 @@ impl Evaluator {
     }
 
     fn computed(&mut self, terms: &Terms, node: &Node) -> u64 {
-        let canonical = |bits: u32| u64::from(if is_nan_bits(bits) { NAN } else { bits });
         match *node {
-            True => 1,
-            And(ref members) => u64::from(members.iter().all(|&member| self.truth(terms, member))),
-            AtMost(a, b) => u64::from(rank(self.bits(terms, a)) <= rank(self.bits(terms, b))),
-            IsNegativeZero(a) => u64::from(self.bits(terms, a) == NEGATIVE_ZERO),
-            // every NaN is evaluated as a positive one
-            IsNegativeNan(_) => 0,
-            Within(word, ref set) => u64::from(holds(set, self.word(terms, word))),
-            Below(signed, width, a, b) => {
-                let (a, b) = (self.word(terms, a), self.word(terms, b));
-                u64::from(if signed { width.signed(a) < width.signed(b) } else { a < b })
-            }
-            Constant(bits) => u64::from(bits),
-            Source(index) => u64::from(self.state.get(index as usize).copied().unwrap_or_default()),
+            Source(index) => self.state.get(index as usize).copied().unwrap_or_default().into(),
             Unknown(_) => {
                 self.guessed = true;
-                u64::from(NAN)
+                NAN.into()
             }
-            Arithmetic(operation, a, b) => {
-                let [a, b] = [a, b].map(|term| f32::from_bits(self.bits(terms, term)));
-                canonical(rounded(operation, a, b).to_bits())
-            }
-            Negative(a) => canonical(self.bits(terms, a) ^ NEGATIVE_ZERO),
-            Magnitude(a) => canonical(self.bits(terms, a) & !NEGATIVE_ZERO),
-            FloatIf(condition, a, b) => {
-                let side = if self.truth(terms, condition) { a } else { b };
-                u64::from(self.bits(terms, side))
-            }
-            OfBits(word) => canonical(self.word(terms, word) as u32),
-            OfInteger(signed, word) => {
-                let number = self.word(terms, word) as u32;
-                u64::from(if signed { number as i32 as f32 } else { number as f32 }.to_bits())
-            }
-            Number(number) => number,
-            WordIf(condition, a, b) => {
-                let side = if self.truth(terms, condition) { a } else { b };
-                self.word(terms, side)
-            }
-            Bits(a) => u64::from(self.bits(terms, a)),
-            Truncated(a) => u64::from(f32::from_bits(self.bits(terms, a)) as i32 as u32),
-            Apply(operator, width, a, b) => computed(operator, width, self.word(terms, a), self.word(terms, b)),
-            Element(ref table, index) => {
-                let index = self.word(terms, index);
-                usize::try_from(index).ok().and_then(|index| table.get(index)).copied().unwrap_or_default()
-            }
+            // every NaN is evaluated as a positive one
+            IsNegativeNan(_) => 0,
+            Bits(a) => self.value(terms, a.0),
+            _ => value_of(node, &mut |part| Some(self.value(terms, part))).unwrap_or_default(),
         }
     }
+}
+
+/// The value of a node, if those of its parts give it. The bits of a NaN are unknown.
+pub(super) fn value_of(node: &Node, get: &mut dyn FnMut(u32) -> Option<u64>) -> Option<u64> {
+    let canonical = |bits: u32| u64::from(if is_nan_bits(bits) { NAN } else { bits });
+    let mut float = |term: Float| get(term.0).map(|bits| bits as u32);
+    Some(match *node {
+        AtMost(a, b) => u64::from(rank(float(a)?) <= rank(float(b)?)),
+        IsNegativeZero(a) => u64::from(float(a)? == NEGATIVE_ZERO),
+        Arithmetic(operation, a, b) => {
+            canonical(rounded(operation, f32::from_bits(float(a)?), f32::from_bits(float(b)?)).to_bits())
+        }
+        Negative(a) => canonical(float(a)? ^ NEGATIVE_ZERO),
+        Magnitude(a) => canonical(float(a)? & !NEGATIVE_ZERO),
+        Bits(a) => float(a).filter(|&bits| !is_nan_bits(bits))?.into(),
+        True => 1,
+        And(ref members) => {
+            for &member in members.iter() {
+                if !truth(member, get)? {
+                    return Some(0);
+                }
+            }
+            1
+        }
+        Within(word, ref set) => u64::from(holds(set, get(word.0)?)),
+        Below(signed, width, a, b) => {
+            let (a, b) = (get(a.0)?, get(b.0)?);
+            u64::from(if signed { width.signed(a) < width.signed(b) } else { a < b })
+        }
+        FloatIf(condition, Float(a), Float(b)) | WordIf(condition, Word(a), Word(b)) => {
+            let side = if truth(condition, get)? { a } else { b };
+            get(side)?
+        }
+        OfBits(word) => canonical(get(word.0)? as u32),
+        OfInteger(signed, word) => {
+            let number = get(word.0)? as u32;
+            u64::from(if signed { number as i32 as f32 } else { number as f32 }.to_bits())
+        }
+        Apply(operator, width, a, b) => computed(operator, width, get(a.0)?, get(b.0)?),
+        Element(ref table, index) => *table.get(usize::try_from(get(index.0)?).ok()?)?,
+        Constant(bits) => bits.into(),
+        Number(number) => number,
+        Source(_) | Unknown(_) | IsNegativeNan(_) => return None,
+    })
+}
+
+fn truth(term: Bool, get: &mut dyn FnMut(u32) -> Option<u64>) -> Option<bool> {
+    Some((get(term.0 >> 1)? != 0) != (term.0 & 1 == 1))
 }
 
 #[cfg(test)]

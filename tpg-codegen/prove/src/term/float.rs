@@ -13,7 +13,7 @@ const ONE: u32 = 0x3f80_0000;
 impl Terms {
     /// A constant by its bits.
     pub fn constant_bits(&self, bits: u32) -> Float {
-        Float(self.node(Constant(if is_nan_bits(bits) { NAN } else { bits })))
+        self.float(Constant(if is_nan_bits(bits) { NAN } else { bits }))
     }
 
     /// A constant.
@@ -26,13 +26,13 @@ impl Terms {
         if let Some(&bits) = self.state.as_ref().and_then(|state| state.get(index as usize)) {
             return self.constant_bits(bits);
         }
-        Float(self.node(Source(index)))
+        self.float(Source(index))
     }
 
     /// A new value of which nothing is known.
     pub fn unknown(&self) -> Float {
         self.unknowns.set(self.unknowns.get() + 1);
-        Float(self.node(Unknown(self.unknowns.get())))
+        self.float(Unknown(self.unknowns.get()))
     }
 
     /// The bits of a constant.
@@ -99,7 +99,6 @@ impl Terms {
     /// `-a`
     pub fn negate(&self, a: Float) -> Float {
         match self.of_float(a) {
-            Constant(bits) => self.constant_bits(bits ^ NEGATIVE_ZERO),
             Negative(inner) => inner,
             FloatIf(condition, x, y) => self.choose_float(condition, self.negate(x), self.negate(y)),
             Node::Arithmetic(operation @ (Multiply | Divide), x, y) => {
@@ -108,10 +107,10 @@ impl Terms {
                 } else if let Some(bits) = self.bits_of(y) {
                     self.arithmetic(operation, x, self.constant_bits(bits ^ NEGATIVE_ZERO))
                 } else {
-                    Float(self.node(Negative(a)))
+                    self.float(Negative(a))
                 }
             }
-            _ => Float(self.node(Negative(a))),
+            _ => self.float(Negative(a)),
         }
     }
 
@@ -119,11 +118,10 @@ impl Terms {
     pub fn magnitude(&self, a: Float) -> Float {
         let a = self.zero_free(a);
         match self.of_float(a) {
-            Constant(bits) => self.constant_bits(bits & !NEGATIVE_ZERO),
             Magnitude(_) => a,
             Negative(inner) => self.magnitude(inner),
             FloatIf(condition, x, y) => self.choose_float(condition, self.magnitude(x), self.magnitude(y)),
-            _ => Float(self.node(Magnitude(a))),
+            _ => self.float(Magnitude(a)),
         }
     }
 
@@ -133,16 +131,14 @@ impl Terms {
             return lifted;
         }
         let (x, y) = (self.bits_of(a), self.bits_of(b));
-        if let (Some(x), Some(y)) = (x, y) {
-            return self.constant(rounded(operation, f32::from_bits(x), f32::from_bits(y)));
-        }
+
         if x.or(y).is_some_and(is_nan_bits) {
             return self.constant_bits(NAN);
         }
         match operation {
             Add => self.sum(a, b),
             Multiply | Divide => self.product(operation, a, b),
-            Remainder => Float(self.node(Node::Arithmetic(operation, a, b))),
+            Remainder => self.float(Node::Arithmetic(operation, a, b)),
         }
     }
 
@@ -190,7 +186,7 @@ impl Terms {
         if a > b {
             self.uses("x + y = y + x, x * y = y * x");
         }
-        Float(self.node(Node::Arithmetic(operation, a.min(b), a.max(b))))
+        self.float(Node::Arithmetic(operation, a.min(b), a.max(b)))
     }
 
     fn product(&self, operation: Arithmetic, a: Float, b: Float) -> Float {
@@ -213,7 +209,7 @@ impl Terms {
             self.uses("x / 2^k = x * 2^-k");
             return self.arithmetic(Multiply, a, self.constant_bits(reciprocal));
         }
-        Float(self.node(Node::Arithmetic(operation, a, b)))
+        self.float(Node::Arithmetic(operation, a, b))
     }
 
     /// A term that equals another up to the sign of a zero, which comparisons do not see.
@@ -257,7 +253,7 @@ pub(super) fn rounded(operation: Arithmetic, a: f32, b: f32) -> f32 {
 /// The reciprocal of a power of two that has an exact one that is normal.
 fn exact_reciprocal(bits: u32) -> Option<u32> {
     let exponent = bits >> 23 & 255;
-    (bits & 0x007f_ffff == 0 && (1..=253).contains(&exponent)).then_some(bits & NEGATIVE_ZERO | (254 - exponent) << 23)
+    (bits & 0x007f_ffff == 0 && (1..=253).contains(&exponent)).then(|| bits & NEGATIVE_ZERO | (254 - exponent) << 23)
 }
 
 #[cfg(test)]

@@ -126,42 +126,10 @@ pub enum Node {
     WordIf(Bool, Word, Word),
     /// The bits of a float
     Bits(Float),
-    /// A float truncated to a signed 32-bit number. Saturates as ARM's `vcvt`; C defines only what fits
-    Truncated(Float),
     /// An operation of words
     Apply(Operator, Width, Word, Word),
     /// An element of a constant table
     Element(Rc<[u64]>, Word),
-}
-
-impl Node {
-    /// Returns a node of the same kind without parts.
-    fn simplest(&self) -> Self {
-        match self {
-            Self::True
-            | Self::And(_)
-            | Self::AtMost(..)
-            | Self::IsNegativeZero(_)
-            | Self::IsNegativeNan(_)
-            | Self::Within(..)
-            | Self::Below(..) => Self::True,
-            Self::Constant(_)
-            | Self::Source(_)
-            | Self::Unknown(_)
-            | Self::Arithmetic(..)
-            | Self::Negative(_)
-            | Self::Magnitude(_)
-            | Self::FloatIf(..)
-            | Self::OfBits(_)
-            | Self::OfInteger(..) => Self::Constant(NAN),
-            Self::Number(_)
-            | Self::WordIf(..)
-            | Self::Bits(_)
-            | Self::Truncated(_)
-            | Self::Apply(..)
-            | Self::Element(..) => Self::Number(0),
-        }
-    }
 }
 
 /// The depth up to which terms are built: the rules walk down them by recursion.
@@ -201,7 +169,10 @@ impl Default for Terms {
             granted: RefCell::default(),
             state: None,
         };
-        terms.node(True);
+        // the first nodes are the simplest ones of their kinds
+        for node in [True, Constant(NAN), Number(0)] {
+            terms.node(node, 0);
+        }
         terms
     }
 }
@@ -234,7 +205,8 @@ impl Terms {
         self.granted.borrow().contains(&(index, length))
     }
 
-    fn node(&self, node: Node) -> u32 {
+    /// The number of a node; that of a simpler one of its kind, if it is too deep.
+    fn node(&self, node: Node, simpler: u32) -> u32 {
         if let Some(&at) = self.index.borrow().get(&node) {
             return at;
         }
@@ -243,12 +215,39 @@ impl Terms {
         let depth = self.deepest_part(&node) + 1;
         if depth > DEEPEST {
             self.too_deep.set(true);
-            return self.node(node.simplest());
+            return simpler;
         }
         self.nodes.borrow_mut().push(node.clone());
         self.depths.borrow_mut().push(depth);
         self.index.borrow_mut().insert(node, at);
         at
+    }
+
+    /// The value of a node whose parts are constants.
+    fn folded(&self, node: &Node) -> Option<u64> {
+        evaluate::value_of(node, &mut |part| match self.node_at(part) {
+            True => Some(1),
+            Constant(bits) => Some(bits.into()),
+            Number(number) => Some(number),
+            _ => None,
+        })
+    }
+
+    /// Makes a truth value of a node.
+    fn atom(&self, node: Node) -> Bool {
+        self.folded(&node).map_or_else(|| Bool(self.node(node, 0) << 1), |value| Self::known(value != 0))
+    }
+
+    /// Makes a float of a node.
+    fn float(&self, node: Node) -> Float {
+        let value = self.folded(&node).map(|bits| Constant(bits as u32));
+        Float(self.node(value.unwrap_or(node), 1))
+    }
+
+    /// Makes a word of a node.
+    fn word(&self, node: Node) -> Word {
+        let value = self.folded(&node).map(Number);
+        Word(self.node(value.unwrap_or(node), 2))
     }
 
     /// Returns the depth of the deepest part of a node; 0 where it has none.
@@ -259,9 +258,7 @@ impl Terms {
             True | Constant(_) | Source(_) | Unknown(_) | Number(_) => 0,
             And(ref parts) => parts.iter().map(|part| depths[(part.0 >> 1) as usize]).max().unwrap_or(0),
             AtMost(a, b) | Arithmetic(_, a, b) => deepest(&[a.0, b.0]),
-            IsNegativeZero(a) | IsNegativeNan(a) | Negative(a) | Magnitude(a) | Bits(a) | Truncated(a) => {
-                deepest(&[a.0])
-            }
+            IsNegativeZero(a) | IsNegativeNan(a) | Negative(a) | Magnitude(a) | Bits(a) => deepest(&[a.0]),
             Within(a, _) | OfBits(a) | OfInteger(_, a) | Element(_, a) => deepest(&[a.0]),
             Below(_, _, a, b) | Apply(_, _, a, b) => deepest(&[a.0, b.0]),
             FloatIf(condition, a, b) => deepest(&[condition.0 >> 1, a.0, b.0]),
@@ -296,7 +293,7 @@ impl Terms {
             return self.chosen(!condition, b, a, make);
         }
         let (a, b) = (self.given(a, &[condition]), self.given(b, &[!condition]));
-        if a == b { a } else { self.node(make(condition, a, b)) }
+        if a == b { a } else { self.node(make(condition, a, b), a) }
     }
 
     /// A node where facts hold: choices that they decide are made.
@@ -354,6 +351,14 @@ impl Terms {
     pub(crate) fn word_cases(&self, word: Word, is_end: impl Fn(Word) -> bool) -> Vec<(Bool, Word)> {
         let cases = self.cases(word.0, |node| is_end(Word(node)));
         cases.into_iter().map(|(condition, node)| (condition, Word(node))).collect()
+    }
+
+    /// The two sides of a choice, each with its condition; the word alone if it is none.
+    pub(crate) fn one_choice(&self, word: Word) -> Vec<(Bool, Word)> {
+        match self.of_word(word) {
+            WordIf(condition, a, b) => vec![(condition, a), (!condition, b)],
+            _ => vec![(Self::TRUE, word)],
+        }
     }
 
     fn uses(&self, lemma: &'static str) {

@@ -17,7 +17,6 @@ impl Terms {
             return Self::TRUE;
         }
         match self.of_word(word) {
-            Number(number) => return Self::known(holds(&set, number)),
             WordIf(condition, a, b) => {
                 return self.choose(condition, self.within(a, width, &set), self.within(b, width, &set));
             }
@@ -54,10 +53,6 @@ impl Terms {
         };
         let half = mask / 2 + 1;
         match (operator, self.number_of(a), self.number_of(b)) {
-            (Add, _, Some(c)) => {
-                let moved = preimage(&|low, high| turned(low.wrapping_sub(c) & mask, high.wrapping_sub(c) & mask));
-                self.reduced(a, width, moved)
-            }
             (Subtract, Some(c), _) => {
                 let mirrored = preimage(&|low, high| turned(c.wrapping_sub(high) & mask, c.wrapping_sub(low) & mask));
                 self.reduced(b, width, mirrored)
@@ -65,7 +60,7 @@ impl Terms {
             (Xor, _, Some(c)) if c == mask => {
                 self.reduced(a, width, preimage(&|low, high| vec![(!high & mask, !low & mask)]))
             }
-            (Xor, _, Some(c)) if c == half => {
+            (Add | Xor, _, Some(c)) if operator == Add || c == half => {
                 let moved = preimage(&|low, high| turned(low.wrapping_sub(c) & mask, high.wrapping_sub(c) & mask));
                 self.reduced(a, width, moved)
             }
@@ -114,7 +109,7 @@ impl Terms {
         let all_negative = whole(&negative_nan, sign + infinity + 1, u64::from(u32::MAX));
         if !(all_positive || positive_nan.is_empty()) || !(all_negative || negative_nan.is_empty()) {
             // a matter of payloads
-            let word = Word(self.node(Bits(float)));
+            let word = self.word(Bits(float));
             return self.atom(Within(word, set.into()));
         }
         let mut cases = Vec::new();
@@ -170,7 +165,6 @@ impl Terms {
     /// Tests for minus zero.
     fn is_negative_zero(&self, float: Float) -> Bool {
         match self.of_float(float) {
-            Constant(bits) => Self::known(bits == NEGATIVE_ZERO),
             // a sum is minus zero only if both are
             Node::Arithmetic(Arithmetic::Add, a, b) => {
                 self.uses("x + y = -0 only where x and y are");

@@ -1,7 +1,7 @@
 //! Machine words. Those that hold few numbers are choices of constants; the bits of floats are taken apart only as far as the order
 //! of floats goes.
 
-use super::rank::{NEGATIVE_ZERO, is_nan_bits};
+use super::rank::NEGATIVE_ZERO;
 use super::{Bool, Float, Node::*, Operator, Terms, Width, Word};
 use std::rc::Rc;
 
@@ -69,7 +69,7 @@ pub(crate) fn computed(operator: Operator, width: Width, a: u64, b: u64) -> u64 
 impl Terms {
     /// A constant word.
     pub fn number(&self, number: u64) -> Word {
-        Word(self.node(Number(number)))
+        self.word(Number(number))
     }
 
     /// The number of a constant word.
@@ -106,20 +106,13 @@ impl Terms {
         Some(numbers)
     }
 
-    /// The number of constants that a word is chosen from; 0 if it is chosen from others, too.
-    fn constants(&self, word: Word) -> usize {
-        let leaves = self.leaves(word.0);
-        if leaves.iter().all(|&leaf| self.number_of(Word(leaf)).is_some()) { leaves.len() } else { 0 }
-    }
-
     /// The bits of a float.
     pub fn bits(&self, float: Float) -> Word {
         match self.of_float(float) {
             OfBits(word) => word,
-            // the bits of a NaN are unknown
-            Constant(bits) if !is_nan_bits(bits) => self.number(u64::from(bits)),
+
             FloatIf(condition, a, b) => self.choose_word(condition, self.bits(a), self.bits(b)),
-            _ => Word(self.node(Bits(float))),
+            _ => self.word(Bits(float)),
         }
     }
 
@@ -127,7 +120,7 @@ impl Terms {
     pub fn of_bits(&self, word: Word) -> Float {
         match self.of_word(word) {
             Bits(float) => float,
-            Number(bits) => self.constant_bits(bits as u32),
+
             WordIf(condition, a, b) => self.choose_float(condition, self.of_bits(a), self.of_bits(b)),
             // the sign turned, and the sign taken off
             Apply(Operator::Xor, Width::W32, a, b) if self.number_of(b) == Some(u64::from(NEGATIVE_ZERO)) => {
@@ -136,40 +129,25 @@ impl Terms {
             Apply(Operator::And, Width::W32, a, b) if self.number_of(b) == Some(u64::from(!NEGATIVE_ZERO)) => {
                 self.magnitude(self.of_bits(a))
             }
-            _ => Float(self.node(OfBits(word))),
+            _ => self.float(OfBits(word)),
         }
     }
 
     /// A 32-bit integer, rounded to a float.
     pub fn of_integer(&self, signed: bool, word: Word) -> Float {
         match self.of_word(word) {
-            Number(number) if signed => self.constant(number as u32 as i32 as f32),
-            Number(number) => self.constant(number as u32 as f32),
             WordIf(condition, a, b) => {
                 self.choose_float(condition, self.of_integer(signed, a), self.of_integer(signed, b))
             }
-            _ => Float(self.node(OfInteger(signed, word))),
-        }
-    }
-
-    /// A float truncated to a signed 32-bit integer, saturated; 0 for NaN.
-    pub fn truncated(&self, float: Float) -> Word {
-        match self.of_float(float) {
-            Constant(bits) => self.number(u64::from(f32::from_bits(bits) as i32 as u32)),
-            FloatIf(condition, a, b) => self.choose_word(condition, self.truncated(a), self.truncated(b)),
-            _ => Word(self.node(Truncated(float))),
+            _ => self.float(OfInteger(signed, word)),
         }
     }
 
     /// An element of a constant table. The index must be below its length; that is for the caller to see to.
     pub fn element(&self, table: &Rc<[u64]>, index: Word) -> Word {
         match self.of_word(index) {
-            Number(at) => {
-                let element = usize::try_from(at).ok().and_then(|at| table.get(at)).copied().unwrap_or_default();
-                self.number(element)
-            }
             WordIf(..) => self.mapped(index, &mut |index| self.element(table, index)),
-            _ => Word(self.node(Element(table.clone(), index))),
+            _ => self.word(Element(table.clone(), index)),
         }
     }
 
@@ -201,11 +179,8 @@ impl Terms {
 
     /// An operation of two words.
     pub fn apply(&self, operator: Operator, width: Width, a: Word, b: Word) -> Word {
-        if let (Some(a), Some(b)) = (self.number_of(a), self.number_of(b)) {
-            return self.number(computed(operator, width, a, b));
-        }
         // masks and numbers that are chosen from go into the operation; what they are applied to stays whole
-        let (first, second) = (self.constants(a), self.constants(b));
+        let [first, second] = [a, b].map(|word| self.numbers(word).map_or(0, |numbers| numbers.len()));
         if let (WordIf(x, a1, a2), WordIf(y, b1, b2)) = (self.of_word(a), self.of_word(b))
             && x == y
         {
@@ -246,53 +221,58 @@ impl Terms {
 
     fn simplified(&self, operator: Operator, width: Width, a: Word, b: Word) -> Word {
         use Operator::{Add, And, Multiply, Or, ShiftArithmetic, ShiftLeft, ShiftRight, Subtract, Xor};
-        let (x, y, ones) = (self.number_of(a), self.number_of(b), width.mask());
-        match operator {
-            Add | Or | Xor | Subtract | ShiftLeft | ShiftRight | ShiftArithmetic if y == Some(0) => return a,
-            Add | Or | Xor if x == Some(0) => return b,
-            And | Multiply if x == Some(0) || y == Some(0) => return self.number(0),
-            And if y == Some(ones) || a == b => return a,
-            And if x == Some(ones) => return b,
-            Multiply if y == Some(1) => return a,
-            Multiply if x == Some(1) => return b,
-            Or if x == Some(ones) || y == Some(ones) => return self.number(ones),
-            Or if a == b => return a,
-            Xor | Subtract if a == b => return self.number(0),
+        let commutes = matches!(operator, Add | Multiply | And | Or | Xor);
+        // constants are second
+        let swaps = commutes && (self.number_of(a).is_some() || self.number_of(b).is_none() && a > b);
+        let (a, b) = if swaps { (b, a) } else { (a, b) };
+        let ones = width.mask();
+        match (operator, self.number_of(b)) {
+            (Add | Or | Xor | Subtract | ShiftLeft | ShiftRight | ShiftArithmetic, Some(0)) => return a,
+            (And | Multiply, Some(0)) => return b,
+            (Multiply, Some(1)) => return a,
+            (And, Some(number)) if number == ones => return a,
+            (Or, Some(number)) if number == ones => return b,
+            (And | Or, _) if a == b => return a,
+            (Xor | Subtract, _) if a == b => return self.number(0),
             // a difference by a constant is a sum
-            Subtract if y.is_some() => {
-                return self.apply(Add, width, a, self.number(y.unwrap_or_default().wrapping_neg() & ones));
-            }
+            (Subtract, Some(number)) => return self.apply(Add, width, a, self.number(number.wrapping_neg() & ones)),
             // the sign alone
-            ShiftRight | ShiftArithmetic if y == Some(u64::from(width.bits()) - 1) => {
+            (ShiftRight | ShiftArithmetic, Some(number)) if number == u64::from(width.bits()) - 1 => {
                 let (negative, zero) = (self.is_negative(width, a), self.number(0));
                 return self.choose_word(negative, self.number(if operator == ShiftRight { 1 } else { ones }), zero);
             }
-            _ => {}
-        }
-        if let (Xor | Add | And | Or, Some(y)) = (operator, y)
-            && let Apply(inner, of, p, q) = self.of_word(a)
-            && inner == operator
-            && of == width
-            && let Some(q) = self.number_of(q)
-        {
-            return self.apply(operator, width, p, self.number(computed(operator, width, q, y)));
-        }
-        if operator == Xor {
-            for (word, other) in [(a, b), (b, a)] {
-                if let Apply(Xor, _, p, q) = self.of_word(word) {
-                    if p == other {
-                        return q;
-                    }
-                    if q == other {
-                        return p;
+            (Xor | Add | And | Or, Some(number)) => {
+                if let Apply(inner, of, p, q) = self.of_word(a)
+                    && (inner, of) == (operator, width)
+                    && let Some(q) = self.number_of(q)
+                {
+                    return self.apply(operator, width, p, self.number(computed(operator, width, q, number)));
+                }
+            }
+            // the distance of two addresses
+            (Subtract, None) if self.moved(width, a).0 == self.moved(width, b).0 => {
+                return self.number(self.moved(width, a).1.wrapping_sub(self.moved(width, b).1) & ones);
+            }
+            (Xor, None) => {
+                for (word, other) in [(a, b), (b, a)] {
+                    match self.of_word(word) {
+                        Apply(Xor, _, p, q) if p == other => return q,
+                        Apply(Xor, _, p, q) if q == other => return p,
+                        _ => {}
                     }
                 }
             }
+            _ => {}
         }
-        let commutes = matches!(operator, Add | Multiply | And | Or | Xor);
-        // constants are second
-        let (a, b) = if commutes && (x.is_some() || y.is_none() && a > b) { (b, a) } else { (a, b) };
-        Word(self.node(Apply(operator, width, a, b)))
+        self.word(Apply(operator, width, a, b))
+    }
+
+    /// A word as a sum with a constant.
+    fn moved(&self, width: Width, word: Word) -> (Word, u64) {
+        match self.of_word(word) {
+            Apply(Operator::Add, of, base, by) if of == width => self.number_of(by).map_or((word, 0), |by| (base, by)),
+            _ => (word, 0),
+        }
     }
 
     /// Tests the sign bit.
@@ -308,7 +288,7 @@ impl Terms {
         if let Some(b) = self.number_of(b) {
             return self.within(a, width, &[(b, b)]);
         }
-        self.within(self.apply(Operator::Xor, width, a, b), width, &[(0, 0)])
+        self.within(self.apply(Operator::Subtract, width, a, b), width, &[(0, 0)])
     }
 
     /// `a < b` of unsigned or signed numbers.

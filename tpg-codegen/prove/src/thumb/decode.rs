@@ -1,7 +1,8 @@
 //! The decoder: an instruction with its condition.
 
 use super::forms::FORMS;
-use super::{Block, Condition, Instruction, Operand, Operation::*, PC, Register, SP, Shift};
+use super::{ALWAYS, Block, Instruction, Operand, Operation::*, PC, Register, SP};
+use crate::term::Operator;
 
 /// An instruction's bits, of which each field has a letter in its form.
 pub(super) struct Fields {
@@ -26,6 +27,9 @@ pub(super) struct Fields {
     pub(super) u: bool,
     pub(super) w: bool,
 }
+
+/// Shifts by their numbers; rotations are left out.
+pub(super) const SHIFTS: [Operator; 3] = [Operator::ShiftLeft, Operator::ShiftRight, Operator::ShiftArithmetic];
 
 /// The letters of a form, each with its bit.
 fn letters(form: &str, bits: u32) -> impl Iterator<Item = (char, u32)> {
@@ -55,13 +59,11 @@ impl Fields {
 
     /// Returns the right operand: a register, which may be shifted by a number, where the form has one, else the number.
     pub(super) fn right(&self) -> Operand {
-        const SHIFTS: [Shift; 4] = [Shift::Left, Shift::Right, Shift::Arithmetic, Shift::Rotate];
-        let shift = SHIFTS[self.get('h') as usize];
-        match (self.form.contains('m'), shift, self.i) {
+        match (self.form.contains('m'), self.get('h') as usize, self.i) {
             (false, ..) => Operand::Number(self.i),
             // 0 to the right means 32.
-            (_, Shift::Right | Shift::Arithmetic, 0) => Operand::Register(self.m, shift, 32),
-            (_, shift, by) => Operand::Register(self.m, shift, by as u8),
+            (_, shift @ 1.., 0) => Operand::Register(self.m, SHIFTS[shift], 32),
+            (_, shift, by) => Operand::Register(self.m, SHIFTS[shift], by as u8),
         }
     }
 
@@ -89,27 +91,19 @@ pub(crate) fn decode(code: &[u8], address: u32, block: Block) -> Option<(Instruc
     let &(form, meaning) = FORMS.iter().find(|(form, _)| fits(form))?;
     let fields = Fields::new(form, bits, address, block.is_open())?;
     let operation = meaning(&fields)?;
-    // The condition of a branch, or of a block that begins.
-    let own = form.contains('c').then(|| fields.get('c'));
+    // The condition of a branch, or of a block that begins. 14 is another instruction, 15 a call of the supervisor.
+    let own = form.contains('c').then(|| fields.get('c') as u8);
+    let instruction = |condition| Instruction { address, size, condition, operation: operation.clone() };
     if operation == If {
-        let valid = !block.is_open() && own.is_some_and(|own| own < 14 || own == 14 && fields.i == 8);
-        let next = Block((first & 255) as u8);
-        return valid.then_some((Instruction { address, size, condition: Condition::Always, operation }, next));
+        let valid = !block.is_open() && own.is_some_and(|own| own < ALWAYS || own == ALWAYS && fields.i == 8);
+        return valid.then(|| (instruction(ALWAYS), Block((first & 255) as u8)));
     }
-    let condition = if block.is_open() {
-        let only_last = match &operation {
-            Branch { .. } | Exchange { .. } | Call { .. } | Table { .. } => true,
-            Transfer { load, registers, .. } => *load && registers.contains(&PC),
-            _ => false,
-        };
-        // A conditional branch of its own has no place in a block.
-        if own.is_some() || matches!(operation, BranchIf { .. }) || only_last && block.0 & 7 != 0 {
-            return None;
-        }
-        Condition::new(u32::from(block.0 >> 4))?
-    } else {
-        // 14 is an undefined instruction or another one, 15 a call of the supervisor.
-        own.map_or(Some(Condition::Always), |own| Condition::new(own).filter(|_| own < 14))?
-    };
-    Some((Instruction { address, size, condition, operation }, block.advance()))
+    if !block.is_open() {
+        let condition = own.unwrap_or(ALWAYS);
+        return (own != Some(ALWAYS) && condition <= ALWAYS).then(|| (instruction(condition), block.advance()));
+    }
+    // What leaves a block is its last instruction; a conditional branch of its own has no place in it.
+    let misplaced = own.is_some() || matches!(operation, BranchIf { .. }) || operation.leaves() && block.0 & 7 != 0;
+    let condition = block.0 >> 4;
+    (!misplaced && condition <= ALWAYS).then(|| (instruction(condition), block.advance()))
 }

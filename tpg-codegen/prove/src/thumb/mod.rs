@@ -6,6 +6,8 @@
 pub(crate) mod decode;
 mod forms;
 
+use crate::term::{Arithmetic, Operator};
+
 /// Number of a register: 0 to 15 for integers, 16 to 47 for floats.
 pub(crate) type Register = u8;
 
@@ -18,109 +20,69 @@ pub(crate) const PC: Register = 15;
 /// The first floating-point register, s0.
 pub(crate) const S0: Register = 16;
 /// Number of registers.
-pub(crate) const REGISTERS: usize = 48;
+pub(crate) const REGISTERS: Register = 48;
 
-/// Condition of an instruction, by its name in assembly.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Condition {
-    Eq,
-    Ne,
-    Cs,
-    Cc,
-    Mi,
-    Pl,
-    Vs,
-    Vc,
-    Hi,
-    Ls,
-    Ge,
-    Lt,
-    Gt,
-    Le,
-    Always,
-}
+/// Condition of an instruction, as it is encoded: each odd one negates the one before it.
+pub(crate) type Condition = u8;
 
-impl Condition {
-    /// Returns the condition of a field of four bits; 15 is none.
-    pub(crate) fn new(bits: u32) -> Option<Self> {
-        use Condition::*;
-        const ALL: [Condition; 15] = [Eq, Ne, Cs, Cc, Mi, Pl, Vs, Vc, Hi, Ls, Ge, Lt, Gt, Le, Always];
-        ALL.get(bits as usize).copied()
-    }
-}
+/// The condition of what is always executed.
+pub(crate) const ALWAYS: Condition = 14;
 
-/// Shift of an operand; `Right` fills with zeros, `Arithmetic` with the sign.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Shift {
-    Left,
-    Right,
-    Arithmetic,
-    Rotate,
-}
-
-/// Second operand of an instruction.
+/// Operand of an instruction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Operand {
     Number(u32),
     /// A register, shifted by a constant of 0 to 32.
-    Register(Register, Shift, u8),
+    Register(Register, Operator, u8),
 }
 
 impl Operand {
     const fn plain(register: Register) -> Self {
-        Self::Register(register, Shift::Left, 0)
+        Self::Register(register, Operator::ShiftLeft, 0)
     }
 }
 
-/// Operation on integers, by its name in assembly: `to = left ∘ right`.
+/// What is computed from operands.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Integer {
-    Mov,
-    Mvn,
-    Add,
-    Adc,
-    Sub,
-    Sbc,
-    Rsb,
-    And,
-    Bic,
-    Orr,
-    Orn,
-    Eor,
-    Mul,
-    /// By the lowest byte of the right operand.
-    Shift(Shift),
-}
-
-/// Operation on two floats.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Binary {
-    Add,
-    Sub,
-    Mul,
-    NegMul,
-    Div,
-    /// `to + left · right`, rounded twice.
-    MulAdd,
-    /// `to + −(left · right)`, rounded twice.
-    MulSub,
-    /// `−to + −(left · right)`, rounded twice.
-    NegMulAdd,
-    /// `−to + left · right`, rounded twice.
-    NegMulSub,
-}
-
-/// Operation on one float.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Unary {
-    Neg,
-    Abs,
-    Sqrt,
-    /// To a signed or unsigned integer, towards zero.
-    ToInteger {
-        signed: bool,
+pub(crate) enum Computed {
+    /// The operand.
+    Same,
+    /// An operation of two integers; shifts are by the lowest byte.
+    Integers(Operator),
+    /// The sum of two integers and the carry.
+    WithCarry,
+    /// An operation of an integer and the product of two more.
+    OfProduct(Operator),
+    /// Bits of an integer.
+    Extracted {
+        low: u8,
+        width: u8,
     },
-    /// From a signed or unsigned integer.
+    /// An integer with bits replaced by the lowest ones of another.
+    Inserted {
+        low: u8,
+        width: u8,
+    },
+    /// A number, or the lower half of an address.
+    Lower,
+    /// An integer with another upper half, which may be that of an address.
+    Upper,
+    /// The address that a number is.
+    Address,
+    /// An operation of two floats, of which the second may be negated.
+    Floats {
+        operation: Arithmetic,
+        negated: bool,
+    },
+    /// The product of the last two floats, which may be negated, added to the first, if there is one, which may be negated.
+    /// Rounded twice.
+    Product {
+        negated: bool,
+        sum_negated: bool,
+    },
+    Negated,
+    Magnitude,
+    /// A float from a signed or unsigned integer.
     FromInteger {
         signed: bool,
     },
@@ -154,17 +116,6 @@ pub(crate) enum Index {
     After,
 }
 
-/// Size of an access in memory.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Width {
-    /// 1, 2 or 4.
-    pub(crate) bytes: u8,
-    pub(crate) signed: bool,
-}
-
-/// A word of memory.
-pub(crate) const WORD: Width = Width { bytes: 4, signed: false };
-
 /// Operation of an instruction.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Operation {
@@ -172,30 +123,10 @@ pub(crate) enum Operation {
     Nop,
     /// Makes up to four instructions conditional; the decoder gives them their conditions.
     If,
-    /// Computes with integers. `MOV` and `MVN` ignore the left operand; comparisons write no register.
-    Integer { name: Integer, flags: bool, to: Option<Register>, left: Register, right: Operand },
-    /// Adds a product to an integer, or subtracts it.
-    MultiplyAdd { to: Register, factors: [Register; 2], sum: Register, subtract: bool },
-    /// Takes bits, and extends them with zeros or the sign.
-    Extract { to: Register, from: Register, low: u8, width: u8, signed: bool },
-    /// Replaces bits by the lowest ones of another register, or zeros.
-    Insert { to: Register, from: Option<Register>, low: u8, width: u8 },
-    /// Counts leading zeros.
-    LeadingZeros { to: Register, from: Register },
-    /// Replaces the upper half of a register.
-    Top { to: Register, number: u32 },
-    /// Computes an address relative to the instruction.
-    Address { to: Register, address: u32 },
-    /// Loads or stores registers at ascending addresses.
-    Transfer { load: bool, width: Width, registers: Vec<Register>, place: Place },
-    /// Copies a register's bits.
-    Move { to: Register, from: Register },
-    /// Sets a floating-point register.
-    Constant { to: Register, bits: u32 },
-    /// Computes with two floats.
-    Binary { name: Binary, to: Register, left: Register, right: Register },
-    /// Computes with one float.
-    Unary { name: Unary, to: Register, from: Register },
+    /// Computes; comparisons write no register. The last operand may be inverted.
+    Compute { name: Computed, flags: bool, to: Option<Register>, from: Vec<Operand>, inverted: bool },
+    /// Loads or stores registers at ascending addresses, of 1, 2 or 4 bytes.
+    Transfer { load: bool, bytes: u8, registers: Vec<Register>, place: Place },
     /// Compares floats; their flags wait for `ReadFlags`.
     Compare { left: Register, right: Option<Register> },
     /// Makes the flags of floats those of conditions.
@@ -212,6 +143,18 @@ pub(crate) enum Operation {
     Call { target: u32 },
 }
 
+impl Operation {
+    /// True if the next instruction may be another than the one behind.
+    pub(crate) fn leaves(&self) -> bool {
+        use Operation::*;
+        match self {
+            Branch { .. } | BranchIf { .. } | Table { .. } | Exchange { .. } | Call { .. } => true,
+            Transfer { load, registers, .. } => *load && registers.contains(&PC),
+            _ => false,
+        }
+    }
+}
+
 /// A decoded instruction.
 #[derive(Clone, Debug)]
 pub(crate) struct Instruction {
@@ -221,8 +164,15 @@ pub(crate) struct Instruction {
     pub(crate) operation: Operation,
 }
 
+impl Instruction {
+    /// The address behind it.
+    pub(crate) fn behind(&self) -> u32 {
+        self.address.wrapping_add(self.size)
+    }
+}
+
 /// State of conditional execution before an instruction: the architecture's ITSTATE.
-#[derive(Clone, Copy, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Block(u8);
 
 impl Block {

@@ -1,74 +1,57 @@
 //! Declarations: types, names, functions, variables with their initial values.
 
-use super::{Compiler, Function, Lvalue, Operand, Struct, Type, constant_of, number};
-use crate::c::code::{Constant, Operation, Value};
+use super::{Compiler, Function, Lvalue, Operand, Type, number};
+use crate::c::code::{Constant, Expression, Operation};
 use crate::c::token::Token::{Name, Sign};
 use crate::input::Result;
 use Type::*;
 use std::rc::Rc;
 
-/// What stands before declarators.
-struct Specifiers {
-    ty: Type,
-    is_static: bool,
-    is_typedef: bool,
-    is_extern: bool,
+/// Words before a type that change no result, and those that say where something is.
+const QUALIFIERS: &str = "const volatile inline register restrict __inline";
+const STORAGE: &str = "static extern typedef";
+
+fn is_one(words: &str, word: &str) -> bool {
+    words.split(' ').any(|one| one == word)
 }
 
 impl Compiler<'_> {
     pub(super) fn starts_type(&self) -> bool {
-        const QUALIFIERS: &str = "const volatile static inline extern typedef struct union enum";
-        const TYPES: &str = "void float double int unsigned signed char short";
-        let is_word = |name: &String| QUALIFIERS.split(' ').chain(TYPES.split(' ')).any(|word| word == name);
-        matches!(self.peek(), Name(name) if is_word(name) || self.types.contains_key(name))
+        let starts = |word| is_one(QUALIFIERS, word) || is_one(STORAGE, word) || is_one("struct enum", word);
+        matches!(self.peek(), Name(name) if starts(name) || self.types.contains_key(name))
     }
 
-    fn specifiers(&mut self) -> Result<Specifiers> {
-        let mut found = Specifiers { ty: Void, is_static: false, is_typedef: false, is_extern: false };
-        let (mut ty, mut signed) = (None, None);
+    /// Reads what stands before declarators: a type of one word, and the last word of storage.
+    fn specifiers(&mut self) -> Result<(Type, String)> {
+        let (mut ty, mut storage) = (None, String::new());
         loop {
             self.attributes()?;
             let Name(word) = self.peek().clone() else { break };
-            match word.as_str() {
-                "const" | "volatile" | "inline" | "register" | "restrict" | "__inline" => {}
-                "static" => found.is_static = true,
-                "extern" => found.is_extern = true,
-                "typedef" => found.is_typedef = true,
-                "void" => ty = Some(Void),
-                "float" => ty = Some(Float),
-                "double" => ty = Some(Double),
-                "char" => ty = Some(Integer(1, false)),
-                "short" => ty = Some(Integer(2, true)),
-                "int" => ty = ty.or(Some(Type::INT)),
-                "unsigned" => signed = Some(false),
-                "signed" => signed = Some(true),
-                "struct" | "union" => {
-                    self.next();
-                    ty = Some(self.structure(word == "union")?);
-                    continue;
-                }
-                "enum" => {
-                    self.next();
-                    ty = Some(self.enumeration()?);
-                    continue;
-                }
-                _ if ty.is_none() && signed.is_none() && self.types.contains_key(&word) => {
-                    ty = self.types.get(&word).cloned();
-                }
+            if word == "struct" {
+                self.next();
+                ty = Some(self.structure()?);
+                continue;
+            }
+            if word == "enum" {
+                self.next();
+                ty = Some(self.enumeration()?);
+                continue;
+            }
+            match self.types.get(&word) {
+                Some(known) if ty.is_none() => ty = Some(known.clone()),
+                _ if is_one(STORAGE, &word) => storage.clone_from(&word),
+                _ if is_one(QUALIFIERS, &word) => {}
                 _ => break,
             }
             self.next();
         }
-        found.ty = match (ty, signed) {
-            (None, Some(signed)) => Integer(4, signed),
-            (Some(Integer(bytes, _)), Some(signed)) => Integer(bytes, signed),
-            (Some(ty), None) => ty,
-            _ => {
+        match ty {
+            Some(ty) => Ok((ty, storage)),
+            None => {
                 let found = self.next();
-                return self.refuse(format!("a type, found {found:?}"));
+                self.refuse(format!("a type, found {found:?}"))
             }
-        };
-        Ok(found)
+        }
     }
 
     /// Skips `__attribute__((...))` and the like; they ask for no other results.
@@ -80,19 +63,19 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    fn structure(&mut self, union: bool) -> Result<Type> {
+    fn structure(&mut self) -> Result<Type> {
         let tag = if let Name(_) = self.peek() { self.name()? } else { format!("at {}", self.at) };
         let number = *self.tags.entry(tag).or_insert(self.structs.len());
         if number == self.structs.len() {
-            self.structs.push(Struct::default());
+            self.structs.push(Vec::new());
         }
         if self.accept("{") {
             let mut members = Vec::new();
             while !self.accept("}") {
-                let ty = self.specifiers()?.ty;
+                let (ty, _) = self.specifiers()?;
                 members.extend(self.list(";", |compiler| compiler.declarator(ty.clone()))?);
             }
-            self.structs[number] = Struct { union, members };
+            self.structs[number] = members;
         }
         Ok(Type::Struct(number))
     }
@@ -120,7 +103,7 @@ impl Compiler<'_> {
     pub(super) fn constant(&mut self) -> Result<i64> {
         let value = self.conditional()?;
         match self.value(value)? {
-            (value, Integer(bytes, signed)) => match constant_of(&value) {
+            (value, Integer(bytes, signed)) => match self.constant_of(&value) {
                 Some(Constant::Number(number)) if signed && bytes < 8 => Ok(i64::from(number as u32 as i32)),
                 Some(Constant::Number(number)) => Ok(number as i64),
                 _ => self.refuse("a constant"),
@@ -155,7 +138,7 @@ impl Compiler<'_> {
     }
 
     pub(super) fn type_name(&mut self) -> Result<Type> {
-        let ty = self.specifiers()?.ty;
+        let (ty, _) = self.specifiers()?;
         let (name, ty) = self.declarator(ty)?;
         if name.is_empty() { Ok(ty) } else { self.refuse("a type without a name") }
     }
@@ -164,13 +147,13 @@ impl Compiler<'_> {
         if self.accept(";") {
             return Ok(());
         }
-        let specifiers = self.specifiers()?;
+        let (ty, storage) = self.specifiers()?;
         if self.accept(";") {
             return Ok(());
         }
         loop {
-            let (name, ty) = self.declarator(specifiers.ty.clone())?;
-            if specifiers.is_typedef {
+            let (name, ty) = self.declarator(ty.clone())?;
+            if storage == "typedef" {
                 self.types.insert(name, ty);
             } else if self.accept("(") {
                 let parameters = self.parameters()?;
@@ -179,7 +162,7 @@ impl Compiler<'_> {
                     self.functions.push(Rc::new(Function { name, result: ty, parameters, body: self.at }));
                     return self.skip("{", "}");
                 }
-            } else if !specifiers.is_extern {
+            } else if storage != "extern" {
                 self.variable(name, ty, true)?;
             }
             if self.accept(";") {
@@ -191,7 +174,7 @@ impl Compiler<'_> {
 
     fn parameters(&mut self) -> Result<Vec<(String, Type)>> {
         let mut parameters = self.list(")", |compiler| {
-            let ty = compiler.specifiers()?.ty;
+            let ty = compiler.specifiers()?.0;
             let (name, ty) = compiler.declarator(ty)?;
             Ok((name, if let Array(ty, _) = ty { Pointer(ty) } else { ty }))
         })?;
@@ -201,10 +184,10 @@ impl Compiler<'_> {
 
     /// Declares the variables of a statement.
     pub(super) fn declaration(&mut self) -> Result<()> {
-        let Specifiers { ty, is_static, .. } = self.specifiers()?;
+        let (ty, storage) = self.specifiers()?;
         let variable = |compiler: &mut Self| {
             let (name, ty) = compiler.declarator(ty.clone())?;
-            compiler.variable(name, ty, is_static)
+            compiler.variable(name, ty, storage == "static")
         };
         self.list(";", variable).map(|_| ())
     }
@@ -251,7 +234,7 @@ impl Compiler<'_> {
         self.list("}", |compiler| {
             let inner = match ty {
                 Array(inner, count) if *count == 0 || items < *count => Some(&**inner),
-                Struct(number) => compiler.structs[*number].members.get(items as usize).map(|(_, ty)| ty),
+                Struct(number) => compiler.structs[*number].get(items as usize).map(|(_, ty)| ty),
                 _ => None,
             };
             let inner = inner.cloned().ok_or_else(|| compiler.missing("an item for each part"))?;
@@ -264,7 +247,7 @@ impl Compiler<'_> {
     }
 
     /// Sets what is at an address to what an expression is.
-    pub(super) fn set(&mut self, address: Value, ty: &Type, value: Operand) -> Result<()> {
+    pub(super) fn set(&mut self, address: Expression, ty: &Type, value: Operand) -> Result<()> {
         match (ty, value) {
             (Struct(_), Operand::Place(from, _)) => {
                 let count = self.cells(ty);

@@ -1,7 +1,7 @@
 //! Expressions, by recursive descent. Their side effects are emitted where they are read.
 
-use super::{Compiler, Operand, Type, Typed, apply, constant_of, moved, number, width};
-use crate::c::code::{Condition, Constant, Operation, Value};
+use super::{Compiler, Operand, Type, Typed, apply, number, width};
+use crate::c::code::{Computed, Constant, Expression, Operation, of};
 use crate::c::token::Token;
 use crate::input::Result;
 use crate::term::{Operator::*, Width};
@@ -22,41 +22,17 @@ const LEVELS: [&[&str]; 10] = [
     &["*", "/", "%"],
 ];
 
-fn truth(condition: Condition) -> Operand {
-    Operand::Value(Value::OfCondition(Box::new(condition)), Type::INT)
-}
-
 impl Compiler<'_> {
-    /// Reads an expression for what it does.
-    pub(super) fn effect(&mut self) -> Result<()> {
-        match self.assignment()? {
-            Stepped(address, ty, sign) => self.step(address, ty, sign).map(|_| ()),
-            _ => Ok(()),
-        }
-    }
-
     /// The value of what was read.
     pub(super) fn value(&mut self, operand: Operand) -> Result<Typed> {
         match operand {
             Operand::Value(value, ty) => Ok((value, ty)),
             Place(address, Array(ty, _)) => Ok((address, Pointer(ty))),
             Place(address, ty) => self.loaded(address, ty),
-            Stepped(address, ty, sign) => {
-                let cell = number(self.allocate(&ty));
-                let before = self.loaded(address.clone(), ty.clone())?;
-                self.put(cell.clone(), before, &ty)?;
-                self.step(address, ty.clone(), sign)?;
-                self.loaded(cell, ty)
-            }
         }
     }
 
-    /// Changes what is at an address by 1.
-    fn step(&mut self, address: Value, ty: Type, sign: &str) -> Result<Operand> {
-        self.changed(address, ty, sign, (number(1), Type::INT))
-    }
-
-    fn changed(&mut self, address: Value, ty: Type, sign: &str, by: Typed) -> Result<Operand> {
+    fn changed(&mut self, address: Expression, ty: Type, sign: &str, by: Typed) -> Result<Operand> {
         let before = self.loaded(address.clone(), ty.clone())?;
         let value = self.operated(sign, before, by)?;
         self.put(address.clone(), value, &ty)?;
@@ -99,40 +75,21 @@ impl Compiler<'_> {
             return Ok(condition);
         }
         let condition = self.condition(condition)?;
-        let (mark, at) = (self.here(), self.at);
-        let (first, second) = (self.side()?, self.other_side()?);
+        let mark = self.here();
+        let first = self.assigned()?;
+        self.expect(":")?;
+        let second = self.conditional()?;
+        let second = self.value(second)?;
         let ty = if first.1 == second.1 && !matches!(first.1, Integer(..)) {
             first.1.clone()
         } else {
             self.common(&first.1, &second.1)?
         };
-        if self.here() == mark {
-            let [first, second] = [self.converted(first, &ty)?, self.converted(second, &ty)?].map(Box::new);
-            return Ok(Operand::Value(Value::If(Box::new(condition), first, second), ty));
+        if self.here() != mark {
+            return self.refuse("choices without side effects");
         }
-        // something happens on the way: only on the side that is chosen
-        self.program.operations.truncate(mark);
-        self.at = at;
-        let cell = number(self.allocate(&ty));
-        let branch = self.branch(condition);
-        let first = self.side()?;
-        self.put(cell.clone(), first, &ty)?;
-        let end = self.jump(self.scopes.len());
-        self.land(&[branch]);
-        let second = self.other_side()?;
-        self.put(cell.clone(), second, &ty)?;
-        self.land(&[end]);
-        Ok(Place(cell, ty))
-    }
-
-    fn side(&mut self) -> Result<Typed> {
-        let side = self.assigned()?;
-        self.expect(":").map(|()| side)
-    }
-
-    fn other_side(&mut self) -> Result<Typed> {
-        let side = self.conditional()?;
-        self.value(side)
+        let parts = [condition, self.converted(first, &ty)?, self.converted(second, &ty)?];
+        Ok(Operand::Value(of(Computed::If, parts), ty))
     }
 
     fn binary(&mut self, level: usize) -> Result<Operand> {
@@ -150,7 +107,7 @@ impl Compiler<'_> {
             let right = self.binary(level + 1)?;
             let right = self.value(right)?;
             left = if matches!(level, 5 | 6) {
-                truth(self.compared(sign, left_value, right)?)
+                Operand::Value(self.compared(sign, left_value, right)?, Type::INT)
             } else {
                 let (value, ty) = self.operated(sign, left_value, right)?;
                 Operand::Value(value, ty)
@@ -161,41 +118,31 @@ impl Compiler<'_> {
 
     fn logical(&mut self, and: bool, first: Operand, level: usize) -> Result<Operand> {
         let first = self.condition(first)?;
-        let (mark, at) = (self.here(), self.at);
+        let mark = self.here();
         let second = self.tested(|compiler| compiler.binary(level))?;
-        if self.here() == mark {
-            return Ok(truth(Condition::Logical(and, Box::new(first), Box::new(second))));
+        if self.here() != mark {
+            return self.refuse("conditions without side effects");
         }
-        // what happens in the second operand happens only if the first asks for it
-        self.program.operations.truncate(mark);
-        self.at = at;
-        let cell = number(self.allocate(&Type::INT));
-        self.emit(Operation::Set(cell.clone(), number(u32::from(!and))));
-        let branch = self.branch(if and { first } else { !first });
-        let second = self.tested(|compiler| compiler.binary(level))?;
-        self.emit(Operation::Set(cell.clone(), Value::OfCondition(Box::new(second))));
-        self.land(&[branch]);
-        Ok(Place(cell, Type::INT))
+        let parts = if and { [first, second, number(0)] } else { [first, number(1), second] };
+        Ok(Operand::Value(of(Computed::If, parts), Type::INT))
     }
 
     /// What is read as a condition.
-    pub(super) fn tested(&mut self, read: impl FnOnce(&mut Self) -> Result<Operand>) -> Result<Condition> {
+    pub(super) fn tested(&mut self, read: impl FnOnce(&mut Self) -> Result<Operand>) -> Result<Expression> {
         let operand = read(self)?;
         self.condition(operand)
     }
 
     /// What was read as a condition.
-    fn condition(&mut self, operand: Operand) -> Result<Condition> {
+    fn condition(&mut self, operand: Operand) -> Result<Expression> {
         match self.value(operand)? {
-            (Value::OfCondition(condition), _) => Ok(*condition),
-            (value, ty @ Integer(..)) => Ok(!Condition::Same(width(&ty), value, number(0))),
-            (value, Float) => Ok(!Condition::Compared(crate::term::Terms::equal, value, Value::Float(0))),
+            (value, ty @ Integer(..)) => Ok(!of(Computed::Same(width(&ty)), [value, number(0)])),
             _ => self.refuse("a condition of another type"),
         }
     }
 
     fn unary(&mut self) -> Result<Operand> {
-        for sign in ["-", "+", "!", "~", "&", "*"] {
+        for sign in ["-", "!", "~", "&", "*"] {
             if self.accept(sign) {
                 let inner = self.unary()?;
                 return self.signed(sign, inner);
@@ -204,21 +151,12 @@ impl Compiler<'_> {
         if let Some(sign) = self.steps() {
             let inner = self.unary()?;
             let (address, ty) = self.place(inner)?;
-            return self.step(address, ty, sign);
+            return self.changed(address, ty, sign, (number(1), Type::INT));
         }
         if self.accept("sizeof") {
-            let (mark, bracket) = (self.here(), self.accept("("));
-            let ty = if bracket && self.starts_type() {
-                let ty = self.type_name()?;
-                self.expect(")")?;
-                ty
-            } else {
-                self.at -= usize::from(bracket);
-                match self.unary()? {
-                    Place(_, ty) => ty,
-                    other => self.value(other)?.1,
-                }
-            };
+            let mark = self.here();
+            let inner = self.unary()?;
+            let (_, ty) = self.place(inner)?;
             self.program.operations.truncate(mark);
             return Ok(Operand::Value(number(self.bytes(&ty)), Type::UNSIGNED));
         }
@@ -247,29 +185,20 @@ impl Compiler<'_> {
                 let (address, ty) = self.place(inner)?;
                 return Ok(Operand::Value(address, Pointer(Box::new(ty))));
             }
-            "!" => return Ok(truth(!self.condition(inner)?)),
+            "!" => return Ok(Operand::Value(!self.condition(inner)?, Type::INT)),
             _ => {}
         }
         let (value, ty) = self.value(inner)?;
         let value = match (sign, &ty) {
             ("*", Pointer(inner)) => return Ok(Place(value, (**inner).clone())),
             ("*", _) => return self.refuse("a pointer"),
-            ("-", Float) => Value::Negative(Box::new(value)),
-            ("-", Double) => match value {
-                Value::Float(bits) => Value::Float(bits ^ 0x8000_0000),
-                _ => return self.refuse("arithmetic in binary64"),
-            },
-            ("+", Float | Double) => value,
-            ("-" | "~" | "+", Integer(..)) => {
+            ("-", Float) => of(Computed::Negative, [value]),
+            ("-" | "~", Integer(..)) => {
                 let wide = super::operation::promoted(&ty);
                 let value = self.converted((value, ty), &wide)?;
                 let width = width(&wide);
-                let (operator, first) = match sign {
-                    "-" => (Subtract, 0),
-                    "~" => (Xor, width.mask()),
-                    _ => (Add, 0),
-                };
-                return Ok(Operand::Value(apply(operator, width, Value::Number(first), value), wide));
+                let (operator, first) = if sign == "-" { (Subtract, 0) } else { (Xor, width.mask()) };
+                return Ok(Operand::Value(apply(operator, width, Expression::Number(first), value), wide));
             }
             _ => return self.refuse(format!("`{sign}` of another type")),
         };
@@ -292,8 +221,10 @@ impl Compiler<'_> {
                 let target = self.signed("*", inner)?;
                 self.member(target)?
             } else if let Some(sign) = self.steps() {
+                // what it was before has no use in generated code
                 let (address, ty) = self.place(inner)?;
-                Stepped(address, ty, sign)
+                self.changed(address, ty, sign, (number(1), Type::INT))?;
+                Operand::Value(number(0), Void)
             } else {
                 return Ok(inner);
             };
@@ -306,7 +237,7 @@ impl Compiler<'_> {
         }
         let index = self.converted(index, &Type::UNSIGNED)?;
         let (address, ty, index) = match array {
-            Place(address, Array(ty, count)) => (address, ty, Value::Below(Box::new(index), count)),
+            Place(address, Array(ty, count)) => (address, ty, of(Computed::Bounded(count), [index])),
             array => match self.value(array)? {
                 (address, Pointer(ty)) => (address, ty, index),
                 _ => return self.refuse("an array"),
@@ -316,20 +247,19 @@ impl Compiler<'_> {
     }
 
     /// The address of a later element of a type.
-    pub(super) fn element(&self, address: Value, ty: &Type, index: Value) -> Value {
-        moved(address, apply(Multiply, Width::W32, index, number(self.cells(ty))))
+    pub(super) fn element(&self, address: Expression, ty: &Type, index: Expression) -> Expression {
+        of(Computed::Moved, [address, apply(Multiply, Width::W32, index, number(self.cells(ty)))])
     }
 
     fn member(&mut self, structure: Operand) -> Result<Operand> {
         let name = self.name()?;
         let (address, Struct(structure)) = self.place(structure)? else { return self.refuse("a structure") };
-        let structure = &self.structs[structure];
         let mut offset = 0;
-        for (member, ty) in &structure.members {
+        for (member, ty) in &self.structs[structure] {
             if *member == name {
-                return Ok(Place(moved(address, number(offset)), ty.clone()));
+                return Ok(Place(of(Computed::Moved, [address, number(offset)]), ty.clone()));
             }
-            offset += if structure.union { 0 } else { self.cells(ty) };
+            offset += self.cells(ty);
         }
         self.refuse(format!("the member `{name}`"))
     }
@@ -337,8 +267,8 @@ impl Compiler<'_> {
     fn primary(&mut self) -> Result<Operand> {
         let (value, ty) = match self.next() {
             Token::Number(text) => self.number(&text)?,
-            Token::Name(name) if name == "__infinity" => (Value::Float(f32::INFINITY.to_bits()), Float),
-            Token::Name(name) if name == "__nan" => (Value::Float(f32::NAN.to_bits()), Float),
+            Token::Name(name) if name == "__infinity" => (Expression::Float(f32::INFINITY.to_bits()), Float),
+            Token::Name(name) if name == "__nan" => (Expression::Float(f32::NAN.to_bits()), Float),
             Token::Name(name) if self.accept("(") => return self.call(&name),
             Token::Name(name) => match (self.find(&name), self.constants.get(&name)) {
                 (Some(place), _) => return Ok(Place(number(place.address), place.ty.clone())),
@@ -363,8 +293,8 @@ impl Compiler<'_> {
             };
             let value = self.converted(value, &Float)?;
             return Ok(match name {
-                "isnan" => truth(Condition::Nan(value)),
-                _ => Operand::Value(Value::Magnitude(Box::new(value)), Float),
+                "isnan" => Operand::Value(of(Computed::IsNan, [value]), Type::INT),
+                _ => Operand::Value(of(Computed::Magnitude, [value]), Float),
             });
         };
         Ok(match self.inlined(&function, arguments)? {
@@ -378,7 +308,7 @@ impl Compiler<'_> {
         let [(to, Pointer(to_type)), (from, Pointer(from_type)), (size, _)] = &arguments[..] else {
             return self.refuse("memcpy of two pointers and a size");
         };
-        let Some(Constant::Number(size)) = constant_of(size) else { return self.refuse("a constant size") };
+        let Some(Constant::Number(size)) = self.constant_of(size) else { return self.refuse("a constant size") };
         let widths = [to_type, from_type].map(|ty| self.scalar_bytes(ty));
         let [Some(width), Some(other)] = widths else { return self.refuse("memcpy of mixed scalars") };
         if width != other || size % u64::from(width) != 0 {
@@ -393,19 +323,15 @@ impl Compiler<'_> {
         let fault = || self.missing(format!("the number {text}"));
         let lower = text.to_ascii_lowercase();
         if !lower.starts_with("0x") && lower.contains(['.', 'e']) {
-            let (digits, ty) = lower.strip_suffix('f').map_or((&*lower, Double), |digits| (digits, Float));
-            // without a suffix it is rounded twice
-            let value = match ty {
-                Float => digits.parse::<f32>().map_err(|_| fault())?,
-                _ => digits.parse::<f64>().map_err(|_| fault())? as f32,
-            };
-            return Ok((Value::Float(value.to_bits()), ty));
+            let Some(digits) = lower.strip_suffix('f') else { return self.refuse("arithmetic in binary64") };
+            let value: f32 = digits.parse().map_err(|_| fault())?;
+            return Ok((Expression::Float(value.to_bits()), Float));
         }
         let digits = lower.trim_end_matches(['u', 'l']);
         let suffix = &lower[digits.len()..];
         let value = match digits.strip_prefix("0x") {
             Some(digits) => u64::from_str_radix(digits, 16),
-            None if digits.len() > 1 && digits.starts_with('0') => u64::from_str_radix(digits, 8),
+            None if digits.len() > 1 && digits.starts_with('0') => return Err(fault()),
             None => digits.parse(),
         };
         let value = value.map_err(|_| fault())?;
@@ -419,6 +345,6 @@ impl Compiler<'_> {
         } else {
             Type::INT
         };
-        Ok((Value::Number(value), ty))
+        Ok((Expression::Number(value), ty))
     }
 }

@@ -1,6 +1,6 @@
 //! Cells of variables, and constants in them.
 
-use super::{Compiler, Lvalue, Operand, Type, constant_of};
+use super::{Compiler, Lvalue, Operand, Type};
 use crate::c::code::{CONSTANTS, Constant, Object};
 use crate::input::Result;
 use Type::*;
@@ -10,11 +10,7 @@ impl Compiler<'_> {
     fn size(&self, ty: &Type, scalar: fn(&Type) -> u32) -> u32 {
         match ty {
             Void => 0,
-            Struct(number) => {
-                let structure = &self.structs[*number];
-                let sizes = structure.members.iter().map(|(_, ty)| self.size(ty, scalar));
-                if structure.union { sizes.max().unwrap_or(0) } else { sizes.sum() }
-            }
+            Struct(number) => self.structs[*number].iter().map(|(_, ty)| self.size(ty, scalar)).sum(),
             Array(ty, count) => self.size(ty, scalar).saturating_mul(*count),
             _ => scalar(ty),
         }
@@ -27,7 +23,7 @@ impl Compiler<'_> {
     pub(super) fn bytes(&self, ty: &Type) -> u32 {
         self.size(ty, |ty| match ty {
             Integer(bytes, _) => u32::from(*bytes),
-            Double => 8,
+
             _ => 4,
         })
     }
@@ -39,7 +35,7 @@ impl Compiler<'_> {
             Float => Some(4),
             Array(ty, _) => self.scalar_bytes(ty),
             Struct(number) => {
-                let mut sizes = self.structs[*number].members.iter().map(|(_, ty)| self.scalar_bytes(ty));
+                let mut sizes = self.structs[*number].iter().map(|(_, ty)| self.scalar_bytes(ty));
                 let first = sizes.next()??;
                 sizes.all(|size| size == Some(first)).then_some(first)
             }
@@ -68,7 +64,7 @@ impl Compiler<'_> {
         for (offset, ty, item) in parts {
             let value = self.value(item)?;
             let value = self.converted(value, &ty)?;
-            cells[offset as usize] = constant_of(&value).ok_or_else(|| self.missing("a constant initialiser"))?;
+            cells[offset as usize] = self.constant_of(&value).ok_or_else(|| self.missing("a constant initialiser"))?;
         }
         self.program.constants.extend(cells);
         self.program.objects.push(Object { start: address, end: address + self.cells(&ty).max(1), array: true });

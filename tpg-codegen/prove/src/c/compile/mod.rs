@@ -6,12 +6,13 @@ mod memory;
 mod operation;
 mod statement;
 
-use super::code::{Condition, Constant, Operation, Program, Scalar, Value};
+use super::code::{Computed, Constant, Expression, Operation, Program, of};
 use super::token::{Placed, Token};
+use super::value::Here;
 use crate::input::{Missing, Result};
 use crate::machine::Interface;
-use crate::term::word::computed;
-use crate::term::{Operator, Width};
+use crate::machine::{Cells, Value};
+use crate::term::{Operator, Terms, Width};
 use Operation::*;
 use Token::{End, Name, Sign};
 use Type::*;
@@ -25,8 +26,7 @@ pub(super) enum Type {
     /// Bytes, and whether it is signed
     Integer(u8, bool),
     Float,
-    /// Constants without a suffix only
-    Double,
+
     Struct(usize),
     Array(Box<Type>, u32),
     Pointer(Box<Type>),
@@ -37,12 +37,8 @@ impl Type {
     const UNSIGNED: Self = Self::Integer(4, false);
 }
 
-/// The members of a structure or union.
-#[derive(Clone, Default)]
-struct Struct {
-    union: bool,
-    members: Vec<(String, Type)>,
-}
+/// The members of a structure.
+type Members = Vec<(String, Type)>;
 
 /// A function, and the token at which its body begins.
 #[derive(Debug)]
@@ -83,13 +79,11 @@ struct CallFrame {
 
 /// What an expression is.
 enum Operand {
-    Place(Value, Type),
-    Value(Value, Type),
-    /// A place that is set to another value behind its use
-    Stepped(Value, Type, &'static str),
+    Place(Expression, Type),
+    Value(Expression, Type),
 }
 
-type Typed = (Value, Type);
+type Typed = (Expression, Type);
 
 /// A compiler of a file, at one of its tokens.
 pub(super) struct Compiler<'t> {
@@ -100,7 +94,7 @@ pub(super) struct Compiler<'t> {
     line: u32,
     types: HashMap<String, Type>,
     tags: HashMap<String, usize>,
-    structs: Vec<Struct>,
+    structs: Vec<Members>,
     pub(super) functions: Vec<Rc<Function>>,
     /// Members of enumerations
     constants: HashMap<String, i64>,
@@ -113,16 +107,12 @@ pub(super) struct Compiler<'t> {
     statics: HashMap<usize, (Lvalue, usize)>,
 }
 
-fn number(number: u32) -> Value {
-    Value::Number(u64::from(number))
+fn number(number: u32) -> Expression {
+    Expression::Number(u64::from(number))
 }
 
-fn apply(operator: Operator, width: Width, a: Value, b: Value) -> Value {
-    Value::Apply(operator, width, Box::new(a), Box::new(b))
-}
-
-fn moved(address: Value, offset: Value) -> Value {
-    Value::Moved(Box::new(address), Box::new(offset))
+fn apply(operator: Operator, width: Width, a: Expression, b: Expression) -> Expression {
+    of(Computed::Apply(operator, width), [a, b])
 }
 
 /// Evaluates a constant expression.
@@ -134,7 +124,14 @@ pub(super) fn constant(file: &str, tokens: Vec<Placed>) -> Result<i64> {
 
 impl<'t> Compiler<'t> {
     fn new(file: &'t str, tokens: Vec<Placed>) -> Self {
-        let mut types = HashMap::from([("size_t".to_owned(), Type::UNSIGNED)]);
+        let names = [
+            ("void", Void),
+            ("float", Float),
+            ("int", Type::INT),
+            ("unsigned", Type::UNSIGNED),
+            ("size_t", Type::UNSIGNED),
+        ];
+        let mut types: HashMap<_, _> = names.map(|(name, ty)| (name.to_owned(), ty)).into();
         for (bytes, bits) in [(1, 8), (2, 16), (4, 32), (8, 64)] {
             types.insert(format!("int{bits}_t"), Integer(bytes, true));
             types.insert(format!("uint{bits}_t"), Integer(bytes, false));
@@ -184,45 +181,42 @@ impl<'t> Compiler<'t> {
             structures.push((address, &**target));
             arguments.push((number(address), ty.clone()));
         }
-        let memory = !interface.memory.is_empty();
-        let values = !interface.outputs.is_empty();
-        if structures.len() != 1 + usize::from(memory) + usize::from(values) {
+        let single = |names: &[String]| names.iter().map(|name| (name.clone(), 1)).collect::<Vec<_>>();
+        let mut parameters = structures.into_iter();
+        let mut cells = |names: &[(String, u32)]| match parameters.next() {
+            Some((address, ty)) => self.fields(ty, names).map(|()| address..address + self.cells(ty)),
+            None => self.refuse(format!("other parameters of `{name}`")),
+        };
+        let state = cells(&interface.sources)?;
+        let memory = if interface.memory.is_empty() { 0..0 } else { cells(&single(&interface.memory))? };
+        let outputs = if interface.outputs.is_empty() { 0..0 } else { cells(&single(&interface.outputs))? };
+        if parameters.next().is_some() {
             return self.refuse(format!("other parameters of `{name}`"));
         }
-        let single = |names: &[String]| names.iter().map(|name| (name.clone(), 1)).collect::<Vec<_>>();
-        self.fields(structures[0].1, &interface.sources)?;
-        self.program.state = structures[0].0;
-        if memory {
-            self.fields(structures[1].1, &single(&interface.memory))?;
-            self.program.memory = Some(structures[1].0);
-        }
-        if values {
-            let (address, ty) = structures[structures.len() - 1];
-            self.program.action = Some(address);
-            self.fields(ty, &single(&interface.outputs))?;
-        }
         let result = self.inlined(&function, arguments)?;
-        self.program.result = result.map(|place| place.address);
-        if self.program.result.is_none() != values {
+        if result.is_none() == interface.outputs.is_empty() {
             return self.refuse(format!("another result of `{name}`"));
         }
+        self.program.inputs = state.chain(memory.clone()).collect();
+        self.program.answers = outputs.chain(memory).chain(result.map(|place| place.address)).collect();
         Ok(self.finished())
     }
 
-    /// Compiles a function of one float, which is cell 0.
+    /// Compiles a function of one float.
     pub(super) fn of_float(mut self, name: &str) -> Result<Program> {
         let argument = self.allocate(&Float);
+        self.program.inputs = vec![argument];
         let argument = self.loaded(number(argument), Float)?;
         let called = self.function(name)?;
         let result = self.inlined(&called, vec![argument])?;
-        self.program.result = result.map(|place| place.address);
+        self.program.answers = result.map(|place| place.address).into_iter().collect();
         Ok(self.finished())
     }
 
     /// Checks that a structure holds floats with these names, in this order; underscores may follow a name.
     fn fields(&self, ty: &Type, names: &[(String, u32)]) -> Result<()> {
         let Struct(number) = ty else { return self.refuse("a pointer to a structure") };
-        let members = &self.structs[*number].members;
+        let members = &self.structs[*number];
         let fits = |member: &(String, Type), (name, length): &(String, u32)| {
             let floats = match &member.1 {
                 Float => 1,
@@ -303,7 +297,7 @@ impl<'t> Compiler<'t> {
     }
 
     /// Goes on if the condition holds; where else is told later.
-    fn branch(&mut self, condition: Condition) -> usize {
+    fn branch(&mut self, condition: Expression) -> usize {
         self.emit(Branch(condition, usize::MAX))
     }
 
@@ -337,22 +331,23 @@ impl<'t> Compiler<'t> {
     }
 
     /// Sets what is at an address.
-    fn put(&mut self, address: Value, value: Typed, ty: &Type) -> Result<()> {
+    fn put(&mut self, address: Expression, value: Typed, ty: &Type) -> Result<()> {
         let value = self.converted(value, ty)?;
         self.scalar(ty)?;
         self.emit(Set(address, value));
         Ok(())
     }
 
-    fn loaded(&self, address: Value, ty: Type) -> Result<Typed> {
-        Ok((Value::Load(Box::new(address), self.scalar(&ty)?), ty))
+    fn loaded(&self, address: Expression, ty: Type) -> Result<Typed> {
+        Ok((of(self.scalar(&ty)?, [address]), ty))
     }
 
-    fn scalar(&self, ty: &Type) -> Result<Scalar> {
+    /// How a scalar is read.
+    fn scalar(&self, ty: &Type) -> Result<Computed> {
         match ty {
-            Float => Ok(Scalar::Float),
-            Integer(..) | Pointer(_) => Ok(Scalar::Word),
-            Double => self.refuse("arithmetic in binary64"),
+            Float => Ok(Computed::LoadedFloat),
+            Integer(..) | Pointer(_) => Ok(Computed::LoadedWord),
+
             _ => self.refuse("a scalar"),
         }
     }
@@ -439,48 +434,15 @@ fn width(ty: &Type) -> Width {
     }
 }
 
-/// The constant that a value is.
-fn constant_of(value: &Value) -> Option<Constant> {
-    use Constant::{Float, Number};
-    match value {
-        Value::Number(number) => Some(Number(*number)),
-        Value::Float(bits) => Some(Float(*bits)),
-        Value::Negative(inner) => match constant_of(inner)? {
-            Float(bits) => Some(Float(bits ^ 0x8000_0000)),
-            Number(_) => None,
-        },
-        Value::Apply(operator, width, a, b) => match (constant_of(a)?, constant_of(b)?) {
-            (Number(_), Number(0)) if matches!(operator, Operator::Divide | Operator::Modulo) => None,
-            (Number(a), Number(b)) => Some(Number(computed(*operator, *width, a, b))),
+impl Compiler<'_> {
+    /// The constant that a value is.
+    fn constant_of(&self, value: &Expression) -> Option<Constant> {
+        let (terms, cells) = (Terms::new(), Cells::new());
+        let here = Here { program: &self.program, terms: &terms, cells: &cells, defines: false };
+        match here.value(value).ok()? {
+            Value::Float(float) => terms.bits_of(float).map(Constant::Float),
+            Value::Word(word) => terms.number_of(word).map(Constant::Number),
             _ => None,
-        },
-        Value::OfInteger(signed, inner) => match constant_of(inner)? {
-            Number(number) => {
-                let value = if *signed { number as u32 as i32 as f32 } else { number as u32 as f32 };
-                Some(Float(value.to_bits()))
-            }
-            Float(_) => None,
-        },
-        Value::OfCondition(condition) => Some(Number(u64::from(holds(condition)?))),
-        _ => None,
-    }
-}
-
-/// Tests whether a condition of constants holds.
-fn holds(condition: &Condition) -> Option<bool> {
-    let numbers = |a, b| match (constant_of(a)?, constant_of(b)?) {
-        (Constant::Number(a), Constant::Number(b)) => Some((a, b)),
-        _ => None,
-    };
-    match condition {
-        Condition::Same(_, a, b) => numbers(a, b).map(|(a, b)| a == b),
-        Condition::Below(false, _, a, b) => numbers(a, b).map(|(a, b)| a < b),
-        Condition::Below(true, width, a, b) => numbers(a, b).map(|(a, b)| width.signed(a) < width.signed(b)),
-        Condition::Logical(and, a, b) => {
-            let first = holds(a)?;
-            if first == *and { holds(b) } else { Some(first) }
         }
-        Condition::Not(inner) => Some(!holds(inner)?),
-        Condition::Compared(..) | Condition::Nan(_) => None,
     }
 }

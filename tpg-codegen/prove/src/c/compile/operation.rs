@@ -1,10 +1,10 @@
 //! Operators on values, and conversions.
 
 use super::{Compiler, Type, Typed, apply, width};
-use crate::c::code::{Condition, Value};
+use crate::c::code::{Computed, Expression, of};
 use crate::input::Result;
 use crate::term::{Arithmetic, Operator::*, Terms, Width};
-use Condition::*;
+use Computed::{Below, Compared, Same};
 use Type::*;
 
 pub(super) fn promoted(ty: &Type) -> Type {
@@ -15,7 +15,7 @@ pub(super) fn promoted(ty: &Type) -> Type {
 }
 
 impl Compiler<'_> {
-    pub(super) fn compared(&self, sign: &str, a: Typed, b: Typed) -> Result<Condition> {
+    pub(super) fn compared(&self, sign: &str, a: Typed, b: Typed) -> Result<Expression> {
         let ty = self.common(&a.1, &b.1)?;
         let (mut a, mut b) = (self.converted(a, &ty)?, self.converted(b, &ty)?);
         if sign.starts_with('>') {
@@ -23,12 +23,12 @@ impl Compiler<'_> {
         }
         let (width, signed) = (width(&ty), ty != Type::UNSIGNED && ty != Integer(8, false));
         let condition = match (&ty, sign) {
-            (Float, "==" | "!=") => Compared(Terms::equal, a, b),
-            (Float, "<" | ">") => Compared(Terms::less, a, b),
-            (Float, _) => Compared(Terms::less_or_equal, a, b),
-            (_, "==" | "!=") => Same(width, a, b),
-            (_, "<" | ">") => Below(signed, width, a, b),
-            _ => !Below(signed, width, b, a),
+            (Float, "==" | "!=") => of(Compared(Terms::equal), [a, b]),
+            (Float, "<" | ">") => of(Compared(Terms::less), [a, b]),
+            (Float, _) => of(Compared(Terms::less_or_equal), [a, b]),
+            (_, "==" | "!=") => of(Same(width), [a, b]),
+            (_, "<" | ">") => of(Below(signed, width), [a, b]),
+            _ => !of(Below(signed, width), [b, a]),
         };
         Ok(if sign == "!=" { !condition } else { condition })
     }
@@ -44,12 +44,12 @@ impl Compiler<'_> {
         if ty == Float {
             let (operation, b) = match sign {
                 "+" => (Arithmetic::Add, b),
-                "-" => (Arithmetic::Add, Value::Negative(Box::new(b))),
+                "-" => (Arithmetic::Add, of(Computed::Negative, [b])),
                 "*" => (Arithmetic::Multiply, b),
                 "/" => (Arithmetic::Divide, b),
                 _ => return self.refuse(format!("`{sign}` of floats")),
             };
-            return Ok((Value::Arithmetic(operation, Box::new(a), Box::new(b)), ty));
+            return Ok((of(Computed::Arithmetic(operation), [a, b]), ty));
         }
         let Integer(_, signed) = ty else { return self.refuse(format!("`{sign}` of this type")) };
         let operator = match sign {
@@ -72,7 +72,6 @@ impl Compiler<'_> {
     /// The type in which two operands are computed with.
     pub(super) fn common(&self, x: &Type, y: &Type) -> Result<Type> {
         match (promoted(x), promoted(y)) {
-            (Double, _) | (_, Double) => self.refuse("arithmetic in binary64"),
             (Float, Float | Integer(..)) | (Integer(..), Float) => Ok(Float),
             // the wider one, or unsigned if either of the same size is
             (Integer(a, s), Integer(b, t)) => Ok(Integer(
@@ -89,14 +88,13 @@ impl Compiler<'_> {
         }
     }
 
-    pub(super) fn converted(&self, (value, from): Typed, to: &Type) -> Result<Value> {
-        let apply = |operator, width, a, b| apply(operator, width, a, Value::Number(b));
+    pub(super) fn converted(&self, (value, from): Typed, to: &Type) -> Result<Expression> {
+        let apply = |operator, width, a, b| apply(operator, width, a, Expression::Number(b));
         match (&from, to) {
             _ if from == *to => Ok(value),
             (Pointer(_), Pointer(_)) | (_, Void) => Ok(value),
-            // a constant of the wider type: it is rounded once more
-            (Double, Float) if matches!(value, Value::Float(_)) => Ok(value),
-            (Integer(bytes, signed), Float) if *bytes <= 4 => Ok(Value::OfInteger(*signed, Box::new(value))),
+
+            (Integer(bytes, signed), Float) if *bytes <= 4 => Ok(of(Computed::OfInteger(*signed), [value])),
             (Float, Integer(..)) => self.refuse("a float that is in the range of an integer"),
             (Integer(a, signed), Integer(b, to_signed)) => Ok(match (a, b) {
                 (8, 8) => value,

@@ -1,7 +1,7 @@
 //! Statements: declarations, branches, loops, switches.
 
 use super::{Compiler, JumpTarget, Type, number};
-use crate::c::code::{Condition, Operation, Value};
+use crate::c::code::{Computed, Expression, Operation, of};
 use crate::c::token::Token::{Name, Sign};
 use crate::input::Result;
 use crate::term::Width;
@@ -47,7 +47,7 @@ impl Compiler<'_> {
                 }
                 Ok(())
             }
-            "while" | "do" | "for" => {
+            "while" | "for" => {
                 self.enter();
                 if word == "for" {
                     self.expect("(")?;
@@ -88,13 +88,9 @@ impl Compiler<'_> {
             }
             "return" => {
                 if *self.peek() != Sign(";") {
-                    match self.frame.result.clone() {
-                        Some(place) => {
-                            let value = self.assigned()?;
-                            self.put(number(place.address), value, &place.ty)?;
-                        }
-                        None => self.effect()?,
-                    }
+                    let Some(place) = self.frame.result.clone() else { return self.refuse("a function with a result") };
+                    let value = self.assigned()?;
+                    self.put(number(place.address), value, &place.ty)?;
                 }
                 let jump = self.jump(self.frame.scopes);
                 self.frame.returns.push(jump);
@@ -108,11 +104,11 @@ impl Compiler<'_> {
     }
 
     fn evaluated(&mut self) -> Result<()> {
-        self.effect()?;
+        self.assignment()?;
         self.expect(";")
     }
 
-    fn bracketed(&mut self) -> Result<Condition> {
+    fn bracketed(&mut self) -> Result<Expression> {
         self.expect("(")?;
         let condition = self.tested(Self::assignment)?;
         self.expect(")").map(|()| condition)
@@ -128,7 +124,7 @@ impl Compiler<'_> {
         if word == "while" {
             let condition = self.bracketed()?;
             exits.push(self.branch(condition));
-        } else if word == "for" {
+        } else {
             if *self.peek() != Sign(";") {
                 let condition = self.tested(Self::assignment)?;
                 exits.push(self.branch(condition));
@@ -143,15 +139,10 @@ impl Compiler<'_> {
         self.land(&target.continues.unwrap_or_default());
         if let Some(step) = step {
             let behind = std::mem::replace(&mut self.at, step);
-            self.effect()?;
+            self.assignment()?;
             self.at = behind;
         }
-        if word == "do" {
-            self.expect("while")?;
-            let condition = self.bracketed()?;
-            exits.push(self.branch(condition));
-            self.expect(";")?;
-        }
+
         self.emit(Operation::Jump(head, Vec::new()));
         exits.extend(target.breaks);
         self.land(&exits);
@@ -177,7 +168,7 @@ impl Compiler<'_> {
             let Some(value) = value else { continue };
             let (load, _) = self.loaded(number(cell), Type::UNSIGNED)?;
             // a branch goes there where its condition fails
-            self.emit(Operation::Branch(!Condition::Same(Width::W32, load, Value::Number(value)), at));
+            self.emit(Operation::Branch(!of(Computed::Same(Width::W32), [load, Expression::Number(value)]), at));
         }
         let default = target.cases.iter().find(|(value, _)| value.is_none()).map(|&(_, at)| at);
         let last = self.emit(Operation::Jump(default.unwrap_or(usize::MAX), Vec::new()));
