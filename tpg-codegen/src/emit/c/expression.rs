@@ -21,7 +21,7 @@ pub(super) struct Printer<'a> {
     pub(super) short_cuts: bool,
     /// No branches: instructions with a comparison go through functions that choose by masks.
     pub(super) branch_free: bool,
-    /// [Functions](super::fast::compares_in_functions) compare bids.
+    /// [Functions](crate::emit::team::compares_in_functions) compare bids.
     pub(super) leads: bool,
 }
 
