@@ -14,10 +14,10 @@ use tpg_arm::kinematics::Vector;
 use tpg_arm::sensors::Watch;
 use tpg_codegen::emit::{self, File, Language, Options};
 use tpg_generated::dodge::Dodge;
-use tpg_problems::dodge::{BODY, Config};
 use tpg_problems::dodge::episode::{End, Episode};
 use tpg_problems::dodge::file::read_csv;
 use tpg_problems::dodge::scene::Scene;
+use tpg_problems::dodge::{BODY, Config};
 use tpg_testing::library;
 
 /// Scenes that are run.

@@ -44,16 +44,9 @@ fn a_report_shows_every_run_and_is_the_same_wherever_the_runs_are() {
         String::from_utf8(output.get_output().stdout.clone()).expect("text")
     };
     let html = report(&[&evolved, &sac]);
-    for part in [
-        "evolved/seed-1",
-        "evolved/seed-2",
-        ">sac<",
-        "TPG",
-        "SAC",
-        "<svg",
-        "test episodes",
-        "target, in the last",
-    ] {
+    for part in
+        ["evolved/seed-1", "evolved/seed-2", ">sac<", "TPG", "SAC", "<svg", "test episodes", "target, in the last"]
+    {
         assert!(html.contains(part), "{part} is missing");
     }
     for never in ["<script", "http:", "https:", "NaN", "inf,"] {

@@ -136,7 +136,7 @@ impl Costs {
             ("hybrid", "the hybrid's decision"),
             ("step", "a whole control step"),
         ] {
-            let both = ["fs", "rs"].map(|start| &self.cost[&format!("C {start} {part}")]);
+            let both = ["fs", "rs"].map(|start| &self.cost[&format!("{start} {part}")]);
             let [mean, worst] = [
                 both.map(|cost| number(f64::from(cost.instructions) / f64::from(cost.actions), 0)),
                 both.map(|cost| number(cost.worst.into(), 0)),

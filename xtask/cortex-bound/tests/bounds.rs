@@ -432,9 +432,8 @@ fn limits_count_a_function_no_more_than_it_runs() {
         bx lr",
     );
     let bounds = LoopBounds::new();
-    let found = |limits: &[Limit]| {
-        Analyser::new(&listing, &bounds).limited(limits).bound("f").map(|bound| bound.instructions)
-    };
+    let found =
+        |limits: &[Limit]| Analyser::new(&listing, &bounds).limited(limits).bound("f").map(|bound| bound.instructions);
     let limit =
         |within: &str, function: &str, times| Limit { within: within.to_owned(), function: function.to_owned(), times };
     assert_eq!(found(&[]), Ok(5 + 3 * 3 + 3));

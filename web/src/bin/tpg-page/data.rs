@@ -66,12 +66,8 @@ struct PageProblem {
 }
 
 /// The rows of `costs.toml` that the page shows.
-const COSTS: [(&str, &str); 4] = [
-    ("graph", "rs graph"),
-    ("network", "rs network"),
-    ("hybrid", "rs hybrid"),
-    ("balls", "dodge any behaviour"),
-];
+const COSTS: [(&str, &str); 4] =
+    [("graph", "rs graph"), ("network", "rs network"), ("hybrid", "rs hybrid"), ("balls", "dodge any behaviour")];
 
 /// The text of the file.
 pub(crate) fn text() -> io::Result<String> {
