@@ -16,7 +16,7 @@
 #if defined(__FINITE_MATH_ONLY__) && (__FINITE_MATH_ONLY__ > 0)
 #error "-ffinite-math-only drops NaN and infinities: the policy would act differently"
 #endif
-/* 16 widens what is narrower than float, and no float. */
+/* 16 only widens types narrower than float. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD != 0) && (FLT_EVAL_METHOD != 16)
 #error "float expressions must be computed in float: the policy would act differently"
 #endif
@@ -28,7 +28,7 @@
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif
-#if defined(__clang_major__) && (__clang_major__ >= 13) /* no macro tells of -fassociative-math */
+#if defined(__clang_major__) && (__clang_major__ >= 13) /* no macro reveals -fassociative-math */
 #pragma clang fp reassociate(off)
 #endif
 
@@ -77,8 +77,8 @@ acrobot_action_t acrobot_infer(const acrobot_state_t *state)
 
 #ifndef ACROBOT_NO_SELFTEST
 
-/* Counts the rules of arithmetic that do not hold: of some flags, such as clang's -fno-honor-nans and -ffp-contract=fast, no macro
- * tells, nor of a processor that flushes small numbers to 0. */
+/* Counts the rules of arithmetic that do not hold. No macro reveals some flags, such as clang's -fno-honor-nans and
+ * -ffp-contract=fast, nor a processor that flushes subnormal numbers to zero. */
 static uint32_t acrobot_arithmetic(void)
 {
     const volatile float numbers[6] = { 0.0f, FLT_MAX, 1.0002441f, 16777216.0f, 41.0f, FLT_MIN };

@@ -45,7 +45,7 @@ acrobot_action_t acrobot_infer(const acrobot_state_t *state);
 
 #ifndef ACROBOT_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * They notice 16 of 17 numbers of the graph that are changed by 1 %.
+ * A change by 1 % is noticed in 16 of the policy's 17 constants.
  */
 uint32_t acrobot_selftest(void);
 #endif

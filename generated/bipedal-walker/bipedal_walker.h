@@ -42,7 +42,7 @@ void bipedal_walker_infer(const bipedal_walker_state_t *state, bipedal_walker_ac
 
 #ifndef BIPEDAL_WALKER_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * They notice 108 of 108 numbers of the graph that are changed by 1 %.
+ * A change by 1 % is noticed in 108 of the policy's 108 constants.
  */
 uint32_t bipedal_walker_selftest(void);
 #endif

@@ -42,7 +42,7 @@ cartpole_action_t cartpole_infer(const cartpole_state_t *state);
 
 #ifndef CARTPOLE_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * They notice 1 of 1 numbers of the graph that are changed by 1 %.
+ * A change by 1 % is noticed in 1 of the policy's 1 constants.
  */
 uint32_t cartpole_selftest(void);
 #endif

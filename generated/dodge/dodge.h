@@ -57,7 +57,7 @@ dodge_action_t dodge_infer(const dodge_state_t *state);
 
 #ifndef DODGE_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * They notice 1 of 6 numbers of the graph that are changed by 1 %.
+ * A change by 1 % is noticed in 1 of the policy's 6 constants.
  */
 uint32_t dodge_selftest(void);
 #endif

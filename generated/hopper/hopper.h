@@ -41,7 +41,7 @@ void hopper_infer(const hopper_state_t *state, hopper_action_t *action);
 
 #ifndef HOPPER_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * They notice 39 of 39 numbers of the graph that are changed by 1 %.
+ * A change by 1 % is noticed in 39 of the policy's 39 constants.
  */
 uint32_t hopper_selftest(void);
 #endif

@@ -41,7 +41,7 @@ lunar_lander_action_t lunar_lander_infer(const lunar_lander_state_t *state);
 
 #ifndef LUNAR_LANDER_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * They notice 14 of 15 numbers of the graph that are changed by 1 %.
+ * A change by 1 % is noticed in 14 of the policy's 15 constants.
  */
 uint32_t lunar_lander_selftest(void);
 #endif

@@ -40,7 +40,7 @@ void mountain_car_continuous_infer(const mountain_car_continuous_state_t *state,
 
 #ifndef MOUNTAIN_CAR_CONTINUOUS_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * They notice 2 of 4 numbers of the graph that are changed by 1 %.
+ * A change by 1 % is noticed in 2 of the policy's 4 constants.
  */
 uint32_t mountain_car_continuous_selftest(void);
 #endif

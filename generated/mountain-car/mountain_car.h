@@ -41,7 +41,7 @@ mountain_car_action_t mountain_car_infer(const mountain_car_state_t *state);
 
 #ifndef MOUNTAIN_CAR_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * They notice 8 of 12 numbers of the graph that are changed by 1 %.
+ * A change by 1 % is noticed in 8 of the policy's 12 constants.
  */
 uint32_t mountain_car_selftest(void);
 #endif

@@ -41,7 +41,7 @@ void pendulum_infer(const pendulum_state_t *state, pendulum_action_t *action);
 
 #ifndef PENDULUM_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * They notice 10 of 12 numbers of the graph that are changed by 1 %.
+ * A change by 1 % is noticed in 10 of the policy's 12 constants.
  */
 uint32_t pendulum_selftest(void);
 #endif

@@ -40,7 +40,7 @@ void swimmer_infer(const swimmer_state_t *state, swimmer_action_t *action);
 
 #ifndef SWIMMER_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * They notice 20 of 20 numbers of the graph that are changed by 1 %.
+ * A change by 1 % is noticed in 20 of the policy's 20 constants.
  */
 uint32_t swimmer_selftest(void);
 #endif

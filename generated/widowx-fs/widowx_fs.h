@@ -50,7 +50,7 @@ widowx_fs_action_t widowx_fs_infer(const widowx_fs_state_t *state);
 
 #ifndef WIDOWX_FS_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * They notice 4 of 130 numbers of the graph that are changed by 1 %.
+ * A change by 1 % is noticed in 4 of the policy's 130 constants.
  */
 uint32_t widowx_fs_selftest(void);
 #endif

@@ -51,7 +51,7 @@ widowx_rs_action_t widowx_rs_infer(const widowx_rs_state_t *state);
 
 #ifndef WIDOWX_RS_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * They notice 2 of 89 numbers of the graph that are changed by 1 %.
+ * A change by 1 % is noticed in 2 of the policy's 89 constants.
  */
 uint32_t widowx_rs_selftest(void);
 #endif

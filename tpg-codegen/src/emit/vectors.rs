@@ -35,7 +35,7 @@ impl Vectors {
     pub(crate) fn quality(&self) -> Option<String> {
         let Self { changes, noticed, .. } = self;
         (*changes > 0)
-            .then(|| format!("They notice {noticed} of {changes} numbers of the graph that are changed by 1 %."))
+            .then(|| format!("A change by 1 % is noticed in {noticed} of the policy's {changes} constants."))
     }
 }
 

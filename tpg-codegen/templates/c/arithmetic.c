@@ -1,5 +1,5 @@
-/* Counts the rules of arithmetic that do not hold: of some flags, such as clang's -fno-honor-nans and -ffp-contract=fast, no macro
- * tells, nor of a processor that flushes small numbers to 0. */
+/* Counts the rules of arithmetic that do not hold. No macro reveals some flags, such as clang's -fno-honor-nans and
+ * -ffp-contract=fast, nor a processor that flushes subnormal numbers to zero. */
 static uint32_t {{ prefix }}_arithmetic(void)
 {
 {%- if f64 %}

@@ -6,6 +6,6 @@
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif
-#if defined(__clang_major__) && (__clang_major__ >= 13) /* no macro tells of -fassociative-math */
+#if defined(__clang_major__) && (__clang_major__ >= 13) /* no macro reveals -fassociative-math */
 #pragma clang fp reassociate(off)
 #endif

@@ -152,7 +152,7 @@ static {{ scalar }} {{ prefix }}_fmod({{ scalar }} a, {{ scalar }} b)
         result = result * power;
         result = (a < {% if f64 %}0.0{% else %}0.0f{% endif %}) ? -result : result;
     } else {
-        /* as it is */
+        /* no change */
     }
     return result;
 }

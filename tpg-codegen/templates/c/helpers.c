@@ -84,14 +84,14 @@ static {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ 
 {% include "c/fmod.c" %}
 {% endif %}
 {% if short && self.calls("ln") %}
-/* The platform's logarithm, which takes its time to find that a negative number has none. */
+/* The platform's logarithm, which is slow for negative arguments. */
 static {{ scalar }} {{ prefix }}_ln({{ scalar }} x)
 {
     return (x < {% if f64 %}0.0{% else %}0.0f{% endif %}) ? {% if f64 %}(double)NAN{% else %}NAN{% endif %} : {{ printer.function("log") }}(x);
 }
 {% endif %}
 {% if short && self.calls("exp") %}
-/* The platform's exponential, which takes its time to find that a result is no number any more, or 0. */
+/* The platform's exponential, which is slow once the result over- or underflows. */
 static {{ scalar }} {{ prefix }}_exp({{ scalar }} x)
 {
     {{ scalar }} result;
@@ -107,10 +107,10 @@ static {{ scalar }} {{ prefix }}_exp({{ scalar }} x)
 }
 {% endif %}
 {% if self.calls("ln_upper") %}
-/* Not below the logarithm, and cheap: the bits of a number are a straight line between powers of two through it. */
+/* A cheap upper bound of the logarithm: the bits of a number are a straight line between powers of two through it. */
 static {{ scalar }} {{ prefix }}_ln_upper({{ scalar }} x)
 {
-    {{ scalar }} bound = {% if f64 %}(double)NAN{% else %}NAN{% endif %}; /* says nothing */
+    {{ scalar }} bound = {% if f64 %}(double)NAN{% else %}NAN{% endif %}; /* no bound */
 
     if ((x >= {% if f64 %}DBL_MIN{% else %}FLT_MIN{% endif %}) && (x <= {% if f64 %}DBL_MAX{% else %}FLT_MAX{% endif %})) {
         {{ signed }} bits;
@@ -118,21 +118,21 @@ static {{ scalar }} {{ prefix }}_ln_upper({{ scalar }} x)
         (void)memcpy(&bits, &x, sizeof bits);
         bound = (({{ scalar }})bits * {{ self.literal(estimate.ln_scale) }}) - {{ self.literal(estimate.ln_offset) }};
     } else if (x <= {% if f64 %}0.0{% else %}0.0f{% endif %}) {
-        bound = {% if f64 %}-(double)INFINITY{% else %}-INFINITY{% endif %}; /* or NaN, which bids that */
+        bound = {% if f64 %}-(double)INFINITY{% else %}-INFINITY{% endif %}; /* NaN also bids that */
     } else if (x > {% if f64 %}DBL_MAX{% else %}FLT_MAX{% endif %}) {
         bound = {% if f64 %}(double)INFINITY{% else %}INFINITY{% endif %};
     } else {
-        /* as it is */
+        /* no change */
     }
     return bound;
 }
 {% endif %}
 {% if self.calls("exp_upper") %}
-/* Not below the exponential, and cheap: the bits of a number are a straight line between powers of two through its
+/* A cheap upper bound of the exponential: the bits of a number are a straight line between powers of two through its
  * logarithm. */
 static {{ scalar }} {{ prefix }}_exp_upper({{ scalar }} x)
 {
-    {{ scalar }} bound = {% if f64 %}(double)NAN{% else %}NAN{% endif %}; /* says nothing */
+    {{ scalar }} bound = {% if f64 %}(double)NAN{% else %}NAN{% endif %}; /* no bound */
 
     if ((x >= {{ self.literal(estimate.exp_between.0) }}) && (x <= {{ self.literal(estimate.exp_between.1) }})) {
         const {{ scalar }} scaled = x * {{ self.literal(estimate.exp_scale) }};
@@ -145,7 +145,7 @@ static {{ scalar }} {{ prefix }}_exp_upper({{ scalar }} x)
     } else if (x > {{ self.literal(estimate.exp_infinite_above) }}) {
         bound = {% if f64 %}(double)INFINITY{% else %}INFINITY{% endif %};
     } else {
-        /* as it is */
+        /* no change */
     }
     return bound;
 }
@@ -186,7 +186,7 @@ typedef struct {{ prefix }}_lead {
 }
 {% endif %}
 {% if self.calls("can") %}
-/* Tests whether a bid of a later edge than the others can win; also where the bound is NaN and says nothing. */
+/* Tests whether a bid of a later edge than the others can win; also where the bound is NaN, which is none. */
 {{ upper }}_LEADER uint32_t {{ prefix }}_can(const {{ prefix }}_lead_t *lead, {{ scalar }} bound)
 {
     return (lead->best > bound) ? 0U : 1U;

@@ -14,7 +14,7 @@
 {%- endif %}
 
 {% include "c/flags.c" %}
-/* 16 widens what is narrower than float, and no float. */
+/* 16 only widens types narrower than float. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD != 0) && (FLT_EVAL_METHOD != 16){% if f64 %} && (FLT_EVAL_METHOD != 1){% endif %}
 #error "{{ scalar }} expressions must be computed in {{ scalar }}: the policy would act differently"
 #endif

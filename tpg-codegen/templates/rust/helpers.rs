@@ -1,5 +1,5 @@
 {% if short && called.contains("ln") %}
-/// The platform's logarithm, which takes its time to find that a negative number has none. Not inlined: LLVM would compute
+/// The platform's logarithm, which is slow for negative arguments. Not inlined: LLVM would compute
 /// it before it is known to matter.
 #[inline(never)]
 fn ln(x: {{ scalar }}) -> {{ scalar }} {
@@ -7,7 +7,7 @@ fn ln(x: {{ scalar }}) -> {{ scalar }} {
 }
 {% endif %}
 {% if short && called.contains("exp") %}
-/// The platform's exponential, which takes its time to find that a result is no number any more, or 0. Not inlined: LLVM
+/// The platform's exponential, which is slow once the result over- or underflows. Not inlined: LLVM
 /// would compute it before it is known to matter.
 #[inline(never)]
 fn exp(x: {{ scalar }}) -> {{ scalar }} {
@@ -28,12 +28,12 @@ fn {{ name }}(x: {{ scalar }}) -> {{ scalar }} {
 }
 {% endfor %}
 {% if called.contains("ln_upper") %}
-/// Not below the logarithm, and cheap: the bits of a number are a straight line between powers of two through it.
+/// A cheap upper bound of the logarithm: the bits of a number are a straight line between powers of two through it.
 fn ln_upper(x: {{ scalar }}) -> {{ scalar }} {
     if x >= {{ scalar }}::MIN_POSITIVE && x <= {{ scalar }}::MAX {
         x.to_bits() as {{ signed }} as {{ scalar }} * {{ self.literal(estimate.ln_scale) }} - {{ self.literal(estimate.ln_offset) }}
     } else if x <= {{ zero }} {
-        // Or NaN, which bids that.
+        // NaN also bids that.
         {{ scalar }}::NEG_INFINITY
     } else if x > {{ scalar }}::MAX {
         {{ scalar }}::INFINITY
@@ -43,7 +43,7 @@ fn ln_upper(x: {{ scalar }}) -> {{ scalar }} {
 }
 {% endif %}
 {% if called.contains("exp_upper") %}
-/// Not below the exponential, and cheap: the bits of a number are a straight line between powers of two through its
+/// A cheap upper bound of the exponential: the bits of a number are a straight line between powers of two through its
 /// logarithm.
 fn exp_upper(x: {{ scalar }}) -> {{ scalar }} {
     if x >= {{ self.literal(estimate.exp_between.0) }} && x <= {{ self.literal(estimate.exp_between.1) }} {
@@ -90,7 +90,7 @@ impl Lead {
         }
     }
 
-    /// Tests whether a bid of a later edge than the others can win; also where the bound is NaN and says nothing.
+    /// Tests whether a bid of a later edge than the others can win; also where the bound is NaN, which is none.
     #[cfg_attr(target_pointer_width = "32", inline(never))]
     fn can(&self, bound: {{ scalar }}) -> bool {
         !(self.best > bound)
