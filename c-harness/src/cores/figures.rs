@@ -251,7 +251,7 @@ impl std::fmt::Display for Figures {
         )?;
         write!(
             f,
-            "## Instructions of a network\n\nMean · worst of {INPUTS} inputs of a network 38-64-64-4 in integers (6,912 multiplications), by bits of \
+            "## Instructions of a network\n\nMean · worst of {INPUTS} inputs of a network 38-64-64-4 in integers (6,784 multiplications), by bits of \
              weights and activations.\n\n{}",
             self.table(&[], |figures| cost(&figures.layers))
         )
