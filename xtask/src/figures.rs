@@ -359,7 +359,7 @@ mod tests {
                 before.matches("<!-- table ").count()
             })
             .sum();
-        assert_eq!(tables, 5);
+        assert_eq!(tables, 6);
     }
 
     #[test]

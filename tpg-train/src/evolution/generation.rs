@@ -23,7 +23,7 @@ const POOL: usize = 300;
 const RACING_SHARE: f64 = 0.4;
 /// Fewest and most samples of a generation of random search, and for how many generations its episodes should be enough, if they are
 /// as long as those of the first generation.
-const SAMPLES: [usize; 2] = [8, 24];
+const SAMPLES: [usize; 2] = [8, 16];
 const STEPS: f64 = 75.0;
 /// Generations of evolution for which a run must have steps left, with outputs and with named actions, which sums choose less well.
 /// Otherwise the searches for weights take all of it.
