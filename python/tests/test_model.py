@@ -486,7 +486,7 @@ def test_hardware_in_the_loop_goes_on_with_a_random_search(tmp_path: Path) -> No
     env, driver = environments.Cart(), model._interface.driver(environments.Cart())
     for _ in range(2):
         candidates = model.ask()
-        assert len({candidate.seed for candidate in candidates}) == len(candidates), "an episode of its own"
+        assert 2 * len({candidate.seed for candidate in candidates}) == len(candidates), "opposites play the same episode"
         returns = []
         for candidate in candidates:
             observation, _ = env.reset(seed=candidate.seed)

@@ -46,9 +46,7 @@ def _changes(space: spaces.Space[Any], key: str = "the observation") -> spaces.S
     if isinstance(space, spaces.Dict):
         return spaces.Dict({key: _changes(inner, key) for key, inner in space.spaces.items()})
     if not isinstance(space, spaces.Box) or len(space.shape) != 1:
-        raise ValueError(
-            f"{key}: the space {space}; accepted: a flat Box, as FlattenObservation gives it, or a Dict of them"
-        )
+        raise ValueError(f"{key}: the space {space}; accepted: a flat Box, as FlattenObservation gives it, or a Dict of them")
     reach = np.subtract(space.high, space.low, dtype=np.float32)
     return spaces.Box(-reach, reach, dtype=np.float32)
 

@@ -34,8 +34,7 @@ impl Vectors {
     /// Says how good the states are; nothing where the graph has none.
     pub(crate) fn quality(&self) -> Option<String> {
         let Self { changes, noticed, .. } = self;
-        (*changes > 0)
-            .then(|| format!("A change by 1 % is noticed in {noticed} of the policy's {changes} constants."))
+        (*changes > 0).then(|| format!("A change by 1 % is noticed in {noticed} of the policy's {changes} constants."))
     }
 }
 
