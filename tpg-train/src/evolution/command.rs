@@ -177,7 +177,7 @@ impl<W: Workplace> Training<'_, W> {
         for seed in seeds {
             let folder = args.seeds.map_or_else(|| out.to_owned(), |_| out.join(of_seed(seed)));
             let RunEnd::Finished(best) = one(seed, folder)? else { return Ok(Verdict::Interrupted) };
-            let result = sentence(seed, &best.result, "selection", environment.measure());
+            let result = sentence(seed, &best.result, "validation", environment.measure());
             tpg_graph::command::note(format_args!("{result}, found in generation {}", best.generation));
             finished.push((seed, best));
             if args.seeds.is_some() {

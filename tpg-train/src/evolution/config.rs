@@ -187,7 +187,7 @@ pub struct SelectionConfig {
     pub lexicase_survivors: usize,
     /// Episodes after which only the best two fifths of the roots continue; 0 for all.
     pub racing_episodes: usize,
-    /// Selection episodes, on which the best policy is chosen.
+    /// Number of validation episodes, on which the best policy is chosen.
     pub validation_episodes: usize,
     /// Fraction of a run's steps for choosing the best policy.
     pub validation_share: f64,

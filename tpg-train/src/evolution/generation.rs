@@ -21,9 +21,9 @@ use tpg_runtime::scalar::Scalar;
 const POOL: usize = 300;
 /// Fraction of the candidates that play on after a race.
 const RACING_SHARE: f64 = 0.4;
-/// Fewest and most samples of a generation of random search, and for how many generations its episodes should be enough, if they are
-/// as long as those of the first generation.
-const SAMPLES: [usize; 2] = [8, 16];
+/// Fewest samples of a generation of random search, and most for few weights and for many; and for how many generations its episodes
+/// should be enough, if they are as long as those of the first generation.
+const SAMPLES: [usize; 3] = [8, 16, 24];
 const STEPS: f64 = 75.0;
 /// Generations of evolution for which a run must have steps left, with outputs and with named actions, which sums choose less well.
 /// Otherwise the searches for weights take all of it.
@@ -88,7 +88,9 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         let part = self.part(state).map_or(0.0, |part| (part - begun) / (random - begun));
         let first = state.rows.first().map_or(1.0, |row| row.steps as f64 / row.roots.max(1) as f64);
         let episodes = self.goal.max_steps.map(|most| random * most as f64 / first.max(1.0));
-        let [fewest, most] = SAMPLES;
+        let [fewest, few, many] = SAMPLES;
+        let rows = if self.actions == 0 { self.vocabulary.outputs().len() } else { self.actions.into() };
+        let most = (rows * self.vocabulary.inputs().len()).clamp(few, many);
         Context {
             config: self.config,
             vocabulary: &self.vocabulary,
