@@ -143,7 +143,10 @@ fn install(target: &str, folder: &Path) -> Result<(), Missing> {
         let path = folder.join(to);
         let written = text.and_then(|text| {
             fs::create_dir_all(path.parent().unwrap_or(folder))?;
-            fs::write(&path, text)
+            // Whoever compiles meanwhile, for another target, sees a whole file.
+            let part = path.with_extension(format!("{target}.part"));
+            fs::write(&part, text)?;
+            fs::rename(&part, &path)
         });
         written.map_err(|error| Failed(format!("{}: {error}", path.display())))
     };
