@@ -12,7 +12,7 @@ pub struct Effort {
     pub chatter: f64,
 }
 
-/// What a policy has asked of the actuators so far.
+/// The effort of a policy so far.
 #[derive(Debug)]
 pub(crate) struct Meter<'o> {
     outputs: &'o [Output],

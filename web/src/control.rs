@@ -24,7 +24,7 @@ pub struct View {
     pub score: f64,
     /// The sum of rewards of the last whole episode; NaN before there is one.
     pub last_score: f64,
-    /// What the policy saw at the last action, from which the page computes the bids.
+    /// The state that the policy saw at the last action, from which the page computes the bids.
     pub seen: [f32; STATE],
     /// Actions since the last time limit.
     pub actions: u32,

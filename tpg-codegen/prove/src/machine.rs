@@ -49,7 +49,7 @@ pub enum Step<Point> {
 /// The ways on from a point, each with its condition.
 pub type Ways<Point> = Vec<(Bool, Step<Point>)>;
 
-/// What a cell holds.
+/// The contents of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) enum Value {
     Word(Word),
@@ -97,7 +97,7 @@ impl Value {
     }
 }
 
-/// What cells hold; those that are missing hold nothing known.
+/// The contents of cells; those that are missing are unknown.
 pub(crate) type Cells<Cell> = BTreeMap<Cell, Value>;
 
 /// The cells of the first where the condition holds, else those of the second.
@@ -118,7 +118,7 @@ pub struct Point<Cell: Ord> {
     pub(crate) cells: Cells<Cell>,
 }
 
-/// What is known on a way, and under which condition the way is taken.
+/// The facts that are known on a way, and the condition under which it is taken.
 #[derive(Clone, Debug)]
 pub struct State<Cell> {
     pub(crate) guard: Bool,
@@ -192,14 +192,14 @@ pub trait Machine {
     /// The point at which the function begins.
     ///
     /// # Errors
-    /// What cannot be executed.
+    /// The part that cannot be executed.
     fn entry(&mut self, terms: &Terms) -> Result<Point<Self::Cell>>;
 
     /// Executes what is at a place. The conditions of the ways on exclude each other; the code lies in the order in which it is
     /// executed, but for loops.
     ///
     /// # Errors
-    /// What cannot be executed.
+    /// The part that cannot be executed.
     fn step(&mut self, terms: &Terms, at: usize, state: State<Self::Cell>) -> Result<Followers<Self::Cell>>;
 
     /// Tests whether paths may meet at a place.
@@ -219,7 +219,7 @@ pub trait Machine {
     /// Executes from a point. The conditions exclude each other, and one of them holds in every state that leads to the point.
     ///
     /// # Errors
-    /// What cannot be executed.
+    /// The part that cannot be executed.
     fn run(&mut self, terms: &Terms, from: &Point<Self::Cell>) -> Result<Ways<Point<Self::Cell>>> {
         let first = State { guard: Terms::TRUE, cells: from.cells.clone(), differing: BTreeSet::new() };
         // in the order of the code, each time around a loop after the one before

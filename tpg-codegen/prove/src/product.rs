@@ -342,7 +342,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     /// The answers of the graph and of the code in one state.
     ///
     /// # Errors
-    /// What cannot be executed.
+    /// The part that cannot be executed.
     pub fn answers_for(&mut self, state: &[u32]) -> Result<(Concrete, Concrete)> {
         self.evaluator.set(state);
         let mut place = self.graph.start();

@@ -6,7 +6,7 @@ use std::str::FromStr;
 use tpg_arm::{JOINTS, JointRange, Pose};
 use tpg_graph::error::{InputError, Place};
 
-/// What is wrong in a row: the text found, and what is accepted instead.
+/// An error in a row: the text found, and what is accepted instead.
 pub(crate) type RowRefusal = (String, String);
 
 /// Returns a header and rows as CSV.

@@ -11,7 +11,7 @@ pub(super) enum Expression {
     Of(Computed, Vec<Expression>),
 }
 
-/// What is computed from values.
+/// A computation on values.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Computed {
     LoadedFloat,
@@ -93,9 +93,9 @@ pub(super) struct Program {
     pub(super) objects: Vec<Object>,
     pub(super) constants: Vec<Constant>,
     pub(super) cells: u32,
-    /// Where the state is with the memory, cell by cell
+    /// The cells of the state, then those of the memory
     pub(super) inputs: Vec<u32>,
-    /// Where the outputs are with the next memory, or else the result
+    /// The cells of the outputs and of the next memory, or else the result
     pub(super) answers: Vec<u32>,
 }
 

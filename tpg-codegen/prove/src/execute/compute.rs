@@ -13,7 +13,7 @@ use Value::{Float, Truth, Word as Bits};
 
 const W: Width = Width::W32;
 
-/// What flags say of each condition that negates no other, in the order in which they are encoded: equal, carry, negative,
+/// The test of flags for each condition that negates no other, in the order in which they are encoded: equal, carry, negative,
 /// overflow, higher, at least, greater.
 type Flags = [Option<Bool>; FLAG_COUNT as usize];
 

@@ -31,7 +31,7 @@ type Location = (Vec<Caller>, Address);
 #[derive(Debug)]
 pub(super) struct Node {
     pub(super) instruction: Instruction,
-    /// Where it is
+    /// Its place
     pub(super) address: Address,
     /// The calls that led here
     pub(super) callers: Vec<Caller>,

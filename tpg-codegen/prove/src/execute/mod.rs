@@ -30,7 +30,7 @@ pub enum Region {
     Memory,
     /// The outputs
     Outputs,
-    /// What is below the place where the function began with the stack
+    /// The stack below the place where the function began
     Stack,
     /// A section of the image; offsets from it are addresses as the file counts
     Section(usize),
@@ -62,7 +62,7 @@ struct Here<'a> {
     cells: &'a mut Cells<Cell>,
 }
 
-/// Where control goes: an address, or back to what called the function.
+/// The target of a jump: an address, or the caller of the function.
 type Target = Option<Address>;
 
 /// Machine code that is executed.
@@ -72,9 +72,9 @@ pub struct Object {
     interface: Interface,
     function: Function,
     flow: Rc<Flow>,
-    /// What cells hold when the function begins
+    /// The contents of cells when the function begins
     first: Cells<Cell>,
-    /// What stands for the addresses of regions
+    /// The symbols of the regions' addresses
     bases: RefCell<BTreeMap<Region, TermWord>>,
 }
 
@@ -93,7 +93,7 @@ impl Object {
         Here { object: self, terms, node, cells }
     }
 
-    /// What stands for the address of a region.
+    /// The symbol of a region's address.
     fn base(&self, terms: &Terms, region: Region) -> TermWord {
         *self.bases.borrow_mut().entry(region).or_insert_with(|| terms.bits(terms.unknown()))
     }

@@ -138,7 +138,7 @@ impl Closure {
     }
 }
 
-/// What follows from one relation.
+/// The consequences of one relation.
 fn alone(relation: Relation, then: Relation) -> Implication {
     (relation, relation, then)
 }

@@ -42,7 +42,7 @@ impl Operand {
     }
 }
 
-/// What is computed from operands.
+/// A computation on operands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Computed {
     /// The operand.

@@ -21,7 +21,7 @@ struct PageData {
     problems: Vec<PageProblem>,
 }
 
-/// What the teams of a graph compare, in words and as a table that the page evaluates.
+/// The bids of a graph's teams, in words and as a table that the page evaluates.
 #[derive(Serialize)]
 struct PageTeams {
     table: Bids,

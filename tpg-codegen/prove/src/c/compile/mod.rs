@@ -342,7 +342,7 @@ impl<'t> Compiler<'t> {
         Ok((of(self.scalar(&ty)?, [address]), ty))
     }
 
-    /// How a scalar is read.
+    /// The way in which a scalar is read.
     fn scalar(&self, ty: &Type) -> Result<Computed> {
         match ty {
             Float => Ok(Computed::LoadedFloat),
