@@ -2,7 +2,7 @@
  * A policy for BipedalWalker-v3 of Gymnasium, score 323.31 in validation, trained by tpg-train 0.1.0 with seed 1.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix bipedal_walker --profile fast
- * Graph SHA-256: a4252b5f0871f219a653b338582873eff37eec58fb175698e9f91914781fbd30
+ * Graph SHA-256: 930bc482e9b2dac7e8b66894e062e74b70c9fa9eb26564bd3db1278638a9bb94
  * 1 team, 1 edge, 1 program, 192 distinct operations.
  * Computes in f32 with own maths.
  */
@@ -43,117 +43,117 @@ static float bipedal_walker_clamp(float value, float low, float high)
 
 void bipedal_walker_infer(const bipedal_walker_state_t *state, bipedal_walker_action_t *action)
 {
-    const float term = 0.43313652f * state->obs[0]
-        + 0.006045125f * state->obs[1]
-        - 0.9406402f * state->obs[2]
-        + 1.1379249f * state->obs[3]
-        - 0.27293232f * state->obs[4]
-        - 1.2722539f * state->obs[5]
-        + 0.99190795f * state->obs[6];
+    const float term = 0.43313652f * state->hull_angle
+        + 0.006045125f * state->hull_spin
+        - 0.9406402f * state->vx
+        + 1.1379249f * state->vy
+        - 0.27293232f * state->hip_1_angle
+        - 1.2722539f * state->hip_1_speed
+        + 0.99190795f * state->knee_1_angle;
     const float term_2 = term
-        - 0.46254736f * state->obs[7]
-        - 0.36908358f * state->obs[8]
-        + 0.42084303f * state->obs[9]
-        + 0.23321724f * state->obs[10]
-        - 0.11389011f * state->obs[11]
-        + 0.43208057f * state->obs[12]
-        - 0.010095447f * state->obs[13];
+        - 0.46254736f * state->knee_1_speed
+        - 0.36908358f * state->contact_1
+        + 0.42084303f * state->hip_2_angle
+        + 0.23321724f * state->hip_2_speed
+        - 0.11389011f * state->knee_2_angle
+        + 0.43208057f * state->knee_2_speed;
     const float term_3 = term_2
-        + 4.4875813f * state->obs[14]
-        - 9.051807f * state->obs[15]
-        - 1.3506355f * state->obs[16]
-        + 8.500628f * state->obs[17]
-        - 6.9748583f * state->obs[18]
-        - 0.7869225f * state->obs[19]
-        + 7.8863435f * state->obs[20];
+        - 0.010095447f * state->contact_2
+        + 4.4875813f * state->lidar_0
+        - 9.051807f * state->lidar_1
+        - 1.3506355f * state->lidar_2
+        + 8.500628f * state->lidar_3
+        - 6.9748583f * state->lidar_4
+        - 0.7869225f * state->lidar_5;
     const float hip_1 = term_3
-        - 3.1613417f * state->obs[21]
-        + 0.09573793f * state->obs[22]
-        - 6.447783f * state->obs[23]
+        + 7.8863435f * state->lidar_6
+        - 3.1613417f * state->lidar_7
+        + 0.09573793f * state->lidar_8
+        - 6.447783f * state->lidar_9
         + 5.9709144f;
-    const float term_4 = -0.6784458f * state->obs[0]
-        + 2.167693f * state->obs[1]
-        + 3.1354392f * state->obs[2]
-        - 5.378494f * state->obs[3]
-        - 0.7907029f * state->obs[4]
-        + 0.15056907f * state->obs[5]
-        - 2.3365674f * state->obs[6];
+    const float term_4 = -0.6784458f * state->hull_angle
+        + 2.167693f * state->hull_spin
+        + 3.1354392f * state->vx
+        - 5.378494f * state->vy
+        - 0.7907029f * state->hip_1_angle
+        + 0.15056907f * state->hip_1_speed
+        - 2.3365674f * state->knee_1_angle;
     const float term_5 = term_4
-        - 0.04153449f * state->obs[7]
-        + 0.29449865f * state->obs[8]
-        + 0.37659582f * state->obs[9]
-        + 0.058632873f * state->obs[10]
-        + 2.3247058f * state->obs[11]
-        + 0.3777262f * state->obs[12]
-        - 0.011592703f * state->obs[13];
+        - 0.04153449f * state->knee_1_speed
+        + 0.29449865f * state->contact_1
+        + 0.37659582f * state->hip_2_angle
+        + 0.058632873f * state->hip_2_speed
+        + 2.3247058f * state->knee_2_angle
+        + 0.3777262f * state->knee_2_speed;
     const float term_6 = term_5
-        + 10.344545f * state->obs[14]
-        - 7.4077225f * state->obs[15]
-        + 2.2106109f * state->obs[16]
-        - 9.954698f * state->obs[17]
-        - 1.1742669f * state->obs[18]
-        - 8.619116f * state->obs[19]
-        + 1.6254114f * state->obs[20];
+        - 0.011592703f * state->contact_2
+        + 10.344545f * state->lidar_0
+        - 7.4077225f * state->lidar_1
+        + 2.2106109f * state->lidar_2
+        - 9.954698f * state->lidar_3
+        - 1.1742669f * state->lidar_4
+        - 8.619116f * state->lidar_5;
     const float knee_1 = term_6
-        + 1.084647f * state->obs[21]
-        - 0.3101107f * state->obs[22]
-        + 18.147518f * state->obs[23]
+        + 1.6254114f * state->lidar_6
+        + 1.084647f * state->lidar_7
+        - 0.3101107f * state->lidar_8
+        + 18.147518f * state->lidar_9
         - 13.862106f;
-    const float term_7 = 2.1542137f * state->obs[0]
-        - 2.1436977f * state->obs[1]
-        + 1.353505f * state->obs[2]
-        - 1.4395895f * state->obs[3]
-        + 1.4794261f * state->obs[4]
-        + 0.19376321f * state->obs[5]
-        + 0.22323757f * state->obs[6];
+    const float term_7 = 2.1542137f * state->hull_angle
+        - 2.1436977f * state->hull_spin
+        + 1.353505f * state->vx
+        - 1.4395895f * state->vy
+        + 1.4794261f * state->hip_1_angle
+        + 0.19376321f * state->hip_1_speed
+        + 0.22323757f * state->knee_1_angle;
     const float term_8 = term_7
-        + 0.19982354f * state->obs[7]
-        + 0.14311513f * state->obs[8]
-        - 0.81286705f * state->obs[9]
-        - 0.44202605f * state->obs[10]
-        + 0.28939056f * state->obs[11]
-        + 0.08988224f * state->obs[12]
-        - 0.035194054f * state->obs[13];
+        + 0.19982354f * state->knee_1_speed
+        + 0.14311513f * state->contact_1
+        - 0.81286705f * state->hip_2_angle
+        - 0.44202605f * state->hip_2_speed
+        + 0.28939056f * state->knee_2_angle
+        + 0.08988224f * state->knee_2_speed;
     const float term_9 = term_8
-        - 1.4962751f * state->obs[14]
-        - 2.571821f * state->obs[15]
-        + 7.4698043f * state->obs[16]
-        - 4.813802f * state->obs[17]
-        + 0.45718148f * state->obs[18]
-        + 8.570346f * state->obs[19]
-        + 0.043355696f * state->obs[20];
+        - 0.035194054f * state->contact_2
+        - 1.4962751f * state->lidar_0
+        - 2.571821f * state->lidar_1
+        + 7.4698043f * state->lidar_2
+        - 4.813802f * state->lidar_3
+        + 0.45718148f * state->lidar_4
+        + 8.570346f * state->lidar_5;
     const float hip_2 = term_9
-        - 1.7338103f * state->obs[21]
-        - 0.52388465f * state->obs[22]
-        + 1.151409f * state->obs[23]
+        + 0.043355696f * state->lidar_6
+        - 1.7338103f * state->lidar_7
+        - 0.52388465f * state->lidar_8
+        + 1.151409f * state->lidar_9
         - 2.5815685f;
-    const float term_10 = -1.0676469f * state->obs[0]
-        - 1.2909809f * state->obs[1]
-        - 0.8371953f * state->obs[2]
-        - 2.8452365f * state->obs[3]
-        + 0.021685855f * state->obs[4]
-        - 0.06468743f * state->obs[5]
-        - 0.13105504f * state->obs[6];
+    const float term_10 = -1.0676469f * state->hull_angle
+        - 1.2909809f * state->hull_spin
+        - 0.8371953f * state->vx
+        - 2.8452365f * state->vy
+        + 0.021685855f * state->hip_1_angle
+        - 0.06468743f * state->hip_1_speed
+        - 0.13105504f * state->knee_1_angle;
     const float term_11 = term_10
-        + 0.0043608746f * state->obs[7]
-        - 0.018771987f * state->obs[8]
-        + 0.17987023f * state->obs[9]
-        - 0.24441965f * state->obs[10]
-        - 1.5290816f * state->obs[11]
-        - 0.3734259f * state->obs[12];
+        + 0.0043608746f * state->knee_1_speed
+        - 0.018771987f * state->contact_1
+        + 0.17987023f * state->hip_2_angle
+        - 0.24441965f * state->hip_2_speed
+        - 1.5290816f * state->knee_2_angle
+        - 0.3734259f * state->knee_2_speed;
     const float term_12 = term_11
-        - 0.023268756f * state->obs[13]
-        + 0.32405788f * state->obs[14]
-        + 5.7792134f * state->obs[15]
-        - 7.545338f * state->obs[16]
-        + 1.5639713f * state->obs[17]
-        - 4.1553626f * state->obs[18]
-        + 4.670011f * state->obs[19];
+        - 0.023268756f * state->contact_2
+        + 0.32405788f * state->lidar_0
+        + 5.7792134f * state->lidar_1
+        - 7.545338f * state->lidar_2
+        + 1.5639713f * state->lidar_3
+        - 4.1553626f * state->lidar_4;
     const float knee_2 = term_12
-        - 5.031331f * state->obs[20]
-        + 2.1768126f * state->obs[21]
-        - 0.6732741f * state->obs[22]
-        - 8.497251f * state->obs[23]
+        + 4.670011f * state->lidar_5
+        - 5.031331f * state->lidar_6
+        + 2.1768126f * state->lidar_7
+        - 0.6732741f * state->lidar_8
+        - 8.497251f * state->lidar_9
         + 9.79428f;
 
     action->hip_1 = bipedal_walker_clamp(hip_1, -1.0f, 1.0f);
@@ -161,6 +161,7 @@ void bipedal_walker_infer(const bipedal_walker_state_t *state, bipedal_walker_ac
     action->hip_2 = bipedal_walker_clamp(hip_2, -1.0f, 1.0f);
     action->knee_2 = bipedal_walker_clamp(knee_2, -1.0f, 1.0f);
 }
+
 #ifndef BIPEDAL_WALKER_NO_SELFTEST
 
 /* Counts the rules of arithmetic that do not hold. No macro reveals some flags, such as clang's -fno-honor-nans and
@@ -193,15 +194,15 @@ static uint32_t bipedal_walker_arithmetic(void)
 uint32_t bipedal_walker_selftest(void)
 {
     static const bipedal_walker_state_t states[9] = {
-        { { -0.61270064f, -4.1961627f, 0.9656018f, -2.806754f, -1.3591121f, 2.1061022f, -0.24449022f, -3.473473f, 4.373905f, 1.2982574f, -0.16742843f, 0.48511934f, -4.005405f, 1.3195878f, -0.09308055f, -0.43954256f, 0.9820647f, 0.82470983f, 0.89423496f, -0.73351216f, -0.3126318f, -0.039395504f, -0.20533113f, -0.97260493f } },
-        { { -2.8342214f, -3.1487048f, 0.2552497f, -2.3186753f, -2.5860555f, -3.995454f, 3.0851495f, 1.949953f, 0.5412273f, 0.50059414f, 2.307476f, 1.2858573f, -2.7657912f, 4.765683f, -0.7435385f, 0.26504543f, 0.60777766f, 0.16269131f, 0.7992153f, -0.24138537f, -0.046325635f, 0.84437793f, -0.32291302f, 0.25163704f } },
-        { { -1.3714406f, -2.7317097f, 0.7186272f, 4.364328f, -0.9744423f, 4.0732274f, 3.1176965f, 3.893838f, 3.6621022f, 0.09567823f, 1.4992557f, 0.43110192f, 1.1433358f, 2.3601005f, 0.29675052f, 0.21315971f, -0.8697076f, -0.51887345f, -0.15897672f, -0.2682392f, -0.27462733f, -0.4909406f, 0.17897768f, -0.4494254f } },
-        { { 2.4511247f, 1.5411043f, -2.8354604f, 1.2069616f, -0.86157006f, -2.466124f, 3.0378983f, 0.3900973f, 4.7022586f, -1.5387092f, -2.3123543f, -2.2765956f, -1.0283812f, 4.4015822f, 0.75981915f, -0.8658829f, 0.7264193f, 0.9164791f, 0.8547621f, -0.74921864f, -0.9235042f, -0.9441242f, 0.16845787f, 0.43762353f } },
-        { { -3.0167177f, -1.0025289f, -1.7882093f, 3.6084256f, 2.4988744f, 1.8586714f, 2.9516222f, -4.037404f, 2.037549f, -1.4011693f, 3.8991609f, 0.9200646f, 3.1809812f, 1.1390234f, -0.6253427f, -0.6019299f, 0.6066735f, 0.84944654f, 0.1037858f, 0.06341806f, 0.74826115f, 0.9584826f, 0.7193439f, -0.9593077f } },
-        { { 0.18087457f, -0.17714104f, 0.60135347f, -1.219425f, 0.17257263f, -1.0904623f, -0.65614253f, -0.8990725f, 0.5567886f, -0.48111194f, 1.2418299f, -0.69440466f, 0.41297877f, 0.30443648f, 0.04144111f, 0.09105017f, 0.23667791f, 0.118251f, -0.19353431f, -0.070858106f, -0.11133855f, 0.23663658f, -0.1501844f, 0.121057816f } },
-        { { 0.5572289f, 0.21329185f, 0.3001519f, 2.3236449f, 1.1796548f, 3.0624251f, -1.9360138f, 4.108003f, 1.0684718f, 0.53057253f, -3.3123837f, 1.6863788f, -4.1164603f, 0.4705966f, 0.8640824f, -0.8316925f, 0.9851067f, -0.9017841f, -0.610535f, -0.9570667f, -0.30491447f, -0.45230278f, -0.82795316f, -0.91894966f } },
-        { { -1.2618302f, -1.2302572f, 0.868138f, 0.44495296f, 1.4916464f, -1.3926889f, -0.9192506f, 1.8814709f, 0.18719506f, 0.10147436f, -1.7369348f, -0.40376857f, 1.4215266f, 0.10633683f, 0.26749986f, 0.3443325f, -0.008942462f, -0.04947998f, 0.23851329f, 0.0076632677f, 0.22323567f, 0.43353975f, -0.15409806f, 0.26758778f } },
-        { { 2.01844f, -4.0659943f, 3.4031372f, -3.1933203f, 3.0782442f, 4.758239f, -2.926134f, 2.7915313f, 3.3670337f, -2.2699838f, 4.3328176f, 1.6518219f, 3.4961758f, 1.2845768f, -0.43467233f, 0.696375f, -0.012628231f, -0.20379047f, -0.6671588f, -0.29992387f, 0.34159562f, 0.9876993f, -0.59079f, 0.7857511f } },
+        { -0.61270064f, -4.1961627f, 0.9656018f, -2.806754f, -1.3591121f, 2.1061022f, -0.24449022f, -3.473473f, 4.373905f, 1.2982574f, -0.16742843f, 0.48511934f, -4.005405f, 1.3195878f, -0.09308055f, -0.43954256f, 0.9820647f, 0.82470983f, 0.89423496f, -0.73351216f, -0.3126318f, -0.039395504f, -0.20533113f, -0.97260493f },
+        { -2.8342214f, -3.1487048f, 0.2552497f, -2.3186753f, -2.5860555f, -3.995454f, 3.0851495f, 1.949953f, 0.5412273f, 0.50059414f, 2.307476f, 1.2858573f, -2.7657912f, 4.765683f, -0.7435385f, 0.26504543f, 0.60777766f, 0.16269131f, 0.7992153f, -0.24138537f, -0.046325635f, 0.84437793f, -0.32291302f, 0.25163704f },
+        { -1.3714406f, -2.7317097f, 0.7186272f, 4.364328f, -0.9744423f, 4.0732274f, 3.1176965f, 3.893838f, 3.6621022f, 0.09567823f, 1.4992557f, 0.43110192f, 1.1433358f, 2.3601005f, 0.29675052f, 0.21315971f, -0.8697076f, -0.51887345f, -0.15897672f, -0.2682392f, -0.27462733f, -0.4909406f, 0.17897768f, -0.4494254f },
+        { 2.4511247f, 1.5411043f, -2.8354604f, 1.2069616f, -0.86157006f, -2.466124f, 3.0378983f, 0.3900973f, 4.7022586f, -1.5387092f, -2.3123543f, -2.2765956f, -1.0283812f, 4.4015822f, 0.75981915f, -0.8658829f, 0.7264193f, 0.9164791f, 0.8547621f, -0.74921864f, -0.9235042f, -0.9441242f, 0.16845787f, 0.43762353f },
+        { -3.0167177f, -1.0025289f, -1.7882093f, 3.6084256f, 2.4988744f, 1.8586714f, 2.9516222f, -4.037404f, 2.037549f, -1.4011693f, 3.8991609f, 0.9200646f, 3.1809812f, 1.1390234f, -0.6253427f, -0.6019299f, 0.6066735f, 0.84944654f, 0.1037858f, 0.06341806f, 0.74826115f, 0.9584826f, 0.7193439f, -0.9593077f },
+        { 0.18087457f, -0.17714104f, 0.60135347f, -1.219425f, 0.17257263f, -1.0904623f, -0.65614253f, -0.8990725f, 0.5567886f, -0.48111194f, 1.2418299f, -0.69440466f, 0.41297877f, 0.30443648f, 0.04144111f, 0.09105017f, 0.23667791f, 0.118251f, -0.19353431f, -0.070858106f, -0.11133855f, 0.23663658f, -0.1501844f, 0.121057816f },
+        { 0.5572289f, 0.21329185f, 0.3001519f, 2.3236449f, 1.1796548f, 3.0624251f, -1.9360138f, 4.108003f, 1.0684718f, 0.53057253f, -3.3123837f, 1.6863788f, -4.1164603f, 0.4705966f, 0.8640824f, -0.8316925f, 0.9851067f, -0.9017841f, -0.610535f, -0.9570667f, -0.30491447f, -0.45230278f, -0.82795316f, -0.91894966f },
+        { -1.2618302f, -1.2302572f, 0.868138f, 0.44495296f, 1.4916464f, -1.3926889f, -0.9192506f, 1.8814709f, 0.18719506f, 0.10147436f, -1.7369348f, -0.40376857f, 1.4215266f, 0.10633683f, 0.26749986f, 0.3443325f, -0.008942462f, -0.04947998f, 0.23851329f, 0.0076632677f, 0.22323567f, 0.43353975f, -0.15409806f, 0.26758778f },
+        { 2.01844f, -4.0659943f, 3.4031372f, -3.1933203f, 3.0782442f, 4.758239f, -2.926134f, 2.7915313f, 3.3670337f, -2.2699838f, 4.3328176f, 1.6518219f, 3.4961758f, 1.2845768f, -0.43467233f, 0.696375f, -0.012628231f, -0.20379047f, -0.6671588f, -0.29992387f, 0.34159562f, 0.9876993f, -0.59079f, 0.7857511f },
     };
     static const bipedal_walker_action_t actions[9] = {
         { 1.0f, -1.0f, 1.0f, 1.0f },

@@ -1,7 +1,7 @@
 //! A policy for BipedalWalker-v3 of Gymnasium, score 323.31 in validation, trained by tpg-train 0.1.0 with seed 1.
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix bipedal_walker --profile constant-time
-//! Graph SHA-256: a4252b5f0871f219a653b338582873eff37eec58fb175698e9f91914781fbd30
+//! Graph SHA-256: 930bc482e9b2dac7e8b66894e062e74b70c9fa9eb26564bd3db1278638a9bb94
 //! 1 team, 1 edge, 1 program, 192 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
@@ -18,7 +18,30 @@ use tpg_runtime::policy::Policy;
 /// A tangled program graph: a formula.
 ///
 /// It sees, one after another:
-/// - `s[0..24]`: obs, -3.1415927 to 3.1415927; -5 to 5; -5 to 5; -5 to 5; -3.1415927 to 3.1415927; -5 to 5; -3.1415927 to 3.1415927; -5 to 5; 0 to 5; -3.1415927 to 3.1415927; -5 to 5; -3.1415927 to 3.1415927; -5 to 5; 0 to 5; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1
+/// - `s[0..1]`: hull_angle, -3.1415927 to 3.1415927
+/// - `s[1..2]`: hull_spin, -5 to 5
+/// - `s[2..3]`: vx, -5 to 5
+/// - `s[3..4]`: vy, -5 to 5
+/// - `s[4..5]`: hip_1_angle, -3.1415927 to 3.1415927
+/// - `s[5..6]`: hip_1_speed, -5 to 5
+/// - `s[6..7]`: knee_1_angle, -3.1415927 to 3.1415927
+/// - `s[7..8]`: knee_1_speed, -5 to 5
+/// - `s[8..9]`: contact_1, 0 to 5
+/// - `s[9..10]`: hip_2_angle, -3.1415927 to 3.1415927
+/// - `s[10..11]`: hip_2_speed, -5 to 5
+/// - `s[11..12]`: knee_2_angle, -3.1415927 to 3.1415927
+/// - `s[12..13]`: knee_2_speed, -5 to 5
+/// - `s[13..14]`: contact_2, 0 to 5
+/// - `s[14..15]`: lidar_0, -1 to 1
+/// - `s[15..16]`: lidar_1, -1 to 1
+/// - `s[16..17]`: lidar_2, -1 to 1
+/// - `s[17..18]`: lidar_3, -1 to 1
+/// - `s[18..19]`: lidar_4, -1 to 1
+/// - `s[19..20]`: lidar_5, -1 to 1
+/// - `s[20..21]`: lidar_6, -1 to 1
+/// - `s[21..22]`: lidar_7, -1 to 1
+/// - `s[22..23]`: lidar_8, -1 to 1
+/// - `s[23..24]`: lidar_9, -1 to 1
 ///
 /// Values outside the ranges are legal, NaN and infinities too. It answers:
 /// - `[0]`: hip_1, -1 to 1; 0 for NaN

@@ -61,6 +61,7 @@ dodge_action_t dodge_infer(const dodge_state_t *state)
             next = 4U;
         }
 
+        /* Volatile, since compilers take max(0, x) for a 0 that they know, also where x is NaN. */
         const volatile float constant = 0.0f;
         const float zero = constant;
         if (zero >= best) {

@@ -2,7 +2,7 @@
  * A policy for Hopper-v5 of Gymnasium, score 2393.91 in validation, trained by tpg-train 0.1.0 with seed 3.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix hopper --profile fast
- * Graph SHA-256: 1af2a66e78e8b96cad2d84d003874cb9e2f7b95eb2aade9c8018959b080a4043
+ * Graph SHA-256: 7eb551e1a4ae94a14031d271c973bb4a4dd0a017a738c426437aa239fa7b9ce4
  * 1 team, 1 edge, 1 program, 60 distinct operations.
  * Computes in f32 with own maths.
  */
@@ -43,44 +43,46 @@ static float hopper_clamp(float value, float low, float high)
 
 void hopper_infer(const hopper_state_t *state, hopper_action_t *action)
 {
-    const float term = 2.4094844f * state->obs[0]
-        - 16.831106f * state->obs[1]
-        - 0.9726171f * state->obs[2]
-        + 1.2704073f * state->obs[3]
-        - 0.30623376f * state->obs[4]
-        + 0.32980627f * state->obs[5]
-        - 0.14272827f * state->obs[6];
+    const float term = 2.4094844f * state->height
+        - 16.831106f * state->pitch
+        - 0.9726171f * state->thigh_angle
+        + 1.2704073f * state->leg_angle
+        - 0.30623376f * state->foot_angle
+        + 0.32980627f * state->vx
+        - 0.14272827f * state->vz;
     const float thigh = term
-        - 0.67063546f * state->obs[7]
-        + 0.084569946f * state->obs[8]
-        + 0.10996343f * state->obs[9]
-        - 0.0139268385f * state->obs[10]
+        - 0.67063546f * state->pitch_speed
+        + 0.084569946f * state->thigh_speed
+        + 0.10996343f * state->leg_speed
+        - 0.0139268385f * state->foot_speed
         - 4.385427f;
-    const float term_2 = -0.48055917f * state->obs[0]
-        - 15.44946f * state->obs[1]
-        + 1.6838492f * state->obs[2]
-        - 1.7118963f * state->obs[3]
-        - 0.05598478f * state->obs[4]
-        + 0.3226204f * state->obs[6]
-        - 0.8628424f * state->obs[7];
-    const float leg = term_2 - 0.12721324f * state->obs[8] - 0.0822124f * state->obs[9] - 1.109722f;
-    const float term_3 = 3.3940566f * state->obs[0]
-        + 0.5165295f * state->obs[1]
-        + 2.143888f * state->obs[2]
-        - 0.25035787f * state->obs[3]
-        - 0.83269984f * state->obs[5]
-        + 0.02263618f * state->obs[6]
-        + 0.46339342f * state->obs[7];
+    const float term_2 = -0.48055917f * state->height
+        - 15.44946f * state->pitch
+        + 1.6838492f * state->thigh_angle
+        - 1.7118963f * state->leg_angle
+        - 0.05598478f * state->foot_angle
+        + 0.3226204f * state->vz
+        - 0.8628424f * state->pitch_speed;
+    const float leg =
+        term_2 - 0.12721324f * state->thigh_speed - 0.0822124f * state->leg_speed - 1.109722f;
+    const float term_3 = 3.3940566f * state->height
+        + 0.5165295f * state->pitch
+        + 2.143888f * state->thigh_angle
+        - 0.25035787f * state->leg_angle
+        - 0.83269984f * state->vx
+        + 0.02263618f * state->vz
+        + 0.46339342f * state->pitch_speed;
     const float foot = term_3
-        + 0.13614666f * state->obs[8]
-        - 0.039877187f * state->obs[9]
-        - 0.0018393787f * state->obs[10]
+        + 0.13614666f * state->thigh_speed
+        - 0.039877187f * state->leg_speed
+        - 0.0018393787f * state->foot_speed
         - 2.0928748f;
 
     action->thigh = hopper_clamp(thigh, -1.0f, 1.0f);
     action->leg = hopper_clamp(leg, -1.0f, 1.0f);
     action->foot = hopper_clamp(foot, -1.0f, 1.0f);
 }
+
 #ifndef HOPPER_NO_SELFTEST
 
 /* Counts the rules of arithmetic that do not hold. No macro reveals some flags, such as clang's -fno-honor-nans and
@@ -113,10 +115,10 @@ static uint32_t hopper_arithmetic(void)
 uint32_t hopper_selftest(void)
 {
     static const hopper_state_t states[4] = {
-        { { 1.160104f, -0.13523732f, -0.23954001f, -0.861511f, -0.56095904f, 2.8757875f, -0.25413963f, -0.44330215f, 6.5772467f, 4.529355f, -0.5022853f } },
-        { { 1.3029174f, -0.13171338f, -0.58455014f, -0.53114593f, -0.5704712f, 4.358932f, 2.917252f, 0.8846019f, -7.3532085f, -4.289092f, -0.5909326f } },
-        { { 1.1558936f, -0.14755645f, -0.80754155f, -0.90976024f, 0.10353037f, 0.53553545f, -2.8731844f, -0.5305484f, 8.76084f, 4.2468076f, -11.752636f } },
-        { { 1.3049304f, -0.015093548f, -0.1274309f, -0.85573107f, 1.2784809f, -0.20440064f, 0.9506601f, 0.6452031f, 1.0647932f, 9.2183275f, -3.6207805f } },
+        { 1.160104f, -0.13523732f, -0.23954001f, -0.861511f, -0.56095904f, 2.8757875f, -0.25413963f, -0.44330215f, 6.5772467f, 4.529355f, -0.5022853f },
+        { 1.3029174f, -0.13171338f, -0.58455014f, -0.53114593f, -0.5704712f, 4.358932f, 2.917252f, 0.8846019f, -7.3532085f, -4.289092f, -0.5909326f },
+        { 1.1558936f, -0.14755645f, -0.80754155f, -0.90976024f, 0.10353037f, 0.53553545f, -2.8731844f, -0.5305484f, 8.76084f, 4.2468076f, -11.752636f },
+        { 1.3049304f, -0.015093548f, -0.1274309f, -0.85573107f, 1.2784809f, -0.20440064f, 0.9506601f, 0.6452031f, 1.0647932f, 9.2183275f, -3.6207805f },
     };
     static const hopper_action_t actions[4] = {
         { 1.0f, 0.61642337f, -0.4131987f },

@@ -1,7 +1,7 @@
 //! A policy for Hopper-v5 of Gymnasium, score 2393.91 in validation, trained by tpg-train 0.1.0 with seed 3.
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix hopper --profile constant-time
-//! Graph SHA-256: 1af2a66e78e8b96cad2d84d003874cb9e2f7b95eb2aade9c8018959b080a4043
+//! Graph SHA-256: 7eb551e1a4ae94a14031d271c973bb4a4dd0a017a738c426437aa239fa7b9ce4
 //! 1 team, 1 edge, 1 program, 60 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
@@ -18,7 +18,17 @@ use tpg_runtime::policy::Policy;
 /// A tangled program graph: a formula.
 ///
 /// It sees, one after another:
-/// - `s[0..11]`: obs, 0.83112526 to 1.6484929; -0.15008685 to 0.03464629; -0.85828006 to 0.17889954; -1.1709783 to 0.2400233; -1.340457 to 1.4072475; -0.8826094 to 4.4063616; -3.4945538 to 3.5332; -0.6984527 to 0.9729921; -9.8563175 to 8.929599; -12.639674 to 11.657586; -15 to 15
+/// - `s[0..1]`: height, 0.83112526 to 1.6484929
+/// - `s[1..2]`: pitch, -0.15008685 to 0.03464629
+/// - `s[2..3]`: thigh_angle, -0.85828006 to 0.17889954
+/// - `s[3..4]`: leg_angle, -1.1709783 to 0.2400233
+/// - `s[4..5]`: foot_angle, -1.340457 to 1.4072475
+/// - `s[5..6]`: vx, -0.8826094 to 4.4063616
+/// - `s[6..7]`: vz, -3.4945538 to 3.5332
+/// - `s[7..8]`: pitch_speed, -0.6984527 to 0.9729921
+/// - `s[8..9]`: thigh_speed, -9.8563175 to 8.929599
+/// - `s[9..10]`: leg_speed, -12.639674 to 11.657586
+/// - `s[10..11]`: foot_speed, -15 to 15
 ///
 /// Values outside the ranges are legal, NaN and infinities too. It answers:
 /// - `[0]`: thigh, -1 to 1; 0 for NaN

@@ -2,7 +2,7 @@
  * A policy for InvertedDoublePendulum-v5 of Gymnasium, score 9359.83 in validation, trained by tpg-train 0.1.0 with seed 1.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix inverted_double_pendulum --profile fast
- * Graph SHA-256: 22c6e0c5790477b413058aa7d382911138409eb07621253796a613ac3f96de41
+ * Graph SHA-256: 23d21c6ffc354225d2aca850c679caec7d888893b4bcea35fcb70a647fa62729
  * 1 team, 1 edge, 1 program, 14 distinct operations.
  * Computes in f32 with own maths.
  */
@@ -43,17 +43,18 @@ static float inverted_double_pendulum_clamp(float value, float low, float high)
 
 void inverted_double_pendulum_infer(const inverted_double_pendulum_state_t *state, inverted_double_pendulum_action_t *action)
 {
-    const float term = -0.48305112f * state->obs[0]
-        - 2.4732687f * state->obs[1]
-        - 6.5629725f * state->obs[2]
-        - 0.45679966f * state->obs[4]
-        - 0.2828851f * state->obs[5]
-        - 0.9611906f * state->obs[6]
-        - 0.9364736f * state->obs[7];
+    const float term = -0.48305112f * state->x
+        - 2.4732687f * state->sin_1
+        - 6.5629725f * state->sin_2
+        - 0.45679966f * state->cos_2
+        - 0.2828851f * state->v
+        - 0.9611906f * state->omega_1
+        - 0.9364736f * state->omega_2;
     const float force = term + 0.44827595f;
 
     action->force = inverted_double_pendulum_clamp(force, -1.0f, 1.0f);
 }
+
 #ifndef INVERTED_DOUBLE_PENDULUM_NO_SELFTEST
 
 /* Counts the rules of arithmetic that do not hold. No macro reveals some flags, such as clang's -fno-honor-nans and
@@ -86,11 +87,11 @@ static uint32_t inverted_double_pendulum_arithmetic(void)
 uint32_t inverted_double_pendulum_selftest(void)
 {
     static const inverted_double_pendulum_state_t states[5] = {
-        { { 0.0211067f, -0.12018729f, 0.014646072f, 0.99559784f, 0.9959746f, 0.08444619f, -0.07498883f, -0.20602275f, 0.00018739054f } },
-        { { 0.16145936f, -0.014980235f, 0.009544096f, 0.99473846f, 0.99582976f, -0.062123664f, -0.19881363f, 0.37727702f, 0.00020617747f } },
-        { { 0.27244136f, -0.10638329f, -0.052025657f, 0.99746895f, 0.9968069f, -0.31277797f, -0.3571786f, -0.18342711f, 1.2762486e-5f } },
-        { { -0.040894106f, -0.1180896f, -0.11615404f, 1.0011306f, 0.9989869f, -0.25888783f, 0.0061992044f, 0.1961848f, 0.00010232527f } },
-        { { -0.04626462f, 0.07975637f, 0.07271474f, 0.99738246f, 0.9966867f, 0.14861381f, 0.1651704f, 0.27195576f, 0.00016246014f } },
+        { 0.0211067f, -0.12018729f, 0.014646072f, 0.99559784f, 0.9959746f, 0.08444619f, -0.07498883f, -0.20602275f, 0.00018739054f },
+        { 0.16145936f, -0.014980235f, 0.009544096f, 0.99473846f, 0.99582976f, -0.062123664f, -0.19881363f, 0.37727702f, 0.00020617747f },
+        { 0.27244136f, -0.10638329f, -0.052025657f, 0.99746895f, 0.9968069f, -0.31277797f, -0.3571786f, -0.18342711f, 1.2762486e-5f },
+        { -0.040894106f, -0.1180896f, -0.11615404f, 1.0011306f, 0.9989869f, -0.25888783f, 0.0061992044f, 0.1961848f, 0.00010232527f },
+        { -0.04626462f, 0.07975637f, 0.07271474f, 0.99738246f, 0.9966867f, 0.14861381f, 0.1651704f, 0.27195576f, 0.00016246014f },
     };
     static const inverted_double_pendulum_action_t actions[5] = {
         { 0.42537805f },

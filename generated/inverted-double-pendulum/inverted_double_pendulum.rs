@@ -1,7 +1,7 @@
 //! A policy for InvertedDoublePendulum-v5 of Gymnasium, score 9359.83 in validation, trained by tpg-train 0.1.0 with seed 1.
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix inverted_double_pendulum --profile constant-time
-//! Graph SHA-256: 22c6e0c5790477b413058aa7d382911138409eb07621253796a613ac3f96de41
+//! Graph SHA-256: 23d21c6ffc354225d2aca850c679caec7d888893b4bcea35fcb70a647fa62729
 //! 1 team, 1 edge, 1 program, 14 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
@@ -18,7 +18,15 @@ use tpg_runtime::policy::Policy;
 /// A tangled program graph: a formula.
 ///
 /// It sees, one after another:
-/// - `s[0..9]`: obs, -0.16463087 to 0.29684538; -0.14117883 to 0.11996287; -0.14263926 to 0.1210145; 0.99402535 to 1.001195; 0.9938969 to 1.0012207; -0.32058525 to 0.24939169; -0.39067128 to 0.29397532; -0.31223035 to 0.38351622; -0.00025 to 0.00025
+/// - `s[0..1]`: x, -0.16463087 to 0.29684538
+/// - `s[1..2]`: sin_1, -0.14117883 to 0.11996287
+/// - `s[2..3]`: sin_2, -0.14263926 to 0.1210145
+/// - `s[3..4]`: cos_1, 0.99402535 to 1.001195
+/// - `s[4..5]`: cos_2, 0.9938969 to 1.0012207
+/// - `s[5..6]`: v, -0.32058525 to 0.24939169
+/// - `s[6..7]`: omega_1, -0.39067128 to 0.29397532
+/// - `s[7..8]`: omega_2, -0.31223035 to 0.38351622
+/// - `s[8..9]`: constraint, -0.00025 to 0.00025
 ///
 /// Values outside the ranges are legal, NaN and infinities too. It answers:
 /// - `[0]`: force, -1 to 1; 0 for NaN

@@ -2,7 +2,7 @@
  * A policy for LunarLanderContinuous-v3 of Gymnasium, score 284.81 in validation, trained by tpg-train 0.1.0 with seed 1.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix lunar_lander_continuous --profile fast
- * Graph SHA-256: b5b83263924c08a1b2516be8257a92637c3dd560f8f7429b4027588581888b90
+ * Graph SHA-256: f233abff0d84f6b23d274ff7e785b3758728cdea4ae76155154ea0fef268d463
  * 1 team, 1 edge, 1 program, 12 distinct operations.
  * Computes in f32 with own maths.
  */
@@ -43,16 +43,17 @@ static float lunar_lander_continuous_clamp(float value, float low, float high)
 
 void lunar_lander_continuous_infer(const lunar_lander_continuous_state_t *state, lunar_lander_continuous_action_t *action)
 {
-    const float main_engine = -8.037243f * state->obs[1] - 11.026979f * state->obs[3] - 1.8125842f;
-    const float side_engine = -18.706825f * state->obs[0]
-        + 2.1564276f * state->obs[5]
-        + 14.484438f * state->obs[4]
-        - 6.0377746f * state->obs[2]
+    const float main_engine = -8.037243f * state->y - 11.026979f * state->vy - 1.8125842f;
+    const float side_engine = -18.706825f * state->x
+        + 2.1564276f * state->spin
+        + 14.484438f * state->angle
+        - 6.0377746f * state->vx
         + 0.24678662f;
 
     action->main_engine = lunar_lander_continuous_clamp(main_engine, -1.0f, 1.0f);
     action->side_engine = lunar_lander_continuous_clamp(side_engine, -1.0f, 1.0f);
 }
+
 #ifndef LUNAR_LANDER_CONTINUOUS_NO_SELFTEST
 
 /* Counts the rules of arithmetic that do not hold. No macro reveals some flags, such as clang's -fno-honor-nans and
@@ -85,13 +86,13 @@ static uint32_t lunar_lander_continuous_arithmetic(void)
 uint32_t lunar_lander_continuous_selftest(void)
 {
     static const lunar_lander_continuous_state_t states[7] = {
-        { { -0.4875717f, -2.0980814f, 1.9312036f, -5.613508f, -2.7182243f, 4.2122045f, 0.46108818f, 0.1526527f } },
-        { { 1.8739054f, 1.0331204f, -0.33485687f, 1.5441828f, -5.0333405f, -4.7216487f, 0.4534597f, 0.28022873f } },
-        { { 2.4551618f, 2.0617747f, 8.942349f, -7.3351216f, -1.9643234f, -0.39395505f, 0.39733443f, 0.013697542f } },
-        { { -2.2554016f, -1.5743524f, 0.5104994f, -4.6373506f, -5.172111f, -7.990908f, 0.99101675f, 0.6949953f } },
-        { { -0.008526423f, -0.04785709f, 0.31045747f, -0.27629483f, 0.06487055f, -0.16028176f, 0.01821507f, 0.021315636f } },
-        { { 0.00887796f, 0.017397601f, 0.10015877f, -0.12299003f, 0.06848491f, -0.023829998f, 0.003970624f, 0.013177075f } },
-        { { -0.016448123f, -0.012438183f, -0.045395926f, -0.021112017f, 0.041318804f, -0.057381433f, 0.0072859633f, 0.0055997646f } },
+        { -0.4875717f, -2.0980814f, 1.9312036f, -5.613508f, -2.7182243f, 4.2122045f, 0.46108818f, 0.1526527f },
+        { 1.8739054f, 1.0331204f, -0.33485687f, 1.5441828f, -5.0333405f, -4.7216487f, 0.4534597f, 0.28022873f },
+        { 2.4551618f, 2.0617747f, 8.942349f, -7.3351216f, -1.9643234f, -0.39395505f, 0.39733443f, 0.013697542f },
+        { -2.2554016f, -1.5743524f, 0.5104994f, -4.6373506f, -5.172111f, -7.990908f, 0.99101675f, 0.6949953f },
+        { -0.008526423f, -0.04785709f, 0.31045747f, -0.27629483f, 0.06487055f, -0.16028176f, 0.01821507f, 0.021315636f },
+        { 0.00887796f, 0.017397601f, 0.10015877f, -0.12299003f, 0.06848491f, -0.023829998f, 0.003970624f, 0.013177075f },
+        { -0.016448123f, -0.012438183f, -0.045395926f, -0.021112017f, 0.041318804f, -0.057381433f, 0.0072859633f, 0.0055997646f },
     };
     static const lunar_lander_continuous_action_t actions[7] = {
         { 1.0f, -1.0f },

@@ -2,7 +2,7 @@
  * A policy for LunarLanderContinuous-v3 of Gymnasium, score 284.81 in validation, trained by tpg-train 0.1.0 with seed 1.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix lunar_lander_continuous --profile fast
- * Graph SHA-256: b5b83263924c08a1b2516be8257a92637c3dd560f8f7429b4027588581888b90
+ * Graph SHA-256: f233abff0d84f6b23d274ff7e785b3758728cdea4ae76155154ea0fef268d463
  * 1 team, 1 edge, 1 program, 12 distinct operations.
  * Computes in f32 with own maths.
  */
@@ -26,7 +26,14 @@ extern "C" {
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct lunar_lander_continuous_state {
-    float obs[8]; /* -2.5 to 2.5; -2.5 to 2.5; -10 to 10; -10 to 10; -6.2831855 to 6.2831855; -10 to 10; 0 to 1; 0 to 1 */
+    float x; /* -2.5 to 2.5 */
+    float y; /* -2.5 to 2.5 */
+    float vx; /* -10 to 10 */
+    float vy; /* -10 to 10 */
+    float angle; /* -6.2831855 to 6.2831855 */
+    float spin; /* -10 to 10 */
+    float left_leg; /* 0 to 1 */
+    float right_leg; /* 0 to 1 */
 } lunar_lander_continuous_state_t;
 
 /* The values that the policy answers, each in its range and never NaN. */

@@ -1,7 +1,7 @@
 //! A policy for LunarLanderContinuous-v3 of Gymnasium, score 284.81 in validation, trained by tpg-train 0.1.0 with seed 1.
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix lunar_lander_continuous --profile constant-time
-//! Graph SHA-256: b5b83263924c08a1b2516be8257a92637c3dd560f8f7429b4027588581888b90
+//! Graph SHA-256: f233abff0d84f6b23d274ff7e785b3758728cdea4ae76155154ea0fef268d463
 //! 1 team, 1 edge, 1 program, 12 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
@@ -18,7 +18,14 @@ use tpg_runtime::policy::Policy;
 /// A tangled program graph: a formula.
 ///
 /// It sees, one after another:
-/// - `s[0..8]`: obs, -2.5 to 2.5; -2.5 to 2.5; -10 to 10; -10 to 10; -6.2831855 to 6.2831855; -10 to 10; 0 to 1; 0 to 1
+/// - `s[0..1]`: x, -2.5 to 2.5
+/// - `s[1..2]`: y, -2.5 to 2.5
+/// - `s[2..3]`: vx, -10 to 10
+/// - `s[3..4]`: vy, -10 to 10
+/// - `s[4..5]`: angle, -6.2831855 to 6.2831855
+/// - `s[5..6]`: spin, -10 to 10
+/// - `s[6..7]`: left_leg, 0 to 1
+/// - `s[7..8]`: right_leg, 0 to 1
 ///
 /// Values outside the ranges are legal, NaN and infinities too. It answers:
 /// - `[0]`: main_engine, -1 to 1; 0 for NaN

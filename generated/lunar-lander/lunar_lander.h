@@ -2,7 +2,7 @@
  * A policy for LunarLander-v3 of Gymnasium, score 264.01 in validation, trained by tpg-train 0.1.0 with seed 10.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix lunar_lander --profile fast
- * Graph SHA-256: ad96108fa65d5dffc581ce1af877a56cad69189aa93145c12a119d53a26e489d
+ * Graph SHA-256: ce37c65d5105962339cb88f7c7c4ecd4f1ff21c9a9214bb268d2dbf6d10ddc5c
  * 1 team, 4 edges, 4 programs, 23 distinct operations.
  * Computes in f32 with own maths.
  */
@@ -33,7 +33,14 @@ typedef enum lunar_lander_action {
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct lunar_lander_state {
-    float obs[8]; /* -2.5 to 2.5; -2.5 to 2.5; -10 to 10; -10 to 10; -6.2831855 to 6.2831855; -10 to 10; 0 to 1; 0 to 1 */
+    float x; /* -2.5 to 2.5 */
+    float y; /* -2.5 to 2.5 */
+    float vx; /* -10 to 10 */
+    float vy; /* -10 to 10 */
+    float angle; /* -6.2831855 to 6.2831855 */
+    float spin; /* -10 to 10 */
+    float left_leg; /* 0 to 1 */
+    float right_leg; /* 0 to 1 */
 } lunar_lander_state_t;
 
 /* The action for a state. Pure and reentrant: no globals, no memory, no side effect. */

@@ -1,7 +1,7 @@
 //! A policy for LunarLander-v3 of Gymnasium, score 264.01 in validation, trained by tpg-train 0.1.0 with seed 10.
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix lunar_lander --profile constant-time
-//! Graph SHA-256: ad96108fa65d5dffc581ce1af877a56cad69189aa93145c12a119d53a26e489d
+//! Graph SHA-256: ce37c65d5105962339cb88f7c7c4ecd4f1ff21c9a9214bb268d2dbf6d10ddc5c
 //! 1 team, 4 edges, 4 programs, 23 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
@@ -18,7 +18,14 @@ use tpg_runtime::policy::{ActionId, Policy};
 /// A tangled program graph: branch-free, the same time for every state.
 ///
 /// It sees, one after another:
-/// - `s[0..8]`: obs, -2.5 to 2.5; -2.5 to 2.5; -10 to 10; -10 to 10; -6.2831855 to 6.2831855; -10 to 10; 0 to 1; 0 to 1
+/// - `s[0..1]`: x, -2.5 to 2.5
+/// - `s[1..2]`: y, -2.5 to 2.5
+/// - `s[2..3]`: vx, -10 to 10
+/// - `s[3..4]`: vy, -10 to 10
+/// - `s[4..5]`: angle, -6.2831855 to 6.2831855
+/// - `s[5..6]`: spin, -10 to 10
+/// - `s[6..7]`: left_leg, 0 to 1
+/// - `s[7..8]`: right_leg, 0 to 1
 ///
 /// Values outside the ranges are legal, NaN and infinities too. It answers:
 /// - 0: none

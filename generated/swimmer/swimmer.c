@@ -2,7 +2,7 @@
  * A policy for Swimmer-v5 of Gymnasium, score 358.95 in validation, trained by tpg-train 0.1.0 with seed 4.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix swimmer --profile fast
- * Graph SHA-256: 095336965ef6ceea06bec0d7e7b0935bcd6bdf25f3aa4006ec2b3978cd7c444c
+ * Graph SHA-256: 5f637141a7dc44d91b53d43bb274cbcfc9c048366af102d518443668c2fcf5ea
  * 1 team, 1 edge, 1 program, 28 distinct operations.
  * Computes in f32 with own maths.
  */
@@ -43,26 +43,27 @@ static float swimmer_clamp(float value, float low, float high)
 
 void swimmer_infer(const swimmer_state_t *state, swimmer_action_t *action)
 {
-    const float term = 0.7118727f * state->obs[0]
-        - 0.11251226f * state->obs[1]
-        - 0.69512516f * state->obs[2]
-        + 0.3123265f * state->obs[4]
-        - 0.27881774f * state->obs[5]
-        + 0.183991f * state->obs[6]
-        - 0.12982675f * state->obs[7];
+    const float term = 0.7118727f * state->angle
+        - 0.11251226f * state->angle_1
+        - 0.69512516f * state->angle_2
+        + 0.3123265f * state->vy
+        - 0.27881774f * state->spin
+        + 0.183991f * state->speed_1
+        - 0.12982675f * state->speed_2;
     const float rotor_1 = term - 0.023436766f;
-    const float term_2 = 0.26692712f * state->obs[1]
-        - 0.65130556f * state->obs[2]
-        - 0.31501192f * state->obs[3]
-        + 0.26088122f * state->obs[4]
-        - 0.35128272f * state->obs[5]
-        + 0.2057382f * state->obs[6]
-        + 0.08384997f * state->obs[7];
+    const float term_2 = 0.26692712f * state->angle_1
+        - 0.65130556f * state->angle_2
+        - 0.31501192f * state->vx
+        + 0.26088122f * state->vy
+        - 0.35128272f * state->spin
+        + 0.2057382f * state->speed_1
+        + 0.08384997f * state->speed_2;
     const float rotor_2 = term_2 + 0.08995213f;
 
     action->rotor_1 = swimmer_clamp(rotor_1, -1.0f, 1.0f);
     action->rotor_2 = swimmer_clamp(rotor_2, -1.0f, 1.0f);
 }
+
 #ifndef SWIMMER_NO_SELFTEST
 
 /* Counts the rules of arithmetic that do not hold. No macro reveals some flags, such as clang's -fno-honor-nans and
@@ -95,12 +96,12 @@ static uint32_t swimmer_arithmetic(void)
 uint32_t swimmer_selftest(void)
 {
     static const swimmer_state_t states[6] = {
-        { { -0.20323594f, -1.1910177f, 0.2598124f, -0.36338776f, -1.4888479f, 1.5853858f, -0.41966468f, -5.7735367f } },
-        { { 0.8981445f, 0.6243391f, -0.058569092f, 0.5969186f, -2.7539806f, -1.7633986f, -0.49815387f, -3.723551f } },
-        { { 1.1692394f, 1.2207154f, 1.2448785f, -0.5943667f, -1.0768665f, -0.14119682f, -1.0756276f, -8.006371f } },
-        { { -1.0277425f, -0.88737875f, 0.060203478f, -0.23242228f, -2.8298142f, -2.988855f, 5.0327764f, 2.941224f } },
-        { { 0.56269425f, -0.1615916f, -0.55035204f, 1.4780854f, -3.0694587f, 0.97678906f, 4.0207562f, -6.8373165f } },
-        { { -1.0565478f, -0.9770789f, 1.2294828f, 1.1927146f, -2.20877f, 0.8217478f, -4.2435904f, 2.136793f } },
+        { -0.20323594f, -1.1910177f, 0.2598124f, -0.36338776f, -1.4888479f, 1.5853858f, -0.41966468f, -5.7735367f },
+        { 0.8981445f, 0.6243391f, -0.058569092f, 0.5969186f, -2.7539806f, -1.7633986f, -0.49815387f, -3.723551f },
+        { 1.1692394f, 1.2207154f, 1.2448785f, -0.5943667f, -1.0768665f, -0.14119682f, -1.0756276f, -8.006371f },
+        { -1.0277425f, -0.88737875f, 0.060203478f, -0.23242228f, -2.8298142f, -2.988855f, 5.0327764f, 2.941224f },
+        { 0.56269425f, -0.1615916f, -0.55035204f, 1.4780854f, -3.0694587f, 0.97678906f, 4.0207562f, -6.8373165f },
+        { -1.0565478f, -0.9770789f, 1.2294828f, 1.1927146f, -2.20877f, 0.8217478f, -4.2435904f, 2.136793f },
     };
     static const swimmer_action_t actions[6] = {
         { -0.44940814f, -1.0f },

@@ -1,7 +1,7 @@
 //! A policy for Swimmer-v5 of Gymnasium, score 358.95 in validation, trained by tpg-train 0.1.0 with seed 4.
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix swimmer --profile constant-time
-//! Graph SHA-256: 095336965ef6ceea06bec0d7e7b0935bcd6bdf25f3aa4006ec2b3978cd7c444c
+//! Graph SHA-256: 5f637141a7dc44d91b53d43bb274cbcfc9c048366af102d518443668c2fcf5ea
 //! 1 team, 1 edge, 1 program, 28 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
@@ -18,7 +18,14 @@ use tpg_runtime::policy::Policy;
 /// A tangled program graph: a formula.
 ///
 /// It sees, one after another:
-/// - `s[0..8]`: obs, -1.1418219 to 1.1901517; -1.4240355 to 1.4747826; -1.4165218 to 1.3934784; -0.95189816 to 1.731387; -3.4369788 to 3.4301186; -3.7419472 to 3.7548954; -5.163806 to 5.125205; -8.226473 to 7.8422647
+/// - `s[0..1]`: angle, -1.1418219 to 1.1901517
+/// - `s[1..2]`: angle_1, -1.4240355 to 1.4747826
+/// - `s[2..3]`: angle_2, -1.4165218 to 1.3934784
+/// - `s[3..4]`: vx, -0.95189816 to 1.731387
+/// - `s[4..5]`: vy, -3.4369788 to 3.4301186
+/// - `s[5..6]`: spin, -3.7419472 to 3.7548954
+/// - `s[6..7]`: speed_1, -5.163806 to 5.125205
+/// - `s[7..8]`: speed_2, -8.226473 to 7.8422647
 ///
 /// Values outside the ranges are legal, NaN and infinities too. It answers:
 /// - `[0]`: rotor_1, -1 to 1; 0 for NaN

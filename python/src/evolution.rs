@@ -26,7 +26,7 @@ use tpg_problems::{Number, Problem};
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
 use tpg_train::{
-    Best, Config as EvolutionConfig, Configuration as _, Goal, Layers, Progress, Row, RunEnd, RunError, RunOptions,
+    Best, Config as EvolutionConfig, Configuration as _, Goal, Layers, Naming, Progress, Row, RunEnd, RunError, RunOptions,
     train,
 };
 
@@ -86,13 +86,21 @@ struct Settings {
     target: Option<f64>,
     #[pyo3(item)]
     max_steps: Option<u64>,
+    /// The name of an environment that is not built in.
+    #[pyo3(item)]
+    task: Option<String>,
+    /// Names of the values of an observation that has none of its own.
+    #[pyo3(item)]
+    input_names: Vec<String>,
 }
 
 impl Settings {
     fn read(&self) -> PyResult<(EvolutionConfig, RunOptions)> {
         let config = EvolutionConfig::from_toml("<settings>", &self.config).map_err(error::input)?;
         let goal = Goal { target: self.target, max_steps: self.max_steps };
-        let options = RunOptions { folder: self.folder.clone(), resume: self.resume, goal, ..RunOptions::default() };
+        let naming = Naming { task: self.task.clone(), inputs: self.input_names.clone() };
+        let options =
+            RunOptions { folder: self.folder.clone(), resume: self.resume, goal, naming, ..RunOptions::default() };
         Ok((config, options))
     }
 }

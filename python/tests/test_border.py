@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import gc
 import itertools
+import json
 import pickle
 import warnings
 from pathlib import Path
@@ -15,6 +16,7 @@ import gymnasium
 import numpy as np
 import pytest
 from gymnasium import spaces
+from gymnasium.envs.registration import EnvSpec
 
 from tpg_train import TPG, InputError
 from tpg_train._tpg import Policy, success_of
@@ -306,8 +308,12 @@ def test_differences_of_a_dict_keep_its_keys() -> None:
     second = env.step(1)[0]
     assert first["change"]["x"] == 0 and second["change"]["v"] == second["now"]["v"] - first["now"]["v"]
     assert env.observation_space.contains(second) and TPG(env, **SMALL).learn(100).has_graph
-    with pytest.raises(ValueError, match="or a Dict of them"):
-        Differences(environments.DictCart())
+    # A choice does not change by an amount.
+    names = [name for name, _ in Interface.of(Differences(environments.DictCart())).sources()]
+    assert names == ["change_cart_v", "change_cart_x", "now_cart_v", "now_cart_x", "now_side"]
+    Cart.observation_space = spaces.Discrete(2)
+    with pytest.raises(ValueError, match="or a Dict with one"):
+        Differences(Cart())
 
 
 def test_a_policy_reads_features_of_an_image(tmp_path: Path) -> None:
@@ -365,3 +371,29 @@ def test_a_policy_with_memory_acts_in_predict_as_in_training(tmp_path: Path) -> 
     model.save(tmp_path / "graph.json")
     assert (TPG.load(tmp_path / "graph.json", Cart).predict(observation)[0] == model.predict(observation)[0]).all()
     assert TPG.load(tmp_path / "graph.json").predict(observation)[0].shape == (1,)
+
+
+def test_values_that_gymnasium_describes_have_names_in_graphs_only(tmp_path: Path) -> None:
+    class Lander(environments.Cart):
+        observation_space = spaces.Box(-1, 1, (8,), np.float32)
+        action_space = spaces.Discrete(4)
+        spec = EnvSpec("LunarLander-v3", max_episode_steps=20)
+
+        def observe(self) -> Any:
+            return np.array([self.x, self.v, 0, 0, 1, 0, 0, 0], np.float32)
+
+        def push(self, action: Any) -> float:
+            return 0.1 * float(action - 2)
+
+    class Unknown(Lander):
+        spec = EnvSpec("mine/LunarLander-v3", max_episode_steps=20)
+
+    named, plain = TPG(Lander(), folder=tmp_path / "a").learn(3_000), TPG(Unknown(), folder=tmp_path / "b").learn(3_000)
+    assert named.graph.inputs[:3] == ["x[0]", "y[0]", "vx[0]"] and plain.graph.inputs[7] == "obs[7]"
+    assert "left_engine" in named.graph.actions and "a2" in plain.graph.actions
+    states = np.random.default_rng(1).normal(size=(50, 8))
+    assert (named.predict(states)[0] == plain.predict(states)[0]).all(), "the same training"
+    assert json.loads((tmp_path / "a" / "graph.json").read_text())["provenance"]["note"] == "LunarLander-v3"
+    assert TPG(Lander(), folder=tmp_path / "a", resume=True).learn(6_000).graph.inputs == named.graph.inputs
+    plain.save(tmp_path / "plain.json")
+    assert TPG.load(tmp_path / "plain.json", Lander()).graph.inputs == plain.graph.inputs

@@ -72,8 +72,6 @@ def test_differences_are_named_sources() -> None:
     assert (env.reset(seed=1)[0]["change"] == 0).all(), "an episode begins anew"
     model = TPG(lambda: Differences(environments.Cart()), population=20, episodes=3).learn(20_000)
     assert set(model.graph.inputs) == {"change[0]", "change[1]", "now[0]", "now[1]"}
-    with pytest.raises(ValueError, match="FlattenObservation"):
-        Differences(environments.DictCart())
 
 
 def test_a_fresh_environment_for_each_episode_forgets_everything() -> None:

@@ -286,6 +286,8 @@ class TPG:
             "resume": resume,
             "target": target,
             "max_steps": max_steps,
+            "task": None if self._runs_here else self._interface.name,
+            "input_names": list(self._interface.value_names),
         }
         self._resume = True
         if self._samples is not None:
@@ -791,8 +793,11 @@ def _check_graph(graph: Graph, file: str, interface: Interface, is_named: bool) 
         inputs, sources = [], []
     if len(inputs) != len(sources):
         raise InputError(f"{file}: a graph of {len(inputs)} inputs; accepted: {len(sources)}, as {interface.name} has")
-    own = [f"{name}[{place}]" for name, values in interface.sources() for place in range(len(values))]
-    if interface.eye is None and inputs != own and (is_named or len(interface.parts) > 1):
+    own, numbered = (
+        [f"{name}[{place}]" for name, values in sources for place in range(len(values))]
+        for sources in (interface.named(), interface.sources())
+    )
+    if interface.eye is None and inputs not in (own, numbered) and (is_named or len(interface.parts) > 1):
         raise InputError(f"{file}: a graph of the inputs {', '.join(inputs)}; accepted: {', '.join(own)}")
     choices, outputs = interface.actions()
     found, accepted = len(graph.actions) or len(outputs_of_graph), len(choices) or len(outputs)

@@ -15,26 +15,13 @@ from gymnasium import spaces
 from numpy.typing import NDArray
 
 from ._tpg import Driver, Eye, Graph, InputError, Policy, Space, flat
+from .names import names_of
 
 MOST_ACTIONS = 4096
 MOST_INPUTS = 4096
 MOST_NAMES = 60
 DEFAULT_LIMIT = 10_000
-# The actions, or the values of an action, of Gymnasium's environments: an environment itself does not name them.
-END_NAMES: dict[tuple[str, type[spaces.Space[Any]]], list[str]] = {
-    ("LunarLander", spaces.Discrete): ["none", "left_engine", "main_engine", "right_engine"],
-    ("LunarLander", spaces.Box): ["main_engine", "side_engine"],
-    ("LunarLanderContinuous", spaces.Box): ["main_engine", "side_engine"],
-    ("BipedalWalker", spaces.Box): ["hip_1", "knee_1", "hip_2", "knee_2"],
-    ("BipedalWalkerHardcore", spaces.Box): ["hip_1", "knee_1", "hip_2", "knee_2"],
-    ("InvertedPendulum", spaces.Box): ["force"],
-    ("InvertedDoublePendulum", spaces.Box): ["force"],
-    ("Reacher", spaces.Box): ["shoulder", "elbow"],
-    ("Swimmer", spaces.Box): ["rotor_1", "rotor_2"],
-    ("Hopper", spaces.Box): ["thigh", "leg", "foot"],
-    ("HalfCheetah", spaces.Box): ["back_thigh", "back_shin", "back_foot", "front_thigh", "front_shin", "front_foot"],
-    ("Walker2d", spaces.Box): ["right_thigh", "right_leg", "right_foot", "left_thigh", "left_leg", "left_foot"],
-}
+
 
 
 @dataclass(frozen=True)
@@ -116,6 +103,7 @@ class Interface:
     end_names: tuple[str, ...] | None = None
     asks: bool = False
     eye: Eye | None = None
+    value_names: tuple[str, ...] = ()
 
     @classmethod
     def of(
@@ -142,13 +130,11 @@ class Interface:
         )
         names = _unique([part.name for part in found])
         parts = tuple(replace(part, name=name) for part, name in zip(found, names, strict=True))
-        if end_names is None and spec is not None and spec.namespace is None:
-            known = END_NAMES.get((spec.name, type(env.action_space)))
-            size = getattr(env.action_space, "n", None) or np.prod(env.action_space.shape or (0,))
-            end_names = known if known is not None and len(known) == size else None
-        inputs, ends = (tuple(given) if given else None for given in (input_names, end_names))
+        values, known = names_of(env, sum(len(part.low) for part in parts))
+        inputs, ends = (tuple(given) if given else None for given in (input_names, end_names or known))
         asks = bool(getattr(env, "asks_network", False))
-        interface = cls(name, env.observation_space, env.action_space, parts, int(limit), inputs, ends, asks, eye)
+        values = values if inputs is None else ()
+        interface = cls(name, env.observation_space, env.action_space, parts, int(limit), inputs, ends, asks, eye, values)
         if not 1 <= interface.inputs <= MOST_INPUTS:
             raise InputError(f"{name}: an observation of {interface.inputs} values; accepted: 1 to {MOST_INPUTS}")
         if input_names is not None and len(input_names) != interface.inputs:
@@ -177,13 +163,19 @@ class Interface:
         return space.shape if isinstance(space, spaces.Box) and self.eye is None else (self.inputs,)
 
     def sources(self) -> list[tuple[str, list[tuple[float, float]]]]:
-        """Returns the sources of a graph, with the range of each value; an end that is not known is infinite."""
+        """Returns the sources that training knows, with the range of each value; an end that is not known is infinite."""
         ranges = [_range(low, high) for part in self.parts for low, high in zip(part.low, part.high, strict=True)]
         names = self.input_names
         if names is not None and len(names) <= MOST_NAMES:
             return [(name, [end]) for name, end in zip(_unique([_name(name) for name in names]), ranges, strict=True)]
         ends = iter(ranges)
         return [(part.name, list(itertools.islice(ends, len(part.low)))) for part in self.parts]
+
+    def named(self) -> list[tuple[str, list[tuple[float, float]]]]:
+        """Returns the sources of a graph: those of training, or one for each value where the values have known names."""
+        sources = self.sources()
+        ends = [end for _, values in sources for end in values]
+        return [(name, [end]) for name, end in zip(self.value_names, ends, strict=True)] if self.value_names else sources
 
     def space(self) -> Space:
         """Describes the environment for evolution."""

@@ -82,7 +82,7 @@ class Tuned:
     def formula(self) -> str:
         """Returns the law."""
         names = [
-            f"{name}[{place}]" if len(ends) > 1 else name for name, ends in self.interface.sources() for place in range(len(ends))
+            f"{name}[{place}]" if len(ends) > 1 else name for name, ends in self.interface.named() for place in range(len(ends))
         ]
         choices = self.interface.actions()[0]
         if self.ends:

@@ -18,14 +18,18 @@ class Differences(gymnasium.ObservationWrapper[Any, Any, Any], gymnasium.utils.R
     """Adds the change of each value since the last step: what a policy without memory needs where speeds are hidden.
 
     The observation becomes a Dict of `now` and `change`, whose names formulas keep; of a Dict observation each is a Dict of the
-    same keys. On the firmware's side the caller subtracts the last observation from the new one; the first change is 0.
+    same keys, without those of choices, which do not change by an amount. On the firmware's side the caller subtracts the last observation from the new one; the first change is 0.
     """
 
     def __init__(self, env: gymnasium.Env[Any, Any]) -> None:
         gymnasium.utils.RecordConstructorArgs.__init__(self)
         super().__init__(env)
         space = env.observation_space
-        self.observation_space = spaces.Dict({"now": space, "change": _changes(space)})
+        change = _changes(space)
+        if change is None:
+            raise ValueError(f"the observation {space}; accepted: a flat Box, as FlattenObservation gives it, or a Dict with one")
+        self._changes = change
+        self.observation_space = spaces.Dict({"now": space, "change": change})
         self._last: Any = None
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
@@ -35,26 +39,28 @@ class Differences(gymnasium.ObservationWrapper[Any, Any, Any], gymnasium.utils.R
 
     def observation(self, observation: Any) -> dict[str, Any]:
         """Returns the values and their changes."""
-        now = _numbers(observation)
+        now = _numbers(observation, self._changes)
         change = _difference(now, now if self._last is None else self._last)
         self._last = now
         return {"now": observation, "change": change}
 
 
-def _changes(space: spaces.Space[Any], key: str = "the observation") -> spaces.Space[Any]:
-    """Returns the space of differences of two observations."""
+def _changes(space: spaces.Space[Any]) -> spaces.Space[Any] | None:
+    """Returns the space of differences of two observations; None where nothing is a flat Box."""
     if isinstance(space, spaces.Dict):
-        return spaces.Dict({key: _changes(inner, key) for key, inner in space.spaces.items()})
-    if not isinstance(space, spaces.Box) or len(space.shape) != 1:
-        raise ValueError(f"{key}: the space {space}; accepted: a flat Box, as FlattenObservation gives it, or a Dict of them")
+        changes = {key: _changes(inner) for key, inner in space.spaces.items()}
+        found = {key: change for key, change in changes.items() if change is not None}
+        return spaces.Dict(found) if found else None
+    if not isinstance(space, spaces.Box) or len(space.shape) > 1:
+        return None
     reach = np.subtract(space.high, space.low, dtype=np.float32)
     return spaces.Box(-reach, reach, dtype=np.float32)
 
 
-def _numbers(observation: Any) -> Any:
-    """Returns a copy of an observation that no environment changes."""
-    if isinstance(observation, dict):
-        return {key: _numbers(value) for key, value in observation.items()}
+def _numbers(observation: Any, space: spaces.Space[Any]) -> Any:
+    """Returns a copy, which no environment changes, of the values of an observation that change by an amount."""
+    if isinstance(space, spaces.Dict):
+        return {key: _numbers(observation[key], inner) for key, inner in space.spaces.items()}
     return np.array(observation, dtype=np.float32)
 
 

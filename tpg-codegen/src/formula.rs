@@ -8,21 +8,11 @@ use std::collections::BTreeMap;
 use tpg_graph::{Graph, ScalarType, Word};
 use tpg_runtime::ops::Instruction;
 
-/// The formula of a value, for a message; sums as they are computed.
+/// The formula of a value, for a message.
 pub(crate) fn text(module: &Module<'_>, value: NodeId) -> String {
-    let formulas = Formulas::new(module, &[value], Spelling::Exact);
+    let formulas = Formulas::new(module, &[value]);
     let named = formulas.shared().iter().map(|(name, formula)| format!(", {name} = {formula}"));
     std::iter::once(formulas.formula(value).to_owned()).chain(named).collect()
-}
-
-/// The spelling of formulas.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Spelling {
-    /// Every value of the state with its place, `theta[0]`; sums as they are computed.
-    Exact,
-    /// As a person writes: `theta` where a source has one value, `a - 1` for `a + (-1)` and `a` for `0 + a`, which are the same
-    /// numbers.
-    Short,
 }
 
 /// The formulas of a team's bids. What occurs more than once has a name, so that no formula is longer than its program.
@@ -30,7 +20,6 @@ pub(crate) struct Formulas {
     /// The term of each node: a name, or its expression.
     terms: BTreeMap<NodeId, Term>,
     shared: Vec<(String, String)>,
-    spelling: Spelling,
     /// The graph has C++'s minimum, or maximum, and no other.
     of_cpp: [bool; 2],
 }
@@ -39,6 +28,17 @@ pub(crate) struct Formulas {
 struct Term {
     text: String,
     rank: Precedence,
+}
+
+impl Term {
+    fn is_number(&self) -> bool {
+        self.text.parse::<f64>().is_ok()
+    }
+
+    /// Returns what follows the sign of a negative number, or of a product that begins with one: of -2 * x, 2 * x.
+    fn negative(&self) -> Option<&str> {
+        self.text.strip_prefix('-').filter(|_| self.rank != Sum)
+    }
 }
 
 /// The precedence of a term.
@@ -51,7 +51,7 @@ enum Precedence {
 
 impl Formulas {
     /// Formulas of the values that a team's edges bid.
-    pub(crate) fn new(module: &Module<'_>, bids: &[NodeId], spelling: Spelling) -> Self {
+    pub(crate) fn new(module: &Module<'_>, bids: &[NodeId]) -> Self {
         let mut needed: Vec<NodeId> = bids.iter().flat_map(|&bid| module.operations_of(bid)).collect();
         needed.sort_unstable();
         needed.dedup();
@@ -63,9 +63,9 @@ impl Formulas {
         let has = |word: Word| module.graph.instructions().contains(&word);
         let of_cpp = [(Min, Word::StdMin), (Max, Word::StdMax)];
         let of_cpp = of_cpp.map(|(own, cpp)| has(cpp) && !has(own.into()));
-        let mut formulas = Self { terms: BTreeMap::new(), shared: Vec::new(), spelling, of_cpp };
+        let mut formulas = Self { terms: BTreeMap::new(), shared: Vec::new(), of_cpp };
         for &id in bids.iter().chain(needed.iter().flat_map(|id| module.nodes[id.index()].operands())) {
-            if let Some(term) = leaf(module.graph, module.node(id), spelling) {
+            if let Some(term) = leaf(module.graph, module.node(id)) {
                 formulas.terms.insert(id, term);
             }
         }
@@ -95,10 +95,10 @@ impl Formulas {
 
     fn operation(&self, instruction: Instruction, [a, b]: [NodeId; 2]) -> Term {
         let [a, b] = [a, b].map(|id| &self.terms[&id]);
-        let infix = |operator: &str, rank: Precedence| {
+        let infix = |a: &Term, operator: &str, b: &Term, rank: Precedence| {
             // Nothing is associative: a + (b + c) is not (a + b) + c.
             let left = if a.rank < rank { format!("({})", a.text) } else { a.text.clone() };
-            let right = if b.rank <= rank { format!("({})", b.text) } else { b.text.clone() };
+            let right = if b.rank <= rank || (b.negative().is_some() && !b.is_number()) { format!("({})", b.text) } else { b.text.clone() };
             Term { text: format!("{left} {operator} {right}"), rank }
         };
         let call = |name: &str, operands: &[&Term]| {
@@ -107,14 +107,18 @@ impl Formulas {
         };
         match instruction {
             // Only the sign of a zero differs, which no comparison sees.
-            Add if self.spelling == Spelling::Short && a.text == "0" => b.clone(),
-            Add if self.spelling == Spelling::Short && is_negative(b) => {
-                Term { text: format!("{} - {}", a.text, &b.text[1..]), rank: Sum }
-            }
-            Add => infix("+", Sum),
-            Sub => infix("-", Sum),
-            Mul => infix("*", Product),
-            Div => infix("/", Product),
+            Add if a.text == "0" => b.clone(),
+            Add => match b.negative() {
+                Some(rest) => Term { text: format!("{} - {rest}", a.text), rank: Sum },
+                None => infix(a, "+", b, Sum),
+            },
+            Sub => match b.negative() {
+                Some(rest) => Term { text: format!("{} + {rest}", a.text), rank: Sum },
+                None => infix(a, "-", b, Sum),
+            },
+            Mul if b.is_number() && !a.is_number() => infix(b, "*", a, Product),
+            Mul => infix(a, "*", b, Product),
+            Div => infix(a, "/", b, Product),
             // C++'s have their operands the other way round.
             Min if self.of_cpp[0] => call("std_min", &[b, a]),
             Max if self.of_cpp[1] => call("std_max", &[b, a]),
@@ -123,27 +127,17 @@ impl Formulas {
     }
 }
 
-/// Tests for a negative number; a difference has another rank within.
-fn is_negative(term: &Term) -> bool {
-    term.text.strip_prefix('-').is_some_and(|number| number.parse::<f64>().is_ok())
-}
-
 /// A number or a value of the state.
-fn leaf(graph: &Graph, node: Node, spelling: Spelling) -> Option<Term> {
+fn leaf(graph: &Graph, node: Node) -> Option<Term> {
     let text = match node {
-        Input(input) if spelling == Spelling::Short && graph.source_of(input).0.ranges.len() == 1 => {
-            graph.source_of(input).0.name.clone()
-        }
-        Input(input) => graph.input_name(input),
+        Input(input) => graph.input_label(input),
         Constant(bits) => {
             let value = f64::from_bits(bits);
             let text = match graph.scalar() {
                 ScalarType::F32 => format!("{:?}", value as f32),
                 ScalarType::F64 => format!("{value:?}"),
             };
-            let text = text.strip_suffix(".0").map_or(text.clone(), str::to_owned);
-            // A sign in the middle of a formula reads badly.
-            return Some(Term { rank: if text.starts_with('-') { Sum } else { Atom }, text });
+            text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
         }
         Operation(..) | Upper(..) => return None,
     };
@@ -152,7 +146,7 @@ fn leaf(graph: &Graph, node: Node, spelling: Spelling) -> Option<Term> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Formulas, Spelling};
+    use super::Formulas;
     use crate::ir::{Module, Node, NodeId, Values};
     use tpg_graph::{Graph, Input};
     use tpg_runtime::ops::Instruction::{self, Abs, Add, Div, Exp, Max, Mul, Sub};
@@ -169,7 +163,7 @@ mod tests {
         let two = values.intern(Node::constant(-2.0));
         let bids = build(&mut |i, a, b| values.intern(Node::Operation(i, [a, b])), x, two);
         let module = Module { nodes: values.into_nodes(), ..Module::empty(&graph) };
-        let formulas = Formulas::new(&module, &bids, Spelling::Exact);
+        let formulas = Formulas::new(&module, &bids);
         let shared = formulas.shared().iter().map(|(name, formula)| format!("{name} = {formula}"));
         shared.chain(bids.iter().map(|&bid| formulas.formula(bid).to_owned())).collect()
     }
@@ -182,7 +176,7 @@ mod tests {
             let product = op(Mul, sum, square);
             vec![op(Sub, x, product)]
         });
-        assert_eq!(found, ["target[0] - (target[0] + (-2)) * (target[0] * target[0])"]);
+        assert_eq!(found, ["target[0] - (target[0] - 2) * (target[0] * target[0])"]);
         let found = formulas(FIXTURE, |op, x, two| {
             let quotient = op(Div, two, x);
             let inner = op(Sub, x, quotient);
@@ -190,7 +184,7 @@ mod tests {
             let outer = op(Sub, absolute, x);
             vec![op(Max, outer, two)]
         });
-        assert_eq!(found, ["max(abs(target[0] - (-2) / target[0]) - target[0], -2)"]);
+        assert_eq!(found, ["max(abs(target[0] - (-2 / target[0])) - target[0], -2)"]);
     }
 
     #[test]

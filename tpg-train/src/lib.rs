@@ -2,7 +2,7 @@
 //!
 //! | items | subject |
 //! | --- | --- |
-//! | [`train`], [`RunOptions`], [`Goal`], [`Progress`], [`RunEnd`], [`RunError`] | evolution of a graph, in a folder of its own |
+//! | [`train`], [`RunOptions`], [`Goal`], [`Naming`], [`Progress`], [`RunEnd`], [`RunError`] | evolution of a graph, in a folder of its own |
 //! | [`Config`], [`SacConfig`], [`Configuration`], [`Layers`], [`Preset`] | settings |
 //! | [`train_network`], [`Network`] | soft actor-critics |
 //! | [`evaluate`], [`Acting`], [`Episodes`], [`OwnProblem`], [`Shared`] | test episodes of a graph, a network, or both |
@@ -43,7 +43,7 @@ pub use evolution::command::{TpgArgs, execute as evolve};
 pub use evolution::config::{AskConfig, EvolutionConfig as Config, Units};
 pub use evolution::generation::Goal;
 pub use evolution::record::Row;
-pub use evolution::run::{Progress, RunEnd, RunError, RunOptions, train};
+pub use evolution::run::{Naming, Progress, RunEnd, RunError, RunOptions, train};
 pub use evolution::state::Best;
 pub use hybrid::asking::Asking;
 pub use hybrid::command::{StudyArgs, study_on};

@@ -74,12 +74,14 @@ fn policy(graph: &Graph) -> String {
     // A note of the trainer names the task; one by hand is a sentence of its own.
     let problem = named.or(note.as_deref().filter(|_| tool.is_some()));
     let score = ["validation_score", "score"].iter().find_map(|name| scores.get(*name));
+    let success = scores.get("validation_success").filter(|_| score.is_none());
     let mut about = vec![match (problem, note) {
         (Some(problem), _) => format!("A policy for {problem}"),
         (None, Some(note)) => note.trim_end_matches('.').to_owned(),
         (None, None) => "A policy".to_owned(),
     }];
     about.extend(score.map(|score| format!("score {} in validation", (score * 100.0).round() / 100.0)));
+    about.extend(success.map(|success| format!("{:.1} % success in validation", 100.0 * success)));
     about.extend(tool.as_ref().map(|tool| {
         let version = version.as_ref().map_or_else(String::new, |version| format!(" {version}"));
         let seed = seed.map_or_else(String::new, |seed| format!(" with seed {seed}"));

@@ -6,18 +6,14 @@ mod table;
 pub use policy::{BidFormula, LeafFormulas, PolicyFormulas, TeamFormulas};
 pub use table::{Bids, Destination, Value};
 
-use policy::fast;
-
-use crate::formula::Spelling;
-use crate::options::{Language, Options};
-use crate::program::compile;
+use crate::options::Options;
 use std::fmt::{self, Write as _};
 use tpg_graph::{Graph, Output};
 
 /// Returns the formulas of a graph as fast C: what each team's bids are, and what each leaf computes.
 pub fn explain(graph: &Graph, options: &Options) -> String {
     let mut out = String::new();
-    let formulas = PolicyFormulas::of_program(&compile(graph, &fast(options), Language::C), Spelling::Exact);
+    let formulas = PolicyFormulas::of(graph, options);
     let written = write_teams(&formulas.teams, &mut out).and_then(|()| write_leaves(graph, &formulas.leaves, &mut out));
     written.expect("a string takes everything");
     out.trim_start().to_owned()
@@ -61,8 +57,7 @@ fn write_leaves(graph: &Graph, leaves: &[LeafFormulas], out: &mut String) -> fmt
     for Output { name, range, nan, .. } in memory {
         writeln!(
             out,
-            "{name}[0] is what {name} was at the last decision, and {nan} at the first; {name} is limited to {range}; \
-                 {nan} replaces NaN."
+            "{name} in a formula is its value at the last decision, {nan} at the first, limited to {range}; {nan} replaces NaN."
         )?;
     }
     write_words(&leaves, out)?;

@@ -1,9 +1,9 @@
 //! A policy as formulas in a structure: for pages and reports that show it.
 
-use crate::formula::{Formulas, Spelling};
+use crate::formula::Formulas;
 use crate::ir::{Module, NodeId, Target, reached};
 use crate::options::{Language, Options, Profile, Style};
-use crate::program::{Program, compile};
+use crate::program::compile;
 use crate::shape::Shape;
 use serde::Serialize;
 use tpg_graph::Graph;
@@ -68,18 +68,16 @@ impl PolicyFormulas {
     /// # Ok::<(), String>(())
     /// ```
     pub fn of(graph: &Graph, options: &Options) -> Self {
-        Self::of_program(&compile(graph, &fast(options), Language::C), Spelling::Short)
-    }
-
-    pub(super) fn of_program(program: &Program<'_>, spelling: Spelling) -> Self {
+        let options = Options { style: Style::Pure, profile: Some(Profile::Fast), ..options.clone() };
+        let program = &compile(graph, &options, Language::C);
         let module = &program.module;
         let teams = match program.shape {
             Shape::Formula(_) => Vec::new(),
-            _ => (0..module.teams.len()).map(|team| TeamFormulas::new(module, team, spelling)).collect(),
+            _ => (0..module.teams.len()).map(|team| TeamFormulas::new(module, team)).collect(),
         };
         let outputs = module.graph.outputs();
         let leaves = reached(&module.leaves).map(|(number, leaf)| {
-            let formulas = Formulas::new(module, &leaf.values, spelling);
+            let formulas = Formulas::new(module, &leaf.values);
             let value = |(name, &value): (&String, &NodeId)| (name.clone(), formulas.formula(value).to_owned());
             LeafFormulas {
                 id: leaf.label,
@@ -93,14 +91,14 @@ impl PolicyFormulas {
 }
 
 impl TeamFormulas {
-    fn new(module: &Module<'_>, team: usize, spelling: Spelling) -> Self {
+    fn new(module: &Module<'_>, team: usize) -> Self {
         let team = &module.teams[team];
         let bids: Vec<NodeId> = team.edges.iter().map(|edge| module.bidders[edge.bidder].value).collect();
-        let formulas = Formulas::new(module, &bids, spelling);
+        let formulas = Formulas::new(module, &bids);
         let bid = |(edge, &bid): (&crate::ir::Edge, &NodeId)| {
             let (to, team) = match edge.to {
                 Target::Team(team) => (format!("team {}", module.teams[team].label), Some(team)),
-                Target::Action(end) if spelling == Spelling::Short && module.graph.leaves().is_empty() => {
+                Target::Action(end) if module.graph.leaves().is_empty() => {
                     (module.graph.actions()[usize::from(end.0)].to_string(), None)
                 }
                 Target::Action(end) => (module.graph.end_name(end), None),
@@ -118,9 +116,4 @@ impl TeamFormulas {
             bids: team.edges.iter().zip(&bids).map(bid).collect(),
         }
     }
-}
-
-/// The options of fast C.
-pub(super) fn fast(options: &Options) -> Options {
-    Options { style: Style::Pure, profile: Some(Profile::Fast), ..options.clone() }
 }

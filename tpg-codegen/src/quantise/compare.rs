@@ -41,7 +41,7 @@ impl Comparison {
     pub(super) fn new(graph: &Graph, counted: &Graph, set: &StateSet) -> Self {
         let length = graph.state_length();
         let ((answered, values), (_, kept)) = (graph.split_outputs(), counted.split_outputs());
-        let names: Vec<String> = graph.inputs().map(|input| graph.input_name(input)).collect();
+        let names: Vec<String> = graph.inputs().map(|input| graph.input_label(input)).collect();
         let scale = |(value, counts): (&Output, &Output)| counts.range.magnitude() / value.range.magnitude();
         let memory: Vec<f64> = values.iter().zip(kept).map(scale).collect();
         let (mut states, mut same, mut saturated) = (0, 0, 0);

@@ -160,7 +160,7 @@ fn counts(file: &str, graph: &Graph, module: &Module<'_>, request: &Request<'_>)
             let width = range.max - range.min;
             if is_read && !(width > 0.0 && width.is_finite()) {
                 let what = if width == 0.0 { "a range of zero width" } else { "a range without end" };
-                let found = format!("{}: {range}, {what}", graph.input_name(input));
+                let found = format!("{}: {range}, {what}", graph.input_label(input));
                 let accepted =
                     if request.visited.is_some() { "states in which it varies, finite" } else { "a range that it has" };
                 return Err(InputError::new(file, "$.sources", found, accepted));

@@ -222,7 +222,7 @@ fn dead_inputs(optimised: &Module<'_>) -> Vec<String> {
         .filter_map(|node| if let Node::Input(input) = *node { Some(input) } else { None })
         .collect();
     let inputs = graph.inputs();
-    inputs.filter(|input| !read.contains(input)).map(|input| graph.input_name(input)).collect()
+    inputs.filter(|input| !read.contains(input)).map(|input| graph.input_label(input)).collect()
 }
 
 fn size_of(code: &Code<'_>, target: Target, profile: &'static str) -> ShapeSize {

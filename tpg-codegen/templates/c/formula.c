@@ -11,3 +11,4 @@
     action->{{ name }} = {{ value }};
 {%- endfor %}
 }
+

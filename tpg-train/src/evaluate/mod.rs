@@ -1,6 +1,7 @@
 //! `tpg-train eval`: lets a policy act on test episodes and reports how they end.
 
 mod law;
+mod linear;
 mod report;
 
 pub use report::{Against, EvaluationReport};
@@ -64,7 +65,8 @@ pub(crate) struct EvalArgs {
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
     /// Let another policy do the same episodes, and print the difference of the scores with its interval: a graph, a network, a
-    /// hybrid.toml, or a controller that the problem brings
+    /// hybrid.toml, a law.toml, a controller that the problem brings, or `linear`: weighted sums, trained as the run of --tpg
+    /// was and kept in its folder
     #[arg(long, value_name = "POLICY")]
     pub against: Option<String>,
     /// One JSON object instead of a table
@@ -111,19 +113,20 @@ pub(crate) fn eval(args: &EvalArgs) -> Result<(), InputError> {
 /// # Errors
 /// If there is neither such a file nor such a controller.
 fn alone(args: &EvalArgs, other: &str, problem: &Problem) -> Result<EvalArgs, InputError> {
-    let mut args = EvalArgs { tpg: None, policy: None, hybrid: None, against: None, ..args.clone() };
+    let mut alone = EvalArgs { tpg: None, policy: None, hybrid: None, against: None, ..args.clone() };
     match other {
+        linear::LINEAR => alone.tpg = Some(linear::trained(args)?),
         _ if !Path::new(other).exists() && !problem.controllers().contains(&other) => {
-            let mut accepted = "a graph.json, a TOML file with [law], a network, a hybrid.toml".to_owned();
+            let mut accepted = "a graph.json, a TOML file with [law], a network, a hybrid.toml, linear".to_owned();
             problem.controllers().iter().for_each(|controller| accepted += &format!(", {controller}"));
             return Err(command_line(format!("--against {other}: no such file"), accepted));
         }
-        _ if problem.controllers().contains(&other) => args.policy = Some(other.to_owned()),
-        _ if other.ends_with(".toml") && !law::is_law(other) => args.hybrid = Some(other.into()),
-        _ if other.ends_with(".q.json") || other.ends_with(".safetensors") => args.policy = Some(other.to_owned()),
-        _ => args.tpg = Some(other.into()),
+        _ if problem.controllers().contains(&other) => alone.policy = Some(other.to_owned()),
+        _ if other.ends_with(".toml") && !law::is_law(other) => alone.hybrid = Some(other.into()),
+        _ if other.ends_with(".q.json") || other.ends_with(".safetensors") => alone.policy = Some(other.to_owned()),
+        _ => alone.tpg = Some(other.into()),
     }
-    Ok(args)
+    Ok(alone)
 }
 
 /// Lets a policy do the episodes that the arguments ask for.

@@ -163,8 +163,8 @@ impl<W: Workplace> Training<'_, W> {
         let goal = Goal { target: args.target, max_steps: args.max_steps };
         let one = |seed: u64, folder: PathBuf| {
             let resume = args.run.resume;
-            let options =
-                RunOptions { folder, resume, checkpoint_every: args.run.checkpoint_every(CHECKPOINT_SECONDS), goal };
+            let checkpoint_every = args.run.checkpoint_every(CHECKPOINT_SECONDS);
+            let options = RunOptions { folder, resume, checkpoint_every, goal, ..RunOptions::default() };
             let bar = Bar::new();
             train(config, seed, environment, evaluator, &options, |progress| {
                 bar.show(progress.generations, progress.planned, || message(progress));

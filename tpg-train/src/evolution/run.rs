@@ -17,8 +17,33 @@ use std::time::{Duration, Instant};
 use tpg_engine::{Environment, EvaluationError, Evaluator, Summary};
 use tpg_graph::error::{Finding, InputError, Place};
 use tpg_graph::files::write_atomically;
-use tpg_graph::{Graph, Provenance};
+use tpg_graph::{Graph, Provenance, SourceDocument};
 use tpg_runtime::scalar::Scalar;
+
+/// The words of a run's graphs, which no training depends on.
+#[derive(Clone, Debug, Default)]
+pub struct Naming {
+    /// The name of an environment of your own, which generated code says in its first line.
+    pub task: Option<String>,
+    /// A name for each value of the flat state, without a memory's; if there are none, those of the sources are used.
+    pub inputs: Vec<String>,
+}
+
+impl Naming {
+    /// Returns sources with a name for each value.
+    fn named(&self, sources: Vec<SourceDocument>) -> Vec<SourceDocument> {
+        let unnamed = |source: SourceDocument| {
+            let one = |range| SourceDocument::new(source.name.clone(), source.unit.clone(), vec![range]);
+            source.ranges.into_iter().map(one).collect::<Vec<_>>()
+        };
+        if self.inputs.is_empty() {
+            return sources;
+        }
+        let mut sources: Vec<_> = sources.into_iter().flat_map(unnamed).collect();
+        sources.iter_mut().zip(&self.inputs).for_each(|(source, name)| source.name.clone_from(name));
+        sources
+    }
+}
 
 /// Options of a run. Only the [goal](Self::goal) affects its result: it can end the run early.
 #[derive(Clone, Debug)]
@@ -32,12 +57,14 @@ pub struct RunOptions {
     pub checkpoint_every: Duration,
     /// The conditions under which the run ends early.
     pub goal: Goal,
+    /// The words of its graphs.
+    pub naming: Naming,
 }
 
 impl Default for RunOptions {
     fn default() -> Self {
         let (folder, checkpoint_every) = (PathBuf::from("."), Duration::from_secs(30));
-        Self { folder, resume: false, checkpoint_every, goal: Goal::default() }
+        Self { folder, resume: false, checkpoint_every, goal: Goal::default(), naming: Naming::default() }
     }
 }
 
@@ -156,15 +183,15 @@ pub fn train<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized>(
     let mut times = Times::new(&options.folder);
     if state.generation > 0 {
         // The run may have been killed between writing its checkpoint and its results.
-        write_results(config, &options.folder, &state, environment)?;
+        write_results(config, options, &state, environment)?;
     }
     let save = |state: &State<E::Task>, times: &Times| -> Result<(), RunError> {
         let file = folder.path().display().to_string();
         folder.save(checkpoint::VERSION, checkpoint::to_bytes(&file, config, state)?)?;
-        write_results(config, &options.folder, state, environment)?;
+        write_results(config, options, state, environment)?;
         Ok(times.write(&options.folder)?)
     };
-    let to_graph = |best: &Best| graph_of(config, seed, best, environment);
+    let to_graph = |best: &Best| graph_of(config, seed, best, environment, &options.naming);
     let mut stopped = watch(&progress(config, &state, &to_graph)).is_break();
     let mut saved = Instant::now();
     while !evolution.finished(&state) {
@@ -217,18 +244,19 @@ fn progress<'a, Task>(
 /// Writes the logs, the best graph, and the hall of fame: a graph a line, smallest first.
 fn write_results<S: Scalar, E: Environment<S>>(
     config: &EvolutionConfig,
-    folder: &Path,
+    options: &RunOptions,
     state: &State<E::Task>,
     environment: &E,
 ) -> Result<(), RunError> {
+    let RunOptions { folder, naming, .. } = options;
     logs::write(folder, &state.rows)?;
     if let Some(best) = &state.best {
-        let graph = graph_of(config, state.seed, best, environment)?;
+        let graph = graph_of(config, state.seed, best, environment, naming)?;
         write_atomically(&folder.join("graph.json"), graph.to_json().as_bytes())?;
     }
     let mut hall = String::new();
     for best in &state.hall {
-        hall.extend(graph_of(config, state.seed, best, environment)?.to_json().lines().map(str::trim));
+        hall.extend(graph_of(config, state.seed, best, environment, naming)?.to_json().lines().map(str::trim));
         hall.push('\n');
     }
     write_atomically(&folder.join("hall.jsonl"), hall.as_bytes())?;
@@ -244,6 +272,7 @@ pub(crate) fn graph_of<S: Scalar, E: Environment<S>>(
     seed: u64,
     best: &Best,
     environment: &E,
+    naming: &Naming,
 ) -> Result<Graph, InputError> {
     let Summary { score, success, measure, .. } = best.result;
     let named = environment.measure().map(|of| (format!("validation_{}", of.name), measure));
@@ -255,7 +284,7 @@ pub(crate) fn graph_of<S: Scalar, E: Environment<S>>(
         seed: Some(seed),
         config: serde_json::to_value(config.fitted(environment)).ok(),
         scores: BTreeMap::from_iter(scores.into_iter().chain(success).chain(named)),
-        note: None,
+        note: naming.task.clone(),
     };
     let mut sources = environment.sources();
     if let Some(ranges) = &best.ranges {
@@ -265,6 +294,7 @@ pub(crate) fn graph_of<S: Scalar, E: Environment<S>>(
     // The units of literals matter only where literals are drawn.
     let vocabulary = config.vocabulary(environment, Vec::new());
     let memory = tpg_engine::remembered(&sources, &environment.actions());
+    let sources = naming.named(sources);
     export::graph(&best.policy, &vocabulary, sources, environment.actions(), memory, provenance)
         .map(Graph::without_unread_features)
 }

@@ -16,7 +16,7 @@ mod test;
 use crate::hybrid::shared::Shared;
 use crate::run_args::print;
 use clap::Args;
-use runs::{Group, Run};
+use runs::{Group, OWN, Run};
 use std::path::{Path, PathBuf};
 use test::Tested;
 use tpg_graph::error::{InputError, counted};
@@ -102,7 +102,12 @@ fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<&dyn Shared>) 
         sections.extend(rivals::section(&group.runs[best]));
         sections.push(policy::section(&group.runs[best], tested[best].as_ref()));
     }
-    let title = groups.iter().map(|group| group.name.as_str()).collect::<Vec<_>>().join(", ");
+    let named = |group: &Group| match group.problem() {
+        OWN => group.name.clone(),
+        problem if group.name.contains(problem) => group.name.clone(),
+        problem => format!("{problem}: {}", group.name),
+    };
+    let title = groups.iter().map(named).collect::<Vec<_>>().join(", ");
     Ok(Page { title, lead, headlines: headline::headlines(groups, &tested, &best), sections })
 }
 

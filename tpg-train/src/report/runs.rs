@@ -20,7 +20,7 @@ use tpg_graph::settings;
 use tpg_nn::Mlp;
 use tpg_problems::{PolicyKind, Problem, ProblemName};
 
-/// The name of a problem that is not built in.
+/// The name of a problem without one.
 pub(super) const OWN: &str = "own";
 
 /// Runs with the same configuration.
@@ -93,9 +93,11 @@ pub(super) enum Kind {
 }
 
 impl Group {
-    /// Returns the name of the problem; [`OWN`] for one that is not built in.
-    pub(super) fn problem(&self) -> &'static str {
-        self.runs[0].problem.as_ref().map_or(OWN, |problem| problem.name().name())
+    /// Returns the name of the problem; [`OWN`] for one that is neither built in nor named by its graph.
+    pub(super) fn problem(&self) -> &str {
+        let Run { problem, kind, .. } = &self.runs[0];
+        let named = || kind.graph().and_then(|graph| graph.provenance().note.as_deref());
+        problem.as_ref().map(|problem| problem.name().name()).or_else(named).unwrap_or(OWN)
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::configuration::Configuration as _;
 use crate::evolution::config::EvolutionConfig;
 use crate::evolution::generation::{Evolution, Goal};
-use crate::evolution::run::graph_of;
+use crate::evolution::run::{Naming, graph_of};
 use crate::evolution::stage::{Moment, Stage as _};
 use crate::evolution::state::{Best, State};
 use tpg_arm::binding::moved;
@@ -87,7 +87,7 @@ where
     }
 
     fn graph(&self, policy: &PolicyGraph) -> Graph {
-        graph_of(&self.config, 1, &found(policy.clone()), &self.environment).expect("a valid graph")
+        graph_of(&self.config, 1, &found(policy.clone()), &self.environment, &Naming::default()).expect("a valid graph")
     }
 }
 

@@ -364,6 +364,12 @@ impl Graph {
         format!("{}[{place}]", source.name)
     }
 
+    /// Returns an input as formulas for people spell it: `target[0]`, or `theta` where that is a source's only value.
+    pub fn input_label(&self, input: Input) -> String {
+        let (source, _) = self.source_of(input);
+        if source.ranges.len() == 1 { source.name.clone() } else { self.input_name(input) }
+    }
+
     /// Returns the canonical text of `graph.json`: the same graph always gives the same bytes.
     pub fn to_json(&self) -> String {
         text::write(&self.to_document())

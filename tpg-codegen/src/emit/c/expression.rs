@@ -64,7 +64,11 @@ impl Syntax for Printer<'_> {
 
     fn hidden_zero(&self, zero: &str) -> Vec<String> {
         let scalar = self.scalar();
-        vec![format!("const volatile {scalar} constant = {zero};"), format!("const {scalar} zero = constant;")]
+        vec![
+            "/* Volatile, since compilers take max(0, x) for a 0 that they know, also where x is NaN. */".to_owned(),
+            format!("const volatile {scalar} constant = {zero};"),
+            format!("const {scalar} zero = constant;"),
+        ]
     }
 
     fn declaration(&self, name: &str, expression: &str) -> String {

@@ -133,12 +133,16 @@ impl IntegerBody<'_> {
         };
         let variables = bids.iter().zip(edges).map(|(&bid, edge)| (bid, format!("to_{}", name(edge.to)))).collect();
         self.lines.name(variables);
+        let is_choice_of_two = is_action && bids.len() == 2;
         let (winner, declaration) = self.spelling.winner(is_action);
         for (place, (&bid, edge)) in bids.iter().zip(edges).enumerate() {
             for id in module.operations_of(bid) {
                 if open.remove(&id) {
                     self.statement(id, &comments);
                 }
+            }
+            if is_choice_of_two {
+                continue;
             }
             let value = self.lines.operand(bid, wide);
             let spelling = self.spelling;
@@ -157,7 +161,11 @@ impl IntegerBody<'_> {
             self.line(&format!("{when}\n{best}    {winner} = {to};\n}}"));
         }
         let spelling = self.spelling;
-        let last = if is_action {
+        let last = if is_choice_of_two {
+            let [one, other] = [0, 1].map(|place| self.lines.operand(bids[place], wide));
+            let actions = [1, 0].map(|place| self.action(edges[place].to).map_or(String::new(), |to| spelling.action(to)));
+            spelling.answer(&spelling.one_of_two(&format!("{other} >= {one}"), &actions), self.several)
+        } else if is_action {
             spelling.answer(winner, self.several)
         } else if by_number {
             spelling.go(winner)

@@ -75,7 +75,7 @@ fn sources(graph: &Graph) -> Vec<String> {
         let (source, place) = graph.source_of(input);
         let counts = graph.counts_of(input);
         let worth = counts.map_or_else(String::new, |counts| worth_from(&counts, &one_line(&source.unit)) + ", ");
-        format!("`s[{}]`: {}, {worth}{}", input.index(), graph.input_name(input), source.ranges[place])
+        format!("`s[{}]`: {}, {worth}{}", input.index(), graph.input_label(input), source.ranges[place])
     };
     graph.inputs().map(input).collect()
 }

@@ -1,0 +1,51 @@
+//! The linear rival of a run: weighted sums, found by the run's own search in as many steps.
+
+use super::EvalArgs;
+use crate::evolution::checkpoint::steps_of;
+use crate::evolution::command::{TpgArgs, execute};
+use crate::ranks::workplace::ThisProcess;
+use crate::run_args::{RunArgs, command_line};
+use std::path::{Path, PathBuf};
+use tpg_engine::EngineOptions;
+use tpg_graph::error::InputError;
+use tpg_graph::files::read_graph;
+
+/// The name of the rival, and of its folder in the run's.
+pub(super) const LINEAR: &str = "linear";
+
+/// Trains the rival of a graph in the folder of the graph's run, unless it is there, and returns its graph's path.
+///
+/// # Errors
+/// If the graph is not that of a run, or the rival cannot be trained.
+pub(super) fn trained(args: &EvalArgs) -> Result<PathBuf, InputError> {
+    let refuse = || command_line("--against linear", "--tpg RUN/graph.json beside it, a run with its checkpoint");
+    let graph = args.tpg.as_deref().ok_or_else(refuse)?;
+    let folder = graph.parent().unwrap_or(Path::new("."));
+    let (config, out) = (folder.join("config.toml"), folder.join(LINEAR));
+    let steps = steps_of(folder)?;
+    if steps == 0 || !config.exists() {
+        return Err(refuse());
+    }
+    let settings = ["start.share=1", "start.random=1", "learning.nb_generations=0"];
+    let run = RunArgs {
+        preset: None,
+        config: Some(config),
+        set: settings.map(str::to_owned).into(),
+        out: Some(out.clone()),
+        resume: true,
+        checkpoint_seconds: None,
+    };
+    let args = TpgArgs {
+        problem: Some(args.problem),
+        run,
+        seed: read_graph(graph)?.provenance().seed.unwrap_or(1),
+        seeds: None,
+        threads: 0,
+        lanes: EngineOptions::default().lanes as u16,
+        generations: None,
+        target: None,
+        max_steps: Some(steps),
+    };
+    execute(&args, &ThisProcess).map_err(|error| command_line(format!("--against linear: {error}"), "the run's settings"))?;
+    Ok(out.join("graph.json"))
+}
