@@ -198,7 +198,7 @@ impl std::fmt::Display for Figures {
         )?;
         writeln!(
             f,
-            "## Flash\n\nBytes of code and constants. Without an FPU, an image also holds the library's float functions, once.\n\n{}",
+            "## Flash\n\nBytes of code and constants, with picolibc (`report` uses newlib). Without an FPU, an image also holds the library's float functions, once.\n\n{}",
             self.policies(|figures| costs_of(&figures.flash, |&bytes| bytes))
         )?;
         writeln!(
