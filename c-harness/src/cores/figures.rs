@@ -2,7 +2,7 @@
 
 use super::core::{CORES, Core};
 use super::images::EPISODES;
-use super::shipped::{Bits, FEWER_STATES, STATES, WIDTHS};
+use super::shipped::{FEWER_STATES, STATES, WIDTHS};
 use crate::Failure;
 use crate::build;
 use crate::costs::{Cost, Tolerance};
@@ -19,8 +19,12 @@ const FILE: &str = "cores.toml";
 /// The page for people, in the book.
 const PAGE: &str = "cores.md";
 
-/// Cores that compute integers nearly as a Cortex-M4F does: the page leaves them out there.
+/// Cores on which a policy costs nearly what it costs on a Cortex-M4F: the page leaves them out there.
 const LIKE_M4F: [&str; 2] = ["Cortex-M7", "Cortex-M33"];
+
+/// The policies on the page: formulas, teams and weighted sums, small and large.
+const SHOWN: [&str; 8] =
+    ["cartpole", "mountain_car", "pendulum", "lunar_lander", "hopper", "bipedal_walker", "dodge", "widowx_rs"];
 
 /// `cores.toml`.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -129,131 +133,105 @@ impl Figures {
         fs::write(&page, self.to_string()).map_err(|error| Failure::at(&page, error))
     }
 
-    /// A table with a row for each core and a column for each policy; empty where nothing is known.
-    fn table(&self, without: &[&str], columns: impl Fn(&OfCore) -> BTreeMap<String, String>) -> String {
-        // In the order of the cores, each once.
-        let mut rows: Vec<(&str, BTreeMap<String, String>)> = Vec::new();
+    /// A table with a row for each core of which something is known.
+    fn table(&self, without: &[&str], columns: &[String], cells: impl Fn(&OfCore) -> Option<Vec<String>>) -> String {
+        let mut text = format!("| core | {} |\n| --- |{}\n", columns.join(" | "), " --: |".repeat(columns.len()));
         for core in CORES.iter().filter(|core| core.figures && !without.contains(&core.name)) {
-            let row = self.core.get(core.name).map(&columns).unwrap_or_default();
-            if !row.is_empty() {
-                rows.push((core.name, row));
+            if let Some(row) = self.core.get(core.name).and_then(&cells) {
+                let _ = writeln!(text, "| {} | {} |", core.name, row.join(" | "));
             }
-        }
-        let names: BTreeSet<&String> = rows.iter().flat_map(|(_, row)| row.keys()).collect();
-        let mut text = "| core |".to_owned();
-        names.iter().for_each(|name| text.push_str(&format!(" `{name}` |")));
-        text.push_str("\n| --- |");
-        names.iter().for_each(|_| text.push_str(" --- |"));
-        text.push('\n');
-        for (core, row) in &rows {
-            let _ = write!(text, "| {core} |");
-            for &name in &names {
-                let _ = write!(text, " {} |", row.get(name).map_or("", String::as_str));
-            }
-            text.push('\n');
         }
         text
     }
+
+    /// A table of what each shown policy costs in floats and in integers.
+    fn policies(&self, cells: impl Fn(&OfCore) -> Option<Vec<String>>) -> String {
+        let mut columns: Vec<String> = SHOWN.iter().map(|name| format!("`{name}`")).collect();
+        columns.push("integers / floats".to_owned());
+        self.table(&LIKE_M4F, &columns, cells)
+    }
 }
 
-/// Tests for the name of a policy in integers.
-fn is_integers(name: &str) -> bool {
-    WIDTHS.iter().any(|bits| name.ends_with(&format!("_{bits}")))
+/// What each shown policy costs in floats and in integers, and the geometric mean of the ratios of all policies.
+fn costs_of<T>(costs: &BTreeMap<String, T>, number: impl Fn(&T) -> u64) -> Option<Vec<String>> {
+    let pair = |name: &str| -> Option<[u64; 2]> {
+        let integers = format!("{name}_{}", WIDTHS[0]);
+        Some([costs.get(name)?, costs.get(&integers)?].map(&number))
+    };
+    let shown: Option<Vec<[u64; 2]>> = SHOWN.iter().map(|name| pair(name)).collect();
+    let mut cells: Vec<String> = shown?.iter().map(|[floats, integers]| format!("{floats} · {integers}")).collect();
+    let logarithm = |[floats, integers]: [u64; 2]| (integers as f64 / floats as f64).ln();
+    let logarithms: Vec<f64> = costs.keys().filter_map(|name| pair(name)).map(logarithm).collect();
+    let mean = (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp();
+    cells.push(format!("{mean:.2}"));
+    Some(cells)
 }
 
-/// The integers of each policy, and the geometric mean of their shares of the floats.
-fn in_integers<T>(figures: &BTreeMap<String, T>, number: impl Fn(&T) -> f64) -> BTreeMap<String, String> {
-    let mut cells = BTreeMap::new();
-    let mut shares = WIDTHS.map(|_| Vec::new());
-    for (name, one) in figures {
-        let whole = WIDTHS.map(|bits| figures.get(&format!("{name}_{bits}")));
-        if let [Some(first), Some(second)] = whole {
-            let [float, first, second] = [one, first, second].map(&number);
-            cells.insert(name.clone(), format!("{first:.0} · {second:.0}"));
-            for (shares, whole) in shares.iter_mut().zip([first, second]) {
-                shares.push((whole / float).ln());
-            }
-        }
-    }
-    if !cells.is_empty() {
-        let mean = |shares: &Vec<f64>| (shares.iter().sum::<f64>() / shares.len() as f64).exp();
-        let means: Vec<String> = shares.iter().map(|shares| format!("{:.3}", mean(shares))).collect();
-        // Behind every name.
-        cells.insert("~ share".to_owned(), means.join(" · "));
-    }
-    cells
+/// What decisions of the hybrid and of a network cost; nothing where one of them was not counted.
+fn parts_of(figures: &OfCore) -> Option<Vec<String>> {
+    let hybrids = ["fs", "rs"].map(|start| figures.hybrid.get(start));
+    let networks = ["w16a16", "w8a16"].map(|kind| figures.layers.get(kind));
+    let all: Option<Vec<&Cost>> = hybrids.into_iter().chain(networks).collect();
+    Some(all?.iter().map(|cost| format!("{:.0} · {}", cost.mean(), cost.worst)).collect())
+}
+
+/// The cores with or without programs in Rust and the library.
+fn compared(rust: bool, in_library: bool) -> String {
+    let is_in_library = |core: &Core| core.target.is_some_and(|target| library::TARGETS.contains(&target));
+    let cores = CORES.iter().filter(|core| core.target.is_some() == rust && is_in_library(core) == in_library);
+    cores.map(Core::title).collect::<Vec<_>>().join(", ")
 }
 
 /// The page for people.
 impl std::fmt::Display for Figures {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let cost = |costs: &BTreeMap<String, Cost>| {
-            let floats = costs.iter().filter(|(name, _)| !is_integers(name));
-            floats.map(|(name, one)| (name.clone(), format!("{:.0} · {}", one.mean(), one.worst))).collect()
-        };
+        let bits = WIDTHS[0];
         writeln!(
             f,
             "# Cores\n\n\
-             Generated code on emulated cores, compared with the interpreter bit for bit by `cargo xtask cores`.\n\n\
-             ## What acts the same\n\n\
-             - C: each shipped policy and one with memory, profile `fast`, GNU C, `-Os`, {STATES} states, a third of them any bits.\n\
-             - Rust: profile `constant-time`, the same states; networks in integers of every kind, {INPUTS} inputs.\n\
-             - Library: {} episodes of the shipped hybrids and of four parts, every motor position, with `libtpg_runtime.a`.\n\n\
-             | core | runs on | C | Rust | library |\n| --- | --- | --- | --- | --- |",
-            2 * EPISODES,
-        )?;
-        let yes = |yes: bool| if yes { "yes" } else { "" };
-        for core in &CORES {
-            let of_c = if core.bits() == Bits::Any { "yes" } else { "yes, but for denormals" };
-            let library = core.target.is_some_and(|target| library::TARGETS.contains(&target));
-            let rust = yes(core.target.is_some());
-            writeln!(f, "| {} | {} | {of_c} | {rust} | {} |", core.name, core.machine, yes(library))?;
-        }
-        writeln!(
-            f,
-            "\nOn an AVR {FEWER_STATES} states are compared, without denormals: avr-libc rounds the last bit of a denormal quotient differently.\n"
+             You want to know what a policy costs on your chip. Find a similar policy here, or measure your own:\n\
+             `tpg-codegen report graph.json --target rp2040 --fixed {bits}`.\n\n\
+             Each cell shows `f32` · [{bits}-bit integers](no-fpu.md), for C of the profile `fast` compiled with `-Os`. The last column is the\n\
+             geometric mean of integers divided by floats over all shipped policies. {} and {} are close to the Cortex-M4F.\n\
+             [`cores.toml`](../c-harness/cores.toml) has every policy on every core, and {}-bit integers.\n",
+            LIKE_M4F[0], LIKE_M4F[1], WIDTHS[1],
         )?;
         writeln!(
             f,
-            "## Flash of the C\n\nBytes of code and constants, `-Os`, with picolibc (`report`: newlib). Without an FPU an image also has the functions for floats, once.\n\n{}",
-            self.table(&[], |figures| {
-                figures
-                    .flash
-                    .iter()
-                    .filter(|(name, _)| !is_integers(name))
-                    .map(|(name, bytes)| (name.clone(), bytes.to_string()))
-                    .collect()
-            })
+            "## Flash\n\nBytes of code and constants, with picolibc (`report` uses newlib). Without an FPU, an image also holds the library's float functions, once.\n\n{}",
+            self.policies(|figures| costs_of(&figures.flash, |&bytes| bytes))
         )?;
         writeln!(
             f,
-            "## Instructions of the C\n\nMean · worst of {STATES} states, counted by QEMU with `-icount`. An instruction is not a cycle; AVR: cycles, by simavr.\n\n{}",
-            self.table(&[], |figures| cost(&figures.c))
+            "## RAM\n\nThe code uses a few bytes of stack and no other RAM. On an AVR, the profile `small` copies its tables to RAM.\n"
         )?;
         writeln!(
             f,
-            "## In integers\n\nThe same policies [in integers](no-fpu.md), by `tpg-codegen quantise` with scales from the declared ranges. Mean instructions \
-             (AVR: cycles) of\n{FEWER_STATES} states with 16 · 8 bits; the last column is the geometric mean of their shares of the floats. {} and {} \
-             are close to the Cortex-M4F.\n\n{}",
-            LIKE_M4F[0],
-            LIKE_M4F[1],
-            self.table(&LIKE_M4F, |figures| in_integers(&figures.c, Cost::mean))
+            "## Instructions of a decision\n\nThe maximum over {STATES} states in floats and {FEWER_STATES} in integers, counted by QEMU. \
+             For the AVR, the\nmaximum number of cycles over {FEWER_STATES} states, counted by simavr. Elsewhere an instruction is not a cycle.\n\n{}",
+            self.policies(|figures| costs_of(&figures.c, |cost| cost.worst))
         )?;
+        let columns = ["hybrid, `fs`", "hybrid, `rs`", "network `w16a16`", "network `w8a16`"].map(str::to_owned);
         writeln!(
             f,
-            "Bytes of flash:\n\n{}",
-            self.table(&LIKE_M4F, |figures| in_integers(&figures.flash, |&bytes| bytes as f64))
-        )?;
-        writeln!(
-            f,
-            "## Instructions of a decision of the hybrid\n\nMean · worst, in {EPISODES} test episodes from each start: `fs` fixed, `rs` random.\n\n{}",
-            self.table(&[], |figures| cost(&figures.hybrid))
+            "## The hybrid and a network\n\nInstructions, mean · maximum. Hybrid: a decision in {EPISODES} test episodes from each start, `fs` fixed and `rs` \
+             random. Network:\n38-64-64-4 in integers (6,784 multiplications), {INPUTS} inputs.\n\n{}",
+            self.table(&[], &columns, parts_of)
         )?;
         write!(
             f,
-            "## Instructions of a network\n\nMean · worst of {INPUTS} inputs of a network 38-64-64-4 in integers (6,784 multiplications), by bits of \
-             weights and activations.\n\n{}",
-            self.table(&[], |figures| cost(&figures.layers))
+            "## What was compared\n\n\
+             `cargo xtask cores` compares the code with the interpreter, bit for bit:\n\n\
+             - C: each shipped policy and one with memory on {STATES} states, a third of them with arbitrary bits. On the AVR {FEWER_STATES} states\n  \
+             without denormals, since avr-libc rounds the last bit of a denormal quotient differently.\n\
+             - Rust: the profile `constant-time` on the same states, and every kind of integer network on {INPUTS} inputs.\n\
+             - Library: every motor position in {} episodes of the shipped hybrids and of four parts, with `libtpg_runtime.a`.\n\n\
+             | compared | cores |\n| --- | --- |\n\
+             | C, Rust, library | {} |\n| C, Rust | {} |\n| C | {} |\n",
+            2 * EPISODES,
+            compared(true, true),
+            compared(true, false),
+            compared(false, false),
         )
     }
 }

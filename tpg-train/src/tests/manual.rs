@@ -16,10 +16,10 @@ const HEAD: &str = "| key | type | default | meaning |\n| --- | --- | --- | --- 
 fn the_page_of_configurations_is_fresh() {
     let mut text = "# Configuration
 
-Every setting, made from the program's types by a test; do not edit. `--preset NAME`, `--config FILE` and `--set KEY=VALUE` of
-`tpg-train tpg` and `sac` change each other in this order. An unknown key, a value out of range and a contradiction are refused with
-their place and what is accepted. `tpg-train config NAME` prints a preset with comments, `tpg-train config --schema` a schema for
-editors.
+You want to change a setting. `tpg-train tpg` and `sac` take `--preset NAME`, `--config FILE` and `--set KEY=VALUE`; later ones override
+earlier ones in this order. Unknown keys, values out of range and contradictions are refused with their place and what is accepted.
+`tpg-train config NAME` prints a preset with comments, `tpg-train config --schema` a schema for editors. A test writes this page from the
+program's types: do not edit it.
 
 ## `tpg-train tpg`
 
