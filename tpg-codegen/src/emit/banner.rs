@@ -1,5 +1,6 @@
 //! The banner of generated files: their origin, never the time or place of generation.
 
+use crate::cost::Cost;
 use crate::integers::Integers;
 use crate::ir::Node;
 use crate::options::{Language, Profile, Style};
@@ -43,6 +44,7 @@ pub(crate) fn lines(program: &Program<'_>) -> Vec<String> {
     if matches!(program.shape, Shape::Integers(_)) {
         return lines;
     }
+    lines.insert(lines.len() - 1, at_most(program));
     let has_profile = language == Language::Rust || options.style == Style::Pure;
     if has_profile && options.profile_in(language) == Profile::ConstantTime {
         lines.extend(same_time(graph).map(str::to_owned));
@@ -89,6 +91,17 @@ fn policy(graph: &Graph) -> String {
     }));
     let line: String = about.join(", ").chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
     format!("{}.", line.replace("*/", "* /").replace("/*", "/ *"))
+}
+
+/// The most that a decision takes.
+fn at_most(program: &Program<'_>) -> String {
+    let Cost { bids, operations, maths_calls, .. } = Cost::worst(program);
+    let bids = if bids > 0 { counted(bids as usize, "bid") + " and " } else { String::new() };
+    let maths = match maths_calls {
+        0 => String::new(),
+        calls => format!(", {calls} of them sines, cosines, logarithms or exponentials"),
+    };
+    format!("A decision takes at most {bids}{}{maths}.", counted(operations as usize, "operation"))
 }
 
 /// The integers that are computed in, and that it is proven to be enough.

@@ -6,13 +6,13 @@ use tpg_graph::Graph;
 
 /// The constants that generated code defines beside those of the actions.
 const TAKEN: &str =
-    "actions depth h initial inline leader moves no_selftest outputs source_count sources state teams words worst";
+    "actions depth h initial inline leader moves no_selftest outputs source_count sources state teams words";
 
 /// An identifier in lower case for each action: its name, or as much of it as an identifier can hold.
 pub(crate) fn actions(graph: &Graph) -> Vec<String> {
     let mut taken: BTreeSet<String> = TAKEN.split(' ').map(str::to_owned).collect();
     let asks = graph.actions().iter().filter_map(|action| Some(format!("asks_{}", action.ask.as_ref()?)));
-    taken.extend(["bids", "operations", "maths_calls"].map(|name| format!("worst_{name}")).into_iter().chain(asks));
+    taken.extend(asks);
     graph.actions().iter().map(|action| unused(identifier(&action.name), &mut taken)).collect()
 }
 

@@ -33,13 +33,6 @@ typedef enum {{ prefix }}_action {
 {%- else %}
 #define {{ upper }}_OUTPUTS {{ outputs.len() }}U
 {%- endif %}
-/* Teams, and how many of them decide at most in one inference. */
-#define {{ upper }}_TEAMS {{ teams }}U
-#define {{ upper }}_DEPTH {{ depth }}U
-/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
-#define {{ upper }}_WORST_BIDS {{ worst.bids }}U
-#define {{ upper }}_WORST_OPERATIONS {{ worst.operations }}U
-#define {{ upper }}_WORST_MATHS_CALLS {{ worst.maths_calls }}U
 {% if gegelati %}
 /* What the policy sees, as GEGELATI's generated code declares it. The caller defines these pointers. */
 {%- for source in sources %}

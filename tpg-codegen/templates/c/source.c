@@ -19,7 +19,12 @@
 #error "{{ scalar }} expressions must be computed in {{ scalar }}: the policy would act differently"
 #endif
 {% include "c/contraction.c" %}
-{{ helpers }}
+{% if let Some((teams, depth)) = walk %}
+/* Teams, and how many of them decide at most in one inference. */
+#define {{ upper }}_TEAMS {{ teams }}U
+#define {{ upper }}_DEPTH {{ depth }}U
+{% endif %}
+{{- helpers }}
 {%- if !parts.1.is_empty() %}
 /* A state and the memory as one; an answer and the next memory as one. */
 typedef struct {{ prefix }}_view {

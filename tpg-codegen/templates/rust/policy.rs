@@ -55,12 +55,6 @@ impl {{ name }} {
 {%- endif %}
     /// Teams on the longest walk.
     pub const DEPTH: usize = {{ depth }};
-    /// Bids that one decision looks at, at most.
-    pub const WORST_BIDS: usize = {{ worst.bids }};
-    /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = {{ worst.operations }};
-    /// Sines, cosines, logarithms and exponentials among them, at most.
-    pub const WORST_MATHS_CALLS: usize = {{ worst.maths_calls }};
 {%- if let Some(arm) = arm %}
     /// The sources that make up a state, in order.
     pub const SOURCES: [&str; {{ arm.sources.len() }}] = {{ layout::array(arm.sources, 4) }};

@@ -19,7 +19,6 @@ use super::look::{self, LookView};
 use super::syntax::Syntax;
 use super::vectors::{Vectors, vectors};
 use super::{banner, layout, moves::moves, team::compares_in_functions};
-use crate::cost::Cost;
 use crate::program::Program;
 use crate::shape::Shape;
 use askama::Template;
@@ -42,9 +41,6 @@ struct CHeader<'a> {
     asks: Vec<(String, usize)>,
     outputs: &'a [OutputView],
     memory: &'a [OutputView],
-    teams: usize,
-    depth: usize,
-    worst: Cost,
     gegelati: bool,
     system_maths: bool,
     arm: Option<CArmView>,
@@ -69,6 +65,8 @@ struct CSource<'a> {
     f64: bool,
     needs_math: bool,
     needs_string: bool,
+    /// The number of teams and the longest walk, where the body walks over tables.
+    walk: Option<(usize, usize)>,
     helpers: String,
     body: String,
     entry: Entry,
@@ -139,9 +137,6 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         asks: asks(graph),
         outputs: answers,
         memory,
-        teams: module.teams.len(),
-        depth: module.depth,
-        worst: Cost::worst(program),
         gegelati,
         system_maths: graph.maths() == MathsProvider::System,
         arm: arm_view(graph),
@@ -160,6 +155,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         f64: graph.scalar() == ScalarType::F64,
         needs_math,
         needs_string,
+        walk: body.contains("_TEAMS").then_some((module.teams.len(), module.depth)),
         helpers,
         body,
         entry: Entry::new(&printer),

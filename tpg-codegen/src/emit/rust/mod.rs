@@ -13,7 +13,6 @@ use super::file::{File, one_line};
 use super::interface::{OutputView, SourceView, asks, outputs, sources};
 use super::look::{self, LookView};
 use super::{banner, layout, moves::moves, names, team::compares_in_functions};
-use crate::cost::Cost;
 use crate::program::Program;
 use crate::shape::Shape;
 use askama::Template;
@@ -48,7 +47,6 @@ struct RustPolicy<'a> {
     answered: Vec<String>,
     arm: Option<RustArmView>,
     depth: usize,
-    worst: Cost,
     body: String,
     items: String,
     look: String,
@@ -113,7 +111,6 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         answered: outputs[..first].iter().map(leaves::element).collect(),
         arm: arm_view(graph),
         depth: module.depth,
-        worst: Cost::worst(program),
         body: parts.body.trim_matches('\n').to_owned(),
         items: parts.items,
     };
