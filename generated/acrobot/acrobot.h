@@ -4,6 +4,7 @@
  * Options: --lang c --prefix acrobot --profile fast
  * Graph SHA-256: c746bc981049f428c5e9cd92b39b159c476562abde6afb37fa55ace167b590d0
  * 1 team, 4 edges, 4 programs, 26 distinct operations.
+ * A decision takes at most 4 bids and 26 operations.
  * Computes in f32 with own maths.
  */
 #ifndef ACROBOT_H
@@ -22,13 +23,6 @@ typedef enum acrobot_action {
     ACROBOT_TORQUE_1 = 2 /* torque 1 */
 } acrobot_action_t;
 #define ACROBOT_ACTIONS 3U
-/* Teams, and how many of them decide at most in one inference. */
-#define ACROBOT_TEAMS 1U
-#define ACROBOT_DEPTH 1U
-/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
-#define ACROBOT_WORST_BIDS 4U
-#define ACROBOT_WORST_OPERATIONS 26U
-#define ACROBOT_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct acrobot_state {
@@ -45,7 +39,7 @@ acrobot_action_t acrobot_infer(const acrobot_state_t *state);
 
 #ifndef ACROBOT_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * A change by 1 % is noticed in 16 of the policy's 17 constants.
+ * A change by 1 % is noticed in 16 of 17 constants; in 1 it changes no answer to any of 1140 states.
  */
 uint32_t acrobot_selftest(void);
 #endif

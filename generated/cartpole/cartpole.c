@@ -4,6 +4,7 @@
  * Options: --lang c --prefix cartpole --profile fast
  * Graph SHA-256: b5cd35e439ef2cb063083c5c6d233008b3172426fbda1ff61d89268cd8839ef5
  * 1 team, 2 edges, 2 programs, 2 distinct operations.
+ * A decision takes at most 2 bids and 2 operations.
  * Computes in f32 with own maths.
  */
 #include "cartpole.h"
@@ -32,7 +33,7 @@
 #pragma clang fp reassociate(off)
 #endif
 
-/* The highest bid wins, of equal bids the last; NaN and minus infinity never win. */
+/* The highest bid wins; of equal bids, the last. NaN and minus infinity never win. */
 cartpole_action_t cartpole_infer(const cartpole_state_t *state)
 {
     const float left = state->v / -3.2907495f;

@@ -4,6 +4,7 @@
  * Options: --lang c --prefix dodge --profile fast
  * Graph SHA-256: cdea7daabca328e27e33a768eb228f4f6759f7262ab7fd254d28e16436a5fda2
  * 2 teams (2 on the longest walk), 13 edges, 12 programs, 9 distinct operations.
+ * A decision takes at most 13 bids and 12 operations.
  * Computes in f32 with own maths.
  */
 #include "dodge.h"
@@ -43,7 +44,7 @@ static float dodge_max(float a, float b)
     return (a > b) ? a : b;
 }
 
-/* The highest bid wins, of equal bids the last; NaN and minus infinity never win. Every team comes after all that lead to it. */
+/* The highest bid wins; of equal bids, the last. NaN and minus infinity never win. No team leads back to one above it. */
 dodge_action_t dodge_infer(const dodge_state_t *state)
 {
     {
@@ -61,7 +62,7 @@ dodge_action_t dodge_infer(const dodge_state_t *state)
             next = 4U;
         }
 
-        /* Volatile, since compilers take max(0, x) for a 0 that they know, also where x is NaN. */
+        /* Volatile: for a 0 that they know, compilers may take max(0, x), which is wrong for NaN. */
         const volatile float constant = 0.0f;
         const float zero = constant;
         if (zero >= best) {

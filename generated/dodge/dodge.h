@@ -4,6 +4,7 @@
  * Options: --lang c --prefix dodge --profile fast
  * Graph SHA-256: cdea7daabca328e27e33a768eb228f4f6759f7262ab7fd254d28e16436a5fda2
  * 2 teams (2 on the longest walk), 13 edges, 12 programs, 9 distinct operations.
+ * A decision takes at most 13 bids and 12 operations.
  * Computes in f32 with own maths.
  */
 #ifndef DODGE_H
@@ -34,13 +35,6 @@ typedef enum dodge_action {
     DODGE_FIELD_WRIST_DOWN = 14
 } dodge_action_t;
 #define DODGE_ACTIONS 15U
-/* Teams, and how many of them decide at most in one inference. */
-#define DODGE_TEAMS 2U
-#define DODGE_DEPTH 2U
-/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
-#define DODGE_WORST_BIDS 13U
-#define DODGE_WORST_OPERATIONS 12U
-#define DODGE_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct dodge_state {
@@ -57,7 +51,7 @@ dodge_action_t dodge_infer(const dodge_state_t *state);
 
 #ifndef DODGE_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * A change by 1 % is noticed in 1 of the policy's 6 constants.
+ * A change by 1 % is noticed in 1 of 6 constants; in 5 it changes no answer to any of 1040 states.
  */
 uint32_t dodge_selftest(void);
 #endif

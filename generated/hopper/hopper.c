@@ -4,6 +4,7 @@
  * Options: --lang c --prefix hopper --profile fast
  * Graph SHA-256: 7eb551e1a4ae94a14031d271c973bb4a4dd0a017a738c426437aa239fa7b9ce4
  * 1 team, 1 edge, 1 program, 60 distinct operations.
+ * A decision takes at most 60 operations.
  * Computes in f32 with own maths.
  */
 #include "hopper.h"

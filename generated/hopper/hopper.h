@@ -4,6 +4,7 @@
  * Options: --lang c --prefix hopper --profile fast
  * Graph SHA-256: 7eb551e1a4ae94a14031d271c973bb4a4dd0a017a738c426437aa239fa7b9ce4
  * 1 team, 1 edge, 1 program, 60 distinct operations.
+ * A decision takes at most 60 operations.
  * Computes in f32 with own maths.
  */
 #ifndef HOPPER_H
@@ -16,13 +17,6 @@ extern "C" {
 #endif
 
 #define HOPPER_OUTPUTS 3U
-/* Teams, and how many of them decide at most in one inference. */
-#define HOPPER_TEAMS 1U
-#define HOPPER_DEPTH 1U
-/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
-#define HOPPER_WORST_BIDS 0U
-#define HOPPER_WORST_OPERATIONS 60U
-#define HOPPER_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct hopper_state {
@@ -51,7 +45,7 @@ void hopper_infer(const hopper_state_t *state, hopper_action_t *action);
 
 #ifndef HOPPER_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * A change by 1 % is noticed in 39 of the policy's 39 constants.
+ * A change by 1 % is noticed in 39 of 39 constants.
  */
 uint32_t hopper_selftest(void);
 #endif

@@ -3,6 +3,7 @@
 //! Options: --lang rust --prefix hopper --profile constant-time
 //! Graph SHA-256: 7eb551e1a4ae94a14031d271c973bb4a4dd0a017a738c426437aa239fa7b9ce4
 //! 1 team, 1 edge, 1 program, 60 distinct operations.
+//! A decision takes at most 60 operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -44,12 +45,6 @@ impl Hopper {
     pub const OUTPUTS: usize = 3;
     /// Teams on the longest walk.
     pub const DEPTH: usize = 1;
-    /// Bids that one decision looks at, at most.
-    pub const WORST_BIDS: usize = 0;
-    /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 60;
-    /// Sines, cosines, logarithms and exponentials among them, at most.
-    pub const WORST_MATHS_CALLS: usize = 0;
 }
 
 impl Policy for Hopper {

@@ -3,6 +3,7 @@
 //! Options: --lang rust --prefix lunar_lander_continuous --profile constant-time
 //! Graph SHA-256: f233abff0d84f6b23d274ff7e785b3758728cdea4ae76155154ea0fef268d463
 //! 1 team, 1 edge, 1 program, 12 distinct operations.
+//! A decision takes at most 12 operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -40,12 +41,6 @@ impl LunarLanderContinuous {
     pub const OUTPUTS: usize = 2;
     /// Teams on the longest walk.
     pub const DEPTH: usize = 1;
-    /// Bids that one decision looks at, at most.
-    pub const WORST_BIDS: usize = 0;
-    /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 12;
-    /// Sines, cosines, logarithms and exponentials among them, at most.
-    pub const WORST_MATHS_CALLS: usize = 0;
 }
 
 impl Policy for LunarLanderContinuous {

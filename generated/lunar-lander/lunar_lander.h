@@ -4,6 +4,7 @@
  * Options: --lang c --prefix lunar_lander --profile fast
  * Graph SHA-256: ce37c65d5105962339cb88f7c7c4ecd4f1ff21c9a9214bb268d2dbf6d10ddc5c
  * 1 team, 4 edges, 4 programs, 23 distinct operations.
+ * A decision takes at most 4 bids and 23 operations.
  * Computes in f32 with own maths.
  */
 #ifndef LUNAR_LANDER_H
@@ -23,13 +24,6 @@ typedef enum lunar_lander_action {
     LUNAR_LANDER_RIGHT_ENGINE = 3
 } lunar_lander_action_t;
 #define LUNAR_LANDER_ACTIONS 4U
-/* Teams, and how many of them decide at most in one inference. */
-#define LUNAR_LANDER_TEAMS 1U
-#define LUNAR_LANDER_DEPTH 1U
-/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
-#define LUNAR_LANDER_WORST_BIDS 4U
-#define LUNAR_LANDER_WORST_OPERATIONS 23U
-#define LUNAR_LANDER_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct lunar_lander_state {
@@ -48,7 +42,7 @@ lunar_lander_action_t lunar_lander_infer(const lunar_lander_state_t *state);
 
 #ifndef LUNAR_LANDER_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * A change by 1 % is noticed in 14 of the policy's 15 constants.
+ * A change by 1 % is noticed in 14 of 15 constants; in 1 it changes no answer to any of 1356 states.
  */
 uint32_t lunar_lander_selftest(void);
 #endif

@@ -4,6 +4,7 @@
  * Options: --lang c --prefix mountain_car_continuous --profile fast
  * Graph SHA-256: 2df7341b545eca60de0f638be2a5ace6a42c8fd5e00a17155052b0a540adac4d
  * 1 team, 2 edges, 2 programs, 4 distinct operations.
+ * A decision takes at most 2 bids and 3 operations.
  * Computes in f32 with own maths.
  */
 #include "mountain_car_continuous.h"
@@ -46,7 +47,7 @@ static float mountain_car_continuous_clamp(float value, float low, float high)
     return (value < low) ? low : 0.0f;
 }
 
-/* The highest bid wins, of equal bids the last; NaN and minus infinity never win. */
+/* The highest bid wins; of equal bids, the last. NaN and minus infinity never win. */
 void mountain_car_continuous_infer(const mountain_car_continuous_state_t *state, mountain_car_continuous_action_t *action)
 {
     float force;

@@ -4,6 +4,7 @@
  * Options: --lang c --prefix mountain_car_continuous --profile fast
  * Graph SHA-256: 2df7341b545eca60de0f638be2a5ace6a42c8fd5e00a17155052b0a540adac4d
  * 1 team, 2 edges, 2 programs, 4 distinct operations.
+ * A decision takes at most 2 bids and 3 operations.
  * Computes in f32 with own maths.
  */
 #ifndef MOUNTAIN_CAR_CONTINUOUS_H
@@ -16,13 +17,6 @@ extern "C" {
 #endif
 
 #define MOUNTAIN_CAR_CONTINUOUS_OUTPUTS 1U
-/* Teams, and how many of them decide at most in one inference. */
-#define MOUNTAIN_CAR_CONTINUOUS_TEAMS 1U
-#define MOUNTAIN_CAR_CONTINUOUS_DEPTH 1U
-/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
-#define MOUNTAIN_CAR_CONTINUOUS_WORST_BIDS 2U
-#define MOUNTAIN_CAR_CONTINUOUS_WORST_OPERATIONS 3U
-#define MOUNTAIN_CAR_CONTINUOUS_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct mountain_car_continuous_state {
@@ -40,7 +34,7 @@ void mountain_car_continuous_infer(const mountain_car_continuous_state_t *state,
 
 #ifndef MOUNTAIN_CAR_CONTINUOUS_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * A change by 1 % is noticed in 2 of the policy's 4 constants.
+ * A change by 1 % is noticed in 2 of 4 constants; in 2 it changes no answer to any of 1214 states.
  */
 uint32_t mountain_car_continuous_selftest(void);
 #endif

@@ -3,6 +3,7 @@
 //! Options: --lang rust --prefix mountain_car_continuous --profile constant-time
 //! Graph SHA-256: 2df7341b545eca60de0f638be2a5ace6a42c8fd5e00a17155052b0a540adac4d
 //! 1 team, 2 edges, 2 programs, 4 distinct operations.
+//! A decision takes at most 2 bids and 4 operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -33,12 +34,6 @@ impl MountainCarContinuous {
     pub const OUTPUTS: usize = 1;
     /// Teams on the longest walk.
     pub const DEPTH: usize = 1;
-    /// Bids that one decision looks at, at most.
-    pub const WORST_BIDS: usize = 2;
-    /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 4;
-    /// Sines, cosines, logarithms and exponentials among them, at most.
-    pub const WORST_MATHS_CALLS: usize = 0;
 }
 
 impl Policy for MountainCarContinuous {

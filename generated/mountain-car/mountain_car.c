@@ -4,6 +4,7 @@
  * Options: --lang c --prefix mountain_car --profile fast
  * Graph SHA-256: 619c5b1aa69f78a0619c4a681268039cf054605380d24d4a3f9d9b1441495474
  * 2 teams (2 on the longest walk), 7 edges, 6 programs, 11 distinct operations.
+ * A decision takes at most 7 bids and 15 operations.
  * Computes in f32 with own maths.
  */
 #include "mountain_car.h"
@@ -32,7 +33,7 @@
 #pragma clang fp reassociate(off)
 #endif
 
-/* The highest bid wins, of equal bids the last; NaN and minus infinity never win. Every team comes after all that lead to it. */
+/* The highest bid wins; of equal bids, the last. NaN and minus infinity never win. No team leads back to one above it. */
 mountain_car_action_t mountain_car_infer(const mountain_car_state_t *state)
 {
     {
@@ -130,12 +131,12 @@ uint32_t mountain_car_selftest(void)
         { -0.12619168f, -0.03929456f },
         { -0.689357f, 0.02948543f },
         { -0.3700413f, -0.048628625f },
-        { -0.46217477f, 0.00018126781f },
         { -0.46217477f, 0.0001812678f },
         { -0.32290596f, 0.018861968f },
+        { -0.436338f, 0.00075067574f },
         { -0.322906f, 0.018861968f },
-        { -0.4356211f, 0.011925351f },
         { -0.43562108f, 0.011925351f },
+        { -0.46217477f, 0.00018126781f },
         { -0.93421817f, -0.010221928f },
         { -0.93421817f, -0.010221929f },
         { -0.30607378f, 0.018457185f },
@@ -156,12 +157,12 @@ uint32_t mountain_car_selftest(void)
         MOUNTAIN_CAR_LEFT,
         MOUNTAIN_CAR_RIGHT,
         MOUNTAIN_CAR_LEFT,
-        MOUNTAIN_CAR_RIGHT,
         MOUNTAIN_CAR_LEFT,
         MOUNTAIN_CAR_RIGHT,
-        MOUNTAIN_CAR_LEFT,
         MOUNTAIN_CAR_RIGHT,
         MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_LEFT,
+        MOUNTAIN_CAR_RIGHT,
         MOUNTAIN_CAR_RIGHT,
         MOUNTAIN_CAR_LEFT,
         MOUNTAIN_CAR_LEFT,

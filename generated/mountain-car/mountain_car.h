@@ -4,6 +4,7 @@
  * Options: --lang c --prefix mountain_car --profile fast
  * Graph SHA-256: 619c5b1aa69f78a0619c4a681268039cf054605380d24d4a3f9d9b1441495474
  * 2 teams (2 on the longest walk), 7 edges, 6 programs, 11 distinct operations.
+ * A decision takes at most 7 bids and 15 operations.
  * Computes in f32 with own maths.
  */
 #ifndef MOUNTAIN_CAR_H
@@ -22,13 +23,6 @@ typedef enum mountain_car_action {
     MOUNTAIN_CAR_RIGHT = 2
 } mountain_car_action_t;
 #define MOUNTAIN_CAR_ACTIONS 3U
-/* Teams, and how many of them decide at most in one inference. */
-#define MOUNTAIN_CAR_TEAMS 2U
-#define MOUNTAIN_CAR_DEPTH 2U
-/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
-#define MOUNTAIN_CAR_WORST_BIDS 7U
-#define MOUNTAIN_CAR_WORST_OPERATIONS 15U
-#define MOUNTAIN_CAR_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct mountain_car_state {
@@ -41,7 +35,7 @@ mountain_car_action_t mountain_car_infer(const mountain_car_state_t *state);
 
 #ifndef MOUNTAIN_CAR_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * A change by 1 % is noticed in 8 of the policy's 12 constants.
+ * A change by 1 % is noticed in 8 of 12 constants; in 4 it changes no answer to any of 1214 states.
  */
 uint32_t mountain_car_selftest(void);
 #endif

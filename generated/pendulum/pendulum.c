@@ -4,6 +4,7 @@
  * Options: --lang c --prefix pendulum --profile fast
  * Graph SHA-256: e371857f5f2d98485533a900f5b0c18626fc44af90b3ad69194605f6c7bd3e14
  * 1 team, 2 edges, 2 programs, 14 distinct operations.
+ * A decision takes at most 2 bids and 9 operations.
  * Computes in f32 with own maths.
  */
 #include "pendulum.h"
@@ -46,7 +47,7 @@ static float pendulum_clamp(float value, float low, float high)
     return (value < low) ? low : 0.0f;
 }
 
-/* The highest bid wins, of equal bids the last; NaN and minus infinity never win. */
+/* The highest bid wins; of equal bids, the last. NaN and minus infinity never win. */
 void pendulum_infer(const pendulum_state_t *state, pendulum_action_t *action)
 {
     float torque;
@@ -101,10 +102,11 @@ uint32_t pendulum_selftest(void)
         { -0.5613508f, -0.43261883f, 3.3697636f },
         { -0.077823654f, -0.6946946f, 5.996497f },
         { 0.41324815f, -0.03348569f, 1.2353462f },
-        { -0.0f, 0.617188f, -3.3860345f },
         { -0.0118376175f, -0.052177325f, 2.7455611f },
+        { -0.037968032f, -0.16735381f, 0.71945584f },
         { -0.011837617f, -0.052177325f, 2.7455611f },
         { -1e-45f, 0.617188f, -3.3860345f },
+        { -0.0f, 0.617188f, -3.3860345f },
         { -0.015439926f, -0.06805542f, 1.6421089f },
         { -0.015439927f, -0.06805542f, 1.6421089f },
         { -1e-45f, 0.014884114f, -1.6167369f },
@@ -120,17 +122,17 @@ uint32_t pendulum_selftest(void)
         { -0.0f, 0.5799874f, -4.1548405f },
         { -1e-45f, 0.5799874f, -4.1548405f },
         { -0.116872914f, -0.5151472f, -7.7639093f },
-        { -0.11687291f, -0.5151472f, -7.7639093f },
     };
     static const pendulum_action_t actions[24] = {
         { -2.0f },
         { 2.0f },
         { -2.0f },
         { -2.0f },
-        { 0.28595847f },
         { -0.81014085f },
+        { 0.48700768f },
         { -2.0f },
         { 1.8052529f },
+        { 0.28595847f },
         { -2.0f },
         { -0.14889415f },
         { 1.5723987f },
@@ -146,7 +148,6 @@ uint32_t pendulum_selftest(void)
         { 2.0f },
         { 2.0f },
         { -2.0f },
-        { 2.0f },
     };
     uint32_t failures = pendulum_arithmetic();
     uint32_t vector;

@@ -4,6 +4,7 @@
  * Options: --lang c --prefix pendulum --profile fast
  * Graph SHA-256: e371857f5f2d98485533a900f5b0c18626fc44af90b3ad69194605f6c7bd3e14
  * 1 team, 2 edges, 2 programs, 14 distinct operations.
+ * A decision takes at most 2 bids and 9 operations.
  * Computes in f32 with own maths.
  */
 #ifndef PENDULUM_H
@@ -16,13 +17,6 @@ extern "C" {
 #endif
 
 #define PENDULUM_OUTPUTS 1U
-/* Teams, and how many of them decide at most in one inference. */
-#define PENDULUM_TEAMS 1U
-#define PENDULUM_DEPTH 1U
-/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
-#define PENDULUM_WORST_BIDS 2U
-#define PENDULUM_WORST_OPERATIONS 9U
-#define PENDULUM_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct pendulum_state {
@@ -41,7 +35,7 @@ void pendulum_infer(const pendulum_state_t *state, pendulum_action_t *action);
 
 #ifndef PENDULUM_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * A change by 1 % is noticed in 10 of the policy's 12 constants.
+ * A change by 1 % is noticed in 10 of 12 constants; in 2 it changes no answer to any of 1204 states.
  */
 uint32_t pendulum_selftest(void);
 #endif

@@ -4,6 +4,7 @@
  * Options: --lang c --prefix swimmer --profile fast
  * Graph SHA-256: 5f637141a7dc44d91b53d43bb274cbcfc9c048366af102d518443668c2fcf5ea
  * 1 team, 1 edge, 1 program, 28 distinct operations.
+ * A decision takes at most 28 operations.
  * Computes in f32 with own maths.
  */
 #ifndef SWIMMER_H
@@ -16,13 +17,6 @@ extern "C" {
 #endif
 
 #define SWIMMER_OUTPUTS 2U
-/* Teams, and how many of them decide at most in one inference. */
-#define SWIMMER_TEAMS 1U
-#define SWIMMER_DEPTH 1U
-/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
-#define SWIMMER_WORST_BIDS 0U
-#define SWIMMER_WORST_OPERATIONS 28U
-#define SWIMMER_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct swimmer_state {
@@ -47,7 +41,7 @@ void swimmer_infer(const swimmer_state_t *state, swimmer_action_t *action);
 
 #ifndef SWIMMER_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * A change by 1 % is noticed in 20 of the policy's 20 constants.
+ * A change by 1 % is noticed in 20 of 20 constants.
  */
 uint32_t swimmer_selftest(void);
 #endif

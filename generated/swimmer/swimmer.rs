@@ -3,6 +3,7 @@
 //! Options: --lang rust --prefix swimmer --profile constant-time
 //! Graph SHA-256: 5f637141a7dc44d91b53d43bb274cbcfc9c048366af102d518443668c2fcf5ea
 //! 1 team, 1 edge, 1 program, 28 distinct operations.
+//! A decision takes at most 28 operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -40,12 +41,6 @@ impl Swimmer {
     pub const OUTPUTS: usize = 2;
     /// Teams on the longest walk.
     pub const DEPTH: usize = 1;
-    /// Bids that one decision looks at, at most.
-    pub const WORST_BIDS: usize = 0;
-    /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 28;
-    /// Sines, cosines, logarithms and exponentials among them, at most.
-    pub const WORST_MATHS_CALLS: usize = 0;
 }
 
 impl Policy for Swimmer {

@@ -4,6 +4,7 @@
  * Options: --lang c --prefix widowx_fs --profile fast
  * Graph SHA-256: e6794520ca2e312cdd2e5882de94ac2dc889564793be68cfa3b4c3c8774c71d2
  * 31 teams (18 on the longest walk), 188 edges, 153 programs, 52 distinct operations.
+ * A decision takes at most 113 bids and 108 operations.
  * Computes in f32 with own maths.
  */
 #ifndef WIDOWX_FS_H
@@ -27,13 +28,6 @@ typedef enum widowx_fs_action {
     WIDOWX_FS_WRIST_DOWN = 7
 } widowx_fs_action_t;
 #define WIDOWX_FS_ACTIONS 8U
-/* Teams, and how many of them decide at most in one inference. */
-#define WIDOWX_FS_TEAMS 31U
-#define WIDOWX_FS_DEPTH 18U
-/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
-#define WIDOWX_FS_WORST_BIDS 113U
-#define WIDOWX_FS_WORST_OPERATIONS 108U
-#define WIDOWX_FS_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct widowx_fs_state {
@@ -50,7 +44,7 @@ widowx_fs_action_t widowx_fs_infer(const widowx_fs_state_t *state);
 
 #ifndef WIDOWX_FS_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * A change by 1 % is noticed in 4 of the policy's 130 constants.
+ * A change by 1 % is noticed in 4 of 56 constants; in 52 it changes no answer to any of 942 states.
  */
 uint32_t widowx_fs_selftest(void);
 #endif

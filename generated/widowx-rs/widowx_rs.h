@@ -4,6 +4,7 @@
  * Options: --lang c --prefix widowx_rs --profile fast
  * Graph SHA-256: c354d98892012e8559994649b02ad2e36c193c87e20be9aacffa833615cf752b
  * 30 teams (16 on the longest walk), 210 edges, 156 programs, 56 distinct operations.
+ * A decision takes at most 118 bids and 118 operations.
  * Computes in f32 with own maths.
  */
 #ifndef WIDOWX_RS_H
@@ -27,13 +28,6 @@ typedef enum widowx_rs_action {
     WIDOWX_RS_WRIST_DOWN = 7
 } widowx_rs_action_t;
 #define WIDOWX_RS_ACTIONS 8U
-/* Teams, and how many of them decide at most in one inference. */
-#define WIDOWX_RS_TEAMS 30U
-#define WIDOWX_RS_DEPTH 16U
-/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
-#define WIDOWX_RS_WORST_BIDS 118U
-#define WIDOWX_RS_WORST_OPERATIONS 118U
-#define WIDOWX_RS_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct widowx_rs_state {
@@ -51,7 +45,7 @@ widowx_rs_action_t widowx_rs_infer(const widowx_rs_state_t *state);
 
 #ifndef WIDOWX_RS_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
- * A change by 1 % is noticed in 2 of the policy's 89 constants.
+ * A change by 1 % is noticed in 2 of 33 constants; in 31 it changes no answer to any of 914 states.
  */
 uint32_t widowx_rs_selftest(void);
 #endif

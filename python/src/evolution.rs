@@ -26,8 +26,8 @@ use tpg_problems::{Number, Problem};
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
 use tpg_train::{
-    Best, Config as EvolutionConfig, Configuration as _, Goal, Layers, Naming, Progress, Row, RunEnd, RunError, RunOptions,
-    train,
+    Best, Config as EvolutionConfig, Configuration as _, Goal, Layers, Naming, Progress, Row, RunEnd, RunError,
+    RunOptions, train,
 };
 
 /// The preset that a file of settings differs from.

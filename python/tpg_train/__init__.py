@@ -1,16 +1,17 @@
-"""From a Gymnasium environment to a proven C function of a few hundred bytes.
+r"""From a Gymnasium environment to a proven C function of a few hundred bytes.
 
 from tpg_train import TPG
 
 model = TPG("CartPole-v1", seed=1)
 model.learn(total_timesteps=200_000, target=475)
-print(model.evaluate(1000), model.formula(), model.report("m4f"))
+print(model.evaluate(1000), model.formula(), model.report("m4f"), sep="\n")
 model.export_c("policy/", prefix="cart")
 model.verify()
 """
 
 from typing import TYPE_CHECKING, Any
 
+from . import wrappers
 from ._tpg import Graph, InputError, TrainingError, __version__
 from .asking import Asking
 from .comparing import Comparison, Comparisons, Effort
@@ -55,4 +56,5 @@ __all__ = [
     "from_sb3",
     "register_envs",
     "train_network",
+    "wrappers",
 ]

@@ -20,12 +20,12 @@ class Asking(gymnasium.Wrapper[Any, Any, Any, Any]):
     """One more action, the last: a network decides this step, and `price` is taken from the reward.
 
     `TPG(Asking(env, network, price=1))` learns when the network is worth it; its `graph.json` says which action asks. Values
-    become `levels`, evenly spaced from the least to the highest; every combination is an action. With `levels=None` nobody can
+    become `levels`, evenly spaced from minimum to maximum; every combination is an action. With `levels=None` nobody can
     ask, actions stay as they are, and only rules call the network.
 
     Rules watch the distance to the goal: the reward of the last action with its sign changed, or `info["distance"]`. The
-    network takes over when the distance exceeds its least by more than `separation`, or after `patience` actions of the graph
-    without a new least distance, and hands back after `hand_back_after` actions; None is never.
+    network takes over when the distance exceeds its minimum so far by more than `separation`, or after `patience` actions of the graph
+    without a new minimum, and hands back after `hand_back_after` actions; None is never.
 
     Args:
         network: decides, as `from_sb3` and `train_network` make it, or its `policy.q.json`.

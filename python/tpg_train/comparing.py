@@ -26,9 +26,6 @@ class Effort:
     saturated: float
     chatter: float
 
-    def __str__(self) -> str:
-        return f"{100 * self.saturated:.1f} % of steps saturated, chatter {self.chatter:.4f}"
-
 
 @dataclass(frozen=True)
 class Comparison:
@@ -46,12 +43,7 @@ class Comparison:
     returns: tuple[list[float], list[float]] = field(repr=False)
 
     def __str__(self) -> str:
-        efforts = ("", "") if self.efforts is None else tuple(f"; {effort}" for effort in self.efforts)
-        law = "" if self.law is None else f"the other's law: {self.law}\n"
-        return (
-            f"this model: {self.this}{efforts[0]}\nother:      {self.other}{efforts[1]}\n{law}"
-            f"difference: {self.difference_text()}: {self.verdict()}"
-        )
+        return str(Comparisons((self,)))
 
     def difference_text(self) -> str:
         """Returns the difference with its interval."""
@@ -74,10 +66,16 @@ class Comparisons(tuple[Comparison, ...]):
     __slots__ = ()
 
     def __str__(self) -> str:
-        rows = [("this model", self[0].this, self[0].efforts and self[0].efforts[0])]
-        rows += [(one.name, one.other, one.efforts and one.efforts[1]) for one in self]
-        width = max(len(name) for name, *_ in rows)
-        lines = [f"{name:{width}}  {result}{'' if effort is None else f'; {effort}'}" for name, result, effort in rows]
+        played = [("this model", self[0].this, self[0].efforts and self[0].efforts[0])]
+        played += [(one.name, one.other, one.efforts and one.efforts[1]) for one in self]
+        head = [f"{len(self[0].returns[0])} episodes", "mean", "95 % interval", "lowest"]
+        rows = [head + ["saturated", "chatter"] * (self[0].efforts is not None)]
+        for name, result, effort in played:
+            wear = [] if effort is None else [f"{100 * effort.saturated:.1f} %", f"{effort.chatter:.4f}"]
+            low, high = result.ci95
+            rows.append([name, f"{result.mean:.2f}", f"{low:.2f} to {high:.2f}", f"{result.min:.2f}", *wear])
+        widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+        lines = ["  ".join([row[0].ljust(widths[0]), *map(str.rjust, row[1:], widths[1:])]) for row in rows]
         lines += [f"this model - {one.name}: {one.difference_text()}: {one.verdict()}" for one in self]
         return "\n".join([*lines, *(f"the law of {one.name}: {one.law}" for one in self if one.law is not None)])
 

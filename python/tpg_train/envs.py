@@ -20,7 +20,7 @@ class BuiltInEnv(gymnasium.Env[Observation, Any]):
 
     Args:
         problem: a name that `tpg-train problems` lists.
-        continuous: the arm by its four motors, whose values are actions, in place of 8 or 9 named moves.
+        continuous: True drives the four motors directly instead of 8 or 9 named moves.
 
     Observations are the problem's sources, in order, as float32; `info["is_success"]` is there where the problem defines
     success.

@@ -116,7 +116,7 @@ class TPG:
             bounds are equal.
         env_kwargs: arguments of `gymnasium.make` for an id or of the function.
         seed: decides everything: the same seed gives the same graph for any number of workers. None draws one.
-        native: runs a plain id of Gymnasium's own that is built in as the built-in problem, a hundred times as fast. An
+        native: runs a plain id of Gymnasium's own that is built in as the built-in problem, some two hundred times as fast. An
             environment object, a function and an id with `env_kwargs` are always used as they are.
         n_workers: worker processes; 0 runs the episodes in this process (built-in problems: on all cores).
         preset: a configuration that `tpg-train config` prints, "quick" having few steps of the environment for each decision;
@@ -334,11 +334,10 @@ class TPG:
         n_workers: int | None = None,
         tensorboard_log: PathLike | None = None,
     ) -> TPG:
-        """Evolves for about `total_timesteps` more steps of the environment, a whole number, also as a float such as `1e5`: a
-        generation is always finished, with fewer episodes where all would take more than half of that.
+        """Trains for about `total_timesteps` more environment steps, an int or a float such as `1e5`. Generations are always
+        finished, with fewer episodes where one would take more than half of the steps.
 
-        A second call goes on where the first one stopped, also one that an exception or Ctrl-C stopped: what was learned up to
-        the last generation is kept.
+        A second call continues where the first one stopped, even after Ctrl-C or an exception.
 
         Args:
             target: ends the training as soon as a policy reaches this mean return on the validation episodes.

@@ -64,7 +64,7 @@ class NetworkPolicy:
     def predict(
         self, observation: Any, state: Any = None, episode_start: Any = None, deterministic: bool = True
     ) -> tuple[Any, None]:
-        """Returns the action for an observation, or the actions for a batch; and None, in place of a recurrent state."""
+        """Returns the action for an observation, or the actions for a batch; and None instead of a recurrent state."""
         states, is_batch = self._interface.states(observation)
         answers = self._network.answers(np.ascontiguousarray(states, dtype=np.float32))
         return self._interface.to_actions(answers, is_batch), None

@@ -98,7 +98,11 @@ impl Formulas {
         let infix = |a: &Term, operator: &str, b: &Term, rank: Precedence| {
             // Nothing is associative: a + (b + c) is not (a + b) + c.
             let left = if a.rank < rank { format!("({})", a.text) } else { a.text.clone() };
-            let right = if b.rank <= rank || (b.negative().is_some() && !b.is_number()) { format!("({})", b.text) } else { b.text.clone() };
+            let right = if b.rank <= rank || (b.negative().is_some() && !b.is_number()) {
+                format!("({})", b.text)
+            } else {
+                b.text.clone()
+            };
             Term { text: format!("{left} {operator} {right}"), rank }
         };
         let call = |name: &str, operands: &[&Term]| {
@@ -184,7 +188,7 @@ mod tests {
             let outer = op(Sub, absolute, x);
             vec![op(Max, outer, two)]
         });
-        assert_eq!(found, ["max(abs(target[0] - (-2 / target[0])) - target[0], -2)"]);
+        assert_eq!(found, ["max(abs(target[0] + 2 / target[0]) - target[0], -2)"]);
     }
 
     #[test]

@@ -43,7 +43,7 @@ fn an_action_that_asks_is_named_where_code_is_read() {
     let rust = text(&graph, Language::Rust, Style::Pure, "arm.rs");
     assert!(rust.contains("/// - 1: help (asks network)\n"), "{rust}");
     assert!(rust.contains("    pub const ASKS_NETWORK: ActionId = ActionId(1);\n"), "{rust}");
-    assert!(explain(&graph, &options("arm", Style::Pure)).contains("action 1 help (asks network)"));
+    assert!(explain(&graph, &options("arm", Style::Pure)).contains("-> help (asks network)"));
     // Nothing else of the code knows of it.
     document.actions[1].ask = None;
     let alone = Graph::from_document("alone", document).expect("a valid graph");

@@ -292,7 +292,7 @@ fn bad_input_is_named() {
         quantise("graph.json", &graph, &request).map(|_| ()).expect_err("refused").to_string()
     };
     let zero = with(&|document| document.sources[1].ranges[0] = [0.5, 0.5]);
-    assert!(zero.contains("velocity[0]: 0.5 to 0.5, a range of zero width"), "{zero}");
+    assert!(zero.contains("velocity: 0.5 to 0.5, a range of zero width"), "{zero}");
     let unbounded = with(&|document| {
         (document.outputs[0].min, document.outputs[0].max) = (-2f64.powi(120), 2f64.powi(120));
     });

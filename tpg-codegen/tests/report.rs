@@ -80,7 +80,8 @@ fn costs_are_those_of_the_header() {
         let text = String::from_utf8(output.assert().success().get_output().stdout.clone()).expect("text");
         let [bids, operations, maths] =
             ["bids", "operations", "maths_calls"].map(|key| cost["worst"][key].as_u64().expect("a number") as usize);
-        let most = format!("at most {} and {}, {maths} of them", counted(bids, "bid"), counted(operations, "operation"));
+        let most =
+            format!("at most {} and {}, {maths} of them", counted(bids, "bid"), counted(operations, "operation"));
         assert!(text.contains(&most), "{most}");
     }
 }

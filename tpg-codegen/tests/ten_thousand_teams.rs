@@ -43,7 +43,12 @@ fn from_text_to_object_file() {
         let folder = TempDir::new().expect("a temporary folder");
         let options = shaped("large", shape);
         let files = emit_into(folder.path(), &graph, Language::C, &options);
-        let banner = files[0].text.lines().find_map(|line| line.strip_prefix(" * ")?.split_once(" teams (")).expect("a banner").0;
+        let banner = files[0]
+            .text
+            .lines()
+            .find_map(|line| line.strip_prefix(" * ")?.split_once(" teams ("))
+            .expect("a banner")
+            .0;
         let count: usize = banner.parse().expect("a number");
         assert!(count > teams() * 9 / 10, "{shape:?}: {count}");
         emit_into(folder.path(), &graph, Language::Rust, &options);

@@ -45,7 +45,7 @@ enum Command {
     /// Train a soft actor-critic
     #[command(after_help = examples::SAC)]
     Sac(SacArgs),
-    /// Study how graphs and networks share a problem
+    /// Find the best hybrid of graphs and networks
     #[command(after_help = examples::HYBRID)]
     Hybrid(HybridArgs),
     /// Turn a hybrid.toml into Rust constants
@@ -60,7 +60,7 @@ enum Command {
     /// Run a policy and count how its episodes end
     #[command(after_help = examples::EVAL)]
     Eval(EvalArgs),
-    /// Show runs in one HTML file
+    /// Write one HTML report about runs
     #[command(after_help = examples::REPORT)]
     Report(ReportArgs),
     /// Print a commented configuration

@@ -24,8 +24,8 @@ fn description(name: ProblemName) -> String {
     let mut text = format!("{}: {}\n", name.name(), about.unwrap_or_default());
     let sources = environment.sources().iter().map(source).collect::<Vec<_>>().join("; ");
     let _ = writeln!(text, "  observes {sources}");
-    let _ = writeln!(text, "  acts by  {}", actions(&environment.actions()));
-    let _ = writeln!(text, "  at most  {} actions an episode\n", environment.time_limit());
+    let _ = writeln!(text, "  actions  {}", actions(&environment.actions()));
+    let _ = writeln!(text, "  at most  {} steps per episode\n", environment.time_limit());
     text
 }
 
@@ -43,7 +43,7 @@ fn actions(space: &ActionSpace) -> String {
         }
         ActionSpace::Box(outputs) => {
             let output = |output: &tpg_engine::Output| {
-                format!("{} from {} to {} {}", output.name, output.min, output.max, output.unit)
+                format!("{} from {} to {} {}", output.name, output.min, output.max, output.unit).trim_end().to_owned()
             };
             outputs.iter().map(output).collect::<Vec<_>>().join("; ")
         }

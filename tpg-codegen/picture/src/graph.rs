@@ -35,7 +35,7 @@ pub fn figure(graph: &Graph) -> Figure {
     let mut svg = Svg::new(width, bottom + TOP);
     for (from, to, count) in edges(graph) {
         let class = match to {
-            Action(action) => format!("thin c{}", joint_colour(graph, action)),
+            Action(action) => format!("thin c{}", action % 7),
             Team(_) => "thin c7".to_owned(),
         };
         // Two edges between the same nodes would hide each other, so a bundle is drawn once, and thicker.
@@ -46,7 +46,7 @@ pub fn figure(graph: &Graph) -> Figure {
         match node {
             Team(team) => {
                 let of_team = &graph.teams()[team];
-                let hint = format!("team {}: {} edges", of_team.label, of_team.edges.len());
+                let hint = format!("team {}: {}", of_team.label, counted(of_team.edges.len(), "edge"));
                 let root = team == graph.root().index();
                 svg.circle(if root { "fill c0" } else { "body" }, at, 12.0, &hint);
                 let class = if root { "middle on" } else { "middle" };
@@ -60,10 +60,9 @@ pub fn figure(graph: &Graph) -> Figure {
         }
     }
     let edges: usize = graph.teams().iter().map(|team| team.edges.len()).sum();
-    let moves = graph.actions().iter().any(|action| action.effect.is_some());
     let caption = format!(
         "The graph: {}, {}, {}, {}. A circle is a team with its number of edges, the root \
-         is filled; edges to actions have the colour of the {}; several edges between the same two are one thick line.",
+         is filled; several edges between the same two are one thick line.",
         counted(graph.teams().len(), "team"),
         counted(edges, "edge"),
         counted(graph.programs().len(), "program"),
@@ -72,29 +71,20 @@ pub fn figure(graph: &Graph) -> Figure {
             (1, false) => "1 leaf".to_owned(),
             (ends, false) => format!("{ends} leaves"),
         },
-        if moves {
-            "joint"
-        } else if graph.outputs().is_empty() {
-            "action"
-        } else {
-            "leaf"
-        },
     );
     Figure { svg: svg.finish("the graph"), caption, is_broad: width > COLUMN }
 }
 
-/// Draws a graph as an SVG element that needs no page: for a notebook, say.
+/// Draws a graph as an SVG element that needs no page, for a notebook or a paper: in light colours and without variables, which
+/// few programs but browsers know.
 pub fn standalone(graph: &Graph) -> String {
-    let (space, paper) = ("xmlns=\"http://www.w3.org/2000/svg\"", "style=\"background: var(--paper)\"");
-    let head = format!(" {space} {paper}><style>{}{}</style>", super::COLOURS, super::STYLE);
+    let light =
+        super::COLOURS.lines().next().unwrap_or_default().split([';', '{']).filter_map(|pair| pair.split_once(": "));
+    let style = light
+        .fold(super::STYLE.to_owned(), |style, (name, colour)| style.replace(&format!("var({})", name.trim()), colour));
+    let (space, paper) = ("xmlns=\"http://www.w3.org/2000/svg\"", "style=\"background: #fff\"");
+    let head = format!(" {space} {paper}><style>{style}</style>");
     figure(graph).svg.replacen('>', &head, 1)
-}
-
-/// Returns the colour of an action: actions that move the same joint share a colour.
-fn joint_colour(graph: &Graph, action: usize) -> usize {
-    let effect = graph.actions().get(action).and_then(|action| action.effect.as_ref());
-    let joint = effect.and_then(|effect| effect.values.iter().position(|&ticks| ticks != 0.0));
-    joint.map_or(action % 7, |joint| joint + 1)
 }
 
 /// Merges edges with equal ends and counts them.
@@ -238,9 +228,7 @@ mod tests {
             let svg = standalone(&sample::graph(&shape, 1));
             assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"), "{svg}");
             assert!(svg.contains("<style>") && svg.contains(".c0 {"), "{svg}");
-            for name in svg.split("var(--").skip(1).filter_map(|rest| rest.split_once(')')) {
-                assert!(svg.contains(&format!("--{}: #", name.0)), "{} has no colour", name.0);
-            }
+            assert!(svg.contains(".body { fill: #f3f5f7; stroke: #5b6670; }") && !svg.contains("var("), "{svg}");
         }
     }
 }

@@ -25,7 +25,7 @@ pub(super) struct CodeArgs {
     /// The goal of the optimisation [default: fast in C, constant-time in Rust; verify: every profile]
     #[arg(long, value_enum)]
     pub(super) profile: Option<Profile>,
-    /// Whole numbers only: integers of 32 bits, by proof, or the value that may not be whole
+    /// Use 32-bit integers only; fails and names the value if one may not be whole
     #[arg(long, conflicts_with_all = ["scalar", "style"])]
     pub(super) integers: bool,
     /// First put the graph into integers with inputs and weights of so many bits: see `tpg-codegen quantise`

@@ -29,7 +29,7 @@ pub(crate) struct GenerateArgs {
     /// Write nothing; exit with status 1 if the files in the output folder differ from those that would be written
     #[arg(long)]
     check: bool,
-    /// Instead of generating, explain what each pass removed and what every team computes, on standard output or in a file
+    /// Instead of generating, print the policy as formulas, on standard output or to a file
     #[arg(
         long,
         value_name = "FILE",

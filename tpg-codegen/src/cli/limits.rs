@@ -12,7 +12,7 @@ pub(super) struct LimitArgs {
     /// Cortex-M4F
     #[arg(long, value_name = "BYTES")]
     max_flash: Option<u64>,
-    /// Exit with status 1 and write no code if a decision may take more instructions, or no bound is found
+    /// Exit with status 1 and write no code if a decision can take more instructions than this, or has no bound
     #[arg(long, value_name = "N")]
     max_instructions: Option<u64>,
 }

@@ -46,7 +46,7 @@ enum Command {
     /// Compile the generated code and compare it with the interpreter
     #[command(after_help = examples::VERIFY)]
     Verify(verify::VerifyArgs),
-    /// Report the flash, RAM, stack and operations of a graph's code, and what was removed from it
+    /// Report the flash, RAM, stack and operations of a graph's code, and what optimisation removed
     #[command(after_help = examples::REPORT)]
     Report(report::ReportArgs),
     /// Prove that C or machine code decides like the graph, for every input
@@ -58,7 +58,7 @@ enum Command {
     /// Write a quantised network, a policy.q.json, as constants of C and Rust
     #[command(after_help = examples::POLICY)]
     Policy(policy::PolicyArgs),
-    /// Put a graph into integers: a graph of whole numbers that sees and answers counts
+    /// Convert a graph to integers: its inputs and outputs become counts
     #[command(after_help = examples::QUANTISE)]
     Quantise(quantise::QuantiseArgs),
     /// Write a package for Arduino, PlatformIO, ESP-IDF, Zephyr, CMake, Meson or Cargo
@@ -67,7 +67,7 @@ enum Command {
     /// Print the JSON Schema of graph.json
     #[command(after_help = examples::SCHEMA)]
     Schema,
-    /// Print an example of a sidecar, the description that a .dot file lacks, with a comment on each field
+    /// Print an example sidecar, the description that a .dot file lacks, with a comment on each field
     #[command(after_help = examples::SIDECAR)]
     Sidecar,
     /// Print completions for a shell

@@ -45,7 +45,7 @@ pub(super) struct PackageArgs {
     /// The author in the manifest
     #[arg(long, value_name = "NAME", default_value = "anonymous", value_parser = line)]
     author: String,
-    /// The address in the manifest; without it there is none, which Arduino's Library Manager does not take
+    /// The URL in the manifest; Arduino's Library Manager requires one
     #[arg(long, value_parser = line)]
     url: Option<String>,
     /// The licence as an SPDX expression [default: MIT OR Apache-2.0, with both texts]

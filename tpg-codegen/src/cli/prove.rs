@@ -36,10 +36,10 @@ pub(super) struct ProveArgs {
     /// The name of the function [default in C: the one that ends in _infer]
     #[arg(long, value_name = "S")]
     symbol: Option<String>,
-    /// Claim it only for states in the declared ranges
+    /// Prove it only for states in the declared ranges
     #[arg(long)]
     assume_ranges: bool,
-    /// Write a certificate as JSON: hashes of all files, the work, the rules that were applied, the assumptions
+    /// Write a certificate as JSON: file hashes, proof statistics, applied rules and assumptions
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
 }

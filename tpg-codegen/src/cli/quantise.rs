@@ -29,11 +29,11 @@ pub(super) struct QuantiseArgs {
     /// Bits of the weights
     #[arg(long, value_name = "BITS", default_value_t = 16, value_parser = clap::value_parser!(u32).range(2..=16))]
     weights: u32,
-    /// The ranges that fill the bits: those of recorded states, a CSV with a column for each value, named as in target[0]; or the
-    /// `declared` ranges, which may be wide
+    /// Ranges to scale the inputs to: those of recorded states, a CSV with a column for each value, named as in target[0]; or
+    /// the `declared` ranges, which may be wide
     #[arg(long, value_name = "CSV", default_value = "declared")]
     ranges: PathBuf,
-    /// The multiple of these ranges that fills the bits
+    /// Widen the ranges by this factor
     #[arg(long, value_name = "M", default_value_t = 1.0, value_parser = margin)]
     margin: f64,
     /// Print the report as one JSON object

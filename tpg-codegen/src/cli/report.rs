@@ -19,7 +19,7 @@ use tpg_graph::error::InputError;
 pub(super) struct ReportArgs {
     #[command(flatten)]
     graph: GraphArgs,
-    /// Targets, with a comma between them [default: m4f,host]
+    /// Comma-separated targets [default: m4f,host]
     #[arg(long, value_enum, value_delimiter = ',')]
     target: Vec<Target>,
     /// Report the C in integers, too, with inputs and weights of so many bits: see `tpg-codegen quantise`
@@ -31,7 +31,7 @@ pub(super) struct ReportArgs {
     states: StatesArgs,
     #[command(flatten)]
     limits: LimitArgs,
-    /// The profile of the C that the limits are about; with --fixed, it is in integers
+    /// The profile that the limits apply to; with --fixed, its integer version
     #[arg(long, value_enum, default_value_t = Profile::Fast)]
     profile: Profile,
     /// Print one JSON object

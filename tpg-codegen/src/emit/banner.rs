@@ -75,6 +75,8 @@ fn policy(graph: &Graph) -> String {
     let named = config.as_ref().and_then(|config| config.pointer("/problem/name")?.as_str());
     // A note of the trainer names the task; one by hand is a sentence of its own.
     let problem = named.or(note.as_deref().filter(|_| tool.is_some()));
+    // A policy in integers was not tested when the one in floats was.
+    let scores = Some(scores).filter(|_| !graph.has_counts()).cloned().unwrap_or_default();
     let score = ["validation_score", "score"].iter().find_map(|name| scores.get(*name));
     let success = scores.get("validation_success").filter(|_| score.is_none());
     let mut about = vec![match (problem, note) {

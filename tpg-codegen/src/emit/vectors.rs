@@ -13,10 +13,10 @@ const FIRST: usize = 4;
 /// The number of states to choose from, in the ranges and again nearer to zero, for a small graph.
 const SAMPLES: usize = 400;
 const SEED: u64 = 1;
-/// The count of numbers that are changed at most, one after another, in a small graph.
+/// The count of numbers that are changed at most, one after another.
 const CHANGES: usize = 1_000;
 /// The number of lines of programs that are run at most in a search for states.
-const WORK: usize = 4_000_000;
+const WORK: usize = 40_000_000;
 
 /// The states of a self-test.
 pub(crate) struct Vectors {
@@ -28,62 +28,50 @@ pub(crate) struct Vectors {
     pub(crate) changes: usize,
     /// The number of changes that a state notices.
     pub(crate) noticed: usize,
+    /// The number of changes that none of the candidates would notice, and that of the candidates.
+    silent: [usize; 2],
 }
 
 impl Vectors {
     /// Says how good the states are; nothing where the graph has none.
     pub(crate) fn quality(&self) -> Option<String> {
-        let Self { changes, noticed, .. } = self;
-        (*changes > 0).then(|| format!("A change by 1 % is noticed in {noticed} of the policy's {changes} constants."))
+        let Self { changes, noticed, silent: [silent, candidates], .. } = self;
+        let rest = match silent {
+            0 => String::new(),
+            _ => format!("; in {silent} it changes no answer to any of {candidates} states"),
+        };
+        (*changes > 0).then(|| format!("A change by 1 % is noticed in {noticed} of {changes} constants{rest}."))
     }
 }
 
-/// Chooses the states.
+/// Chooses the states: a few of any kind, then each time the one that notices most of what no other has noticed.
 pub(crate) fn vectors(graph: &Graph) -> Vectors {
     let lines: usize = graph.programs().iter().map(|program| program.lines.len().max(1)).sum();
-    let candidates = candidates(graph, (WORK / 40 / lines).clamp(FIRST, SAMPLES));
+    let candidates = candidates(graph, (WORK / 400 / lines).clamp(FIRST, SAMPLES));
     let expected = interpret::answers(graph, &candidates);
-    let length = graph.state_length();
-    let state = |candidate: usize| &candidates[candidate * length..(candidate + 1) * length];
-    let differs = |changed: &Graph, candidate: usize| {
-        let answers = interpret::answers(changed, state(candidate));
-        answers[..] != expected[candidate..=candidate]
+    let changed = changed(graph, (WORK / lines / expected.len()).clamp(1, CHANGES));
+    let noticed_by = |changed: &Graph| -> Vec<usize> {
+        let answers = interpret::answers(changed, &candidates);
+        (0..expected.len()).filter(|&candidate| answers[candidate] != expected[candidate]).collect()
     };
-    let mut left = WORK;
-    let mut open = changed(graph, (WORK / 20 / lines).clamp(1, CHANGES));
-    let changes = open.len();
+    let mut open: Vec<Vec<usize>> = changed.iter().map(noticed_by).collect();
+    open.retain(|noticed_by| noticed_by.first().is_none_or(|&candidate| candidate >= FIRST));
     let mut chosen: Vec<usize> = (0..FIRST).collect();
-    open.retain(|changed| !chosen.iter().any(|&candidate| differs(changed, candidate)));
-    let mut missed = Vec::new();
-    while chosen.len() < MOST
-        && let Some(changed) = open.pop()
-    {
-        let cost = lines * expected.len();
-        let answers = if cost <= left { interpret::answers(&changed, &candidates) } else { Vec::new() };
-        left = left.saturating_sub(cost);
-        match answers.iter().zip(&expected).position(|(answer, expected)| answer != expected) {
-            Some(candidate) => {
-                chosen.push(candidate);
-                open.retain(|changed| !differs(changed, candidate));
-            }
-            None => missed.push(changed),
-        }
+    while chosen.len() < MOST {
+        let mut counts = vec![0; expected.len()];
+        open.iter().flatten().for_each(|&candidate| counts[candidate] += 1);
+        // The first of equals; where nothing is noticed any more, the next of those where actions meet.
+        let place = (0..counts.len()).rev().filter(|place| !chosen.contains(place)).max_by_key(|&place| counts[place]);
+        let Some(place) = place.filter(|_| changed.is_empty() || !open.is_empty()) else { break };
+        chosen.push(place);
+        open.retain(|noticed_by| !noticed_by.contains(&place));
     }
-    // the rest may be noticed where actions meet
-    missed.append(&mut open);
-    for candidate in FIRST..expected.len() {
-        if chosen.len() == MOST || changes > 0 && missed.is_empty() {
-            break;
-        }
-        if !chosen.contains(&candidate) {
-            chosen.push(candidate);
-            missed.retain(|changed| !differs(changed, candidate));
-        }
-    }
-    let noticed = changes - missed.len();
-    let states = chosen.iter().flat_map(|&candidate| state(candidate)).copied().collect();
+    let (changes, length) = (changed.len(), graph.state_length());
+    let state = |&candidate: &usize| &candidates[candidate * length..(candidate + 1) * length];
+    let states = chosen.iter().flat_map(state).copied().collect();
     let answers = chosen.iter().map(|&candidate| expected[candidate].clone()).collect();
-    Vectors { states, answers, changes, noticed }
+    let silent = open.iter().filter(|noticed_by| noticed_by.is_empty()).count();
+    Vectors { states, answers, changes, noticed: changes - open.len(), silent: [silent, expected.len()] }
 }
 
 /// The states to choose from, one after another.

@@ -24,7 +24,7 @@ fn write_teams(teams: &[TeamFormulas], out: &mut String) -> fmt::Result {
         return Ok(());
     }
     writeln!(out, "\nWhat the teams compute\n")?;
-    writeln!(out, "The highest bid wins, of equal bids the last; a NaN is the lowest.")?;
+    writeln!(out, "The highest bid wins; of equal bids, the last. NaN is lowest.")?;
     write_words(&teams, out)?;
     for (index, team) in teams.iter().enumerate() {
         writeln!(out, "\nteam {}{}", team.id, if index == 0 { ", the root" } else { "" })?;

@@ -17,7 +17,7 @@ pub struct PolicyFormulas {
     pub leaves: Vec<LeafFormulas>,
 }
 
-/// A team: the highest bid wins, of equal bids the last; a NaN is the lowest.
+/// A team: the highest bid wins; of equal bids, the last. NaN is lowest.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct TeamFormulas {
     /// Its id in the graph.

@@ -38,11 +38,11 @@ pub enum Style {
 /// The goal of the optimisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, clap::ValueEnum)]
 pub enum Profile {
-    /// Least mean time: a function for each team, which computes expensive bids only where they can win.
+    /// Lowest mean time: one function per team; expensive bids are computed only if they can win.
     Fast,
-    /// Between the two: tables of teams over native bids, the expensive ones of which are computed only where they can win.
+    /// A compromise: tables of teams and native bids; expensive bids are computed only if they can win.
     Balanced,
-    /// Least flash: tables, and one small evaluator.
+    /// Smallest flash: tables, and one small evaluator.
     Small,
     /// The same instructions for every state: everything is computed, nothing branches.
     ConstantTime,

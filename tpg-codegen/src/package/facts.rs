@@ -9,6 +9,7 @@ use crate::emit::interface::written;
 use crate::options::{Language, Options};
 use crate::size::{self, Linked, Target};
 use cortex_bound::Bound;
+use tpg_graph::error::counted;
 use tpg_graph::{Counts, Graph, MathsProvider, ScalarType};
 
 /// The facts.
@@ -80,9 +81,8 @@ impl<'a> Facts<'a> {
             if let [value] = &values[..] { value.clone() } else { format!("{{ {} }}", values.join(", ")) }
         };
         let answers = match answered.len() {
-            0 => format!("one of {} actions", graph.actions().len()),
-            1 => "a value".to_owned(),
-            count => format!("{count} values"),
+            0 => counted(graph.actions().len(), "action"),
+            count => counted(count, "output"),
         };
         Self {
             details,
@@ -90,8 +90,8 @@ impl<'a> Facts<'a> {
             camel: options.prefix.camel(),
             upper: options.prefix.upper(),
             title: format!(
-                "A learned policy that answers {} values with {answers}: a tangled program graph, compiled",
-                seen.iter().map(|source| source.ranges.len()).sum::<usize>()
+                "A learned policy with {} and {answers}: a tangled program graph, compiled",
+                counted(seen.iter().map(|source| source.ranges.len()).sum(), "input")
             ),
             inputs: seen
                 .iter()

@@ -108,7 +108,7 @@ impl Comparison {
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { states, origin, same, outputs, saturated, saturated_inputs } = self;
-        writeln!(f, "compared on {states} states: {origin}")?;
+        writeln!(f, "compared on {origin}")?;
         if outputs.is_empty() {
             let percent = (*same as f64 / (*states).max(1) as f64 * 1e5).floor() / 1e3;
             writeln!(f, "  {same} of {states} actions are the same ({percent} %)")?;

@@ -76,7 +76,7 @@ pub struct Report {
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { inputs, weights, bounds, vanished, comparison } = self;
-        writeln!(f, "inputs of {inputs} bits, weights of {weights}; {vanished} weights are 0")?;
+        writeln!(f, "{inputs}-bit inputs, {weights}-bit weights; {vanished} weights were rounded to 0")?;
         for (name, bound) in bounds {
             writeln!(f, "  {name}: at most {bound} of {}", i32::MAX)?;
         }

@@ -26,7 +26,7 @@ impl fmt::Display for Report {
         writeln!(f, "graph     SHA-256 {}", self.graph_sha256)?;
         writeln!(
             f,
-            "          {}, at most {depth} on a walk; {}, {}, {}",
+            "          {}, at most {depth} per decision; {}, {}, {}",
             counted(teams, "team"),
             counted(edges, "edge"),
             counted(programs, "program"),
@@ -43,7 +43,7 @@ impl fmt::Display for Report {
             )?;
         }
         let dead = if self.dead_inputs.is_empty() { "none".to_owned() } else { self.dead_inputs.join(", ") };
-        writeln!(f, "inputs    {inputs}; without effect on any answer: {dead}")?;
+        writeln!(f, "inputs    {inputs}; unused: {dead}")?;
         writeln!(f, "lines     {lines}; {introns} introns removed ({})", percent(introns, lines))?;
         self.removed(f)?;
         self.costs(f)?;
@@ -68,7 +68,7 @@ impl Report {
             f,
             "removed   {}, {}; {} without a choice, {}, {}",
             counted(duplicate_bids, "duplicate bid"),
-            counted(hopeless_bids, "hopeless bid"),
+            counted(hopeless_bids, "bid that never wins"),
             counted(teams_without_choice, "team"),
             counted(twin_teams, "twin"),
             counted(unreachable_teams, "unreachable one")

@@ -1,5 +1,5 @@
 {%- if teams.len() > 1 %}
-/* {{ rule }} Every team comes after all that lead to it. */
+/* {{ rule }} No team leads back to one above it. */
 {%- else %}
 /* {{ rule }} */
 {%- endif %}

@@ -18,7 +18,7 @@ pub(crate) struct ConfigArgs {
     /// A preset of `tpg-train sac` instead of `tpg-train tpg`
     #[arg(long)]
     pub sac: bool,
-    /// Only the names, with what they are
+    /// List the presets with a description of each
     #[arg(long)]
     pub list: bool,
     /// The JSON Schema of all settings, for editors

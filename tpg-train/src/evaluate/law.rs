@@ -5,7 +5,7 @@ use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use tpg_engine::ActionSpace;
-use tpg_graph::error::{Finding, InputError};
+use tpg_graph::error::{Finding, InputError, counted};
 use tpg_graph::files::read_text;
 use tpg_graph::import::{Expression, Reading};
 use tpg_graph::{
@@ -52,6 +52,10 @@ impl LawFile {
         }
         let ends: Vec<String> =
             outputs.iter().map(|it| &it.name).chain(choices.iter().map(|it| &it.name)).cloned().collect();
+        if outputs.is_empty() && !self.memory.is_empty() {
+            let found = counted(self.memory.len(), "value");
+            return Err(Finding::new("memory", found, "no [memory]: it needs a problem with continuous outputs"));
+        }
         let values = sources
             .iter()
             .flat_map(|source| (0..source.length).map(|place| (source.name.clone(), place, source.length)));
@@ -61,7 +65,8 @@ impl LawFile {
         for (name, text) in &self.law {
             let path = format!("law.{name}");
             if !ends.contains(name) && !self.memory.contains_key(name) {
-                return Err(Finding::new(path, format!("{name:?}"), format!("one of {}, or memory", ends.join(", "))));
+                let found = format!("{name:?}, which the problem does not answer");
+                return Err(Finding::new(path, found, format!("{}, or a name of [memory]", ends.join(", "))));
             }
             let names = |(name, place, length): &(String, u32, u32)| match length {
                 1 => name.clone(),

@@ -46,6 +46,7 @@ pub(super) fn trained(args: &EvalArgs) -> Result<PathBuf, InputError> {
         target: None,
         max_steps: Some(steps),
     };
-    execute(&args, &ThisProcess).map_err(|error| command_line(format!("--against linear: {error}"), "the run's settings"))?;
+    execute(&args, &ThisProcess)
+        .map_err(|error| command_line(format!("--against linear: {error}"), "the run's settings"))?;
     Ok(out.join("graph.json"))
 }

@@ -29,7 +29,7 @@ pub(crate) struct EvalArgs {
     /// A graph; with --policy too, the graph hands over to the network, or asks it
     #[arg(long, value_name = "GRAPH", required_unless_present_any = ["policy", "hybrid"])]
     pub tpg: Option<PathBuf>,
-    /// The problem's settings of this configuration. Default: those of the problem, and what the policy says of its training
+    /// Use this configuration's problem settings [default: those that the policy was trained with]
     #[arg(long, value_name = "FILE")]
     pub config: Option<PathBuf>,
     /// A policy.safetensors or policy.q.json, or a controller that the problem brings: on the arm `planner`, `nearest-goal` or
@@ -46,10 +46,10 @@ pub(crate) struct EvalArgs {
     /// own unit
     #[arg(long, value_name = "D", alias = "separation-mm", default_value_t = f64::INFINITY)]
     pub separation: f64,
-    /// With --tpg and --policy: the network takes over after that many actions without progress, or `never`
+    /// With --tpg and --policy: the network takes over after N actions without progress, or `never`
     #[arg(long, value_name = "N", default_value = "never")]
     pub patience: Span,
-    /// With --tpg and --policy, where the problem has guards: the one that holds [default: the last]
+    /// With --tpg and --policy: the guard to use, if the problem has any [default: the last]
     #[arg(long, value_name = "GUARD")]
     pub guard: Option<String>,
     /// With --tpg and --policy: method of detecting that the graph cycles [default: visited where states have keys, else none]
@@ -64,12 +64,12 @@ pub(crate) struct EvalArgs {
     /// The seed of the test episodes
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
-    /// Let another policy do the same episodes, and print the difference of the scores with its interval: a graph, a network, a
-    /// hybrid.toml, a law.toml, a controller that the problem brings, or `linear`: weighted sums, trained as the run of --tpg
-    /// was and kept in its folder
+    /// Also run another policy on the same episodes, and print the difference in score with its 95 % interval: a graph, a
+    /// network, a hybrid.toml, a file of formulas, a controller that comes with the problem, or `linear`: weighted sums, trained
+    /// as the run of --tpg was and kept in its folder
     #[arg(long, value_name = "POLICY")]
     pub against: Option<String>,
-    /// One JSON object instead of a table
+    /// Print one JSON object instead of a table
     #[arg(long)]
     pub json: bool,
 }

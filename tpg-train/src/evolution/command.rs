@@ -44,7 +44,7 @@ pub struct TpgArgs {
     /// The seed
     #[arg(long, value_name = "S", default_value_t = 1, conflicts_with = "seeds")]
     pub seed: u64,
-    /// Several restarts, excluding the last seed; the best one on the validation set is kept
+    /// Train with seeds A to B - 1, and keep the best on the validation episodes
     #[arg(long, value_name = "A..B", value_parser = seeds)]
     pub seeds: Option<Seeds>,
     /// Threads; 0 for all. Results do not depend on it
@@ -56,7 +56,7 @@ pub struct TpgArgs {
     /// Generations instead of the configuration's; with --resume, a run can go further than before
     #[arg(long, value_name = "G", value_parser = clap::value_parser!(u64).range(1..))]
     pub generations: Option<u64>,
-    /// End the run when a root reaches this mean score on the validation set
+    /// End the run when a policy reaches this mean return on the validation episodes
     #[arg(long, value_name = "SCORE", allow_negative_numbers = true)]
     pub target: Option<f64>,
     /// End the run after the generation in which the total number of actions reaches N

@@ -240,7 +240,7 @@ pub enum Units {
 pub struct DemeConfig {
     /// Demes; each has `nb_roots` roots.
     pub count: usize,
-    /// Generations after which, each time, the worse half of the demes ends; 0 for never.
+    /// Remove the worse half of the demes every N generations; 0 for never.
     pub halving_interval: u64,
 }
 

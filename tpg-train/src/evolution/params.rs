@@ -6,7 +6,8 @@ use tpg_graph::error::{InputError, Place};
 pub(super) const PRESET: &str = "gegelati";
 
 /// GEGELATI's names of the settings.
-const SETTINGS: [(&str, &str); 12] = [
+const SETTINGS: [(&str, &str); 13] = [
+    ("initNbRoots", "tpg.init_nb_roots"),
     ("nbIterationsPerPolicyEvaluation", "learning.nb_iterations_per_policy_evaluation"),
     ("ratioDeletedRoots", "learning.ratio_deleted_roots"),
     ("nbGenerations", "learning.nb_generations"),
@@ -34,6 +35,18 @@ const CONSTANTS: [(&str, f64); 7] = [
 
 /// Parameters that change no result here.
 const WITHOUT_EFFECT: [&str; 3] = ["nbThreads", "doValidation", "nbIterationsPerJob"];
+
+/// Parameters that have no counterpart here.
+const OTHERS: [&str; 8] = [
+    "archiveSize",
+    "archivingProbability",
+    "maxNbActionsPerEval",
+    "forceProgramBehaviorChangeOnMutation",
+    "pConstantMutation",
+    "minConstValue",
+    "maxConstValue",
+    "pNewProgram",
+];
 
 /// Tests for JSON, with comments as GEGELATI writes it: no TOML begins so.
 pub(super) fn is_json(text: &str) -> bool {
@@ -73,17 +86,26 @@ fn translated(file: &str, text: &str) -> Result<(toml::Table, Vec<String>), Inpu
             if let Some((_, key)) = SETTINGS.iter().find(|(setting, _)| setting == name) {
                 let value = toml::Value::try_from(value)
                     .map_err(|_| InputError::new(file, Place::Path(name.clone()), value.to_string(), "a number"))?;
-                if name == "nbRoots" {
-                    set("tpg.init_nb_roots", value.clone());
+                // 0 says that it follows from the number of roots.
+                if value.as_integer() != Some(0) || name != "initNbRoots" {
+                    set(key, value);
                 }
-                set(key, value);
             } else if !WITHOUT_EFFECT.contains(&name.as_str())
                 && constant.is_none_or(|(_, here)| value.as_f64() != Some(*here))
             {
-                let here = constant.map_or(String::new(), |(_, here)| format!(", here {here}"));
+                let here = match constant {
+                    Some((_, here)) => format!(", here {here}"),
+                    None if OTHERS.contains(&name.as_str()) => String::new(),
+                    None => ", which GEGELATI does not know".to_owned(),
+                };
                 ignored.push(format!("{name} = {value}{here}"));
             }
         }
+    }
+    if let Some(toml::Value::Table(tpg)) = settings.get_mut("tpg")
+        && let (Some(roots), None) = (tpg.get("nb_roots").cloned(), tpg.get("init_nb_roots"))
+    {
+        tpg.insert("init_nb_roots".to_owned(), roots);
     }
     if settings.is_empty() {
         return Err(InputError::new(file, Place::Whole, "JSON without a parameter of GEGELATI", accepted));
@@ -146,7 +168,22 @@ mod tests {
         .parse()
         .expect("TOML");
         assert_eq!(settings, expected);
-        assert_eq!(ignored, ["archiveSize = 2000", "archivingProbability = 0.01", r#"note = "a // b \" /* c */""#]);
+        assert_eq!(
+            ignored,
+            [
+                "archiveSize = 2000",
+                "archivingProbability = 0.01",
+                r#"note = "a // b \" /* c */", which GEGELATI does not know"#
+            ]
+        );
+    }
+
+    #[test]
+    fn the_first_number_of_roots_follows_from_the_other_if_it_is_not_given() {
+        for (first, expected) in [("", 5), (", \"initNbRoots\": 0", 5), (", \"initNbRoots\": 9", 9)] {
+            let (settings, _) = translated("params.json", &format!("{{\"nbRoots\": 5{first}}}")).expect("parameters");
+            assert_eq!(settings["tpg"]["init_nb_roots"].as_integer(), Some(expected), "{first}");
+        }
     }
 
     #[test]

@@ -33,7 +33,7 @@ pub(crate) struct HybridArgs {
     /// The arguments of a study on any problem
     #[command(flatten)]
     pub study: StudyArgs,
-    /// The problem's settings of this configuration. Default: those of the problem, and what the policies say of their training
+    /// Use this configuration's problem settings [default: those that the policies were trained with]
     #[arg(long, value_name = "FILE")]
     pub config: Option<PathBuf>,
 }
@@ -69,7 +69,7 @@ pub struct StudyArgs {
     /// [default: quantiles of what the graphs alone do, and inf]
     #[arg(long, value_name = "D", value_delimiter = ',')]
     pub separation: Vec<f64>,
-    /// The network takes over after that many actions of the graph without progress, or `never` [default: 5, 10, 20, 50
+    /// The network takes over after N actions of the graph without progress, or `never` [default: 5, 10, 20, 50
     /// and never]
     #[arg(long, value_name = "N", value_delimiter = ',')]
     pub patience: Vec<Span>,

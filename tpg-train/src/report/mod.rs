@@ -28,7 +28,7 @@ use tpg_picture::Page;
 /// Runs with equal configurations are one group: curves are their mean, with a band of one standard deviation.
 #[derive(Clone, Debug, Args)]
 pub struct ReportArgs {
-    /// Folders of `tpg`, `sac` or `hybrid` runs; a folder of `--seeds` stands for all of its seeds
+    /// Folders of `tpg`, `sac` or `hybrid` runs; a `--seeds` folder means all its seeds
     #[arg(value_name = "RUN", required = true)]
     pub runs: Vec<PathBuf>,
     /// The file to write; - for stdout

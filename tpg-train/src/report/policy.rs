@@ -35,7 +35,7 @@ fn formulas(graph: &Graph) -> Vec<Formulas> {
     let PolicyFormulas { teams, leaves } = PolicyFormulas::of(graph, &options());
     let teams = teams.into_iter().enumerate().map(|(place, team)| {
         let bids = team.bids.into_iter().map(|bid| (bid.to, bid.formula));
-        let root = if place == 0 { ", the root: the highest bid wins, of equal bids the last" } else { "" };
+        let root = if place == 0 { ", the root: the highest bid wins; of equal bids, the last" } else { "" };
         Formulas { heading: format!("team {}{root}", team.id), rows: team.shared.into_iter().chain(bids).collect() }
     });
     let outputs = graph.outputs();

@@ -21,8 +21,7 @@ pub(super) fn section(
     (!figures.is_empty()).then(|| Section {
         title: "Return against size".to_owned(),
         text: "Each point is a policy: the chosen one, and entries of the hall of fame, which beat every smaller one. Vertical: mean return \
-               on test episodes. Horizontal: flash of its fast C on a Cortex-M4F, compiled with -Os, without a network that it asks. A \
-               line of hall.jsonl is a graph.json."
+               on test episodes. Horizontal: flash of its fast C on a Cortex-M4F, compiled with -Os, without a network that it asks."
             .to_owned(),
         figures,
         ..Section::default()

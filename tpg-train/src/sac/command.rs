@@ -40,10 +40,10 @@ pub(crate) struct SacArgs {
     /// The seed
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
-    /// End the run when a candidate has this mean score on the validation episodes
+    /// End the run when a policy reaches this mean return on the validation episodes
     #[arg(long, value_name = "SCORE", allow_negative_numbers = true)]
     pub target: Option<f64>,
-    /// End the run after so many decisions, at the rates of the whole run
+    /// End the run after N decisions, with the learning rates of the full run
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub max_steps: Option<u64>,
 }

@@ -65,7 +65,7 @@ impl Syntax for Printer<'_> {
     fn hidden_zero(&self, zero: &str) -> Vec<String> {
         let scalar = self.scalar();
         vec![
-            "/* Volatile, since compilers take max(0, x) for a 0 that they know, also where x is NaN. */".to_owned(),
+            "/* Volatile: for a 0 that they know, compilers may take max(0, x), which is wrong for NaN. */".to_owned(),
             format!("const volatile {scalar} constant = {zero};"),
             format!("const {scalar} zero = constant;"),
         ]

@@ -42,7 +42,7 @@ struct CFast<'a> {
 }
 
 /// The rule of a choice, for readers.
-const RULE: &str = "The highest bid wins, of equal bids the last; NaN and minus infinity never win.";
+const RULE: &str = "The highest bid wins; of equal bids, the last. NaN and minus infinity never win.";
 
 impl CFast<'_> {
     /// Tests for a label that something goes to.

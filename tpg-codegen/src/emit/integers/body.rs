@@ -163,7 +163,8 @@ impl IntegerBody<'_> {
         let spelling = self.spelling;
         let last = if is_choice_of_two {
             let [one, other] = [0, 1].map(|place| self.lines.operand(bids[place], wide));
-            let actions = [1, 0].map(|place| self.action(edges[place].to).map_or(String::new(), |to| spelling.action(to)));
+            let actions =
+                [1, 0].map(|place| self.action(edges[place].to).map_or(String::new(), |to| spelling.action(to)));
             spelling.answer(&spelling.one_of_two(&format!("{other} >= {one}"), &actions), self.several)
         } else if is_action {
             spelling.answer(winner, self.several)

@@ -93,20 +93,18 @@ pub(super) struct Comments<'a> {
 }
 
 impl<'a> Comments<'a> {
-    /// The comments of a team's bids, with the names of what they bid for: their formulas are in units of a power of two.
+    /// The comments of a team's bids, with the names of what they bid for: formulas to one scale.
     pub(super) fn for_bids(module: &'a Module<'a>, bids: &[(NodeId, String)]) -> Self {
         let sums: Vec<_> = bids.iter().filter_map(|(id, name)| Some((*id, name, sum(module, *id)?))).collect();
         let weights = sums.iter().flat_map(|(.., linear)| linear.weights.values());
         let greatest = weights.fold(0.0, |most: f64, weight| most.max(weight.abs()));
-        let power = greatest.log2().floor().max(0.0);
-        let unit = power.exp2();
+        let unit = greatest.log2().floor().max(0.0).exp2();
         let mut names: BTreeMap<NodeId, String> = BTreeMap::new();
         for (id, name, linear) in sums {
             let text = linear.divided(unit, 0.0).text(module.graph);
             let said = names.entry(id).or_default();
             if said.is_empty() {
-                let unit = if power > 0.0 { format!(", in 2^-{power}") } else { String::new() };
-                *said = format!("{name} bids {text}{unit}");
+                *said = format!("{name} bids in proportion to {text}");
             }
         }
         Self { module, names }

@@ -235,7 +235,10 @@ impl<'a> IntegerSpelling<'a> {
 
     /// The first of two values if a condition holds, else the second.
     pub(super) fn one_of_two(&self, condition: &str, [one, other]: &[String; 2]) -> String {
-        self.either(format!("({condition}) ? {one} : {other}"), format!("if {condition} {{ {one} }} else {{ {other} }}"))
+        self.either(
+            format!("({condition}) ? {one} : {other}"),
+            format!("if {condition} {{ {one} }} else {{ {other} }}"),
+        )
     }
 
     /// One of some statements, as the winner is their place.

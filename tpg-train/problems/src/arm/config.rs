@@ -21,7 +21,7 @@ pub struct Config {
     pub sources: Vec<String>,
     /// Distance below which the hand has reached its target, mm.
     pub tolerance: f64,
-    /// Play of the gears: maximum ticks of a joint beside its motor, drawn for each episode. Only the hand feels it.
+    /// Backlash: maximum ticks between a joint and its motor, drawn for each episode. It affects only the hand.
     #[serde(skip_serializing_if = "is_none")]
     pub backlash: i16,
     /// Ticks moved by one action.

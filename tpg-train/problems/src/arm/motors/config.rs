@@ -38,7 +38,7 @@ pub struct Config {
     /// `tolerance` of tests; 3 mm by default.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub test_tolerance: Option<f64>,
-    /// Play of the gears: maximum ticks of a joint beside its motor, drawn for each episode. Only the hand feels it.
+    /// Backlash: maximum ticks between a joint and its motor, drawn for each episode. It affects only the hand.
     #[serde(skip_serializing_if = "is_none")]
     pub backlash: i16,
     /// The reward of training.
