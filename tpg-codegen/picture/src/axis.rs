@@ -117,9 +117,15 @@ fn power_of_ten(power: i32) -> f64 {
     if power < 0 { 1.0 / power_of_ten(-power) } else { (0..power).fold(1.0, |product, _| product * 10.0) }
 }
 
-/// Formats a number with the decimals needed for steps of that power of ten.
+/// Formats a number with the decimals needed for steps of that power of ten: `0.5`, `200 k`, `1.0 M`.
 fn number(value: f64, power: i32) -> String {
-    format!("{value:.*}", usize::try_from(-power).unwrap_or(0))
+    let (thousands, unit) = match value.abs() {
+        1e6.. => (6, " M"),
+        1e4.. => (3, " k"),
+        _ => (0, ""),
+    };
+    let decimals = usize::try_from(thousands - power).unwrap_or(0);
+    format!("{:.decimals$}{unit}", value / power_of_ten(thousands)).replace('-', "−")
 }
 
 #[cfg(test)]
@@ -133,7 +139,9 @@ mod tests {
     #[test]
     fn ticks_are_round_and_inside() {
         assert_eq!(texts(&Axis::linear(""), [0.0, 1.0]), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
-        assert_eq!(texts(&Axis::linear(""), [-431.0, 12.0]), ["-400", "-300", "-200", "-100", "0"]);
+        assert_eq!(texts(&Axis::linear(""), [-431.0, 12.0]), ["−400", "−300", "−200", "−100", "0"]);
+        assert_eq!(texts(&Axis::linear(""), [0.0, 1e6])[..3], ["0", "200 k", "400 k"]);
+        assert_eq!(texts(&Axis::linear(""), [8e5, 1.2e6]), ["800 k", "900 k", "1.0 M", "1.1 M", "1.2 M"]);
         assert_eq!(texts(&Axis::log("", 0.1), [0.5, 300.0]), ["0.1", "1", "10", "100"]);
         assert_eq!(texts(&Axis::names("", vec!["a".into(), "b".into()]), [0.0, 1.0]), ["a", "b"]);
         assert_eq!(texts(&Axis::linear(""), [f64::NAN, f64::NAN]).len(), 6, "no data is no reason to fail");

@@ -95,13 +95,13 @@ fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<&dyn Shared>) 
     let best: Vec<Option<usize>> =
         groups.iter().zip(&tested).map(|(group, tested)| best(&group.runs, tested)).collect();
     let mut sections = vec![tables::section(groups, &tested)];
-    sections.extend(curves::sections(groups));
-    sections.extend(size::section(groups, &tested, &halls));
     for ((group, tested), best) in groups.iter().zip(&tested).zip(&best) {
         let Some(best) = *best else { continue };
-        sections.extend(rivals::section(&group.runs[best]));
         sections.push(policy::section(&group.runs[best], tested[best].as_ref()));
+        sections.extend(rivals::section(&group.runs[best]));
     }
+    sections.extend(curves::sections(groups));
+    sections.extend(size::section(groups, &tested, &halls));
     let named = |group: &Group| match group.problem() {
         OWN => group.name.clone(),
         problem if group.name.contains(problem) => group.name.clone(),

@@ -3,7 +3,7 @@
 use super::runs::Run;
 use crate::effort::Effort;
 use tpg_engine::Sample;
-use tpg_picture::{Section, Table};
+use tpg_picture::{Formulas, Section, Table};
 
 /// Returns the table of a run whose policy was compared with other controllers.
 pub(super) fn section(run: &Run) -> Option<Section> {
@@ -19,15 +19,20 @@ pub(super) fn section(run: &Run) -> Option<Section> {
         row(&rival.name, &rival.scores, rival.effort, mean(&differences))
     });
     let header = ["controller", "return", "saturated steps %", "chatter", "lead of the policy"];
-    let laws = tested.rivals.iter().filter_map(|rival| Some(format!(" {}: {}.", rival.name, rival.law.as_ref()?)));
+    let laws: Vec<_> =
+        tested.rivals.iter().filter_map(|rival| Some((rival.name.clone(), rival.law.clone()?))).collect();
     Some(Section {
         title: format!("{} beside other controllers", run.name),
         text: format!(
             "The same {} test episodes; ± is the 95 % interval. Chatter is the mean change of an output from step to step, as \
-             a share of its range.{}",
-            ours.len(),
-            laws.collect::<String>()
+             a share of its range.",
+            ours.len()
         ),
+        formulas: if laws.is_empty() {
+            Vec::new()
+        } else {
+            vec![Formulas { heading: "Their laws".to_owned(), rows: laws }]
+        },
         tables: vec![Table {
             header: header.map(str::to_owned).to_vec(),
             rows: [row("this policy", &ours, tested.effort, String::new())].into_iter().chain(rivals).collect(),
