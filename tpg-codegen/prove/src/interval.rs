@@ -2,7 +2,7 @@
 //!
 //! Rounding to nearest is monotone, so the rounded results at the ends of intervals bound all results between.
 
-use crate::term::{Arithmetic, Bool, Float, Node, Terms};
+use crate::term::{Arithmetic, Float, Node, Terms};
 use Arithmetic::*;
 use Node::*;
 use std::collections::HashMap;
@@ -58,10 +58,7 @@ impl Intervals {
                 Some(&[low, high]) => Interval { low, high, nan: false },
                 None => ANY,
             },
-            Node::Arithmetic(operation, a, b) => {
-                let same = a == b;
-                combined(operation, self.bounds(terms, a), self.bounds(terms, b), same)
-            }
+            Node::Arithmetic(operation, a, b) => combined(operation, self.bounds(terms, a), self.bounds(terms, b)),
             Negative(a) => {
                 let a = self.bounds(terms, a);
                 Interval { low: -a.high, high: -a.low, nan: a.nan }
@@ -75,8 +72,8 @@ impl Intervals {
                     Interval { low: least, high: low.abs().max(high.abs()), nan }
                 }
             }
-            FloatIf(condition, a, b) => {
-                let (a, b) = (self.where_holds(terms, condition, a), self.where_holds(terms, !condition, b));
+            FloatIf(_, a, b) => {
+                let (a, b) = (self.bounds(terms, a), self.bounds(terms, b));
                 Interval { low: a.low.min(b.low), high: a.high.max(b.high), nan: a.nan || b.nan }
             }
             _ => ANY,
@@ -84,37 +81,9 @@ impl Intervals {
         self.known.insert(term, result);
         result
     }
-
-    /// The bounds of a term where a condition holds.
-    fn where_holds(&mut self, terms: &Terms, condition: Bool, term: Float) -> Interval {
-        let mut bounds = self.bounds(terms, term);
-        let conditions = terms.parts(condition);
-        let term = terms.zero_free(term);
-        let mirrored = terms.negate(term);
-        for condition in conditions {
-            let (AtMost(a, b), negated) = terms.of_bool(condition) else { continue };
-            // (lower, higher, strictly)
-            let (low, high) = if negated { (b, a) } else { (a, b) };
-            let (below, above) = (self.bounds(terms, low), self.bounds(terms, high));
-            // what is above something is a number where that is one, or where it is strictly above
-            let number = negated || !below.nan;
-            if term == high {
-                bounds.nan &= !number;
-                bounds.low = if below.nan { bounds.low } else { bounds.low.max(below.low) };
-            } else if term == low {
-                bounds.high = bounds.high.min(above.high);
-            } else if mirrored == high && number {
-                bounds.nan = false;
-                bounds.high = if below.nan { bounds.high } else { bounds.high.min(-below.low) };
-            } else if mirrored == low {
-                bounds.low = bounds.low.max(-above.high);
-            }
-        }
-        bounds
-    }
 }
 
-fn combined(operation: Arithmetic, a: Interval, b: Interval, same: bool) -> Interval {
+fn combined(operation: Arithmetic, a: Interval, b: Interval) -> Interval {
     let nan = a.nan || b.nan;
     if a.low > a.high || b.low > b.high {
         return Interval { nan, ..NOTHING };
@@ -129,12 +98,6 @@ fn combined(operation: Arithmetic, a: Interval, b: Interval, same: bool) -> Inte
             let (low, high) = (a.low + b.low, a.high + b.high);
             // the lowest sum is only NaN where infinities of both signs meet
             ([low, low, high, high], clash)
-        }
-        Multiply if same => {
-            // a square
-            let (low, high) = (a.low * a.low, a.high * a.high);
-            let least = if zero(a) { 0.0 } else { low.min(high) };
-            ([least, least, low.max(high), low.max(high)], false)
         }
         Multiply => (corners(|x, y| x * y), zero(a) && infinite(b) || zero(b) && infinite(a)),
         Divide if zero(b) || infinite(b) => {
@@ -163,11 +126,7 @@ mod tests {
         let mut intervals = Intervals::new(&[[-2.0, 3.0]]);
         let square = terms.multiply(x, x);
         let bounds = intervals.interval(&terms, square);
-        assert_eq!((bounds.low, bounds.high, bounds.nan), (0.0, 9.0, false));
-        let smaller = terms.minimum(y, one);
-        let bounds = intervals.interval(&terms, smaller);
-        // NaN gives 1
-        assert_eq!((bounds.high, bounds.nan), (1.0, false));
+        assert_eq!((bounds.low, bounds.high, bounds.nan), (-6.0, 9.0, false));
         let larger = terms.maximum(one, y);
         assert!(intervals.interval(&terms, larger).nan, "a NaN that is second is the result");
         let any = terms.add(y, y);

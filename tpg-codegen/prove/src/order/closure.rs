@@ -51,7 +51,6 @@ impl Closure {
         let mirror = |element: Float| places.get(&terms.zero_free(terms.negate(element))).copied();
         let mirrors: Vec<_> = (1..count).filter_map(|at| Some((at, mirror(elements[at])?))).collect();
         for &(a, of_a) in &mirrors {
-            facts.extend(nan_alike(a, of_a));
             for &(b, of_b) in mirrors.iter().filter(|&&(b, _)| a.max(b) >= constants.len()) {
                 for lower in [false, true] {
                     facts.push(((0, a, true), (a, b, lower), (of_b, of_a, lower)));
