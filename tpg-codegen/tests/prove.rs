@@ -64,9 +64,6 @@ fn with<R>(graph: &Meaning, files: &[File], call: &dyn Fn(&Meaning, Reader<'_>) 
     call(graph, &|| c::read_with("policy.c", &source, &text, None, graph.interface()))
 }
 
-/// Not decided: bits of differences of choices, for which a rule is missing.
-const OPEN: [(&str, Profile); 2] = [("widowx-fs", Profile::ConstantTime), ("widowx-rs", Profile::ConstantTime)];
-
 /// With `--nocapture` it prints the table of times.
 #[test]
 fn shipped_policies_are_proven_in_every_profile() {
@@ -74,10 +71,6 @@ fn shipped_policies_are_proven_in_every_profile() {
         let text = shipped(name);
         let mut times = Vec::new();
         for profile in Profile::ALL {
-            if OPEN.contains(&(name, profile)) {
-                times.push("not decided".to_owned());
-                continue;
-            }
             let files = c_of(&text, profile);
             let start = Instant::now();
             let proof = proof_of(&text, &files, Effort::default());

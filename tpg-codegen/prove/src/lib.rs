@@ -9,7 +9,6 @@ pub mod elf;
 pub mod execute;
 pub mod graph;
 pub mod input;
-pub mod interval;
 pub mod machine;
 mod maths;
 pub mod order;

@@ -6,7 +6,6 @@
 use crate::graph::meaning::Meaning;
 use crate::graph::{Destination, Graph, circle};
 use crate::input::{Missing, Result};
-use crate::interval::Intervals;
 use crate::machine::{Answer, Machine, Point, Step, Ways};
 use crate::order::together;
 use crate::term::evaluate::Evaluator;
@@ -57,7 +56,8 @@ pub struct Comparison<'a, M: Machine> {
     graph: &'a Graph,
     meaning: Meaning<'a>,
     machine: &'a mut M,
-    intervals: Intervals,
+    /// Holds in every state of which something is claimed
+    claimed: Bool,
     effort: Effort,
     evaluator: Evaluator,
     /// What was done
@@ -66,15 +66,25 @@ pub struct Comparison<'a, M: Machine> {
     combined: HashMap<(Bool, [Vec<Bool>; 2]), Combined>,
 }
 
+/// The condition that the values of the state are in ranges.
+pub(crate) fn in_ranges(terms: &Terms, ranges: &[[f32; 2]]) -> Bool {
+    let inside = (0..).zip(ranges).flat_map(|(index, range)| {
+        let (value, [low, high]) = (terms.source(index), range.map(|end| terms.constant(end)));
+        [terms.less_or_equal(low, value), terms.less_or_equal(value, high)]
+    });
+    terms.all(inside.collect::<Vec<_>>())
+}
+
 impl<'a, M: Machine> Comparison<'a, M> {
     /// A comparison in an empty table, for all states or for those in ranges.
     pub fn new(graph: &'a Graph, machine: &'a mut M, terms: Terms, ranges: &[[f32; 2]], effort: Effort) -> Self {
+        let claimed = in_ranges(&terms, ranges);
         Self {
             terms,
             graph,
             meaning: Meaning::new(graph),
             machine,
-            intervals: Intervals::new(ranges),
+            claimed,
             effort,
             evaluator: Evaluator::default(),
             work: Work::default(),
@@ -97,7 +107,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
 
     fn walk(&mut self, forgetful: bool) -> Result<()> {
         let start = Step::To(self.machine.entry(&self.terms)?);
-        let mut pairs = vec![(start, self.graph.start(), Terms::TRUE)];
+        let mut pairs = vec![(start, self.graph.start(), self.claimed)];
         let mut numbers = HashMap::from([(pairs[0].clone(), 0)]);
         // Of each pair those that come after it.
         let mut after: Vec<Vec<usize>> = Vec::new();
@@ -187,7 +197,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
                     (end.clone(), to, self.terms.and(held, won))
                 }));
             } else if targets.len() == 1 && !graph_is_done {
-                let held = if forgetful { Terms::TRUE } else { held };
+                let held = if forgetful { self.claimed } else { held };
                 next.extend(targets.into_keys().map(|to| (end.clone(), to, held)));
             } else {
                 // the code has decided something, but not yet what the graph decides here
@@ -210,7 +220,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
             return Ok(known.clone());
         }
         let left = self.effort.cases.saturating_sub(self.work.cases);
-        let found = together(&self.terms, &mut self.intervals, assumed, sides, left).ok();
+        let found = together(&self.terms, assumed, sides, left).ok();
         self.work.cases += found.as_ref().map_or(left, |found| found.cases);
         match found {
             Some(found) if !found.incomplete => {

@@ -3,10 +3,9 @@
 use crate::graph::Graph;
 use crate::graph::meaning::Meaning;
 use crate::input::{Missing, Result};
-use crate::interval::Intervals;
 use crate::machine::Machine;
 use crate::order::together;
-use crate::product::{Comparison, Effort, Work};
+use crate::product::{Comparison, Effort, Work, in_ranges};
 use crate::states::Stream;
 use crate::term::Terms;
 use Verdict::*;
@@ -97,11 +96,12 @@ pub fn prove<M: Machine>(graph: &Graph, read: &dyn Fn() -> Result<M>, assume_ran
 
 /// Tests whether every answer is proven to be a number in its range.
 fn in_range(graph: &Graph, ranges: &[[f32; 2]], effort: Effort) -> bool {
-    let (terms, mut intervals, mut meaning) = (Terms::new(), Intervals::new(ranges), Meaning::new(graph));
+    let (terms, mut meaning) = (Terms::new(), Meaning::new(graph));
+    let claimed = in_ranges(&terms, ranges);
     let all = (0..graph.leaves()).all(|leaf| {
         let Ok(inside) = meaning.in_range(&terms, leaf) else { return false };
         let sides = [&[inside, !inside][..], &[Terms::TRUE]];
-        let found = together(&terms, &mut intervals, Terms::TRUE, sides, effort.cases);
+        let found = together(&terms, claimed, sides, effort.cases);
         found.is_ok_and(|found| !found.incomplete && !found.pairs.contains(&(1, 0)))
     });
     all && terms.complete(String::new).is_ok()

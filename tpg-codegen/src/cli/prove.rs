@@ -30,7 +30,7 @@ pub(super) struct ProveArgs {
     /// A file of C with the policy's function
     #[arg(long, value_name = "C", conflicts_with = "object")]
     source: Option<PathBuf>,
-    /// An object or ELF file for a Cortex-M with single-precision floating point
+    /// An object for a Cortex-M with single-precision floating point
     #[arg(long, value_name = "O", requires = "symbol")]
     object: Option<PathBuf>,
     /// The name of the function [default in C: the one that ends in _infer]

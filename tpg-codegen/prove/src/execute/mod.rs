@@ -32,7 +32,7 @@ pub enum Region {
     Outputs,
     /// The stack below the place where the function began
     Stack,
-    /// A section of the image; offsets from it are addresses as the file counts
+    /// A section of the image
     Section(usize),
     /// The code behind a call
     Behind(Address),
@@ -101,11 +101,6 @@ impl Object {
     /// The region of an address, and the bytes from its base on.
     fn located(&self, terms: &Terms, address: TermWord) -> Option<(Region, u32)> {
         let (base, offset) = match terms.of_word(address) {
-            // in a linked image
-            Term::Number(number) => {
-                let place = self.image.locate(number as u32)?;
-                return Some((Region::Section(place.section), place.offset));
-            }
             Term::Apply(Operator::Add, Width::W32, base, offset) => (base, terms.number_of(offset)?),
             _ => (address, 0),
         };

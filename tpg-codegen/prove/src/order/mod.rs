@@ -6,7 +6,6 @@
 
 mod closure;
 
-use crate::interval::Intervals;
 use crate::term::{Bool, Float, INFINITY, NAN, NEGATIVE_ZERO, Node::*, Terms, is_nan_bits, next_above, rank};
 use OrderValue::*;
 use closure::Closure;
@@ -46,16 +45,10 @@ pub struct TooMany;
 ///
 /// # Errors
 /// More cases than allowed.
-pub fn together(
-    terms: &Terms,
-    intervals: &mut Intervals,
-    assumption: Bool,
-    [left, right]: [&[Bool]; 2],
-    limit: u64,
-) -> Result<Together, TooMany> {
+pub fn together(terms: &Terms, assumption: Bool, [left, right]: [&[Bool]; 2], limit: u64) -> Result<Together, TooMany> {
     let roots: Vec<_> = left.iter().chain(right).copied().chain([assumption]).collect();
     let elements = elements(terms, &roots);
-    let closure = Closure::new(terms, intervals, &elements);
+    let closure = Closure::new(terms, &elements);
     let places = elements.iter().enumerate().map(|(place, &element)| (element, place)).collect();
     let count = terms.count();
     let mut search = OrderSearch {
@@ -247,13 +240,12 @@ impl OrderSearch<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Intervals, together};
+    use super::together;
     use crate::term::{Bool, Float, Terms};
 
     fn holds(terms: &Terms, condition: Bool) -> bool {
         let (left, right) = ([condition, !condition], [Terms::TRUE]);
-        let mut intervals = Intervals::new(&[]);
-        let found = together(terms, &mut intervals, Terms::TRUE, [&left, &right], 1 << 16).expect("few cases");
+        let found = together(terms, Terms::TRUE, [&left, &right], 1 << 16).expect("few cases");
         !found.pairs.contains(&(1, 0))
     }
 
@@ -298,8 +290,7 @@ mod tests {
         let bids: Vec<_> = (0..7).map(|index| terms.source(index)).collect();
         let code = winners(&terms, &bids, None);
         let graph: Vec<_> = (0..7).map(|at| meaning(&terms, &bids, at)).collect();
-        let mut intervals = Intervals::new(&[]);
-        let found = together(&terms, &mut intervals, Terms::TRUE, [&code, &graph], 1 << 20).expect("few cases");
+        let found = together(&terms, Terms::TRUE, [&code, &graph], 1 << 20).expect("few cases");
         assert_eq!(found.pairs, (0..7).map(|at| (at, at)).collect());
     }
 
@@ -309,8 +300,7 @@ mod tests {
         let bids: Vec<_> = (0..4).map(|index| terms.source(index)).collect();
         let code = winners(&terms, &bids, Some(2));
         let graph: Vec<_> = (0..4).map(|at| meaning(&terms, &bids, at)).collect();
-        let mut intervals = Intervals::new(&[]);
-        let found = together(&terms, &mut intervals, Terms::TRUE, [&code, &graph], 1 << 20).expect("few cases");
+        let found = together(&terms, Terms::TRUE, [&code, &graph], 1 << 20).expect("few cases");
         assert!(found.pairs.contains(&(0, 2)) || found.pairs.contains(&(1, 2)), "{:?}", found.pairs);
     }
 
