@@ -59,7 +59,7 @@ struct ElfSection {
 
 /// An object.
 #[derive(Clone, Debug)]
-pub struct Image {
+pub(crate) struct Image {
     sections: Vec<ElfSection>,
     relocations: BTreeMap<Address, Relocation>,
     functions: BTreeMap<String, Vec<Option<Function>>>,
@@ -70,7 +70,7 @@ impl Image {
     ///
     /// # Errors
     /// If it is not a little-endian ELF file for ARM.
-    pub fn read(file: &[u8]) -> Result<Self, String> {
+    pub(crate) fn read(file: &[u8]) -> Result<Self, String> {
         let format = |error: &dyn std::fmt::Display| format!("not an ELF object for ARM, little-endian: {error}");
         let file = object::File::parse(file).map_err(|error| format(&error))?;
         let found = (file.format(), file.architecture(), file.is_little_endian());

@@ -220,7 +220,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
             return Ok(known.clone());
         }
         let left = self.effort.cases.saturating_sub(self.work.cases);
-        let found = together(&self.terms, assumed, sides, left).ok();
+        let found = together(&self.terms, assumed, sides, left);
         self.work.cases += found.as_ref().map_or(left, |found| found.cases);
         match found {
             Some(found) if !found.incomplete => {

@@ -102,7 +102,7 @@ fn in_range(graph: &Graph, ranges: &[[f32; 2]], effort: Effort) -> bool {
         let Ok(inside) = meaning.in_range(&terms, leaf) else { return false };
         let sides = [&[inside, !inside][..], &[Terms::TRUE]];
         let found = together(&terms, claimed, sides, effort.cases);
-        found.is_ok_and(|found| !found.incomplete && !found.pairs.contains(&(1, 0)))
+        found.is_some_and(|found| !found.incomplete && !found.pairs.contains(&(1, 0)))
     });
     all && terms.complete(String::new).is_ok()
 }
