@@ -133,12 +133,11 @@ fn replayed<M: Machine>(graph: &Graph, state: &[u32], read: &dyn Fn() -> Result<
     let mut comparison = Comparison::new(graph, &mut machine, Terms::for_state(state), &[], Effort::default());
     let [expected, found] = comparison.answers_for(state).ok()?;
     let state = state.iter().map(|&bits| f32::from_bits(bits)).collect();
-    (expected != found).then(|| Difference { state, expected, found })
+    (expected != found).then_some(Difference { state, expected, found })
 }
 
 /// The SHA-256 of a file's bytes.
-#[must_use]
-pub fn sha256(bytes: &[u8]) -> String {
+fn sha256(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 

@@ -24,8 +24,7 @@ impl Compiler<'_> {
     /// Reads what stands before declarators: a type of one word, and the last word of storage.
     fn specifiers(&mut self) -> Result<(Type, String)> {
         let (mut ty, mut storage) = (None, String::new());
-        loop {
-            let Name(word) = self.peek().clone() else { break };
+        while let Name(word) = self.peek().clone() {
             if word == "struct" {
                 self.next();
                 ty = Some(self.structure()?);
@@ -184,7 +183,10 @@ impl Compiler<'_> {
         if has_value {
             self.parts(&ty, 0, &mut parts)?;
         }
-        if let Array(_, count @ 0) = &mut ty {
+        if let Array(item, count @ 0) = &mut ty {
+            if self.cells(item) != 1 {
+                return self.refuse("a length");
+            }
             *count = parts.len() as u32;
         }
         if is_static {
