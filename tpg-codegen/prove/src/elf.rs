@@ -1,4 +1,4 @@
-//! Reader of ARM objects and linked images: functions, constant data, and what the linker would insert.
+//! Reader of ARM objects: functions, constant data, and what the linker would insert.
 
 use object::read::{Object as _, ObjectSection as _, ObjectSymbol as _};
 use object::{RelocationFlags, RelocationTarget, SectionFlags, SectionIndex, elf};
@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, HashMap};
 pub struct Address {
     /// Number of the section.
     pub(crate) section: usize,
-    /// The address as the file counts: in an object from the section's start.
+    /// Bytes from the section's start.
     pub(crate) offset: u32,
 }
 
@@ -53,18 +53,16 @@ pub(crate) struct Function {
 
 #[derive(Clone, Debug)]
 struct ElfSection {
-    start: u32,
     bytes: Vec<u8>,
     constant: bool,
 }
 
-/// An object or linked image.
+/// An object.
 #[derive(Clone, Debug)]
-pub struct Image {
+pub(crate) struct Image {
     sections: Vec<ElfSection>,
     relocations: BTreeMap<Address, Relocation>,
     functions: BTreeMap<String, Vec<Option<Function>>>,
-    linked: bool,
 }
 
 impl Image {
@@ -72,15 +70,17 @@ impl Image {
     ///
     /// # Errors
     /// If it is not a little-endian ELF file for ARM.
-    pub fn read(file: &[u8]) -> Result<Self, String> {
+    pub(crate) fn read(file: &[u8]) -> Result<Self, String> {
         let format = |error: &dyn std::fmt::Display| format!("not an ELF object for ARM, little-endian: {error}");
         let file = object::File::parse(file).map_err(|error| format(&error))?;
         let found = (file.format(), file.architecture(), file.is_little_endian());
         if found != (object::BinaryFormat::Elf, object::Architecture::Arm, true) {
             return Err(format(&format_args!("found {:?}, {:?}", found.0, found.1)));
         }
-        let linked = file.kind() != object::ObjectKind::Relocatable;
-        let mut image = Self { sections: Vec::new(), relocations: BTreeMap::new(), functions: BTreeMap::new(), linked };
+        if file.kind() != object::ObjectKind::Relocatable {
+            return Err(format(&"found a linked image"));
+        }
+        let mut image = Self { sections: Vec::new(), relocations: BTreeMap::new(), functions: BTreeMap::new() };
         let mut numbers: HashMap<SectionIndex, usize> = HashMap::new();
         for section in file.sections() {
             let SectionFlags::Elf { sh_flags, .. } = section.flags() else { continue };
@@ -88,16 +88,12 @@ impl Image {
                 continue;
             }
             let bytes = section.data().map_err(|error| format(&error))?.to_vec();
-            let start = if linked { section.address() } else { 0 };
-            let start = u32::try_from(start).map_err(|error| format(&error))?;
             let constant = !sh_flags.contains(elf::SHF_WRITE);
             numbers.insert(section.index(), image.sections.len());
-            image.sections.push(ElfSection { start, bytes, constant });
+            image.sections.push(ElfSection { bytes, constant });
         }
         image.find_functions(&file, &numbers);
-        if !linked {
-            image.find_relocations(&file, &numbers)?;
-        }
+        image.find_relocations(&file, &numbers)?;
         Ok(image)
     }
 
@@ -214,7 +210,7 @@ impl Image {
     /// Returns bytes that never change: of a section that is not writable.
     pub(crate) fn constant(&self, address: Address, count: u32) -> Option<&[u8]> {
         let section = self.sections.get(address.section).filter(|section| section.constant)?;
-        let start = address.offset.checked_sub(section.start)? as usize;
+        let start = address.offset as usize;
         section.bytes.get(start..start.checked_add(count as usize)?)
     }
 
@@ -231,11 +227,10 @@ impl Image {
 
     /// Returns the address in a constant word.
     pub(crate) fn pointer(&self, address: Address) -> Option<Address> {
-        let number = self.number(address, 4)?;
-        match self.relocations.get(&address) {
-            Some(Relocation { part: Part::Word, target }) => target.clone().ok(),
-            Some(_) => None,
-            None => self.locate(number),
+        self.constant(address, 4)?;
+        match self.relocations.get(&address)? {
+            Relocation { part: Part::Word, target } => target.clone().ok(),
+            _ => None,
         }
     }
 
@@ -244,12 +239,5 @@ impl Image {
         let from = Address { offset: address.offset.saturating_sub(3), ..address };
         let to = Address { offset: address.offset.saturating_add(count), ..address };
         self.relocations.range(from..to).next().is_some()
-    }
-
-    /// Returns the place of an address in the memory of a linked image.
-    pub(crate) fn locate(&self, absolute: u32) -> Option<Address> {
-        let inside = |section: &ElfSection| (absolute.wrapping_sub(section.start) as usize) < section.bytes.len();
-        let section = self.sections.iter().position(inside).filter(|_| self.linked)?;
-        Some(Address { section, offset: absolute })
     }
 }

@@ -1,24 +1,10 @@
-//! Faults of input, and what a proof lacks.
+//! What a proof lacks.
 
-/// A fault of a file.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{file}: {place}: found {found}, expected {accepted}")]
-pub struct InputError {
-    /// The file
-    pub file: String,
-    /// A place in it
-    pub place: String,
-    /// What was found there
-    pub found: String,
-    /// What is accepted
-    pub accepted: String,
-}
-
-/// Something that a proof lacks: a construct that is not read, or a fact that no rule gives. Nothing is claimed then.
+/// Something that a proof lacks: a construct that is not read, a fault of a file, or a fact that no rule gives. Nothing is claimed then.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{place}: {what}")]
 pub struct Missing {
-    /// A line of the source, an address, or a team
+    /// A line or a part of a file, an address, or a team
     pub place: String,
     /// What is missing
     pub what: String,

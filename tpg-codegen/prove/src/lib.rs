@@ -5,14 +5,13 @@
 //! [terms](term): what is one node is equal, and what is left is decided over the order of the numbers that are compared.
 
 pub mod c;
-pub mod elf;
+mod elf;
 pub mod execute;
 pub mod graph;
 pub mod input;
-pub mod interval;
 pub mod machine;
 mod maths;
-pub mod order;
+mod order;
 pub mod product;
 pub mod proof;
 mod states;

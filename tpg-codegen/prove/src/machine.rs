@@ -29,7 +29,7 @@ impl Interface {
 }
 
 /// An answer of a policy.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Answer {
     /// The number of an action
     Action(Word),
@@ -38,7 +38,7 @@ pub enum Answer {
 }
 
 /// A step to the next point, or the end.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Step<Point> {
     /// Execution goes on there
     To(Point),
@@ -86,15 +86,6 @@ impl Value {
             _ => Self::Word(terms.choose_word(condition, a.bits(terms)?, b.bits(terms)?)),
         })
     }
-
-    /// The value where facts hold: choices that they decide are made.
-    pub(crate) fn given(self, terms: &Terms, facts: &[Bool]) -> Self {
-        match self {
-            Self::Float(float) => Self::Float(terms.given_float(float, facts)),
-            Self::Word(word) => Self::Word(terms.given_word(word, facts)),
-            Self::Truth(word) => Self::Truth(terms.given_word(word, facts)),
-        }
-    }
 }
 
 /// The contents of cells; those that are missing are unknown.
@@ -134,15 +125,10 @@ impl<Cell: Copy + Ord> State<Cell> {
         (guard != Terms::FALSE).then(|| Self { guard, ..self.clone() })
     }
 
-    /// One state of two. Their conditions exclude each other: what both ask for decides nothing.
+    /// One state of two whose conditions exclude each other.
     fn met(&self, terms: &Terms, other: &Self) -> Self {
-        let (first, second) = (terms.parts(self.guard), terms.parts(other.guard));
-        let (shared, own): (Vec<_>, Vec<_>) = first.into_iter().partition(|part| second.contains(part));
-        let rest: Vec<_> = second.into_iter().filter(|part| !shared.contains(part)).collect();
-        let opposite = own.iter().copied().find(|&part| rest.contains(&!part));
-        let (only, rest) = (terms.all(own), terms.all(rest));
-        let guard = terms.all(shared.into_iter().chain([terms.or(only, rest)]));
-        let cells = merged(terms, opposite.unwrap_or(only), &self.cells, &other.cells);
+        let guard = terms.or(self.guard, other.guard);
+        let cells = merged(terms, self.guard, &self.cells, &other.cells);
         let differs = |(cell, value): (&Cell, &Value)| {
             let differs = other.cells.get(cell).is_some_and(|other| other != value);
             (differs && matches!(value, Value::Float(_))).then_some(*cell)

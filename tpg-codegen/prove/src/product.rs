@@ -6,14 +6,12 @@
 use crate::graph::meaning::Meaning;
 use crate::graph::{Destination, Graph, circle};
 use crate::input::{Missing, Result};
-use crate::interval::Intervals;
-use crate::machine::{Answer, Machine, Point, Step};
+use crate::machine::{Answer, Machine, Point, Step, Ways};
 use crate::order::together;
 use crate::term::evaluate::Evaluator;
-use crate::term::{Bool, Float, Terms, Word};
+use crate::term::{Bool, Float, Terms};
 use Destination::*;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
-use std::fmt;
 
 /// A bound on the work of a proof.
 #[derive(Clone, Copy, Debug)]
@@ -41,23 +39,14 @@ pub struct Work {
     pub pieces: u64,
 }
 
-/// Where the code is.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-enum ProductSide<Point> {
-    At(Point),
-    /// It returns this action
-    Action(Word),
-    Values(Vec<Float>),
-}
-
 /// The sides that follow from a point, each with its condition.
-type Pieces<Point> = HashMap<Point, Vec<(Bool, ProductSide<Point>)>>;
+type Pieces<Point> = HashMap<Point, Ways<Point>>;
 
 /// Conditions of both sides that can hold together, by their places.
 type Combined = BTreeSet<(usize, usize)>;
 
 /// Pairs of a side and a place of the graph, each with its condition.
-type Pairs<Point> = Vec<(ProductSide<Point>, Destination, Bool)>;
+type Pairs<Point> = Vec<(Step<Point>, Destination, Bool)>;
 
 /// Compares code with a graph.
 #[derive(Debug)]
@@ -67,7 +56,8 @@ pub struct Comparison<'a, M: Machine> {
     graph: &'a Graph,
     meaning: Meaning<'a>,
     machine: &'a mut M,
-    intervals: Intervals,
+    /// Holds in every state of which something is claimed
+    claimed: Bool,
     effort: Effort,
     evaluator: Evaluator,
     /// What was done
@@ -76,38 +66,25 @@ pub struct Comparison<'a, M: Machine> {
     combined: HashMap<(Bool, [Vec<Bool>; 2]), Combined>,
 }
 
-/// An answer in one state.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Concrete {
-    /// The number of an action
-    Action(u64),
-    /// The bits of each value
-    Values(Vec<u32>),
+/// The condition that the values of the state are in ranges.
+pub(crate) fn in_ranges(terms: &Terms, ranges: &[[f32; 2]]) -> Bool {
+    let inside = (0..).zip(ranges).flat_map(|(index, range)| {
+        let (value, [low, high]) = (terms.source(index), range.map(|end| terms.constant(end)));
+        [terms.less_or_equal(low, value), terms.less_or_equal(value, high)]
+    });
+    terms.all(inside.collect::<Vec<_>>())
 }
-
-impl fmt::Display for Concrete {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Action(action) => write!(f, "action {action}"),
-            Self::Values(values) => {
-                let values: Vec<_> = values.iter().map(|&bits| f32::from_bits(bits)).collect();
-                write!(f, "{values:?}")
-            }
-        }
-    }
-}
-
-type Ends<Point> = Vec<(Bool, ProductSide<Point>)>;
 
 impl<'a, M: Machine> Comparison<'a, M> {
     /// A comparison in an empty table, for all states or for those in ranges.
     pub fn new(graph: &'a Graph, machine: &'a mut M, terms: Terms, ranges: &[[f32; 2]], effort: Effort) -> Self {
+        let claimed = in_ranges(&terms, ranges);
         Self {
             terms,
             graph,
             meaning: Meaning::new(graph),
             machine,
-            intervals: Intervals::new(ranges),
+            claimed,
             effort,
             evaluator: Evaluator::default(),
             work: Work::default(),
@@ -129,8 +106,8 @@ impl<'a, M: Machine> Comparison<'a, M> {
     }
 
     fn walk(&mut self, forgetful: bool) -> Result<()> {
-        let start = ProductSide::At(self.machine.entry(&self.terms)?);
-        let mut pairs = vec![(start, self.graph.start(), Terms::TRUE)];
+        let start = Step::To(self.machine.entry(&self.terms)?);
+        let mut pairs = vec![(start, self.graph.start(), self.claimed)];
         let mut numbers = HashMap::from([(pairs[0].clone(), 0)]);
         // Of each pair those that come after it.
         let mut after: Vec<Vec<usize>> = Vec::new();
@@ -163,10 +140,10 @@ impl<'a, M: Machine> Comparison<'a, M> {
         }
     }
 
-    fn name(&self, side: &ProductSide<Point<M::Cell>>, place: Destination) -> String {
+    fn name(&self, side: &Step<Point<M::Cell>>, place: Destination) -> String {
         let code = match side {
-            ProductSide::At(point) => self.machine.place(point.at),
-            ProductSide::Action(_) | ProductSide::Values(_) => "the answer".to_owned(),
+            Step::To(point) => self.machine.place(point.at),
+            Step::Return(_) => "the answer".to_owned(),
         };
         format!("{code} and {}", self.graph.name(place))
     }
@@ -174,7 +151,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     /// The pairs after a pair.
     fn follow(
         &mut self,
-        side: ProductSide<Point<M::Cell>>,
+        side: Step<Point<M::Cell>>,
         place: Destination,
         assumed: Bool,
         forgetful: bool,
@@ -220,7 +197,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
                     (end.clone(), to, self.terms.and(held, won))
                 }));
             } else if targets.len() == 1 && !graph_is_done {
-                let held = if forgetful { Terms::TRUE } else { held };
+                let held = if forgetful { self.claimed } else { held };
                 next.extend(targets.into_keys().map(|to| (end.clone(), to, held)));
             } else {
                 // the code has decided something, but not yet what the graph decides here
@@ -233,7 +210,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     /// Finds which conditions of both sides can hold together, within the work that is left.
     fn together(
         &mut self,
-        (side, place): (&ProductSide<Point<M::Cell>>, Destination),
+        (side, place): (&Step<Point<M::Cell>>, Destination),
         assumed: Bool,
         sides: [&[Bool]; 2],
     ) -> Result<Combined> {
@@ -243,7 +220,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
             return Ok(known.clone());
         }
         let left = self.effort.cases.saturating_sub(self.work.cases);
-        let found = together(&self.terms, &mut self.intervals, assumed, sides, left).ok();
+        let found = together(&self.terms, assumed, sides, left);
         self.work.cases += found.as_ref().map_or(left, |found| found.cases);
         match found {
             Some(found) if !found.incomplete => {
@@ -259,15 +236,15 @@ impl<'a, M: Machine> Comparison<'a, M> {
     }
 
     /// Compares answers. They are compared where the assumption can hold, which was found before.
-    fn answers(&mut self, side: &ProductSide<Point<M::Cell>>, place: Destination, assumed: Bool) -> Result<()> {
+    fn answers(&mut self, side: &Step<Point<M::Cell>>, place: Destination, assumed: Bool) -> Result<()> {
         let different = |what: String| Missing::new(what, "a proof that the answers are equal");
         match (side, place) {
-            (ProductSide::Action(word), Destination::Action(action))
+            (Step::Return(Answer::Action(word)), Action(action))
                 if self.terms.number_of(*word) == Some(u64::from(action)) =>
             {
                 Ok(())
             }
-            (ProductSide::Values(values), Leaf(leaf)) => {
+            (Step::Return(Answer::Values(values)), Leaf(leaf)) => {
                 let expected = self.meaning.values(&self.terms, leaf)?;
                 self.terms.complete(|| self.graph.name(place))?;
                 if values.len() != expected.len() {
@@ -290,7 +267,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         a: Float,
         b: Float,
         assumed: Bool,
-        (side, place): (&ProductSide<Point<M::Cell>>, Destination),
+        (side, place): (&Step<Point<M::Cell>>, Destination),
     ) -> Result<bool> {
         if a == b {
             return Ok(true);
@@ -303,65 +280,55 @@ impl<'a, M: Machine> Comparison<'a, M> {
     }
 
     /// Where the code can go on from a side; none where it has answered.
-    fn ends(&mut self, side: &ProductSide<Point<M::Cell>>) -> Result<Option<Ends<Point<M::Cell>>>> {
-        match side {
-            ProductSide::Values(_) => Ok(None),
-            ProductSide::Action(word) if self.terms.number_of(*word).is_some() => Ok(None),
-            ProductSide::Action(word) => {
-                let cases = self.terms.one_choice(*word);
-                Ok(Some(cases.into_iter().map(|(held, word)| (held, ProductSide::Action(word))).collect()))
+    fn ends(&mut self, side: &Step<Point<M::Cell>>) -> Result<Option<Ways<Point<M::Cell>>>> {
+        let point = match side {
+            Step::To(point) => point,
+            Step::Return(Answer::Action(word)) if self.terms.number_of(*word).is_none() => {
+                let cases = self.terms.one_choice(*word).into_iter();
+                return Ok(Some(cases.map(|(held, word)| (held, Step::Return(Answer::Action(word)))).collect()));
             }
-            ProductSide::At(point) => {
-                if let Some(known) = self.pieces.get(point) {
-                    return Ok(Some(known.clone()));
-                }
-                self.work.pieces += 1;
-                let ends = self.machine.run(&self.terms, point)?;
-                self.terms.complete(|| self.machine.place(point.at))?;
-                let mut sides: Ends<Point<M::Cell>> = Vec::new();
-                for (condition, step) in ends {
-                    if condition == Terms::FALSE {
-                        continue;
-                    }
-                    let side = match step {
-                        Step::To(point) => ProductSide::At(point),
-                        Step::Return(Answer::Values(values)) => ProductSide::Values(values),
-                        Step::Return(Answer::Action(word)) => ProductSide::Action(word),
-                    };
-                    match sides.iter_mut().find(|(_, other)| *other == side) {
-                        Some((known, _)) => *known = self.terms.or(*known, condition),
-                        None => sides.push((condition, side)),
-                    }
-                }
-                self.pieces.insert(point.clone(), sides.clone());
-                Ok(Some(sides))
+            Step::Return(_) => return Ok(None),
+        };
+        if let Some(known) = self.pieces.get(point) {
+            return Ok(Some(known.clone()));
+        }
+        self.work.pieces += 1;
+        let ways = self.machine.run(&self.terms, point)?;
+        self.terms.complete(|| self.machine.place(point.at))?;
+        let mut sides: Ways<Point<M::Cell>> = Vec::new();
+        for (condition, side) in ways.into_iter().filter(|(condition, _)| *condition != Terms::FALSE) {
+            match sides.iter_mut().find(|(_, other)| *other == side) {
+                Some((known, _)) => *known = self.terms.or(*known, condition),
+                None => sides.push((condition, side)),
             }
         }
+        self.pieces.insert(point.clone(), sides.clone());
+        Ok(Some(sides))
     }
 
-    /// The answers of the graph and of the code in one state.
+    /// The answers of the graph and of the code in one state, for people; they differ where the answers do.
     ///
     /// # Errors
     /// The part that cannot be executed.
-    pub fn answers_for(&mut self, state: &[u32]) -> Result<(Concrete, Concrete)> {
+    pub(crate) fn answers_for(&mut self, state: &[u32]) -> Result<[String; 2]> {
         self.evaluator.set(state);
         let mut place = self.graph.start();
-        while let Team(team) = place {
+        let expected = loop {
+            let team = match place {
+                Team(team) => team,
+                Leaf(leaf) => break Answer::Values(self.meaning.values(&self.terms, leaf)?),
+                Action(action) => break Answer::Action(self.terms.number(action.into())),
+            };
             let winners = self.meaning.winners(&self.terms, team)?;
             let won = winners.iter().find(|(condition, _)| self.evaluator.truth(&self.terms, *condition));
             place = won.ok_or_else(|| Missing::new(self.graph.name(place), "a winner"))?.1;
-        }
-        let expected = match place {
-            Leaf(leaf) => {
-                let values = self.meaning.values(&self.terms, leaf)?;
-                self.numbers(&values)
-            }
-            Destination::Action(action) => Concrete::Action(u64::from(action)),
-            Team(_) => return Err(Missing::new(self.graph.name(place), "an answer")),
         };
-        let mut side = ProductSide::At(self.machine.entry(&self.terms)?);
+        let mut side = Step::To(self.machine.entry(&self.terms)?);
         let mut steps = 0;
-        while let ProductSide::At(_) = side {
+        let found = loop {
+            if let Step::Return(answer) = side {
+                break answer;
+            }
             steps += 1;
             if steps > self.effort.pairs {
                 return Err(Missing::new(self.name(&side, place), "code that ends soon"));
@@ -369,37 +336,18 @@ impl<'a, M: Machine> Comparison<'a, M> {
             let ends = self.ends(&side)?.unwrap_or_default();
             let taken = ends.into_iter().find(|(condition, _)| self.evaluator.truth(&self.terms, *condition));
             side = taken.ok_or_else(|| Missing::new(self.name(&side, place), "a way on in every state"))?.1;
-        }
-        let found = match side {
-            ProductSide::Action(word) => Concrete::Action(self.evaluator.word(&self.terms, word)),
-            ProductSide::Values(values) => self.numbers(&values),
-            ProductSide::At(_) => return Err(Missing::new("the code", "an answer")),
         };
+        let answers = [expected, found].map(|answer| match answer {
+            Answer::Action(word) => format!("action {}", self.evaluator.word(&self.terms, word)),
+            Answer::Values(values) => {
+                let bits = values.into_iter().map(|value| self.evaluator.bits(&self.terms, value));
+                format!("{:?}", bits.map(f32::from_bits).collect::<Vec<_>>())
+            }
+        });
         self.terms.complete(|| "the code".to_owned())?;
         if self.evaluator.has_guessed() {
             return Err(Missing::new("the code", "all values that the answer depends on"));
         }
-        Ok((expected, found))
-    }
-
-    fn numbers(&mut self, values: &[Float]) -> Concrete {
-        Concrete::Values(values.iter().map(|&value| self.evaluator.bits(&self.terms, value)).collect())
-    }
-
-    /// Proves that every answer is in its range, for every state.
-    ///
-    /// # Errors
-    /// A leaf for which that is not proven.
-    pub fn ranges(&mut self) -> Result<()> {
-        for leaf in 0..self.graph.leaves() {
-            let inside = self.meaning.in_range(&self.terms, leaf)?;
-            self.terms.complete(|| self.graph.name(Leaf(leaf)))?;
-            let sides = [&[inside, !inside][..], &[Terms::TRUE]];
-            let pairs = self.together((&ProductSide::Values(Vec::new()), Leaf(leaf)), Terms::TRUE, sides)?;
-            if pairs.contains(&(1, 0)) {
-                return Err(Missing::new(self.graph.name(Leaf(leaf)), "a proof that its values are in range"));
-            }
-        }
-        Ok(())
+        Ok(answers)
     }
 }

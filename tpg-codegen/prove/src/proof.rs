@@ -1,9 +1,11 @@
 //! Three answers: proven for all inputs, different in a state, or not decided.
 
 use crate::graph::Graph;
+use crate::graph::meaning::Meaning;
 use crate::input::{Missing, Result};
 use crate::machine::Machine;
-use crate::product::{Comparison, Effort, Work};
+use crate::order::together;
+use crate::product::{Comparison, Effort, Work, in_ranges};
 use crate::states::Stream;
 use crate::term::Terms;
 use Verdict::*;
@@ -70,31 +72,39 @@ impl fmt::Display for Proof {
 }
 
 /// Compares code with a graph. The code is read anew for each attempt.
-///
-/// # Errors
-/// Code that cannot be read.
-pub fn prove<M: Machine>(
-    graph: &Graph,
-    read: &dyn Fn() -> Result<M>,
-    assume_ranges: bool,
-    effort: Effort,
-) -> Result<Proof> {
+pub fn prove<M: Machine>(graph: &Graph, read: &dyn Fn() -> Result<M>, assume_ranges: bool, effort: Effort) -> Proof {
     let ranges = if assume_ranges { graph.ranges() } else { &[] };
-    let mut machine = read()?;
+    let in_range = (graph.leaves() > 0).then(|| in_range(graph, ranges, effort));
+    let (work, lemmas) = (Work::default(), BTreeMap::new());
+    let mut machine = match read() {
+        Ok(machine) => machine,
+        Err(missing) => {
+            return Proof { verdict: Undecided(missing), work, lemmas, in_range, assumed_ranges: assume_ranges };
+        }
+    };
     let mut comparison = Comparison::new(graph, &mut machine, Terms::new(), ranges, effort);
     let verdict = match comparison.prove() {
         Ok(()) => Proven,
-        Err(missing) => match difference(&mut comparison, graph, assume_ranges) {
-            Some(state) => match replayed(graph, &state, read) {
-                Some(difference) => Different(difference),
-                None => Undecided(missing),
-            },
-            None => Undecided(missing),
-        },
+        Err(missing) => {
+            let state = difference(&mut comparison, graph, assume_ranges);
+            state.and_then(|state| replayed(graph, &state, read)).map_or(Undecided(missing), Different)
+        }
     };
-    let in_range = (graph.leaves() > 0).then(|| comparison.ranges().is_ok());
-    let (work, lemmas) = (comparison.work.clone(), comparison.terms.lemmas().clone());
-    Ok(Proof { verdict, work, lemmas, in_range, assumed_ranges: assume_ranges })
+    let (work, lemmas) = (comparison.work.clone(), comparison.terms.lemmas());
+    Proof { verdict, work, lemmas, in_range, assumed_ranges: assume_ranges }
+}
+
+/// Tests whether every answer is proven to be a number in its range.
+fn in_range(graph: &Graph, ranges: &[[f32; 2]], effort: Effort) -> bool {
+    let (terms, mut meaning) = (Terms::new(), Meaning::new(graph));
+    let claimed = in_ranges(&terms, ranges);
+    let all = (0..graph.leaves()).all(|leaf| {
+        let Ok(inside) = meaning.in_range(&terms, leaf) else { return false };
+        let sides = [&[inside, !inside][..], &[Terms::TRUE]];
+        let found = together(&terms, claimed, sides, effort.cases);
+        found.is_some_and(|found| !found.incomplete && !found.pairs.contains(&(1, 0)))
+    });
+    all && terms.complete(String::new).is_ok()
 }
 
 /// A state in which code and graph differ, among many.
@@ -103,7 +113,7 @@ fn difference<M: Machine>(comparison: &mut Comparison<'_, M>, graph: &Graph, ins
     let mut stream = Stream::new(1);
     for _ in 0..STATES {
         let state = stream.state(graph.ranges(), &special, inside);
-        let (expected, found) = comparison.answers_for(&state).ok()?;
+        let [expected, found] = comparison.answers_for(&state).ok()?;
         if expected != found {
             return Some(state);
         }
@@ -121,14 +131,13 @@ pub fn sampled<M: Machine>(graph: &Graph, read: &dyn Fn() -> Result<M>, states: 
 fn replayed<M: Machine>(graph: &Graph, state: &[u32], read: &dyn Fn() -> Result<M>) -> Option<Difference> {
     let mut machine = read().ok()?;
     let mut comparison = Comparison::new(graph, &mut machine, Terms::for_state(state), &[], Effort::default());
-    let (expected, found) = comparison.answers_for(state).ok()?;
+    let [expected, found] = comparison.answers_for(state).ok()?;
     let state = state.iter().map(|&bits| f32::from_bits(bits)).collect();
-    (expected != found).then(|| Difference { state, expected: expected.to_string(), found: found.to_string() })
+    (expected != found).then_some(Difference { state, expected, found })
 }
 
 /// The SHA-256 of a file's bytes.
-#[must_use]
-pub fn sha256(bytes: &[u8]) -> String {
+fn sha256(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
@@ -142,13 +151,6 @@ const ASSUMPTIONS: [&str; 5] = [
 ];
 
 impl Proof {
-    /// Nothing is known of code that cannot be read.
-    #[must_use]
-    pub fn undecided(missing: Missing) -> Self {
-        let (work, lemmas) = (Work::default(), BTreeMap::new());
-        Self { verdict: Undecided(missing), work, lemmas, in_range: None, assumed_ranges: false }
-    }
-
     /// A certificate. The files are named with their SHA-256.
     #[must_use]
     pub fn certificate(&self, files: &[(&str, &[u8])], more_assumptions: &[&str]) -> Value {

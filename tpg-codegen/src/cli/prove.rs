@@ -30,7 +30,7 @@ pub(super) struct ProveArgs {
     /// A file of C with the policy's function
     #[arg(long, value_name = "C", conflicts_with = "object")]
     source: Option<PathBuf>,
-    /// An object or ELF file for a Cortex-M with single-precision floating point
+    /// An object for a Cortex-M with single-precision floating point
     #[arg(long, value_name = "O", requires = "symbol")]
     object: Option<PathBuf>,
     /// The name of the function [default in C: the one that ends in _infer]
@@ -68,8 +68,7 @@ impl ProveArgs {
         };
         let mut proofs: Vec<(String, Proof, Files)> = Vec::new();
         // A long proof says what it has found so far.
-        let mut add = |code: String, proof: Result<Proof, Missing>, files: Files| {
-            let proof = proof.unwrap_or_else(Proof::undecided);
+        let mut add = |code: String, proof: Proof, files: Files| {
             command::print(format!("{code}: {proof}\n"))?;
             proofs.push((code, proof, [vec![(name.clone(), text.clone().into_bytes())], files].concat()));
             Ok::<(), CommandError>(())
@@ -147,11 +146,13 @@ fn read(path: &Path) -> Result<Vec<u8>, InputError> {
 }
 
 /// Proves generated C.
-fn of_code(code: &Code<'_>, graph: &Graph, assume_ranges: bool, effort: Effort) -> Result<Proof, Missing> {
+fn of_code(code: &Code<'_>, graph: &Graph, assume_ranges: bool, effort: Effort) -> Proof {
     let text = |name: &str| code.files.iter().find(|file| file.name == name).map(|file| file.text.clone());
-    let source = code.files.iter().find(|file| file.name.ends_with(".c"));
-    let source = source.ok_or_else(|| Missing::new(code.program.name(), "a file of C"))?;
-    let read = || c::read_with(&source.name, &source.text, &text, None, graph.interface());
+    let read = || {
+        let source = code.files.iter().find(|file| file.name.ends_with(".c"));
+        let source = source.ok_or_else(|| Missing::new(code.program.name(), "a file of C"))?;
+        c::read_with(&source.name, &source.text, &text, None, graph.interface())
+    };
     proof::prove(graph, &read, assume_ranges, effort)
 }
 
@@ -169,16 +170,14 @@ pub(super) fn proven(codes: &[Code<'_>]) -> (String, Verdict) {
             continue;
         }
         let Ok(graph) = Graph::read("graph.json", &code.program.graph().to_json()) else { continue };
-        match of_code(code, &graph, false, QUICK) {
-            Ok(proof) if !matches!(proof.verdict, proof::Verdict::Undecided(_)) => {
-                if matches!(proof.verdict, proof::Verdict::Different(_)) {
-                    verdict = Failed;
-                }
-                let images = if code.program.graph().sees() { "; what it reads from images is compared" } else { "" };
-                text += &format!("{}: {proof}{images}\n", code.program.name());
-            }
-            _ => {}
+        let proof = of_code(code, &graph, false, QUICK);
+        match proof.verdict {
+            proof::Verdict::Undecided(_) => continue,
+            proof::Verdict::Different(_) => verdict = Failed,
+            proof::Verdict::Proven => {}
         }
+        let images = if code.program.graph().sees() { "; what it reads from images is compared" } else { "" };
+        text += &format!("{}: {proof}{images}\n", code.program.name());
     }
     (text, verdict)
 }

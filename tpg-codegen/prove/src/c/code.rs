@@ -27,7 +27,6 @@ pub(super) enum Computed {
     Below(bool, Width),
     /// A relation of floats
     Compared(fn(&Terms, Float, Float) -> Bool),
-    IsNan,
     /// A number that must be below a length
     Bounded(u32),
     /// An address moved by cells; both must be in one object

@@ -4,14 +4,11 @@ use super::code::{Operation, Program};
 use super::value::{Found, Here};
 use crate::input::{Missing, Result};
 use crate::machine::{self, Answer, Cells, Followers, Interface, Machine, State, Step, Value};
-use crate::term::{Bool, Float, Node, Terms};
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use crate::term::{Bool, Float, Terms};
+use std::collections::BTreeSet;
 
 /// A place in the code and the cells there.
 pub type Point = machine::Point<u32>;
-
-/// The floats of arrays at points that were reached at a place with the same integers.
-type Reached = HashMap<(usize, Vec<(u32, Value)>), BTreeMap<u32, Float>>;
 
 /// A function of C, ready to be executed.
 #[derive(Debug)]
@@ -23,7 +20,6 @@ pub struct Code {
     joins: BTreeSet<usize>,
     /// The cells at first
     first: Cells<u32>,
-    reached: Reached,
     /// This text defines what functions mean: that its indices are in bounds is known
     defines: bool,
 }
@@ -36,7 +32,7 @@ impl Code {
         });
         let joins = targets.chain(program.heads.keys().copied()).collect();
         let (file, interface) = (file.to_owned(), interface.clone());
-        Self { file, program, interface, joins, first: Cells::new(), reached: HashMap::new(), defines }
+        Self { file, program, interface, joins, first: Cells::new(), defines }
     }
 
     /// The result for a float as the only input.
@@ -102,24 +98,6 @@ impl Code {
         }
         Ok(vec![(state, Step::To(at + 1))])
     }
-
-    /// Makes floats of arrays that differ from what was there at another time anything.
-    fn widen(&mut self, terms: &Terms, point: &mut Point) {
-        let others = point.cells.iter().filter(|(_, value)| !matches!(value, Value::Float(_)));
-        let others = others.map(|(&address, &value)| (address, value)).collect();
-        let floats = self.reached.entry((point.at, others)).or_default();
-        for (&address, value) in &mut point.cells {
-            if let Value::Float(float) = value
-                && self.program.is_array(address)
-            {
-                let known = floats.entry(address).or_insert(*float);
-                if known != float && !matches!(terms.of_float(*known), Node::Unknown(_)) {
-                    *known = terms.unknown();
-                }
-                *float = *known;
-            }
-        }
-    }
 }
 
 impl Machine for Code {
@@ -149,11 +127,7 @@ impl Machine for Code {
         if !(idle || also_alive && agreed) {
             return None;
         }
-        let mut points = state.points(terms, at);
-        for (_, point) in &mut points {
-            self.widen(terms, point);
-        }
-        Some(points)
+        Some(state.points(terms, at))
     }
 
     fn place(&self, at: usize) -> String {

@@ -1,7 +1,7 @@
 //! C as generated code uses it: read, compiled and executed by this crate alone.
 //!
-//! The subset: integers of 8 to 64 bits, `float`, structures, arrays, pointers, enumerations, functions (inlined from their text),
-//! `if`, `switch`, loops whose rounds are constants, `goto`, `memcpy` of scalars. Anything else is named as missing.
+//! The subset: unsigned integers of 8 to 64 bits and `int`, `float`, structures, arrays, pointers, enumerations, functions (inlined
+//! from their text), `if`, `switch`, `for` with a constant number of rounds, `goto`, `memcpy` of scalars. Anything else is named as missing.
 
 mod code;
 mod compile;

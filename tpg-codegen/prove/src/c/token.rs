@@ -32,13 +32,12 @@ const SIGNS: [&str; 2] = [
 ];
 
 /// Macros of the standard headers that generated code uses.
-const STANDARD: [(&str, &str); 6] = [
+const STANDARD: [(&str, &str); 5] = [
     ("FLT_MAX", "3.40282347e+38F"),
     ("FLT_MIN", "1.17549435e-38F"),
     ("FLT_EPSILON", "1.1920929e-7F"),
     ("INFINITY", "__infinity"),
     ("NAN", "__nan"),
-    ("NULL", "0"),
 ];
 
 /// Reads included files by their names.
@@ -199,18 +198,13 @@ impl Preprocessor<'_> {
         while let Some(token) = next() {
             tokens.push(match token {
                 Name(name) if name == "defined" => {
-                    let name = match next() {
-                        Some(Sign("(")) => next().filter(|_| next() == Some(Sign(")"))),
-                        name => name,
+                    let (Some(Sign("(")), Some(Name(name)), Some(Sign(")"))) = (next(), next(), next()) else {
+                        return Err(missing());
                     };
-                    let Some(Name(name)) = name else { return Err(missing()) };
                     Number(u8::from(self.macros.contains_key(&name)).to_string())
                 }
-                Name(name) => match self.macros.get(&name).map(Vec::as_slice) {
-                    None => Number("0".to_owned()),
-                    Some([Placed { token, .. }]) => token.clone(),
-                    Some(_) => return Err(missing()),
-                },
+                Name(name) if self.macros.contains_key(&name) => return Err(missing()),
+                Name(_) => Number("0".to_owned()),
                 token => token,
             });
         }

@@ -32,7 +32,7 @@ pub enum Region {
     Outputs,
     /// The stack below the place where the function began
     Stack,
-    /// A section of the image; offsets from it are addresses as the file counts
+    /// A section of the image
     Section(usize),
     /// The code behind a call
     Behind(Address),
@@ -101,11 +101,6 @@ impl Object {
     /// The region of an address, and the bytes from its base on.
     fn located(&self, terms: &Terms, address: TermWord) -> Option<(Region, u32)> {
         let (base, offset) = match terms.of_word(address) {
-            // in a linked image
-            Term::Number(number) => {
-                let place = self.image.locate(number as u32)?;
-                return Some((Region::Section(place.section), place.offset));
-            }
             Term::Apply(Operator::Add, Width::W32, base, offset) => (base, terms.number_of(offset)?),
             _ => (address, 0),
         };
@@ -159,12 +154,12 @@ impl Machine for Object {
         let condition = self.here(terms, node, &mut state.cells).condition()?;
         if operation.leaves() {
             let mut ways = Vec::new();
-            if let Some(other) = under(terms, &state, !condition) {
+            if let Some(other) = state.under(terms, !condition) {
                 ways.push((other, Step::To(self.next(node, behind)?)));
             }
-            let Some(mut taken) = under(terms, &state, condition) else { return Ok(ways) };
+            let Some(mut taken) = state.under(terms, condition) else { return Ok(ways) };
             for (held, target) in self.here(terms, node, &mut taken.cells).targets()? {
-                if let Some(mut state) = under(terms, &taken, held) {
+                if let Some(mut state) = taken.under(terms, held) {
                     let step = match target {
                         Some(target) => Step::To(self.next(node, target)?),
                         None => Step::Return(self.here(terms, node, &mut state.cells).answer()?),
@@ -178,7 +173,6 @@ impl Machine for Object {
             self.here(terms, node, &mut state.cells).execute()?;
         } else if condition != Terms::FALSE {
             let mut changed = state.cells.clone();
-            restrict(terms, &mut changed, condition);
             self.here(terms, node, &mut changed).execute()?;
             state.cells = merged(terms, condition, &changed, &state.cells);
         }
@@ -203,7 +197,6 @@ impl Machine for Object {
             Cell::Memory(Stack, offset, _) => top.is_none_or(|(_, top)| offset as i32 >= top as i32),
             Cell::Memory(..) => true,
         });
-        restrict(terms, &mut state.cells, state.guard);
         let known = |value: &Value| match *value {
             Word(word) => !matches!(terms.of_word(word), Term::WordIf(..)) || terms.numbers(word).is_some(),
             _ => true,
@@ -214,21 +207,6 @@ impl Machine for Object {
 
     fn place(&self, at: usize) -> String {
         format!("{:#x}", self.flow[at].address.offset)
-    }
-}
-
-/// Returns a state where a condition holds, too, with the choices made that it decides; none if it cannot hold.
-fn under(terms: &Terms, state: &State<Cell>, condition: Bool) -> Option<State<Cell>> {
-    let mut state = state.under(terms, condition)?;
-    restrict(terms, &mut state.cells, condition);
-    Some(state)
-}
-
-/// Makes the choices that a condition decides.
-fn restrict(terms: &Terms, cells: &mut Cells<Cell>, condition: Bool) {
-    let facts = terms.parts(condition);
-    for value in cells.values_mut() {
-        *value = value.given(terms, &facts);
     }
 }
 

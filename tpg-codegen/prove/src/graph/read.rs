@@ -1,7 +1,7 @@
 //! A reader of `graph.json`, versions 1 and 2, in binary32.
 
 use super::{Destination::*, Graph, GraphEdge, GraphLine, GraphOperand, GraphTeam, circle};
-use crate::input::InputError;
+use crate::input::{Missing, Result};
 use crate::machine::Interface;
 use serde::Deserialize as _;
 use serde_json::Value as Json;
@@ -18,9 +18,8 @@ struct Part<'j> {
 type Ids = HashMap<u64, usize>;
 
 impl<'j> Part<'j> {
-    fn fault(&self, accepted: impl Into<String>) -> InputError {
-        let (place, found) = (self.place.clone(), self.json.to_string());
-        InputError { file: String::new(), place, found, accepted: accepted.into() }
+    fn fault(&self, accepted: impl std::fmt::Display) -> Missing {
+        Missing::new(&*self.place, format!("found {}, expected {accepted}", self.json))
     }
 
     fn member(&self, name: &str) -> Self {
@@ -28,7 +27,7 @@ impl<'j> Part<'j> {
     }
 
     /// Refuses other members than these: what is not read could change what the graph means.
-    fn only(&self, names: &str) -> Result<(), InputError> {
+    fn only(&self, names: &str) -> Result<()> {
         let members = self.json.as_object().ok_or_else(|| self.fault("an object"))?;
         match members.keys().find(|key| !names.split(' ').any(|name| name == *key)) {
             Some(other) => Err(self.member(other).fault(format!("one of {names}"))),
@@ -36,7 +35,7 @@ impl<'j> Part<'j> {
         }
     }
 
-    fn items(&self) -> Result<Vec<Self>, InputError> {
+    fn items(&self) -> Result<Vec<Self>> {
         let items = match self.json {
             Json::Null => &[][..],
             json => json.as_array().ok_or_else(|| self.fault("a list"))?,
@@ -46,35 +45,35 @@ impl<'j> Part<'j> {
     }
 
     /// The items of a list of objects that have these members.
-    fn objects(&self, names: &str) -> Result<Vec<Self>, InputError> {
+    fn objects(&self, names: &str) -> Result<Vec<Self>> {
         let items = self.items()?;
         items.iter().try_for_each(|item| item.only(names))?;
         Ok(items)
     }
 
-    fn text(&self) -> Result<String, InputError> {
+    fn text(&self) -> Result<String> {
         self.json.as_str().map(str::to_owned).ok_or_else(|| self.fault("a text"))
     }
 
     /// Which of several words this is.
-    fn word(&self, words: &[&str]) -> Result<usize, InputError> {
+    fn word(&self, words: &[&str]) -> Result<usize> {
         let found = words.iter().position(|word| self.json == word);
         found.ok_or_else(|| self.fault(words.join(" or ")))
     }
 
-    fn whole(&self, range: RangeInclusive<usize>) -> Result<usize, InputError> {
+    fn whole(&self, range: RangeInclusive<usize>) -> Result<usize> {
         let number = self.json.as_u64().and_then(|number| usize::try_from(number).ok());
         let accepted = || self.fault(format!("a whole number from {} to {}", range.start(), range.end()));
         number.filter(|number| range.contains(number)).ok_or_else(accepted)
     }
 
     /// The binary32 number nearest to the binary64 number nearest to what is written, as the format says.
-    fn number(&self) -> Result<f32, InputError> {
+    fn number(&self) -> Result<f32> {
         let number = self.json.as_f64().map(|number| number as f32).filter(|number| number.is_finite());
         number.ok_or_else(|| self.fault("a finite number of binary32"))
     }
 
-    fn numbers<const N: usize>(&self, names: [&str; N]) -> Result<[f32; N], InputError> {
+    fn numbers<const N: usize>(&self, names: [&str; N]) -> Result<[f32; N]> {
         let mut numbers = [0.0; N];
         for (number, name) in numbers.iter_mut().zip(names) {
             *number = self.member(name).number()?;
@@ -82,17 +81,17 @@ impl<'j> Part<'j> {
         Ok(numbers)
     }
 
-    fn id(&self) -> Result<u64, InputError> {
+    fn id(&self) -> Result<u64> {
         self.json.as_u64().ok_or_else(|| self.fault("an id"))
     }
 
     /// The place of what this is the id of.
-    fn find(&self, ids: &Ids) -> Result<usize, InputError> {
+    fn find(&self, ids: &Ids) -> Result<usize> {
         ids.get(&self.id()?).copied().ok_or_else(|| self.fault("the id of something that is there"))
     }
 }
 
-fn ids(items: &[Part<'_>]) -> Result<Ids, InputError> {
+fn ids(items: &[Part<'_>]) -> Result<Ids> {
     let mut ids = Ids::new();
     for (place, item) in items.iter().enumerate() {
         let id = item.member("id");
@@ -108,21 +107,17 @@ impl Graph {
     ///
     /// # Errors
     /// The first fault.
-    pub fn read(file: &str, text: &str) -> Result<Self, InputError> {
+    pub fn read(file: &str, text: &str) -> Result<Self> {
         let mut json = serde_json::Deserializer::from_str(text);
-        let fault = |place: &str, error: serde_json::Error| InputError {
-            file: String::new(),
-            place: place.to_owned(),
-            found: error.to_string(),
-            accepted: "a graph in JSON".to_owned(),
+        let fault = |place: &str, error: serde_json::Error| {
+            Missing::new(format!("{file}: {place}"), format!("found {error}, expected a graph in JSON"))
         };
-        let read = Json::deserialize(&mut json).map_err(|error| fault("graph", error));
-        let whole = read.and_then(|read| json.end().map(|()| read).map_err(|error| fault("the end", error)));
-        let graph = whole.and_then(|json| Self::resolve(&Part { json: &json, place: "graph".to_owned() }));
-        graph.map_err(|error| InputError { file: file.to_owned(), ..error })
+        let whole = Json::deserialize(&mut json).map_err(|error| fault("graph", error))?;
+        json.end().map_err(|error| fault("the end", error))?;
+        Self::resolve(&Part { json: &whole, place: format!("{file}: graph") })
     }
 
-    fn resolve(top: &Part<'_>) -> Result<Self, InputError> {
+    fn resolve(top: &Part<'_>) -> Result<Self> {
         top.only(
             "format version scalar maths registers sources instructions actions outputs memory root teams leaves \
              programs provenance",
@@ -168,7 +163,7 @@ impl Graph {
         let mut programs = Vec::new();
         for program in written {
             let lines = program.member("lines").objects("to op args")?;
-            programs.push(lines.iter().map(|line| line.line(&values, registers)).collect::<Result<_, _>>()?);
+            programs.push(lines.iter().map(|line| line.line(&values, registers)).collect::<Result<_>>()?);
         }
         let written = top.member("leaves").objects("id programs memory")?;
         let leaf_ids = ids(&written)?;
@@ -224,7 +219,7 @@ impl Graph {
 
 impl Part<'_> {
     /// A line of a program, of the numbers of values by their names.
-    fn line(&self, values: &HashMap<String, u32>, registers: usize) -> Result<GraphLine, InputError> {
+    fn line(&self, values: &HashMap<String, u32>, registers: usize) -> Result<GraphLine> {
         let mut operands = Vec::new();
         for operand in self.member("args").items()? {
             let register = |name: &str| name.strip_prefix('r')?.parse().ok().filter(|&register| register < registers);

@@ -1,7 +1,6 @@
 //! The transitive closure of what is assumed about an order.
 
-use crate::interval::Intervals;
-use crate::term::{Arithmetic, Float, INFINITY, NEGATIVE_ZERO, Node, Terms, next_above, rank};
+use crate::term::{Arithmetic, Float, INFINITY, NEGATIVE_ZERO, Node, Terms, next_above};
 use Arithmetic::*;
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -25,7 +24,7 @@ pub(super) struct Closure {
 
 impl Closure {
     /// The order of elements that are sorted: NaN, constants, others. None if the facts contradict each other.
-    pub(super) fn new(terms: &Terms, intervals: &mut Intervals, elements: &[Float]) -> Option<Self> {
+    pub(super) fn new(terms: &Terms, elements: &[Float]) -> Option<Self> {
         let count = elements.len();
         let words = count.div_ceil(64);
         let (reached, higher) = (vec![0; count * words], vec![0; count * words]);
@@ -51,7 +50,6 @@ impl Closure {
         let mirror = |element: Float| places.get(&terms.zero_free(terms.negate(element))).copied();
         let mirrors: Vec<_> = (1..count).filter_map(|at| Some((at, mirror(elements[at])?))).collect();
         for &(a, of_a) in &mirrors {
-            facts.extend(nan_alike(a, of_a));
             for &(b, of_b) in mirrors.iter().filter(|&&(b, _)| a.max(b) >= constants.len()) {
                 for lower in [false, true] {
                     facts.push(((0, a, true), (a, b, lower), (of_b, of_a, lower)));
@@ -60,15 +58,9 @@ impl Closure {
         }
         let mut roots = HashMap::new();
         for (at, &element) in elements.iter().enumerate().skip(constants.len()) {
-            let interval = intervals.interval(terms, element);
-            let reaches = |bound: f32| constants.iter().rposition(|&constant| rank(constant) <= rank(bound.to_bits()));
-            let limits = |bound: f32| constants.iter().position(|&constant| rank(constant) >= rank(bound.to_bits()));
-            let high = limits(interval.high).map(|high| (at, high, false));
-            let number = (!interval.nan).then_some((0, at, true));
-            if !high.into_iter().chain(number).all(|relation| order.link(relation)) {
-                return None;
+            if constants.last() == Some(&INFINITY) {
+                order.link((at, constants.len() - 1, false));
             }
-            facts.extend(reaches(interval.low).map(|low| alone((0, at, true), (low, at, false))));
             let root = relate(terms, &places, (at, element), &mut facts);
             facts.extend(nan_alike(at, *roots.entry(root).or_insert(at)));
         }

@@ -6,7 +6,6 @@
 
 mod closure;
 
-use crate::interval::Intervals;
 use crate::term::{Bool, Float, INFINITY, NAN, NEGATIVE_ZERO, Node::*, Terms, is_nan_bits, next_above, rank};
 use OrderValue::*;
 use closure::Closure;
@@ -28,34 +27,21 @@ struct OrderSearch<'t> {
 
 /// The result of looking for what holds together.
 #[derive(Debug, Default)]
-pub struct Together {
+pub(crate) struct Together {
     /// Pairs of a condition on the left and one on the right
-    pub pairs: BTreeSet<(usize, usize)>,
+    pub(crate) pairs: BTreeSet<(usize, usize)>,
     /// Cases looked at
-    pub cases: u64,
+    pub(crate) cases: u64,
     /// In some case no condition on the left holds
-    pub incomplete: bool,
+    pub(crate) incomplete: bool,
 }
 
-/// A search that took more than its cases.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TooMany;
-
 /// Finds the pairs of conditions, one of each side, that can hold at once where the assumption does. The conditions of a side must
-/// exclude each other, and one must always hold; on the left that is checked.
-///
-/// # Errors
-/// More cases than allowed.
-pub fn together(
-    terms: &Terms,
-    intervals: &mut Intervals,
-    assumption: Bool,
-    [left, right]: [&[Bool]; 2],
-    limit: u64,
-) -> Result<Together, TooMany> {
+/// exclude each other, and one must always hold; on the left that is checked. None if there are more cases than the limit.
+pub(crate) fn together(terms: &Terms, assumption: Bool, [left, right]: [&[Bool]; 2], limit: u64) -> Option<Together> {
     let roots: Vec<_> = left.iter().chain(right).copied().chain([assumption]).collect();
     let elements = elements(terms, &roots);
-    let closure = Closure::new(terms, intervals, &elements);
+    let closure = Closure::new(terms, &elements);
     let places = elements.iter().enumerate().map(|(place, &element)| (element, place)).collect();
     let count = terms.count();
     let mut search = OrderSearch {
@@ -74,7 +60,7 @@ pub fn together(
     }
     found.cases = search.steps;
     found.incomplete = search.incomplete;
-    Ok(found)
+    Some(found)
 }
 
 /// All floats that are compared: NaN first, then constants from the lowest on, then the others.
@@ -125,14 +111,14 @@ impl OrderSearch<'_> {
         [left, right]: [&[Bool]; 2],
         found: &mut BTreeSet<(usize, usize)>,
         limit: u64,
-    ) -> Result<(), TooMany> {
+    ) -> Option<()> {
         self.steps += 1;
         if self.steps > limit {
-            return Err(TooMany);
+            return None;
         }
         self.evaluation += 1;
         let open = match self.value(closure, assumption) {
-            Known(false) => return Ok(()),
+            Known(false) => return Some(()),
             Open(atom) => Some(atom),
             Known(true) => match self.chosen(closure, left) {
                 Err(None) => {
@@ -158,7 +144,7 @@ impl OrderSearch<'_> {
                 },
             },
         };
-        let Some(atom) = open else { return Ok(()) };
+        let Some(atom) = open else { return Some(()) };
         for value in [true, false] {
             let mark = self.trail.len();
             let mut case = closure.clone();
@@ -169,7 +155,7 @@ impl OrderSearch<'_> {
                 self.known[node as usize] = 0;
             }
         }
-        Ok(())
+        Some(())
     }
 
     /// The condition that holds, or an atom that decides it; none if no condition can hold.
@@ -247,13 +233,12 @@ impl OrderSearch<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Intervals, together};
+    use super::together;
     use crate::term::{Bool, Float, Terms};
 
     fn holds(terms: &Terms, condition: Bool) -> bool {
         let (left, right) = ([condition, !condition], [Terms::TRUE]);
-        let mut intervals = Intervals::new(&[]);
-        let found = together(terms, &mut intervals, Terms::TRUE, [&left, &right], 1 << 16).expect("few cases");
+        let found = together(terms, Terms::TRUE, [&left, &right], 1 << 16).expect("few cases");
         !found.pairs.contains(&(1, 0))
     }
 
@@ -298,8 +283,7 @@ mod tests {
         let bids: Vec<_> = (0..7).map(|index| terms.source(index)).collect();
         let code = winners(&terms, &bids, None);
         let graph: Vec<_> = (0..7).map(|at| meaning(&terms, &bids, at)).collect();
-        let mut intervals = Intervals::new(&[]);
-        let found = together(&terms, &mut intervals, Terms::TRUE, [&code, &graph], 1 << 20).expect("few cases");
+        let found = together(&terms, Terms::TRUE, [&code, &graph], 1 << 20).expect("few cases");
         assert_eq!(found.pairs, (0..7).map(|at| (at, at)).collect());
     }
 
@@ -309,8 +293,7 @@ mod tests {
         let bids: Vec<_> = (0..4).map(|index| terms.source(index)).collect();
         let code = winners(&terms, &bids, Some(2));
         let graph: Vec<_> = (0..4).map(|at| meaning(&terms, &bids, at)).collect();
-        let mut intervals = Intervals::new(&[]);
-        let found = together(&terms, &mut intervals, Terms::TRUE, [&code, &graph], 1 << 20).expect("few cases");
+        let found = together(&terms, Terms::TRUE, [&code, &graph], 1 << 20).expect("few cases");
         assert!(found.pairs.contains(&(0, 2)) || found.pairs.contains(&(1, 2)), "{:?}", found.pairs);
     }
 

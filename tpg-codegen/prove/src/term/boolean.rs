@@ -93,7 +93,7 @@ impl Terms {
         }
     }
 
-    /// The members without what the others decide: `a && !(a && b)` is `a && !b`, and `!(c && a) && !(c && !a)` is `!c`.
+    /// The members without what the others decide: `a && !(a && b)` is `a && !b`.
     fn shortened(&self, members: &[Bool]) -> Option<Vec<Bool>> {
         for (at, &member) in members.iter().enumerate() {
             let inner = self.conjuncts(!member);
@@ -101,21 +101,10 @@ impl Terms {
                 continue;
             }
             let has = |term: &Bool| members.binary_search(term).is_ok();
-            if inner.iter().any(|&term| has(&!term)) {
-                return Some([&members[..at], &members[at + 1..]].concat());
-            }
             if inner.iter().any(has) {
                 let rest: Vec<_> = inner.iter().copied().filter(|term| !has(term)).collect();
                 let mut shorter = [&members[..at], &members[at + 1..]].concat();
                 shorter.push(!self.all(rest));
-                return Some(shorter);
-            }
-            for (offset, &other) in members[at + 1..].iter().enumerate() {
-                let Some(common) = self.without_case(&inner, &self.conjuncts(!other)) else { continue };
-                let mut shorter = members.to_vec();
-                shorter.remove(at + 1 + offset);
-                shorter.remove(at);
-                shorter.push(!self.all(common));
                 return Some(shorter);
             }
         }
@@ -127,16 +116,6 @@ impl Terms {
         let parts = terms.into_iter().flat_map(|term| self.parts(term));
         parts.filter(|&part| part != Self::TRUE).collect()
     }
-
-    /// What two conjunctions share, if they differ in one member, which the other negates.
-    fn without_case(&self, a: &[Bool], b: &[Bool]) -> Option<Vec<Bool>> {
-        if a.len() != b.len() {
-            return None;
-        }
-        let mut more = a.iter().filter(|term| !b.contains(term));
-        let (only, none) = (more.next()?, more.next());
-        (none.is_none() && b.contains(&!*only)).then(|| a.iter().filter(|&term| term != only).copied().collect())
-    }
 }
 
 #[cfg(test)]
@@ -146,7 +125,7 @@ mod tests {
     #[test]
     fn conjunctions_are_simplified() {
         let terms = Terms::new();
-        let [x, y, z] = [0, 1, 2].map(|index| {
+        let [x, y] = [0, 1].map(|index| {
             let (source, zero) = (terms.source(index), terms.constant(0.0));
             terms.at_most(source, zero)
         });
@@ -154,8 +133,6 @@ mod tests {
         assert_eq!(terms.and(x, !both), terms.and(x, !y));
         assert_eq!(terms.and(both, !x), Terms::FALSE);
         assert_eq!(terms.or(x, !x), Terms::TRUE);
-        let (with, without) = (terms.and(z, x), terms.and(z, !x));
-        assert_eq!(terms.or(with, without), z);
         assert_eq!(terms.choose(x, y, y), y);
         assert_eq!(terms.choose(x, Terms::TRUE, Terms::FALSE), x);
     }

@@ -1,6 +1,6 @@
 //! Comparisons of floats: all are made of one atom, *ranks at most as high*.
 
-use super::rank::{INFINITY, NAN, NEGATIVE_ZERO, is_nan_bits, next_below};
+use super::rank::{INFINITY, NAN, is_nan_bits, next_below};
 use super::{Bool, Float, Node::*, Terms};
 
 /// Choices of at most so many values are compared value by value.
@@ -63,18 +63,7 @@ impl Terms {
         }
         match (self.of_float(a), self.of_float(b)) {
             (Negative(x), Constant(bits)) if is_nan_bits(bits) => self.is_nan(x),
-
-            // -x <= c where -c <= x
-            (Negative(x), Constant(bits)) => {
-                self.or(self.is_nan(x), self.at_most(self.constant_bits(bits ^ NEGATIVE_ZERO), x))
-            }
             (Negative(x), Negative(y)) => self.or(self.is_nan(x), self.and(!self.is_nan(y), self.at_most(y, x))),
-            (Magnitude(x), _) => {
-                self.choose(self.at_most(x, self.constant(0.0)), self.at_most(self.negate(x), b), self.at_most(x, b))
-            }
-            (_, Magnitude(y)) => {
-                self.choose(self.at_most(y, self.constant(0.0)), self.at_most(a, self.negate(y)), self.at_most(a, y))
-            }
             _ => self.atom(AtMost(a, b)),
         }
     }

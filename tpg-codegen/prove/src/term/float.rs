@@ -119,8 +119,6 @@ impl Terms {
         let a = self.zero_free(a);
         match self.of_float(a) {
             Magnitude(_) => a,
-            Negative(inner) => self.magnitude(inner),
-            FloatIf(condition, x, y) => self.choose_float(condition, self.magnitude(x), self.magnitude(y)),
             _ => self.float(Magnitude(a)),
         }
     }
@@ -229,9 +227,7 @@ impl Terms {
                     self.add(a, b)
                 }
             }
-            Node::Arithmetic(Multiply, a, b) => self.multiply(self.zero_free(a), self.zero_free(b)),
             Node::Arithmetic(operation, a, b) => self.arithmetic(operation, self.zero_free(a), b),
-            Negative(a) => self.negate(self.zero_free(a)),
             _ => term,
         };
         self.zero_free.borrow_mut().insert(term, result);

@@ -55,10 +55,6 @@ pub enum Operator {
     Subtract,
     /// `a * b`
     Multiply,
-    /// Unsigned `a / b`; 0 where `b` is 0, as ARM's `udiv`
-    Divide,
-    /// Unsigned `a % b`; `a` where `b` is 0
-    Modulo,
     /// `a & b`
     And,
     /// `a | b`

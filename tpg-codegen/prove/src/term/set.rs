@@ -21,16 +21,6 @@ impl Terms {
                 return self.choose(condition, self.within(a, width, &set), self.within(b, width, &set));
             }
             Bits(float) => return self.float_within(float, &set),
-            Apply(operator @ (Operator::And | Or | Xor), of, a, b)
-                if of == width && set[..] == [(mask / 2 + 1, mask)] =>
-            {
-                let (a, b) = (self.is_negative(width, a), self.is_negative(width, b));
-                return match operator {
-                    Operator::And => self.and(a, b),
-                    Or => self.or(a, b),
-                    _ => self.choose(a, !b, b),
-                };
-            }
             _ => {}
         }
         if set[0].0 == 0 {
@@ -170,7 +160,6 @@ impl Terms {
                 self.uses("x + y = -0 only where x and y are");
                 self.and(self.is_negative_zero(a), self.is_negative_zero(b))
             }
-            FloatIf(condition, a, b) => self.choose(condition, self.is_negative_zero(a), self.is_negative_zero(b)),
             _ => self.atom(IsNegativeZero(float)),
         }
     }

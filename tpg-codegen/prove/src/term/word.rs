@@ -42,8 +42,6 @@ pub(crate) fn computed(operator: Operator, width: Width, a: u64, b: u64) -> u64 
         Operator::Add => a.wrapping_add(b),
         Operator::Subtract => a.wrapping_sub(b),
         Operator::Multiply => a.wrapping_mul(b),
-        Operator::Divide => a.checked_div(b).unwrap_or(0),
-        Operator::Modulo => a.checked_rem(b).unwrap_or(a),
         Operator::And => a & b,
         Operator::Or => a | b,
         Operator::Xor => a ^ b,
@@ -91,11 +89,6 @@ impl Terms {
         Word(self.chosen(condition, a.0, b.0, |condition, a, b| WordIf(condition, Word(a), Word(b))))
     }
 
-    /// A word where facts hold: choices that they decide are made.
-    pub(crate) fn given_word(&self, word: Word, facts: &[Bool]) -> Word {
-        Word(self.given(word.0, facts))
-    }
-
     /// The numbers that a word can be, if it is a constant or a choice of constants. Sorted.
     #[must_use]
     pub fn numbers(&self, word: Word) -> Option<Vec<u64>> {
@@ -110,7 +103,6 @@ impl Terms {
     pub fn bits(&self, float: Float) -> Word {
         match self.of_float(float) {
             OfBits(word) => word,
-
             FloatIf(condition, a, b) => self.choose_word(condition, self.bits(a), self.bits(b)),
             _ => self.word(Bits(float)),
         }
@@ -120,7 +112,6 @@ impl Terms {
     pub fn of_bits(&self, word: Word) -> Float {
         match self.of_word(word) {
             Bits(float) => float,
-
             WordIf(condition, a, b) => self.choose_float(condition, self.of_bits(a), self.of_bits(b)),
             // the sign turned, and the sign taken off
             Apply(Operator::Xor, Width::W32, a, b) if self.number_of(b) == Some(u64::from(NEGATIVE_ZERO)) => {
@@ -232,7 +223,6 @@ impl Terms {
             (Multiply, Some(1)) => return a,
             (And, Some(number)) if number == ones => return a,
             (Or, Some(number)) if number == ones => return b,
-            (And | Or, _) if a == b => return a,
             (Xor | Subtract, _) if a == b => return self.number(0),
             // a difference by a constant is a sum
             (Subtract, Some(number)) => return self.apply(Add, width, a, self.number(number.wrapping_neg() & ones)),

@@ -1,7 +1,7 @@
 //! Declarations: types, names, functions, variables with their initial values.
 
 use super::{Compiler, Function, Lvalue, Operand, Type, number};
-use crate::c::code::{Constant, Expression, Operation};
+use crate::c::code::Constant;
 use crate::c::token::Token::{Name, Sign};
 use crate::input::Result;
 use Type::*;
@@ -24,9 +24,7 @@ impl Compiler<'_> {
     /// Reads what stands before declarators: a type of one word, and the last word of storage.
     fn specifiers(&mut self) -> Result<(Type, String)> {
         let (mut ty, mut storage) = (None, String::new());
-        loop {
-            self.attributes()?;
-            let Name(word) = self.peek().clone() else { break };
+        while let Name(word) = self.peek().clone() {
             if word == "struct" {
                 self.next();
                 ty = Some(self.structure()?);
@@ -52,15 +50,6 @@ impl Compiler<'_> {
                 self.refuse(format!("a type, found {found:?}"))
             }
         }
-    }
-
-    /// Skips `__attribute__((...))` and the like; they ask for no other results.
-    fn attributes(&mut self) -> Result<()> {
-        while self.accept("__attribute__") {
-            self.expect("(")?;
-            self.skip("(", ")")?;
-        }
-        Ok(())
     }
 
     fn structure(&mut self) -> Result<Type> {
@@ -115,7 +104,6 @@ impl Compiler<'_> {
     /// A name with the type that stars, brackets and parameters around it make.
     fn declarator(&mut self, mut ty: Type) -> Result<(String, Type)> {
         loop {
-            self.attributes()?;
             if self.accept("*") {
                 ty = Pointer(Box::new(ty));
             } else if !(self.accept("const") || self.accept("volatile") || self.accept("restrict")) {
@@ -144,32 +132,22 @@ impl Compiler<'_> {
     }
 
     pub(super) fn external(&mut self) -> Result<()> {
-        if self.accept(";") {
-            return Ok(());
-        }
         let (ty, storage) = self.specifiers()?;
         if self.accept(";") {
             return Ok(());
         }
-        loop {
-            let (name, ty) = self.declarator(ty.clone())?;
-            if storage == "typedef" {
-                self.types.insert(name, ty);
-            } else if self.accept("(") {
-                let parameters = self.parameters()?;
-                self.attributes()?;
-                if self.accept("{") {
-                    self.functions.push(Rc::new(Function { name, result: ty, parameters, body: self.at }));
-                    return self.skip("{", "}");
-                }
-            } else if storage != "extern" {
-                self.variable(name, ty, true)?;
-            }
-            if self.accept(";") {
-                return Ok(());
-            }
-            self.expect(",")?;
+        let (name, ty) = self.declarator(ty)?;
+        if storage == "typedef" {
+            self.types.insert(name, ty);
+            return self.expect(";");
         }
+        self.expect("(")?;
+        let parameters = self.parameters()?;
+        if !self.accept("{") {
+            return self.expect(";");
+        }
+        self.functions.push(Rc::new(Function { name, result: ty, parameters, body: self.at }));
+        self.skip("{", "}")
     }
 
     fn parameters(&mut self) -> Result<Vec<(String, Type)>> {
@@ -202,9 +180,14 @@ impl Compiler<'_> {
         }
         let mut parts = Vec::new();
         let has_value = self.accept("=");
-        let items = if has_value { self.parts(&ty, 0, &mut parts)? } else { 0 };
-        if let Array(_, count @ 0) = &mut ty {
-            *count = items;
+        if has_value {
+            self.parts(&ty, 0, &mut parts)?;
+        }
+        if let Array(item, count @ 0) = &mut ty {
+            if self.cells(item) != 1 {
+                return self.refuse("a length");
+            }
+            *count = parts.len() as u32;
         }
         if is_static {
             let place = self.fixed(ty, parts)?;
@@ -217,47 +200,30 @@ impl Compiler<'_> {
             return self.refuse("an initialiser for each part");
         }
         for (offset, ty, item) in parts {
-            self.set(number(place.address + offset), &ty, item)?;
+            let value = self.value(item)?;
+            self.put(number(place.address + offset), value, &ty)?;
         }
         self.bind(name, place);
         Ok(())
     }
 
-    /// Reads the parts of an initialiser that are no lists, each with the offset of its cells; returns the number of items.
-    fn parts(&mut self, ty: &Type, start: u32, parts: &mut Vec<(u32, Type, Operand)>) -> Result<u32> {
+    /// Reads the parts of an initialiser that are no lists, each with the offset of its cells.
+    fn parts(&mut self, ty: &Type, start: u32, parts: &mut Vec<(u32, Type, Operand)>) -> Result<()> {
         if !self.accept("{") {
             let value = self.assignment()?;
             parts.push((start, ty.clone(), value));
-            return Ok(1);
+            return Ok(());
         }
-        let (mut offset, mut items) = (start, 0);
+        let Array(inner, count) = ty else { return self.refuse("an array of the items") };
+        let mut offset = start;
         self.list("}", |compiler| {
-            let inner = match ty {
-                Array(inner, count) if *count == 0 || items < *count => Some(&**inner),
-                Struct(number) => compiler.structs[*number].get(items as usize).map(|(_, ty)| ty),
-                _ => None,
-            };
-            let inner = inner.cloned().ok_or_else(|| compiler.missing("an item for each part"))?;
-            compiler.parts(&inner, offset, parts)?;
-            offset += compiler.cells(&inner);
-            items += 1;
+            if *count > 0 && offset == start + compiler.cells(ty) {
+                return compiler.refuse(format!("{count} items"));
+            }
+            compiler.parts(inner, offset, parts)?;
+            offset += compiler.cells(inner);
             Ok(())
         })?;
-        Ok(items)
-    }
-
-    /// Sets what is at an address to what an expression is.
-    pub(super) fn set(&mut self, address: Expression, ty: &Type, value: Operand) -> Result<()> {
-        match (ty, value) {
-            (Struct(_), Operand::Place(from, _)) => {
-                let count = self.cells(ty);
-                self.emit(Operation::Copy(address, from, count));
-                Ok(())
-            }
-            (_, value) => {
-                let value = self.value(value)?;
-                self.put(address, value, ty)
-            }
-        }
+        Ok(())
     }
 }

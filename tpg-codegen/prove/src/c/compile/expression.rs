@@ -57,7 +57,8 @@ impl Compiler<'_> {
         let (address, ty) = self.place(target)?;
         let value = self.assignment()?;
         if sign == "=" {
-            self.set(address.clone(), &ty, value)?;
+            let value = self.value(value)?;
+            self.put(address.clone(), value, &ty)?;
             return Ok(Place(address, ty));
         }
         let value = self.value(value)?;
@@ -147,11 +148,6 @@ impl Compiler<'_> {
                 let inner = self.unary()?;
                 return self.signed(sign, inner);
             }
-        }
-        if let Some(sign) = self.steps() {
-            let inner = self.unary()?;
-            let (address, ty) = self.place(inner)?;
-            return self.changed(address, ty, sign, (number(1), Type::INT));
         }
         if self.accept("sizeof") {
             let mark = self.here();
@@ -281,7 +277,7 @@ impl Compiler<'_> {
     }
 
     fn call(&mut self, name: &str) -> Result<Operand> {
-        let known = matches!(name, "memcpy" | "fabsf" | "isnan");
+        let known = matches!(name, "memcpy" | "fabsf");
         let function = if known { None } else { Some(self.function(name)?) };
         let mut arguments = self.list(")", Self::assigned)?;
         let Some(function) = function else {
@@ -292,10 +288,7 @@ impl Compiler<'_> {
                 return self.refuse(format!("`{name}` of one argument"));
             };
             let value = self.converted(value, &Float)?;
-            return Ok(match name {
-                "isnan" => Operand::Value(of(Computed::IsNan, [value]), Type::INT),
-                _ => Operand::Value(of(Computed::Magnitude, [value]), Float),
-            });
+            return Ok(Operand::Value(of(Computed::Magnitude, [value]), Float));
         };
         Ok(match self.inlined(&function, arguments)? {
             Some(place) => Place(number(place.address), place.ty),
@@ -335,15 +328,11 @@ impl Compiler<'_> {
             None => digits.parse(),
         };
         let value = value.map_err(|_| fault())?;
-        let unsigned = suffix.contains('u');
-        let ty = if suffix.contains("ll") || value > u64::from(u32::MAX) {
-            Integer(8, !unsigned)
-        } else if unsigned || value > i32::MAX as u64 && digits.starts_with("0x") {
-            Type::UNSIGNED
-        } else if value > i32::MAX as u64 {
-            Integer(8, true)
-        } else {
-            Type::INT
+        let ty = match suffix {
+            "" if value <= i32::MAX as u64 => Type::INT,
+            "u" if value <= u64::from(u32::MAX) => Type::UNSIGNED,
+            "ull" => Integer(8, false),
+            _ => return Err(fault()),
         };
         Ok((Expression::Number(value), ty))
     }

@@ -55,14 +55,12 @@ struct Lvalue {
     ty: Type,
 }
 
-/// What `break` and `continue` of a loop or switch refer to.
+/// A loop or switch around a `break`.
 #[derive(Default)]
 struct JumpTarget {
     breaks: Vec<usize>,
-    /// None in a switch
-    continues: Option<Vec<usize>>,
     /// Those of a switch: the numbers, none for the default, and where they are
-    cases: Vec<(Option<u64>, usize)>,
+    cases: Option<Vec<(Option<u64>, usize)>>,
     scopes: usize,
 }
 
@@ -128,13 +126,13 @@ impl<'t> Compiler<'t> {
             ("void", Void),
             ("float", Float),
             ("int", Type::INT),
+            ("int32_t", Type::INT),
             ("unsigned", Type::UNSIGNED),
             ("size_t", Type::UNSIGNED),
         ];
         let mut types: HashMap<_, _> = names.map(|(name, ty)| (name.to_owned(), ty)).into();
-        for (bytes, bits) in [(1, 8), (2, 16), (4, 32), (8, 64)] {
-            types.insert(format!("int{bits}_t"), Integer(bytes, true));
-            types.insert(format!("uint{bits}_t"), Integer(bytes, false));
+        for bytes in [1, 2, 4, 8] {
+            types.insert(format!("uint{}_t", 8 * bytes), Integer(bytes, false));
         }
         Self {
             file,
@@ -347,7 +345,6 @@ impl<'t> Compiler<'t> {
         match ty {
             Float => Ok(Computed::LoadedFloat),
             Integer(..) | Pointer(_) => Ok(Computed::LoadedWord),
-
             _ => self.refuse("a scalar"),
         }
     }

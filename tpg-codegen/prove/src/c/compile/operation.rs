@@ -3,7 +3,7 @@
 use super::{Compiler, Type, Typed, apply, width};
 use crate::c::code::{Computed, Expression, of};
 use crate::input::Result;
-use crate::term::{Arithmetic, Operator::*, Terms, Width};
+use crate::term::{Arithmetic, Operator::*, Terms};
 use Computed::{Below, Compared, Same};
 use Type::*;
 
@@ -34,10 +34,6 @@ impl Compiler<'_> {
     }
 
     pub(super) fn operated(&self, sign: &str, a: Typed, b: Typed) -> Result<Typed> {
-        if let (Pointer(ty), "+", Integer(..)) = (&a.1, sign, &b.1) {
-            let index = self.converted(b, &Type::UNSIGNED)?;
-            return Ok((self.element(a.0, ty, index), a.1.clone()));
-        }
         let shifts = matches!(sign, "<<" | ">>");
         let ty = if shifts { promoted(&a.1) } else { self.common(&a.1, &b.1)? };
         let (a, b) = (self.converted(a, &ty)?, self.converted(b, if shifts { &Type::UNSIGNED } else { &ty })?);
@@ -56,15 +52,13 @@ impl Compiler<'_> {
             "+" => Add,
             "-" => Subtract,
             "*" => Multiply,
-            "/" if !signed => Divide,
-            "%" if !signed => Modulo,
             "&" => And,
             "|" => Or,
             "^" => Xor,
             "<<" => ShiftLeft,
             ">>" if signed => ShiftArithmetic,
             ">>" => ShiftRight,
-            _ => return self.refuse(format!("`{sign}` of signed integers")),
+            _ => return self.refuse(format!("`{sign}` of integers")),
         };
         Ok((apply(operator, width(&ty), a, b), ty))
     }
@@ -73,47 +67,24 @@ impl Compiler<'_> {
     pub(super) fn common(&self, x: &Type, y: &Type) -> Result<Type> {
         match (promoted(x), promoted(y)) {
             (Float, Float | Integer(..)) | (Integer(..), Float) => Ok(Float),
-            // the wider one, or unsigned if either of the same size is
-            (Integer(a, s), Integer(b, t)) => Ok(Integer(
-                a.max(b),
-                if a == b {
-                    s && t
-                } else if a > b {
-                    s
-                } else {
-                    t
-                },
-            )),
+            // the only signed type is narrower than the unsigned ones, or as wide
+            (Integer(a, s), Integer(b, t)) => Ok(Integer(a.max(b), s && t)),
             _ => self.refuse("operands of another type"),
         }
     }
 
     pub(super) fn converted(&self, (value, from): Typed, to: &Type) -> Result<Expression> {
-        let apply = |operator, width, a, b| apply(operator, width, a, Expression::Number(b));
         match (&from, to) {
             _ if from == *to => Ok(value),
-            (Pointer(_), Pointer(_)) | (_, Void) => Ok(value),
-
+            (Pointer(_), Pointer(_)) => Ok(value),
             (Integer(bytes, signed), Float) if *bytes <= 4 => Ok(of(Computed::OfInteger(*signed), [value])),
             (Float, Integer(..)) => self.refuse("a float that is in the range of an integer"),
-            (Integer(a, signed), Integer(b, to_signed)) => Ok(match (a, b) {
-                (8, 8) => value,
-                (_, 8) if *signed => {
-                    let flipped = apply(Xor, Width::W64, value, 0x8000_0000);
-                    apply(Subtract, Width::W64, flipped, 0x8000_0000)
-                }
-                (_, 8) => value,
-                (8, _) | (_, 1 | 2) if *to_signed && *b < 4 => {
-                    let unused = 32 - 8 * u64::from(*b);
-                    let upper = apply(ShiftLeft, Width::W32, value, unused);
-                    apply(ShiftArithmetic, Width::W32, upper, unused)
-                }
-                (8, _) | (_, 1 | 2) => {
-                    let width = if *a == 8 { Width::W64 } else { Width::W32 };
-                    apply(And, width, value, (1 << (8 * u64::from(*b))) - 1)
-                }
-                _ => value,
-            }),
+            (Integer(_, true), Integer(8, _)) => self.refuse("an unsigned integer"),
+            (Integer(a, _), Integer(b, _)) if *b < 4 || *a == 8 && *b == 4 => {
+                let mask = Expression::Number((1 << (8 * u64::from(*b))) - 1);
+                Ok(apply(And, width(&from), value, mask))
+            }
+            (Integer(..), Integer(..)) => Ok(value),
             _ => self.refuse(format!("a conversion from {from:?} to {to:?}")),
         }
     }

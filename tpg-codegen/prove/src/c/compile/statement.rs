@@ -47,39 +47,27 @@ impl Compiler<'_> {
                 }
                 Ok(())
             }
-            "while" | "for" => {
-                self.enter();
-                if word == "for" {
-                    self.expect("(")?;
-                    self.statement()?;
-                }
-                self.repeat(&word)?;
-                self.leave();
-                Ok(())
-            }
+            "for" => self.repeat(),
             "switch" => self.switch(),
             "case" | "default" => {
                 let value = if word == "case" { Some(u64::from(self.constant()? as u32)) } else { None };
                 self.expect(":")?;
                 let here = self.here();
-                match self.frame.targets.iter_mut().rfind(|target| target.continues.is_none()) {
-                    Some(switch) => switch.cases.push((value, here)),
+                match self.frame.targets.last_mut().and_then(|target| target.cases.as_mut()) {
+                    Some(cases) => cases.push((value, here)),
                     None => return self.refuse("the switch of a case"),
                 }
                 Ok(())
             }
-            "break" | "continue" => {
-                let breaks = word == "break";
-                let target = self.frame.targets.iter().rposition(|target| breaks || target.continues.is_some());
-                let Some(target) = target else { return self.refuse("a loop around") };
-                let jump = self.jump(self.frame.targets[target].scopes);
-                let target = &mut self.frame.targets[target];
-                match &mut target.continues {
-                    Some(continues) if !breaks => continues.push(jump),
-                    _ => target.breaks.push(jump),
-                }
+            "break" => {
+                let Some(scopes) = self.frame.targets.last().map(|target| target.scopes) else {
+                    return self.refuse("a loop or switch around");
+                };
+                let jump = self.jump(scopes);
+                self.frame.targets.last_mut().into_iter().for_each(|target| target.breaks.push(jump));
                 self.expect(";")
             }
+            "while" | "do" | "continue" => self.refuse(format!("a loop without `{word}`")),
             "goto" => {
                 let label = self.name()?;
                 let jump = self.emit(Operation::Jump(usize::MAX, Vec::new()));
@@ -114,38 +102,28 @@ impl Compiler<'_> {
         self.expect(")").map(|()| condition)
     }
 
-    /// Reads a loop behind its first word, or behind the first statement in its brackets.
-    fn repeat(&mut self, word: &str) -> Result<()> {
-        let target = JumpTarget { continues: Some(Vec::new()), scopes: self.scopes.len(), ..JumpTarget::default() };
-        let mut exits = Vec::new();
+    /// Reads a loop behind its first word.
+    fn repeat(&mut self) -> Result<()> {
+        self.enter();
+        self.expect("(")?;
+        self.statement()?;
         let head = self.here();
         self.head();
-        let mut step = None;
-        if word == "while" {
-            let condition = self.bracketed()?;
-            exits.push(self.branch(condition));
-        } else {
-            if *self.peek() != Sign(";") {
-                let condition = self.tested(Self::assignment)?;
-                exits.push(self.branch(condition));
-            }
-            self.expect(";")?;
-            step = Some(self.at).filter(|_| *self.peek() != Sign(")"));
-            self.skip("(", ")")?;
-        }
-        self.frame.targets.push(target);
+        let condition = self.tested(Self::assignment)?;
+        let exit = self.branch(condition);
+        self.expect(";")?;
+        let step = self.at;
+        self.skip("(", ")")?;
+        self.frame.targets.push(JumpTarget { scopes: self.scopes.len(), ..JumpTarget::default() });
         self.statement()?;
         let target = self.frame.targets.pop().unwrap_or_default();
-        self.land(&target.continues.unwrap_or_default());
-        if let Some(step) = step {
-            let behind = std::mem::replace(&mut self.at, step);
-            self.assignment()?;
-            self.at = behind;
-        }
-
+        let behind = std::mem::replace(&mut self.at, step);
+        self.assignment()?;
+        self.at = behind;
         self.emit(Operation::Jump(head, Vec::new()));
-        exits.extend(target.breaks);
-        self.land(&exits);
+        self.land(&[exit]);
+        self.land(&target.breaks);
+        self.leave();
         Ok(())
     }
 
@@ -159,22 +137,25 @@ impl Compiler<'_> {
         let cell = self.allocate(&Type::UNSIGNED);
         self.put(number(cell), value, &Type::UNSIGNED)?;
         let dispatch = self.jump(self.scopes.len());
-        self.frame.targets.push(JumpTarget { scopes: self.scopes.len(), ..JumpTarget::default() });
+        let scopes = self.scopes.len();
+        self.frame.targets.push(JumpTarget { cases: Some(Vec::new()), scopes, ..JumpTarget::default() });
         self.statement()?;
-        let mut target = self.frame.targets.pop().unwrap_or_default();
-        target.breaks.push(self.jump(self.scopes.len()));
+        let target = self.frame.targets.pop().unwrap_or_default();
+        let end = self.jump(scopes);
         self.land(&[dispatch]);
-        for &(value, at) in &target.cases {
-            let Some(value) = value else { continue };
+        let (mut default, cases) = (None, target.cases.unwrap_or_default());
+        for (value, at) in cases {
+            let Some(value) = value else {
+                default = Some(at);
+                continue;
+            };
             let (load, _) = self.loaded(number(cell), Type::UNSIGNED)?;
             // a branch goes there where its condition fails
             self.emit(Operation::Branch(!of(Computed::Same(Width::W32), [load, Expression::Number(value)]), at));
         }
-        let default = target.cases.iter().find(|(value, _)| value.is_none()).map(|&(_, at)| at);
-        let last = self.emit(Operation::Jump(default.unwrap_or(usize::MAX), Vec::new()));
-        if default.is_none() {
-            target.breaks.push(last);
-        }
+        let Some(default) = default else { return self.refuse("a switch with a default") };
+        self.emit(Operation::Jump(default, Vec::new()));
+        self.land(&[end]);
         self.land(&target.breaks);
         Ok(())
     }
