@@ -16,8 +16,7 @@ use std::sync::{Mutex, MutexGuard};
 use std::thread::JoinHandle;
 use std::time::Duration;
 use tpg_engine::{
-    Choices, EngineOptions, Environment, EpisodeResult, Evaluator, LocalThreads, Moments, Played, PolicyGraph,
-    Remembered, Remembering,
+    Choices, Environment, EpisodeResult, Evaluator, LocalThreads, Moments, Played, PolicyGraph, Remembered, Remembering,
 };
 use tpg_graph::ScalarType;
 use tpg_graph::error::InputError;
@@ -393,7 +392,7 @@ where
 {
     let memory = Remembered::zeros(config.language.memory, &environment.sources());
     let environment = Remembering::new(environment, memory);
-    let evaluator = LocalThreads::<S, Own, _>::new(&environment, EngineOptions::default(), threads)?;
+    let evaluator = LocalThreads::<S, Own, _>::new(&environment, threads)?;
     evolve(config, seed, &environment, &evaluator, options, mailbox)
 }
 

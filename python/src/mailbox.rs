@@ -1,7 +1,6 @@
 //! The conversation between a run, which has a thread of its own, and Python, which runs the episodes.
 
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender};
 use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Play, Played, Visit, Work};
 
@@ -33,13 +32,12 @@ pub(crate) enum Reply {
 pub(crate) struct Mailbox<Report> {
     events: SyncSender<Event<Report>>,
     replies: Mutex<Receiver<Reply>>,
-    steps: AtomicU64,
 }
 
 impl<Report> Mailbox<Report> {
     /// Creates the run's end.
     pub(crate) fn new(events: SyncSender<Event<Report>>, replies: Receiver<Reply>) -> Self {
-        Self { events, replies: Mutex::new(replies), steps: AtomicU64::new(0) }
+        Self { events, replies: Mutex::new(replies) }
     }
 
     /// Says something and waits for the reply; `None` if nobody listens any more.
@@ -64,8 +62,6 @@ impl<Report> Evaluator<u64> for Mailbox<Report> {
             return Ok(vec![Vec::new(); work.policies.len()]);
         }
         let Some(Reply::Endings(endings)) = self.ask(Event::Evaluate(work.clone())) else { return Err(stopped()) };
-        let actions = endings.iter().flatten().map(|ending| u64::from(ending.actions)).sum();
-        self.steps.fetch_add(actions, Ordering::Relaxed);
         Ok(endings)
     }
 
@@ -82,12 +78,6 @@ impl<Report> Evaluator<u64> for Mailbox<Report> {
             return Ok(Vec::new());
         }
         let Some(Reply::Played(played)) = self.ask(Event::Play(plays.to_vec())) else { return Err(stopped()) };
-        let actions = played.iter().map(|played| u64::from(played.ending.actions)).sum();
-        self.steps.fetch_add(actions, Ordering::Relaxed);
         Ok(played)
-    }
-
-    fn steps(&self) -> u64 {
-        self.steps.load(Ordering::Relaxed)
     }
 }

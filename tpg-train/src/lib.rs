@@ -29,6 +29,7 @@ mod quantise;
 mod ranks;
 mod report;
 mod run_args;
+mod run_time;
 mod sac;
 mod targets;
 #[cfg(test)]

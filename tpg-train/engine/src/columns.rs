@@ -128,18 +128,6 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
             compute_column::<S, M>(instruction, [a, b], to, stale, lanes);
         }
     }
-
-    /// Returns a node's value in one lane, computing it for that lane alone if its column is stale.
-    pub(super) fn value(&self, plan: &Plan<S>, node: NodeId, lane: usize) -> S {
-        match plan.nodes[node.index()] {
-            Node::Operation(instruction, a, b) if !self.fresh[node.index()].contains(lane / PART) => {
-                let a_value = self.value(plan, a, lane);
-                let b_value = if a == b { a_value } else { self.value(plan, b, lane) };
-                instruction.apply::<S, M>(a_value, b_value)
-            }
-            _ => self.get(node, lane),
-        }
-    }
 }
 
 /// Computes an instruction in some parts of the first `lanes` lanes. Dispatches once per instruction, so that the loops do not

@@ -34,7 +34,7 @@ pub(super) fn kindred<S: Copy>(plan: &Plan<S>) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::kindred;
-    use crate::{Destination, Edge, EngineOptions, Line, Operand, Plan, PolicyGraph, SourceDocument};
+    use crate::{Destination, Edge, Line, Operand, Plan, PolicyGraph, SourceDocument};
     use tpg_runtime::ops::{Instruction, Own};
 
     #[test]
@@ -56,11 +56,7 @@ mod tests {
         let roots = [root(&[sine, sum, product]), root(&[other]), root(&[sum, product]), root(&[sine])];
         let source = SourceDocument::new("x", "1", vec![[0.0, 1.0]; 2]);
         let policies: Vec<&PolicyGraph> = roots.iter().collect();
-        let plan = Plan::<f32>::of_roots::<Own>(
-            &policies,
-            &[source],
-            EngineOptions { lazy: false, ..EngineOptions::default() },
-        );
+        let plan = Plan::<f32>::of_roots::<Own>(&policies, &[source]);
         // The last root has the sine in common with the first, which outweighs two other operations.
         assert_eq!(kindred(&plan), [0, 3, 1, 2]);
     }

@@ -23,12 +23,6 @@ impl Parts {
         self.0 |= 1 << part;
     }
 
-    /// Adds both parts of a block.
-    #[inline(always)]
-    pub(super) fn insert_block(&mut self, block: usize) {
-        self.0 |= 3 << (2 * block);
-    }
-
     /// Adds the parts of another set.
     #[inline(always)]
     pub(super) fn add(&mut self, other: Self) {
@@ -110,9 +104,6 @@ mod tests {
 
     #[test]
     fn blocks_come_once_for_both_of_their_parts() {
-        let mut last = Parts::NONE;
-        last.insert_block(31);
-        assert_eq!(last, set(&[62, 63]));
         assert_eq!(set(&[1, 4, 5, 62]).blocks().collect::<Vec<_>>(), [0, 2, 31]);
         assert_eq!(Parts::ALL.blocks().collect::<Vec<_>>(), (0..32).collect::<Vec<_>>());
     }

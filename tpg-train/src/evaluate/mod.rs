@@ -6,18 +6,18 @@ mod report;
 pub use report::{Against, EvaluationReport};
 
 use crate::hybrid::rollout::{Acting, HybridResult};
-use crate::hybrid::setting::{Detector, Hybrid, Setting, UNGUARDED};
-use crate::hybrid::shared::{Episodes, Facts, Shared};
-use crate::hybrid::span::Span;
+use crate::hybrid::setting::{Hybrid, Setting};
+use crate::hybrid::shared::{Episodes, Shared};
 use crate::run_args::{command_line, print};
 use crate::sac::network::Network;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use tpg_engine::{EpisodeResult, TaskSet};
 use tpg_graph::Graph;
-use tpg_graph::error::{Finding, InputError, Place};
+use tpg_graph::error::{InputError, Place};
 use tpg_graph::files::{read_graph, read_text};
 use tpg_problems::{Problem, ProblemName};
+use tpg_runtime::switch::Driver;
 
 /// Let a policy act and count how its episodes end.
 #[derive(Clone, Debug, Args)]
@@ -25,7 +25,7 @@ pub(crate) struct EvalArgs {
     /// The problem
     #[arg(long, value_enum)]
     pub problem: ProblemName,
-    /// A graph; with --policy too, the graph hands over to the network, or asks it
+    /// A graph; with --policy too, one that asks the network
     #[arg(long, value_name = "GRAPH", required_unless_present_any = ["policy", "hybrid"])]
     pub tpg: Option<PathBuf>,
     /// The problem's settings of this configuration. Default: those of the problem, and what the policy says of its training
@@ -38,22 +38,6 @@ pub(crate) struct EvalArgs {
     /// A hybrid.toml: graph, network, and when they take turns
     #[arg(long, value_name = "FILE", conflicts_with_all = ["tpg", "policy"])]
     pub hybrid: Option<PathBuf>,
-    /// With --tpg and --policy: actions of the network before the graph takes over again, or `never`
-    #[arg(long, value_name = "N", default_value = "100")]
-    pub hand_back_after: Span,
-    /// With --tpg and --policy: the network takes over when the distance to the goal exceeds its minimum by this, in the problem's
-    /// own unit
-    #[arg(long, value_name = "D", alias = "separation-mm", default_value_t = f64::INFINITY)]
-    pub separation: f64,
-    /// With --tpg and --policy: the network takes over after that many actions without progress, or `never`
-    #[arg(long, value_name = "N", default_value = "never")]
-    pub patience: Span,
-    /// With --tpg and --policy, where the problem has guards: the one that holds [default: the last]
-    #[arg(long, value_name = "GUARD")]
-    pub guard: Option<String>,
-    /// With --tpg and --policy: method of detecting that the graph cycles [default: visited where states have keys, else none]
-    #[arg(long, value_enum)]
-    pub cycle_detector: Option<Detector>,
     /// Episodes from a file, as `tpg-train targets` prints them for some problems
     #[arg(long, value_name = "CSV", conflicts_with = "episodes")]
     pub targets: Option<PathBuf>,
@@ -142,7 +126,7 @@ fn played(
         }
         Policy::Controller(name) => {
             let endings = problem.controlled(name, &episodes.in_problem(problem)?).unwrap_or_default();
-            let done = HybridResult::alone(endings);
+            let done = HybridResult::alone(endings, Driver::Sac);
             let report = EvaluationReport::new(problem, name, episodes, &done, None);
             Ok((report, done.endings))
         }
@@ -182,9 +166,14 @@ fn asked(args: &EvalArgs) -> Result<(Policy, Problem), InputError> {
             let graph = (graph.display().to_string(), read(graph)?);
             let network = (actor.clone(), Network::read(Path::new(actor))?);
             let problem = joined(Some(&graph), &network)?;
-            let setting = setting(args, &problem.facts());
-            let refuse = |Finding { key, found, accepted }: Finding| command_line(format!("{key} = {found}"), accepted);
-            setting.check_for(&graph.1).map_err(refuse)?;
+            if graph.1.asks().next().is_none() {
+                let found = format!("{} with --policy {actor}: it asks nobody", graph.0);
+                return Err(command_line(
+                    found,
+                    "a graph that asks, or --hybrid FILE, which says when the network takes over",
+                ));
+            }
+            let setting = Setting::only_asks();
             let name = format!("{} with {actor}: {}", graph.0, setting.sentence());
             Ok((Policy::Hybrid(name, Box::new(Hybrid { problem: None, graph, network, setting })), problem))
         }
@@ -203,19 +192,6 @@ fn asked(args: &EvalArgs) -> Result<(Policy, Problem), InputError> {
             Ok((Policy::Network(network), problem))
         }
         (None, None, None) => Err(command_line("no policy", "--tpg GRAPH, --policy FILE or --hybrid FILE")),
-    }
-}
-
-/// Returns the setting that the arguments ask for.
-fn setting(args: &EvalArgs, facts: &Facts) -> Setting {
-    let detector = if facts.has_key { Detector::Visited } else { Detector::None };
-    let guard = facts.guards.last().copied().unwrap_or(UNGUARDED);
-    Setting {
-        hand_back_after: args.hand_back_after,
-        separation: args.separation,
-        patience: args.patience,
-        detector: args.cycle_detector.unwrap_or(detector),
-        guard: args.guard.clone().unwrap_or_else(|| guard.to_owned()),
     }
 }
 
@@ -279,9 +255,7 @@ fn play(
         _ => None,
     };
     let done = problem.play(acting, episodes)?;
-    let mut report = EvaluationReport::new(problem, name, episodes, &done, hybrid);
-    report.effort = problem.effort(acting, episodes)?;
-    Ok((report, done.endings))
+    Ok((EvaluationReport::new(problem, name, episodes, &done, hybrid), done.endings))
 }
 
 /// Returns a problem with the settings of a configuration, or the one that a graph is tested on without.

@@ -375,7 +375,7 @@ mod tests {
     use super::{Evolution, Goal};
     use crate::evolution::config::{EvolutionConfig, StartConfig};
     use crate::evolution::state::State;
-    use tpg_engine::{Choices, EngineOptions, LocalThreads};
+    use tpg_engine::{Choices, LocalThreads};
     use tpg_problems::Pendulum;
     use tpg_runtime::ops::Own;
 
@@ -385,7 +385,7 @@ mod tests {
         let named: Choices<f32, Pendulum> = Choices::new(Pendulum, Some(2)).expect("two torques");
         let mut config = EvolutionConfig::default();
         (config.tpg.nb_roots, config.demes.count) = (10, 3);
-        let evaluator = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 1).expect("a thread");
+        let evaluator = LocalThreads::<f32, Own, _>::new(&environment, 1).expect("a thread");
         let mut state = State::new(1, 1);
         state.episode_steps = 200;
         // A quarter of so many steps is enough for ten generations.
@@ -404,7 +404,7 @@ mod tests {
             assert_eq!(evolution.start(&state), expected, "{max_steps:?}");
         }
         // Where actions are named, half a generation is enough.
-        let evaluator = LocalThreads::<f32, Own, _>::new(&named, EngineOptions::default(), 1).expect("a thread");
+        let evaluator = LocalThreads::<f32, Own, _>::new(&named, 1).expect("a thread");
         config.start = start(0.5, 0.75);
         for (max_steps, expected) in [(enough / 20, start(0.5, 0.75)), (enough / 20 - 4, start(1.0, 1.0))] {
             let goal = Goal { max_steps: Some(max_steps), target: None };

@@ -10,7 +10,8 @@ use super::rollout::Acting;
 use super::setting::{Detector, HybridFile, Setting, UNGUARDED};
 use super::shared::{Episodes, Facts, Shared};
 use super::span::Span;
-use super::study::{self, absolute, to_csv};
+use super::study::{self, absolute};
+use crate::csv_text::to_csv;
 use crate::run_args::command_line;
 use crate::sac::network::Network;
 use clap::Args;
@@ -240,11 +241,12 @@ fn separations(args: &StudyArgs, subject: &Subject<'_>) -> Result<Vec<f64>, Inpu
         return bad.map_or_else(|| Ok(args.separation.clone()), refused);
     }
     let episodes = Episodes { count: MEASURED.min(args.episodes), ..subject.episodes };
-    let mut rises = Vec::new();
+    let (mut rises, only_asks) = (Vec::new(), Setting::only_asks());
     for graph in &subject.graphs {
         // A graph that asks rises with each network in its own way, any other as without one.
         for network in subject.networks.iter().take(if asks(&graph.1) { usize::MAX } else { 1 }) {
-            rises.extend(subject.problem.rises(graph, network, episodes)?);
+            let both = Acting::Both(graph, network, &only_asks);
+            rises.extend(subject.problem.play(both, episodes)?.rises);
         }
     }
     Ok(quantiles(rises))

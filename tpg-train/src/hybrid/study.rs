@@ -1,6 +1,7 @@
 //! Studies: every pair of a graph and a network under every setting, in parallel.
 
 use super::cells::{Cell, Subject};
+use crate::csv_text::to_csv;
 use crate::folder::{RunFolder, Trainer};
 use crate::progress::Bar;
 use rayon::ThreadPool;
@@ -30,13 +31,6 @@ pub(crate) fn run(study: &Subject<'_>, folder: &RunFolder, threads: &ThreadPool)
     let cells = cells?;
     write_atomically(&folder.file("cells.csv"), &to_csv(cells.iter().map(|cell| (&cell.setting, cell))))?;
     Ok(cells)
-}
-
-/// Writes rows as CSV.
-pub(crate) fn to_csv(rows: impl Iterator<Item = impl Serialize>) -> Vec<u8> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    rows.for_each(|row| writer.serialize(row).expect("plain data in memory"));
-    writer.into_inner().expect("memory can be written")
 }
 
 /// Starts a study in a folder; `asked` is the content of its `study.toml`.

@@ -33,7 +33,7 @@ pub(super) fn gather(link: &impl Link, identity: &str, own_threads: usize) -> Re
                 }
             }
             Reply::Failed(text) => problem = Some(format!("rank {rank}: {text}")),
-            Reply::Done { .. } => problem = Some(format!("rank {rank}: an answer without a question")),
+            Reply::Done(_) => problem = Some(format!("rank {rank}: an answer without a question")),
         }
     }
     let Some(problem) = problem else { return Ok(threads) };
@@ -69,16 +69,14 @@ pub(super) struct Leader<'l, L, V> {
     local: &'l V,
     /// Threads of each rank.
     threads: Vec<usize>,
-    /// Steps of each rank.
-    steps: RefCell<Vec<u64>>,
     /// The bytes of the newest tasks, and the ranks that have them.
     tasks: RefCell<(Vec<u8>, Vec<bool>)>,
 }
 
 impl<'l, L: Link, V> Leader<'l, L, V> {
     pub(super) fn new(link: &'l L, local: &'l V, threads: Vec<usize>) -> Self {
-        let (steps, known) = (RefCell::new(vec![0; threads.len()]), vec![false; threads.len()]);
-        Self { link, local, threads, steps, tasks: RefCell::new((Vec::new(), known)) }
+        let known = vec![false; threads.len()];
+        Self { link, local, threads, tasks: RefCell::new((Vec::new(), known)) }
     }
 
     /// Answers to pieces of work, in their order, by all ranks. Rank 0's threads take their shares themselves; this thread alone
@@ -154,7 +152,7 @@ impl<'l, L: Link, V> Leader<'l, L, V> {
             if let Some((rank, bytes)) = self.link.poll()? {
                 // The worker goes on before its answer is looked at.
                 let share = std::mem::replace(&mut under_way[rank], self.hand_out(question, rank)?);
-                finished.push((share.unwrap_or_default(), self.read(rank, &bytes)));
+                finished.push((share.unwrap_or_default(), Self::read(rank, &bytes)));
             }
             patience = if finished.is_empty() { patience.wait() } else { Patience::default() };
             for (share, answers) in finished {
@@ -177,12 +175,9 @@ impl<'l, L: Link, V> Leader<'l, L, V> {
     }
 
     /// Reads a worker's answers.
-    fn read(&self, rank: usize, bytes: &[u8]) -> Answers {
+    fn read(rank: usize, bytes: &[u8]) -> Answers {
         match decode(bytes)? {
-            Reply::Done { answers, steps } => {
-                self.steps.borrow_mut()[rank] = steps;
-                Ok(answers)
-            }
+            Reply::Done(answers) => Ok(answers),
             Reply::Failed(text) => Err(EvaluationError::new(format!("rank {rank}: {text}"))),
             Reply::Ready { .. } => Err(EvaluationError::new(format!("rank {rank}: ready for a second time"))),
         }
@@ -219,9 +214,5 @@ where
             _ => Err(EvaluationError::new("another answer than that to an episode")),
         });
         played.collect()
-    }
-
-    fn steps(&self) -> u64 {
-        self.local.steps() + self.steps.borrow().iter().sum::<u64>()
     }
 }

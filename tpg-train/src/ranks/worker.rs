@@ -22,8 +22,8 @@ pub(super) enum Order {
 pub(super) enum Reply {
     /// The worker is ready; everything that must be equal on all ranks, and its number of threads.
     Ready { identity: String, threads: u64 },
-    /// An answer to each job in order; the number of steps since the worker began.
-    Done { answers: Vec<Answer>, steps: u64 },
+    /// An answer to each job in order.
+    Done(Vec<Answer>),
     /// The order, or the start, has failed.
     Failed(String),
 }
@@ -92,7 +92,7 @@ pub(super) fn serve<Task: Clone + DeserializeOwned>(
             Err(error) => Err(error),
         };
         let reply = match answered {
-            Ok(answers) => Reply::Done { answers, steps: local.steps() },
+            Ok(answers) => Reply::Done(answers),
             Err(error) => Reply::Failed(error.into_inner().to_string()),
         };
         link.send(0, &encode(&reply)?)?;

@@ -4,17 +4,15 @@ use super::config::SacConfig;
 use super::failures::Failures;
 use super::interface::{Input, Interface};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Act, End, Environment, SourceSet};
+use tpg_engine::{Act, End, Environment, Rollout, SourceSet};
 
 /// A running episode.
-pub(crate) struct Lane<E: Environment<f32>> {
+pub(crate) struct Lane<'e, E: Environment<f32>> {
     /// The task that it began with.
     pub(crate) task: E::Task,
     /// The actions so far, one after the other, every component in −1..1. With the task they are the whole episode.
     pub(crate) actions: Vec<f32>,
-    episode: E::Episode,
-    /// Actions so far.
-    done: u32,
+    rollout: Rollout<'e, f32, E>,
 }
 
 /// The consequence of one decision.
@@ -32,14 +30,13 @@ pub(crate) struct Consequence {
 pub(crate) struct Lanes<'e, E: Environment<f32>> {
     environment: &'e E,
     interface: Interface,
-    limit: u32,
     /// Actions of the environment that a decision lasts.
     lasts: u32,
     /// Discount of each elementary step.
     discount: f32,
     seed: u64,
     /// The lanes.
-    pub(crate) lanes: Vec<Lane<E>>,
+    pub(crate) lanes: Vec<Lane<'e, E>>,
     /// Episodes ever begun.
     pub(crate) episodes: u64,
     /// Places where some of the episodes begin again.
@@ -51,11 +48,10 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
     /// Begins an episode in each lane.
     pub(crate) fn new(environment: &'e E, interface: Interface, config: &SacConfig, seed: u64) -> Self {
         let retried = config.retry.map_or(0.0, |retry| retry.share);
-        let (limit, failures) = (environment.time_limit(), Failures::default());
+        let failures = Failures::default();
         let (lasts, discount) = (config.learning.decision_lasts, config.learning.discount as f32);
         let lanes = Vec::new();
-        let mut new =
-            Self { environment, interface, limit, lasts, discount, seed, lanes, episodes: 0, failures, retried };
+        let mut new = Self { environment, interface, lasts, discount, seed, lanes, episodes: 0, failures, retried };
         for _ in 0..config.learning.lanes {
             let lane = new.begin();
             new.lanes.push(lane);
@@ -73,7 +69,7 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
     }
 
     /// Begins the next episode; some begin where the actor failed.
-    fn begin(&mut self) -> Lane<E> {
+    fn begin(&mut self) -> Lane<'e, E> {
         let mut random = Stream::new(self.seed, self.episodes, Purpose::Reset, 0);
         self.episodes += 1;
         let again = !self.failures.places.is_empty() && random.chance(self.retried);
@@ -81,13 +77,13 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
         self.lane(task.unwrap_or_else(|| self.environment.draw(&mut random)))
     }
 
-    fn lane(&self, task: E::Task) -> Lane<E> {
-        Lane { episode: self.environment.start(&task), task, actions: Vec::new(), done: 0 }
+    fn lane(&self, task: E::Task) -> Lane<'e, E> {
+        Lane { rollout: Rollout::new(self.environment, &task), task, actions: Vec::new() }
     }
 
     /// Writes the actor's inputs in a lane.
     pub(crate) fn observe(&mut self, lane: usize, inputs: &mut [f32]) {
-        self.environment.observe(&mut self.lanes[lane].episode, SourceSet::ALL, inputs);
+        self.environment.observe(self.lanes[lane].rollout.episode_mut(), SourceSet::ALL, inputs);
         self.interface.scale(inputs);
     }
 
@@ -99,12 +95,10 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
         lane.actions.extend_from_slice(action);
         let mut whole = Consequence { reward: 0.0, steps: 0, end: None };
         for _ in 0..self.lasts {
-            let step = self.environment.step(&mut lane.episode, Act::Values(&values));
-            lane.done += 1;
-            let timeout = || (lane.done >= self.limit).then(|| self.environment.timeout(&lane.episode));
+            let step = lane.rollout.step(Act::Values(&values));
             whole.reward += libm::powf(self.discount, whole.steps as f32) * step.reward as f32;
             whole.steps += step.repeats;
-            whole.end = step.end.or_else(timeout);
+            whole.end = step.end;
             if whole.end.is_some() {
                 break;
             }

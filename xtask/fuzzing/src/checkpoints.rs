@@ -4,7 +4,7 @@ use crate::accepted;
 use std::fs;
 use std::ops::ControlFlow;
 use tempfile::TempDir;
-use tpg_engine::{Choices, EngineOptions, LocalThreads};
+use tpg_engine::{Choices, LocalThreads};
 use tpg_problems::Pendulum;
 use tpg_runtime::ops::Own;
 use tpg_train::loaders::Evolution;
@@ -52,7 +52,7 @@ pub fn tpg(data: &[u8]) {
         Ok(state) => state,
         Err(error) => return drop(error.to_string()),
     };
-    let evaluator = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 1).expect("a thread");
+    let evaluator = LocalThreads::<f32, Own, _>::new(&environment, 1).expect("a thread");
     let evolution = Evolution::new(&config, &environment, &evaluator, state.scales.clone(), Goal::default());
     if evolution.finished(&state) {
         return;
@@ -93,7 +93,7 @@ pub fn seeds() -> [Vec<u8>; 3] {
     let place = TempDir::new().expect("a temporary folder");
     let options = RunOptions { folder: place.path().to_owned(), ..RunOptions::default() };
     let (config, environment) = (evolution(), swing());
-    let evaluator = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 1).expect("a thread");
+    let evaluator = LocalThreads::<f32, Own, _>::new(&environment, 1).expect("a thread");
     let stop_after_2 = |progress: &tpg_train::Progress<'_>| match progress.generations {
         2 => ControlFlow::Break(()),
         _ => ControlFlow::Continue(()),

@@ -9,7 +9,7 @@ use crate::folder::{Trainer, checkpoint::look};
 use serde_json::{Value, json};
 use std::ops::ControlFlow;
 use std::sync::OnceLock;
-use tpg_engine::{Choices, EngineOptions, Environment, LocalThreads};
+use tpg_engine::{Choices, Environment, LocalThreads};
 use tpg_graph::error::{InputError, Place};
 use tpg_problems::Pendulum;
 use tpg_problems::arm::targets::Start;
@@ -46,7 +46,7 @@ fn content<E: Environment<f32>>(config: &EvolutionConfig, environment: &E) -> Va
 fn content_after<E: Environment<f32>>(generations: u64, config: &EvolutionConfig, environment: &E) -> Value {
     let place = tempfile::tempdir().expect("a temporary folder");
     let options = RunOptions { folder: place.path().to_owned(), ..RunOptions::default() };
-    let evaluator = LocalThreads::<f32, Own, _>::new(environment, EngineOptions::default(), 1).expect("a thread");
+    let evaluator = LocalThreads::<f32, Own, _>::new(environment, 1).expect("a thread");
     let watch = |progress: &Progress<'_>| match progress.generations >= generations {
         true => ControlFlow::Break(()),
         false => ControlFlow::Continue(()),
