@@ -16,8 +16,8 @@ use tpg_generated::widowx_sac::{MODEL, SCRATCH};
 use tpg_problems::{Problem, ProblemName};
 use tpg_runtime::net::Kind;
 use tpg_runtime::policy::Policy;
-use tpg_train::loaders::read_file;
-use tpg_train::{Acting, Episodes, Network, QuantiseArgs, evaluate, quantise as quantise_file};
+use tpg_train::parts::{QuantiseArgs, quantise as quantise_file, read_file};
+use tpg_train::{Acting, Episodes, Network, evaluate};
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
 

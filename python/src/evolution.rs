@@ -145,12 +145,6 @@ fn set_all(layers: &mut Layers, settings: &str) -> PyResult<()> {
     Ok(())
 }
 
-/// Returns the number of steps of the run in a folder; 0 if there is none.
-#[pyfunction]
-pub(crate) fn steps_of(folder: PathBuf) -> PyResult<u64> {
-    tpg_train::steps_of(&folder).map_err(error::input)
-}
-
 #[pymethods]
 impl Evolution {
     /// Starts a run whose episodes Python runs.

@@ -10,7 +10,8 @@ use tpg_engine::{Choices, TaskSet};
 use tpg_graph::Graph;
 use tpg_problems::{Pendulum, Problem, ProblemName};
 use tpg_runtime::ops::Own;
-use tpg_train::{Acting, AskConfig, Asking, Config as EvolutionConfig, Episodes, Network, OwnProblem, Shared as _};
+use tpg_train::parts::AskConfig;
+use tpg_train::{Acting, Asking, Config as EvolutionConfig, Episodes, Network, OwnProblem, Shared as _};
 
 /// Asks where the angular velocity is negative, else pushes with the highest torque.
 const ASKS: &str = r#"{

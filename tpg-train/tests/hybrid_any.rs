@@ -10,9 +10,9 @@ use tpg_engine::random::Stream;
 use tpg_engine::{Act, ActionSpace, Choices, End, Environment, SourceSet, Step, Summary, TaskSet};
 use tpg_graph::{Graph, SourceDocument};
 use tpg_runtime::ops::Own;
+use tpg_train::parts::{StudyArgs, study_on};
 use tpg_train::{
-    Acting, Detector, Episodes, Hybrid, Network, OwnProblem, ReportArgs, Setting, Shared, Span, StudyArgs, report_with,
-    study_on,
+    Acting, Detector, Episodes, Hybrid, Network, OwnProblem, ReportArgs, Setting, Shared, Span, report_with,
 };
 
 /// The pendulum's network, made by `tpg-train sac`.

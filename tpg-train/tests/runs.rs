@@ -8,7 +8,8 @@ use std::time::{Duration, Instant};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_problems::arm::arms::ARMS;
 use tpg_problems::{Problem, ProblemName};
-use tpg_train::{Config as EvolutionConfig, Configuration as _, Units};
+use tpg_train::parts::Units;
+use tpg_train::{Config as EvolutionConfig, Configuration as _};
 
 /// A run of seconds that uses every feature of evolution: two demes, pool, lexicase, racing, an instruction of its own.
 fn small_config() -> EvolutionConfig {
@@ -112,7 +113,7 @@ fn a_finished_run_is_not_overwritten_and_another_configuration_not_resumed() {
     let row = |row: &str| serde_json::from_str::<serde_json::Value>(row).expect("JSON");
     let steps: Vec<u64> = log.lines().map(|line| row(line)["steps"].as_u64().expect("a count")).collect();
     assert!(steps[0] > 0 && steps.is_sorted_by(|a, b| a < b), "{steps:?}");
-    assert_eq!(steps.last().copied(), tpg_train::steps_of(&folder).ok(), "those of the run");
+    assert_eq!(steps.last().copied(), state(&folder)["steps"].as_u64(), "those of the run");
     assert!(refusal(train(&folder, &config, &["--generations", "2"])).contains("--resume"));
     let mut changed = small_config();
     changed.tpg.nb_roots = 25;

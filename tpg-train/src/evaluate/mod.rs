@@ -3,7 +3,8 @@
 mod law;
 mod report;
 
-pub use report::{Against, EvaluationReport};
+use report::Against;
+pub use report::EvaluationReport;
 
 use crate::hybrid::rollout::{Acting, HybridResult};
 use crate::hybrid::setting::{Hybrid, Setting};
@@ -57,7 +58,7 @@ pub(crate) struct EvalArgs {
 }
 
 /// A policy that is asked for, with the name that the report shows.
-enum Policy {
+enum Evaluated {
     Graph(Box<(String, Graph)>),
     Network((String, Network)),
     Hybrid(String, Box<Hybrid>),
@@ -113,18 +114,18 @@ fn alone(args: &EvalArgs, other: &str, problem: &Problem) -> Result<EvalArgs, In
 /// Lets a policy do the episodes that the arguments ask for.
 fn played(
     args: &EvalArgs,
-    policy: &Policy,
+    policy: &Evaluated,
     problem: &Problem,
 ) -> Result<(EvaluationReport, Vec<EpisodeResult>), InputError> {
     let episodes =
         Episodes { set: TaskSet::Test, count: args.episodes, seed: args.seed, file: args.targets.as_deref() };
     match policy {
-        Policy::Graph(graph) => play(problem, &graph.0, Acting::Graph(graph), episodes),
-        Policy::Network(network) => play(problem, &network.0, Acting::Network(network), episodes),
-        Policy::Hybrid(name, hybrid) => {
+        Evaluated::Graph(graph) => play(problem, &graph.0, Acting::Graph(graph), episodes),
+        Evaluated::Network(network) => play(problem, &network.0, Acting::Network(network), episodes),
+        Evaluated::Hybrid(name, hybrid) => {
             play(problem, name, Acting::Both(&hybrid.graph, &hybrid.network, &hybrid.setting), episodes)
         }
-        Policy::Controller(name) => {
+        Evaluated::Controller(name) => {
             let endings = problem.controlled(name, &episodes.in_problem(problem)?).unwrap_or_default();
             let done = HybridResult::alone(endings, Driver::Sac);
             let report = EvaluationReport::new(problem, name, episodes, &done, None);
@@ -134,7 +135,7 @@ fn played(
 }
 
 /// Reads the policies that the arguments name, and the problem that they are tested on.
-fn asked(args: &EvalArgs) -> Result<(Policy, Problem), InputError> {
+fn asked(args: &EvalArgs) -> Result<(Evaluated, Problem), InputError> {
     let (config, from_file) = (args.config.as_deref(), args.config.is_none());
     let read = |path: &Path| match path.extension().is_some_and(|extension| extension == "toml") {
         true => {
@@ -160,7 +161,7 @@ fn asked(args: &EvalArgs) -> Result<(Policy, Problem), InputError> {
                 return Err(command_line(found, "the same problem twice"));
             }
             let problem = joined(Some(&hybrid.graph), &hybrid.network)?;
-            Ok((Policy::Hybrid(path.display().to_string(), Box::new(hybrid)), problem))
+            Ok((Evaluated::Hybrid(path.display().to_string(), Box::new(hybrid)), problem))
         }
         (None, Some(graph), Some(actor)) => {
             let graph = (graph.display().to_string(), read(graph)?);
@@ -175,21 +176,21 @@ fn asked(args: &EvalArgs) -> Result<(Policy, Problem), InputError> {
             }
             let setting = Setting::only_asks();
             let name = format!("{} with {actor}: {}", graph.0, setting.sentence());
-            Ok((Policy::Hybrid(name, Box::new(Hybrid { problem: None, graph, network, setting })), problem))
+            Ok((Evaluated::Hybrid(name, Box::new(Hybrid { problem: None, graph, network, setting })), problem))
         }
         (None, Some(path), None) => {
             let graph = (path.display().to_string(), read(path)?);
             let problem = problem_for(Some(&graph))?;
-            Ok((Policy::Graph(Box::new(graph)), problem))
+            Ok((Evaluated::Graph(Box::new(graph)), problem))
         }
         (None, None, Some(file)) => {
             let problem = problem_for(None)?;
             if problem.controllers().contains(&file.as_str()) {
-                return Ok((Policy::Controller(file.clone()), problem));
+                return Ok((Evaluated::Controller(file.clone()), problem));
             }
             let network = (file.clone(), Network::read(Path::new(file))?);
             let problem = joined(None, &network)?;
-            Ok((Policy::Network(network), problem))
+            Ok((Evaluated::Network(network), problem))
         }
         (None, None, None) => Err(command_line("no policy", "--tpg GRAPH, --policy FILE or --hybrid FILE")),
     }

@@ -91,7 +91,7 @@ fn seeds(text: &str) -> Result<Seeds, String> {
 ///
 /// # Errors
 /// An invalid configuration, a folder with another run, files that cannot be written.
-pub fn execute(args: &TpgArgs, place: &impl Workplace) -> Result<Verdict, RunError> {
+pub(crate) fn execute(args: &TpgArgs, place: &impl Workplace) -> Result<Verdict, RunError> {
     let Chosen { mut config, problem, .. } = Chosen::<EvolutionConfig>::by(&args.run, args.problem)?;
     if let Some(generations) = args.generations {
         config.learning.nb_generations = generations;
@@ -101,13 +101,13 @@ pub fn execute(args: &TpgArgs, place: &impl Workplace) -> Result<Verdict, RunErr
     // Actions must be named to have one more.
     let levels = problem.levels().or(config.ask.as_ref().map(|_| DEFAULT_LEVELS));
     let training =
-        Training { args, config: &config, problem: &problem, levels, network: network.as_ref(), stop: &stop, place };
+        TpgRun { args, config: &config, problem: &problem, levels, network: network.as_ref(), stop: &stop, place };
     let out = args.run.folder(problem.name(), args.seeds.map_or(args.seed, |seeds| seeds.first));
     training.run(&out)
 }
 
-/// Training on a built-in problem.
-struct Training<'a, W> {
+/// A run on a built-in problem.
+struct TpgRun<'a, W> {
     args: &'a TpgArgs,
     config: &'a EvolutionConfig,
     problem: &'a Problem,
@@ -119,7 +119,7 @@ struct Training<'a, W> {
     place: &'a W,
 }
 
-impl<W: Workplace> Training<'_, W> {
+impl<W: Workplace> TpgRun<'_, W> {
     /// Trains in a folder, with one seed or with several.
     fn run(&self, out: &Path) -> Result<Verdict, RunError> {
         match self.config.language.scalar {

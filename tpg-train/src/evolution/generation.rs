@@ -5,7 +5,7 @@ use super::config::{EvolutionConfig, StartConfig};
 use super::mirror::opposites;
 use super::record::Row;
 use super::search::Search;
-use super::stage::{Candidate, Context, Episodes, Moment, Results, Stage};
+use super::stage::{Candidate, Context, EpisodePlan, Moment, Results, Stage};
 use super::state::{State, actions};
 use super::vocabulary::Vocabulary;
 use std::collections::VecDeque;
@@ -168,12 +168,12 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         };
         let candidates = stage.ask(context, moment);
         let episodes = self.config.learning.nb_iterations_per_policy_evaluation;
-        let count = if stage.episodes() == Episodes::Pairs { candidates.len().div_ceil(2) } else { episodes };
+        let count = if stage.episodes() == EpisodePlan::Pairs { candidates.len().div_ceil(2) } else { episodes };
         let tasks = self.tasks(&state.pool, moment, count);
         let results = match stage.episodes() {
-            Episodes::Pairs => self.pairs_of_episodes(&candidates, &tasks)?,
-            Episodes::Same => self.same_episodes(&candidates, &tasks, None, state.episode_steps)?,
-            Episodes::Racing => self.same_episodes(&candidates, &tasks, Some(survivors), state.episode_steps)?,
+            EpisodePlan::Pairs => self.pairs_of_episodes(&candidates, &tasks)?,
+            EpisodePlan::Same => self.same_episodes(&candidates, &tasks, None, state.episode_steps)?,
+            EpisodePlan::Racing => self.same_episodes(&candidates, &tasks, Some(survivors), state.episode_steps)?,
         };
         let (row, best) = stage.tell(context, moment, &results);
         state.count_training(&results.endings, best);

@@ -195,10 +195,15 @@ pub(super) fn along<Task: Clone>(
     Visit { policy: policy.clone(), task: task.clone(), after: after.collect() }
 }
 
+/// Returns the lowest and the highest finite value of an input in some states; infinity and minus infinity without one.
+pub(super) fn visited_range(states: &[Vec<f64>], input: usize) -> [f64; 2] {
+    let values = || states.iter().map(|state| state[input]).filter(|value| value.is_finite());
+    [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
+}
+
 /// Returns a declared range whose infinite ends are replaced by visited values, widened by a quarter; never empty.
 fn widened(declared: [f64; 2], states: &[Vec<f64>], input: usize) -> [f64; 2] {
-    let values = || states.iter().map(|state| state[input]).filter(|value| value.is_finite());
-    let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+    let [low, high] = visited_range(states, input);
     let (low, high) = if low <= high { (low, high) } else { (-1.0, 1.0) };
     let margin = 0.25 * (high - low).max(1e-3);
     let [min, max] = declared;

@@ -1,7 +1,7 @@
 //! The side of rank 0: it hands out jobs and takes answers as they come.
 
 use super::dealer::{Dealer, parts};
-use super::link::{Link, Patience};
+use super::link::{Backoff, Link};
 use super::worker::{Answer, Order, Reply, answers, decode, encode, pack_tasks};
 use serde::Serialize;
 use std::cell::RefCell;
@@ -141,7 +141,7 @@ impl<'l, L: Link, V> Leader<'l, L, V> {
             *share = self.hand_out(question, rank)?;
         }
         let mut all: Vec<Option<Answer>> = question.pieces.iter().map(|_| None).collect();
-        let (mut failure, mut own_busy, mut patience) = (None, true, Patience::default());
+        let (mut failure, mut own_busy, mut patience) = (None, true, Backoff::default());
         while own_busy || under_way.iter().any(Option::is_some) {
             let mut finished = Vec::new();
             match own.try_recv() {
@@ -154,7 +154,7 @@ impl<'l, L: Link, V> Leader<'l, L, V> {
                 let share = std::mem::replace(&mut under_way[rank], self.hand_out(question, rank)?);
                 finished.push((share.unwrap_or_default(), Self::read(rank, &bytes)));
             }
-            patience = if finished.is_empty() { patience.wait() } else { Patience::default() };
+            patience = if finished.is_empty() { patience.wait() } else { Backoff::default() };
             for (share, answers) in finished {
                 match answers {
                     Ok(answers) if answers.len() == share.len() => {

@@ -5,7 +5,7 @@
 //! the end the last one.
 
 use super::config::SacConfig;
-use super::training::{Best, Training, interface};
+use super::training::{BestActor, Training, interface};
 use super::weights::to_tensors;
 use super::{checkpoint, log};
 use crate::configuration::Chosen;
@@ -172,7 +172,7 @@ impl<'a, E: Environment<f32>> SacRun<'a, E> {
         self.stopwatch.write(self.folder.path())
     }
 
-    fn sentence(&self, best: &Best) -> String {
+    fn sentence(&self, best: &BestActor) -> String {
         let result = sentence(self.training.seed, &best.result, "validation", self.environment.measure());
         format!("{result}, after {} decisions", best.decisions)
     }

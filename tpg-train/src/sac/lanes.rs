@@ -27,7 +27,7 @@ pub(crate) struct Consequence {
 }
 
 /// Parallel episodes.
-pub(crate) struct Lanes<'e, E: Environment<f32>> {
+pub(crate) struct TrainingLanes<'e, E: Environment<f32>> {
     environment: &'e E,
     interface: Interface,
     /// Actions of the environment that a decision lasts.
@@ -44,7 +44,7 @@ pub(crate) struct Lanes<'e, E: Environment<f32>> {
     retried: f64,
 }
 
-impl<'e, E: Environment<f32>> Lanes<'e, E> {
+impl<'e, E: Environment<f32>> TrainingLanes<'e, E> {
     /// Begins an episode in each lane.
     pub(crate) fn new(environment: &'e E, interface: Interface, config: &SacConfig, seed: u64) -> Self {
         let retried = config.retry.map_or(0.0, |retry| retry.share);
@@ -129,7 +129,7 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
 
 #[cfg(test)]
 mod tests {
-    use super::Lanes;
+    use super::TrainingLanes;
     use crate::configuration::Configuration as _;
     use crate::sac::config::SacConfig;
     use crate::sac::interface::Interface;
@@ -139,11 +139,11 @@ mod tests {
     fn an_episode_that_reaches_the_limit_is_truncated_and_one_resumed_goes_on_as_it_was() {
         let config = SacConfig::preset("general").expect("a preset");
         let interface = Interface::new(&Pendulum, true).expect("a torque");
-        let mut lanes = Lanes::new(&Pendulum, interface.clone(), &config, 5);
+        let mut lanes = TrainingLanes::new(&Pendulum, interface.clone(), &config, 5);
         for action in 0..199 {
             assert_eq!(lanes.act(0, &[(action as f32).sin()]).end, None);
         }
-        let mut again = Lanes::new(&Pendulum, interface, &config, 5);
+        let mut again = TrainingLanes::new(&Pendulum, interface, &config, 5);
         again.lanes.clear();
         assert!(again.resume(lanes.lanes[0].task, &lanes.lanes[0].actions));
         let (mut here, mut there) = ([0.0; 3], [0.0; 3]);
@@ -163,9 +163,9 @@ mod tests {
         let mut config = SacConfig::preset("general").expect("a preset");
         config.learning.discount = 0.5;
         let interface = Interface::new(&Pendulum, true).expect("a torque");
-        let mut single = Lanes::new(&Pendulum, interface.clone(), &config, 5);
+        let mut single = TrainingLanes::new(&Pendulum, interface.clone(), &config, 5);
         config.learning.decision_lasts = 3;
-        let mut lasting = Lanes::new(&Pendulum, interface, &config, 5);
+        let mut lasting = TrainingLanes::new(&Pendulum, interface, &config, 5);
         let [a, b, c] = [0, 1, 2].map(|_| single.act(0, &[0.5]).reward);
         let whole = lasting.act(0, &[0.5]);
         assert_eq!((whole.reward, whole.steps, whole.end), (a + 0.5 * b + 0.25 * c, 3, None));

@@ -6,7 +6,7 @@
 use super::config::{Learning, SacConfig, Validation};
 use super::contract::{Contract, Provenance};
 use super::interface::Interface;
-use super::lanes::Lanes;
+use super::lanes::TrainingLanes;
 use super::network::Network;
 use super::policy::NetworkPolicy;
 use super::replay::{Batch, Replay, Transition};
@@ -25,10 +25,10 @@ pub struct Training<'e, E: Environment<f32>> {
     /// The actor that is validated and kept, if it is an average of the learning one.
     pub(super) average: Option<Mlp>,
     pub(super) replay: Replay,
-    pub(super) lanes: Lanes<'e, E>,
+    pub(super) lanes: TrainingLanes<'e, E>,
     pub(super) decisions: u64,
     pub(super) updates: u64,
-    pub(super) best: Option<Best>,
+    pub(super) best: Option<BestActor>,
     /// The result of the newest validation.
     pub(super) last: Option<Summary>,
     /// Sums since the last [`Training::take_progress`].
@@ -38,7 +38,7 @@ pub struct Training<'e, E: Environment<f32>> {
 
 /// The best candidate so far.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Best {
+pub(crate) struct BestActor {
     /// Its result on the validation tasks.
     pub result: Summary,
     /// The decisions it was trained for.
@@ -98,7 +98,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         let (inputs, actions) = (interface.inputs.len(), interface.outputs.len());
         let agent = agent(&config, &interface, seed);
         let replay = Replay::new(inputs, actions, config.learning.replay);
-        let lanes = Lanes::new(environment, interface, &config, seed);
+        let lanes = TrainingLanes::new(environment, interface, &config, seed);
         let space = TrainingScratch::new(&config, &agent);
         let recent = Recent::default();
         let average = config.learning.average.map(|_| agent.actor.network.clone());
@@ -107,7 +107,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     }
 
     /// Returns the contract of a candidate; `name` is the configuration's, `problem` that of the problem.
-    pub(super) fn contract(&self, best: &Best, name: &str, problem: &str) -> Contract {
+    pub(super) fn contract(&self, best: &BestActor, name: &str, problem: &str) -> Contract {
         let provenance = Provenance {
             tool: concat!("tpg-train ", env!("CARGO_PKG_VERSION")).to_owned(),
             config: name.to_owned(),
@@ -267,9 +267,9 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         self.last = Some(result);
         let learning = &self.config.learning;
         let settled = self.decisions >= learning.decisions && learning.final_rate < 1.0;
-        let as_good = |best: &Best| result.compare(&best.result, environment.preference()).is_ge();
+        let as_good = |best: &BestActor| result.compare(&best.result, environment.preference()).is_ge();
         if settled || self.best.as_ref().is_none_or(as_good) {
-            self.best = Some(Best { result, decisions: self.decisions, actor: self.actor().clone() });
+            self.best = Some(BestActor { result, decisions: self.decisions, actor: self.actor().clone() });
         }
         result
     }

@@ -5,7 +5,7 @@ use super::{VERSION, from_bytes, to_bytes};
 use crate::evolution::config::EvolutionConfig;
 use crate::evolution::run::{Progress, RunOptions, train};
 use crate::evolution::state::State;
-use crate::folder::{Trainer, checkpoint::look};
+use crate::folder::{RunFolder, Trainer};
 use serde_json::{Value, json};
 use std::ops::ControlFlow;
 use std::sync::OnceLock;
@@ -53,7 +53,8 @@ fn content_after<E: Environment<f32>>(generations: u64, config: &EvolutionConfig
     };
     train(config, 1, environment, &evaluator, &options, watch).expect("it runs");
     let json = |_: &str, content: &[u8]| Ok(serde_json::from_slice(content).expect("JSON"));
-    look(place.path(), Trainer::Tpg, VERSION, json).expect("a checkpoint")
+    let folder = RunFolder::open(place.path(), Trainer::Tpg, true).expect("a run");
+    folder.load(VERSION, json).expect("a whole one").expect("a checkpoint")
 }
 
 fn read(content: &Value) -> Result<State<[f64; 2]>, InputError> {
