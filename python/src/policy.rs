@@ -34,11 +34,6 @@ impl Policy {
         Self { policy, inputs, scalar, acting: Mutex::new(None) }
     }
 
-    /// Returns the number of values that it reads: observations, and what it remembers.
-    pub(crate) fn inputs(&self) -> usize {
-        self.inputs
-    }
-
     /// Returns what it computes in.
     pub(crate) fn scalar(&self) -> ScalarType {
         self.scalar
@@ -99,8 +94,8 @@ impl Policy {
     }
 
     /// The number of values that it reads: observations, and what it remembers.
-    #[getter(inputs)]
-    fn length(&self) -> usize {
+    #[getter]
+    pub(crate) fn inputs(&self) -> usize {
         self.inputs
     }
 

@@ -12,6 +12,7 @@ use super::shared::{Episodes, Facts, Shared};
 use super::span::Span;
 use super::study::{self, absolute};
 use crate::csv_text::to_csv;
+use crate::folder::{RunFolder, Trainer};
 use crate::run_args::command_line;
 use crate::sac::network::Network;
 use clap::Args;
@@ -148,7 +149,8 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, Input
     // Policies that do not fit are refused before the folder is made.
     let threads = study::threads(args.threads)?;
     let alone = threads.install(|| alone(&subject))?;
-    let folder = study::open_folder(&args.out, &asked)?;
+    let folder = RunFolder::open(&args.out, Trainer::Hybrid, false)?;
+    write_atomically(&folder.file("study.toml"), toml::to_string(&asked).expect("plain data").as_bytes())?;
     let cells = study::run(&subject, &folder, &threads)?;
     finish(args, &subject, &facts, &cells, &alone)
 }
@@ -277,7 +279,7 @@ fn alone(subject: &Subject<'_>) -> Result<Vec<Alone>, InputError> {
     let all: Vec<_> = graphs.chain(networks).collect();
     all.into_par_iter()
         .map(|(place, (kind, file, acting))| {
-            let endings = subject.play(acting)?.endings;
+            let endings = subject.problem.play(acting, subject.episodes)?.endings;
             let summary = Summary::new(&endings);
             Ok(Alone {
                 kind,

@@ -119,13 +119,10 @@ impl<'a, E: Environment<f32>> SacRun<'a, E> {
     }
 
     fn finish(mut self, stop: &AtomicBool) -> Result<Verdict, InputError> {
-        let every = self.training.config.validation.every;
         let checkpoint_every = self.args.run.checkpoint_every(CHECKPOINT_SECONDS);
         let mut saved = Instant::now();
         while !self.spent() && !self.reached() {
-            let before = self.training.decisions / every;
-            self.training.tick();
-            if self.training.decisions / every > before || self.spent() {
+            if self.training.tick_to_validation() || self.spent() {
                 self.validate()?;
             }
             let whole = self.training.config.learning.decisions;

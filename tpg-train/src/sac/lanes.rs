@@ -4,7 +4,7 @@ use super::config::SacConfig;
 use super::failures::Failures;
 use super::interface::{Input, Interface};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Act, End, Environment, Rollout, SourceSet};
+use tpg_engine::{Act, Environment, Rollout, SourceSet, Step};
 
 /// A running episode.
 pub(crate) struct Lane<'e, E: Environment<f32>> {
@@ -13,17 +13,6 @@ pub(crate) struct Lane<'e, E: Environment<f32>> {
     /// The actions so far, one after the other, every component in −1..1. With the task they are the whole episode.
     pub(crate) actions: Vec<f32>,
     rollout: Rollout<'e, f32, E>,
-}
-
-/// The consequence of one decision.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Consequence {
-    /// The reward.
-    pub(crate) reward: f32,
-    /// Elementary steps that the action took.
-    pub(crate) steps: u32,
-    /// The end of the episode, if the action ended it.
-    pub(crate) end: Option<End>,
 }
 
 /// Parallel episodes.
@@ -89,21 +78,21 @@ impl<'e, E: Environment<f32>> TrainingLanes<'e, E> {
 
     /// Takes an action in a lane, for as long as a decision lasts; the reward is the discounted sum. The episode stays as it
     /// ended; see [`renew`](Self::renew).
-    pub(crate) fn act(&mut self, lane: usize, action: &[f32]) -> Consequence {
+    pub(crate) fn act(&mut self, lane: usize, action: &[f32]) -> Step {
         let lane = &mut self.lanes[lane];
         let values = self.interface.values(action.iter().copied());
         lane.actions.extend_from_slice(action);
-        let mut whole = Consequence { reward: 0.0, steps: 0, end: None };
+        let (mut reward, mut whole) = (0.0, Step { reward: 0.0, repeats: 0, end: None });
         for _ in 0..self.lasts {
             let step = lane.rollout.step(Act::Values(&values));
-            whole.reward += libm::powf(self.discount, whole.steps as f32) * step.reward as f32;
-            whole.steps += step.repeats;
+            reward += libm::powf(self.discount, whole.repeats as f32) * step.reward as f32;
+            whole.repeats += step.repeats;
             whole.end = step.end;
             if whole.end.is_some() {
                 break;
             }
         }
-        whole
+        Step { reward: reward.into(), ..whole }
     }
 
     /// Begins the next episode in a lane.
@@ -166,11 +155,11 @@ mod tests {
         let mut single = TrainingLanes::new(&Pendulum, interface.clone(), &config, 5);
         config.learning.decision_lasts = 3;
         let mut lasting = TrainingLanes::new(&Pendulum, interface, &config, 5);
-        let [a, b, c] = [0, 1, 2].map(|_| single.act(0, &[0.5]).reward);
+        let [a, b, c] = [0, 1, 2].map(|_| single.act(0, &[0.5]).reward as f32);
         let whole = lasting.act(0, &[0.5]);
-        assert_eq!((whole.reward, whole.steps, whole.end), (a + 0.5 * b + 0.25 * c, 3, None));
+        assert_eq!((whole.reward as f32, whole.repeats, whole.end), (a + 0.5 * b + 0.25 * c, 3, None));
         // 200 actions are 66 decisions and two actions.
         let last = (1..67).map(|_| lasting.act(0, &[0.5])).last().expect("some");
-        assert!(last.steps == 2 && last.end.is_some_and(|end| end.truncated), "{last:?}");
+        assert!(last.repeats == 2 && last.end.is_some_and(|end| end.truncated), "{last:?}");
     }
 }
