@@ -1,11 +1,12 @@
 //! The conversation between a run, which has a thread of its own, and Python, which runs the episodes.
 
+use crate::evolution::Report;
 use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, SyncSender};
 use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Play, Played, Visit, Work};
 
 /// A message of the run.
-pub(crate) enum Event<Report> {
+pub(crate) enum Event {
     /// It wants roots evaluated.
     Evaluate(Work<u64>),
     /// It wants states recorded.
@@ -29,19 +30,19 @@ pub(crate) enum Reply {
 }
 
 /// The run's end of the conversation.
-pub(crate) struct Mailbox<Report> {
-    events: SyncSender<Event<Report>>,
+pub(crate) struct Mailbox {
+    events: SyncSender<Event>,
     replies: Mutex<Receiver<Reply>>,
 }
 
-impl<Report> Mailbox<Report> {
+impl Mailbox {
     /// Creates the run's end.
-    pub(crate) fn new(events: SyncSender<Event<Report>>, replies: Receiver<Reply>) -> Self {
+    pub(crate) fn new(events: SyncSender<Event>, replies: Receiver<Reply>) -> Self {
         Self { events, replies: Mutex::new(replies) }
     }
 
     /// Says something and waits for the reply; `None` if nobody listens any more.
-    fn ask(&self, event: Event<Report>) -> Option<Reply> {
+    fn ask(&self, event: Event) -> Option<Reply> {
         self.events.send(event).ok()?;
         self.replies.lock().ok()?.recv().ok()
     }
@@ -56,7 +57,7 @@ fn stopped() -> EvaluationError {
     EvaluationError::new("the run was stopped")
 }
 
-impl<Report> Evaluator<u64> for Mailbox<Report> {
+impl Evaluator<u64> for Mailbox {
     fn evaluate(&self, work: &Work<u64>) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
         if work.policies.is_empty() || work.tasks.is_empty() {
             return Ok(vec![Vec::new(); work.policies.len()]);

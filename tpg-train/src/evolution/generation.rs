@@ -32,12 +32,11 @@ const GENERATIONS: [f64; 2] = [10.0, 0.5];
 const LUCK: f64 = 0.9;
 
 /// A run on one problem, independent of where its candidates are evaluated.
-#[derive(Debug)]
-pub struct Evolution<'e, S: Scalar, E: Environment<S>, V: ?Sized> {
+pub struct Evolution<'e, S: Scalar, E: Environment<S>> {
     pub(super) config: &'e EvolutionConfig,
     vocabulary: Vocabulary,
     pub(super) environment: &'e E,
-    pub(super) evaluator: &'e V,
+    pub(super) evaluator: &'e dyn Evaluator<E::Task>,
     pub(super) selection_tasks: Vec<E::Task>,
     pub(super) goal: Goal,
     actions: u16,
@@ -54,7 +53,7 @@ pub struct Goal {
     pub max_steps: Option<u64>,
 }
 
-impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'e, S, E, V> {
+impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
     /// Creates a run with the given configuration, [fitted](EvolutionConfig::fitted) to the environment; literals have the units of
     /// [`State::scales`].
     ///
@@ -63,7 +62,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
     pub fn new(
         config: &'e EvolutionConfig,
         environment: &'e E,
-        evaluator: &'e V,
+        evaluator: &'e dyn Evaluator<E::Task>,
         scales: Vec<f64>,
         goal: Goal,
     ) -> Self {

@@ -118,7 +118,7 @@ pub enum RunError {
 /// let folder = tempfile::tempdir()?;
 /// let options = RunOptions { folder: folder.path().to_owned(), ..RunOptions::default() };
 /// let evaluator = LocalThreads::<f32, Own, _>::new(&CartPole, 1)?;
-/// let end = train::<f32, _, _>(&config, 1, &CartPole, &evaluator, &options, |_| ControlFlow::Continue(()))?;
+/// let end = train::<f32, _>(&config, 1, &CartPole, &evaluator, &options, |_| ControlFlow::Continue(()))?;
 /// let RunEnd::Finished(best) = end else { panic!("nothing stopped the run") };
 /// assert_eq!(best.result.episodes, 20);
 /// assert!(folder.path().join("graph.json").exists());
@@ -128,11 +128,11 @@ pub enum RunError {
 /// # Errors
 /// If the folder contains another run or another process uses it, its checkpoints are damaged, files cannot be written,
 /// or roots cannot be evaluated.
-pub fn train<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized>(
+pub fn train<S: Scalar, E: Environment<S>>(
     config: &EvolutionConfig,
     seed: u64,
     environment: &E,
-    evaluator: &V,
+    evaluator: &dyn Evaluator<E::Task>,
     options: &RunOptions,
     mut watch: impl FnMut(&Progress<'_>) -> ControlFlow<()>,
 ) -> Result<RunEnd, RunError> {

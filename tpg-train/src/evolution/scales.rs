@@ -24,10 +24,10 @@ const VERY_RARE: f64 = 0.025;
 ///
 /// # Errors
 /// If the episodes cannot be run.
-pub(super) fn scales<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized>(
+pub(super) fn scales<S: Scalar, E: Environment<S>>(
     config: &EvolutionConfig,
     environment: &E,
-    evaluator: &V,
+    evaluator: &dyn Evaluator<E::Task>,
     seed: u64,
 ) -> Result<Vec<f64>, EvaluationError> {
     let sources = environment.sources();
@@ -71,10 +71,10 @@ fn visited_unit(states: &[Vec<f64>], input: usize) -> Option<f64> {
 }
 
 /// Returns states visited by random roots.
-fn explore<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized>(
+fn explore<S: Scalar, E: Environment<S>>(
     config: &EvolutionConfig,
     environment: &E,
-    evaluator: &V,
+    evaluator: &dyn Evaluator<E::Task>,
     seed: u64,
     inputs: usize,
 ) -> Result<Vec<Vec<f64>>, EvaluationError> {

@@ -9,7 +9,7 @@ use super::generation::Evolution;
 use super::stage::Candidate;
 use super::state::{Best, State};
 use std::cmp::Ordering;
-use tpg_engine::{Environment, EpisodeResult, EvaluationError, Evaluator, PolicyGraph, Summary, Visit};
+use tpg_engine::{Environment, EpisodeResult, EvaluationError, PolicyGraph, Summary, Visit};
 use tpg_runtime::scalar::Scalar;
 
 /// Number of episodes of the last validation if the budget is exhausted.
@@ -48,7 +48,7 @@ fn episodes_left<Task>(state: &State<Task>, share: f64) -> u64 {
     ((share / (1.0 - share) * training) as u64).saturating_sub(state.selection_steps) / state.episode_steps.max(1)
 }
 
-impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_, S, E, V> {
+impl<S: Scalar, E: Environment<S>> Evolution<'_, S, E> {
     /// Validates if it is time to; returns the result of the winner, and updates the best root so far.
     pub(super) fn validate(&self, state: &mut State<E::Task>) -> Result<Option<Summary>, EvaluationError> {
         let mut roots = state.population.survivors(&self.context(state));

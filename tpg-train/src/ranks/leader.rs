@@ -64,17 +64,17 @@ impl<Task> Question<'_, Task> {
 }
 
 /// The evaluator of a run on rank 0.
-pub(super) struct Leader<'l, L, V> {
+pub(super) struct Leader<'l, L, Task> {
     link: &'l L,
-    local: &'l V,
+    local: &'l (dyn Evaluator<Task> + Sync),
     /// Threads of each rank.
     threads: Vec<usize>,
     /// The bytes of the newest tasks, and the ranks that have them.
     tasks: RefCell<(Vec<u8>, Vec<bool>)>,
 }
 
-impl<'l, L: Link, V> Leader<'l, L, V> {
-    pub(super) fn new(link: &'l L, local: &'l V, threads: Vec<usize>) -> Self {
+impl<'l, L: Link, Task: Clone + Serialize + Sync> Leader<'l, L, Task> {
+    pub(super) fn new(link: &'l L, local: &'l (dyn Evaluator<Task> + Sync), threads: Vec<usize>) -> Self {
         let known = vec![false; threads.len()];
         Self { link, local, threads, tasks: RefCell::new((Vec::new(), known)) }
     }
@@ -84,10 +84,7 @@ impl<'l, L: Link, V> Leader<'l, L, V> {
     ///
     /// # Errors
     /// If a job cannot be done. What is under way is still waited for, so that the workers are ready for the next order.
-    fn answers<Task: Clone + Serialize + Sync>(&self, work: &Work<Task>, pieces: &[Piece], observed: bool) -> Answers
-    where
-        V: Evaluator<Task> + Sync,
-    {
+    fn answers(&self, work: &Work<Task>, pieces: &[Piece], observed: bool) -> Answers {
         let bytes = pack_tasks(&work.tasks)?;
         if self.tasks.borrow().0 != bytes {
             *self.tasks.borrow_mut() = (bytes, vec![false; self.threads.len()]);
@@ -115,11 +112,7 @@ impl<'l, L: Link, V> Leader<'l, L, V> {
     }
 
     /// Orders a rank to do a share of what is left.
-    fn hand_out<Task>(
-        &self,
-        question: &Question<'_, Task>,
-        rank: usize,
-    ) -> Result<Option<Vec<usize>>, EvaluationError> {
+    fn hand_out(&self, question: &Question<'_, Task>, rank: usize) -> Result<Option<Vec<usize>>, EvaluationError> {
         let Some(share) = question.deal(self.threads[rank]) else { return Ok(None) };
         let (tasks, known) = &mut *self.tasks.borrow_mut();
         let tasks = (!std::mem::replace(&mut known[rank], true)).then(|| tasks.clone());
@@ -134,7 +127,7 @@ impl<'l, L: Link, V> Leader<'l, L, V> {
 
     /// Hands out jobs and takes answers until nothing is under way on any rank, this one included. After a failure
     /// nothing more is handed out; the first failure is returned.
-    fn talk<Task>(&self, question: &Question<'_, Task>, own: &mpsc::Receiver<(Vec<usize>, Answers)>) -> Answers {
+    fn talk(&self, question: &Question<'_, Task>, own: &mpsc::Receiver<(Vec<usize>, Answers)>) -> Answers {
         // The jobs that each rank does at the moment.
         let mut under_way = vec![None; self.threads.len()];
         for (rank, share) in under_way.iter_mut().enumerate().skip(1) {
@@ -184,12 +177,7 @@ impl<'l, L: Link, V> Leader<'l, L, V> {
     }
 }
 
-impl<Task, L, V> Evaluator<Task> for Leader<'_, L, V>
-where
-    Task: Clone + Serialize + Sync,
-    L: Link,
-    V: Evaluator<Task> + Sync,
-{
+impl<Task: Clone + Serialize + Sync, L: Link> Evaluator<Task> for Leader<'_, L, Task> {
     fn evaluate(&self, work: &Work<Task>) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
         let parts = parts(work.policies.len(), self.threads.iter().sum());
         let pieces = Piece::cut(work.policies.len(), work.tasks.len(), parts);

@@ -38,7 +38,7 @@ pub(super) struct Answer {
 
 /// The answers of this rank to pieces of work.
 pub(super) fn answers<Task: Clone>(
-    local: &impl Evaluator<Task>,
+    local: &dyn Evaluator<Task>,
     work: &Work<Task>,
     pieces: &[Piece],
     observed: bool,
@@ -74,7 +74,7 @@ pub(super) fn decode<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, EvaluationE
 pub(super) fn serve<Task: Clone + DeserializeOwned>(
     link: &impl Link,
     ready: &Reply,
-    local: &impl Evaluator<Task>,
+    local: &dyn Evaluator<Task>,
 ) -> Result<(), EvaluationError> {
     link.send(0, &encode(ready)?)?;
     // Tasks stay between orders.
