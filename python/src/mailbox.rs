@@ -14,7 +14,7 @@ pub(crate) enum Event {
     /// It wants episodes run, and what was seen.
     Play(Vec<Play<u64>>),
     /// A generation is over.
-    Progress(Report),
+    Progress(Box<Report>),
 }
 
 /// A reply of Python.
@@ -49,7 +49,7 @@ impl Mailbox {
 
     /// Reports progress; false if the run shall stop.
     pub(crate) fn report(&self, report: Report) -> bool {
-        matches!(self.ask(Event::Progress(report)), Some(Reply::GoOn(true)))
+        matches!(self.ask(Event::Progress(Box::new(report))), Some(Reply::GoOn(true)))
     }
 }
 
