@@ -161,7 +161,7 @@ where
     type Task = AnyTask;
     type Episode = AnyEpisode;
 
-    crate::forward!(this => this.0; sources actions time_limit outcomes measure preference constants);
+    crate::forward!(this => this.0; sources actions time_limit outcomes measure preference);
 
     fn draw(&self, stream: &mut Stream) -> AnyTask {
         AnyTask::new(self.0.draw(stream))

@@ -11,7 +11,6 @@ use crate::episode_result::EpisodeResult;
 use crate::episodes::Episodes;
 use crate::error::EvaluationError;
 use crate::history::History;
-use crate::kinship::kindred;
 use crate::moments::Moments;
 use crate::nodes::NodeId;
 use crate::parts;
@@ -66,7 +65,6 @@ pub const MOST_LANES: usize = parts::MOST_LANES;
 pub struct Lanes<'e, S: Scalar, M, E: Environment<S>> {
     environment: &'e E,
     lanes: usize,
-    constants: Vec<u16>,
     columns: Columns<S, M>,
     decider: Decider<S>,
     episodes: Box<dyn Episodes<S, E::Task> + 'e>,
@@ -98,7 +96,6 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         Self {
             environment,
             lanes,
-            constants: environment.constants(),
             columns: Columns::new(lanes),
             decider: Decider::new(lanes),
             episodes: environment.lanes(),
@@ -126,21 +123,16 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     ///
     /// # Panics
     /// If there are not as many lists of tasks as roots.
-    pub fn run_roots(
+    pub fn run_roots<'t>(
         &mut self,
         plan: &Plan<S>,
-        tasks: &[&[E::Task]],
+        tasks: &[&'t [E::Task]],
     ) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
         assert_eq!(tasks.len(), plan.roots.len(), "tasks for each root");
-        let order = kindred(plan);
-        let starts = |&place: &usize| tasks[place].iter().map(move |task| LaneStart { root: plan.roots[place], task });
-        let episodes: Vec<_> = order.iter().flat_map(starts).collect();
+        let starts = |(&root, &tasks): (&u32, &&'t [E::Task])| tasks.iter().map(move |task| LaneStart { root, task });
+        let episodes: Vec<_> = plan.roots.iter().zip(tasks).flat_map(starts).collect();
         let mut ended = self.run_all(plan, &episodes, |_, _, _, _| ())?.into_iter();
-        let mut endings = vec![Vec::new(); tasks.len()];
-        for place in order {
-            endings[place] = ended.by_ref().take(tasks[place].len()).collect();
-        }
-        Ok(endings)
+        Ok(tasks.iter().map(|tasks| ended.by_ref().take(tasks.len()).collect()).collect())
     }
 
     /// As [`run`](Self::run); `watch` is called before every action, with the index of its task.
@@ -184,7 +176,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
             self.running.clear();
             self.episodes = self.environment.lanes();
         }
-        self.columns.prepare(plan, &self.constants);
+        self.columns.prepare(plan);
         self.decider.prepare(plan);
         let mut endings = vec![None; starts.len()];
         let mut next = 0;
@@ -214,7 +206,6 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
                     self.running.swap_remove(lane);
                     self.episodes.close_up(lane);
                     self.decider.close_up(lane, self.running.len());
-                    self.columns.forget();
                 }
             }
         }
@@ -227,7 +218,6 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         let LaneStart { root, task } = starts[start];
         self.episodes.begin(lane, task)?;
         self.decider.begin(lane, root);
-        self.columns.forget();
         if let Some(&key) = self.episodes.keys().get(lane) {
             self.histories[history].reset(key);
         }

@@ -42,7 +42,6 @@ mod groups;
 mod history;
 #[cfg(all(debug_assertions, not(test)))]
 mod instances;
-mod kinship;
 mod lanes;
 mod mapped;
 mod moments;

@@ -26,7 +26,7 @@ impl<S: Scalar, M: Maths<S>> Single<S, M> {
     /// Creates the evaluator of a plan's first root.
     pub fn new(plan: Plan<S>) -> Self {
         let (mut columns, mut decider) = (Columns::new(1), Decider::new(1));
-        columns.prepare(&plan, &[]);
+        columns.prepare(&plan);
         decider.prepare(&plan);
         decider.begin(0, plan.roots[0]);
         Self { plan, lane: RefCell::new((columns, decider)) }

@@ -26,9 +26,6 @@ impl<S: Scalar> Environment<S> for Drift {
         let ranges = vec![[f64::NEG_INFINITY, f64::INFINITY]; 3];
         vec![SourceDocument::new("point and task", "1", ranges)]
     }
-    fn constants(&self) -> Vec<u16> {
-        vec![2]
-    }
     fn actions(&self) -> ActionSpace {
         let output = |name: &str| Output { name: name.into(), unit: String::new(), min: -1.0, max: 1.0 };
         match self.computes {
