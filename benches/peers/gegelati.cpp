@@ -6,14 +6,14 @@
 //     ./gegelati SEED GENERATIONS
 //
 // Prints environment steps, CPU seconds of the generations, and million steps a second. Beside it,
-// `cargo run --release -p tpg-train -- config kelly` with the section
+// `cargo run --release -p tpg-train -- config gegelati` with the section
 //
 //     [problem]
 //     name = "pendulum"
 //     levels = 3
 //
-// in place of its own, `tpg-train tpg --config … --seed SEED --generations GENERATIONS --threads 1 --out RUN`, and the last row of
-// RUN/timing.csv, whose steps are those of training and of the choice among graphs.
+// in place of its own, `tpg-train tpg --config … --seed SEED --generations GENERATIONS --threads 1 --out RUN`: CPU seconds in
+// RUN/time.json, and in the last row of RUN/generations.jsonl the steps of training and of the choice among graphs.
 
 #include <cmath>
 #include <cstdio>

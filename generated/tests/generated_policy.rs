@@ -9,15 +9,15 @@ use tpg_arm::sac::fixed::{FixedDecision, quantise};
 use tpg_arm::sac::packed::{Model, PackedPolicy};
 use tpg_arm::sac::{Actions, Mask, features};
 use tpg_arm::{Arm, Pose, WIDOWX};
-use tpg_codegen::policy::{Output, Preferences, QuantisedPolicy, to_words};
+use tpg_codegen::policy::{Output, Preferences, QuantisedPolicy, to_rust, to_words};
 use tpg_engine::TaskSet;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_generated::widowx_sac::{MODEL, SCRATCH};
 use tpg_problems::{Problem, ProblemName};
 use tpg_runtime::net::Kind;
 use tpg_runtime::policy::Policy;
-use tpg_train::loaders::read_file;
-use tpg_train::{Acting, Episodes, Network, QuantiseArgs, evaluate, quantise as quantise_file};
+use tpg_train::parts::{QuantiseArgs, quantise as quantise_file, read_file};
+use tpg_train::{Acting, Episodes, Network, evaluate};
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
 
@@ -41,9 +41,7 @@ fn args(out: PathBuf, kind: Kind) -> QuantiseArgs {
     QuantiseArgs {
         policy: generated("policy.safetensors"),
         out,
-        rust: None,
         kind,
-        report: None,
         seed: 1,
     }
 }
@@ -113,18 +111,13 @@ fn every_kind_answers_packed_as_its_file_for_any_observation_and_succeeds() {
 #[test]
 fn made_again_from_the_weights_it_has_the_same_bytes() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let [json, rust] = ["policy.q.json", "policy.rs"].map(|name| folder.path().join(name));
-    let args = QuantiseArgs {
-        rust: Some(rust.clone()),
-        ..args(json.clone(), Kind::W8A16)
-    };
-    quantise_file(&args).expect("the committed weights");
-    for (name, made) in [("policy.q.json", json), ("policy.rs", rust)] {
-        let (made, committed) = (fs::read(made), fs::read(generated(name)));
-        assert!(
-            made.expect("just written") == committed.expect("a committed file"),
-            "{name}: other bytes"
-        );
+    let json = folder.path().join("policy.q.json");
+    quantise_file(&args(json.clone(), Kind::W8A16)).expect("the committed weights");
+    let made = fs::read_to_string(json).expect("just written");
+    let rust = to_rust(&policy()).expect("the committed file");
+    for (name, made) in [("policy.q.json", made), ("policy.rs", rust)] {
+        let committed = fs::read_to_string(generated(name)).expect("a committed file");
+        assert!(made == committed, "{name}: other bytes");
     }
 }
 

@@ -46,6 +46,6 @@ pub(crate) fn train_network(
         if let Some(error) = gym.failed() {
             return Err(error);
         }
-        Ok((Network::new_fixed(policy), result.score))
+        Ok((Network(policy), result.score))
     })
 }

@@ -16,8 +16,7 @@ use std::sync::{Mutex, MutexGuard};
 use std::thread::JoinHandle;
 use std::time::Duration;
 use tpg_engine::{
-    Choices, EngineOptions, Environment, EpisodeResult, Evaluator, LocalThreads, Moments, Played, PolicyGraph,
-    Remembered, Remembering,
+    Choices, Environment, EpisodeResult, Evaluator, LocalThreads, Moments, Played, PolicyGraph, Remembered, Remembering,
 };
 use tpg_graph::ScalarType;
 use tpg_graph::error::InputError;
@@ -36,7 +35,7 @@ const DEFAULT: &str = "quick";
 const WAIT: Duration = Duration::from_millis(50);
 
 /// Progress of a run, for Python.
-struct Report {
+pub(crate) struct Report {
     generations: u64,
     steps: u64,
     row: Option<Row>,
@@ -64,7 +63,7 @@ pub(crate) struct Evolution {
 
 /// Python's end of the conversation.
 struct Line {
-    events: Option<Receiver<Event<Report>>>,
+    events: Option<Receiver<Event>>,
     replies: Option<SyncSender<Reply>>,
     thread: Option<Thread>,
     /// The request of the last event: units and tasks, or visits.
@@ -154,12 +153,6 @@ fn set_all(layers: &mut Layers, settings: &str) -> PyResult<()> {
     Ok(())
 }
 
-/// Returns the number of steps of the run in a folder; 0 if there is none.
-#[pyfunction]
-pub(crate) fn steps_of(folder: PathBuf) -> PyResult<u64> {
-    tpg_train::steps_of(&folder).map_err(error::input)
-}
-
 #[pymethods]
 impl Evolution {
     /// Starts a run whose episodes Python runs.
@@ -171,8 +164,8 @@ impl Evolution {
         let (inputs, scalar) = (space.length() + memory.len(), config.language.scalar);
         let space = Remembering::new(space, memory);
         Ok(Self::spawn(inputs, scalar, move |mailbox| match scalar {
-            ScalarType::F32 => evolve::<f32, _, _>(&config, seed, &space, mailbox, &options, mailbox),
-            ScalarType::F64 => evolve::<f64, _, _>(&config, seed, &space, mailbox, &options, mailbox),
+            ScalarType::F32 => evolve::<f32, _>(&config, seed, &space, mailbox, &options, mailbox),
+            ScalarType::F64 => evolve::<f64, _>(&config, seed, &space, mailbox, &options, mailbox),
         }))
     }
 
@@ -276,7 +269,7 @@ impl Evolution {
     fn spawn(
         inputs: usize,
         scalar: ScalarType,
-        job: impl FnOnce(&Mailbox<Report>) -> Result<RunEnd, RunError> + Send + 'static,
+        job: impl FnOnce(&Mailbox) -> Result<RunEnd, RunError> + Send + 'static,
     ) -> Self {
         let (events, told) = sync_channel(1);
         let (answers, replies) = sync_channel(1);
@@ -293,7 +286,7 @@ impl Evolution {
         Policy::new(policy, self.inputs, self.scalar)
     }
 
-    fn told<'py>(&self, py: Python<'py>, event: Event<Report>) -> PyResult<(&'static str, Bound<'py, PyAny>)> {
+    fn told<'py>(&self, py: Python<'py>, event: Event) -> PyResult<(&'static str, Bound<'py, PyAny>)> {
         let (kind, says, asked) = match event {
             Event::Evaluate(work) => {
                 let asked = (work.policies.len(), work.tasks.len());
@@ -377,7 +370,7 @@ fn evolve_native<S: Number>(
     problem: &Problem,
     threads: usize,
     options: &RunOptions,
-    mailbox: &Mailbox<Report>,
+    mailbox: &Mailbox,
 ) -> Result<RunEnd, RunError>
 where
     Own: Maths<S>,
@@ -394,25 +387,25 @@ fn evolve_here<S: Scalar, E: Environment<S>>(
     environment: E,
     threads: usize,
     options: &RunOptions,
-    mailbox: &Mailbox<Report>,
+    mailbox: &Mailbox,
 ) -> Result<RunEnd, RunError>
 where
     Own: Maths<S>,
 {
     let memory = Remembered::zeros(config.language.memory, &environment.sources());
     let environment = Remembering::new(environment, memory);
-    let evaluator = LocalThreads::<S, Own, _>::new(&environment, EngineOptions::default(), threads)?;
+    let evaluator = LocalThreads::<S, Own, _>::new(&environment, threads)?;
     evolve(config, seed, &environment, &evaluator, options, mailbox)
 }
 
 /// A run that reports to a mailbox.
-fn evolve<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
+fn evolve<S: Scalar, E: Environment<S>>(
     config: &EvolutionConfig,
     seed: u64,
     environment: &E,
-    evaluator: &V,
+    evaluator: &dyn Evaluator<E::Task>,
     options: &RunOptions,
-    mailbox: &Mailbox<Report>,
+    mailbox: &Mailbox,
 ) -> Result<RunEnd, RunError>
 where
     Own: Maths<S>,

@@ -1,12 +1,12 @@
 //! The conversation between a run, which has a thread of its own, and Python, which runs the episodes.
 
+use crate::evolution::Report;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender};
 use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Play, Played, Visit, Work};
 
 /// A message of the run.
-pub(crate) enum Event<Report> {
+pub(crate) enum Event {
     /// It wants roots evaluated.
     Evaluate(Work<u64>),
     /// It wants states recorded.
@@ -14,7 +14,7 @@ pub(crate) enum Event<Report> {
     /// It wants episodes run, and what was seen.
     Play(Vec<Play<u64>>),
     /// A generation is over.
-    Progress(Report),
+    Progress(Box<Report>),
 }
 
 /// A reply of Python.
@@ -30,27 +30,26 @@ pub(crate) enum Reply {
 }
 
 /// The run's end of the conversation.
-pub(crate) struct Mailbox<Report> {
-    events: SyncSender<Event<Report>>,
+pub(crate) struct Mailbox {
+    events: SyncSender<Event>,
     replies: Mutex<Receiver<Reply>>,
-    steps: AtomicU64,
 }
 
-impl<Report> Mailbox<Report> {
+impl Mailbox {
     /// Creates the run's end.
-    pub(crate) fn new(events: SyncSender<Event<Report>>, replies: Receiver<Reply>) -> Self {
-        Self { events, replies: Mutex::new(replies), steps: AtomicU64::new(0) }
+    pub(crate) fn new(events: SyncSender<Event>, replies: Receiver<Reply>) -> Self {
+        Self { events, replies: Mutex::new(replies) }
     }
 
     /// Says something and waits for the reply; `None` if nobody listens any more.
-    fn ask(&self, event: Event<Report>) -> Option<Reply> {
+    fn ask(&self, event: Event) -> Option<Reply> {
         self.events.send(event).ok()?;
         self.replies.lock().ok()?.recv().ok()
     }
 
     /// Reports progress; false if the run shall stop.
     pub(crate) fn report(&self, report: Report) -> bool {
-        matches!(self.ask(Event::Progress(report)), Some(Reply::GoOn(true)))
+        matches!(self.ask(Event::Progress(Box::new(report))), Some(Reply::GoOn(true)))
     }
 }
 
@@ -58,14 +57,12 @@ fn stopped() -> EvaluationError {
     EvaluationError::new("the run was stopped")
 }
 
-impl<Report> Evaluator<u64> for Mailbox<Report> {
+impl Evaluator<u64> for Mailbox {
     fn evaluate(&self, work: &Work<u64>) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
         if work.policies.is_empty() || work.tasks.is_empty() {
             return Ok(vec![Vec::new(); work.policies.len()]);
         }
         let Some(Reply::Endings(endings)) = self.ask(Event::Evaluate(work.clone())) else { return Err(stopped()) };
-        let actions = endings.iter().flatten().map(|ending| u64::from(ending.actions)).sum();
-        self.steps.fetch_add(actions, Ordering::Relaxed);
         Ok(endings)
     }
 
@@ -82,12 +79,6 @@ impl<Report> Evaluator<u64> for Mailbox<Report> {
             return Ok(Vec::new());
         }
         let Some(Reply::Played(played)) = self.ask(Event::Play(plays.to_vec())) else { return Err(stopped()) };
-        let actions = played.iter().map(|played| u64::from(played.ending.actions)).sum();
-        self.steps.fetch_add(actions, Ordering::Relaxed);
         Ok(played)
-    }
-
-    fn steps(&self) -> u64 {
-        self.steps.load(Ordering::Relaxed)
     }
 }

@@ -15,7 +15,7 @@ use tpg_runtime::net::{Kind, Squash};
 /// A multilayer perceptron in integers.
 #[pyclass(frozen, module = "tpg_train._tpg")]
 #[derive(Debug)]
-pub(crate) struct Network(QuantisedPolicy);
+pub(crate) struct Network(pub(crate) QuantisedPolicy);
 
 #[pymethods]
 impl Network {
@@ -128,13 +128,6 @@ impl Network {
     fn differences(&self, py: Python<'_>, states: PyReadonlyArray2<'_, f32>) -> PyResult<usize> {
         let states = rows(&states);
         py.detach(|| differences(&self.0, &states)).map_err(error::training)
-    }
-}
-
-impl Network {
-    /// Wraps a network.
-    pub(crate) fn new_fixed(policy: QuantisedPolicy) -> Self {
-        Self(policy)
     }
 }
 

@@ -6,7 +6,7 @@ use crate::space::Space;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::sync::Mutex;
-use tpg_engine::{EngineOptions, Moments, Plan, Single};
+use tpg_engine::{Moments, Plan, Single};
 use tpg_graph::interpret::Answer;
 use tpg_graph::{MathsProvider, ScalarType, SourceDocument};
 use tpg_runtime::ops::{Maths, Own};
@@ -34,11 +34,6 @@ impl Policy {
         Self { policy, inputs, scalar, acting: Mutex::new(None) }
     }
 
-    /// Returns the number of values that it reads: observations, and what it remembers.
-    pub(crate) fn inputs(&self) -> usize {
-        self.inputs
-    }
-
     /// Returns what it computes in.
     pub(crate) fn scalar(&self) -> ScalarType {
         self.scalar
@@ -57,8 +52,7 @@ impl Policy {
         Own: Maths<S>,
     {
         let source = SourceDocument::new("state", "", vec![[-1.0, 1.0]; self.inputs]);
-        let options = EngineOptions { lanes: 1, ..EngineOptions::default() };
-        let single = Single::<S, Own>::new(Plan::new::<Own>(&self.policy, &[source], options));
+        let single = Single::<S, Own>::new(Plan::new::<Own>(&self.policy, &[source]));
         let mut rounded = Vec::with_capacity(self.inputs);
         Box::new(move |state| {
             rounded.clear();
@@ -100,8 +94,8 @@ impl Policy {
     }
 
     /// The number of values that it reads: observations, and what it remembers.
-    #[getter(inputs)]
-    fn length(&self) -> usize {
+    #[getter]
+    pub(crate) fn inputs(&self) -> usize {
         self.inputs
     }
 

@@ -169,7 +169,7 @@ class TPG:
         self._keep(folder, self._env if isinstance(env, (str, EnvSpec)) or _is_function(env) else None)
         self._resume = self._counts_total = resume
         if resume:
-            self.num_timesteps = _tpg.steps_of(self.folder)
+            self.num_timesteps = _steps_of(self.folder)
         self._graph: Graph | None = None
         self._hall: list[HallEntry] = []
         self._asked: _Asked | None = None
@@ -866,6 +866,13 @@ def _let_go(folder: str | None, env: Environment | None) -> None:
         env.close()
     if folder is not None:
         shutil.rmtree(folder, ignore_errors=True)
+
+
+def _steps_of(folder: Path) -> int:
+    """Returns the number of environment steps of the run in a folder; 0 if there is none."""
+    log = folder / "generations.jsonl"
+    rows = log.read_text(encoding="utf-8").splitlines() if log.exists() else []
+    return int(json.loads(rows[-1])["steps"]) if rows else 0
 
 
 def _is_function(env: Any) -> bool:

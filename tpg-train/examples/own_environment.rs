@@ -5,7 +5,7 @@
 use std::ops::ControlFlow;
 use std::path::Path;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, Choices, End, EngineOptions, Environment, LocalThreads, SourceSet, Step, TaskSet};
+use tpg_engine::{Act, ActionSpace, Choices, End, Environment, LocalThreads, SourceSet, Step, TaskSet};
 use tpg_graph::{Graph, SourceDocument};
 use tpg_runtime::ops::Own;
 use tpg_train::{Acting, Config, Episodes, Goal, OwnProblem, ReportArgs, RunOptions, evaluate, report_with};
@@ -46,7 +46,7 @@ impl Environment<f32> for Cart {
 
 pub(crate) fn train(folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
     let config = Config::default();
-    let evaluator = LocalThreads::<f32, Own, Cart>::new(&Cart, EngineOptions::default(), 0)?;
+    let evaluator = LocalThreads::<f32, Own, Cart>::new(&Cart, 0)?;
     let goal = Goal { target: Some(-50.0), max_steps: None };
     let options = RunOptions { folder: folder.to_owned(), goal, ..RunOptions::default() };
     tpg_train::train(&config, 1, &Cart, &evaluator, &options, |_progress| ControlFlow::Continue(()))?;

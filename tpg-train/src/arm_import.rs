@@ -17,12 +17,12 @@ pub(crate) struct ArmArgs {
 #[derive(Clone, Debug, Subcommand)]
 enum ArmCommand {
     /// Turn a URDF into the section [problem.arm] of a configuration
-    Import(ImportArgs),
+    Import(UrdfArgs),
 }
 
 /// Arguments of `arm import`.
 #[derive(Clone, Debug, Args)]
-struct ImportArgs {
+struct UrdfArgs {
     /// The URDF; a xacro file must be expanded first
     #[arg(value_name = "FILE.urdf")]
     file: PathBuf,

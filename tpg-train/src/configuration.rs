@@ -12,6 +12,7 @@ pub(crate) mod schema;
 
 use crate::run_args::{RunArgs, command_line};
 use serde::Serialize;
+use serde::de::DeserializeOwned;
 use tpg_graph::error::{Finding, InputError, Place};
 use tpg_graph::files::read_text;
 use tpg_graph::settings;
@@ -53,7 +54,7 @@ impl Preset {
 /// assert_eq!(sac.actor.hidden, [64, 64]);
 /// # Ok::<(), tpg_graph::error::InputError>(())
 /// ```
-pub trait Configuration: Sized + Serialize {
+pub trait Configuration: Sized + Serialize + DeserializeOwned {
     /// The configurations included with the trainer.
     const PRESETS: &'static [Preset];
     /// The kind of policies that it trains.
@@ -69,11 +70,22 @@ pub trait Configuration: Sized + Serialize {
         None
     }
 
-    /// Reads and checks a configuration, except for its section `problem`.
+    /// Checks what types cannot, except for the section `problem`.
+    ///
+    /// # Errors
+    /// The first setting that is not accepted.
+    fn check(&self) -> Result<(), Finding>;
+
+    /// Reads and checks a configuration, except for its section `problem`; what it may leave out has the default.
     ///
     /// # Errors
     /// An unknown key or a value that is not accepted, with its line.
-    fn from_toml(file: &str, text: &str) -> Result<Self, InputError>;
+    fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
+        let config: Self =
+            settings::from_toml(file, text, &format!("the settings that `{}` prints", Self::PRINTED_BY))?;
+        config.check().map_err(|finding| settings::place(file, text, finding))?;
+        Ok(config)
+    }
 
     /// Returns the section `problem`.
     fn problem(&mut self) -> &mut toml::Table;
@@ -269,8 +281,7 @@ impl<C: Configuration> Chosen<C> {
             name = problem.or_else(in_file).map(|problem| C::default_preset(problem).to_owned());
         }
         let Some(name) = name else {
-            let accepted = format!("--problem {}, or a section [problem] with a name", ProblemName::names());
-            return Err(command_line("no problem", accepted));
+            return Err(no_problem());
         };
         let table = C::preset(&name).map(|_| C::table(&name))?;
         let mut layers = Layers::new(&format!("<preset {name}>"), table.unwrap_or_default());
@@ -295,14 +306,16 @@ impl<C: Configuration> Chosen<C> {
     }
 }
 
+fn no_problem() -> InputError {
+    let accepted = format!("--problem {}, or a section [problem] with a name", ProblemName::names());
+    command_line("no problem, neither in the arguments nor in the settings", accepted)
+}
+
 /// Returns the problem of the settings, or of the command line. A preset made for another problem supplies only its parameters.
 fn chosen_problem(layers: &mut Layers, asked: Option<ProblemName>, kind: PolicyKind) -> Result<Problem, InputError> {
     let read = |file: &str, text: &str| Problem::read(file, text, kind);
     let Some(layer) = layers.problem() else {
-        let Some(name) = asked else {
-            let accepted = format!("--problem {}, or a section [problem] with a name", ProblemName::names());
-            return Err(command_line("no problem, neither in the arguments nor in the settings", accepted));
-        };
+        let name = asked.ok_or_else(no_problem)?;
         if !layers.merged.contains_key("problem") {
             return Ok(Problem::new_for(name, kind));
         }

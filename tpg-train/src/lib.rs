@@ -3,13 +3,13 @@
 //! | items | subject |
 //! | --- | --- |
 //! | [`train`], [`RunOptions`], [`Goal`], [`Naming`], [`Progress`], [`RunEnd`], [`RunError`] | evolution of a graph, in a folder of its own |
-//! | [`Config`], [`SacConfig`], [`Configuration`], [`Layers`], [`Preset`] | settings |
+//! | [`Config`], [`SacConfig`], [`Configuration`], [`Layers`] | settings |
 //! | [`train_network`], [`Network`] | soft actor-critics |
 //! | [`evaluate`], [`Acting`], [`Episodes`], [`OwnProblem`], [`Shared`] | test episodes of a graph, a network, or both |
-//! | [`Hybrid`], [`Setting`], [`Asking`], [`study_on`] | graphs and networks that share a problem |
+//! | [`Hybrid`], [`Setting`], [`Asking`] | graphs and networks that share a problem |
 //! | [`report_with`] | runs in one HTML file |
 //! | [`Cli`] | the program `tpg-train` |
-//! | [`evolve`], [`Ranks`], [`Link`] | `tpg-train tpg` over several processes |
+//! | [`evolve`], [`Link`] | `tpg-train tpg` over several processes |
 //!
 //! See [`train`] for an example.
 
@@ -29,45 +29,44 @@ mod quantise;
 mod ranks;
 mod report;
 mod run_args;
+mod run_time;
 mod sac;
 mod targets;
 #[cfg(test)]
 mod tests;
 
 pub use cli::Cli;
-pub use configuration::{Configuration, Layers, Preset};
-pub use effort::Effort;
-pub use evaluate::{Against, EvaluationReport, evaluate};
-pub use evolution::checkpoint::steps_of;
-pub use evolution::command::{TpgArgs, execute as evolve};
-pub use evolution::config::{AskConfig, EvolutionConfig as Config, Units};
+pub use configuration::{Configuration, Layers};
+pub use evaluate::{EvaluationReport, evaluate};
+pub use evolution::command::TpgArgs;
+pub use evolution::config::EvolutionConfig as Config;
 pub use evolution::generation::Goal;
 pub use evolution::record::Row;
 pub use evolution::run::{Naming, Progress, RunEnd, RunError, RunOptions, train};
 pub use evolution::state::Best;
 pub use hybrid::asking::Asking;
-pub use hybrid::command::{StudyArgs, study_on};
-pub use hybrid::rollout::{Acting, HybridResult};
-pub use hybrid::setting::{Detector, Hybrid, HybridFile, Setting};
-pub use hybrid::shared::{Episodes, Facts, OwnProblem, Shared};
+pub use hybrid::rollout::Acting;
+pub use hybrid::setting::{Detector, Hybrid, Setting};
+pub use hybrid::shared::{Episodes, OwnProblem, Shared};
 pub use hybrid::span::Span;
-pub use quantise::{QuantiseArgs, quantise};
 pub use ranks::link::Link;
-pub use ranks::workplace::Ranks;
+pub use ranks::workplace::evolve;
 pub use report::{ReportArgs, report_with};
 pub use sac::config::SacConfig;
 pub use sac::network::Network;
 pub use sac::training::train_network;
 
-/// Readers of files as functions of bytes, for fuzzers and tests.
+/// Parts of the commands, and readers of files as functions of bytes, for fuzzers and tests.
 #[doc(hidden)]
-pub mod loaders {
+pub mod parts {
     pub use crate::evolution::checkpoint as tpg;
+    pub use crate::evolution::config::{AskConfig, Units};
     pub use crate::evolution::generation::Evolution;
-    pub use crate::folder::checkpoint::look;
     pub use crate::folder::frame::seal;
     pub use crate::folder::{RunFolder, Trainer};
+    pub use crate::hybrid::command::{StudyArgs, study_on};
     pub use crate::hybrid::setting::{parse_file, read_file};
+    pub use crate::quantise::{QuantiseArgs, quantise};
     pub use crate::sac::tensors::{Tensor, Tensors};
     pub use crate::sac::training::Training;
     pub use crate::sac::{checkpoint as sac, foreign, weights};

@@ -98,6 +98,9 @@ fn a_network_is_trained_quantised_and_joined_to_a_graph_on_its_own_arm() {
     study(Some(&rules)).success();
     let asked = fs::read_to_string(place("study/study.toml")).expect("a study");
     assert!(asked.contains("[problem.arm]") && asked.contains("tolerance = 10.0"), "{asked}");
-    let both = ["--tpg", &graph, "--policy", &network, "--hand-back-after", "10"];
-    assert!(evaluated(&both, Some(&rules))["hand_overs"].is_object());
+    let hybrid = place("hybrid.toml");
+    let rule =
+        format!("graph = \"{graph}\"\nactor = \"{network}\"\nhand_back_after = 10\ncycle_detector = \"visited\"\n");
+    fs::write(&hybrid, rule).expect("a file");
+    assert!(evaluated(&["--hybrid", hybrid.to_str().expect("a path")], Some(&rules))["hand_overs"].is_object());
 }

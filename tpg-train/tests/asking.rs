@@ -10,7 +10,8 @@ use tpg_engine::{Choices, TaskSet};
 use tpg_graph::Graph;
 use tpg_problems::{Pendulum, Problem, ProblemName};
 use tpg_runtime::ops::Own;
-use tpg_train::{Acting, AskConfig, Asking, Config as EvolutionConfig, Episodes, Network, OwnProblem, Shared as _};
+use tpg_train::parts::AskConfig;
+use tpg_train::{Acting, Asking, Config as EvolutionConfig, Episodes, Network, OwnProblem, Shared as _};
 
 /// Asks where the angular velocity is negative, else pushes with the highest torque.
 const ASKS: &str = r#"{
@@ -76,7 +77,7 @@ fn a_run_with_a_price_ends_in_a_graph_that_asks_on_any_threads() {
         train(&config, &out(name), &more).assert().success();
     }
     let bytes = |name: &str, file: &str| fs::read(out(name).join(file)).expect("a file of the run");
-    for file in ["graph.json", "hall.jsonl", "generations.csv", "config.toml", "checkpoint"] {
+    for file in ["graph.json", "hall.jsonl", "generations.jsonl", "config.toml", "checkpoint"] {
         assert!(bytes("one", file) == bytes("two", file) && bytes("one", file) == bytes("lanes", file), "{file}");
     }
     let path = out("one").join("graph.json");
@@ -137,7 +138,14 @@ fn evaluation_counts_the_asks_that_training_pays_for() {
     assert!((paid - (number("mean_score") - 2.0 * asks)).abs() < 1e-9, "{paid} {report}");
 
     // Rules go on beside asking.
-    let both = eval(&path, &["--json", "--policy", NETWORK, "--separation", "3"]).assert().success();
+    let hybrid = folder.path().join("rules.toml");
+    fs::write(
+        &hybrid,
+        format!("graph = \"asks.json\"\nactor = \"{NETWORK}\"\nseparation = 3\nhand_back_after = 100\n"),
+    )
+    .expect("a file");
+    let mut both = tpg_train(&["eval", "--problem", "pendulum", "--episodes", "50", "--json", "--hybrid"]);
+    let both = both.arg(&hybrid).assert().success();
     let both: Value = serde_json::from_slice(&both.get_output().stdout).expect("JSON");
     let number = |key: &str| both[key].as_f64().expect("a number");
     assert!(both["hand_overs"]["drift"].as_f64().expect("a number") > 0.0, "{both}");

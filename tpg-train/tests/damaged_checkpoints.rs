@@ -39,7 +39,7 @@ fn tpg(place: &Path) -> Run {
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (2, 4);
     (config.selection.racing_episodes, config.selection.validation_episodes) = (0, 2);
     config.demes.count = 2;
-    run(place, "tpg", &config.to_toml(), &["graph.json", "generations.csv", "generations.jsonl", "checkpoint"])
+    run(place, "tpg", &config.to_toml(), &["graph.json", "generations.jsonl", "checkpoint"])
 }
 
 fn sac(place: &Path) -> Run {

@@ -7,8 +7,8 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Destination, Edge, EngineOptions, Environment, EpisodeResult, EvaluationError, Evaluator, Line, LocalThreads,
-    Moments, Operand, Play, Played, PolicyGraph, Visit, Work,
+    Destination, Edge, Environment, EpisodeResult, EvaluationError, Evaluator, Line, LocalThreads, Moments, Operand,
+    Play, Played, PolicyGraph, Visit, Work,
 };
 use tpg_problems::arm::targets::Start;
 use tpg_problems::arm::{self, ArmEnvironment, ArmTask};
@@ -23,12 +23,8 @@ struct Worker<'e> {
 impl Worker<'_> {
     fn ask(&self, message: &str) -> Result<String, EvaluationError> {
         let work: Work<ArmTask> = serde_json::from_str(message).map_err(EvaluationError::new)?;
-        let engine = LocalThreads::<f32, Own, _>::new(
-            self.environment,
-            EngineOptions { lanes: 3, ..EngineOptions::default() },
-            1,
-        )?;
-        let answers = engine.evaluate(&work)?;
+        let engine = LocalThreads::<f32, Own, _>::new(self.environment, 1)?;
+        let answers = engine.with_lanes(3).evaluate(&work)?;
         serde_json::to_string(&answers).map_err(EvaluationError::new)
     }
 }
@@ -60,7 +56,7 @@ impl Evaluator<ArmTask> for Wire<'_> {
     fn visit(&self, visits: &[Visit<ArmTask>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
         let message = serde_json::to_string(visits).map_err(EvaluationError::new)?;
         let received: Vec<Visit<ArmTask>> = serde_json::from_str(&message).map_err(EvaluationError::new)?;
-        LocalThreads::<f32, Own, _>::new(self.worker.environment, EngineOptions::default(), 1)?.visit(&received)
+        LocalThreads::<f32, Own, _>::new(self.worker.environment, 1)?.visit(&received)
     }
 
     /// Runs each episode, and once more for its states.
@@ -94,14 +90,14 @@ fn train<V: Evaluator<ArmTask>>(folder: &Path, environment: &ArmEnvironment<f32>
     let end = run(&config(), 7, environment, evaluator, &options, |_| ControlFlow::Continue(()));
     assert!(matches!(end, Ok(RunEnd::Finished(_))), "{end:?}");
     let read = |name| fs::read(folder.join(name)).expect("a run leaves it");
-    ["graph.json", "generations.csv", "generations.jsonl", "checkpoint"].map(read).to_vec()
+    ["graph.json", "generations.jsonl", "checkpoint"].map(read).to_vec()
 }
 
 #[test]
 fn a_run_is_the_same_wherever_its_roots_are_evaluated() {
     let environment = arm::Config::default().environment::<f32>(Start::Rs);
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let local = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 2).expect("threads start");
+    let local = LocalThreads::<f32, Own, _>::new(&environment, 2).expect("threads start");
     let wire = Wire { worker: Worker { environment: &environment }, sent: Cell::default() };
     let expected = train(&folder.path().join("local"), &environment, &local);
     assert!(train(&folder.path().join("wire"), &environment, &wire) == expected, "other bytes over a wire");
@@ -134,7 +130,7 @@ fn a_lost_machine_is_an_error_and_the_run_can_be_resumed() {
     let config = config();
     let environment = arm::Config::default().environment::<f32>(Start::Rs);
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let local = || LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 1).expect("threads start");
+    let local = || LocalThreads::<f32, Own, _>::new(&environment, 1).expect("threads start");
     let expected = train(&folder.path().join("whole"), &environment, &local());
     let broken = Broken { inner: local(), asked: RefCell::new(0) };
     let options = RunOptions {
@@ -148,7 +144,7 @@ fn a_lost_machine_is_an_error_and_the_run_can_be_resumed() {
     assert!(error.contains("connection lost"), "{error}");
     assert!(matches!(go(), Ok(RunEnd::Finished(_))));
     let read = |name| fs::read(options.folder.join(name)).expect("a run leaves it");
-    assert!(["graph.json", "generations.csv", "generations.jsonl", "checkpoint"].map(read).to_vec() == expected);
+    assert!(["graph.json", "generations.jsonl", "checkpoint"].map(read).to_vec() == expected);
 }
 
 /// Evaluates on threads until it is lost.
@@ -176,8 +172,7 @@ impl Evaluator<ArmTask> for Losing<'_> {
 #[test]
 fn a_run_that_loses_its_evaluator_is_saved_and_ends_as_an_undisturbed_one() {
     let environment = arm::Config::default().environment::<f32>(Start::Rs);
-    let threads =
-        || LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 2).expect("threads start");
+    let threads = || LocalThreads::<f32, Own, _>::new(&environment, 2).expect("threads start");
     let folder = tempfile::tempdir().expect("a temporary folder");
     let whole = train(&folder.path().join("whole"), &environment, &threads());
     for &calls in tpg_testing::amount(&[0, 5][..], &[0, 1, 5, 8][..]) {
@@ -189,14 +184,14 @@ fn a_run_that_loses_its_evaluator_is_saved_and_ends_as_an_undisturbed_one() {
         let end = run(&config(), 7, &environment, &threads(), &options, |_| ControlFlow::Continue(()));
         assert!(matches!(end, Ok(RunEnd::Finished(_))), "{end:?}");
         let read = |name| fs::read(options.folder.join(name)).expect("a run leaves it");
-        assert_eq!(["graph.json", "generations.csv", "generations.jsonl", "checkpoint"].map(read).to_vec(), whole);
+        assert_eq!(["graph.json", "generations.jsonl", "checkpoint"].map(read).to_vec(), whole);
     }
 }
 
 #[test]
 fn an_episode_with_what_was_seen_is_the_same_as_one_that_is_run_again() {
     let environment = arm::Config::default().environment::<f32>(Start::Rs);
-    let threads = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 2).expect("threads start");
+    let threads = LocalThreads::<f32, Own, _>::new(&environment, 2).expect("threads start");
     // Policies that read little: what they do not read is seen, too.
     let policy = |action| {
         let line =
@@ -209,11 +204,9 @@ fn an_episode_with_what_was_seen_is_the_same_as_one_that_is_run_again() {
     let plays: Vec<_> = (0..9).map(|number| Play { policy: policy(number as u16), task: task(number) }).collect();
     let again = Wire { worker: Worker { environment: &environment }, sent: Cell::default() };
     let expected = again.play(&plays).expect("no machine is lost");
-    let before = threads.steps();
     let played = threads.play(&plays).expect("no machine is lost");
     assert_eq!(played, expected);
     let actions: u64 = played.iter().map(|played| u64::from(played.ending.actions)).sum();
-    assert_eq!(threads.steps() - before, actions);
     for Played { ending, seen } in &played {
         assert_eq!((seen.count(), seen.length()), (u64::from(ending.actions), 5));
     }

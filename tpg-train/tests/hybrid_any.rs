@@ -10,9 +10,9 @@ use tpg_engine::random::Stream;
 use tpg_engine::{Act, ActionSpace, Choices, End, Environment, SourceSet, Step, Summary, TaskSet};
 use tpg_graph::{Graph, SourceDocument};
 use tpg_runtime::ops::Own;
+use tpg_train::parts::{StudyArgs, study_on};
 use tpg_train::{
-    Acting, Detector, Episodes, Hybrid, Network, OwnProblem, ReportArgs, Setting, Shared, Span, StudyArgs, report_with,
-    study_on,
+    Acting, Detector, Episodes, Hybrid, Network, OwnProblem, ReportArgs, Setting, Shared, Span, report_with,
 };
 
 /// The pendulum's network, made by `tpg-train sac`.
@@ -97,14 +97,6 @@ fn a_weak_graph_with_a_network_is_better_than_alone() {
         ["drift", "stall", "cycle"].map(|cause| hybrid["hand_overs"][cause].as_f64().unwrap()).iter().sum();
     assert!(hand_overs > 0.0, "{hybrid}");
 
-    // The same pair and setting on the command line gives the same.
-    let toml: toml::Table = toml::from_str(&text(&out.join("hybrid.toml"))).expect("TOML");
-    let option = |key: &str| toml[key].as_str().map_or_else(|| toml[key].to_string(), str::to_owned);
-    let [back, separation, patience] = ["hand_back_after", "separation", "patience"].map(option);
-    let settings = ["--hand-back-after", &back, "--separation", &separation, "--patience", &patience];
-    let pair = evaluated(&[&settings[..], &["--policy", NETWORK, "--tpg"]].concat(), &[&graph]);
-    assert_eq!(score(&pair), score(&hybrid));
-
     // The report shows the study's hybrid, and constants are made of it.
     let html = folder.path().join("report.html");
     tpg_train().arg("report").arg(&out).args(["--episodes", "20", "--out"]).arg(&html).assert().success();
@@ -158,15 +150,16 @@ fn what_a_problem_does_not_have_is_refused() {
         command
     };
     let graph = graph.to_str().expect("a path");
-    refused(&mut eval("pendulum", &["--tpg", graph, "--policy", NETWORK]), &["separation = inf", "a patience"]);
-    refused(
-        &mut eval("pendulum", &["--tpg", graph, "--policy", NETWORK, "--cycle-detector", "visited"]),
-        &["has no keys"],
-    );
-    refused(
-        &mut eval("pendulum", &["--tpg", graph, "--policy", NETWORK, "--guard", "both"]),
-        &["guard both for pendulum"],
-    );
+    refused(&mut eval("pendulum", &["--tpg", graph, "--policy", NETWORK]), &["it asks nobody", "--hybrid FILE"]);
+    for (rule, says) in [
+        ("cycle_detector = \"visited\"", "has no keys"),
+        ("guard = \"both\"", "guard both for pendulum"),
+        ("", "a patience"),
+    ] {
+        let file = folder.path().join("refused.toml");
+        fs::write(&file, format!("graph = \"{graph}\"\nactor = \"{NETWORK}\"\n{rule}\n")).expect("a file");
+        refused(&mut eval("pendulum", &["--hybrid", file.to_str().expect("a path")]), &[says]);
+    }
     refused(&mut eval("cartpole", &["--policy", NETWORK]), &["cos_theta", "accepted: x v theta omega"]);
     let file = folder.path().join("hybrid.toml");
     let of_the_arm = format!(
@@ -360,7 +353,10 @@ fn a_network_that_chooses_helps_on_the_cartpole() {
     };
     let [graph, network] = [&graph, &network].map(|path| path.to_str().expect("a path"));
     let (alone, helper) = (score(&["--tpg", graph]), score(&["--policy", network]));
-    let both = score(&["--tpg", graph, "--policy", network, "--separation", "0.2", "--hand-back-after", "20"]);
+    let hybrid = folder.path().join("hybrid.toml");
+    let rules = format!("graph = \"{graph}\"\nactor = \"{network}\"\nseparation = 0.2\nhand_back_after = 20\n");
+    fs::write(&hybrid, rules).expect("a file");
+    let both = score(&["--hybrid", hybrid.to_str().expect("a path")]);
     assert!(alone < 12.0 && helper > 400.0, "graph {alone}, network {helper}");
     assert!(both > 3.0 * alone, "graph {alone}, together {both}");
 }

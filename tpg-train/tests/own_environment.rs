@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_codegen::emit::{self, Language, Prefix};
-use tpg_engine::{EngineOptions, Environment, Lanes, Plan, PolicyGraph};
+use tpg_engine::{DEFAULT_LANES, Environment, Lanes, Plan, PolicyGraph};
 use tpg_graph::Graph;
 use tpg_runtime::ops::Own;
 
@@ -67,11 +67,11 @@ fn from_training_to_a_c_program_that_drives_the_same_cart() {
 
     let tasks: Vec<f32> = (0..STARTS).map(|start| 0.125 * f32::from(start - 16)).collect();
     let sources = Environment::<f32>::sources(&Cart);
-    let plan = Plan::new::<Own>(&PolicyGraph::from(&graph), &sources, EngineOptions::default());
+    let plan = Plan::new::<Own>(&PolicyGraph::from(&graph), &sources);
     let mut actions = vec![String::new(); tasks.len()];
-    let mut lanes = Lanes::<f32, Own, _>::new(&Cart, EngineOptions::default());
-    let endings = lanes.run_watched(&plan, &tasks, |task, action| {
-        let _ = write!(actions[task], "{}", action.0);
+    let mut lanes = Lanes::<f32, Own, _>::new(&Cart, DEFAULT_LANES);
+    let endings = lanes.run_watched(&plan, &tasks, |task, act| {
+        let _ = write!(actions[task], "{}", act.choice());
     });
     let endings = endings.expect("no episode can fail");
     let stopped = endings.iter().filter(|ending| ending.success == Some(true)).count();

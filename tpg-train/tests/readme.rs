@@ -10,7 +10,7 @@ use std::process::Command;
 use tempfile::TempDir;
 use tpg_testing::library::top;
 use tpg_testing::numbers::Numbers;
-use tpg_train::loaders::Tensors;
+use tpg_train::parts::Tensors;
 
 /// Commands that other checks run.
 const ELSEWHERE: &str = "cargo xtask ";

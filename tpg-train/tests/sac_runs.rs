@@ -106,30 +106,20 @@ fn a_trained_network_is_evaluated_put_into_integers_and_reported() {
     assert!(train(&run, &["--target", "-5000"]).status().expect("it runs").success());
     let log = fs::read_to_string(run.join("log.jsonl")).expect("a log");
     assert_eq!(log.lines().count(), 1, "the first validation reaches the target");
-    let [float, fixed, report] =
-        [run.join("policy.safetensors"), place.path().join("policy.q.json"), place.path().join("report.json")];
+    let (float, fixed) = (run.join("policy.safetensors"), place.path().join("policy.q.json"));
     let eval = |policy: &Path| -> Value {
         let mut command = tpg_train();
         command.args(["eval", "--problem", "pendulum", "--episodes", "20", "--json", "--policy"]).arg(policy);
         serde_json::from_slice(&command.assert().success().get_output().stdout).expect("JSON")
     };
     let mut command = tpg_train();
-    command
-        .arg("quantise")
-        .arg(&float)
-        .arg("--out")
-        .arg(&fixed)
-        .arg("--report")
-        .arg(&report)
-        .args(["--kind", "w16a16"]);
+    command.arg("quantise").arg(&float).arg("--out").arg(&fixed).args(["--kind", "w16a16"]);
     command.assert().success();
     let (float, fixed) = (eval(&float), eval(&fixed));
     assert_eq!(float["mean_steps"], 200.0);
     assert!(float["success_rate"].is_null());
     let score = |report: &Value| report["mean_score"].as_f64().expect("a number");
     assert!((score(&float) - score(&fixed)).abs() < 0.1 * score(&float).abs(), "{float} {fixed}");
-    let compared: Value = serde_json::from_slice(&fs::read(&report).expect("a report")).expect("JSON");
-    assert!(compared["mean_difference"].as_f64().expect("a number") < 0.05, "{compared}");
 
     let output = tpg_train().arg("report").arg(&run).args(["--episodes", "20", "--out", "-"]).assert().success();
     let html = String::from_utf8_lossy(&output.get_output().stdout).into_owned();

@@ -123,7 +123,7 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Choices<S, E> {
     type Episode = E::Episode;
 
     crate::forward!(this => this.environment;
-        sources time_limit draw start observe outcomes timeout measure preference constants accepts key cycle training
+        sources time_limit draw start observe outcomes timeout measure preference accepts key cycle training
         guarded drawn distance);
 
     fn actions(&self) -> ActionSpace {

@@ -22,8 +22,6 @@ pub(super) struct Columns<S, M> {
     values: Vec<Block<S>>,
     /// Parts of each operation's column that are up to date for the current state.
     fresh: Vec<Parts>,
-    /// Of these, what stays up to date: all parts of operations that change only with the episode.
-    lasting: Vec<Parts>,
     level: Level,
     maths: PhantomData<M>,
 }
@@ -34,15 +32,13 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
             blocks: lanes.div_ceil(BLOCK),
             values: Vec::new(),
             fresh: Vec::new(),
-            lasting: Vec::new(),
             level: Level::new(),
             maths: PhantomData,
         }
     }
 
-    /// Allocates columns for a plan's nodes and fills in its constants. The inputs in `constant` change only with the
-    /// episode.
-    pub(super) fn prepare(&mut self, plan: &Plan<S>, constant: &[u16]) {
+    /// Allocates columns for a plan's nodes and fills in its constants.
+    pub(super) fn prepare(&mut self, plan: &Plan<S>) {
         self.values.clear();
         self.values.resize(plan.nodes.len() * self.blocks, [S::ZERO; BLOCK]);
         for (column, node) in self.values.chunks_exact_mut(self.blocks).zip(&plan.nodes) {
@@ -52,26 +48,10 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
         }
         self.fresh.clear();
         self.fresh.resize(plan.nodes.len(), Parts::NONE);
-        self.lasting.clear();
-        for node in &plan.nodes {
-            let lasts = match node {
-                Node::Constant(_) => true,
-                Node::Input(input) => constant.contains(input),
-                Node::Operation(_, a, b) => {
-                    [a, b].into_iter().all(|operand| self.lasting[operand.index()] == Parts::ALL)
-                }
-            };
-            self.lasting.push(if lasts { Parts::ALL } else { Parts::NONE });
-        }
     }
 
-    /// Marks all columns as stale for the next state, except those that depend on the episode alone.
+    /// Marks all columns as stale for the next state.
     pub(super) fn next_step(&mut self) {
-        self.fresh.iter_mut().zip(&self.lasting).for_each(|(fresh, lasting)| fresh.keep(*lasting));
-    }
-
-    /// Marks all columns as stale because some lane starts another episode.
-    pub(super) fn forget(&mut self) {
         self.fresh.fill(Parts::NONE);
     }
 
@@ -126,18 +106,6 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
             let b = &before[b.index() * *blocks..][..*blocks];
             let to = &mut from[..*blocks];
             compute_column::<S, M>(instruction, [a, b], to, stale, lanes);
-        }
-    }
-
-    /// Returns a node's value in one lane, computing it for that lane alone if its column is stale.
-    pub(super) fn value(&self, plan: &Plan<S>, node: NodeId, lane: usize) -> S {
-        match plan.nodes[node.index()] {
-            Node::Operation(instruction, a, b) if !self.fresh[node.index()].contains(lane / PART) => {
-                let a_value = self.value(plan, a, lane);
-                let b_value = if a == b { a_value } else { self.value(plan, b, lane) };
-                instruction.apply::<S, M>(a_value, b_value)
-            }
-            _ => self.get(node, lane),
         }
     }
 }

@@ -90,7 +90,7 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Counting<E> {
     type Episode = E::Episode;
 
     crate::forward!(this => this.environment;
-        time_limit draw start outcomes timeout measure preference constants accepts key cycle training guarded drawn distance);
+        time_limit draw start outcomes timeout measure preference accepts key cycle training guarded drawn distance);
 
     fn sources(&self) -> Vec<SourceDocument> {
         self.sources.clone()

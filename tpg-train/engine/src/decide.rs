@@ -4,10 +4,7 @@
 //! move the lanes that are at them; only the parts of blocks with such a lane are looked at. What the roots need is computed before
 //! the first of them is asked, one operation in all its parts after the other.
 //!
-//! A team first evaluates its eager edges. A bid that is bounded (a sine is at most 1) and
-//! needs a transcendental function is *lazy*: it is computed only in the lanes where it could still win. These are few
-//! because most best bids are millimetres or ticks. The winner is the same: the highest bid, and among equal bids the
-//! last edge.
+//! The highest bid wins, and among equal bids the last edge.
 //!
 //! Everything from [`Decider::decide_in_vectors`] on is one function, compiled for each vector width; its loops use masks instead
 //! of conditions, which the compiler would turn into branches.
@@ -16,7 +13,7 @@ use crate::action::Acts;
 use crate::columns::Columns;
 use crate::nodes::NodeId;
 use crate::parts::Parts;
-use crate::plan::{Code, LazyEdge, Plan, PlannedLeaf, PlannedTeam};
+use crate::plan::{Code, Plan, PlannedLeaf, PlannedTeam};
 use crate::view::{BLOCK, Block, PART, part, part_mut};
 use fearless_simd::{Level, dispatch};
 use tpg_runtime::ops::{self, Maths};
@@ -25,8 +22,6 @@ use tpg_runtime::scalar::Scalar;
 
 /// If at most 1 in `SPARSE` lanes is active, lanes are processed individually.
 const SPARSE: usize = 16;
-/// The same threshold for the nodes of a lazy bid.
-const SPARSE_NODES: usize = 6;
 /// Place of unused lanes.
 const NOWHERE: u32 = u32::MAX;
 
@@ -44,11 +39,6 @@ pub(super) struct Decider<S> {
     at: Vec<Block<u32>>,
     /// Parts in which a lane may have reached a place.
     reached: Vec<Parts>,
-    /// Best bid so far in each lane, and the code of its edge.
-    best: Vec<Block<S>>,
-    winner: Vec<Block<u32>>,
-    /// All ones in the lanes where a lazy bid could win.
-    open: Vec<Block<u32>>,
     actions: Vec<ActionId>,
     /// The outputs of a policy that has some: lane after lane.
     values: Vec<S>,
@@ -65,9 +55,6 @@ impl<S: Scalar> Decider<S> {
             moved: false,
             at: vec![[NOWHERE; BLOCK]; blocks],
             reached: Vec::new(),
-            best: vec![[S::ZERO; BLOCK]; blocks],
-            winner: vec![[0; BLOCK]; blocks],
-            open: vec![[0; BLOCK]; blocks],
             actions: vec![ActionId(0); lanes],
             values: Vec::new(),
             level: Level::new(),
@@ -150,7 +137,7 @@ impl<S: Scalar> Decider<S> {
         let mut at = self.homes[0][0];
         while let Some(team) = plan.teams.get(at as usize) {
             columns.compute_one(plan, &team.needs);
-            at = ask_one(plan, team, columns, 0).to();
+            at = ask_one(team, columns, 0).to();
         }
         let end = at as usize - plan.teams.len();
         self.actions[0] = plan.actions[end];
@@ -184,24 +171,13 @@ impl<S: Scalar> Decider<S> {
             columns.compute(plan, team.needs.iter().map(|&node| (node, here)), all);
             if count * SPARSE > all.min(here.lanes()) {
                 for block in here.blocks() {
-                    let (best, winner) = ask_eager(team, columns, block);
-                    if team.lazy.is_empty() {
-                        advance(&mut self.at[block], place, &winner);
-                    } else {
-                        (self.best[block], self.winner[block]) = (best, winner);
-                    }
-                }
-                for lazy in &team.lazy {
-                    self.ask_lazy(plan, place, lazy, columns, here, all);
-                }
-                if !team.lazy.is_empty() {
-                    here.blocks().for_each(|block| advance(&mut self.at[block], place, &self.winner[block]));
+                    advance(&mut self.at[block], place, &ask(team, columns, block));
                 }
             } else {
                 for index in here {
                     for (lane, at) in (index * PART..).zip(part_mut(&mut self.at, index)) {
                         if *at == place {
-                            *at = ask_one(plan, team, columns, lane).to();
+                            *at = ask_one(team, columns, lane).to();
                         }
                     }
                 }
@@ -252,61 +228,6 @@ impl<S: Scalar> Decider<S> {
             }
         }
     }
-
-    /// Evaluates a lazy edge in those lanes of the team where it can win, which are in the parts `here`.
-    #[inline(always)]
-    fn ask_lazy<M: Maths<S>>(
-        &mut self,
-        plan: &Plan<S>,
-        place: u32,
-        lazy: &LazyEdge<S>,
-        columns: &mut Columns<S, M>,
-        here: Parts,
-        all: usize,
-    ) {
-        let (mut within, mut counts) = (Parts::NONE, [0; BLOCK]);
-        for block in here.blocks() {
-            let lanes =
-                self.open[block].iter_mut().zip(&self.at[block]).zip(&self.best[block]).zip(&self.winner[block]);
-            let mut any = 0;
-            for ((((open, &at), &best), &winner), count) in lanes.zip(&mut counts) {
-                *open = all_ones((at == place) & could_win(lazy.most, lazy.code, best, Code(winner)));
-                *count -= open.cast_signed();
-                any |= *open;
-            }
-            if any != 0 {
-                within.insert_block(block);
-            }
-        }
-        within.keep(here);
-        if within.is_empty() {
-            return;
-        }
-        let count = counts.into_iter().sum::<i32>() as usize;
-        if count * SPARSE_NODES > all.min(within.lanes()) {
-            columns.compute(plan, lazy.needs.iter().map(|&node| (node, within)), all);
-            for block in within.blocks() {
-                let lanes = columns.block(lazy.bid, block).iter().zip(&self.open[block]);
-                let lanes = lanes.zip(&mut self.best[block]).zip(&mut self.winner[block]);
-                for (((&bid, &open), best), winner) in lanes {
-                    let bid = ops::max(bid, S::NEG_INFINITY);
-                    let wins = (open != 0) & could_win(bid, lazy.code, *best, Code(*winner));
-                    *best = if wins { bid } else { *best };
-                    *winner ^= (*winner ^ lazy.code.0) & all_ones(wins);
-                }
-            }
-            return;
-        }
-        for block in within.blocks() {
-            let lanes = (block * BLOCK..).zip(&mut self.best[block]).zip(&mut self.winner[block]);
-            for (((lane, best), winner), _) in lanes.zip(self.open[block]).filter(|(_, open)| *open != 0) {
-                let bid = ops::bid(columns.value(plan, lazy.bid, lane));
-                if could_win(bid, lazy.code, *best, Code(*winner)) {
-                    (*best, *winner) = (bid, lazy.code.0);
-                }
-            }
-        }
-    }
 }
 
 /// Limits the outputs that a leaf has computed in one lane.
@@ -324,17 +245,12 @@ fn limit_outputs<S: Scalar, M: Maths<S>>(
     }
 }
 
-/// Returns the best bid of the eager edges and the code of the winner in every lane of a block, whether the lane is at the team
-/// or not.
+/// Returns the code of the winning edge in every lane of a block, whether the lane is at the team or not.
 #[inline(always)]
-fn ask_eager<S: Scalar, M: Maths<S>>(
-    team: &PlannedTeam<S>,
-    columns: &Columns<S, M>,
-    block: usize,
-) -> (Block<S>, Block<u32>) {
+fn ask<S: Scalar, M: Maths<S>>(team: &PlannedTeam, columns: &Columns<S, M>, block: usize) -> Block<u32> {
     let mut best = [S::NEG_INFINITY; BLOCK];
     let mut winner = [team.first.0; BLOCK];
-    for edge in &team.eager {
+    for edge in &team.edges {
         let mut wins = [0; BLOCK];
         for ((best, wins), &bid) in best.iter_mut().zip(&mut wins).zip(columns.block(edge.bid, block)) {
             // As `ops::bid`: NaN is not above −∞.
@@ -346,7 +262,7 @@ fn ask_eager<S: Scalar, M: Maths<S>>(
             *winner ^= (*winner ^ edge.code.0) & wins;
         }
     }
-    (best, winner)
+    winner
 }
 
 /// Moves the lanes that are at a place to the destination of their winner.
@@ -360,35 +276,15 @@ fn advance(at: &mut Block<u32>, place: u32, winner: &Block<u32>) {
 
 /// Returns the winning edge in one lane.
 #[inline(always)]
-fn ask_one<S: Scalar, M: Maths<S>>(
-    plan: &Plan<S>,
-    team: &PlannedTeam<S>,
-    columns: &Columns<S, M>,
-    lane: usize,
-) -> Code {
-    let mut best = S::NEG_INFINITY;
-    let mut winner = team.first;
-    for edge in &team.eager {
+fn ask_one<S: Scalar, M: Maths<S>>(team: &PlannedTeam, columns: &Columns<S, M>, lane: usize) -> Code {
+    let (mut best, mut winner) = (S::NEG_INFINITY, team.first);
+    for edge in &team.edges {
         let bid = ops::bid(columns.get(edge.bid, lane));
         if bid >= best {
             (best, winner) = (bid, edge.code);
         }
     }
-    for lazy in &team.lazy {
-        if could_win(lazy.most, lazy.code, best, winner) {
-            let bid = ops::bid(columns.value(plan, lazy.bid, lane));
-            if could_win(bid, lazy.code, best, winner) {
-                (best, winner) = (bid, lazy.code);
-            }
-        }
-    }
     winner
-}
-
-/// True if a bid beats the best one so far: it is higher, or equal and of a later edge.
-#[inline(always)]
-fn could_win<S: Scalar>(bid: S, edge: Code, best: S, winner: Code) -> bool {
-    (bid > best) | ((bid == best) & (edge >= winner))
 }
 
 /// Converts a condition to a mask.

@@ -116,13 +116,6 @@ pub trait Environment<S: Scalar>: Sync {
         Preference::Score
     }
 
-    /// Returns the values of the flat state that are constant throughout an episode; none by default.
-    ///
-    /// Values that programs compute from these alone are computed once per episode.
-    fn constants(&self) -> Vec<u16> {
-        Vec::new()
-    }
-
     /// Returns true if an episode can start from a task. Tasks read from a checkpoint are checked with it; those that
     /// [`draw`](Self::draw) returns are always possible. By default every task is.
     fn accepts(&self, _task: &Self::Task) -> bool {
@@ -176,6 +169,6 @@ impl<S: Scalar, E: Environment<S> + ?Sized> Environment<S> for &E {
     type Episode = E::Episode;
 
     crate::forward!(this => (**this);
-        sources actions time_limit draw start observe observe_some step outcomes timeout measure preference constants accepts
+        sources actions time_limit draw start observe observe_some step outcomes timeout measure preference accepts
         lanes key cycle training guarded drawn distance);
 }

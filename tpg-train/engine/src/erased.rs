@@ -1,8 +1,8 @@
 //! Environments whose type is only known at run time: what works with them is compiled once for all problems.
 
-use crate::action::{Act, ActionSpace, Output};
+use crate::action::{Act, Output};
 use crate::environment::Environment;
-use crate::episode_result::{End, EpisodeResult, Measure, Preference, Step};
+use crate::episode_result::{End, EpisodeResult, Step};
 use crate::episodes::Episodes;
 use crate::extensions::{Drawn, Guarded, TaskSet, Training};
 use crate::mapped::Mapped;
@@ -161,15 +161,8 @@ where
     type Task = AnyTask;
     type Episode = AnyEpisode;
 
-    fn sources(&self) -> Vec<SourceDocument> {
-        self.0.sources()
-    }
-    fn actions(&self) -> ActionSpace {
-        self.0.actions()
-    }
-    fn time_limit(&self) -> u32 {
-        self.0.time_limit()
-    }
+    crate::forward!(this => this.0; sources actions time_limit outcomes measure preference);
+
     fn draw(&self, stream: &mut Stream) -> AnyTask {
         AnyTask::new(self.0.draw(stream))
     }
@@ -182,20 +175,8 @@ where
     fn step(&self, episode: &mut AnyEpisode, act: Act<'_, S>) -> Step {
         self.0.step(episode.typed_mut(), act)
     }
-    fn outcomes(&self) -> &'static [&'static str] {
-        self.0.outcomes()
-    }
     fn timeout(&self, episode: &AnyEpisode) -> End {
         self.0.timeout(episode.typed())
-    }
-    fn measure(&self) -> Option<Measure> {
-        self.0.measure()
-    }
-    fn preference(&self) -> Preference {
-        self.0.preference()
-    }
-    fn constants(&self) -> Vec<u16> {
-        self.0.constants()
     }
     fn accepts(&self, task: &AnyTask) -> bool {
         task.typed().is_some_and(|task| self.0.accepts(task))

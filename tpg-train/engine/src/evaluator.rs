@@ -4,18 +4,15 @@ use crate::environment::Environment;
 use crate::episode_result::EpisodeResult;
 use crate::error::EvaluationError;
 use crate::groups::side_by_side;
-use crate::lanes::Lanes;
-use crate::options::EngineOptions;
+use crate::lanes::{DEFAULT_LANES, Lanes};
 use crate::plan::Plan;
 use crate::policy::PolicyGraph;
 use crate::rollout::{Decision, Rollout};
 use crate::single::Single;
 use crate::source_set::SourceSet;
-use crate::view::PART;
 use crate::work::{Piece, Play, Played, Visit, Work};
 use rayon::prelude::*;
 use std::marker::PhantomData;
-use std::sync::atomic::{AtomicU64, Ordering};
 use tpg_graph::SourceDocument;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
@@ -57,17 +54,12 @@ pub trait Evaluator<Task> {
     /// # Errors
     /// If an answer cannot be obtained.
     fn play(&self, plays: &[Play<Task>]) -> Result<Vec<Played>, EvaluationError>;
-
-    /// Returns the number of environment steps so far, for the log's steps per second; 0 if they are not counted.
-    fn steps(&self) -> u64 {
-        0
-    }
 }
 
 /// Evaluation on the threads of this machine.
 ///
 /// ```
-/// use tpg_engine::{Destination, Edge, Environment, Evaluator, EngineOptions, LocalThreads, PolicyGraph, Work};
+/// use tpg_engine::{Destination, Edge, Environment, Evaluator, LocalThreads, PolicyGraph, Work};
 /// use tpg_runtime::ops::Own;
 /// # use tpg_engine::random::Stream;
 /// # use tpg_engine::{Act, ActionSpace, SourceSet, Step};
@@ -97,19 +89,17 @@ pub trait Evaluator<Task> {
 ///     PolicyGraph::new(1, 0, vec![vec![Edge { program: 0, to: Destination::Action(action) }]], vec![vec![]])
 /// };
 /// let work = Work { tasks: vec![0.0, 3.0], policies: vec![policy(0), policy(1)] };
-/// let evaluator = LocalThreads::<f32, Own, _>::new(&Counter, EngineOptions::default(), 2)?;
+/// let evaluator = LocalThreads::<f32, Own, _>::new(&Counter, 2)?;
 /// let answers = evaluator.evaluate(&work)?;
 /// assert_eq!(answers.iter().map(|endings| endings[0].score).collect::<Vec<_>>(), [-5.0, 5.0]);
-/// assert_eq!(evaluator.steps(), 20);
 /// # Ok::<(), tpg_engine::EvaluationError>(())
 /// ```
 #[derive(Debug)]
 pub struct LocalThreads<'e, S, M, E> {
     environment: &'e E,
     sources: Vec<SourceDocument>,
-    options: EngineOptions,
+    lanes: usize,
     pool: rayon::ThreadPool,
-    steps: AtomicU64,
     number: PhantomData<(S, M)>,
 }
 
@@ -118,10 +108,16 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'e, S, M, E> {
     ///
     /// # Errors
     /// If the threads cannot be started.
-    pub fn new(environment: &'e E, options: EngineOptions, threads: usize) -> Result<Self, EvaluationError> {
+    pub fn new(environment: &'e E, threads: usize) -> Result<Self, EvaluationError> {
         let pool = (rayon::ThreadPoolBuilder::new().num_threads(threads).build()).map_err(EvaluationError::new)?;
         let sources = environment.sources();
-        Ok(Self { environment, sources, options, pool, steps: AtomicU64::new(0), number: PhantomData })
+        Ok(Self { environment, sources, lanes: DEFAULT_LANES, pool, number: PhantomData })
+    }
+
+    /// Changes the number of parallel episodes, which changes no result.
+    #[must_use]
+    pub fn with_lanes(self, lanes: usize) -> Self {
+        Self { lanes, ..self }
     }
 }
 
@@ -133,8 +129,7 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'_, S, M, E> {
 
     /// Lets a policy act, and records its states after so many actions; after the end, the last one.
     fn states(&self, visit: &Visit<E::Task>) -> Vec<Vec<f64>> {
-        let options = EngineOptions { lanes: 1, ..self.options };
-        let single = Single::<S, M>::new(Plan::new::<M>(&visit.policy, &self.sources, options));
+        let single = Single::<S, M>::new(Plan::new::<M>(&visit.policy, &self.sources));
         let mut rollout = Rollout::new(self.environment, &visit.task);
         let (mut seen, mut done, mut is_over) = (Vec::with_capacity(visit.after.len()), 0, false);
         loop {
@@ -159,20 +154,14 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> Evaluator<E::Task> for LocalThre
 
     fn pieces(&self, work: &Work<E::Task>, pieces: &[Piece]) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
         let evaluate = |lanes: &mut Lanes<'_, S, M, E>, group: &[Piece]| {
-            let before = lanes.steps();
             let policies: Vec<&PolicyGraph> = group.iter().map(|piece| &work.policies[piece.policy]).collect();
             let tasks: Vec<&[E::Task]> = group.iter().map(|piece| &work.tasks[piece.tasks.clone()]).collect();
-            // A bid of few lanes is cheaper to compute than to ask where it could win.
-            let lazy = self.options.lazy && (group.len() == 1 || tasks[0].len() > PART);
-            let options = EngineOptions { lazy, ..self.options };
-            let plan = Plan::of_roots::<M>(&policies, &self.sources, options);
-            let endings = lanes.run_roots(&plan, &tasks)?;
-            self.steps.fetch_add(lanes.steps() - before, Ordering::Relaxed);
-            Ok(endings)
+            let plan = Plan::of_roots::<M>(&policies, &self.sources);
+            lanes.run_roots(&plan, &tasks)
         };
-        let groups = side_by_side(work, pieces, self.options.lanes, self.threads());
+        let groups = side_by_side(work, pieces, self.lanes, self.threads());
         let endings: Result<Vec<Vec<Vec<EpisodeResult>>>, _> = self.pool.install(|| {
-            groups.into_par_iter().map_init(|| Lanes::new(self.environment, self.options), evaluate).collect()
+            groups.into_par_iter().map_init(|| Lanes::new(self.environment, self.lanes), evaluate).collect()
         });
         Ok(endings?.into_iter().flatten().collect())
     }
@@ -182,18 +171,10 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> Evaluator<E::Task> for LocalThre
     }
 
     fn play(&self, plays: &[Play<E::Task>]) -> Result<Vec<Played>, EvaluationError> {
-        let options = EngineOptions { lanes: 1, ..self.options };
         let play = |lanes: &mut Lanes<'_, S, M, E>, play: &Play<E::Task>| {
-            let before = lanes.steps();
-            let plan = Plan::observing_all::<M>(&play.policy, &self.sources, options);
-            let played = lanes.play(&plan, &play.task)?;
-            self.steps.fetch_add(lanes.steps() - before, Ordering::Relaxed);
-            Ok(played)
+            let plan = Plan::observing_all::<M>(&play.policy, &self.sources);
+            lanes.play(&plan, &play.task)
         };
-        self.pool.install(|| plays.par_iter().map_init(|| Lanes::new(self.environment, options), play).collect())
-    }
-
-    fn steps(&self) -> u64 {
-        self.steps.load(Ordering::Relaxed)
+        self.pool.install(|| plays.par_iter().map_init(|| Lanes::new(self.environment, 1), play).collect())
     }
 }

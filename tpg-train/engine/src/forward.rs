@@ -44,9 +44,6 @@ macro_rules! forward {
     (@preference $this:ident $inner:expr) => {
         $crate::forward!(@method $this $inner, preference() -> $crate::Preference);
     };
-    (@constants $this:ident $inner:expr) => {
-        $crate::forward!(@method $this $inner, constants() -> Vec<u16>);
-    };
     (@training $this:ident $inner:expr) => {
         $crate::forward!(@method $this $inner, training() -> Option<&dyn $crate::Training<Self::Task, Self::Episode>>);
     };

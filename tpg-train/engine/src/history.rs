@@ -7,7 +7,7 @@
 
 /// All keys of one episode, in order.
 #[derive(Clone, Debug, Default)]
-pub struct History {
+pub(super) struct History {
     keys: Vec<u64>,
     snapshot: u64,
     renew_at: usize,
@@ -15,16 +15,16 @@ pub struct History {
 
 /// The first return of an episode to an earlier key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Repeat {
+pub(super) struct Repeat {
     /// Number of the action that led back.
-    pub actions: u32,
+    pub(super) actions: u32,
     /// The repeated key.
-    pub key: u64,
+    pub(super) key: u64,
 }
 
 impl History {
     /// Clears the history and begins at `start`.
-    pub fn reset(&mut self, start: u64) {
+    pub(super) fn reset(&mut self, start: u64) {
         self.keys.clear();
         self.keys.push(start);
         self.snapshot = start;
@@ -33,7 +33,7 @@ impl History {
 
     /// Adds the key after an action, without looking for a cycle.
     #[inline]
-    pub fn push(&mut self, key: u64) {
+    pub(super) fn push(&mut self, key: u64) {
         self.keys.push(key);
     }
 
@@ -41,7 +41,7 @@ impl History {
     ///
     /// A cycle of two is detected at once, any other one some rounds after it begins.
     #[inline]
-    pub fn push_and_look(&mut self, key: u64) -> Option<Repeat> {
+    pub(super) fn push_and_look(&mut self, key: u64) -> Option<Repeat> {
         let new = self.keys.len();
         let back_and_forth = new >= 2 && self.keys[new - 2] == key;
         let seen = back_and_forth || self.snapshot == key;
@@ -58,7 +58,7 @@ impl History {
     }
 
     /// Searches the whole episode for its first repeat.
-    pub fn first_repeat(&self) -> Option<Repeat> {
+    pub(super) fn first_repeat(&self) -> Option<Repeat> {
         let mut order: Vec<usize> = (0..self.keys.len()).collect();
         order.sort_unstable_by_key(|&place| (self.keys[place], place));
         let repeats = order.windows(2).filter(|pair| self.keys[pair[0]] == self.keys[pair[1]]).map(|pair| pair[1]);

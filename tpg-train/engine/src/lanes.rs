@@ -3,6 +3,7 @@
 //! Each node has a column with one value per lane, so that an instruction is one loop over lanes, which the compiler
 //! vectorises. A lane whose episode ended takes the next task; when no tasks remain, lanes are compacted.
 
+use crate::action::Act;
 use crate::columns::Columns;
 use crate::decide::Decider;
 use crate::environment::Environment;
@@ -10,20 +11,24 @@ use crate::episode_result::EpisodeResult;
 use crate::episodes::Episodes;
 use crate::error::EvaluationError;
 use crate::history::History;
-use crate::kinship::kindred;
 use crate::moments::Moments;
 use crate::nodes::NodeId;
-use crate::options::EngineOptions;
+use crate::parts;
 use crate::plan::Plan;
 use crate::work::Played;
 use tpg_runtime::ops::Maths;
-use tpg_runtime::policy::ActionId;
+
 use tpg_runtime::scalar::Scalar;
+
+/// Number of parallel episodes of evaluation; it changes no result.
+pub const DEFAULT_LANES: usize = 112;
+/// Greatest number of parallel episodes.
+pub const MOST_LANES: usize = parts::MOST_LANES;
 
 /// Runs roots over tasks, one plan after another, and reuses its buffers between them.
 ///
 /// ```
-/// use tpg_engine::{Destination, Edge, Environment, EngineOptions, Lanes, Plan, PolicyGraph};
+/// use tpg_engine::{DEFAULT_LANES, Destination, Edge, Environment, Lanes, Plan, PolicyGraph};
 /// use tpg_runtime::ops::Own;
 /// # use tpg_engine::random::Stream;
 /// # use tpg_engine::{Act, ActionSpace, SourceSet, Step};
@@ -51,16 +56,15 @@ use tpg_runtime::scalar::Scalar;
 /// // The policy always chooses `up`.
 /// let up = Edge { program: 0, to: Destination::Action(1) };
 /// let policy = PolicyGraph::new(1, 0, vec![vec![up]], vec![vec![]]);
-/// let plan = Plan::new::<Own>(&policy, &Counter.sources(), EngineOptions::default());
-/// let endings = Lanes::<f32, Own, _>::new(&Counter, EngineOptions::default()).run(&plan, &[0.0, 3.0])?;
+/// let plan = Plan::new::<Own>(&policy, &Counter.sources());
+/// let endings = Lanes::<f32, Own, _>::new(&Counter, DEFAULT_LANES).run(&plan, &[0.0, 3.0])?;
 /// assert_eq!(endings.len(), 2);
 /// assert!(endings.iter().all(|ending| ending.score == 5.0 && ending.actions == 5));
 /// # Ok::<(), tpg_engine::EvaluationError>(())
 /// ```
 pub struct Lanes<'e, S: Scalar, M, E: Environment<S>> {
     environment: &'e E,
-    options: EngineOptions,
-    constants: Vec<u16>,
+    lanes: usize,
     columns: Columns<S, M>,
     decider: Decider<S>,
     episodes: Box<dyn Episodes<S, E::Task> + 'e>,
@@ -68,7 +72,6 @@ pub struct Lanes<'e, S: Scalar, M, E: Environment<S>> {
     running: Vec<(usize, usize)>,
     histories: Vec<History>,
     ended: Vec<(usize, EpisodeResult)>,
-    steps: u64,
 }
 
 /// The start of an episode: a task, and the place of the root that acts.
@@ -84,30 +87,22 @@ fn starts<'t, S, Task>(plan: &Plan<S>, tasks: &'t [Task]) -> Vec<LaneStart<'t, T
 }
 
 impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
-    /// Creates the lanes for an environment.
+    /// Creates so many lanes for an environment; their number changes no result.
     ///
     /// # Panics
-    /// If the number of lanes is 0 or above [`EngineOptions::MOST_LANES`].
-    pub fn new(environment: &'e E, options: EngineOptions) -> Self {
-        let most = EngineOptions::MOST_LANES;
-        assert!((1..=most).contains(&options.lanes), "{} lanes; accepted: 1 to {most}", options.lanes);
+    /// If the number of lanes is 0 or above [`MOST_LANES`].
+    pub fn new(environment: &'e E, lanes: usize) -> Self {
+        assert!((1..=MOST_LANES).contains(&lanes), "{lanes} lanes; accepted: 1 to {MOST_LANES}");
         Self {
             environment,
-            options,
-            constants: environment.constants(),
-            columns: Columns::new(options.lanes),
-            decider: Decider::new(options.lanes),
+            lanes,
+            columns: Columns::new(lanes),
+            decider: Decider::new(lanes),
             episodes: environment.lanes(),
             running: Vec::new(),
-            histories: vec![History::default(); options.lanes],
+            histories: vec![History::default(); lanes],
             ended: Vec::new(),
-            steps: 0,
         }
-    }
-
-    /// Returns the number of environment steps so far.
-    pub fn steps(&self) -> u64 {
-        self.steps
     }
 
     /// Returns the root's ending on each task.
@@ -128,24 +123,19 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     ///
     /// # Panics
     /// If there are not as many lists of tasks as roots.
-    pub fn run_roots(
+    pub fn run_roots<'t>(
         &mut self,
         plan: &Plan<S>,
-        tasks: &[&[E::Task]],
+        tasks: &[&'t [E::Task]],
     ) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
         assert_eq!(tasks.len(), plan.roots.len(), "tasks for each root");
-        let order = kindred(plan);
-        let starts = |&place: &usize| tasks[place].iter().map(move |task| LaneStart { root: plan.roots[place], task });
-        let episodes: Vec<_> = order.iter().flat_map(starts).collect();
+        let starts = |(&root, &tasks): (&u32, &&'t [E::Task])| tasks.iter().map(move |task| LaneStart { root, task });
+        let episodes: Vec<_> = plan.roots.iter().zip(tasks).flat_map(starts).collect();
         let mut ended = self.run_all(plan, &episodes, |_, _, _, _| ())?.into_iter();
-        let mut endings = vec![Vec::new(); tasks.len()];
-        for place in order {
-            endings[place] = ended.by_ref().take(tasks[place].len()).collect();
-        }
-        Ok(endings)
+        Ok(tasks.iter().map(|tasks| ended.by_ref().take(tasks.len()).collect()).collect())
     }
 
-    /// As [`run`](Self::run); `watch` is called for every action, with the index of its task.
+    /// As [`run`](Self::run); `watch` is called before every action, with the index of its task.
     ///
     /// # Errors
     /// As [`run`](Self::run).
@@ -156,9 +146,9 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         &mut self,
         plan: &Plan<S>,
         tasks: &[E::Task],
-        mut watch: impl FnMut(usize, ActionId),
+        mut watch: impl FnMut(usize, Act<'_, S>),
     ) -> Result<Vec<EpisodeResult>, EvaluationError> {
-        self.run_all(plan, &starts(plan, tasks), |_, _, task, action| watch(task, action))
+        self.run_all(plan, &starts(plan, tasks), |_, _, task, act| watch(task, act))
     }
 
     /// Runs the root on a task and keeps the moments of the states that it decides in. The plan must observe all of the state.
@@ -179,31 +169,31 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         &mut self,
         plan: &Plan<S>,
         starts: &[LaneStart<'_, E::Task>],
-        mut watch: impl FnMut(&Columns<S, M>, usize, usize, ActionId),
+        mut watch: impl FnMut(&Columns<S, M>, usize, usize, Act<'_, S>),
     ) -> Result<Vec<EpisodeResult>, EvaluationError> {
         if !self.running.is_empty() {
             // An earlier call failed: its episodes must not be continued.
             self.running.clear();
             self.episodes = self.environment.lanes();
         }
-        self.columns.prepare(plan, &self.constants);
+        self.columns.prepare(plan);
         self.decider.prepare(plan);
         let mut endings = vec![None; starts.len()];
         let mut next = 0;
-        while next < starts.len().min(self.options.lanes) {
+        while next < starts.len().min(self.lanes) {
             self.running.push((next, next));
             self.begin(starts, next)?;
             next += 1;
         }
         while !self.running.is_empty() {
             self.episodes.observe(plan.wanted, &mut self.columns.view(&plan.places))?;
-            let actions = self.decider.decide(plan, &mut self.columns, self.running.len());
-            self.steps += actions.len() as u64;
-            for (lane, (&(task, _), &action)) in self.running.iter().zip(actions).enumerate() {
-                watch(&self.columns, lane, task, action);
+            self.decider.decide(plan, &mut self.columns, self.running.len());
+            let acts = self.decider.acts(plan, self.running.len());
+            for (lane, (&(task, _), act)) in self.running.iter().zip(acts.iter()).enumerate() {
+                watch(&self.columns, lane, task, act);
             }
             self.ended.clear();
-            self.episodes.step(self.decider.acts(plan, self.running.len()), &mut self.ended)?;
+            self.episodes.step(acts, &mut self.ended)?;
             self.end_cycles();
             // From the last lane down, so that compaction only moves running lanes.
             while let Some((lane, ending)) = self.ended.pop() {
@@ -216,7 +206,6 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
                     self.running.swap_remove(lane);
                     self.episodes.close_up(lane);
                     self.decider.close_up(lane, self.running.len());
-                    self.columns.forget();
                 }
             }
         }
@@ -229,7 +218,6 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         let LaneStart { root, task } = starts[start];
         self.episodes.begin(lane, task)?;
         self.decider.begin(lane, root);
-        self.columns.forget();
         if let Some(&key) = self.episodes.keys().get(lane) {
             self.histories[history].reset(key);
         }

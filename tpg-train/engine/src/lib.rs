@@ -19,7 +19,7 @@
 //! | [`Episodes`], [`OneByOne`], [`Mapped`], [`View`], [`SourceSet`] | parallel episodes |
 //! | [`EpisodeResult`], [`Summary`], [`Preference`] | results |
 //! | [`PolicyGraph`], [`Plan`], [`Node`], [`Arena`] | a graph in the engine's own form |
-//! | [`Lanes`], [`Single`], [`EngineOptions`], [`History`] | execution |
+//! | [`Lanes`], [`Single`] | execution |
 //! | [`Evaluator`], [`LocalThreads`], [`Work`], [`Piece`], [`Visit`], [`Play`], [`Moments`], [`Sample`] | evaluation of many roots, on threads or elsewhere |
 //! | [`forward`](crate::forward!) | environments that wrap another one |
 //! | [`random`] | independent streams of random numbers, one for each purpose |
@@ -42,12 +42,10 @@ mod groups;
 mod history;
 #[cfg(all(debug_assertions, not(test)))]
 mod instances;
-mod kinship;
 mod lanes;
 mod mapped;
 mod moments;
 mod nodes;
-mod options;
 mod parts;
 mod plan;
 mod policy;
@@ -71,15 +69,13 @@ pub use erased::{AnyEnvironment, AnyEpisode, AnyTask, erase};
 pub use error::EvaluationError;
 pub use evaluator::{Evaluator, LocalThreads};
 pub use extensions::{Drawn, Guarded, TaskSet, Training};
-pub use history::{History, Repeat};
-pub use lanes::Lanes;
+pub use lanes::{DEFAULT_LANES, Lanes, MOST_LANES};
 pub use mapped::Mapped;
 pub use moments::{Moments, Sample, confidence};
-pub use nodes::{Arena, Node, NodeId};
-pub use options::EngineOptions;
+pub use nodes::{Arena, Node};
 pub use plan::Plan;
 pub use policy::{Destination, Edge, Limits, Line, Operand, PolicyGraph};
-pub use remembering::{Remembered, Remembering, WithMemory, remembered};
+pub use remembering::{Remembered, Remembering, remembered};
 pub use rollout::{Decision, Rollout};
 pub use single::{Single, single};
 pub use source_set::SourceSet;

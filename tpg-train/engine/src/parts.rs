@@ -14,8 +14,6 @@ const _: () = assert!(BLOCK == 2 * PART, "`Parts::blocks` joins two parts");
 impl Parts {
     /// The set of no part.
     pub(super) const NONE: Self = Self(0);
-    /// The set of all parts.
-    pub(super) const ALL: Self = Self(u64::MAX);
 
     /// Adds a part.
     #[inline(always)]
@@ -23,22 +21,10 @@ impl Parts {
         self.0 |= 1 << part;
     }
 
-    /// Adds both parts of a block.
-    #[inline(always)]
-    pub(super) fn insert_block(&mut self, block: usize) {
-        self.0 |= 3 << (2 * block);
-    }
-
     /// Adds the parts of another set.
     #[inline(always)]
     pub(super) fn add(&mut self, other: Self) {
         self.0 |= other.0;
-    }
-
-    /// Removes the parts that are not in another set.
-    #[inline(always)]
-    pub(super) fn keep(&mut self, other: Self) {
-        self.0 &= other.0;
     }
 
     /// Returns the parts that are not in another set.
@@ -101,19 +87,12 @@ mod tests {
         let parts = set(&[63, 0, 5, 5]);
         assert_eq!((parts.lanes(), parts.collect::<Vec<_>>()), (24, vec![0, 5, 63]));
         assert_eq!(parts.without(set(&[5])), set(&[0, 63]));
-        let mut kept = parts;
-        kept.keep(set(&[5, 6]));
-        assert_eq!(kept, set(&[5]));
-        kept.keep(Parts::NONE);
-        assert!(kept.is_empty() && !kept.contains(5) && Parts::ALL.contains(63));
+        assert!(parts.contains(5) && !parts.contains(6) && !parts.is_empty() && Parts::NONE.is_empty());
     }
 
     #[test]
     fn blocks_come_once_for_both_of_their_parts() {
-        let mut last = Parts::NONE;
-        last.insert_block(31);
-        assert_eq!(last, set(&[62, 63]));
         assert_eq!(set(&[1, 4, 5, 62]).blocks().collect::<Vec<_>>(), [0, 2, 31]);
-        assert_eq!(Parts::ALL.blocks().collect::<Vec<_>>(), (0..32).collect::<Vec<_>>());
+        assert_eq!(Parts(u64::MAX).blocks().collect::<Vec<_>>(), (0..32).collect::<Vec<_>>());
     }
 }

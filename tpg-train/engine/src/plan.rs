@@ -2,14 +2,13 @@
 //! evaluate.
 
 use crate::nodes::{Arena, Node, NodeId, NodeSet};
-use crate::options::EngineOptions;
 use crate::policy::{Destination, Line, PolicyGraph};
 use crate::source_set::SourceSet;
 use std::collections::HashMap;
 use std::sync::Arc;
 use tpg_graph::SourceDocument;
 use tpg_graph::hash_cons::HashCons;
-use tpg_runtime::ops::{Instruction, Maths};
+use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
@@ -49,31 +48,20 @@ impl Code {
     }
 }
 
-/// An edge that is always evaluated.
+/// A bid for an edge.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct EagerEdge {
+pub(super) struct PlannedBid {
     pub(super) code: Code,
     pub(super) bid: NodeId,
 }
 
-/// An edge that is evaluated only where its bid could win.
+/// A team: its edges, and the operations that their bids depend on.
 #[derive(Clone, Debug)]
-pub(super) struct LazyEdge<S> {
-    pub(super) code: Code,
-    pub(super) bid: NodeId,
-    /// Upper bound of its bid.
-    pub(super) most: S,
-    pub(super) needs: Vec<NodeId>,
-}
-
-/// A team: its edges, and the operations that its eager bids depend on.
-#[derive(Clone, Debug)]
-pub(super) struct PlannedTeam<S> {
+pub(super) struct PlannedTeam {
     pub(super) first: Code,
-    /// Eager edges, in the order of the team's edges.
-    pub(super) eager: Vec<EagerEdge>,
+    /// The edges; none where there is a single one, and so nothing to decide.
+    pub(super) edges: Vec<PlannedBid>,
     pub(super) needs: Vec<NodeId>,
-    pub(super) lazy: Vec<LazyEdge<S>>,
     /// The places that edges lead to, numbered as in [`Code::to`].
     pub(super) next: Vec<u32>,
 }
@@ -93,7 +81,7 @@ pub(super) struct PlannedLeaf {
 pub struct Plan<S> {
     pub(super) nodes: Vec<Node<S>>,
     /// The distinct teams; edges lead to later ones.
-    pub(super) teams: Vec<PlannedTeam<S>>,
+    pub(super) teams: Vec<PlannedTeam>,
     /// The place of each root among the teams.
     pub(super) roots: Vec<u32>,
     /// The actions or leaves that edges lead to.
@@ -109,46 +97,32 @@ pub struct Plan<S> {
 
 impl<S: Scalar> Plan<S> {
     /// Plans a policy over the state made of the given sources.
-    pub fn new<M: Maths<S>>(policy: &PolicyGraph, sources: &[SourceDocument], options: EngineOptions) -> Self {
-        Self::of_roots::<M>(&[policy], sources, options)
+    pub fn new<M: Maths<S>>(policy: &PolicyGraph, sources: &[SourceDocument]) -> Self {
+        Self::of_roots::<M>(&[policy], sources)
     }
 
     /// Plans several policies over the same state.
     ///
     /// # Panics
     /// If they do not have the same outputs, or there are none.
-    pub fn of_roots<M: Maths<S>>(
-        policies: &[&PolicyGraph],
-        sources: &[SourceDocument],
-        options: EngineOptions,
-    ) -> Self {
-        Self::in_arena(Arena::<S, M>::default(), policies, sources, options)
+    pub fn of_roots<M: Maths<S>>(policies: &[&PolicyGraph], sources: &[SourceDocument]) -> Self {
+        Self::in_arena(Arena::<S, M>::default(), policies, sources)
     }
 
     /// As [`new`](Self::new), but the whole state is observed, also what no program reads.
-    pub(super) fn observing_all<M: Maths<S>>(
-        policy: &PolicyGraph,
-        sources: &[SourceDocument],
-        options: EngineOptions,
-    ) -> Self {
+    pub(super) fn observing_all<M: Maths<S>>(policy: &PolicyGraph, sources: &[SourceDocument]) -> Self {
         let mut arena = Arena::<S, M>::default();
         let length: u32 = sources.iter().map(|source| source.length).sum();
         (0..length).for_each(|input| arena.input(input as u16));
-        Self::in_arena(arena, &[policy], sources, options)
+        Self::in_arena(arena, &[policy], sources)
     }
 
-    fn in_arena<M: Maths<S>>(
-        mut arena: Arena<S, M>,
-        policies: &[&PolicyGraph],
-        sources: &[SourceDocument],
-        options: EngineOptions,
-    ) -> Self {
+    fn in_arena<M: Maths<S>>(mut arena: Arena<S, M>, policies: &[&PolicyGraph], sources: &[SourceDocument]) -> Self {
         let outputs = &policies[0].outputs;
         assert!(policies.iter().all(|policy| policy.outputs == *outputs), "roots with the same outputs");
         let mut known = Known::default();
         let roots: Vec<u32> = policies.iter().map(|policy| known.add(&mut arena, policy)).collect();
         let Known { teams, actions, .. } = known;
-        let facts = facts(arena.nodes(), options.lazy);
         let count = teams.nodes().len() as u32;
         // Edges lead to teams that were known before.
         let team_place = |team: u32| count - 1 - team;
@@ -156,7 +130,7 @@ impl<S: Scalar> Plan<S> {
             PlannedTarget::Team(team) => team_place(team),
             PlannedTarget::Action(action) => count + action,
         };
-        let teams = teams.nodes().iter().rev().map(|edges| planned_team(arena.nodes(), &facts, edges, place)).collect();
+        let teams = teams.nodes().iter().rev().map(|edges| planned_team(arena.nodes(), edges, place)).collect();
         let leaf = |(_, values): &(ActionId, Vec<NodeId>)| PlannedLeaf {
             needs: needs(arena.nodes(), values.iter().copied()).nodes(),
             values: values.clone(),
@@ -242,78 +216,18 @@ fn drop_hopeless(edges: &mut Vec<PlannedEdge>) {
     *edges = later;
 }
 
-/// Maximum number of nodes of a lazy edge: in one lane they are computed without caching.
-const FEW: usize = 8;
-
-fn planned_team<S: Scalar>(
-    nodes: &[Node<S>],
-    facts: &[Fact<S>],
-    edges: &[PlannedEdge],
-    place: impl Fn(PlannedTarget) -> u32,
-) -> PlannedTeam<S> {
+fn planned_team<S>(nodes: &[Node<S>], edges: &[PlannedEdge], place: impl Fn(PlannedTarget) -> u32) -> PlannedTeam {
     let codes: Vec<Code> = (0u32..).zip(edges).map(|(edge, planned)| Code::new(edge, place(planned.to))).collect();
-    let (mut eager, mut lazy) = (Vec::new(), Vec::new());
-    let bounded = |bid: NodeId| facts[bid.index()].most.filter(|_| facts[bid.index()].expensive);
-    // A single edge leaves nothing to decide.
     let asked = if edges.len() == 1 { &[] } else { edges };
-    let always = needs(nodes, asked.iter().map(|edge| edge.bid).filter(|&bid| bounded(bid).is_none()));
-    for (&code, &PlannedEdge { bid, .. }) in codes.iter().zip(asked) {
-        let lazily = bounded(bid).and_then(|most| {
-            let needs = needs(nodes, [bid]).nodes();
-            let more = needs.iter().filter(|&&node| !always.contains(node)).count();
-            // Nodes that the eager edges compute anyway add no cost.
-            (more > 0 && more <= FEW).then_some(LazyEdge { code, bid, most, needs })
-        });
-        match lazily {
-            Some(edge) => lazy.push(edge),
-            None => eager.push(EagerEdge { code, bid }),
-        }
-    }
-    let needs = needs(nodes, eager.iter().map(|edge| edge.bid)).nodes();
-    let first = codes.first().copied().unwrap_or(Code(0));
+    let bids = codes.iter().zip(asked).map(|(&code, edge)| PlannedBid { code, bid: edge.bid });
     let mut next: Vec<u32> = codes.iter().map(|code| code.to()).collect();
     next.sort_unstable();
     next.dedup();
-    PlannedTeam { first, eager, needs, lazy, next }
-}
-
-/// Static knowledge about a node's value, valid for all inputs.
-#[derive(Clone, Copy, Debug)]
-struct Fact<S> {
-    /// Upper bound of the magnitude. NaN is ignored: it bids −∞.
-    most: Option<S>,
-    /// True if the value is expensive to compute.
-    expensive: bool,
-}
-
-/// Returns the facts of every node; with `lazy` false, none is marked as expensive.
-fn facts<S: Scalar>(nodes: &[Node<S>], lazy: bool) -> Vec<Fact<S>> {
-    let mut facts: Vec<Fact<S>> = Vec::with_capacity(nodes.len());
-    for node in nodes {
-        facts.push(match *node {
-            Node::Input(_) => Fact { most: None, expensive: false },
-            Node::Constant(value) => Fact { most: (!value.is_nan()).then(|| value.abs()), expensive: false },
-            Node::Operation(instruction, a, b) => {
-                let (a, b) = (facts[a.index()], facts[b.index()]);
-                let expensive = lazy && (instruction.is_transcendental() || a.expensive || b.expensive);
-                Fact { most: most(instruction, a.most, b.most), expensive }
-            }
-        });
-    }
-    facts
-}
-
-/// Derives the bound of a result from those of its operands. Rounding is monotone: the rounded sum of bounds bounds
-/// every rounded sum.
-fn most<S: Scalar>(instruction: Instruction, a: Option<S>, b: Option<S>) -> Option<S> {
-    match instruction {
-        Instruction::Cos | Instruction::Sin | Instruction::Tanh => Some(S::ONE),
-        Instruction::Atan => Some(S::from_f64(1.6)),
-        Instruction::Abs | Instruction::NegateIfLess | Instruction::Fmod | Instruction::Gate => a,
-        Instruction::Add | Instruction::Sub => Some(a? + b?),
-        Instruction::Min | Instruction::Max => Some(if a? > b? { a? } else { b? }),
-        Instruction::Mul | Instruction::Div | Instruction::Quotient | Instruction::Sqrt => None,
-        Instruction::Tan | Instruction::Ln | Instruction::Exp => None,
+    PlannedTeam {
+        first: codes.first().copied().unwrap_or(Code(0)),
+        edges: bids.collect(),
+        needs: needs(nodes, asked.iter().map(|edge| edge.bid)).nodes(),
+        next,
     }
 }
 

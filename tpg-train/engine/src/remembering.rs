@@ -111,7 +111,7 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {
     type Episode = WithMemory<E::Episode, S>;
 
     crate::forward!(this => this.environment;
-        time_limit draw outcomes measure preference constants accepts);
+        time_limit draw outcomes measure preference accepts);
 
     fn sources(&self) -> Vec<SourceDocument> {
         let value =

@@ -2,7 +2,7 @@
 
 use crate::action::Act;
 use crate::environment::Environment;
-use crate::episode_result::EpisodeResult;
+use crate::episode_result::{EpisodeResult, Step};
 use crate::source_set::SourceSet;
 use tpg_graph::interpret::Answer;
 use tpg_runtime::policy::ActionId;
@@ -78,14 +78,20 @@ impl<'e, S: Scalar, E: Environment<S> + ?Sized> Rollout<'e, S, E> {
         &self.state
     }
 
-    /// Takes an action; returns the ending if the episode ended.
-    pub fn act(&mut self, act: Act<'_, S>) -> Option<EpisodeResult> {
+    /// Takes an action; at the time limit the step has an end.
+    pub fn step(&mut self, act: Act<'_, S>) -> Step {
         let step = self.environment.step(&mut self.episode, act);
         self.score += step.reward;
         self.actions += 1;
         self.reward = Some(step.reward);
         let timeout = || self.environment.timeout(&self.episode);
-        let end = step.end.or_else(|| (self.actions >= self.environment.time_limit()).then(timeout))?;
+        let end = step.end.or_else(|| (self.actions >= self.environment.time_limit()).then(timeout));
+        Step { end, ..step }
+    }
+
+    /// Takes an action; returns the ending if the episode ended.
+    pub fn act(&mut self, act: Act<'_, S>) -> Option<EpisodeResult> {
+        let end = self.step(act).end?;
         let (score, actions) = (self.score, self.actions);
         Some(EpisodeResult { outcome: end.outcome, success: end.success, score, measure: end.measure, actions })
     }

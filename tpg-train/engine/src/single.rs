@@ -3,7 +3,6 @@
 use crate::action::Acts;
 use crate::columns::Columns;
 use crate::decide::Decider;
-use crate::options::EngineOptions;
 use crate::plan::Plan;
 use crate::policy::PolicyGraph;
 use std::cell::RefCell;
@@ -27,7 +26,7 @@ impl<S: Scalar, M: Maths<S>> Single<S, M> {
     /// Creates the evaluator of a plan's first root.
     pub fn new(plan: Plan<S>) -> Self {
         let (mut columns, mut decider) = (Columns::new(1), Decider::new(1));
-        columns.prepare(&plan, &[]);
+        columns.prepare(&plan);
         decider.prepare(&plan);
         decider.begin(0, plan.roots[0]);
         Self { plan, lane: RefCell::new((columns, decider)) }
@@ -82,7 +81,7 @@ impl<S: Scalar, M: Maths<S>> Engine for Single<S, M> {
 /// Wraps a graph, computed in its own arithmetic, as an [`Engine`].
 pub fn single(graph: &Graph) -> Box<dyn Engine> {
     fn engine<S: Scalar, M: Maths<S> + 'static>(graph: &Graph) -> Box<dyn Engine> {
-        let plan = Plan::new::<M>(&PolicyGraph::from(graph), &graph.state_sources(), EngineOptions::default());
+        let plan = Plan::new::<M>(&PolicyGraph::from(graph), &graph.state_sources());
         Box::new(Single::<S, M>::new(plan))
     }
     in_arithmetic_of!(graph, engine(graph))

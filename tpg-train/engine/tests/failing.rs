@@ -4,8 +4,8 @@ use std::error::Error;
 use std::fmt;
 use tpg_engine::random::Stream;
 use tpg_engine::{
-    Act, ActionSpace, Acts, Destination, Edge, EngineOptions, Environment, EpisodeResult, Episodes, EvaluationError,
-    Evaluator, LocalThreads, OneByOne, PolicyGraph, SourceSet, Step, View, Work,
+    Act, ActionSpace, Acts, Destination, Edge, Environment, EpisodeResult, Episodes, EvaluationError, Evaluator,
+    LocalThreads, OneByOne, PolicyGraph, SourceSet, Step, View, Work,
 };
 use tpg_graph::SourceDocument;
 use tpg_runtime::ops::Own;
@@ -95,7 +95,7 @@ impl Episodes<f32, u32> for Remote<'_> {
 fn an_error_of_an_episode_arrives_as_itself() {
     let edge = |action| Edge { program: 0, to: Destination::Action(action) };
     let policy = PolicyGraph::new(1, 0, vec![vec![edge(0), edge(1)]], vec![Vec::new()]);
-    let evaluator = LocalThreads::<f32, Own, _>::new(&Counter, EngineOptions::default(), 2).expect("threads start");
+    let evaluator = LocalThreads::<f32, Own, _>::new(&Counter, 2).expect("threads start");
     let work = |tasks: Vec<u32>| Work { tasks, policies: vec![policy.clone(); 4] };
 
     let error = evaluator.evaluate(&work(vec![1, 2, 101])).expect_err("one episode loses its connection");

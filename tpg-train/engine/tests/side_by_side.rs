@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Act, ActionSpace, Destination, Edge, End, EngineOptions, Environment, EpisodeResult, Evaluator, Lanes, Limits,
+    Act, ActionSpace, DEFAULT_LANES, Destination, Edge, End, Environment, EpisodeResult, Evaluator, Lanes, Limits,
     Line, LocalThreads, Operand, Output, Plan, PolicyGraph, SourceSet, Step, Work,
 };
 use tpg_graph::SourceDocument;
@@ -25,9 +25,6 @@ impl<S: Scalar> Environment<S> for Drift {
     fn sources(&self) -> Vec<SourceDocument> {
         let ranges = vec![[f64::NEG_INFINITY, f64::INFINITY]; 3];
         vec![SourceDocument::new("point and task", "1", ranges)]
-    }
-    fn constants(&self) -> Vec<u16> {
-        vec![2]
     }
     fn actions(&self) -> ActionSpace {
         let output = |name: &str| Output { name: name.into(), unit: String::new(), min: -1.0, max: 1.0 };
@@ -126,23 +123,21 @@ where
         .collect();
     let alone: Vec<Vec<(EpisodeResult, u64)>> = (roots.iter().zip(&tasks))
         .map(|(root, tasks)| {
-            let options = EngineOptions { lanes: 1, lazy: false };
-            let plan = Plan::<S>::new::<Own>(root, &sources, options);
-            bits(&Lanes::<S, Own, _>::new(&environment, options).run(&plan, tasks).expect("nothing fails"))
+            let plan = Plan::<S>::new::<Own>(root, &sources);
+            bits(&Lanes::<S, Own, _>::new(&environment, 1).run(&plan, tasks).expect("nothing fails"))
         })
         .collect();
     let scores: std::collections::BTreeSet<u64> = alone.iter().flatten().map(|(_, score)| *score).collect();
     assert!(scores.len() > 60, "only {} different scores", scores.len());
     let policies: Vec<&PolicyGraph> = roots.iter().collect();
     let lists: Vec<&[u32]> = tasks.iter().map(|tasks| &tasks[..]).collect();
-    for (lanes, lazy) in [(1, true), (3, false), (8, true), (40, true), (112, true), (512, false)] {
-        let options = EngineOptions { lanes, lazy };
-        let plan = Plan::<S>::of_roots::<Own>(&policies, &sources, options);
-        let mut lanes = Lanes::<S, Own, _>::new(&environment, options);
+    let plan = Plan::<S>::of_roots::<Own>(&policies, &sources);
+    for count in [1, 3, 8, 40, 112, 512] {
+        let mut lanes = Lanes::<S, Own, _>::new(&environment, count);
         for again in 0..2 {
             let endings = lanes.run_roots(&plan, &lists).expect("nothing fails");
             let endings: Vec<_> = endings.iter().map(|endings| bits(endings)).collect();
-            assert_eq!(endings, alone, "{options:?}, run {again}");
+            assert_eq!(endings, alone, "{count} lanes, run {again}");
         }
     }
 }
@@ -171,16 +166,14 @@ fn roots_that_cannot_stand_side_by_side_are_evaluated_too() {
     }
     let work = Work { tasks: vec![9, 25, 3], policies: roots.to_vec() };
     let sources = Environment::<f32>::sources(&environment);
-    let options = EngineOptions::default();
     for threads in [1, 3] {
-        let evaluator = LocalThreads::<f32, Own, _>::new(&environment, options, threads).expect("threads");
+        let evaluator = LocalThreads::<f32, Own, _>::new(&environment, threads).expect("threads");
         let answers = evaluator.evaluate(&work).expect("nothing fails");
         for (answer, root) in answers.iter().zip(&roots) {
-            let plan = Plan::new::<Own>(root, &sources, options);
+            let plan = Plan::new::<Own>(root, &sources);
             let alone =
-                Lanes::<f32, Own, _>::new(&environment, options).run(&plan, &work.tasks).expect("nothing fails");
+                Lanes::<f32, Own, _>::new(&environment, DEFAULT_LANES).run(&plan, &work.tasks).expect("nothing fails");
             assert_eq!(bits(answer), bits(&alone), "{threads} threads");
         }
-        assert_eq!(evaluator.steps(), 30 * (10 + 26 + 4));
     }
 }

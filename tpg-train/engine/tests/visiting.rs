@@ -2,8 +2,8 @@
 
 use tpg_engine::random::Stream;
 use tpg_engine::{
-    Act, ActionSpace, Destination, Edge, EngineOptions, Environment, Evaluator, Limits, Line, LocalThreads, Operand,
-    Output, PolicyGraph, SourceSet, Step, Visit,
+    Act, ActionSpace, Destination, Edge, Environment, Evaluator, Limits, Line, LocalThreads, Operand, Output,
+    PolicyGraph, SourceSet, Step, Visit,
 };
 use tpg_graph::{SourceDocument, Word};
 use tpg_runtime::ops::{Instruction, Own};
@@ -48,7 +48,7 @@ impl Environment<f32> for Walk {
 
 fn visited(computes: bool, policy: PolicyGraph, after: &[u32]) -> Vec<f64> {
     let walk = Walk { computes };
-    let evaluator = LocalThreads::<f32, Own, _>::new(&walk, EngineOptions::default(), 1).expect("a thread");
+    let evaluator = LocalThreads::<f32, Own, _>::new(&walk, 1).expect("a thread");
     let visits = [Visit { policy, task: 1.0, after: after.to_vec() }];
     let states = evaluator.visit(&visits).expect("nothing fails");
     states[0].iter().map(|state| state[0]).collect()

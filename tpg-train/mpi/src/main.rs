@@ -8,8 +8,7 @@ mod link;
 use clap::{Parser, Subcommand};
 use link::World;
 use std::process::ExitCode;
-use tpg_graph::command::{CommandError, exit_code};
-use tpg_train::{Link, Ranks, TpgArgs, evolve};
+use tpg_train::{Link, TpgArgs, evolve};
 
 /// `tpg-train` on the ranks of an MPI job: every rank reads the same command line, rank 0 writes the files.
 #[derive(Debug, Parser)]
@@ -43,10 +42,8 @@ fn main() -> ExitCode {
         }
     };
     abort_on_panic(rank, ranks);
-    let place = Ranks::new(world);
     let MpiCommand::Tpg(args) = &cli.command;
-    let result = evolve(args, &place).map_err(CommandError::other);
-    exit_code(place.close(result))
+    evolve(args, world)
 }
 
 /// Ends the whole job where a rank panics: the others would wait for it for ever.

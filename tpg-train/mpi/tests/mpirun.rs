@@ -9,7 +9,7 @@ use tempfile::TempDir;
 use tpg_train::Cli;
 
 /// Files that must not depend on ranks.
-const RESULTS: [&str; 3] = ["graph.json", "checkpoint", "generations.csv"];
+const RESULTS: [&str; 3] = ["graph.json", "checkpoint", "generations.jsonl"];
 
 /// A run of a few seconds, in several generations; checkpoints after each.
 const RUN: [&str; 6] = ["--problem", "pendulum", "--generations", "12", "--checkpoint-seconds", "0"];

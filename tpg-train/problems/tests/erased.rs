@@ -2,8 +2,8 @@
 
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    AnyTask, Destination, Edge, EngineOptions, Environment, EpisodeResult, Evaluator, Line, LocalThreads, Operand,
-    PolicyGraph, SourceSet, Work, erase,
+    AnyTask, Destination, Edge, Environment, EpisodeResult, Evaluator, Line, LocalThreads, Operand, PolicyGraph,
+    SourceSet, Work, erase,
 };
 use tpg_problems::{CartPole, PROBLEMS, Problem};
 use tpg_runtime::ops::{Instruction, Own};
@@ -18,7 +18,7 @@ fn falling() -> PolicyGraph {
 fn endings<E: Environment<f32>>(environment: &E) -> Vec<EpisodeResult> {
     let draw = |index| environment.draw(&mut Stream::new(7, 0, Purpose::Task, index));
     let work = Work { tasks: (0..50).map(draw).collect(), policies: vec![falling()] };
-    let evaluator = LocalThreads::<f32, Own, _>::new(environment, EngineOptions::default(), 1).expect("a thread");
+    let evaluator = LocalThreads::<f32, Own, _>::new(environment, 1).expect("a thread");
     evaluator.evaluate(&work).expect("local threads answer").remove(0)
 }
 

@@ -1,12 +1,12 @@
 //! The linear rival of a run: weighted sums, found by the run's own search in as many steps.
 
 use super::EvalArgs;
-use crate::evolution::checkpoint::steps_of;
 use crate::evolution::command::{TpgArgs, execute};
+use crate::evolution::record::Row;
 use crate::ranks::workplace::ThisProcess;
 use crate::run_args::{RunArgs, command_line};
 use std::path::{Path, PathBuf};
-use tpg_engine::EngineOptions;
+use tpg_engine::DEFAULT_LANES;
 use tpg_graph::error::InputError;
 use tpg_graph::files::read_graph;
 
@@ -18,14 +18,12 @@ pub(super) const LINEAR: &str = "linear";
 /// # Errors
 /// If the graph is not that of a run, or the rival cannot be trained.
 pub(super) fn trained(args: &EvalArgs) -> Result<PathBuf, InputError> {
-    let refuse = || command_line("--against linear", "--tpg RUN/graph.json beside it, a run with its checkpoint");
+    let refuse = || command_line("--against linear", "--tpg RUN/graph.json beside it, a run with its log");
     let graph = args.tpg.as_deref().ok_or_else(refuse)?;
     let folder = graph.parent().unwrap_or(Path::new("."));
     let (config, out) = (folder.join("config.toml"), folder.join(LINEAR));
-    let steps = steps_of(folder)?;
-    if steps == 0 || !config.exists() {
-        return Err(refuse());
-    }
+    let log = std::fs::read_to_string(folder.join("generations.jsonl")).map_err(|_| refuse())?;
+    let last = log.lines().last().and_then(|line| serde_json::from_str::<Row>(line).ok()).ok_or_else(refuse)?;
     let settings = ["start.share=1", "start.random=1", "learning.nb_generations=0"];
     let run = RunArgs {
         preset: None,
@@ -41,10 +39,10 @@ pub(super) fn trained(args: &EvalArgs) -> Result<PathBuf, InputError> {
         seed: read_graph(graph)?.provenance().seed.unwrap_or(1),
         seeds: None,
         threads: 0,
-        lanes: EngineOptions::default().lanes as u16,
+        lanes: DEFAULT_LANES as u16,
         generations: None,
         target: None,
-        max_steps: Some(steps),
+        max_steps: Some(last.steps),
     };
     execute(&args, &ThisProcess)
         .map_err(|error| command_line(format!("--against linear: {error}"), "the run's settings"))?;

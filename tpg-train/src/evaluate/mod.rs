@@ -4,21 +4,22 @@ mod law;
 mod linear;
 mod report;
 
-pub use report::{Against, EvaluationReport};
+use report::Against;
+pub use report::EvaluationReport;
 
 use crate::hybrid::rollout::{Acting, HybridResult};
-use crate::hybrid::setting::{Detector, Hybrid, Setting, UNGUARDED};
-use crate::hybrid::shared::{Episodes, Facts, Shared};
-use crate::hybrid::span::Span;
+use crate::hybrid::setting::{Hybrid, Setting};
+use crate::hybrid::shared::{Episodes, Shared};
 use crate::run_args::{command_line, print};
 use crate::sac::network::Network;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use tpg_engine::{EpisodeResult, TaskSet};
 use tpg_graph::Graph;
-use tpg_graph::error::{Finding, InputError, Place};
+use tpg_graph::error::{InputError, Place};
 use tpg_graph::files::{read_graph, read_text};
 use tpg_problems::{Problem, ProblemName};
+use tpg_runtime::switch::Driver;
 
 /// Let a policy act and count how its episodes end.
 #[derive(Clone, Debug, Args)]
@@ -26,7 +27,7 @@ pub(crate) struct EvalArgs {
     /// The problem
     #[arg(long, value_enum)]
     pub problem: ProblemName,
-    /// A graph; with --policy too, the graph hands over to the network, or asks it
+    /// A graph; with --policy too, one that asks the network
     #[arg(long, value_name = "GRAPH", required_unless_present_any = ["policy", "hybrid"])]
     pub tpg: Option<PathBuf>,
     /// Use this configuration's problem settings [default: those that the policy was trained with]
@@ -39,22 +40,6 @@ pub(crate) struct EvalArgs {
     /// A hybrid.toml: graph, network, and when they take turns
     #[arg(long, value_name = "FILE", conflicts_with_all = ["tpg", "policy"])]
     pub hybrid: Option<PathBuf>,
-    /// With --tpg and --policy: actions of the network before the graph takes over again, or `never`
-    #[arg(long, value_name = "N", default_value = "100")]
-    pub hand_back_after: Span,
-    /// With --tpg and --policy: the network takes over when the distance to the goal exceeds its minimum by this, in the problem's
-    /// own unit
-    #[arg(long, value_name = "D", alias = "separation-mm", default_value_t = f64::INFINITY)]
-    pub separation: f64,
-    /// With --tpg and --policy: the network takes over after N actions without progress, or `never`
-    #[arg(long, value_name = "N", default_value = "never")]
-    pub patience: Span,
-    /// With --tpg and --policy: the guard to use, if the problem has any [default: the last]
-    #[arg(long, value_name = "GUARD")]
-    pub guard: Option<String>,
-    /// With --tpg and --policy: method of detecting that the graph cycles [default: visited where states have keys, else none]
-    #[arg(long, value_enum)]
-    pub cycle_detector: Option<Detector>,
     /// Episodes from a file, as `tpg-train targets` prints them for some problems
     #[arg(long, value_name = "CSV", conflicts_with = "episodes")]
     pub targets: Option<PathBuf>,
@@ -75,7 +60,7 @@ pub(crate) struct EvalArgs {
 }
 
 /// A policy that is asked for, with the name that the report shows.
-enum Policy {
+enum Evaluated {
     Graph(Box<(String, Graph)>),
     Network((String, Network)),
     Hybrid(String, Box<Hybrid>),
@@ -132,20 +117,20 @@ fn alone(args: &EvalArgs, other: &str, problem: &Problem) -> Result<EvalArgs, In
 /// Lets a policy do the episodes that the arguments ask for.
 fn played(
     args: &EvalArgs,
-    policy: &Policy,
+    policy: &Evaluated,
     problem: &Problem,
 ) -> Result<(EvaluationReport, Vec<EpisodeResult>), InputError> {
     let episodes =
         Episodes { set: TaskSet::Test, count: args.episodes, seed: args.seed, file: args.targets.as_deref() };
     match policy {
-        Policy::Graph(graph) => play(problem, &graph.0, Acting::Graph(graph), episodes),
-        Policy::Network(network) => play(problem, &network.0, Acting::Network(network), episodes),
-        Policy::Hybrid(name, hybrid) => {
+        Evaluated::Graph(graph) => play(problem, &graph.0, Acting::Graph(graph), episodes),
+        Evaluated::Network(network) => play(problem, &network.0, Acting::Network(network), episodes),
+        Evaluated::Hybrid(name, hybrid) => {
             play(problem, name, Acting::Both(&hybrid.graph, &hybrid.network, &hybrid.setting), episodes)
         }
-        Policy::Controller(name) => {
+        Evaluated::Controller(name) => {
             let endings = problem.controlled(name, &episodes.in_problem(problem)?).unwrap_or_default();
-            let done = HybridResult::alone(endings);
+            let done = HybridResult::alone(endings, Driver::Sac);
             let report = EvaluationReport::new(problem, name, episodes, &done, None);
             Ok((report, done.endings))
         }
@@ -153,7 +138,7 @@ fn played(
 }
 
 /// Reads the policies that the arguments name, and the problem that they are tested on.
-fn asked(args: &EvalArgs) -> Result<(Policy, Problem), InputError> {
+fn asked(args: &EvalArgs) -> Result<(Evaluated, Problem), InputError> {
     let (config, from_file) = (args.config.as_deref(), args.config.is_none());
     let read = |path: &Path| match path.extension().is_some_and(|extension| extension == "toml") {
         true => {
@@ -179,46 +164,38 @@ fn asked(args: &EvalArgs) -> Result<(Policy, Problem), InputError> {
                 return Err(command_line(found, "the same problem twice"));
             }
             let problem = joined(Some(&hybrid.graph), &hybrid.network)?;
-            Ok((Policy::Hybrid(path.display().to_string(), Box::new(hybrid)), problem))
+            Ok((Evaluated::Hybrid(path.display().to_string(), Box::new(hybrid)), problem))
         }
         (None, Some(graph), Some(actor)) => {
             let graph = (graph.display().to_string(), read(graph)?);
             let network = (actor.clone(), Network::read(Path::new(actor))?);
             let problem = joined(Some(&graph), &network)?;
-            let setting = setting(args, &problem.facts());
-            let refuse = |Finding { key, found, accepted }: Finding| command_line(format!("{key} = {found}"), accepted);
-            setting.check_for(&graph.1).map_err(refuse)?;
+            if graph.1.asks().next().is_none() {
+                let found = format!("{} with --policy {actor}: it asks nobody", graph.0);
+                return Err(command_line(
+                    found,
+                    "a graph that asks, or --hybrid FILE, which says when the network takes over",
+                ));
+            }
+            let setting = Setting::only_asks();
             let name = format!("{} with {actor}: {}", graph.0, setting.sentence());
-            Ok((Policy::Hybrid(name, Box::new(Hybrid { problem: None, graph, network, setting })), problem))
+            Ok((Evaluated::Hybrid(name, Box::new(Hybrid { problem: None, graph, network, setting })), problem))
         }
         (None, Some(path), None) => {
             let graph = (path.display().to_string(), read(path)?);
             let problem = problem_for(Some(&graph))?;
-            Ok((Policy::Graph(Box::new(graph)), problem))
+            Ok((Evaluated::Graph(Box::new(graph)), problem))
         }
         (None, None, Some(file)) => {
             let problem = problem_for(None)?;
             if problem.controllers().contains(&file.as_str()) {
-                return Ok((Policy::Controller(file.clone()), problem));
+                return Ok((Evaluated::Controller(file.clone()), problem));
             }
             let network = (file.clone(), Network::read(Path::new(file))?);
             let problem = joined(None, &network)?;
-            Ok((Policy::Network(network), problem))
+            Ok((Evaluated::Network(network), problem))
         }
         (None, None, None) => Err(command_line("no policy", "--tpg GRAPH, --policy FILE or --hybrid FILE")),
-    }
-}
-
-/// Returns the setting that the arguments ask for.
-fn setting(args: &EvalArgs, facts: &Facts) -> Setting {
-    let detector = if facts.has_key { Detector::Visited } else { Detector::None };
-    let guard = facts.guards.last().copied().unwrap_or(UNGUARDED);
-    Setting {
-        hand_back_after: args.hand_back_after,
-        separation: args.separation,
-        patience: args.patience,
-        detector: args.cycle_detector.unwrap_or(detector),
-        guard: args.guard.clone().unwrap_or_else(|| guard.to_owned()),
     }
 }
 
@@ -282,9 +259,7 @@ fn play(
         _ => None,
     };
     let done = problem.play(acting, episodes)?;
-    let mut report = EvaluationReport::new(problem, name, episodes, &done, hybrid);
-    report.effort = problem.effort(acting, episodes)?;
-    Ok((report, done.endings))
+    Ok((EvaluationReport::new(problem, name, episodes, &done, hybrid), done.endings))
 }
 
 /// Returns a problem with the settings of a configuration, or the one that a graph is tested on without.

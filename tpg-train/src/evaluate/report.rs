@@ -156,7 +156,7 @@ impl EvaluationReport {
             success_rate: success,
             success_ci95: success.map(|rate| confidence(rate, judged)),
             outcomes: outcomes.iter().enumerate().map(|(place, &name)| (name.to_owned(), count(place))).collect(),
-            effort: None,
+            effort: done.effort,
             tpg_action_ratio: done.tpg_action_ratio,
             hybrid: hybrid.map(|graph| HybridFigures {
                 network_actions: done.network_actions,
@@ -205,11 +205,12 @@ mod tests {
     use super::{Against, Episodes, EvaluationReport, HybridResult};
     use tpg_engine::{EpisodeResult, TaskSet};
     use tpg_problems::{Problem, ProblemName};
+    use tpg_runtime::switch::Driver;
 
     #[test]
     fn undefined_figures_are_null() {
         let ending = EpisodeResult { outcome: 0, success: None, score: 2.0, measure: 0.0, actions: 3 };
-        let done = HybridResult::alone(vec![ending, EpisodeResult { score: 4.0, ..ending }]);
+        let done = HybridResult::alone(vec![ending, EpisodeResult { score: 4.0, ..ending }], Driver::Sac);
         let problem = Problem::new(ProblemName::Pendulum);
         let episodes = Episodes { set: TaskSet::Test, count: 2, seed: 1, file: None };
         let report = EvaluationReport::new(&problem, "graph.json", episodes, &done, None);
@@ -227,7 +228,7 @@ mod tests {
         let episodes = Episodes { set: TaskSet::Test, count: 3, seed: 1, file: None };
         let problem = Problem::new(ProblemName::Pendulum);
         let report = |endings: &[EpisodeResult]| {
-            let done = HybridResult::alone(endings.to_vec());
+            let done = HybridResult::alone(endings.to_vec(), Driver::Sac);
             EvaluationReport::new(&problem, "graph.json", episodes, &done, None)
         };
         let against = |others: &[EpisodeResult]| Against::new(report(others), &these, others);

@@ -2,10 +2,7 @@
 
 use super::config::EvolutionConfig;
 use super::state::State;
-use crate::folder::Trainer;
-use crate::folder::checkpoint::{NEWEST, PREVIOUS, look};
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
-use std::path::Path;
 use tpg_engine::Environment;
 use tpg_graph::error::{InputError, Place};
 use tpg_runtime::scalar::Scalar;
@@ -35,32 +32,6 @@ pub fn to_bytes<Task: Serialize + Clone>(
         .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "a task that can be written as JSON"))
 }
 
-/// Returns the number of environment steps of the run in a folder; 0 if there is none.
-///
-/// ```
-/// let empty = tempfile::tempdir()?;
-/// assert_eq!(tpg_train::steps_of(empty.path())?, 0);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
-/// # Errors
-/// If its checkpoint cannot be read or is not one of this version.
-pub fn steps_of(folder: &Path) -> Result<u64, InputError> {
-    match [NEWEST, PREVIOUS].iter().any(|name| folder.join(name).exists()) {
-        true => look(folder, Trainer::Tpg, VERSION, |file, content| {
-            Ok(parse::<serde_json::Value>(file, content)?.state.steps)
-        }),
-        false => Ok(0),
-    }
-}
-
-fn parse<Task: DeserializeOwned>(file: &str, content: &[u8]) -> Result<Checkpoint<Task>, InputError> {
-    serde_json::from_slice(content).map_err(|error| {
-        let found = format!("not a checkpoint: {error}");
-        InputError::new(file, Place::Whole, found, "a checkpoint written by this version of tpg-train")
-    })
-}
-
 /// Reads the content of a checkpoint and checks it.
 ///
 /// # Errors
@@ -74,7 +45,9 @@ pub fn from_bytes<S: Scalar, E: Environment<S>>(
     environment: &E,
 ) -> Result<State<E::Task>, InputError> {
     let refuse = |found: String, accepted: &str| InputError::new(file, Place::Whole, found, accepted);
-    let checkpoint: Checkpoint<E::Task> = parse(file, content)?;
+    let damaged =
+        |error| refuse(format!("not a checkpoint: {error}"), "a checkpoint written by this version of tpg-train");
+    let checkpoint: Checkpoint<E::Task> = serde_json::from_slice(content).map_err(damaged)?;
     // Read and written again: a key added since then has its default and does not count as a difference. A run may be
     // extended by more generations.
     let generations = config.learning.nb_generations;

@@ -5,7 +5,7 @@ use super::generation::Goal;
 use super::run::{Progress, RunEnd, RunError, RunOptions, train};
 use super::state::Best;
 use crate::configuration::Chosen;
-use crate::csv_text::{optional, table};
+use crate::csv_text::to_csv;
 use crate::folder::{RunFolder, Trainer};
 use crate::hybrid::asking::{self, Asking};
 use crate::interrupt;
@@ -14,12 +14,13 @@ use crate::ranks::workplace::Workplace;
 use crate::run_args::{RunArgs, command_line};
 use crate::sac::integers::decided;
 use clap::Args;
+use serde::Serialize;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_engine::{
-    AnyEpisode, AnyTask, Choices, EngineOptions, Environment, Evaluator, LocalThreads, Measure, Remembered,
+    AnyEpisode, AnyTask, Choices, DEFAULT_LANES, Environment, Evaluator, LocalThreads, MOST_LANES, Measure, Remembered,
     Remembering, Summary, erase,
 };
 use tpg_graph::ScalarType;
@@ -51,7 +52,7 @@ pub struct TpgArgs {
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub threads: usize,
     /// Parallel episodes. Results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = 112, value_parser = clap::value_parser!(u16).range(1..=EngineOptions::MOST_LANES as i64))]
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_LANES as u16, value_parser = clap::value_parser!(u16).range(1..=MOST_LANES as i64))]
     pub lanes: u16,
     /// Generations instead of the configuration's; with --resume, a run can go further than before
     #[arg(long, value_name = "G", value_parser = clap::value_parser!(u64).range(1..))]
@@ -90,7 +91,7 @@ fn seeds(text: &str) -> Result<Seeds, String> {
 ///
 /// # Errors
 /// An invalid configuration, a folder with another run, files that cannot be written.
-pub fn execute(args: &TpgArgs, place: &impl Workplace) -> Result<Verdict, RunError> {
+pub(crate) fn execute(args: &TpgArgs, place: &impl Workplace) -> Result<Verdict, RunError> {
     let Chosen { mut config, problem, .. } = Chosen::<EvolutionConfig>::by(&args.run, args.problem)?;
     if let Some(generations) = args.generations {
         config.learning.nb_generations = generations;
@@ -100,13 +101,13 @@ pub fn execute(args: &TpgArgs, place: &impl Workplace) -> Result<Verdict, RunErr
     // Actions must be named to have one more.
     let levels = problem.levels().or(config.ask.as_ref().map(|_| DEFAULT_LEVELS));
     let training =
-        Training { args, config: &config, problem: &problem, levels, network: network.as_ref(), stop: &stop, place };
+        TpgRun { args, config: &config, problem: &problem, levels, network: network.as_ref(), stop: &stop, place };
     let out = args.run.folder(problem.name(), args.seeds.map_or(args.seed, |seeds| seeds.first));
     training.run(&out)
 }
 
-/// Training on a built-in problem.
-struct Training<'a, W> {
+/// A run on a built-in problem.
+struct TpgRun<'a, W> {
     args: &'a TpgArgs,
     config: &'a EvolutionConfig,
     problem: &'a Problem,
@@ -118,7 +119,7 @@ struct Training<'a, W> {
     place: &'a W,
 }
 
-impl<W: Workplace> Training<'_, W> {
+impl<W: Workplace> TpgRun<'_, W> {
     /// Trains in a folder, with one seed or with several.
     fn run(&self, out: &Path) -> Result<Verdict, RunError> {
         match self.config.language.scalar {
@@ -144,8 +145,7 @@ impl<W: Workplace> Training<'_, W> {
         };
         let memory = Remembered::zeros(self.config.language.memory, &acting.sources());
         let environment = Remembering::new(acting, memory);
-        let options = EngineOptions { lanes: self.args.lanes.into(), ..EngineOptions::default() };
-        let local = LocalThreads::<S, Own, _>::new(&environment, options, self.args.threads)?;
+        let local = LocalThreads::<S, Own, _>::new(&environment, self.args.threads)?.with_lanes(self.args.lanes.into());
         let identity = format!("{}\n{}", env!("CARGO_PKG_VERSION"), self.config.to_toml());
         self.place.train(&identity, &local, |evaluator| self.restarts(out, &environment, evaluator))
     }
@@ -194,18 +194,30 @@ fn message(progress: &Progress<'_>) -> String {
     format!("seed {}: best {:.2}, median {:.2}{best}", progress.seed, row.best_score, row.median_score)
 }
 
+/// A row of `restarts.csv`.
+#[derive(Serialize)]
+struct Restart {
+    seed: u64,
+    generation: u64,
+    validation_score: f64,
+    validation_success: Option<f64>,
+    validation_measure: f64,
+}
+
 /// Writes `restarts.csv`, and the best seed's graph as `graph.json`.
 fn keep_best<S: Number>(
     folder: &Path,
     finished: &[(u64, Box<Best>)],
     environment: &impl Environment<S>,
 ) -> Result<(), InputError> {
-    let header = ["seed", "generation", "validation_score", "validation_success", "validation_measure"];
-    let rows = finished.iter().map(|(seed, best)| {
-        let Summary { score, success, measure, .. } = best.result;
-        [seed.to_string(), best.generation.to_string(), score.to_string(), optional(success), measure.to_string()]
+    let rows = finished.iter().map(|&(seed, ref best)| Restart {
+        seed,
+        generation: best.generation,
+        validation_score: best.result.score,
+        validation_success: best.result.success,
+        validation_measure: best.result.measure,
     });
-    write_atomically(&folder.join("restarts.csv"), &table(header, rows))?;
+    write_atomically(&folder.join("restarts.csv"), &to_csv(rows))?;
     let preference = environment.preference();
     // The first of equals.
     let best = finished.iter().rev().max_by(|(_, a), (_, b)| a.result.compare(&b.result, preference));

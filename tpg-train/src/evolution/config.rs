@@ -14,13 +14,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_engine::Environment;
 use tpg_graph::ScalarType;
-use tpg_graph::error::InputError;
+use tpg_graph::error::{Finding, InputError};
 use tpg_graph::settings;
 use tpg_problems::{PolicyKind, ProblemName};
 use tpg_runtime::scalar::Scalar;
-
-/// The accepted content of a configuration file, for messages.
-const ACCEPTED: &str = "the settings that `tpg-train config` prints";
 
 /// Everything that determines a run except its seed.
 ///
@@ -335,11 +332,8 @@ impl Configuration for EvolutionConfig {
         params::is_json(text).then(|| Ok((params::settings(file, text)?, params::PRESET)))
     }
 
-    /// Reads a configuration; what it leaves out has the default.
-    fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
-        let config = Self::of_run(file, text)?;
-        config.check().map_err(|finding| settings::place(file, text, finding))?;
-        Ok(config)
+    fn check(&self) -> Result<(), Finding> {
+        self.check_settings()
     }
 
     fn problem(&mut self) -> &mut toml::Table {
@@ -354,7 +348,7 @@ impl EvolutionConfig {
     /// # Errors
     /// An unknown key or a value of another type, with its line.
     pub fn of_run(file: &str, text: &str) -> Result<Self, InputError> {
-        settings::from_toml(file, text, ACCEPTED)
+        settings::from_toml(file, text, "the settings of a run")
     }
 
     /// Returns the configuration as TOML without comments, as stored in a run's folder and in checkpoints.

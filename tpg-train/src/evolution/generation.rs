@@ -5,7 +5,7 @@ use super::config::{EvolutionConfig, StartConfig};
 use super::mirror::opposites;
 use super::record::Row;
 use super::search::Search;
-use super::stage::{Candidate, Context, Episodes, Moment, Results, Stage};
+use super::stage::{Candidate, Context, EpisodePlan, Moment, Results, Stage};
 use super::state::{State, actions};
 use super::vocabulary::Vocabulary;
 use std::collections::VecDeque;
@@ -32,12 +32,11 @@ const GENERATIONS: [f64; 2] = [10.0, 0.5];
 const LUCK: f64 = 0.9;
 
 /// A run on one problem, independent of where its candidates are evaluated.
-#[derive(Debug)]
-pub struct Evolution<'e, S: Scalar, E: Environment<S>, V: ?Sized> {
+pub struct Evolution<'e, S: Scalar, E: Environment<S>> {
     pub(super) config: &'e EvolutionConfig,
     vocabulary: Vocabulary,
     pub(super) environment: &'e E,
-    pub(super) evaluator: &'e V,
+    pub(super) evaluator: &'e dyn Evaluator<E::Task>,
     pub(super) selection_tasks: Vec<E::Task>,
     pub(super) goal: Goal,
     actions: u16,
@@ -54,7 +53,7 @@ pub struct Goal {
     pub max_steps: Option<u64>,
 }
 
-impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'e, S, E, V> {
+impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
     /// Creates a run with the given configuration, [fitted](EvolutionConfig::fitted) to the environment; literals have the units of
     /// [`State::scales`].
     ///
@@ -63,7 +62,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
     pub fn new(
         config: &'e EvolutionConfig,
         environment: &'e E,
-        evaluator: &'e V,
+        evaluator: &'e dyn Evaluator<E::Task>,
         scales: Vec<f64>,
         goal: Goal,
     ) -> Self {
@@ -168,12 +167,12 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution
         };
         let candidates = stage.ask(context, moment);
         let episodes = self.config.learning.nb_iterations_per_policy_evaluation;
-        let count = if stage.episodes() == Episodes::Pairs { candidates.len().div_ceil(2) } else { episodes };
+        let count = if stage.episodes() == EpisodePlan::Pairs { candidates.len().div_ceil(2) } else { episodes };
         let tasks = self.tasks(&state.pool, moment, count);
         let results = match stage.episodes() {
-            Episodes::Pairs => self.pairs_of_episodes(&candidates, &tasks)?,
-            Episodes::Same => self.same_episodes(&candidates, &tasks, None, state.episode_steps)?,
-            Episodes::Racing => self.same_episodes(&candidates, &tasks, Some(survivors), state.episode_steps)?,
+            EpisodePlan::Pairs => self.pairs_of_episodes(&candidates, &tasks)?,
+            EpisodePlan::Same => self.same_episodes(&candidates, &tasks, None, state.episode_steps)?,
+            EpisodePlan::Racing => self.same_episodes(&candidates, &tasks, Some(survivors), state.episode_steps)?,
         };
         let (row, best) = stage.tell(context, moment, &results);
         state.count_training(&results.endings, best);
@@ -375,7 +374,7 @@ mod tests {
     use super::{Evolution, Goal};
     use crate::evolution::config::{EvolutionConfig, StartConfig};
     use crate::evolution::state::State;
-    use tpg_engine::{Choices, EngineOptions, LocalThreads};
+    use tpg_engine::{Choices, LocalThreads};
     use tpg_problems::Pendulum;
     use tpg_runtime::ops::Own;
 
@@ -385,7 +384,7 @@ mod tests {
         let named: Choices<f32, Pendulum> = Choices::new(Pendulum, Some(2)).expect("two torques");
         let mut config = EvolutionConfig::default();
         (config.tpg.nb_roots, config.demes.count) = (10, 3);
-        let evaluator = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 1).expect("a thread");
+        let evaluator = LocalThreads::<f32, Own, _>::new(&environment, 1).expect("a thread");
         let mut state = State::new(1, 1);
         state.episode_steps = 200;
         // A quarter of so many steps is enough for ten generations.
@@ -404,7 +403,7 @@ mod tests {
             assert_eq!(evolution.start(&state), expected, "{max_steps:?}");
         }
         // Where actions are named, half a generation is enough.
-        let evaluator = LocalThreads::<f32, Own, _>::new(&named, EngineOptions::default(), 1).expect("a thread");
+        let evaluator = LocalThreads::<f32, Own, _>::new(&named, 1).expect("a thread");
         config.start = start(0.5, 0.75);
         for (max_steps, expected) in [(enough / 20, start(0.5, 0.75)), (enough / 20 - 4, start(1.0, 1.0))] {
             let goal = Goal { max_steps: Some(max_steps), target: None };

@@ -1,6 +1,6 @@
 //! The genome: teams and programs in one arena. A root is a team without incoming edges.
 
-use super::vocabulary::{Gene, InstructionIndex, OPERANDS, Vocabulary};
+use super::vocabulary::{Gene, InstructionIndex, OPERANDS, SourceKind, Vocabulary};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -62,6 +62,14 @@ pub struct GenomeLine {
     pub to: u16,
     /// Its operands; those beyond the instruction's arity are kept but not read.
     pub operands: [Gene; OPERANDS],
+}
+
+impl GenomeLine {
+    /// Iterates over the literals that it reads.
+    pub fn literals<'l>(&'l mut self, vocabulary: &'l Vocabulary) -> impl Iterator<Item = &'l mut f64> {
+        let genes = self.operands.iter_mut().take(vocabulary.instruction(self.instruction).arity());
+        genes.filter(|gene| vocabulary.kind(gene.source) == SourceKind::Literal).map(|gene| &mut gene.literal)
+    }
 }
 
 /// An evolving program.
@@ -164,11 +172,6 @@ impl Genome {
     /// Returns a program.
     pub fn program(&self, id: ProgramId) -> &Program {
         &self.programs[&id]
-    }
-
-    /// Returns the number of programs.
-    pub fn program_count(&self) -> usize {
-        self.programs.len()
     }
 
     /// Adds a team.

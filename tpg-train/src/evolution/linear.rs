@@ -189,10 +189,7 @@ impl<'a> LinearWriter<'a> {
 
     /// Writes the lines of a sum, whose result is in register `to`. An input of weight 0 has none.
     fn write_sum(&self, lines: &mut Vec<GenomeLine>, to: u16, weights: &[f64], unit: f64) {
-        let literal = |value: f64| {
-            let rounded = self.vocabulary.scalar().round(value);
-            self.vocabulary.literal(if rounded.is_finite() { rounded } else { 0.0 })
-        };
+        let literal = |value: f64| self.vocabulary.literal(self.vocabulary.moved(0.0, value));
         let (spare, sum, first) = (self.sums() as u16, Gene::register(to), lines.len());
         for ((gene, _, of_input), weight) in self.inputs.iter().zip(weights).filter(|(_, weight)| **weight != 0.0) {
             let operands = [*gene, literal(unit * weight / of_input)];

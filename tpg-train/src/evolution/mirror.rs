@@ -3,7 +3,7 @@
 use super::config::TpgParameters;
 use super::genome::{Destination, Edge, Genome, GenomeLine, Program, Team, TeamId};
 use super::mutate_program::{P_PROGRAM_MUTATION, ProgramMutator};
-use super::vocabulary::{Gene, Kind, Vocabulary};
+use super::vocabulary::{Gene, SourceKind, Vocabulary};
 use tpg_engine::ActionSpace;
 use tpg_engine::random::Stream;
 use tpg_runtime::ops::Instruction;
@@ -154,7 +154,7 @@ fn negation(vocabulary: &Vocabulary) -> Option<GenomeLine> {
     let instruction = vocabulary.index(Instruction::Sub.into())?;
     let line = GenomeLine { instruction, to: 0, operands: [vocabulary.literal(0.0), Gene::register(0)] };
     let last = (vocabulary.sources() - 1) as u8;
-    (vocabulary.kind(last) == Kind::Literal).then_some(line)
+    (vocabulary.kind(last) == SourceKind::Literal).then_some(line)
 }
 
 #[cfg(test)]

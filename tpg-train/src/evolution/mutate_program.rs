@@ -2,7 +2,7 @@
 
 use super::config::{Literals, ProgramParameters};
 use super::genome::{GenomeLine, Program};
-use super::vocabulary::{Gene, Kind, OPERANDS, Vocabulary};
+use super::vocabulary::{Gene, OPERANDS, SourceKind, Vocabulary};
 use tpg_engine::random::Stream;
 
 /// GEGELATI's probabilities of deleting and of inserting a line; it always alters one.
@@ -43,16 +43,11 @@ impl ProgramMutator<'_> {
     /// Changes every literal that a program reads, each by a factor near 1; returns true if there is one.
     pub(super) fn refine(&self, program: &mut Program, deviation: f64, stream: &mut Stream) -> bool {
         let effective = program.effective(self.vocabulary);
+        let lines = program.lines.iter_mut().zip(effective).filter(|(_, effective)| *effective);
         let mut any = false;
-        for (line, _) in program.lines.iter_mut().zip(effective).filter(|(_, effective)| *effective) {
-            let arity = self.vocabulary.instruction(line.instruction).arity();
-            for gene in line.operands[..arity].iter_mut() {
-                if self.vocabulary.kind(gene.source) == Kind::Literal {
-                    let changed = self.vocabulary.scalar().round(gene.literal * (1.0 + deviation * stream.normal()));
-                    gene.literal = if changed.is_finite() { changed } else { gene.literal };
-                    any = true;
-                }
-            }
+        for literal in lines.flat_map(|(line, _)| line.literals(self.vocabulary)) {
+            *literal = self.vocabulary.moved(*literal, *literal * (1.0 + deviation * stream.normal()));
+            any = true;
         }
         any
     }
@@ -113,7 +108,7 @@ impl ProgramMutator<'_> {
             // Without operand bits (one source with one location) there is nothing to alter.
             let Some(place) = selected.checked_div(operand) else { return };
             let gene = &mut line.operands[place];
-            if vocabulary.kind(gene.source) == Kind::Literal && stream.chance(LITERAL_CHANGE) {
+            if vocabulary.kind(gene.source) == SourceKind::Literal && stream.chance(LITERAL_CHANGE) {
                 gene.literal = self.changed_literal(gene.literal, stream);
             } else if selected % operand < source {
                 gene.source = other(gene.source.into(), vocabulary.sources(), stream) as u8;
@@ -139,8 +134,7 @@ impl ProgramMutator<'_> {
             2 => -literal,
             _ => return self.random_literal(stream),
         };
-        let rounded = self.vocabulary.scalar().round(changed);
-        if rounded.is_finite() { rounded } else { literal }
+        self.vocabulary.moved(literal, changed)
     }
 }
 

@@ -10,11 +10,11 @@ use super::record::{Record, Row};
 use super::refine::Refiner;
 use super::search::Search;
 use super::select::{Scored, ranked, survivors};
-use super::stage::{Candidate, Context, Episodes, Moment, Results, Stage};
+use super::stage::{Candidate, Context, EpisodePlan, Moment, Results, Stage};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use tpg_engine::random::Purpose;
-use tpg_engine::{EpisodeResult, PolicyGraph, Preference, Summary, finite};
+use tpg_engine::{EpisodeResult, Preference, Summary, finite};
 use tpg_graph::error::Finding;
 
 /// Teams and programs that breed separately.
@@ -85,7 +85,7 @@ impl Population {
     /// Returns the number of teams, and of programs.
     pub(super) fn size(&self) -> (usize, usize) {
         let teams = self.demes.iter().map(|deme| deme.genome.teams().len()).sum();
-        (teams, self.demes.iter().map(|deme| deme.genome.program_count()).sum())
+        (teams, self.demes.iter().map(|deme| deme.genome.programs().len()).sum())
     }
 
     /// Returns the surviving roots with their records less the price of their lines, best first; of equals the smaller one, then that
@@ -209,8 +209,8 @@ impl Stage for Population {
         candidates
     }
 
-    fn episodes(&self) -> Episodes {
-        Episodes::Racing
+    fn episodes(&self) -> EpisodePlan {
+        EpisodePlan::Racing
     }
 
     fn tell(&mut self, context: &Context<'_>, moment: Moment, results: &Results) -> (Row, usize) {
@@ -237,9 +237,5 @@ impl Stage for Population {
         self.select(context, moment, results);
         self.roots.clear();
         (row, best)
-    }
-
-    fn best(&self, _: &Context<'_>) -> Option<PolicyGraph> {
-        None
     }
 }

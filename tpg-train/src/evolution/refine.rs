@@ -3,7 +3,7 @@
 use super::config::RefinementConfig;
 use super::genome::{Destination, Edge, Genome, GenomeLine, Leaf, Program, ProgramId, Team, TeamId};
 use super::mutate_program::ProgramMutator;
-use super::vocabulary::{Kind, Vocabulary};
+use super::vocabulary::Vocabulary;
 use std::collections::BTreeMap;
 use tpg_engine::random::Stream;
 
@@ -69,8 +69,7 @@ impl Refiner<'_> {
         for program in programs.values_mut() {
             for constant in self.constants(program) {
                 if single.is_none_or(|single| single == place) {
-                    let moved = self.vocabulary.scalar().round(*constant * (1.0 + deviation * stream.normal()));
-                    *constant = if moved.is_finite() { moved } else { *constant };
+                    *constant = self.vocabulary.moved(*constant, *constant * (1.0 + deviation * stream.normal()));
                 }
                 place += 1;
             }
@@ -119,11 +118,7 @@ impl Refiner<'_> {
 
     /// Returns the literals that a program reads.
     fn constants<'p>(&'p self, program: &'p mut Program) -> impl Iterator<Item = &'p mut f64> {
-        program.lines.iter_mut().flat_map(|line| {
-            let arity = self.vocabulary.instruction(line.instruction).arity();
-            let literals = line.operands.iter_mut().take(arity);
-            literals.filter(|gene| self.vocabulary.kind(gene.source) == Kind::Literal).map(|gene| &mut gene.literal)
-        })
+        program.lines.iter_mut().flat_map(|line| line.literals(self.vocabulary))
     }
 }
 

@@ -8,11 +8,11 @@ use super::logs;
 use super::record::Row;
 use super::scales::scales;
 use super::state::{Best, State};
-use crate::csv_text;
 use crate::folder::{RunFolder, Trainer};
+use crate::run_time::Stopwatch;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use tpg_engine::{Environment, EvaluationError, Evaluator, Summary};
 use tpg_graph::error::{Finding, InputError, Place};
@@ -132,7 +132,7 @@ pub enum RunError {
 ///
 /// ```
 /// use std::ops::ControlFlow;
-/// use tpg_engine::{EngineOptions, LocalThreads};
+/// use tpg_engine::LocalThreads;
 /// use tpg_problems::CartPole;
 /// use tpg_runtime::ops::Own;
 /// use tpg_train::{Config, RunEnd, RunOptions, train};
@@ -144,8 +144,8 @@ pub enum RunError {
 ///
 /// let folder = tempfile::tempdir()?;
 /// let options = RunOptions { folder: folder.path().to_owned(), ..RunOptions::default() };
-/// let evaluator = LocalThreads::<f32, Own, _>::new(&CartPole, EngineOptions::default(), 1)?;
-/// let end = train::<f32, _, _>(&config, 1, &CartPole, &evaluator, &options, |_| ControlFlow::Continue(()))?;
+/// let evaluator = LocalThreads::<f32, Own, _>::new(&CartPole, 1)?;
+/// let end = train::<f32, _>(&config, 1, &CartPole, &evaluator, &options, |_| ControlFlow::Continue(()))?;
 /// let RunEnd::Finished(best) = end else { panic!("nothing stopped the run") };
 /// assert_eq!(best.result.episodes, 20);
 /// assert!(folder.path().join("graph.json").exists());
@@ -155,11 +155,11 @@ pub enum RunError {
 /// # Errors
 /// If the folder contains another run or another process uses it, its checkpoints are damaged, files cannot be written,
 /// or roots cannot be evaluated.
-pub fn train<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized>(
+pub fn train<S: Scalar, E: Environment<S>>(
     config: &EvolutionConfig,
     seed: u64,
     environment: &E,
-    evaluator: &V,
+    evaluator: &dyn Evaluator<E::Task>,
     options: &RunOptions,
     mut watch: impl FnMut(&Progress<'_>) -> ControlFlow<()>,
 ) -> Result<RunEnd, RunError> {
@@ -180,16 +180,16 @@ pub fn train<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized>(
         None => State { scales: scales(config, environment, evaluator, seed)?, ..State::new(seed, config.demes.count) },
     };
     let evolution = Evolution::new(config, environment, evaluator, state.scales.clone(), options.goal);
-    let mut times = Times::new(&options.folder);
+    let stopwatch = Stopwatch::new(&options.folder);
     if state.generation > 0 {
         // The run may have been killed between writing its checkpoint and its results.
         write_results(config, options, &state, environment)?;
     }
-    let save = |state: &State<E::Task>, times: &Times| -> Result<(), RunError> {
+    let save = |state: &State<E::Task>| -> Result<(), RunError> {
         let file = folder.path().display().to_string();
         folder.save(checkpoint::VERSION, checkpoint::to_bytes(&file, config, state)?)?;
         write_results(config, options, state, environment)?;
-        Ok(times.write(&options.folder)?)
+        Ok(stopwatch.write(&options.folder)?)
     };
     let to_graph = |best: &Best| graph_of(config, seed, best, environment, &options.naming);
     let mut stopped = watch(&progress(config, &state, &to_graph)).is_break();
@@ -199,16 +199,15 @@ pub fn train<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized>(
             let before = state.clone();
             if let Err(error) = evolution.advance(&mut state) {
                 if before.generation > 0 {
-                    save(&before, &times)?;
+                    save(&before)?;
                 }
                 return Err(error.into());
             }
-            times.after_generation(&state, evaluator.steps());
             stopped = watch(&progress(config, &state, &to_graph)).is_break();
         }
         let last = evolution.finished(&state);
         if last || stopped || saved.elapsed() >= options.checkpoint_every {
-            save(&state, &times)?;
+            save(&state)?;
             saved = Instant::now();
         }
         if stopped && !last {
@@ -297,30 +296,4 @@ pub(crate) fn graph_of<S: Scalar, E: Environment<S>>(
     let sources = naming.named(sources);
     export::graph(&best.policy, &vocabulary, sources, environment.actions(), memory, provenance)
         .map(Graph::without_unread_features)
-}
-
-/// The times of a run, `timing.csv`: the only log that depends on the clock.
-struct Times {
-    began: Instant,
-    cpu_before: Option<f64>,
-    text: Vec<u8>,
-}
-
-impl Times {
-    fn new(folder: &Path) -> Self {
-        let header = ["generation", "session_wall_s", "session_cpu_s", "session_steps"];
-        let text = std::fs::read(folder.join("timing.csv")).unwrap_or_else(|_| csv_text::row(header));
-        Self { began: Instant::now(), cpu_before: logs::cpu_seconds(), text }
-    }
-
-    fn after_generation<Task>(&mut self, state: &State<Task>, steps: u64) {
-        let generation = (state.generation - 1).to_string();
-        let wall = format!("{:.2}", self.began.elapsed().as_secs_f64());
-        let cpu = logs::cpu_seconds().zip(self.cpu_before).map(|(now, before)| format!("{:.2}", now - before));
-        self.text.extend(csv_text::row([generation, wall, cpu.unwrap_or_default(), steps.to_string()]));
-    }
-
-    fn write(&self, folder: &Path) -> Result<(), InputError> {
-        write_atomically(&folder.join("timing.csv"), &self.text)
-    }
 }

@@ -4,6 +4,7 @@ use super::config::{EvolutionConfig, Units};
 use super::generation::{Evolution, Goal};
 use super::stage::{Moment, Stage as _};
 use super::state::State;
+use super::validate::visited_range;
 use tpg_engine::{Environment, EvaluationError, Evaluator};
 use tpg_runtime::scalar::Scalar;
 
@@ -23,10 +24,10 @@ const VERY_RARE: f64 = 0.025;
 ///
 /// # Errors
 /// If the episodes cannot be run.
-pub(super) fn scales<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized>(
+pub(super) fn scales<S: Scalar, E: Environment<S>>(
     config: &EvolutionConfig,
     environment: &E,
-    evaluator: &V,
+    evaluator: &dyn Evaluator<E::Task>,
     seed: u64,
 ) -> Result<Vec<f64>, EvaluationError> {
     let sources = environment.sources();
@@ -70,10 +71,10 @@ fn visited_unit(states: &[Vec<f64>], input: usize) -> Option<f64> {
 }
 
 /// Returns states visited by random roots.
-fn explore<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized>(
+fn explore<S: Scalar, E: Environment<S>>(
     config: &EvolutionConfig,
     environment: &E,
-    evaluator: &V,
+    evaluator: &dyn Evaluator<E::Task>,
     seed: u64,
     inputs: usize,
 ) -> Result<Vec<Vec<f64>>, EvaluationError> {
@@ -91,9 +92,9 @@ fn explore<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized>(
 
 /// Returns half of a range, using visited values for unknown ends; 1 if all values are equal.
 fn unit([min, max]: [f64; 2], states: &[Vec<f64>], input: usize) -> f64 {
-    let values = || states.iter().map(|state| state[input]).filter(|value| value.is_finite());
-    let min = if min.is_finite() { min } else { values().fold(f64::INFINITY, f64::min) };
-    let max = if max.is_finite() { max } else { values().fold(f64::NEG_INFINITY, f64::max) };
+    let [low, high] = visited_range(states, input);
+    let min = if min.is_finite() { min } else { low };
+    let max = if max.is_finite() { max } else { high };
     let half = 0.5 * (max - min);
     if half.is_finite() && half > 0.0 { half } else { 1.0 }
 }

@@ -5,7 +5,7 @@ use super::cma::Cma;
 use super::linear::{LinearWriter, ProgramKind};
 use super::random_search::RandomSearch;
 use super::record::{Record, Row};
-use super::stage::{Candidate, Context, Episodes, Moment, Results, Stage};
+use super::stage::{Candidate, Context, EpisodePlan, Moment, Results, Stage};
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use tpg_engine::random::Purpose;
@@ -83,6 +83,12 @@ impl Search {
         }
     }
 
+    /// Returns the policy in the middle of the samples.
+    pub(super) fn best(&self, context: &Context<'_>) -> Option<PolicyGraph> {
+        let writer = context.writer(self.kind).ok()?;
+        Some(writer.policy(&self.weights(&writer)))
+    }
+
     /// Returns the score: a mean of samples, the median over some generations.
     pub(super) fn score(&self) -> Option<f64> {
         let mut scores: Vec<f64> = self.scores.iter().copied().collect();
@@ -149,8 +155,8 @@ impl Stage for Search {
         weights.iter().map(candidate).collect()
     }
 
-    fn episodes(&self) -> Episodes {
-        if self.is_random() { Episodes::Pairs } else { Episodes::Same }
+    fn episodes(&self) -> EpisodePlan {
+        if self.is_random() { EpisodePlan::Pairs } else { EpisodePlan::Same }
     }
 
     fn tell(&mut self, context: &Context<'_>, moment: Moment, results: &Results) -> (Row, usize) {
@@ -186,10 +192,5 @@ impl Stage for Search {
             ..Row::default()
         };
         (row, order[0])
-    }
-
-    fn best(&self, context: &Context<'_>) -> Option<PolicyGraph> {
-        let writer = context.writer(self.kind).ok()?;
-        Some(writer.policy(&self.weights(&writer)))
     }
 }

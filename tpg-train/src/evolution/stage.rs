@@ -59,7 +59,7 @@ pub(crate) struct Candidate {
 
 /// The episodes that the candidates of a generation play.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Episodes {
+pub(crate) enum EpisodePlan {
     /// Every two candidates in a row another one: much is seen, and opposites are compared under the same conditions.
     Pairs,
     /// All the same.
@@ -83,11 +83,8 @@ pub(crate) trait Stage {
     fn ask(&mut self, context: &Context<'_>, moment: Moment) -> Vec<Candidate>;
 
     /// Returns what episodes these play.
-    fn episodes(&self) -> Episodes;
+    fn episodes(&self) -> EpisodePlan;
 
     /// Learns from the results. Returns the figures of the generation, and the best candidate.
     fn tell(&mut self, context: &Context<'_>, moment: Moment, results: &Results) -> (Row, usize);
-
-    /// Returns the best policy, where it is not one of the candidates.
-    fn best(&self, context: &Context<'_>) -> Option<PolicyGraph>;
 }

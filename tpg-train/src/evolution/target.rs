@@ -2,7 +2,7 @@
 
 use super::generation::Evolution;
 use super::state::State;
-use tpg_engine::{Environment, EpisodeResult, EvaluationError, Evaluator, PolicyGraph, Summary};
+use tpg_engine::{Environment, EpisodeResult, EvaluationError, PolicyGraph, Summary};
 use tpg_runtime::scalar::Scalar;
 
 /// Number of episodes after which a trial is judged first; then after twice as many, again and again.
@@ -14,7 +14,7 @@ fn stages(episodes: usize) -> impl Iterator<Item = usize> {
     doubled.take_while(move |&stage| stage < episodes).chain([episodes])
 }
 
-impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_, S, E, V> {
+impl<S: Scalar, E: Environment<S>> Evolution<'_, S, E> {
     /// Lets a policy play the validation episodes and enters it, if their mean reaches the run's target after each stage. `found`
     /// is what training has found of it: a trial is due where that reaches the target, and where no more steps have been
     /// spent on selection than on training.

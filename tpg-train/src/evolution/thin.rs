@@ -4,7 +4,7 @@ use super::export;
 use super::generation::Evolution;
 use super::state::{State, actions};
 use super::validate::along;
-use tpg_engine::{Environment, EvaluationError, Evaluator, PolicyGraph, remembered};
+use tpg_engine::{Environment, EvaluationError, PolicyGraph, remembered};
 use tpg_graph::Provenance;
 use tpg_graph::dataflow::effective;
 use tpg_graph::interpret::{self, Answer};
@@ -19,7 +19,7 @@ const STATES: u32 = 64;
 /// The place of a line: its program, and its index there.
 type Place = (usize, usize);
 
-impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_, S, E, V> {
+impl<S: Scalar, E: Environment<S>> Evolution<'_, S, E> {
     /// Enters ever smaller versions of the best policy, until one has lost half of what the run has gained; each plays so many
     /// validation episodes.
     pub(super) fn thin(&self, state: &mut State<E::Task>, episodes: usize) -> Result<(), EvaluationError> {

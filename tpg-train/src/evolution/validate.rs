@@ -9,7 +9,7 @@ use super::generation::Evolution;
 use super::stage::Candidate;
 use super::state::{Best, State};
 use std::cmp::Ordering;
-use tpg_engine::{Environment, EpisodeResult, EvaluationError, Evaluator, PolicyGraph, Summary, Visit};
+use tpg_engine::{Environment, EpisodeResult, EvaluationError, PolicyGraph, Summary, Visit};
 use tpg_runtime::scalar::Scalar;
 
 /// Number of episodes of the last validation if the budget is exhausted.
@@ -48,7 +48,7 @@ fn episodes_left<Task>(state: &State<Task>, share: f64) -> u64 {
     ((share / (1.0 - share) * training) as u64).saturating_sub(state.selection_steps) / state.episode_steps.max(1)
 }
 
-impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task> + ?Sized> Evolution<'_, S, E, V> {
+impl<S: Scalar, E: Environment<S>> Evolution<'_, S, E> {
     /// Validates if it is time to; returns the result of the winner, and updates the best root so far.
     pub(super) fn validate(&self, state: &mut State<E::Task>) -> Result<Option<Summary>, EvaluationError> {
         let mut roots = state.population.survivors(&self.context(state));
@@ -195,10 +195,15 @@ pub(super) fn along<Task: Clone>(
     Visit { policy: policy.clone(), task: task.clone(), after: after.collect() }
 }
 
+/// Returns the lowest and the highest finite value of an input in some states; infinity and minus infinity without one.
+pub(super) fn visited_range(states: &[Vec<f64>], input: usize) -> [f64; 2] {
+    let values = || states.iter().map(|state| state[input]).filter(|value| value.is_finite());
+    [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
+}
+
 /// Returns a declared range whose infinite ends are replaced by visited values, widened by a quarter; never empty.
 fn widened(declared: [f64; 2], states: &[Vec<f64>], input: usize) -> [f64; 2] {
-    let values = || states.iter().map(|state| state[input]).filter(|value| value.is_finite());
-    let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+    let [low, high] = visited_range(states, input);
     let (low, high) = if low <= high { (low, high) } else { (-1.0, 1.0) };
     let margin = 0.25 * (high - low).max(1e-3);
     let [min, max] = declared;

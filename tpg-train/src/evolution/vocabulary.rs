@@ -81,7 +81,7 @@ pub struct Gene {
     pub source: u8,
     /// Location in the source, modulo its length.
     pub location: u16,
-    /// The number read if the source is [`Kind::Literal`]; otherwise kept but unused.
+    /// The number read if the source is [`SourceKind::Literal`]; otherwise kept but unused.
     pub literal: f64,
 }
 
@@ -94,7 +94,7 @@ impl Gene {
 
 /// Meaning of a source number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum SourceKind {
     /// The registers: always source 0.
     Registers,
     /// A data source of the environment: its first index in the flat state, and its length.
@@ -108,7 +108,7 @@ pub enum Kind {
 pub struct Vocabulary {
     instructions: Vec<ProgramInstruction>,
     registers: u16,
-    kinds: Vec<Kind>,
+    kinds: Vec<SourceKind>,
     /// Exclusive upper bound of locations (GEGELATI, `environment.cpp`, `computeLargestAddressSpace`).
     largest_address_space: u16,
     scalar: ScalarType,
@@ -132,14 +132,14 @@ impl Vocabulary {
     ) -> Self {
         let instructions: Vec<ProgramInstruction> = instructions.into_iter().map(Into::into).collect();
         assert!(registers > 0 && (1..=256).contains(&instructions.len()));
-        let mut kinds = vec![Kind::Registers];
+        let mut kinds = vec![SourceKind::Registers];
         let mut place = 0;
         for source in sources {
-            kinds.push(Kind::Data(place, source.length as u16));
+            kinds.push(SourceKind::Data(place, source.length as u16));
             place += source.length as u16;
         }
         if literals.is_some() {
-            kinds.push(Kind::Literal);
+            kinds.push(SourceKind::Literal);
         }
         let longest = sources.iter().map(|source| source.length as u16).max().unwrap_or(1);
         let largest_address_space = registers.max(longest);
@@ -193,6 +193,12 @@ impl Vocabulary {
         Gene { source: (self.sources() - 1) as u8, location: 0, literal }
     }
 
+    /// Returns a literal's new value, rounded to the scalar type; the old one where the new one is not finite.
+    pub fn moved(&self, literal: f64, to: f64) -> f64 {
+        let rounded = self.scalar.round(to);
+        if rounded.is_finite() { rounded } else { literal }
+    }
+
     /// Returns the number of registers that programs name.
     pub fn registers(&self) -> u16 {
         self.registers
@@ -231,15 +237,15 @@ impl Vocabulary {
     }
 
     /// Returns the meaning of a source number.
-    pub fn kind(&self, source: u8) -> Kind {
+    pub fn kind(&self, source: u8) -> SourceKind {
         self.kinds[usize::from(source)]
     }
 
     /// Returns the inputs that programs can read: an operand for each, its place in the flat state, and its unit.
     pub fn inputs(&self) -> Vec<(Gene, u16, f64)> {
-        let of_source = |(source, kind): (u8, &Kind)| match *kind {
-            Kind::Data(place, length) => (0..length).map(|at| (source, at, place + at)).collect(),
-            Kind::Registers | Kind::Literal => Vec::new(),
+        let of_source = |(source, kind): (u8, &SourceKind)| match *kind {
+            SourceKind::Data(place, length) => (0..length).map(|at| (source, at, place + at)).collect(),
+            SourceKind::Registers | SourceKind::Literal => Vec::new(),
         };
         let places = (0..).zip(&self.kinds).flat_map(of_source);
         let unit = |place: u16| self.scales.get(usize::from(place)).copied().unwrap_or(1.0);
@@ -259,15 +265,15 @@ impl Vocabulary {
 
     /// Returns the register that an operand refers to, if it is one.
     pub fn register(&self, gene: &Gene) -> Option<u16> {
-        (self.kind(gene.source) == Kind::Registers).then(|| gene.location % self.registers)
+        (self.kind(gene.source) == SourceKind::Registers).then(|| gene.location % self.registers)
     }
 
     /// Resolves an operand.
     pub fn read(&self, gene: &Gene) -> Operand {
         match self.kind(gene.source) {
-            Kind::Registers => Operand::Register(gene.location % self.registers),
-            Kind::Data(place, length) => Operand::Input(place + gene.location % length),
-            Kind::Literal => Operand::Constant(gene.literal),
+            SourceKind::Registers => Operand::Register(gene.location % self.registers),
+            SourceKind::Data(place, length) => Operand::Input(place + gene.location % length),
+            SourceKind::Literal => Operand::Constant(gene.literal),
         }
     }
 }

@@ -40,12 +40,12 @@ impl RunFolder {
         read: impl FnOnce(&str, &[u8]) -> Result<T, InputError>,
     ) -> Result<Option<T>, InputError> {
         let [newest, previous] = [NEWEST, PREVIOUS].map(|name| self.file(name));
-        let reason = match self.content(&newest, version)? {
+        let reason = match content(&newest, self.trainer, version)? {
             Found::Whole(content) => return read(&newest.display().to_string(), &content).map(Some),
             Found::Nothing => None,
             Found::Damaged(reason) => Some(reason),
         };
-        let content = match (self.content(&previous, version)?, reason) {
+        let content = match (content(&previous, self.trainer, version)?, reason) {
             (Found::Whole(content), _) => content,
             (Found::Nothing, None) => return Ok(None),
             (Found::Nothing, Some(reason)) => return Err(damaged(&newest, reason, "there is no previous one")),
@@ -63,28 +63,6 @@ impl RunFolder {
                 .map_err(|error| InputError::io(&aside, &error, "a folder that can be written"))?;
         }
         Ok(Some(value))
-    }
-
-    fn content(&self, path: &Path, version: u32) -> Result<Found, InputError> {
-        content(path, self.trainer, version)
-    }
-}
-
-/// Reads the newest checkpoint of a folder that may be in use, for programs that only look at it.
-///
-/// # Errors
-/// If there is none, it is damaged, belongs to another trainer or version, or `read` refuses its content.
-pub fn look<T>(
-    folder: &Path,
-    trainer: Trainer,
-    version: u32,
-    read: impl FnOnce(&str, &[u8]) -> Result<T, InputError>,
-) -> Result<T, InputError> {
-    let path = folder.join(NEWEST);
-    match content(&path, trainer, version)? {
-        Found::Whole(content) => read(&path.display().to_string(), &content),
-        Found::Nothing => Err(InputError::io(&path, &ErrorKind::NotFound.into(), "a run's checkpoint")),
-        Found::Damaged(reason) => Err(damaged(&path, reason, "only the newest is read")),
     }
 }
 
@@ -124,7 +102,7 @@ fn damaged(path: &Path, reason: &str, beside: &str) -> InputError {
 
 #[cfg(test)]
 mod tests {
-    use super::{DAMAGED, NEWEST, PREVIOUS, RunFolder, Trainer, look};
+    use super::{DAMAGED, NEWEST, PREVIOUS, RunFolder, Trainer};
     use std::fs;
     use std::path::Path;
     use tpg_graph::error::InputError;
@@ -189,7 +167,5 @@ mod tests {
         };
         assert!(folder.load(3, refuse).is_err());
         assert!(folder.file(NEWEST).exists() && !folder.file(DAMAGED).exists());
-        assert_eq!(look(place.path(), Trainer::Sac, 3, text).as_deref(), Ok("three"));
-        assert!(look(place.path(), Trainer::Tpg, 3, text).is_err());
     }
 }

@@ -71,7 +71,7 @@ impl RunFolder {
     /// Creates the folder if it does not exist, locks it, and removes unfinished files of killed processes.
     ///
     /// ```
-    /// use tpg_train::loaders::{RunFolder, Trainer};
+    /// use tpg_train::parts::{RunFolder, Trainer};
     ///
     /// let place = tempfile::tempdir()?;
     /// let run = place.path().join("run");

@@ -1,6 +1,6 @@
 //! The cells of a study.
 
-use super::rollout::{Acting, HybridResult};
+use super::rollout::Acting;
 use super::setting::{Detector, Setting};
 use super::shared::{Episodes, Shared};
 use super::span::Span;
@@ -82,20 +82,13 @@ pub(crate) struct Subject<'a> {
 }
 
 impl Subject<'_> {
-    /// Lets policies do the study's episodes.
-    ///
-    /// # Errors
-    /// If a policy does not fit the problem.
-    pub(crate) fn play(&self, acting: Acting<'_>) -> Result<HybridResult, InputError> {
-        self.problem.play(acting, self.episodes)
-    }
-
     /// Computes a cell.
     ///
     /// # Errors
     /// If a policy does not fit the problem.
     pub(crate) fn cell(&self, tpg: usize, sac: usize, setting: &Setting) -> Result<Cell, InputError> {
-        let done = self.play(Acting::Both(&self.graphs[tpg], &self.networks[sac], setting))?;
+        let both = Acting::Both(&self.graphs[tpg], &self.networks[sac], setting);
+        let done = self.problem.play(both, self.episodes)?;
         let summary = Summary::new(&done.endings);
         let [hand_overs_guard, hand_overs_drift, hand_overs_stall, hand_overs_cycle] = done.hand_overs;
         Ok(Cell {

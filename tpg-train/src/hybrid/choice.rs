@@ -7,7 +7,7 @@ use tpg_engine::{Preference, Sample};
 
 /// One row of `settings.csv`: a setting, averaged over all pairs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub(crate) struct Summary {
+pub(crate) struct SettingSummary {
     /// The setting, written before the other columns.
     #[serde(skip)]
     pub setting: Setting,
@@ -32,7 +32,7 @@ pub(crate) struct Summary {
     pub chosen: bool,
 }
 
-impl Summary {
+impl SettingSummary {
     fn new(setting: &Setting, cells: &[&Cell]) -> Self {
         let spread =
             |value: &dyn Fn(&Cell) -> f64| Sample::new(&cells.iter().map(|cell| value(cell)).collect::<Vec<_>>());
@@ -69,10 +69,10 @@ fn worth(preference: Preference, score: f64, success: Option<f64>) -> f64 {
 ///
 /// The choice is, among the settings whose worth (the mean score, or the success rate where the problem prefers it) lies
 /// within one standard error of the highest, the one with the fewest actions of the network; ties go to the first.
-pub(crate) fn summarise(cells: &[Cell], settings: &[Setting], preference: Preference) -> Vec<Summary> {
+pub(crate) fn summarise(cells: &[Cell], settings: &[Setting], preference: Preference) -> Vec<SettingSummary> {
     let matching = |setting: &Setting| cells.iter().filter(|cell| cell.setting == *setting).collect::<Vec<_>>();
-    let mut summaries: Vec<Summary> =
-        settings.iter().map(|setting| Summary::new(setting, &matching(setting))).collect();
+    let mut summaries: Vec<SettingSummary> =
+        settings.iter().map(|setting| SettingSummary::new(setting, &matching(setting))).collect();
     let costs: Vec<(f64, f64)> =
         summaries.iter().map(|summary| (summary.worth(preference), summary.network_actions)).collect();
     for (summary, &(worth, actions)) in summaries.iter_mut().zip(&costs) {

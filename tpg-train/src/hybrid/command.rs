@@ -10,7 +10,9 @@ use super::rollout::Acting;
 use super::setting::{Detector, HybridFile, Setting, UNGUARDED};
 use super::shared::{Episodes, Facts, Shared};
 use super::span::Span;
-use super::study::{self, absolute, to_csv};
+use super::study::{self, absolute};
+use crate::csv_text::to_csv;
+use crate::folder::{RunFolder, Trainer};
 use crate::run_args::command_line;
 use crate::sac::network::Network;
 use clap::Args;
@@ -147,7 +149,8 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, Input
     // Policies that do not fit are refused before the folder is made.
     let threads = study::threads(args.threads)?;
     let alone = threads.install(|| alone(&subject))?;
-    let folder = study::open_folder(&args.out, &asked)?;
+    let folder = RunFolder::open(&args.out, Trainer::Hybrid, false)?;
+    write_atomically(&folder.file("study.toml"), toml::to_string(&asked).expect("plain data").as_bytes())?;
     let cells = study::run(&subject, &folder, &threads)?;
     finish(args, &subject, &facts, &cells, &alone)
 }
@@ -240,11 +243,12 @@ fn separations(args: &StudyArgs, subject: &Subject<'_>) -> Result<Vec<f64>, Inpu
         return bad.map_or_else(|| Ok(args.separation.clone()), refused);
     }
     let episodes = Episodes { count: MEASURED.min(args.episodes), ..subject.episodes };
-    let mut rises = Vec::new();
+    let (mut rises, only_asks) = (Vec::new(), Setting::only_asks());
     for graph in &subject.graphs {
         // A graph that asks rises with each network in its own way, any other as without one.
         for network in subject.networks.iter().take(if asks(&graph.1) { usize::MAX } else { 1 }) {
-            rises.extend(subject.problem.rises(graph, network, episodes)?);
+            let both = Acting::Both(graph, network, &only_asks);
+            rises.extend(subject.problem.play(both, episodes)?.rises);
         }
     }
     Ok(quantiles(rises))
@@ -275,7 +279,7 @@ fn alone(subject: &Subject<'_>) -> Result<Vec<Alone>, InputError> {
     let all: Vec<_> = graphs.chain(networks).collect();
     all.into_par_iter()
         .map(|(place, (kind, file, acting))| {
-            let endings = subject.play(acting)?.endings;
+            let endings = subject.problem.play(acting, subject.episodes)?.endings;
             let summary = Summary::new(&endings);
             Ok(Alone {
                 kind,

@@ -1,4 +1,4 @@
-//! Trials of a graph, a network, or both together, on any environment.
+//! Episodes of a graph, a network, or both together, on any environment.
 
 use super::setting::{Detector, Setting};
 use crate::effort::{Effort, Meter};
@@ -6,7 +6,7 @@ use crate::sac::network::Network;
 use std::cell::RefCell;
 use std::marker::PhantomData;
 use tpg_engine::{
-    ActionSpace, Choices, Counting, Decision, Drawn, EngineOptions, Environment, EpisodeResult, Lanes, NETWORK, Plan,
+    ActionSpace, Choices, Counting, DEFAULT_LANES, Decision, Drawn, Environment, EpisodeResult, Lanes, NETWORK, Plan,
     Remembered, Remembering, Rollout, Single, SourceDocument, SourceSet, bind, bind_to,
 };
 use tpg_graph::Graph;
@@ -31,16 +31,6 @@ pub enum Acting<'a> {
     Both(&'a (String, Graph), &'a (String, Network), &'a Setting),
 }
 
-impl<'a> Acting<'a> {
-    /// Returns the graph, if one acts.
-    pub fn graph(self) -> Option<&'a Graph> {
-        match self {
-            Self::Graph((_, graph)) | Self::Both((_, graph), ..) => Some(graph),
-            Self::Network(_) => None,
-        }
-    }
-}
-
 /// The causes of a hand-over, with their names in tables. [`Cause::Stop`] is a [`Patience`] at its end.
 pub(crate) const TRIGGERS: [(&str, Cause); 4] =
     [("guard", Cause::Guard), ("drift", Cause::Drift), ("stall", Cause::Stop), ("cycle", Cause::Cycle)];
@@ -60,6 +50,10 @@ pub struct HybridResult {
     pub hand_backs: f64,
     /// Actions of each episode that the graph asked the network for; they count as the network's.
     pub asks: Vec<u32>,
+    /// How far the distance lies above the least one so far of its episode, after each action but the last, where two policies act.
+    pub rises: Vec<f64>,
+    /// Wear of actuators, where one policy acts by outputs.
+    pub effort: Option<Effort>,
 }
 
 /// Lets policies do every task.
@@ -71,111 +65,60 @@ pub(crate) fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
     acting: Acting<'_>,
     tasks: &[E::Task],
 ) -> Result<HybridResult, InputError> {
-    let episodes: Vec<PlayedEpisode> = match acting {
+    let space = environment.actions();
+    match acting {
         Acting::Graph(graph) => {
             let counting = Counting::new::<S>(environment, &graph.1);
             let remembering = Remembering::new(counting, Remembered::in_graph(&graph.1));
-            let endings = alone::<S, M, _>(&remembering, graph, tasks)?;
-            let counts = |tpg_actions| Counts { tpg_actions, ..Counts::default() };
-            endings.into_iter().map(|ending| (ending, counts(ending.actions), 0)).collect()
+            let plan = plan::<S, M, _>(graph, &remembering)?;
+            // In the graph's own units, without its memory.
+            let mut meter = Meter::new(&remembering.actions().outputs()[..space.outputs().len()], tasks.len());
+            let mut lanes = Lanes::<S, M, _>::new(&remembering, DEFAULT_LANES);
+            let endings = lanes.run_watched(&plan, tasks, |task, act| meter.act(task, act)).map_err(|error| {
+                InputError::new(&graph.0, Place::Whole, error.to_string(), "episodes that can be run")
+            })?;
+            Ok(HybridResult { effort: meter.effort(), ..HybridResult::alone(endings, Driver::Tpg) })
         }
         Acting::Network(network) => {
             fit(network, environment)?;
-            network.1.deciding(|decide| {
+            let mut meter = Meter::new(space.outputs(), tasks.len());
+            let endings = network.1.deciding(|decide| {
                 let network = network_policy(environment, decide);
-                let episode = |task| {
+                let episodes = tasks.iter().enumerate().map(|(place, task)| {
                     let rollout = RefCell::new(Rollout::new(environment, task));
                     loop {
                         let decision = network.decide(&rollout);
+                        meter.act(place, decision.act());
                         if let Some(ending) = rollout.borrow_mut().act(decision.act()) {
-                            return (ending, Counts { sac_actions: ending.actions, ..Counts::default() }, 0);
+                            return ending;
                         }
                     }
-                };
-                tasks.iter().map(episode).collect()
-            })
+                });
+                episodes.collect()
+            });
+            Ok(HybridResult { effort: meter.effort(), ..HybridResult::alone(endings, Driver::Sac) })
         }
         Acting::Both(graph, network, setting) => {
             fit(network, environment)?;
             let tpg = graph_policy::<S, M, _>(graph, environment)?;
             network.1.deciding(|decide| {
                 let hybrid = Pair { tpg, sac: network_policy(environment, decide) };
-                tasks.iter().map(|task| watched(environment, task, &hybrid, setting, |_| ())).collect()
+                let mut rises = Vec::new();
+                let episodes = tasks.iter().map(|task| shared(environment, task, &hybrid, setting, &mut rises));
+                let result = HybridResult::new(&episodes.collect::<Vec<_>>());
+                Ok(HybridResult { rises, ..result })
             })
         }
-    };
-    Ok(HybridResult::new(&episodes))
-}
-
-/// Returns the effort of a graph or a network in an environment with outputs; none for any other.
-///
-/// # Errors
-/// As [`run`].
-pub(crate) fn effort<S: Scalar, M: Maths<S>, E: Environment<S>>(
-    environment: &Choices<S, E>,
-    acting: Acting<'_>,
-    tasks: &[E::Task],
-) -> Result<Option<Effort>, InputError> {
-    let outputs = environment.actions().outputs().len();
-    if outputs == 0 {
-        return Ok(None);
-    }
-    match acting {
-        Acting::Graph(graph) => {
-            let remembering =
-                Remembering::new(Counting::new::<S>(environment, &graph.1), Remembered::in_graph(&graph.1));
-            let policy = graph_policy::<S, M, _>(graph, &remembering)?;
-            let decide = |answer| match answer {
-                Answer::Act(decision) => decision,
-                Answer::Ask => unreachable!("outputs leave no action that asks"),
-            };
-            Ok(Some(measured(&remembering, outputs, |state| decide(policy.decide(state)), tasks)))
-        }
-        Acting::Network(network) => {
-            fit(network, environment)?;
-            let effort = network.1.deciding(|decide| {
-                let policy = network_policy(environment, decide);
-                measured(environment, outputs, |state| policy.decide(state), tasks)
-            });
-            Ok(Some(effort))
-        }
-        Acting::Both(..) => Ok(None),
     }
 }
 
-/// Measures the effort of the first `outputs` values of a policy on tasks.
-fn measured<'e, S: Scalar, E: Environment<S>>(
-    environment: &'e E,
-    outputs: usize,
-    decide: impl Fn(&State<'e, S, E>) -> Decision<S>,
-    tasks: &[E::Task],
-) -> Effort {
-    let space = environment.actions();
-    let mut meter = Meter::new(&space.outputs()[..outputs]);
-    for task in tasks {
-        meter.begin();
-        let state = RefCell::new(Rollout::new(environment, task));
-        loop {
-            let decision = decide(&state);
-            meter.step(decision.act().values().iter().map(|value| value.to_f64()));
-            if state.borrow_mut().act(decision.act()).is_some() {
-                break;
-            }
-        }
-    }
-    meter.effort()
-}
-
-fn alone<S: Scalar, M: Maths<S>, E: Environment<S>>(
-    environment: &E,
+/// Plans a graph that acts alone.
+fn plan<S: Scalar, M: Maths<S>, E: Environment<S>>(
     (file, graph): &(String, Graph),
-    tasks: &[E::Task],
-) -> Result<Vec<EpisodeResult>, InputError> {
+    environment: &E,
+) -> Result<Plan<S>, InputError> {
     let policy = bind(file, graph, environment)?;
-    let plan = Plan::new::<M>(&policy, &environment.sources(), EngineOptions::default());
-    Lanes::<S, M, _>::new(environment, EngineOptions::default())
-        .run(&plan, tasks)
-        .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "episodes that can be run"))
+    Ok(Plan::new::<M>(&policy, &environment.sources()))
 }
 
 fn fit<S: Scalar, E: Environment<S>>(
@@ -189,33 +132,6 @@ fn fit<S: Scalar, E: Environment<S>>(
     network.fit(file, &sources, &actions)
 }
 
-/// Lets a graph do every task, by itself or with a network that it asks; how far the distance lies above the least one so
-/// far, after each action.
-///
-/// # Errors
-/// As [`run`].
-pub(crate) fn rises<S: Scalar, M: Maths<S>, E: Environment<S>>(
-    environment: &Choices<S, E>,
-    graph: &(String, Graph),
-    network: &(String, Network),
-    tasks: &[E::Task],
-) -> Result<Vec<f64>, InputError> {
-    let graph = graph_policy::<S, M, _>(graph, environment)?;
-    Ok(network.1.deciding(|decide| {
-        let hybrid = Pair { tpg: graph, sac: network_policy(environment, decide) };
-        let mut rises = Vec::new();
-        for task in tasks {
-            let mut least: Option<f64> = None;
-            watched(environment, task, &hybrid, &Setting::only_asks(), |distance| {
-                let known = least.map(|least| least.min(distance));
-                rises.extend(known.map(|least| distance - least));
-                least = known.or(Some(distance));
-            });
-        }
-        rises
-    }))
-}
-
 /// Lets a graph do a task alone; returns what a picture needs to know of each moment, from the start on.
 ///
 /// # Errors
@@ -226,16 +142,10 @@ pub(crate) fn moments<S: Scalar, M: Maths<S>, E: Environment<S>>(
     task: &E::Task,
     drawn: &dyn Drawn<E::Episode>,
 ) -> Result<Vec<Vec<f64>>, InputError> {
-    let policy = graph_policy::<S, M, E>(graph, environment)?;
-    let state = RefCell::new(Rollout::new(environment, task));
-    let mut moments = vec![drawn.moment(state.borrow().episode())];
-    while let Answer::Act(decision) = policy.decide(&state) {
-        let ending = state.borrow_mut().act(decision.act());
-        moments.push(drawn.moment(state.borrow().episode()));
-        if ending.is_some() {
-            break;
-        }
-    }
+    let single = Single::<S, M>::new(plan::<S, M, _>(graph, environment)?);
+    let mut moments = Vec::new();
+    let decide = |state: &[S]| single.answer(state).into();
+    Rollout::new(environment, task).watch(decide, |episode| moments.push(drawn.moment(episode)));
     Ok(moments)
 }
 
@@ -245,16 +155,16 @@ type PlayedEpisode = (EpisodeResult, Counts, u32);
 /// An episode that two policies look at.
 type State<'e, S, E> = RefCell<Rollout<'e, S, E>>;
 
-/// One episode of both policies; `seen` is told the distance at the start and behind each action but the last.
+/// One episode of both policies; adds how far the distance rises above its least, after each action but the last.
 ///
 /// Where the network never hands back and comes to a state again, it will for ever: that ends the episode, if the environment
 /// [says so](Environment::cycle).
-fn watched<'e, S: Scalar, E: Environment<S>, T, P>(
+fn shared<'e, S: Scalar, E: Environment<S>, T, P>(
     environment: &'e E,
     task: &E::Task,
     hybrid: &Pair<T, P>,
     setting: &Setting,
-    mut seen: impl FnMut(f64),
+    rises: &mut Vec<f64>,
 ) -> PlayedEpisode
 where
     T: Policy<State = State<'e, S, E>, Action = Answer<Decision<S>>>,
@@ -268,7 +178,7 @@ where
     let mut switch = AskSwitch::new(rules);
     let mut patience = Patience::new(setting.patience.0, distance);
     let mut last_turn: Option<Brent<u64>> = None;
-    seen(distance.to_f64());
+    let mut least = distance.to_f64();
     loop {
         let turn = hybrid.decide_or_ask(&mut switch, &state, &Named(&setting.guard));
         let is_final = turn.chosen.driver == Driver::Sac && !turn.asked && setting.hand_back_after.0 == NEVER;
@@ -281,7 +191,8 @@ where
             return (ending, *switch.counts(), switch.asks());
         }
         let (key, distance) = (rollout.key().unwrap_or_default(), rollout.distance());
-        seen(distance.to_f64());
+        least = least.min(distance.to_f64());
+        rises.push(distance.to_f64() - least);
         let stalls = patience.ends(turn.driver(), distance);
         switch.acted(&turn, stalls, key, distance);
         if is_final
@@ -366,7 +277,7 @@ fn graph_policy<'e, S: Scalar, M: Maths<S>, E: Environment<S> + 'e>(
     environment: &E,
 ) -> Result<impl Policy<State = State<'e, S, E>, Action = Answer<Decision<S>>> + use<'e, S, M, E>, InputError> {
     let (sources, actions) = (environment.sources(), environment.actions().with_ask(NETWORK));
-    let plan = Plan::new::<M>(&bind_to(file, graph, &sources, &actions)?, &sources, EngineOptions::default());
+    let plan = Plan::new::<M>(&bind_to(file, graph, &sources, &actions)?, &sources);
     let (wanted, ask) = (plan.wanted(), actions.asking(NETWORK));
     let single = Single::<S, M>::new(plan);
     let decide = move |state: &State<'e, S, E>| match single.answer(state.borrow_mut().observe(wanted)) {
@@ -399,10 +310,14 @@ fn network_policy<'e, 'n, S: Scalar, E: Environment<S> + 'e>(
 }
 
 impl HybridResult {
-    /// Counts what policies did that acted alone.
-    pub fn alone(endings: Vec<EpisodeResult>) -> Self {
-        let counts = |ending: &EpisodeResult| Counts { sac_actions: ending.actions, ..Counts::default() };
-        Self::new(&endings.iter().map(|ending| (*ending, counts(ending), 0)).collect::<Vec<_>>())
+    /// Counts what a policy did that acted alone.
+    pub fn alone(endings: Vec<EpisodeResult>, driver: Driver) -> Self {
+        let actions: f64 = endings.iter().map(|ending| f64::from(ending.actions)).sum();
+        let (tpg_action_ratio, network_actions) = match driver {
+            Driver::Tpg => (actions / actions.max(1.0), 0.0),
+            Driver::Sac => (0.0, actions / endings.len().max(1) as f64),
+        };
+        Self { asks: vec![0; endings.len()], endings, tpg_action_ratio, network_actions, ..Self::default() }
     }
 
     fn new(episodes: &[PlayedEpisode]) -> Self {
@@ -421,6 +336,7 @@ impl HybridResult {
             hand_overs: TRIGGERS.map(|(_, cause)| causes[cause as usize] / count),
             hand_backs: hand_backs / count,
             asks: episodes.iter().map(|&(_, _, asks)| asks).collect(),
+            ..Self::default()
         }
     }
 }

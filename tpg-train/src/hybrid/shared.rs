@@ -1,15 +1,11 @@
 //! Problems whose episodes a graph and a network can share: the built-in ones, and any other environment.
 
-use super::rollout::{Acting, HybridResult, effort, rises, run};
-use crate::effort::Effort;
-use crate::sac::network::Network;
+use super::rollout::{Acting, HybridResult, run};
 use serde_json::{Map, Value};
 use std::marker::PhantomData;
 use std::path::Path;
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{
-    AnyEnvironment, AnyEpisode, AnyTask, Choices, Environment, EpisodeResult, Measure, Preference, TaskSet, tasks,
-};
+use tpg_engine::{AnyEpisode, AnyTask, Choices, Environment, EpisodeResult, Measure, Preference, TaskSet, tasks};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::in_arithmetic_of;
@@ -92,23 +88,6 @@ pub trait Shared: Sync {
     /// If a policy is not one for this problem.
     fn play(&self, acting: Acting<'_>, episodes: Episodes<'_>) -> Result<HybridResult, InputError>;
 
-    /// Returns the effort of a graph or a network on episodes; none where actions are named.
-    ///
-    /// # Errors
-    /// If the policy is not one for this problem.
-    fn effort(&self, acting: Acting<'_>, episodes: Episodes<'_>) -> Result<Option<Effort>, InputError>;
-
-    /// Returns the rises of a graph's episodes; the network is there for a graph that asks.
-    ///
-    /// # Errors
-    /// If the graph is not one for this problem.
-    fn rises(
-        &self,
-        graph: &(String, Graph),
-        network: &(String, Network),
-        episodes: Episodes<'_>,
-    ) -> Result<Vec<f64>, InputError>;
-
     /// Returns the problem's own figures of some episodes.
     fn figures(&self, _endings: &[EpisodeResult]) -> Map<String, Value> {
         Map::new()
@@ -132,8 +111,13 @@ impl Shared for Problem {
     fn play(&self, acting: Acting<'_>, episodes: Episodes<'_>) -> Result<HybridResult, InputError> {
         match acting {
             Acting::Network((file, network)) => {
-                let (environment, tasks) = for_network(self, file, network, episodes)?;
-                network.endings(file, &&*environment, &tasks).map(HybridResult::alone)
+                let problem = self.clone().joined(file, &network.settings(), false, true)?;
+                let environment = problem.network_environment(0);
+                let tasks = match episodes.file {
+                    Some(path) => problem.read_tasks(path, true)?,
+                    None => episodes.draw(&&*environment),
+                };
+                run::<f32, Own, _>(&Choices::new(&*environment, None).expect("as they are"), acting, &tasks)
             }
             Acting::Both((_, graph), (file, network), _) => {
                 let problem = self.clone().joined(file, &network.settings(), false, true)?;
@@ -143,27 +127,6 @@ impl Shared for Problem {
                 in_arithmetic_of!(graph, play_named(self, graph, acting, episodes))
             }
         }
-    }
-
-    fn effort(&self, acting: Acting<'_>, episodes: Episodes<'_>) -> Result<Option<Effort>, InputError> {
-        match acting {
-            Acting::Network((file, network)) => {
-                let (environment, tasks) = for_network(self, file, network, episodes)?;
-                let choices = Choices::new(&*environment, None).expect("outputs are no choices");
-                effort::<f32, Own, _>(&choices, acting, &tasks)
-            }
-            Acting::Graph((_, graph)) => in_arithmetic_of!(graph, opened_effort(self, graph, acting, episodes)),
-            Acting::Both(..) => Ok(None),
-        }
-    }
-
-    fn rises(
-        &self,
-        graph: &(String, Graph),
-        network: &(String, Network),
-        episodes: Episodes<'_>,
-    ) -> Result<Vec<f64>, InputError> {
-        in_arithmetic_of!(graph.1, opened_rises(self, graph, network, episodes))
     }
 
     fn figures(&self, endings: &[EpisodeResult]) -> Map<String, Value> {
@@ -197,42 +160,6 @@ fn play_named<S: Number, M: Maths<S>>(
 ) -> Result<HybridResult, InputError> {
     let tasks = episodes.in_problem(problem)?;
     opened::<S, _>(problem, graph, |choices| run::<S, M, _>(choices, acting, &tasks))
-}
-
-/// Returns the environment of a network, and the tasks in it; `file` is the network's.
-fn for_network(
-    problem: &Problem,
-    file: &str,
-    network: &Network,
-    episodes: Episodes<'_>,
-) -> Result<(AnyEnvironment<f32>, Vec<AnyTask>), InputError> {
-    let problem = problem.clone().joined(file, &network.settings(), false, true)?;
-    let environment = problem.network_environment(0);
-    let tasks = match episodes.file {
-        Some(path) => problem.read_tasks(path, true)?,
-        None => episodes.draw(&&*environment),
-    };
-    Ok((environment, tasks))
-}
-
-fn opened_effort<S: Number, M: Maths<S>>(
-    problem: &Problem,
-    graph: &Graph,
-    acting: Acting<'_>,
-    episodes: Episodes<'_>,
-) -> Result<Option<Effort>, InputError> {
-    let tasks = episodes.in_problem(problem)?;
-    opened::<S, _>(problem, graph, |choices| effort::<S, M, _>(choices, acting, &tasks))
-}
-
-fn opened_rises<S: Number, M: Maths<S>>(
-    problem: &Problem,
-    graph: &(String, Graph),
-    network: &(String, Network),
-    episodes: Episodes<'_>,
-) -> Result<Vec<f64>, InputError> {
-    let tasks = episodes.in_problem(problem)?;
-    opened::<S, _>(problem, &graph.1, |choices| rises::<S, M, _>(choices, graph, network, &tasks))
 }
 
 /// An environment of your own, in one arithmetic. Graphs with outputs need `Choices` without levels.
@@ -273,18 +200,5 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> Shared for OwnProblem<S, M, E> {
 
     fn play(&self, acting: Acting<'_>, episodes: Episodes<'_>) -> Result<HybridResult, InputError> {
         run::<S, M, _>(&self.choices, acting, &episodes.draw(&self.choices))
-    }
-
-    fn effort(&self, acting: Acting<'_>, episodes: Episodes<'_>) -> Result<Option<Effort>, InputError> {
-        effort::<S, M, _>(&self.choices, acting, &episodes.draw(&self.choices))
-    }
-
-    fn rises(
-        &self,
-        graph: &(String, Graph),
-        network: &(String, Network),
-        episodes: Episodes<'_>,
-    ) -> Result<Vec<f64>, InputError> {
-        rises::<S, M, _>(&self.choices, graph, network, &episodes.draw(&self.choices))
     }
 }

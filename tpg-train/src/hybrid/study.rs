@@ -1,11 +1,11 @@
 //! Studies: every pair of a graph and a network under every setting, in parallel.
 
 use super::cells::{Cell, Subject};
-use crate::folder::{RunFolder, Trainer};
+use crate::csv_text::to_csv;
+use crate::folder::RunFolder;
 use crate::progress::Bar;
 use rayon::ThreadPool;
 use rayon::prelude::*;
-use serde::Serialize;
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tpg_graph::error::{InputError, Place};
@@ -30,23 +30,6 @@ pub(crate) fn run(study: &Subject<'_>, folder: &RunFolder, threads: &ThreadPool)
     let cells = cells?;
     write_atomically(&folder.file("cells.csv"), &to_csv(cells.iter().map(|cell| (&cell.setting, cell))))?;
     Ok(cells)
-}
-
-/// Writes rows as CSV.
-pub(crate) fn to_csv(rows: impl Iterator<Item = impl Serialize>) -> Vec<u8> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    rows.for_each(|row| writer.serialize(row).expect("plain data in memory"));
-    writer.into_inner().expect("memory can be written")
-}
-
-/// Starts a study in a folder; `asked` is the content of its `study.toml`.
-///
-/// # Errors
-/// If the folder holds a run, is in use, or cannot be written.
-pub(crate) fn open_folder(folder: &Path, asked: &impl Serialize) -> Result<RunFolder, InputError> {
-    let opened = RunFolder::open(folder, Trainer::Hybrid, false)?;
-    write_atomically(&folder.join("study.toml"), toml::to_string(asked).expect("plain data").as_bytes())?;
-    Ok(opened)
 }
 
 /// Starts threads; 0 for one per core.

@@ -1,7 +1,7 @@
 //! The side of rank 0: it hands out jobs and takes answers as they come.
 
 use super::dealer::{Dealer, parts};
-use super::link::{Link, Patience};
+use super::link::{Backoff, Link};
 use super::worker::{Answer, Order, Reply, answers, decode, encode, pack_tasks};
 use serde::Serialize;
 use std::cell::RefCell;
@@ -33,7 +33,7 @@ pub(super) fn gather(link: &impl Link, identity: &str, own_threads: usize) -> Re
                 }
             }
             Reply::Failed(text) => problem = Some(format!("rank {rank}: {text}")),
-            Reply::Done { .. } => problem = Some(format!("rank {rank}: an answer without a question")),
+            Reply::Done(_) => problem = Some(format!("rank {rank}: an answer without a question")),
         }
     }
     let Some(problem) = problem else { return Ok(threads) };
@@ -64,21 +64,19 @@ impl<Task> Question<'_, Task> {
 }
 
 /// The evaluator of a run on rank 0.
-pub(super) struct Leader<'l, L, V> {
+pub(super) struct Leader<'l, L, Task> {
     link: &'l L,
-    local: &'l V,
+    local: &'l (dyn Evaluator<Task> + Sync),
     /// Threads of each rank.
     threads: Vec<usize>,
-    /// Steps of each rank.
-    steps: RefCell<Vec<u64>>,
     /// The bytes of the newest tasks, and the ranks that have them.
     tasks: RefCell<(Vec<u8>, Vec<bool>)>,
 }
 
-impl<'l, L: Link, V> Leader<'l, L, V> {
-    pub(super) fn new(link: &'l L, local: &'l V, threads: Vec<usize>) -> Self {
-        let (steps, known) = (RefCell::new(vec![0; threads.len()]), vec![false; threads.len()]);
-        Self { link, local, threads, steps, tasks: RefCell::new((Vec::new(), known)) }
+impl<'l, L: Link, Task: Clone + Serialize + Sync> Leader<'l, L, Task> {
+    pub(super) fn new(link: &'l L, local: &'l (dyn Evaluator<Task> + Sync), threads: Vec<usize>) -> Self {
+        let known = vec![false; threads.len()];
+        Self { link, local, threads, tasks: RefCell::new((Vec::new(), known)) }
     }
 
     /// Answers to pieces of work, in their order, by all ranks. Rank 0's threads take their shares themselves; this thread alone
@@ -86,10 +84,7 @@ impl<'l, L: Link, V> Leader<'l, L, V> {
     ///
     /// # Errors
     /// If a job cannot be done. What is under way is still waited for, so that the workers are ready for the next order.
-    fn answers<Task: Clone + Serialize + Sync>(&self, work: &Work<Task>, pieces: &[Piece], observed: bool) -> Answers
-    where
-        V: Evaluator<Task> + Sync,
-    {
+    fn answers(&self, work: &Work<Task>, pieces: &[Piece], observed: bool) -> Answers {
         let bytes = pack_tasks(&work.tasks)?;
         if self.tasks.borrow().0 != bytes {
             *self.tasks.borrow_mut() = (bytes, vec![false; self.threads.len()]);
@@ -117,11 +112,7 @@ impl<'l, L: Link, V> Leader<'l, L, V> {
     }
 
     /// Orders a rank to do a share of what is left.
-    fn hand_out<Task>(
-        &self,
-        question: &Question<'_, Task>,
-        rank: usize,
-    ) -> Result<Option<Vec<usize>>, EvaluationError> {
+    fn hand_out(&self, question: &Question<'_, Task>, rank: usize) -> Result<Option<Vec<usize>>, EvaluationError> {
         let Some(share) = question.deal(self.threads[rank]) else { return Ok(None) };
         let (tasks, known) = &mut *self.tasks.borrow_mut();
         let tasks = (!std::mem::replace(&mut known[rank], true)).then(|| tasks.clone());
@@ -136,14 +127,14 @@ impl<'l, L: Link, V> Leader<'l, L, V> {
 
     /// Hands out jobs and takes answers until nothing is under way on any rank, this one included. After a failure
     /// nothing more is handed out; the first failure is returned.
-    fn talk<Task>(&self, question: &Question<'_, Task>, own: &mpsc::Receiver<(Vec<usize>, Answers)>) -> Answers {
+    fn talk(&self, question: &Question<'_, Task>, own: &mpsc::Receiver<(Vec<usize>, Answers)>) -> Answers {
         // The jobs that each rank does at the moment.
         let mut under_way = vec![None; self.threads.len()];
         for (rank, share) in under_way.iter_mut().enumerate().skip(1) {
             *share = self.hand_out(question, rank)?;
         }
         let mut all: Vec<Option<Answer>> = question.pieces.iter().map(|_| None).collect();
-        let (mut failure, mut own_busy, mut patience) = (None, true, Patience::default());
+        let (mut failure, mut own_busy, mut patience) = (None, true, Backoff::default());
         while own_busy || under_way.iter().any(Option::is_some) {
             let mut finished = Vec::new();
             match own.try_recv() {
@@ -154,9 +145,9 @@ impl<'l, L: Link, V> Leader<'l, L, V> {
             if let Some((rank, bytes)) = self.link.poll()? {
                 // The worker goes on before its answer is looked at.
                 let share = std::mem::replace(&mut under_way[rank], self.hand_out(question, rank)?);
-                finished.push((share.unwrap_or_default(), self.read(rank, &bytes)));
+                finished.push((share.unwrap_or_default(), Self::read(rank, &bytes)));
             }
-            patience = if finished.is_empty() { patience.wait() } else { Patience::default() };
+            patience = if finished.is_empty() { patience.wait() } else { Backoff::default() };
             for (share, answers) in finished {
                 match answers {
                     Ok(answers) if answers.len() == share.len() => {
@@ -177,24 +168,16 @@ impl<'l, L: Link, V> Leader<'l, L, V> {
     }
 
     /// Reads a worker's answers.
-    fn read(&self, rank: usize, bytes: &[u8]) -> Answers {
+    fn read(rank: usize, bytes: &[u8]) -> Answers {
         match decode(bytes)? {
-            Reply::Done { answers, steps } => {
-                self.steps.borrow_mut()[rank] = steps;
-                Ok(answers)
-            }
+            Reply::Done(answers) => Ok(answers),
             Reply::Failed(text) => Err(EvaluationError::new(format!("rank {rank}: {text}"))),
             Reply::Ready { .. } => Err(EvaluationError::new(format!("rank {rank}: ready for a second time"))),
         }
     }
 }
 
-impl<Task, L, V> Evaluator<Task> for Leader<'_, L, V>
-where
-    Task: Clone + Serialize + Sync,
-    L: Link,
-    V: Evaluator<Task> + Sync,
-{
+impl<Task: Clone + Serialize + Sync, L: Link> Evaluator<Task> for Leader<'_, L, Task> {
     fn evaluate(&self, work: &Work<Task>) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
         let parts = parts(work.policies.len(), self.threads.iter().sum());
         let pieces = Piece::cut(work.policies.len(), work.tasks.len(), parts);
@@ -219,9 +202,5 @@ where
             _ => Err(EvaluationError::new("another answer than that to an episode")),
         });
         played.collect()
-    }
-
-    fn steps(&self) -> u64 {
-        self.local.steps() + self.steps.borrow().iter().sum::<u64>()
     }
 }

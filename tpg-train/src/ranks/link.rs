@@ -28,7 +28,7 @@ pub trait Link {
     /// # Errors
     /// If a rank is lost.
     fn receive(&self) -> Result<(usize, Vec<u8>), EvaluationError> {
-        let mut patience = Patience::default();
+        let mut patience = Backoff::default();
         loop {
             if let Some(message) = self.poll()? {
                 return Ok(message);
@@ -40,9 +40,9 @@ pub trait Link {
 
 /// Waits for messages: awake at first, then asleep, so that a waiting rank leaves its core to others.
 #[derive(Debug, Default)]
-pub(super) struct Patience(u32);
+pub(super) struct Backoff(u32);
 
-impl Patience {
+impl Backoff {
     /// Number of looks without sleep.
     const AWAKE: u32 = 200;
     /// Time between two later looks.

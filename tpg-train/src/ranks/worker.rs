@@ -22,8 +22,8 @@ pub(super) enum Order {
 pub(super) enum Reply {
     /// The worker is ready; everything that must be equal on all ranks, and its number of threads.
     Ready { identity: String, threads: u64 },
-    /// An answer to each job in order; the number of steps since the worker began.
-    Done { answers: Vec<Answer>, steps: u64 },
+    /// An answer to each job in order.
+    Done(Vec<Answer>),
     /// The order, or the start, has failed.
     Failed(String),
 }
@@ -38,7 +38,7 @@ pub(super) struct Answer {
 
 /// The answers of this rank to pieces of work.
 pub(super) fn answers<Task: Clone>(
-    local: &impl Evaluator<Task>,
+    local: &dyn Evaluator<Task>,
     work: &Work<Task>,
     pieces: &[Piece],
     observed: bool,
@@ -74,7 +74,7 @@ pub(super) fn decode<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, EvaluationE
 pub(super) fn serve<Task: Clone + DeserializeOwned>(
     link: &impl Link,
     ready: &Reply,
-    local: &impl Evaluator<Task>,
+    local: &dyn Evaluator<Task>,
 ) -> Result<(), EvaluationError> {
     link.send(0, &encode(ready)?)?;
     // Tasks stay between orders.
@@ -92,7 +92,7 @@ pub(super) fn serve<Task: Clone + DeserializeOwned>(
             Err(error) => Err(error),
         };
         let reply = match answered {
-            Ok(answers) => Reply::Done { answers, steps: local.steps() },
+            Ok(answers) => Reply::Done(answers),
             Err(error) => Reply::Failed(error.into_inner().to_string()),
         };
         link.send(0, &encode(&reply)?)?;

@@ -3,16 +3,18 @@
 use super::leader::{Leader, dismiss, gather};
 use super::link::Link;
 use super::worker::{Reply, encode, serve};
+use crate::evolution::command::{TpgArgs, execute};
 use crate::evolution::run::RunError;
 use std::cell::Cell;
+use std::process::ExitCode;
 use tpg_engine::{Environment, Evaluator, LocalThreads};
-use tpg_graph::command::{CommandError, Verdict};
+use tpg_graph::command::{CommandError, Verdict, exit_code};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
 
 /// The place where a command evaluates: the threads of one process, or several ranks. What one rank alone does (reading
 /// checkpoints, breeding, writing files) stands in `lead`, which the other ranks do not run.
-pub trait Workplace {
+pub(crate) trait Workplace {
     /// Trains with the roots' evaluator of this place. `identity` is everything that must be equal on all ranks.
     ///
     /// # Errors
@@ -40,9 +42,15 @@ impl Workplace for ThisProcess {
     }
 }
 
+/// Runs `tpg-train tpg` on this rank of several, with the results of a single process: rank 0 leads and writes the files.
+pub fn evolve(args: &TpgArgs, link: impl Link) -> ExitCode {
+    let place = Ranks::new(link);
+    exit_code(place.close(execute(args, &place).map_err(CommandError::other)))
+}
+
 /// Several ranks: rank 0 leads, the others evaluate.
 #[derive(Debug)]
-pub struct Ranks<L> {
+pub(crate) struct Ranks<L> {
     link: L,
     /// True once this rank has told the others, or has heard from them.
     begun: Cell<bool>,
@@ -50,7 +58,7 @@ pub struct Ranks<L> {
 
 impl<L: Link> Ranks<L> {
     /// Joins ranks by a link.
-    pub fn new(link: L) -> Self {
+    pub(crate) fn new(link: L) -> Self {
         Self { link, begun: Cell::new(false) }
     }
 
@@ -59,7 +67,7 @@ impl<L: Link> Ranks<L> {
     ///
     /// # Errors
     /// Rank 0's, or ranks that are lost.
-    pub fn close(&self, result: Result<Verdict, CommandError>) -> Result<Verdict, CommandError> {
+    pub(crate) fn close(&self, result: Result<Verdict, CommandError>) -> Result<Verdict, CommandError> {
         if self.begun.get() {
             return result;
         }

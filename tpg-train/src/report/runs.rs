@@ -4,6 +4,7 @@ use crate::effort::Effort;
 use crate::evolution::config::{AskConfig, EvolutionConfig};
 use crate::evolution::record::Row;
 use crate::hybrid::setting::{Hybrid, Setting};
+use crate::run_time::RunTime;
 use crate::sac::contract::Contract;
 use crate::sac::network::Network;
 use crate::sac::weights;
@@ -233,8 +234,7 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
         ("measure", curve(&|row| Some(row.validation?.measure).filter(|&measure| measure > 0.0))),
         ("teams", curve(&|row| Some(row.teams as f64))),
     ]);
-    let timing = fs::read_to_string(folder.join("timing.csv")).ok();
-    let (seed, cpu) = (graph.provenance().seed, timing.as_deref().and_then(cpu_of_sessions));
+    let (seed, cpu) = (graph.provenance().seed, cpu_seconds(folder));
     let run = |name: String, graph: Graph| {
         let graph = (path.display().to_string(), graph);
         let kind = match &ask {
@@ -265,17 +265,9 @@ fn hall(path: &Path, best: &Graph) -> Result<Vec<Graph>, InputError> {
     Ok(all.into_iter().filter(|graph| graph != best).collect())
 }
 
-/// Sums `timing.csv` over sessions: it counts within a session, so a decreasing time marks the next session.
-fn cpu_of_sessions(timing: &str) -> Option<f64> {
-    let (mut done, mut last) = (0.0, 0.0);
-    for line in timing.lines().skip(1) {
-        let cpu: f64 = line.split(',').nth(2)?.parse().ok()?;
-        if cpu < last {
-            done += last;
-        }
-        last = cpu;
-    }
-    Some(done + last)
+/// Returns the CPU time of a run, if it states it.
+fn cpu_seconds(folder: &Path) -> Option<f64> {
+    RunTime::read(folder)?.cpu_seconds
 }
 
 fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
@@ -297,10 +289,7 @@ fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
         ("measure", curve("measure")),
         ("entropy", curve("entropy")),
     ]);
-    let time = fs::read_to_string(folder.join("time.json")).ok();
-    let time: Option<Value> = time.and_then(|text| serde_json::from_str(&text).ok());
-    let cpu = time.and_then(|time| time.get("cpu_seconds_of_this_process").and_then(Value::as_f64));
-    let seed = Some(contract.provenance.seed);
+    let (seed, cpu) = (Some(contract.provenance.seed), cpu_seconds(folder));
     Ok(Run { seed, curves, cpu, ..Run::new(name, Some(problem), Kind::Sac(Box::new((network, contract)))) })
 }
 
@@ -330,17 +319,4 @@ fn lines<T: serde::de::DeserializeOwned>(path: &Path) -> Result<Vec<T>, InputErr
         })
     };
     (1..).zip(read_text(path, "the log of a run")?.lines()).map(parse).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::cpu_of_sessions;
-
-    #[test]
-    fn cpu_time_is_added_over_sessions() {
-        let header = "generation,session_wall_s,session_cpu_s,session_steps\n";
-        let timing = format!("{header}0,1.0,2.0,5\n1,2.0,3.5,9\n2,0.5,0.5,4\n");
-        assert_eq!(cpu_of_sessions(&timing), Some(4.0));
-        assert_eq!(cpu_of_sessions(&format!("{header}0,1.0,,5\n")), None, "a system that does not report CPU times");
-    }
 }

@@ -8,7 +8,7 @@ use super::config::SacConfig;
 use super::interface::Input;
 use super::replay::Replay;
 use super::tensors::place;
-use super::training::{Best, Recent, Training};
+use super::training::{BestActor, Recent, Training};
 use serde::{Deserialize, Serialize};
 use tpg_engine::{Environment, Summary};
 use tpg_graph::error::{Finding, InputError};
@@ -47,7 +47,7 @@ struct CheckpointHeader {
 }
 
 /// The JSON text of a [`CheckpointState`], the numbers, the actions of each lane so far.
-type Content = (String, Agent, Option<Mlp>, Option<Best>, Replay, Vec<Vec<f32>>);
+type Content = (String, Agent, Option<Mlp>, Option<BestActor>, Replay, Vec<Vec<f32>>);
 
 /// Returns the content of a checkpoint. `log` is kept for the run's log files.
 ///

@@ -5,7 +5,7 @@
 //! the end the last one.
 
 use super::config::SacConfig;
-use super::training::{Best, Training, interface};
+use super::training::{BestActor, Training, interface};
 use super::weights::to_tensors;
 use super::{checkpoint, log};
 use crate::configuration::Chosen;
@@ -15,6 +15,7 @@ use crate::folder::{RunFolder, Trainer};
 use crate::interrupt;
 use crate::progress::Bar;
 use crate::run_args::{RunArgs, command_line};
+use crate::run_time::Stopwatch;
 use clap::Args;
 use serde_json::Value;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -76,7 +77,7 @@ struct SacRun<'a, E: Environment<f32>> {
     validation: Vec<E::Task>,
     log: Vec<Value>,
     progress: Bar,
-    began: Instant,
+    stopwatch: Stopwatch,
 }
 
 impl<'a, E: Environment<f32>> SacRun<'a, E> {
@@ -103,8 +104,8 @@ impl<'a, E: Environment<f32>> SacRun<'a, E> {
         write_atomically(&folder.file("config.toml"), training.config.to_toml().as_bytes())?;
         let validation =
             tpg_engine::tasks(environment, tpg_engine::TaskSet::Validation, 0, training.config.validation.episodes);
-        let (progress, began) = (Bar::new(), Instant::now());
-        Ok(Self { args, environment, folder, name, problem, training, validation, log, progress, began })
+        let (progress, stopwatch) = (Bar::new(), Stopwatch::new(folder.path()));
+        Ok(Self { args, environment, folder, name, problem, training, validation, log, progress, stopwatch })
     }
 
     /// True when the run has had all of its decisions.
@@ -118,13 +119,10 @@ impl<'a, E: Environment<f32>> SacRun<'a, E> {
     }
 
     fn finish(mut self, stop: &AtomicBool) -> Result<Verdict, InputError> {
-        let every = self.training.config.validation.every;
         let checkpoint_every = self.args.run.checkpoint_every(CHECKPOINT_SECONDS);
         let mut saved = Instant::now();
         while !self.spent() && !self.reached() {
-            let before = self.training.decisions / every;
-            self.training.tick();
-            if self.training.decisions / every > before || self.spent() {
+            if self.training.tick_to_validation() || self.spent() {
                 self.validate()?;
             }
             let whole = self.training.config.learning.decisions;
@@ -153,7 +151,8 @@ impl<'a, E: Environment<f32>> SacRun<'a, E> {
         let contract = self.training.contract(best, self.name, self.problem.name());
         to_tensors(&best.actor, &contract).write(&self.folder.file("policy.safetensors"))?;
         self.log.push(log::row(&self.training, &recent, &result, self.environment));
-        log::write(self.folder.path(), &self.log, self.began)
+        let lines = self.log.iter().map(|row| format!("{row}\n"));
+        write_atomically(&self.folder.file("log.jsonl"), lines.collect::<String>().as_bytes())
     }
 
     fn message(&self) -> String {
@@ -166,10 +165,11 @@ impl<'a, E: Environment<f32>> SacRun<'a, E> {
     }
 
     fn save(&self) -> Result<(), InputError> {
-        self.folder.save(checkpoint::VERSION, checkpoint::to_bytes(&self.training, &self.log))
+        self.folder.save(checkpoint::VERSION, checkpoint::to_bytes(&self.training, &self.log))?;
+        self.stopwatch.write(self.folder.path())
     }
 
-    fn sentence(&self, best: &Best) -> String {
+    fn sentence(&self, best: &BestActor) -> String {
         let result = sentence(self.training.seed, &best.result, "validation", self.environment.measure());
         format!("{result}, after {} decisions", best.decisions)
     }

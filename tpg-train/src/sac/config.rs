@@ -6,12 +6,8 @@ use super::presets;
 use crate::configuration::{Configuration, Preset};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tpg_graph::error::{Finding, InputError};
-use tpg_graph::settings;
+use tpg_graph::error::Finding;
 use tpg_problems::{PolicyKind, ProblemName};
-
-/// The values that a configuration file may hold, for messages.
-const ACCEPTED: &str = "the settings that `tpg-train config --sac` prints";
 
 /// Everything that decides a run, but for its seed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -138,31 +134,11 @@ impl Configuration for SacConfig {
         presets::default_for(problem)
     }
 
-    fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
-        let config: Self = settings::from_toml(file, text, ACCEPTED)?;
-        config.check().map_err(|finding| settings::place(file, text, finding))?;
-        Ok(config)
-    }
-
     fn problem(&mut self) -> &mut toml::Table {
         &mut self.problem
     }
-}
 
-impl SacConfig {
-    /// The configuration as TOML, without comments: what a run's folder and a checkpoint keep.
-    ///
-    /// # Panics
-    /// Never: every part can be written.
-    pub fn to_toml(&self) -> String {
-        toml::to_string(self).expect("a configuration is plain data")
-    }
-
-    /// Checks what types cannot.
-    ///
-    /// # Errors
-    /// The first value that would make training impossible.
-    pub fn check(&self) -> Result<(), Finding> {
+    fn check(&self) -> Result<(), Finding> {
         let Self { actor, critic, learning, retry, validation, .. } = self;
         check_widths("actor.hidden", &actor.hidden)?;
         check_widths("critic.hidden", &critic.hidden)?;
@@ -194,6 +170,16 @@ impl SacConfig {
         let Some(retry) = retry else { return Ok(()) };
         Finding::range("retry.share", retry.share, 0.0, 1.0)?;
         Finding::range("retry.every", retry.every, 1, u64::MAX)
+    }
+}
+
+impl SacConfig {
+    /// The configuration as TOML, without comments: what a run's folder and a checkpoint keep.
+    ///
+    /// # Panics
+    /// Never: every part can be written.
+    pub fn to_toml(&self) -> String {
+        toml::to_string(self).expect("a configuration is plain data")
     }
 }
 

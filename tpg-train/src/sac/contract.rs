@@ -29,13 +29,13 @@ pub struct Contract {
     /// The network.
     pub actor: Actor,
     /// The origin of the policy.
-    pub provenance: Provenance,
+    pub provenance: NetworkOrigin,
 }
 
 /// The origin of a policy.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Provenance {
+pub struct NetworkOrigin {
     /// Tool and version.
     pub tool: String,
     /// The configuration's name.
@@ -52,7 +52,7 @@ pub struct Provenance {
 
 impl Contract {
     /// The contract of an actor.
-    pub fn new(problem: toml::Table, interface: &Interface, actor: Actor, provenance: Provenance) -> Self {
+    pub fn new(problem: toml::Table, interface: &Interface, actor: Actor, provenance: NetworkOrigin) -> Self {
         Self {
             format: FORMAT.to_owned(),
             version: VERSION,

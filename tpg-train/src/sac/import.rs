@@ -11,7 +11,7 @@
 //! mean, so the command line must; sizes that do not fit it are refused.
 
 use super::config::Actor;
-use super::contract::{Contract, Provenance};
+use super::contract::{Contract, NetworkOrigin};
 use super::foreign::from_tensors;
 use super::interface::Interface;
 use super::tensors::{Tensors, place};
@@ -77,10 +77,10 @@ pub(crate) fn import(args: &ImportArgs) -> Result<(), InputError> {
     let (network, trainer) = from_tensors(file, interface.inputs.len(), &interface.outputs)
         .map_err(|finding| place(&args.actor, finding))?;
     let actor = Actor { scaled_inputs: false, hidden: network.shape().hidden.clone() };
-    let provenance = Provenance {
+    let provenance = NetworkOrigin {
         tool: format!("{trainer}, imported by tpg-train {}", env!("CARGO_PKG_VERSION")),
         problem: args.problem.name().to_owned(),
-        ..Provenance::default()
+        ..NetworkOrigin::default()
     };
     let contract = Contract::new(problem.to_table(), &interface, actor, provenance);
     to_tensors(&network, &contract).write(Path::new(&args.out))

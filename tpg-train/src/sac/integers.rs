@@ -1,14 +1,12 @@
-//! A trained actor in integers, and how well it does beside floating point.
+//! A trained actor in integers.
 
 use super::contract::Contract;
 use super::policy::NetworkPolicy;
-use serde::Serialize;
-use std::fmt;
 use tpg_codegen::policy::{
     FloatLayer, FloatNetwork, FloatOutput, FloatValue, Input, Output, Preferences, QuantiseError, QuantisedPolicy,
     quantise as quantise_layers,
 };
-use tpg_engine::{Decision, Environment, Rollout, Sample, Summary, TaskSet, tasks};
+use tpg_engine::{Decision, Environment, Rollout, TaskSet, tasks};
 use tpg_graph::error::{InputError, Place};
 use tpg_nn::Mlp;
 use tpg_runtime::net::{Kind, PREFERENCE_ONE, Squash};
@@ -16,8 +14,6 @@ use tpg_runtime::policy::ActionId;
 
 /// Calibration episodes: training tasks, never validation or test tasks.
 const CALIBRATION: usize = 100;
-/// Validation episodes of a comparison.
-const EPISODES: usize = 1000;
 
 /// The layers of an actor that decide: its last layer without the spreads, which only training needs.
 pub(crate) fn deciding_layers(network: &Mlp, actions: usize) -> Vec<FloatLayer> {
@@ -40,7 +36,7 @@ pub(crate) fn deciding_layers(network: &Mlp, actions: usize) -> Vec<FloatLayer> 
 ///
 /// # Errors
 /// If it has numbers that do not fit; `file` is what the error names.
-pub(crate) fn quantise(
+pub(crate) fn quantised(
     file: &str,
     (network, contract): (&Mlp, &Contract),
     preferences: Option<Preferences>,
@@ -86,80 +82,5 @@ pub(crate) fn decided(policy: &QuantisedPolicy, state: &[f32]) -> Decision<f32> 
             let value = |output: i32| libm::tanhf(output as f32 / PREFERENCE_ONE);
             Decision::Values(policy.outputs(&policy.integers(state)).into_iter().map(value).collect())
         }
-    }
-}
-
-/// An actor in integers beside the same in floating point, on validation episodes.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub(crate) struct Comparison {
-    /// The widths of weights and activations.
-    pub kind: String,
-    /// Bytes of its constants.
-    pub bytes: usize,
-    /// Multiplications of a weight that one decision costs.
-    pub multiplications: usize,
-    /// The mean difference of an output at the states that the policy in floating point visits, as a fraction of half its range.
-    pub mean_difference: f64,
-    /// The maximum of these differences.
-    pub greatest_difference: f64,
-    /// In floating point.
-    pub float: Summary,
-    /// In integers.
-    pub fixed: Summary,
-}
-
-impl Comparison {
-    /// Compares an actor with its integers on the validation episodes of `seed`.
-    pub(crate) fn new(
-        (network, contract): (&Mlp, &Contract),
-        fixed: &QuantisedPolicy,
-        environment: &impl Environment<f32>,
-        seed: u64,
-    ) -> Self {
-        let interface = contract.interface();
-        let float = NetworkPolicy::new(network, contract.interface());
-        let (mut endings, mut differences) = ([Vec::new(), Vec::new()], Vec::new());
-        for task in tasks(environment, TaskSet::Study, seed, EPISODES) {
-            endings[0].push(Rollout::new(environment, &task).run(|state| {
-                let values = float.answer(state);
-                if let Decision::Values(integers) = decided(fixed, state) {
-                    let pairs = values.iter().zip(&integers).zip(&interface.outputs);
-                    differences
-                        .extend(pairs.map(|((a, b), item)| f64::from((a - b).abs()) / (0.5 * (item.max - item.min))));
-                }
-                Decision::Values(values)
-            }));
-            endings[1].push(Rollout::new(environment, &task).run(|state| decided(fixed, state)));
-        }
-        let [float, fixed_result] = endings.map(|endings| Summary::new(&endings));
-        Self {
-            kind: fixed.kind.clone(),
-            bytes: fixed.bytes(),
-            multiplications: fixed.multiplications(),
-            mean_difference: Sample::new(&differences).mean,
-            greatest_difference: differences.into_iter().fold(0.0, f64::max),
-            float,
-            fixed: fixed_result,
-        }
-    }
-}
-
-impl fmt::Display for Comparison {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { float, fixed, mean_difference, greatest_difference, .. } = self;
-        let (float_score, fixed_score, episodes) = (float.score, fixed.score, float.episodes);
-        write!(
-            f,
-            "mean score {float_score:.2} in floating point, {fixed_score:.2} in integers, on {episodes} episodes"
-        )?;
-        if let Some((float, fixed)) = float.success.zip(fixed.success) {
-            write!(f, "; success {:.1} % and {:.1} %", 100.0 * float, 100.0 * fixed)?;
-        }
-        write!(
-            f,
-            "; outputs differ by {:.2} % of half their range in the mean, {:.1} % at most",
-            100.0 * mean_difference,
-            100.0 * greatest_difference
-        )
     }
 }

@@ -4,42 +4,28 @@ use super::config::SacConfig;
 use super::failures::Failures;
 use super::interface::{Input, Interface};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Act, End, Environment, SourceSet};
+use tpg_engine::{Act, Environment, Rollout, SourceSet, Step};
 
 /// A running episode.
-pub(crate) struct Lane<E: Environment<f32>> {
+pub(crate) struct Lane<'e, E: Environment<f32>> {
     /// The task that it began with.
     pub(crate) task: E::Task,
     /// The actions so far, one after the other, every component in −1..1. With the task they are the whole episode.
     pub(crate) actions: Vec<f32>,
-    episode: E::Episode,
-    /// Actions so far.
-    done: u32,
-}
-
-/// The consequence of one decision.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Consequence {
-    /// The reward.
-    pub(crate) reward: f32,
-    /// Elementary steps that the action took.
-    pub(crate) steps: u32,
-    /// The end of the episode, if the action ended it.
-    pub(crate) end: Option<End>,
+    rollout: Rollout<'e, f32, E>,
 }
 
 /// Parallel episodes.
-pub(crate) struct Lanes<'e, E: Environment<f32>> {
+pub(crate) struct TrainingLanes<'e, E: Environment<f32>> {
     environment: &'e E,
     interface: Interface,
-    limit: u32,
     /// Actions of the environment that a decision lasts.
     lasts: u32,
     /// Discount of each elementary step.
     discount: f32,
     seed: u64,
     /// The lanes.
-    pub(crate) lanes: Vec<Lane<E>>,
+    pub(crate) lanes: Vec<Lane<'e, E>>,
     /// Episodes ever begun.
     pub(crate) episodes: u64,
     /// Places where some of the episodes begin again.
@@ -47,15 +33,14 @@ pub(crate) struct Lanes<'e, E: Environment<f32>> {
     retried: f64,
 }
 
-impl<'e, E: Environment<f32>> Lanes<'e, E> {
+impl<'e, E: Environment<f32>> TrainingLanes<'e, E> {
     /// Begins an episode in each lane.
     pub(crate) fn new(environment: &'e E, interface: Interface, config: &SacConfig, seed: u64) -> Self {
         let retried = config.retry.map_or(0.0, |retry| retry.share);
-        let (limit, failures) = (environment.time_limit(), Failures::default());
+        let failures = Failures::default();
         let (lasts, discount) = (config.learning.decision_lasts, config.learning.discount as f32);
         let lanes = Vec::new();
-        let mut new =
-            Self { environment, interface, limit, lasts, discount, seed, lanes, episodes: 0, failures, retried };
+        let mut new = Self { environment, interface, lasts, discount, seed, lanes, episodes: 0, failures, retried };
         for _ in 0..config.learning.lanes {
             let lane = new.begin();
             new.lanes.push(lane);
@@ -73,7 +58,7 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
     }
 
     /// Begins the next episode; some begin where the actor failed.
-    fn begin(&mut self) -> Lane<E> {
+    fn begin(&mut self) -> Lane<'e, E> {
         let mut random = Stream::new(self.seed, self.episodes, Purpose::Reset, 0);
         self.episodes += 1;
         let again = !self.failures.places.is_empty() && random.chance(self.retried);
@@ -81,35 +66,33 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
         self.lane(task.unwrap_or_else(|| self.environment.draw(&mut random)))
     }
 
-    fn lane(&self, task: E::Task) -> Lane<E> {
-        Lane { episode: self.environment.start(&task), task, actions: Vec::new(), done: 0 }
+    fn lane(&self, task: E::Task) -> Lane<'e, E> {
+        Lane { rollout: Rollout::new(self.environment, &task), task, actions: Vec::new() }
     }
 
     /// Writes the actor's inputs in a lane.
     pub(crate) fn observe(&mut self, lane: usize, inputs: &mut [f32]) {
-        self.environment.observe(&mut self.lanes[lane].episode, SourceSet::ALL, inputs);
+        self.environment.observe(self.lanes[lane].rollout.episode_mut(), SourceSet::ALL, inputs);
         self.interface.scale(inputs);
     }
 
     /// Takes an action in a lane, for as long as a decision lasts; the reward is the discounted sum. The episode stays as it
     /// ended; see [`renew`](Self::renew).
-    pub(crate) fn act(&mut self, lane: usize, action: &[f32]) -> Consequence {
+    pub(crate) fn act(&mut self, lane: usize, action: &[f32]) -> Step {
         let lane = &mut self.lanes[lane];
         let values = self.interface.values(action.iter().copied());
         lane.actions.extend_from_slice(action);
-        let mut whole = Consequence { reward: 0.0, steps: 0, end: None };
+        let (mut reward, mut whole) = (0.0, Step { reward: 0.0, repeats: 0, end: None });
         for _ in 0..self.lasts {
-            let step = self.environment.step(&mut lane.episode, Act::Values(&values));
-            lane.done += 1;
-            let timeout = || (lane.done >= self.limit).then(|| self.environment.timeout(&lane.episode));
-            whole.reward += libm::powf(self.discount, whole.steps as f32) * step.reward as f32;
-            whole.steps += step.repeats;
-            whole.end = step.end.or_else(timeout);
+            let step = lane.rollout.step(Act::Values(&values));
+            reward += libm::powf(self.discount, whole.repeats as f32) * step.reward as f32;
+            whole.repeats += step.repeats;
+            whole.end = step.end;
             if whole.end.is_some() {
                 break;
             }
         }
-        whole
+        Step { reward: reward.into(), ..whole }
     }
 
     /// Begins the next episode in a lane.
@@ -135,7 +118,7 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
 
 #[cfg(test)]
 mod tests {
-    use super::Lanes;
+    use super::TrainingLanes;
     use crate::configuration::Configuration as _;
     use crate::sac::config::SacConfig;
     use crate::sac::interface::Interface;
@@ -145,11 +128,11 @@ mod tests {
     fn an_episode_that_reaches_the_limit_is_truncated_and_one_resumed_goes_on_as_it_was() {
         let config = SacConfig::preset("general").expect("a preset");
         let interface = Interface::new(&Pendulum, true).expect("a torque");
-        let mut lanes = Lanes::new(&Pendulum, interface.clone(), &config, 5);
+        let mut lanes = TrainingLanes::new(&Pendulum, interface.clone(), &config, 5);
         for action in 0..199 {
             assert_eq!(lanes.act(0, &[(action as f32).sin()]).end, None);
         }
-        let mut again = Lanes::new(&Pendulum, interface, &config, 5);
+        let mut again = TrainingLanes::new(&Pendulum, interface, &config, 5);
         again.lanes.clear();
         assert!(again.resume(lanes.lanes[0].task, &lanes.lanes[0].actions));
         let (mut here, mut there) = ([0.0; 3], [0.0; 3]);
@@ -169,14 +152,14 @@ mod tests {
         let mut config = SacConfig::preset("general").expect("a preset");
         config.learning.discount = 0.5;
         let interface = Interface::new(&Pendulum, true).expect("a torque");
-        let mut single = Lanes::new(&Pendulum, interface.clone(), &config, 5);
+        let mut single = TrainingLanes::new(&Pendulum, interface.clone(), &config, 5);
         config.learning.decision_lasts = 3;
-        let mut lasting = Lanes::new(&Pendulum, interface, &config, 5);
-        let [a, b, c] = [0, 1, 2].map(|_| single.act(0, &[0.5]).reward);
+        let mut lasting = TrainingLanes::new(&Pendulum, interface, &config, 5);
+        let [a, b, c] = [0, 1, 2].map(|_| single.act(0, &[0.5]).reward as f32);
         let whole = lasting.act(0, &[0.5]);
-        assert_eq!((whole.reward, whole.steps, whole.end), (a + 0.5 * b + 0.25 * c, 3, None));
+        assert_eq!((whole.reward as f32, whole.repeats, whole.end), (a + 0.5 * b + 0.25 * c, 3, None));
         // 200 actions are 66 decisions and two actions.
         let last = (1..67).map(|_| lasting.act(0, &[0.5])).last().expect("some");
-        assert!(last.steps == 2 && last.end.is_some_and(|end| end.truncated), "{last:?}");
+        assert!(last.repeats == 2 && last.end.is_some_and(|end| end.truncated), "{last:?}");
     }
 }

@@ -7,7 +7,7 @@
 //! | [`training`] | the loop |
 //! | [`checkpoint`] | a run under way as a file |
 //! | [`contract`], [`weights`] | `policy.safetensors` |
-//! | [`integers`] | a trained actor in integers, and how well it does |
+//! | [`integers`] | a trained actor in integers |
 //! | [`network`] | either kind of policy file, ready to act |
 //! | [`import`], [`foreign`] | `tpg-train import`: actors of Stable-Baselines3 and CleanRL |
 //! | [`command`] | `tpg-train sac` |

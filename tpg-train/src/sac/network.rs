@@ -1,14 +1,14 @@
 //! A policy file of either kind, ready to act.
 
 use super::contract::Contract;
-use super::integers::{decided, quantise};
+use super::integers::{decided, quantised};
 use super::interface::input_names;
 use super::policy::NetworkPolicy;
 use super::weights;
 use crate::folder::frame::checksum;
 use std::path::Path;
 use tpg_codegen::policy::{Output, QuantisedPolicy};
-use tpg_engine::{ActionSpace, Decision, Environment, EpisodeResult, Rollout};
+use tpg_engine::{ActionSpace, Decision, Environment};
 use tpg_graph::SourceDocument;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::files::read_text;
@@ -53,7 +53,7 @@ impl Network {
         };
         let actor = (&actor.0, &actor.1);
         let hash = checksum(weights::to_tensors(actor.0, actor.1).to_bytes());
-        quantise("<network>", actor, None, environment, hash, kind, seed)
+        quantised("<network>", actor, None, environment, hash, kind, seed)
     }
 
     /// Returns the network's decision for a flat state, by the mean of its actions.
@@ -82,26 +82,6 @@ impl Network {
                 _ => toml::Table::new(),
             },
         }
-    }
-
-    /// One episode of each task; `file` is what an error names.
-    ///
-    /// # Errors
-    /// If the network reads or answers something else than the environment has.
-    pub fn endings<E: Environment<f32>>(
-        &self,
-        file: &str,
-        environment: &E,
-        tasks: &[E::Task],
-    ) -> Result<Vec<EpisodeResult>, InputError> {
-        self.fit(file, &environment.sources(), &environment.actions())?;
-        Ok(match self {
-            Self::Float(actor) => NetworkPolicy::new(&actor.0, actor.1.interface()).endings(environment, tasks),
-            Self::Fixed(policy) => {
-                let ending = |task| Rollout::new(environment, task).run(|state| decided(policy, state));
-                tasks.iter().map(ending).collect()
-            }
-        })
     }
 
     /// Passes the network's decision to `act`: a function of the flat state, by the mean of its actions.

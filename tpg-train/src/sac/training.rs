@@ -3,10 +3,10 @@
 //! One [`tick`](Training::tick) lets every lane decide once. Nothing depends on the clock or on who computes it: a
 //! tick's random numbers are a function of the seed and of how many decisions came before.
 
-use super::config::{Learning, SacConfig, Validation};
-use super::contract::{Contract, Provenance};
+use super::config::{Learning, SacConfig};
+use super::contract::{Contract, NetworkOrigin};
 use super::interface::Interface;
-use super::lanes::Lanes;
+use super::lanes::TrainingLanes;
 use super::network::Network;
 use super::policy::NetworkPolicy;
 use super::replay::{Batch, Replay, Transition};
@@ -25,10 +25,10 @@ pub struct Training<'e, E: Environment<f32>> {
     /// The actor that is validated and kept, if it is an average of the learning one.
     pub(super) average: Option<Mlp>,
     pub(super) replay: Replay,
-    pub(super) lanes: Lanes<'e, E>,
+    pub(super) lanes: TrainingLanes<'e, E>,
     pub(super) decisions: u64,
     pub(super) updates: u64,
-    pub(super) best: Option<Best>,
+    pub(super) best: Option<BestActor>,
     /// The result of the newest validation.
     pub(super) last: Option<Summary>,
     /// Sums since the last [`Training::take_progress`].
@@ -38,7 +38,7 @@ pub struct Training<'e, E: Environment<f32>> {
 
 /// The best candidate so far.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Best {
+pub(crate) struct BestActor {
     /// Its result on the validation tasks.
     pub result: Summary,
     /// The decisions it was trained for.
@@ -98,7 +98,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         let (inputs, actions) = (interface.inputs.len(), interface.outputs.len());
         let agent = agent(&config, &interface, seed);
         let replay = Replay::new(inputs, actions, config.learning.replay);
-        let lanes = Lanes::new(environment, interface, &config, seed);
+        let lanes = TrainingLanes::new(environment, interface, &config, seed);
         let space = TrainingScratch::new(&config, &agent);
         let recent = Recent::default();
         let average = config.learning.average.map(|_| agent.actor.network.clone());
@@ -107,8 +107,8 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     }
 
     /// Returns the contract of a candidate; `name` is the configuration's, `problem` that of the problem.
-    pub(super) fn contract(&self, best: &Best, name: &str, problem: &str) -> Contract {
-        let provenance = Provenance {
+    pub(super) fn contract(&self, best: &BestActor, name: &str, problem: &str) -> Contract {
+        let provenance = NetworkOrigin {
             tool: concat!("tpg-train ", env!("CARGO_PKG_VERSION")).to_owned(),
             config: name.to_owned(),
             problem: problem.to_owned(),
@@ -132,6 +132,14 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     /// Returns the sums since the last call and resets them.
     pub fn take_progress(&mut self) -> Recent {
         std::mem::take(&mut self.recent)
+    }
+
+    /// Lets every lane decide once, as [`tick`](Self::tick); returns true if a validation is due.
+    pub(super) fn tick_to_validation(&mut self) -> bool {
+        let every = self.config.validation.every;
+        let before = self.decisions / every;
+        self.tick();
+        self.decisions / every > before
     }
 
     /// Lets every lane decide once, then does the updates that are due.
@@ -192,19 +200,19 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         let mut next = vec![0.0; width];
         self.recent.ends.resize(lanes.environment().outcomes().len(), 0);
         for (lane, action) in space.samples.actions.chunks_exact(actions).enumerate() {
-            let consequence = lanes.act(lane, action);
+            let step = lanes.act(lane, action);
             lanes.observe(lane, &mut next);
-            let goes_on = consequence.end.is_none_or(|end| end.truncated);
-            let discount = libm::powf(config.learning.discount as f32, consequence.steps as f32);
+            let goes_on = step.end.is_none_or(|end| end.truncated);
+            let discount = libm::powf(config.learning.discount as f32, step.repeats as f32);
             replay.push(Transition {
                 state: &space.before[lane * width..][..width],
                 action,
-                reward: consequence.reward,
+                reward: step.reward as f32,
                 discount: if goes_on { discount } else { 0.0 },
                 next: &next,
             });
-            self.recent.steps += u64::from(consequence.steps);
-            if let Some(end) = consequence.end {
+            self.recent.steps += u64::from(step.repeats);
+            if let Some(end) = step.end {
                 if let Some(ends) = self.recent.ends.get_mut(usize::from(end.outcome)) {
                     *ends += 1;
                 }
@@ -267,9 +275,9 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         self.last = Some(result);
         let learning = &self.config.learning;
         let settled = self.decisions >= learning.decisions && learning.final_rate < 1.0;
-        let as_good = |best: &Best| result.compare(&best.result, environment.preference()).is_ge();
+        let as_good = |best: &BestActor| result.compare(&best.result, environment.preference()).is_ge();
         if settled || self.best.as_ref().is_none_or(as_good) {
-            self.best = Some(Best { result, decisions: self.decisions, actor: self.actor().clone() });
+            self.best = Some(BestActor { result, decisions: self.decisions, actor: self.actor().clone() });
         }
         result
     }
@@ -301,12 +309,9 @@ pub fn train_network<E: Environment<f32>>(
     mut watch: impl FnMut() -> ControlFlow<()>,
 ) -> Result<(Network, Summary), Finding> {
     let mut training = Training::new(environment, config, seed)?;
-    let Validation { every, episodes } = training.config.validation;
-    let validation = tasks(environment, TaskSet::Validation, 0, episodes);
+    let validation = tasks(environment, TaskSet::Validation, 0, training.config.validation.episodes);
     while !training.finished() {
-        let before = training.decisions / every;
-        training.tick();
-        if training.decisions / every > before || training.finished() {
+        if training.tick_to_validation() || training.finished() {
             training.validate(&validation);
         }
         if watch().is_break() {

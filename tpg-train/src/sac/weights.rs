@@ -69,7 +69,7 @@ mod tests {
     use super::*;
     use crate::configuration::Configuration as _;
     use crate::sac::config::SacConfig;
-    use crate::sac::contract::Provenance;
+    use crate::sac::contract::NetworkOrigin;
     use crate::sac::interface::Interface;
     use tpg_engine::random::{Purpose, Stream};
     use tpg_nn::Shape;
@@ -86,7 +86,7 @@ mod tests {
         }
         let problem = Problem::new(ProblemName::Pendulum).to_table();
         let interface = Interface::new(&Pendulum, true).expect("a torque");
-        let provenance = Provenance { config: "test".to_owned(), ..Provenance::default() };
+        let provenance = NetworkOrigin { config: "test".to_owned(), ..NetworkOrigin::default() };
         let tensors = to_tensors(&network, &Contract::new(problem, &interface, actor, provenance));
         (network, tensors)
     }

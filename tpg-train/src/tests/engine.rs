@@ -13,7 +13,7 @@ use tpg_arm::kinematics::Lattice;
 use tpg_arm::observation::{Observation, Source, TargetMemo};
 use tpg_arm::{Arm, Collision, Invalid, Move, WIDOWX};
 use tpg_engine::{
-    EngineOptions, Environment, EpisodeResult, Evaluator, Lanes, LocalThreads, Piece, Plan, PolicyGraph, Work,
+    DEFAULT_LANES, Environment, EpisodeResult, Evaluator, Lanes, LocalThreads, Piece, Plan, PolicyGraph, Work,
 };
 use tpg_graph::Word;
 use tpg_graph::interpret::Interpreter;
@@ -70,7 +70,7 @@ where
         // Random policies that read this source rarely return to a pose, and the test needs cycles.
         problem.sources.retain(|name| name != "stance");
         let environment = ArmEnvironment::<S>::new(arm, problem.problem(Start::Rs));
-        let evaluator = LocalThreads::<S, Own, _>::new(&environment, EngineOptions::default(), 1).expect("a thread");
+        let evaluator = LocalThreads::<S, Own, _>::new(&environment, 1).expect("a thread");
         let evolution = Evolution::new(&config, &environment, &evaluator, literal_units(&environment), Goal::default());
         let mut state = State::new(1, 1);
         let mut policies: Vec<PolicyGraph> = Vec::new();
@@ -168,11 +168,10 @@ where
         // The plan comes from the genome's own policy, with introns and shared programs; the graph was written and read
         // again.
         let graph = Graph::from_json("again", &graph.to_json()).expect("what was written can be read");
-        let plan = Plan::<S>::new::<Own>(policy, &world.environment.sources(), EngineOptions::default());
-        let mut lanes =
-            Lanes::<S, Own, _>::new(&world.environment, EngineOptions { lanes: 5, ..EngineOptions::default() });
+        let plan = Plan::<S>::new::<Own>(policy, &world.environment.sources());
+        let mut lanes = Lanes::<S, Own, _>::new(&world.environment, 5);
         let mut watched = vec![Vec::new(); tasks.len()];
-        let endings = lanes.run_watched(&plan, &tasks, |task, action| watched[task].push(action));
+        let endings = lanes.run_watched(&plan, &tasks, |task, act| watched[task].push(ActionId(act.choice() as u16)));
         let endings = endings.expect("no episode of the arm fails");
         for ((task, ending), watched) in tasks.iter().zip(&endings).zip(&watched) {
             let (actions, summary) =
@@ -216,31 +215,25 @@ fn every_step_is_the_interpreters_on_another_arm() {
 }
 
 #[test]
-fn no_option_and_no_number_of_threads_changes_an_answer() {
+fn no_number_of_lanes_or_threads_changes_an_answer() {
     let world = World::<f32>::new(ScalarType::F32, &WIDOWX, problem());
     let policies = world.policies.iter().take(tpg_testing::amount(25, usize::MAX)).cloned().collect();
     let work = Work { tasks: arm_tasks(&WIDOWX, tpg_testing::amount(8, 30)), policies };
-    let answers = |options: EngineOptions, threads: usize| {
-        let evaluator = LocalThreads::<f32, Own, _>::new(&world.environment, options, threads).expect("threads start");
-        evaluator.evaluate(&work).expect("local threads always answer")
+    let answers = |lanes: usize, threads: usize| {
+        let evaluator = LocalThreads::<f32, Own, _>::new(&world.environment, threads).expect("threads start");
+        evaluator.with_lanes(lanes).evaluate(&work).expect("local threads always answer")
     };
-    let reference = answers(EngineOptions::default(), 1);
+    let reference = answers(DEFAULT_LANES, 1);
     assert!(reference.iter().flatten().any(|ending| ending.actions > 100));
     for lanes in [1, 2, 7, 64, 500] {
-        assert_eq!(answers(EngineOptions { lanes, ..EngineOptions::default() }, 1), reference, "{lanes} lanes");
+        assert_eq!(answers(lanes, 1), reference, "{lanes} lanes");
     }
-    assert_eq!(
-        answers(EngineOptions { lazy: false, ..EngineOptions::default() }, 1),
-        reference,
-        "with every bid computed"
-    );
     for threads in [2, 5] {
-        assert_eq!(answers(EngineOptions::default(), threads), reference, "{threads} threads");
+        assert_eq!(answers(DEFAULT_LANES, threads), reference, "{threads} threads");
     }
     assert_eq!(world.config.language.instructions.len(), Word::ALL.len());
 
-    let evaluator =
-        LocalThreads::<f32, Own, _>::new(&world.environment, EngineOptions::default(), 2).expect("threads start");
+    let evaluator = LocalThreads::<f32, Own, _>::new(&world.environment, 2).expect("threads start");
     for parts in [1, 4, 7, 100] {
         let mut joined = vec![Vec::new(); work.policies.len()];
         let pieces = Piece::cut(work.policies.len(), work.tasks.len(), parts);

@@ -89,7 +89,7 @@ fn good(results: Vec<Result<Verdict, CommandError>>) {
     }
 }
 
-const RESULTS: [&str; 3] = ["graph.json", "checkpoint", "generations.csv"];
+const RESULTS: [&str; 3] = ["graph.json", "checkpoint", "generations.jsonl"];
 
 #[test]
 fn any_number_of_ranks_gives_the_bytes_of_threads() {

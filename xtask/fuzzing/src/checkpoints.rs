@@ -4,15 +4,14 @@ use crate::accepted;
 use std::fs;
 use std::ops::ControlFlow;
 use tempfile::TempDir;
-use tpg_engine::{Choices, EngineOptions, LocalThreads};
+use tpg_engine::{Choices, LocalThreads};
 use tpg_problems::Pendulum;
 use tpg_runtime::ops::Own;
-use tpg_train::loaders::Evolution;
-use tpg_train::loaders::Training;
-use tpg_train::loaders::look;
-use tpg_train::loaders::sac;
-use tpg_train::loaders::tpg as checkpoint;
-use tpg_train::loaders::{RunFolder, Trainer};
+use tpg_train::parts::Evolution;
+use tpg_train::parts::Training;
+use tpg_train::parts::sac;
+use tpg_train::parts::tpg as checkpoint;
+use tpg_train::parts::{RunFolder, Trainer};
 use tpg_train::{Config as EvolutionConfig, Configuration as _, Goal, RunOptions, SacConfig, train as run};
 
 /// The seed that the checkpoints must have.
@@ -52,7 +51,7 @@ pub fn tpg(data: &[u8]) {
         Ok(state) => state,
         Err(error) => return drop(error.to_string()),
     };
-    let evaluator = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 1).expect("a thread");
+    let evaluator = LocalThreads::<f32, Own, _>::new(&environment, 1).expect("a thread");
     let evolution = Evolution::new(&config, &environment, &evaluator, state.scales.clone(), Goal::default());
     if evolution.finished(&state) {
         return;
@@ -73,15 +72,13 @@ pub fn sac(data: &[u8]) {
 
 /// A sealed checkpoint file in a folder, with its seal.
 pub fn file(data: &[u8]) {
-    let place = TempDir::new().expect("a temporary folder");
-    fs::write(place.path().join("checkpoint"), data).expect("the folder can be written");
     for (trainer, version) in [(Trainer::Tpg, checkpoint::VERSION), (Trainer::Sac, sac::VERSION)] {
-        if let Some(length) = accepted(look(place.path(), trainer, version, |_, content| Ok(content.len()))) {
+        let place = TempDir::new().expect("a temporary folder");
+        fs::write(place.path().join("checkpoint"), data).expect("the folder can be written");
+        let folder = RunFolder::open(place.path(), trainer, true).expect("a folder of its own");
+        if let Some(Some(length)) = accepted(folder.load(version, |_, content| Ok(content.len()))) {
             assert!(length < data.len(), "a seal has a length");
         }
-    }
-    if let Ok(folder) = RunFolder::open(place.path(), Trainer::Tpg, true) {
-        let _ = folder.load(checkpoint::VERSION, |_, content| Ok(content.len())).is_ok();
     }
 }
 
@@ -93,13 +90,14 @@ pub fn seeds() -> [Vec<u8>; 3] {
     let place = TempDir::new().expect("a temporary folder");
     let options = RunOptions { folder: place.path().to_owned(), ..RunOptions::default() };
     let (config, environment) = (evolution(), swing());
-    let evaluator = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 1).expect("a thread");
+    let evaluator = LocalThreads::<f32, Own, _>::new(&environment, 1).expect("a thread");
     let stop_after_2 = |progress: &tpg_train::Progress<'_>| match progress.generations {
         2 => ControlFlow::Break(()),
         _ => ControlFlow::Continue(()),
     };
     run(&config, SEED, &environment, &evaluator, &options, stop_after_2).expect("a run");
-    let content = look(place.path(), Trainer::Tpg, checkpoint::VERSION, |_, content| Ok(content.to_vec()));
+    let folder = RunFolder::open(place.path(), Trainer::Tpg, true).expect("a run");
+    let content = folder.load(checkpoint::VERSION, |_, content| Ok(content.to_vec())).expect("a whole one");
     let mut training = Training::new(&Pendulum, learning(), SEED).expect("an environment with outputs");
     (0..12).for_each(|_| training.tick());
     let sealed = fs::read(place.path().join("checkpoint")).expect("a checkpoint");

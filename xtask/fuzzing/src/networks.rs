@@ -7,8 +7,8 @@ use tpg_graph::error::Finding;
 use tpg_problems::{PolicyKind, Problem};
 use tpg_runtime::net::Model;
 use tpg_train::Network;
-use tpg_train::loaders::Tensors;
-use tpg_train::loaders::{foreign, weights};
+use tpg_train::parts::Tensors;
+use tpg_train::parts::{foreign, weights};
 
 /// Values at which integers are most likely to go wrong.
 const EDGES: [i16; 8] = [i16::MIN, i16::MAX, 0, 1, -1, 4096, -4096, 12_345];

@@ -6,7 +6,7 @@ use tpg_problems::arm::import::{Radii, import};
 use tpg_problems::arm::targets;
 use tpg_problems::dodge::file as scenes_file;
 use tpg_problems::{PolicyKind, Problem};
-use tpg_train::loaders::parse_file;
+use tpg_train::parts::parse_file;
 use tpg_train::{Config as EvolutionConfig, Configuration, SacConfig};
 
 /// Tasks of the arm as CSV.

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use tpg_arm::observation::{Observation, Source, TargetMemo};
 use tpg_arm::{Arm, Move};
-use tpg_engine::{EngineOptions, Plan, PolicyGraph, Single};
+use tpg_engine::{Plan, PolicyGraph, Single};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_problems::arm::ArmScalar;
@@ -28,7 +28,7 @@ impl<S: ArmScalar, M: Maths<S>> GraphPolicy<S, M> {
     /// If the graph reads sources that the arm does not have, or has actions that do not state their move.
     pub(crate) fn new(file: &str, graph: &Graph, arm: &Arm<f64>) -> Result<Self, InputError> {
         let binding = Binding::of_graph(file, graph)?;
-        let plan = Plan::new::<M>(&PolicyGraph::from(graph), &graph.state_sources(), EngineOptions::default());
+        let plan = Plan::new::<M>(&PolicyGraph::from(graph), &graph.state_sources());
         let state = RefCell::new(vec![S::ZERO; binding.state_length()]);
         Ok(Self { arm: S::arm(arm), single: Single::new(plan), binding, memo: TargetMemo::new(), state })
     }

@@ -302,16 +302,6 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         }
     }
 
-    fn constants(&self) -> Vec<u16> {
-        let sources = self.problem.sources.iter().zip(&self.places);
-        let constant = sources.flat_map(|(source, &at)| match source {
-            Source::Target => at..at + source.length(),
-            Source::Servos => at + JOINTS..at + source.length(),
-            _ => at..at,
-        });
-        constant.map(|input| input as u16).collect()
-    }
-
     fn lanes(&self) -> Box<dyn Episodes<S, ArmTask> + '_> {
         Box::new(lanes::ArmLanes::new(self))
     }

@@ -1,9 +1,7 @@
 //! Comparison of lanes with episodes one by one.
 
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{
-    Destination, Edge, EngineOptions, Environment, EpisodeResult, Lanes, Limits, Line, Operand, Plan, PolicyGraph,
-};
+use tpg_engine::{Destination, Edge, Environment, EpisodeResult, Lanes, Limits, Line, Operand, Plan, PolicyGraph};
 use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::scalar::Scalar;
 
@@ -53,10 +51,9 @@ fn endings<S: Scalar, E: Environment<S>>(
 where
     Own: Maths<S>,
 {
-    let options = EngineOptions { lanes, ..EngineOptions::default() };
-    let plan = Plan::new::<Own>(policy, &environment.sources(), options);
+    let plan = Plan::new::<Own>(policy, &environment.sources());
     let draw = |index| environment.draw(&mut Stream::new(1, 0, Purpose::Test, index));
     let tasks: Vec<E::Task> = (0..30).map(draw).collect();
-    let endings = Lanes::<S, Own, _>::new(environment, options).run(&plan, &tasks).expect("nothing fails");
+    let endings = Lanes::<S, Own, _>::new(environment, lanes).run(&plan, &tasks).expect("nothing fails");
     endings.into_iter().map(|ending| (ending, ending.score.to_bits())).collect()
 }

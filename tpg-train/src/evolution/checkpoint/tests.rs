@@ -5,11 +5,11 @@ use super::{VERSION, from_bytes, to_bytes};
 use crate::evolution::config::EvolutionConfig;
 use crate::evolution::run::{Progress, RunOptions, train};
 use crate::evolution::state::State;
-use crate::folder::{Trainer, checkpoint::look};
+use crate::folder::{RunFolder, Trainer};
 use serde_json::{Value, json};
 use std::ops::ControlFlow;
 use std::sync::OnceLock;
-use tpg_engine::{Choices, EngineOptions, Environment, LocalThreads};
+use tpg_engine::{Choices, Environment, LocalThreads};
 use tpg_graph::error::{InputError, Place};
 use tpg_problems::Pendulum;
 use tpg_problems::arm::targets::Start;
@@ -46,14 +46,15 @@ fn content<E: Environment<f32>>(config: &EvolutionConfig, environment: &E) -> Va
 fn content_after<E: Environment<f32>>(generations: u64, config: &EvolutionConfig, environment: &E) -> Value {
     let place = tempfile::tempdir().expect("a temporary folder");
     let options = RunOptions { folder: place.path().to_owned(), ..RunOptions::default() };
-    let evaluator = LocalThreads::<f32, Own, _>::new(environment, EngineOptions::default(), 1).expect("a thread");
+    let evaluator = LocalThreads::<f32, Own, _>::new(environment, 1).expect("a thread");
     let watch = |progress: &Progress<'_>| match progress.generations >= generations {
         true => ControlFlow::Break(()),
         false => ControlFlow::Continue(()),
     };
     train(config, 1, environment, &evaluator, &options, watch).expect("it runs");
     let json = |_: &str, content: &[u8]| Ok(serde_json::from_slice(content).expect("JSON"));
-    look(place.path(), Trainer::Tpg, VERSION, json).expect("a checkpoint")
+    let folder = RunFolder::open(place.path(), Trainer::Tpg, true).expect("a run");
+    folder.load(VERSION, json).expect("a whole one").expect("a checkpoint")
 }
 
 fn read(content: &Value) -> Result<State<[f64; 2]>, InputError> {

@@ -13,7 +13,7 @@ impl EvolutionConfig {
     ///
     /// # Errors
     /// The first invalid parameter.
-    pub(super) fn check(&self) -> Result<(), Finding> {
+    pub(super) fn check_settings(&self) -> Result<(), Finding> {
         const MANY: usize = 1_000_000;
         let Self { tpg, program, learning, selection, start, refinement, .. } = self;
         self.check_instructions()?;
