@@ -324,7 +324,7 @@ fn a_user_goes_from_floats_to_integers() {
         .assert()
         .success();
     let said = String::from_utf8_lossy(&said.get_output().stdout).into_owned();
-    assert!(said.contains("inputs of 8 bits") && said.contains("actions are the same"), "{said}");
+    assert!(said.contains("8-bit inputs") && said.contains("actions are the same"), "{said}");
     let said = tool().args(["whole.json", "--integers", "--lang", "c", "--prefix", "pole"]).assert().success();
     let said = String::from_utf8_lossy(&said.get_output().stdout).into_owned();
     assert!(said.contains("C, integers, fast = interpreter on 10000 states"), "{said}");

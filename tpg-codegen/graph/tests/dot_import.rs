@@ -285,7 +285,7 @@ fn constants_of_lines_are_those_of_their_line() {
 fn guards_are_composed_of_words() {
     let text = &graph_json_page();
     let remainder = "gate(fmod(a, b), b) + gate(2.2250738585072014e-308, 1 - gate(1, b))";
-    assert!(text.contains(remainder) && text.contains("and a guarded division the same with `a / b`"));
+    assert!(text.contains(remainder) && text.contains("and a guarded division is the same with `a / b`"));
     let specials = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, -7.5, 5e-324, 3.0, 0.1, -1.0, 0.0, -0.0];
     let quotient = remainder.replace("fmod(a, b)", "a / b").replace("2.2250738585072014e-308", "-0.0");
     type Operation = fn(f64, f64) -> f64;

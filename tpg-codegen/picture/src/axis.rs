@@ -141,7 +141,7 @@ mod tests {
         assert_eq!(texts(&Axis::linear(""), [0.0, 1.0]), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
         assert_eq!(texts(&Axis::linear(""), [-431.0, 12.0]), ["−400", "−300", "−200", "−100", "0"]);
         assert_eq!(texts(&Axis::linear(""), [0.0, 1e6])[..3], ["0", "200 k", "400 k"]);
-        assert_eq!(texts(&Axis::linear(""), [8e5, 1.2e6]), ["800 k", "900 k", "1.0 M", "1.1 M", "1.2 M"]);
+        assert_eq!(texts(&Axis::linear(""), [8e5, 1.2e6]), ["800 k", "900 k", "1.00 M", "1.10 M", "1.20 M"]);
         assert_eq!(texts(&Axis::log("", 0.1), [0.5, 300.0]), ["0.1", "1", "10", "100"]);
         assert_eq!(texts(&Axis::names("", vec!["a".into(), "b".into()]), [0.0, 1.0]), ["a", "b"]);
         assert_eq!(texts(&Axis::linear(""), [f64::NAN, f64::NAN]).len(), 6, "no data is no reason to fail");
