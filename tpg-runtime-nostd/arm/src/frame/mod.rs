@@ -21,9 +21,6 @@
 //! | e_z | [`height_error`](Frame::height_error) | t_z − z | mm |
 //! | d | [`distance`](Frame::distance) | √(e_r² + t_l² + e_z²) | mm |
 //!
-//! Reaches and elevations are those from the point of the base's axis at the shoulder's height: from the shoulder itself, but for an arm
-//! whose shoulder is in front of the axis.
-//!
 //! A [`Frame`] holds no more than pose, target and plane. Each quantity is a method, computed when it is asked for, so
 //! that a policy pays for what it reads.
 
@@ -53,12 +50,7 @@ impl<'a, S: Lattice> Frame<'a, S> {
 
     /// The frame at a pose, with the target in mm.
     pub fn at(arm: &'a Arm<S>, pose: Pose, target: Vector<S>) -> Self {
-        Self::with_plane(arm, pose, target, Plane::at(arm, pose))
-    }
-
-    /// The frame at a pose whose plane is known already.
-    pub fn with_plane(arm: &'a Arm<S>, pose: Pose, target: Vector<S>, plane: Plane<S>) -> Self {
-        Self::with_directions(arm, pose, target, kinematics::base_direction(pose), plane)
+        Self::with_directions(arm, pose, target, kinematics::base_direction(pose), Plane::at(arm, pose))
     }
 
     /// The frame at a pose whose plane and base direction are known already.
@@ -77,29 +69,9 @@ impl<'a, S: Lattice> Frame<'a, S> {
         self.pose
     }
 
-    /// The arm in its plane.
-    pub fn plane(&self) -> &Plane<S> {
-        &self.plane
-    }
-
-    /// Direction of the base's angle q0.
-    pub fn base(&self) -> Direction<S> {
-        self.base
-    }
-
     /// The target, mm.
     pub fn target(&self) -> Vector<S> {
         self.target
-    }
-
-    /// Height of the shoulder over the table, mm.
-    pub fn shoulder_height(&self) -> S {
-        self.arm.links.base
-    }
-
-    /// Wrist to tip, mm.
-    pub fn hand_length(&self) -> S {
-        self.arm.links.hand
     }
 
     /// ρ, mm: the hand's signed distance from the base's axis.
@@ -180,22 +152,16 @@ impl<'a, S: Lattice> Frame<'a, S> {
         [front - at, back - at]
     }
 
-    /// Elevation of the hand over the shoulder's horizon, rad, −π..π: atan2(z − base height, ρ). Beyond ±π/2 the arm
-    /// reaches over its back.
-    pub fn hand_elevation(&self) -> S {
-        (self.height() - self.arm.links.base).atan2(self.radius())
-    }
-
-    /// Shoulder to target, mm.
-    pub fn target_reach(&self) -> S {
-        let ([x, y, _], height) = (self.target, self.target[2] - self.arm.links.base);
-        (x * x + y * y + height * height).sqrt()
-    }
-
-    /// Shoulder to hand, mm.
-    pub fn hand_reach(&self) -> S {
-        let (radius, height) = (self.radius(), self.height() - self.arm.links.base);
-        (radius * radius + height * height).sqrt()
+    /// Errors in the polar frame of the point on the base's axis at the shoulder's height, mm: lateral, tangential, radial. The radial
+    /// one is the difference of the distances from there to target and hand.
+    pub fn polar_errors(&self) -> [S; 3] {
+        let base = self.arm.links.base;
+        let ([x, y, z], radius) = (self.target, self.radius());
+        let (hand, target) = (self.height() - base, z - base);
+        let target_reach = (x * x + y * y + target * target).sqrt();
+        let hand_reach = (radius * radius + hand * hand).sqrt();
+        let tangential = (radius * target - hand * self.target_radius()) / hand_reach;
+        [-self.target_lateral(), tangential, target_reach - hand_reach]
     }
 
     /// Ticks that a joint can still rise before its upper limit; 0 for a joint that does not exist.
