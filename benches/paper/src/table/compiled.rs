@@ -1,7 +1,7 @@
 //! The shipped policies as compiled by users: the generated Rust, with this program's own options.
 
-use super::reference::Reference;
 use super::timing::{self, Time};
+use crate::actor::RecordedActor;
 use tpg_arm::binding;
 use tpg_arm::cycle::CycleDetector;
 use tpg_arm::hybrid::{Hybrid, Settings};
@@ -69,7 +69,7 @@ const TIMED: usize = 100;
 /// Measures everything that is compared in one run.
 pub fn measure(start: Start, tasks: &[Task]) -> Costs {
     let tasks = &tasks[..TIMED.min(tasks.len())];
-    let reference = timing::of_policy_along(&ARM, &Reference::random(1), &network(), start, tasks);
+    let reference = timing::of_policy_along(&ARM, &RecordedActor::random(1), &network(), start, tasks);
     let shipped = times(start, tasks);
     Costs { shipped, reference }
 }

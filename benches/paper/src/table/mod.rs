@@ -5,7 +5,6 @@
 //! | [`rows`] | every policy on the committed test episodes |
 //! | [`timing`] | measured times |
 //! | [`compiled`] | the shipped policies as compiled code |
-//! | [`mod@reference`] | the network that the paper compares with |
 //! | [`ideas`] | effects of guards, hand-overs and detectors from a random start, on validation episodes |
 //! | [`ours`] | this project's policies, run by the trainer |
 //! | [`paper`] | the paper's figures |
@@ -16,7 +15,6 @@ pub mod ideas;
 pub mod markdown;
 pub mod ours;
 pub mod paper;
-pub mod reference;
 pub mod rows;
 pub mod timing;
 

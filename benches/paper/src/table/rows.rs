@@ -12,6 +12,7 @@ use tpg_engine::Sample;
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::files::read_graph;
+use tpg_problems::arm::ArmProblem;
 use tpg_problems::arm::evaluation::{ReachStatistics, run};
 use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{Start, Task};
@@ -97,18 +98,19 @@ const TIMED_PLANNER: usize = 20;
 /// # Errors
 /// Files that are not policies.
 pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task], file: &Path) -> Result<Vec<Row>, InputError> {
-    let arm = WIDOWX.to_f32();
+    let (arm, problem) = (WIDOWX.to_f32(), ArmProblem::from(start));
     let mut rows = Vec::new();
     for (name, choice) in [("classical planner", Choice::NearestFree), ("nearest goal, straight", Choice::Nearest)] {
         let planner = Planner::new(&WIDOWX, choice);
-        let trial = run(&WIDOWX, &planner, start, tasks);
+        let trial = ReachStatistics::new(&run(&WIDOWX, &planner, &problem, tasks));
         let time = timing::of_policy(&WIDOWX, &planner, start, &tasks[..TIMED_PLANNER.min(tasks.len())]);
         rows.push(Row { time: Some(time), ..Row::new(name, &[trial]) });
     }
     let timed = &tasks[..TIMED.min(tasks.len())];
     let straight = Straight::new(&arm);
     let time = Some(timing::of_policy(&arm, &straight, start, timed));
-    rows.push(Row { time, ..Row::new(STRAIGHT, &[run(&arm, &straight, start, tasks)]) });
+    let trial = ReachStatistics::new(&run(&arm, &straight, &problem, tasks));
+    rows.push(Row { time, ..Row::new(STRAIGHT, &[trial]) });
     let classical = rows.len();
 
     let shipped = Hybrid::read(&inputs.shipped)?;

@@ -19,7 +19,7 @@
 //! | t_l | [`target_lateral`](Frame::target_lateral) | t_x cos q0 + t_y sin q0 | mm |
 //! | e_r | [`radial_error`](Frame::radial_error) | t_r − ρ | mm |
 //! | e_z | [`height_error`](Frame::height_error) | t_z − z | mm |
-//! | d | [`distance`](Frame::distance) | √(e_r² + t_l² + e_z²) | mm |
+//! | d | | √(e_r² + t_l² + e_z²) | mm |
 //!
 //! A [`Frame`] holds no more than pose, target and plane. Each quantity is a method, computed when it is asked for, so
 //! that a policy pays for what it reads.
@@ -106,13 +106,6 @@ impl<'a, S: Lattice> Frame<'a, S> {
         self.target[2] - self.plane.tip.z
     }
 
-    /// Hand to target, mm, from the frame's three errors. It may differ from [`Observation::distance`] in the last
-    /// bits, so episodes do not end by this one.
-    pub fn distance(&self) -> S {
-        let (radial, lateral, height) = (self.radial_error(), self.target_lateral(), self.height_error());
-        (radial * radial + lateral * lateral + height * height).sqrt()
-    }
-
     /// Directions of upper arm, forearm and hand over the table, in the plane whose first axis is −ρ: the angles
     /// s, s + e and s + e + w of the paper's artifact.
     pub fn links(&self) -> [Direction<S>; 3] {
@@ -188,12 +181,7 @@ impl<'a, S: Lattice> Frame<'a, S> {
         if lower.z < upper.z { lower.z } else { upper.z }
     }
 
-    /// Clearance of hand and forearm from the arm's own base.
-    pub fn clearance(&self) -> Clearance<S> {
-        Clearance::new(&self.plane, &self.arm.shapes)
-    }
-
-    /// The same where it is less than `horizon`, mm; any number from there on where it is not.
+    /// Clearance of hand and forearm from the arm's own base where it is less than `horizon`, mm; any number from there on where it is not.
     pub fn clearance_up_to(&self, horizon: S) -> Clearance<S> {
         Clearance::up_to(&self.plane, &self.arm.shapes, horizon)
     }

@@ -359,12 +359,7 @@ impl<S: ArmScalar> Training<ArmTask, ArmEpisode<S>> for ArmEnvironment<S> {
     }
 
     fn tasks(&self, set: TaskSet, seed: u64, count: usize) -> Option<Vec<ArmTask>> {
-        let (set, seed) = match set {
-            TaskSet::Validation => (Set::Validation, 0),
-            TaskSet::Study => (Set::Validation, seed),
-            TaskSet::Calibration => (Set::Training, seed),
-            TaskSet::Test => (Set::Test, seed),
-        };
+        let (set, seed) = Set::asked(set, seed, 0);
         let tasks = targets::tasks(&self.description, seed, set, self.problem.start, count);
         Some(tasks.into_iter().map(ArmTask::from).collect())
     }

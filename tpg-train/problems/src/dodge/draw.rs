@@ -64,7 +64,7 @@ impl Generator {
         loop {
             let task = self.space.task(Start::Rs, random);
             let (start, target) = (task.start, task.target.map(|value| value as f32));
-            let solutions = walk::solutions(&BODY, target, start.0);
+            let solutions = walk::solutions(target, start.0);
             let Some(goal) = self.first_goal(start, &solutions) else { continue };
             let Some(balls) = self.balls(start, goal, random) else { continue };
             let goals = walk::stances(start, goal, &solutions).into_iter().map(|pose| pose.0).collect();
@@ -77,11 +77,17 @@ impl Generator {
         }
     }
 
+    /// Draws the first scenes of a set.
+    pub(super) fn scenes(&self, seed: u64, set: Set, count: usize, tries: u32) -> impl Iterator<Item = Certified> {
+        let stream = move |index| Stream::new(seed, (set as u64) << 8 | 77, Purpose::Task, index);
+        (0..count as u64).map(move |index| self.draw(&mut stream(index), tries))
+    }
+
     /// The nearest solution that a straight walk reaches without table and base, if there were no balls.
     fn first_goal(&self, start: Pose, solutions: &[Pose]) -> Option<Pose> {
         let is_free = |goal: &Pose| {
             let legs = [Leg { to: *goal, wait: 0 }];
-            matches!(follow(&BODY, start, &legs, 1400, 0.0, |_, _| 1.0), Outcome::Arrives(_))
+            matches!(follow(start, &legs, 1400, 0.0, |_, _| 1.0), Outcome::Arrives(_))
         };
         let goal = solutions.iter().take(FIRST_GOALS).copied().find(is_free)?;
         let ticks = goal.0.iter().zip(start.0).map(|(to, from)| to.abs_diff(from)).max().unwrap_or(0);
@@ -168,7 +174,7 @@ impl Generator {
 
 /// Follows a plan in a scene whose future is known.
 pub fn replay(scene: &Scene, legs: &[Leg], margin: f32) -> Outcome {
-    follow(&BODY, Pose(scene.start), legs, LIMIT, margin, |posture, time| {
+    follow(Pose(scene.start), legs, LIMIT, margin, |posture, time| {
         let clearances = scene.balls.iter().map(|path| BODY.clearance(posture, path.at(time as f32), path.radius));
         clearances.fold(f32::INFINITY, f32::min)
     })
@@ -176,9 +182,7 @@ pub fn replay(scene: &Scene, legs: &[Leg], margin: f32) -> Outcome {
 
 /// Draws the scenes of a set: the first `count` of it, with a certificate found in at most `tries` tries.
 pub fn scenes(config: &Config, seed: u64, set: Set, count: usize, tries: u32) -> Vec<Certified> {
-    let generator = Generator::new(config, seed, set);
-    let stream = |index| Stream::new(seed, (set as u64) << 8 | 77, Purpose::Task, index);
-    (0..count as u64).map(|index| generator.draw(&mut stream(index), tries)).collect()
+    Generator::new(config, seed, set).scenes(seed, set, count, tries).collect()
 }
 
 /// A direction of space, uniformly distributed.

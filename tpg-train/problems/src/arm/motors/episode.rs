@@ -168,11 +168,6 @@ fn distance(arm: &Arm<f32>, joints: Pose, target: [f64; 3]) -> f32 {
 
 /// The steps to the nearest goal with all motors moving at once: (max + 0.02 Σ of the ticks to go)/3, at most 1000.
 fn steps_to_goal(pose: Pose, goals: &[[i16; JOINTS]]) -> f32 {
-    // In hundredths of a tick: whole numbers, which compilers put into vectors.
-    let cost = |goal: &[i16; JOINTS]| {
-        let [a, b, c, d] = std::array::from_fn(|joint| i32::from((pose.0[joint] - goal[joint]).abs()));
-        100 * a.max(b).max(c.max(d)) + 2 * (a + b + c + d)
-    };
-    let least = goals.iter().map(cost).min().unwrap_or(0);
+    let least = goals.iter().map(|goal| ik::walk_length(pose.0, *goal)).min().unwrap_or(0);
     (least as f32 / 300.0).min(1000.0)
 }

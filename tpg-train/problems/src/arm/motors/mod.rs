@@ -183,13 +183,9 @@ impl Environment<f32> for Motors {
 impl Training<MotorsTask, MotorsEpisode> for Motors {
     /// For calibration there are `count` of each start.
     fn tasks(&self, set: TaskSet, seed: u64, count: usize) -> Option<Vec<MotorsTask>> {
-        let own = &[self.start][..];
-        let (set, seed, starts) = match set {
-            TaskSet::Validation => (Set::Validation, self.seed, own),
-            TaskSet::Study => (Set::Validation, seed, own),
-            TaskSet::Calibration => (Set::Training, seed, &[Start::Fs, Start::Rs][..]),
-            TaskSet::Test => (Set::Test, seed, own),
-        };
+        let own = [self.start];
+        let starts = if set == TaskSet::Calibration { &[Start::Fs, Start::Rs][..] } else { &own };
+        let (set, seed) = Set::asked(set, seed, self.seed);
         let tasks = starts.iter().flat_map(|&start| {
             let tasks = targets::tasks(&self.description, seed, set, start, count).into_iter();
             let rules = Rules::Test(start);
