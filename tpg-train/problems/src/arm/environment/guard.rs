@@ -4,7 +4,6 @@ use super::{ArmEnvironment, ArmEpisode, ArmScalar};
 use crate::arm::motors;
 use tpg_arm::frame::Frame;
 use tpg_arm::hybrid::Guard;
-use tpg_arm::observation::Observation;
 use tpg_arm::sac::{Decision, features};
 use tpg_arm::{Arm, Move};
 use tpg_engine::{Act, Guarded, Output};
@@ -40,18 +39,10 @@ impl<S: ArmScalar> Guarded<S, ArmEpisode<S>> for ArmEnvironment<S> {
         motors::outputs()
     }
 
-    /// Every value is rounded before a feature is computed of it.
+    /// The target is rounded before a feature is computed of it.
     fn network_observe(&self, episode: &mut ArmEpisode<S>, state: &mut [f32]) {
-        let narrow = |values: [S; 3]| values.map(|value| value.to_f64() as f32);
-        let seen = Observation::new(&self.arm, episode.pose, episode.hand, episode.target);
-        let seen = Observation {
-            pose: seen.pose,
-            fixed_servos: seen.fixed_servos,
-            hand: narrow(seen.hand),
-            target: narrow(seen.target),
-            difference: narrow(seen.difference),
-        };
-        state.copy_from_slice(&features(&Frame::new(&self.steering.arm, &seen)));
+        let target = episode.target.map(|value| value.to_f64() as f32);
+        state.copy_from_slice(&features(&Frame::at(&self.steering.arm, episode.pose, target)));
     }
 
     fn guards(&self) -> &'static [&'static str] {
