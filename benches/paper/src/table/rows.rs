@@ -1,6 +1,7 @@
 //! Every policy on the committed test episodes.
 
 use super::ProblemInputs;
+use super::compiled::Times;
 use super::ours::Ours;
 use super::timing::{self, Time};
 use std::path::{Path, PathBuf};
@@ -88,16 +89,21 @@ pub fn graph_bytes(graph: &Graph) -> Option<[usize; 2]> {
 /// Name of the classical policy that fits a microcontroller.
 pub const STRAIGHT: &str = "one goal, straight (`stance`)";
 
-/// Number of tasks whose states are timed.
-const TIMED: usize = 100;
-/// The same number for the planner, which is slow.
+/// Number of tasks that are timed of the planner, which is slow.
 const TIMED_PLANNER: usize = 20;
 
-/// Measures the rows of one problem.
+/// Measures the rows of one problem on tasks, of which some are timed.
 ///
 /// # Errors
 /// Files that are not policies.
-pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task], file: &Path) -> Result<Vec<Row>, InputError> {
+pub fn measure(
+    start: Start,
+    inputs: &ProblemInputs,
+    tasks: &[Task],
+    timed: &[Task],
+    file: &Path,
+    compiled: &Times,
+) -> Result<Vec<Row>, InputError> {
     let (arm, problem) = (WIDOWX.to_f32(), ArmProblem::from(start));
     let mut rows = Vec::new();
     for (name, choice) in [("classical planner", Choice::NearestFree), ("nearest goal, straight", Choice::Nearest)] {
@@ -106,7 +112,6 @@ pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task], file: &Path
         let time = timing::of_policy(&WIDOWX, &planner, start, &tasks[..TIMED_PLANNER.min(tasks.len())]);
         rows.push(Row { time: Some(time), ..Row::new(name, &[trial]) });
     }
-    let timed = &tasks[..TIMED.min(tasks.len())];
     let straight = Straight::new(&arm);
     let time = Some(timing::of_policy(&arm, &straight, start, timed));
     let trial = ReachStatistics::new(&run(&arm, &straight, &problem, tasks));
@@ -124,7 +129,6 @@ pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task], file: &Path
     let both = ours.play(Acting::Both(&shipped.graph, &shipped.network, &shipped.setting))?;
     let bytes = bytes.map(|graph| graph.map(|graph| graph + actor_bytes));
     rows.push(Row { bytes, ..Row::of_hybrids("**hybrid, shipped**", &[both]) });
-    let compiled = super::compiled::times(start, timed);
     for (row, time) in rows[classical..].iter_mut().zip([compiled.sac, compiled.tpg, compiled.hybrid]) {
         row.time = Some(time);
     }

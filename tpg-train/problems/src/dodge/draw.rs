@@ -6,6 +6,7 @@ pub use super::scene::SEED;
 use super::scene::{Path, Scene};
 use super::walk::{self, Leg, Outcome, candidate, follow};
 use crate::arm::targets::{ReachableSpace, Set, Start};
+use std::sync::Arc;
 use tpg_arm::dodge::CAPSULES;
 use tpg_arm::dodge::plan::steps;
 use tpg_arm::kinematics::{Vector, distance};
@@ -49,14 +50,14 @@ pub struct Certified {
 /// Draws scenes.
 #[derive(Clone, Debug)]
 pub struct Generator {
-    space: ReachableSpace,
+    space: Arc<ReachableSpace>,
     config: Config,
 }
 
 impl Generator {
     /// Prepares the scenes of a set; `seed` samples the reachable space.
     pub fn new(config: &Config, seed: u64, set: Set) -> Self {
-        Self { space: ReachableSpace::sample(&WIDOWX, seed, set), config: config.clone() }
+        Self { space: ReachableSpace::shared(&WIDOWX, seed, set), config: config.clone() }
     }
 
     /// Draws a scene. Those without a certificate after `tries` tries are drawn anew.
@@ -75,12 +76,6 @@ impl Generator {
                 return Certified { scene, plan };
             }
         }
-    }
-
-    /// Draws the first scenes of a set.
-    pub(super) fn scenes(&self, seed: u64, set: Set, count: usize, tries: u32) -> impl Iterator<Item = Certified> {
-        let stream = move |index| Stream::new(seed, (set as u64) << 8 | 77, Purpose::Task, index);
-        (0..count as u64).map(move |index| self.draw(&mut stream(index), tries))
     }
 
     /// The nearest solution that a straight walk reaches without table and base, if there were no balls.
@@ -182,7 +177,9 @@ pub fn replay(scene: &Scene, legs: &[Leg], margin: f32) -> Outcome {
 
 /// Draws the scenes of a set: the first `count` of it, with a certificate found in at most `tries` tries.
 pub fn scenes(config: &Config, seed: u64, set: Set, count: usize, tries: u32) -> Vec<Certified> {
-    Generator::new(config, seed, set).scenes(seed, set, count, tries).collect()
+    let generator = Generator::new(config, seed, set);
+    let stream = |index| Stream::new(seed, (set as u64) << 8 | 77, Purpose::Task, index);
+    (0..count as u64).map(|index| generator.draw(&mut stream(index), tries)).collect()
 }
 
 /// A direction of space, uniformly distributed.

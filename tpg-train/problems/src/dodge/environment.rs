@@ -2,12 +2,11 @@
 
 use super::BODY;
 use super::config::Config;
-use super::draw::{Generator, LIMIT, SEED, TRIES};
+use super::draw::{Generator, LIMIT, SEED, TRIES, scenes};
 use super::episode::{self, Episode, OUTCOMES};
 use super::scene::Scene;
 use crate::arm::drawing;
 use crate::arm::targets::Set;
-use std::sync::OnceLock;
 use tpg_arm::WIDOWX;
 use tpg_arm::dodge::{Behaviour, Dodger, Source};
 use tpg_engine::random::Stream;
@@ -23,11 +22,9 @@ const UNUSED: f64 = 0.005;
 const FAR: f64 = 0.05;
 
 /// The environment.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Dodge {
     config: Config,
-    training: OnceLock<Generator>,
-    validation: OnceLock<Generator>,
 }
 
 /// A running episode: the rules' part, and what the controller remembers.
@@ -40,13 +37,7 @@ pub struct DodgeEpisode {
 impl Dodge {
     /// Creates the environment; the settings have been checked.
     pub fn new(config: &Config) -> Self {
-        let (training, validation) = (OnceLock::new(), OnceLock::new());
-        Self { config: config.clone(), training, validation }
-    }
-
-    fn generator(&self, set: Set) -> &Generator {
-        let place = if set == Set::Validation { &self.validation } else { &self.training };
-        place.get_or_init(|| Generator::new(&self.config, SEED, set))
+        Self { config: config.clone() }
     }
 }
 
@@ -79,7 +70,7 @@ impl<S: Scalar> Environment<S> for Dodge {
     }
 
     fn draw(&self, stream: &mut Stream) -> Scene {
-        self.generator(Set::Training).draw(stream, TRIES).scene
+        Generator::new(&self.config, SEED, Set::Training).draw(stream, TRIES).scene
     }
 
     fn training(&self) -> Option<&dyn Training<Scene, DodgeEpisode>> {
@@ -126,8 +117,9 @@ impl<S: Scalar> Environment<S> for Dodge {
 
 impl Training<Scene, DodgeEpisode> for Dodge {
     fn tasks(&self, set: TaskSet, _seed: u64, count: usize) -> Option<Vec<Scene>> {
-        let generator = (set == TaskSet::Validation).then(|| self.generator(Set::Validation))?;
-        Some(generator.scenes(SEED, Set::Validation, count, TRIES).map(|certified| certified.scene).collect())
+        let certified =
+            (set == TaskSet::Validation).then(|| scenes(&self.config, SEED, Set::Validation, count, TRIES))?;
+        Some(certified.into_iter().map(|certified| certified.scene).collect())
     }
 }
 
