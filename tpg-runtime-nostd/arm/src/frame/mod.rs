@@ -50,7 +50,9 @@ impl<'a, S: Lattice> Frame<'a, S> {
 
     /// The frame at a pose, with the target in mm.
     pub fn at(arm: &'a Arm<S>, pose: Pose, target: Vector<S>) -> Self {
-        Self::with_directions(arm, pose, target, kinematics::base_direction(pose), Plane::at(arm, pose))
+        // A call, which keeps no register: first.
+        let plane = Plane::at(arm, pose);
+        Self::with_directions(arm, pose, target, kinematics::base_direction(pose), plane)
     }
 
     /// The frame at a pose whose plane and base direction are known already.

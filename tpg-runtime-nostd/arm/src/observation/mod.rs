@@ -16,6 +16,7 @@ pub use straight::{STEP, Straight};
 use crate::arm::{Arm, Move};
 use crate::frame::Frame;
 use crate::kinematics::Lattice;
+use core::hint::black_box;
 use core::mem::MaybeUninit;
 use tpg_runtime::policy::{ActionId, Policy};
 
@@ -49,7 +50,9 @@ impl Source {
     ) {
         let mut rest = state;
         for source in sources {
-            // To keep a frame would cost as much as to compute it.
+            // To keep a frame would cost as much as to compute it. The compiler shall not compute before the loop what only some
+            // sources need.
+            let (arm, seen) = black_box((arm, seen));
             source.write_with(arm, seen, memo, || Frame::new(arm, seen), rest);
             let length = source.length().min(rest.len());
             rest = &mut rest[length..];
