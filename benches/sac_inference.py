@@ -1,6 +1,6 @@
 """Nanoseconds of one inference of an actor in PyTorch, batch 1, one thread: eager, then TorchScript.
 
-sac_inference.py INPUTS UNITS; called by the bench sac_inference."""
+sac_inference.py INPUTS UNITS; called by the bench networks."""
 
 import statistics
 import sys

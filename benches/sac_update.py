@@ -1,6 +1,6 @@
 """CPU milliseconds of one whole update of a soft actor-critic in PyTorch on one thread: sac_update.py ACTOR CRITIC.
 
-Called by the bench sac_update."""
+Called by the bench networks."""
 
 import sys
 import time

@@ -1,10 +1,10 @@
 //! The interpreter as a program that times itself, with the same protocol as `templates/main.c`: `interpreter STATES
 //! GRAPH` waits for requests, `interpreter STATES PASSES COUNT GRAPH` handles one and exits.
 
-use rustix::time::{ClockId, clock_gettime};
 use std::io::{self, Write as _};
 use std::path::Path;
 use std::{env, fs};
+use tpg_benches::cpu_seconds;
 use tpg_benches::program::hash_of;
 use tpg_graph::{Graph, ScalarType};
 use tpg_graph::{import, interpret};
@@ -24,12 +24,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     for line in io::stdin().lines() {
         let passes: u64 = line?.trim().parse()?;
-        let start = nanoseconds();
+        let start = cpu_seconds();
         let mut hash = 0;
         for _ in 0..passes {
             hash = pass(&graph, &states);
         }
-        println!("{} {hash}", nanoseconds() - start);
+        println!("{:.0} {hash}", (cpu_seconds() - start) * 1e9);
         io::stdout().flush()?;
     }
     Ok(())
@@ -44,9 +44,4 @@ fn numbers(graph: &Graph, bytes: &[u8]) -> Vec<f64> {
         ScalarType::F32 => bytes.as_chunks().0.iter().map(|&bytes| f64::from(f32::from_ne_bytes(bytes))).collect(),
         ScalarType::F64 => bytes.as_chunks().0.iter().map(|&bytes| f64::from_ne_bytes(bytes)).collect(),
     }
-}
-
-fn nanoseconds() -> i128 {
-    let now = clock_gettime(ClockId::ProcessCPUTime);
-    i128::from(now.tv_sec) * 1_000_000_000 + i128::from(now.tv_nsec)
 }

@@ -42,15 +42,15 @@ fn run() -> Result<(Vec<DodgeRollout>, Hash), Failure> {
     let mut poses = Hash::new();
     let rollout = |scene: Scene| {
         let goals: Vec<Pose> = scene.goals.iter().copied().map(Pose).collect();
-        let mut episode = Episode::new(body, &scene);
+        let mut episode = Episode::new(&scene);
         let mut centres: Vec<Vector<f32>> = scene.balls.iter().map(|path| path.at(-1.0)).collect();
-        let begun = Control::new(body, settings, Watch::DEFAULT, &goals, episode.pose(), episode.view(body).balls);
+        let begun = Control::new(body, settings, Watch::DEFAULT, &goals, episode.pose(), episode.view().balls);
         let mut control = begun.map_err(Failure::new)?;
         let end = loop {
-            let view = episode.view(body);
+            let view = episode.view();
             centres.extend(view.balls.iter().map(|ball| ball.at));
             let step = control.step(body, &choose, view.pose, view.balls).map_err(Failure::new)?;
-            let end = episode.step(body, step.wanted, config.tolerance);
+            let end = episode.step(step.wanted, config.tolerance);
             poses.add_pose(episode.pose());
             if let Some(end) = end {
                 break end;

@@ -13,8 +13,8 @@ use tpg_arm::episode::{Episode, ReachTask};
 use tpg_arm::frame::Frame;
 use tpg_arm::hybrid::{Hybrid, HybridEpisode};
 use tpg_arm::observation::{ArmPolicy, Observation, Source};
-use tpg_arm::sac::fixed::{FixedDecision, quantise};
-use tpg_arm::sac::{Actions, Mask, features};
+use tpg_arm::sac::fixed::quantise;
+use tpg_arm::sac::{Actions, Decision, Mask, features};
 use tpg_arm::{Arm, Move, Pose, WIDOWX};
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_generated::{widowx_fs::WidowxFs, widowx_rs::WidowxRs};
@@ -28,9 +28,10 @@ static DEFINITION: LazyLock<QuantisedPolicy> =
 
 /// The shipped network, computed as its file defines it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct DefinedNetwork(FixedDecision);
+pub(crate) struct DefinedNetwork(Decision<i32>);
 
-pub(crate) const NETWORK: DefinedNetwork = DefinedNetwork(FixedDecision::new(Actions::Fine, Mask::JointLimits, false));
+pub(crate) const NETWORK: DefinedNetwork =
+    DefinedNetwork(Decision::<i32>::new(Actions::Fine, Mask::JointLimits, false));
 
 impl Policy for DefinedNetwork {
     type State = Observation<f32>;

@@ -42,7 +42,7 @@ pub(crate) fn control() -> Facts {
         // Two sources at most.
         ("16tpg_runtime_capi11observation4fill", vec![2]),
         // Four joints.
-        ("13FixedDecision6decide", vec![4]),
+        ("17Decision$LT$T$GT$6decide", vec![4]),
         // Fourteen ways to hold joints.
         ("6hybrid4part10valid_part17", vec![14]),
         // Four parts of the arm, four edges of the base.

@@ -73,100 +73,58 @@ pub trait Scalar:
     }
 }
 
-impl Scalar for f32 {
-    const ZERO: Self = 0.0;
-    const ONE: Self = 1.0;
-    const NEG_INFINITY: Self = f32::NEG_INFINITY;
+/// Implements [`Scalar`]; from `$all_whole` on, every number is whole.
+macro_rules! scalar {
+    ($scalar:ident, $integer:ident, $all_whole:literal, $fmod:ident) => {
+        impl Scalar for $scalar {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            const NEG_INFINITY: Self = $scalar::NEG_INFINITY;
 
-    #[inline(always)]
-    fn same_bits(self, other: Self) -> bool {
-        self.to_bits() == other.to_bits()
-    }
-    #[inline(always)]
-    fn from_f64(value: f64) -> Self {
-        value as f32
-    }
-    #[inline(always)]
-    fn from_i32(value: i32) -> Self {
-        value as f32
-    }
-    #[inline(always)]
-    fn to_f64(self) -> f64 {
-        f64::from(self)
-    }
-    #[inline(always)]
-    fn to_i32(self) -> i32 {
-        self as i32
-    }
-    #[inline(always)]
-    fn floor(self) -> Self {
-        // From 2²³ on, every number is whole.
-        if f32::abs(self) < 8_388_608.0 {
-            let whole = self as i32 as f32;
-            if whole > self { whole - 1.0 } else { whole }
-        } else {
-            self
+            #[inline(always)]
+            fn same_bits(self, other: Self) -> bool {
+                self.to_bits() == other.to_bits()
+            }
+            #[inline(always)]
+            fn from_f64(value: f64) -> Self {
+                value as $scalar
+            }
+            #[inline(always)]
+            fn from_i32(value: i32) -> Self {
+                value as $scalar
+            }
+            #[inline(always)]
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+            #[inline(always)]
+            fn to_i32(self) -> i32 {
+                self as i32
+            }
+            #[inline(always)]
+            fn floor(self) -> Self {
+                if $scalar::abs(self) < $all_whole {
+                    let whole = self as $integer as $scalar;
+                    if whole > self { whole - 1.0 } else { whole }
+                } else {
+                    self
+                }
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                $scalar::abs(self)
+            }
+            #[inline]
+            fn fmod(self, divisor: Self) -> Self {
+                remainder::$fmod(self, divisor)
+            }
+            #[inline(always)]
+            fn square_root(self) -> Self {
+                root::$scalar(self)
+            }
         }
-    }
-    #[inline(always)]
-    fn abs(self) -> Self {
-        f32::abs(self)
-    }
-    #[inline]
-    fn fmod(self, divisor: Self) -> Self {
-        remainder::fmod_f32(self, divisor)
-    }
-    #[inline(always)]
-    fn square_root(self) -> Self {
-        root::f32(self)
-    }
+    };
 }
 
-impl Scalar for f64 {
-    const ZERO: Self = 0.0;
-    const ONE: Self = 1.0;
-    const NEG_INFINITY: Self = f64::NEG_INFINITY;
-
-    #[inline(always)]
-    fn same_bits(self, other: Self) -> bool {
-        self.to_bits() == other.to_bits()
-    }
-    #[inline(always)]
-    fn from_f64(value: f64) -> Self {
-        value
-    }
-    #[inline(always)]
-    fn from_i32(value: i32) -> Self {
-        f64::from(value)
-    }
-    #[inline(always)]
-    fn to_f64(self) -> f64 {
-        self
-    }
-    #[inline(always)]
-    fn to_i32(self) -> i32 {
-        self as i32
-    }
-    #[inline(always)]
-    fn floor(self) -> Self {
-        // From 2⁵² on, every number is whole.
-        if f64::abs(self) < 4_503_599_627_370_496.0 {
-            let whole = self as i64 as f64;
-            if whole > self { whole - 1.0 } else { whole }
-        } else {
-            self
-        }
-    }
-    #[inline(always)]
-    fn abs(self) -> Self {
-        f64::abs(self)
-    }
-    #[inline]
-    fn fmod(self, divisor: Self) -> Self {
-        remainder::fmod_f64(self, divisor)
-    }
-    #[inline(always)]
-    fn square_root(self) -> Self {
-        root::f64(self)
-    }
-}
+scalar!(f32, i32, 8_388_608.0, fmod_f32); // 2²³
+scalar!(f64, i64, 4_503_599_627_370_496.0, fmod_f64); // 2⁵²

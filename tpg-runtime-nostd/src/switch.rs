@@ -154,7 +154,7 @@ impl<S: Scalar, D> Switch<S, D> {
     }
 
     /// Notes that the guard refused the first policy's action, which was not executed.
-    pub fn refused(&mut self) {
+    fn refused(&mut self) {
         self.hand_over(Cause::Guard);
     }
 

@@ -14,8 +14,9 @@ use tpg_arm::observation::{ArmPolicy, Observation, Source};
 use tpg_arm::sac::packed::{Model, PackedPolicy};
 use tpg_arm::{Arm, Invalid, Move, Pose, WIDOWX};
 use tpg_generated::{widowx_rs_fast::WidowxRsFast, widowx_rs_hybrid, widowx_sac};
+use tpg_problems::arm::ArmProblem;
 use tpg_problems::arm::planner::{Choice, Planner};
-use tpg_problems::arm::targets::Start;
+use tpg_problems::arm::targets::{Start, Task};
 use tpg_runtime::policy::{ActionId, Policy};
 
 /// Hand and target are less than this apart at the end, mm.
@@ -244,24 +245,16 @@ fn courses(
     poses: [Pose; ARMS],
     target: [f64; 3],
 ) -> [Course; ARMS] {
-    let near = |start: Pose| ReachTask {
-        start,
-        target: target.map(|value| value as f32),
-        tolerance: TOLERANCE,
-        max_actions: Start::Rs.max_actions(),
-    };
-    let exact = |start: Pose| ReachTask {
-        start,
-        target,
-        tolerance: f64::from(TOLERANCE),
-        max_actions: Start::Rs.max_actions(),
-    };
     [
-        Course::Hybrid(HybridEpisode::new(hybrid, near(poses[0]), widowx_rs_hybrid::Detector::new())),
-        Course::Graph(Episode::new(&ARM, near(poses[1]), Brent::new())),
-        Course::Network(Episode::new(&ARM, near(poses[2]), Brent::new())),
-        Course::Planner(Episode::new(&EXACT_ARM, exact(poses[3]), Brent::new())),
+        Course::Hybrid(HybridEpisode::new(hybrid, task(poses[0], target), widowx_rs_hybrid::Detector::new())),
+        Course::Graph(Episode::new(&ARM, task(poses[1], target), Brent::new())),
+        Course::Network(Episode::new(&ARM, task(poses[2], target), Brent::new())),
+        Course::Planner(Episode::new(&EXACT_ARM, task(poses[3], target), Brent::new())),
     ]
+}
+
+fn task<S: Lattice>(start: Pose, target: [f64; 3]) -> ReachTask<S> {
+    ArmProblem { tolerance: TOLERANCE.into(), ..Start::Rs.into() }.reach(&Task { start, target })
 }
 
 fn fill<S: Lattice>(view: &mut View, arm: &Arm<S>, seen: &Observation<S>) {

@@ -65,8 +65,8 @@ impl Balls {
     /// Begins a scene for both arms.
     pub fn begin(&mut self, scene: &Scene) {
         let course = |learned| {
-            let episode = Episode::new(&BODY, scene);
-            let dodger = Dodger::new(DodgerSettings { scout: SCOUT, guard: learned }, &episode.view(&BODY));
+            let episode = Episode::new(scene);
+            let dodger = Dodger::new(DodgerSettings { scout: SCOUT, guard: learned }, &episode.view());
             Course { episode, dodger, learned }
         };
         self.courses = vec![course(true), course(false)];
@@ -80,12 +80,12 @@ impl Balls {
         if view.state != 0 {
             return;
         }
-        let seen = course.episode.view(&BODY);
+        let seen = course.episode.view();
         let action = if course.learned { Dodge.decide(&course.dodger.observe(&seen)) } else { STRAIGHT };
         let behaviour = Behaviour::ALL.get(usize::from(action.0)).map_or(Behaviour::Hold, |(behaviour, _)| *behaviour);
         let wanted = course.dodger.act(&seen, behaviour);
         view.behaviour = action.0.into();
-        view.state = course.episode.step(&BODY, wanted, TOLERANCE).map_or(0, |end| match end {
+        view.state = course.episode.step(wanted, TOLERANCE).map_or(0, |end| match end {
             End::Reached => 1,
             End::Hit => 2,
             End::Timeout => 3,
@@ -100,7 +100,7 @@ impl Balls {
 
     fn show(&mut self, arm: usize) {
         let (Some(course), Some(view)) = (self.courses.get(arm), self.views.get_mut(arm)) else { return };
-        let (episode, seen) = (&course.episode, course.episode.view(&BODY));
+        let (episode, seen) = (&course.episode, course.episode.view());
         view.points = points(&BODY.arm, episode.pose());
         view.count = seen.balls.len() as u32;
         for (place, ball) in view.balls.iter_mut().zip(seen.balls) {

@@ -1,13 +1,13 @@
 //! The book: `docs/` by mdBook, beside it the files outside of `docs/` that its pages link to. A test checks the links.
 
-use crate::venv::{environment, interpreter, target};
+use crate::venv::{environment, interpreter};
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, html};
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::path::{Component, Path, PathBuf};
 use std::process::Command;
 use std::{fs, io};
-use tpg_testing::library::top;
+use tpg_testing::library::{target_folder, top};
 
 /// Returns the mdBook to build with: the pinned one in a virtual environment, which PyPI has built, or else an installed one;
 /// `None`, if there is neither a Python for the first nor the second.
@@ -18,7 +18,7 @@ pub(crate) fn mdbook() -> io::Result<Option<PathBuf>> {
     let installed = || tpg_testing::exists("mdbook").then(|| PathBuf::from("mdbook"));
     let Some(python) = interpreter() else { return Ok(installed()) };
     let requirements = top().join("xtask/requirements-book.txt");
-    match environment(&python, &target().join("mdbook"), &requirements) {
+    match environment(&python, &target_folder().join("mdbook"), &requirements) {
         Ok(venv) => Ok(Some(venv.join("bin/mdbook"))),
         Err(error) => installed().map(Some).ok_or(error),
     }

@@ -127,14 +127,13 @@ impl Costs {
         toml::from_str(&fs::read_to_string(&path)?).map_err(|error| invalid(&path, &error.to_string()))
     }
 
-    /// Returns the costs of the arm's control step in C: mean and maximum, from a fixed and from a random start.
+    /// Returns the costs of the arm's policies in C: mean and maximum, from a fixed and from a random start.
     fn table(&self) -> Vec<String> {
         let mut lines = vec!["| C | mean | worst |".into(), "| --- | --- | --- |".into()];
         for (part, what) in [
             ("graph", "graph with what it reads"),
             ("network", "network, from observation to move"),
             ("hybrid", "the hybrid's decision"),
-            ("step", "a whole control step"),
         ] {
             let both = ["fs", "rs"].map(|start| &self.cost[&format!("{start} {part}")]);
             let [mean, worst] = [

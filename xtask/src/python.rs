@@ -1,11 +1,11 @@
 //! The Python package: built as a wheel, installed into a virtual environment, tested there.
 
 use crate::check::{Run, step};
-use crate::venv::{environment, interpreter, target};
+use crate::venv::{environment, interpreter};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs, io};
-use tpg_testing::library::top;
+use tpg_testing::library::{target_folder, top};
 
 /// The greatest size of a wheel, bytes.
 const LARGEST_WHEEL: u64 = 4_000_000;
@@ -34,7 +34,7 @@ pub(crate) fn check(run: &mut Run, arguments: PythonArgs) {
         run.missing("Python package", "Python 3.10 or newer with venv; Debian: python3-venv");
         return;
     };
-    let place = target().join("python");
+    let place = target_folder().join("python");
     let steps = || -> io::Result<PathBuf> {
         let venv = environment(&python, &place.join("venv"), &folder().join("requirements.txt"))?;
         let wheel = wheel(&venv, &place, arguments.release)?;

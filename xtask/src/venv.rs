@@ -4,12 +4,6 @@ use crate::check::{answers, step};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs, io};
-use tpg_testing::library::top;
-
-/// Returns cargo's target folder.
-pub(crate) fn target() -> PathBuf {
-    env::var_os("CARGO_TARGET_DIR").map_or_else(|| top().join("target"), PathBuf::from)
-}
 
 /// Finds a Python of 3.10 or newer that can make virtual environments.
 pub(crate) fn interpreter() -> Option<String> {

@@ -11,17 +11,8 @@ use std::fs;
 use std::io::Read;
 use std::path::Path;
 use tpg_arm::Pose;
-use tpg_arm::kinematics::Vector;
 use tpg_graph::error::{Finding, InputError, Place};
-
-/// The task of an episode.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Task {
-    /// Start of the arm.
-    pub start: Pose,
-    /// Target of the hand, mm.
-    pub target: Vector<f64>,
-}
+pub use tpg_problems::arm::targets::Task;
 
 /// A recorded end of an episode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

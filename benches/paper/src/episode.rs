@@ -93,27 +93,27 @@ impl<'a> Episode<'a> {
 
     /// Returns the current end state.
     pub fn end_state(&self) -> EndState {
-        EndState::new(self.rules, self.observation.distance(), self.collided, self.actions)
+        self.rules.end(self.observation.distance(), self.collided, self.actions)
+    }
+}
+
+impl Rules {
+    /// Returns the end state of an episode with the given final distance, mm, and number of actions.
+    pub fn end(self, distance: f64, collision: bool, actions: u32) -> EndState {
+        let success = distance < self.tolerance;
+        let left = f64::from(self.max_actions) - f64::from(actions);
+        let score = if success { left * SCORE_PER_ACTION_LEFT + SCORE_FOR_SUCCESS } else { -distance };
+        EndState::new(score, distance, success, collision, actions)
     }
 }
 
 impl EndState {
-    /// Returns the end state of an episode with the given final distance, mm, and number of actions.
-    pub fn new(rules: Rules, distance: f64, collision: bool, actions: u32) -> Self {
-        let success = distance < rules.tolerance;
-        let score = if success {
-            let left = f64::from(rules.max_actions) - f64::from(actions);
-            left * SCORE_PER_ACTION_LEFT + SCORE_FOR_SUCCESS
-        } else {
-            -distance
-        };
+    /// Returns the end of an episode with the given final distance, mm, in the artifact's numbers.
+    pub fn new(score: f64, distance: f64, success: bool, collision: bool, actions: u32) -> Self {
+        // Multiplied by 1000, then truncated towards zero.
+        let thousandths = |value: f64| (1000.0 * value) as i64;
         Self { score_x1000: thousandths(score), distance_um: thousandths(distance), success, collision, actions }
     }
-}
-
-/// Converts a number as the artifact did: multiplied by 1000, then truncated towards zero.
-fn thousandths(value: f64) -> i64 {
-    (1000.0 * value) as i64
 }
 
 #[cfg(test)]

@@ -53,15 +53,7 @@ fn episode(chain: &Chain, rules: Rules, row: u32, task: &Task, actor: &RecordedA
         };
         let actions = poses.len() as u32;
         if success || (collision && rules.end_at_collision) || actions >= rules.max_actions {
-            let thousandths = |value: f64| (1000.0 * value) as i64;
-            let end = EndState {
-                score_x1000: thousandths(score),
-                distance_um: thousandths(distance),
-                success,
-                collision,
-                actions,
-            };
-            return Done { poses, end };
+            return Done { poses, end: EndState::new(score, distance, success, collision, actions) };
         }
     }
 }

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use tpg_arm::observation::Observation;
 use tpg_arm::{JOINTS, Pose, WIDOWX};
-use tpg_paper::actor::{INPUTS, RecordedActor};
+use tpg_paper::actor::{INPUTS, RecordedActor, STATE};
 use tpg_paper::chain::Chain;
 use tpg_paper::limits::max_actor_actions;
 use tpg_paper::sac::{Rules, run};
@@ -73,8 +73,10 @@ fn actors_answer_what_was_recorded() {
                 let pose = Pose(check.motors);
                 let seen = Observation::new(&WIDOWX, pose, chain.hand(pose), check.target);
                 let state = actor.state(&seen);
-                let (mean, spread) = actor.forward(&check.state);
-                let pairs = (state.into_iter().chain(mean).chain(spread))
+                let mut recorded = [0.0; STATE];
+                recorded[..INPUTS].copy_from_slice(&check.state);
+                let (mean, spread) = actor.forward(&recorded);
+                let pairs = (state.into_iter().take(INPUTS).chain(mean).chain(spread))
                     .zip(check.state.into_iter().chain(check.mu).chain(check.sigma));
                 for (ours, recorded) in pairs {
                     assert!((ours - recorded).abs() < 1e-5, "{name} {seed}: {ours} {recorded}");

@@ -8,7 +8,7 @@
 //! use tpg_arm::binding;
 //! use tpg_arm::observation::Source;
 //!
-//! const SOURCES: [Source; 2] = binding::sources(["polar", "motors_centred"]);
+//! const SOURCES: [Source; 2] = binding::sources(["polar", "motors"]);
 //! const MOVES: [Move; 2] = binding::moves([[3, 0, 0, 0], [-3, 0, 0, 0]]);
 //!
 //! assert_eq!(binding::source("polar", 3), Some(SOURCES[0]));

@@ -51,22 +51,28 @@ pub struct Summary<S> {
     pub distance: S,
 }
 
-/// An episode without its arm, which every call is given: for an owner of both. [`Episode`] borrows the arm.
-///
-/// It is the part that is the same for any policy: the arm on its way, and the ends that every policy shares.
+/// An episode under way.
 #[derive(Clone, Debug)]
-pub struct Simulation<S> {
+pub struct Episode<'a, S, D> {
+    arm: &'a Arm<S>,
     problem: ReachTask<S>,
     play: Play,
     observation: Observation<S>,
     actions: u32,
+    pub(crate) detector: D,
 }
 
-impl<S: Lattice> Simulation<S> {
+impl<'a, S: Lattice, D: CycleDetector<Pose>> Episode<'a, S, D> {
     /// Puts the arm at the problem's start.
-    pub fn new(arm: &Arm<S>, problem: ReachTask<S>, play: Play) -> Self {
+    pub fn new(arm: &'a Arm<S>, problem: ReachTask<S>, detector: D) -> Self {
+        Self::with_play(arm, problem, detector, Play::NONE)
+    }
+
+    /// Puts an arm whose joints have play at the problem's start.
+    pub fn with_play(arm: &'a Arm<S>, problem: ReachTask<S>, mut detector: D, play: Play) -> Self {
+        detector.reset(problem.start);
         let observation = Observation::at(arm, problem.start, problem.target);
-        Self { problem, play, observation, actions: 0 }
+        Self { arm, problem, play, observation, actions: 0, detector }
     }
 
     /// The observation that the policy sees now.
@@ -80,23 +86,23 @@ impl<S: Lattice> Simulation<S> {
     }
 
     /// Hand to target, mm: the hand where the joints put it, which is where a policy sees it unless they have [`Play`].
-    pub fn distance(&self, arm: &Arm<S>) -> S {
+    pub fn distance(&self) -> S {
         if self.play == Play::NONE {
             return self.observation.distance();
         }
         let joints = self.play.joints(self.observation.pose);
-        kinematics::distance(self.problem.target, kinematics::hand(arm, joints))
+        kinematics::distance(self.problem.target, kinematics::hand(self.arm, joints))
     }
 
     /// Does one action of a policy without memory; `Some` when it ended the episode.
     ///
     /// If several ends fall together, the first of these holds: invalid, reached, stop, cycle, timeout.
-    pub fn advance(&mut self, arm: &Arm<S>, detector: &mut impl CycleDetector<Pose>, wanted: Move) -> Option<Outcome> {
-        if let Some(end) = self.step(arm, wanted) {
+    pub fn advance(&mut self, wanted: Move) -> Option<Outcome> {
+        if let Some(end) = self.step(wanted) {
             Some(end)
         } else if wanted == Move::STOP {
             Some(Outcome::Stop)
-        } else if detector.repeats(self.observation.pose) {
+        } else if self.detector.repeats(self.observation.pose) {
             Some(Outcome::Cycle)
         } else {
             self.timeout()
@@ -104,13 +110,13 @@ impl<S: Lattice> Simulation<S> {
     }
 
     /// Does one action; `Some` where it was invalid or reached the target.
-    pub(crate) fn step(&mut self, arm: &Arm<S>, wanted: Move) -> Option<Outcome> {
-        let step = arm.step(self.observation.pose, wanted);
+    pub(crate) fn step(&mut self, wanted: Move) -> Option<Outcome> {
+        let step = self.arm.step(self.observation.pose, wanted);
         self.actions = self.actions.saturating_add(1);
-        self.observation = Observation::at(arm, step.pose, self.problem.target);
+        self.observation = Observation::at(self.arm, step.pose, self.problem.target);
         if let Some(invalid) = step.invalid {
             Some(Outcome::Invalid(invalid))
-        } else if self.distance(arm) < self.problem.tolerance {
+        } else if self.distance() < self.problem.tolerance {
             Some(Outcome::Reached)
         } else {
             None
@@ -121,49 +127,8 @@ impl<S: Lattice> Simulation<S> {
         (self.actions >= self.problem.max_actions).then_some(Outcome::Timeout)
     }
 
-    pub(crate) fn summary(&self, arm: &Arm<S>, outcome: Outcome) -> Summary<S> {
-        Summary { outcome, actions: self.actions, pose: self.observation.pose, distance: self.distance(arm) }
-    }
-}
-
-/// An episode under way.
-#[derive(Clone, Debug)]
-pub struct Episode<'a, S, D> {
-    arm: &'a Arm<S>,
-    simulation: Simulation<S>,
-    detector: D,
-}
-
-impl<'a, S: Lattice, D: CycleDetector<Pose>> Episode<'a, S, D> {
-    /// Puts the arm at the problem's start.
-    pub fn new(arm: &'a Arm<S>, problem: ReachTask<S>, detector: D) -> Self {
-        Self::with_play(arm, problem, detector, Play::NONE)
-    }
-
-    /// Puts an arm whose joints have play at the problem's start.
-    pub fn with_play(arm: &'a Arm<S>, problem: ReachTask<S>, mut detector: D, play: Play) -> Self {
-        detector.reset(problem.start);
-        Self { arm, simulation: Simulation::new(arm, problem, play), detector }
-    }
-
-    /// The observation that the policy sees now.
-    pub fn observation(&self) -> &Observation<S> {
-        self.simulation.observation()
-    }
-
-    /// Actions done so far.
-    pub fn actions(&self) -> u32 {
-        self.simulation.actions
-    }
-
-    /// Hand to target, mm, as [`Simulation::distance`].
-    pub fn distance(&self) -> S {
-        self.simulation.distance(self.arm)
-    }
-
-    /// Does one action, as [`Simulation::advance`].
-    pub fn advance(&mut self, wanted: Move) -> Option<Outcome> {
-        self.simulation.advance(self.arm, &mut self.detector, wanted)
+    pub(crate) fn summary(&self, outcome: Outcome) -> Summary<S> {
+        Summary { outcome, actions: self.actions, pose: self.observation.pose, distance: self.distance() }
     }
 
     /// Lets the policy act until the end; `each` sees the pose after every action.
@@ -172,10 +137,10 @@ impl<'a, S: Lattice, D: CycleDetector<Pose>> Episode<'a, S, D> {
         P: Policy<State = Observation<S>, Action = Move> + ?Sized,
     {
         loop {
-            let outcome = self.advance(policy.decide(self.observation()));
-            each(self.observation().pose);
+            let outcome = self.advance(policy.decide(&self.observation));
+            each(self.observation.pose);
             if let Some(outcome) = outcome {
-                return self.simulation.summary(self.arm, outcome);
+                return self.summary(outcome);
             }
         }
     }

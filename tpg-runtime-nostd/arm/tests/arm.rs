@@ -140,12 +140,6 @@ fn below_the_table_is_strict() {
     assert_eq!(at(-0.1), Some(Collision::Table));
 }
 
-#[test]
-fn edges_mirror() {
-    let edge = BaseEdge { x: [1.0, 2.0], z: [3.0, 4.0] };
-    assert_eq!(edge.mirrored(), BaseEdge { x: [-1.0, -2.0], z: [3.0, 4.0] });
-}
-
 fn inside() -> impl Strategy<Value = [i16; JOINTS]> {
     [2..=4094_i16, 1025..=3071_i16, 1025..=3071_i16, 1025..=3071_i16]
 }

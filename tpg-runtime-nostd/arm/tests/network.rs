@@ -1,9 +1,9 @@
 //! The arm's network as it lies in flash: it decides as its definition does, and others are refused.
 
 use tpg_arm::observation::Observation;
-use tpg_arm::sac::fixed::{FixedDecision, quantise};
+use tpg_arm::sac::fixed::quantise;
 use tpg_arm::sac::packed::{Model, PackedPolicy};
-use tpg_arm::sac::{Actions, FEATURES, Mask, features};
+use tpg_arm::sac::{Actions, Decision, FEATURES, Mask, features};
 use tpg_arm::{Arm, JOINTS, Pose, WIDOWX, frame::Frame};
 use tpg_runtime::net::{
     self, HIDDEN, Kind, LAST, LayerRows, Meaning, ModelError, OutputKind, Rescale, Weights, accumulate,
@@ -50,8 +50,8 @@ fn packed(layers: &[Layer], meaning: &Meaning<'_>) -> Vec<u32> {
     words
 }
 
-fn decision() -> FixedDecision {
-    FixedDecision::new(Actions::Fine, Mask::JointLimits, false)
+fn decision() -> Decision<i32> {
+    Decision::<i32>::new(Actions::Fine, Mask::JointLimits, false)
 }
 
 #[test]
@@ -82,9 +82,9 @@ fn every_decision_survives_as_flags() {
     for actions in [Actions::Coarse, Actions::Fine] {
         for mask in [Mask::None, Mask::JointLimits] {
             for may_rest in [false, true] {
-                let decision = FixedDecision::new(actions, mask, may_rest);
+                let decision = Decision::<i32>::new(actions, mask, may_rest);
                 let OutputKind::Preferences { flags } = decision.meaning().answer else { panic!("preferences") };
-                assert_eq!(FixedDecision::from_flags(flags), decision);
+                assert_eq!(Decision::from_flags(flags), decision);
             }
         }
     }

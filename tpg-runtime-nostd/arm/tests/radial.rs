@@ -82,26 +82,6 @@ proptest! {
             }
         }
     }
-
-    #[test]
-    fn where_the_wrist_stays_the_reach_leads_to_the_target(pose in poses(), turn in 0.0f64..1.0) {
-        // A target that this wrist reaches on the front side, as seen from somewhere else.
-        let target = kinematics::hand(&ARM, pose);
-        let radius = Frame::at(&ARM, pose, target).radius();
-        prop_assume!(radius > RADIAL && pose.0[0] > 2 && turn > 0.0);
-        let from = Pose([2048, 1500, 2500, pose.0[3]]);
-        let seen = Observation::at(&ARM, from, target);
-        let (mut errors, mut excess) = ([0.0; 3], [0.0; 3]);
-        Source::Reach.write(&ARM, &seen, &mut errors);
-        Source::ReachExcess.write(&ARM, &seen, &mut excess);
-        prop_assume!(excess[2].abs() < 1e-6);
-        let [base, shoulder, elbow, wrist] =
-            [0, 1, 2, 3].map(|joint| kinematics::radians::<f64>(from, Joint(joint)));
-        let radians = errors.map(|ticks| ticks * std::f64::consts::TAU / 4096.0);
-        let there = [base + radians[0], shoulder + radians[1], elbow + radians[2], wrist];
-        let off = kinematics::distance(kinematics::hand_from_radians(&ARM, there), target);
-        prop_assert!(off < 1e-3, "{off} mm");
-    }
 }
 
 /// The stance of the WidowX's own test, with its bound.

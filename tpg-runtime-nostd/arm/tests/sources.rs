@@ -1,7 +1,7 @@
 //! The data sources of a graph: their values, and the ranges that `graph.json` declares for them.
 
 use tpg_arm::kinematics::{self, Lattice, Plane};
-use tpg_arm::observation::{Observation, Reach, Source, TargetMemo};
+use tpg_arm::observation::{Observation, Source, TargetMemo};
 use tpg_arm::{Arm, JOINTS, Pose, WIDOWX};
 
 const ARM_F32: Arm<f32> = WIDOWX.to_f32();
@@ -92,29 +92,6 @@ fn f32_and_f64_see_the_same_errors() {
 }
 
 #[test]
-fn doing_what_reach_says_brings_the_hand_to_the_target() {
-    let mut poses = Poses(3);
-    let mut reached = 0;
-    for _ in 0..20_000 {
-        let (pose, goal) = (poses.free(), poses.free());
-        let target = kinematics::hand(&WIDOWX, goal);
-        let errors = Reach::keeping_wrist(&WIDOWX, pose.0[3], target).errors(&WIDOWX, pose);
-        if errors.excess.iter().any(|excess| excess.abs() > 0.0) {
-            continue;
-        }
-        reached += 1;
-        let radians = |joint: usize| {
-            let error = if joint < 3 { errors.ticks[joint] } else { 0.0 };
-            (f64::from(pose.0[joint]) + error - 2048.0) * core::f64::consts::PI / 2048.0
-        };
-        let hand = kinematics::hand_from_radians(&WIDOWX, [0, 1, 2, 3].map(radians));
-        let missed = kinematics::distance(hand, target);
-        assert!(missed < 1e-6, "{missed} mm off from {pose:?} to {target:?}");
-    }
-    assert!(reached > 5000, "only {reached} targets were within reach without the wrist");
-}
-
-#[test]
 fn the_stance_is_free_and_solves_nearly_every_task() {
     let mut poses = Poses(5);
     let (mut solved, mut straight) = (0, 0);
@@ -136,26 +113,10 @@ fn the_stance_is_free_and_solves_nearly_every_task() {
 }
 
 #[test]
-fn the_wrist_error_points_the_hand_at_the_target() {
-    let mut poses = Poses(4);
-    for _ in 0..5000 {
-        let (pose, goal) = (poses.free(), poses.free());
-        // A target in the arm plane: the base is right already.
-        let target = kinematics::hand(&WIDOWX, Pose([pose.0[0], goal.0[1], goal.0[2], goal.0[3]]));
-        let wrist = values(Source::Wrist, &WIDOWX, pose, target);
-        let mut joints = pose.0.map(|ticks| (f64::from(ticks) - 2048.0) * core::f64::consts::PI / 2048.0);
-        joints[3] += wrist[1] * core::f64::consts::PI / 2048.0;
-        let hand = kinematics::hand_from_radians(&WIDOWX, joints);
-        let missed = kinematics::distance(hand, target);
-        assert!((missed - wrist[0].abs()).abs() < 1e-6, "{missed} mm left, {} foretold", wrist[0]);
-    }
-}
-
-#[test]
 fn fill_puts_sources_one_after_another() {
     let target = kinematics::hand(&WIDOWX, Pose([2100, 2200, 1900, 2000]));
     let seen = Observation::at(&WIDOWX, WIDOWX.home, target);
-    let sources = [Source::Polar, Source::MotorsCentred, Source::Floor];
+    let sources = [Source::Polar, Source::Motors, Source::Floor];
     let mut state = [f64::NAN; 9];
     Source::fill(&sources, &WIDOWX, &seen, &TargetMemo::new(), &mut state);
     let expected: Vec<f64> = sources.iter().flat_map(|&source| values(source, &WIDOWX, WIDOWX.home, target)).collect();

@@ -262,32 +262,14 @@
 // All six servos, ticks.
 #define TPG_SOURCE_SERVOS 4
 
-// The four motor positions less 2048, ticks.
-#define TPG_SOURCE_MOTORS_CENTRED 5
-
 // Errors in the shoulder's polar frame, 3 values in mm.
-#define TPG_SOURCE_POLAR 6
-
-// Errors as seen from the shoulder: half ticks, 1/250 rad, mm.
-#define TPG_SOURCE_BEARING 7
-
-// By how many ticks base, shoulder and elbow are off, if the wrist stays.
-#define TPG_SOURCE_REACH 8
-
-// Excess of that: ticks beyond the ranges of shoulder and elbow, mm out of reach.
-#define TPG_SOURCE_REACH_EXCESS 9
-
-// The hand's pitch there, 1 value in ticks.
-#define TPG_SOURCE_REACH_PITCH 10
-
-// The target as seen from the wrist: mm, ticks.
-#define TPG_SOURCE_WRIST 11
+#define TPG_SOURCE_POLAR 5
 
 // Height of the hand's lower corner, 1 value in mm.
-#define TPG_SOURCE_FLOOR 12
+#define TPG_SOURCE_FLOOR 6
 
 // By how many ticks all four joints are off from a pose that reaches the target.
-#define TPG_SOURCE_STANCE 13
+#define TPG_SOURCE_STANCE 7
 
 // Words of a tpg_sac_t.
 #define TPG_SAC_WORDS 30

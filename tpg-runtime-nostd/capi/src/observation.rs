@@ -65,24 +65,12 @@ pub const TPG_SOURCE_HAND: u8 = 2;
 pub const TPG_SOURCE_MOTORS: u8 = 3;
 /// All six servos, ticks.
 pub const TPG_SOURCE_SERVOS: u8 = 4;
-/// The four motor positions less 2048, ticks.
-pub const TPG_SOURCE_MOTORS_CENTRED: u8 = 5;
 /// Errors in the shoulder's polar frame, 3 values in mm.
-pub const TPG_SOURCE_POLAR: u8 = 6;
-/// Errors as seen from the shoulder: half ticks, 1/250 rad, mm.
-pub const TPG_SOURCE_BEARING: u8 = 7;
-/// By how many ticks base, shoulder and elbow are off, if the wrist stays.
-pub const TPG_SOURCE_REACH: u8 = 8;
-/// Excess of that: ticks beyond the ranges of shoulder and elbow, mm out of reach.
-pub const TPG_SOURCE_REACH_EXCESS: u8 = 9;
-/// The hand's pitch there, 1 value in ticks.
-pub const TPG_SOURCE_REACH_PITCH: u8 = 10;
-/// The target as seen from the wrist: mm, ticks.
-pub const TPG_SOURCE_WRIST: u8 = 11;
+pub const TPG_SOURCE_POLAR: u8 = 5;
 /// Height of the hand's lower corner, 1 value in mm.
-pub const TPG_SOURCE_FLOOR: u8 = 12;
+pub const TPG_SOURCE_FLOOR: u8 = 6;
 /// By how many ticks all four joints are off from a pose that reaches the target.
-pub const TPG_SOURCE_STANCE: u8 = 13;
+pub const TPG_SOURCE_STANCE: u8 = 7;
 
 const _: () = assert!(TPG_SOURCE_STANCE as usize + 1 == Source::ALL.len(), "a source without a number");
 

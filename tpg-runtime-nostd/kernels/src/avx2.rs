@@ -149,7 +149,7 @@ fn load(&[a, b, c, d, e, f, g, h]: &[u32; 8]) -> __m256i {
     _mm256_set_epi32(h as i32, g as i32, f as i32, e as i32, d as i32, c as i32, b as i32, a as i32)
 }
 
-/// As in `sse2`.
+/// The one product that PMADDWD and SMLAD could disagree on, (−2¹⁵)² twice, is 2³¹ modulo 2³² in both.
 #[inline]
 #[target_feature(enable = "avx2")]
 fn dual(weights: __m256i, inputs: __m256i, sums: __m256i) -> __m256i {

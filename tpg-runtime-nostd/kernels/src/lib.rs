@@ -20,10 +20,9 @@
 //! | MULS, by inline assembly | `thumbv6m-*`, `thumbv8m.base-*` | `thumb1` |
 //! | plain Rust, a load for each weight | `riscv32*` | `scalar` |
 //! | AVX2 | `x86_64` that has it, looked for once | `avx2` |
-//! | SSE2 | `x86_64` | `sse2` |
 //! | plain Rust | everywhere else; always there to compare with | [`portable`] |
 //!
-//! This is the one crate under `tpg-runtime` with `unsafe` code: calls of assembly, SSE2 and AVX2, behind functions
+//! This is the one crate under `tpg-runtime` with `unsafe` code: calls of assembly and AVX2, behind functions
 //! that check their preconditions, and views of words as bytes.
 
 #![no_std]
@@ -37,8 +36,6 @@ mod scalar;
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
-#[cfg(target_arch = "x86_64")]
-mod sse2;
 #[cfg(tpg_thumb1)]
 mod thumb1;
 #[cfg(tpg_thumb2)]
@@ -48,12 +45,10 @@ pub use activations::pair_inputs;
 pub use kind::{COLUMNS, Kind, ROWS};
 pub use root::sqrt;
 
-#[cfg(not(any(tpg_thumb1, tpg_thumb2, tpg_scalar, target_arch = "x86_64")))]
+#[cfg(not(any(tpg_thumb1, tpg_thumb2, tpg_scalar)))]
 use portable as chosen;
 #[cfg(tpg_scalar)]
 use scalar as chosen;
-#[cfg(target_arch = "x86_64")]
-use sse2 as chosen;
 #[cfg(tpg_thumb1)]
 use thumb1 as chosen;
 #[cfg(tpg_thumb2)]
@@ -62,8 +57,9 @@ use thumb2 as chosen;
 /// The name of the form that hidden layers use here.
 pub fn form() -> &'static str {
     #[cfg(target_arch = "x86_64")]
-    return if avx2::is_there() { "AVX2" } else { "SSE2" };
-    #[cfg(not(target_arch = "x86_64"))]
+    if avx2::is_there() {
+        return "AVX2";
+    }
     if cfg!(tpg_dsp) {
         "SMLAD"
     } else if cfg!(tpg_thumb2) {

@@ -180,54 +180,36 @@ impl ConstantTime<f64> {
     }
 }
 
-/// Own maths; the kernels of [`own::f32`], which make masks, too.
+/// Implements own maths by the kernels of [`own::f32`] that make masks, too.
+macro_rules! own_maths {
+    ($($function:ident = $kernel:ident, $about:literal;)+) => {
+        impl ConstantTime<f32> {
+            $(
+                #[doc = $about]
+                #[inline(always)]
+                pub fn $function(self, x: f32) -> f32 {
+                    own::f32::$kernel(self.top, x)
+                }
+            )+
+        }
+    };
+}
+
+own_maths! {
+    sin = sin_by, "Sine of `x` radians.";
+    cos = cos_by, "Cosine of `x` radians.";
+    tan = tan_by, "Tangent of `x` radians.";
+    ln = ln_by, "Natural logarithm.";
+    exp = exp_by, "Exponential.";
+    atan = atan_by, "Arctangent.";
+    tanh = tanh_by, "Hyperbolic tangent.";
+}
+
 impl ConstantTime<f32> {
-    /// Sine of `x` radians.
-    #[inline(always)]
-    pub fn sin(self, x: f32) -> f32 {
-        own::f32::sin_by(self.top, x)
-    }
-
-    /// Cosine of `x` radians.
-    #[inline(always)]
-    pub fn cos(self, x: f32) -> f32 {
-        own::f32::cos_by(self.top, x)
-    }
-
-    /// Tangent of `x` radians.
-    #[inline(always)]
-    pub fn tan(self, x: f32) -> f32 {
-        own::f32::tan_by(self.top, x)
-    }
-
     /// [`Instruction::Fmod`](super::Instruction::Fmod).
     #[inline(always)]
     pub fn fmod(self, a: f32, b: f32) -> f32 {
         remainder::fmod_by(self.top, a, b)
-    }
-
-    /// Natural logarithm.
-    #[inline(always)]
-    pub fn ln(self, x: f32) -> f32 {
-        own::f32::ln_by(self.top, x)
-    }
-
-    /// Exponential.
-    #[inline(always)]
-    pub fn exp(self, x: f32) -> f32 {
-        own::f32::exp_by(self.top, x)
-    }
-
-    /// Arctangent.
-    #[inline(always)]
-    pub fn atan(self, x: f32) -> f32 {
-        own::f32::atan_by(self.top, x)
-    }
-
-    /// Hyperbolic tangent.
-    #[inline(always)]
-    pub fn tanh(self, x: f32) -> f32 {
-        own::f32::tanh_by(self.top, x)
     }
 }
 

@@ -3,6 +3,20 @@
 use super::{eight, own};
 use crate::scalar::Scalar;
 
+/// Defines functions of eight numbers by those of one.
+macro_rules! at_once {
+    ($($many:ident = $one:ident,)+) => {
+        $(
+            #[doc = concat!("Replaces at least the first `used` numbers by their ", stringify!($many), ",")]
+            /// with the same bits as one by one.
+            #[inline]
+            fn $many(numbers: &mut [S; 8], used: usize) {
+                numbers[..used].iter_mut().for_each(|x| *x = Self::$one(*x));
+            }
+        )+
+    };
+}
+
 /// The transcendental functions that programs use, in one scalar type.
 pub trait Maths<S: Scalar>: Copy + Default + Send + Sync + 'static {
     /// Sine of `x` radians.
@@ -19,40 +33,14 @@ pub trait Maths<S: Scalar>: Copy + Default + Send + Sync + 'static {
     fn atan(x: S) -> S;
     /// Hyperbolic tangent.
     fn tanh(x: S) -> S;
-    /// Replaces at least the first `used` numbers by their sines, with the same bits as one by one.
-    #[inline]
-    fn sines(numbers: &mut [S; 8], used: usize) {
-        numbers[..used].iter_mut().for_each(|x| *x = Self::sin(*x));
-    }
-    /// As [`sines`](Self::sines), cosines.
-    #[inline]
-    fn cosines(numbers: &mut [S; 8], used: usize) {
-        numbers[..used].iter_mut().for_each(|x| *x = Self::cos(*x));
-    }
-    /// As [`sines`](Self::sines), tangents.
-    #[inline]
-    fn tangents(numbers: &mut [S; 8], used: usize) {
-        numbers[..used].iter_mut().for_each(|x| *x = Self::tan(*x));
-    }
-    /// As [`sines`](Self::sines), natural logarithms.
-    #[inline]
-    fn logarithms(numbers: &mut [S; 8], used: usize) {
-        numbers[..used].iter_mut().for_each(|x| *x = Self::ln(*x));
-    }
-    /// As [`sines`](Self::sines), exponentials.
-    #[inline]
-    fn exponentials(numbers: &mut [S; 8], used: usize) {
-        numbers[..used].iter_mut().for_each(|x| *x = Self::exp(*x));
-    }
-    /// As [`sines`](Self::sines), arctangents.
-    #[inline]
-    fn arctangents(numbers: &mut [S; 8], used: usize) {
-        numbers[..used].iter_mut().for_each(|x| *x = Self::atan(*x));
-    }
-    /// As [`sines`](Self::sines), hyperbolic tangents.
-    #[inline]
-    fn hyperbolic_tangents(numbers: &mut [S; 8], used: usize) {
-        numbers[..used].iter_mut().for_each(|x| *x = Self::tanh(*x));
+    at_once! {
+        sines = sin,
+        cosines = cos,
+        tangents = tan,
+        logarithms = ln,
+        exponentials = exp,
+        arctangents = atan,
+        hyperbolic_tangents = tanh,
     }
 }
 
@@ -83,6 +71,18 @@ macro_rules! provider {
     };
 }
 
+/// Defines functions of eight numbers that compilers turn into vectors: they do not ask how many are used.
+macro_rules! all_eight {
+    ($scalar:ident, $($many:ident = $one:ident),+) => {
+        $(
+            #[inline(always)]
+            fn $many(numbers: &mut [$scalar; 8], _used: usize) {
+                numbers.iter_mut().for_each(|x| *x = own::$scalar::$one(*x));
+            }
+        )+
+    };
+}
+
 /// Implements [`Own`] in the scalar type of this name.
 macro_rules! own_kernels {
     ($scalar:ident) => {
@@ -106,22 +106,7 @@ macro_rules! own_kernels {
             fn cosines(numbers: &mut [$scalar; 8], _used: usize) {
                 eight::$scalar::cosines(numbers);
             }
-            #[inline(always)]
-            fn logarithms(numbers: &mut [$scalar; 8], _used: usize) {
-                numbers.iter_mut().for_each(|x| *x = own::$scalar::ln(*x));
-            }
-            #[inline(always)]
-            fn exponentials(numbers: &mut [$scalar; 8], _used: usize) {
-                numbers.iter_mut().for_each(|x| *x = own::$scalar::exp(*x));
-            }
-            #[inline(always)]
-            fn arctangents(numbers: &mut [$scalar; 8], _used: usize) {
-                numbers.iter_mut().for_each(|x| *x = own::$scalar::atan(*x));
-            }
-            #[inline(always)]
-            fn hyperbolic_tangents(numbers: &mut [$scalar; 8], _used: usize) {
-                numbers.iter_mut().for_each(|x| *x = own::$scalar::tanh(*x));
-            }
+            all_eight! { $scalar, logarithms = ln, exponentials = exp, arctangents = atan, hyperbolic_tangents = tanh }
         }
     };
 }

@@ -5,6 +5,8 @@
 //! divisor's power. The C template `fmod.c` of `tpg-codegen` holds the same steps.
 // It is compiled alone, too, where generated code is verified: nothing here may depend on the rest of the crate.
 
+use super::own::f32::{choose, mask};
+
 macro_rules! fmod {
     ($fmod:ident, $float:ident, $word:ident) => {
         /// The remainder of `a / b` with the sign of `a`. NaN where `a` is infinite, `b` is 0, or one of them is NaN.
@@ -108,18 +110,6 @@ fn seven_steps(top: u32, modulus: u32, mut rest: u32, mut left: u32) -> (u32, u3
     step!();
     step!();
     (rest, left)
-}
-
-/// All ones where the top bit is set, else 0.
-#[inline(always)]
-fn mask(top: u32, bits: u32) -> u32 {
-    bits.cast_signed().wrapping_shr(top).cast_unsigned()
-}
-
-/// `a` where the mask is all ones, `b` where it is 0.
-#[inline(always)]
-fn choose(mask: u32, a: u32, b: u32) -> u32 {
-    b ^ ((a ^ b) & mask)
 }
 
 #[cfg(test)]

@@ -1,13 +1,13 @@
 //! Gymnasium's Acrobot-v1: swing two links up by a motor at the joint between them.
 
 use crate::circle::sincos;
-use crate::eights::{ByEight, Eights, observe_one, step_one};
+use crate::eights::{ByEight, by_eight};
 use crate::physics::physics;
 use crate::source;
-use crate::varied::{Adjustable, Settings};
+use crate::varied::Settings;
 use core::f64::consts::PI;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, Environment, Episodes, SourceSet, Step};
+use tpg_engine::{ActionSpace, Environment};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -104,27 +104,7 @@ impl<S: Scalar> Environment<S> for Acrobot {
         links(*task)
     }
 
-    fn observe(&self, links: &mut Links, _wanted: SourceSet, values: &mut [S]) {
-        observe_one::<S, Self, 8>(links, values);
-    }
-
-    fn step(&self, links: &mut Links, act: Act<'_, S>) -> Step {
-        self.step_under(&Physics::STANDARD, links, act)
-    }
-
-    fn lanes(&self) -> Box<dyn Episodes<S, State> + '_> {
-        Box::new(Eights::new::<S>(self))
-    }
-}
-
-impl<S: Scalar> Adjustable<S> for Acrobot {
-    type Physics = Physics;
-
-    const REST: u16 = 1;
-
-    fn step_under(&self, physics: &Physics, links: &mut Links, act: Act<'_, S>) -> Step {
-        step_one::<S, Self, 8>(physics, links, act)
-    }
+    by_eight!(8);
 }
 
 impl ByEight<8> for Acrobot {
@@ -132,6 +112,7 @@ impl ByEight<8> for Acrobot {
     const STANDARD: Physics = Physics::STANDARD;
     const OBSERVED: &[usize] = &[6, 4, 7, 5, 2, 3];
     const ROUNDS: bool = true;
+    const REST: u16 = 1;
 
     #[inline(always)]
     fn step_many<const L: usize>(

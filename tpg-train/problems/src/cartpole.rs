@@ -1,13 +1,13 @@
 //! Gymnasium's CartPole-v1: balance a pole on a cart that is pushed to the left or to the right.
 
 use crate::circle::sincos;
-use crate::eights::{ByEight, Eights, observe_one, step_one};
+use crate::eights::{ByEight, by_eight};
 use crate::physics::physics;
 use crate::source;
-use crate::varied::{Adjustable, Settings};
+use crate::varied::Settings;
 use core::f64::consts::PI;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, Environment, Episodes, SourceSet, Step, Training};
+use tpg_engine::{ActionSpace, Environment, Training};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -101,32 +101,12 @@ impl<S: Scalar> Environment<S> for CartPole {
         Some((x.abs() / FAR).max(theta.abs() / LEANING))
     }
 
-    fn observe(&self, state: &mut State, _wanted: SourceSet, values: &mut [S]) {
-        observe_one::<S, Self, 4>(state, values);
-    }
-
-    fn step(&self, state: &mut State, act: Act<'_, S>) -> Step {
-        self.step_under(&Physics::STANDARD, state, act)
-    }
-
-    fn lanes(&self) -> Box<dyn Episodes<S, State> + '_> {
-        Box::new(Eights::new::<S>(self))
-    }
+    by_eight!(4);
 }
 
 impl Training<State, State> for CartPole {
     fn task_from(&self, state: &State) -> Option<State> {
         Some(*state)
-    }
-}
-
-impl<S: Scalar> Adjustable<S> for CartPole {
-    type Physics = Physics;
-
-    const REST: u16 = 0;
-
-    fn step_under(&self, physics: &Physics, state: &mut State, act: Act<'_, S>) -> Step {
-        step_one::<S, Self, 4>(physics, state, act)
     }
 }
 

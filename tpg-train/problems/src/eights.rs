@@ -1,5 +1,6 @@
 //! Episodes that are stepped eight at a time, in a form that compilers turn into vectors.
 
+use crate::varied::Adjustable;
 use fearless_simd::{Level, dispatch};
 use tpg_engine::{Act, Acts, End, Environment, EpisodeResult, Episodes, EvaluationError, SourceSet, Step, View};
 use tpg_runtime::policy::ActionId;
@@ -7,15 +8,17 @@ use tpg_runtime::scalar::Scalar;
 
 /// A problem whose episodes are `N` numbers each, and whose steps are the same operations for all of them and for policies in any
 /// numbers.
-pub(crate) trait ByEight<const N: usize> {
+pub trait ByEight<const N: usize> {
     /// The constants of the rules.
-    type Physics;
+    type Physics: Copy + Send + Sync;
     /// Those of the problem itself.
     const STANDARD: Self::Physics;
     /// Places of the observed values among the numbers.
     const OBSERVED: &[usize];
     /// True if observations are rounded to `f32`, as Gymnasium's are.
     const ROUNDS: bool;
+    /// [`Adjustable::REST`].
+    const REST: u16 = 0;
 
     /// Takes one action in each of `L` episodes: the number of an action, or the value of the output. Writes the rewards, and
     /// which episodes have come to their outcome 0. Must be `#[inline(always)]`.
@@ -26,6 +29,36 @@ pub(crate) trait ByEight<const N: usize> {
         rewards: &mut [f64; L],
         ended: &mut [bool; L],
     );
+}
+
+/// Implements the methods of an [`Environment`] that follow from [`ByEight`].
+macro_rules! by_eight {
+    ($numbers:literal) => {
+        fn observe(&self, episode: &mut Self::Episode, _wanted: tpg_engine::SourceSet, state: &mut [S]) {
+            $crate::eights::observe_one::<S, Self, $numbers>(episode, state);
+        }
+
+        fn step(&self, episode: &mut Self::Episode, act: tpg_engine::Act<'_, S>) -> tpg_engine::Step {
+            $crate::eights::step_one::<S, Self, $numbers>(&Self::STANDARD, episode, act)
+        }
+
+        fn lanes(&self) -> Box<dyn tpg_engine::Episodes<S, Self::Task> + '_> {
+            Box::new($crate::eights::Eights::new::<S>(self))
+        }
+    };
+}
+pub(crate) use by_eight;
+
+impl<S: Scalar, E, const N: usize> Adjustable<S> for E
+where
+    E: ByEight<N> + Environment<S, Episode = [f64; N]>,
+{
+    type Physics = <E as ByEight<N>>::Physics;
+    const REST: u16 = <E as ByEight<N>>::REST;
+
+    fn step_under(&self, physics: &Self::Physics, episode: &mut [f64; N], act: Act<'_, S>) -> Step {
+        step_one::<S, E, N>(physics, episode, act)
+    }
 }
 
 /// Takes an action in one episode.

@@ -3,7 +3,6 @@
 //! The camera gives 24 rows of 32 grey pixels. Brightness, its gradient, the texture behind the ball and the noise of the pixels differ
 //! from episode to episode; the head follows its commands with a lag.
 
-use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
 use tpg_engine::{Act, ActionSpace, End, Environment, Output, SourceSet, Step};
 use tpg_graph::SourceDocument;
@@ -22,11 +21,6 @@ const LAG: f32 = 0.6;
 const FAR: f64 = 8.0;
 /// Pixels of a patch of the texture are in one square of so many.
 const PATCH: f32 = 4.0;
-
-/// The section `[problem]` of a configuration for the camera: it has no settings.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Config {}
 
 /// The problem. An action earns the more the nearer the ball is to the middle of the image, 100 in an episode at most; the episode
 /// ends when the ball has left the image.

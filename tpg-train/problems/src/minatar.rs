@@ -13,7 +13,6 @@ pub(crate) use breakout::Breakout;
 pub(crate) use space_invaders::SpaceInvaders;
 
 use board::{Board, Draws, SIDE};
-use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
 use tpg_engine::{Act, ActionSpace, End, Environment, SourceSet, Step};
 use tpg_graph::SourceDocument;
@@ -66,23 +65,6 @@ impl Move {
 pub(crate) struct Outcome {
     reward: u32,
     is_over: bool,
-}
-
-/// The section `[problem]` of a configuration for a game: it has no settings.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Config {
-    #[serde(skip)]
-    pub(crate) game: GameName,
-}
-
-/// The name of a game.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum GameName {
-    #[default]
-    Breakout,
-    Asterix,
-    SpaceInvaders,
 }
 
 /// A game as a problem. A policy reads features of the image: see [`features_of`].

@@ -1,12 +1,12 @@
 //! Gymnasium's MountainCar-v0: drive a weak car out of a valley by pushes to either side, as fast as possible.
 
 use crate::circle::sincos;
-use crate::eights::{ByEight, Eights, observe_one, step_one};
+use crate::eights::{ByEight, by_eight};
 use crate::physics::physics;
 use crate::source;
-use crate::varied::{Adjustable, Settings};
+use crate::varied::Settings;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, Environment, Episodes, SourceSet, Step, Training};
+use tpg_engine::{ActionSpace, Environment, Training};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -83,17 +83,7 @@ impl<S: Scalar> Environment<S> for MountainCar {
         Some(self)
     }
 
-    fn observe(&self, state: &mut State, _wanted: SourceSet, values: &mut [S]) {
-        observe_one::<S, Self, 2>(state, values);
-    }
-
-    fn step(&self, state: &mut State, act: Act<'_, S>) -> Step {
-        self.step_under(&Physics::STANDARD, state, act)
-    }
-
-    fn lanes(&self) -> Box<dyn Episodes<S, State> + '_> {
-        Box::new(Eights::new::<S>(self))
-    }
+    by_eight!(2);
 }
 
 impl Training<State, State> for MountainCar {
@@ -102,21 +92,12 @@ impl Training<State, State> for MountainCar {
     }
 }
 
-impl<S: Scalar> Adjustable<S> for MountainCar {
-    type Physics = Physics;
-
-    const REST: u16 = 1;
-
-    fn step_under(&self, physics: &Physics, state: &mut State, act: Act<'_, S>) -> Step {
-        step_one::<S, Self, 2>(physics, state, act)
-    }
-}
-
 impl ByEight<2> for MountainCar {
     type Physics = Physics;
     const STANDARD: Physics = Physics::STANDARD;
     const OBSERVED: &[usize] = &[0, 1];
     const ROUNDS: bool = true;
+    const REST: u16 = 1;
 
     #[inline(always)]
     fn step_many<const L: usize>(

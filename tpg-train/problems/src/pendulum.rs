@@ -1,15 +1,15 @@
 //! Gymnasium's Pendulum-v1: swing a pendulum up with a motor that is too weak to lift it directly, and keep it up.
 
 use crate::circle::sincos;
-use crate::eights::{ByEight, Eights, observe_one, step_one};
+use crate::eights::{ByEight, by_eight};
 use crate::physics::physics;
 use crate::source;
-use crate::varied::{Adjustable, Disturbance};
+use crate::varied::Disturbance;
 use core::f64::consts::{PI, TAU};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, Environment, Episodes, Output, SourceSet, Step, Training};
+use tpg_engine::{ActionSpace, Environment, Output, Training};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -111,32 +111,12 @@ impl<S: Scalar> Environment<S> for Pendulum {
         Some(self)
     }
 
-    fn observe(&self, swing: &mut Swing, _wanted: SourceSet, state: &mut [S]) {
-        observe_one::<S, Self, 4>(swing, state);
-    }
-
-    fn step(&self, swing: &mut Swing, act: Act<'_, S>) -> Step {
-        self.step_under(&Physics::STANDARD, swing, act)
-    }
-
-    fn lanes(&self) -> Box<dyn Episodes<S, [f64; 2]> + '_> {
-        Box::new(Eights::new::<S>(self))
-    }
+    by_eight!(4);
 }
 
 impl Training<[f64; 2], Swing> for Pendulum {
     fn task_from(&self, &[angle, velocity, ..]: &Swing) -> Option<[f64; 2]> {
         Some([angle, velocity])
-    }
-}
-
-impl<S: Scalar> Adjustable<S> for Pendulum {
-    type Physics = Physics;
-
-    const REST: u16 = 0;
-
-    fn step_under(&self, physics: &Physics, swing: &mut Swing, act: Act<'_, S>) -> Step {
-        step_one::<S, Self, 4>(physics, swing, act)
     }
 }
 

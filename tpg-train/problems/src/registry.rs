@@ -6,13 +6,14 @@ use crate::arm::targets::Start;
 use crate::arm::{self, ArmScalar, motors};
 use crate::cartpole::{self, CartPole};
 use crate::dodge::{self, Dodge};
-use crate::eye::{self, Eye};
-use crate::minatar::{self, Asterix, Breakout, GameName, MinAtar, SpaceInvaders};
+use crate::eye::Eye;
+use crate::minatar::{Asterix, Breakout, MinAtar, SpaceInvaders};
 use crate::mountain_car::{self, MountainCar};
 use crate::mountain_car_continuous::{self, MountainCarContinuous};
 use crate::pendulum::{self, Pendulum};
 use crate::physics::Constants as _;
 use crate::varied::Varied;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use tpg_engine::{AnyEnvironment, Environment, erase};
 use tpg_graph::error::{Finding, InputError, Place};
@@ -59,6 +60,8 @@ pub enum PolicyKind {
     Network,
 }
 
+type PathError = serde_path_to_error::Error<toml::de::Error>;
+
 /// A row of [`PROBLEMS`].
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
@@ -66,64 +69,46 @@ pub struct Entry {
     pub name: ProblemName,
     /// Its name on the command line and in configurations.
     pub text: &'static str,
-    /// The arm's start, if this is a problem of the arm.
-    pub start: Option<Start>,
-    graph: Read,
-    network: Read,
 }
 
-/// Reads the settings of a kind of problem.
-type Read = fn(toml::Table) -> Result<ProblemSettings, PathError>;
-type PathError = serde_path_to_error::Error<toml::de::Error>;
-
-macro_rules! read {
-    ($variant:ident) => {
-        |table| serde_path_to_error::deserialize(toml::Value::Table(table)).map(ProblemSettings::$variant)
-    };
-}
-
-const fn entry(name: ProblemName, text: &'static str, read: Read) -> Entry {
-    Entry { name, text, start: None, graph: read, network: read }
-}
-
-const fn arm(name: ProblemName, text: &'static str, start: Start) -> Entry {
-    Entry { name, text, start: Some(start), graph: read!(Arm), network: read!(Motors) }
+const fn entry(name: ProblemName, text: &'static str) -> Entry {
+    Entry { name, text }
 }
 
 /// Every built-in problem, in the order of [`ProblemName`].
 pub const PROBLEMS: [Entry; 12] = [
-    arm(ProblemName::Fs, "fs", Start::Fs),
-    arm(ProblemName::Rs, "rs", Start::Rs),
-    entry(ProblemName::Dodge, "dodge", read!(Dodge)),
-    entry(ProblemName::Cartpole, "cartpole", read!(Cartpole)),
-    entry(ProblemName::Acrobot, "acrobot", read!(Acrobot)),
-    entry(ProblemName::MountainCar, "mountain-car", read!(MountainCar)),
-    entry(ProblemName::Pendulum, "pendulum", read!(Pendulum)),
-    entry(ProblemName::MountainCarContinuous, "mountain-car-continuous", read!(MountainCarContinuous)),
-    entry(ProblemName::Breakout, "breakout", |table| game(table, GameName::Breakout)),
-    entry(ProblemName::Asterix, "asterix", |table| game(table, GameName::Asterix)),
-    entry(ProblemName::SpaceInvaders, "space-invaders", |table| game(table, GameName::SpaceInvaders)),
-    entry(ProblemName::Eye, "eye", read!(Eye)),
+    entry(ProblemName::Fs, "fs"),
+    entry(ProblemName::Rs, "rs"),
+    entry(ProblemName::Dodge, "dodge"),
+    entry(ProblemName::Cartpole, "cartpole"),
+    entry(ProblemName::Acrobot, "acrobot"),
+    entry(ProblemName::MountainCar, "mountain-car"),
+    entry(ProblemName::Pendulum, "pendulum"),
+    entry(ProblemName::MountainCarContinuous, "mountain-car-continuous"),
+    entry(ProblemName::Breakout, "breakout"),
+    entry(ProblemName::Asterix, "asterix"),
+    entry(ProblemName::SpaceInvaders, "space-invaders"),
+    entry(ProblemName::Eye, "eye"),
 ];
 
-fn game(table: toml::Table, game: GameName) -> Result<ProblemSettings, PathError> {
-    let read = serde_path_to_error::deserialize(toml::Value::Table(table));
-    read.map(|minatar::Config { .. }| ProblemSettings::MinAtar(minatar::Config { game }))
-}
-
 impl ProblemName {
-    const fn entry(self) -> Entry {
-        PROBLEMS[self as usize]
-    }
-
     /// Returns the name used on the command line and in configurations.
     pub const fn name(self) -> &'static str {
-        self.entry().text
+        PROBLEMS[self as usize].text
     }
 
     /// Finds the problem with the given [`name`](Self::name).
     pub fn from_name(name: &str) -> Option<Self> {
         PROBLEMS.iter().find(|entry| entry.text == name).map(|entry| entry.name)
+    }
+
+    /// Returns the arm's start, if this is a problem of the arm.
+    pub(crate) fn start(self) -> Option<Start> {
+        match self {
+            Self::Fs => Some(Start::Fs),
+            Self::Rs => Some(Start::Rs),
+            _ => None,
+        }
     }
 
     /// Returns the names of all problems, for messages.
@@ -168,11 +153,14 @@ pub enum ProblemSettings {
     Pendulum(pendulum::Config),
     /// The car in a valley, by a force.
     MountainCarContinuous(mountain_car_continuous::Config),
-    /// A game of MinAtar.
-    MinAtar(minatar::Config),
-    /// The camera.
-    Eye(eye::Config),
+    /// A problem that cannot be changed: a game of MinAtar, or the camera.
+    Fixed(NoSettings),
 }
+
+/// The section `[problem]` of a configuration for a problem without settings.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NoSettings {}
 
 macro_rules! each {
     ($settings:expr, $config:ident => $result:expr) => {
@@ -185,8 +173,7 @@ macro_rules! each {
             ProblemSettings::MountainCar($config) => $result,
             ProblemSettings::Pendulum($config) => $result,
             ProblemSettings::MountainCarContinuous($config) => $result,
-            ProblemSettings::MinAtar($config) => $result,
-            ProblemSettings::Eye($config) => $result,
+            ProblemSettings::Fixed($config) => $result,
         }
     };
 }
@@ -196,15 +183,15 @@ trait Settings: Serialize {
     fn check(&self) -> Result<(), Finding> {
         Ok(())
     }
-    fn environment<S: ArmScalar>(&self, start: Start) -> AnyEnvironment<S>;
+    fn environment<S: ArmScalar>(&self, name: ProblemName) -> AnyEnvironment<S>;
 }
 
 impl Settings for arm::Config {
     fn check(&self) -> Result<(), Finding> {
         self.check()
     }
-    fn environment<S: ArmScalar>(&self, start: Start) -> AnyEnvironment<S> {
-        erase(self.environment::<S>(start))
+    fn environment<S: ArmScalar>(&self, name: ProblemName) -> AnyEnvironment<S> {
+        erase(self.environment::<S>(name.start().unwrap_or(Start::Fs)))
     }
 }
 
@@ -213,9 +200,10 @@ impl Settings for motors::Config {
     fn check(&self) -> Result<(), Finding> {
         self.check()
     }
-    fn environment<S: ArmScalar>(&self, start: Start) -> AnyEnvironment<S> {
+    fn environment<S: ArmScalar>(&self, name: ProblemName) -> AnyEnvironment<S> {
         let network = Some(Box::new(self.clone()));
-        erase(arm::Config { arm: self.arm.clone(), network, ..arm::Config::default() }.environment::<S>(start))
+        let config = arm::Config { arm: self.arm.clone(), network, ..arm::Config::default() };
+        Settings::environment(&config, name)
     }
 }
 
@@ -223,24 +211,19 @@ impl Settings for dodge::Config {
     fn check(&self) -> Result<(), Finding> {
         self.check()
     }
-    fn environment<S: ArmScalar>(&self, _: Start) -> AnyEnvironment<S> {
+    fn environment<S: ArmScalar>(&self, _: ProblemName) -> AnyEnvironment<S> {
         erase(Dodge::new(self))
     }
 }
 
-impl Settings for minatar::Config {
-    fn environment<S: ArmScalar>(&self, _: Start) -> AnyEnvironment<S> {
-        match self.game {
-            GameName::Breakout => erase(MinAtar::<Breakout>::default()),
-            GameName::Asterix => erase(MinAtar::<Asterix>::default()),
-            GameName::SpaceInvaders => erase(MinAtar::<SpaceInvaders>::default()),
+impl Settings for NoSettings {
+    fn environment<S: ArmScalar>(&self, name: ProblemName) -> AnyEnvironment<S> {
+        match name {
+            ProblemName::Breakout => erase(MinAtar::<Breakout>::default()),
+            ProblemName::Asterix => erase(MinAtar::<Asterix>::default()),
+            ProblemName::SpaceInvaders => erase(MinAtar::<SpaceInvaders>::default()),
+            _ => erase(Eye::default()),
         }
-    }
-}
-
-impl Settings for eye::Config {
-    fn environment<S: ArmScalar>(&self, _: Start) -> AnyEnvironment<S> {
-        erase(Eye::default())
     }
 }
 
@@ -251,7 +234,7 @@ macro_rules! varied {
                 self.physics.check()?;
                 self.disturbance.check(&Environment::<f64>::sources(&$environment))
             }
-            fn environment<S: ArmScalar>(&self, _: Start) -> AnyEnvironment<S> {
+            fn environment<S: ArmScalar>(&self, _: ProblemName) -> AnyEnvironment<S> {
                 erase(Varied::new($environment, self.physics, self.disturbance.clone()))
             }
         })+
@@ -296,9 +279,23 @@ impl Problem {
     }
 
     fn parse(name: ProblemName, kind: PolicyKind, table: toml::Table) -> Result<Self, PathError> {
-        let Entry { graph, network, .. } = name.entry();
-        let read = if kind == PolicyKind::Graph { graph } else { network };
-        Ok(Self { name, settings: read(table)? })
+        fn read<T: DeserializeOwned>(table: toml::Table) -> Result<T, PathError> {
+            serde_path_to_error::deserialize(toml::Value::Table(table))
+        }
+        let settings = match name {
+            ProblemName::Fs | ProblemName::Rs if kind == PolicyKind::Network => ProblemSettings::Motors(read(table)?),
+            ProblemName::Fs | ProblemName::Rs => ProblemSettings::Arm(read(table)?),
+            ProblemName::Dodge => ProblemSettings::Dodge(read(table)?),
+            ProblemName::Cartpole => ProblemSettings::Cartpole(read(table)?),
+            ProblemName::Acrobot => ProblemSettings::Acrobot(read(table)?),
+            ProblemName::MountainCar => ProblemSettings::MountainCar(read(table)?),
+            ProblemName::Pendulum => ProblemSettings::Pendulum(read(table)?),
+            ProblemName::MountainCarContinuous => ProblemSettings::MountainCarContinuous(read(table)?),
+            ProblemName::Breakout | ProblemName::Asterix | ProblemName::SpaceInvaders | ProblemName::Eye => {
+                ProblemSettings::Fixed(read(table)?)
+            }
+        };
+        Ok(Self { name, settings })
     }
 
     /// Returns the problem's name.
@@ -308,14 +305,14 @@ impl Problem {
 
     /// Returns the arm's start; the fixed one for a problem without one.
     pub(crate) fn start(&self) -> Start {
-        self.name.entry().start.unwrap_or(Start::Fs)
+        self.name.start().unwrap_or(Start::Fs)
     }
 
     /// Returns the problem of another name: the arm by its motors keeps its settings with another start.
     #[must_use]
     pub fn renamed(self, name: ProblemName, kind: PolicyKind) -> Self {
         match &self.settings {
-            ProblemSettings::Motors(_) if name.entry().start.is_some() => Self { name, ..self },
+            ProblemSettings::Motors(_) if name.start().is_some() => Self { name, ..self },
             _ if self.name == name => self,
             _ => Self::new_for(name, kind),
         }
@@ -405,7 +402,7 @@ impl Problem {
     }
 
     fn create<S: ArmScalar>(&self) -> AnyEnvironment<S> {
-        each!(&self.settings, config => Settings::environment(config, self.start()))
+        each!(&self.settings, config => Settings::environment(config, self.name))
     }
 
     /// Returns the settings that the integers of a network keep: those of the arm's decision.

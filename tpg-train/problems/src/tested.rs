@@ -4,7 +4,7 @@ use crate::arm::motors::{self, MotorsTask, Rules};
 use crate::arm::planner::{self, CONTROLLERS};
 use crate::arm::{ArmDescription, ArmTask, targets};
 use crate::dodge;
-use crate::registry::{PROBLEMS, PolicyKind, Problem, ProblemName, ProblemSettings};
+use crate::registry::{PolicyKind, Problem, ProblemName, ProblemSettings};
 use serde::Deserialize;
 use std::path::Path;
 use tpg_engine::{AnyTask, EpisodeResult};
@@ -121,7 +121,7 @@ impl Problem {
 
     /// Returns true if policies of one problem can act in the other.
     pub fn share_policies(one: &str, other: &str) -> bool {
-        let is_arm = |name: &str| PROBLEMS.iter().any(|entry| entry.text == name && entry.start.is_some());
+        let is_arm = |name: &str| ProblemName::from_name(name).is_some_and(|name| name.start().is_some());
         one == other || (is_arm(one) && is_arm(other))
     }
 

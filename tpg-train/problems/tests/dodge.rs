@@ -51,7 +51,7 @@ fn scenes_keep_the_generators_rules() {
         let first = Pose(scene.goals[0]);
         assert!((60..=600).contains(&steps(start, first)) && scene.goals.len() <= 4);
         // Without balls a straight walk arrives: the balls are the whole problem.
-        let walk = follow(&BODY, start, &[Leg { to: first, wait: 0 }], LIMIT, 0.0, |_, _| 1.0);
+        let walk = follow(start, &[Leg { to: first, wait: 0 }], LIMIT, 0.0, |_, _| 1.0);
         assert_eq!(walk, Outcome::Arrives(steps(start, first)));
         for ball in &scene.balls {
             assert!(
@@ -84,7 +84,7 @@ fn sets_differ_and_a_longer_list_begins_with_the_shorter() {
 fn a_plan_that_is_followed_by_the_rules_does_what_its_replay_says() {
     let config = Config::default();
     for Certified { scene, plan } in hundred().iter().take(30) {
-        let mut episode = Episode::new(&BODY, scene);
+        let mut episode = Episode::new(scene);
         let mut legs = plan.clone();
         let end = loop {
             let at = episode.pose();
@@ -94,7 +94,7 @@ fn a_plan_that_is_followed_by_the_rules_does_what_its_replay_says() {
             let leg = &mut legs[0];
             let step = if leg.to == at { Move::STOP } else { straight(at, leg.to) };
             leg.wait -= u16::from(leg.to == at);
-            if let Some(end) = episode.step(&BODY, step, config.tolerance) {
+            if let Some(end) = episode.step(step, config.tolerance) {
                 break end;
             }
         };
@@ -110,17 +110,17 @@ fn a_step_against_limits_table_or_base_is_refused_and_no_failure() {
         Path { from: [0.0, 0.0, 2000.0], to: [0.0, 0.0, 2000.0], radius: 30.0, period: 0.0, phase: 0.0, sine: false };
     let scene = |start| Scene { start, target: [0.0, -300.0, 300.0], goals: vec![[2048; 4]], balls: vec![ball] };
     let at_limit = [WIDOWX.ranges[0].max, 2048, 2048, 2048];
-    let mut episode = Episode::new(&BODY, &scene(at_limit));
-    assert_eq!(episode.step(&BODY, Move([3, 0, 0, 0]), 3.0), None);
+    let mut episode = Episode::new(&scene(at_limit));
+    assert_eq!(episode.step(Move([3, 0, 0, 0]), 3.0), None);
     assert_eq!(episode.pose(), Pose(at_limit));
     // The others still move.
-    assert_eq!(episode.step(&BODY, Move([3, 3, 0, 0]), 3.0), None);
+    assert_eq!(episode.step(Move([3, 3, 0, 0]), 3.0), None);
     assert_eq!(episode.pose(), moved(Pose(at_limit), Move([0, 3, 0, 0])));
     // Down to the table, and not through it.
-    let mut low = Episode::new(&BODY, &scene([2048, 2048, 2048, 2048]));
+    let mut low = Episode::new(&scene([2048, 2048, 2048, 2048]));
     let mut ended = None;
     for _ in 0..LIMIT {
-        ended = ended.or(low.step(&BODY, Move([0, -3, 0, 0]), 3.0));
+        ended = ended.or(low.step(Move([0, -3, 0, 0]), 3.0));
         assert!(BODY.is_free(&BODY.at(low.pose())));
     }
     assert_eq!(ended, Some(End::Timeout));

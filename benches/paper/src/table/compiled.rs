@@ -1,7 +1,7 @@
 //! The shipped policies as compiled by users: the generated Rust, with this program's own options.
 
-use super::reference::Reference;
 use super::timing::{self, Time};
+use crate::actor::RecordedActor;
 use tpg_arm::binding;
 use tpg_arm::cycle::CycleDetector;
 use tpg_arm::hybrid::{Hybrid, Settings};
@@ -19,7 +19,7 @@ use tpg_runtime::policy::Policy;
 /// The arm that they were trained for, in the precision that they run in.
 const ARM: Arm<f32> = WIDOWX.to_f32();
 
-/// Times of a shipped hybrid and its parts.
+/// Times of a shipped hybrid and its parts, and of what the paper compares with.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Times {
     /// The graph alone, profile `fast`.
@@ -30,13 +30,6 @@ pub struct Times {
     pub sac: Time,
     /// Both, as shipped.
     pub hybrid: Time,
-}
-
-/// Other times measured in the same run.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Costs {
-    /// The shipped hybrid and its parts.
-    pub shipped: Times,
     /// The paper's network alone, 13-256-256-4 in `f32`.
     pub reference: Time,
 }
@@ -63,17 +56,6 @@ pub fn times(start: Start, tasks: &[Task]) -> Times {
     }
 }
 
-/// Number of tasks that are timed.
-const TIMED: usize = 100;
-
-/// Measures everything that is compared in one run.
-pub fn measure(start: Start, tasks: &[Task]) -> Costs {
-    let tasks = &tasks[..TIMED.min(tasks.len())];
-    let reference = timing::of_policy_along(&ARM, &Reference::random(1), &network(), start, tasks);
-    let shipped = times(start, tasks);
-    Costs { shipped, reference }
-}
-
 fn parts<T, D>(start: Start, tasks: &[Task], tpg: T, settings: Settings<f32>, detector: &D) -> Times
 where
     T: Policy<State = Observation<f32>, Action = Move> + Clone,
@@ -87,5 +69,6 @@ where
         },
         sac: timing::of_policy(&ARM, &network(), start, tasks),
         hybrid: timing::of_hybrid(&Hybrid { arm: &ARM, tpg, sac: network(), settings }, detector, start, tasks),
+        reference: timing::of_policy_along(&ARM, &RecordedActor::random(1), &network(), start, tasks),
     }
 }

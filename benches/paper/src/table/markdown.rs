@@ -1,6 +1,6 @@
 //! Renders `docs/results.md`.
 
-use super::compiled::Costs;
+use super::compiled::Times;
 use super::paper::PRINTED;
 use super::rows::Row;
 use super::timing::Time;
@@ -19,7 +19,7 @@ pub struct ProblemResults {
     /// The table.
     pub rows: Vec<Row>,
     /// Times of compiled code.
-    pub costs: Costs,
+    pub times: Times,
 }
 
 impl ProblemResults {
@@ -148,7 +148,7 @@ fn costs(problems: &[ProblemResults]) -> String {
         if factor >= 10.0 { format!("{factor:.0} times") } else { format!("{factor:.1} times") }
     };
     let column = |problem: &ProblemResults| {
-        let Costs { shipped, reference } = problem.costs;
+        let shipped = problem.times;
         let row = |name: &str| problem.rows.iter().find(|row| row.name == name);
         let episode =
             |name: &str, time: Time| thousands(row(name).map_or(0.0, |row| row.actions.mean) * time.mean / 1e3);
@@ -156,8 +156,8 @@ fn costs(problems: &[ProblemResults]) -> String {
         let of_the_paper = if problem.start == Start::Fs { "11" } else { "2.8" };
         [
             format!("{}; {}", thousands(shipped.tpg.mean), thousands(shipped.tpg_constant_time.mean)),
-            thousands(reference.mean),
-            format!("**{}** ({of_the_paper})", times(reference.mean, shipped.hybrid.mean)),
+            thousands(shipped.reference.mean),
+            format!("**{}** ({of_the_paper})", times(shipped.reference.mean, shipped.hybrid.mean)),
             times(shipped.sac.mean, shipped.hybrid.mean),
             planner.map_or("–".to_owned(), |planner| times(planner.mean, shipped.hybrid.mean)),
             format!("{}; {}", episode("**hybrid, shipped**", shipped.hybrid), episode("SAC, shipped", shipped.sac)),

@@ -1,7 +1,7 @@
 //! This project's policies, run by the trainer.
 
 use std::path::Path;
-use tpg_engine::{EpisodeResult, TaskSet};
+use tpg_engine::TaskSet;
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_problems::Problem;
@@ -33,8 +33,7 @@ impl<'a> Ours<'a> {
     /// If a policy is not one of the arm.
     pub fn play(&self, acting: Acting<'_>) -> Result<(ReachStatistics, f64), InputError> {
         let done = Problem::tested(self.start.into(), None)?.play(acting, self.episodes)?;
-        let endings: Vec<EpisodeResult> = done.endings;
-        Ok((ReachStatistics::new(self.start, endings), done.tpg_action_ratio))
+        Ok((ReachStatistics::new(&done.endings), done.tpg_action_ratio))
     }
 
     /// Lets a graph act alone.

@@ -1,6 +1,7 @@
 //! Every policy on the committed test episodes.
 
 use super::ProblemInputs;
+use super::compiled::Times;
 use super::ours::Ours;
 use super::timing::{self, Time};
 use std::path::{Path, PathBuf};
@@ -12,6 +13,7 @@ use tpg_engine::Sample;
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::files::read_graph;
+use tpg_problems::arm::ArmProblem;
 use tpg_problems::arm::evaluation::{ReachStatistics, run};
 use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{Start, Task};
@@ -87,28 +89,33 @@ pub fn graph_bytes(graph: &Graph) -> Option<[usize; 2]> {
 /// Name of the classical policy that fits a microcontroller.
 pub const STRAIGHT: &str = "one goal, straight (`stance`)";
 
-/// Number of tasks whose states are timed.
-const TIMED: usize = 100;
-/// The same number for the planner, which is slow.
+/// Number of tasks that are timed of the planner, which is slow.
 const TIMED_PLANNER: usize = 20;
 
-/// Measures the rows of one problem.
+/// Measures the rows of one problem on tasks, of which some are timed.
 ///
 /// # Errors
 /// Files that are not policies.
-pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task], file: &Path) -> Result<Vec<Row>, InputError> {
-    let arm = WIDOWX.to_f32();
+pub fn measure(
+    start: Start,
+    inputs: &ProblemInputs,
+    tasks: &[Task],
+    timed: &[Task],
+    file: &Path,
+    compiled: &Times,
+) -> Result<Vec<Row>, InputError> {
+    let (arm, problem) = (WIDOWX.to_f32(), ArmProblem::from(start));
     let mut rows = Vec::new();
     for (name, choice) in [("classical planner", Choice::NearestFree), ("nearest goal, straight", Choice::Nearest)] {
         let planner = Planner::new(&WIDOWX, choice);
-        let trial = run(&WIDOWX, &planner, start, tasks);
+        let trial = ReachStatistics::new(&run(&WIDOWX, &planner, &problem, tasks));
         let time = timing::of_policy(&WIDOWX, &planner, start, &tasks[..TIMED_PLANNER.min(tasks.len())]);
         rows.push(Row { time: Some(time), ..Row::new(name, &[trial]) });
     }
-    let timed = &tasks[..TIMED.min(tasks.len())];
     let straight = Straight::new(&arm);
     let time = Some(timing::of_policy(&arm, &straight, start, timed));
-    rows.push(Row { time, ..Row::new(STRAIGHT, &[run(&arm, &straight, start, tasks)]) });
+    let trial = ReachStatistics::new(&run(&arm, &straight, &problem, tasks));
+    rows.push(Row { time, ..Row::new(STRAIGHT, &[trial]) });
     let classical = rows.len();
 
     let shipped = Hybrid::read(&inputs.shipped)?;
@@ -122,7 +129,6 @@ pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task], file: &Path
     let both = ours.play(Acting::Both(&shipped.graph, &shipped.network, &shipped.setting))?;
     let bytes = bytes.map(|graph| graph.map(|graph| graph + actor_bytes));
     rows.push(Row { bytes, ..Row::of_hybrids("**hybrid, shipped**", &[both]) });
-    let compiled = super::compiled::times(start, timed);
     for (row, time) in rows[classical..].iter_mut().zip([compiled.sac, compiled.tpg, compiled.hybrid]) {
         row.time = Some(time);
     }

@@ -3,8 +3,8 @@
 //! Two ways of computing the same pose can disagree about a collision only if the arm almost touches something; this
 //! module measures that.
 
-use tpg_arm::Shapes;
 use tpg_arm::kinematics::{Plane, Point};
+use tpg_arm::{BaseEdge, Shapes};
 
 type LinkSegment = (Point<f64>, Point<f64>);
 
@@ -17,7 +17,7 @@ pub(crate) fn clearance(plane: &Plane<f64>, shapes: &Shapes<f64>) -> f64 {
     let [(tip_upper, tip_lower), ..] = faces;
     let joints = [plane.bracket, plane.elbow, plane.wrist, plane.tip];
     let heights = joints.iter().chain([&tip_upper, &tip_lower]).map(|point| point.z.abs());
-    let edges = shapes.base.iter().flat_map(|&edge| [edge, edge.mirrored()]).map(|edge| {
+    let edges = shapes.base.iter().flat_map(|&edge| [edge, BaseEdge { x: edge.x.map(|x| -x), ..edge }]).map(|edge| {
         let [from, to] = [0, 1].map(|end| Point { x: edge.x[end], z: edge.z[end] });
         (from, to)
     });

@@ -164,7 +164,7 @@ where
         let collision = step.invalid.is_some();
         if collision || seen.distance() < rules.tolerance || actions >= rules.max_actions {
             switch.ended(chosen);
-            let end = EndState::new(rules, seen.distance(), collision, actions);
+            let end = rules.end(seen.distance(), collision, actions);
             return (Some(end), switch.counts().tpg_actions);
         }
         switch.acted(chosen, &seen);

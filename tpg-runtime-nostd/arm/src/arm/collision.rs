@@ -176,13 +176,6 @@ fn lesser<S: Scalar>(a: S, b: S) -> S {
     if a < b { a } else { b }
 }
 
-impl<S: Scalar> BaseEdge<S> {
-    /// The same edge on the other side of the base's axis.
-    pub fn mirrored(self) -> Self {
-        Self { x: self.x.map(|x| -x), z: self.z }
-    }
-}
-
 /// From `origin`, `along` mm in one direction and then `aside` mm in the other.
 fn offset<S: Scalar>(origin: Point<S>, axis: Direction<S>, along: S, aside: Direction<S>, by: S) -> Point<S> {
     Point { x: origin.x + axis.cos * along + aside.cos * by, z: origin.z + axis.sin * along + aside.sin * by }

@@ -1,6 +1,6 @@
 //! Clearance of the hand and the forearm from the arm's own base, in the arm plane.
 
-use crate::arm::{Arm, Pose, Shapes};
+use crate::arm::Shapes;
 use crate::kinematics::{Direction, Lattice, Plane, Point};
 
 /// Distances from the base as a solid, mm: what the collision test refuses is about to reach 0 here.
@@ -118,11 +118,4 @@ fn least<S: Lattice>(a: S, b: S) -> S {
 
 fn greatest<S: Lattice>(a: S, b: S) -> S {
     if b > a { b } else { a }
-}
-
-impl<S: Lattice> Arm<S> {
-    /// The clearance at a pose.
-    pub fn clearance(&self, pose: Pose) -> Clearance<S> {
-        Clearance::new(&Plane::at(self, pose), &self.shapes)
-    }
 }

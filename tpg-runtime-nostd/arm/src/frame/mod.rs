@@ -19,10 +19,7 @@
 //! | t_l | [`target_lateral`](Frame::target_lateral) | t_x cos q0 + t_y sin q0 | mm |
 //! | e_r | [`radial_error`](Frame::radial_error) | t_r − ρ | mm |
 //! | e_z | [`height_error`](Frame::height_error) | t_z − z | mm |
-//! | d | [`distance`](Frame::distance) | √(e_r² + t_l² + e_z²) | mm |
-//!
-//! Reaches and elevations are those from the point of the base's axis at the shoulder's height: from the shoulder itself, but for an arm
-//! whose shoulder is in front of the axis.
+//! | d | | √(e_r² + t_l² + e_z²) | mm |
 //!
 //! A [`Frame`] holds no more than pose, target and plane. Each quantity is a method, computed when it is asked for, so
 //! that a policy pays for what it reads.
@@ -53,11 +50,8 @@ impl<'a, S: Lattice> Frame<'a, S> {
 
     /// The frame at a pose, with the target in mm.
     pub fn at(arm: &'a Arm<S>, pose: Pose, target: Vector<S>) -> Self {
-        Self::with_plane(arm, pose, target, Plane::at(arm, pose))
-    }
-
-    /// The frame at a pose whose plane is known already.
-    pub fn with_plane(arm: &'a Arm<S>, pose: Pose, target: Vector<S>, plane: Plane<S>) -> Self {
+        // A call, which keeps no register: first.
+        let plane = Plane::at(arm, pose);
         Self::with_directions(arm, pose, target, kinematics::base_direction(pose), plane)
     }
 
@@ -77,29 +71,9 @@ impl<'a, S: Lattice> Frame<'a, S> {
         self.pose
     }
 
-    /// The arm in its plane.
-    pub fn plane(&self) -> &Plane<S> {
-        &self.plane
-    }
-
-    /// Direction of the base's angle q0.
-    pub fn base(&self) -> Direction<S> {
-        self.base
-    }
-
     /// The target, mm.
     pub fn target(&self) -> Vector<S> {
         self.target
-    }
-
-    /// Height of the shoulder over the table, mm.
-    pub fn shoulder_height(&self) -> S {
-        self.arm.links.base
-    }
-
-    /// Wrist to tip, mm.
-    pub fn hand_length(&self) -> S {
-        self.arm.links.hand
     }
 
     /// ρ, mm: the hand's signed distance from the base's axis.
@@ -132,13 +106,6 @@ impl<'a, S: Lattice> Frame<'a, S> {
     /// e_z = t_z − z, mm.
     pub fn height_error(&self) -> S {
         self.target[2] - self.plane.tip.z
-    }
-
-    /// Hand to target, mm, from the frame's three errors. It may differ from [`Observation::distance`] in the last
-    /// bits, so episodes do not end by this one.
-    pub fn distance(&self) -> S {
-        let (radial, lateral, height) = (self.radial_error(), self.target_lateral(), self.height_error());
-        (radial * radial + lateral * lateral + height * height).sqrt()
     }
 
     /// Directions of upper arm, forearm and hand over the table, in the plane whose first axis is −ρ: the angles
@@ -180,22 +147,16 @@ impl<'a, S: Lattice> Frame<'a, S> {
         [front - at, back - at]
     }
 
-    /// Elevation of the hand over the shoulder's horizon, rad, −π..π: atan2(z − base height, ρ). Beyond ±π/2 the arm
-    /// reaches over its back.
-    pub fn hand_elevation(&self) -> S {
-        (self.height() - self.arm.links.base).atan2(self.radius())
-    }
-
-    /// Shoulder to target, mm.
-    pub fn target_reach(&self) -> S {
-        let ([x, y, _], height) = (self.target, self.target[2] - self.arm.links.base);
-        (x * x + y * y + height * height).sqrt()
-    }
-
-    /// Shoulder to hand, mm.
-    pub fn hand_reach(&self) -> S {
-        let (radius, height) = (self.radius(), self.height() - self.arm.links.base);
-        (radius * radius + height * height).sqrt()
+    /// Errors in the polar frame of the point on the base's axis at the shoulder's height, mm: lateral, tangential, radial. The radial
+    /// one is the difference of the distances from there to target and hand.
+    pub fn polar_errors(&self) -> [S; 3] {
+        let base = self.arm.links.base;
+        let ([x, y, z], radius) = (self.target, self.radius());
+        let (hand, target) = (self.height() - base, z - base);
+        let target_reach = (x * x + y * y + target * target).sqrt();
+        let hand_reach = (radius * radius + hand * hand).sqrt();
+        let tangential = (radius * target - hand * self.target_radius()) / hand_reach;
+        [-self.target_lateral(), tangential, target_reach - hand_reach]
     }
 
     /// Ticks that a joint can still rise before its upper limit; 0 for a joint that does not exist.
@@ -222,12 +183,7 @@ impl<'a, S: Lattice> Frame<'a, S> {
         if lower.z < upper.z { lower.z } else { upper.z }
     }
 
-    /// Clearance of hand and forearm from the arm's own base.
-    pub fn clearance(&self) -> Clearance<S> {
-        Clearance::new(&self.plane, &self.arm.shapes)
-    }
-
-    /// The same where it is less than `horizon`, mm; any number from there on where it is not.
+    /// Clearance of hand and forearm from the arm's own base where it is less than `horizon`, mm; any number from there on where it is not.
     pub fn clearance_up_to(&self, horizon: S) -> Clearance<S> {
         Clearance::up_to(&self.plane, &self.arm.shapes, horizon)
     }

@@ -3,7 +3,7 @@
 use super::{Chosen, Counts, Driver, Hybrid, NEVER, Switch};
 use crate::arm::{Move, Play, Pose};
 use crate::cycle::{Brent, CycleDetector};
-use crate::episode::{Outcome, ReachTask, Simulation, Summary};
+use crate::episode::{Episode, Outcome, ReachTask, Summary};
 use crate::kinematics::Lattice;
 use crate::observation::Observation;
 use tpg_runtime::policy::Policy;
@@ -25,10 +25,11 @@ pub struct HybridSummary<S> {
 #[derive(Clone, Debug)]
 pub struct HybridEpisode<'a, S, T, P, D> {
     hybrid: &'a Hybrid<'a, S, T, P>,
-    simulation: Simulation<S>,
+    /// Its detector watches the network once that keeps the arm to the end.
+    episode: Episode<'a, S, Brent>,
     switch: Switch<S, D>,
-    /// Watches the network once it keeps the arm to the end.
-    last_turn: Option<Brent>,
+    /// True in the network's last turn.
+    is_last_turn: bool,
 }
 
 impl<'a, S, T, P, D> HybridEpisode<'a, S, T, P, D>
@@ -45,14 +46,14 @@ where
 
     /// Puts an arm whose joints have play at the problem's start.
     pub fn with_play(hybrid: &'a Hybrid<'a, S, T, P>, problem: ReachTask<S>, detector: D, play: Play) -> Self {
-        let simulation = Simulation::new(hybrid.arm, problem, play);
-        let switch = Switch::new(hybrid.settings, detector, simulation.observation());
-        Self { hybrid, simulation, switch, last_turn: None }
+        let episode = Episode::with_play(hybrid.arm, problem, Brent::new(), play);
+        let switch = Switch::new(hybrid.settings, detector, episode.observation());
+        Self { hybrid, episode, switch, is_last_turn: false }
     }
 
     /// The observation that the policies see now.
     pub fn observation(&self) -> &Observation<S> {
-        self.simulation.observation()
+        self.episode.observation()
     }
 
     /// Whose turn it is, and what happened so far.
@@ -70,37 +71,34 @@ where
 
     /// The first half of [`advance`](Self::advance): what a controller computes between two readings of the motors.
     pub fn decide(&mut self) -> Chosen {
-        self.hybrid.decide(&mut self.switch, self.simulation.observation())
+        self.hybrid.decide(&mut self.switch, self.episode.observation())
     }
 
     /// The second half: moves the arm and tells the switch.
     pub fn act(&mut self, chosen: Chosen) -> Option<Outcome> {
-        if chosen.driver == Driver::Sac && self.hybrid.settings.hand_back_after == NEVER && self.last_turn.is_none() {
-            let mut detector = Brent::new();
-            detector.reset(self.simulation.observation().pose);
-            self.last_turn = Some(detector);
+        let is_network = chosen.driver == Driver::Sac;
+        if is_network && self.hybrid.settings.hand_back_after == NEVER && !self.is_last_turn {
+            self.episode.detector.reset(self.observation().pose);
+            self.is_last_turn = true;
         }
-        let outcome = self.simulation.step(self.hybrid.arm, chosen.wanted);
+        let outcome = self.episode.step(chosen.wanted);
         if outcome.is_some() {
             self.switch.ended(chosen);
             return outcome;
         }
-        self.switch.acted(chosen, self.simulation.observation());
-        let pose = self.simulation.observation().pose;
-        let cycles = chosen.driver == Driver::Sac && self.last_turn.as_mut().is_some_and(|d| d.repeats(pose));
-        if cycles { Some(Outcome::Cycle) } else { self.simulation.timeout() }
+        self.switch.acted(chosen, self.episode.observation());
+        let pose = self.observation().pose;
+        let cycles = is_network && self.is_last_turn && self.episode.detector.repeats(pose);
+        if cycles { Some(Outcome::Cycle) } else { self.episode.timeout() }
     }
 
     /// Lets the hybrid act until the end; `each` sees the policy that acted and the pose after every action.
     pub fn run(mut self, mut each: impl FnMut(Driver, Pose)) -> HybridSummary<S> {
         loop {
             let (driver, outcome) = self.advance();
-            each(driver, self.simulation.observation().pose);
+            each(driver, self.episode.observation().pose);
             if let Some(outcome) = outcome {
-                return HybridSummary {
-                    summary: self.simulation.summary(self.hybrid.arm, outcome),
-                    counts: *self.switch.counts(),
-                };
+                return HybridSummary { summary: self.episode.summary(outcome), counts: *self.switch.counts() };
             }
         }
     }

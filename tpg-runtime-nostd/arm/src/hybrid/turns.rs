@@ -37,11 +37,6 @@ impl<S: Lattice, D: CycleDetector<Pose>> Switch<S, D> {
         self.turns.counts()
     }
 
-    /// Notes that the guard refused the graph's action, which was not executed.
-    pub fn refused(&mut self) {
-        self.turns.refused();
-    }
-
     /// Notes that an action ended the episode: it counts, and nothing else changes.
     pub fn ended(&mut self, chosen: Chosen) {
         self.turns.ended(chosen.driver);

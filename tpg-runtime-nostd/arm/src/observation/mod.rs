@@ -1,6 +1,5 @@
 //! The observation of arm and target, and the data sources of a graph that it fills.
 
-pub mod derived;
 mod memo;
 mod range;
 mod reach;
@@ -9,86 +8,17 @@ mod source;
 mod stance;
 mod straight;
 
-pub use derived::Aim;
 pub use memo::TargetMemo;
-pub use reach::{Reach, ReachErrors, ReachTarget};
 pub use seen::Observation;
 pub use source::Source;
-pub use stance::Stance;
 pub use straight::{STEP, Straight};
 
 use crate::arm::{Arm, Move};
 use crate::frame::Frame;
 use crate::kinematics::Lattice;
+use core::hint::black_box;
 use core::mem::MaybeUninit;
 use tpg_runtime::policy::{ActionId, Policy};
-
-/// Parts that several sources share. The reach is computed once, when the first of them asks; to keep a frame would cost
-/// as much as to compute it.
-struct Parts<'a, S: Copy> {
-    arm: &'a Arm<S>,
-    seen: &'a Observation<S>,
-    memo: &'a TargetMemo<S>,
-    reach: Option<ReachErrors<S>>,
-}
-
-impl<'a, S: Lattice> Parts<'a, S> {
-    fn new(arm: &'a Arm<S>, seen: &'a Observation<S>, memo: &'a TargetMemo<S>) -> Self {
-        Self { arm, seen, memo, reach: None }
-    }
-
-    #[inline(always)]
-    fn frame(&self) -> Frame<'a, S> {
-        Frame::new(self.arm, self.seen)
-    }
-
-    #[inline(never)] // as `bearing`
-    fn reach(&mut self) -> &ReachErrors<S> {
-        let (arm, seen, memo) = (self.arm, self.seen, self.memo);
-        let [.., wrist] = seen.pose.0;
-        self.reach.get_or_insert_with(|| memo.reach(arm, seen.target).keeping_wrist(arm, wrist).errors(arm, seen.pose))
-    }
-
-    #[inline(never)] // the sources that most policies have need far fewer registers than this
-    fn bearing(&self) -> [S; 3] {
-        let aim = self.memo.aim(self.arm, self.seen.target);
-        let frame = self.frame();
-        derived::bearing(&aim, self.seen.pose, frame.hand_elevation(), frame.hand_reach())
-    }
-
-    #[inline(never)] // as `bearing`
-    fn wrist(&self) -> [S; 2] {
-        derived::wrist(&self.frame())
-    }
-
-    #[inline(always)]
-    fn write<W: Slot<S>>(&mut self, source: Source, values: &mut [W]) {
-        let seen = self.seen;
-        match source {
-            Source::Target => put(values, seen.target),
-            Source::Difference => put(values, seen.difference),
-            Source::Hand => put(values, seen.hand),
-            Source::Motors => put(values, seen.pose.0.map(ticks)),
-            Source::Servos => {
-                let [a, b, c, d] = seen.pose.0;
-                let [e, f] = seen.fixed_servos;
-                put(values, [a, b, c, d, e, f].map(ticks));
-            }
-            Source::MotorsCentred => put(values, derived::centred(seen.pose)),
-            Source::Polar => {
-                let frame = self.frame();
-                put(values, derived::polar(&frame, frame.target_reach(), frame.hand_reach()));
-            }
-            Source::Bearing => put(values, self.bearing()),
-            Source::Reach => put(values, self.reach().ticks),
-            Source::ReachExcess => put(values, self.reach().excess),
-            Source::ReachPitch => put(values, [self.reach().pitch]),
-            Source::Wrist => put(values, self.wrist()),
-            Source::Floor => put(values, [self.frame().lowest_corner()]),
-            Source::Stance => put(values, self.memo.stance(self.arm, seen.target).errors(seen.pose)),
-        }
-    }
-}
 
 impl Source {
     /// Writes this source's values at a pose into `values`; stops where `values` is full.
@@ -118,12 +48,40 @@ impl Source {
         memo: &TargetMemo<S>,
         state: &mut [W],
     ) {
-        let mut parts = Parts::new(arm, seen, memo);
         let mut rest = state;
         for source in sources {
-            parts.write(source, rest);
+            // To keep a frame would cost as much as to compute it. The compiler shall not compute before the loop what only some
+            // sources need.
+            let (arm, seen) = black_box((arm, seen));
+            source.write_with(arm, seen, memo, || Frame::new(arm, seen), rest);
             let length = source.length().min(rest.len());
             rest = &mut rest[length..];
+        }
+    }
+
+    /// [`write`](Self::write) with a memo, and with a frame that is known already or computed where it is needed.
+    #[inline(always)]
+    pub fn write_with<'a, S: Lattice, W: Slot<S>>(
+        self,
+        arm: &Arm<S>,
+        seen: &Observation<S>,
+        memo: &TargetMemo<S>,
+        frame: impl FnOnce() -> Frame<'a, S>,
+        values: &mut [W],
+    ) {
+        match self {
+            Self::Target => put(values, seen.target),
+            Self::Difference => put(values, seen.difference),
+            Self::Hand => put(values, seen.hand),
+            Self::Motors => put(values, seen.pose.0.map(ticks)),
+            Self::Servos => {
+                let [a, b, c, d] = seen.pose.0;
+                let [e, f] = seen.fixed_servos;
+                put(values, [a, b, c, d, e, f].map(ticks));
+            }
+            Self::Polar => put(values, frame().polar_errors()),
+            Self::Floor => put(values, [frame().lowest_corner()]),
+            Self::Stance => put(values, memo.stance(arm, seen.target).errors(seen.pose)),
         }
     }
 }

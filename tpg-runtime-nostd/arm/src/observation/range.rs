@@ -16,7 +16,6 @@ impl Source {
         }
         let links = &arm.links;
         let reach = arm.reach() + SLACK;
-        let half_turn = f64::from(TICKS_PER_TURN / 2) + SLACK;
         let around = |bound: f64| [-bound, bound];
         // The tip of a free arm is never below the table.
         let height = [0.0, links.base + reach];
@@ -37,21 +36,7 @@ impl Source {
                 let servo = f64::from(arm.fixed_servos.get(index - 4).copied().unwrap_or(0));
                 [servo, servo]
             }
-            (Self::MotorsCentred, _) => {
-                less(joint(index), [f64::from(TICKS_PER_TURN / 2), f64::from(TICKS_PER_TURN / 2)])
-            }
             (Self::Polar, _) => around(reach),
-            (Self::Bearing, 0) => around(half_turn),
-            (Self::Bearing, 1) => around(250.0 * 1.5 * core::f64::consts::PI + SLACK),
-            (Self::Bearing, _) => around(reach),
-            (Self::Reach, _) => less(goal, joint(index)),
-            (Self::ReachExcess, 2) => around(reach),
-            (Self::ReachExcess, _) => {
-                let [min, max] = joint(index + 1);
-                [(goal[0] - min).min(0.0), (goal[1] - max).max(0.0)]
-            }
-            (Self::ReachPitch, _) | (Self::Wrist, 1) => around(half_turn),
-            (Self::Wrist, _) => [-links.hand - SLACK, 2.0 * reach],
             (Self::Stance, 3) => {
                 let [min, max] = joint(3);
                 [min - max, max - min]

@@ -2,24 +2,13 @@
 //!
 //! With the wrist held, the arm is two rigid parts: shoulder–elbow, and elbow–tip. Two sides and the distance from
 //! shoulder to target make a triangle, so the elbow's goal follows from the law of cosines and the shoulder's from the
-//! target's direction. This is knowledge about the arm that the paper's policies did not have.
+//! target's direction.
 
-use super::derived::ticks_of;
-use crate::arm::{Arm, JointRange, Pose, TICKS_PER_TURN};
+use crate::arm::{Arm, JointRange, TICKS_PER_TURN};
 use crate::kinematics::{Angle, Lattice, Vector};
 
-/// Goals of shoulder and elbow, ticks, with the elbow bent one way.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Bend<S> {
-    shoulder: S,
-    elbow: S,
-    /// The hand's pitch there, ticks below the horizontal.
-    pitch: S,
-}
-
 /// A target as the inverse kinematics sees it: what does not depend on the wrist.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ReachTarget<S> {
+pub(super) struct ReachTarget<S> {
     /// Base's goal, ticks.
     base: S,
     /// True where the base turns its back to the target, which lies beyond its range.
@@ -35,40 +24,16 @@ pub struct ReachTarget<S> {
 }
 
 /// Goals of base, shoulder and elbow; they depend on the wrist's position and the target alone.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reach<S> {
-    base: S,
-    bends: [Bend<S>; 2],
-    deficit: S,
-}
-
-/// Goals of the joints, with the elbow bent one way.
 pub(super) struct Goal<S> {
-    /// Ticks.
-    pub(super) base: S,
-    /// Ticks.
-    pub(super) shoulder: S,
-    /// Ticks.
-    pub(super) elbow: S,
-    /// As [`ReachErrors::excess`].
-    pub(super) excess: [S; 3],
-}
-
-/// Distance of a pose from its [`Reach`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ReachErrors<S> {
-    /// Base, shoulder and elbow: goal less position, ticks.
-    pub ticks: [S; 3],
-    /// Ticks by which the goals of shoulder and elbow lie outside their ranges, and mm by which the target is out of
-    /// reach with this wrist: positive too far, negative too near.
-    pub excess: [S; 3],
-    /// The hand's pitch at the goal, ticks below the horizontal.
-    pub pitch: S,
+    /// Base, shoulder and elbow, ticks.
+    pub(super) ticks: [S; 3],
+    /// Ticks by which shoulder and elbow lie outside their ranges, and mm by which the target is out of reach.
+    pub(super) excess: S,
 }
 
 impl<S: Lattice> ReachTarget<S> {
     /// Of a target in mm.
-    pub fn at(arm: &Arm<S>, target: Vector<S>) -> Self {
+    pub(super) fn at(arm: &Arm<S>, target: Vector<S>) -> Self {
         let links = &arm.links;
         let [x, y, z] = target;
         let far = (x * x + y * y).sqrt();
@@ -88,8 +53,8 @@ impl<S: Lattice> ReachTarget<S> {
         }
     }
 
-    /// The goals for a wrist position in ticks.
-    pub fn keeping_wrist(&self, arm: &Arm<S>, wrist: i16) -> Reach<S> {
+    /// The goals for a wrist position in ticks, with the elbow's bend that the joint ranges allow better, or the first.
+    pub(super) fn keeping_wrist(&self, arm: &Arm<S>, wrist: i16) -> Goal<S> {
         let Self { base, wanted, direction, upper, upper_angle, .. } = *self;
         let links = &arm.links;
         let turned = Angle(TICKS_PER_TURN / 2 - i32::from(wrist)).direction::<S>();
@@ -104,62 +69,24 @@ impl<S: Lattice> ReachTarget<S> {
         // The angle at the elbow, and the one at the shoulder between the lines to elbow and target.
         let bent = sine.atan2(cosine);
         let lean = (lower * sine).atan2(upper + lower * cosine);
+        let [_, shoulder_range, elbow_range, _] = arm.ranges;
         let bend = |bent: S, lean: S| {
             let upper_arm = direction - upper_angle - lean;
             let forearm = bent - lower_angle + upper_angle;
             let shoulder = near_middle(S::from_i32(TICKS_PER_TURN / 4) + ticks_of(upper_arm));
             let elbow = near_middle(S::from_i32(3 * TICKS_PER_TURN / 4) - ticks_of(forearm));
-            // Angle of the hand in the plane, less the half turn at which it lies level on the front side.
-            let hand = shoulder - elbow + S::from_i32(TICKS_PER_TURN - i32::from(wrist));
-            let pitch = wrapped(hand - S::from_i32(TICKS_PER_TURN / 2));
-            Bend { shoulder, elbow, pitch }
+            let excess = outside(shoulder, shoulder_range).abs() + outside(elbow, elbow_range).abs();
+            Goal { ticks: [base, shoulder, elbow], excess }
         };
-        Reach { base, bends: [bend(bent, lean), bend(-bent, -lean)], deficit: wanted - reach }
+        let (first, second) = (bend(bent, lean), bend(-bent, -lean));
+        let Goal { ticks, excess } = if second.excess < first.excess { second } else { first };
+        Goal { ticks, excess: excess + (wanted - reach).abs() }
     }
 }
 
-impl<S: Lattice> Reach<S> {
-    /// The goals for a wrist position in ticks and a target in mm.
-    pub fn keeping_wrist(arm: &Arm<S>, wrist: i16, target: Vector<S>) -> Self {
-        ReachTarget::at(arm, target).keeping_wrist(arm, wrist)
-    }
-
-    /// The goals themselves, with the elbow's bend that the joint ranges allow better, or the first.
-    pub(super) fn best(&self, arm: &Arm<S>) -> Goal<S> {
-        let [_, shoulder_range, elbow_range, _] = arm.ranges;
-        let excess = |bend: &Bend<S>| [outside(bend.shoulder, shoulder_range), outside(bend.elbow, elbow_range)];
-        let size = |[shoulder, elbow]: [S; 2]| shoulder.abs() + elbow.abs();
-        let [first, second] = &self.bends;
-        let bend = if size(excess(second)) < size(excess(first)) { second } else { first };
-        let [of_shoulder, of_elbow] = excess(bend);
-        Goal {
-            base: self.base,
-            shoulder: bend.shoulder,
-            elbow: bend.elbow,
-            excess: [of_shoulder, of_elbow, self.deficit],
-        }
-    }
-
-    /// Errors of a pose. Of the two bends of the elbow, the one that the joint ranges allow better; where both are
-    /// equally good, the nearer.
-    pub fn errors(&self, arm: &Arm<S>, pose: Pose) -> ReachErrors<S> {
-        let [base, shoulder, elbow, _] = pose.0.map(|ticks| S::from_i32(i32::from(ticks)));
-        let [_, shoulder_range, elbow_range, _] = arm.ranges;
-        let judged = self.bends.map(|bend| {
-            let excess = [outside(bend.shoulder, shoulder_range), outside(bend.elbow, elbow_range)];
-            let errors = [bend.shoulder - shoulder, bend.elbow - elbow];
-            let largest = larger(errors[0].abs(), errors[1].abs());
-            (bend, excess, errors, excess[0].abs() + excess[1].abs(), largest)
-        });
-        let [first, second] = judged;
-        let second_is_better = second.3 < first.3 || (second.3 == first.3 && second.4 < first.4);
-        let (bend, excess, errors, ..) = if second_is_better { second } else { first };
-        ReachErrors {
-            ticks: [self.base - base, errors[0], errors[1]],
-            excess: [excess[0], excess[1], self.deficit],
-            pitch: bend.pitch,
-        }
-    }
+/// Ticks of an angle in radians.
+fn ticks_of<S: Lattice>(radians: S) -> S {
+    radians * S::from_f64(f64::from(TICKS_PER_TURN) / core::f64::consts::TAU)
 }
 
 /// Ticks by which the base may miss its target: a joint of a whole turn has up to two positions less than the turn.
@@ -181,14 +108,9 @@ fn turned<S: Lattice>(facing: S, range: JointRange) -> (S, bool) {
     if within(away) { (away, true) } else { (facing, false) }
 }
 
-/// A joint goal, moved by whole turns to 0..=4096, around the middle of a joint's travel.
+/// A joint goal, moved by at most two turns to 0..=4096, around the middle of a joint's travel: the sums above never leave
+/// that.
 fn near_middle<S: Lattice>(ticks: S) -> S {
-    let middle = S::from_i32(TICKS_PER_TURN / 2);
-    middle + wrapped(ticks - middle)
-}
-
-/// Moved by at most two turns, to −2048..=2048: the sums above never leave that.
-fn wrapped<S: Lattice>(ticks: S) -> S {
     let (half, turn) = (S::from_i32(TICKS_PER_TURN / 2), S::from_i32(TICKS_PER_TURN));
     let once = |ticks: S| {
         if ticks > half {
@@ -199,7 +121,7 @@ fn wrapped<S: Lattice>(ticks: S) -> S {
             ticks
         }
     };
-    once(once(ticks))
+    half + once(once(ticks - half))
 }
 
 fn outside<S: Lattice>(ticks: S, range: JointRange) -> S {
@@ -215,8 +137,4 @@ fn clamp<S: Lattice>(value: S, min: S, max: S) -> S {
     } else {
         value
     }
-}
-
-fn larger<S: Lattice>(a: S, b: S) -> S {
-    if a > b { a } else { b }
 }

@@ -19,7 +19,7 @@ const WRISTS_OVER_THE_BACK: [i16; 4] = [0, 448, 728, 1000];
 
 /// A goal for every joint. It depends on the target alone, so it can be kept while the target stays.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stance<S> {
+pub(super) struct Stance<S> {
     /// Base, shoulder, elbow and wrist, ticks.
     goal: [S; JOINTS],
 }
@@ -35,7 +35,7 @@ impl<S: Lattice> Stance<S> {
     /// Returns the first pose for a target in mm that the arm can take, or else the one with the smallest violation; a
     /// collision counts like 4,096 ticks.
     #[inline(never)] // expensive and rare: a static bound counts it once a target
-    pub fn at(arm: &Arm<S>, target: Vector<S>) -> Self {
+    pub(super) fn at(arm: &Arm<S>, target: Vector<S>) -> Self {
         let seen = ReachTarget::at(arm, target);
         // Wrapping: a home that no arm has must not panic. `Arm::check` refuses it.
         let [.., straight] = arm.home.0;
@@ -55,7 +55,7 @@ impl<S: Lattice> Stance<S> {
     }
 
     /// Goal less position of base, shoulder, elbow and wrist, ticks.
-    pub fn errors(&self, pose: Pose) -> [S; JOINTS] {
+    pub(super) fn errors(&self, pose: Pose) -> [S; JOINTS] {
         let [a, b, c, d] = pose.0.map(|ticks| S::from_i32(i32::from(ticks)));
         let [base, shoulder, elbow, wrist] = self.goal;
         [base - a, shoulder - b, elbow - c, wrist - d]
@@ -63,12 +63,11 @@ impl<S: Lattice> Stance<S> {
 }
 
 fn candidate<S: Lattice>(arm: &Arm<S>, seen: &ReachTarget<S>, wrist: i16) -> Candidate<S> {
-    let Goal { base, shoulder, elbow, excess: [of_shoulder, of_elbow, reach] } =
-        seen.keeping_wrist(arm, wrist).best(arm);
+    let Goal { ticks: [base, shoulder, elbow], excess } = seen.keeping_wrist(arm, wrist);
     let goal = [base, shoulder, elbow, S::from_i32(i32::from(wrist))];
     // Goals lie in 0..=4096, so adding a half and truncating rounds.
     let pose = Pose(goal.map(|ticks| (ticks + S::from_f64(0.5)).to_i32() as i16));
     let collides = Plane::at(arm, pose).collision(&arm.shapes).is_some();
     let collision = if collides { S::from_i32(4096) } else { S::ZERO };
-    Candidate { goal, against: of_shoulder.abs() + of_elbow.abs() + reach.abs() + collision }
+    Candidate { goal, against: excess + collision }
 }

@@ -57,23 +57,29 @@ named! {
 /// rest, the one with the greatest magnitude moves by the smallest step (the first of equals): a policy that stands
 /// still has failed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Decision<T, const STEPS: usize> {
-    /// Threshold and ticks, both rising.
-    pub steps: [(T, i8); STEPS],
-    /// The moves that are refused.
-    pub mask: Mask,
-    /// True if the arm may rest: no joint moves. The paper's policies may.
-    pub may_rest: bool,
+pub struct Decision<T> {
+    pub(super) actions: Actions,
+    pub(super) mask: Mask,
+    pub(super) may_rest: bool,
+    /// Threshold and ticks, neither falling.
+    pub(super) steps: [(T, i8); 3],
 }
 
-/// Fine actions of a network before its tanh: round(3.49·tanh p).
-pub const TRAINED_FINE: [(f32, i8); 3] = [(0.144_258_92, 1), (0.459_650_64, 2), (0.900_070_9, 3)];
+impl Decision<f32> {
+    /// The decision behind a network before its tanh: round(3.49·tanh p) for fine actions, |tanh p| above a third for coarse ones.
+    /// The paper's policies may rest: no joint moves.
+    pub const fn new(actions: Actions, mask: Mask, may_rest: bool) -> Self {
+        let steps = match actions {
+            Actions::Fine => [(0.144_258_92, 1), (0.459_650_64, 2), (0.900_070_9, 3)],
+            Actions::Coarse => [(0.346_573_6, 3); 3],
+        };
+        Self { actions, mask, may_rest, steps }
+    }
+}
 
-/// Coarse actions of a network before its tanh: |tanh p| above a third.
-pub const TRAINED_COARSE: [(f32, i8); 1] = [(0.346_573_6, 3)];
-
-impl<T: Magnitude, const STEPS: usize> Decision<T, STEPS> {
+impl<T: Magnitude> Decision<T> {
     /// The move for a pose. A NaN preference leaves its joint at rest.
+    #[inline(never)] // once in flash
     pub fn decide(&self, preferences: [T; JOINTS], pose: Pose, ranges: &[JointRange; JOINTS]) -> Move {
         let mut wanted = Move::STOP;
         let mut moves = false;
@@ -84,14 +90,14 @@ impl<T: Magnitude, const STEPS: usize> Decision<T, STEPS> {
             let preference = preferences[joint];
             let magnitude = preference.magnitude();
             let signed = |ticks: i8| if preference.is_negative() { -ticks } else { ticks };
-            // Thresholds rise: the last that is reached decides.
+            // Thresholds do not fall: the last that is reached decides.
             let step = self.steps.iter().fold(0, |step, &(least, ticks)| if magnitude >= least { ticks } else { step });
             let step = signed(step);
             if self.allows(pose.0[joint], step, &ranges[joint]) {
                 wanted.0[joint] = step;
                 moves |= step != 0;
             }
-            let least = signed(self.steps.first().map_or(0, |&(_, ticks)| ticks));
+            let least = signed(self.steps[0].1);
             // A NaN is not even as great as itself.
             let stronger =
                 strongest.map_or(magnitude.partial_cmp(&magnitude).is_some(), |(_, greatest, _)| magnitude > greatest);
@@ -121,8 +127,8 @@ mod tests {
     use crate::arm::WIDOWX;
     use proptest::prelude::*;
 
-    const FINE: Decision<f32, 3> = Decision { steps: TRAINED_FINE, mask: Mask::None, may_rest: false };
-    const COARSE: Decision<f32, 1> = Decision { steps: TRAINED_COARSE, mask: Mask::None, may_rest: false };
+    const FINE: Decision<f32> = Decision::<f32>::new(Actions::Fine, Mask::None, false);
+    const COARSE: Decision<f32> = Decision::<f32>::new(Actions::Coarse, Mask::None, false);
 
     #[test]
     fn nothing_wanted_moves_the_strongest_by_the_smallest_step() {
@@ -149,7 +155,7 @@ mod tests {
         fn thresholds_are_the_rounded_tanh(preferences in prop::array::uniform4(-3f32..3.0)) {
             let fine = preferences.map(|p| libm::round(3.49 * libm::tanh(f64::from(p))) as i8);
             let coarse = preferences.map(|p| libm::round(libm::tanh(f64::from(p)) * 1.5) as i8 * 3);
-            let margin = |p: f32| TRAINED_FINE.iter().chain(&TRAINED_COARSE).all(|(t, _)| (p.abs() - t).abs() > 1e-5);
+            let margin = |p: f32| FINE.steps.iter().chain(&COARSE.steps).all(|(t, _)| (p.abs() - t).abs() > 1e-5);
             prop_assume!(preferences.into_iter().all(margin));
             if fine != [0; 4] {
                 prop_assert_eq!(FINE.decide(preferences, WIDOWX.home, &WIDOWX.ranges), Move(fine));

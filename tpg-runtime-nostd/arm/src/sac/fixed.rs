@@ -1,8 +1,7 @@
 //! The arm's network in integers, without its layers: [`features`](super::features()) enter as whole multiples of 1/4096
-//! ([`quantise`]), preferences leave as multiples of 1/2048 and are [decided](FixedDecision) on.
+//! ([`quantise`]), preferences leave as multiples of 1/2048 and are [decided](Decision) on.
 
-use super::{Actions, Decision, FEATURE_CONTRACT, FEATURES, Mask, TRAINED_COARSE, TRAINED_FINE};
-use crate::arm::{JOINTS, Move};
+use super::{Actions, Decision, FEATURE_CONTRACT, FEATURES, Mask};
 use tpg_runtime::net::{Meaning, OutputKind, PREFERENCE_ONE, integer};
 
 /// Features as integers: rounded to nearest, halves away from zero, clipped to `i16`; NaN becomes 0.
@@ -21,33 +20,16 @@ pub(super) fn quantise_into(features: &[f32; FEATURES], integers: &mut [i16; FEA
     }
 }
 
-/// The decision behind a network in integers.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum FixedDecision {
-    /// −3 to 3 ticks.
-    Fine(Decision<i32, 3>),
-    /// −3, 0 or 3 ticks.
-    Coarse(Decision<i32, 1>),
-}
-
-impl FixedDecision {
-    /// Of that set of actions: the thresholds of training, rounded upwards to multiples of 1/2048.
+impl Decision<i32> {
+    /// The decision behind a network in integers: the thresholds of training, rounded upwards to multiples of 1/2048.
     pub const fn new(actions: Actions, mask: Mask, may_rest: bool) -> Self {
         const fn threshold((preference, ticks): (f32, i8)) -> (i32, i8) {
             let scaled = preference * PREFERENCE_ONE;
             let floor = scaled as i32;
             (if (floor as f32) < scaled { floor + 1 } else { floor }, ticks)
         }
-        match actions {
-            Actions::Fine => {
-                let [one, two, three] = TRAINED_FINE;
-                Self::Fine(Decision { steps: [threshold(one), threshold(two), threshold(three)], mask, may_rest })
-            }
-            Actions::Coarse => {
-                let [three] = TRAINED_COARSE;
-                Self::Coarse(Decision { steps: [threshold(three)], mask, may_rest })
-            }
-        }
+        let Decision { steps: [one, two, three], .. } = Decision::<f32>::new(actions, mask, may_rest);
+        Self { actions, mask, may_rest, steps: [threshold(one), threshold(two), threshold(three)] }
     }
 
     /// The decision that a network's flags name: 1 for joints that stop at their limits, 2 where the arm may rest, 4 for
@@ -60,39 +42,16 @@ impl FixedDecision {
 
     /// The meaning of a network of the arm with this decision behind it.
     pub const fn meaning(&self) -> Meaning<'static> {
-        let (fine, mask, may_rest) = match self {
-            Self::Fine(decision) => (true, decision.mask, decision.may_rest),
-            Self::Coarse(decision) => (false, decision.mask, decision.may_rest),
-        };
-        let flags = matches!(mask, Mask::JointLimits) as u8 | ((may_rest as u8) << 1) | ((fine as u8) << 2);
+        let limits = matches!(self.mask, Mask::JointLimits) as u8;
+        let flags = limits | ((self.may_rest as u8) << 1) | (matches!(self.actions, Actions::Fine) as u8) << 2;
         Meaning { contract: FEATURE_CONTRACT, inputs: &[], answer: OutputKind::Preferences { flags }, values: &[] }
-    }
-
-    /// The move for preferences in multiples of 1/2048.
-    #[inline(never)] // as `quantise`
-    pub fn decide(
-        &self,
-        preferences: [i32; JOINTS],
-        pose: crate::arm::Pose,
-        ranges: &[crate::arm::JointRange; JOINTS],
-    ) -> Move {
-        // One function for both: it is long, and flash is short. A step three times is the same as once.
-        let widened;
-        let decision = match self {
-            Self::Fine(decision) => decision,
-            Self::Coarse(Decision { steps: [step], mask, may_rest }) => {
-                widened = Decision { steps: [*step; 3], mask: *mask, may_rest: *may_rest };
-                &widened
-            }
-        };
-        decision.decide(preferences, pose, ranges)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arm::{Arm, Pose, WIDOWX};
+    use crate::arm::{Arm, Move, Pose, WIDOWX};
     use crate::frame::Frame;
     use crate::sac::features;
     use proptest::prelude::*;
@@ -107,7 +66,7 @@ mod tests {
             preferences in prop::array::uniform4(any::<i32>()),
         ) {
             quantise(&features(&Frame::at(&ARM, Pose(pose), target)));
-            let decision = FixedDecision::new(Actions::Fine, Mask::JointLimits, false);
+            let decision = Decision::<i32>::new(Actions::Fine, Mask::JointLimits, false);
             let Move(deltas) = decision.decide(preferences, Pose(pose), &ARM.ranges);
             prop_assert!(deltas.iter().all(|delta| delta.abs() <= 3));
         }

@@ -15,5 +15,5 @@ mod features;
 pub mod fixed;
 pub mod packed;
 
-pub use decision::{Actions, Decision, Magnitude, Mask, TRAINED_COARSE, TRAINED_FINE};
+pub use decision::{Actions, Decision, Mask};
 pub use features::{FEATURE_CONTRACT, FEATURE_NAMES, FEATURES, features};

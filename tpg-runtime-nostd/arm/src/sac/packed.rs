@@ -1,7 +1,7 @@
 //! The arm's network as one array of words: a [`tpg_runtime::net::Model`] of the arm's features, and its decision.
 
-use super::fixed::{FixedDecision, quantise_into};
-use super::{FEATURE_CONTRACT, FEATURES, features};
+use super::fixed::quantise_into;
+use super::{Decision, FEATURE_CONTRACT, FEATURES, features};
 use crate::arm::{Arm, JOINTS, Move};
 use crate::frame::Frame;
 use crate::observation::Observation;
@@ -14,7 +14,7 @@ const _: () = assert!(JOINTS == ROWS, "a preference for each joint in one block"
 #[derive(Clone, Copy, Debug)]
 pub struct Model<'a> {
     network: net::Model<'a>,
-    decision: FixedDecision,
+    decision: Decision<i32>,
 }
 
 impl<'a> Model<'a> {
@@ -29,7 +29,7 @@ impl<'a> Model<'a> {
             OutputKind::Preferences { flags }
                 if network.outputs() == JOINTS && network.contract() == FEATURE_CONTRACT =>
             {
-                Ok(Self { network, decision: FixedDecision::from_flags(flags) })
+                Ok(Self { network, decision: Decision::from_flags(flags) })
             }
             _ => Err(ModelError::Meaning),
         }
@@ -54,7 +54,7 @@ impl<'a> Model<'a> {
     }
 
     /// The decision behind the network.
-    pub fn decision(&self) -> &FixedDecision {
+    pub fn decision(&self) -> &Decision<i32> {
         &self.decision
     }
 

@@ -22,7 +22,7 @@ use serde_json::{Map, Value};
 use tpg_arm::binding::MOVE;
 use tpg_arm::episode::Outcome;
 use tpg_arm::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, Vector, link_angles};
-use tpg_arm::observation::{Observation, ReachErrors, Source, derived};
+use tpg_arm::observation::{Observation, Source, TargetMemo};
 use tpg_arm::{Arm, JOINTS, Joint, Move, Play, Pose, TICKS_PER_TURN};
 use tpg_engine::random::Stream;
 use tpg_engine::{
@@ -148,7 +148,6 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         }
         if let Some(plane) = plane {
             episode.plane = plane;
-            episode.hand_polar = None;
         }
         episode.pose = pose;
         episode.hand = episode.plane.hand_in_world(episode.base);
@@ -294,11 +293,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
             hand: plane.hand_in_world(base),
             collides: plane.collision(&self.arm.shapes).is_some(),
             actions: 0,
-            aim: None,
-            hand_polar: None,
-            reach_target: None,
-            stance: None,
-            reach: None,
+            memo: TargetMemo::new(),
         }
     }
 
@@ -307,47 +302,11 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
     }
 
     fn observe(&self, episode: &mut ArmEpisode<S>, wanted: SourceSet, state: &mut [S]) {
-        let mut seen = None;
-        let mut errors: Option<ReachErrors<S>> = None;
+        let seen = Observation::new(&self.arm, episode.pose, episode.hand, episode.target);
         for (place, (&source, &at)) in self.problem.sources.iter().zip(&self.places).enumerate() {
-            if !wanted.contains(place) {
-                continue;
-            }
-            let values = &mut state[at..at + source.length()];
-            match source {
-                Source::MotorsCentred => values.copy_from_slice(&derived::centred::<S>(episode.pose)),
-                Source::Polar => {
-                    let frame = episode.frame(&self.arm);
-                    let [_, hand_reach] = episode.hand_polar(&frame);
-                    let aim = episode.aim(&self.arm);
-                    values.copy_from_slice(&derived::polar(&frame, aim.reach, hand_reach));
-                }
-                Source::Bearing => {
-                    let frame = episode.frame(&self.arm);
-                    let [elevation, hand_reach] = episode.hand_polar(&frame);
-                    let aim = episode.aim(&self.arm);
-                    values.copy_from_slice(&derived::bearing(&aim, episode.pose, elevation, hand_reach));
-                }
-                Source::Reach | Source::ReachExcess | Source::ReachPitch => {
-                    let pose = episode.pose;
-                    let errors = errors.get_or_insert_with(|| episode.reach(&self.arm).errors(&self.arm, pose));
-                    match source {
-                        Source::Reach => values.copy_from_slice(&errors.ticks),
-                        Source::ReachExcess => values.copy_from_slice(&errors.excess),
-                        _ => values.copy_from_slice(&[errors.pitch]),
-                    }
-                }
-                Source::Stance => {
-                    let pose = episode.pose;
-                    values.copy_from_slice(&episode.stance(&self.arm).errors(pose));
-                }
-                Source::Wrist => values.copy_from_slice(&derived::wrist(&episode.frame(&self.arm))),
-                Source::Floor => values.copy_from_slice(&[episode.frame(&self.arm).lowest_corner()]),
-                Source::Target | Source::Difference | Source::Hand | Source::Motors | Source::Servos => {
-                    let (pose, hand, target) = (episode.pose, episode.hand, episode.target);
-                    let seen = seen.get_or_insert_with(|| Observation::new(&self.arm, pose, hand, target));
-                    source.write(&self.arm, seen, values);
-                }
+            if wanted.contains(place) {
+                let values = &mut state[at..at + source.length()];
+                source.write_with(&self.arm, &seen, &episode.memo, || episode.frame(&self.arm), values);
             }
         }
     }
@@ -390,12 +349,7 @@ impl<S: ArmScalar> Training<ArmTask, ArmEpisode<S>> for ArmEnvironment<S> {
     }
 
     fn tasks(&self, set: TaskSet, seed: u64, count: usize) -> Option<Vec<ArmTask>> {
-        let (set, seed) = match set {
-            TaskSet::Validation => (Set::Validation, 0),
-            TaskSet::Study => (Set::Validation, seed),
-            TaskSet::Calibration => (Set::Training, seed),
-            TaskSet::Test => (Set::Test, seed),
-        };
+        let (set, seed) = Set::asked(set, seed, 0);
         let tasks = targets::tasks(&self.description, seed, set, self.problem.start, count);
         Some(tasks.into_iter().map(ArmTask::from).collect())
     }

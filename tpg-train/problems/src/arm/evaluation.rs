@@ -1,90 +1,71 @@
 //! Trials: success rate and failures of a policy on a list of tasks.
 
 use crate::arm::problem::{ArmProblem, OUTCOMES};
-use crate::arm::targets::{Start, Task};
+use crate::arm::targets::Task;
 use serde::Serialize;
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 use tpg_arm::cycle::Brent;
-use tpg_arm::episode::{Episode, Summary};
+use tpg_arm::episode::Episode;
 use tpg_arm::kinematics::Lattice;
 use tpg_arm::observation::Observation;
-use tpg_arm::{Arm, Move, Pose};
+use tpg_arm::{Arm, Move};
 use tpg_engine::EpisodeResult;
 use tpg_runtime::policy::Policy;
 
-/// Statistics of many episodes of one problem. Rates lie in 0..1, distances are in mm.
+/// Statistics of many episodes of one problem, for reports. Rates lie in 0..1, distances are in mm.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ReachStatistics {
-    /// Start of the episodes.
-    pub problem: Start,
-    /// Number of episodes.
-    pub episodes: usize,
     /// Rate of episodes that ended at the target.
+    #[serde(skip)]
     pub success_rate: f64,
     /// Rate of episodes that ended with an invalid action, including joint limits, as in the paper.
     pub collision_rate: f64,
     /// Mean final distance.
     pub mean_distance_mm: f64,
     /// Median final distance.
-    pub median_distance_mm: f64,
+    median_distance_mm: f64,
     /// Mean number of actions of all episodes.
     pub mean_actions: f64,
     /// Mean number of actions of the successful episodes; 0 if there are none.
-    pub mean_actions_on_success: f64,
+    mean_actions_on_success: f64,
     /// Reasons for the failures.
-    pub failures: Failures,
-    /// The episodes, in order.
-    #[serde(skip)]
-    pub endings: Vec<EpisodeResult>,
+    failures: Failures,
 }
 
 /// Failed episodes by the kind of their end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Failures {
+struct Failures {
     /// A pose was repeated.
-    pub cycle: usize,
+    cycle: usize,
     /// The policy chose not to move.
-    pub stop: usize,
+    stop: usize,
     /// A joint would have left its range.
-    pub joint_limit: usize,
+    joint_limit: usize,
     /// The arm, or a corner of the hand, would have gone below the table.
-    pub table: usize,
+    table: usize,
     /// The arm would have hit its own base.
-    pub base: usize,
+    base: usize,
     /// The action limit was reached.
-    pub timeout: usize,
+    timeout: usize,
 }
 
 /// Runs one episode of each task.
-pub fn run<S, P>(arm: &Arm<S>, policy: &P, problem: impl Into<ArmProblem>, tasks: &[Task]) -> ReachStatistics
+pub fn run<S, P>(arm: &Arm<S>, policy: &P, problem: &ArmProblem, tasks: &[Task]) -> Vec<EpisodeResult>
 where
     S: Lattice,
     P: Policy<State = Observation<S>, Action = Move> + ?Sized,
 {
-    let problem = problem.into();
-    let summaries: Vec<_> = tasks.iter().map(|task| watch(arm, policy, &problem, task, |_pose| ())).collect();
-    summarise(problem, &summaries)
-}
-
-/// Runs one episode and calls `each` with the pose after every action.
-pub fn watch<S, P>(arm: &Arm<S>, policy: &P, problem: &ArmProblem, task: &Task, each: impl FnMut(Pose)) -> Summary<S>
-where
-    S: Lattice,
-    P: Policy<State = Observation<S>, Action = Move> + ?Sized,
-{
-    Episode::with_play(arm, problem.reach(task), Brent::new(), problem.play(task)).run(policy, each)
-}
-
-/// Computes the statistics of episodes with a problem's scores; a start's are the paper's.
-pub fn summarise<S: Lattice>(problem: impl Into<ArmProblem>, summaries: &[Summary<S>]) -> ReachStatistics {
-    let problem = problem.into();
-    let ending = |summary: &Summary<S>| problem.ending(summary.outcome, summary.actions, summary.distance.to_f64());
-    ReachStatistics::new(problem.start, summaries.iter().map(ending).collect())
+    let ending = |task: &Task| {
+        let episode = Episode::with_play(arm, problem.reach(task), Brent::new(), problem.play(task));
+        let summary = episode.run(policy, |_pose| ());
+        problem.ending(summary.outcome, summary.actions, summary.distance.to_f64())
+    };
+    tasks.iter().map(ending).collect()
 }
 
 impl ReachStatistics {
     /// Computes the statistics of the arm's episodes.
-    pub fn new(problem: Start, endings: Vec<EpisodeResult>) -> Self {
+    pub fn new(endings: &[EpisodeResult]) -> Self {
         let failed = |name: &str| endings.iter().filter(|ending| OUTCOMES[usize::from(ending.outcome)] == name).count();
         let failures = Failures {
             cycle: failed("cycle"),
@@ -99,34 +80,22 @@ impl ReachStatistics {
         let mut distances: Vec<f64> = endings.iter().map(|ending| ending.measure).collect();
         let count = endings.len().max(1) as f64;
         distances.sort_by(f64::total_cmp);
-        let mean_distance_mm = distances.iter().sum::<f64>() / count;
         let invalid = failures.joint_limit + failures.table + failures.base;
         Self {
-            problem,
-            episodes: endings.len(),
             success_rate: successes.len() as f64 / count,
             collision_rate: invalid as f64 / count,
-            mean_distance_mm,
+            mean_distance_mm: distances.iter().sum::<f64>() / count,
             median_distance_mm: median(&distances),
             mean_actions: endings.iter().map(|ending| f64::from(ending.actions)).sum::<f64>() / count,
             mean_actions_on_success: on_success / successes.len().max(1) as f64,
             failures,
-            endings,
         }
     }
 }
 
 /// Returns the arm's figures of episodes, for reports.
 pub(super) fn figures(endings: &[EpisodeResult]) -> Map<String, Value> {
-    let trial = ReachStatistics::new(Start::Fs, endings.to_vec());
-    let figures = json!({
-        "collision_rate": trial.collision_rate,
-        "mean_distance_mm": trial.mean_distance_mm,
-        "median_distance_mm": trial.median_distance_mm,
-        "mean_actions": trial.mean_actions,
-        "mean_actions_on_success": trial.mean_actions_on_success,
-        "failures": trial.failures,
-    });
+    let figures = serde_json::to_value(ReachStatistics::new(endings)).expect("plain numbers");
     figures.as_object().cloned().unwrap_or_default()
 }
 
@@ -141,7 +110,7 @@ fn median(sorted: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arm::targets::{Set, tasks};
+    use crate::arm::targets::{Set, Start, tasks};
     use tpg_arm::{Joint, WIDOWX};
 
     /// A policy that always takes the same move.
@@ -158,10 +127,11 @@ mod tests {
     #[test]
     fn every_episode_is_counted_once_under_its_end() {
         let tasks = tasks(&WIDOWX, 5, Set::Validation, Start::Fs, 40);
-        let turning = run(&WIDOWX, &Always(Move::single(Joint(0), 3)), Start::Fs, &tasks);
+        let statistics = |moves| ReachStatistics::new(&run(&WIDOWX, &Always(moves), &Start::Fs.into(), &tasks));
+        let turning = statistics(Move::single(Joint(0), 3));
         assert_eq!(turning.failures.joint_limit + (turning.success_rate * 40.0).round() as usize, 40);
         assert!(turning.mean_actions > 600.0, "the base turns 682 steps to its limit");
-        let resting = run(&WIDOWX, &Always(Move::STOP), Start::Fs, &tasks);
+        let resting = statistics(Move::STOP);
         assert_eq!((resting.failures.stop, resting.collision_rate, resting.mean_actions), (40, 0.0, 1.0));
     }
 

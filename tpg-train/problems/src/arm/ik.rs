@@ -7,10 +7,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use tpg_arm::kinematics::{self, Plane};
-use tpg_arm::{Arm, Pose, TICKS_PER_TURN};
+use tpg_arm::{Arm, JOINTS, Pose, TICKS_PER_TURN};
 
 /// Number of pitches of the hand that are tried, evenly spaced around the circle.
-const PITCHES: u32 = 144;
+pub const PITCHES: u32 = 144;
 /// Maximum distance from a goal's hand to the target, mm: rounding to ticks costs up to about 1 mm.
 const TOLERANCE: f64 = 4.0;
 
@@ -68,6 +68,15 @@ fn on_lattice(arm: &Arm<f64>, angles: [f64; 4]) -> Option<Pose> {
     });
     let inside = ticks.iter().zip(&arm.ranges).all(|(&ticks, range)| range.contains(ticks));
     inside.then_some(Pose(ticks))
+}
+
+/// Returns the length of a straight walk in hundredths of a tick: the steps of the joint that has furthest to go, and as little
+/// for the others that it decides between equals.
+#[inline]
+pub(crate) fn walk_length(from: [i16; JOINTS], to: [i16; JOINTS]) -> i32 {
+    // Whole numbers, which compilers put into vectors.
+    let [a, b, c, d] = std::array::from_fn(|joint| i32::from(from[joint].abs_diff(to[joint])));
+    100 * a.max(b).max(c.max(d)) + 2 * (a + b + c + d)
 }
 
 fn reaches(arm: &Arm<f64>, pose: Pose, target: [f64; 3]) -> bool {

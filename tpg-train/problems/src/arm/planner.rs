@@ -4,6 +4,7 @@ use crate::arm::evaluation::run;
 use crate::arm::targets::{TOLERANCE, Task};
 use crate::arm::{ArmProblem, ik};
 use std::cell::RefCell;
+use tpg_arm::dodge::plan::straight;
 use tpg_arm::kinematics::{self, Plane};
 use tpg_arm::observation::{Observation, Straight};
 use tpg_arm::{Arm, JOINTS, Move, Pose};
@@ -26,11 +27,11 @@ pub const CONTROLLERS: [&str; 3] = ["planner", "nearest-goal", "closed-form"];
 
 /// Lets a controller do tasks; `None` if there is none of that name.
 pub fn controlled(name: &str, arm: &Arm<f64>, problem: &ArmProblem, tasks: &[Task]) -> Option<Vec<EpisodeResult>> {
-    let planned = |choice| run(arm, &Planner::within(arm, choice, problem.tolerance), problem.clone(), tasks).endings;
+    let planned = |choice| run(arm, &Planner::within(arm, choice, problem.tolerance), problem, tasks);
     match name {
         "planner" => Some(planned(Choice::NearestFree)),
         "nearest-goal" => Some(planned(Choice::Nearest)),
-        "closed-form" => Some(run(arm, &Straight::new(arm), problem.clone(), tasks).endings),
+        "closed-form" => Some(run(arm, &Straight::new(arm), problem, tasks)),
         _ => None,
     }
 }
@@ -46,12 +47,8 @@ pub struct Planner<'a> {
     solved: RefCell<([f64; 3], Vec<Pose>)>,
 }
 
-/// Number of pitches of the hand that are tried; the second number is used if the first finds no pose.
-const PITCHES: u32 = 144;
+/// Number of pitches of the hand that are tried where [`ik::PITCHES`] find no pose.
 const FINE_PITCHES: u32 = 2880;
-
-/// Maximum motion of a motor per step, ticks.
-const STEP: i16 = 3;
 
 impl<'a> Planner<'a> {
     /// Creates a planner for an arm, and the paper's tolerance.
@@ -72,7 +69,7 @@ impl<'a> Planner<'a> {
         let solve = |pitches| -> Vec<Pose> {
             ik::goals_of_pitches(self.arm, target, pitches).into_iter().filter(reaches).collect()
         };
-        let goals = solve(PITCHES);
+        let goals = solve(ik::PITCHES);
         if goals.is_empty() { solve(FINE_PITCHES) } else { goals }
     }
 
@@ -109,14 +106,10 @@ enum PlannedWalk {
 
 impl PlannedWalk {
     fn step(self, pose: Pose, goal: Pose) -> Move {
-        let delta = |joint: usize| (goal.0[joint] - pose.0[joint]).clamp(-STEP, STEP) as i8;
-        match self {
-            Self::Straight => Move(std::array::from_fn(delta)),
-            Self::InOrder(order) => {
-                let next = order.into_iter().find(|&joint| delta(joint) != 0);
-                Move(std::array::from_fn(|joint| if Some(joint) == next { delta(joint) } else { 0 }))
-            }
-        }
+        let all = straight(pose, goal);
+        let Self::InOrder(order) = self else { return all };
+        let next = order.into_iter().find(|&joint| all.0[joint] != 0);
+        Move(std::array::from_fn(|joint| if Some(joint) == next { all.0[joint] } else { 0 }))
     }
 }
 
@@ -132,15 +125,9 @@ fn orders() -> impl Iterator<Item = [usize; JOINTS]> {
 fn nearest_first(pose: Pose, goals: &[Pose]) -> impl Iterator<Item = Pose> {
     let mut left = goals.to_vec();
     std::iter::from_fn(move || {
-        let nearest = (0..left.len()).min_by_key(|&place| (cost(pose, left[place]), left[place]))?;
+        let nearest = (0..left.len()).min_by_key(|&place| (ik::walk_length(pose.0, left[place].0), left[place]))?;
         Some(left.swap_remove(nearest))
     })
-}
-
-/// Returns the number of steps with all motors moving, in hundredths of a tick; ties go to the smaller sum.
-fn cost(pose: Pose, goal: Pose) -> i32 {
-    let ticks: [i32; JOINTS] = std::array::from_fn(|joint| i32::from((goal.0[joint] - pose.0[joint]).abs()));
-    100 * ticks.into_iter().max().unwrap_or(0) + 2 * ticks.into_iter().sum::<i32>()
 }
 
 impl Policy for Planner<'_> {
@@ -165,7 +152,7 @@ impl Policy for Planner<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arm::evaluation;
+    use crate::arm::evaluation::ReachStatistics;
     use crate::arm::targets::{Set, Start, tasks};
     use tpg_arm::WIDOWX;
     use tpg_arm::observation::Straight;
@@ -180,11 +167,12 @@ mod tests {
     fn planning_solves_nearly_everything_and_looking_ahead_helps() {
         for start in [Start::Fs, Start::Rs] {
             let tasks = tasks(&WIDOWX, 4, Set::Validation, start, 100);
-            let success = |choice| evaluation::run(&WIDOWX, &Planner::new(&WIDOWX, choice), start, &tasks).success_rate;
+            let rate = |endings: Vec<_>| ReachStatistics::new(&endings).success_rate;
+            let success = |choice| rate(run(&WIDOWX, &Planner::new(&WIDOWX, choice), &start.into(), &tasks));
             let (nearest, free) = (success(Choice::Nearest), success(Choice::NearestFree));
             assert!(free >= 0.97 && free >= nearest && nearest >= 0.9, "{start:?}: {nearest} {free}");
             // The variant that fits a microcontroller looks at only four poses.
-            let stance = evaluation::run(&WIDOWX, &Straight::new(&WIDOWX), start, &tasks).success_rate;
+            let stance = rate(run(&WIDOWX, &Straight::new(&WIDOWX), &start.into(), &tasks));
             assert!(nearest >= stance && stance >= 0.85, "{start:?}: {stance}");
         }
     }

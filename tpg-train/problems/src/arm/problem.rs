@@ -32,10 +32,10 @@ pub struct ArmProblem {
     pub per_unused_action: f64,
 }
 
-impl ArmProblem {
-    /// Creates the project's problem with the given sources: actions of 3 ticks, a tolerance of 3 mm, the paper's
-    /// score.
-    pub fn new(start: Start, sources: Vec<Source>) -> Self {
+impl From<Start> for ArmProblem {
+    /// The project's problem without sources, for policies that observe by themselves: actions of 3 ticks, a tolerance of 3 mm,
+    /// the paper's score.
+    fn from(start: Start) -> Self {
         Self {
             start,
             tolerance: targets::TOLERANCE,
@@ -43,17 +43,10 @@ impl ArmProblem {
             backlash: 0,
             step: 3,
             may_stop: true,
-            sources,
+            sources: Vec::new(),
             bonus: 10.0,
             per_unused_action: 0.01,
         }
-    }
-}
-
-impl From<Start> for ArmProblem {
-    /// The project's problem without sources, for policies that observe by themselves.
-    fn from(start: Start) -> Self {
-        Self::new(start, Vec::new())
     }
 }
 

@@ -18,6 +18,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use tpg_arm::frame::Clearance;
 use tpg_arm::kinematics::{self, Plane};
 use tpg_arm::{Arm, Pose};
+use tpg_engine::TaskSet;
 use tpg_engine::random::{Purpose, Stream};
 
 /// The edge of a cube, mm.
@@ -38,6 +39,18 @@ pub enum Set {
     Validation = 2,
     /// Used for reports; never read in training or selection.
     Test = 3,
+}
+
+impl Set {
+    /// Returns the set and the seed of the tasks that the engine asks for; `validation` is the seed of a problem's own.
+    pub(super) fn asked(set: TaskSet, seed: u64, validation: u64) -> (Self, u64) {
+        match set {
+            TaskSet::Validation => (Self::Validation, validation),
+            TaskSet::Study => (Self::Validation, seed),
+            TaskSet::Calibration => (Self::Training, seed),
+            TaskSet::Test => (Self::Test, seed),
+        }
+    }
 }
 
 /// Start of episodes.

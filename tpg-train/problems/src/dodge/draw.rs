@@ -6,6 +6,7 @@ pub use super::scene::SEED;
 use super::scene::{Path, Scene};
 use super::walk::{self, Leg, Outcome, candidate, follow};
 use crate::arm::targets::{ReachableSpace, Set, Start};
+use std::sync::Arc;
 use tpg_arm::dodge::CAPSULES;
 use tpg_arm::dodge::plan::steps;
 use tpg_arm::kinematics::{Vector, distance};
@@ -49,14 +50,14 @@ pub struct Certified {
 /// Draws scenes.
 #[derive(Clone, Debug)]
 pub struct Generator {
-    space: ReachableSpace,
+    space: Arc<ReachableSpace>,
     config: Config,
 }
 
 impl Generator {
     /// Prepares the scenes of a set; `seed` samples the reachable space.
     pub fn new(config: &Config, seed: u64, set: Set) -> Self {
-        Self { space: ReachableSpace::sample(&WIDOWX, seed, set), config: config.clone() }
+        Self { space: ReachableSpace::shared(&WIDOWX, seed, set), config: config.clone() }
     }
 
     /// Draws a scene. Those without a certificate after `tries` tries are drawn anew.
@@ -64,7 +65,7 @@ impl Generator {
         loop {
             let task = self.space.task(Start::Rs, random);
             let (start, target) = (task.start, task.target.map(|value| value as f32));
-            let solutions = walk::solutions(&BODY, target, start.0);
+            let solutions = walk::solutions(target, start.0);
             let Some(goal) = self.first_goal(start, &solutions) else { continue };
             let Some(balls) = self.balls(start, goal, random) else { continue };
             let goals = walk::stances(start, goal, &solutions).into_iter().map(|pose| pose.0).collect();
@@ -81,7 +82,7 @@ impl Generator {
     fn first_goal(&self, start: Pose, solutions: &[Pose]) -> Option<Pose> {
         let is_free = |goal: &Pose| {
             let legs = [Leg { to: *goal, wait: 0 }];
-            matches!(follow(&BODY, start, &legs, 1400, 0.0, |_, _| 1.0), Outcome::Arrives(_))
+            matches!(follow(start, &legs, 1400, 0.0, |_, _| 1.0), Outcome::Arrives(_))
         };
         let goal = solutions.iter().take(FIRST_GOALS).copied().find(is_free)?;
         let ticks = goal.0.iter().zip(start.0).map(|(to, from)| to.abs_diff(from)).max().unwrap_or(0);
@@ -168,7 +169,7 @@ impl Generator {
 
 /// Follows a plan in a scene whose future is known.
 pub fn replay(scene: &Scene, legs: &[Leg], margin: f32) -> Outcome {
-    follow(&BODY, Pose(scene.start), legs, LIMIT, margin, |posture, time| {
+    follow(Pose(scene.start), legs, LIMIT, margin, |posture, time| {
         let clearances = scene.balls.iter().map(|path| BODY.clearance(posture, path.at(time as f32), path.radius));
         clearances.fold(f32::INFINITY, f32::min)
     })

@@ -2,15 +2,14 @@
 
 use super::BODY;
 use super::config::Config;
-use super::draw::{Generator, LIMIT, SEED, TRIES};
+use super::draw::{Generator, LIMIT, SEED, TRIES, scenes};
 use super::episode::{self, Episode, OUTCOMES};
 use super::scene::Scene;
 use crate::arm::drawing;
 use crate::arm::targets::Set;
-use std::sync::OnceLock;
 use tpg_arm::WIDOWX;
 use tpg_arm::dodge::{Behaviour, Dodger, Source};
-use tpg_engine::random::{Purpose, Stream};
+use tpg_engine::random::Stream;
 use tpg_engine::{Act, ActionSpace, Drawn, End, Environment, Measure, Preference, SourceSet, Step, TaskSet, Training};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
@@ -23,11 +22,9 @@ const UNUSED: f64 = 0.005;
 const FAR: f64 = 0.05;
 
 /// The environment.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Dodge {
     config: Config,
-    training: OnceLock<Generator>,
-    validation: OnceLock<Generator>,
 }
 
 /// A running episode: the rules' part, and what the controller remembers.
@@ -40,13 +37,7 @@ pub struct DodgeEpisode {
 impl Dodge {
     /// Creates the environment; the settings have been checked.
     pub fn new(config: &Config) -> Self {
-        let (training, validation) = (OnceLock::new(), OnceLock::new());
-        Self { config: config.clone(), training, validation }
-    }
-
-    fn generator(&self, set: Set) -> &Generator {
-        let place = if set == Set::Validation { &self.validation } else { &self.training };
-        place.get_or_init(|| Generator::new(&self.config, SEED, set))
+        Self { config: config.clone() }
     }
 }
 
@@ -79,7 +70,7 @@ impl<S: Scalar> Environment<S> for Dodge {
     }
 
     fn draw(&self, stream: &mut Stream) -> Scene {
-        self.generator(Set::Training).draw(stream, TRIES).scene
+        Generator::new(&self.config, SEED, Set::Training).draw(stream, TRIES).scene
     }
 
     fn training(&self) -> Option<&dyn Training<Scene, DodgeEpisode>> {
@@ -96,20 +87,20 @@ impl<S: Scalar> Environment<S> for Dodge {
     }
 
     fn start(&self, scene: &Scene) -> DodgeEpisode {
-        let episode = Episode::new(&BODY, scene);
-        let dodger = Dodger::new(self.config.settings(), &episode.view(&BODY));
+        let episode = Episode::new(scene);
+        let dodger = Dodger::new(self.config.settings(), &episode.view());
         DodgeEpisode { episode, dodger }
     }
 
     fn observe(&self, running: &mut DodgeEpisode, _wanted: SourceSet, state: &mut [S]) {
-        let values = running.dodger.observe(&running.episode.view(&BODY));
+        let values = running.dodger.observe(&running.episode.view());
         state.iter_mut().zip(values).for_each(|(slot, value)| *slot = S::from_f64(f64::from(value)));
     }
 
     fn step(&self, running: &mut DodgeEpisode, act: Act<'_, S>) -> Step {
         let (behaviour, _) = Behaviour::ALL[act.choice()];
-        let wanted = running.dodger.act(&running.episode.view(&BODY), behaviour);
-        let Some(end) = running.episode.step(&BODY, wanted, self.config.tolerance) else {
+        let wanted = running.dodger.act(&running.episode.view(), behaviour);
+        let Some(end) = running.episode.step(wanted, self.config.tolerance) else {
             return Step::reward(0.0);
         };
         let distance = f64::from(running.episode.distance());
@@ -126,9 +117,9 @@ impl<S: Scalar> Environment<S> for Dodge {
 
 impl Training<Scene, DodgeEpisode> for Dodge {
     fn tasks(&self, set: TaskSet, _seed: u64, count: usize) -> Option<Vec<Scene>> {
-        let generator = (set == TaskSet::Validation).then(|| self.generator(Set::Validation))?;
-        let stream = |index| Stream::new(SEED, (Set::Validation as u64) << 8 | 77, Purpose::Task, index);
-        Some((0..count as u64).map(|index| generator.draw(&mut stream(index), TRIES).scene).collect())
+        let certified =
+            (set == TaskSet::Validation).then(|| scenes(&self.config, SEED, Set::Validation, count, TRIES))?;
+        Some(certified.into_iter().map(|certified| certified.scene).collect())
     }
 }
 

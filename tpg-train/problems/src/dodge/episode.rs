@@ -1,10 +1,11 @@
 //! The rules of a step: the balls move, then the arm, and a hit ends the episode.
 
+use super::BODY;
 use super::draw::LIMIT;
 use super::scene::Scene;
 use super::walk::moved;
 use std::sync::Arc;
-use tpg_arm::dodge::{Ball, Body, Posture, View};
+use tpg_arm::dodge::{Ball, Posture, View};
 use tpg_arm::kinematics::{Vector, distance};
 use tpg_arm::{Move, Pose};
 
@@ -36,16 +37,16 @@ pub enum End {
 
 impl Episode {
     /// Starts an episode.
-    pub fn new(body: &Body, scene: &Scene) -> Self {
+    pub fn new(scene: &Scene) -> Self {
         let pose = Pose(scene.start);
         let balls = scene.balls.iter().map(|path| path.observed(0.0)).collect();
         let goals = scene.goals.iter().copied().map(Pose).collect();
-        Self { scene: Arc::new(scene.clone()), goals, balls, pose, posture: body.at(pose), steps: 0 }
+        Self { scene: Arc::new(scene.clone()), goals, balls, pose, posture: BODY.at(pose), steps: 0 }
     }
 
     /// Returns what a controller sees.
-    pub fn view<'a>(&'a self, body: &'a Body) -> View<'a> {
-        View::new(body, self.pose, &self.goals, &self.balls)
+    pub fn view(&self) -> View<'_> {
+        View::new(&BODY, self.pose, &self.goals, &self.balls)
     }
 
     /// Returns the pose.
@@ -74,17 +75,17 @@ impl Episode {
     }
 
     /// Takes a step. A move against limits, table or base is refused, which is no failure.
-    pub fn step(&mut self, body: &Body, wanted: Move, tolerance: f32) -> Option<End> {
+    pub fn step(&mut self, wanted: Move, tolerance: f32) -> Option<End> {
         self.steps += 1;
         let mut to = moved(self.pose, wanted);
-        for ((to, from), range) in to.0.iter_mut().zip(self.pose.0).zip(&body.arm.ranges) {
+        for ((to, from), range) in to.0.iter_mut().zip(self.pose.0).zip(&BODY.arm.ranges) {
             if !range.contains(*to) {
                 *to = from;
             }
         }
         if to != self.pose {
-            let posture = body.at(to);
-            if body.is_free(&posture) {
+            let posture = BODY.at(to);
+            if BODY.is_free(&posture) {
                 (self.pose, self.posture) = (to, posture);
             }
         }
@@ -94,7 +95,7 @@ impl Episode {
             ball.velocity = std::array::from_fn(|axis| at[axis] - ball.at[axis]);
             ball.at = at;
         }
-        if body.clearance_of_all(&self.posture, &self.balls, 0.0) < 0.0 {
+        if BODY.clearance_of_all(&self.posture, &self.balls, 0.0) < 0.0 {
             Some(End::Hit)
         } else if self.distance() < tolerance {
             Some(End::Reached)

@@ -1,7 +1,7 @@
 //! Walks on a plan of any number of legs, checked step by step: how certificates are found and replayed.
 
+use super::BODY;
 use crate::arm::ik;
-use tpg_arm::dodge::Body;
 use tpg_arm::dodge::plan::{steps, straight};
 use tpg_arm::frame::Clearance;
 use tpg_arm::kinematics::{Vector, distance};
@@ -35,7 +35,6 @@ pub enum Outcome {
 
 /// Follows legs for at most `limit` steps; `clearance` is asked for the least clearance of a posture at a step, mm.
 pub fn follow(
-    body: &Body,
     from: Pose,
     legs: &[Leg],
     limit: u32,
@@ -43,7 +42,7 @@ pub fn follow(
     mut clearance: impl FnMut(&tpg_arm::dodge::Posture, u32) -> f32,
 ) -> Outcome {
     let (mut pose, mut time) = (from, 0);
-    let mut posture = body.at(pose);
+    let mut posture = BODY.at(pose);
     for leg in legs {
         let mut waited = 0;
         loop {
@@ -57,8 +56,8 @@ pub fn follow(
                 waited += 1;
             } else {
                 pose = moved(pose, straight(pose, leg.to));
-                posture = body.at(pose);
-                if !body.is_free(&posture) {
+                posture = BODY.at(pose);
+                if !BODY.is_free(&posture) {
                     return Outcome::Blocked;
                 }
             }
@@ -111,19 +110,15 @@ pub fn candidate(index: usize, from: Pose, goals: &[Pose], random: &mut Stream) 
 
 /// Returns every pose that solves a task, the one that takes fewest steps first: inverse kinematics for 144 pitches,
 /// within 2.7 mm of the target, clear of table and base.
-pub fn solutions(body: &Body, target: Vector<f32>, start: [i16; JOINTS]) -> Vec<Pose> {
+pub fn solutions(target: Vector<f32>, start: [i16; JOINTS]) -> Vec<Pose> {
     let free = |pose: Pose| {
-        let posture = body.at(pose);
-        let Clearance { hand, forearm } = Clearance::new(&posture.plane(), &body.arm.shapes);
-        body.is_free(&posture) && hand > 0.0 && forearm > 0.0 && distance(posture.hand(), target) < 2.7
+        let posture = BODY.at(pose);
+        let Clearance { hand, forearm } = Clearance::new(&posture.plane(), &BODY.arm.shapes);
+        BODY.is_free(&posture) && hand > 0.0 && forearm > 0.0 && distance(posture.hand(), target) < 2.7
     };
     let mut poses: Vec<Pose> =
         ik::goals(&WIDOWX, target.map(f64::from)).into_iter().filter(|&pose| free(pose)).collect();
-    let way = |pose: &Pose| {
-        let ticks = pose.0.into_iter().zip(start).map(|(to, from)| i32::from(to.abs_diff(from)));
-        50 * ticks.clone().max().unwrap_or(0) + ticks.sum::<i32>()
-    };
-    poses.sort_by_key(way);
+    poses.sort_by_key(|pose| ik::walk_length(start, pose.0));
     poses
 }
 

@@ -1,11 +1,10 @@
 //! A graph and a network that share the arm: what the network sees and does, and the guard.
 
 use super::{ArmEnvironment, ArmEpisode, ArmScalar};
-use crate::arm::motors::{self, Discretiser};
+use crate::arm::motors;
 use tpg_arm::frame::Frame;
 use tpg_arm::hybrid::Guard;
-use tpg_arm::observation::Observation;
-use tpg_arm::sac::features;
+use tpg_arm::sac::{Decision, features};
 use tpg_arm::{Arm, Move};
 use tpg_engine::{Act, Guarded, Output};
 use tpg_graph::SourceDocument;
@@ -13,13 +12,13 @@ use tpg_graph::SourceDocument;
 /// The way from the arm to a network and back, in the network's precision.
 #[derive(Clone, Debug)]
 pub(super) struct Steering {
-    discretiser: Discretiser,
+    decision: Decision<f32>,
     arm: Arm<f32>,
 }
 
 impl Steering {
     pub(super) fn new(config: &motors::Config, arm: &Arm<f64>) -> Self {
-        Self { discretiser: Discretiser::new(config), arm: arm.to_f32() }
+        Self { decision: config.decision(), arm: arm.to_f32() }
     }
 }
 
@@ -27,7 +26,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
     /// Returns the move that a network's values make: preferences of −1 to 1.
     pub(super) fn steered(&self, episode: &ArmEpisode<S>, values: &[S]) -> Move {
         let preferences = std::array::from_fn(|joint| libm::atanhf(values[joint].to_f64() as f32));
-        self.steering.discretiser.decide(preferences, episode.pose, &self.arm.ranges)
+        self.steering.decision.decide(preferences, episode.pose, &self.arm.ranges)
     }
 }
 
@@ -40,18 +39,10 @@ impl<S: ArmScalar> Guarded<S, ArmEpisode<S>> for ArmEnvironment<S> {
         motors::outputs()
     }
 
-    /// Every value is rounded before a feature is computed of it.
+    /// The target is rounded before a feature is computed of it.
     fn network_observe(&self, episode: &mut ArmEpisode<S>, state: &mut [f32]) {
-        let narrow = |values: [S; 3]| values.map(|value| value.to_f64() as f32);
-        let seen = Observation::new(&self.arm, episode.pose, episode.hand, episode.target);
-        let seen = Observation {
-            pose: seen.pose,
-            fixed_servos: seen.fixed_servos,
-            hand: narrow(seen.hand),
-            target: narrow(seen.target),
-            difference: narrow(seen.difference),
-        };
-        state.copy_from_slice(&features(&Frame::new(&self.steering.arm, &seen)));
+        let target = episode.target.map(|value| value.to_f64() as f32);
+        state.copy_from_slice(&features(&Frame::at(&self.steering.arm, episode.pose, target)));
     }
 
     fn guards(&self) -> &'static [&'static str] {

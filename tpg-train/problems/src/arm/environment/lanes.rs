@@ -15,7 +15,7 @@ use tpg_arm::{JOINTS, Move, Play};
 use tpg_engine::{Acts, BLOCK, Block, Environment, EpisodeResult, Episodes, EvaluationError, SourceSet, View};
 
 /// [`ArmEnvironment::lanes`].
-pub(super) struct ArmLanes<'e, S> {
+pub(super) struct ArmLanes<'e, S: Copy> {
     environment: &'e ArmEnvironment<S>,
     /// Move of each action, followed by the move used for actions that do not exist.
     moves: Vec<[i32; JOINTS]>,

@@ -5,7 +5,7 @@ use crate::arm::targets::{Start, TOLERANCE};
 use crate::arm::{ArmDescription, ArmProblem, arms};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tpg_arm::sac::{Actions, Mask};
+use tpg_arm::sac::{Actions, Decision, Mask};
 use tpg_arm::{Arm, WIDOWX};
 use tpg_graph::error::Finding;
 
@@ -129,6 +129,11 @@ impl Config {
     /// Returns the arm.
     pub fn arm(&self) -> Arm<f64> {
         self.arm.as_ref().map_or(WIDOWX, Arm::from)
+    }
+
+    /// Returns the decision behind a network.
+    pub(in crate::arm) fn decision(&self) -> Decision<f32> {
+        Decision::<f32>::new(self.actions, self.mask, self.may_rest)
     }
 
     /// Returns the rules of tests that begin at that start.

@@ -4,26 +4,21 @@
 //! | --- | --- |
 //! | (root) | [`Motors`], the environment |
 //! | [`config`] | the section `[problem]` |
-//! | [`decision`] | from preferences to a move |
-//! | `training` | an episode under the rules of training: shaped reward, repeated actions |
-//! | `evaluation` | an episode under the rules of tests |
+//! | `episode` | an episode under the rules of training or of tests |
 
 pub mod config;
-pub mod decision;
-mod evaluation;
-mod training;
+mod episode;
 
 pub use config::{Config, Reward};
-pub use decision::Discretiser;
+pub use episode::MotorsEpisode;
 
 use super::evaluation::figures;
 use super::problem::{ArmProblem, DISTANCE, OUTCOMES, on_the_arm};
 use super::targets::{self, ReachableSpace, Set, Start};
 use super::{drawing, ik};
-use evaluation::EvaluationEpisode;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
-use tpg_arm::sac::{FEATURE_NAMES, features};
+use tpg_arm::sac::{Decision, FEATURE_NAMES, features};
 use tpg_arm::{Arm, JOINTS, Pose};
 use tpg_engine::random::Stream;
 use tpg_engine::{
@@ -31,7 +26,6 @@ use tpg_engine::{
     Training,
 };
 use tpg_graph::SourceDocument;
-use training::TrainingEpisode;
 
 /// The names of the motors, in order.
 pub const MOTORS: [&str; JOINTS] = ["base", "shoulder", "elbow", "wrist"];
@@ -59,7 +53,7 @@ pub struct Motors {
     /// In the precision that actors run in.
     arm: Arm<f32>,
     description: Arm<f64>,
-    discretiser: Discretiser,
+    decision: Decision<f32>,
     seed: u64,
     /// The rules of tests; those of the settings if there are none.
     tests: Option<ArmProblem>,
@@ -86,39 +80,11 @@ pub enum Rules {
     Test(Start),
 }
 
-/// An episode under way.
-#[derive(Clone, Debug)]
-pub struct MotorsEpisode(Course);
-
-#[derive(Clone, Debug)]
-enum Course {
-    Training(TrainingEpisode),
-    Evaluation(Box<EvaluationEpisode>),
-}
-
-impl MotorsEpisode {
-    /// The arm's pose.
-    pub fn pose(&self) -> Pose {
-        match &self.0 {
-            Course::Training(training) => training.pose(),
-            Course::Evaluation(evaluation) => evaluation.pose(),
-        }
-    }
-}
-
 impl Motors {
     /// The problem of that start. The space that tasks are drawn from, and the validation tasks, depend on `seed`.
     pub fn new(start: Start, config: Config, seed: u64) -> Self {
         let description = config.arm();
-        Self {
-            start,
-            arm: description.to_f32(),
-            description,
-            discretiser: Discretiser::new(&config),
-            config,
-            seed,
-            tests: None,
-        }
+        Self { start, arm: description.to_f32(), description, decision: config.decision(), config, seed, tests: None }
     }
 
     /// Returns the same problem with other rules of tests.
@@ -197,45 +163,29 @@ impl Environment<f32> for Motors {
 
     fn start(&self, task: &MotorsTask) -> MotorsEpisode {
         let reach = targets::Task { start: Pose(task.start), target: task.target };
-        MotorsEpisode(match task.rules {
-            Rules::Training => {
-                Course::Training(TrainingEpisode::new(&self.config, &self.arm, reach.start, reach.target))
-            }
-            Rules::Test(start) => {
-                Course::Evaluation(Box::new(EvaluationEpisode::new(&self.arm, self.rules(start), &reach)))
-            }
-        })
+        match task.rules {
+            Rules::Training => MotorsEpisode::training(&self.config, &self.arm, &reach),
+            Rules::Test(start) => MotorsEpisode::test(self.rules(start), &self.arm, &reach),
+        }
     }
 
     fn observe(&self, episode: &mut MotorsEpisode, _wanted: SourceSet, state: &mut [f32]) {
-        let frame = match &episode.0 {
-            Course::Training(training) => training.frame(&self.arm),
-            Course::Evaluation(evaluation) => evaluation.frame(&self.arm),
-        };
-        state.copy_from_slice(&features(&frame));
+        state.copy_from_slice(&features(&episode.frame(&self.arm)));
     }
 
     fn step(&self, episode: &mut MotorsEpisode, act: Act<'_, f32>) -> Step {
         let values = act.values();
         let preferences = std::array::from_fn(|joint| libm::atanhf(values[joint]));
-        let decide = |pose| self.discretiser.decide(preferences, pose, &self.arm.ranges);
-        match &mut episode.0 {
-            Course::Training(training) => training.step(&self.config, &self.arm, decide),
-            Course::Evaluation(evaluation) => evaluation.step(&self.arm, decide),
-        }
+        episode.step(&self.config, &self.arm, |pose| self.decision.decide(preferences, pose, &self.arm.ranges))
     }
 }
 
 impl Training<MotorsTask, MotorsEpisode> for Motors {
     /// For calibration there are `count` of each start.
     fn tasks(&self, set: TaskSet, seed: u64, count: usize) -> Option<Vec<MotorsTask>> {
-        let own = &[self.start][..];
-        let (set, seed, starts) = match set {
-            TaskSet::Validation => (Set::Validation, self.seed, own),
-            TaskSet::Study => (Set::Validation, seed, own),
-            TaskSet::Calibration => (Set::Training, seed, &[Start::Fs, Start::Rs][..]),
-            TaskSet::Test => (Set::Test, seed, own),
-        };
+        let own = [self.start];
+        let starts = if set == TaskSet::Calibration { &[Start::Fs, Start::Rs][..] } else { &own };
+        let (set, seed) = Set::asked(set, seed, self.seed);
         let tasks = starts.iter().flat_map(|&start| {
             let tasks = targets::tasks(&self.description, seed, set, start, count).into_iter();
             let rules = Rules::Test(start);
@@ -256,12 +206,9 @@ impl Training<MotorsTask, MotorsEpisode> for Motors {
 
     /// Training begins there, unless the hand is at its target already.
     fn task_from(&self, episode: &MotorsEpisode) -> Option<MotorsTask> {
-        let (pose, target, distance) = match &episode.0 {
-            Course::Training(training) => (training.pose(), training.target(), training.distance()),
-            Course::Evaluation(evaluation) => (evaluation.pose(), evaluation.target(), evaluation.distance(&self.arm)),
-        };
         let rules = Rules::Training;
-        (f64::from(distance) > self.config.tolerance).then_some(MotorsTask { start: pose.0, target, rules })
+        let far = f64::from(episode.course.distance) > self.config.tolerance;
+        far.then_some(MotorsTask { start: episode.pose().0, target: episode.course.target, rules })
     }
 }
 
@@ -271,11 +218,7 @@ impl Drawn<MotorsEpisode> for Motors {
     }
 
     fn moment(&self, episode: &MotorsEpisode) -> Vec<f64> {
-        let target = match &episode.0 {
-            Course::Training(training) => training.target(),
-            Course::Evaluation(evaluation) => evaluation.target(),
-        };
-        drawing::moment(episode.pose(), target)
+        drawing::moment(episode.pose(), episode.course.target)
     }
 
     fn picture(&self, moments: &[Vec<f64>]) -> String {
