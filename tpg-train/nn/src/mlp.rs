@@ -182,7 +182,11 @@ impl Mlp {
         let scratch = &mut tape.scratch;
         for (index, layer) in self.layers.iter().enumerate() {
             let (before, after) = tape.inputs.split_at_mut(index + 1);
-            let input = Factor::new(&before[index], layer.inputs, tape.batch);
+            let mut input = Factor::new(&before[index], layer.inputs, tape.batch);
+            if index > 0 {
+                // About half of a ReLU's outputs are zero.
+                input = input.sparse();
+            }
             let (weight, bias) = (layer.weight(&self.parameters), layer.bias(&self.parameters));
             if index == last {
                 return multiply(&mut tape.output, weight, input, Finish::Bias(bias), scratch);
@@ -212,12 +216,15 @@ impl Mlp {
         current[..by_output.len()].copy_from_slice(by_output);
         let (batch, scratch) = (tape.batch, &mut tape.scratch);
         for (index, layer) in self.layers.iter().enumerate().rev() {
-            let gradient = Factor::new(&current[..layer.outputs * batch], layer.outputs, batch);
+            let mut gradient = Factor::new(&current[..layer.outputs * batch], layer.outputs, batch);
             if let Some(all) = gradients.as_deref_mut() {
                 let input = Factor::new(&tape.inputs[index], layer.inputs, batch);
                 let by_weight = &mut all[layer.weight..layer.bias];
                 multiply(by_weight, gradient, input.transposed(), Finish::Plain, scratch);
                 sum_columns(&mut all[layer.bias..][..layer.outputs], gradient.values());
+            } else {
+                // A loss that moves no parameters may ignore samples: each is judged by one of two critics.
+                gradient = gradient.sparse();
             }
             if index > 0 {
                 // The gradient passes the previous layer's ReLU in the same step.
@@ -231,7 +238,7 @@ impl Mlp {
             let rows = by_input.len() / batch;
             let weights = &self.parameters[..first.bias][(first.inputs - rows) * first.outputs..];
             let weight = Factor::new(weights, first.outputs, rows).transposed();
-            let gradient = Factor::new(&current[..first.outputs * batch], first.outputs, batch);
+            let gradient = Factor::new(&current[..first.outputs * batch], first.outputs, batch).sparse();
             multiply(by_input, weight, gradient, Finish::Plain, scratch);
         }
     }

@@ -7,6 +7,7 @@
 
 mod columns;
 mod tiles;
+mod zeros;
 
 use super::sum::dot;
 use super::vectors::{Vector, load, many_registers, where_positive};
@@ -19,6 +20,7 @@ pub struct Factor<'a> {
     rows: usize,
     columns: usize,
     transposed: bool,
+    sparse: bool,
 }
 
 impl<'a> Factor<'a> {
@@ -28,12 +30,18 @@ impl<'a> Factor<'a> {
     /// If `values` does not hold exactly `rows`·`columns` numbers.
     pub fn new(values: &'a [f32], rows: usize, columns: usize) -> Self {
         assert_eq!(values.len(), rows * columns, "a matrix of another size");
-        Self { values, rows, columns, transposed: false }
+        Self { values, rows, columns, transposed: false, sparse: false }
     }
 
     /// Returns the transposed matrix.
     pub fn transposed(self) -> Self {
         Self { transposed: !self.transposed, ..self }
+    }
+
+    /// Marks the matrix, as a right factor, as having many zeros: columns of zeros, and zeros of a single column, are
+    /// detected and skipped. That changes no bit as long as the left factor is finite.
+    pub fn sparse(self) -> Self {
+        Self { sparse: true, ..self }
     }
 
     /// Returns the numbers in memory order.
@@ -103,8 +111,12 @@ pub(super) fn passing(gradient: f32, passed: f32) -> f32 {
 pub struct Scratch {
     /// Panels of the left factor: for each tile's rows, column after column.
     panels: Vec<f32>,
+    /// Last columns of the right factor that do not fill a tile, row by row.
     /// A tile, column by column.
     sums: Vec<f32>,
+    /// Columns of the right factor that are not all zeros: their indices, and the columns side by side.
+    kept: Vec<usize>,
+    gathered: Vec<f32>,
 }
 
 /// Computes `out` := finish(`a`·`b`); `out` is column-major.
@@ -140,16 +152,20 @@ impl Product<'_> {
                 self.out[place] = self.finish.scalar(0, place, dot(self.a.values, column));
             }
         } else if columns == 1 && !self.a.transposed {
-            let pairs = self.a.values.chunks_exact(rows).zip(self.b.values.iter().copied());
-            columns::by_columns(simd, self.out, pairs, self.finish);
+            let Self { out, a, b, finish, scratch } = self;
+            if b.sparse {
+                columns::by_columns_of_sparse(simd, out, a.values, b.values, finish, &mut scratch.kept);
+            } else {
+                columns::by_columns(simd, out, a.values.chunks_exact(rows).zip(b.values.iter().copied()), finish);
+            }
         } else if rows == 1 && matches!(self.finish, Finish::Plain) {
             // One row in memory is one column: (a·b)ᵀ = bᵀ·aᵀ.
             let pairs = self.b.values.chunks_exact(columns).zip(self.a.values.iter().copied());
             columns::by_columns(simd, self.out, pairs, self.finish);
         } else if many_registers::<S>() {
-            self.by_tiles::<S, 1, 16>(simd);
+            self.by_tiles_of_samples::<S, 1, 16>(simd);
         } else {
-            self.by_tiles::<S, 2, 4>(simd);
+            self.by_tiles_of_samples::<S, 2, 4>(simd);
         }
     }
 }
@@ -239,6 +255,48 @@ mod tests {
                         assert!(bits(&out) == expected, "{rows} {inner} {columns} {finish:?} {level:?}");
                     }
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn columns_of_zeros_are_left_out_without_changing_a_bit() {
+        let (rows, inner, columns) = (37, 20, 70);
+        let (a, bias, passed) = (normals(rows * inner, 1), normals(rows, 3), normals(rows * columns, 4));
+        let a = Factor::new(&a, rows, inner);
+        // First and last columns, some in between, most, all, none.
+        let kept: [fn(usize) -> bool; 5] = [|c| (9..60).contains(&c), |c| c % 3 == 1, |c| c == 41, |_| false, |_| true];
+        let mut scratch = Scratch::default();
+        for kept in kept {
+            let mut b = normals(inner * columns, 2);
+            let zeros = b.chunks_exact_mut(inner).enumerate().filter(|&(column, _)| !kept(column));
+            zeros.for_each(|(_, column)| column.fill(0.0));
+            let b = Factor::new(&b, inner, columns);
+            for finish in [Finish::Plain, Finish::Bias(&bias), Finish::Where(&passed)] {
+                let expected = bits(&plainly(a, b, finish));
+                for (level, b) in levels().into_iter().flat_map(|level| [(level, b), (level, b.sparse())]) {
+                    let mut out = vec![f32::NAN; rows * columns];
+                    let product = Product { out: &mut out, a, b, finish, scratch: &mut scratch };
+                    dispatch!(level, simd => product.compute(simd));
+                    assert!(bits(&out) == expected, "{finish:?} {level:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn zeros_of_a_single_column_are_left_out_without_changing_a_bit() {
+        let (rows, inner) = (301, 40);
+        let (a, bias, mut b) = (normals(rows * inner, 1), normals(rows, 3), normals(inner, 2));
+        for zeros in [0, 17, inner] {
+            b.iter_mut().step_by(2).take(zeros).for_each(|value| *value = 0.0);
+            let (a, b, finish) = (Factor::new(&a, rows, inner), Factor::new(&b, inner, 1), Finish::Rectified(&bias));
+            let expected = bits(&plainly(a, b, finish));
+            for (level, b) in levels().into_iter().flat_map(|level| [(level, b), (level, b.sparse())]) {
+                let mut out = vec![f32::NAN; rows];
+                let product = Product { out: &mut out, a, b, finish, scratch: &mut Scratch::default() };
+                dispatch!(level, simd => product.compute(simd));
+                assert!(bits(&out) == expected, "{zeros} zeros, {level:?}");
             }
         }
     }

@@ -84,7 +84,7 @@ pub(crate) fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
             let mut meter = Meter::new(space.outputs(), tasks.len());
             let endings = network.1.deciding(|decide| {
                 let network = network_policy(environment, decide);
-                let episodes = tasks.iter().enumerate().map(|(place, task)| {
+                let mut episode = |(place, task)| {
                     let rollout = RefCell::new(Rollout::new(environment, task));
                     loop {
                         let decision = network.decide(&rollout);
@@ -93,8 +93,8 @@ pub(crate) fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
                             return ending;
                         }
                     }
-                });
-                episodes.collect()
+                };
+                tasks.iter().enumerate().map(&mut episode).collect()
             });
             Ok(HybridResult { effort: meter.effort(), ..HybridResult::alone(endings, Driver::Sac) })
         }

@@ -4,6 +4,34 @@ use super::Finish;
 use crate::vectors::{Vector, lanes, load, many_registers, save};
 use fearless_simd::{Simd, SimdBase};
 
+/// From this number of rows on, multiplying a column is more expensive than testing whether its factor is zero.
+const MANY: usize = 128;
+
+/// As [`by_columns`], skipping columns whose factor is zero; `kept` is a buffer for the indices of the others.
+#[inline(always)]
+pub(super) fn by_columns_of_sparse<S: Simd>(
+    simd: S,
+    out: &mut [f32],
+    a: &[f32],
+    b: &[f32],
+    finish: Finish<'_>,
+    kept: &mut Vec<usize>,
+) {
+    let rows = out.len();
+    if rows < MANY {
+        return by_columns(simd, out, a.chunks_exact(rows).zip(b.iter().copied()), finish);
+    }
+    // Branch-free compaction: every index is written and overwritten by the next one if its number is zero.
+    kept.resize(b.len(), 0);
+    let mut count = 0;
+    for (index, &value) in b.iter().enumerate() {
+        kept[count] = index;
+        count += usize::from(value != 0.0);
+    }
+    let columns = kept[..count].iter().map(|&index| (&a[index * rows..][..rows], b[index]));
+    by_columns(simd, out, columns, finish);
+}
+
 /// Keeps the sums of many rows in registers while iterating over the matrix's columns and their factors.
 #[inline(always)]
 pub(super) fn by_columns<'a, S: Simd>(
