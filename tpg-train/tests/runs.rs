@@ -416,7 +416,7 @@ fn a_run_has_a_linear_rival_of_as_many_steps() {
     let figures: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
     assert!(figures["against"]["difference"].is_number(), "{figures}");
     let rival = tpg_graph::files::read_graph(&run.join("linear/graph.json")).expect("a graph");
-    assert_eq!((rival.teams().len(), rival.provenance().seed), (0, Some(2)), "one sum");
+    assert_eq!((rival.leaves().len(), rival.provenance().seed), (1, Some(2)), "one sum");
     assert_eq!(against(&run.join("graph.json")).output().expect("it runs").stdout, output.stdout, "it is kept");
     let alone = place.path().join("graph.json");
     fs::copy(run.join("graph.json"), &alone).expect("a copy");

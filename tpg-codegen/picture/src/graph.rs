@@ -11,7 +11,7 @@ const COLUMN: f64 = 480.0;
 /// The largest width, of a graph that takes the whole width of a page.
 const BROAD: f64 = 960.0;
 /// The minimum width of an action's box, and the gap beside it.
-const ACTION: f64 = 88.0;
+const ACTION: f64 = 96.0;
 const GAP: f64 = 8.0;
 const LAYER: f64 = 84.0;
 const TOP: f64 = 24.0;
@@ -150,10 +150,10 @@ fn name(graph: &Graph, action: usize) -> String {
 /// Estimates the width of a letter of a label.
 fn letter_width(letter: char) -> f64 {
     match letter {
-        '\u{2e80}'.. => 12.0,
-        'm' | 'w' => 9.0,
-        _ if letter.is_uppercase() => 9.0,
-        _ => 6.4,
+        '\u{2e80}'.. => 13.0,
+        'm' | 'w' => 10.5,
+        _ if letter.is_uppercase() => 9.5,
+        _ => 7.0,
     }
 }
 
