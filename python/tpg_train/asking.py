@@ -24,8 +24,8 @@ class Asking(gymnasium.Wrapper[Any, Any, Any, Any]):
     ask, actions stay as they are, and only rules call the network.
 
     Rules watch the distance to the goal: the reward of the last action with its sign changed, or `info["distance"]`. The
-    network takes over when the distance exceeds its minimum so far by more than `separation`, or after `patience` actions of the graph
-    without a new minimum, and hands back after `hand_back_after` actions; None is never.
+    network takes over when the distance exceeds its minimum so far by more than `separation`, or after `patience` actions of
+    the graph without a new minimum, and hands back after `hand_back_after` actions; None is never.
 
     Args:
         network: decides, as `from_sb3` and `train_network` make it, or its `policy.q.json`.

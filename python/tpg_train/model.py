@@ -125,8 +125,9 @@ class TPG:
         population: roots of a generation. episodes: episodes of each root in a generation. With either of them everything
             begins at random; without, a search for the weights of sums comes first, which needs fewer steps.
         folder: keeps the run, for `resume=True` in a later process and for `tpg-train report`; by default temporary.
-        resume: goes on with the run in the folder, if there is one: `num_timesteps` is that run's, and the first `learn(total)` makes the run
-            `total` steps long, so that a script that was stopped ends as it would have; later calls add steps.
+        resume: goes on with the run in the folder, if there is one: `num_timesteps` is that run's, and the first
+            `learn(total)` makes the run `total` steps long, so that a script that was stopped ends as it would have; later
+            calls add steps.
         max_episode_steps: cuts episodes; by default the environment's own limit, or 10,000.
         input_names: names of the observation's values, for formulas.
         action_names: names of the actions, or of the values of a `Box`, for formulas and code.
@@ -797,7 +798,9 @@ def _check_graph(graph: Graph, file: str, interface: Interface, is_named: bool) 
         for sources in (interface.named(), interface.sources())
     )
     if interface.eye is None and inputs not in (own, numbered) and (is_named or len(interface.parts) > 1):
-        raise InputError(f"{file}: a graph of the inputs {', '.join(inputs)}; accepted: {', '.join(own)}; input_names= gives others")
+        raise InputError(
+            f"{file}: a graph of the inputs {', '.join(inputs)}; accepted: {', '.join(own)}; input_names= gives others"
+        )
     choices, outputs = interface.actions()
     found, accepted = len(graph.actions) or len(outputs_of_graph), len(choices) or len(outputs)
     if bool(graph.actions) != bool(choices) or found != accepted:

@@ -23,7 +23,6 @@ MOST_NAMES = 60
 DEFAULT_LIMIT = 10_000
 
 
-
 @dataclass(frozen=True)
 class Part:
     """A part of an observation: a named source of one or more values."""

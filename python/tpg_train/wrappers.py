@@ -18,7 +18,8 @@ class Differences(gymnasium.ObservationWrapper[Any, Any, Any], gymnasium.utils.R
     """Adds the change of each value since the last step: what a policy without memory needs where speeds are hidden.
 
     The observation becomes a Dict of `now` and `change`, whose names formulas keep; of a Dict observation each is a Dict of the
-    same keys, without those of choices, which do not change by an amount. On the firmware's side the caller subtracts the last observation from the new one; the first change is 0.
+    same keys, without those of choices, which do not change by an amount. On the firmware's side the caller subtracts the last
+    observation from the new one; the first change is 0.
     """
 
     def __init__(self, env: gymnasium.Env[Any, Any]) -> None:
