@@ -19,13 +19,18 @@ pub(crate) fn print_problems() -> Result<(), InputError> {
 
 /// Describes a problem.
 fn description(name: ProblemName) -> String {
-    let environment = Problem::new(name).environment::<f32>();
+    let problem = Problem::new(name);
+    let environment = problem.environment::<f32>();
     let about = name.to_possible_value().and_then(|value| value.get_help().map(ToString::to_string));
     let mut text = format!("{}: {}\n", name.name(), about.unwrap_or_default());
     let sources = environment.sources().iter().map(source).collect::<Vec<_>>().join("; ");
     let _ = writeln!(text, "  observes {sources}");
     let _ = writeln!(text, "  actions  {}", actions(&environment.actions()));
-    let _ = writeln!(text, "  at most  {} steps per episode\n", environment.time_limit());
+    let _ = writeln!(text, "  at most  {} steps per episode", environment.time_limit());
+    if !problem.controllers().is_empty() {
+        let _ = writeln!(text, "  brings   {}, for `eval --policy` and `--against`", problem.controllers().join(", "));
+    }
+    text.push('\n');
     text
 }
 

@@ -223,7 +223,8 @@ impl FigureResults {
 
     fn overview(&self) -> io::Result<Vec<String>> {
         let mut lines = vec![
-            "| task | ours, by default | linear | best network | shipped policy | flash, bytes | instructions | it is |".into(),
+            "| task | ours, by default | linear | best network | shipped policy | flash, bytes | instructions | form |"
+                .into(),
             "| --- | --: | --: | --: | --: | --: | --: | --- |".into(),
         ];
         for task in &self.tasks {

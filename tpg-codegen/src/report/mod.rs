@@ -31,6 +31,9 @@ pub struct Report {
     pub scalar: ScalarType,
     /// The provider of the transcendental functions.
     pub maths: MathsProvider,
+    /// True if the code computes in integers.
+    #[serde(skip)]
+    is_integer: bool,
     /// The change of scalar type, if there was one.
     pub conversion: Option<Conversion>,
     /// The graph's size.
@@ -168,6 +171,7 @@ pub fn report(
         graph_sha256: codes[0].1.program.graph_sha256(),
         scalar: graph.scalar(),
         maths: graph.maths(),
+        is_integer: graph.has_counts(),
         conversion: options.conversion.clone(),
         graph: counts(optimised),
         asks: graph.asks().map(str::to_owned).collect(),

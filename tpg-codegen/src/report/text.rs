@@ -32,7 +32,10 @@ impl fmt::Display for Report {
             counted(programs, "program"),
             answers
         )?;
-        writeln!(f, "computes  in {} with {} maths", self.scalar.name(), self.maths.name())?;
+        match self.is_integer {
+            true => writeln!(f, "computes  in integers")?,
+            false => writeln!(f, "computes  in {} with {} maths", self.scalar.name(), self.maths.name())?,
+        }
         if let Some(was) = &self.conversion {
             writeln!(
                 f,
