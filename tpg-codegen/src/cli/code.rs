@@ -1,11 +1,10 @@
 //! The options that select code, shared by `generate` and `verify`.
 
 use super::graph::GraphArgs;
-use super::scalar::{Chosen, ScalarArgs, StatesArgs};
+use super::scalar::{Chosen, FixedArgs, ScalarArgs, StatesArgs};
 use crate::emit::Code;
 use crate::options::{Language, Options, Prefix, Profile, Style};
 use crate::program::compile;
-use crate::quantise::{Request, quantise};
 use clap::{Args, ValueEnum};
 use tpg_graph::Graph;
 use tpg_graph::command::CommandError;
@@ -20,7 +19,7 @@ pub(super) struct CodeArgs {
     #[arg(long, value_enum, default_value_t = LanguageArg::All)]
     pub(super) lang: LanguageArg,
     /// The interface of the C [default: pure; verify: both]
-    #[arg(long, value_enum)]
+    #[arg(long, value_enum, conflicts_with = "fixed")]
     pub(super) style: Option<Style>,
     /// The goal of the optimisation [default: fast in C, constant-time in Rust; verify: every profile]
     #[arg(long, value_enum)]
@@ -28,9 +27,8 @@ pub(super) struct CodeArgs {
     /// Use 32-bit integers only; fails and names the value if one may not be whole
     #[arg(long, conflicts_with_all = ["scalar", "style"])]
     pub(super) integers: bool,
-    /// First put the graph into integers with inputs and weights of so many bits: see `tpg-codegen quantise`
-    #[arg(long, value_name = "BITS", value_parser = clap::value_parser!(u32).range(2..=16), conflicts_with_all = ["scalar", "style"])]
-    fixed: Option<u32>,
+    #[command(flatten)]
+    fixed: FixedArgs,
     #[command(flatten)]
     scalar: ScalarArgs,
     #[command(flatten)]
@@ -61,11 +59,7 @@ impl CodeArgs {
     /// The graph, in the requested scalar type, and the options.
     pub(super) fn load(&self) -> Result<(Graph, Options), CommandError> {
         let mut graph = self.graph.load()?;
-        if let Some(bits) = self.fixed {
-            let states = self.states.load(&graph)?;
-            let request = Request::of_bits(bits, &states, self.states.is_recorded());
-            let (whole, report) = quantise(&self.graph.name(), &graph, &request)?;
-            tpg_graph::command::note(report.to_string().trim_end());
+        if let Some(whole) = self.fixed.integers(&self.graph, &graph, &self.states)? {
             graph = whole;
         }
         let Chosen { graph, conversion } = self.scalar.choose(&self.graph, graph, &self.states)?;
@@ -95,7 +89,7 @@ impl CodeArgs {
         options: &Options,
         language: Language,
     ) -> Result<Code<'g>, InputError> {
-        if self.integers || self.fixed.is_some() {
+        if self.integers || self.fixed.any() {
             Code::in_integers(&self.graph.name(), graph, options, language)
         } else {
             Ok(Code::of(compile(graph, options, language)))
@@ -104,7 +98,7 @@ impl CodeArgs {
 
     /// Every combination of language, style and profile that the arguments and the graph admit.
     pub(super) fn shapes(&self, graph: &Graph) -> Vec<(Language, Style, Option<Profile>)> {
-        let is_integers = self.integers || self.fixed.is_some();
+        let is_integers = self.integers || self.fixed.any();
         // Integers have the same text in every profile.
         let all = if is_integers { vec![Profile::Fast] } else { Profile::ALL.to_vec() };
         let profiles = self.profile.map_or(all, |profile| vec![profile]);

@@ -2,7 +2,7 @@
 
 use super::graph::GraphArgs;
 use super::prove::proven;
-use super::scalar::{Chosen, ScalarArgs, StatesArgs};
+use super::scalar::{Chosen, FixedArgs, ScalarArgs, StatesArgs};
 use super::verify::{prove, sentences, verdict};
 use crate::options::{Options, Prefix, Profile};
 use crate::package::{Details, Ecosystem, License, package};
@@ -36,6 +36,8 @@ pub(super) struct PackageArgs {
     #[arg(long, value_enum)]
     profile: Option<Profile>,
     #[command(flatten)]
+    fixed: FixedArgs,
+    #[command(flatten)]
     scalar: ScalarArgs,
     #[command(flatten)]
     states: StatesArgs,
@@ -61,7 +63,9 @@ pub(super) struct PackageArgs {
 
 impl PackageArgs {
     pub(super) fn run(&self) -> Result<Verdict, CommandError> {
-        let Chosen { graph, conversion } = self.scalar.choose(&self.graph, self.graph.load()?, &self.states)?;
+        let loaded = self.graph.load()?;
+        let whole = self.fixed.integers(&self.graph, &loaded, &self.states)?;
+        let Chosen { graph, conversion } = self.scalar.choose(&self.graph, whole.unwrap_or(loaded), &self.states)?;
         if self.ecosystem == Ecosystem::Arduino && graph.scalar() == ScalarType::F64 && !graph.has_counts() {
             let found = "a graph that computes in f64, which an AVR's double is not";
             return Err(

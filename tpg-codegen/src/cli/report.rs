@@ -2,17 +2,14 @@
 
 use super::graph::GraphArgs;
 use super::limits::LimitArgs;
-use super::scalar::{Chosen, ScalarArgs, StatesArgs};
+use super::scalar::{Chosen, FixedArgs, ScalarArgs, StatesArgs};
 use crate::emit::Code;
 use crate::options::{Language, Options, Prefix, Profile};
 use crate::program::compile;
-use crate::quantise::{Request, quantise};
 use crate::report;
 use crate::size::Target;
 use clap::Args;
-use tpg_graph::Graph;
 use tpg_graph::command::{self, CommandError, Verdict};
-use tpg_graph::error::InputError;
 
 /// Report the flash, RAM, stack and operations of a graph's code, and what was removed from it.
 #[derive(Clone, Debug, Args)]
@@ -22,9 +19,8 @@ pub(super) struct ReportArgs {
     /// Comma-separated targets [default: m4f,host]
     #[arg(long, value_enum, value_delimiter = ',')]
     target: Vec<Target>,
-    /// Report the C in integers, too, with inputs and weights of so many bits: see `tpg-codegen quantise`
-    #[arg(long, value_name = "BITS", value_parser = clap::value_parser!(u32).range(2..=16))]
-    fixed: Option<u32>,
+    #[command(flatten)]
+    fixed: FixedArgs,
     #[command(flatten)]
     scalar: ScalarArgs,
     #[command(flatten)]
@@ -44,7 +40,7 @@ impl ReportArgs {
         let Chosen { graph, conversion } = self.scalar.choose(&self.graph, self.graph.load()?, &self.states)?;
         let options = Options { conversion, ..Options::new(Prefix::of_file(&self.graph.graph)) };
         let targets = if self.target.is_empty() { &Target::DEFAULT[..] } else { &self.target };
-        let whole = self.integers(&graph)?;
+        let whole = self.fixed.integers(&self.graph, &graph, &self.states)?;
         let file = self.graph.name();
         let report = report::report(&file, &graph, &options, targets, whole.as_ref())?;
         let text = if self.json {
@@ -64,13 +60,5 @@ impl ReportArgs {
             targets.iter().try_for_each(|&target| self.limits.check(&code, target))?;
         }
         Ok(Verdict::Good)
-    }
-
-    /// Returns the graph in integers, if it is asked for.
-    fn integers(&self, graph: &Graph) -> Result<Option<Graph>, InputError> {
-        let Some(bits) = self.fixed else { return Ok(None) };
-        let states = self.states.load(graph)?;
-        let request = Request::of_bits(bits, &states, self.states.is_recorded());
-        Ok(Some(quantise(&self.graph.name(), graph, &request)?.0))
     }
 }

@@ -1,9 +1,10 @@
 //! Options that several commands share: the scalar type, and the states for measurements.
 
 use super::graph::GraphArgs;
+use crate::quantise::{Request, quantise};
 use clap::Args;
 use std::path::PathBuf;
-use tpg_graph::command::CommandError;
+use tpg_graph::command::{CommandError, note};
 use tpg_graph::conversion::{self, Conversion};
 use tpg_graph::error::InputError;
 use tpg_graph::states::StateSet;
@@ -24,16 +25,41 @@ pub(super) struct StatesArgs {
 }
 
 impl StatesArgs {
-    /// Tests for recorded states.
-    pub(super) fn is_recorded(&self) -> bool {
-        self.trace.is_some()
-    }
-
     pub(super) fn load(&self, graph: &Graph) -> Result<StateSet, InputError> {
         match &self.trace {
             Some(path) => StateSet::recorded(graph, path),
             None => Ok(StateSet::sampled(graph, STATES, SEED)),
         }
+    }
+}
+
+/// Integers for the graph.
+#[derive(Clone, Debug, Args)]
+pub(super) struct FixedArgs {
+    /// First convert the graph to integers, with inputs and weights of BITS bits: see `tpg-codegen quantise`
+    #[arg(long = "fixed", id = "fixed", value_name = "BITS", value_parser = clap::value_parser!(u32).range(2..=16), conflicts_with = "scalar")]
+    bits: Option<u32>,
+}
+
+impl FixedArgs {
+    /// Tests for integers.
+    pub(super) fn any(&self) -> bool {
+        self.bits.is_some()
+    }
+
+    /// Returns the graph in integers, if it is asked for; a note says how good it is.
+    pub(super) fn integers(
+        &self,
+        args: &GraphArgs,
+        graph: &Graph,
+        states: &StatesArgs,
+    ) -> Result<Option<Graph>, InputError> {
+        let Some(bits) = self.bits else { return Ok(None) };
+        let compared = states.load(graph)?;
+        let request = Request::of_bits(bits, &compared, states.trace.is_some());
+        let (whole, report) = quantise(&args.name(), graph, &request)?;
+        note(report.to_string().trim_end());
+        Ok(Some(whole))
     }
 }
 
