@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 DOCS = Path(__file__).parents[2] / "docs"
-# What other tests run, what takes a minute, and what needs an environment of the reader's.
+# Words of blocks that other tests run, that take a minute, or that need an environment of the reader's.
 ELSEWHERE = ("sklearn", "train_network", "make_env", "run_on_the_bench")
 
 

@@ -343,6 +343,11 @@ def test_settings_and_presets_are_checked() -> None:
 def test_state_that_survives_a_reset_is_noticed_and_named() -> None:
     with pytest.warns(StatefulEnvironmentWarning, match=r"Stateful: the observation after 0 actions .*wrappers\.Fresh"):
         TPG(environments.Stateful, **SMALL).learn(100)
+    gymnasium.register("Stateful-v0", entry_point=environments.Stateful)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", StatefulEnvironmentWarning)
+        named = TPG("Stateful-v0", **SMALL).learn(3_000)
+    assert named.evaluate(3).mean == named.evaluate(3).mean, "an id says how to make a new one for each episode"
 
 
 def test_training_goes_on_and_the_same_seed_gives_the_same_graph(tmp_path: Path) -> None:

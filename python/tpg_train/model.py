@@ -31,6 +31,7 @@ from .comparing import Comparison, Comparisons, compare
 from .reports import Evaluation, HallEntry, Proof, Report
 from .spaces import Interface, _name
 from .tuning import tuned
+from .wrappers import Fresh
 
 log = logging.getLogger("tpg_train")
 
@@ -207,7 +208,7 @@ class TPG:
     ) -> str | None:
         """Takes the environment; returns the name of the built-in problem that is the same."""
         self._factory = _factory(env, env_kwargs)
-        is_named = isinstance(env, (str, EnvSpec))
+        is_named = self._is_named = isinstance(env, (str, EnvSpec))
         try:
             self._env: Environment = self._factory() if is_named or _is_function(env) else env  # type: ignore[assignment]
         except (gymnasium.error.Error, ImportError) as error:
@@ -308,11 +309,19 @@ class TPG:
         return Workers(self._factory, self._settings, executor, n_workers)
 
     def _check_reset(self) -> None:
-        """Warns of an environment whose state survives a reset."""
+        """Makes a new environment for each episode, if an id says how, where the state of one survives a reset; else warns."""
         if self._checked or self._runs_here:
             return
         self._checked = True
         difference = first_difference(self._env)
+        if difference is not None and self._is_named:
+            self._env.close()
+            self._factory = functools.partial(Fresh, self._factory)
+            self._env = self._factory()
+            self._let_go.detach()
+            self._let_go = weakref.finalize(self, _let_go, self._temporary, self._env)
+            self._say(f"{self._interface.name} keeps state from earlier episodes: each gets a new environment")
+            difference = first_difference(self._env)
         if difference is not None:
             warnings.warn(
                 f"{self._interface.name}: {difference} is another one when reset(seed=...) gets the same seed again: the "

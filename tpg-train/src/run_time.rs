@@ -26,7 +26,7 @@ impl RunTime {
     }
 }
 
-/// Measures a session of a run.
+/// Measures a process of a run.
 pub(crate) struct Stopwatch {
     began: Instant,
     cpu_before: Option<f64>,
@@ -34,7 +34,7 @@ pub(crate) struct Stopwatch {
 }
 
 impl Stopwatch {
-    /// Begins a session of the run in a folder.
+    /// Begins to measure this process of the run in a folder.
     pub(crate) fn new(folder: &Path) -> Self {
         let earlier = RunTime::read(folder).unwrap_or(RunTime { cpu_seconds: Some(0.0), seconds: 0.0 });
         Self { began: Instant::now(), cpu_before: cpu_seconds(), earlier }

@@ -25,7 +25,7 @@ const SHORTER: [(&str, &str); 6] = [
     ("--episodes 10000", "--episodes 100"),
 ];
 
-/// What a document's commands read, and how its reader would have come by it.
+/// Files that a document's commands read, and the command by which its reader would have made each.
 const BEFORE: [(&str, &str); 4] = [
     ("best.dot", "tpg-codegen convert generated/cartpole/graph.json best.dot"),
     ("runs/a/graph.json", "tpg-train tpg --problem pendulum --generations 3 --out runs/a"),

@@ -152,7 +152,7 @@ impl Figures {
     }
 }
 
-/// What each shown policy costs in floats and in integers, and the geometric mean of the ratios of all policies.
+/// The costs of each shown policy in floats and in integers, and the geometric mean of the ratios of all policies.
 fn costs_of<T>(costs: &BTreeMap<String, T>, number: impl Fn(&T) -> u64) -> Option<Vec<String>> {
     let pair = |name: &str| -> Option<[u64; 2]> {
         let integers = format!("{name}_{}", WIDTHS[0]);
@@ -167,7 +167,7 @@ fn costs_of<T>(costs: &BTreeMap<String, T>, number: impl Fn(&T) -> u64) -> Optio
     Some(cells)
 }
 
-/// What decisions of the hybrid and of a network cost; nothing where one of them was not counted.
+/// The costs of decisions of the hybrid and of a network; nothing where one of them was not counted.
 fn parts_of(figures: &OfCore) -> Option<Vec<String>> {
     let hybrids = ["fs", "rs"].map(|start| figures.hybrid.get(start));
     let networks = ["w16a16", "w8a16"].map(|kind| figures.layers.get(kind));

@@ -1,4 +1,4 @@
-//! What a proof lacks.
+//! The reasons why a proof is not decided.
 
 /// Something that a proof lacks: a construct that is not read, a fault of a file, or a fact that no rule gives. Nothing is claimed then.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

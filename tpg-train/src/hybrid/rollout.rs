@@ -50,7 +50,7 @@ pub struct HybridResult {
     pub hand_backs: f64,
     /// Actions of each episode that the graph asked the network for; they count as the network's.
     pub asks: Vec<u32>,
-    /// How far the distance lies above the least one so far of its episode, after each action but the last, where two policies act.
+    /// The rise of the distance above its minimum so far, after each action but the last, where two policies act.
     pub rises: Vec<f64>,
     /// Wear of actuators, where one policy acts by outputs.
     pub effort: Option<Effort>,

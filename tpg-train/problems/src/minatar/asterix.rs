@@ -7,7 +7,7 @@ use super::{Game, Move, Outcome};
 #[derive(Clone, Debug)]
 pub(crate) struct Asterix {
     player: [i32; 2],
-    /// What moves in rows 1 to 8.
+    /// The objects that move in rows 1 to 8.
     things: [Option<Thing>; 8],
     until_spawn: i32,
     until_move: i32,

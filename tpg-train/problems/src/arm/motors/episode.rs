@@ -30,14 +30,14 @@ pub(super) struct Course {
     steps: u32,
 }
 
-/// What judges a step.
+/// The judge of a step.
 #[derive(Clone, Debug)]
 enum Judge {
     Training(Shaping),
     Test(Box<ArmProblem>, Brent),
 }
 
-/// What the reward of training knows.
+/// The knowledge in the reward of training.
 #[derive(Clone, Debug)]
 struct Shaping {
     /// Poses that solve the task, for a reward that knows them.
