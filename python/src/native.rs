@@ -25,7 +25,7 @@ fn problem_name(name: &str) -> PyResult<ProblemName> {
 /// Returns the names of the built-in problems, each with its default preset.
 #[pyfunction]
 pub(crate) fn problems() -> Vec<(&'static str, &'static str)> {
-    PROBLEMS.map(|entry| (entry.text, EvolutionConfig::default_preset(entry.name))).to_vec()
+    PROBLEMS.map(|(name, text)| (text, EvolutionConfig::default_preset(name))).to_vec()
 }
 
 /// Runs a graph on test episodes of a built-in problem, and returns the figures as JSON.

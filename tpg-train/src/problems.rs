@@ -13,7 +13,7 @@ use tpg_problems::{PROBLEMS, Problem, ProblemName};
 /// # Errors
 /// If stdout is closed.
 pub(crate) fn print_problems() -> Result<(), InputError> {
-    let text = PROBLEMS.map(|entry| description(entry.name)).concat();
+    let text = PROBLEMS.map(|(name, _)| description(name)).concat();
     print(&text)
 }
 

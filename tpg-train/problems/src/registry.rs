@@ -62,44 +62,31 @@ pub enum PolicyKind {
 
 type PathError = serde_path_to_error::Error<toml::de::Error>;
 
-/// A row of [`PROBLEMS`].
-#[derive(Clone, Copy, Debug)]
-pub struct Entry {
-    /// The problem.
-    pub name: ProblemName,
-    /// Its name on the command line and in configurations.
-    pub text: &'static str,
-}
-
-const fn entry(name: ProblemName, text: &'static str) -> Entry {
-    Entry { name, text }
-}
-
-/// Every built-in problem, in the order of [`ProblemName`].
-pub const PROBLEMS: [Entry; 12] = [
-    entry(ProblemName::Fs, "fs"),
-    entry(ProblemName::Rs, "rs"),
-    entry(ProblemName::Dodge, "dodge"),
-    entry(ProblemName::Cartpole, "cartpole"),
-    entry(ProblemName::Acrobot, "acrobot"),
-    entry(ProblemName::MountainCar, "mountain-car"),
-    entry(ProblemName::Pendulum, "pendulum"),
-    entry(ProblemName::MountainCarContinuous, "mountain-car-continuous"),
-    entry(ProblemName::Breakout, "breakout"),
-    entry(ProblemName::Asterix, "asterix"),
-    entry(ProblemName::SpaceInvaders, "space-invaders"),
-    entry(ProblemName::Eye, "eye"),
+/// Every built-in problem with its name on the command line and in configurations, in the order of [`ProblemName`].
+pub const PROBLEMS: [(ProblemName, &str); 12] = [
+    (ProblemName::Fs, "fs"),
+    (ProblemName::Rs, "rs"),
+    (ProblemName::Dodge, "dodge"),
+    (ProblemName::Cartpole, "cartpole"),
+    (ProblemName::Acrobot, "acrobot"),
+    (ProblemName::MountainCar, "mountain-car"),
+    (ProblemName::Pendulum, "pendulum"),
+    (ProblemName::MountainCarContinuous, "mountain-car-continuous"),
+    (ProblemName::Breakout, "breakout"),
+    (ProblemName::Asterix, "asterix"),
+    (ProblemName::SpaceInvaders, "space-invaders"),
+    (ProblemName::Eye, "eye"),
 ];
 
 impl ProblemName {
     /// Returns the name used on the command line and in configurations.
     pub const fn name(self) -> &'static str {
-        PROBLEMS[self as usize].text
+        PROBLEMS[self as usize].1
     }
 
     /// Finds the problem with the given [`name`](Self::name).
     pub fn from_name(name: &str) -> Option<Self> {
-        PROBLEMS.iter().find(|entry| entry.text == name).map(|entry| entry.name)
+        PROBLEMS.iter().find(|(_, text)| *text == name).map(|(name, _)| *name)
     }
 
     /// Returns the arm's start, if this is a problem of the arm.
@@ -113,7 +100,7 @@ impl ProblemName {
 
     /// Returns the names of all problems, for messages.
     pub fn names() -> String {
-        PROBLEMS.map(|entry| entry.text).join(", ")
+        PROBLEMS.map(|(_, text)| text).join(", ")
     }
 }
 
@@ -455,12 +442,12 @@ mod tests {
 
     #[test]
     fn a_section_gives_back_the_same_problem() {
-        for name in PROBLEMS.map(|entry| entry.name) {
+        for name in PROBLEMS.map(|(name, _)| name) {
             for kind in [PolicyKind::Graph, PolicyKind::Network] {
                 let problem = Problem::new_for(name, kind);
                 assert_eq!(Problem::from_table("x.toml", &problem.to_table(), kind), Ok(problem));
             }
-            assert_eq!((PROBLEMS[name as usize].name, ProblemName::from_name(name.name())), (name, Some(name)));
+            assert_eq!((PROBLEMS[name as usize].0, ProblemName::from_name(name.name())), (name, Some(name)));
         }
     }
 

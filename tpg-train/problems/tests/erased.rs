@@ -49,7 +49,7 @@ fn a_task_looks_in_a_file_as_the_problems_own() {
 
 #[test]
 fn a_task_of_another_problem_is_not_accepted() {
-    for name in PROBLEMS.map(|entry| entry.name) {
+    for name in PROBLEMS.map(|(name, _)| name) {
         let environment = Problem::new(name).environment::<f32>();
         for text in ["null", "\"left\"", "[]", "{}"] {
             let task: AnyTask = serde_json::from_str(text).expect("JSON");

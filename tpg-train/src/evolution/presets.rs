@@ -78,7 +78,7 @@ mod tests {
             }
             assert_eq!(EvolutionConfig::from_toml("written", &config.to_toml()), Ok(config), "{}", preset.name);
         }
-        assert!(PROBLEMS.iter().all(|entry| EvolutionConfig::table(default_for(entry.name)).is_some()));
+        assert!(PROBLEMS.iter().all(|(name, _)| EvolutionConfig::table(default_for(*name)).is_some()));
     }
 
     #[test]
