@@ -51,8 +51,6 @@ struct Default {
     steps: Option<String>,
     /// CPU seconds for a seed.
     cpu_s: Option<String>,
-    /// A difference from the default.
-    how: Option<String>,
 }
 
 /// Weighted sums: return and bytes.
@@ -252,10 +250,9 @@ impl FigureResults {
         ];
         let trained = self.tasks.iter().filter_map(|task| Some((task, task.by_default.as_ref()?)));
         for (task, default) in trained.filter(|(_, default)| default.steps.is_some() == is_limited) {
-            let how = default.how.as_ref().map(|how| format!(", {how}")).unwrap_or_default();
             let precise = if mean(&default.seeds).abs() >= 1000.0 { 0 } else { task.decimals };
             lines.push(format!(
-                "| {}{how} | {} | {} | {} ± {} | {} | {}, {} |",
+                "| {} | {} | {} | {} ± {} | {} | {}, {} |",
                 if is_limited { task.id.clone() } else { format!("`{}`", task.folder) },
                 default.steps.as_deref().unwrap_or("–"),
                 seeds(task, default),
