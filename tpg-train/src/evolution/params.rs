@@ -96,7 +96,7 @@ fn translated(file: &str, text: &str) -> Result<(toml::Table, Vec<String>), Inpu
                 let here = match constant {
                     Some((_, here)) => format!(", here {here}"),
                     None if OTHERS.contains(&name.as_str()) => String::new(),
-                    None => ", which GEGELATI does not know".to_owned(),
+                    None => ", not known here".to_owned(),
                 };
                 ignored.push(format!("{name} = {value}{here}"));
             }
@@ -170,11 +170,7 @@ mod tests {
         assert_eq!(settings, expected);
         assert_eq!(
             ignored,
-            [
-                "archiveSize = 2000",
-                "archivingProbability = 0.01",
-                r#"note = "a // b \" /* c */", which GEGELATI does not know"#
-            ]
+            ["archiveSize = 2000", "archivingProbability = 0.01", r#"note = "a // b \" /* c */", not known here"#]
         );
     }
 
