@@ -108,7 +108,7 @@ fn in_range(graph: &Graph, ranges: &[[f32; 2]], effort: Effort) -> bool {
 }
 
 /// A state in which code and graph differ, among many.
-fn difference<M: Machine>(comparison: &mut Comparison<'_, M>, graph: &Graph, inside: bool) -> Option<Vec<u32>> {
+fn difference(comparison: &mut Comparison<'_>, graph: &Graph, inside: bool) -> Option<Vec<u32>> {
     let special = graph.constants();
     let mut stream = Stream::new(1);
     for _ in 0..STATES {

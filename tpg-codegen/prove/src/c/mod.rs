@@ -9,7 +9,7 @@ mod execute;
 mod token;
 mod value;
 
-pub use execute::{Code, Point};
+pub use execute::Code;
 
 use crate::input::{Missing, Result};
 use crate::machine::Interface;

@@ -1,7 +1,6 @@
 //! Declarations: types, names, functions, variables with their initial values.
 
 use super::{Compiler, Function, Lvalue, Operand, Type, number};
-use crate::c::code::Constant;
 use crate::c::token::Token::{Name, Sign};
 use crate::input::Result;
 use Type::*;
@@ -93,9 +92,9 @@ impl Compiler<'_> {
         let value = self.conditional()?;
         match self.value(value)? {
             (value, Integer(bytes, signed)) => match self.constant_of(&value) {
-                Some(Constant::Number(number)) if signed && bytes < 8 => Ok(i64::from(number as u32 as i32)),
-                Some(Constant::Number(number)) => Ok(number as i64),
-                _ => self.refuse("a constant"),
+                Some(number) if signed && bytes < 8 => Ok(i64::from(number as u32 as i32)),
+                Some(number) => Ok(number as i64),
+                None => self.refuse("a constant"),
             },
             _ => self.refuse("a constant"),
         }

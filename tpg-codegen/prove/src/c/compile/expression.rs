@@ -1,8 +1,9 @@
 //! Expressions, by recursive descent. Their side effects are emitted where they are read.
 
 use super::{Compiler, Operand, Type, Typed, apply, number, width};
-use crate::c::code::{Computed, Constant, Expression, Operation, of};
+use crate::c::code::Operation;
 use crate::c::token::Token;
+use crate::code::{Computed, Expression, of};
 use crate::input::Result;
 use crate::term::{Operator::*, Width};
 use Operand::*;
@@ -301,7 +302,7 @@ impl Compiler<'_> {
         let [(to, Pointer(to_type)), (from, Pointer(from_type)), (size, _)] = &arguments[..] else {
             return self.refuse("memcpy of two pointers and a size");
         };
-        let Some(Constant::Number(size)) = self.constant_of(size) else { return self.refuse("a constant size") };
+        let Some(size) = self.constant_of(size) else { return self.refuse("a constant size") };
         let widths = [to_type, from_type].map(|ty| self.scalar_bytes(ty));
         let [Some(width), Some(other)] = widths else { return self.refuse("memcpy of mixed scalars") };
         if width != other || size % u64::from(width) != 0 {

@@ -1,7 +1,7 @@
 //! Cells of variables, and constants in them.
 
 use super::{Compiler, Lvalue, Operand, Type};
-use crate::c::code::{CONSTANTS, Constant, Object};
+use crate::c::code::{CONSTANTS, Object};
 use crate::input::Result;
 use Type::*;
 
@@ -55,12 +55,7 @@ impl Compiler<'_> {
     pub(super) fn fixed(&mut self, ty: Type, parts: Vec<(u32, Type, Operand)>) -> Result<Lvalue> {
         let offset = self.program.constants.len();
         let address = CONSTANTS + u32::try_from(offset).map_err(|_| self.missing("smaller tables"))?;
-        let mut scalar = &ty;
-        while let Array(inner, _) = scalar {
-            scalar = inner;
-        }
-        let fill = if *scalar == Float { Constant::Float(0) } else { Constant::Number(0) };
-        let mut cells = vec![fill; self.cells(&ty) as usize];
+        let mut cells = vec![0; self.cells(&ty) as usize];
         for (offset, ty, item) in parts {
             let value = self.value(item)?;
             let value = self.converted(value, &ty)?;

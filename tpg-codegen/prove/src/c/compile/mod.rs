@@ -6,12 +6,12 @@ mod memory;
 mod operation;
 mod statement;
 
-use super::code::{Computed, Constant, Expression, Operation, Program, of};
+use super::code::{Operation, Program};
 use super::token::{Placed, Token};
 use super::value::Here;
+use crate::code::{Computed, Expression, of};
 use crate::input::{Missing, Result};
-use crate::machine::Interface;
-use crate::machine::{Cells, Value};
+use crate::machine::{Cells, Interface, Value};
 use crate::term::{Operator, Terms, Width};
 use Operation::*;
 use Token::{End, Name, Sign};
@@ -332,21 +332,18 @@ impl<'t> Compiler<'t> {
     fn put(&mut self, address: Expression, value: Typed, ty: &Type) -> Result<()> {
         let value = self.converted(value, ty)?;
         self.scalar(ty)?;
-        self.emit(Set(address, value));
+        self.emit(Set(address, value, *ty == Float));
         Ok(())
     }
 
     fn loaded(&self, address: Expression, ty: Type) -> Result<Typed> {
-        Ok((of(self.scalar(&ty)?, [address]), ty))
+        self.scalar(&ty)?;
+        Ok((of(Computed::Loaded(4), [address]), ty))
     }
 
-    /// The way in which a scalar is read.
-    fn scalar(&self, ty: &Type) -> Result<Computed> {
-        match ty {
-            Float => Ok(Computed::LoadedFloat),
-            Integer(..) | Pointer(_) => Ok(Computed::LoadedWord),
-            _ => self.refuse("a scalar"),
-        }
+    /// Refuses what is no scalar.
+    fn scalar(&self, ty: &Type) -> Result<()> {
+        if matches!(ty, Float | Integer(..) | Pointer(_)) { Ok(()) } else { self.refuse("a scalar") }
     }
 
     fn peek(&self) -> &Token {
@@ -432,14 +429,13 @@ fn width(ty: &Type) -> Width {
 }
 
 impl Compiler<'_> {
-    /// The constant that a value is.
-    fn constant_of(&self, value: &Expression) -> Option<Constant> {
+    /// The constant that a value is: a number, or the bits of a float.
+    fn constant_of(&self, value: &Expression) -> Option<u64> {
         let (terms, cells) = (Terms::new(), Cells::new());
         let here = Here { program: &self.program, terms: &terms, cells: &cells, defines: false };
         match here.value(value).ok()? {
-            Value::Float(float) => terms.bits_of(float).map(Constant::Float),
-            Value::Word(word) => terms.number_of(word).map(Constant::Number),
-            _ => None,
+            Value::Float(float) => terms.bits_of(float).map(u64::from),
+            Value::Word(word) => terms.number_of(word),
         }
     }
 }

@@ -1,8 +1,9 @@
 //! Statements: declarations, branches, loops, switches.
 
 use super::{Compiler, JumpTarget, Type, number};
-use crate::c::code::{Computed, Expression, Operation, of};
+use crate::c::code::Operation;
 use crate::c::token::Token::{Name, Sign};
+use crate::code::{Computed, Expression, of};
 use crate::input::Result;
 use crate::term::Width;
 
