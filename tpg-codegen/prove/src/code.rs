@@ -2,7 +2,7 @@
 
 use crate::elf::Address;
 use crate::machine::{Region, Value};
-use crate::term::{Arithmetic, Bool, Float, Operator, Terms, Width};
+use crate::term::{Arithmetic, Bool, Float, Node, Operator, Terms, Width, Word};
 use crate::thumb::Register;
 
 /// A value without side effects. Words of 32 bits hold narrower integers as C extends them; conditions are 1 or 0.
@@ -91,6 +91,22 @@ pub(crate) fn value(
         Computed::Compared(relation) => truth(relation(terms, float(0), float(1))),
         _ => return own(name, &values),
     })
+}
+
+/// What is at an address, or at one of a few that it is chosen from.
+pub(crate) fn loaded(terms: &Terms, address: Word, load: &dyn Fn(Word) -> Found<Value>) -> Found<Value> {
+    if !matches!(terms.of_word(address), Node::WordIf(..)) {
+        return load(address);
+    }
+    let mut failed = None;
+    let value = terms.mapped(address, &mut |address| {
+        let value = load(address).map(|value| value.bits(terms));
+        value.unwrap_or_else(|error| {
+            failed = Some(error);
+            address
+        })
+    });
+    failed.map_or(Ok(Value::Word(value)), Err)
 }
 
 /// Tests whether a value is not 0.

@@ -112,7 +112,7 @@ impl<'a> Comparison<'a> {
 
     fn walk(&mut self, forgetful: bool) -> Result<()> {
         let start = Step::To(self.machine.entry(&self.terms)?);
-        let mut pairs = vec![(start, self.graph.start(), self.claimed)];
+        let mut pairs = vec![(start, self.graph.start, self.claimed)];
         let mut numbers = HashMap::from([(pairs[0].clone(), 0)]);
         // Of each pair those that come after it.
         let mut after: Vec<Vec<usize>> = Vec::new();
@@ -305,7 +305,7 @@ impl<'a> Comparison<'a> {
     /// The part that cannot be executed.
     pub(crate) fn answers_for(&mut self, state: &[u32]) -> Result<[String; 2]> {
         self.evaluator.set(state);
-        let mut place = self.graph.start();
+        let mut place = self.graph.start;
         let expected = loop {
             let team = match place {
                 Team(team) => team,

@@ -8,8 +8,6 @@ use std::collections::BTreeMap;
 pub(super) enum Operation {
     /// Sets what is at an address; with `true`, a float
     Set(Expression, Expression, bool),
-    /// Copies so many cells
-    Copy(Expression, Expression, u32),
     /// A scope ends
     Leave(usize),
     /// Goes on behind if the condition holds, else there

@@ -45,13 +45,6 @@ impl Code {
         result.ok_or_else(|| Missing::new(&*self.file, "a definition in one piece"))
     }
 
-    /// The cell at a constant address of a variable.
-    fn target(&self, address: Option<u64>) -> Found<Cell> {
-        let address = address.and_then(|address| u32::try_from(address).ok());
-        let address = address.filter(|&address| address < self.program.cells);
-        address.map(Cell::Variable).ok_or("a place to write to that is a constant")
-    }
-
     fn leave(&self, scope: usize, cells: &mut Cells) {
         let (start, end) = self.program.scopes[scope];
         cells.retain(|&cell, _| !(Cell::Variable(start)..Cell::Variable(end)).contains(&cell));
@@ -64,14 +57,10 @@ impl Code {
             Operation::Set(address, value, is_float) => {
                 let (address, value) = (here.word(address)?, here.value(value)?);
                 let value = if *is_float { Value::Float(value.float(terms)) } else { Value::Word(value.bits(terms)) };
-                state.cells.insert(self.target(terms.number_of(address))?, value);
-            }
-            Operation::Copy(to, from, count) => {
-                let (to, from) = (here.range(to, *count)?, here.range(from, *count)?);
-                let copied: Vec<_> = (from..from + count).map(|address| here.cell(address.into())).collect();
-                for (to, value) in (to..).zip(copied) {
-                    state.cells.insert(self.target(Some(to.into()))?, value?);
-                }
+                let address = terms.number_of(address).and_then(|address| u32::try_from(address).ok());
+                let variable = address.filter(|&address| address < self.program.cells);
+                let variable = variable.ok_or("a place to write to that is a constant")?;
+                state.cells.insert(Cell::Variable(variable), value);
             }
             Operation::Leave(scope) => self.leave(*scope, &mut state.cells),
             Operation::Branch(condition, otherwise) => {
@@ -88,7 +77,7 @@ impl Code {
             }
             Operation::Return => {
                 let answers = &self.program.answers;
-                let answer = if self.interface.outputs.is_empty() && !self.defines {
+                let answer = if self.interface.outputs.is_empty() {
                     Answer::Action(here.cell(answers[0].into())?.bits(terms))
                 } else {
                     let values = answers.iter().map(|&address| Ok(here.cell(address.into())?.float(terms)));

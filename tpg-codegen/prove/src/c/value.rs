@@ -31,29 +31,10 @@ impl Here<'_> {
         }
     }
 
-    /// The constant address of some cells of one variable.
-    pub(super) fn range(&self, address: &Expression, count: u32) -> Found<u32> {
-        let address = self.terms.number_of(self.word(address)?).and_then(|address| u32::try_from(address).ok());
-        let first = address.ok_or("an address that is a constant")?;
-        match self.program.object(first) {
-            Some(object) if first + count <= object.end => Ok(first),
-            _ => Err("a copy in bounds"),
-        }
-    }
-
     fn loaded(&self, address: Word) -> Found<Value> {
         let terms = self.terms;
         if let Some(number) = terms.number_of(address) {
             return self.cell(number);
-        }
-        if let Some(numbers) = terms.numbers(address) {
-            for number in numbers {
-                self.cell(number)?;
-            }
-            return Ok(Value::Word(terms.mapped(address, &mut |leaf| {
-                let value = self.cell(terms.number_of(leaf).unwrap_or_default());
-                value.map_or(leaf, |value| value.bits(terms))
-            })));
         }
         // an element of a constant table
         if let Node::Apply(Add, W32, index, base) = terms.of_word(address)
@@ -95,7 +76,7 @@ impl Here<'_> {
         let terms = self.terms;
         let first = values[0].bits(terms);
         match (name, values) {
-            (Computed::Loaded(_), _) => self.loaded(first),
+            (Computed::Loaded(_), _) => code::loaded(terms, first, &|address| self.loaded(address)),
             (Computed::Bounded(length), _) => {
                 self.bounded(first, length, true)?;
                 let largest = largest(terms, first);

@@ -9,26 +9,7 @@ use Region::*;
 use Value::*;
 
 impl Here<'_> {
-    /// Loads from an address, or from one of a few.
-    pub(super) fn loaded(&self, address: term::Word, bytes: u8, cells: &Cells) -> Found<Value> {
-        let load = |address| {
-            let (region, offset) = self.object.located(self.terms, address)?;
-            self.load_at(region, offset, bytes, cells)
-        };
-        let missing = "a place to load from that is known";
-        if !matches!(self.terms.of_word(address), term::Node::WordIf(..)) {
-            return load(address).ok_or(missing);
-        }
-        let mut failed = false;
-        let value = self.terms.mapped(address, &mut |address| {
-            let value = load(address);
-            failed |= value.is_none();
-            value.map_or(address, |value| value.bits(self.terms))
-        });
-        if failed { Err(missing) } else { Ok(Word(value)) }
-    }
-
-    fn load_at(&self, region: Region, offset: u32, bytes: u8, cells: &Cells) -> Option<Value> {
+    pub(super) fn load_at(&self, region: Region, offset: u32, bytes: u8, cells: &Cells) -> Option<Value> {
         let is_word = bytes == 4 && offset.is_multiple_of(4);
 
         let Object { image, interface, .. } = self.object;

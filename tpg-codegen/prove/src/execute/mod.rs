@@ -154,7 +154,7 @@ impl Here<'_> {
         let targets = match jump {
             Jump::Computed(target, _) => {
                 let target = self.value(target, &taken.cells)?.bits(terms);
-                terms.word_cases(target, |_| false).into_iter().map(|(held, target)| (held, Some(target))).collect()
+                terms.word_cases(target).into_iter().map(|(held, target)| (held, Some(target))).collect()
             }
             _ => vec![(Terms::TRUE, None)],
         };
@@ -237,7 +237,11 @@ impl Here<'_> {
                 cells.get(&Cell::Register(register)).copied().ok_or("a register that is known")
             }
             (Computed::Base(region), _) => Ok(Word(self.object.base(self.terms, region))),
-            (Computed::Loaded(bytes), &[address]) => self.loaded(address.bits(self.terms), bytes, cells),
+            (Computed::Loaded(bytes), &[address]) => code::loaded(self.terms, address.bits(self.terms), &|address| {
+                let place = self.object.located(self.terms, address);
+                let value = place.and_then(|(region, offset)| self.load_at(region, offset, bytes, cells));
+                value.ok_or("a place to load from that is known")
+            }),
             (Computed::Completed(address), &[lower])
                 if lower == Word(self.object.base(self.terms, Region::Half(address))) =>
             {

@@ -61,8 +61,20 @@ impl Closure {
             if constants.last() == Some(&INFINITY) {
                 order.link((at, constants.len() - 1, false));
             }
-            let root = relate(terms, &places, (at, element), &mut facts);
-            facts.extend(nan_alike(at, *roots.entry(root).or_insert(at)));
+            facts.extend(nan_alike(at, *roots.entry(nan_root(terms, element)).or_insert(at)));
+            let Node::Arithmetic(Add, a, b) = terms.of_float(element) else { continue };
+            let place = |operand: Float| places.get(&terms.zero_free(operand)).copied();
+            for (x, y) in [(a, b), (b, a)] {
+                let (Some(zero), Some(x), Some(y)) =
+                    (place(terms.constant(0.0)), place(x), place(terms.negate(terms.zero_free(y))))
+                else {
+                    continue;
+                };
+                // x - y > 0 exactly where x > y
+                let (positive, number, above) = ((zero, at, true), (0, y, true), (y, x, true));
+                facts.extend([alone(positive, number), alone(positive, above), (number, above, positive)]);
+                facts.push(alone((x, y, false), (at, zero, false)));
+            }
         }
         order.facts = facts.into();
         order.propagate().then_some(order)
@@ -135,53 +147,24 @@ fn alone(relation: Relation, then: Relation) -> Implication {
     (relation, relation, then)
 }
 
-/// An element is NaN where another is.
-fn nan_with(from: usize, to: usize) -> [Implication; 2] {
-    [alone((from, 0, false), (to, 0, false)), alone((0, to, true), (0, from, true))]
-}
-
 /// Elements are NaN at once.
-fn nan_alike(a: usize, b: usize) -> impl Iterator<Item = Implication> {
-    nan_with(a, b).into_iter().chain(nan_with(b, a))
+fn nan_alike(a: usize, b: usize) -> [Implication; 4] {
+    let (is_nan, is_number) = (|element| (element, 0, false), |element| (0, element, true));
+    [(is_nan(a), is_nan(b)), (is_nan(b), is_nan(a)), (is_number(a), is_number(b)), (is_number(b), is_number(a))]
+        .map(|(relation, then)| alone(relation, then))
 }
 
-/// Learns how an operation's result depends on its operands. Returns what is NaN exactly where the result is.
-fn relate(
-    terms: &Terms,
-    places: &HashMap<Float, usize>,
-    (at, element): (usize, Float),
-    facts: &mut Vec<Implication>,
-) -> Float {
-    let mut inner = element;
+/// What is NaN exactly where a term is.
+fn nan_root(terms: &Terms, mut term: Float) -> Float {
     loop {
-        let next = match terms.of_float(inner) {
-            Node::Negative(a) | Node::Magnitude(a) => a,
-            Node::Arithmetic(operation, a, b) => match nan_as(terms, operation, a, b) {
-                Some(other) => other,
-                None => break,
-            },
-            _ => break,
+        let inner = match terms.of_float(term) {
+            Node::Negative(a) | Node::Magnitude(a) => Some(a),
+            Node::Arithmetic(operation, a, b) => nan_as(terms, operation, a, b),
+            _ => None,
         };
-        inner = terms.zero_free(next);
-        facts.extend(places.get(&inner).into_iter().flat_map(|&other| nan_alike(at, other)));
+        let Some(inner) = inner else { return term };
+        term = terms.zero_free(inner);
     }
-    let Node::Arithmetic(operation, a, b) = terms.of_float(element) else { return inner };
-    let place = |operand| places.get(&operand).copied();
-    let [a, b] = [a, b].map(|operand| terms.zero_free(operand));
-    for (a, b) in [(a, b), (b, a)] {
-        let mirrored = terms.negate(b);
-        facts.extend([b, mirrored].into_iter().filter_map(place).flat_map(|operand| nan_with(operand, at)));
-        if operation == Add
-            && let (Some(zero), Some(x), Some(y)) = (place(terms.constant(0.0)), place(a), place(mirrored))
-        {
-            // x - y > 0 exactly where x > y
-            let (positive, number, above) = ((zero, at, true), (0, y, true), (y, x, true));
-            facts.extend([alone(positive, number), alone(positive, above), (number, above, positive)]);
-            facts.push((number, (at, zero, false), (x, y, false)));
-            facts.push(alone((x, y, false), (at, zero, false)));
-        }
-    }
-    inner
 }
 
 /// An operand that is NaN exactly where the result is.

@@ -1,6 +1,6 @@
 //! Declarations: types, names, functions, variables with their initial values.
 
-use super::{Compiler, Function, Lvalue, Operand, Type, number};
+use super::{Compiler, Function, Operand, Type, number};
 use crate::c::token::Token::{Name, Sign};
 use crate::input::Result;
 use Type::*;
@@ -169,14 +169,8 @@ impl Compiler<'_> {
         self.list(";", variable).map(|_| ())
     }
 
-    /// Declares a variable, whose initial value may follow. A static one is set once, before everything.
+    /// Declares a variable, whose initial value may follow. A static one is a constant.
     fn variable(&mut self, name: String, mut ty: Type, is_static: bool) -> Result<()> {
-        let at = self.at;
-        if let Some((place, end)) = self.statics.get(&at).cloned() {
-            self.at = end;
-            self.bind(name, place);
-            return Ok(());
-        }
         let mut parts = Vec::new();
         let has_value = self.accept("=");
         if has_value {
@@ -190,19 +184,18 @@ impl Compiler<'_> {
         }
         if is_static {
             let place = self.fixed(ty, parts)?;
-            self.statics.insert(at, (place.clone(), self.at));
             self.bind(name, place);
             return Ok(());
         }
-        let place = Lvalue { address: self.allocate(&ty), ty };
-        if has_value && parts.iter().map(|(_, ty, _)| self.cells(ty)).sum::<u32>() != self.cells(&place.ty) {
+        let address = self.allocate(&ty);
+        if has_value && parts.iter().map(|(_, ty, _)| self.cells(ty)).sum::<u32>() != self.cells(&ty) {
             return self.refuse("an initialiser for each part");
         }
         for (offset, ty, item) in parts {
             let value = self.value(item)?;
-            self.put(number(place.address + offset), value, &ty)?;
+            self.put(number(address + offset), value, &ty)?;
         }
-        self.bind(name, place);
+        self.bind(name, (number(address), ty));
         Ok(())
     }
 

@@ -77,9 +77,11 @@ impl Compiler<'_> {
             }
             "return" => {
                 if *self.peek() != Sign(";") {
-                    let Some(place) = self.frame.result.clone() else { return self.refuse("a function with a result") };
+                    let Some((address, ty)) = self.frame.result.clone() else {
+                        return self.refuse("a function with a result");
+                    };
                     let value = self.assigned()?;
-                    self.put(number(place.address), value, &place.ty)?;
+                    self.put(address, value, &ty)?;
                 }
                 let jump = self.jump(self.frame.scopes);
                 self.frame.returns.push(jump);
