@@ -42,6 +42,11 @@ pub(crate) enum Computed {
     Unknown,
 }
 
+/// A number of 32 bits.
+pub(crate) fn number(number: u32) -> Expression {
+    Expression::Number(number.into())
+}
+
 /// Makes an expression.
 pub(crate) fn of<const N: usize>(computed: Computed, parts: [Expression; N]) -> Expression {
     Expression::Of(computed, parts.into())

@@ -134,27 +134,19 @@ pub struct Point {
 pub struct State {
     pub(crate) guard: Bool,
     pub(crate) cells: Cells,
-    /// Cells that held different floats where paths met
-    pub(crate) differing: BTreeSet<Cell>,
 }
 
 impl State {
     /// The state where a condition holds, too; none if it cannot.
     pub(crate) fn under(&self, terms: &Terms, condition: Bool) -> Option<Self> {
         let guard = terms.and(self.guard, condition);
-        (guard != Terms::FALSE).then(|| Self { guard, ..self.clone() })
+        (guard != Terms::FALSE).then(|| Self { guard, cells: self.cells.clone() })
     }
 
     /// One state of two whose conditions exclude each other.
     fn met(&self, terms: &Terms, other: &Self) -> Self {
-        let guard = terms.or(self.guard, other.guard);
         let cells = merged(terms, self.guard, &self.cells, &other.cells);
-        let differs = |(cell, value): (&Cell, &Value)| {
-            let differs = other.cells.get(cell).is_some_and(|other| other != value);
-            (differs && matches!(value, Value::Float(_))).then_some(*cell)
-        };
-        let differing = self.cells.iter().filter_map(differs).chain(other.differing.iter().copied());
-        Self { guard, differing: differing.chain(self.differing.iter().copied()).collect(), cells }
+        Self { guard: terms.or(self.guard, other.guard), cells }
     }
 
     /// The points of a state at a place: where integers are chosen from constants, one for each choice.
@@ -220,7 +212,7 @@ pub trait Machine {
     /// # Errors
     /// The part that cannot be executed.
     fn run(&mut self, terms: &Terms, from: &Point) -> Result<Ways> {
-        let first = State { guard: Terms::TRUE, cells: from.cells.clone(), differing: BTreeSet::new() };
+        let first = State { guard: Terms::TRUE, cells: from.cells.clone() };
         // in the order of the code, each time around a loop after the one before
         let mut pending = BTreeMap::from([((0, from.at), first)]);
         let (mut ways, mut count) = (Vec::new(), 0);
@@ -231,7 +223,6 @@ pub trait Machine {
                 ways.extend(points.into_iter().map(|(guard, point)| (guard, Step::To(point))));
                 continue;
             }
-            state.differing.clear();
             loop {
                 count += 1;
                 if count > LONGEST {

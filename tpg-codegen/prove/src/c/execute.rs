@@ -106,17 +106,13 @@ impl Machine for Code {
         self.joins.contains(&at)
     }
 
-    /// Cuts where nothing is being computed, or at a label that all paths reach with the same floats.
+    /// Cuts at labels, and where nothing is being computed.
     fn cut(&mut self, terms: &Terms, at: usize, state: &mut State) -> Option<Vec<(Bool, Point)>> {
         let also_alive = *self.program.heads.get(&at)?;
         let is_array = |cell: &Cell| matches!(*cell, Cell::Variable(address) if self.program.is_array(address));
-        let agreed = state.differing.iter().all(is_array);
         let mut new = state.cells.iter().filter(|(cell, value)| self.first.get(cell) != Some(value));
         let idle = new.all(|(cell, value)| !matches!(value, Value::Float(_)) || is_array(cell));
-        if !(idle || also_alive && agreed) {
-            return None;
-        }
-        Some(state.points(terms, at))
+        (idle || also_alive).then(|| state.points(terms, at))
     }
 
     fn place(&self, at: usize) -> String {

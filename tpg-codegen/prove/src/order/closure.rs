@@ -62,18 +62,19 @@ impl Closure {
                 order.link((at, constants.len() - 1, false));
             }
             facts.extend(nan_alike(at, *roots.entry(nan_root(terms, element)).or_insert(at)));
-            let Node::Arithmetic(Add, a, b) = terms.of_float(element) else { continue };
+            let Node::Arithmetic(operation, a, b) = terms.of_float(element) else { continue };
             let place = |operand: Float| places.get(&terms.zero_free(operand)).copied();
             for (x, y) in [(a, b), (b, a)] {
-                let (Some(zero), Some(x), Some(y)) =
-                    (place(terms.constant(0.0)), place(x), place(terms.negate(terms.zero_free(y))))
-                else {
-                    continue;
-                };
-                // x - y > 0 exactly where x > y
-                let (positive, number, above) = ((zero, at, true), (0, y, true), (y, x, true));
-                facts.extend([alone(positive, number), alone(positive, above), (number, above, positive)]);
-                facts.push(alone((x, y, false), (at, zero, false)));
+                let mirrored = place(terms.negate(terms.zero_free(y)));
+                facts.extend(place(y).into_iter().chain(mirrored).flat_map(|operand| nan_with(operand, at)));
+                if operation == Add
+                    && let (Some(zero), Some(x), Some(y)) = (place(terms.constant(0.0)), place(x), mirrored)
+                {
+                    // x - y > 0 exactly where x > y
+                    let (positive, number, above) = ((zero, at, true), (0, y, true), (y, x, true));
+                    facts.extend([alone(positive, number), alone(positive, above), (number, above, positive)]);
+                    facts.push(alone((x, y, false), (at, zero, false)));
+                }
             }
         }
         order.facts = facts.into();
@@ -147,11 +148,14 @@ fn alone(relation: Relation, then: Relation) -> Implication {
     (relation, relation, then)
 }
 
+/// An element is NaN where another is.
+fn nan_with(from: usize, to: usize) -> [Implication; 2] {
+    [alone((from, 0, false), (to, 0, false)), alone((0, to, true), (0, from, true))]
+}
+
 /// Elements are NaN at once.
-fn nan_alike(a: usize, b: usize) -> [Implication; 4] {
-    let (is_nan, is_number) = (|element| (element, 0, false), |element| (0, element, true));
-    [(is_nan(a), is_nan(b)), (is_nan(b), is_nan(a)), (is_number(a), is_number(b)), (is_number(b), is_number(a))]
-        .map(|(relation, then)| alone(relation, then))
+fn nan_alike(a: usize, b: usize) -> impl Iterator<Item = Implication> {
+    nan_with(a, b).into_iter().chain(nan_with(b, a))
 }
 
 /// What is NaN exactly where a term is.

@@ -99,9 +99,9 @@ pub(super) const FORMS: &[(&str, Meaning)] = &[
         (f.b == PC).then(|| jump(Jump::Computed(target, Some(f.i as u8 + 1))))
     }),
     ("1110100 pu1wl bbbb nnnn mmmm iiiiiiii", |f| {
-        let index = index(f)?;
+        let index = index(f.p, f.w);
         let clash = index != Index::Offset && [PC, f.n, f.m].contains(&f.b);
-        let valid = !clash && if f.l { f.n != f.m } else { f.b != PC };
+        let valid = (f.p || f.w) && !clash && if f.l { f.n != f.m } else { f.b != PC };
         valid.then(|| transfer(f, f.l, 4, &[f.n, f.m], (f.b, number(f.distance(4) as u32), index)))
     }),
     // Rotations are left out.
@@ -154,8 +154,8 @@ pub(super) const FORMS: &[(&str, Meaning)] = &[
     ("1111100 01kkl bbbb tttt iiiiiiiiiiii", |f| single(f, f.b, number(f.distance(1) as u32), Index::Offset)),
     ("1111100 00kkl bbbb tttt 1puw iiiiiiii", |f| {
         // Unprivileged accesses are left out.
-        let valid = !(f.w && f.t == f.b) && (f.w || !f.u);
-        if valid { single(f, f.b, number(f.distance(1) as u32), index(f)?) } else { None }
+        let valid = f.w && f.t != f.b || f.p && !f.w && !f.u;
+        if valid { single(f, f.b, number(f.distance(1) as u32), index(f.p, f.w)) } else { None }
     }),
     ("1111100 00kkl bbbb tttt 000000 ii mmmm", |f| {
         single(f, f.b, apply(ShiftLeft, register(f.m), number(f.i)), Index::Offset)
@@ -389,21 +389,21 @@ fn several(
     written: bool,
 ) -> Option<Instruction> {
     let bytes = 4 * registers.len() as u32;
-    let (offset, index) = match (down, written) {
-        (false, true) => (bytes, Index::After),
-        (false, false) => (0, Index::Offset),
-        (true, true) => (bytes.wrapping_neg(), Index::Before),
-        (true, false) => (bytes.wrapping_neg(), Index::Offset),
+    let offset = match (down, written) {
+        (true, _) => bytes.wrapping_neg(),
+        (false, true) => bytes,
+        (false, false) => 0,
     };
-    (!registers.is_empty()).then(|| transfer(f, load, 4, registers, (base, number(offset), index)))
+    let base = (base, number(offset), index(down, written));
+    (!registers.is_empty()).then(|| transfer(f, load, 4, registers, base))
 }
 
-fn index(f: &Fields<'_>) -> Option<Index> {
-    match (f.p, f.w) {
-        (true, false) => Some(Index::Offset),
-        (true, true) => Some(Index::Before),
-        (false, true) => Some(Index::After),
-        (false, false) => None,
+/// The address that is accessed where a base is written back, before that or after.
+fn index(before: bool, written: bool) -> Index {
+    match (before, written) {
+        (_, false) => Index::Offset,
+        (true, true) => Index::Before,
+        (false, true) => Index::After,
     }
 }
 

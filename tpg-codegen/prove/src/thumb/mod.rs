@@ -6,7 +6,7 @@
 pub(crate) mod decode;
 mod forms;
 
-use crate::code::{Computed, Expression, of};
+use crate::code::{Computed, Expression, number, of};
 use crate::term::{Operator, Width};
 
 /// Number of a register.
@@ -83,13 +83,8 @@ fn register(register: Register) -> Expression {
 }
 
 /// An operation of two integers of 32 bits.
-pub(crate) fn apply(operator: Operator, a: Expression, b: Expression) -> Expression {
+fn apply(operator: Operator, a: Expression, b: Expression) -> Expression {
     of(Computed::Apply(operator, Width::W32), [a, b])
-}
-
-/// A number of 32 bits.
-fn number(number: u32) -> Expression {
-    Expression::Number(number.into())
 }
 
 /// Extends the sign of a number of `bits` bits.

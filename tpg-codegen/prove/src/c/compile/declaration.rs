@@ -24,23 +24,18 @@ impl Compiler<'_> {
     fn specifiers(&mut self) -> Result<(Type, String)> {
         let (mut ty, mut storage) = (None, String::new());
         while let Name(word) = self.peek().clone() {
-            if word == "struct" {
-                self.next();
-                ty = Some(self.structure()?);
-                continue;
-            }
-            if word == "enum" {
-                self.next();
-                ty = Some(self.enumeration()?);
-                continue;
-            }
             match self.types.get(&word) {
                 Some(known) if ty.is_none() => ty = Some(known.clone()),
                 _ if is_one(STORAGE, &word) => storage.clone_from(&word),
-                _ if is_one(QUALIFIERS, &word) => {}
+                _ if is_one("struct enum", &word) || is_one(QUALIFIERS, &word) => {}
                 _ => break,
             }
             self.next();
+            match word.as_str() {
+                "struct" => ty = Some(self.structure()?),
+                "enum" => ty = Some(self.enumeration()?),
+                _ => {}
+            }
         }
         match ty {
             Some(ty) => Ok((ty, storage)),

@@ -262,8 +262,6 @@ impl Compiler<'_> {
     fn primary(&mut self) -> Result<Operand> {
         let (value, ty) = match self.next() {
             Token::Number(text) => self.number(&text)?,
-            Token::Name(name) if name == "__infinity" => (Expression::Float(f32::INFINITY.to_bits()), Float),
-            Token::Name(name) if name == "__nan" => (Expression::Float(f32::NAN.to_bits()), Float),
             Token::Name(name) if self.accept("(") => return self.call(&name),
             Token::Name(name) => match (self.find(&name), self.constants.get(&name)) {
                 (Some((address, ty)), _) => return Ok(Place(address.clone(), ty.clone())),

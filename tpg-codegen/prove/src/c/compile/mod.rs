@@ -9,7 +9,7 @@ mod statement;
 use super::code::{Operation, Program};
 use super::token::{Placed, Token};
 use super::value::Here;
-use crate::code::{Computed, Expression, of};
+use crate::code::{Computed, Expression, number, of};
 use crate::input::{Missing, Result};
 use crate::machine::{Cells, Interface, Value};
 use crate::term::{Operator, Terms, Width};
@@ -97,10 +97,6 @@ pub(super) struct Compiler<'t> {
     scopes: Vec<usize>,
     frame: CallFrame,
     calls: Vec<Rc<Function>>,
-}
-
-fn number(number: u32) -> Expression {
-    Expression::Number(u64::from(number))
 }
 
 fn apply(operator: Operator, width: Width, a: Expression, b: Expression) -> Expression {

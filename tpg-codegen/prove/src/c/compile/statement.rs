@@ -68,7 +68,6 @@ impl Compiler<'_> {
                 self.frame.targets.last_mut().into_iter().for_each(|target| target.breaks.push(jump));
                 self.expect(";")
             }
-            "while" | "do" | "continue" => self.refuse(format!("a loop without `{word}`")),
             "goto" => {
                 let label = self.name()?;
                 let jump = self.emit(Operation::Jump(usize::MAX, Vec::new()));
