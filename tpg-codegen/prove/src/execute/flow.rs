@@ -4,7 +4,7 @@ use crate::code::{Computed, Expression};
 use crate::elf::{Address, Function, Image, Part};
 use crate::input::{Missing, Result};
 use crate::thumb::decode::decode;
-use crate::thumb::{Block, Instruction, Jump, LR, Place, Register, S0, SP};
+use crate::thumb::{Block, Exit, Instruction, LR, Place, Register, S0, SP};
 use std::collections::{HashMap, HashSet};
 
 /// A set of registers.
@@ -81,7 +81,7 @@ pub(super) fn flow(image: &Image, function: &Function) -> Result<Flow> {
         let relocation = image.relocation(*address);
         match &instruction.jump {
             None => {}
-            Some(Jump::Call(target)) => {
+            Some(Exit::Call(target)) => {
                 let callee = match relocation.map(|relocation| (relocation.part, &relocation.target)) {
                     Some((Part::Branch, Ok(callee))) => *callee,
                     Some((_, Err(name))) => return Err(missing(&format!("a call of {name}, which is elsewhere"))),
@@ -95,14 +95,14 @@ pub(super) fn flow(image: &Image, function: &Function) -> Result<Flow> {
                 }
                 go(&callers, callee, callee.start, Block::default());
             }
-            Some(Jump::Computed(_, None)) => {
+            Some(Exit::Computed(_, None)) => {
                 if let Some((&(caller, call), callers)) = callers.split_last() {
                     go(callers, caller, call.at(call.offset.wrapping_add(4)), Block::default());
                 }
             }
             Some(_) if relocation.is_some() => return Err(missing("a branch to another function")),
-            Some(Jump::To(target)) => go(callers, function, address.at(*target), Block::default()),
-            Some(Jump::Computed(_, Some(bytes))) => {
+            Some(Exit::To(target)) => go(callers, function, address.at(*target), Block::default()),
+            Some(Exit::Computed(_, Some(bytes))) => {
                 let inside = |target: u32| (function.start.offset..end).contains(&target);
                 for offset in table(image, *address, behind, *bytes, inside) {
                     go(callers, function, address.at(offset), Block::default());
@@ -157,9 +157,9 @@ fn find_live(flow: &mut Flow) {
         for at in (0..flow.len()).rev() {
             let node = &flow[at];
             let Instruction { condition, sets, jump, .. } = &node.instruction;
-            let returns = matches!(jump, Some(Jump::Computed(_, None)));
+            let returns = matches!(jump, Some(Exit::Computed(_, None)));
             let mut live = node.next.iter().fold(if returns { at_end } else { 0 }, |set, &next| set | flow[next].live);
-            let target = if let Some(Jump::Computed(target, _)) = jump { reads(target) } else { 0 };
+            let target = if let Some(Exit::Computed(target, _)) = jump { reads(target) } else { 0 };
             let mut read = target | condition.as_ref().map_or(0, reads);
             for (place, value) in sets {
                 read |= reads(value);

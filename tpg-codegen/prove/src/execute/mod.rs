@@ -11,7 +11,7 @@ use crate::elf::{Address, Function, Image};
 use crate::input::{Missing, Result};
 use crate::machine::{Cell, Cells, Followers, Interface, Machine, Point, Region, State, Step, Value, merged};
 use crate::term::{Bool, Node as Term, Operator, Terms, Width, Word as TermWord};
-use crate::thumb::{FLAGS, Jump, LR, PC, Place, REGISTERS, SP};
+use crate::thumb::{Exit, FLAGS, LR, PC, Place, REGISTERS, SP};
 use Region::Stack;
 use Value::{Float, Word};
 use flow::{Flow, Node};
@@ -152,7 +152,7 @@ impl Here<'_> {
         }
         let Some(mut taken) = state.under(terms, condition) else { return Ok(ways) };
         let targets = match jump {
-            Jump::Computed(target, _) => {
+            Exit::Computed(target, _) => {
                 let target = self.value(target, &taken.cells)?.bits(terms);
                 terms.word_cases(target).into_iter().map(|(held, target)| (held, Some(target))).collect()
             }
@@ -162,7 +162,7 @@ impl Here<'_> {
         for (held, target) in targets {
             let Some(state) = taken.under(terms, held) else { continue };
             let step = match (target, jump) {
-                (Some(target), Jump::Computed(_, None)) => self.returned(target, &state.cells)?,
+                (Some(target), Exit::Computed(_, None)) => self.returned(target, &state.cells)?,
                 (Some(target), _) => Step::To(self.found(target)?),
                 (None, _) => Step::To(next[next.len() - 1]),
             };

@@ -47,7 +47,7 @@ pub(super) const FORMS: &[(&str, Meaning)] = &[
         match f.k {
             _ if f.b == PC => None,
             // `bx`; `blx` is a call to an unknown function.
-            3 => (to == 0).then(|| jump(Jump::Computed(right, None))),
+            3 => (to == 0).then(|| jump(Exit::Computed(right, None))),
             _ if to == PC => None,
             2 => processed(ORR, false, Some(to), None, right),
             0 => processed(ADD, false, Some(to), Some(to), right),
@@ -69,7 +69,7 @@ pub(super) const FORMS: &[(&str, Meaning)] = &[
     ("1011 k0i1 iiiii nnn", |f| {
         let zero = of(Same(Width::W32), [register(f.n), number(0)]);
         let condition = Some(if f.k == 0 { zero } else { !zero });
-        Some(Instruction { condition, ..jump(Jump::To(f.target(f.distance(2)))) })
+        Some(Instruction { condition, ..jump(Exit::To(f.target(f.distance(2)))) })
     }),
     ("1011 0000 k iiiiiii", |f| processed([ADD, SUB][f.k], false, Some(SP), Some(SP), number(f.i * 4))),
     ("1011 0010 1k nnn ddd", |f| extract(f, 0, [16, 8][f.k])),
@@ -96,7 +96,7 @@ pub(super) const FORMS: &[(&str, Meaning)] = &[
         let index = apply(ShiftLeft, register(f.m), number(f.i));
         let entry = of(Loaded(f.i as u8 + 1), [apply(Add, f.place(f.target(0)), index)]);
         let target = apply(Add, f.place(f.target(0)), apply(ShiftLeft, entry, number(1)));
-        (f.b == PC).then(|| jump(Jump::Computed(target, Some(f.i as u8 + 1))))
+        (f.b == PC).then(|| jump(Exit::Computed(target, Some(f.i as u8 + 1))))
     }),
     ("1110100 pu1wl bbbb nnnn mmmm iiiiiiii", |f| {
         let index = index(f.p, f.w);
@@ -147,7 +147,7 @@ pub(super) const FORMS: &[(&str, Meaning)] = &[
         let [one, two] = [f.n, f.m].map(|bit| u32::from((bit == 1) == f.s));
         let target = f.target(signed(u32::from(f.s) << 23 | one << 22 | two << 21 | f.i, 24) * 2);
         let back = (Place::Register(LR), of(Base(Region::Behind(f.address)), []));
-        Some(if f.l { Instruction { sets: vec![back], ..jump(Jump::Call(target)) } } else { jump(Jump::To(target)) })
+        Some(if f.l { Instruction { sets: vec![back], ..jump(Exit::Call(target)) } } else { jump(Exit::To(target)) })
     }),
     // One register: relative to the program counter, with an offset, with writing back, with a register.
     ("1111100 0ukkl 1111 tttt iiiiiiiiiiii", |f| single(f, PC, number(f.distance(1) as u32), Index::Offset)),
@@ -221,7 +221,7 @@ fn compute(to: Register, value: Expression) -> Option<Instruction> {
     Some(Instruction { sets: vec![(Place::Register(to), value)], ..Instruction::default() })
 }
 
-fn jump(jump: Jump) -> Instruction {
+fn jump(jump: Exit) -> Instruction {
     Instruction { jump: Some(jump), ..Instruction::default() }
 }
 
@@ -329,7 +329,7 @@ fn extract(f: &Fields<'_>, low: u32, width: u32) -> Option<Instruction> {
 }
 
 fn branch(f: &Fields<'_>, halves: u32, bits: u32) -> Option<Instruction> {
-    Some(jump(Jump::To(f.target(signed(halves, bits) * 2))))
+    Some(jump(Exit::To(f.target(signed(halves, bits) * 2))))
 }
 
 /// Address of an access, and writing back.
@@ -362,7 +362,7 @@ fn transfer(
     for (at, &other) in (0..).zip(registers) {
         let address = apply(Add, first.clone(), Number(4 * at));
         match (load, other) {
-            (true, PC) => result.jump = Some(Jump::Computed(of(Loaded(bytes), [address]), table)),
+            (true, PC) => result.jump = Some(Exit::Computed(of(Loaded(bytes), [address]), table)),
             (true, _) => result.sets.push((Place::Register(other), of(Loaded(bytes), [address]))),
             (false, _) if bytes == 4 => result.sets.push((Place::Memory(address, bytes), register(other))),
             (false, _) => {

@@ -43,7 +43,7 @@ pub(crate) enum Place {
 
 /// A way on to another instruction than the one behind.
 #[derive(Clone, Debug)]
-pub(crate) enum Jump {
+pub(crate) enum Exit {
     To(u32),
     /// Goes on behind when the function returns
     Call(u32),
@@ -59,7 +59,7 @@ pub(crate) struct Instruction {
     pub(crate) condition: Option<Expression>,
     /// What it sets, all at once
     pub(crate) sets: Vec<(Place, Expression)>,
-    pub(crate) jump: Option<Jump>,
+    pub(crate) jump: Option<Exit>,
 }
 
 /// State of conditional execution before an instruction: the architecture's ITSTATE.
