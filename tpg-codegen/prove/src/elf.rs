@@ -62,7 +62,7 @@ struct ElfSection {
 pub(crate) struct Image {
     sections: Vec<ElfSection>,
     relocations: BTreeMap<Address, Relocation>,
-    functions: BTreeMap<String, Vec<Option<Function>>>,
+    functions: BTreeMap<String, Vec<Function>>,
 }
 
 impl Image {
@@ -106,9 +106,9 @@ impl Image {
             let thumb = symbol.address() & 1 == 1;
             let start = self.place(&symbol, numbers, symbol.address() & !1);
             let size = u32::try_from(symbol.size()).ok().filter(|&size| size > 0 && thumb);
-            let function = start.zip(size).map(|(start, size)| Function { start, size });
-            let known = self.functions.entry(name.to_owned()).or_default();
-            if !known.contains(&function) {
+            let Some((start, size)) = start.zip(size) else { continue };
+            let (function, known) = (Function { start, size }, self.functions.entry(name.to_owned()).or_default());
+            if self.sections[start.section].constant && !known.contains(&function) {
                 known.push(function);
             }
         }
@@ -190,20 +190,19 @@ impl Image {
     /// # Errors
     /// If there is none, or several, or it is not Thumb code.
     pub(crate) fn function(&self, name: &str) -> Result<Function, String> {
-        let Some(found) = self.functions.get(name) else {
-            let names: Vec<&str> = self.functions.keys().map(String::as_str).collect();
-            return Err(format!("no function {name:?}; there are: {}", names.join(", ")));
-        };
-        match found.as_slice() {
-            &[Some(function)] if self.constant(function.start, function.size).is_some() => Ok(function),
-            [_] => Err(format!("function {name:?} is not Thumb code with a size in a section with code")),
-            _ => Err(format!("several functions {name:?}")),
+        match self.functions.get(name).map(Vec::as_slice) {
+            Some(&[function]) => Ok(function),
+            Some(_) => Err(format!("several functions {name:?}")),
+            None => {
+                let names: Vec<&str> = self.functions.keys().map(String::as_str).collect();
+                Err(format!("no function {name:?} in Thumb code with a size; there are: {}", names.join(", ")))
+            }
         }
     }
 
     /// Returns the function that begins at a place.
     pub(crate) fn function_at(&self, start: Address) -> Option<Function> {
-        let mut known = self.functions.values().flatten().flatten().filter(|function| function.start == start);
+        let mut known = self.functions.values().flatten().filter(|function| function.start == start);
         known.next().copied()
     }
 

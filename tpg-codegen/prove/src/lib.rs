@@ -5,6 +5,7 @@
 //! [terms](term): what is one node is equal, and what is left is decided over the order of the numbers that are compared.
 
 pub mod c;
+mod code;
 mod elf;
 pub mod execute;
 pub mod graph;

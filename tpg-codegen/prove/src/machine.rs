@@ -1,10 +1,10 @@
 //! Code that is executed over terms: what a reader of C and a decoder of machine code have in common.
 
+use crate::elf::Address;
 use crate::input::{Missing, Result};
 use crate::term::{Bool, Float, Terms, Width, Word};
+use crate::thumb::{FLAGS, Register};
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::Debug;
-use std::hash::Hash;
 
 /// So much is executed at most between two points.
 const LONGEST: u64 = 1_000_000;
@@ -47,100 +47,113 @@ pub enum Step<Point> {
 }
 
 /// The ways on from a point, each with its condition.
-pub type Ways<Point> = Vec<(Bool, Step<Point>)>;
+pub type Ways = Vec<(Bool, Step<Point>)>;
 
-/// The contents of a cell.
+/// The contents of a cell: a number of 32 or 64 bits, as the integer or the float that it was computed as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) enum Value {
     Word(Word),
     Float(Float),
-    /// 1 where something holds, else 0
-    Truth(Word),
 }
 
 impl Value {
     /// The bits of a number.
-    pub(crate) fn bits(self, terms: &Terms) -> Option<Word> {
+    pub(crate) fn bits(self, terms: &Terms) -> Word {
         match self {
-            Self::Word(word) => Some(word),
-            Self::Float(float) => Some(terms.bits(float)),
-            _ => None,
+            Self::Word(word) => word,
+            Self::Float(float) => terms.bits(float),
         }
     }
 
     /// The number of 32 bits as a float.
-    pub(crate) fn float(self, terms: &Terms) -> Option<Float> {
+    pub(crate) fn float(self, terms: &Terms) -> Float {
         match self {
-            Self::Word(word) => Some(terms.of_bits(word)),
-            Self::Float(float) => Some(float),
-            _ => None,
+            Self::Word(word) => terms.of_bits(word),
+            Self::Float(float) => float,
         }
     }
 
-    /// The first where the condition holds, else the second; nothing for values of different kinds.
-    pub(crate) fn chosen(terms: &Terms, condition: Bool, a: Self, b: Self) -> Option<Self> {
-        Some(match (a, b) {
+    /// The first where the condition holds, else the second.
+    pub(crate) fn chosen(terms: &Terms, condition: Bool, a: Self, b: Self) -> Self {
+        match (a, b) {
             _ if a == b => a,
             (Self::Float(a), Self::Float(b)) => Self::Float(terms.choose_float(condition, a, b)),
-            (Self::Truth(a), Self::Truth(b)) => Self::Truth(terms.choose_word(condition, a, b)),
-            _ => Self::Word(terms.choose_word(condition, a.bits(terms)?, b.bits(terms)?)),
-        })
+            _ => Self::Word(terms.choose_word(condition, a.bits(terms), b.bits(terms))),
+        }
     }
 }
 
+/// Something with an address that is not known. What is in memory overlaps nothing else.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Region {
+    /// The values of the state, which are only read
+    State,
+    /// The values of the memory
+    Memory,
+    /// The outputs
+    Outputs,
+    /// The stack below the place where the function began
+    Stack,
+    /// A section of the image
+    Section(usize),
+    /// The code behind a call
+    Behind(Address),
+    /// The lower half of an address alone
+    Half(Address),
+}
+
+/// A variable of C, a register, or a place in memory with its bytes; places do not overlap.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Cell {
+    /// A scalar by its number
+    Variable(u32),
+    /// A register of integers, floats or flags
+    Register(Register),
+    /// Bytes in a part of memory
+    Memory(Region, u32, u8),
+}
+
 /// The contents of cells; those that are missing are unknown.
-pub(crate) type Cells<Cell> = BTreeMap<Cell, Value>;
+pub(crate) type Cells = BTreeMap<Cell, Value>;
 
 /// The cells of the first where the condition holds, else those of the second.
-pub(crate) fn merged<Cell: Copy + Ord>(
-    terms: &Terms,
-    condition: Bool,
-    a: &Cells<Cell>,
-    b: &Cells<Cell>,
-) -> Cells<Cell> {
-    let both = a.iter().filter_map(|(cell, &a)| Some((*cell, Value::chosen(terms, condition, a, *b.get(cell)?)?)));
+pub(crate) fn merged(terms: &Terms, condition: Bool, a: &Cells, b: &Cells) -> Cells {
+    let both = a.iter().filter_map(|(cell, &a)| Some((*cell, Value::chosen(terms, condition, a, *b.get(cell)?))));
     both.collect()
 }
 
 /// A place in the code with all that is known there.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Point<Cell: Ord> {
+pub struct Point {
     pub(crate) at: usize,
-    pub(crate) cells: Cells<Cell>,
+    pub(crate) cells: Cells,
 }
 
 /// The facts that are known on a way, and the condition under which it is taken.
 #[derive(Clone, Debug)]
-pub struct State<Cell> {
+pub struct State {
     pub(crate) guard: Bool,
-    pub(crate) cells: Cells<Cell>,
-    /// Cells that held different floats where paths met
-    pub(crate) differing: BTreeSet<Cell>,
+    pub(crate) cells: Cells,
 }
 
-impl<Cell: Copy + Ord> State<Cell> {
+impl State {
     /// The state where a condition holds, too; none if it cannot.
     pub(crate) fn under(&self, terms: &Terms, condition: Bool) -> Option<Self> {
         let guard = terms.and(self.guard, condition);
-        (guard != Terms::FALSE).then(|| Self { guard, ..self.clone() })
+        (guard != Terms::FALSE).then(|| Self { guard, cells: self.cells.clone() })
     }
 
     /// One state of two whose conditions exclude each other.
     fn met(&self, terms: &Terms, other: &Self) -> Self {
-        let guard = terms.or(self.guard, other.guard);
         let cells = merged(terms, self.guard, &self.cells, &other.cells);
-        let differs = |(cell, value): (&Cell, &Value)| {
-            let differs = other.cells.get(cell).is_some_and(|other| other != value);
-            (differs && matches!(value, Value::Float(_))).then_some(*cell)
-        };
-        let differing = self.cells.iter().filter_map(differs).chain(other.differing.iter().copied());
-        Self { guard, differing: differing.chain(self.differing.iter().copied()).collect(), cells }
+        Self { guard: terms.or(self.guard, other.guard), cells }
     }
 
     /// The points of a state at a place: where integers are chosen from constants, one for each choice.
-    pub(crate) fn points(&self, terms: &Terms, at: usize) -> Vec<(Bool, Point<Cell>)> {
+    pub(crate) fn points(&self, terms: &Terms, at: usize) -> Vec<(Bool, Point)> {
         let mut points = vec![(self.guard, Point { at, cells: self.cells.clone() })];
-        let integers: BTreeSet<_> = self.cells.values().collect();
+        let plain = |(cell, value)| (!matches!(cell, &Cell::Register(FLAGS..))).then_some(value);
+        let integers: BTreeSet<_> = self.cells.iter().filter_map(plain).collect();
         for &integer in integers {
             let Value::Word(word) = integer else { continue };
             let Some(numbers) = terms.numbers(word).filter(|numbers| numbers.len() > 1) else { continue };
@@ -164,7 +177,7 @@ impl<Cell: Copy + Ord> State<Cell> {
 }
 
 /// The ways on from a place, each with what holds on it.
-pub type Followers<Cell> = Vec<(State<Cell>, Step<usize>)>;
+pub type Followers = Vec<(State, Step<usize>)>;
 
 /// Code that can be executed piece by piece.
 ///
@@ -172,32 +185,24 @@ pub type Followers<Cell> = Vec<(State<Cell>, Step<usize>)>;
 /// changes no result: the more paths meet at a point, with integers that are constants, the fewer pieces there are to look at. A
 /// loop is cut or unrolled; its integers are constants.
 pub trait Machine {
-    /// A variable, a register, or a place in memory.
-    type Cell: Copy + Ord + Hash + Debug;
-
     /// The point at which the function begins.
     ///
     /// # Errors
     /// The part that cannot be executed.
-    fn entry(&mut self, terms: &Terms) -> Result<Point<Self::Cell>>;
+    fn entry(&mut self, terms: &Terms) -> Result<Point>;
 
     /// Executes what is at a place. The conditions of the ways on exclude each other; the code lies in the order in which it is
     /// executed, but for loops.
     ///
     /// # Errors
     /// The part that cannot be executed.
-    fn step(&mut self, terms: &Terms, at: usize, state: State<Self::Cell>) -> Result<Followers<Self::Cell>>;
+    fn step(&mut self, terms: &Terms, at: usize, state: State) -> Result<Followers>;
 
     /// Tests whether paths may meet at a place.
     fn meets(&self, at: usize) -> bool;
 
     /// The points at which execution is cut where paths met; none if it goes on.
-    fn cut(
-        &mut self,
-        terms: &Terms,
-        at: usize,
-        state: &mut State<Self::Cell>,
-    ) -> Option<Vec<(Bool, Point<Self::Cell>)>>;
+    fn cut(&mut self, terms: &Terms, at: usize, state: &mut State) -> Option<Vec<(Bool, Point)>>;
 
     /// A place, for people.
     fn place(&self, at: usize) -> String;
@@ -206,8 +211,8 @@ pub trait Machine {
     ///
     /// # Errors
     /// The part that cannot be executed.
-    fn run(&mut self, terms: &Terms, from: &Point<Self::Cell>) -> Result<Ways<Point<Self::Cell>>> {
-        let first = State { guard: Terms::TRUE, cells: from.cells.clone(), differing: BTreeSet::new() };
+    fn run(&mut self, terms: &Terms, from: &Point) -> Result<Ways> {
+        let first = State { guard: Terms::TRUE, cells: from.cells.clone() };
         // in the order of the code, each time around a loop after the one before
         let mut pending = BTreeMap::from([((0, from.at), first)]);
         let (mut ways, mut count) = (Vec::new(), 0);
@@ -218,7 +223,6 @@ pub trait Machine {
                 ways.extend(points.into_iter().map(|(guard, point)| (guard, Step::To(point))));
                 continue;
             }
-            state.differing.clear();
             loop {
                 count += 1;
                 if count > LONGEST {

@@ -24,7 +24,7 @@ impl Maths {
         if let Some(&known) = self.known.get(&key) {
             return Ok(known);
         }
-        let result = c::definition("own_maths.c", TEXT, &format!("own_{word}"), terms, argument)?;
+        let result = c::definition("own_maths.c", TEXT, &format!("own_{word}_of"), terms, argument)?;
         self.known.insert(key, result);
         Ok(result)
     }

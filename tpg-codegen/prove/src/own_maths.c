@@ -204,3 +204,31 @@ static float own_exp(float x)
     p = p * second;
     return own_float(own_bits(p) | (not_a_number & 0x7fc00000U));
 }
+
+typedef struct own_argument { float x; } own_argument_t;
+typedef struct own_result { float y; } own_result_t;
+
+static void own_sin_of(const own_argument_t *argument, own_result_t *result)
+{
+    result->y = own_sin(argument->x);
+}
+
+static void own_cos_of(const own_argument_t *argument, own_result_t *result)
+{
+    result->y = own_cos(argument->x);
+}
+
+static void own_tan_of(const own_argument_t *argument, own_result_t *result)
+{
+    result->y = own_tan(argument->x);
+}
+
+static void own_ln_of(const own_argument_t *argument, own_result_t *result)
+{
+    result->y = own_ln(argument->x);
+}
+
+static void own_exp_of(const own_argument_t *argument, own_result_t *result)
+{
+    result->y = own_exp(argument->x);
+}

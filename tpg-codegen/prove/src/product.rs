@@ -40,29 +40,28 @@ pub struct Work {
 }
 
 /// The sides that follow from a point, each with its condition.
-type Pieces<Point> = HashMap<Point, Ways<Point>>;
+type Pieces = HashMap<Point, Ways>;
 
 /// Conditions of both sides that can hold together, by their places.
 type Combined = BTreeSet<(usize, usize)>;
 
 /// Pairs of a side and a place of the graph, each with its condition.
-type Pairs<Point> = Vec<(Step<Point>, Destination, Bool)>;
+type Pairs = Vec<(Step<Point>, Destination, Bool)>;
 
 /// Compares code with a graph.
-#[derive(Debug)]
-pub struct Comparison<'a, M: Machine> {
+pub struct Comparison<'a> {
     /// The terms of both
     pub terms: Terms,
     graph: &'a Graph,
     meaning: Meaning<'a>,
-    machine: &'a mut M,
+    machine: &'a mut dyn Machine,
     /// Holds in every state of which something is claimed
     claimed: Bool,
     effort: Effort,
     evaluator: Evaluator,
     /// What was done
     pub work: Work,
-    pieces: Pieces<Point<M::Cell>>,
+    pieces: Pieces,
     combined: HashMap<(Bool, [Vec<Bool>; 2]), Combined>,
 }
 
@@ -75,9 +74,15 @@ pub(crate) fn in_ranges(terms: &Terms, ranges: &[[f32; 2]]) -> Bool {
     terms.all(inside.collect::<Vec<_>>())
 }
 
-impl<'a, M: Machine> Comparison<'a, M> {
+impl<'a> Comparison<'a> {
     /// A comparison in an empty table, for all states or for those in ranges.
-    pub fn new(graph: &'a Graph, machine: &'a mut M, terms: Terms, ranges: &[[f32; 2]], effort: Effort) -> Self {
+    pub fn new(
+        graph: &'a Graph,
+        machine: &'a mut dyn Machine,
+        terms: Terms,
+        ranges: &[[f32; 2]],
+        effort: Effort,
+    ) -> Self {
         let claimed = in_ranges(&terms, ranges);
         Self {
             terms,
@@ -107,7 +112,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
 
     fn walk(&mut self, forgetful: bool) -> Result<()> {
         let start = Step::To(self.machine.entry(&self.terms)?);
-        let mut pairs = vec![(start, self.graph.start(), self.claimed)];
+        let mut pairs = vec![(start, self.graph.start, self.claimed)];
         let mut numbers = HashMap::from([(pairs[0].clone(), 0)]);
         // Of each pair those that come after it.
         let mut after: Vec<Vec<usize>> = Vec::new();
@@ -140,7 +145,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         }
     }
 
-    fn name(&self, side: &Step<Point<M::Cell>>, place: Destination) -> String {
+    fn name(&self, side: &Step<Point>, place: Destination) -> String {
         let code = match side {
             Step::To(point) => self.machine.place(point.at),
             Step::Return(_) => "the answer".to_owned(),
@@ -149,13 +154,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     }
 
     /// The pairs after a pair.
-    fn follow(
-        &mut self,
-        side: Step<Point<M::Cell>>,
-        place: Destination,
-        assumed: Bool,
-        forgetful: bool,
-    ) -> Result<Pairs<Point<M::Cell>>> {
+    fn follow(&mut self, side: Step<Point>, place: Destination, assumed: Bool, forgetful: bool) -> Result<Pairs> {
         let (ends, answered) = match self.ends(&side)? {
             Some(ends) => (ends, false),
             None => (vec![(Terms::TRUE, side.clone())], true),
@@ -210,7 +209,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     /// Finds which conditions of both sides can hold together, within the work that is left.
     fn together(
         &mut self,
-        (side, place): (&Step<Point<M::Cell>>, Destination),
+        (side, place): (&Step<Point>, Destination),
         assumed: Bool,
         sides: [&[Bool]; 2],
     ) -> Result<Combined> {
@@ -236,7 +235,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     }
 
     /// Compares answers. They are compared where the assumption can hold, which was found before.
-    fn answers(&mut self, side: &Step<Point<M::Cell>>, place: Destination, assumed: Bool) -> Result<()> {
+    fn answers(&mut self, side: &Step<Point>, place: Destination, assumed: Bool) -> Result<()> {
         let different = |what: String| Missing::new(what, "a proof that the answers are equal");
         match (side, place) {
             (Step::Return(Answer::Action(word)), Action(action))
@@ -262,13 +261,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     }
 
     /// Tests whether two floats are the same wherever the assumption holds.
-    fn equal(
-        &mut self,
-        a: Float,
-        b: Float,
-        assumed: Bool,
-        (side, place): (&Step<Point<M::Cell>>, Destination),
-    ) -> Result<bool> {
+    fn equal(&mut self, a: Float, b: Float, assumed: Bool, (side, place): (&Step<Point>, Destination)) -> Result<bool> {
         if a == b {
             return Ok(true);
         }
@@ -280,7 +273,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     }
 
     /// Where the code can go on from a side; none where it has answered.
-    fn ends(&mut self, side: &Step<Point<M::Cell>>) -> Result<Option<Ways<Point<M::Cell>>>> {
+    fn ends(&mut self, side: &Step<Point>) -> Result<Option<Ways>> {
         let point = match side {
             Step::To(point) => point,
             Step::Return(Answer::Action(word)) if self.terms.number_of(*word).is_none() => {
@@ -295,7 +288,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
         self.work.pieces += 1;
         let ways = self.machine.run(&self.terms, point)?;
         self.terms.complete(|| self.machine.place(point.at))?;
-        let mut sides: Ways<Point<M::Cell>> = Vec::new();
+        let mut sides: Ways = Vec::new();
         for (condition, side) in ways.into_iter().filter(|(condition, _)| *condition != Terms::FALSE) {
             match sides.iter_mut().find(|(_, other)| *other == side) {
                 Some((known, _)) => *known = self.terms.or(*known, condition),
@@ -312,7 +305,7 @@ impl<'a, M: Machine> Comparison<'a, M> {
     /// The part that cannot be executed.
     pub(crate) fn answers_for(&mut self, state: &[u32]) -> Result<[String; 2]> {
         self.evaluator.set(state);
-        let mut place = self.graph.start();
+        let mut place = self.graph.start;
         let expected = loop {
             let team = match place {
                 Team(team) => team,

@@ -73,8 +73,8 @@ impl fmt::Display for Proof {
 
 /// Compares code with a graph. The code is read anew for each attempt.
 pub fn prove<M: Machine>(graph: &Graph, read: &dyn Fn() -> Result<M>, assume_ranges: bool, effort: Effort) -> Proof {
-    let ranges = if assume_ranges { graph.ranges() } else { &[] };
-    let in_range = (graph.leaves() > 0).then(|| in_range(graph, ranges, effort));
+    let ranges = if assume_ranges { &graph.ranges[..] } else { &[] };
+    let in_range = (!graph.leaves.is_empty()).then(|| in_range(graph, ranges, effort));
     let (work, lemmas) = (Work::default(), BTreeMap::new());
     let mut machine = match read() {
         Ok(machine) => machine,
@@ -98,7 +98,7 @@ pub fn prove<M: Machine>(graph: &Graph, read: &dyn Fn() -> Result<M>, assume_ran
 fn in_range(graph: &Graph, ranges: &[[f32; 2]], effort: Effort) -> bool {
     let (terms, mut meaning) = (Terms::new(), Meaning::new(graph));
     let claimed = in_ranges(&terms, ranges);
-    let all = (0..graph.leaves()).all(|leaf| {
+    let all = (0..graph.leaves.len()).all(|leaf| {
         let Ok(inside) = meaning.in_range(&terms, leaf) else { return false };
         let sides = [&[inside, !inside][..], &[Terms::TRUE]];
         let found = together(&terms, claimed, sides, effort.cases);
@@ -108,11 +108,11 @@ fn in_range(graph: &Graph, ranges: &[[f32; 2]], effort: Effort) -> bool {
 }
 
 /// A state in which code and graph differ, among many.
-fn difference<M: Machine>(comparison: &mut Comparison<'_, M>, graph: &Graph, inside: bool) -> Option<Vec<u32>> {
+fn difference(comparison: &mut Comparison<'_>, graph: &Graph, inside: bool) -> Option<Vec<u32>> {
     let special = graph.constants();
     let mut stream = Stream::new(1);
     for _ in 0..STATES {
-        let state = stream.state(graph.ranges(), &special, inside);
+        let state = stream.state(&graph.ranges, &special, inside);
         let [expected, found] = comparison.answers_for(&state).ok()?;
         if expected != found {
             return Some(state);
@@ -124,7 +124,7 @@ fn difference<M: Machine>(comparison: &mut Comparison<'_, M>, graph: &Graph, ins
 /// A difference in one of so many states, each computed by itself: nothing that a proof uses has a part in it.
 pub fn sampled<M: Machine>(graph: &Graph, read: &dyn Fn() -> Result<M>, states: u64, seed: u64) -> Option<Difference> {
     let (special, mut stream) = (graph.constants(), Stream::new(seed));
-    (0..states).find_map(|_| replayed(graph, &stream.state(graph.ranges(), &special, false), read))
+    (0..states).find_map(|_| replayed(graph, &stream.state(&graph.ranges, &special, false), read))
 }
 
 /// The difference in a state, computed with that state's numbers from the start on.

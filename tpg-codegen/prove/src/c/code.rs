@@ -1,57 +1,13 @@
 //! Functions as a flat list of operations, with every call inlined.
 
-use crate::term::{Arithmetic, Bool, Float, Operator, Terms, Width};
+use crate::code::Expression;
 use std::collections::BTreeMap;
-
-/// A value without side effects. Words of 32 bits hold narrower integers as C extends them; conditions are 1 or 0.
-#[derive(Clone, Debug)]
-pub(super) enum Expression {
-    Number(u64),
-    Float(u32),
-    Of(Computed, Vec<Expression>),
-}
-
-/// A computation on values.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Computed {
-    LoadedFloat,
-    LoadedWord,
-    Apply(Operator, Width),
-    Arithmetic(Arithmetic),
-    Negative,
-    Magnitude,
-    OfInteger(bool),
-    /// The second where the first is not 0, else the third
-    If,
-    Same(Width),
-    Below(bool, Width),
-    /// A relation of floats
-    Compared(fn(&Terms, Float, Float) -> Bool),
-    /// A number that must be below a length
-    Bounded(u32),
-    /// An address moved by cells; both must be in one object
-    Moved,
-}
-
-/// Makes an expression.
-pub(super) fn of<const N: usize>(computed: Computed, parts: [Expression; N]) -> Expression {
-    Expression::Of(computed, parts.into())
-}
-
-impl std::ops::Not for Expression {
-    type Output = Self;
-
-    fn not(self) -> Self {
-        of(Computed::Same(Width::W32), [self, Self::Number(0)])
-    }
-}
 
 /// An operation.
 #[derive(Clone, Debug)]
 pub(super) enum Operation {
-    Set(Expression, Expression),
-    /// Copies so many cells
-    Copy(Expression, Expression, u32),
+    /// Sets what is at an address; with `true`, a float
+    Set(Expression, Expression, bool),
     /// A scope ends
     Leave(usize),
     /// Goes on behind if the condition holds, else there
@@ -73,13 +29,6 @@ pub(super) struct Object {
 /// Where constants begin.
 pub(super) const CONSTANTS: u32 = 0x4000_0000;
 
-/// A constant cell.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Constant {
-    Float(u32),
-    Number(u64),
-}
-
 /// The function.
 #[derive(Debug, Default)]
 pub(super) struct Program {
@@ -90,7 +39,8 @@ pub(super) struct Program {
     pub(super) scopes: Vec<(u32, u32)>,
     /// Sorted by their starts
     pub(super) objects: Vec<Object>,
-    pub(super) constants: Vec<Constant>,
+    /// Numbers, and floats by their bits
+    pub(super) constants: Vec<u64>,
     pub(super) cells: u32,
     /// The cells of the state, then those of the memory
     pub(super) inputs: Vec<u32>,

@@ -1,14 +1,12 @@
 //! Executes operations over terms. Paths that meet become one; integers that decide where control goes are constants.
 
 use super::code::{Operation, Program};
-use super::value::{Found, Here};
+use super::value::Here;
+use crate::code::{Found, holds};
 use crate::input::{Missing, Result};
-use crate::machine::{self, Answer, Cells, Followers, Interface, Machine, State, Step, Value};
+use crate::machine::{Answer, Cell, Cells, Followers, Interface, Machine, Point, State, Step, Value};
 use crate::term::{Bool, Float, Terms};
 use std::collections::BTreeSet;
-
-/// A place in the code and the cells there.
-pub type Point = machine::Point<u32>;
 
 /// A function of C, ready to be executed.
 #[derive(Debug)]
@@ -19,7 +17,7 @@ pub struct Code {
     /// Where jumps go, and where execution may be cut
     joins: BTreeSet<usize>,
     /// The cells at first
-    first: Cells<u32>,
+    first: Cells,
     /// This text defines what functions mean: that its indices are in bounds is known
     defines: bool,
 }
@@ -37,7 +35,8 @@ impl Code {
 
     /// The result for a float as the only input.
     pub(super) fn of_float(&mut self, terms: &Terms, argument: Float) -> Result<Float> {
-        let start = Point { at: 0, cells: Cells::from([(self.program.inputs[0], Value::Float(argument))]) };
+        let start =
+            Point { at: 0, cells: Cells::from([(Cell::Variable(self.program.inputs[0]), Value::Float(argument))]) };
         let mut result = None;
         for (guard, step) in self.run(terms, &start)? {
             let Step::Return(Answer::Values(values)) = step else { break };
@@ -46,35 +45,26 @@ impl Code {
         result.ok_or_else(|| Missing::new(&*self.file, "a definition in one piece"))
     }
 
-    /// The cell at a constant address of a variable.
-    fn target(&self, address: Option<u64>) -> Found<u32> {
-        let address = address.and_then(|address| u32::try_from(address).ok());
-        address.filter(|&address| address < self.program.cells).ok_or("a place to write to that is a constant")
-    }
-
-    fn leave(&self, scope: usize, cells: &mut Cells<u32>) {
+    fn leave(&self, scope: usize, cells: &mut Cells) {
         let (start, end) = self.program.scopes[scope];
-        cells.retain(|address, _| !(start..end).contains(address));
+        cells.retain(|&cell, _| !(Cell::Variable(start)..Cell::Variable(end)).contains(&cell));
     }
 
     /// Executes an operation; where it goes if that is not behind it.
-    fn executed(&self, terms: &Terms, at: usize, mut state: State<u32>) -> Found<Followers<u32>> {
+    fn executed(&self, terms: &Terms, at: usize, mut state: State) -> Found<Followers> {
         let here = Here { program: &self.program, terms, cells: &state.cells, defines: self.defines };
         match &self.program.operations[at].1 {
-            Operation::Set(address, value) => {
+            Operation::Set(address, value, is_float) => {
                 let (address, value) = (here.word(address)?, here.value(value)?);
-                state.cells.insert(self.target(terms.number_of(address))?, value);
-            }
-            Operation::Copy(to, from, count) => {
-                let (to, from) = (here.range(to, *count)?, here.range(from, *count)?);
-                let copied: Vec<_> = (from..).take(*count as usize).map(|address| here.cell(address)).collect();
-                for (to, value) in (to..).zip(copied) {
-                    state.cells.insert(self.target(Some(to))?, value?);
-                }
+                let value = if *is_float { Value::Float(value.float(terms)) } else { Value::Word(value.bits(terms)) };
+                let address = terms.number_of(address).and_then(|address| u32::try_from(address).ok());
+                let variable = address.filter(|&address| address < self.program.cells);
+                let variable = variable.ok_or("a place to write to that is a constant")?;
+                state.cells.insert(Cell::Variable(variable), value);
             }
             Operation::Leave(scope) => self.leave(*scope, &mut state.cells),
             Operation::Branch(condition, otherwise) => {
-                let condition = here.condition(condition)?;
+                let condition = holds(terms, here.value(condition)?);
                 let ways = [(condition, at + 1), (!condition, *otherwise)];
                 let ways = ways.into_iter().filter_map(|(held, to)| Some((state.under(terms, held)?, Step::To(to))));
                 return Ok(ways.collect());
@@ -87,10 +77,10 @@ impl Code {
             }
             Operation::Return => {
                 let answers = &self.program.answers;
-                let answer = if self.interface.outputs.is_empty() && !self.defines {
-                    Answer::Action(here.read_word(answers[0].into())?)
+                let answer = if self.interface.outputs.is_empty() {
+                    Answer::Action(here.cell(answers[0].into())?.bits(terms))
                 } else {
-                    let values = answers.iter().map(|&address| here.read_float(address.into()));
+                    let values = answers.iter().map(|&address| Ok(here.cell(address.into())?.float(terms)));
                     Answer::Values(values.collect::<Found<_>>()?)
                 };
                 return Ok(vec![(state, Step::Return(answer))]);
@@ -101,15 +91,14 @@ impl Code {
 }
 
 impl Machine for Code {
-    type Cell = u32;
-
     fn entry(&mut self, terms: &Terms) -> Result<Point> {
         let inputs = (0..).zip(&self.program.inputs);
-        self.first = inputs.map(|(index, &address)| (address, Value::Float(terms.source(index)))).collect();
+        self.first =
+            inputs.map(|(index, &address)| (Cell::Variable(address), Value::Float(terms.source(index)))).collect();
         Ok(Point { at: 0, cells: self.first.clone() })
     }
 
-    fn step(&mut self, terms: &Terms, at: usize, state: State<u32>) -> Result<Followers<u32>> {
+    fn step(&mut self, terms: &Terms, at: usize, state: State) -> Result<Followers> {
         self.executed(terms, at, state).map_err(|what| Missing::new(self.place(at), what))
     }
 
@@ -117,17 +106,13 @@ impl Machine for Code {
         self.joins.contains(&at)
     }
 
-    /// Cuts where nothing is being computed, or at a label that all paths reach with the same floats.
-    fn cut(&mut self, terms: &Terms, at: usize, state: &mut State<u32>) -> Option<Vec<(Bool, Point)>> {
+    /// Cuts at labels, and where nothing is being computed.
+    fn cut(&mut self, terms: &Terms, at: usize, state: &mut State) -> Option<Vec<(Bool, Point)>> {
         let also_alive = *self.program.heads.get(&at)?;
-        let is_array = |address: &u32| self.program.is_array(*address);
-        let agreed = state.differing.iter().all(is_array);
-        let mut new = state.cells.iter().filter(|(address, value)| self.first.get(address) != Some(value));
-        let idle = new.all(|(address, value)| !matches!(value, Value::Float(_)) || is_array(address));
-        if !(idle || also_alive && agreed) {
-            return None;
-        }
-        Some(state.points(terms, at))
+        let is_array = |cell: &Cell| matches!(*cell, Cell::Variable(address) if self.program.is_array(address));
+        let mut new = state.cells.iter().filter(|(cell, value)| self.first.get(cell) != Some(value));
+        let idle = new.all(|(cell, value)| !matches!(value, Value::Float(_)) || is_array(cell));
+        (idle || also_alive).then(|| state.points(terms, at))
     }
 
     fn place(&self, at: usize) -> String {

@@ -9,7 +9,7 @@ mod execute;
 mod token;
 mod value;
 
-pub use execute::{Code, Point};
+pub use execute::Code;
 
 use crate::input::{Missing, Result};
 use crate::machine::Interface;
@@ -56,5 +56,7 @@ pub fn read_with(
 /// Executes a function of one float from a text that defines what it means.
 pub(crate) fn definition(file: &str, text: &str, name: &str, terms: &Terms, argument: Float) -> Result<Float> {
     let compiler = Compiler::read(file, token::tokens(file, text, &|_| None)?)?;
-    Code::new(file, compiler.of_float(name)?, &Interface::default(), true).of_float(terms, argument)
+    let (sources, outputs) = (vec![("x".to_owned(), 1)], vec!["y".to_owned()]);
+    let interface = Interface { sources, outputs, ..Interface::default() };
+    Code::new(file, compiler.policy(name, &interface)?, &interface, true).of_float(terms, argument)
 }

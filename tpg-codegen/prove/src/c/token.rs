@@ -36,8 +36,8 @@ const STANDARD: [(&str, &str); 5] = [
     ("FLT_MAX", "3.40282347e+38F"),
     ("FLT_MIN", "1.17549435e-38F"),
     ("FLT_EPSILON", "1.1920929e-7F"),
-    ("INFINITY", "__infinity"),
-    ("NAN", "__nan"),
+    ("INFINITY", "(1.0F / 0.0F)"),
+    ("NAN", "(0.0F / 0.0F)"),
 ];
 
 /// Reads included files by their names.

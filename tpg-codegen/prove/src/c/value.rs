@@ -1,20 +1,17 @@
 //! Values of expressions over the cells of a state.
 
-use super::code::{CONSTANTS, Computed, Constant, Expression, Program};
-use crate::machine::{Cells, Value};
+use super::code::{CONSTANTS, Program};
+use crate::code::{self, Computed, Expression, Found};
+use crate::machine::{Cell, Cells, Value};
 use crate::term::word::computed;
-use crate::term::{Bool, Float, Node, Operator::*, Terms, Width::*, Word};
+use crate::term::{Node, Operator::*, Terms, Width::*, Word};
 use std::collections::BTreeSet;
-use std::rc::Rc;
-
-/// A value, or what it lacks.
-pub(super) type Found<T> = Result<T, &'static str>;
 
 /// The cells where something is evaluated.
 pub(super) struct Here<'a> {
     pub(super) program: &'a Program,
     pub(super) terms: &'a Terms,
-    pub(super) cells: &'a Cells<u32>,
+    pub(super) cells: &'a Cells,
     /// That indices are in bounds is known
     pub(super) defines: bool,
 }
@@ -24,55 +21,20 @@ impl Here<'_> {
         let address = u32::try_from(address).map_err(|_| "an address")?;
         match address.checked_sub(CONSTANTS) {
             None if address < self.program.cells => {
-                self.cells.get(&address).copied().ok_or("a value: it is not set on every way here")
+                self.cells.get(&Cell::Variable(address)).copied().ok_or("a value: it is not set on every way here")
             }
             None => Err("an address in bounds"),
-            Some(place) => match self.program.constants.get(place as usize) {
-                Some(&Constant::Float(bits)) => Ok(Value::Float(self.terms.constant_bits(bits))),
-                Some(&Constant::Number(number)) => Ok(Value::Word(self.terms.number(number))),
-                None => Err("an address in bounds"),
-            },
-        }
-    }
-
-    pub(super) fn read_float(&self, address: u64) -> Found<Float> {
-        self.cell(address)?.float(self.terms).ok_or("a float")
-    }
-
-    pub(super) fn read_word(&self, address: u64) -> Found<Word> {
-        self.cell(address)?.bits(self.terms).ok_or("an integer")
-    }
-
-    /// The constant address of some cells of one variable.
-    pub(super) fn range(&self, address: &Expression, count: u32) -> Found<u64> {
-        let address = self.terms.number_of(self.word(address)?).and_then(|address| u32::try_from(address).ok());
-        let first = address.ok_or("an address that is a constant")?;
-        match self.program.object(first) {
-            Some(object) if first + count <= object.end => Ok(first.into()),
-            _ => Err("a copy in bounds"),
-        }
-    }
-
-    fn loaded_float(&self, address: Word) -> Found<Float> {
-        match self.terms.of_word(address) {
-            Node::Number(number) => self.read_float(number),
-            Node::WordIf(condition, a, b) => {
-                let (a, b) = (self.loaded_float(a)?, self.loaded_float(b)?);
-                Ok(self.terms.choose_float(condition, a, b))
+            Some(place) => {
+                let constant = self.program.constants.get(place as usize).ok_or("an address in bounds")?;
+                Ok(Value::Word(self.terms.number(*constant)))
             }
-            _ => Err("an index that is a constant"),
         }
     }
 
-    fn loaded_word(&self, address: Word) -> Found<Word> {
+    fn loaded(&self, address: Word) -> Found<Value> {
         let terms = self.terms;
-        if let Some(numbers) = terms.numbers(address) {
-            for number in numbers {
-                self.read_word(number)?;
-            }
-            return Ok(terms.mapped(address, &mut |leaf| {
-                self.read_word(terms.number_of(leaf).unwrap_or_default()).unwrap_or(leaf)
-            }));
+        if let Some(number) = terms.number_of(address) {
+            return self.cell(number);
         }
         // an element of a constant table
         if let Node::Apply(Add, W32, index, base) = terms.of_word(address)
@@ -81,15 +43,10 @@ impl Here<'_> {
             && object.start >= CONSTANTS
         {
             let range = (object.start - CONSTANTS) as usize..(object.end - CONSTANTS) as usize;
-            let table: Rc<[u64]> = (self.program.constants[range].iter())
-                .map(|constant| match *constant {
-                    Constant::Float(bits) => u64::from(bits),
-                    Constant::Number(number) => number,
-                })
-                .collect();
+            let table = self.program.constants[range].into();
             let index = terms.apply(Add, W32, index, terms.number(base - u64::from(object.start)));
             self.bounded(index, object.end - object.start, false)?;
-            return Ok(terms.element(&table, index));
+            return Ok(Value::Word(terms.element(&table, index)));
         }
         Err("an index that is a constant")
     }
@@ -106,72 +63,30 @@ impl Here<'_> {
         Err("an index that is in bounds")
     }
 
-    fn float(&self, value: &Expression) -> Found<Float> {
-        match self.value(value)? {
-            Value::Float(float) => Ok(float),
-            _ => Err("a float"),
-        }
+    pub(super) fn word(&self, expression: &Expression) -> Found<Word> {
+        Ok(self.value(expression)?.bits(self.terms))
     }
 
-    pub(super) fn word(&self, value: &Expression) -> Found<Word> {
-        match self.value(value)? {
-            Value::Word(word) => Ok(word),
-            _ => Err("an integer"),
-        }
+    pub(super) fn value(&self, expression: &Expression) -> Found<Value> {
+        code::value(self.terms, expression, &|name, values| self.own(name, values))
     }
 
-    pub(super) fn condition(&self, value: &Expression) -> Found<Bool> {
-        Ok(!self.terms.same(W32, self.word(value)?, self.terms.number(0)))
-    }
-
-    pub(super) fn value(&self, value: &Expression) -> Found<Value> {
+    /// The value of what depends on memory.
+    fn own(&self, name: Computed, values: &[Value]) -> Found<Value> {
         let terms = self.terms;
-        let (name, parts) = match value {
-            Expression::Number(number) => return Ok(Value::Word(terms.number(*number))),
-            Expression::Float(bits) => return Ok(Value::Float(terms.constant_bits(*bits))),
-            Expression::Of(name, parts) => (*name, &parts[..]),
-        };
-        let truth = |condition| Value::Word(terms.word_of(condition));
-        Ok(match (name, parts) {
-            (Computed::LoadedFloat, [address]) => Value::Float(self.loaded_float(self.word(address)?)?),
-            (Computed::LoadedWord, [address]) => Value::Word(self.loaded_word(self.word(address)?)?),
-            (Computed::Arithmetic(operation), [a, b]) => {
-                Value::Float(terms.arithmetic(operation, self.float(a)?, self.float(b)?))
+        let first = values[0].bits(terms);
+        match (name, values) {
+            (Computed::Loaded(_), _) => code::loaded(terms, first, &|address| self.loaded(address)),
+            (Computed::Bounded(length), _) => {
+                self.bounded(first, length, true)?;
+                let largest = largest(terms, first);
+                let is_choice = largest < FEW && terms.numbers(first).is_none();
+                Ok(Value::Word(if is_choice { each(terms, first, largest) } else { first }))
             }
-            (Computed::Negative, [a]) => Value::Float(terms.negate(self.float(a)?)),
-            (Computed::Magnitude, [a]) => Value::Float(terms.magnitude(self.float(a)?)),
-            (Computed::OfInteger(signed), [a]) => Value::Float(terms.of_integer(signed, self.word(a)?)),
-            (Computed::If, [condition, a, b]) => match self.condition(condition)? {
-                Terms::TRUE => self.value(a)?,
-                Terms::FALSE => self.value(b)?,
-                condition => {
-                    Value::chosen(terms, condition, self.value(a)?, self.value(b)?).ok_or("one kind of value")?
-                }
-            },
-            (Computed::Same(width), [a, b]) => truth(terms.same(width, self.word(a)?, self.word(b)?)),
-            (Computed::Below(signed, width), [a, b]) => truth(terms.below(signed, width, self.word(a)?, self.word(b)?)),
-            (Computed::Compared(relation), [a, b]) => truth(relation(terms, self.float(a)?, self.float(b)?)),
-            (Computed::Apply(operator, width), [a, b]) => {
-                let (a, b) = (self.word(a)?, self.word(b)?);
-                match operator {
-                    ShiftLeft | ShiftRight | ShiftArithmetic if largest(terms, b) >= u64::from(width.bits()) => {
-                        return Err("a shift below the width");
-                    }
-                    _ => Value::Word(terms.apply(operator, width, a, b)),
-                }
-            }
-            (Computed::Bounded(length), [a]) => {
-                let a = self.word(a)?;
-                self.bounded(a, length, true)?;
-                let largest = largest(terms, a);
-                let is_choice = largest < FEW && terms.numbers(a).is_none();
-                Value::Word(if is_choice { each(terms, a, largest) } else { a })
-            }
-            (Computed::Moved, [address, offset]) => {
-                let (address, offset) = (self.word(address)?, self.word(offset)?);
-                let sum = terms.apply(Add, W32, address, offset);
+            (Computed::Moved, &[_, offset]) => {
+                let sum = terms.apply(Add, W32, first, offset.bits(terms));
                 // constants are checked here, other indices where they are below a length
-                if let (Some(from), Some(to)) = (terms.numbers(address), terms.numbers(sum)) {
+                if let (Some(from), Some(to)) = (terms.numbers(first), terms.numbers(sum)) {
                     let objects: BTreeSet<_> = (from.iter().chain(&to))
                         .map(|&address| Some(self.program.object(u32::try_from(address).ok()?)?.start))
                         .collect();
@@ -179,10 +94,10 @@ impl Here<'_> {
                         return Err("an address in bounds");
                     }
                 }
-                Value::Word(sum)
+                Ok(Value::Word(sum))
             }
-            _ => return Err("other operands"),
-        })
+            _ => Err("other operands"),
+        }
     }
 }
 

@@ -1,18 +1,14 @@
 //! Control flow of a function with all that it calls: instructions in an order that follows it, and what is alive where.
 
+use crate::code::{Computed, Expression};
 use crate::elf::{Address, Function, Image, Part};
 use crate::input::{Missing, Result};
 use crate::thumb::decode::decode;
-use crate::thumb::{ALWAYS, Block, Computed, Instruction, LR, Offset, Operand, Operation, PC, Register, S0, SP};
-use Operation::*;
+use crate::thumb::{Block, Exit, Instruction, LR, Place, Register, S0, SP};
 use std::collections::{HashMap, HashSet};
 
-/// A set of registers and of the two sets of flags.
+/// A set of registers.
 type Live = u64;
-/// The flags of conditions.
-pub(super) const FLAGS: Live = 1 << 48;
-/// The flags of the floating-point unit.
-pub(super) const FLOAT_FLAGS: Live = 1 << 49;
 /// So many instructions are looked at.
 const LONGEST: usize = 50_000;
 
@@ -35,7 +31,7 @@ pub(super) struct Node {
     pub(super) address: Address,
     /// The calls that led here
     pub(super) callers: Vec<Caller>,
-    /// Places that may be next; none for the last return
+    /// Places that may be next: that behind, if it may be, then those that it jumps to
     pub(super) next: Vec<usize>,
     /// Everything that may be read from here on, before it is written
     pub(super) live: Live,
@@ -68,24 +64,24 @@ pub(super) fn flow(image: &Image, function: &Function) -> Result<Flow> {
             return Err(missing("a shorter function"));
         }
         let rest = image.constant(*address, end - address.offset).unwrap_or_default();
-        let Some((instruction, after)) = decode(rest, address.offset, block) else {
+        let Some((instruction, after)) = decode(rest, image, *address, block) else {
             let bytes: Vec<String> = rest.iter().take(4).map(|byte| format!("{byte:02x}")).collect();
             return Err(missing(&format!("the instruction with the bytes {} is not understood", bytes.join(" "))));
         };
-        let behind = instruction.behind();
+        let behind = address.offset.wrapping_add(instruction.size);
         let mut next = Vec::new();
         let mut go = |callers: &[Caller], function: Function, offset: Address, block: Block| {
             let location = (callers.to_vec(), offset);
             next.push(location.clone());
             work.push((location, function, block));
         };
-        let conditional = instruction.condition != ALWAYS || matches!(instruction.operation, BranchIf { .. });
-        if conditional || !instruction.operation.leaves() {
+        if instruction.condition.is_some() || instruction.jump.is_none() {
             go(callers, function, address.at(behind), after);
         }
         let relocation = image.relocation(*address);
-        match &instruction.operation {
-            Call { target } => {
+        match &instruction.jump {
+            None => {}
+            Some(Exit::Call(target)) => {
                 let callee = match relocation.map(|relocation| (relocation.part, &relocation.target)) {
                     Some((Part::Branch, Ok(callee))) => *callee,
                     Some((_, Err(name))) => return Err(missing(&format!("a call of {name}, which is elsewhere"))),
@@ -99,27 +95,16 @@ pub(super) fn flow(image: &Image, function: &Function) -> Result<Flow> {
                 }
                 go(&callers, callee, callee.start, Block::default());
             }
-            operation if ends(operation) => {
+            Some(Exit::Computed(_, None)) => {
                 if let Some((&(caller, call), callers)) = callers.split_last() {
-                    go(callers, caller, behind_call(call), Block::default());
+                    go(callers, caller, call.at(call.offset.wrapping_add(4)), Block::default());
                 }
             }
-            operation => {
-                if relocation.is_some() && operation.leaves() {
-                    return Err(missing("a branch to another function"));
-                }
-
+            Some(_) if relocation.is_some() => return Err(missing("a branch to another function")),
+            Some(Exit::To(target)) => go(callers, function, address.at(*target), Block::default()),
+            Some(Exit::Computed(_, Some(bytes))) => {
                 let inside = |target: u32| (function.start.offset..end).contains(&target);
-                let targets = match *operation {
-                    Branch { target } | BranchIf { target, .. } => vec![target],
-                    Table { base: PC, bytes, .. } => table(image, *address, behind, Some(bytes), inside),
-                    Transfer { load: true, ref registers, .. } if registers.contains(&PC) => {
-                        table(image, *address, behind, None, inside)
-                    }
-                    Table { .. } | Exchange { .. } => return Err(missing("a jump to a computed address")),
-                    _ => Vec::new(),
-                };
-                for offset in targets {
+                for offset in table(image, *address, behind, *bytes, inside) {
                     go(callers, function, address.at(offset), Block::default());
                 }
             }
@@ -127,11 +112,6 @@ pub(super) fn flow(image: &Image, function: &Function) -> Result<Flow> {
         nodes.insert(location, (instruction, block, next));
     }
     Ok(arranged(nodes, start))
-}
-
-/// Returns the address behind a call.
-pub(super) fn behind_call(call: Address) -> Address {
-    call.at(call.offset.wrapping_add(4))
 }
 
 /// Puts instructions in order, and finds where paths meet and what is alive.
@@ -176,70 +156,50 @@ fn find_live(flow: &mut Flow) {
     while std::mem::take(&mut changed) {
         for at in (0..flow.len()).rev() {
             let node = &flow[at];
-            let (reads, writes) = effects(&node.instruction.operation);
-            let after = node.next.iter().fold(0, |set, &next| set | flow[next].live);
-            let after = if ends(&node.instruction.operation) { after | at_end } else { after };
-            let kept = if node.instruction.condition == ALWAYS { after & !writes } else { after | FLAGS };
-            changed |= reads | kept != node.live;
-            flow[at].live = reads | kept;
+            let Instruction { condition, sets, jump, .. } = &node.instruction;
+            let returns = matches!(jump, Some(Exit::Computed(_, None)));
+            let mut live = node.next.iter().fold(if returns { at_end } else { 0 }, |set, &next| set | flow[next].live);
+            let target = if let Some(Exit::Computed(target, _)) = jump { reads(target) } else { 0 };
+            let mut read = target | condition.as_ref().map_or(0, reads);
+            for (place, value) in sets {
+                read |= reads(value);
+                match place {
+                    Place::Register(register) if condition.is_none() => live &= !(1 << register),
+                    Place::Register(_) => {}
+                    Place::Memory(address, _) => read |= reads(address),
+                }
+            }
+            changed |= live | read != node.live;
+            flow[at].live = live | read;
         }
-    }
-}
-
-/// True for instructions that may return to the caller.
-pub(super) fn ends(operation: &Operation) -> bool {
-    match operation {
-        Exchange { register } => *register == LR,
-        Transfer { load: true, registers, place, .. } => {
-            registers.contains(&PC) && !matches!(place.offset, Offset::Register(..))
-        }
-        _ => false,
     }
 }
 
 /// Reads the targets of a table that follows its branch: of offsets, or of addresses. It ends where its first target is. What is
 /// jumped to in an execution is compared with these.
-fn table(image: &Image, branch: Address, behind: u32, bytes: Option<u8>, inside: impl Fn(u32) -> bool) -> Vec<u32> {
+fn table(image: &Image, branch: Address, behind: u32, bytes: u8, inside: impl Fn(u32) -> bool) -> Vec<u32> {
     let mut targets: Vec<u32> = Vec::new();
-    let mut entry = branch.at(if bytes.is_some() { behind } else { behind.wrapping_add(3) & !3 });
+    let mut entry = branch.at(if bytes < 4 { behind } else { behind.wrapping_add(3) & !3 });
     while !targets.iter().any(|&target| target > behind && target <= entry.offset) {
-        let target = match bytes {
+        let target = if bytes < 4 {
             // what leads nowhere fills the table up
-            Some(bytes) => {
-                image.number(entry, bytes).filter(|&ahead| ahead > 0).map(|ahead| behind.wrapping_add(2 * ahead))
-            }
-            None => image.pointer(entry).filter(|to| to.section == branch.section).map(|to| to.offset & !1),
+            let ahead = image.number(entry, bytes).filter(|&ahead| ahead > 0);
+            ahead.map(|ahead| behind.wrapping_add(2 * ahead))
+        } else {
+            image.pointer(entry).filter(|to| to.section == branch.section).map(|to| to.offset & !1)
         };
         let Some(target) = target.filter(|&target| inside(target)) else { break };
         targets.push(target);
-        entry.offset = entry.offset.wrapping_add(bytes.unwrap_or(4).into());
+        entry.offset = entry.offset.wrapping_add(bytes.into());
     }
     targets
 }
 
-/// What an instruction reads and what it always writes, if it is executed.
-fn effects(operation: &Operation) -> (Live, Live) {
-    let set = |registers: &[Register]| registers.iter().fold(0, |set: Live, register| set | 1 << register);
-    let one = |register: Register| -> Live { 1 << register };
-    match *operation {
-        Nop | If | Branch { .. } => (0, 0),
-        Call { .. } => (0, one(LR)),
-        Compute { name, flags, to, ref from, .. } => {
-            let carry = if name == Computed::WithCarry { FLAGS } else { 0 };
-            let reads = from.iter().fold(carry, |set, operand| match *operand {
-                Operand::Number(_) => set,
-                Operand::Register(register, ..) => set | one(register),
-            });
-            (reads, to.map_or(0, one) | if flags { FLAGS } else { 0 })
-        }
-        Transfer { load, ref registers, place, .. } => {
-            let offset = if let Offset::Register(register, _) = place.offset { one(register) } else { 0 };
-            let reads = offset | one(place.base) | if load { 0 } else { set(registers) };
-            (reads, if load { set(registers) } else { 0 })
-        }
-        Compare { left, right } => (one(left) | right.map_or(0, one), FLOAT_FLAGS),
-        ReadFlags => (FLOAT_FLAGS, FLAGS),
-        BranchIf { register, .. } | Exchange { register } => (one(register), 0),
-        Table { base, index, .. } => (set(&[base, index]), 0),
+/// The registers that an expression reads.
+fn reads(expression: &Expression) -> Live {
+    match expression {
+        Expression::Of(Computed::Register(register), _) => 1 << register,
+        Expression::Of(_, parts) => parts.iter().fold(0, |set, part| set | reads(part)),
+        _ => 0,
     }
 }

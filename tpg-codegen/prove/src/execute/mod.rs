@@ -3,67 +3,28 @@
 //! Assumed: the default floating-point environment (round to nearest, no flush to zero, no default NaN), that the state,
 //! the memory and the outputs do not overlap each other or the stack, and that nothing else writes to them meanwhile.
 
-mod compute;
 mod flow;
 mod memory;
 
+use crate::code::{self, Computed, Expression, Found, holds};
 use crate::elf::{Address, Function, Image};
 use crate::input::{Missing, Result};
-use crate::machine::{Cells, Followers, Interface, Machine, State, Step, Value, merged};
+use crate::machine::{Cell, Cells, Followers, Interface, Machine, Point, Region, State, Step, Value, merged};
 use crate::term::{Bool, Node as Term, Operator, Terms, Width, Word as TermWord};
-use crate::thumb::{LR, Offset, Operation, PC, REGISTERS, Register, SP};
-use Operation::*;
+use crate::thumb::{Exit, FLAGS, LR, PC, Place, REGISTERS, SP};
 use Region::Stack;
-use Value::{Float, Truth, Word};
-use compute::FLAG_COUNT;
-use flow::{FLAGS, FLOAT_FLAGS, Flow, Node, behind_call};
+use Value::{Float, Word};
+use flow::{Flow, Node};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
-
-/// Something with an address that is not known. What is in memory overlaps nothing else.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Region {
-    /// The values of the state, which are only read
-    State,
-    /// The values of the memory
-    Memory,
-    /// The outputs
-    Outputs,
-    /// The stack below the place where the function began
-    Stack,
-    /// A section of the image
-    Section(usize),
-    /// The code behind a call
-    Behind(Address),
-    /// The lower half of an address alone
-    Half(Address),
-}
-
-/// A register, what flags say, or a place in memory with its bytes; places do not overlap.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Cell {
-    /// A register of integers or floats
-    Register(Register),
-    /// A condition by its number; with `true`, as floats were compared before those flags are read
-    Flag(bool, u8),
-    /// Bytes in a part of memory
-    Memory(Region, u32, u8),
-}
-
-/// A place in machine code, with everything that is alive there.
-pub type Point = crate::machine::Point<Cell>;
 
 /// An instruction that is executed, and where.
 struct Here<'a> {
     object: &'a Object,
     terms: &'a Terms,
     node: &'a Node,
-    cells: &'a mut Cells<Cell>,
 }
-
-/// The target of a jump: an address, or the caller of the function.
-type Target = Option<Address>;
 
 /// Machine code that is executed.
 #[derive(Debug)]
@@ -73,7 +34,7 @@ pub struct Object {
     function: Function,
     flow: Rc<Flow>,
     /// The contents of cells when the function begins
-    first: Cells<Cell>,
+    first: Cells,
     /// The symbols of the regions' addresses
     bases: RefCell<BTreeMap<Region, TermWord>>,
 }
@@ -87,10 +48,6 @@ impl Object {
         let image = Image::read(file)?;
         let function = image.function(symbol)?;
         Ok(Self { image, interface, function, flow: Rc::default(), first: Cells::new(), bases: RefCell::default() })
-    }
-
-    fn here<'a>(&'a self, terms: &'a Terms, node: &'a Node, cells: &'a mut Cells<Cell>) -> Here<'a> {
-        Here { object: self, terms, node, cells }
     }
 
     /// The symbol of a region's address.
@@ -107,17 +64,9 @@ impl Object {
         let bases = self.bases.borrow();
         bases.iter().find(|(_, known)| **known == base).map(|(&region, _)| (region, offset as u32))
     }
-
-    /// Finds the place of an address that control may go to.
-    fn next(&self, node: &Node, target: Address) -> Result<usize> {
-        let found = node.next.iter().find(|&&next| self.flow[next].address == target);
-        found.copied().ok_or_else(|| Missing::new(format!("{:#x}", node.address.offset), "a jump outside its table"))
-    }
 }
 
 impl Machine for Object {
-    type Cell = Cell;
-
     fn entry(&mut self, terms: &Terms) -> Result<Point> {
         if self.flow.is_empty() {
             self.flow = Rc::new(flow::flow(&self.image, &self.function)?);
@@ -125,10 +74,6 @@ impl Machine for Object {
             let mut cells = Cells::new();
             for register in (0..REGISTERS).filter(|&register| register != PC) {
                 cells.insert(Cell::Register(register), Word(anything()));
-            }
-            for number in 0..FLAG_COUNT {
-                cells.insert(Cell::Flag(false, number), Truth(anything()));
-                cells.insert(Cell::Flag(true, number), Truth(anything()));
             }
             let mut arguments = vec![Region::State];
             arguments.extend((!self.interface.memory.is_empty()).then_some(Region::Memory));
@@ -146,37 +91,10 @@ impl Machine for Object {
         Ok(Point { at: 0, cells: self.first.clone() })
     }
 
-    fn step(&mut self, terms: &Terms, at: usize, mut state: State<Cell>) -> Result<Followers<Cell>> {
+    fn step(&mut self, terms: &Terms, at: usize, state: State) -> Result<Followers> {
         let flow = self.flow.clone();
-        let node = &flow[at];
-        let operation = &node.instruction.operation;
-        let behind = node.address.at(node.instruction.behind());
-        let condition = self.here(terms, node, &mut state.cells).condition()?;
-        if operation.leaves() {
-            let mut ways = Vec::new();
-            if let Some(other) = state.under(terms, !condition) {
-                ways.push((other, Step::To(self.next(node, behind)?)));
-            }
-            let Some(mut taken) = state.under(terms, condition) else { return Ok(ways) };
-            for (held, target) in self.here(terms, node, &mut taken.cells).targets()? {
-                if let Some(mut state) = taken.under(terms, held) {
-                    let step = match target {
-                        Some(target) => Step::To(self.next(node, target)?),
-                        None => Step::Return(self.here(terms, node, &mut state.cells).answer()?),
-                    };
-                    ways.push((state, step));
-                }
-            }
-            return Ok(ways);
-        }
-        if condition == Terms::TRUE {
-            self.here(terms, node, &mut state.cells).execute()?;
-        } else if condition != Terms::FALSE {
-            let mut changed = state.cells.clone();
-            self.here(terms, node, &mut changed).execute()?;
-            state.cells = merged(terms, condition, &changed, &state.cells);
-        }
-        Ok(vec![(state, Step::To(self.next(node, behind)?))])
+        let here = Here { object: self, terms, node: &flow[at] };
+        here.step(state).map_err(|what| Missing::new(self.place(at), what))
     }
 
     fn meets(&self, at: usize) -> bool {
@@ -184,7 +102,7 @@ impl Machine for Object {
     }
 
     /// Cuts outside of calls, where no integer is a choice of others than constants.
-    fn cut(&mut self, terms: &Terms, at: usize, state: &mut State<Cell>) -> Option<Vec<(Bool, Point)>> {
+    fn cut(&mut self, terms: &Terms, at: usize, state: &mut State) -> Option<Vec<(Bool, Point)>> {
         let live = self.flow[at].live;
         let top = match state.cells.get(&Cell::Register(SP)) {
             Some(&Word(top)) => self.located(terms, top).filter(|(region, _)| *region == Stack),
@@ -193,15 +111,16 @@ impl Machine for Object {
         // What is not read any more is forgotten, as is what is below the stack pointer; offsets are negative.
         state.cells.retain(|cell, _| match *cell {
             Cell::Register(register) => live >> register & 1 == 1,
-            Cell::Flag(floats, _) => live & if floats { FLOAT_FLAGS } else { FLAGS } != 0,
             Cell::Memory(Stack, offset, _) => top.is_none_or(|(_, top)| offset as i32 >= top as i32),
-            Cell::Memory(..) => true,
+            _ => true,
         });
-        let known = |value: &Value| match *value {
-            Word(word) => !matches!(terms.of_word(word), Term::WordIf(..)) || terms.numbers(word).is_some(),
+        let known = |(cell, value): (&Cell, &Value)| match (cell, *value) {
+            (Cell::Register(..FLAGS) | Cell::Memory(..), Word(word)) => {
+                !matches!(terms.of_word(word), Term::WordIf(..)) || terms.numbers(word).is_some()
+            }
             _ => true,
         };
-        let cuts = self.flow[at].callers.is_empty() && self.flow[at].begins && state.cells.values().all(known);
+        let cuts = self.flow[at].callers.is_empty() && self.flow[at].begins && state.cells.iter().all(known);
         cuts.then(|| state.points(terms, at))
     }
 
@@ -211,73 +130,129 @@ impl Machine for Object {
 }
 
 impl Here<'_> {
-    /// Returns what holds where the instruction is executed.
-    fn condition(&self) -> Result<Bool> {
-        match self.node.instruction.operation {
-            BranchIf { register, zero, .. } => {
-                let same = self.terms.same(Width::W32, self.word(register)?, self.terms.number(0));
-                Ok(if zero { same } else { !same })
+    fn step(&self, mut state: State) -> Found<Followers> {
+        let (terms, next) = (self.terms, &self.node.next);
+        let condition = match &self.node.instruction.condition {
+            Some(condition) => holds(terms, self.value(condition, &state.cells)?),
+            None => Terms::TRUE,
+        };
+        let Some(jump) = &self.node.instruction.jump else {
+            if condition == Terms::TRUE {
+                self.execute(&mut state.cells)?;
+            } else if condition != Terms::FALSE {
+                let mut changed = state.cells.clone();
+                self.execute(&mut changed)?;
+                state.cells = merged(terms, condition, &changed, &state.cells);
             }
-            _ => self.flag(self.node.instruction.condition),
+            return Ok(vec![(state, Step::To(next[0]))]);
+        };
+        let mut ways = Vec::new();
+        if let Some(other) = state.under(terms, !condition) {
+            ways.push((other, Step::To(next[0])));
         }
+        let Some(mut taken) = state.under(terms, condition) else { return Ok(ways) };
+        let targets = match jump {
+            Exit::Computed(target, _) => {
+                let target = self.value(target, &taken.cells)?.bits(terms);
+                terms.word_cases(target).into_iter().map(|(held, target)| (held, Some(target))).collect()
+            }
+            _ => vec![(Terms::TRUE, None)],
+        };
+        self.execute(&mut taken.cells)?;
+        for (held, target) in targets {
+            let Some(state) = taken.under(terms, held) else { continue };
+            let step = match (target, jump) {
+                (Some(target), Exit::Computed(_, None)) => self.returned(target, &state.cells)?,
+                (Some(target), _) => Step::To(self.found(target)?),
+                (None, _) => Step::To(next[next.len() - 1]),
+            };
+            ways.push((state, step));
+        }
+        Ok(ways)
     }
 
-    /// Executes a branch, call or return: where it goes, and what must hold for that.
-    fn targets(&mut self) -> Result<Vec<(Bool, Target)>> {
-        let place = self.node.address;
-        let by_table = |index, table: &dyn Fn(TermWord) -> Option<Address>| {
-            let targets = self.terms.word_cases(index, |_| false).into_iter().map(|(held, index)| {
-                let target = table(index).ok_or_else(|| self.refusal("a jump by an unknown table"))?;
-                Ok((held, Some(target)))
-            });
-            targets.collect()
+    /// The place of an address from a table.
+    fn found(&self, target: TermWord) -> Found<usize> {
+        let Some((Region::Section(section), offset)) = self.object.located(self.terms, target) else {
+            return Err("a jump by a table that is known");
         };
-        match self.node.instruction.operation {
-            Branch { target } | BranchIf { target, .. } => Ok(vec![(Terms::TRUE, Some(place.at(target)))]),
-            Call { .. } => {
-                let callee = self.node.next.last().map(|&next| self.object.flow[next].address);
-                let back = self.object.base(self.terms, Region::Behind(place));
-                self.cells.insert(Cell::Register(LR), Word(back));
-                Ok(vec![(Terms::TRUE, callee)])
-            }
-            Exchange { register } => self.returned(self.register(register)?),
-            Transfer { place: at, .. } if matches!(at.offset, Offset::Register(..)) => {
-                by_table(self.addresses(at)?.0, &|entry| {
-                    let (Region::Section(section), offset) = self.object.located(self.terms, entry)? else {
-                        return None;
-                    };
-                    let target = self.object.image.pointer(Address { section, offset })?;
-                    Some(target.at(target.offset & !1))
-                })
-            }
-            Transfer { .. } => {
-                self.execute()?;
-                let target = self.register(PC)?;
-                self.cells.remove(&Cell::Register(PC));
-                self.returned(target)
-            }
-            Table { index, bytes, .. } => {
-                let behind = self.node.instruction.behind();
-                by_table(self.word(index)?, &|index| {
-                    let index = self.terms.number_of(index)? as u32;
-                    let entry = place.at(behind.wrapping_add(index.wrapping_mul(bytes.into())));
-                    Some(place.at(behind.wrapping_add(2 * self.object.image.number(entry, bytes)?)))
-                })
-            }
-            _ => self.refuse("no branch"),
-        }
+        let address = Address { section, offset: offset & !1 };
+        let found = self.node.next.iter().find(|&&next| self.object.flow[next].address == address);
+        found.copied().ok_or("a jump inside its table")
     }
 
     /// Returns to the caller, if an address is the one behind the call.
-    fn returned(&self, to: Value) -> Result<Vec<(Bool, Target)>> {
+    fn returned(&self, target: TermWord, cells: &Cells) -> Found<Step<usize>> {
         let caller = self.node.callers.last();
         let expected = match caller {
             Some(&(_, call)) => Word(self.object.base(self.terms, Region::Behind(call))),
             None => self.object.first[&Cell::Register(LR)],
         };
-        if to != expected {
-            return self.refuse("returns to another address");
+        if Word(target) != expected {
+            return Err("a return to the caller");
         }
-        Ok(vec![(Terms::TRUE, caller.map(|&(_, call)| behind_call(call)))])
+        Ok(match caller {
+            Some(_) => Step::To(self.node.next[self.node.next.len() - 1]),
+            None => Step::Return(self.answer(cells)?),
+        })
+    }
+
+    /// Sets what the instruction sets.
+    fn execute(&self, cells: &mut Cells) -> Found<()> {
+        let mut values = Vec::new();
+        for (place, expression) in &self.node.instruction.sets {
+            let value = match *place {
+                // what is not read or not known of flags is forgotten
+                Place::Register(flag @ FLAGS..) => {
+                    let is_read = |&next: &usize| self.object.flow[next].live >> flag & 1 == 1;
+                    let is_read = self.node.next.iter().any(is_read);
+                    if is_read { self.value(expression, cells).ok() } else { None }
+                }
+                _ => Some(self.value(expression, cells)?),
+            };
+            let address = match place {
+                Place::Memory(address, _) => Some(self.value(address, cells)?.bits(self.terms)),
+                Place::Register(_) => None,
+            };
+            values.push((place, address, value));
+        }
+        for (place, address, value) in values {
+            match (place, address, value) {
+                (&Place::Memory(_, bytes), Some(address), Some(value)) => self.store(cells, address, bytes, value)?,
+                (&Place::Register(register), _, Some(value)) => {
+                    cells.insert(Cell::Register(register), value);
+                }
+                (&Place::Register(register), ..) => {
+                    cells.remove(&Cell::Register(register));
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn value(&self, expression: &Expression, cells: &Cells) -> Found<Value> {
+        code::value(self.terms, expression, &|name, values| match (name, values) {
+            (Computed::Register(register), _) => {
+                cells.get(&Cell::Register(register)).copied().ok_or("a register that is known")
+            }
+            (Computed::Base(region), _) => Ok(Word(self.object.base(self.terms, region))),
+            (Computed::Loaded(bytes), &[address]) => code::loaded(self.terms, address.bits(self.terms), &|address| {
+                let place = self.object.located(self.terms, address);
+                let value = place.and_then(|(region, offset)| self.load_at(region, offset, bytes, cells));
+                value.ok_or("a place to load from that is known")
+            }),
+            (Computed::Completed(address), &[lower])
+                if lower == Word(self.object.base(self.terms, Region::Half(address))) =>
+            {
+                Ok(self.section(address))
+            }
+            _ => Err("a value that is known"),
+        })
+    }
+
+    fn section(&self, Address { section, offset }: Address) -> Value {
+        let base = self.object.base(self.terms, Region::Section(section));
+        Word(self.terms.apply(Operator::Add, Width::W32, base, self.terms.number(offset.into())))
     }
 }

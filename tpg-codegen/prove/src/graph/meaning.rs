@@ -13,14 +13,13 @@ pub struct Meaning<'g> {
     maths: Maths,
     programs: HashMap<usize, Float>,
     teams: HashMap<usize, Vec<(Bool, Destination)>>,
-    leaves: HashMap<usize, Vec<Float>>,
 }
 
 impl<'g> Meaning<'g> {
     /// The meaning of a graph; terms are made when they are asked for.
     #[must_use]
     pub fn new(graph: &'g Graph) -> Self {
-        Self { graph, maths: Maths::default(), programs: HashMap::new(), teams: HashMap::new(), leaves: HashMap::new() }
+        Self { graph, maths: Maths::default(), programs: HashMap::new(), teams: HashMap::new() }
     }
 
     /// The result of a program: its lines in order, on registers that are zero at first.
@@ -101,16 +100,12 @@ impl<'g> Meaning<'g> {
     /// # Errors
     /// A word without a meaning.
     pub fn values(&mut self, terms: &Terms, leaf: usize) -> Result<Vec<Float>> {
-        if let Some(known) = self.leaves.get(&leaf) {
-            return Ok(known.clone());
-        }
         let mut values = Vec::new();
         for (&program, &limits) in self.graph.leaves[leaf].iter().zip(&self.graph.limits) {
             let value = self.program(terms, program)?;
             let limits = limits.map(|limit| terms.constant(limit));
             values.push(terms.clamp(value, limits));
         }
-        self.leaves.insert(leaf, values.clone());
         Ok(values)
     }
 

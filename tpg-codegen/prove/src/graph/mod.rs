@@ -66,17 +66,19 @@ type ValueLimits = [f32; 3];
 #[derive(Clone, Debug)]
 pub struct Graph {
     interface: Interface,
-    ranges: Vec<[f32; 2]>,
+    /// The declared ranges of the sources, one for each value, and those of the memory after them
+    pub(crate) ranges: Vec<[f32; 2]>,
     registers: usize,
     /// Sine and the like are this project's own, not the platform's
     own_maths: bool,
     programs: Vec<Vec<GraphLine>>,
     teams: Vec<GraphTeam>,
     /// For each leaf its programs: of outputs, then of memory
-    leaves: Vec<Vec<usize>>,
+    pub(crate) leaves: Vec<Vec<usize>>,
     /// Of outputs, then of memory
     limits: Vec<ValueLimits>,
-    start: Destination,
+    /// The first team, or the only leaf
+    pub(crate) start: Destination,
 }
 
 impl Graph {
@@ -84,18 +86,6 @@ impl Graph {
     #[must_use]
     pub fn interface(&self) -> &Interface {
         &self.interface
-    }
-
-    /// The declared ranges of the sources, one for each value, and those of the memory after them.
-    #[must_use]
-    pub fn ranges(&self) -> &[[f32; 2]] {
-        &self.ranges
-    }
-
-    /// The first team, or the only leaf.
-    #[must_use]
-    pub fn start(&self) -> Destination {
-        self.start
     }
 
     /// The numbers that programs name.
@@ -107,12 +97,6 @@ impl Graph {
             _ => None,
         });
         constants.collect()
-    }
-
-    /// The number of leaves.
-    #[must_use]
-    pub fn leaves(&self) -> usize {
-        self.leaves.len()
     }
 
     /// A destination by its id in the file, for people.

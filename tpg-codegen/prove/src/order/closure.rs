@@ -61,8 +61,21 @@ impl Closure {
             if constants.last() == Some(&INFINITY) {
                 order.link((at, constants.len() - 1, false));
             }
-            let root = relate(terms, &places, (at, element), &mut facts);
-            facts.extend(nan_alike(at, *roots.entry(root).or_insert(at)));
+            facts.extend(nan_alike(at, *roots.entry(nan_root(terms, element)).or_insert(at)));
+            let Node::Arithmetic(operation, a, b) = terms.of_float(element) else { continue };
+            let place = |operand: Float| places.get(&terms.zero_free(operand)).copied();
+            for (x, y) in [(a, b), (b, a)] {
+                let mirrored = place(terms.negate(terms.zero_free(y)));
+                facts.extend(place(y).into_iter().chain(mirrored).flat_map(|operand| nan_with(operand, at)));
+                if operation == Add
+                    && let (Some(zero), Some(x), Some(y)) = (place(terms.constant(0.0)), place(x), mirrored)
+                {
+                    // x - y > 0 exactly where x > y
+                    let (positive, number, above) = ((zero, at, true), (0, y, true), (y, x, true));
+                    facts.extend([alone(positive, number), alone(positive, above), (number, above, positive)]);
+                    facts.push(alone((x, y, false), (at, zero, false)));
+                }
+            }
         }
         order.facts = facts.into();
         order.propagate().then_some(order)
@@ -145,43 +158,17 @@ fn nan_alike(a: usize, b: usize) -> impl Iterator<Item = Implication> {
     nan_with(a, b).into_iter().chain(nan_with(b, a))
 }
 
-/// Learns how an operation's result depends on its operands. Returns what is NaN exactly where the result is.
-fn relate(
-    terms: &Terms,
-    places: &HashMap<Float, usize>,
-    (at, element): (usize, Float),
-    facts: &mut Vec<Implication>,
-) -> Float {
-    let mut inner = element;
+/// What is NaN exactly where a term is.
+fn nan_root(terms: &Terms, mut term: Float) -> Float {
     loop {
-        let next = match terms.of_float(inner) {
-            Node::Negative(a) | Node::Magnitude(a) => a,
-            Node::Arithmetic(operation, a, b) => match nan_as(terms, operation, a, b) {
-                Some(other) => other,
-                None => break,
-            },
-            _ => break,
+        let inner = match terms.of_float(term) {
+            Node::Negative(a) | Node::Magnitude(a) => Some(a),
+            Node::Arithmetic(operation, a, b) => nan_as(terms, operation, a, b),
+            _ => None,
         };
-        inner = terms.zero_free(next);
-        facts.extend(places.get(&inner).into_iter().flat_map(|&other| nan_alike(at, other)));
+        let Some(inner) = inner else { return term };
+        term = terms.zero_free(inner);
     }
-    let Node::Arithmetic(operation, a, b) = terms.of_float(element) else { return inner };
-    let place = |operand| places.get(&operand).copied();
-    let [a, b] = [a, b].map(|operand| terms.zero_free(operand));
-    for (a, b) in [(a, b), (b, a)] {
-        let mirrored = terms.negate(b);
-        facts.extend([b, mirrored].into_iter().filter_map(place).flat_map(|operand| nan_with(operand, at)));
-        if operation == Add
-            && let (Some(zero), Some(x), Some(y)) = (place(terms.constant(0.0)), place(a), place(mirrored))
-        {
-            // x - y > 0 exactly where x > y
-            let (positive, number, above) = ((zero, at, true), (0, y, true), (y, x, true));
-            facts.extend([alone(positive, number), alone(positive, above), (number, above, positive)]);
-            facts.push((number, (at, zero, false), (x, y, false)));
-            facts.push(alone((x, y, false), (at, zero, false)));
-        }
-    }
-    inner
 }
 
 /// An operand that is NaN exactly where the result is.

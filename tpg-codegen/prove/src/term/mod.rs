@@ -319,12 +319,12 @@ impl Terms {
         leaves
     }
 
-    /// The nodes that a choice leads to, each with its condition, as far as the next one that is an end.
-    fn cases(&self, from: u32, is_end: impl Fn(u32) -> bool) -> Vec<(Bool, u32)> {
+    /// The nodes that a choice leads to, each with its condition.
+    fn cases(&self, from: u32) -> Vec<(Bool, u32)> {
         let mut found: Vec<(u32, Vec<Bool>)> = Vec::new();
         let mut open = vec![(from, Self::TRUE)];
         while let Some((node, held)) = open.pop() {
-            match self.sides(node).filter(|_| !is_end(node)) {
+            match self.sides(node) {
                 Some((condition, a, b)) => {
                     open.extend([(b, self.and(held, !condition)), (a, self.and(held, condition))]);
                 }
@@ -340,13 +340,12 @@ impl Terms {
 
     /// The values that a float is chosen from, each with its condition.
     pub(crate) fn float_cases(&self, float: Float) -> Vec<(Bool, Float)> {
-        self.cases(float.0, |_| false).into_iter().map(|(condition, node)| (condition, Float(node))).collect()
+        self.cases(float.0).into_iter().map(|(condition, node)| (condition, Float(node))).collect()
     }
 
-    /// The words that a choice leads to, as far as the next one that is an end.
-    pub(crate) fn word_cases(&self, word: Word, is_end: impl Fn(Word) -> bool) -> Vec<(Bool, Word)> {
-        let cases = self.cases(word.0, |node| is_end(Word(node)));
-        cases.into_iter().map(|(condition, node)| (condition, Word(node))).collect()
+    /// The words that a word is chosen from, each with its condition.
+    pub(crate) fn word_cases(&self, word: Word) -> Vec<(Bool, Word)> {
+        self.cases(word.0).into_iter().map(|(condition, node)| (condition, Word(node))).collect()
     }
 
     /// The two sides of a choice, each with its condition; the word alone if it is none.

@@ -1,7 +1,6 @@
 //! Declarations: types, names, functions, variables with their initial values.
 
-use super::{Compiler, Function, Lvalue, Operand, Type, number};
-use crate::c::code::Constant;
+use super::{Compiler, Function, Operand, Type, number};
 use crate::c::token::Token::{Name, Sign};
 use crate::input::Result;
 use Type::*;
@@ -25,23 +24,18 @@ impl Compiler<'_> {
     fn specifiers(&mut self) -> Result<(Type, String)> {
         let (mut ty, mut storage) = (None, String::new());
         while let Name(word) = self.peek().clone() {
-            if word == "struct" {
-                self.next();
-                ty = Some(self.structure()?);
-                continue;
-            }
-            if word == "enum" {
-                self.next();
-                ty = Some(self.enumeration()?);
-                continue;
-            }
             match self.types.get(&word) {
                 Some(known) if ty.is_none() => ty = Some(known.clone()),
                 _ if is_one(STORAGE, &word) => storage.clone_from(&word),
-                _ if is_one(QUALIFIERS, &word) => {}
+                _ if is_one("struct enum", &word) || is_one(QUALIFIERS, &word) => {}
                 _ => break,
             }
             self.next();
+            match word.as_str() {
+                "struct" => ty = Some(self.structure()?),
+                "enum" => ty = Some(self.enumeration()?),
+                _ => {}
+            }
         }
         match ty {
             Some(ty) => Ok((ty, storage)),
@@ -93,9 +87,9 @@ impl Compiler<'_> {
         let value = self.conditional()?;
         match self.value(value)? {
             (value, Integer(bytes, signed)) => match self.constant_of(&value) {
-                Some(Constant::Number(number)) if signed && bytes < 8 => Ok(i64::from(number as u32 as i32)),
-                Some(Constant::Number(number)) => Ok(number as i64),
-                _ => self.refuse("a constant"),
+                Some(number) if signed && bytes < 8 => Ok(i64::from(number as u32 as i32)),
+                Some(number) => Ok(number as i64),
+                None => self.refuse("a constant"),
             },
             _ => self.refuse("a constant"),
         }
@@ -170,14 +164,8 @@ impl Compiler<'_> {
         self.list(";", variable).map(|_| ())
     }
 
-    /// Declares a variable, whose initial value may follow. A static one is set once, before everything.
+    /// Declares a variable, whose initial value may follow. A static one is a constant.
     fn variable(&mut self, name: String, mut ty: Type, is_static: bool) -> Result<()> {
-        let at = self.at;
-        if let Some((place, end)) = self.statics.get(&at).cloned() {
-            self.at = end;
-            self.bind(name, place);
-            return Ok(());
-        }
         let mut parts = Vec::new();
         let has_value = self.accept("=");
         if has_value {
@@ -191,19 +179,18 @@ impl Compiler<'_> {
         }
         if is_static {
             let place = self.fixed(ty, parts)?;
-            self.statics.insert(at, (place.clone(), self.at));
             self.bind(name, place);
             return Ok(());
         }
-        let place = Lvalue { address: self.allocate(&ty), ty };
-        if has_value && parts.iter().map(|(_, ty, _)| self.cells(ty)).sum::<u32>() != self.cells(&place.ty) {
+        let address = self.allocate(&ty);
+        if has_value && parts.iter().map(|(_, ty, _)| self.cells(ty)).sum::<u32>() != self.cells(&ty) {
             return self.refuse("an initialiser for each part");
         }
         for (offset, ty, item) in parts {
             let value = self.value(item)?;
-            self.put(number(place.address + offset), value, &ty)?;
+            self.put(number(address + offset), value, &ty)?;
         }
-        self.bind(name, place);
+        self.bind(name, (number(address), ty));
         Ok(())
     }
 

@@ -1,8 +1,9 @@
 //! Expressions, by recursive descent. Their side effects are emitted where they are read.
 
 use super::{Compiler, Operand, Type, Typed, apply, number, width};
-use crate::c::code::{Computed, Constant, Expression, Operation, of};
+use crate::c::code::Operation;
 use crate::c::token::Token;
+use crate::code::{Computed, Expression, of};
 use crate::input::Result;
 use crate::term::{Operator::*, Width};
 use Operand::*;
@@ -47,22 +48,20 @@ impl Compiler<'_> {
     }
 
     pub(super) fn assignment(&mut self) -> Result<Operand> {
-        const COMPOUND: [&str; 10] = ["+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="];
         let target = self.conditional()?;
         let Token::Sign(sign) = *self.peek() else { return Ok(target) };
-        if sign != "=" && !COMPOUND.contains(&sign) {
+        let Some(operator) = sign.strip_suffix('=').filter(|operator| !["=", "<", ">", "!"].contains(operator)) else {
             return Ok(target);
-        }
+        };
         self.next();
         let (address, ty) = self.place(target)?;
         let value = self.assignment()?;
-        if sign == "=" {
-            let value = self.value(value)?;
+        let value = self.value(value)?;
+        if operator.is_empty() {
             self.put(address.clone(), value, &ty)?;
             return Ok(Place(address, ty));
         }
-        let value = self.value(value)?;
-        self.changed(address, ty, &sign[..sign.len() - 1], value)
+        self.changed(address, ty, operator, value)
     }
 
     pub(super) fn assigned(&mut self) -> Result<Typed> {
@@ -263,11 +262,9 @@ impl Compiler<'_> {
     fn primary(&mut self) -> Result<Operand> {
         let (value, ty) = match self.next() {
             Token::Number(text) => self.number(&text)?,
-            Token::Name(name) if name == "__infinity" => (Expression::Float(f32::INFINITY.to_bits()), Float),
-            Token::Name(name) if name == "__nan" => (Expression::Float(f32::NAN.to_bits()), Float),
             Token::Name(name) if self.accept("(") => return self.call(&name),
             Token::Name(name) => match (self.find(&name), self.constants.get(&name)) {
-                (Some(place), _) => return Ok(Place(number(place.address), place.ty.clone())),
+                (Some((address, ty)), _) => return Ok(Place(address.clone(), ty.clone())),
                 (None, Some(&value)) => (number(value as u32), Type::INT),
                 (None, None) => return self.refuse(format!("the name `{name}`")),
             },
@@ -291,24 +288,24 @@ impl Compiler<'_> {
             return Ok(Operand::Value(of(Computed::Magnitude, [value]), Float));
         };
         Ok(match self.inlined(&function, arguments)? {
-            Some(place) => Place(number(place.address), place.ty),
+            Some((address, ty)) => Place(address, ty),
             None => Operand::Value(number(0), Void),
         })
     }
 
-    /// `memcpy` of whole scalars; a cell holds its bits, whatever it is read as.
+    /// `memcpy` of whole scalars of 4 bytes.
     fn copy(&mut self, arguments: Vec<Typed>) -> Result<Operand> {
         let [(to, Pointer(to_type)), (from, Pointer(from_type)), (size, _)] = &arguments[..] else {
             return self.refuse("memcpy of two pointers and a size");
         };
-        let Some(Constant::Number(size)) = self.constant_of(size) else { return self.refuse("a constant size") };
-        let widths = [to_type, from_type].map(|ty| self.scalar_bytes(ty));
-        let [Some(width), Some(other)] = widths else { return self.refuse("memcpy of mixed scalars") };
-        if width != other || size % u64::from(width) != 0 {
-            return self.refuse("memcpy of scalars of one size");
+        let size = self.constant_of(size).filter(|size| size % 4 == 0);
+        let (Some(size), Some(is_float), Some(_)) = (size, self.words(to_type), self.words(from_type)) else {
+            return self.refuse("memcpy of scalars of 4 bytes");
+        };
+        for at in 0..size / 4 {
+            let cell = |address: &Expression| of(Computed::Moved, [address.clone(), Expression::Number(at)]);
+            self.emit(Operation::Set(cell(to), of(Computed::Loaded(4), [cell(from)]), is_float));
         }
-        let count = u32::try_from(size / u64::from(width)).map_err(|_| self.missing("a smaller memcpy"))?;
-        self.emit(Operation::Copy(to.clone(), from.clone(), count));
         Ok(Operand::Value(number(0), Void))
     }
 

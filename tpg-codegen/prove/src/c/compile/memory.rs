@@ -1,7 +1,7 @@
 //! Cells of variables, and constants in them.
 
-use super::{Compiler, Lvalue, Operand, Type};
-use crate::c::code::{CONSTANTS, Constant, Object};
+use super::{Compiler, Operand, Type, Typed, number};
+use crate::c::code::{CONSTANTS, Object};
 use crate::input::Result;
 use Type::*;
 
@@ -23,21 +23,19 @@ impl Compiler<'_> {
     pub(super) fn bytes(&self, ty: &Type) -> u32 {
         self.size(ty, |ty| match ty {
             Integer(bytes, _) => u32::from(*bytes),
-
             _ => 4,
         })
     }
 
-    /// The bytes of each scalar in a type, if all have the same.
-    pub(super) fn scalar_bytes(&self, ty: &Type) -> Option<u32> {
+    /// Tests whether all scalars in a type are floats; nothing if some are neither that nor integers of 4 bytes.
+    pub(super) fn words(&self, ty: &Type) -> Option<bool> {
         match ty {
-            Integer(bytes, _) => Some(u32::from(*bytes)),
-            Float => Some(4),
-            Array(ty, _) => self.scalar_bytes(ty),
+            Float => Some(true),
+            Integer(4, _) => Some(false),
+            Array(ty, _) => self.words(ty),
             Struct(number) => {
-                let mut sizes = self.structs[*number].iter().map(|(_, ty)| self.scalar_bytes(ty));
-                let first = sizes.next()??;
-                sizes.all(|size| size == Some(first)).then_some(first)
+                let floats = self.structs[*number].iter().all(|(_, ty)| self.words(ty) == Some(true));
+                floats.then_some(true)
             }
             _ => None,
         }
@@ -52,15 +50,10 @@ impl Compiler<'_> {
     }
 
     /// Makes a variable of constants.
-    pub(super) fn fixed(&mut self, ty: Type, parts: Vec<(u32, Type, Operand)>) -> Result<Lvalue> {
+    pub(super) fn fixed(&mut self, ty: Type, parts: Vec<(u32, Type, Operand)>) -> Result<Typed> {
         let offset = self.program.constants.len();
         let address = CONSTANTS + u32::try_from(offset).map_err(|_| self.missing("smaller tables"))?;
-        let mut scalar = &ty;
-        while let Array(inner, _) = scalar {
-            scalar = inner;
-        }
-        let fill = if *scalar == Float { Constant::Float(0) } else { Constant::Number(0) };
-        let mut cells = vec![fill; self.cells(&ty) as usize];
+        let mut cells = vec![0; self.cells(&ty) as usize];
         for (offset, ty, item) in parts {
             let value = self.value(item)?;
             let value = self.converted(value, &ty)?;
@@ -68,16 +61,16 @@ impl Compiler<'_> {
         }
         self.program.constants.extend(cells);
         self.program.objects.push(Object { start: address, end: address + self.cells(&ty).max(1), array: true });
-        Ok(Lvalue { address, ty })
+        Ok((number(address), ty))
     }
 
-    pub(super) fn bind(&mut self, name: String, place: Lvalue) {
+    pub(super) fn bind(&mut self, name: String, place: Typed) {
         if let Some(names) = self.names.last_mut() {
             names.insert(name, place);
         }
     }
 
-    pub(super) fn find(&self, name: &str) -> Option<&Lvalue> {
+    pub(super) fn find(&self, name: &str) -> Option<&Typed> {
         self.names.iter().rev().find_map(|names| names.get(name))
     }
 }

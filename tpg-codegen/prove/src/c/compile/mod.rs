@@ -6,12 +6,12 @@ mod memory;
 mod operation;
 mod statement;
 
-use super::code::{Computed, Constant, Expression, Operation, Program, of};
+use super::code::{Operation, Program};
 use super::token::{Placed, Token};
 use super::value::Here;
+use crate::code::{Computed, Expression, number, of};
 use crate::input::{Missing, Result};
-use crate::machine::Interface;
-use crate::machine::{Cells, Value};
+use crate::machine::{Cells, Interface, Value};
 use crate::term::{Operator, Terms, Width};
 use Operation::*;
 use Token::{End, Name, Sign};
@@ -49,12 +49,6 @@ pub(super) struct Function {
     body: usize,
 }
 
-#[derive(Clone)]
-struct Lvalue {
-    address: u32,
-    ty: Type,
-}
-
 /// A loop or switch around a `break`.
 #[derive(Default)]
 struct JumpTarget {
@@ -70,7 +64,8 @@ struct CallFrame {
     labels: HashMap<String, (usize, Vec<usize>)>,
     gotos: Vec<(usize, String, Vec<usize>)>,
     returns: Vec<usize>,
-    result: Option<Lvalue>,
+    /// Its address
+    result: Option<Typed>,
     scopes: usize,
     targets: Vec<JumpTarget>,
 }
@@ -97,16 +92,11 @@ pub(super) struct Compiler<'t> {
     /// Members of enumerations
     constants: HashMap<String, i64>,
     program: Program,
-    names: Vec<HashMap<String, Lvalue>>,
+    /// Addresses of variables
+    names: Vec<HashMap<String, Typed>>,
     scopes: Vec<usize>,
     frame: CallFrame,
     calls: Vec<Rc<Function>>,
-    /// By the token behind the name: the variable, and the token behind its initialiser
-    statics: HashMap<usize, (Lvalue, usize)>,
-}
-
-fn number(number: u32) -> Expression {
-    Expression::Number(u64::from(number))
 }
 
 fn apply(operator: Operator, width: Width, a: Expression, b: Expression) -> Expression {
@@ -149,7 +139,6 @@ impl<'t> Compiler<'t> {
             scopes: Vec::new(),
             frame: CallFrame::default(),
             calls: Vec::new(),
-            statics: HashMap::new(),
         }
     }
 
@@ -160,12 +149,6 @@ impl<'t> Compiler<'t> {
             compiler.external()?;
         }
         Ok(compiler)
-    }
-
-    fn finished(mut self) -> Program {
-        self.emit(Return);
-        self.program.objects.sort_by_key(|object| object.start);
-        self.program
     }
 
     /// Compiles a function that has the interface of a policy.
@@ -196,19 +179,13 @@ impl<'t> Compiler<'t> {
             return self.refuse(format!("another result of `{name}`"));
         }
         self.program.inputs = state.chain(memory.clone()).collect();
-        self.program.answers = outputs.chain(memory).chain(result.map(|place| place.address)).collect();
-        Ok(self.finished())
-    }
-
-    /// Compiles a function of one float.
-    pub(super) fn of_float(mut self, name: &str) -> Result<Program> {
-        let argument = self.allocate(&Float);
-        self.program.inputs = vec![argument];
-        let argument = self.loaded(number(argument), Float)?;
-        let called = self.function(name)?;
-        let result = self.inlined(&called, vec![argument])?;
-        self.program.answers = result.map(|place| place.address).into_iter().collect();
-        Ok(self.finished())
+        self.program.answers = outputs.chain(memory).collect();
+        if let Some((Expression::Number(address), _)) = result {
+            self.program.answers.push(address as u32);
+        }
+        self.emit(Return);
+        self.program.objects.sort_by_key(|object| object.start);
+        Ok(self.program)
     }
 
     /// Checks that a structure holds floats with these names, in this order; underscores may follow a name.
@@ -233,7 +210,7 @@ impl<'t> Compiler<'t> {
     }
 
     /// Inlines a call. The result's place, if it has one.
-    fn inlined(&mut self, function: &Rc<Function>, arguments: Vec<Typed>) -> Result<Option<Lvalue>> {
+    fn inlined(&mut self, function: &Rc<Function>, arguments: Vec<Typed>) -> Result<Option<Typed>> {
         if self.calls.iter().any(|call| call.name == function.name) {
             return self.refuse(format!("`{}` calls itself", function.name));
         }
@@ -241,16 +218,16 @@ impl<'t> Compiler<'t> {
             return self.refuse(format!("arguments of `{}`", function.name));
         }
         let back = (self.at, self.line);
-        let result = (function.result != Void)
-            .then(|| Lvalue { address: self.allocate(&function.result), ty: function.result.clone() });
+        let result =
+            (function.result != Void).then(|| (number(self.allocate(&function.result)), function.result.clone()));
         let outside = std::mem::take(&mut self.names);
         self.names.push(outside[0].clone());
         let scopes = self.scopes.len();
         self.enter();
         for (value, (name, ty)) in arguments.into_iter().zip(&function.parameters) {
-            let place = Lvalue { address: self.allocate(ty), ty: ty.clone() };
-            self.put(number(place.address), value, ty)?;
-            self.bind(name.clone(), place);
+            let address = number(self.allocate(ty));
+            self.put(address.clone(), value, ty)?;
+            self.bind(name.clone(), (address, ty.clone()));
         }
         self.calls.push(function.clone());
         let frame = CallFrame { result: result.clone(), scopes, ..CallFrame::default() };
@@ -332,21 +309,18 @@ impl<'t> Compiler<'t> {
     fn put(&mut self, address: Expression, value: Typed, ty: &Type) -> Result<()> {
         let value = self.converted(value, ty)?;
         self.scalar(ty)?;
-        self.emit(Set(address, value));
+        self.emit(Set(address, value, *ty == Float));
         Ok(())
     }
 
     fn loaded(&self, address: Expression, ty: Type) -> Result<Typed> {
-        Ok((of(self.scalar(&ty)?, [address]), ty))
+        self.scalar(&ty)?;
+        Ok((of(Computed::Loaded(4), [address]), ty))
     }
 
-    /// The way in which a scalar is read.
-    fn scalar(&self, ty: &Type) -> Result<Computed> {
-        match ty {
-            Float => Ok(Computed::LoadedFloat),
-            Integer(..) | Pointer(_) => Ok(Computed::LoadedWord),
-            _ => self.refuse("a scalar"),
-        }
+    /// Refuses what is no scalar.
+    fn scalar(&self, ty: &Type) -> Result<()> {
+        if matches!(ty, Float | Integer(..) | Pointer(_)) { Ok(()) } else { self.refuse("a scalar") }
     }
 
     fn peek(&self) -> &Token {
@@ -432,14 +406,13 @@ fn width(ty: &Type) -> Width {
 }
 
 impl Compiler<'_> {
-    /// The constant that a value is.
-    fn constant_of(&self, value: &Expression) -> Option<Constant> {
+    /// The constant that a value is: a number, or the bits of a float.
+    fn constant_of(&self, value: &Expression) -> Option<u64> {
         let (terms, cells) = (Terms::new(), Cells::new());
         let here = Here { program: &self.program, terms: &terms, cells: &cells, defines: false };
         match here.value(value).ok()? {
-            Value::Float(float) => terms.bits_of(float).map(Constant::Float),
-            Value::Word(word) => terms.number_of(word).map(Constant::Number),
-            _ => None,
+            Value::Float(float) => terms.bits_of(float).map(u64::from),
+            Value::Word(word) => terms.number_of(word),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Operators on values, and conversions.
 
 use super::{Compiler, Type, Typed, apply, width};
-use crate::c::code::{Computed, Expression, of};
+use crate::code::{Computed, Expression, of};
 use crate::input::Result;
 use crate::term::{Arithmetic, Operator::*, Terms};
 use Computed::{Below, Compared, Same};
@@ -48,6 +48,8 @@ impl Compiler<'_> {
             return Ok((of(Computed::Arithmetic(operation), [a, b]), ty));
         }
         let Integer(_, signed) = ty else { return self.refuse(format!("`{sign}` of this type")) };
+        // shifts by the width or more have no meaning
+        let b = if shifts { of(Computed::Bounded(width(&ty).bits()), [b]) } else { b };
         let operator = match sign {
             "+" => Add,
             "-" => Subtract,

@@ -1,8 +1,9 @@
 //! Statements: declarations, branches, loops, switches.
 
 use super::{Compiler, JumpTarget, Type, number};
-use crate::c::code::{Computed, Expression, Operation, of};
+use crate::c::code::Operation;
 use crate::c::token::Token::{Name, Sign};
+use crate::code::{Computed, Expression, of};
 use crate::input::Result;
 use crate::term::Width;
 
@@ -67,7 +68,6 @@ impl Compiler<'_> {
                 self.frame.targets.last_mut().into_iter().for_each(|target| target.breaks.push(jump));
                 self.expect(";")
             }
-            "while" | "do" | "continue" => self.refuse(format!("a loop without `{word}`")),
             "goto" => {
                 let label = self.name()?;
                 let jump = self.emit(Operation::Jump(usize::MAX, Vec::new()));
@@ -76,9 +76,11 @@ impl Compiler<'_> {
             }
             "return" => {
                 if *self.peek() != Sign(";") {
-                    let Some(place) = self.frame.result.clone() else { return self.refuse("a function with a result") };
+                    let Some((address, ty)) = self.frame.result.clone() else {
+                        return self.refuse("a function with a result");
+                    };
                     let value = self.assigned()?;
-                    self.put(number(place.address), value, &place.ty)?;
+                    self.put(address, value, &ty)?;
                 }
                 let jump = self.jump(self.frame.scopes);
                 self.frame.returns.push(jump);
