@@ -32,8 +32,7 @@ Examples:
 
 pub(super) const CONVERT: &str = "\
 Examples:
-  tpg-codegen convert policy.dot --sidecar policy.toml graph.json
-  tpg-codegen convert graph.json policy.dot";
+  tpg-codegen convert policy.dot --sidecar policy.toml graph.json";
 
 pub(super) const POLICY: &str = "\
 Examples:
