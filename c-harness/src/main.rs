@@ -1,4 +1,4 @@
-//! The firmwares, checked: `cargo xtask qemu` and `cargo xtask size` run this.
+//! The firmwares, checked: `cargo xtask qemu`, `cores` and `lint` run this.
 //!
 //! | module | subject |
 //! | --- | --- |
@@ -75,7 +75,7 @@ struct HarnessCli {
 
 #[derive(Debug, Subcommand)]
 enum Check {
-    /// Trajectories, instructions and stack of the firmwares
+    /// Flash, RAM, trajectories, instructions and stack of the firmwares
     Qemu {
         /// Write costs.toml instead of comparing with it
         #[arg(long)]
@@ -90,8 +90,6 @@ enum Check {
         #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
         only: String,
     },
-    /// Flash and RAM of the control loop
-    Size,
     /// clang-tidy, and cppcheck with its MISRA addon, on the firmwares' and the example's C
     Lint,
 }
@@ -100,7 +98,6 @@ fn main() -> ExitCode {
     let result = match HarnessCli::parse().command {
         Check::Qemu { update } => qemu(update),
         Check::Cores { update, only } => cores::check(update, &only),
-        Check::Size => size::check(),
         Check::Lint => lint::sees_what_is_bad().and_then(|()| lint::check()),
     };
     match result {
@@ -113,6 +110,7 @@ fn main() -> ExitCode {
 }
 
 fn qemu(update: bool) -> Result<(), Failure> {
+    size::check()?;
     if !tpg_testing::tool("qemu-system-arm", "qemu-system-arm", "the firmwares under QEMU") {
         return Ok(());
     }

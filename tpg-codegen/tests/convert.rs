@@ -36,15 +36,21 @@ fn refused(command: &mut Command) -> String {
 }
 
 #[test]
-fn json_to_dot_and_back() {
-    let (folder, graph) = folder();
-    let mut tool = tool();
-    tool.current_dir(&folder).args(["convert", "x.json", "y.dot"]).assert().success().stdout("");
-    assert_eq!(names(folder.path()), ["x.json", "y.dot", "y.toml"]);
-    let back = ["convert", "y.dot", "--sidecar", "y.toml"];
-    self::tool().current_dir(&folder).args(back).arg("z.json").assert().success();
-    assert_eq!(fs::read_to_string(folder.path().join("z.json")).expect("z.json"), graph.to_json());
-    self::tool().current_dir(&folder).args(back).arg("-").assert().success().stdout(graph.to_json());
+fn dot_to_json() {
+    let (folder, _) = folder();
+    for (name, original) in [("pole", "../generated/cartpole/graph.json"), ("swing", "tests/fixtures/swing_up.json")] {
+        let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures");
+        let mut convert = tool();
+        convert.current_dir(&folder).arg("convert").arg(fixtures.join(format!("{name}.dot")));
+        convert.arg("--sidecar").arg(fixtures.join(format!("{name}.toml"))).arg("z.json").assert().success().stdout("");
+        let read = |path: &Path| Graph::from_json("x", &fs::read_to_string(path).expect("a graph")).expect("valid");
+        let original = read(&Path::new(env!("CARGO_MANIFEST_DIR")).join(original));
+        let found = read(&folder.path().join("z.json"));
+        assert_eq!(found.teams(), original.teams(), "{name}");
+        assert_eq!(found.programs(), original.programs(), "{name}");
+        assert_eq!(found.leaves(), original.leaves(), "{name}");
+        assert_eq!(found.sources(), original.sources(), "{name}");
+    }
 }
 
 #[test]
@@ -75,9 +81,7 @@ fn bad_input_writes_nothing() {
         (&["convert", "bad.dot", "--profile-of", "ecta24", "out.json"], "bad.dot: line 2: the file ends"),
         (&["convert", "bad.dot", "--sidecar", "missing.toml", "out.json"], "missing.toml: No such file"),
         (&["convert", "x.json", "--profile-of", "ecta24", "out.json"], "x.json: a graph.json with"),
-        (&["convert", "x.json", "out.txt"], "out.txt: an output whose name"),
         (&["convert", "x.json", "no/folder/out.json"], "no/folder/out.json: No such file"),
-        (&["convert", "x.json", "no/folder/out.dot"], "no/folder/out.dot: No such file"),
         (&["convert", "x.json", "x.json/out.json"], "x.json/out.json: Not a directory"),
         (&["generate", "bad.json", "-o", "out"], "bad.json: line "),
         (&["verify", "bad.json"], "bad.json: line "),
@@ -95,7 +99,7 @@ fn a_full_disk_leaves_no_half_file() {
     let (folder, _) = folder();
     fs::write(folder.path().join("old.json"), "old").expect("written");
     let before = names(folder.path());
-    for args in [["convert", "x.json", "old.json"], ["convert", "x.json", "new.dot"], ["generate", "x.json", "-o."]] {
+    for args in [["convert", "x.json", "old.json"], ["convert", "x.json", "new.json"], ["generate", "x.json", "-o."]] {
         let mut shell = Command::new("sh");
         // Without the trap the system ends a program that writes too much, where a full disk is only an error.
         shell.args(["-c", "trap '' XFSZ; ulimit -f 1; exec \"$@\"", "sh"]);

@@ -4,10 +4,8 @@ use assert_cmd::Command;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
-use tpg_graph::import::Sidecar;
-use tpg_graph::sample::{self, Shape};
-use tpg_graph::{Graph, Word, export, interpret, states};
-use tpg_runtime::ops::Instruction;
+use tpg_graph::import::{self, Sidecar};
+use tpg_graph::{Graph, interpret, states};
 
 const STATES: usize = 200;
 
@@ -38,15 +36,14 @@ fn verify(folder: &Path, sidecar: &str, options: &[&str]) -> (Option<i32>, Strin
 
 #[test]
 fn a_wrong_sidecar_is_found() {
-    let words = [Instruction::Sub, Instruction::Add, Instruction::Mul].map(Word::from).to_vec();
-    let shape = Shape { teams: 3, actions: 4, sources: vec![3, 2], instructions: words, ..Shape::default() };
-    let graph = sample::graph(&shape, 3);
+    let (text, sidecar) = (include_str!("fixtures/pole.dot"), include_str!("fixtures/pole.toml"));
+    let described = Sidecar::from_toml("x.toml", sidecar).expect("a sidecar");
+    let graph = import::from_text("x.dot", text, Some(&described)).expect("a graph");
     let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("x.dot"), export::dot::text(&graph).expect("no memory")).expect("written");
+    fs::write(folder.path().join("x.dot"), text).expect("written");
     fs::write(folder.path().join("x.csv"), recorded(&graph)).expect("written");
-    let sidecar = export::sidecar::text(&graph);
-    assert_eq!(verify(folder.path(), &sidecar, &[]), (Some(0), "interpreter = x.csv on 200 states".to_owned()));
-    assert_eq!(verify(folder.path(), &sidecar, &["--quiet"]), (Some(0), String::new()));
+    assert_eq!(verify(folder.path(), sidecar, &[]), (Some(0), "interpreter = x.csv on 200 states".to_owned()));
+    assert_eq!(verify(folder.path(), sidecar, &["--quiet"]), (Some(0), String::new()));
 
     let reordered = sidecar.replace(r#""sub", "add""#, r#""add", "sub""#);
     assert_ne!(reordered, sidecar);
@@ -60,7 +57,7 @@ fn a_wrong_sidecar_is_found() {
 
     let without = recorded(&graph).replace("action", "act");
     fs::write(folder.path().join("x.csv"), without).expect("written");
-    let (code, said) = verify(folder.path(), &sidecar, &[]);
+    let (code, said) = verify(folder.path(), sidecar, &[]);
     assert_eq!(code, Some(2), "{said}");
 }
 

@@ -183,7 +183,7 @@ fn networks_that_do_not_fit_are_refused() {
         ("\"squash\":\"tanh\"", "\"squash\":\"sine\"", "sine"),
         ("\"version\":2", "\"version\":3", "$.format"),
         ("\"exponent\":11", "\"exponent\":12", "$.output.values"),
-        ("\"output\":", "\"actions\":\"fine\",\"output\":", "$: another description"),
+        ("\"output\":", "\"actions\":\"fine\",\"output\":", "unknown field `actions`"),
     ] {
         let bad = text.replacen(from, to, 1);
         assert_ne!(bad, text, "{from}");

@@ -27,7 +27,7 @@ const SHORTER: [(&str, &str); 6] = [
 
 /// Files that a document's commands read, and the command by which its reader would have made each.
 const BEFORE: [(&str, &str); 4] = [
-    ("best.dot", "tpg-codegen convert generated/cartpole/graph.json best.dot"),
+    ("best.dot", "for kind in dot toml; do cp tpg-codegen/tests/fixtures/pole.$kind best.$kind; done"),
     ("runs/a/graph.json", "tpg-train tpg --problem pendulum --generations 3 --out runs/a"),
     ("prove graph.json", "cp generated/cartpole/graph.json . && tpg-codegen graph.json --lang c --prefix pole -o ."),
     ("package graph.json", "cp generated/cartpole/graph.json ."),
@@ -103,7 +103,9 @@ fn run(name: &str) -> usize {
     let path = env::join_paths([programs.to_owned()].into_iter().chain(env::split_paths(&before))).expect("a path");
     let text = fs::read_to_string(top().join(name)).expect("a document");
     let place = TempDir::new().expect("a folder");
-    std::os::unix::fs::symlink(top().join("generated"), place.path().join("generated")).expect("a link");
+    for folder in ["generated", "tpg-codegen"] {
+        std::os::unix::fs::symlink(top().join(folder), place.path().join(folder)).expect("a link");
+    }
     for program in blocks(&text, "c").into_iter().filter(|block| block.contains("int main(void)")) {
         fs::create_dir_all(place.path().join("out")).expect("a folder");
         fs::write(place.path().join("out/main.c"), program).expect("written");

@@ -48,7 +48,6 @@ pub(crate) fn all() -> bool {
     run.oldest_compiler();
     run.firmware(&["qemu"]);
     run.firmware(&["cores"]);
-    run.firmware(&["size"]);
     run.firmware(&["lint"]);
     python::check(&mut run, PythonArgs::default());
     run.finish()

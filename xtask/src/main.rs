@@ -44,7 +44,7 @@ enum XtaskCommand {
         #[arg(short, long)]
         out: Option<PathBuf>,
     },
-    /// Run the firmware under QEMU: trajectories as on the host, instructions as in costs.toml
+    /// Run the firmware under QEMU: trajectories as on the host, instructions as in costs.toml; flash and RAM on an STM32F405
     Qemu {
         /// Write costs.toml instead of comparing with it
         #[arg(long)]
@@ -59,8 +59,6 @@ enum XtaskCommand {
         #[arg(long, value_name = "TEXT")]
         only: Option<String>,
     },
-    /// Flash and RAM of the control loop on an STM32F405
-    Size,
     /// Only the lint of C, generated and the firmwares' own: gcc, clang, clang-tidy, cppcheck with its MISRA addon, Frama-C
     /// EVA
     Lint,
@@ -82,7 +80,7 @@ enum XtaskCommand {
     },
     /// Build the Python package, install it into a virtual environment, run pytest, ruff, mypy and stubtest
     Python(python::PythonArgs),
-    /// Make what users download: static programs for Linux, libraries for every target, a bill of materials, checksums
+    /// Make what users download: static programs for Linux, libraries for every target, checksums
     Dist(dist::DistArgs),
     /// Build the book of `docs/` with mdBook, into target/book
     Book {
@@ -109,7 +107,6 @@ fn main() -> ExitCode {
             let update = update.then_some("--update");
             check::harness(&["cores"].into_iter().chain(update).chain(only.into_iter().flatten()).collect::<Vec<_>>())
         }
-        Size => check::harness(&["size"]),
         Lint => check::lint(),
         Compilers { graphs } => check::compilers(graphs),
         Fuzz(arguments) => arguments.run(),

@@ -6,7 +6,7 @@ use crate::record::Hash;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
-use tpg_codegen::emit::{self, Code, File, Language, Options, Prefix};
+use tpg_codegen::emit::{Code, File, Language, Options, Prefix};
 use tpg_codegen::quantise::{Request, quantise};
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::states::StateSet;
@@ -169,11 +169,8 @@ impl Shipped {
     /// A graph of counts that is no graph of whole numbers.
     pub(super) fn c(&self) -> Result<Vec<File>, Failure> {
         let options = Options::new(self.prefix.clone());
-        if self.graph.has_counts() {
-            let code = Code::in_integers(&self.prefix.to_string(), &self.graph, &options, Language::C);
-            return code.map(|code| code.files).map_err(Failure::new);
-        }
-        Ok(emit::emit(&self.graph, Language::C, &options))
+        let code = Code::of_graph(&self.prefix.to_string(), &self.graph, &options, Language::C);
+        code.map(|code| code.files).map_err(Failure::new)
     }
 
     /// True where `tpg-generated` has it in Rust.

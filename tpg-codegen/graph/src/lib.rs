@@ -19,7 +19,7 @@
 //! | module | subject |
 //! | --- | --- |
 //! | (root) | [`Graph`], its parts, and [`Document`], its `graph.json` form; [`Word`], what a line of a program says |
-//! | [`import`], [`export`] | GEGELATI's `.dot` with its sidecar, in both directions |
+//! | [`import`] | GEGELATI's `.dot` with its sidecar |
 //! | [`interpret`] | the reference interpreter |
 //! | [`in_arithmetic_of`] | calls a generic function with the arithmetic that a graph names |
 //! | [`conversion`] | conversion to another scalar type, and how often the actions still agree |
@@ -38,7 +38,6 @@ pub mod conversion;
 pub mod dataflow;
 pub mod engine;
 pub mod error;
-pub mod export;
 pub mod files;
 pub mod hash_cons;
 pub mod image;

@@ -3,6 +3,6 @@
 mod bad_input;
 mod dot_import;
 mod dot_values;
-mod export;
+mod json;
 mod outputs;
 mod schema;

@@ -514,8 +514,6 @@ fn sidecar() {
         ("a source with a capital letter", &[("\"target\"", "\"Target\"")]),
         ("an action with another id", &[("id = 1", "id = 2")]),
         ("an action's move that is not a number", &[("[3, 0, 0, 0]", "[nan, 0, 0, 0]")]),
-        ("provenance that is not JSON", &[("registers = 4", "registers = 4\nprovenance = 'me'")]),
-        ("provenance with another field", &[("registers = 4", "registers = 4\nprovenance = '{\"author\":1}'")]),
     ];
     let read = |text: &str| import::from_text("x.dot", DOT, Some(&Sidecar::from_toml("x.toml", text)?));
     insta::assert_snapshot!("sidecar", messages(SIDECAR, cases, read));

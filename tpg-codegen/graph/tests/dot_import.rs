@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 use tpg_graph::Word;
 use tpg_graph::error::InputError;
-use tpg_graph::export;
 use tpg_graph::import::{self, Profile, Sidecar};
 use tpg_graph::interpret::{Answer, Interpreter};
 use tpg_graph::{Destination, Graph, Line, Operand};
@@ -128,11 +127,6 @@ fn the_papers_graphs() {
             if path.extension().is_some_and(|extension| extension == "dot") {
                 let graph = import::load(&path, Some(Profile::Ecta24), None).unwrap_or_else(|error| panic!("{error}"));
                 assert_eq!(graph.state_length(), 15);
-                let sidecar = Sidecar::from_toml("x.toml", &export::sidecar::text(&graph)).expect("a sidecar");
-                assert_eq!(
-                    import::from_text("x.dot", &export::dot::text(&graph).expect("no memory"), Some(&sidecar)),
-                    Ok(graph)
-                );
                 read += 1;
             }
         }
@@ -178,8 +172,6 @@ fn read_second(text: &str) -> Result<Graph, InputError> {
 #[test]
 fn gegelati_2_is_read_and_composed_instructions_become_lines() {
     let graph = read_second(SECOND).unwrap_or_else(|error| panic!("{error}"));
-    let names: Vec<&str> = graph.instructions().iter().map(|word| word.name()).collect();
-    assert_eq!(names, ["std_max", "cos", "add", "mul", "div", "sin", "copy"], "the file's own order, then the rest");
     assert_eq!(graph.registers(), 6, "four in the file, and two for intermediate values");
     // Constants are source 1, `target` source 2, `motors` source 3; locations wrap, r7 is r3.
     let state = [1.5, 2.0, f64::NAN, 900.0, 512.0];

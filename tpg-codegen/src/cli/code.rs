@@ -4,7 +4,6 @@ use super::graph::GraphArgs;
 use super::scalar::{Chosen, FixedArgs, ScalarArgs, StatesArgs};
 use crate::emit::Code;
 use crate::options::{Language, Options, Prefix, Profile, Style};
-use crate::program::compile;
 use clap::{Args, ValueEnum};
 use tpg_graph::Graph;
 use tpg_graph::command::CommandError;
@@ -24,9 +23,6 @@ pub(super) struct CodeArgs {
     /// The goal of the optimisation [default: fast in C, constant-time in Rust; verify: every profile]
     #[arg(long, value_enum)]
     pub(super) profile: Option<Profile>,
-    /// Use 32-bit integers only; fails and names the value if one may not be whole
-    #[arg(long, conflicts_with_all = ["scalar", "style"])]
-    pub(super) integers: bool,
     #[command(flatten)]
     fixed: FixedArgs,
     #[command(flatten)]
@@ -69,36 +65,28 @@ impl CodeArgs {
             conversion,
             ..Options::new(self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.graph.graph)))
         };
-        if options.style == Style::Gegelati && !graph.outputs().is_empty() {
-            let found = "--style gegelati for a policy with outputs";
-            return Err(InputError::new(
-                self.graph.name(),
-                Place::Whole,
-                found,
-                "--style pure: GEGELATI's answers an action",
-            )
-            .into());
+        if options.style == Style::Gegelati && (!graph.outputs().is_empty() || graph.has_counts()) {
+            let what = if graph.has_counts() { "in integers" } else { "with outputs" };
+            let found = format!("--style gegelati for a policy {what}");
+            let accepted = "--style pure: GEGELATI's computes in floating point and answers an action";
+            return Err(InputError::new(self.graph.name(), Place::Whole, found, accepted).into());
         }
         Ok((graph, options))
     }
 
-    /// The code in a language: in integers where that is asked for.
+    /// The code in a language.
     pub(super) fn code<'g>(
         &self,
         graph: &'g Graph,
         options: &Options,
         language: Language,
     ) -> Result<Code<'g>, InputError> {
-        if self.integers || self.fixed.any() {
-            Code::in_integers(&self.graph.name(), graph, options, language)
-        } else {
-            Ok(Code::of(compile(graph, options, language)))
-        }
+        Code::of_graph(&self.graph.name(), graph, options, language)
     }
 
     /// Every combination of language, style and profile that the arguments and the graph admit.
     pub(super) fn shapes(&self, graph: &Graph) -> Vec<(Language, Style, Option<Profile>)> {
-        let is_integers = self.integers || self.fixed.any();
+        let is_integers = graph.has_counts();
         // Integers have the same text in every profile.
         let all = if is_integers { vec![Profile::Fast] } else { Profile::ALL.to_vec() };
         let profiles = self.profile.map_or(all, |profile| vec![profile]);

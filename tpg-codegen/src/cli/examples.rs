@@ -32,8 +32,7 @@ Examples:
 
 pub(super) const CONVERT: &str = "\
 Examples:
-  tpg-codegen convert policy.dot --sidecar policy.toml graph.json
-  tpg-codegen convert graph.json policy.dot";
+  tpg-codegen convert policy.dot --sidecar policy.toml graph.json";
 
 pub(super) const POLICY: &str = "\
 Examples:
@@ -43,7 +42,7 @@ pub(super) const QUANTISE: &str = "\
 Examples:
   tpg-codegen quantise graph.json -o whole.json
   tpg-codegen quantise graph.json --inputs 12 --weights 8 --ranges visited.csv -o whole.json
-  tpg-codegen generate whole.json --integers --lang c -o firmware";
+  tpg-codegen generate whole.json --lang c -o firmware";
 
 pub(super) const PACKAGE: &str = "\
 Examples:

@@ -52,7 +52,7 @@ enum Command {
     /// Prove that C or machine code decides like the graph, for every input
     #[command(after_help = examples::PROVE)]
     Prove(prove::ProveArgs),
-    /// Convert a graph to graph.json, or to a GEGELATI .dot file and its sidecar
+    /// Convert a graph to graph.json
     #[command(after_help = examples::CONVERT)]
     Convert(convert::ConvertArgs),
     /// Write a quantised network, a policy.q.json, as constants of C and Rust

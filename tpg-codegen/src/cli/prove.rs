@@ -53,7 +53,7 @@ impl ProveArgs {
         let text = loaded.to_json();
         let name = self.graph.name();
         if loaded.has_counts() {
-            let instead = "generate --integers shows that its values are whole and fit; verify --integers compares";
+            let instead = "generate shows that its values are whole and fit; verify compares";
             command::print(format!(
                 "not decided: {name}: a graph of counts, which this proof does not cover: {instead}\n"
             ))?;

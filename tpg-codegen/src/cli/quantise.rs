@@ -15,7 +15,7 @@ const SEED: u64 = 1;
 
 /// Put a graph into integers.
 ///
-/// The graph that comes out sees and answers counts; `generate --integers` compiles it, and `tpg-train eval` plays it.
+/// The graph that comes out sees and answers counts; `generate` compiles it, and `tpg-train eval` plays it.
 #[derive(Clone, Debug, Args)]
 pub(super) struct QuantiseArgs {
     #[command(flatten)]

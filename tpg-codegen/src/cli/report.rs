@@ -5,7 +5,6 @@ use super::limits::LimitArgs;
 use super::scalar::{Chosen, FixedArgs, ScalarArgs, StatesArgs};
 use crate::emit::Code;
 use crate::options::{Language, Options, Prefix, Profile};
-use crate::program::compile;
 use crate::report;
 use crate::size::Target;
 use clap::Args;
@@ -51,11 +50,7 @@ impl ReportArgs {
         command::print(text)?;
         if self.limits.any() {
             let options = Options { profile: Some(self.profile), ..options };
-            let whole = whole.as_ref().or_else(|| graph.has_counts().then_some(&graph));
-            let code = match whole {
-                Some(whole) => Code::in_integers(&file, whole, &options, Language::C)?,
-                None => Code::of(compile(&graph, &options, Language::C)),
-            };
+            let code = Code::of_graph(&file, whole.as_ref().unwrap_or(&graph), &options, Language::C)?;
             let targets = if self.target.is_empty() { &[Target::M4f][..] } else { &self.target };
             targets.iter().try_for_each(|&target| self.limits.check(&code, target))?;
         }

@@ -42,11 +42,6 @@ pub(super) struct FixedArgs {
 }
 
 impl FixedArgs {
-    /// Tests for integers.
-    pub(super) fn any(&self) -> bool {
-        self.bits.is_some()
-    }
-
     /// Returns the graph in integers, if it is asked for; a note says how good it is.
     pub(super) fn integers(
         &self,

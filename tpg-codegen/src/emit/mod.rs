@@ -49,26 +49,13 @@ impl<'g> Code<'g> {
         Self { files, program }
     }
 
-    /// Compiles a graph of whole numbers to integers and prints it; `file` is its name in messages.
-    ///
-    /// # Errors
-    /// The first value that is not known to be whole.
-    pub fn in_integers(
-        file: &str,
-        graph: &'g Graph,
-        options: &Options,
-        language: Language,
-    ) -> Result<Self, InputError> {
-        compile_integers(file, graph, options, language).map(Self::of)
-    }
-
     /// Compiles a graph and prints it, in integers if it is one of counts; `file` is its name in messages.
     ///
     /// # Errors
     /// The first value of a graph of counts that is not known to be whole.
     pub fn of_graph(file: &str, graph: &'g Graph, options: &Options, language: Language) -> Result<Self, InputError> {
         match graph.has_counts() {
-            true => Self::in_integers(file, graph, options, language),
+            true => compile_integers(file, graph, options, language).map(Self::of),
             false => Ok(Self::of(compile(graph, options, language))),
         }
     }

@@ -63,22 +63,51 @@ pub(super) struct BidView {
     pub(super) last: bool,
 }
 
-/// A language's destinations.
-pub(super) trait Destinations {
-    /// The jump to a destination.
-    type Jump;
+/// The destinations of teams, and a language's jump to one.
+pub(super) struct Destinations<'a, J> {
+    pub(super) module: &'a Module<'a>,
+    /// The names of the actions.
+    pub(super) names: Vec<String>,
+    /// The answers that they are.
+    pub(super) answers: Vec<String>,
+    /// The jump to a label, or out of the function with an answer.
+    pub(super) jump: &'a dyn Fn(Target, Result<String, String>) -> J,
+}
 
-    fn jump(&self, to: Target) -> Self::Jump;
+impl<J> Destinations<'_, J> {
+    fn jump(&self, to: Target) -> J {
+        (self.jump)(to, self.answer(to).map_or_else(|| Ok(self.label(to)), Err))
+    }
+
+    /// The label of a team or leaf.
+    fn label(&self, to: Target) -> String {
+        match to {
+            Target::Team(team) => format!("team_{}", self.module.teams[team].label),
+            Target::Action(leaf) => format!("leaf_{}", self.module.leaves[usize::from(leaf.0)].label),
+        }
+    }
+
     /// The answer that a destination is, if nothing remains to be done there.
-    fn answer(&self, to: Target) -> Option<String>;
-    /// The variable that such answers are in.
-    fn winner(&self) -> &'static str;
+    fn answer(&self, to: Target) -> Option<String> {
+        match to {
+            Target::Action(action) if self.module.leaves.is_empty() => {
+                Some(self.answers[usize::from(action.0)].clone())
+            }
+            Target::Team(_) | Target::Action(_) => None,
+        }
+    }
+
     /// The name of a bid for it.
-    fn bid(&self, to: Target) -> String;
+    fn bid(&self, to: Target) -> String {
+        match to {
+            Target::Action(action) if self.module.leaves.is_empty() => self.names[usize::from(action.0)].clone(),
+            Target::Team(_) | Target::Action(_) => format!("to_{}", self.label(to)),
+        }
+    }
 }
 
 /// Views a team.
-pub(super) fn view<D: Destinations>(syntax: &impl Syntax, plan: &TeamSchedule, to: &D) -> TeamView<D::Jump> {
+pub(super) fn view<J>(syntax: &impl Syntax, plan: &TeamSchedule, to: &Destinations<'_, J>) -> TeamView<J> {
     let targets = plan.destinations();
     let ascending = plan.is_ascending();
     let answers: Option<Vec<String>> = targets.iter().map(|&target| to.answer(target)).collect();
@@ -124,7 +153,7 @@ pub(super) fn view<D: Destinations>(syntax: &impl Syntax, plan: &TeamSchedule, t
         label: plan.label,
         winner: match is_direct {
             _ if syntax.leads() => "lead.winner",
-            true => to.winner(),
+            true => "action",
             false if ascending => "next",
             false => "edge",
         },
@@ -137,7 +166,7 @@ pub(super) fn view<D: Destinations>(syntax: &impl Syntax, plan: &TeamSchedule, t
 }
 
 /// The block of a team's bids, each called after its destination.
-fn block<'a, S: Syntax>(syntax: &'a S, plan: &TeamSchedule, to: &impl Destinations) -> Block<'a, S> {
+fn block<'a, S: Syntax, J>(syntax: &'a S, plan: &TeamSchedule, to: &Destinations<'_, J>) -> Block<'a, S> {
     let mut taken = BTreeSet::new();
     let mut names = BTreeMap::new();
     for (place, &target) in plan.targets.iter().enumerate() {
@@ -183,7 +212,7 @@ impl<S: Syntax> TeamBuilder<'_, S> {
         self.rank_of(self.targets.iter().position(|&other| other == target).unwrap_or_default())
     }
 
-    fn ways<D: Destinations>(&self, to: &D) -> Vec<(Vec<String>, D::Jump)> {
+    fn ways<J>(&self, to: &Destinations<'_, J>) -> Vec<(Vec<String>, J)> {
         let ranks = |(number, &target): (usize, &Target)| match self.ascending {
             true => vec![self.rank_of(number)],
             false => {

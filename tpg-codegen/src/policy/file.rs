@@ -1,15 +1,13 @@
-//! `policy.q.json`: version 1 for networks of the arm's preferences, version 2 for every other network.
+//! `policy.q.json`.
 
-use super::meaning::{self, Input, Output, Preferences};
+use super::meaning::{self, Input, Output};
 use super::network::{QuantisedLayer, QuantisedPolicy, ROUNDING};
 use serde::{Deserialize, Serialize};
 use tpg_graph::error::InputError;
-use tpg_runtime::net::{INPUT_ONE, Kind, PREFERENCE_ONE};
+use tpg_runtime::net::{INPUT_ONE, Kind};
 
-/// The value of `format` in version 1.
-const PREFERENCES: &str = "tpg sac policy in integers";
-/// The value of `format` in version 2.
-const NETWORK: &str = "tpg network in integers";
+/// The values of `format` and `version`.
+const FORMAT: (&str, u32) = ("tpg network in integers", 2);
 
 /// The file as it is written.
 #[derive(Serialize, Deserialize)]
@@ -25,22 +23,8 @@ struct Written {
     scales: Option<Vec<[f32; 2]>>,
     /// An input of 1 as an integer.
     feature_one: u32,
-    /// A preference of 1 as an integer; version 1.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    preference_one: Option<u32>,
     rounding: String,
-    /// Version 1.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    actions: Option<String>,
-    /// Version 1.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    mask: Option<String>,
-    /// Version 1.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    may_rest: Option<bool>,
-    /// Version 2.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    output: Option<Output>,
+    output: Output,
     /// Left out where it is `w8a16`.
     #[serde(default = "default_kind", skip_serializing_if = "is_default_kind")]
     kind: String,
@@ -79,24 +63,15 @@ impl QuantisedPolicy {
 impl Written {
     fn new(policy: &QuantisedPolicy) -> Self {
         let scales = meaning::scales(&policy.inputs);
-        let (preferences, output) = match &policy.output {
-            Output::Preferences(preferences) => (Some(preferences.clone()), None),
-            other => (None, Some(other.clone())),
-        };
-        let (format, version) = if preferences.is_some() { (PREFERENCES, 1) } else { (NETWORK, 2) };
         Self {
-            format: format.to_owned(),
-            version,
+            format: FORMAT.0.to_owned(),
+            version: FORMAT.1,
             source_sha256: policy.source_sha256.clone(),
             observation: policy.inputs.iter().map(|input| input.name.clone()).collect(),
             scales: (!scales.is_empty()).then(|| scales.iter().map(|scale| [scale.offset, scale.scale]).collect()),
             feature_one: INPUT_ONE as u32,
-            preference_one: preferences.as_ref().map(|_| PREFERENCE_ONE as u32),
             rounding: ROUNDING.to_owned(),
-            actions: preferences.as_ref().map(|preferences| preferences.actions.clone()),
-            mask: preferences.as_ref().map(|preferences| preferences.mask.clone()),
-            may_rest: preferences.map(|preferences| preferences.may_rest),
-            output,
+            output: policy.output.clone(),
             kind: policy.kind.clone(),
             layers: policy.layers.clone(),
         }
@@ -105,9 +80,8 @@ impl Written {
     fn read(self, file: &str) -> Result<QuantisedPolicy, InputError> {
         let refuse = |path: &str, found: String, accepted: &str| Err(InputError::new(file, path, found, accepted));
         let format = (self.format.as_str(), self.version);
-        if format != (PREFERENCES, 1) && format != (NETWORK, 2) {
-            let accepted = format!("{PREFERENCES:?}, version 1; {NETWORK:?}, version 2");
-            return refuse("$.format", format!("{:?}, version {}", self.format, self.version), &accepted);
+        if format != FORMAT {
+            return refuse("$.format", format!("{format:?}"), &format!("{FORMAT:?}"));
         }
         let (found, accepted) = ((self.feature_one, self.rounding.as_str()), (INPUT_ONE as u32, ROUNDING));
         if found != accepted {
@@ -117,24 +91,11 @@ impl Written {
         if scales.len() != self.observation.len() {
             return refuse("$.scales", scales.len().to_string(), "offset and scale of each input");
         }
-        let output = match (self.output, self.actions, self.mask, self.may_rest, self.preference_one) {
-            (Some(output), None, None, None, None) if self.version == 2 => output,
-            (None, Some(actions), Some(mask), Some(may_rest), Some(one)) if self.version == 1 => {
-                if one != PREFERENCE_ONE as u32 {
-                    return refuse("$.preference_one", one.to_string(), &PREFERENCE_ONE.to_string());
-                }
-                Output::Preferences(Preferences { actions, mask, may_rest })
-            }
-            _ => {
-                let accepted = "actions, mask, may_rest and preference_one in version 1; output in version 2";
-                return refuse("$", "another description of the outputs".to_owned(), accepted);
-            }
-        };
         let input = |(name, [offset, scale]): (String, [f32; 2])| Input { name, offset, scale };
         Ok(QuantisedPolicy {
             source_sha256: self.source_sha256,
             inputs: self.observation.into_iter().zip(scales).map(input).collect(),
-            output,
+            output: self.output,
             kind: self.kind,
             layers: self.layers,
         })

@@ -128,12 +128,12 @@ impl Preferences {
         let fine = match self.actions.as_str() {
             "fine" => 4,
             "coarse" => 0,
-            other => return Err(("$.actions", other, "fine or coarse")),
+            other => return Err(("actions", other, "fine or coarse")),
         };
         let mask = match self.mask.as_str() {
             "joint-limits" => 1,
             "none" => 0,
-            other => return Err(("$.mask", other, "none or joint-limits")),
+            other => return Err(("mask", other, "none or joint-limits")),
         };
         Ok(fine | mask | (u8::from(self.may_rest) << 1))
     }
@@ -179,10 +179,9 @@ impl Output {
 
     pub(super) fn check(&self, file: &str) -> Result<(), InputError> {
         match self {
-            Self::Preferences(preferences) => preferences
-                .flags()
-                .map(drop)
-                .map_err(|(path, found, accepted)| InputError::new(file, path, format!("{found:?}"), accepted)),
+            Self::Preferences(preferences) => preferences.flags().map(drop).map_err(|(word, found, accepted)| {
+                InputError::new(file, format!("$.output.preferences.{word}"), format!("{found:?}"), accepted)
+            }),
             Self::Values(values) => values.iter().enumerate().try_for_each(|(place, value)| {
                 let path = format!("$.output.values[{place}]");
                 if !value.value().is_sound() {

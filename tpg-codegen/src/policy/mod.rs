@@ -12,7 +12,7 @@
 //! | module | subject |
 //! | --- | --- |
 //! | `network` | [`QuantisedPolicy`]: a network in integers, checked |
-//! | `file` | its text, version 1 for the arm's networks and version 2 for any other |
+//! | `file` | its text |
 //! | `meaning` | inputs, outputs and what they mean |
 //! | `float` | a network in floating point, and its calibration |
 //! | `quantise` | from floating point to integers |

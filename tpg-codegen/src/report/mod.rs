@@ -151,7 +151,7 @@ pub fn report(
     let whole = whole.or_else(|| graph.has_counts().then_some(graph));
     let in_integers = |(name, profile): (&'static str, Profile)| {
         let options = Options { profile: Some(profile), style: Style::Pure, conversion: None, ..options.clone() };
-        Ok((name, Code::in_integers(file, whole.unwrap_or(graph), &options, Language::C)?))
+        Ok((name, Code::of_graph(file, whole.unwrap_or(graph), &options, Language::C)?))
     };
     let names = [("integers", Profile::Fast), ("integers, small", Profile::Small)];
     let integers: Vec<(&str, Code<'_>)> =

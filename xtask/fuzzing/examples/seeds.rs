@@ -5,16 +5,10 @@
 use std::fs;
 use tpg_codegen::policy::{self, QuantisedPolicy};
 use tpg_fuzzing::checkpoints;
+use tpg_graph::Graph;
 use tpg_graph::sample::{self, Shape};
-use tpg_graph::{Graph, export};
 use tpg_testing::library::top;
 use tpg_train::{Config as EvolutionConfig, Configuration as _, SacConfig};
-
-/// A sidecar and its `.dot`.
-fn as_dot(graph: &Graph) -> String {
-    let dot = export::dot::text(graph).expect("a graph without memory");
-    format!("{}\n%%\n{dot}", export::sidecar::text(graph))
-}
 
 fn main() -> std::io::Result<()> {
     let put = |target: &str, name: &str, content: &[u8]| {
@@ -31,9 +25,10 @@ fn main() -> std::io::Result<()> {
     for seed in 1..=3 {
         let graph: Graph = sample::graph(&small(Shape::random(seed)), seed);
         put("graph_json", &format!("random_{seed}"), graph.to_json().as_bytes())?;
-        put("dot", &format!("random_{seed}"), as_dot(&graph).as_bytes())?;
-        let shape = Shape { memory: 0, ..small(Shape::random_with_outputs(seed)) };
-        put("dot", &format!("outputs_{seed}"), as_dot(&sample::graph(&shape, seed)).as_bytes())?;
+    }
+    for name in ["pole", "swing"] {
+        let part = |kind: &str| read(&format!("tpg-codegen/tests/fixtures/{name}.{kind}"));
+        put("dot", name, &[part("toml")?, b"\n%%\n".to_vec(), part("dot")?].concat())?;
     }
     put("trace", "states", b"in0[0],in0[1],in1[0],other\n1,2,3,x\n-0.5,nan,inf,\n")?;
     for seed in 0_u8..3 {

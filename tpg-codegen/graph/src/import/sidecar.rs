@@ -4,8 +4,7 @@ use super::composed::{Expression, FORM, OPERANDS, Operator, Windows};
 use crate::Word;
 use crate::error::{InputError, Place, serde_message};
 use crate::model::{
-    ActionDocument, Document, FORMAT, MAX_NUMBERED, MathsProvider, OutputDocument, Provenance, ScalarType,
-    SourceDocument,
+    ActionDocument, Document, FORMAT, MAX_NUMBERED, MathsProvider, OutputDocument, ScalarType, SourceDocument,
 };
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
@@ -40,7 +39,7 @@ use toml::de::{DeTable, DeValue};
 /// # Ok::<(), tpg_graph::error::InputError>(())
 /// ```
 ///
-/// A policy that answers with values has `outputs` instead of actions, and `values` says which registers they are. `provenance`, if given, is the JSON text of that field of `graph.json`; exports write it.
+/// A policy that answers with values has `outputs` instead of actions, and `values` says which registers they are.
 #[derive(Clone, Debug)]
 pub struct Sidecar {
     file: String,
@@ -54,7 +53,6 @@ pub struct Sidecar {
     shapes: Vec<Option<[u32; 2]>>,
     /// Registers of a program in the `.dot` file, without those for intermediate values.
     registers: u32,
-    has_provenance: bool,
 }
 
 /// The file as written.
@@ -72,7 +70,6 @@ struct Described {
     outputs: Vec<DescribedOutput>,
     #[serde(default)]
     values: Values,
-    provenance: Option<String>,
 }
 
 /// The origin of the values of GEGELATI 2's continuous actions.
@@ -149,7 +146,6 @@ impl Sidecar {
                 accepted.unwrap_or("the fields that a sidecar has: `tpg-codegen sidecar` prints one"),
             )
         })?;
-        let has_provenance = described.provenance.is_some();
         let mut sidecar = Self {
             file: file.to_owned(),
             text: text.to_owned(),
@@ -159,7 +155,6 @@ impl Sidecar {
             values: described.values,
             shapes: described.sources.iter().map(|source| source.shape).collect(),
             registers: described.registers,
-            has_provenance,
         };
         sidecar.instructions = sidecar.instructions_of(&described)?;
         sidecar.activations = sidecar.activations_of(&described)?;
@@ -202,11 +197,6 @@ impl Sidecar {
     /// Returns rows and columns of each source of two dimensions.
     pub(super) fn shapes(&self) -> &[Option<[u32; 2]>] {
         &self.shapes
-    }
-
-    /// True if the sidecar states where the graph comes from.
-    pub fn has_provenance(&self) -> bool {
-        self.has_provenance
     }
 
     /// Moves an error about the sidecar's document from its JSON path to the place in the TOML text.
@@ -302,19 +292,11 @@ impl Sidecar {
     /// Returns the words that the instructions are made of: the instruction set of the graph.
     fn words(&self) -> Vec<String> {
         let mut words = BTreeSet::new();
-        let calls = || self.instructions.iter().filter_map(|operator| operator.value.as_ref());
         self.compositions().for_each(|call| call.words(&mut words));
         if !self.activations.is_empty() && self.values != Values::Programs {
             words.insert(Word::Copy);
         }
-        // The file's own order, where each number is a word: an export then gives the same numbers.
-        let own = calls().filter_map(|call| match call {
-            Expression::Call(word, _) if Expression::word(*word) == *call => Some(*word),
-            _ => None,
-        });
-        let own: Vec<Word> = own.collect();
-        let others = words.into_iter().filter(|word| !own.contains(word));
-        own.iter().copied().chain(others).map(|word| word.name().to_owned()).collect()
+        words.into_iter().map(|word| word.name().to_owned()).collect()
     }
 
     /// Returns the number of registers for intermediate values.
@@ -345,12 +327,6 @@ impl Sidecar {
             };
             sources.push(SourceDocument { length, ..SourceDocument::new(name, unit, ranges) });
         }
-        let provenance = match described.provenance {
-            None => Provenance::default(),
-            Some(json) => serde_json::from_str(&json).map_err(|error| {
-                self.error("$.provenance", error.to_string(), "the field \"provenance\" of a graph.json, as text")
-            })?,
-        };
         Ok(Document {
             format: FORMAT.to_owned(),
             version: if described.outputs.is_empty() { 1 } else { 2 },
@@ -370,7 +346,6 @@ impl Sidecar {
                     counts: None,
                 })
                 .collect(),
-            provenance,
             ..Document::default()
         })
     }

@@ -40,7 +40,7 @@ pub struct Document {
     /// The values that programs can read, in the order of the state.
     #[schemars(length(min = 1))]
     pub sources: Vec<SourceDocument>,
-    /// The instructions that programs may use. Their order numbers them for GEGELATI's `.dot` format.
+    /// The instructions that programs may use.
     #[schemars(length(min = 1), extend("items" = {"type": "string", "enum": instruction_names()}))]
     pub instructions: Vec<String>,
     /// The actions of the policy; the id of an action is its index in this list. Empty for a policy with outputs.

@@ -231,7 +231,7 @@ impl Graph {
         &self.sources
     }
 
-    /// Returns the declared instruction set in its order, which gives the numbers in `.dot` files.
+    /// Returns the declared instruction set in its order.
     pub fn instructions(&self) -> &[Word] {
         &self.instructions
     }

@@ -86,53 +86,6 @@ impl Jump {
     }
 }
 
-/// The destinations of teams.
-struct Places<'a> {
-    module: &'a Module<'a>,
-    /// The names of the actions, and of the constants for them.
-    names: Vec<String>,
-    constants: Vec<String>,
-    /// The leaves that the only team computes itself.
-    in_place: &'a [LeafView],
-    outputs: &'a [OutputView],
-}
-
-impl Destinations for Places<'_> {
-    type Jump = Jump;
-
-    fn jump(&self, to: Target) -> Jump {
-        match (self.answer(to), to) {
-            (Some(answer), _) => Return(answer),
-            (None, Team(team)) => Goto(format!("team_{}", self.module.teams[team].label)),
-            (None, Action(leaf)) => match self.in_place.iter().find(|view| view.number == usize::from(leaf.0)) {
-                Some(leaf) => Answer(answer(leaf, self.outputs)),
-                None => Goto(format!("leaf_{}", self.module.leaves[usize::from(leaf.0)].label)),
-            },
-        }
-    }
-
-    fn answer(&self, to: Target) -> Option<String> {
-        match to {
-            Action(action) if self.module.leaves.is_empty() => Some(self.constants[usize::from(action.0)].clone()),
-            Team(_) | Action(_) => None,
-        }
-    }
-
-    fn winner(&self) -> &'static str {
-        "action"
-    }
-
-    fn bid(&self, to: Target) -> String {
-        match to {
-            Team(team) => format!("to_team_{}", self.module.teams[team].label),
-            Action(leaf) if !self.module.leaves.is_empty() => {
-                format!("to_leaf_{}", self.module.leaves[usize::from(leaf.0)].label)
-            }
-            Action(action) => self.names[usize::from(action.0)].clone(),
-        }
-    }
-}
-
 /// The statements that compute a leaf's outputs.
 fn answer(leaf: &LeafView, outputs: &[OutputView]) -> Vec<String> {
     let assignments = outputs.iter().zip(&leaf.values).map(|(output, value)| format!("{} = {value};", output.variable));
@@ -197,7 +150,16 @@ pub(super) fn render(
     let mut leaves = views(printer, &schedule.leaves, outputs, true);
     let in_place = if answers_in_place { std::mem::take(&mut leaves) } else { Vec::new() };
     let names = names::actions(printer.graph).iter().map(|name| printer.local(name)).collect();
-    let to = Places { module, names, constants: printer.constants(), in_place: &in_place, outputs };
+    // The only team computes its leaves itself.
+    let jump = |to, way| match (way, to) {
+        (Err(answer), _) => Return(answer),
+        (Ok(label), Team(_)) => Goto(label),
+        (Ok(label), Action(leaf)) => match in_place.iter().find(|view| view.number == usize::from(leaf.0)) {
+            Some(leaf) => Answer(answer(leaf, outputs)),
+            None => Goto(label),
+        },
+    };
+    let to = Destinations { module, names, answers: printer.constants(), jump: &jump };
     // What a team leads to comes after it.
     let order = topological(&module.teams);
     let labels = order.iter().map(|&team| format!("team_{}", module.teams[team].label));

@@ -16,11 +16,9 @@ use crate::emit::leaves::{LeafView, views};
 use crate::emit::names;
 use crate::emit::syntax::Syntax;
 use crate::emit::team::{self, Decision, Destinations, TeamView};
-use crate::ir::{Module, Target};
+use crate::ir::Module;
 use crate::passes::schedule::Schedule;
-use Target::*;
 use askama::Template;
-use tpg_runtime::policy::ActionId;
 
 /// Above this number of teams, none is inlined: LLVM would inline every team that has one caller, and its passes take
 /// superlinear time on the result.
@@ -40,58 +38,15 @@ struct RustFast<'a> {
     helpers: String,
 }
 
-/// The destinations of teams: calls, or the number of an action.
-struct FastCalls<'a> {
-    module: &'a Module<'a>,
-    /// The names of the actions.
-    names: Vec<String>,
-}
-
-impl FastCalls<'_> {
-    fn leaf(&self, leaf: ActionId) -> Option<u32> {
-        self.module.leaves.get(usize::from(leaf.0)).map(|leaf| leaf.label)
-    }
-}
-
-impl Destinations for FastCalls<'_> {
-    type Jump = String;
-
-    fn jump(&self, to: Target) -> String {
-        match to {
-            Team(team) => format!("team_{}(s)", self.module.teams[team].label),
-            Action(action) => match self.leaf(action) {
-                Some(label) => format!("leaf_{label}(s)"),
-                None => action.0.to_string(),
-            },
-        }
-    }
-
-    fn answer(&self, to: Target) -> Option<String> {
-        match to {
-            Action(action) if self.leaf(action).is_none() => Some(action.0.to_string()),
-            Team(_) | Action(_) => None,
-        }
-    }
-
-    fn winner(&self) -> &'static str {
-        "action"
-    }
-
-    fn bid(&self, to: Target) -> String {
-        match to {
-            Team(team) => format!("to_team_{}", self.module.teams[team].label),
-            Action(action) => match self.leaf(action) {
-                Some(label) => format!("to_leaf_{label}"),
-                None => self.names[usize::from(action.0)].clone(),
-            },
-        }
-    }
-}
-
 /// Renders the profile.
 pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, schedule: &Schedule, outputs: &[OutputView]) -> Parts {
-    let calls =
-        FastCalls { module, names: names::actions(printer.graph).iter().map(|name| printer.local(name)).collect() };
+    let actions = names::actions(printer.graph);
+    let calls = Destinations {
+        module,
+        answers: (0..actions.len()).map(|action| action.to_string()).collect(),
+        names: actions.iter().map(|name| printer.local(name)).collect(),
+        jump: &|_, to| to.map_or_else(|answer| answer, |label| format!("{label}(s)")),
+    };
     let root = format!("team_{}(s)", schedule.plans[0].label);
     let (body, answer) = if outputs.is_empty() {
         (format!("        ActionId({root})"), "u16".to_owned())

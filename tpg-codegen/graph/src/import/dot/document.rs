@@ -6,7 +6,7 @@ use super::lines::Lines;
 use super::resolve::Resolver;
 use crate::error::InputError;
 use crate::import::sidecar::Sidecar;
-use crate::model::Document;
+use crate::model::{Document, Provenance};
 
 /// Builds a document from what a whole file declares and records where its elements are located.
 pub(super) fn document(file: &str, declared: Declared, sidecar: &Sidecar) -> Result<(Document, Lines), InputError> {
@@ -22,8 +22,8 @@ pub(super) fn document(file: &str, declared: Declared, sidecar: &Sidecar) -> Res
     } else {
         Vec::new()
     };
-    let mut provenance = resolver.document.provenance.clone();
-    if let (false, Some((tool, version))) = (sidecar.has_provenance(), &resolver.declared.exporter) {
+    let mut provenance = Provenance::default();
+    if let Some((tool, version)) = &resolver.declared.exporter {
         provenance.tool = Some(tool.clone());
         provenance.version = Some(version.clone());
     }

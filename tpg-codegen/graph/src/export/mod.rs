@@ -1,4 +1,0 @@
-//! Export of graphs to formats other than `graph.json`.
-
-pub mod dot;
-pub mod sidecar;
