@@ -80,7 +80,7 @@ enum XtaskCommand {
     },
     /// Build the Python package, install it into a virtual environment, run pytest, ruff, mypy and stubtest
     Python(python::PythonArgs),
-    /// Make what users download: static programs for Linux, libraries for every target, checksums
+    /// Make what users download: static programs for Linux, libraries for every target, a bill of materials, checksums
     Dist(dist::DistArgs),
     /// Build the book of `docs/` with mdBook, into target/book
     Book {

@@ -1,4 +1,10 @@
 //! Downloads for users: `cargo xtask dist`.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`bill`] | the bill of materials: every crate in what is shipped |
+
+mod bill;
 
 use crate::check::{cargo, step};
 use clap::Args;
@@ -47,6 +53,9 @@ impl DistArgs {
             made.extend(programs(out)?);
         }
         made.extend(libraries(out)?);
+        let bill = out.join("tpg.cdx.json");
+        fs::write(&bill, bill::text()?)?;
+        made.push(bill);
         let sums = out.join("SHA256SUMS");
         fs::write(&sums, checksums(&made)?)?;
         made.push(sums);
