@@ -63,7 +63,7 @@ pub fn bind_to(
                 let accepted = "the asked policy beside the graph: `tpg-train eval --tpg GRAPH --policy FILE`";
                 return Err(refuse(format!("$.actions[{number}].ask"), found, accepted.to_owned()));
             }
-            let names: Vec<&str> = named.iter().map(|action| action.name.as_str()).collect();
+            let names: Vec<&str> = space.names().collect();
             let (path, found) = (format!("$.actions[{number}].name"), format!("{:?}", action.name));
             return Err(refuse(path, found, names.join(", ")));
         };

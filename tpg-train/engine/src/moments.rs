@@ -90,15 +90,9 @@ impl Moments {
     /// Creates moments from the number of states and, for each of their values, its mean and the sum of the squared distances from
     /// it; `None` if no states can have these.
     pub fn from_parts(count: u64, means: Vec<f64>, squares: Vec<f64>) -> Option<Self> {
-        let moments = Self { count, means, squares };
-        moments.is_possible().then_some(moments)
-    }
-
-    /// True if states can have these moments: something read from a file may not.
-    pub fn is_possible(&self) -> bool {
-        let Self { means, squares, .. } = self;
-        let is_finite = means.iter().chain(squares).all(|value| value.is_finite());
-        means.len() == squares.len() && is_finite && squares.iter().all(|&squares| squares >= 0.0)
+        let is_finite = means.iter().chain(&squares).all(|value| value.is_finite());
+        let is_possible = means.len() == squares.len() && is_finite && squares.iter().all(|&squares| squares >= 0.0);
+        is_possible.then_some(Self { count, means, squares })
     }
 
     /// Returns the number of states, and for each of their values the mean and the sum of the squared distances from it.

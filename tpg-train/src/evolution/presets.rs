@@ -4,7 +4,7 @@ use crate::configuration::Preset;
 use tpg_problems::ProblemName;
 
 /// Every preset.
-pub(crate) const PRESETS: [Preset; 11] = [
+pub(crate) const PRESETS: [Preset; 9] = [
     Preset::base("thorough", "for any problem; the default of built-in ones", ""),
     Preset::new(
         "quick",
@@ -31,13 +31,6 @@ pub(crate) const PRESETS: [Preset; 11] = [
         include_str!("presets/paper-fs.toml"),
     ),
     Preset::new("paper-rs", "the paper's learning problem, random start", "paper-fs", RANDOM_START),
-    Preset::new(
-        "raw-fs",
-        "the paper's observation and score with this search, fixed start",
-        "thorough",
-        include_str!("presets/raw-fs.toml"),
-    ),
-    Preset::new("raw-rs", "the paper's observation and score with this search, random start", "raw-fs", RANDOM_START),
     Preset::new("best-fs", "this project's, fixed start", "thorough", include_str!("presets/best-fs.toml")),
     Preset::new("best-rs", "this project's, random start", "best-fs", RANDOM_START),
     Preset::new(

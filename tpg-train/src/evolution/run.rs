@@ -187,7 +187,7 @@ pub fn train<S: Scalar, E: Environment<S>>(
     }
     let save = |state: &State<E::Task>| -> Result<(), RunError> {
         let file = folder.path().display().to_string();
-        folder.save(checkpoint::VERSION, checkpoint::to_bytes(&file, config, state)?)?;
+        folder.save(checkpoint::VERSION, checkpoint::to_bytes(&file, config, state, environment)?)?;
         write_results(config, options, state, environment)?;
         Ok(stopwatch.write(&options.folder)?)
     };

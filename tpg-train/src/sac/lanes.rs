@@ -48,13 +48,12 @@ impl<'e, E: Environment<f32>> TrainingLanes<'e, E> {
         new
     }
 
-    /// Adds a lane whose episode began with `task` and has had `actions`: they are done again. False if the episode ends
-    /// before the last of them or with it.
-    pub(crate) fn resume(&mut self, task: E::Task, actions: &[f32]) -> bool {
+    /// Adds a lane whose episode began with `task` and has had `actions`: they are done again.
+    pub(crate) fn resume(&mut self, task: E::Task, actions: &[f32]) {
         let lane = self.lane(task);
         self.lanes.push(lane);
         let last = self.lanes.len() - 1;
-        (actions.chunks_exact(self.interface.outputs.len())).all(|action| self.act(last, action).end.is_none())
+        actions.chunks_exact(self.interface.outputs.len()).for_each(|action| _ = self.act(last, action));
     }
 
     /// Begins the next episode; some begin where the actor failed.
@@ -134,7 +133,7 @@ mod tests {
         }
         let mut again = TrainingLanes::new(&Pendulum, interface, &config, 5);
         again.lanes.clear();
-        assert!(again.resume(lanes.lanes[0].task, &lanes.lanes[0].actions));
+        again.resume(lanes.lanes[0].task, &lanes.lanes[0].actions);
         let (mut here, mut there) = ([0.0; 3], [0.0; 3]);
         lanes.observe(0, &mut here);
         again.observe(0, &mut there);

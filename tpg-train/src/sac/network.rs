@@ -116,14 +116,12 @@ impl Network {
                 Output::Argmax(names) => ("argmax", names.iter().map(String::as_str).collect()),
                 Output::Preferences(_) => {
                     let count = policy.layers.last().map_or(0, |layer| layer.outputs);
-                    ("values", actions.outputs().iter().map(|output| output.name.as_str()).take(count).collect())
+                    ("values", actions.names().take(count).collect())
                 }
             },
         };
-        let (accepted, wanted): (&str, Vec<&str>) = match actions {
-            ActionSpace::Box(outputs) => ("values", outputs.iter().map(|output| output.name.as_str()).collect()),
-            ActionSpace::Discrete(actions) => ("argmax", actions.iter().map(|action| action.name.as_str()).collect()),
-        };
+        let accepted = if actions.outputs().is_empty() { "argmax" } else { "values" };
+        let wanted: Vec<&str> = actions.names().collect();
         if (answer, &outputs) != (accepted, &wanted) {
             let (found, wanted) = (outputs.join(" "), wanted.join(" "));
             return refuse(format!("the outputs {found} ({answer})"), format!("{wanted} ({accepted})"));

@@ -138,13 +138,6 @@ impl Replay {
             next.copy_from_slice(&rest[2..]);
         }
     }
-
-    /// True if another is of the same size, with the rows of its transitions.
-    pub(crate) fn is_like(&self, other: &Self) -> bool {
-        let held = other.added.min(other.capacity as u64) as usize;
-        let sizes = |buffer: &Self| (buffer.inputs, buffer.actions, buffer.capacity);
-        sizes(self) == sizes(other) && other.rows.len() == held * other.width()
-    }
 }
 
 #[cfg(test)]
@@ -171,14 +164,5 @@ mod tests {
             assert_eq!(batch.next[3 * i..][..3], [reward + 0.5; 3]);
         }
         assert!(seen[..15].iter().all(|&count| count == 0) && seen[15..].iter().all(|&count| count > 15), "{seen:?}");
-    }
-
-    #[test]
-    fn another_size_or_number_of_rows_is_unlike() {
-        let mut buffer = Replay::new(3, 4, 10);
-        (0..25).for_each(|value| push(&mut buffer, value as f32));
-        assert!(Replay::new(3, 4, 10).is_like(&buffer) && !Replay::new(3, 4, 11).is_like(&buffer));
-        buffer.rows.pop();
-        assert!(!Replay::new(3, 4, 10).is_like(&buffer));
     }
 }

@@ -1,6 +1,7 @@
 //! Safetensors files: named `f32` tensors and one JSON text, checked as they are read.
 
 use super::config::check_widths;
+use crate::run_args::place;
 use safetensors::tensor::{Dtype, SafeTensors, TensorView, serialize};
 use std::collections::{BTreeMap, HashMap};
 use std::fs::File;
@@ -158,12 +159,6 @@ impl Tensors {
         let rest = self.tensors.keys().next();
         rest.map_or(Ok(()), |name| Err(Finding::new(name, "a tensor of that name", accepted)))
     }
-}
-
-/// Places a finding in its file.
-pub(crate) fn place(path: &Path, Finding { key, found, accepted }: Finding) -> InputError {
-    let place = if key.is_empty() { Place::Whole } else { Place::Path(key) };
-    InputError::new(path.display().to_string(), place, found, accepted)
 }
 
 #[cfg(test)]

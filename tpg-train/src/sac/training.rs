@@ -18,7 +18,7 @@ use tpg_graph::error::Finding;
 use tpg_nn::{Agent, Experience, Gaussian, Mlp, Rates, Samples, Tape, UpdateFigures, Workspace};
 
 /// A running training.
-pub struct Training<'e, E: Environment<f32>> {
+pub(crate) struct Training<'e, E: Environment<f32>> {
     pub(super) config: SacConfig,
     pub(super) seed: u64,
     pub(super) agent: Agent,
@@ -49,7 +49,7 @@ pub(crate) struct BestActor {
 
 /// Sums over updates and episodes, for the log.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Recent {
+pub(crate) struct Recent {
     /// Updates.
     pub updates: u64,
     /// Sums of the updates' reports.
@@ -93,7 +93,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     ///
     /// # Errors
     /// If the environment's actions are not outputs, or it does not have what the configuration asks for.
-    pub fn new(environment: &'e E, config: SacConfig, seed: u64) -> Result<Self, Finding> {
+    pub(crate) fn new(environment: &'e E, config: SacConfig, seed: u64) -> Result<Self, Finding> {
         let interface = interface(environment, &config)?;
         let (inputs, actions) = (interface.inputs.len(), interface.outputs.len());
         let agent = agent(&config, &interface, seed);
@@ -120,17 +120,17 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     }
 
     /// Returns the network's inputs and outputs.
-    pub fn interface(&self) -> &Interface {
+    pub(crate) fn interface(&self) -> &Interface {
         self.lanes.interface()
     }
 
     /// True when the run has its decisions.
-    pub fn finished(&self) -> bool {
+    pub(crate) fn finished(&self) -> bool {
         self.decisions >= self.config.learning.decisions
     }
 
     /// Returns the sums since the last call and resets them.
-    pub fn take_progress(&mut self) -> Recent {
+    pub(crate) fn take_progress(&mut self) -> Recent {
         std::mem::take(&mut self.recent)
     }
 
@@ -143,7 +143,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     }
 
     /// Lets every lane decide once, then does the updates that are due.
-    pub fn tick(&mut self) {
+    pub(crate) fn tick(&mut self) {
         let began = self.decisions;
         self.act();
         let learning = &self.config.learning;
@@ -269,7 +269,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     /// Lets the actor as it stands try the validation tasks, and keeps it if it is the best so far. Where the rate falls,
     /// the last actor of a run is kept whatever its result: its rate is almost nothing, and the best of many noisy results
     /// is mostly lucky (measured on the arm: chosen at 99.6 %, it did 98.5 % on fresh tasks, the last one 98.7 %).
-    pub fn validate(&mut self, tasks: &[E::Task]) -> Summary {
+    pub(crate) fn validate(&mut self, tasks: &[E::Task]) -> Summary {
         let environment = self.lanes.environment();
         let result = Summary::new(&self.policy().endings(environment, tasks));
         self.last = Some(result);
@@ -364,7 +364,7 @@ impl Recent {
     }
 
     /// Returns the means of the updates' reports.
-    pub fn means(&self) -> UpdateFigures {
+    pub(crate) fn means(&self) -> UpdateFigures {
         let count = self.updates.max(1) as f64;
         let UpdateFigures { critic_loss, actor_loss, entropy, temperature } = self.sums;
         UpdateFigures {
