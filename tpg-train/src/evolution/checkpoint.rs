@@ -2,6 +2,7 @@
 
 use super::config::EvolutionConfig;
 use super::state::State;
+use crate::configuration::Configuration as _;
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use tpg_engine::Environment;
 use tpg_graph::error::{InputError, Place};

@@ -320,7 +320,12 @@ impl Configuration for EvolutionConfig {
     const PRINTED_BY: &'static str = "tpg-train config";
 
     fn default_preset(problem: ProblemName) -> &'static str {
-        presets::default_for(problem)
+        match problem {
+            ProblemName::Fs => "best-fs",
+            ProblemName::Rs => "best-rs",
+            ProblemName::Dodge => "dodge",
+            _ => "thorough",
+        }
     }
 
     fn from_other(file: &str, text: &str) -> Option<Result<(toml::Table, &'static str), InputError>> {
@@ -344,14 +349,6 @@ impl EvolutionConfig {
     /// An unknown key or a value of another type, with its line.
     pub fn of_run(file: &str, text: &str) -> Result<Self, InputError> {
         settings::from_toml(file, text, "the settings of a run")
-    }
-
-    /// Returns the configuration as TOML without comments, as stored in a run's folder and in checkpoints.
-    ///
-    /// # Panics
-    /// Never: every part can be serialised.
-    pub fn to_toml(&self) -> String {
-        toml::to_string(self).expect("a configuration is plain data")
     }
 
     /// Creates the vocabulary of programs for an environment. `scales` are the units of literals, one for each value of

@@ -183,7 +183,7 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
     fn pairs_of_episodes(&self, candidates: &[Candidate], tasks: &[E::Task]) -> Result<Results, EvaluationError> {
         let tasks = tasks.iter().flat_map(|task| [task; 2]);
         let plays: Vec<_> = (candidates.iter().zip(tasks))
-            .map(|(candidate, task)| Play { policy: candidate.policy.clone(), task: task.clone() })
+            .map(|(candidate, task)| Play { policy: candidate.policy.clone(), task: task.clone(), after: Vec::new() })
             .collect();
         let values = self.environment.sources().iter().map(|source| source.length as usize).sum();
         let mut results = Results { seen: Moments::new(values), ..Results::default() };

@@ -237,24 +237,20 @@ impl Genome {
 
     /// Converts a root to an engine policy.
     pub(crate) fn policy(&self, root: TeamId, vocabulary: &Vocabulary) -> PolicyGraph {
-        self.policy_of(root, vocabulary, |id| self.program(id).lines(vocabulary).into())
+        self.policy_of(root, vocabulary, &mut BTreeMap::new())
     }
 
     /// Converts roots to engine policies, each program once.
     pub(crate) fn policies(&self, roots: &[TeamId], vocabulary: &Vocabulary) -> Vec<PolicyGraph> {
         let mut known = BTreeMap::new();
-        let mut lines = |id| {
-            let lines = || Arc::from(self.program(id).lines(vocabulary));
-            Arc::clone(known.entry(id).or_insert_with(lines))
-        };
-        roots.iter().map(|&root| self.policy_of(root, vocabulary, &mut lines)).collect()
+        roots.iter().map(|&root| self.policy_of(root, vocabulary, &mut known)).collect()
     }
 
     fn policy_of(
         &self,
         root: TeamId,
         vocabulary: &Vocabulary,
-        mut lines: impl FnMut(ProgramId) -> Arc<[Line]>,
+        known: &mut BTreeMap<ProgramId, Arc<[Line]>>,
     ) -> PolicyGraph {
         let reached: Vec<TeamId> = self.reachable(root).into_iter().collect();
         let place = |id: TeamId| reached.binary_search(&id).expect("the team is reached") as u32;
@@ -264,7 +260,8 @@ impl Genome {
         let (mut leaves, mut leaf_numbers) = (Vec::new(), BTreeMap::new());
         let mut number = |id: ProgramId| {
             *numbers.entry(id).or_insert_with(|| {
-                programs.push(lines(id));
+                let lines = || self.program(id).lines(vocabulary).into();
+                programs.push(Arc::clone(known.entry(id).or_insert_with(lines)));
                 programs.len() as u32 - 1
             })
         };

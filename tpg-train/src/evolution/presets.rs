@@ -1,7 +1,6 @@
 //! The configurations included with the trainer. `thorough` is the default of every setting; the others hold differences only.
 
 use crate::configuration::Preset;
-use tpg_problems::ProblemName;
 
 /// Every preset.
 pub(crate) const PRESETS: [Preset; 9] = [
@@ -44,19 +43,8 @@ pub(crate) const PRESETS: [Preset; 9] = [
 /// The start of an episode anywhere, and the time that it takes.
 const RANDOM_START: &str = "[problem]\nname = \"rs\"\nmax_actions = 3414\n";
 
-/// Returns the name of the preset used for a problem by default.
-pub(crate) fn default_for(problem: ProblemName) -> &'static str {
-    match problem {
-        ProblemName::Fs => "best-fs",
-        ProblemName::Rs => "best-rs",
-        ProblemName::Dodge => "dodge",
-        _ => "thorough",
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::default_for;
     use crate::configuration::Configuration as _;
     use crate::configuration::schema::{description, properties, resolved, schema};
     use crate::evolution::config::EvolutionConfig;
@@ -71,7 +59,9 @@ mod tests {
             }
             assert_eq!(EvolutionConfig::from_toml("written", &config.to_toml()), Ok(config), "{}", preset.name);
         }
-        assert!(PROBLEMS.iter().all(|(name, _)| EvolutionConfig::table(default_for(*name)).is_some()));
+        assert!(
+            PROBLEMS.iter().all(|(name, _)| EvolutionConfig::table(EvolutionConfig::default_preset(*name)).is_some())
+        );
     }
 
     #[test]

@@ -8,6 +8,7 @@ use super::logs;
 use super::record::Row;
 use super::scales::scales;
 use super::state::{Best, State};
+use crate::configuration::Configuration as _;
 use crate::folder::{RunFolder, Trainer};
 use crate::run_time::Stopwatch;
 use std::collections::BTreeMap;

@@ -55,7 +55,7 @@ pub(super) fn to_bytes<E: Environment<f32>>(training: &Training<'_, E>, log: &[s
         last: *last,
         recent: recent.clone(),
         lanes: lanes.lanes.iter().map(|lane| lane.task.clone()).collect(),
-        failures: lanes.failures.places.clone(),
+        failures: lanes.failures.clone(),
         inputs: lanes.interface().inputs.clone(),
         log: log.to_vec(),
     };
@@ -104,7 +104,7 @@ fn restore<'e, E: Environment<f32>>(
     training.lanes.lanes.clear();
     state.lanes.into_iter().zip(&actions).for_each(|(task, actions)| training.lanes.resume(task, actions));
     training.lanes.episodes = state.episodes;
-    training.lanes.failures.places = state.failures;
+    training.lanes.failures = state.failures;
     training.lanes.set_inputs(state.inputs);
     (training.agent, training.average, training.best, training.replay) = (agent, average, best, replay);
     (training.decisions, training.updates) = (state.decisions, state.updates);
@@ -149,7 +149,7 @@ mod tests {
             }
         }
         assert!(undisturbed.updates > 40);
-        assert_eq!(undisturbed.lanes.failures.places.len(), config.retry.map_or(0, |retry| retry.remembered));
+        assert_eq!(undisturbed.lanes.failures.len(), config.retry.map_or(0, |retry| retry.remembered));
         assert!(to_bytes(&undisturbed, &[]) == to_bytes(&resumed, &[]), "the checkpoints at the end differ");
     }
 

@@ -56,6 +56,14 @@ impl Network {
         quantised("<network>", actor, None, environment, hash, kind, seed)
     }
 
+    /// Returns the number of inputs, and the units of each hidden layer.
+    pub(crate) fn widths(&self) -> Vec<usize> {
+        match self {
+            Self::Float(actor) => [&[actor.0.shape().inputs], &actor.0.shape().hidden[..]].concat(),
+            Self::Fixed(policy) => policy.layers.iter().map(|layer| layer.inputs).collect(),
+        }
+    }
+
     /// Returns the network's decision for a flat state, by the mean of its actions.
     pub fn decide(&self, state: &[f32]) -> Decision<f32> {
         self.deciding(|decide| decide(state))

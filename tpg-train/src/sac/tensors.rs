@@ -23,13 +23,6 @@ pub struct Tensor {
     pub values: Vec<f32>,
 }
 
-impl Tensor {
-    /// A vector.
-    pub fn flat(values: Vec<f32>) -> Self {
-        Self { shape: vec![values.len()], values }
-    }
-}
-
 /// A file's tensors and its JSON text.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tensors {
@@ -169,6 +162,13 @@ mod tests {
         let matrix = Tensor { shape: vec![2, 3], values: vec![1.0, 2.0, 3.0, 4.0, -5.5, 0.0] };
         let tensors = [("weight".to_owned(), matrix), ("bias".to_owned(), Tensor::flat(vec![0.25; 7]))].into();
         Tensors { tensors, text: Some(r#"{"a":1}"#.to_owned()) }
+    }
+
+    impl Tensor {
+        /// A vector.
+        pub(crate) fn flat(values: Vec<f32>) -> Self {
+            Self { shape: vec![values.len()], values }
+        }
     }
 
     #[test]
