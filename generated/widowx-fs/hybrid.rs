@@ -1,5 +1,4 @@
-//! Settings for sharing the arm between this folder's graph and its actor: made from `hybrid.toml` by
-//! `tpg-train constants`; do not edit.
+//! Settings for sharing the arm between this folder's graph and its actor: those of `hybrid.toml`.
 
 use tpg_arm::cycle::Brent;
 use tpg_arm::hybrid::{Guard, Settings};

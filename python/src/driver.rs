@@ -1,7 +1,7 @@
 //! Whole episodes of a Gymnasium environment, next to the environment.
 
 use crate::error;
-use crate::policy::{Acting, Parts, Policy};
+use crate::policy::{Acting, Policy};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::intern;
 use pyo3::prelude::*;
@@ -89,35 +89,32 @@ impl Driver {
     /// Runs one episode for each seed.
     fn run(&self, py: Python<'_>, policy: &Policy, seeds: Vec<u64>) -> PyResult<Vec<Played>> {
         let mut acting = policy.acting();
-        seeds.into_iter().map(|seed| self.episode(py, policy, &mut acting, seed, |_, _| true)).collect()
+        seeds.into_iter().map(|seed| self.episode(py, policy, &mut acting, seed, |_, _| ())).collect()
     }
 
-    /// Returns the observations after given numbers of actions, ascending.
-    fn visit(&self, py: Python<'_>, policy: &Policy, seed: u64, after: Vec<u32>) -> PyResult<Vec<Vec<f64>>> {
-        let mut seen = Vec::with_capacity(after.len());
-        self.episode(py, policy, &mut policy.acting(), seed, |step, state| {
-            while after.get(seen.len()) == Some(&step) {
-                seen.push(state.to_vec());
+    /// Runs one episode and returns its result with the moments of the observations, and those after given numbers of actions,
+    /// ascending.
+    fn play(
+        &self,
+        py: Python<'_>,
+        policy: &Policy,
+        seed: u64,
+        after: Vec<u32>,
+    ) -> PyResult<(Played, String, Vec<Vec<f64>>)> {
+        let (mut seen, mut states) = (Moments::new(policy.inputs()), Vec::with_capacity(after.len()));
+        let played = self.episode(py, policy, &mut policy.acting(), seed, |step, state| {
+            seen.push(state);
+            while after.get(states.len()) == Some(&step) {
+                states.push(state.to_vec());
             }
-            seen.len() < after.len()
         })?;
-        match seen.len() == after.len() {
-            true => Ok(seen),
-            false => Err(error::training(format!(
+        if states.len() < after.len() {
+            return Err(error::training(format!(
                 "the episode of seed {seed} was shorter than before: the environment's state survives reset(seed=...); \
                  tpg_train.wrappers.Fresh makes a new environment for each episode"
-            ))),
+            )));
         }
-    }
-
-    /// Runs one episode and returns its result with the moments of the observations.
-    fn play(&self, py: Python<'_>, policy: &Policy, seed: u64) -> PyResult<(Played, Parts)> {
-        let mut seen = Moments::new(policy.inputs());
-        let played = self.episode(py, policy, &mut policy.acting(), seed, |_, state| {
-            seen.push(state);
-            true
-        })?;
-        Ok((played, seen.into_parts()))
+        Ok((played, serde_json::to_string(&seen).map_err(error::training)?, states))
     }
 }
 
@@ -126,14 +123,14 @@ impl Driver {
         self.shape.iter().product()
     }
 
-    /// Runs one episode of a policy; `watch` sees each state before the action, and ends the episode with false.
+    /// Runs one episode of a policy; `watch` sees each state before the action.
     fn episode(
         &self,
         py: Python<'_>,
         policy: &Policy,
         acting: &mut Acting,
         seed: u64,
-        mut watch: impl FnMut(u32, &[f64]) -> bool,
+        mut watch: impl FnMut(u32, &[f64]),
     ) -> PyResult<Played> {
         let mut state = Vec::with_capacity(policy.inputs());
         self.begin(py, seed, &mut state)?;
@@ -143,9 +140,7 @@ impl Driver {
         while actions < self.limit {
             state.extend(&memory);
             state.iter_mut().for_each(|value| *value = policy.scalar().round(*value));
-            if !watch(actions, &state) {
-                break;
-            }
+            watch(actions, &state);
             actions += 1;
             let action = self.act(py, acting(&state), &mut memory)?;
             let told = self.advance(action, &mut state, || format!("seed {seed}, step {actions}"))?;

@@ -4,7 +4,7 @@ use crate::error;
 use crate::graph::Graph;
 use crate::mailbox::{Event, Mailbox, Reply};
 use crate::native;
-use crate::policy::{Parts, Policy};
+use crate::policy::Policy;
 use crate::samples::Samples;
 use crate::space::Space;
 use pyo3::prelude::*;
@@ -66,7 +66,7 @@ struct Line {
     events: Option<Receiver<Event>>,
     replies: Option<SyncSender<Reply>>,
     thread: Option<Thread>,
-    /// The request of the last event: units and tasks, or visits.
+    /// The request of the last event: units and tasks, or episodes.
     asked: Option<(usize, usize)>,
 }
 
@@ -193,8 +193,8 @@ impl Evolution {
         }))
     }
 
-    /// Waits for the next event and returns its kind and what it says: `evaluate` (policies, seeds), `visit` (policy, seed,
-    /// numbers of actions), `play` (policy, seed), `progress` (figures) or `end` (true if the run is complete).
+    /// Waits for the next event and returns its kind and what it says: `evaluate` (policies, seeds), `play` (policy, seed,
+    /// numbers of actions), `progress` (figures) or `end` (true if the run is complete).
     fn next<'py>(&self, py: Python<'py>) -> PyResult<(&'static str, Bound<'py, PyAny>)> {
         loop {
             let received = py.detach(|| {
@@ -219,27 +219,19 @@ impl Evolution {
         self.reply(py, lengths, Reply::Endings(endings))
     }
 
-    /// Replies to `play`: for each episode its return, number of actions and success, and the moments of what was seen.
-    fn played(&self, py: Python<'_>, played: Vec<(Told, Parts)>) -> PyResult<()> {
+    /// Replies to `play`: for each episode its return, number of actions and success, the moments of what was seen, and the state
+    /// after each number of actions.
+    fn played(&self, py: Python<'_>, played: Vec<(Told, String, Vec<Vec<f64>>)>) -> PyResult<()> {
         let inputs = self.inputs;
-        let one = |(told, (count, means, squares)): (Told, Parts)| {
-            let seen = Moments::from_parts(count, means, squares).filter(|seen| seen.length() == inputs);
-            let accepted = format!("moments of {inputs} values");
-            Ok(Played {
-                ending: ending(told),
-                seen: seen.ok_or_else(|| error::input(format!("{told:?}; accepted: {accepted}")))?,
-            })
+        let one = |(told, seen, mut states): (Told, String, Vec<Vec<f64>>)| {
+            let seen = serde_json::from_str(&seen).ok().filter(|seen: &Moments| seen.length() == inputs);
+            let refused = || error::input(format!("{told:?}; accepted: moments of {inputs} values"));
+            // What the policy read: the bench may tell more digits.
+            states.iter_mut().flatten().for_each(|value| *value = self.scalar.round(*value));
+            Ok(Played { ending: ending(told), seen: seen.ok_or_else(refused)?, states })
         };
         let played = played.into_iter().map(one).collect::<PyResult<Vec<_>>>()?;
         self.reply(py, (played.len(), 0), Reply::Played(played))
-    }
-
-    /// Replies to `visit`: for each visit the state after each number of actions.
-    fn states(&self, py: Python<'_>, states: Vec<Vec<Vec<f64>>>) -> PyResult<()> {
-        let mut states = states;
-        // What the policy read: the bench may tell more digits.
-        states.iter_mut().flatten().flatten().for_each(|value| *value = self.scalar.round(*value));
-        self.reply(py, (states.len(), 0), Reply::States(states))
     }
 
     /// Replies to `progress`: true to go on, false to save and stop.
@@ -293,16 +285,10 @@ impl Evolution {
                 let policies: Vec<Policy> = work.policies.into_iter().map(|policy| self.policy(policy)).collect();
                 ("evaluate", (policies, work.tasks).into_pyobject(py)?.into_any(), asked)
             }
-            Event::Visit(visits) => {
-                let asked = (visits.len(), 0);
-                let visits: Vec<(Policy, u64, Vec<u32>)> =
-                    (visits.into_iter()).map(|visit| (self.policy(visit.policy), visit.task, visit.after)).collect();
-                ("visit", visits.into_pyobject(py)?.into_any(), asked)
-            }
             Event::Play(plays) => {
                 let asked = (plays.len(), 0);
-                let plays: Vec<(Policy, u64)> =
-                    plays.into_iter().map(|play| (self.policy(play.policy), play.task)).collect();
+                let plays: Vec<(Policy, u64, Vec<u32>)> =
+                    plays.into_iter().map(|play| (self.policy(play.policy), play.task, play.after)).collect();
                 ("play", plays.into_pyobject(py)?.into_any(), asked)
             }
             Event::Progress(report) => ("progress", report.into_dict(py)?.into_any(), (0, 0)),

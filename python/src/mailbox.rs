@@ -3,14 +3,12 @@
 use crate::evolution::Report;
 use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, SyncSender};
-use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Play, Played, Visit, Work};
+use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Play, Played, Work};
 
 /// A message of the run.
 pub(crate) enum Event {
     /// It wants roots evaluated.
     Evaluate(Work<u64>),
-    /// It wants states recorded.
-    Visit(Vec<Visit<u64>>),
     /// It wants episodes run, and what was seen.
     Play(Vec<Play<u64>>),
     /// A generation is over.
@@ -21,8 +19,6 @@ pub(crate) enum Event {
 pub(crate) enum Reply {
     /// Endings of each unit on each task.
     Endings(Vec<Vec<EpisodeResult>>),
-    /// States of each visit.
-    States(Vec<Vec<Vec<f64>>>),
     /// Results of each episode.
     Played(Vec<Played>),
     /// True if the run shall go on.
@@ -64,14 +60,6 @@ impl Evaluator<u64> for Mailbox {
         }
         let Some(Reply::Endings(endings)) = self.ask(Event::Evaluate(work.clone())) else { return Err(stopped()) };
         Ok(endings)
-    }
-
-    fn visit(&self, visits: &[Visit<u64>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
-        if visits.is_empty() {
-            return Ok(Vec::new());
-        }
-        let Some(Reply::States(states)) = self.ask(Event::Visit(visits.to_vec())) else { return Err(stopped()) };
-        Ok(states)
     }
 
     fn play(&self, plays: &[Play<u64>]) -> Result<Vec<Played>, EvaluationError> {

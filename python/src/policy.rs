@@ -12,9 +12,6 @@ use tpg_graph::{MathsProvider, ScalarType, SourceDocument};
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
 
-/// The moments of states: their number, the means of their values, and the sums of the squared distances from these.
-pub(crate) type Parts = (u64, Vec<f64>, Vec<f64>);
-
 /// A policy that is evaluated in an episode.
 #[pyclass(frozen, module = "tpg_train._tpg")]
 pub(crate) struct Policy {
@@ -99,14 +96,14 @@ impl Policy {
         self.inputs
     }
 
-    /// Returns the moments of flat states, as the policy reads these.
-    fn moments(&self, states: Vec<Vec<f64>>) -> Parts {
+    /// Returns the moments of flat states, as the policy reads these, as JSON.
+    fn moments(&self, states: Vec<Vec<f64>>) -> PyResult<String> {
         let mut seen = Moments::new(self.inputs);
         for mut state in states {
             state.iter_mut().for_each(|value| *value = self.scalar.round(*value));
             seen.push(&state);
         }
-        seen.into_parts()
+        serde_json::to_string(&seen).map_err(error::training)
     }
 
     /// Returns the number of the action for a flat state; the values of the outputs for a policy that has some.

@@ -60,7 +60,7 @@ def test_training_and_predict_read_the_same_values_of_any_layout_and_type(shape:
     policy = Policy.of(TPG(Told(values, shape), **SMALL).learn(10).graph._graph)
     for observation in layouts(values) if shape else [values, values[()], values.tolist()]:
         interface = Interface.of(Told(observation, shape))
-        trained = interface.driver(Told(observation, shape)).visit(policy, 1, [0])[0]
+        trained = interface.driver(Told(observation, shape)).play(policy, 1, [0])[2][0]
         predicted, is_batch = interface.states(observation)
         assert trained == predicted[0].tolist() == values.ravel().astype(float).tolist() and not is_batch
         batch, is_batch = interface.states(np.stack([np.asarray(observation)] * 3))

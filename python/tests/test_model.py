@@ -501,10 +501,10 @@ def test_hardware_in_the_loop_goes_on_with_a_random_search(tmp_path: Path) -> No
                 observation, reward, terminated, truncated, _ = env.step(candidate.predict(observation))
                 total, done = total + float(reward), terminated or truncated
             returns.append(total)
-            played, seen = driver.play(candidate._policy, candidate.seed)
+            played, seen, _ = driver.play(candidate._policy, candidate.seed, [])
             assert played[:2] == (total, candidate.steps)
             assert seen == candidate._policy.moments(candidate._seen)
-            assert seen[0] == candidate.steps
+            assert json.loads(seen)["count"] == candidate.steps
         model.tell(candidates, returns)
     model.ask()
     assert model.num_timesteps > before

@@ -18,7 +18,7 @@ from ._tpg import Driver, InputError, Policy, TrainingError
 from .spaces import Interface
 
 Played = tuple[float, int, Union[bool, None]]
-Moments = tuple[int, list[float], list[float]]
+Seen = tuple[Played, str, list[list[float]]]
 Environment = gymnasium.Env[Any, Any]
 
 ATTEMPTS = 3
@@ -33,12 +33,8 @@ class Episodes(Protocol):
         """Returns one result for each policy and seed."""
         ...
 
-    def visit(self, visits: Sequence[tuple[Policy, int, list[int]]]) -> list[list[list[float]]]:
-        """Returns the states of each visit."""
-        ...
-
-    def play(self, plays: Sequence[tuple[Policy, int]]) -> list[tuple[Played, Moments]]:
-        """Returns the result of one episode for each policy and seed, and the moments of what was seen."""
+    def play(self, plays: Sequence[tuple[Policy, int, list[int]]]) -> list[Seen]:
+        """Returns the result of one episode for each policy and seed, the moments of what was seen, and some states."""
         ...
 
     def close(self) -> None:
@@ -55,11 +51,8 @@ class Here:
     def run(self, policies: Sequence[Policy], seeds: Sequence[int]) -> list[list[Played]]:
         return [self._driver.run(policy, list(seeds)) for policy in policies]
 
-    def visit(self, visits: Sequence[tuple[Policy, int, list[int]]]) -> list[list[list[float]]]:
-        return [self._driver.visit(policy, seed, after) for policy, seed, after in visits]
-
-    def play(self, plays: Sequence[tuple[Policy, int]]) -> list[tuple[Played, Moments]]:
-        return [self._driver.play(policy, seed) for policy, seed in plays]
+    def play(self, plays: Sequence[tuple[Policy, int, list[int]]]) -> list[Seen]:
+        return [self._driver.play(policy, seed, after) for policy, seed, after in plays]
 
     def close(self) -> None:
         pass
@@ -132,12 +125,9 @@ class Workers:
             results[place].extend(played)
         return results
 
-    def visit(self, visits: Sequence[tuple[Policy, int, list[int]]]) -> list[list[list[float]]]:
-        return self._all([("visit", policy.to_bytes(), (seed, after)) for policy, seed, after in visits], 1)
-
-    def play(self, plays: Sequence[tuple[Policy, int]]) -> list[tuple[Played, Moments]]:
+    def play(self, plays: Sequence[tuple[Policy, int, list[int]]]) -> list[Seen]:
         together = max(1, len(plays) // (PIECES_FOR_EACH_WORKER * self._n_workers))
-        return self._all([("play", policy.to_bytes(), (seed,)) for policy, seed in plays], together)
+        return self._all([("play", policy.to_bytes(), (seed, after)) for policy, seed, after in plays], together)
 
     def _all(self, pieces: Sequence[_Piece], together: int) -> list[Any]:
         """Returns the results of pieces of work, in order. What a killed worker had is given to another."""

@@ -69,13 +69,11 @@ class Candidate:
     Attributes: `seed`, for `reset(seed=...)`; `steps`, the number of observations that it has answered.
     """
 
-    def __init__(
-        self, policy: Policy, seed: int, interface: Interface, place: int, after: list[int] | None, keeps_all: bool
-    ) -> None:
+    def __init__(self, policy: Policy, seed: int, interface: Interface, place: int, after: list[int] | None) -> None:
         self.seed = seed
         self.steps = 0
         self._policy, self._interface, self._place = policy, interface, place
-        self._after, self._keeps_all = after, keeps_all
+        self._after = after
         self._seen: list[list[float]] = []
         self._memory = [0.0] * (policy.inputs - interface.inputs)
 
@@ -86,9 +84,6 @@ class Candidate:
             raise InputError("a batch of observations; accepted: one, of this candidate's own episode")
         state = states[0].tolist() + self._memory
         if self._after is not None:
-            while len(self._seen) < len(self._after) and self._after[len(self._seen)] == self.steps:
-                self._seen.append(state)
-        elif self._keeps_all:
             self._seen.append(state)
         self.steps += 1
         action, values = self._policy.answer(state)
@@ -382,9 +377,6 @@ class TPG:
                 if kind == "evaluate":
                     assert episodes is not None
                     evolution.endings(episodes.run(*says))
-                elif kind == "visit":
-                    assert episodes is not None
-                    evolution.states(episodes.visit(says))
                 elif kind == "play":
                     assert episodes is not None
                     evolution.played(episodes.play(says))
@@ -465,16 +457,13 @@ class TPG:
             if kind == "evaluate":
                 policies, seeds = says
                 given = [(policy, seed, None) for policy in policies for seed in seeds]
-            elif kind == "visit":
-                policies, given = says, says
             elif kind == "play":
-                policies, given = says, [(policy, seed, None) for policy, seed in says]
+                policies, given = says, says
             else:
                 self._asked = None
                 return []
             candidates = [
-                Candidate(policy, seed, self._interface, place, after, kind == "play")
-                for place, (policy, seed, after) in enumerate(given)
+                Candidate(policy, seed, self._interface, place, after) for place, (policy, seed, after) in enumerate(given)
             ]
             self._asked = _Asked(evolution, kind, candidates, len(policies))
             return candidates
@@ -493,14 +482,13 @@ class TPG:
         if bad:
             raise InputError(f"seed {bad[0]}: a return of NaN; accepted: a number")
         played = [(scores[place], one.steps, None) for place, one in enumerate(asked.candidates)]
-        if asked.kind == "visit":
-            short = next((one for one in asked.candidates if one._after is not None and len(one._seen) < len(one._after)), None)
+        if asked.kind == "play":
+            short = next((one for one in asked.candidates if one.steps <= max(one._after or [-1])), None)
             if short is not None:
                 raise InputError(f"seed {short.seed}: an episode shorter than before; accepted: the same episode again")
-            asked.evolution.states([one._seen for one in asked.candidates])
-        elif asked.kind == "play":
             seen = [one._policy.moments(one._seen) for one in asked.candidates]
-            asked.evolution.played(list(zip(played, seen, strict=True)))
+            states = [[one._seen[after] for after in one._after or []] for one in asked.candidates]
+            asked.evolution.played(list(zip(played, seen, states, strict=True)))
         else:
             seeds = len(asked.candidates) // asked.policies
             asked.evolution.endings([played[start : start + seeds] for start in range(0, len(played), seeds)])

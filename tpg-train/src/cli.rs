@@ -7,7 +7,6 @@ use crate::configuration::print::{ConfigArgs, print_config};
 use crate::evaluate::{EvalArgs, eval};
 use crate::evolution::command::{TpgArgs, execute as execute_tpg};
 use crate::hybrid::command::{HybridArgs, execute as execute_hybrid};
-use crate::hybrid::constants::{ConstantsArgs, constants};
 use crate::problems::print_problems;
 use crate::quantise::{QuantiseArgs, quantise};
 use crate::ranks::workplace::ThisProcess;
@@ -48,9 +47,6 @@ enum Command {
     /// Find the best hybrid of graphs and networks
     #[command(after_help = examples::HYBRID)]
     Hybrid(HybridArgs),
-    /// Turn a hybrid.toml into Rust constants
-    #[command(after_help = examples::CONSTANTS)]
-    Constants(ConstantsArgs),
     /// Convert an actor of Stable-Baselines3 or CleanRL to a policy
     #[command(after_help = examples::IMPORT)]
     Import(ImportArgs),
@@ -89,7 +85,6 @@ impl Cli {
             Command::Tpg(args) => execute_tpg(&args, &ThisProcess).map_err(CommandError::other),
             Command::Sac(args) => execute_sac(&args).map_err(CommandError::other),
             Command::Hybrid(args) => execute_hybrid(&args).map_err(CommandError::from),
-            Command::Constants(args) => good(constants(&args)),
             Command::Import(args) => good(import(&args)),
             Command::Quantise(args) => good(quantise(&args)),
             Command::Eval(args) => good(eval(&args)),

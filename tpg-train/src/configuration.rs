@@ -87,6 +87,14 @@ pub trait Configuration: Sized + Serialize + DeserializeOwned {
         Ok(config)
     }
 
+    /// Returns the configuration as TOML without comments, as stored in a run's folder and in checkpoints.
+    ///
+    /// # Panics
+    /// Never: every part can be serialised.
+    fn to_toml(&self) -> String {
+        toml::to_string(self).expect("a configuration is plain data")
+    }
+
     /// Returns the section `problem`.
     fn problem(&mut self) -> &mut toml::Table;
 

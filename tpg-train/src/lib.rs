@@ -59,15 +59,11 @@ pub use sac::training::train_network;
 /// Parts of the commands, and readers of files as functions of bytes, for fuzzers and tests.
 #[doc(hidden)]
 pub mod parts {
-    pub use crate::evolution::checkpoint as tpg;
     pub use crate::evolution::config::{AskConfig, Units};
-    pub use crate::evolution::generation::Evolution;
-    pub use crate::folder::frame::seal;
     pub use crate::folder::{RunFolder, Trainer};
     pub use crate::hybrid::command::{StudyArgs, study_on};
     pub use crate::hybrid::setting::{parse_file, read_file};
     pub use crate::quantise::{QuantiseArgs, quantise};
     pub use crate::sac::tensors::{Tensor, Tensors};
-    pub use crate::sac::training::Training;
-    pub use crate::sac::{checkpoint as sac, foreign, weights};
+    pub use crate::sac::{foreign, weights};
 }

@@ -1,9 +1,9 @@
 //! Arguments common to all training commands.
 
 use clap::Args;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
-use tpg_graph::error::{InputError, Place};
+use tpg_graph::error::{Finding, InputError, Place};
 use tpg_problems::ProblemName;
 
 /// The arguments of a run.
@@ -44,6 +44,12 @@ impl RunArgs {
 /// Creates an error about the command line.
 pub(crate) fn command_line(found: impl Into<String>, accepted: impl Into<String>) -> InputError {
     InputError::new("<command line>", Place::Whole, found, accepted)
+}
+
+/// Places a finding in its file.
+pub(crate) fn place(path: &Path, Finding { key, found, accepted }: Finding) -> InputError {
+    let place = if key.is_empty() { Place::Whole } else { Place::Path(key) };
+    InputError::new(path.display().to_string(), place, found, accepted)
 }
 
 /// Writes a result to the standard output.

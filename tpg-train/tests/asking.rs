@@ -11,7 +11,9 @@ use tpg_graph::Graph;
 use tpg_problems::{Pendulum, Problem, ProblemName};
 use tpg_runtime::ops::Own;
 use tpg_train::parts::AskConfig;
-use tpg_train::{Acting, Asking, Config as EvolutionConfig, Episodes, Network, OwnProblem, Shared as _};
+use tpg_train::{
+    Acting, Asking, Config as EvolutionConfig, Configuration as _, Episodes, Network, OwnProblem, Shared as _,
+};
 
 /// Asks where the angular velocity is negative, else pushes with the highest torque.
 const ASKS: &str = r#"{

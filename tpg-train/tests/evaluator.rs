@@ -8,7 +8,7 @@ use std::path::Path;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
     Destination, Edge, Environment, EpisodeResult, EvaluationError, Evaluator, Line, LocalThreads, Moments, Operand,
-    Play, Played, PolicyGraph, Visit, Work,
+    Plan, Play, Played, PolicyGraph, Rollout, Single, Work,
 };
 use tpg_problems::arm::targets::Start;
 use tpg_problems::arm::{self, ArmEnvironment, ArmTask};
@@ -53,22 +53,20 @@ impl Evaluator<ArmTask> for Wire<'_> {
         Ok(answers)
     }
 
-    fn visit(&self, visits: &[Visit<ArmTask>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
-        let message = serde_json::to_string(visits).map_err(EvaluationError::new)?;
-        let received: Vec<Visit<ArmTask>> = serde_json::from_str(&message).map_err(EvaluationError::new)?;
-        LocalThreads::<f32, Own, _>::new(self.worker.environment, 1)?.visit(&received)
-    }
-
     /// Runs each episode, and once more for its states.
     fn play(&self, plays: &[Play<ArmTask>]) -> Result<Vec<Played>, EvaluationError> {
-        let one = |Play { policy, task }: &Play<ArmTask>| {
-            let work = Work { tasks: vec![*task], policies: vec![policy.clone()] };
-            let ending = self.evaluate(&work)?[0][0];
-            let after = (0..ending.actions).collect();
-            let states = self.visit(&[Visit { policy: policy.clone(), task: *task, after }])?.concat();
-            let mut seen = Moments::new(states.first().map_or(0, Vec::len));
-            states.iter().for_each(|state| seen.push(state));
-            Ok(Played { ending, seen })
+        let environment = self.worker.environment;
+        let one = |Play { policy, task, after }: &Play<ArmTask>| {
+            let ending = self.evaluate(&Work { tasks: vec![*task], policies: vec![policy.clone()] })?[0][0];
+            let single = Single::<f32, Own>::new(Plan::new::<Own>(policy, &environment.sources()));
+            let mut states: Vec<Vec<f64>> = Vec::new();
+            Rollout::new(environment, task).run(|state| {
+                states.push(state.iter().map(|&value| value.into()).collect());
+                single.answer(state).into()
+            });
+            let mut seen = Moments::new(states[0].len());
+            states.iter().take(ending.actions as usize).for_each(|state| seen.push(state));
+            Ok(Played { ending, seen, states: after.iter().map(|&after| states[after as usize].clone()).collect() })
         };
         plays.iter().map(one).collect()
     }
@@ -116,10 +114,6 @@ impl<V: Evaluator<ArmTask>> Evaluator<ArmTask> for Broken<V> {
         if *self.asked.borrow() == 3 { Err(EvaluationError::new("connection lost")) } else { self.inner.evaluate(work) }
     }
 
-    fn visit(&self, visits: &[Visit<ArmTask>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
-        self.inner.visit(visits)
-    }
-
     fn play(&self, plays: &[Play<ArmTask>]) -> Result<Vec<Played>, EvaluationError> {
         self.inner.play(plays)
     }
@@ -160,10 +154,6 @@ impl Evaluator<ArmTask> for Losing<'_> {
         self.threads.evaluate(work)
     }
 
-    fn visit(&self, visits: &[Visit<ArmTask>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
-        self.threads.visit(visits)
-    }
-
     fn play(&self, plays: &[Play<ArmTask>]) -> Result<Vec<Played>, EvaluationError> {
         self.threads.play(plays)
     }
@@ -201,14 +191,15 @@ fn an_episode_with_what_was_seen_is_the_same_as_one_that_is_run_again() {
         PolicyGraph::new(2, 0, vec![team.collect()], vec![vec![line], vec![]])
     };
     let task = |number| environment.draw(&mut Stream::new(1, number, Purpose::Test, 0));
-    let plays: Vec<_> = (0..9).map(|number| Play { policy: policy(number as u16), task: task(number) }).collect();
+    let plays: Vec<_> =
+        (0..9).map(|number| Play { policy: policy(number as u16), task: task(number), after: vec![0, 0] }).collect();
     let again = Wire { worker: Worker { environment: &environment }, sent: Cell::default() };
     let expected = again.play(&plays).expect("no machine is lost");
     let played = threads.play(&plays).expect("no machine is lost");
     assert_eq!(played, expected);
     let actions: u64 = played.iter().map(|played| u64::from(played.ending.actions)).sum();
-    for Played { ending, seen } in &played {
-        assert_eq!((seen.count(), seen.length()), (u64::from(ending.actions), 5));
+    for Played { ending, seen, states } in &played {
+        assert_eq!((seen.count(), seen.length(), states.len()), (u64::from(ending.actions), 5, 2));
     }
     assert!(actions > 1000, "{actions}");
 }

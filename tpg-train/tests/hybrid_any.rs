@@ -97,14 +97,11 @@ fn a_weak_graph_with_a_network_is_better_than_alone() {
         ["drift", "stall", "cycle"].map(|cause| hybrid["hand_overs"][cause].as_f64().unwrap()).iter().sum();
     assert!(hand_overs > 0.0, "{hybrid}");
 
-    // The report shows the study's hybrid, and constants are made of it.
+    // The report shows the study's hybrid.
     let html = folder.path().join("report.html");
     tpg_train().arg("report").arg(&out).args(["--episodes", "20", "--out"]).arg(&html).assert().success();
     let html = text(&html);
     assert!(html.contains("hybrid") && html.contains("hands back after") && html.contains("<svg"), "{html}");
-    let rust = folder.path().join("hybrid.rs");
-    tpg_train().arg("constants").arg(out.join("hybrid.toml")).arg("--out").arg(&rust).assert().success();
-    assert!(text(&rust).contains("pub const SETTINGS: Settings<f32>"));
 }
 
 #[test]

@@ -108,23 +108,6 @@ impl Finding {
         }
         Err(Self::new(key, value, format!("{low} to {high}")))
     }
-
-    /// Checks that an index lies below a length.
-    ///
-    /// # Errors
-    /// The finding, if there is no such element.
-    pub fn below(key: &str, index: usize, length: usize) -> Result<(), Self> {
-        if index < length {
-            return Ok(());
-        }
-        Err(Self::new(key, index, format!("below {length}")))
-    }
-
-    /// Puts a table's name in front of the key.
-    #[must_use]
-    pub fn within(self, table: &str) -> Self {
-        Self { key: format!("{table}.{}", self.key), ..self }
-    }
 }
 
 /// Splits a serde message into what was found and what was expected, in the terms of the file.

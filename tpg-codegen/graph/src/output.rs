@@ -58,32 +58,6 @@ pub fn write_all<P: AsRef<Path>, B: AsRef<[u8]>>(files: &[(P, B)]) -> Result<(),
     Ok(())
 }
 
-/// Writes one file as [`write_atomically`] does and keeps the file that it replaces under the name `previous`, in the
-/// same folder.
-///
-/// At every moment `path` holds a whole file, the old one or the new one; without hard links on the file system, at least
-/// one of the two names does.
-///
-/// # Errors
-/// As [`write_atomically`]; nothing has changed in that case, unless the folder disappeared between the last write and
-/// the renaming.
-pub fn write_keeping_previous(path: &Path, previous: &Path, bytes: &[u8]) -> Result<(), InputError> {
-    let pending = Pending::write(path, bytes).map_err(|error| refused(path, &error))?;
-    keep(path, previous).map_err(|error| refused(previous, &error))?;
-    pending.appear().map_err(|(path, error)| refused(&path, &error))
-}
-
-/// Gives a file a second name; moves it to that name where there are no hard links.
-fn keep(path: &Path, name: &Path) -> io::Result<()> {
-    if !path.exists() {
-        return Ok(());
-    }
-    match fs::remove_file(name) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
-        _ => fs::hard_link(path, name).or_else(|_| fs::rename(path, name)),
-    }
-}
-
 /// Creates a folder, and those of its files, and writes the files as [`write_all`] does. If that fails, the created folders
 /// are removed again.
 ///
@@ -238,19 +212,6 @@ mod tests {
         fs::write(folder.path().join("plain"), "").expect("written");
         let error = write_folder(&folder.path().join("plain/b"), &[(new.join("x"), "")]).expect_err("refused");
         assert!(error.file.ends_with("plain/b"), "{error}");
-    }
-
-    #[test]
-    fn the_replaced_file_is_kept() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let [file, previous] = ["file", "previous"].map(|name| folder.path().join(name));
-        let read = |path: &Path| fs::read_to_string(path).ok();
-        for (text, before) in [("one", None), ("two", Some("one")), ("three", Some("two"))] {
-            write_keeping_previous(&file, &previous, text.as_bytes()).expect("written");
-            assert_eq!((read(&file).as_deref(), read(&previous).as_deref()), (Some(text), before));
-        }
-        write_keeping_previous(&folder.path().join("missing/file"), &previous, b"text").expect_err("refused");
-        assert_eq!(read(&previous).as_deref(), Some("two"), "a refused write renames nothing");
     }
 
     #[test]

@@ -92,6 +92,15 @@ impl ActionSpace {
         }
     }
 
+    /// Iterates over the names of the actions, or of the outputs.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        let (actions, outputs) = match self {
+            Self::Discrete(actions) => (&actions[..], &[][..]),
+            Self::Box(outputs) => (&[][..], &outputs[..]),
+        };
+        actions.iter().map(|action| action.name.as_str()).chain(outputs.iter().map(|output| output.name.as_str()))
+    }
+
     /// Returns the number of named actions; `None` unless the space is discrete.
     pub fn count(&self) -> Option<usize> {
         match self {

@@ -1,31 +1,17 @@
 //! Binding of a graph to an environment: maps the graph's sources and actions to those of the environment.
 
 use crate::action::{ActionSpace, Output};
-use crate::environment::Environment;
 use crate::policy::{Destination, Edge, Line, Operand, PolicyGraph};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Action, ActionDocument, Graph, Input, SourceDocument};
-use tpg_runtime::scalar::Scalar;
 
-/// Turns a graph into a policy for an environment with named actions, or with outputs. Sources, actions and outputs are
-/// matched by name, in any order.
+/// Turns a graph into a policy of these sources and actions, or outputs. Sources, actions and outputs are matched by name, in any
+/// order.
 ///
 /// # Errors
-/// If the graph reads a source that the environment does not have, takes an action that it does not know, or asks a policy
-/// that it does not have. `file` is the name shown in the error.
-pub fn bind<S: Scalar>(
-    file: &str,
-    graph: &Graph,
-    environment: &impl Environment<S>,
-) -> Result<PolicyGraph, InputError> {
-    bind_to(file, graph, &environment.sources(), &environment.actions())
-}
-
-/// Turns a graph into a policy of these sources and actions: see [`bind`].
-///
-/// # Errors
-/// As [`bind`].
-pub fn bind_to(
+/// If the graph reads a source that is not there, takes an action that is not known, or asks a policy that is not there. `file` is
+/// the name shown in the error.
+pub fn bind(
     file: &str,
     graph: &Graph,
     known: &[SourceDocument],
@@ -63,7 +49,7 @@ pub fn bind_to(
                 let accepted = "the asked policy beside the graph: `tpg-train eval --tpg GRAPH --policy FILE`";
                 return Err(refuse(format!("$.actions[{number}].ask"), found, accepted.to_owned()));
             }
-            let names: Vec<&str> = named.iter().map(|action| action.name.as_str()).collect();
+            let names: Vec<&str> = space.names().collect();
             let (path, found) = (format!("$.actions[{number}].name"), format!("{:?}", action.name));
             return Err(refuse(path, found, names.join(", ")));
         };

@@ -112,13 +112,8 @@ impl<S: Scalar> Decider<S> {
         self.needs.extend(needed);
     }
 
-    /// Returns the actions of the first `all` lanes.
-    pub(super) fn decide<M: Maths<S>>(
-        &mut self,
-        plan: &Plan<S>,
-        columns: &mut Columns<S, M>,
-        all: usize,
-    ) -> &[ActionId] {
+    /// Decides in the first `all` lanes.
+    pub(super) fn decide<M: Maths<S>>(&mut self, plan: &Plan<S>, columns: &mut Columns<S, M>, all: usize) {
         columns.next_step();
         if all == 1 {
             self.decide_one(plan, columns);
@@ -129,7 +124,6 @@ impl<S: Scalar> Decider<S> {
             columns.compute(plan, self.needs.iter().copied(), all);
             dispatch!(self.level, _ => self.decide_in_vectors(plan, columns, all));
         }
-        &self.actions[..all]
     }
 
     /// Decides for a single lane, which is cheaper to walk through alone.

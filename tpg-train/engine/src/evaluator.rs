@@ -7,10 +7,7 @@ use crate::groups::side_by_side;
 use crate::lanes::{DEFAULT_LANES, Lanes};
 use crate::plan::Plan;
 use crate::policy::PolicyGraph;
-use crate::rollout::{Decision, Rollout};
-use crate::single::Single;
-use crate::source_set::SourceSet;
-use crate::work::{Piece, Play, Played, Visit, Work};
+use crate::work::{Piece, Play, Played, Work};
 use rayon::prelude::*;
 use std::marker::PhantomData;
 use tpg_graph::SourceDocument;
@@ -42,12 +39,6 @@ pub trait Evaluator<Task> {
         };
         pieces.iter().map(one).collect()
     }
-
-    /// Returns the flat states of each visit, one for each of its numbers of actions.
-    ///
-    /// # Errors
-    /// If a state cannot be obtained.
-    fn visit(&self, visits: &[Visit<Task>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError>;
 
     /// Returns the result of each episode, with what the policy saw.
     ///
@@ -119,31 +110,10 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'e, S, M, E> {
     pub fn with_lanes(self, lanes: usize) -> Self {
         Self { lanes, ..self }
     }
-}
 
-impl<S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'_, S, M, E> {
     /// Returns the number of threads.
     pub fn threads(&self) -> usize {
         self.pool.current_num_threads()
-    }
-
-    /// Lets a policy act, and records its states after so many actions; after the end, the last one.
-    fn states(&self, visit: &Visit<E::Task>) -> Vec<Vec<f64>> {
-        let single = Single::<S, M>::new(Plan::new::<M>(&visit.policy, &self.sources));
-        let mut rollout = Rollout::new(self.environment, &visit.task);
-        let (mut seen, mut done, mut is_over) = (Vec::with_capacity(visit.after.len()), 0, false);
-        loop {
-            let state = rollout.observe(SourceSet::ALL);
-            while visit.after.get(seen.len()).is_some_and(|&after| is_over || after <= done) {
-                seen.push(state.iter().map(|value| value.to_f64()).collect());
-            }
-            if seen.len() == visit.after.len() {
-                return seen;
-            }
-            let decision = Decision::from(single.answer(state));
-            is_over = rollout.act(decision.act()).is_some();
-            done += 1;
-        }
     }
 }
 
@@ -166,14 +136,10 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> Evaluator<E::Task> for LocalThre
         Ok(endings?.into_iter().flatten().collect())
     }
 
-    fn visit(&self, visits: &[Visit<E::Task>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
-        self.pool.install(|| Ok(visits.par_iter().map(|visit| self.states(visit)).collect()))
-    }
-
     fn play(&self, plays: &[Play<E::Task>]) -> Result<Vec<Played>, EvaluationError> {
         let play = |lanes: &mut Lanes<'_, S, M, E>, play: &Play<E::Task>| {
             let plan = Plan::observing_all::<M>(&play.policy, &self.sources);
-            lanes.play(&plan, &play.task)
+            lanes.play(&plan, play)
         };
         self.pool.install(|| plays.par_iter().map_init(|| Lanes::new(self.environment, 1), play).collect())
     }

@@ -15,7 +15,7 @@ use crate::moments::Moments;
 use crate::nodes::NodeId;
 use crate::parts;
 use crate::plan::Plan;
-use crate::work::Played;
+use crate::work::{Play, Played};
 use tpg_runtime::ops::Maths;
 
 use tpg_runtime::scalar::Scalar;
@@ -151,17 +151,25 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         self.run_all(plan, &starts(plan, tasks), |_, _, task, act| watch(task, act))
     }
 
-    /// Runs the root on a task and keeps the moments of the states that it decides in. The plan must observe all of the state.
-    pub(super) fn play(&mut self, plan: &Plan<S>, task: &E::Task) -> Result<Played, EvaluationError> {
+    /// Runs the root on a task and keeps the states that are asked for, and the moments of all in which it decides. The plan must
+    /// observe all of the state.
+    pub(super) fn play(
+        &mut self,
+        plan: &Plan<S>,
+        Play { task, after, .. }: &Play<E::Task>,
+    ) -> Result<Played, EvaluationError> {
         let mut state = vec![0.0; plan.state_length()];
-        let mut seen = Moments::new(state.len());
+        let (mut seen, mut states, mut done) = (Moments::new(state.len()), Vec::new(), 0);
         let endings = self.run_all(plan, &starts(plan, std::slice::from_ref(task)), |columns, lane, _, _| {
             for (value, &place) in state.iter_mut().zip(&plan.places) {
                 *value = columns.get(NodeId(place), lane).to_f64();
             }
             seen.push(&state);
+            let now = after.iter().filter(|&&after| after == done).count();
+            states.extend(std::iter::repeat_n(state.clone(), now));
+            done += 1;
         })?;
-        Ok(Played { ending: endings[0], seen })
+        Ok(Played { ending: endings[0], seen, states })
     }
 
     /// Runs every episode to its end; `watch` gets each lane's observed state, the index of its start, and its action.

@@ -12,7 +12,7 @@
 //! | [`erase`], [`AnyEnvironment`] | environments whose type is only known at run time |
 //! | [`Training`], [`Guarded`], [`Drawn`], [`tasks`] | what only some environments have |
 //! | [`Rollout`], [`Decision`] | one episode, action by action |
-//! | [`bind`] | binding of a graph to an environment |
+//! | [`bind`] | binding of a graph to an environment's sources and actions |
 //! | [`Choices`] | any action space as a list of named actions |
 //! | [`Remembering`], [`Remembered`] | a memory for policies |
 //! | [`Counting`] | counts in place of values, for graphs in integers |
@@ -20,7 +20,7 @@
 //! | [`EpisodeResult`], [`Summary`], [`Preference`] | results |
 //! | [`PolicyGraph`], [`Plan`], [`Node`], [`Arena`] | a graph in the engine's own form |
 //! | [`Lanes`], [`Single`] | execution |
-//! | [`Evaluator`], [`LocalThreads`], [`Work`], [`Piece`], [`Visit`], [`Play`], [`Moments`], [`Sample`] | evaluation of many roots, on threads or elsewhere |
+//! | [`Evaluator`], [`LocalThreads`], [`Work`], [`Piece`], [`Play`], [`Moments`], [`Sample`] | evaluation of many roots, on threads or elsewhere |
 //! | [`forward`](crate::forward!) | environments that wrap another one |
 //! | [`random`] | independent streams of random numbers, one for each purpose |
 
@@ -59,7 +59,7 @@ mod view;
 mod work;
 
 pub use action::{Act, ActionSpace, Acts, NETWORK, Output};
-pub use binding::{bind, bind_to, places, reading};
+pub use binding::{bind, places, reading};
 pub use choices::{Choices, TooManyActions};
 pub use counting::Counting;
 pub use environment::{Environment, OneByOne};
@@ -82,4 +82,4 @@ pub use source_set::SourceSet;
 pub use tasks::{coarser, tasks};
 pub use tpg_graph::SourceDocument;
 pub use view::{BLOCK, Block, View};
-pub use work::{Piece, Play, Played, Visit, Work};
+pub use work::{Piece, Play, Played, Work};

@@ -87,25 +87,6 @@ impl Moments {
         Self { count: 0, means: vec![0.0; length], squares: vec![0.0; length] }
     }
 
-    /// Creates moments from the number of states and, for each of their values, its mean and the sum of the squared distances from
-    /// it; `None` if no states can have these.
-    pub fn from_parts(count: u64, means: Vec<f64>, squares: Vec<f64>) -> Option<Self> {
-        let moments = Self { count, means, squares };
-        moments.is_possible().then_some(moments)
-    }
-
-    /// True if states can have these moments: something read from a file may not.
-    pub fn is_possible(&self) -> bool {
-        let Self { means, squares, .. } = self;
-        let is_finite = means.iter().chain(squares).all(|value| value.is_finite());
-        means.len() == squares.len() && is_finite && squares.iter().all(|&squares| squares >= 0.0)
-    }
-
-    /// Returns the number of states, and for each of their values the mean and the sum of the squared distances from it.
-    pub fn into_parts(self) -> (u64, Vec<f64>, Vec<f64>) {
-        (self.count, self.means, self.squares)
-    }
-
     /// Returns the number of values of a state.
     pub fn length(&self) -> usize {
         self.means.len()
@@ -200,15 +181,5 @@ mod tests {
         let moments = moments_of(&[[1.0, 2.0], [3.0, 5.0]]);
         let (other, first) = (moments.select([1].into_iter()), moments.select([1, 0].into_iter()));
         assert_eq!((other.length(), other.mean(0), first.mean(1)), (1, 3.5, 2.0));
-    }
-
-    #[test]
-    fn impossible_moments_are_refused() {
-        let moments = moments_of(&[[1.0, 2.0], [3.0, 5.0]]);
-        let (count, means, squares) = moments.clone().into_parts();
-        assert_eq!(Moments::from_parts(count, means.clone(), squares), Some(moments));
-        for squares in [vec![1.0], vec![1.0, -1.0], vec![f64::NAN, 1.0]] {
-            assert_eq!(Moments::from_parts(count, means.clone(), squares), None);
-        }
     }
 }

@@ -112,41 +112,6 @@ impl<S: Scalar, M: Maths<S>> Arena<S, M> {
     }
 }
 
-/// A set of a plan's nodes, as a bit set.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct NodeSet(Vec<u64>);
-
-impl NodeSet {
-    /// Creates an empty set for `nodes` nodes.
-    pub(super) fn empty(nodes: usize) -> Self {
-        Self(vec![0; nodes.div_ceil(64)])
-    }
-
-    /// Adds a node; returns false if it was there.
-    pub(super) fn insert(&mut self, node: NodeId) -> bool {
-        let is_new = !self.contains(node);
-        self.0[node.index() / 64] |= 1 << (node.0 % 64);
-        is_new
-    }
-
-    pub(super) fn contains(&self, node: NodeId) -> bool {
-        self.0[node.index() / 64] & (1 << (node.0 % 64)) != 0
-    }
-
-    /// Returns the nodes, in ascending order.
-    pub(super) fn nodes(&self) -> Vec<NodeId> {
-        let mut nodes = Vec::new();
-        for (place, &word) in (0u32..).zip(&self.0) {
-            let mut left = word;
-            while left != 0 {
-                nodes.push(NodeId(place * 64 + left.trailing_zeros()));
-                left &= left - 1;
-            }
-        }
-        nodes
-    }
-}
-
 impl Assignment for Line {
     fn writes(&self) -> usize {
         self.to.into()

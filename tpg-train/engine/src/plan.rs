@@ -1,10 +1,10 @@
 //! Roots prepared for evaluation: their distinct nodes, and for each distinct team the nodes to compute and the edges to
 //! evaluate.
 
-use crate::nodes::{Arena, Node, NodeId, NodeSet};
+use crate::nodes::{Arena, Node, NodeId};
 use crate::policy::{Destination, Line, PolicyGraph};
 use crate::source_set::SourceSet;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 use tpg_graph::SourceDocument;
 use tpg_graph::hash_cons::HashCons;
@@ -132,7 +132,7 @@ impl<S: Scalar> Plan<S> {
         };
         let teams = teams.nodes().iter().rev().map(|edges| planned_team(arena.nodes(), edges, place)).collect();
         let leaf = |(_, values): &(ActionId, Vec<NodeId>)| PlannedLeaf {
-            needs: needs(arena.nodes(), values.iter().copied()).nodes(),
+            needs: needs(arena.nodes(), values.iter().copied()),
             values: values.clone(),
         };
         let leaves = if outputs.is_empty() { Vec::new() } else { actions.nodes().iter().map(leaf).collect() };
@@ -226,14 +226,14 @@ fn planned_team<S>(nodes: &[Node<S>], edges: &[PlannedEdge], place: impl Fn(Plan
     PlannedTeam {
         first: codes.first().copied().unwrap_or(Code(0)),
         edges: bids.collect(),
-        needs: needs(nodes, asked.iter().map(|edge| edge.bid)).nodes(),
+        needs: needs(nodes, asked.iter().map(|edge| edge.bid)),
         next,
     }
 }
 
-/// Returns the operations that the given bids depend on.
-fn needs<S>(nodes: &[Node<S>], bids: impl IntoIterator<Item = NodeId>) -> NodeSet {
-    let mut needed = NodeSet::empty(nodes.len());
+/// Returns the operations that the given bids depend on, operands first.
+fn needs<S>(nodes: &[Node<S>], bids: impl IntoIterator<Item = NodeId>) -> Vec<NodeId> {
+    let mut needed = BTreeSet::new();
     let mut open: Vec<NodeId> = bids.into_iter().collect();
     while let Some(id) = open.pop() {
         if let Node::Operation(_, a, b) = &nodes[id.index()]
@@ -242,5 +242,5 @@ fn needs<S>(nodes: &[Node<S>], bids: impl IntoIterator<Item = NodeId>) -> NodeSe
             open.extend([*a, *b]);
         }
     }
-    needed
+    needed.into_iter().collect()
 }

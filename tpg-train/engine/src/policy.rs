@@ -1,7 +1,5 @@
 //! A policy in the engine's form: plain data that a work unit can carry to any thread or machine.
 
-mod check;
-
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::sync::Arc;

@@ -42,8 +42,6 @@ pub enum Purpose {
     Replay = 25,
     /// The noise of the actions inside one update.
     Update = 26,
-    /// The noise of a policy that samples its actions, in one test episode.
-    Draws = 27,
     /// The constants and the noise of an episode of a problem that varies.
     Variation = 14,
     /// Samples and choices of a linear start.

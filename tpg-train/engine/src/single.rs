@@ -12,7 +12,6 @@ use tpg_graph::engine::Engine;
 use tpg_graph::in_arithmetic_of;
 use tpg_graph::interpret::Answer;
 use tpg_runtime::ops::Maths;
-use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
 /// A plan with the buffers that one decision needs: one lane.
@@ -32,26 +31,11 @@ impl<S: Scalar, M: Maths<S>> Single<S, M> {
         Self { plan, lane: RefCell::new((columns, decider)) }
     }
 
-    /// Returns the action for a flat state, or the leaf of a policy with outputs, the same as the interpreter's.
-    ///
-    /// # Panics
-    /// If the state is shorter than [`Plan::state_length`].
-    pub fn decide(&self, state: &[S]) -> ActionId {
-        self.ask(state, |_, end| end)
-    }
-
     /// Returns the answer to a flat state, the same as the interpreter's.
     ///
     /// # Panics
-    /// As [`decide`](Self::decide).
+    /// If the state is shorter than [`Plan::state_length`].
     pub fn answer(&self, state: &[S]) -> Answer {
-        self.ask(state, |decider, end| match decider.acts(&self.plan, 1) {
-            Acts::Choices(_) => Answer::Action(end),
-            Acts::Values { values, .. } => Answer::Values(values.iter().map(|value| value.to_f64()).collect()),
-        })
-    }
-
-    fn ask<T>(&self, state: &[S], answer: impl FnOnce(&Decider<S>, ActionId) -> T) -> T {
         let (columns, decider) = &mut *self.lane.borrow_mut();
         let mut view = columns.view(&self.plan.places);
         for (input, &value) in state[..self.plan.state_length()].iter().enumerate() {
@@ -59,8 +43,11 @@ impl<S: Scalar, M: Maths<S>> Single<S, M> {
                 block[0] = value;
             }
         }
-        let &[end] = decider.decide(&self.plan, columns, 1) else { unreachable!("one lane has one end") };
-        answer(decider, end)
+        decider.decide(&self.plan, columns, 1);
+        match decider.acts(&self.plan, 1) {
+            Acts::Choices(actions) => Answer::Action(actions[0]),
+            Acts::Values { values, .. } => Answer::Values(values.iter().map(|value| value.to_f64()).collect()),
+        }
     }
 }
 

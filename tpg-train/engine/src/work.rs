@@ -42,9 +42,9 @@ impl Piece {
     }
 }
 
-/// States to record: those that a policy sees after given numbers of actions on a task.
+/// An episode of a policy.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Visit<Task> {
+pub struct Play<Task> {
     /// The policy that acts.
     pub policy: PolicyGraph,
     /// The task.
@@ -54,15 +54,6 @@ pub struct Visit<Task> {
     pub after: Vec<u32>,
 }
 
-/// An episode of a policy.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Play<Task> {
-    /// The policy that acts.
-    pub policy: PolicyGraph,
-    /// The task.
-    pub task: Task,
-}
-
 /// Result of an episode, with what the policy saw.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Played {
@@ -70,4 +61,6 @@ pub struct Played {
     pub ending: EpisodeResult,
     /// Mean and spread of the flat states in which the policy decided.
     pub seen: Moments,
+    /// The recorded states.
+    pub states: Vec<Vec<f64>>,
 }

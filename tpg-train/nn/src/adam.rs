@@ -20,11 +20,6 @@ impl Adam {
         Self { steps: 0, mean: vec![0.0; parameters], square: vec![0.0; parameters] }
     }
 
-    /// True if another is for as many parameters.
-    pub(crate) fn is_like(&self, other: &Self) -> bool {
-        [other.mean.len(), other.square.len()] == [self.mean.len(); 2]
-    }
-
     /// Takes one step of gradient descent.
     ///
     /// # Panics

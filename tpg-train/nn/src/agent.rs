@@ -70,10 +70,6 @@ impl Learner {
         Self { network, adam }
     }
 
-    fn is_like(&self, other: &Self) -> bool {
-        self.network.is_like(&other.network) && self.adam.is_like(&other.adam)
-    }
-
     fn descend(&mut self, gradient: &[f32], rate: f64) {
         self.adam.step(self.network.parameters_mut(), gradient, rate);
     }
@@ -260,15 +256,6 @@ impl Agent {
         self.actor.network.backward(&mut space.actor, by_outputs, Some(gradient), None);
         self.actor.descend(gradient, rate);
         f64::from(loss * share)
-    }
-
-    /// True if another has networks of the same shapes, each with its optimiser.
-    pub fn is_like(&self, other: &Self) -> bool {
-        self.gaussian == other.gaussian
-            && self.actor.is_like(&other.actor)
-            && self.critics.iter().zip(&other.critics).all(|(critic, other)| critic.is_like(other))
-            && self.slow.iter().zip(&other.slow).all(|(slow, other)| slow.is_like(other))
-            && self.alpha_adam.is_like(&other.alpha_adam)
     }
 
     /// Returns the distribution that the actor's outputs parameterise.

@@ -128,12 +128,6 @@ impl Mlp {
         (parameters.len() == shape.parameters()).then(|| Self { layers: shape.layers(), shape, parameters })
     }
 
-    /// True if another is of the same shape.
-    pub fn is_like(&self, other: &Self) -> bool {
-        let sizes = |network: &Self| (network.shape.clone(), network.layers.clone(), network.parameters.len());
-        sizes(self) == sizes(other)
-    }
-
     /// Returns the shape.
     pub fn shape(&self) -> &Shape {
         &self.shape

@@ -46,7 +46,6 @@ mod tests;
 pub mod varied;
 
 pub use acrobot::Acrobot;
-pub use arm::config::guarded_constants;
 pub use arm::targets::TEST_SEED;
 pub use cartpole::CartPole;
 pub use mountain_car::MountainCar;

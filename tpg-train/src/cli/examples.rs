@@ -25,10 +25,6 @@ pub(super) const HYBRID: &str = "\
 Examples:
   tpg-train hybrid --problem rs --tpg runs/graph/graph.json --policy runs/sac/policy.safetensors --out runs/study";
 
-pub(super) const CONSTANTS: &str = "\
-Examples:
-  tpg-train constants runs/study/hybrid.toml --out hybrid.rs";
-
 pub(super) const IMPORT: &str = "\
 Examples:
   tpg-train import actor.safetensors --problem pendulum --out policy.safetensors";

@@ -45,13 +45,12 @@ pub(super) fn read(path: &Path, sources: Vec<SourceDocument>, actions: ActionSpa
 
 impl LawFile {
     fn document(self, sources: Vec<SourceDocument>, actions: ActionSpace) -> Result<Document, Finding> {
+        let ends: Vec<String> = actions.names().map(str::to_owned).collect();
         let (mut outputs, mut choices) = (Vec::new(), Vec::new());
         match actions {
             ActionSpace::Box(found) => outputs = found,
             ActionSpace::Discrete(found) => choices = found,
         }
-        let ends: Vec<String> =
-            outputs.iter().map(|it| &it.name).chain(choices.iter().map(|it| &it.name)).cloned().collect();
         if outputs.is_empty() && !self.memory.is_empty() {
             let found = counted(self.memory.len(), "value");
             return Err(Finding::new("memory", found, "no [memory]: it needs a problem with continuous outputs"));

@@ -7,7 +7,7 @@ mod report;
 use report::Against;
 pub use report::EvaluationReport;
 
-use crate::hybrid::rollout::{Acting, HybridResult};
+use crate::hybrid::rollout::{Acting, HybridResult, Policies};
 use crate::hybrid::setting::{Hybrid, Setting};
 use crate::hybrid::shared::{Episodes, Shared};
 use crate::run_args::{command_line, print};
@@ -61,9 +61,7 @@ pub(crate) struct EvalArgs {
 
 /// A policy that is asked for, with the name that the report shows.
 enum Evaluated {
-    Graph(Box<(String, Graph)>),
-    Network((String, Network)),
-    Hybrid(String, Box<Hybrid>),
+    Policies(String, Policies),
     /// A controller that the problem brings.
     Controller(String),
 }
@@ -123,11 +121,7 @@ fn played(
     let episodes =
         Episodes { set: TaskSet::Test, count: args.episodes, seed: args.seed, file: args.targets.as_deref() };
     match policy {
-        Evaluated::Graph(graph) => play(problem, &graph.0, Acting::Graph(graph), episodes),
-        Evaluated::Network(network) => play(problem, &network.0, Acting::Network(network), episodes),
-        Evaluated::Hybrid(name, hybrid) => {
-            play(problem, name, Acting::Both(&hybrid.graph, &hybrid.network, &hybrid.setting), episodes)
-        }
+        Evaluated::Policies(name, policies) => play(problem, name, policies.acting(), episodes),
         Evaluated::Controller(name) => {
             let endings = problem.controlled(name, &episodes.in_problem(problem)?).unwrap_or_default();
             let done = HybridResult::alone(endings, Driver::Sac);
@@ -164,7 +158,7 @@ fn asked(args: &EvalArgs) -> Result<(Evaluated, Problem), InputError> {
                 return Err(command_line(found, "the same problem twice"));
             }
             let problem = joined(Some(&hybrid.graph), &hybrid.network)?;
-            Ok((Evaluated::Hybrid(path.display().to_string(), Box::new(hybrid)), problem))
+            Ok((Evaluated::Policies(path.display().to_string(), Policies::Both(Box::new(hybrid))), problem))
         }
         (None, Some(graph), Some(actor)) => {
             let graph = (graph.display().to_string(), read(graph)?);
@@ -179,12 +173,13 @@ fn asked(args: &EvalArgs) -> Result<(Evaluated, Problem), InputError> {
             }
             let setting = Setting::only_asks();
             let name = format!("{} with {actor}: {}", graph.0, setting.sentence());
-            Ok((Evaluated::Hybrid(name, Box::new(Hybrid { problem: None, graph, network, setting })), problem))
+            let hybrid = Hybrid { problem: None, graph, network, setting };
+            Ok((Evaluated::Policies(name, Policies::Both(Box::new(hybrid))), problem))
         }
         (None, Some(path), None) => {
             let graph = (path.display().to_string(), read(path)?);
             let problem = problem_for(Some(&graph))?;
-            Ok((Evaluated::Graph(Box::new(graph)), problem))
+            Ok((Evaluated::Policies(graph.0.clone(), Policies::Graph(Box::new(graph))), problem))
         }
         (None, None, Some(file)) => {
             let problem = problem_for(None)?;
@@ -193,7 +188,7 @@ fn asked(args: &EvalArgs) -> Result<(Evaluated, Problem), InputError> {
             }
             let network = (file.clone(), Network::read(Path::new(file))?);
             let problem = joined(None, &network)?;
-            Ok((Evaluated::Network(network), problem))
+            Ok((Evaluated::Policies(file.clone(), Policies::Network(network)), problem))
         }
         (None, None, None) => Err(command_line("no policy", "--tpg GRAPH, --policy FILE or --hybrid FILE")),
     }

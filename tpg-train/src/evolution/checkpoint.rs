@@ -2,19 +2,22 @@
 
 use super::config::EvolutionConfig;
 use super::state::State;
+use crate::configuration::Configuration as _;
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use tpg_engine::Environment;
 use tpg_graph::error::{InputError, Place};
 use tpg_runtime::scalar::Scalar;
 
 /// Incremented with every change to the content or meaning of checkpoints.
-pub const VERSION: u32 = 14;
+pub(super) const VERSION: u32 = 15;
 
 /// The serialised form, one line of JSON.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(bound(deserialize = "Task: DeserializeOwned"), deny_unknown_fields)]
 struct Checkpoint<Task> {
     config: String,
+    /// The names of what policies read and answer.
+    names: Vec<String>,
     state: State<Task>,
 }
 
@@ -22,22 +25,29 @@ struct Checkpoint<Task> {
 ///
 /// # Errors
 /// If a task of the environment cannot be written as JSON; `file` is named in the error.
-pub fn to_bytes<Task: Serialize + Clone>(
+pub(super) fn to_bytes<S: Scalar, E: Environment<S>>(
     file: &str,
     config: &EvolutionConfig,
-    state: &State<Task>,
+    state: &State<E::Task>,
+    environment: &E,
 ) -> Result<Vec<u8>, InputError> {
-    let checkpoint = Checkpoint { config: config.to_toml(), state: state.clone() };
+    let checkpoint = Checkpoint { config: config.to_toml(), names: names(environment), state: state.clone() };
     serde_json::to_vec(&checkpoint)
         .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "a task that can be written as JSON"))
 }
 
-/// Reads the content of a checkpoint and checks it.
+/// Returns a name for each value that policies read, and each that they answer.
+fn names<S: Scalar>(environment: &impl Environment<S>) -> Vec<String> {
+    let sources = environment.sources().into_iter();
+    let read = sources.flat_map(|source| vec![source.name; source.length as usize]);
+    read.chain(environment.actions().names().map(str::to_owned)).collect()
+}
+
+/// Reads the content of a checkpoint.
 ///
 /// # Errors
-/// If it is not a checkpoint, belongs to another configuration or seed (the error shows the difference), or is not a
-/// state that a run on this environment can be in.
-pub fn from_bytes<S: Scalar, E: Environment<S>>(
+/// If it is not a checkpoint, or belongs to another configuration (the error shows the difference), environment or seed.
+pub(super) fn from_bytes<S: Scalar, E: Environment<S>>(
     file: &str,
     content: &[u8],
     config: &EvolutionConfig,
@@ -60,14 +70,16 @@ pub fn from_bytes<S: Scalar, E: Environment<S>>(
         let found = format!("a checkpoint of another configuration:\n{}", difference.join("\n"));
         return Err(refuse(found, "the configuration that the run began with, or another --out"));
     }
-    let state = checkpoint.state;
+    let (state, names) = (checkpoint.state, names(environment));
+    if checkpoint.names != names {
+        return Err(refuse(
+            format!("a checkpoint of an environment with {}", checkpoint.names.join(" ")),
+            &names.join(" "),
+        ));
+    }
     if state.seed != seed {
         return Err(refuse(format!("a checkpoint of seed {}", state.seed), &format!("seed {seed}")));
     }
-    state.check(config, environment).map_err(|finding| {
-        let place = Place::Path(finding.key);
-        InputError::new(file, place, finding.found, finding.accepted)
-    })?;
     Ok(state)
 }
 

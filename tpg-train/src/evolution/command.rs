@@ -4,7 +4,7 @@ use super::config::EvolutionConfig;
 use super::generation::Goal;
 use super::run::{Progress, RunEnd, RunError, RunOptions, train};
 use super::state::Best;
-use crate::configuration::Chosen;
+use crate::configuration::{Chosen, Configuration as _};
 use crate::csv_text::to_csv;
 use crate::folder::{RunFolder, Trainer};
 use crate::hybrid::asking::{self, Asking};

@@ -138,13 +138,11 @@ pub struct ProgramParameters {
     pub max_program_size: usize,
     /// Probability of swapping two lines.
     pub p_swap: f64,
-    /// Probability that a random program is a sum of products of two inputs, and that an inserted line is such a product.
-    pub p_product: f64,
 }
 
 impl Default for ProgramParameters {
     fn default() -> Self {
-        Self { max_program_size: 24, p_swap: 0.3, p_product: 0.0 }
+        Self { max_program_size: 24, p_swap: 0.3 }
     }
 }
 
@@ -308,14 +306,11 @@ pub struct RefinementConfig {
     pub p_deletion: f64,
     /// Probability that another child has one mutated program only; needs named actions.
     pub p_mutation: f64,
-    /// Probability that another child bids for an action the opposite of its bid for the action that undoes it; needs named
-    /// actions with effects.
-    pub p_mirror: f64,
 }
 
 impl Default for RefinementConfig {
     fn default() -> Self {
-        Self { p_jitter: 0.2, p_deletion: 0.1, p_mutation: 0.0, p_mirror: 0.0 }
+        Self { p_jitter: 0.2, p_deletion: 0.1, p_mutation: 0.0 }
     }
 }
 
@@ -325,7 +320,12 @@ impl Configuration for EvolutionConfig {
     const PRINTED_BY: &'static str = "tpg-train config";
 
     fn default_preset(problem: ProblemName) -> &'static str {
-        presets::default_for(problem)
+        match problem {
+            ProblemName::Fs => "best-fs",
+            ProblemName::Rs => "best-rs",
+            ProblemName::Dodge => "dodge",
+            _ => "thorough",
+        }
     }
 
     fn from_other(file: &str, text: &str) -> Option<Result<(toml::Table, &'static str), InputError>> {
@@ -349,14 +349,6 @@ impl EvolutionConfig {
     /// An unknown key or a value of another type, with its line.
     pub fn of_run(file: &str, text: &str) -> Result<Self, InputError> {
         settings::from_toml(file, text, "the settings of a run")
-    }
-
-    /// Returns the configuration as TOML without comments, as stored in a run's folder and in checkpoints.
-    ///
-    /// # Panics
-    /// Never: every part can be serialised.
-    pub fn to_toml(&self) -> String {
-        toml::to_string(self).expect("a configuration is plain data")
     }
 
     /// Creates the vocabulary of programs for an environment. `scales` are the units of literals, one for each value of

@@ -2,7 +2,6 @@
 
 use super::budget::{Limits, Point};
 use super::config::{EvolutionConfig, StartConfig};
-use super::mirror::opposites;
 use super::record::Row;
 use super::search::Search;
 use super::stage::{Candidate, Context, EpisodePlan, Moment, Results, Stage};
@@ -32,7 +31,7 @@ const GENERATIONS: [f64; 2] = [10.0, 0.5];
 const LUCK: f64 = 0.9;
 
 /// A run on one problem, independent of where its candidates are evaluated.
-pub struct Evolution<'e, S: Scalar, E: Environment<S>> {
+pub(crate) struct Evolution<'e, S: Scalar, E: Environment<S>> {
     pub(super) config: &'e EvolutionConfig,
     vocabulary: Vocabulary,
     pub(super) environment: &'e E,
@@ -40,7 +39,6 @@ pub struct Evolution<'e, S: Scalar, E: Environment<S>> {
     pub(super) selection_tasks: Vec<E::Task>,
     pub(super) goal: Goal,
     actions: u16,
-    opposites: Vec<Option<u16>>,
     number: PhantomData<S>,
 }
 
@@ -59,7 +57,7 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
     ///
     /// # Panics
     /// If the environment has neither outputs nor named actions, which [`EvolutionConfig::check_environment`] reports earlier.
-    pub fn new(
+    pub(crate) fn new(
         config: &'e EvolutionConfig,
         environment: &'e E,
         evaluator: &'e dyn Evaluator<E::Task>,
@@ -70,18 +68,17 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
         let selection_tasks =
             tpg_engine::tasks(environment, TaskSet::Validation, 0, config.selection.validation_episodes);
         let actions = environment.actions().count().unwrap_or(0) as u16;
-        let opposites = opposites(&environment.actions());
         let number = PhantomData;
-        Self { config, vocabulary, environment, evaluator, selection_tasks, goal, actions, opposites, number }
+        Self { config, vocabulary, environment, evaluator, selection_tasks, goal, actions, number }
     }
 
     /// Returns the vocabulary of programs.
-    pub fn vocabulary(&self) -> &Vocabulary {
+    pub(crate) fn vocabulary(&self) -> &Vocabulary {
         &self.vocabulary
     }
 
     /// Returns what stages know.
-    pub fn context(&self, state: &State<E::Task>) -> Context<'_> {
+    pub(crate) fn context(&self, state: &State<E::Task>) -> Context<'_> {
         let random = self.start(state).random;
         let begun = state.budget.part;
         let part = self.part(state).map_or(0.0, |part| (part - begun) / (random - begun));
@@ -94,7 +91,6 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
             config: self.config,
             vocabulary: &self.vocabulary,
             actions: self.actions,
-            opposites: &self.opposites,
             preference: self.environment.preference(),
             line_price: self.line_price(state),
             left: (1.0 - part).clamp(0.0, 1.0),
@@ -106,7 +102,7 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
     ///
     /// # Errors
     /// If candidates cannot be evaluated; the state is then unchanged except for newly bred children.
-    pub fn advance(&self, state: &mut State<E::Task>) -> Result<(), EvaluationError> {
+    pub(crate) fn advance(&self, state: &mut State<E::Task>) -> Result<(), EvaluationError> {
         let curriculum = &self.config.curriculum;
         let roughness = curriculum.at(state.generation);
         if state.generation > 0 && roughness != curriculum.at(state.generation - 1) {
@@ -187,7 +183,7 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
     fn pairs_of_episodes(&self, candidates: &[Candidate], tasks: &[E::Task]) -> Result<Results, EvaluationError> {
         let tasks = tasks.iter().flat_map(|task| [task; 2]);
         let plays: Vec<_> = (candidates.iter().zip(tasks))
-            .map(|(candidate, task)| Play { policy: candidate.policy.clone(), task: task.clone() })
+            .map(|(candidate, task)| Play { policy: candidate.policy.clone(), task: task.clone(), after: Vec::new() })
             .collect();
         let values = self.environment.sources().iter().map(|source| source.length as usize).sum();
         let mut results = Results { seen: Moments::new(values), ..Results::default() };
@@ -340,7 +336,7 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
     }
 
     /// True if the run is over after its most recent generation.
-    pub fn finished(&self, state: &State<E::Task>) -> bool {
+    pub(crate) fn finished(&self, state: &State<E::Task>) -> bool {
         let reached =
             state.best.as_ref().zip(self.goal.target).is_some_and(|(best, target)| best.result.score >= target);
         let ended = |most: u64| state.steps >= most || state.ended_at == Some(most);

@@ -9,19 +9,19 @@ use tpg_graph::dataflow::{Assignment, effective};
 
 /// Number of a team. Numbers only increase and are never reused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-pub struct TeamId(pub u64);
+pub(crate) struct TeamId(pub u64);
 
 /// Number of a program. Numbers only increase and are never reused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-pub struct ProgramId(pub u64);
+pub(crate) struct ProgramId(pub u64);
 
 /// Number of a leaf. Numbers only increase and are never reused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-pub struct LeafId(pub u64);
+pub(crate) struct LeafId(pub u64);
 
 /// Destination of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub enum Destination {
+pub(crate) enum Destination {
     /// A team.
     Team(TeamId),
     /// An action.
@@ -32,14 +32,14 @@ pub enum Destination {
 
 /// A leaf: the program of each output.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Leaf {
+pub(crate) struct Leaf {
     /// Its programs, in the order of the outputs.
     pub programs: Vec<ProgramId>,
 }
 
 /// A program that bids for a destination. Edges of several teams may share a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Edge {
+pub(crate) struct Edge {
     /// The bidding program.
     pub program: ProgramId,
     /// The destination it bids for.
@@ -48,14 +48,14 @@ pub struct Edge {
 
 /// A team; among equal bids the last edge wins.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Team {
+pub(crate) struct Team {
     /// Its edges.
     pub edges: Vec<Edge>,
 }
 
 /// A line of an evolving program.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct GenomeLine {
+pub(crate) struct GenomeLine {
     /// Index of the instruction in its set.
     pub instruction: InstructionIndex,
     /// Destination register.
@@ -66,7 +66,7 @@ pub struct GenomeLine {
 
 impl GenomeLine {
     /// Iterates over the literals that it reads.
-    pub fn literals<'l>(&'l mut self, vocabulary: &'l Vocabulary) -> impl Iterator<Item = &'l mut f64> {
+    pub(crate) fn literals<'l>(&'l mut self, vocabulary: &'l Vocabulary) -> impl Iterator<Item = &'l mut f64> {
         let genes = self.operands.iter_mut().take(vocabulary.instruction(self.instruction).arity());
         genes.filter(|gene| vocabulary.kind(gene.source) == SourceKind::Literal).map(|gene| &mut gene.literal)
     }
@@ -74,20 +74,20 @@ impl GenomeLine {
 
 /// An evolving program.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Program {
+pub(crate) struct Program {
     /// Its lines.
     pub lines: Vec<GenomeLine>,
 }
 
 impl Program {
     /// Tells of each line whether register 0, the bid, depends on it.
-    pub fn effective(&self, vocabulary: &Vocabulary) -> Vec<bool> {
+    pub(crate) fn effective(&self, vocabulary: &Vocabulary) -> Vec<bool> {
         let lines: Vec<Spelled<'_>> = self.lines.iter().map(|line| Spelled { line, vocabulary }).collect();
         effective(vocabulary.registers().into(), &lines)
     }
 
     /// Returns the effective lines with every operand resolved; they are few of a long program's lines.
-    pub fn lines(&self, vocabulary: &Vocabulary) -> Vec<Line> {
+    pub(crate) fn lines(&self, vocabulary: &Vocabulary) -> Vec<Line> {
         let mut lines = Vec::new();
         for line in self.effective_lines(vocabulary) {
             vocabulary.spell(line.instruction, line.to, &line.operands, &mut lines);
@@ -96,7 +96,7 @@ impl Program {
     }
 
     /// Iterates over the lines that reach the bid.
-    pub fn effective_lines(&self, vocabulary: &Vocabulary) -> impl Iterator<Item = &GenomeLine> {
+    pub(crate) fn effective_lines(&self, vocabulary: &Vocabulary) -> impl Iterator<Item = &GenomeLine> {
         self.lines.iter().zip(self.effective(vocabulary)).filter(|(_, effective)| *effective).map(|(line, _)| line)
     }
 }
@@ -123,7 +123,7 @@ impl Assignment for Spelled<'_> {
 
 /// All teams and programs of a population.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Genome {
+pub(crate) struct Genome {
     next: u64,
     teams: BTreeMap<TeamId, Team>,
     programs: BTreeMap<ProgramId, Program>,
@@ -133,63 +133,58 @@ pub struct Genome {
 
 impl Genome {
     /// Returns the leaves, by number.
-    pub fn leaves(&self) -> &BTreeMap<LeafId, Leaf> {
+    pub(crate) fn leaves(&self) -> &BTreeMap<LeafId, Leaf> {
         &self.leaves
     }
 
     /// Adds a leaf.
-    pub fn add_leaf(&mut self, leaf: Leaf) -> LeafId {
+    pub(crate) fn add_leaf(&mut self, leaf: Leaf) -> LeafId {
         let id = LeafId(self.number());
         self.leaves.insert(id, leaf);
         id
     }
 
     /// Returns the teams, by number.
-    pub fn teams(&self) -> &BTreeMap<TeamId, Team> {
+    pub(crate) fn teams(&self) -> &BTreeMap<TeamId, Team> {
         &self.teams
     }
 
     /// Returns a team.
-    pub fn team(&self, id: TeamId) -> &Team {
+    pub(crate) fn team(&self, id: TeamId) -> &Team {
         &self.teams[&id]
     }
 
     /// Returns a team's edges for modification. The caller must not create a cycle: new teams lead to older ones.
-    pub fn edges_mut(&mut self, id: TeamId) -> &mut Vec<Edge> {
+    pub(crate) fn edges_mut(&mut self, id: TeamId) -> &mut Vec<Edge> {
         &mut self.teams.get_mut(&id).expect("the team exists").edges
     }
 
     /// Returns the programs, by number.
-    pub fn programs(&self) -> &BTreeMap<ProgramId, Program> {
+    pub(crate) fn programs(&self) -> &BTreeMap<ProgramId, Program> {
         &self.programs
     }
 
-    /// Returns the highest number given to a team or program so far.
-    pub fn newest(&self) -> u64 {
-        self.next
-    }
-
     /// Returns a program.
-    pub fn program(&self, id: ProgramId) -> &Program {
+    pub(crate) fn program(&self, id: ProgramId) -> &Program {
         &self.programs[&id]
     }
 
     /// Adds a team.
-    pub fn add_team(&mut self, team: Team) -> TeamId {
+    pub(crate) fn add_team(&mut self, team: Team) -> TeamId {
         let id = TeamId(self.number());
         self.teams.insert(id, team);
         id
     }
 
     /// Adds a program.
-    pub fn add_program(&mut self, program: Program) -> ProgramId {
+    pub(crate) fn add_program(&mut self, program: Program) -> ProgramId {
         let id = ProgramId(self.number());
         self.programs.insert(id, program);
         id
     }
 
     /// Replaces a program.
-    pub fn replace_program(&mut self, id: ProgramId, program: Program) {
+    pub(crate) fn replace_program(&mut self, id: ProgramId, program: Program) {
         self.programs.insert(id, program);
     }
 
@@ -199,7 +194,7 @@ impl Genome {
     }
 
     /// Returns the teams without incoming edges, by number.
-    pub fn roots(&self) -> Vec<TeamId> {
+    pub(crate) fn roots(&self) -> Vec<TeamId> {
         let edges = self.teams.values().flat_map(|team| &team.edges);
         let entered: BTreeSet<TeamId> = edges
             .filter_map(|edge| match edge.to {
@@ -212,7 +207,7 @@ impl Genome {
 
     /// Removes roots. Teams that only they led to become roots, as in GEGELATI (`tpgGraph.cpp`, `removeVertex`); unused
     /// leaves and programs are removed.
-    pub fn remove_roots(&mut self, roots: &[TeamId]) {
+    pub(crate) fn remove_roots(&mut self, roots: &[TeamId]) {
         for root in roots {
             self.teams.remove(root);
         }
@@ -225,7 +220,7 @@ impl Genome {
     }
 
     /// Returns the teams reachable from a root, including itself, by number.
-    pub fn reachable(&self, root: TeamId) -> BTreeSet<TeamId> {
+    pub(crate) fn reachable(&self, root: TeamId) -> BTreeSet<TeamId> {
         let mut reached = BTreeSet::from([root]);
         let mut open = vec![root];
         while let Some(team) = open.pop() {
@@ -241,25 +236,21 @@ impl Genome {
     }
 
     /// Converts a root to an engine policy.
-    pub fn policy(&self, root: TeamId, vocabulary: &Vocabulary) -> PolicyGraph {
-        self.policy_of(root, vocabulary, |id| self.program(id).lines(vocabulary).into())
+    pub(crate) fn policy(&self, root: TeamId, vocabulary: &Vocabulary) -> PolicyGraph {
+        self.policy_of(root, vocabulary, &mut BTreeMap::new())
     }
 
     /// Converts roots to engine policies, each program once.
-    pub fn policies(&self, roots: &[TeamId], vocabulary: &Vocabulary) -> Vec<PolicyGraph> {
+    pub(crate) fn policies(&self, roots: &[TeamId], vocabulary: &Vocabulary) -> Vec<PolicyGraph> {
         let mut known = BTreeMap::new();
-        let mut lines = |id| {
-            let lines = || Arc::from(self.program(id).lines(vocabulary));
-            Arc::clone(known.entry(id).or_insert_with(lines))
-        };
-        roots.iter().map(|&root| self.policy_of(root, vocabulary, &mut lines)).collect()
+        roots.iter().map(|&root| self.policy_of(root, vocabulary, &mut known)).collect()
     }
 
     fn policy_of(
         &self,
         root: TeamId,
         vocabulary: &Vocabulary,
-        mut lines: impl FnMut(ProgramId) -> Arc<[Line]>,
+        known: &mut BTreeMap<ProgramId, Arc<[Line]>>,
     ) -> PolicyGraph {
         let reached: Vec<TeamId> = self.reachable(root).into_iter().collect();
         let place = |id: TeamId| reached.binary_search(&id).expect("the team is reached") as u32;
@@ -269,7 +260,8 @@ impl Genome {
         let (mut leaves, mut leaf_numbers) = (Vec::new(), BTreeMap::new());
         let mut number = |id: ProgramId| {
             *numbers.entry(id).or_insert_with(|| {
-                programs.push(lines(id));
+                let lines = || self.program(id).lines(vocabulary).into();
+                programs.push(Arc::clone(known.entry(id).or_insert_with(lines)));
                 programs.len() as u32 - 1
             })
         };

@@ -18,7 +18,7 @@ const MAX_LINES: usize = 1000;
 /// The form of a linear program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum ProgramKind {
+pub(crate) enum ProgramKind {
     /// A weighted sum of the inputs.
     Sum,
     /// The product of two weighted sums.

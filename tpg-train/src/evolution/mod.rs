@@ -1,8 +1,7 @@
 //! Evolution of tangled program graphs: settings, stages of a run, genome, mutation, selection, and what a run writes.
 
 mod budget;
-mod check;
-pub mod checkpoint;
+mod checkpoint;
 mod children;
 mod cma;
 pub(crate) mod command;
@@ -12,14 +11,12 @@ pub(crate) mod generation;
 mod genome;
 mod linear;
 pub(crate) mod logs;
-mod mirror;
 mod mutate_leaf;
 mod mutate_program;
 mod mutate_team;
 mod params;
 mod population;
 pub(crate) mod presets;
-mod products;
 mod random_search;
 pub(crate) mod record;
 mod refine;

@@ -36,18 +36,6 @@ const CONSTANTS: [(&str, f64); 7] = [
 /// Parameters that change no result here.
 const WITHOUT_EFFECT: [&str; 3] = ["nbThreads", "doValidation", "nbIterationsPerJob"];
 
-/// Parameters that have no counterpart here.
-const OTHERS: [&str; 8] = [
-    "archiveSize",
-    "archivingProbability",
-    "maxNbActionsPerEval",
-    "forceProgramBehaviorChangeOnMutation",
-    "pConstantMutation",
-    "minConstValue",
-    "maxConstValue",
-    "pNewProgram",
-];
-
 /// Tests for JSON, with comments as GEGELATI writes it: no TOML begins so.
 pub(super) fn is_json(text: &str) -> bool {
     ["{", "//", "/*"].iter().any(|start| text.trim_start().starts_with(start))
@@ -93,12 +81,8 @@ fn translated(file: &str, text: &str) -> Result<(toml::Table, Vec<String>), Inpu
             } else if !WITHOUT_EFFECT.contains(&name.as_str())
                 && constant.is_none_or(|(_, here)| value.as_f64() != Some(*here))
             {
-                let here = match constant {
-                    Some((_, here)) => format!(", here {here}"),
-                    None if OTHERS.contains(&name.as_str()) => String::new(),
-                    None => ", not known here".to_owned(),
-                };
-                ignored.push(format!("{name} = {value}{here}"));
+                let here = constant.map_or_else(|| "not known here".to_owned(), |(_, here)| format!("here {here}"));
+                ignored.push(format!("{name} = {value}, {here}"));
             }
         }
     }
@@ -170,7 +154,11 @@ mod tests {
         assert_eq!(settings, expected);
         assert_eq!(
             ignored,
-            ["archiveSize = 2000", "archivingProbability = 0.01", r#"note = "a // b \" /* c */", not known here"#]
+            [
+                "archiveSize = 2000, not known here",
+                "archivingProbability = 0.01, not known here",
+                r#"note = "a // b \" /* c */", not known here"#
+            ]
         );
     }
 

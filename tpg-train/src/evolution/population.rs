@@ -2,7 +2,6 @@
 
 use super::genome::{Genome, TeamId};
 use super::linear::ProgramKind;
-use super::mirror::Mirror;
 use super::mutate_leaf::LeafMutator;
 use super::mutate_program::ProgramMutator;
 use super::mutate_team::{TeamMutator, random_population};
@@ -19,7 +18,7 @@ use tpg_graph::error::Finding;
 
 /// Teams and programs that breed separately.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Deme {
+pub(crate) struct Deme {
     /// Its teams and programs.
     pub genome: Genome,
     /// Its surviving roots' records.
@@ -28,7 +27,7 @@ pub struct Deme {
 
 /// The demes of a run.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Population {
+pub(crate) struct Population {
     /// The demes.
     pub demes: Vec<Deme>,
     /// The roots of this generation.
@@ -48,7 +47,7 @@ struct Root {
 
 impl Population {
     /// Creates demes without teams.
-    pub fn new(demes: usize) -> Self {
+    pub(crate) fn new(demes: usize) -> Self {
         Self { demes: vec![Deme::default(); demes], roots: Vec::new() }
     }
 
@@ -120,15 +119,14 @@ impl Population {
     }
 
     fn breed(&mut self, context: &Context<'_>, moment: Moment) {
-        let Context { config, vocabulary, opposites, .. } = *context;
+        let Context { config, vocabulary, .. } = *context;
         let programs = ProgramMutator { vocabulary, parameters: &config.program, literals: &config.literals };
         let longer = config.program.of_leaves();
         let leaves = ProgramMutator { parameters: &longer, ..programs };
         let refiner = Refiner { vocabulary, parameters: &config.refinement };
         let growing = LeafMutator { bids: programs, leaves, refiner, tpg: &config.tpg };
-        let mirror = Mirror { programs, opposites, probability: config.refinement.p_mirror };
         let actions = context.actions;
-        let teams = TeamMutator { programs, refiner, mirror, parameters: &config.tpg, actions };
+        let teams = TeamMutator { programs, refiner, parameters: &config.tpg, actions };
         for (deme, population) in (0..).zip(&mut self.demes) {
             let moment = Moment { deme, ..moment };
             let genome = &mut population.genome;
@@ -138,7 +136,6 @@ impl Population {
                     *genome = growing.random_population(config.tpg.init_nb_roots, &mut stream);
                 } else {
                     *genome = random_population(&programs, &config.tpg, actions, &mut stream);
-                    mirror.complete_roots(genome, config.tpg.max_outgoing_edges);
                 }
             }
             if actions == 0 {

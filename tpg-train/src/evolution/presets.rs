@@ -1,10 +1,9 @@
 //! The configurations included with the trainer. `thorough` is the default of every setting; the others hold differences only.
 
 use crate::configuration::Preset;
-use tpg_problems::ProblemName;
 
 /// Every preset.
-pub(crate) const PRESETS: [Preset; 11] = [
+pub(crate) const PRESETS: [Preset; 9] = [
     Preset::base("thorough", "for any problem; the default of built-in ones", ""),
     Preset::new(
         "quick",
@@ -31,13 +30,6 @@ pub(crate) const PRESETS: [Preset; 11] = [
         include_str!("presets/paper-fs.toml"),
     ),
     Preset::new("paper-rs", "the paper's learning problem, random start", "paper-fs", RANDOM_START),
-    Preset::new(
-        "raw-fs",
-        "the paper's observation and score with this search, fixed start",
-        "thorough",
-        include_str!("presets/raw-fs.toml"),
-    ),
-    Preset::new("raw-rs", "the paper's observation and score with this search, random start", "raw-fs", RANDOM_START),
     Preset::new("best-fs", "this project's, fixed start", "thorough", include_str!("presets/best-fs.toml")),
     Preset::new("best-rs", "this project's, random start", "best-fs", RANDOM_START),
     Preset::new(
@@ -51,19 +43,8 @@ pub(crate) const PRESETS: [Preset; 11] = [
 /// The start of an episode anywhere, and the time that it takes.
 const RANDOM_START: &str = "[problem]\nname = \"rs\"\nmax_actions = 3414\n";
 
-/// Returns the name of the preset used for a problem by default.
-pub(crate) fn default_for(problem: ProblemName) -> &'static str {
-    match problem {
-        ProblemName::Fs => "best-fs",
-        ProblemName::Rs => "best-rs",
-        ProblemName::Dodge => "dodge",
-        _ => "thorough",
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::default_for;
     use crate::configuration::Configuration as _;
     use crate::configuration::schema::{description, properties, resolved, schema};
     use crate::evolution::config::EvolutionConfig;
@@ -78,7 +59,9 @@ mod tests {
             }
             assert_eq!(EvolutionConfig::from_toml("written", &config.to_toml()), Ok(config), "{}", preset.name);
         }
-        assert!(PROBLEMS.iter().all(|(name, _)| EvolutionConfig::table(default_for(*name)).is_some()));
+        assert!(
+            PROBLEMS.iter().all(|(name, _)| EvolutionConfig::table(EvolutionConfig::default_preset(*name)).is_some())
+        );
     }
 
     #[test]

@@ -107,12 +107,6 @@ impl RandomSearch {
         };
         sample.chunks_exact(units.len()).map(row).collect()
     }
-
-    /// True if the search, read from a file, is one for so many rows and inputs.
-    pub(super) fn is_valid(&self, rows: usize, inputs: usize) -> bool {
-        let weights = self.weights.len() == rows * inputs && self.weights.iter().all(|weight| weight.is_finite());
-        weights && self.seen.length() == inputs && self.seen.is_possible()
-    }
 }
 
 #[cfg(test)]
@@ -204,14 +198,5 @@ mod tests {
             let expected = weights[0] * (state[0] - 3.0) / 2.0 + weights[1] * (state[1] - 7.0) / 0.0005;
             assert!((sum - expected).abs() < 1e-9, "{sum} {expected}");
         }
-    }
-
-    #[test]
-    fn a_damaged_search_is_noticed() {
-        let mut search = RandomSearch::new(2, 3);
-        assert!(search.is_valid(2, 3) && !search.is_valid(2, 2));
-        let damaged = r#"{"count":1,"means":[0.0,0.0,0.0],"squares":[0.0,-1.0,0.0]}"#;
-        search.seen = serde_json::from_str(damaged).expect("three numbers twice");
-        assert!(!search.is_valid(2, 3), "a square below 0");
     }
 }

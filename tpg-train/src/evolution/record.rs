@@ -5,7 +5,7 @@ use tpg_engine::Summary;
 
 /// A root's record so far (`learn/evaluationResult.h`): the mean over all of its episodes, and their number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Record {
+pub(crate) struct Record {
     /// Mean score.
     pub mean: f64,
     /// Number of episodes.
@@ -14,7 +14,7 @@ pub struct Record {
 
 impl Record {
     /// Adds the scores of a generation.
-    pub fn add(&mut self, scores: impl Iterator<Item = f64>) {
+    pub(crate) fn add(&mut self, scores: impl Iterator<Item = f64>) {
         let (mut sum, before) = (self.mean * self.evaluations as f64, self.evaluations);
         for score in scores {
             sum += score;

@@ -8,6 +8,7 @@ use super::logs;
 use super::record::Row;
 use super::scales::scales;
 use super::state::{Best, State};
+use crate::configuration::Configuration as _;
 use crate::folder::{RunFolder, Trainer};
 use crate::run_time::Stopwatch;
 use std::collections::BTreeMap;
@@ -187,7 +188,7 @@ pub fn train<S: Scalar, E: Environment<S>>(
     }
     let save = |state: &State<E::Task>| -> Result<(), RunError> {
         let file = folder.path().display().to_string();
-        folder.save(checkpoint::VERSION, checkpoint::to_bytes(&file, config, state)?)?;
+        folder.save(checkpoint::VERSION, checkpoint::to_bytes(&file, config, state, environment)?)?;
         write_results(config, options, state, environment)?;
         Ok(stopwatch.write(&options.folder)?)
     };

@@ -24,7 +24,7 @@ const MIN_GENERATIONS: u64 = 20;
 /// One search for weights.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Search {
+pub(crate) struct Search {
     /// The form of the programs.
     pub kind: ProgramKind,
     /// The method.
@@ -99,21 +99,6 @@ impl Search {
     /// Returns the better one of two searches; the first of equals.
     pub(super) fn better(self, other: Self) -> Self {
         if other.score() > self.score() { other } else { self }
-    }
-
-    /// Checks a search that was read from a file.
-    pub(super) fn check(&self, context: &Context<'_>) -> Result<(), Finding> {
-        let writer = context.writer(self.kind)?;
-        let is_valid = match &self.method {
-            Method::Cma(cma) => cma.is_valid(writer.weights()),
-            Method::Random(search) => {
-                self.kind == ProgramKind::Sum && search.is_valid(writer.rows(), writer.units().len())
-            }
-        };
-        match is_valid && self.scores.iter().all(|score| score.is_finite()) {
-            true => Ok(()),
-            false => Err(Finding::new("search", "other numbers", format!("{} finite weights", writer.weights()))),
-        }
     }
 }
 

@@ -9,15 +9,13 @@ use tpg_engine::{EpisodeResult, Moments, PolicyGraph, Preference};
 
 /// The parts of a run that stages read.
 #[derive(Clone, Copy, Debug)]
-pub struct Context<'a> {
+pub(crate) struct Context<'a> {
     /// The settings.
     pub config: &'a EvolutionConfig,
     /// The vocabulary of programs.
     pub vocabulary: &'a Vocabulary,
     /// Number of actions; 0 with outputs.
     pub actions: u16,
-    /// The action that undoes each one, if there is one.
-    pub opposites: &'a [Option<u16>],
     /// The criterion by which policies are compared.
     pub preference: Preference,
     /// Price of a line, in the unit of the score.

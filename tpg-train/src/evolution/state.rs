@@ -40,7 +40,7 @@ impl Best {
 
 /// State of a run at the end of a generation.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct State<Task> {
+pub(crate) struct State<Task> {
     /// The run's seed.
     pub seed: u64,
     /// The next generation.
@@ -84,7 +84,7 @@ pub(super) fn actions<'a>(endings: impl IntoIterator<Item = &'a EpisodeResult>) 
 
 impl<Task> State<Task> {
     /// Creates the state of a run before its first generation.
-    pub fn new(seed: u64, demes: usize) -> Self {
+    pub(crate) fn new(seed: u64, demes: usize) -> Self {
         Self {
             seed,
             generation: 0,

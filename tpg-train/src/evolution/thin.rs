@@ -46,11 +46,11 @@ impl<S: Scalar, E: Environment<S>> Evolution<'_, S, E> {
     fn by_effect(&self, state: &mut State<E::Task>, policy: &PolicyGraph) -> Result<Vec<Place>, EvaluationError> {
         let tasks = &self.selection_tasks[..EPISODES.min(self.selection_tasks.len())];
         let endings = self.endings([policy], tasks)?.concat();
-        let visits: Vec<_> =
+        let plays: Vec<_> =
             tasks.iter().zip(&endings).map(|(task, ending)| along(policy, task, ending, STATES)).collect();
         state.steps += 2 * actions(&endings);
         state.selection_steps += 2 * actions(&endings);
-        let states: Vec<f64> = self.evaluator.visit(&visits)?.into_iter().flatten().flatten().collect();
+        let states: Vec<f64> = self.states(&plays)?.into_iter().flatten().collect();
         let (sources, actions) = (self.environment.sources(), self.environment.actions());
         let memory = remembered(&sources, &actions);
         let answers = |policy: &PolicyGraph| {

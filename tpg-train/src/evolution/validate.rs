@@ -9,7 +9,7 @@ use super::generation::Evolution;
 use super::stage::Candidate;
 use super::state::{Best, State};
 use std::cmp::Ordering;
-use tpg_engine::{Environment, EpisodeResult, EvaluationError, PolicyGraph, Summary, Visit};
+use tpg_engine::{Environment, EpisodeResult, EvaluationError, Play, PolicyGraph, Summary};
 use tpg_runtime::scalar::Scalar;
 
 /// Number of episodes of the last validation if the budget is exhausted.
@@ -165,8 +165,8 @@ impl<S: Scalar, E: Environment<S>> Evolution<'_, S, E> {
             return Ok(None);
         }
         let played = self.selection_tasks.iter().zip(endings).take(EPISODES_FOR_RANGES);
-        let visits: Vec<_> = played.map(|(task, ending)| along(policy, task, ending, STATES_FOR_RANGES)).collect();
-        let states: Vec<Vec<f64>> = self.evaluator.visit(&visits)?.into_iter().flatten().collect();
+        let plays: Vec<_> = played.map(|(task, ending)| along(policy, task, ending, STATES_FOR_RANGES)).collect();
+        let states = self.states(&plays)?;
         Ok(Some((declared.into_iter().enumerate()).map(|(input, range)| widened(range, &states, input)).collect()))
     }
 
@@ -178,21 +178,20 @@ impl<S: Scalar, E: Environment<S>> Evolution<'_, S, E> {
             let played = tasks.iter().zip(endings);
             played.map(|(task, ending)| along(policy, task, &ending, STATES_FOR_RANGES)).collect::<Vec<_>>()
         };
-        let visits: Vec<_> = policies.iter().zip(answers).flat_map(along).collect();
-        Ok(self.evaluator.visit(&visits)?.into_iter().flatten().collect())
+        self.states(&policies.iter().zip(answers).flat_map(along).collect::<Vec<_>>())
+    }
+
+    /// Returns the recorded states of episodes.
+    pub(super) fn states(&self, plays: &[Play<E::Task>]) -> Result<Vec<Vec<f64>>, EvaluationError> {
+        Ok(self.evaluator.play(plays)?.into_iter().flat_map(|played| played.states).collect())
     }
 }
 
-/// Returns a visit of `states` evenly spaced states of an episode that ended so.
-pub(super) fn along<Task: Clone>(
-    policy: &PolicyGraph,
-    task: &Task,
-    ending: &EpisodeResult,
-    states: u32,
-) -> Visit<Task> {
+/// Returns an episode that ended so, to be played again with `states` evenly spaced states.
+pub(super) fn along<Task: Clone>(policy: &PolicyGraph, task: &Task, ending: &EpisodeResult, states: u32) -> Play<Task> {
     let actions = u64::from(ending.actions);
     let after = (0..states).map(|state| (u64::from(state) * actions / u64::from(states)) as u32);
-    Visit { policy: policy.clone(), task: task.clone(), after: after.collect() }
+    Play { policy: policy.clone(), task: task.clone(), after: after.collect() }
 }
 
 /// Returns the lowest and the highest finite value of an input in some states; infinity and minus infinity without one.

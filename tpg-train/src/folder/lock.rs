@@ -4,16 +4,13 @@
 //! by two processes.
 
 use super::Trainer;
-use std::fs::{File, TryLockError};
-use std::io::{Read as _, Seek as _, Write as _};
-use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::fs::{self, File, TryLockError};
+use std::io::{Seek as _, Write as _};
+use std::path::Path;
 use tpg_graph::error::{InputError, Place};
 
 /// Name of the file.
 const NAME: &str = "run.lock";
-/// Longest line that is read, bytes.
-const LONGEST: u64 = 200;
 
 /// A locked folder.
 #[derive(Debug)]
@@ -40,17 +37,17 @@ impl Lock {
     pub(crate) fn take(folder: &Path, trainer: Trainer) -> Result<Self, InputError> {
         let path = folder.join(NAME);
         let io = |error: &std::io::Error| InputError::io(&path, error, "a folder that can be written");
-        let mut file = (File::options().read(true).write(true).create(true).truncate(false).open(&path))
-            .map_err(|error| io(&error))?;
+        let line = fs::read_to_string(&path).unwrap_or_default();
+        let file =
+            (File::options().write(true).create(true).truncate(false).open(&path)).map_err(|error| io(&error))?;
         match file.try_lock() {
             Ok(()) => {}
-            Err(TryLockError::WouldBlock) => return Err(in_use(folder, &mut file)),
+            Err(TryLockError::WouldBlock) => return Err(in_use(folder, &line)),
             Err(TryLockError::Error(error)) if error.kind() == std::io::ErrorKind::Unsupported => {
                 eprintln!("warning: {}: no locks on this file system; run one process only", path.display());
             }
             Err(TryLockError::Error(error)) => return Err(io(&error)),
         }
-        let line = first_line(&mut file);
         if let Some(owner) = owner(&line).filter(|owner| *owner != trainer) {
             let found = format!("a run of tpg-train {owner}");
             let accepted = format!("a run of tpg-train {trainer}, or another --out");
@@ -64,7 +61,7 @@ impl Lock {
     /// # Errors
     /// If the file cannot be written.
     pub(crate) fn write(&self, folder: &Path, trainer: Trainer) -> Result<(), InputError> {
-        let path: PathBuf = folder.join(NAME);
+        let path = folder.join(NAME);
         let line = format!("tpg-train {trainer}, process {}\n", std::process::id());
         let mut file = &self.0;
         // Overwrites before it shortens: on a full disk the old bytes still have their place.
@@ -75,26 +72,11 @@ impl Lock {
     }
 }
 
-fn in_use(folder: &Path, file: &mut File) -> InputError {
-    // The other process may have the lock but not have written its line yet.
-    let mut line = first_line(file);
-    for _ in 0..20 {
-        if owner(&line).is_some() {
-            break;
-        }
-        std::thread::sleep(Duration::from_millis(10));
-        line = first_line(file);
-    }
-    let found = if owner(&line).is_some() { line } else { "another process".to_owned() };
+fn in_use(folder: &Path, line: &str) -> InputError {
+    // The other process may not have written its line yet.
+    let found = if owner(line).is_some() { line.trim_end() } else { "another process" };
     let accepted = "one process at a time in a folder: wait for its end, or another --out";
     InputError::new(folder.display().to_string(), Place::Whole, format!("in use by {found}"), accepted)
-}
-
-fn first_line(file: &mut File) -> String {
-    let mut bytes = Vec::new();
-    let read = file.rewind().and_then(|()| file.take(LONGEST).read_to_end(&mut bytes));
-    let text = String::from_utf8_lossy(&bytes);
-    if read.is_ok() { text.lines().next().unwrap_or_default().to_owned() } else { String::new() }
 }
 
 /// Returns the trainer that a line names.

@@ -5,17 +5,17 @@
 //! | (root) | [`RunFolder`], the folder of a run under way |
 //! | [`lock`] | the file `run.lock` |
 //! | [`frame`] | the checksum of a checkpoint |
-//! | [`checkpoint`] | the newest checkpoint and the previous one |
 
-pub(crate) mod checkpoint;
 pub(crate) mod frame;
 pub(crate) mod lock;
 
+use crate::run_args::place;
 use lock::Lock;
-use std::fmt;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
+use std::{fmt, fs};
 use tpg_graph::error::{InputError, Place};
-use tpg_graph::files::make_folder;
+use tpg_graph::files::{make_folder, write_atomically};
 use tpg_graph::output::remove_unfinished;
 
 /// A command that keeps its state in a folder.
@@ -57,7 +57,10 @@ impl fmt::Display for Trainer {
 }
 
 /// Files that show that a folder holds a run.
-const MARKS: [&str; 5] = ["config.toml", "restarts.csv", "study.toml", checkpoint::NEWEST, checkpoint::PREVIOUS];
+const MARKS: [&str; 4] = ["config.toml", "restarts.csv", "study.toml", CHECKPOINT];
+
+/// Name of the checkpoint.
+const CHECKPOINT: &str = "checkpoint";
 
 /// The folder of a run under way. It is locked until this is dropped or the process ends, by whatever cause.
 #[derive(Debug)]
@@ -113,6 +116,32 @@ impl RunFolder {
     pub fn file(&self, name: &str) -> PathBuf {
         self.path.join(name)
     }
+
+    /// Writes a checkpoint whole or not at all.
+    ///
+    /// # Errors
+    /// If it cannot be written; the one before is then unchanged.
+    pub fn save(&self, version: u32, content: Vec<u8>) -> Result<(), InputError> {
+        write_atomically(&self.file(CHECKPOINT), &frame::seal(content, self.trainer, version))
+    }
+
+    /// Reads the checkpoint; `None` if there is none. `read` gets the name of the file and the content.
+    ///
+    /// # Errors
+    /// If it is damaged or belongs to another trainer or version, or `read` refuses its content.
+    pub fn load<T>(
+        &self,
+        version: u32,
+        read: impl FnOnce(&str, &[u8]) -> Result<T, InputError>,
+    ) -> Result<Option<T>, InputError> {
+        let path = self.file(CHECKPOINT);
+        let bytes = match fs::read(&path) {
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+            bytes => bytes.map_err(|error| InputError::io(&path, &error, "a checkpoint that can be read"))?,
+        };
+        let content = frame::open(&bytes, self.trainer, version).map_err(|finding| place(&path, finding))?;
+        read(&path.display().to_string(), content).map(Some)
+    }
 }
 
 fn refuse_run(path: &Path, trainer: Trainer) -> Result<(), InputError> {
@@ -126,8 +155,9 @@ fn refuse_run(path: &Path, trainer: Trainer) -> Result<(), InputError> {
 
 #[cfg(test)]
 mod tests {
-    use super::{MARKS, RunFolder, Trainer};
+    use super::{CHECKPOINT, MARKS, RunFolder, Trainer};
     use std::fs;
+    use tpg_graph::error::{InputError, Place};
 
     #[test]
     fn a_folder_belongs_to_one_trainer_and_to_one_process_at_a_time() {
@@ -165,5 +195,27 @@ mod tests {
         fs::write(&left, "half").expect("written");
         RunFolder::open(folder.path(), Trainer::Hybrid, true).expect("a folder");
         assert!(!left.exists());
+    }
+
+    #[test]
+    fn the_newest_checkpoint_is_read_and_a_damaged_or_foreign_one_is_refused_and_stays() {
+        let place = tempfile::tempdir().expect("a temporary folder");
+        let folder = RunFolder::open(place.path(), Trainer::Sac, true).expect("a folder");
+        let text = |_: &str, content: &[u8]| Ok(String::from_utf8_lossy(content).into_owned());
+        let load = || folder.load(3, text).map_err(|error| error.to_string());
+        assert_eq!(load(), Ok(None));
+        for content in ["one", "two"] {
+            folder.save(3, content.into()).expect("written");
+            assert_eq!(load().as_ref().map(Option::as_deref), Ok(Some(content)));
+        }
+        folder.save(2, "three".into()).expect("written");
+        let error = load().expect_err("another version");
+        assert!(error.contains("checkpoint version 2; accepted: tpg-train sac, checkpoint version 3"), "{error}");
+        fs::write(folder.file(CHECKPOINT), "{}").expect("written");
+        assert!(load().expect_err("damaged").contains("no checksum"));
+        assert_eq!(fs::read_to_string(folder.file(CHECKPOINT)).expect("it stays"), "{}");
+        folder.save(3, "four".into()).expect("written");
+        let refuse = |file: &str, _: &[u8]| Err::<(), _>(InputError::new(file, Place::Whole, "this", "that"));
+        assert!(folder.load(3, refuse).is_err());
     }
 }

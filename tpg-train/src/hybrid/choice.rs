@@ -1,4 +1,4 @@
-//! Evaluation of the cells: means over pairs, the Pareto front, the setting to use.
+//! Evaluation of the cells: means over pairs, the setting to use.
 
 use super::cells::Cell;
 use super::setting::Setting;
@@ -25,9 +25,6 @@ pub(crate) struct SettingSummary {
     pub tpg_action_ratio: f64,
     /// Mean over pairs of the network's actions per episode.
     pub network_actions: f64,
-    /// True if no other setting has at least this worth with at most this many actions of the network, and is better in
-    /// one of them.
-    pub on_front: bool,
     /// True if this is the setting to use.
     pub chosen: bool,
 }
@@ -47,7 +44,6 @@ impl SettingSummary {
             steps: spread(&|cell| cell.mean_steps).mean,
             tpg_action_ratio: spread(&|cell| cell.tpg_action_ratio).mean,
             network_actions: spread(&|cell| cell.network_actions).mean,
-            on_front: false,
             chosen: false,
         }
     }
@@ -65,7 +61,7 @@ fn worth(preference: Preference, score: f64, success: Option<f64>) -> f64 {
     }
 }
 
-/// Summarises every setting over all pairs and marks front and choice.
+/// Summarises every setting over all pairs and marks the choice.
 ///
 /// The choice is, among the settings whose worth (the mean score, or the success rate where the problem prefers it) lies
 /// within one standard error of the highest, the one with the fewest actions of the network; ties go to the first.
@@ -75,10 +71,6 @@ pub(crate) fn summarise(cells: &[Cell], settings: &[Setting], preference: Prefer
         settings.iter().map(|setting| SettingSummary::new(setting, &matching(setting))).collect();
     let costs: Vec<(f64, f64)> =
         summaries.iter().map(|summary| (summary.worth(preference), summary.network_actions)).collect();
-    for (summary, &(worth, actions)) in summaries.iter_mut().zip(&costs) {
-        let better = |&(w, a): &(f64, f64)| w >= worth && a <= actions && (w > worth || a < actions);
-        summary.on_front = !costs.iter().any(better);
-    }
     let best = (0..costs.len()).rev().max_by(|&a, &b| costs[a].0.total_cmp(&costs[b].0));
     let Some(best) = best else { return summaries };
     let least = costs[best].0 - standard_error(&matching(&settings[best]), preference);
@@ -138,20 +130,19 @@ mod tests {
             cell(1, 1, -151.0, 90.0),
             cell(0, 2, -151.0, 40.0), // within the standard error of 1.41
             cell(1, 2, -151.0, 40.0),
-            cell(0, 3, -160.0, 20.0), // on the front, but too bad
+            cell(0, 3, -160.0, 20.0), // cheapest, but too bad
             cell(1, 3, -160.0, 20.0),
             cell(0, 4, -160.0, 60.0), // dominated
             cell(1, 4, -160.0, 60.0),
         ];
         let settings: Vec<Setting> = cells.iter().step_by(2).map(|cell| cell.setting.clone()).collect();
-        let marks = |preference| {
+        let chosen = |preference| {
             let summaries = summarise(&cells, &settings, preference);
-            let front: Vec<bool> = summaries.iter().map(|summary| summary.on_front).collect();
-            (front, summaries.iter().position(|summary| summary.chosen))
+            summaries.iter().position(|summary| summary.chosen)
         };
-        assert_eq!(marks(Preference::Score), (vec![true, true, true, false], Some(1)));
-        // All succeed as often: the cheapest is alone on the front.
-        assert_eq!(marks(Preference::Success), (vec![false, false, true, false], Some(2)));
+        assert_eq!(chosen(Preference::Score), Some(1));
+        // All succeed as often: the cheapest is chosen.
+        assert_eq!(chosen(Preference::Success), Some(2));
         let best = best_pair(&cells, &settings[0], Preference::Score).expect("a pair");
         assert_eq!((best.sac, best.mean_score), (0, -149.0));
     }

@@ -1,7 +1,7 @@
 //! `tpg-train hybrid`: the study of a hybrid's settings.
 //!
 //! The folder of a study contains `study.toml` (the request), `cells.csv` (a row for each pair and setting),
-//! `settings.csv` (means over pairs, front, choice), `alone.csv`, `hybrid.toml` (the chosen setting with the best pair): the same bytes for equal
+//! `settings.csv` (means over pairs, choice), `alone.csv`, `hybrid.toml` (the chosen setting with the best pair): the same bytes for equal
 //! runs.
 
 use super::cells::{Alone, Cell, Subject, grid};

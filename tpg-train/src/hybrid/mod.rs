@@ -7,19 +7,17 @@
 //! | --- | --- |
 //! | [`setting`], [`span`] | the parameters, and `hybrid.toml` |
 //! | [`shared`] | the problems that a graph and a network can share |
-//! | [`trial`] | a hybrid, or one of its parts, on many tasks |
+//! | [`rollout`] | a hybrid, or one of its parts, on many tasks |
 //! | [`asking`] | one more action for a graph: ask the network, at a price |
 //! | [`study`] | every pair under every setting, in a folder |
 //! | [`cells`] | the rows of a study |
-//! | [`choice`] | means over pairs, Pareto front, the setting to use |
+//! | [`choice`] | means over pairs, the setting to use |
 //! | [`command`] | `tpg-train hybrid` |
-//! | [`constants`](mod@constants) | `tpg-train constants` |
 
 pub(crate) mod asking;
 pub(crate) mod cells;
 pub(crate) mod choice;
 pub(crate) mod command;
-pub(crate) mod constants;
 pub(crate) mod rollout;
 pub(crate) mod setting;
 pub(crate) mod shared;

@@ -1,13 +1,13 @@
 //! Episodes of a graph, a network, or both together, on any environment.
 
-use super::setting::{Detector, Setting};
+use super::setting::{Detector, Hybrid, Setting};
 use crate::effort::{Effort, Meter};
 use crate::sac::network::Network;
 use std::cell::RefCell;
 use std::marker::PhantomData;
 use tpg_engine::{
     ActionSpace, Choices, Counting, DEFAULT_LANES, Decision, Drawn, Environment, EpisodeResult, Lanes, NETWORK, Plan,
-    Remembered, Remembering, Rollout, Single, SourceDocument, SourceSet, bind, bind_to,
+    Remembered, Remembering, Rollout, Single, SourceDocument, SourceSet, bind,
 };
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
@@ -29,6 +29,28 @@ pub enum Acting<'a> {
     Network(&'a (String, Network)),
     /// A graph that hands over to a network, or asks it.
     Both(&'a (String, Graph), &'a (String, Network), &'a Setting),
+}
+
+/// Policies with their files.
+#[derive(Clone, Debug)]
+pub(crate) enum Policies {
+    /// A graph alone.
+    Graph(Box<(String, Graph)>),
+    /// A network alone.
+    Network((String, Network)),
+    /// A graph with a network: of a study, or one that learned to ask.
+    Both(Box<Hybrid>),
+}
+
+impl Policies {
+    /// Lets them act.
+    pub(crate) fn acting(&self) -> Acting<'_> {
+        match self {
+            Self::Graph(graph) => Acting::Graph(graph),
+            Self::Network(network) => Acting::Network(network),
+            Self::Both(hybrid) => Acting::Both(&hybrid.graph, &hybrid.network, &hybrid.setting),
+        }
+    }
 }
 
 /// The causes of a hand-over, with their names in tables. [`Cause::Stop`] is a [`Patience`] at its end.
@@ -117,8 +139,8 @@ fn plan<S: Scalar, M: Maths<S>, E: Environment<S>>(
     (file, graph): &(String, Graph),
     environment: &E,
 ) -> Result<Plan<S>, InputError> {
-    let policy = bind(file, graph, environment)?;
-    Ok(Plan::new::<M>(&policy, &environment.sources()))
+    let sources = environment.sources();
+    Ok(Plan::new::<M>(&bind(file, graph, &sources, &environment.actions())?, &sources))
 }
 
 fn fit<S: Scalar, E: Environment<S>>(
@@ -277,7 +299,7 @@ fn graph_policy<'e, S: Scalar, M: Maths<S>, E: Environment<S> + 'e>(
     environment: &E,
 ) -> Result<impl Policy<State = State<'e, S, E>, Action = Answer<Decision<S>>> + use<'e, S, M, E>, InputError> {
     let (sources, actions) = (environment.sources(), environment.actions().with_ask(NETWORK));
-    let plan = Plan::new::<M>(&bind_to(file, graph, &sources, &actions)?, &sources);
+    let plan = Plan::new::<M>(&bind(file, graph, &sources, &actions)?, &sources);
     let (wanted, ask) = (plan.wanted(), actions.asking(NETWORK));
     let single = Single::<S, M>::new(plan);
     let decide = move |state: &State<'e, S, E>| match single.answer(state.borrow_mut().observe(wanted)) {

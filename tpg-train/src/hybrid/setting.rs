@@ -198,45 +198,6 @@ impl HybridFile {
         let guard = self.guard.clone().unwrap_or_else(|| UNGUARDED.to_owned());
         Setting { hand_back_after, separation, patience, detector, guard }
     }
-
-    /// Returns the settings as constants of a Rust crate that uses `tpg_runtime`; patience only where it is not
-    /// "never". The unit of the distances is the problem's.
-    ///
-    /// # Errors
-    /// A guard that no problem has.
-    pub fn to_rust(&self) -> Result<String, Finding> {
-        let Setting { hand_back_after, separation, patience, detector, guard } = self.setting();
-        if self.guard.is_some() {
-            return tpg_problems::guarded_constants(&guard, hand_back_after.0, separation, detector.name());
-        }
-        let import = if hand_back_after == Span::NEVER { "{NEVER, Settings}" } else { "Settings" };
-        let back = if hand_back_after == Span::NEVER { "NEVER".to_owned() } else { hand_back_after.to_string() };
-        let separation = if separation.is_finite() { format!("{separation:?}") } else { "f32::INFINITY".to_owned() };
-        let mut text = format!(
-            "//! Settings for sharing the problem between this folder's graph and network: made from `hybrid.toml` by\n\
-             //! `tpg-train constants`; do not edit.\n\
-             \n\
-             use tpg_runtime::switch::{import};\n\
-             \n\
-             /// The distance and the number of actions at which the policies take turns.\n\
-             pub const SETTINGS: Settings<f32> = Settings {{ hand_back_after: {back}, separation: {separation} }};\n"
-        );
-        if patience != Span::NEVER {
-            text += &format!(
-                "\n/// The limit of a `tpg_runtime::switch::Patience`: actions of the graph without progress.\n\
-                 pub const PATIENCE: u32 = {patience};\n"
-            );
-        }
-        let detector = match detector {
-            Detector::None => return Ok(text),
-            Detector::Visited => "Visited<u64, 4096>",
-            Detector::Brent => "Brent<u64>",
-        };
-        text += &format!(
-            "\n/// The detector of cycles, over the problem's keys.\npub type Detector = tpg_runtime::cycle::{detector};\n"
-        );
-        Ok(text)
-    }
 }
 
 impl Hybrid {
@@ -287,24 +248,9 @@ mod tests {
                         hand_back_after = 20\nseparation = 2.5\npatience = \"never\"\ncycle_detector = \"none\"\n";
 
     #[test]
-    fn a_file_comes_back_as_it_was_and_as_rust() {
+    fn a_file_comes_back_as_it_was() {
         let file: HybridFile = toml::from_str(TEXT).expect("a good file");
         assert_eq!(toml::to_string(&file).expect("plain data"), TEXT);
-        let rust = file.to_rust().expect("no guard");
-        assert!(rust.contains("use tpg_runtime::switch::Settings;"), "{rust}");
-        assert!(rust.contains("Settings { hand_back_after: 20, separation: 2.5 };"), "{rust}");
-        assert!(!rust.contains("PATIENCE") && !rust.contains("Detector"), "{rust}");
-        let other = HybridFile {
-            hand_back_after: Span::NEVER,
-            separation: f64::INFINITY,
-            patience: Span(7),
-            cycle_detector: Detector::Brent,
-            ..file
-        };
-        let rust = other.to_rust().expect("no guard");
-        for part in ["{NEVER, Settings}", "separation: f32::INFINITY", "PATIENCE: u32 = 7;", "cycle::Brent<u64>;"] {
-            assert!(rust.contains(part), "{part} in {rust}");
-        }
     }
 
     #[test]

@@ -2,11 +2,11 @@
 
 use super::dealer::{Dealer, parts};
 use super::link::{Backoff, Link};
-use super::worker::{Answer, Order, Reply, answers, decode, encode, pack_tasks};
+use super::worker::{Order, Reply, decode, encode, pack_tasks};
 use serde::Serialize;
 use std::cell::RefCell;
 use std::sync::{Mutex, PoisonError, mpsc};
-use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Piece, Play, Played, Visit, Work};
+use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Piece, Play, Played, Work};
 
 /// Tells workers that nothing more comes.
 pub(super) fn dismiss(link: &impl Link, ranks: impl IntoIterator<Item = usize>) -> Result<(), EvaluationError> {
@@ -41,15 +41,14 @@ pub(super) fn gather(link: &impl Link, identity: &str, own_threads: usize) -> Re
     Err(EvaluationError::new(problem))
 }
 
-/// The answers to some of the pieces.
-type Answers = Result<Vec<Answer>, EvaluationError>;
+/// The endings of some of the pieces.
+type Answers = Result<Vec<Vec<EpisodeResult>>, EvaluationError>;
 
-/// Pieces of work for all ranks, the places of those that are left, and whether the episodes are observed.
+/// Pieces of work for all ranks, and the places of those that are left.
 struct Question<'w, Task> {
     work: &'w Work<Task>,
     pieces: &'w [Piece],
     left: Mutex<Dealer>,
-    observed: bool,
 }
 
 impl<Task> Question<'_, Task> {
@@ -84,7 +83,7 @@ impl<'l, L: Link, Task: Clone + Serialize + Sync> Leader<'l, L, Task> {
     ///
     /// # Errors
     /// If a job cannot be done. What is under way is still waited for, so that the workers are ready for the next order.
-    fn answers(&self, work: &Work<Task>, pieces: &[Piece], observed: bool) -> Answers {
+    fn answers(&self, work: &Work<Task>, pieces: &[Piece]) -> Answers {
         let bytes = pack_tasks(&work.tasks)?;
         if self.tasks.borrow().0 != bytes {
             *self.tasks.borrow_mut() = (bytes, vec![false; self.threads.len()]);
@@ -92,14 +91,14 @@ impl<'l, L: Link, Task: Clone + Serialize + Sync> Leader<'l, L, Task> {
         let cost = |piece: &Piece| (work.policies[piece.policy].size() * piece.tasks.len()) as u64;
         let costs: Vec<u64> = pieces.iter().map(cost).collect();
         let left = Mutex::new(Dealer::new(&costs, self.threads.iter().sum()));
-        let question = &Question { work, pieces, left, observed };
+        let question = &Question { work, pieces, left };
         std::thread::scope(|scope| {
             let (sender, receiver) = mpsc::channel();
             let (local, own) = (self.local, self.threads[0]);
             scope.spawn(move || {
                 while let Some(share) = question.deal(own) {
                     let pieces: Vec<Piece> = share.iter().map(|&job| pieces[job].clone()).collect();
-                    if sender.send((share, answers(local, work, &pieces, observed))).is_err() {
+                    if sender.send((share, local.pieces(work, &pieces))).is_err() {
                         break;
                     }
                 }
@@ -121,7 +120,7 @@ impl<'l, L: Link, Task: Clone + Serialize + Sync> Leader<'l, L, Task> {
             (question.work.policies[policy].clone(), tasks)
         };
         let jobs = share.iter().map(job).collect();
-        self.link.send(rank, &encode(&Order::Evaluate { tasks, jobs, observed: question.observed })?)?;
+        self.link.send(rank, &encode(&Order::Evaluate { tasks, jobs })?)?;
         Ok(Some(share))
     }
 
@@ -133,7 +132,7 @@ impl<'l, L: Link, Task: Clone + Serialize + Sync> Leader<'l, L, Task> {
         for (rank, share) in under_way.iter_mut().enumerate().skip(1) {
             *share = self.hand_out(question, rank)?;
         }
-        let mut all: Vec<Option<Answer>> = question.pieces.iter().map(|_| None).collect();
+        let mut all: Vec<Option<Vec<EpisodeResult>>> = vec![None; question.pieces.len()];
         let (mut failure, mut own_busy, mut patience) = (None, true, Backoff::default());
         while own_busy || under_way.iter().any(Option::is_some) {
             let mut finished = Vec::new();
@@ -182,25 +181,14 @@ impl<Task: Clone + Serialize + Sync, L: Link> Evaluator<Task> for Leader<'_, L, 
         let parts = parts(work.policies.len(), self.threads.iter().sum());
         let pieces = Piece::cut(work.policies.len(), work.tasks.len(), parts);
         let mut endings = vec![Vec::new(); work.policies.len()];
-        for (piece, answer) in pieces.iter().zip(self.answers(work, &pieces, false)?) {
-            endings[piece.policy].extend(answer.endings);
+        for (piece, answer) in pieces.iter().zip(self.answers(work, &pieces)?) {
+            endings[piece.policy].extend(answer);
         }
         Ok(endings)
     }
 
-    /// Visits are few: this rank does them alone.
-    fn visit(&self, visits: &[Visit<Task>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
-        self.local.visit(visits)
-    }
-
+    /// This rank alone plays what is observed.
     fn play(&self, plays: &[Play<Task>]) -> Result<Vec<Played>, EvaluationError> {
-        let (tasks, policies) = plays.iter().map(|play| (play.task.clone(), play.policy.clone())).unzip();
-        let pieces: Vec<Piece> = (0..plays.len()).map(|policy| Piece { policy, tasks: policy..policy + 1 }).collect();
-        let answers = self.answers(&Work { tasks, policies }, &pieces, true)?.into_iter();
-        let played = answers.map(|Answer { endings, seen }| match (&endings[..], seen) {
-            (&[ending], Some(seen)) => Ok(Played { ending, seen }),
-            _ => Err(EvaluationError::new("another answer than that to an episode")),
-        });
-        played.collect()
+        self.local.play(plays)
     }
 }

@@ -5,14 +5,13 @@ use super::link::Link;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
-use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Moments, Piece, Play, Played, PolicyGraph, Work};
+use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Piece, PolicyGraph, Work};
 
 /// From rank 0 to a worker.
 #[derive(Serialize, Deserialize)]
 pub(super) enum Order {
-    /// Evaluate policies, each on some of the tasks in JSON; `None`: of those of the order before. Where `observed`, a job is an
-    /// episode, and what its policy sees is recorded.
-    Evaluate { tasks: Option<Vec<u8>>, jobs: Vec<(PolicyGraph, Range<usize>)>, observed: bool },
+    /// Evaluate policies, each on some of the tasks in JSON; `None`: of those of the order before.
+    Evaluate { tasks: Option<Vec<u8>>, jobs: Vec<(PolicyGraph, Range<usize>)> },
     /// Nothing more comes.
     End,
 }
@@ -22,37 +21,10 @@ pub(super) enum Order {
 pub(super) enum Reply {
     /// The worker is ready; everything that must be equal on all ranks, and its number of threads.
     Ready { identity: String, threads: u64 },
-    /// An answer to each job in order.
-    Done(Vec<Answer>),
+    /// The endings of each job in order.
+    Done(Vec<Vec<EpisodeResult>>),
     /// The order, or the start, has failed.
     Failed(String),
-}
-
-/// The answer to a piece.
-#[derive(Serialize, Deserialize)]
-pub(super) struct Answer {
-    pub(super) endings: Vec<EpisodeResult>,
-    /// What the policy of an observed episode saw.
-    pub(super) seen: Option<Moments>,
-}
-
-/// The answers of this rank to pieces of work.
-pub(super) fn answers<Task: Clone>(
-    local: &dyn Evaluator<Task>,
-    work: &Work<Task>,
-    pieces: &[Piece],
-    observed: bool,
-) -> Result<Vec<Answer>, EvaluationError> {
-    if !observed {
-        let endings = local.pieces(work, pieces)?.into_iter();
-        return Ok(endings.map(|endings| Answer { endings, seen: None }).collect());
-    }
-    let play = |Piece { policy, tasks }: &Piece| Play {
-        policy: work.policies[*policy].clone(),
-        task: work.tasks[tasks.start].clone(),
-    };
-    let played = local.play(&pieces.iter().map(play).collect::<Vec<_>>())?.into_iter();
-    Ok(played.map(|Played { ending, seen }| Answer { endings: vec![ending], seen: Some(seen) }).collect())
 }
 
 /// Writes tasks.
@@ -80,19 +52,19 @@ pub(super) fn serve<Task: Clone + DeserializeOwned>(
     // Tasks stay between orders.
     let mut work = Work { tasks: Vec::new(), policies: Vec::new() };
     loop {
-        let answered = match decode(&link.receive()?.1) {
+        let endings = match decode(&link.receive()?.1) {
             Ok(Order::End) => return Ok(()),
-            Ok(Order::Evaluate { tasks, jobs, observed }) => {
+            Ok(Order::Evaluate { tasks, jobs }) => {
                 let ranges: Vec<Range<usize>>;
                 (work.policies, ranges) = jobs.into_iter().unzip();
                 let pieces = (0..).zip(ranges).map(|(policy, tasks)| Piece { policy, tasks }).collect::<Vec<_>>();
                 let read = tasks.map_or(Ok(()), |tasks| unpack_tasks(&tasks).map(|tasks| work.tasks = tasks));
-                read.and_then(|()| answers(local, &work, &pieces, observed))
+                read.and_then(|()| local.pieces(&work, &pieces))
             }
             Err(error) => Err(error),
         };
-        let reply = match answered {
-            Ok(answers) => Reply::Done(answers),
+        let reply = match endings {
+            Ok(endings) => Reply::Done(endings),
             Err(error) => Reply::Failed(error.into_inner().to_string()),
         };
         link.send(0, &encode(&reply)?)?;

@@ -36,7 +36,7 @@ pub(super) fn sections(groups: &[Group]) -> Vec<Section> {
     for (kind, title, x, shown) in
         [("TPG", "Evolution", "steps", &tpg[..]), ("SAC", "Soft actor-critic", "decisions", &sac[..])]
     {
-        let groups: Vec<&Group> = groups.iter().filter(|group| group.runs[0].kind.name() == kind).collect();
+        let groups: Vec<&Group> = groups.iter().filter(|group| group.runs[0].kind() == kind).collect();
         let mut problems: Vec<&str> = groups.iter().map(|group| group.problem()).collect();
         problems.dedup();
         // Scores of different problems have nothing to do with each other.

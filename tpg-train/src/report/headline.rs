@@ -1,7 +1,8 @@
 //! The head of the page: result with its interval, size and training time of the best run of each group.
 
-use super::runs::{Group, Kind, Run};
+use super::runs::{Group, Run};
 use super::test::Tested;
+use crate::hybrid::rollout::Policies;
 use std::io;
 use tpg_codegen::emit::Code;
 use tpg_codegen::emit::Language;
@@ -34,10 +35,10 @@ fn headline(group: &Group, run: &Run, tested: Option<&Tested>) -> Headline {
             run.validated().map_or_else(|| "–".to_owned(), |score| format!("return {score:.2}"))
         }
     };
-    notes.push(match &run.kind {
-        Kind::Tpg(graph) => flash_in_words(&graph.1),
-        Kind::Hybrid(hybrid) => format!("its graph: {}", flash_in_words(&hybrid.graph.1)),
-        Kind::Sac(network) => format!("hidden layers {:?}", network.1.actor.hidden),
+    notes.push(match &run.policies {
+        Policies::Graph(graph) => flash_in_words(&graph.1),
+        Policies::Both(hybrid) => format!("its graph: {}", flash_in_words(&hybrid.graph.1)),
+        Policies::Network((_, network)) => format!("hidden layers {:?}", &network.widths()[1..]),
     });
     notes.extend(run.cpu.map(|cpu| {
         format!("trained in {} CPU seconds", if cpu < 0.1 { "under 0.1".to_owned() } else { format!("{cpu:.1}") })

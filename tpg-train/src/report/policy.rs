@@ -9,7 +9,7 @@ use tpg_picture::{Formulas, Section, graph};
 
 /// The section of a run's policy.
 pub(super) fn section(run: &Run, tested: Option<&Tested>) -> Section {
-    let graph = run.kind.graph();
+    let graph = run.graph();
     let mut figures: Vec<_> = graph.map(graph::figure).into_iter().collect();
     figures.extend(tested.map(|tested| tested.pictures.clone()).unwrap_or_default());
     let episodes = if tested.is_some() { "the test episodes" } else { "the episodes that chose it" };

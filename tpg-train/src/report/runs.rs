@@ -3,9 +3,9 @@
 use crate::effort::Effort;
 use crate::evolution::config::{AskConfig, EvolutionConfig};
 use crate::evolution::record::Row;
+use crate::hybrid::rollout::Policies;
 use crate::hybrid::setting::{Hybrid, Setting};
 use crate::run_time::RunTime;
-use crate::sac::contract::Contract;
 use crate::sac::network::Network;
 use crate::sac::weights;
 use serde::Deserialize;
@@ -18,7 +18,6 @@ use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::files::read_text;
 use tpg_graph::settings;
-use tpg_nn::Mlp;
 use tpg_problems::{PolicyKind, Problem, ProblemName};
 
 /// The name of a problem without one.
@@ -47,7 +46,7 @@ pub(super) struct Run {
     /// The problem; `None` if a program supplied its own environment.
     pub(super) problem: Option<Problem>,
     /// The trained policy.
-    pub(super) kind: Kind,
+    pub(super) policies: Policies,
     /// The hall of fame: the best policy of each size, without the trained one itself, named by its generation.
     pub(super) hall: Vec<Self>,
     /// What the program with the environment found on test episodes of the trained policy.
@@ -82,64 +81,53 @@ pub(super) struct Rival {
     pub(super) effort: Option<Effort>,
 }
 
-/// A trained policy.
-#[derive(Debug)]
-pub(super) enum Kind {
-    /// A tangled program graph, with its file.
-    Tpg(Box<(String, Graph)>),
-    /// A soft actor-critic, with its inputs, outputs and origin.
-    Sac(Box<(Mlp, Contract)>),
-    /// A graph with a network: of a study, or one that learned to ask.
-    Hybrid(Box<Hybrid>),
-}
-
 impl Group {
     /// Returns the name of the problem; [`OWN`] for one that is neither built in nor named by its graph.
     pub(super) fn problem(&self) -> &str {
-        let Run { problem, kind, .. } = &self.runs[0];
-        let named = || kind.graph().and_then(|graph| graph.provenance().note.as_deref());
-        problem.as_ref().map(|problem| problem.name().name()).or_else(named).unwrap_or(OWN)
+        let run = &self.runs[0];
+        let named = || run.graph().and_then(|graph| graph.provenance().note.as_deref());
+        run.problem.as_ref().map(|problem| problem.name().name()).or_else(named).unwrap_or(OWN)
     }
 }
 
 impl Run {
-    fn new(name: String, problem: Option<Problem>, kind: Kind) -> Self {
-        Self { name, seed: None, curves: BTreeMap::new(), cpu: None, problem, kind, hall: Vec::new(), tested: None }
+    fn new(name: String, problem: Option<Problem>, policies: Policies) -> Self {
+        Self { name, seed: None, curves: BTreeMap::new(), cpu: None, problem, policies, hall: Vec::new(), tested: None }
     }
 
     /// Returns the mean score on the episodes by which training chose the policy.
     pub(super) fn validated(&self) -> Option<f64> {
-        match &self.kind {
-            Kind::Tpg(graph) => graph.1.provenance().scores.get("validation_score").copied(),
-            Kind::Sac(network) => network.1.provenance.validation.map(|result| result.score),
-            Kind::Hybrid(_) => None,
+        match &self.policies {
+            Policies::Graph(graph) => graph.1.provenance().scores.get("validation_score").copied(),
+            Policies::Network((_, Network::Float(network))) => {
+                network.1.provenance.validation.map(|result| result.score)
+            }
+            _ => None,
         }
     }
-}
 
-impl Kind {
     /// Returns the graph.
     pub(super) fn graph(&self) -> Option<&Graph> {
-        match self {
-            Self::Tpg(graph) => Some(&graph.1),
-            Self::Hybrid(hybrid) => Some(&hybrid.graph.1),
-            Self::Sac(_) => None,
+        match &self.policies {
+            Policies::Graph(graph) => Some(&graph.1),
+            Policies::Both(hybrid) => Some(&hybrid.graph.1),
+            Policies::Network(_) => None,
         }
     }
 
     /// Returns the graph that evolution has found: its bytes can be compared. `None` for a network, and for a hybrid of a graph and
     /// rules, which was put together later.
     pub(super) fn evolved(&self) -> Option<&Graph> {
-        let rules = matches!(self, Self::Hybrid(hybrid) if hybrid.setting.has_trigger());
+        let rules = matches!(&self.policies, Policies::Both(hybrid) if hybrid.setting.has_trigger());
         self.graph().filter(|_| !rules)
     }
 
     /// The kind in a word.
-    pub(super) fn name(&self) -> &'static str {
-        match self {
-            Self::Tpg(_) => "TPG",
-            Self::Sac(_) => "SAC",
-            Self::Hybrid(_) => "hybrid",
+    pub(super) fn kind(&self) -> &'static str {
+        match self.policies {
+            Policies::Graph(_) => "TPG",
+            Policies::Network(_) => "SAC",
+            Policies::Both(_) => "hybrid",
         }
     }
 }
@@ -163,7 +151,7 @@ pub(super) fn read(folders: &[PathBuf]) -> Result<Vec<Group>, InputError> {
             let accepted = "a folder of `tpg-train tpg`, `sac` or `hybrid` that has begun";
             return Err(InputError::new(folder.display().to_string(), Place::Whole, "not a run folder", accepted));
         };
-        let key = format!("{}\n{text}", run.kind.name());
+        let key = format!("{}\n{text}", run.kind());
         match groups.iter_mut().find(|(other, _)| *other == key) {
             Some((_, group)) => group.runs.push(run),
             None => groups.push((key, Group { name: String::new(), runs: vec![run] })),
@@ -237,14 +225,14 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
     let (seed, cpu) = (graph.provenance().seed, cpu_seconds(folder));
     let run = |name: String, graph: Graph| {
         let graph = (path.display().to_string(), graph);
-        let kind = match &ask {
+        let policies = match &ask {
             Some(AskConfig { policy, .. }) => {
                 let network = (policy.clone(), Network::read(Path::new(policy))?);
-                Kind::Hybrid(Box::new(Hybrid { problem: None, graph, network, setting: Setting::only_asks() }))
+                Policies::Both(Box::new(Hybrid { problem: None, graph, network, setting: Setting::only_asks() }))
             }
-            None => Kind::Tpg(Box::new(graph)),
+            None => Policies::Graph(Box::new(graph)),
         };
-        Ok(Run { seed, ..Run::new(name, problem.clone(), kind) })
+        Ok(Run { seed, ..Run::new(name, problem.clone(), policies) })
     };
     let of_hall = |graph: Graph| {
         let generation = graph.provenance().scores.get("generation").copied().unwrap_or_default();
@@ -290,7 +278,8 @@ fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
         ("entropy", curve("entropy")),
     ]);
     let (seed, cpu) = (Some(contract.provenance.seed), cpu_seconds(folder));
-    Ok(Run { seed, curves, cpu, ..Run::new(name, Some(problem), Kind::Sac(Box::new((network, contract)))) })
+    let policies = Policies::Network((file, Network::Float(Box::new((network, contract)))));
+    Ok(Run { seed, curves, cpu, ..Run::new(name, Some(problem), policies) })
 }
 
 /// The problem that settings name, if it is built in.
@@ -306,7 +295,7 @@ fn study(folder: &Path, name: String, text: &str) -> Result<Run, InputError> {
     }
     let file = folder.join("study.toml").display().to_string();
     let Asked { problem } = settings::from_toml(&file, text, "the study.toml of a study")?;
-    let hybrid = Kind::Hybrid(Box::new(Hybrid::read(&folder.join("hybrid.toml"))?));
+    let hybrid = Policies::Both(Box::new(Hybrid::read(&folder.join("hybrid.toml"))?));
     let problem = named_in(&problem).map(|_| Problem::from_table(&file, &problem, PolicyKind::Graph)).transpose()?;
     Ok(Run::new(name, problem.map(|problem| problem.for_tests()), hybrid))
 }

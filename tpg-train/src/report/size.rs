@@ -43,7 +43,7 @@ fn figure(
         let points: Vec<([f64; 2], String)> = (chosen
             .chain(hall.iter().map(|(name, run, tested)| (name, *run, tested))))
         .filter_map(|(name, run, tested)| {
-            let bytes = flash(run.kind.evolved()?).ok()?;
+            let bytes = flash(run.evolved()?).ok()?;
             Some(([bytes as f64, tested.summary().score], name.clone()))
         })
         .collect();

@@ -1,7 +1,8 @@
 //! The tables: description and result of each run, and the mean of each group.
 
-use super::runs::{Group, Kind, Run};
+use super::runs::{Group, Run};
 use super::test::Tested;
+use crate::hybrid::rollout::Policies;
 use tpg_engine::Sample;
 use tpg_graph::error::counted;
 use tpg_picture::{Section, Table};
@@ -20,7 +21,7 @@ pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Secti
         let cpu: Option<Vec<f64>> = group.runs.iter().map(|run| run.cpu).collect();
         means.push(vec![
             group.name.clone(),
-            group.runs[0].kind.name().to_owned(),
+            group.runs[0].kind().to_owned(),
             group.runs.len().to_string(),
             over(&|tested| Some(tested.summary().score)),
             over(&|tested| tested.summary().success.map(|success| 100.0 * success)),
@@ -69,20 +70,19 @@ fn told(Table { header, rows }: Table) -> Table {
 }
 
 fn row(run: &Run, tested: Option<&Tested>) -> Vec<String> {
-    let what = match &run.kind {
-        Kind::Tpg(named) => {
+    let what = match &run.policies {
+        Policies::Graph(named) => {
             let graph = &named.1;
             let edges: usize = graph.teams().iter().map(|team| team.edges.len()).sum();
             [(graph.teams().len(), "team"), (edges, "edge"), (graph.programs().len(), "program")]
                 .map(|(count, what)| counted(count, what))
                 .join(", ")
         }
-        Kind::Sac(policy) => {
-            let (network, contract) = &**policy;
-            let hidden: Vec<String> = contract.actor.hidden.iter().map(usize::to_string).collect();
-            format!("{} inputs, {}", network.shape().inputs, hidden.join("-"))
+        Policies::Network((_, network)) => {
+            let [inputs, hidden @ ..] = &network.widths()[..] else { unreachable!("a network has inputs") };
+            format!("{inputs} inputs, {}", hidden.iter().map(usize::to_string).collect::<Vec<_>>().join("-"))
         }
-        Kind::Hybrid(hybrid) => hybrid.setting.sentence(),
+        Policies::Both(hybrid) => hybrid.setting.sentence(),
     };
     let text = |value: Option<f64>| value.map_or_else(String::new, one_decimal);
     let summary = tested.map(Tested::summary);

@@ -1,11 +1,10 @@
 //! Tests of runs: the trained policy on the test episodes.
 
-use super::runs::{Kind, Run};
-use crate::hybrid::rollout::{Acting, moments};
+use super::runs::Run;
+use crate::hybrid::rollout::{Policies, moments};
 use crate::hybrid::shared::{Episodes, Shared, opened};
 use crate::sac::network::Network;
-use crate::sac::policy::NetworkPolicy;
-use tpg_engine::{Environment, EpisodeResult, Measure, Summary, TaskSet};
+use tpg_engine::{Environment, EpisodeResult, Measure, Rollout, Summary, TaskSet};
 use tpg_graph::error::InputError;
 use tpg_graph::{Graph, in_arithmetic_of};
 use tpg_picture::Figure;
@@ -62,40 +61,19 @@ pub(super) fn test(run: &Run, count: usize, seed: u64, own: Option<&dyn Shared>)
         return Ok(run.tested.as_ref().map(|one| tested(one.episodes.clone())));
     };
     let episodes = Episodes { set: TaskSet::Test, count, seed, file: None };
-    let mut pictures = Vec::new();
-    let endings = match &run.kind {
-        Kind::Tpg(graph) => {
-            let endings = problem.play(Acting::Graph(graph), episodes)?.endings;
-            if let Some(problem) = built_in {
-                pictures = in_arithmetic_of!(graph.1, shown(problem, graph, episodes, &endings))?;
-            }
-            endings
+    let endings = problem.play(run.policies.acting(), episodes)?.endings;
+    let pictures = match (&run.policies, built_in) {
+        (Policies::Graph(graph), Some(problem)) => {
+            in_arithmetic_of!(graph.1, graph_shown(problem, graph, episodes, &endings))?
         }
-        Kind::Sac(trained) => {
-            let (network, contract) = &**trained;
-            let whole = (run.name.clone(), Network::Float(trained.clone()));
-            let endings = problem.play(Acting::Network(&whole), episodes)?.endings;
-            let environment = built_in.map(|problem| problem.network_environment(0));
-            if let Some((environment, drawn)) = environment.as_ref().and_then(|it| Some((it, it.drawn()?))) {
-                let tasks = tpg_engine::tasks(&**environment, TaskSet::Test, seed, count);
-                let policy = NetworkPolicy::new(network, contract.interface());
-                pictures.extend(chosen(&endings).into_iter().map(|place| {
-                    let mut moments = Vec::new();
-                    policy.watch(&&**environment, &tasks[place], |episode| moments.push(drawn.moment(episode)));
-                    figure(problem, place, &endings[place], drawn.picture(&moments))
-                }));
-            }
-            endings
-        }
-        Kind::Hybrid(hybrid) => {
-            problem.play(Acting::Both(&hybrid.graph, &hybrid.network, &hybrid.setting), episodes)?.endings
-        }
+        (Policies::Network((_, network)), Some(problem)) => network_shown(problem, network, episodes, &endings),
+        _ => Vec::new(),
     };
     Ok(Some(Tested { endings, measure: problem.facts().measure, pictures }))
 }
 
 /// Shows some episodes of a graph, where the problem draws them.
-fn shown<S: Number, M: Maths<S>>(
+fn graph_shown<S: Number, M: Maths<S>>(
     problem: &Problem,
     graph: &(String, Graph),
     episodes: Episodes<'_>,
@@ -109,6 +87,27 @@ fn shown<S: Number, M: Maths<S>>(
             // The engine detects a cycle late; the episode ended at its first repeat.
             moments.truncate(endings[place].actions as usize + 1);
             Ok(figure(problem, place, &endings[place], drawn.picture(&moments)))
+        };
+        chosen(endings).into_iter().map(picture).collect()
+    })
+}
+
+/// Shows some episodes of a network, where the problem draws them.
+fn network_shown(
+    problem: &Problem,
+    network: &Network,
+    episodes: Episodes<'_>,
+    endings: &[EpisodeResult],
+) -> Vec<Figure> {
+    let environment = problem.network_environment(0);
+    let Some(drawn) = environment.drawn() else { return Vec::new() };
+    let tasks = tpg_engine::tasks(&*environment, episodes.set, episodes.seed, episodes.count);
+    network.deciding(|decide| {
+        let picture = |place: usize| {
+            let mut moments = Vec::new();
+            let rollout = Rollout::new(&*environment, &tasks[place]);
+            rollout.watch(decide, |episode| moments.push(drawn.moment(episode)));
+            figure(problem, place, &endings[place], drawn.picture(&moments))
         };
         chosen(endings).into_iter().map(picture).collect()
     })

@@ -7,17 +7,15 @@
 use super::config::SacConfig;
 use super::interface::Input;
 use super::replay::Replay;
-use super::tensors::place;
 use super::training::{BestActor, Recent, Training};
+use crate::run_args::place;
 use serde::{Deserialize, Serialize};
 use tpg_engine::{Environment, Summary};
 use tpg_graph::error::{Finding, InputError};
 use tpg_nn::{Agent, Mlp};
 
 /// Incremented with every change to the content or meaning of checkpoints.
-pub const VERSION: u32 = 9;
-/// No run counts further: sums of two such counts do not overflow, and `f64` holds them exactly.
-const MOST: u64 = 1 << 53;
+pub(super) const VERSION: u32 = 9;
 
 /// Everything except the numbers: networks, replay buffer, actions.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -39,13 +37,6 @@ struct CheckpointState<Task> {
     log: Vec<serde_json::Value>,
 }
 
-/// The part that identifies a run, for any problem.
-#[derive(Deserialize)]
-struct CheckpointHeader {
-    config: SacConfig,
-    seed: u64,
-}
-
 /// The JSON text of a [`CheckpointState`], the numbers, the actions of each lane so far.
 type Content = (String, Agent, Option<Mlp>, Option<BestActor>, Replay, Vec<Vec<f32>>);
 
@@ -53,7 +44,7 @@ type Content = (String, Agent, Option<Mlp>, Option<BestActor>, Replay, Vec<Vec<f
 ///
 /// # Panics
 /// If a task of the environment cannot be written as JSON.
-pub fn to_bytes<E: Environment<f32>>(training: &Training<'_, E>, log: &[serde_json::Value]) -> Vec<u8> {
+pub(super) fn to_bytes<E: Environment<f32>>(training: &Training<'_, E>, log: &[serde_json::Value]) -> Vec<u8> {
     let Training { config, seed, agent, average, replay, lanes, decisions, updates, best, last, recent, .. } = training;
     let state = CheckpointState {
         config: config.clone(),
@@ -64,7 +55,7 @@ pub fn to_bytes<E: Environment<f32>>(training: &Training<'_, E>, log: &[serde_js
         last: *last,
         recent: recent.clone(),
         lanes: lanes.lanes.iter().map(|lane| lane.task.clone()).collect(),
-        failures: lanes.failures.places.clone(),
+        failures: lanes.failures.clone(),
         inputs: lanes.interface().inputs.clone(),
         log: log.to_vec(),
     };
@@ -74,14 +65,13 @@ pub fn to_bytes<E: Environment<f32>>(training: &Training<'_, E>, log: &[serde_js
 }
 
 /// A run under way, and the rows of its log.
-pub type Loaded<'e, E> = (Training<'e, E>, Vec<serde_json::Value>);
+pub(super) type Loaded<'e, E> = (Training<'e, E>, Vec<serde_json::Value>);
 
-/// Reads the content of a checkpoint and checks it; `file` is named in errors.
+/// Reads the content of a checkpoint; `file` is named in errors.
 ///
 /// # Errors
-/// If it is not a checkpoint, belongs to another configuration or seed, or is not a state that a run on this environment
-/// can be in.
-pub fn from_bytes<'e, E: Environment<f32>>(
+/// If it is not a checkpoint, or belongs to another configuration or seed.
+pub(super) fn from_bytes<'e, E: Environment<f32>>(
     file: &str,
     content: &[u8],
     environment: &'e E,
@@ -100,71 +90,26 @@ fn restore<'e, E: Environment<f32>>(
     config: &SacConfig,
     seed: u64,
 ) -> Result<Loaded<'e, E>, Finding> {
-    check_header(&text, config, seed)?;
-    let state: CheckpointState<E::Task> = parse(&text)?;
-    state.check(environment, replay.added)?;
-    // What is drawn here is all overwritten: only the shapes count.
+    let state: CheckpointState<E::Task> = serde_json::from_str(&text)
+        .map_err(|error| Finding::new("", error, "the text that this version of tpg-train writes"))?;
+    if state.config != *config {
+        let accepted = "the configuration that the run began with, or another --out";
+        return Err(Finding::new("config", "another configuration", accepted));
+    }
+    if state.seed != seed {
+        return Err(Finding::new("seed", state.seed, seed.to_string()));
+    }
+    // What is drawn here is all overwritten.
     let mut training = Training::new(environment, config.clone(), seed)?;
-    let networks = || average.iter().chain(best.iter().map(|best| &best.actor));
-    let is_whole = training.agent.is_like(&agent)
-        && training.average.is_some() == average.is_some()
-        && networks().all(|network| network.is_like(&agent.actor.network))
-        && training.replay.is_like(&replay)
-        && [state.lanes.len(), actions.len()] == [config.learning.lanes; 2]
-        && names(&state.inputs).eq(names(&training.interface().inputs));
-    if !is_whole {
-        let found = "networks, inputs, lanes or a replay buffer of another size";
-        return Err(Finding::new("", found, "those of the configuration"));
-    }
     training.lanes.lanes.clear();
-    for (place, (task, actions)) in state.lanes.into_iter().zip(&actions).enumerate() {
-        if !training.lanes.resume(task, actions) {
-            let key = format!("lanes[{place}]");
-            return Err(Finding::new(key, "actions after the end of the episode", "an episode under way"));
-        }
-    }
+    state.lanes.into_iter().zip(&actions).for_each(|(task, actions)| training.lanes.resume(task, actions));
     training.lanes.episodes = state.episodes;
-    training.lanes.failures.places = state.failures;
+    training.lanes.failures = state.failures;
     training.lanes.set_inputs(state.inputs);
     (training.agent, training.average, training.best, training.replay) = (agent, average, best, replay);
     (training.decisions, training.updates) = (state.decisions, state.updates);
     (training.last, training.recent) = (state.last, state.recent);
     Ok((training, state.log))
-}
-
-fn names(inputs: &[Input]) -> impl Iterator<Item = &str> {
-    inputs.iter().map(|input| input.name.as_str())
-}
-
-fn parse<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, Finding> {
-    serde_json::from_str(text)
-        .map_err(|error| Finding::new("", error, "the text that this version of tpg-train writes"))
-}
-
-impl<Task: std::fmt::Debug> CheckpointState<Task> {
-    /// Checks what would panic later: counts that overflow, tasks of another problem.
-    fn check<E: Environment<f32, Task = Task>>(&self, environment: &E, replayed: u64) -> Result<(), Finding> {
-        let Recent { updates, steps, ends, .. } = &self.recent;
-        let counts = [self.decisions, self.updates, self.episodes, replayed, *updates, *steps];
-        counts.iter().chain(ends).try_for_each(|&count| Finding::range("a count", count, 0, MOST))?;
-        match self.lanes.iter().chain(&self.failures).find(|task| !environment.accepts(task)) {
-            Some(task) => Err(Finding::new("lanes or failures", format!("{task:?}"), "tasks of the problem")),
-            None => Ok(()),
-        }
-    }
-}
-
-/// Refuses the checkpoint of another configuration or seed.
-fn check_header(text: &str, config: &SacConfig, seed: u64) -> Result<(), Finding> {
-    let header: CheckpointHeader = parse(text)?;
-    if header.config != *config {
-        let accepted = "the configuration that the run began with, or another --out";
-        return Err(Finding::new("config", "another configuration", accepted));
-    }
-    if header.seed != seed {
-        return Err(Finding::new("seed", header.seed, seed.to_string()));
-    }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -204,7 +149,7 @@ mod tests {
             }
         }
         assert!(undisturbed.updates > 40);
-        assert_eq!(undisturbed.lanes.failures.places.len(), config.retry.map_or(0, |retry| retry.remembered));
+        assert_eq!(undisturbed.lanes.failures.len(), config.retry.map_or(0, |retry| retry.remembered));
         assert!(to_bytes(&undisturbed, &[]) == to_bytes(&resumed, &[]), "the checkpoints at the end differ");
     }
 

@@ -8,7 +8,7 @@ use super::config::SacConfig;
 use super::training::{BestActor, Training, interface};
 use super::weights::to_tensors;
 use super::{checkpoint, log};
-use crate::configuration::Chosen;
+use crate::configuration::{Chosen, Configuration as _};
 use crate::evolution::command::sentence;
 use crate::folder::frame::checksum;
 use crate::folder::{RunFolder, Trainer};

@@ -131,7 +131,11 @@ impl Configuration for SacConfig {
     const PRINTED_BY: &'static str = "tpg-train config --sac";
 
     fn default_preset(problem: ProblemName) -> &'static str {
-        presets::default_for(problem)
+        match problem {
+            ProblemName::Fs => "best-fs",
+            ProblemName::Rs => "best-rs",
+            _ => "general",
+        }
     }
 
     fn problem(&mut self) -> &mut toml::Table {
@@ -170,16 +174,6 @@ impl Configuration for SacConfig {
         let Some(retry) = retry else { return Ok(()) };
         Finding::range("retry.share", retry.share, 0.0, 1.0)?;
         Finding::range("retry.every", retry.every, 1, u64::MAX)
-    }
-}
-
-impl SacConfig {
-    /// The configuration as TOML, without comments: what a run's folder and a checkpoint keep.
-    ///
-    /// # Panics
-    /// Never: every part can be written.
-    pub fn to_toml(&self) -> String {
-        toml::to_string(self).expect("a configuration is plain data")
     }
 }
 

@@ -10,72 +10,52 @@ use super::policy::NetworkPolicy;
 use tpg_engine::Environment;
 use tpg_engine::random::{Purpose, Stream};
 
-/// The places of the latest failures, oldest first.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Failures<Task> {
-    /// Tasks that begin there.
-    pub(crate) places: Vec<Task>,
-}
-
-impl<Task: Clone> Failures<Task> {
-    /// Lets a policy try fresh tasks and remembers where it fails. `at` tells one search of a run from another.
-    pub(crate) fn look<E: Environment<f32, Task = Task>>(
-        &mut self,
-        policy: &NetworkPolicy<'_>,
-        environment: &E,
-        retry: &Retry,
-        seed: u64,
-        at: u64,
-    ) {
-        let Some(training) = environment.training() else { return };
-        let stream = &mut Stream::new(seed, at, Purpose::Retry, 0);
-        let drawn = |stream: &mut Stream| (0..retry.episodes).map(|_| environment.draw(stream)).collect();
-        let tasks = training.evaluation_tasks(stream, retry.episodes).unwrap_or_else(|| drawn(stream));
-        for task in &tasks {
-            let mut visited = Vec::new();
-            let ending = policy.watch(environment, task, |episode| visited.push(training.task_from(episode)));
-            if ending.success == Some(false) {
-                self.remember(&visited);
-            }
+/// Lets a policy try fresh tasks, and adds to the tasks that begin where it failed, the latest last. `at` tells one search of a run
+/// from another.
+pub(crate) fn look<E: Environment<f32>>(
+    places: &mut Vec<E::Task>,
+    policy: &NetworkPolicy<'_>,
+    environment: &E,
+    retry: &Retry,
+    seed: u64,
+    at: u64,
+) {
+    let Some(training) = environment.training() else { return };
+    let stream = &mut Stream::new(seed, at, Purpose::Retry, 0);
+    let drawn = |stream: &mut Stream| (0..retry.episodes).map(|_| environment.draw(stream)).collect();
+    let tasks = training.evaluation_tasks(stream, retry.episodes).unwrap_or_else(|| drawn(stream));
+    for task in &tasks {
+        let mut visited = Vec::new();
+        let ending = policy.watch(environment, task, |episode| visited.push(training.task_from(episode)));
+        if ending.success == Some(false) {
+            remember(places, &visited);
         }
-        let most = self.places.len().saturating_sub(retry.remembered);
-        self.places.drain(..most);
     }
-
-    fn remember(&mut self, visited: &[Option<Task>]) {
-        let last = visited.len() - 1;
-        let mut places = vec![0, last / 2, last.saturating_sub(1)];
-        places.dedup();
-        self.places.extend(places.into_iter().filter_map(|place| visited[place].clone()));
-    }
-
-    /// Draws one of the places; `None` if there is none.
-    pub(crate) fn draw(&self, random: &mut Stream) -> Option<Task> {
-        (!self.places.is_empty()).then(|| random.pick(&self.places).clone())
-    }
+    places.drain(..places.len().saturating_sub(retry.remembered));
 }
 
-impl<Task> Default for Failures<Task> {
-    fn default() -> Self {
-        Self { places: Vec::new() }
-    }
+fn remember<Task: Clone>(places: &mut Vec<Task>, visited: &[Option<Task>]) {
+    let last = visited.len() - 1;
+    let mut kept = vec![0, last / 2, last.saturating_sub(1)];
+    kept.dedup();
+    places.extend(kept.into_iter().filter_map(|place| visited[place].clone()));
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Failures;
+    use super::remember;
 
     #[test]
     fn episodes_leave_their_start_middle_and_last_place_but_one() {
-        let mut failures = Failures::default();
+        let mut places = Vec::new();
         for (length, expected) in [(1, vec![0]), (2, vec![0]), (3, vec![0, 1]), (10, vec![0, 4, 8])] {
-            failures.places.clear();
-            failures.remember(&(0..length).map(Some).collect::<Vec<_>>());
-            assert_eq!(failures.places, expected, "of {length}");
+            places.clear();
+            remember(&mut places, &(0..length).map(Some).collect::<Vec<_>>());
+            assert_eq!(places, expected, "of {length}");
         }
         // Where no task can begin, none is remembered.
-        failures.places.clear();
-        failures.remember(&[Some(0), None, None, Some(3)]);
-        assert_eq!(failures.places, [0]);
+        places.clear();
+        remember(&mut places, &[Some(0), None, None, Some(3)]);
+        assert_eq!(places, [0]);
     }
 }

@@ -1,7 +1,6 @@
 //! Parallel training episodes: when one ends, the next begins in its lane.
 
 use super::config::SacConfig;
-use super::failures::Failures;
 use super::interface::{Input, Interface};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Act, Environment, Rollout, SourceSet, Step};
@@ -28,8 +27,8 @@ pub(crate) struct TrainingLanes<'e, E: Environment<f32>> {
     pub(crate) lanes: Vec<Lane<'e, E>>,
     /// Episodes ever begun.
     pub(crate) episodes: u64,
-    /// Places where some of the episodes begin again.
-    pub(crate) failures: Failures<E::Task>,
+    /// Tasks with which some of the episodes begin again.
+    pub(crate) failures: Vec<E::Task>,
     retried: f64,
 }
 
@@ -37,9 +36,8 @@ impl<'e, E: Environment<f32>> TrainingLanes<'e, E> {
     /// Begins an episode in each lane.
     pub(crate) fn new(environment: &'e E, interface: Interface, config: &SacConfig, seed: u64) -> Self {
         let retried = config.retry.map_or(0.0, |retry| retry.share);
-        let failures = Failures::default();
         let (lasts, discount) = (config.learning.decision_lasts, config.learning.discount as f32);
-        let lanes = Vec::new();
+        let (lanes, failures) = (Vec::new(), Vec::new());
         let mut new = Self { environment, interface, lasts, discount, seed, lanes, episodes: 0, failures, retried };
         for _ in 0..config.learning.lanes {
             let lane = new.begin();
@@ -48,22 +46,21 @@ impl<'e, E: Environment<f32>> TrainingLanes<'e, E> {
         new
     }
 
-    /// Adds a lane whose episode began with `task` and has had `actions`: they are done again. False if the episode ends
-    /// before the last of them or with it.
-    pub(crate) fn resume(&mut self, task: E::Task, actions: &[f32]) -> bool {
+    /// Adds a lane whose episode began with `task` and has had `actions`: they are done again.
+    pub(crate) fn resume(&mut self, task: E::Task, actions: &[f32]) {
         let lane = self.lane(task);
         self.lanes.push(lane);
         let last = self.lanes.len() - 1;
-        (actions.chunks_exact(self.interface.outputs.len())).all(|action| self.act(last, action).end.is_none())
+        actions.chunks_exact(self.interface.outputs.len()).for_each(|action| _ = self.act(last, action));
     }
 
     /// Begins the next episode; some begin where the actor failed.
     fn begin(&mut self) -> Lane<'e, E> {
         let mut random = Stream::new(self.seed, self.episodes, Purpose::Reset, 0);
         self.episodes += 1;
-        let again = !self.failures.places.is_empty() && random.chance(self.retried);
-        let task = if again { self.failures.draw(&mut random) } else { None };
-        self.lane(task.unwrap_or_else(|| self.environment.draw(&mut random)))
+        let again = !self.failures.is_empty() && random.chance(self.retried);
+        let task = if again { random.pick(&self.failures).clone() } else { self.environment.draw(&mut random) };
+        self.lane(task)
     }
 
     fn lane(&self, task: E::Task) -> Lane<'e, E> {
@@ -134,7 +131,7 @@ mod tests {
         }
         let mut again = TrainingLanes::new(&Pendulum, interface, &config, 5);
         again.lanes.clear();
-        assert!(again.resume(lanes.lanes[0].task, &lanes.lanes[0].actions));
+        again.resume(lanes.lanes[0].task, &lanes.lanes[0].actions);
         let (mut here, mut there) = ([0.0; 3], [0.0; 3]);
         lanes.observe(0, &mut here);
         again.observe(0, &mut there);

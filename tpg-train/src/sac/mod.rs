@@ -12,7 +12,7 @@
 //! | [`import`], [`foreign`] | `tpg-train import`: actors of Stable-Baselines3 and CleanRL |
 //! | [`command`] | `tpg-train sac` |
 
-pub mod checkpoint;
+mod checkpoint;
 pub(crate) mod command;
 pub(crate) mod config;
 pub(crate) mod contract;

@@ -56,6 +56,14 @@ impl Network {
         quantised("<network>", actor, None, environment, hash, kind, seed)
     }
 
+    /// Returns the number of inputs, and the units of each hidden layer.
+    pub(crate) fn widths(&self) -> Vec<usize> {
+        match self {
+            Self::Float(actor) => [&[actor.0.shape().inputs], &actor.0.shape().hidden[..]].concat(),
+            Self::Fixed(policy) => policy.layers.iter().map(|layer| layer.inputs).collect(),
+        }
+    }
+
     /// Returns the network's decision for a flat state, by the mean of its actions.
     pub fn decide(&self, state: &[f32]) -> Decision<f32> {
         self.deciding(|decide| decide(state))
@@ -116,14 +124,12 @@ impl Network {
                 Output::Argmax(names) => ("argmax", names.iter().map(String::as_str).collect()),
                 Output::Preferences(_) => {
                     let count = policy.layers.last().map_or(0, |layer| layer.outputs);
-                    ("values", actions.outputs().iter().map(|output| output.name.as_str()).take(count).collect())
+                    ("values", actions.names().take(count).collect())
                 }
             },
         };
-        let (accepted, wanted): (&str, Vec<&str>) = match actions {
-            ActionSpace::Box(outputs) => ("values", outputs.iter().map(|output| output.name.as_str()).collect()),
-            ActionSpace::Discrete(actions) => ("argmax", actions.iter().map(|action| action.name.as_str()).collect()),
-        };
+        let accepted = if actions.outputs().is_empty() { "argmax" } else { "values" };
+        let wanted: Vec<&str> = actions.names().collect();
         if (answer, &outputs) != (accepted, &wanted) {
             let (found, wanted) = (outputs.join(" "), wanted.join(" "));
             return refuse(format!("the outputs {found} ({answer})"), format!("{wanted} ({accepted})"));

@@ -25,11 +25,6 @@ impl<'a> NetworkPolicy<'a> {
         Self { network, interface, tape }
     }
 
-    /// Lets it do each task.
-    pub(crate) fn endings<E: Environment<f32>>(&self, environment: &E, tasks: &[E::Task]) -> Vec<EpisodeResult> {
-        tasks.iter().map(|task| self.watch(environment, task, |_episode| ())).collect()
-    }
-
     /// Lets it do a task; `each` sees the episode at its start and after every action.
     pub(crate) fn watch<E: Environment<f32>>(
         &self,

@@ -1,7 +1,6 @@
 //! The configurations included with the trainer: `general`, and the differences of the others.
 
 use crate::configuration::Preset;
-use tpg_problems::ProblemName;
 
 /// Every preset.
 pub(crate) const PRESETS: [Preset; 6] = [
@@ -29,15 +28,6 @@ pub(crate) const PRESETS: [Preset; 6] = [
 
 /// The start that chooses the best candidate, and the share of training episodes that start at home.
 const RANDOM_START: &str = "[problem]\nname = \"rs\"\nfixed_start_share = 0.3\n";
-
-/// Returns the name of the preset used for a problem by default.
-pub(crate) fn default_for(problem: ProblemName) -> &'static str {
-    match problem {
-        ProblemName::Fs => "best-fs",
-        ProblemName::Rs => "best-rs",
-        _ => "general",
-    }
-}
 
 #[cfg(test)]
 mod tests {

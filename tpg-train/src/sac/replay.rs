@@ -32,7 +32,7 @@ pub(crate) struct Replay {
 }
 
 /// Transitions drawn for one update, one column a sample.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Batch {
     /// inputs × batch.
     pub(crate) states: Vec<f32>,
@@ -44,20 +44,6 @@ pub(crate) struct Batch {
     pub(crate) discounts: Vec<f32>,
     /// inputs × batch.
     pub(crate) next: Vec<f32>,
-}
-
-impl Batch {
-    /// Creates an empty batch of that many samples.
-    pub(crate) fn new(inputs: usize, actions: usize, size: usize) -> Self {
-        let zeros = |rows: usize| vec![0.0; rows * size];
-        Self {
-            states: zeros(inputs),
-            actions: zeros(actions),
-            rewards: zeros(1),
-            discounts: zeros(1),
-            next: zeros(inputs),
-        }
-    }
 }
 
 impl Replay {
@@ -117,33 +103,23 @@ impl Replay {
         }
     }
 
-    /// Draws a batch, every transition held equally likely, with repeats.
+    /// Draws a batch of that many samples, every transition held equally likely, with repeats.
     ///
     /// # Panics
-    /// If the buffer is empty or the batch was made for other states.
-    pub(crate) fn draw(&self, random: &mut Stream, batch: &mut Batch) {
-        assert_eq!(batch.states.len(), batch.rewards.len() * self.inputs, "a batch for other states");
-        let width = self.width();
-        let columns = batch.states.chunks_exact_mut(self.inputs).zip(batch.next.chunks_exact_mut(self.inputs));
-        let numbers = batch.rewards.iter_mut().zip(&mut batch.discounts);
-        let actions = batch.actions.chunks_exact_mut(self.actions);
-        for (((state, next), action), (reward, discount)) in columns.zip(actions).zip(numbers) {
+    /// If the buffer is empty.
+    pub(crate) fn draw(&self, random: &mut Stream, size: usize) -> Batch {
+        let (width, mut batch) = (self.width(), Batch::default());
+        for _ in 0..size {
             let row = &self.rows[random.below(self.len()) * width..][..width];
-            let (from, rest) = row.split_at(self.inputs);
-            state.copy_from_slice(from);
-            let (did, rest) = rest.split_at(self.actions);
-            action.copy_from_slice(did);
-            *reward = rest[0];
-            *discount = rest[1];
-            next.copy_from_slice(&rest[2..]);
+            let (state, rest) = row.split_at(self.inputs);
+            let (action, rest) = rest.split_at(self.actions);
+            batch.states.extend(state);
+            batch.actions.extend(action);
+            batch.rewards.push(rest[0]);
+            batch.discounts.push(rest[1]);
+            batch.next.extend(&rest[2..]);
         }
-    }
-
-    /// True if another is of the same size, with the rows of its transitions.
-    pub(crate) fn is_like(&self, other: &Self) -> bool {
-        let held = other.added.min(other.capacity as u64) as usize;
-        let sizes = |buffer: &Self| (buffer.inputs, buffer.actions, buffer.capacity);
-        sizes(self) == sizes(other) && other.rows.len() == held * other.width()
+        batch
     }
 }
 
@@ -161,8 +137,7 @@ mod tests {
     fn the_newest_transitions_stay_whole() {
         let mut buffer = Replay::new(3, 4, 10);
         (0..25).for_each(|value| push(&mut buffer, value as f32));
-        let mut batch = Batch::new(3, 4, 400);
-        buffer.draw(&mut Stream::new(1, 0, Purpose::Test, 1), &mut batch);
+        let batch = buffer.draw(&mut Stream::new(1, 0, Purpose::Test, 1), 400);
         let mut seen = [0; 25];
         for (i, &reward) in batch.rewards.iter().enumerate() {
             seen[reward as usize] += 1;
@@ -171,14 +146,5 @@ mod tests {
             assert_eq!(batch.next[3 * i..][..3], [reward + 0.5; 3]);
         }
         assert!(seen[..15].iter().all(|&count| count == 0) && seen[15..].iter().all(|&count| count > 15), "{seen:?}");
-    }
-
-    #[test]
-    fn another_size_or_number_of_rows_is_unlike() {
-        let mut buffer = Replay::new(3, 4, 10);
-        (0..25).for_each(|value| push(&mut buffer, value as f32));
-        assert!(Replay::new(3, 4, 10).is_like(&buffer) && !Replay::new(3, 4, 11).is_like(&buffer));
-        buffer.rows.pop();
-        assert!(!Replay::new(3, 4, 10).is_like(&buffer));
     }
 }

@@ -1,6 +1,7 @@
 //! Safetensors files: named `f32` tensors and one JSON text, checked as they are read.
 
 use super::config::check_widths;
+use crate::run_args::place;
 use safetensors::tensor::{Dtype, SafeTensors, TensorView, serialize};
 use std::collections::{BTreeMap, HashMap};
 use std::fs::File;
@@ -20,13 +21,6 @@ pub struct Tensor {
     pub shape: Vec<usize>,
     /// The values.
     pub values: Vec<f32>,
-}
-
-impl Tensor {
-    /// A vector.
-    pub fn flat(values: Vec<f32>) -> Self {
-        Self { shape: vec![values.len()], values }
-    }
 }
 
 /// A file's tensors and its JSON text.
@@ -160,12 +154,6 @@ impl Tensors {
     }
 }
 
-/// Places a finding in its file.
-pub(crate) fn place(path: &Path, Finding { key, found, accepted }: Finding) -> InputError {
-    let place = if key.is_empty() { Place::Whole } else { Place::Path(key) };
-    InputError::new(path.display().to_string(), place, found, accepted)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -174,6 +162,13 @@ mod tests {
         let matrix = Tensor { shape: vec![2, 3], values: vec![1.0, 2.0, 3.0, 4.0, -5.5, 0.0] };
         let tensors = [("weight".to_owned(), matrix), ("bias".to_owned(), Tensor::flat(vec![0.25; 7]))].into();
         Tensors { tensors, text: Some(r#"{"a":1}"#.to_owned()) }
+    }
+
+    impl Tensor {
+        /// A vector.
+        pub(crate) fn flat(values: Vec<f32>) -> Self {
+            Self { shape: vec![values.len()], values }
+        }
     }
 
     #[test]

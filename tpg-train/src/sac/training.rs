@@ -5,11 +5,12 @@
 
 use super::config::{Learning, SacConfig};
 use super::contract::{Contract, NetworkOrigin};
+use super::failures::look;
 use super::interface::Interface;
 use super::lanes::TrainingLanes;
 use super::network::Network;
 use super::policy::NetworkPolicy;
-use super::replay::{Batch, Replay, Transition};
+use super::replay::{Replay, Transition};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 use tpg_engine::random::{Purpose, Stream};
@@ -18,7 +19,7 @@ use tpg_graph::error::Finding;
 use tpg_nn::{Agent, Experience, Gaussian, Mlp, Rates, Samples, Tape, UpdateFigures, Workspace};
 
 /// A running training.
-pub struct Training<'e, E: Environment<f32>> {
+pub(crate) struct Training<'e, E: Environment<f32>> {
     pub(super) config: SacConfig,
     pub(super) seed: u64,
     pub(super) agent: Agent,
@@ -33,7 +34,10 @@ pub struct Training<'e, E: Environment<f32>> {
     pub(super) last: Option<Summary>,
     /// Sums since the last [`Training::take_progress`].
     pub(super) recent: Recent,
-    space: TrainingScratch,
+    /// Scratch memory for acting and learning; not part of a run's state.
+    acting: Tape,
+    samples: Samples,
+    workspace: Workspace,
 }
 
 /// The best candidate so far.
@@ -49,7 +53,7 @@ pub(crate) struct BestActor {
 
 /// Sums over updates and episodes, for the log.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Recent {
+pub(crate) struct Recent {
     /// Updates.
     pub updates: u64,
     /// Sums of the updates' reports.
@@ -60,50 +64,38 @@ pub struct Recent {
     pub steps: u64,
 }
 
-/// Scratch memory for acting and learning; not part of a run's state.
-#[derive(Debug)]
-struct TrainingScratch {
-    acting: Tape,
-    samples: Samples,
-    update: Workspace,
-    batch: Batch,
-    noise: Vec<f32>,
-    next_noise: Vec<f32>,
-    before: Vec<f32>,
-}
-
-impl TrainingScratch {
-    fn new(config: &SacConfig, agent: &Agent) -> Self {
-        let (inputs, actions) = (agent.actor.network.shape().inputs, agent.gaussian().actions);
-        let (lanes, batch) = (config.learning.lanes, config.learning.batch);
-        Self {
-            acting: Tape::new(agent.actor.network.shape(), lanes),
-            samples: Samples::default(),
-            update: agent.workspace(batch),
-            batch: Batch::new(inputs, actions, batch),
-            noise: vec![0.0; actions * batch.max(lanes)],
-            next_noise: vec![0.0; actions * batch],
-            before: vec![0.0; inputs * lanes],
-        }
-    }
-}
-
 impl<'e, E: Environment<f32>> Training<'e, E> {
     /// Starts a run.
     ///
     /// # Errors
     /// If the environment's actions are not outputs, or it does not have what the configuration asks for.
-    pub fn new(environment: &'e E, config: SacConfig, seed: u64) -> Result<Self, Finding> {
+    pub(crate) fn new(environment: &'e E, config: SacConfig, seed: u64) -> Result<Self, Finding> {
         let interface = interface(environment, &config)?;
         let (inputs, actions) = (interface.inputs.len(), interface.outputs.len());
         let agent = agent(&config, &interface, seed);
         let replay = Replay::new(inputs, actions, config.learning.replay);
         let lanes = TrainingLanes::new(environment, interface, &config, seed);
-        let space = TrainingScratch::new(&config, &agent);
+        let acting = Tape::new(agent.actor.network.shape(), config.learning.lanes);
+        let (samples, workspace) = (Samples::default(), agent.workspace(config.learning.batch));
         let recent = Recent::default();
         let average = config.learning.average.map(|_| agent.actor.network.clone());
         let (decisions, updates, best, last) = (0, 0, None, None);
-        Ok(Self { config, seed, agent, average, replay, lanes, decisions, updates, best, last, recent, space })
+        Ok(Self {
+            config,
+            seed,
+            agent,
+            average,
+            replay,
+            lanes,
+            decisions,
+            updates,
+            best,
+            last,
+            recent,
+            acting,
+            samples,
+            workspace,
+        })
     }
 
     /// Returns the contract of a candidate; `name` is the configuration's, `problem` that of the problem.
@@ -120,17 +112,17 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     }
 
     /// Returns the network's inputs and outputs.
-    pub fn interface(&self) -> &Interface {
+    pub(crate) fn interface(&self) -> &Interface {
         self.lanes.interface()
     }
 
     /// True when the run has its decisions.
-    pub fn finished(&self) -> bool {
+    pub(crate) fn finished(&self) -> bool {
         self.decisions >= self.config.learning.decisions
     }
 
     /// Returns the sums since the last call and resets them.
-    pub fn take_progress(&mut self) -> Recent {
+    pub(crate) fn take_progress(&mut self) -> Recent {
         std::mem::take(&mut self.recent)
     }
 
@@ -143,7 +135,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     }
 
     /// Lets every lane decide once, then does the updates that are due.
-    pub fn tick(&mut self) {
+    pub(crate) fn tick(&mut self) {
         let began = self.decisions;
         self.act();
         let learning = &self.config.learning;
@@ -162,7 +154,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
             && self.decisions % retry.every < self.config.learning.lanes as u64
         {
             let mut failures = std::mem::take(&mut self.lanes.failures);
-            failures.look(&self.policy(), self.lanes.environment(), &retry, self.seed, self.decisions);
+            look(&mut failures, &self.policy(), self.lanes.environment(), &retry, self.seed, self.decisions);
             self.lanes.failures = failures;
         }
     }
@@ -181,31 +173,30 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     }
 
     fn act(&mut self) {
-        let Self { config, seed, agent, replay, lanes, space, .. } = self;
+        let Self { config, seed, agent, replay, lanes, acting, samples, .. } = self;
         let (width, actions) = (agent.actor.network.shape().inputs, agent.gaussian().actions);
-        let columns = space.acting.input_mut().chunks_exact_mut(width);
+        let columns = acting.input_mut().chunks_exact_mut(width);
         columns.enumerate().for_each(|(lane, column)| lanes.observe(lane, column));
-        space.before.copy_from_slice(space.acting.input_mut());
+        let before = acting.input_mut().to_vec();
         let count = config.learning.lanes;
         let mut random = Stream::new(*seed, self.decisions, Purpose::Exploration, 0);
         if self.decisions < config.learning.random_decisions {
-            space.samples.actions.clear();
-            space.samples.actions.extend((0..actions * count).map(|_| (2.0 * random.unit() - 1.0) as f32));
+            samples.actions = (0..actions * count).map(|_| (2.0 * random.unit() - 1.0) as f32).collect();
         } else {
-            agent.actor.network.forward(&mut space.acting);
-            let noise = &mut space.noise[..actions * count];
-            random.normals(noise);
-            agent.gaussian().sample(space.acting.output(), noise, &mut space.samples);
+            agent.actor.network.forward(acting);
+            let mut noise = vec![0.0; actions * count];
+            random.normals(&mut noise);
+            agent.gaussian().sample(acting.output(), &noise, samples);
         }
         let mut next = vec![0.0; width];
         self.recent.ends.resize(lanes.environment().outcomes().len(), 0);
-        for (lane, action) in space.samples.actions.chunks_exact(actions).enumerate() {
+        for (lane, action) in samples.actions.chunks_exact(actions).enumerate() {
             let step = lanes.act(lane, action);
             lanes.observe(lane, &mut next);
             let goes_on = step.end.is_none_or(|end| end.truncated);
             let discount = libm::powf(config.learning.discount as f32, step.repeats as f32);
             replay.push(Transition {
-                state: &space.before[lane * width..][..width],
+                state: &before[lane * width..][..width],
                 action,
                 reward: step.reward as f32,
                 discount: if goes_on { discount } else { 0.0 },
@@ -224,21 +215,22 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
 
     fn update(&mut self) {
         let learning = &self.config.learning;
-        let space = &mut self.space;
         let actions = self.agent.gaussian().actions;
-        self.replay.draw(&mut Stream::new(self.seed, self.updates, Purpose::Replay, 0), &mut space.batch);
+        let batch = self.replay.draw(&mut Stream::new(self.seed, self.updates, Purpose::Replay, 0), learning.batch);
         let mut random = Stream::new(self.seed, self.updates, Purpose::Update, 0);
-        let noise = &mut space.noise[..actions * learning.batch];
-        random.normals(&mut space.next_noise);
-        random.normals(noise);
+        let [next_noise, noise] = [(); 2].map(|()| {
+            let mut noise = vec![0.0; actions * learning.batch];
+            random.normals(&mut noise);
+            noise
+        });
         let experience = Experience {
-            states: &space.batch.states,
-            actions: &space.batch.actions,
-            rewards: &space.batch.rewards,
-            discounts: &space.batch.discounts,
-            next: &space.batch.next,
-            next_noise: &space.next_noise,
-            noise,
+            states: &batch.states,
+            actions: &batch.actions,
+            rewards: &batch.rewards,
+            discounts: &batch.discounts,
+            next: &batch.next,
+            next_noise: &next_noise,
+            noise: &noise,
         };
         let done = (self.decisions as f64 / learning.decisions as f64).min(1.0);
         let target_entropy = target_entropy(learning, actions, done);
@@ -248,7 +240,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
             follow: learning.follow,
             target_entropy,
         };
-        let report = self.agent.update(&mut space.update, experience, &rates);
+        let report = self.agent.update(&mut self.workspace, experience, &rates);
         self.updates += 1;
         if let (Some(average), Some(rate)) = (&mut self.average, learning.average) {
             average.follow(&self.agent.actor.network, rate as f32);
@@ -269,9 +261,11 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     /// Lets the actor as it stands try the validation tasks, and keeps it if it is the best so far. Where the rate falls,
     /// the last actor of a run is kept whatever its result: its rate is almost nothing, and the best of many noisy results
     /// is mostly lucky (measured on the arm: chosen at 99.6 %, it did 98.5 % on fresh tasks, the last one 98.7 %).
-    pub fn validate(&mut self, tasks: &[E::Task]) -> Summary {
+    pub(crate) fn validate(&mut self, tasks: &[E::Task]) -> Summary {
         let environment = self.lanes.environment();
-        let result = Summary::new(&self.policy().endings(environment, tasks));
+        let policy = self.policy();
+        let endings: Vec<_> = tasks.iter().map(|task| policy.watch(environment, task, |_| ())).collect();
+        let result = Summary::new(&endings);
         self.last = Some(result);
         let learning = &self.config.learning;
         let settled = self.decisions >= learning.decisions && learning.final_rate < 1.0;
@@ -364,7 +358,7 @@ impl Recent {
     }
 
     /// Returns the means of the updates' reports.
-    pub fn means(&self) -> UpdateFigures {
+    pub(crate) fn means(&self) -> UpdateFigures {
         let count = self.updates.max(1) as f64;
         let UpdateFigures { critic_loss, actor_loss, entropy, temperature } = self.sums;
         UpdateFigures {

@@ -6,7 +6,8 @@
 //! contract as JSON.
 
 use super::contract::Contract;
-use super::tensors::{Tensor, Tensors, place};
+use super::tensors::{Tensor, Tensors};
+use crate::run_args::place;
 use std::path::Path;
 use tpg_graph::error::{Finding, InputError};
 use tpg_nn::Mlp;

@@ -62,9 +62,7 @@ fn main() -> std::io::Result<()> {
         let config = SacConfig::preset(name).expect("a preset");
         put("sac_config", name, config.to_toml().as_bytes())?;
     }
-    let [tpg, sac, sealed] = checkpoints::seeds();
-    put("tpg_checkpoint", "pendulum", &tpg)?;
-    put("sac_checkpoint", "pendulum", &sac)?;
+    let sealed = checkpoints::sealed();
     put("checkpoint_file", "pendulum", &sealed[sealed.len().saturating_sub(3000)..])?;
     put("checkpoint_file", "beginning", &sealed[..sealed.len().min(3000)])?;
     put("checkpoint_file", "whole", &sealed)

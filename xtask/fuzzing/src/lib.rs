@@ -9,7 +9,7 @@
 //! | [`graphs`] | `graph.json`, `.dot` with its sidecar, traces, recordings; graphs compiled and compared |
 //! | [`networks`] | `policy.q.json`, packed words, safetensors |
 //! | [`settings`] | tasks, configurations, hybrids, arms |
-//! | [`checkpoints`] | checkpoints of both trainers, and training from them |
+//! | [`checkpoints`] | checkpoints of both trainers |
 
 pub mod checkpoints;
 pub mod graphs;
@@ -26,7 +26,7 @@ pub struct Target {
 }
 
 /// Every target.
-pub const TARGETS: [Target; 17] = [
+pub const TARGETS: [Target; 15] = [
     Target { name: "graph_json", run: graphs::json },
     Target { name: "dot", run: graphs::dot },
     Target { name: "trace", run: graphs::trace },
@@ -41,8 +41,6 @@ pub const TARGETS: [Target; 17] = [
     Target { name: "hybrid", run: settings::hybrid },
     Target { name: "tpg_config", run: settings::tpg_config },
     Target { name: "sac_config", run: settings::sac_config },
-    Target { name: "tpg_checkpoint", run: checkpoints::tpg },
-    Target { name: "sac_checkpoint", run: checkpoints::sac },
     Target { name: "checkpoint_file", run: checkpoints::file },
 ];
 

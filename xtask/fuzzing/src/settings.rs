@@ -52,7 +52,7 @@ pub fn urdf(data: &[u8]) {
 pub fn hybrid(data: &[u8]) {
     let (name, text) = ("hybrid.toml", String::from_utf8_lossy(data));
     if let Some(file) = accepted(parse_file(name, &text)) {
-        drop((file.to_rust(), file.setting().sentence()));
+        drop(file.setting().sentence());
         let text = toml::to_string(&file).expect("plain data");
         parse_file(name, &text).expect("what is written is read");
     }

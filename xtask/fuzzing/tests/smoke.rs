@@ -35,7 +35,6 @@ fn seeds(folder: &Path) -> Vec<Vec<u8>> {
 fn mutants(target: &Target) -> usize {
     match target.name {
         "compiled" => tpg_testing::amount(6, 20),
-        "tpg_checkpoint" | "sac_checkpoint" => tpg_testing::amount(300, 1_000),
         "graph_json" | "dot" | "checkpoint_file" => tpg_testing::amount(1_000, 3_000),
         _ => tpg_testing::amount(3_000, 10_000),
     }
@@ -78,8 +77,6 @@ targets!(
     hybrid,
     tpg_config,
     sac_config,
-    tpg_checkpoint,
-    sac_checkpoint,
     checkpoint_file
 );
 

@@ -6,6 +6,7 @@ use tpg_arm::{Arm, Move};
 use tpg_engine::{Plan, PolicyGraph, Single};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
+use tpg_graph::interpret::Answer;
 use tpg_problems::arm::ArmScalar;
 use tpg_problems::arm::binding::Binding;
 use tpg_runtime::ops::Maths;
@@ -41,6 +42,7 @@ impl<S: ArmScalar, M: Maths<S>> Policy for GraphPolicy<S, M> {
     fn decide(&self, seen: &Observation<S>) -> Move {
         let mut state = self.state.borrow_mut();
         Source::fill(self.binding.sources(), &self.arm, seen, &self.memo, &mut state);
-        self.binding.wanted(self.single.decide(&state)).unwrap_or(Move::STOP)
+        let Answer::Action(action) = self.single.answer(&state) else { unreachable!("actions are named") };
+        self.binding.wanted(action).unwrap_or(Move::STOP)
     }
 }

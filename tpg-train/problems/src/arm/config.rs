@@ -8,7 +8,6 @@ use super::problem::ArmProblem;
 use super::targets::{Start, TOLERANCE};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tpg_arm::hybrid::{Guard, NEVER};
 use tpg_arm::observation::{STEP, Source};
 use tpg_arm::{Arm, WIDOWX};
 use tpg_graph::error::Finding;
@@ -141,33 +140,4 @@ impl Config {
             None => environment,
         }
     }
-}
-
-/// Returns a hybrid's settings as constants of a Rust crate that uses `tpg_arm`, whose guards have these names.
-///
-/// # Errors
-/// If there is no guard of that name.
-pub fn guarded_constants(guard: &str, hand_back: u32, separation: f64, detector: &str) -> Result<String, Finding> {
-    let found = || Finding::new("guard", format!("{guard:?}"), Guard::ALL.map(Guard::name).join(", "));
-    let guard = Guard::from_name(guard).ok_or_else(found)?;
-    let (import, back) = if hand_back == NEVER { ("NEVER, ", "NEVER".to_owned()) } else { ("", hand_back.to_string()) };
-    let separation = if separation.is_finite() { format!("{separation:?}") } else { "f32::INFINITY".to_owned() };
-    let (name, watched) = if detector == "brent" { ("Brent", "Brent") } else { ("Visited", "Visited<4096>") };
-    Ok(format!(
-        "//! Settings for sharing the arm between this folder's graph and its actor: made from `hybrid.toml` by\n\
-         //! `tpg-train constants`; do not edit.\n\
-         \n\
-         use tpg_arm::cycle::{name};\n\
-         use tpg_arm::hybrid::{{Guard, {import}Settings}};\n\
-         \n\
-         /// The distance and the number of actions at which the policies take turns.\n\
-         pub const SETTINGS: Settings<f32> = Settings {{\n    \
-         hand_back_after: {back},\n    \
-         separation: {separation},\n    \
-         guard: Guard::{guard:?},\n\
-         }};\n\
-         \n\
-         /// The detector of cycles: it notices that the graph returns to an earlier pose.\n\
-         pub type Detector = {watched};\n"
-    ))
 }
