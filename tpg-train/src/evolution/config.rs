@@ -138,11 +138,13 @@ pub struct ProgramParameters {
     pub max_program_size: usize,
     /// Probability of swapping two lines.
     pub p_swap: f64,
+    /// Probability that a random program is a sum of products of two inputs, and that an inserted line is such a product.
+    pub p_product: f64,
 }
 
 impl Default for ProgramParameters {
     fn default() -> Self {
-        Self { max_program_size: 24, p_swap: 0.3 }
+        Self { max_program_size: 24, p_swap: 0.3, p_product: 0.0 }
     }
 }
 
@@ -306,11 +308,14 @@ pub struct RefinementConfig {
     pub p_deletion: f64,
     /// Probability that another child has one mutated program only; needs named actions.
     pub p_mutation: f64,
+    /// Probability that another child bids for an action the opposite of its bid for the action that undoes it; needs named
+    /// actions with effects.
+    pub p_mirror: f64,
 }
 
 impl Default for RefinementConfig {
     fn default() -> Self {
-        Self { p_jitter: 0.2, p_deletion: 0.1, p_mutation: 0.0 }
+        Self { p_jitter: 0.2, p_deletion: 0.1, p_mutation: 0.0, p_mirror: 0.0 }
     }
 }
 

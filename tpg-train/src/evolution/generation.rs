@@ -2,6 +2,7 @@
 
 use super::budget::{Limits, Point};
 use super::config::{EvolutionConfig, StartConfig};
+use super::mirror::opposites;
 use super::record::Row;
 use super::search::Search;
 use super::stage::{Candidate, Context, EpisodePlan, Moment, Results, Stage};
@@ -39,6 +40,7 @@ pub(crate) struct Evolution<'e, S: Scalar, E: Environment<S>> {
     pub(super) selection_tasks: Vec<E::Task>,
     pub(super) goal: Goal,
     actions: u16,
+    opposites: Vec<Option<u16>>,
     number: PhantomData<S>,
 }
 
@@ -68,8 +70,9 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
         let selection_tasks =
             tpg_engine::tasks(environment, TaskSet::Validation, 0, config.selection.validation_episodes);
         let actions = environment.actions().count().unwrap_or(0) as u16;
+        let opposites = opposites(&environment.actions());
         let number = PhantomData;
-        Self { config, vocabulary, environment, evaluator, selection_tasks, goal, actions, number }
+        Self { config, vocabulary, environment, evaluator, selection_tasks, goal, actions, opposites, number }
     }
 
     /// Returns the vocabulary of programs.
@@ -91,6 +94,7 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
             config: self.config,
             vocabulary: &self.vocabulary,
             actions: self.actions,
+            opposites: &self.opposites,
             preference: self.environment.preference(),
             line_price: self.line_price(state),
             left: (1.0 - part).clamp(0.0, 1.0),

@@ -8,6 +8,8 @@ use tpg_engine::random::Stream;
 /// GEGELATI's probabilities of deleting and of inserting a line; it always alters one.
 const P_DELETE: f64 = 0.5;
 const P_ADD: f64 = 0.5;
+/// GEGELATI's probability of mutating the program of an edge; rounds repeat until at least one program is mutated.
+pub(super) const P_PROGRAM_MUTATION: f64 = 0.2;
 /// Probability that altering a literal operand changes its number.
 const LITERAL_CHANGE: f64 = 0.667;
 /// Standard deviation of the factor's distance from 1 when a number is scaled.
@@ -27,6 +29,9 @@ pub(super) struct ProgramMutator<'a> {
 impl ProgramMutator<'_> {
     /// Creates a random program (`ProgramMutator::initRandomProgram`) of 1 to `maxProgramSize` lines.
     pub(super) fn random(&self, stream: &mut Stream) -> Program {
+        if let Some(lines) = self.random_sum(stream) {
+            return Program { lines };
+        }
         let mut program = Program { lines: Vec::new() };
         let lines = 1 + stream.below(self.parameters.max_program_size);
         while program.lines.len() < lines {
@@ -54,7 +59,8 @@ impl ProgramMutator<'_> {
             let place = stream.below(program.lines.len());
             program.lines.remove(place);
         }
-        if program.lines.len() < parameters.max_program_size && stream.chance(P_ADD) {
+        let grows = program.lines.len() < parameters.max_program_size && stream.chance(P_ADD);
+        if grows && !self.insert_term(program, stream) {
             self.insert_line(program, stream);
         }
         let place = stream.below(program.lines.len());

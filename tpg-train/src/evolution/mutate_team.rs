@@ -3,7 +3,8 @@
 use super::children::add_children;
 use super::config::TpgParameters;
 use super::genome::{Destination, Edge, Genome, ProgramId, Team, TeamId};
-use super::mutate_program::ProgramMutator;
+use super::mirror::Mirror;
+use super::mutate_program::{P_PROGRAM_MUTATION, ProgramMutator};
 use super::refine::Refiner;
 use super::stage::Moment;
 use tpg_engine::random::{Purpose, Stream};
@@ -12,8 +13,6 @@ use tpg_engine::random::{Purpose, Stream};
 /// each is certain.
 const P_EDGE_DELETION: f64 = 0.7;
 const P_EDGE_ADDITION: f64 = 0.7;
-/// GEGELATI's probability of mutating the program of an edge; rounds repeat until at least one program is mutated.
-const P_PROGRAM_MUTATION: f64 = 0.2;
 
 /// Creates a random population (`TPGMutator::initRandomTPG`).
 ///
@@ -67,6 +66,8 @@ pub(super) struct TeamMutator<'a> {
     pub programs: ProgramMutator<'a>,
     /// Makes children by small changes.
     pub refiner: Refiner<'a>,
+    /// Makes children with opposite bids.
+    pub mirror: Mirror<'a>,
     /// Parameters of teams.
     pub parameters: &'a TpgParameters,
     /// Number of actions.
@@ -74,15 +75,16 @@ pub(super) struct TeamMutator<'a> {
 }
 
 impl TeamMutator<'_> {
-    /// Adds children: mutated copies of roots; the refiner may make them instead.
+    /// Adds children: mutated copies of roots; the refiner or the mirror may make them instead.
     pub(super) fn populate(&self, genome: &mut Genome, moment: Moment) {
-        let Self { programs, refiner, parameters, actions } = *self;
+        let Self { programs, refiner, mirror, parameters, actions } = *self;
         let teams: Vec<TeamId> = genome.teams().keys().copied().collect();
         let edges: Vec<Edge> = genome.teams().values().flat_map(|team| team.edges.iter().copied()).collect();
         let before = Before { teams: &teams, edges: &edges, actions };
         let mut to_mutate = Vec::new();
         add_children(genome, parameters.nb_roots, moment, |genome, parent, stream| {
             let close = refiner.child(genome, parent, stream);
+            let close = close.or_else(|| mirror.child(genome, parent, &edges, parameters, stream));
             let close = close.or_else(|| refiner.mutated(genome, parent, &programs, stream));
             close.unwrap_or_else(|| {
                 let child = genome.add_team(genome.team(parent).clone());
@@ -165,6 +167,7 @@ mod tests {
     use crate::configuration::Configuration as _;
     use crate::evolution::config::EvolutionConfig;
     use crate::evolution::genome::{Destination, Genome, ProgramId};
+    use crate::evolution::mirror::Mirror;
     use crate::evolution::mutate_program::ProgramMutator;
     use crate::evolution::refine::Refiner;
     use crate::evolution::vocabulary::Vocabulary;
@@ -190,7 +193,8 @@ mod tests {
         for generation in 0..generations {
             let moment = Moment { seed: 1, generation, deme: 0 };
             let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
-            let mutator = TeamMutator { programs: mutator, refiner, parameters: &config.tpg, actions: 9 };
+            let mirror = Mirror { programs: mutator, opposites: &[], probability: 0.0 };
+            let mutator = TeamMutator { programs: mutator, refiner, mirror, parameters: &config.tpg, actions: 9 };
             mutator.populate(&mut genome, moment);
             let doomed: Vec<_> = genome.roots().into_iter().step_by(3).collect();
             genome.remove_roots(&doomed);
@@ -225,7 +229,8 @@ mod tests {
             ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
         let moment = Moment { seed: 1, generation: 9, deme: 0 };
         let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
-        let mutator = TeamMutator { programs: mutator, refiner, parameters: &config.tpg, actions: 9 };
+        let mirror = Mirror { programs: mutator, opposites: &[], probability: 0.0 };
+        let mutator = TeamMutator { programs: mutator, refiner, mirror, parameters: &config.tpg, actions: 9 };
         mutator.populate(&mut genome, moment);
         assert_eq!(genome.roots().len(), config.tpg.nb_roots);
         let mut deep = 0;

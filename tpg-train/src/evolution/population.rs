@@ -2,6 +2,7 @@
 
 use super::genome::{Genome, TeamId};
 use super::linear::ProgramKind;
+use super::mirror::Mirror;
 use super::mutate_leaf::LeafMutator;
 use super::mutate_program::ProgramMutator;
 use super::mutate_team::{TeamMutator, random_population};
@@ -119,14 +120,15 @@ impl Population {
     }
 
     fn breed(&mut self, context: &Context<'_>, moment: Moment) {
-        let Context { config, vocabulary, .. } = *context;
+        let Context { config, vocabulary, opposites, .. } = *context;
         let programs = ProgramMutator { vocabulary, parameters: &config.program, literals: &config.literals };
         let longer = config.program.of_leaves();
         let leaves = ProgramMutator { parameters: &longer, ..programs };
         let refiner = Refiner { vocabulary, parameters: &config.refinement };
         let growing = LeafMutator { bids: programs, leaves, refiner, tpg: &config.tpg };
+        let mirror = Mirror { programs, opposites, probability: config.refinement.p_mirror };
         let actions = context.actions;
-        let teams = TeamMutator { programs, refiner, parameters: &config.tpg, actions };
+        let teams = TeamMutator { programs, refiner, mirror, parameters: &config.tpg, actions };
         for (deme, population) in (0..).zip(&mut self.demes) {
             let moment = Moment { deme, ..moment };
             let genome = &mut population.genome;
@@ -136,6 +138,7 @@ impl Population {
                     *genome = growing.random_population(config.tpg.init_nb_roots, &mut stream);
                 } else {
                     *genome = random_population(&programs, &config.tpg, actions, &mut stream);
+                    mirror.complete_roots(genome, config.tpg.max_outgoing_edges);
                 }
             }
             if actions == 0 {

@@ -3,7 +3,7 @@
 use crate::configuration::Preset;
 
 /// Every preset.
-pub(crate) const PRESETS: [Preset; 9] = [
+pub(crate) const PRESETS: [Preset; 11] = [
     Preset::base("thorough", "for any problem; the default of built-in ones", ""),
     Preset::new(
         "quick",
@@ -30,6 +30,13 @@ pub(crate) const PRESETS: [Preset; 9] = [
         include_str!("presets/paper-fs.toml"),
     ),
     Preset::new("paper-rs", "the paper's learning problem, random start", "paper-fs", RANDOM_START),
+    Preset::new(
+        "raw-fs",
+        "the paper's observation and score with this search, fixed start",
+        "thorough",
+        include_str!("presets/raw-fs.toml"),
+    ),
+    Preset::new("raw-rs", "the paper's observation and score with this search, random start", "raw-fs", RANDOM_START),
     Preset::new("best-fs", "this project's, fixed start", "thorough", include_str!("presets/best-fs.toml")),
     Preset::new("best-rs", "this project's, random start", "best-fs", RANDOM_START),
     Preset::new(

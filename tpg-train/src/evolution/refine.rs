@@ -163,7 +163,7 @@ mod tests {
 
     fn children(p_jitter: f64, p_deletion: f64) -> (PolicyGraph, Vec<Option<PolicyGraph>>) {
         let vocabulary = vocabulary();
-        let parameters = RefinementConfig { p_jitter, p_deletion, p_mutation: 0.0 };
+        let parameters = RefinementConfig { p_jitter, p_deletion, p_mutation: 0.0, p_mirror: 0.0 };
         let refiner = Refiner { vocabulary: &vocabulary, parameters: &parameters };
         let mut genome = Genome::default();
         let writer = LinearWriter::new(&vocabulary, 0, ProgramKind::Sum).expect("sums can be written");
@@ -192,7 +192,7 @@ mod tests {
     #[test]
     fn without_probabilities_nothing_is_drawn() {
         let vocabulary = vocabulary();
-        let parameters = RefinementConfig { p_jitter: 0.0, p_deletion: 0.0, p_mutation: 0.0 };
+        let parameters = RefinementConfig { p_jitter: 0.0, p_deletion: 0.0, p_mutation: 0.0, p_mirror: 0.0 };
         let refiner = Refiner { vocabulary: &vocabulary, parameters: &parameters };
         let mut genome = Genome::default();
         let parent =

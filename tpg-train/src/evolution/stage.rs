@@ -16,6 +16,8 @@ pub(crate) struct Context<'a> {
     pub vocabulary: &'a Vocabulary,
     /// Number of actions; 0 with outputs.
     pub actions: u16,
+    /// The action that undoes each one, if there is one.
+    pub opposites: &'a [Option<u16>],
     /// The criterion by which policies are compared.
     pub preference: Preference,
     /// Price of a line, in the unit of the score.

@@ -44,6 +44,7 @@ impl EvolutionConfig {
             ("tpg.p_edge_destination_change", tpg.p_edge_destination_change, 0.0, 1.0),
             ("tpg.p_edge_destination_is_action", tpg.p_edge_destination_is_action, 0.0, 1.0),
             ("program.p_swap", program.p_swap, 0.0, 1.0),
+            ("program.p_product", program.p_product, 0.0, 1.0),
             ("learning.ratio_deleted_roots", learning.ratio_deleted_roots, 0.0, 0.999),
             ("selection.validation_share", selection.validation_share, 0.001, 0.9),
             ("selection.line_price", selection.line_price, 0.0, 1.0),
@@ -53,6 +54,7 @@ impl EvolutionConfig {
             ("refinement.p_jitter", refinement.p_jitter, 0.0, 1.0),
             ("refinement.p_deletion", refinement.p_deletion, 0.0, 1.0 - refinement.p_jitter),
             ("refinement.p_mutation", refinement.p_mutation, 0.0, 1.0),
+            ("refinement.p_mirror", refinement.p_mirror, 0.0, 1.0),
         ] {
             Finding::range(key, value, low, high)?;
         }
@@ -63,16 +65,35 @@ impl EvolutionConfig {
         self.check_words()
     }
 
-    /// Checks that the language has the words that a search for weights needs.
+    /// Checks that the language has the words that other settings need.
     fn check_words(&self) -> Result<(), Finding> {
-        let has = |word: Word| self.language.instructions.iter().any(|it| it == word.name());
-        let [add, mul] = [Instruction::Add, Instruction::Mul].map(Word::from);
-        let has_words = has(add) && (has(Word::MultiplyAdd) || has(mul));
-        if self.start.share == 0.0 || self.language.literals && has_words && self.learning.nb_registers >= 2 {
-            return Ok(());
+        let has = |word: Word| self.language.literals && self.language.instructions.iter().any(|it| it == word.name());
+        let [add, sub, mul] = [Instruction::Add, Instruction::Sub, Instruction::Mul].map(Word::from);
+        let registers = self.learning.nb_registers;
+        let needs = [
+            (
+                "start.share",
+                self.start.share,
+                has(add) && (has(Word::MultiplyAdd) || has(mul)) && registers >= 2,
+                "0, or the words add and multiply_add or mul, language.literals = true and two registers",
+            ),
+            (
+                "program.p_product",
+                self.program.p_product,
+                has(mul) && has(Word::MultiplyAdd) && registers >= 2 && self.program.max_program_size >= 2,
+                "0, or the words mul and multiply_add, language.literals = true, two registers and two lines",
+            ),
+            (
+                "refinement.p_mirror",
+                self.refinement.p_mirror,
+                has(sub),
+                "0, or the word sub in language.instructions and language.literals = true",
+            ),
+        ];
+        match needs.into_iter().find(|(_, value, met, _)| *value > 0.0 && !met) {
+            Some((key, value, _, accepted)) => Err(Finding::new(key, value, accepted)),
+            None => Ok(()),
         }
-        let accepted = "0, or the words add and multiply_add or mul, language.literals = true and two registers";
-        Err(Finding::new("start.share", self.start.share, accepted))
     }
 
     /// Checks what depends on the environment: there are outputs, or actions are named and there are enough roots for them; the
