@@ -596,7 +596,7 @@ class TPG:
         if other is not None:
             policy, interface = self._interface.policy(graph), self._interface
             seeds = _tpg.test_seeds(seed, episodes)
-            this = lambda: Candidate(policy, 0, interface, 0, None, False).predict  # noqa: E731
+            this = lambda: Candidate(policy, 0, interface, 0, None).predict  # noqa: E731
             several = isinstance(other, (list, tuple))
             kinds = list(other) if several else [other]
             if not kinds:
