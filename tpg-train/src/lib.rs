@@ -24,7 +24,6 @@ mod folder;
 mod hybrid;
 mod interrupt;
 mod problems;
-mod progress;
 mod quantise;
 mod ranks;
 mod report;

@@ -45,6 +45,7 @@ pub mod import;
 pub mod interpret;
 mod model;
 pub mod output;
+pub mod progress;
 pub mod sample;
 pub mod settings;
 pub mod states;

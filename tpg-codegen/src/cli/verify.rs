@@ -6,10 +6,10 @@ use crate::emit::Code;
 use crate::options::Options;
 use crate::verify::{Comparison, Proof, Stage, Unproven};
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use tpg_graph::command::{self, CommandError, Verdict};
+use tpg_graph::progress::Bar;
 
 /// Compile the generated code and compare it with the interpreter.
 ///
@@ -63,31 +63,18 @@ impl VerifyArgs {
 
 /// Compares code with the interpreter, and reports code that could not be compared on stderr.
 pub(super) fn prove(codes: &[Code<'_>], states: usize, seed: u64) -> Result<Proof, CommandError> {
-    let bar = progress(codes.len());
+    let (bar, all, mut done) = (Bar::begin(), codes.len() as u64, 0);
     let proof = Proof::of_watched(codes, states, seed, &mut |stage| match stage {
-        Stage::Compiling(name) => {
-            bar.set_message(format!("compiling {name}"));
-            bar.tick();
-        }
-        Stage::Compiled => bar.inc(1),
-        Stage::Comparing => bar.set_message(format!("comparing on {states} states")),
+        Stage::Compiling(name) => bar.show(done, all, || format!("compiling {name}")),
+        Stage::Compiled => done += 1,
+        Stage::Comparing => bar.show(done, all, || format!("comparing on {states} states")),
     });
-    bar.finish_and_clear();
+    drop(bar);
     let proof = proof.map_err(|error| CommandError::Failed(format!("not verified: {error}")))?;
     for Unproven { engine, error } in &proof.unproven {
         eprintln!("not verified: {engine}: {error}");
     }
     Ok(proof)
-}
-
-/// A bar on standard error, nothing where that is no terminal.
-fn progress(codes: usize) -> ProgressBar {
-    if command::is_quiet() {
-        return ProgressBar::hidden();
-    }
-    let style =
-        ProgressStyle::with_template("{wide_bar} {pos}/{len} {msg}").unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::new(codes as u64).with_style(style)
 }
 
 pub(super) fn verdict(proof: &Proof) -> Verdict {

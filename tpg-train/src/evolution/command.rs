@@ -9,7 +9,6 @@ use crate::csv_text::to_csv;
 use crate::folder::{RunFolder, Trainer};
 use crate::hybrid::asking::{self, Asking};
 use crate::interrupt;
-use crate::progress::Bar;
 use crate::ranks::workplace::Workplace;
 use crate::run_args::{RunArgs, command_line};
 use crate::sac::integers::decided;
@@ -27,6 +26,7 @@ use tpg_graph::ScalarType;
 use tpg_graph::command::Verdict;
 use tpg_graph::error::InputError;
 use tpg_graph::files::{read_text, write_atomically};
+use tpg_graph::progress::Bar;
 use tpg_problems::{DEFAULT_LEVELS, Number, Problem, ProblemName};
 use tpg_runtime::ops::{Maths, Own};
 
@@ -165,7 +165,7 @@ impl<W: Workplace> TpgRun<'_, W> {
             let resume = args.run.resume;
             let checkpoint_every = args.run.checkpoint_every(CHECKPOINT_SECONDS);
             let options = RunOptions { folder, resume, checkpoint_every, goal, ..RunOptions::default() };
-            let bar = Bar::new();
+            let bar = Bar::begin();
             train(config, seed, environment, evaluator, &options, |progress| {
                 bar.show(progress.generations, progress.planned, || message(progress));
                 if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

@@ -3,13 +3,13 @@
 use super::cells::{Cell, Subject};
 use crate::csv_text::to_csv;
 use crate::folder::RunFolder;
-use crate::progress::Bar;
 use rayon::ThreadPool;
 use rayon::prelude::*;
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::files::write_atomically;
+use tpg_graph::progress::Bar;
 
 /// Computes all cells: a row of `cells.csv` for each pair and setting.
 ///
@@ -18,7 +18,7 @@ use tpg_graph::files::write_atomically;
 pub(crate) fn run(study: &Subject<'_>, folder: &RunFolder, threads: &ThreadPool) -> Result<Vec<Cell>, InputError> {
     let pairs = (0..study.graphs.len()).flat_map(|tpg| (0..study.networks.len()).map(move |sac| (tpg, sac)));
     let all: Vec<_> = pairs.flat_map(|pair| study.settings.iter().map(move |setting| (pair, setting))).collect();
-    let (progress, done) = (Bar::new(), AtomicU64::new(0));
+    let (progress, done) = (Bar::begin(), AtomicU64::new(0));
     let cells: Result<Vec<Cell>, InputError> = threads.install(|| {
         let cell = |&((tpg, sac), setting)| {
             let cell = study.cell(tpg, sac, setting)?;

@@ -13,7 +13,6 @@ use crate::evolution::command::sentence;
 use crate::folder::frame::checksum;
 use crate::folder::{RunFolder, Trainer};
 use crate::interrupt;
-use crate::progress::Bar;
 use crate::run_args::{RunArgs, command_line};
 use crate::run_time::Stopwatch;
 use clap::Args;
@@ -24,6 +23,7 @@ use tpg_engine::{Environment, Summary};
 use tpg_graph::command::Verdict;
 use tpg_graph::error::{Finding, InputError};
 use tpg_graph::files::write_atomically;
+use tpg_graph::progress::Bar;
 use tpg_problems::ProblemName;
 
 /// Seconds between checkpoints: those of a large replay buffer take a while.
@@ -104,7 +104,7 @@ impl<'a, E: Environment<f32>> SacRun<'a, E> {
         write_atomically(&folder.file("config.toml"), training.config.to_toml().as_bytes())?;
         let validation =
             tpg_engine::tasks(environment, tpg_engine::TaskSet::Validation, 0, training.config.validation.episodes);
-        let (progress, stopwatch) = (Bar::new(), Stopwatch::new(folder.path()));
+        let (progress, stopwatch) = (Bar::begin(), Stopwatch::new(folder.path()));
         Ok(Self { args, environment, folder, name, problem, training, validation, log, progress, stopwatch })
     }
 

@@ -1,16 +1,16 @@
 //! The progress of a run: one line on stderr, if that is a terminal.
 
+use crate::command::is_quiet;
 use std::io::{IsTerminal as _, Write as _};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
-use tpg_graph::command::is_quiet;
 
 /// Time between two changes of the line.
 const PAUSE: Duration = Duration::from_millis(200);
 
 /// A line that shows how far a run is.
 #[derive(Debug)]
-pub(crate) struct Bar {
+pub struct Bar {
     is_shown: bool,
     began: Instant,
     /// The part of the run that was done before, and the time of the newest line.
@@ -18,13 +18,14 @@ pub(crate) struct Bar {
 }
 
 impl Bar {
-    pub(crate) fn new() -> Self {
+    /// Begins a line; nothing is shown with `--quiet`, or where standard error is no terminal.
+    pub fn begin() -> Self {
         let is_shown = !is_quiet() && std::io::stderr().is_terminal();
         Self { is_shown, began: Instant::now(), line: Mutex::new((None, None)) }
     }
 
     /// Shows that `done` of `all` are done; 0 for no known end.
-    pub(crate) fn show(&self, done: u64, all: u64, message: impl FnOnce() -> String) {
+    pub fn show(&self, done: u64, all: u64, message: impl FnOnce() -> String) {
         let mut line = self.line.lock().unwrap_or_else(PoisonError::into_inner);
         if !self.is_shown || line.1.is_some_and(|newest| newest.elapsed() < PAUSE) {
             return;
