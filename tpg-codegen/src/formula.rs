@@ -143,7 +143,7 @@ fn leaf(graph: &Graph, node: Node) -> Option<Term> {
             };
             text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
         }
-        Operation(..) => return None,
+        Operation(..) | Upper(..) => return None,
     };
     Some(Term { text, rank: Atom })
 }

@@ -32,6 +32,8 @@ pub(crate) enum Node {
     Input(Input),
     /// An operation on earlier nodes; the second operand of a one-operand instruction repeats the first.
     Operation(Instruction, [NodeId; 2]),
+    /// Not below a logarithm or an exponential of an earlier node, and cheap: see [`passes::bound`](crate::passes::bound).
+    Upper(Instruction, NodeId),
 }
 
 impl Node {
@@ -45,12 +47,13 @@ impl Node {
         match self {
             Self::Constant(_) | Self::Input(_) => &[],
             Self::Operation(instruction, operands) => &operands[..instruction.arity()],
+            Self::Upper(_, value) => std::slice::from_ref(value),
         }
     }
 
     /// Tests for a computed value: neither a constant nor an input.
     pub(crate) fn is_computed(&self) -> bool {
-        matches!(self, Self::Operation(..))
+        matches!(self, Self::Operation(..) | Self::Upper(..))
     }
 
     /// Tests for a sine, cosine, tangent, logarithm or exponential.

@@ -112,7 +112,7 @@ impl<'a, S: Syntax> Block<'a, S> {
                 origin.and(match nodes[operand.index()] {
                     Node::Input(input) => One(input),
                     Constant(_) => Nothing,
-                    Operation(..) => block.made_of[operand],
+                    Operation(..) | Upper(..) => block.made_of[operand],
                 })
             });
             block.made_of.insert(id, origin);
@@ -179,7 +179,7 @@ impl<'a, S: Syntax> Block<'a, S> {
                 BlockExpression { is_number: true, ..BlockExpression::atom(self.syntax.literal(f64::from_bits(bits))) }
             }
             Node::Input(input) => BlockExpression::atom(self.syntax.input(input)),
-            Operation(..) => match self.named.get(&id) {
+            Operation(..) | Upper(..) => match self.named.get(&id) {
                 Some((name, _)) => BlockExpression::atom(name.clone()),
                 None => self.inline[&id].clone(),
             },
@@ -221,6 +221,10 @@ impl<'a, S: Syntax> Block<'a, S> {
                 let arguments: Vec<String> =
                     node.operands().iter().map(|&id| self.call_argument(node, id, limit)).collect();
                 BlockExpression::atom(self.syntax.call(instruction, &arguments.join(", ")))
+            }
+            Upper(instruction, value) => {
+                let value = self.within(value, LONGEST_ARGUMENTS).text;
+                BlockExpression::atom(self.syntax.upper(instruction, &value))
             }
             Constant(_) | Node::Input(_) => self.operand(id),
         }

@@ -20,6 +20,8 @@ pub(super) trait Syntax {
     fn literal(&self, value: f64) -> String;
     /// A value of the state.
     fn input(&self, input: Input) -> String;
+    /// A call of an estimate.
+    fn upper(&self, instruction: Instruction, argument: &str) -> String;
     /// A call of an instruction that is no operator.
     fn call(&self, instruction: Instruction, arguments: &str) -> String;
 
@@ -55,6 +57,7 @@ pub(super) trait Syntax {
     fn hides_zeros(&self) -> bool {
         let may_compare = |node: &Node| match node {
             Node::Operation(instruction, _) => !matches!(instruction, Add | Sub | Mul | Div),
+            Node::Upper(..) => true,
             Node::Constant(_) | Node::Input(_) => false,
         };
         self.nodes().iter().any(may_compare)

@@ -74,6 +74,7 @@ impl Bids {
                 let b = if instruction.arity() == 1 { a } else { b };
                 Value::Operation(instruction, places[&a], places[&b])
             }
+            Node::Upper(..) => unreachable!("a module has no bounds before it is scheduled"),
         };
         let edge = |edge: &Edge| {
             let to = match edge.to {

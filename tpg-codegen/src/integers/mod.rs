@@ -49,6 +49,7 @@ pub(crate) fn analyse(file: &str, module: &Module<'_>) -> Result<Vec<Whole>, Inp
             Node::Input(input) => Ok(limits[input.index()]),
             Node::Constant(bits) => Whole::exactly(f64::from_bits(bits)),
             Node::Operation(instruction, [a, b]) => Whole::apply(instruction, values[a.index()], values[b.index()]),
+            Node::Upper(..) => Err(Unfit::NotWhole),
         };
         match value {
             Ok(value) => values.push(value),

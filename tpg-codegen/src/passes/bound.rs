@@ -6,6 +6,7 @@
 //! value that is NaN needs no bound, for it bids −∞.
 
 use super::arithmetic::Arithmetic;
+use super::estimate;
 use super::fold;
 use super::interval::Interval;
 use crate::ir::{Node, NodeId, Values};
@@ -35,6 +36,8 @@ pub(super) struct Bounds<'a> {
     /// Flags for the module's cheap nodes.
     cheap: &'a [bool],
     values: &'a mut Values,
+    /// Logarithms and exponentials of what the policy computes are estimated.
+    estimates: bool,
     /// The bounds of the module's nodes computed so far.
     known: Vec<Option<UpperBound>>,
 }
@@ -46,9 +49,10 @@ impl<'a> Bounds<'a> {
         intervals: &'a [Interval],
         cheap: &'a [bool],
         values: &'a mut Values,
+        estimates: bool,
     ) -> Self {
         let known = vec![None; values.nodes().len()];
-        Self { arithmetic, intervals, cheap, values, known }
+        Self { arithmetic, intervals, cheap, values, estimates, known }
     }
 
     /// An upper bound of a node, if there is a finite one.
@@ -137,10 +141,23 @@ impl<'a> Bounds<'a> {
                     _ => UNKNOWN,
                 }
             }
-            Tan | Quotient | Sqrt | Atan | Tanh | Ln | Exp => UNKNOWN,
+            Tan | Quotient | Sqrt | Atan | Tanh => UNKNOWN,
             // Not farther from 0 than the first operand.
             NegateIfLess | Abs | Fmod | Gate => self.magnitude(a).map_or(UNKNOWN, Magnitude),
             Cos | Sin => Magnitude(self.values.intern(Node::constant(1.0))),
+            Ln => {
+                let high = self.function(Ln, a);
+                // The estimate is near only where its argument is the logarithm's own.
+                let low = high.filter(|_| matches!(a, Exact(_))).map(|high| {
+                    let less = self.values.intern(Node::constant(estimate::LN_LESS));
+                    self.make(Sub, high, less)
+                });
+                Between(low, high)
+            }
+            Exp => {
+                let zero = self.values.intern(Node::constant(0.0));
+                Between(Some(zero), self.function(Exp, a))
+            }
             // Never above the second operand, NaN or not.
             Min => Between(None, self.high(b)),
             // Of a NaN, it is the second; of numbers, one of both: the sum of their magnitudes is not below either, and NaN
@@ -150,6 +167,13 @@ impl<'a> Bounds<'a> {
                 _ => UNKNOWN,
             },
         }
+    }
+
+    /// An estimate at the argument's bound. `None` if that is constant: interval analysis has a tighter result.
+    fn function(&mut self, instruction: Instruction, argument: UpperBound) -> Option<NodeId> {
+        let argument = self.high(argument)?;
+        let known = self.values.node(argument).as_constant().is_some();
+        (!known && self.estimates).then(|| self.values.intern(Node::Upper(instruction, argument)))
     }
 
     fn both(

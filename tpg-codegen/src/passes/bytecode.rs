@@ -100,7 +100,7 @@ pub(crate) fn encode(module: &Module<'_>) -> Bytecode {
         let place = |id: NodeId| match module.node(id) {
             Input(input) => input.index(),
             Constant(bits) => state_length + constants.binary_search(&bits).unwrap_or(0),
-            Operation(..) => first_result + list.binary_search(&id).unwrap_or(0),
+            Operation(..) | Upper(..) => first_result + list.binary_search(&id).unwrap_or(0),
         };
         let mut push = |operation: Option<Instruction>, [a, b]: [NodeId; 2]| {
             let number = used.binary_search(&operation).unwrap_or(0) as u64;

@@ -119,7 +119,7 @@ pub(crate) fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
         Plain | Bounded(_) => None,
         Kind::Function(Function { instruction, .. }) => Some(instruction as u32),
     });
-    // Numbered before the nodes are: bounds that no case asks for go.
+    // Numbered before the nodes are: estimates that no case asks for go.
     let numbers: BTreeMap<NodeId, u64> = (0..).zip(&bids).map(|(number, case)| (case.value, number)).collect();
     let bidders = edges.iter().map(|value| numbers[value]).collect();
     let (mut nodes, mut leaves) = (nodes, leaves);
@@ -144,8 +144,10 @@ pub(crate) fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
     cases
 }
 
-/// The kind of a bid that the schedule may skip.
+/// The kind of a bid that the schedule may skip. An estimate of a logarithm or an exponential would cost more flash than it saves
+/// time: what is known of its argument is enough.
 fn kind(nodes: &[Node], lazy: &LazyBid) -> Kind {
+    let is_estimate = |id: &NodeId| matches!(nodes[id.index()], Node::Upper(..));
     let is_cheap =
         |id: NodeId| !needed(nodes, id, |_| true).iter().any(|id: &NodeId| nodes[id.index()].is_transcendental());
     match nodes[lazy.bid.value.index()] {
@@ -160,6 +162,9 @@ fn kind(nodes: &[Node], lazy: &LazyBid) -> Kind {
                 sparing: Sparing::new(instruction, argument),
             })
         }
-        _ => lazy.bound.map_or(Plain, Bounded),
+        _ => match lazy.bound {
+            Some(bound) if !needed(nodes, bound, |_| true).iter().any(is_estimate) => Bounded(bound),
+            _ => Plain,
+        },
     }
 }

@@ -37,6 +37,7 @@ pub(super) fn keep(nodes: &mut Vec<Node>, roots: Vec<&mut NodeId>) {
         let node = match node {
             // Of a one-operand instruction, the second repeats the first.
             Operation(instruction, operands) => Operation(instruction, operands.map(at)),
+            Upper(instruction, value) => Upper(instruction, at(value)),
             Constant(_) | Input(_) => node,
         };
         place[index] = Some(values.intern(node));

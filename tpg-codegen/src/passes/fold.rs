@@ -30,6 +30,7 @@ pub(super) fn run(module: &mut Module<'_>, arithmetic: Arithmetic) {
             Operation(instruction, operands) => {
                 operation(&mut values, arithmetic, instruction, operands.map(|operand| folded[operand.index()]))
             }
+            Upper(function, value) => values.intern(Upper(function, folded[value.index()])),
             Constant(_) | Input(_) => values.intern(node),
         };
         folded.push(id);
@@ -154,6 +155,7 @@ mod tests {
         match values.node(id) {
             Node::Constant(bits) => f64::from_bits(bits),
             Node::Input(_) => input,
+            Node::Upper(..) => unreachable!("folding makes no bounds"),
             Node::Operation(instruction, operands) => {
                 let [a, b] = operands.map(|operand| value(values, operand, input));
                 F64.evaluate(instruction, a, b).expect("own maths")

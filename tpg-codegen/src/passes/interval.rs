@@ -67,7 +67,7 @@ pub(crate) fn analyse(module: &Module<'_>) -> Vec<Interval> {
                 // No square is negative.
                 if square { Interval { low: interval.low.max(0.0), ..interval } } else { interval }
             }
-            Node::Input(_) => Interval::ANYTHING,
+            Node::Input(_) | Node::Upper(..) => Interval::ANYTHING,
         });
     }
     intervals

@@ -11,6 +11,7 @@ pub(crate) mod bytecode;
 pub(crate) mod cases;
 mod collect;
 mod duplicates;
+pub(crate) mod estimate;
 mod fold;
 mod hopeless;
 pub(crate) mod interval;

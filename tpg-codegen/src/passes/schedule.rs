@@ -129,13 +129,18 @@ impl Schedule {
 /// Bids that cost more than this are guarded.
 const CHEAP: u32 = 8;
 
+/// The maximum number of edges of a small graph.
+const FEW_EDGES: usize = 64;
+
 /// Plans every team.
 pub(crate) fn schedule(module: &Module<'_>) -> Schedule {
     let arithmetic = Arithmetic::new(module.graph);
     let intervals = interval::analyse(module);
     let cheap = cheap_nodes(module);
     let mut values = Values::new(module.nodes.clone());
-    let mut bounds = Bounds::new(arithmetic, &intervals, &cheap, &mut values);
+    // Estimates take more flash than all bids of a small graph, which they would seldom spare.
+    let estimates = module.edges() > FEW_EDGES;
+    let mut bounds = Bounds::new(arithmetic, &intervals, &cheap, &mut values, estimates);
     let planner = Planner { module, cheap: &cheap };
     let mut plans: Vec<TeamSchedule> = (0..module.teams.len()).map(|team| planner.plan(team, &mut bounds)).collect();
     let mut nodes = values.into_nodes();

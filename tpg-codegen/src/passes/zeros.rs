@@ -30,6 +30,7 @@ pub(super) fn run(module: &mut Module<'_>, arithmetic: Arithmetic) {
                     _ => fold::operation(&mut values, arithmetic, instruction, [a, b]),
                 }
             }
+            Upper(function, value) => values.intern(Upper(function, at(value))),
             Constant(_) | Input(_) => values.intern(node),
         });
     }
@@ -58,6 +59,7 @@ fn seen(module: &Module<'_>) -> Vec<bool> {
                     seen[operand.index()] |= passes;
                 }
             }
+            Upper(_, value) => seen[value.index()] = true,
             Constant(_) | Input(_) => {}
         }
     }

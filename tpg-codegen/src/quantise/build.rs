@@ -2,7 +2,7 @@
 
 use super::form::{Form, forms};
 use crate::formula;
-use crate::integers::Whole;
+use crate::integers::{Unfit, Whole};
 use crate::ir::{Module, Node, NodeId, Values};
 use Instruction::*;
 use Node::*;
@@ -70,6 +70,7 @@ impl<'a> Builder<'a> {
                 }
                 Input(input) => Ok(Whole::of_bits(self.counts[input.index()].container())),
                 Operation(instruction, [a, b]) => Whole::apply(instruction, self.whole(a), self.whole(b)),
+                Upper(..) => Err(Unfit::NotWhole),
             };
             self.wholes.push(whole.map_err(|unfit| Refusal(format!("{unfit:?}")))?);
         }
@@ -110,7 +111,7 @@ impl<'a> Builder<'a> {
     fn magnitude_of_term(&self, id: NodeId) -> f64 {
         match self.module.node(id) {
             Input(input) => self.magnitude_of_input(input.index()),
-            Constant(_) => 0.0,
+            Constant(_) | Upper(..) => 0.0,
             Operation(instruction, [a, b]) => match instruction {
                 Mul => self.magnitude(a) * self.magnitude(b),
                 Min | Max => self.magnitude(a).max(self.magnitude(b)),

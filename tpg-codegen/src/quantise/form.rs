@@ -63,7 +63,7 @@ pub(super) fn forms(module: &Module<'_>) -> Vec<Form> {
                     _ => itself(),
                 }
             }
-            Node::Constant(_) | Node::Input(_) => itself(),
+            Node::Constant(_) | Node::Input(_) | Node::Upper(..) => itself(),
         });
     }
     forms

@@ -73,7 +73,7 @@ impl Programs {
             let args = operands.iter().map(|&operand| match values.node(operand) {
                 Constant(bits) => OperandDocument::Constant(f64::from_bits(bits)),
                 Input(input) => OperandDocument::Place(graph.input_name(input)),
-                Operation(..) => OperandDocument::Place(format!("r{}", registers[&operand])),
+                Operation(..) | Upper(..) => OperandDocument::Place(format!("r{}", registers[&operand])),
             });
             let args = args.collect();
             let is_later = |operand: &NodeId| last.get(operand).is_some_and(|&last| last > place);
@@ -91,7 +91,7 @@ impl Programs {
                 Constant(bits) if f64::from_bits(bits) == 0.0 => {}
                 Constant(bits) => lines.push(copy(OperandDocument::Constant(f64::from_bits(bits)))),
                 Input(input) => lines.push(copy(OperandDocument::Place(graph.input_name(input)))),
-                Operation(..) => {}
+                Operation(..) | Upper(..) => {}
             },
         }
         lines

@@ -106,6 +106,50 @@ static {{ scalar }} {{ prefix }}_exp({{ scalar }} x)
     return result;
 }
 {% endif %}
+{% if self.calls("ln_upper") %}
+/* A cheap upper bound of the logarithm: the bits of a number are a straight line between powers of two through it. */
+static {{ scalar }} {{ prefix }}_ln_upper({{ scalar }} x)
+{
+    {{ scalar }} bound = {% if f64 %}(double)NAN{% else %}NAN{% endif %}; /* no bound */
+
+    if ((x >= {% if f64 %}DBL_MIN{% else %}FLT_MIN{% endif %}) && (x <= {% if f64 %}DBL_MAX{% else %}FLT_MAX{% endif %})) {
+        {{ signed }} bits;
+
+        (void)memcpy(&bits, &x, sizeof bits);
+        bound = (({{ scalar }})bits * {{ self.literal(estimate.ln_scale) }}) - {{ self.literal(estimate.ln_offset) }};
+    } else if (x <= {% if f64 %}0.0{% else %}0.0f{% endif %}) {
+        bound = {% if f64 %}-(double)INFINITY{% else %}-INFINITY{% endif %}; /* NaN also bids that */
+    } else if (x > {% if f64 %}DBL_MAX{% else %}FLT_MAX{% endif %}) {
+        bound = {% if f64 %}(double)INFINITY{% else %}INFINITY{% endif %};
+    } else {
+        /* no change */
+    }
+    return bound;
+}
+{% endif %}
+{% if self.calls("exp_upper") %}
+/* A cheap upper bound of the exponential: the bits of a number are a straight line between powers of two through its
+ * logarithm. */
+static {{ scalar }} {{ prefix }}_exp_upper({{ scalar }} x)
+{
+    {{ scalar }} bound = {% if f64 %}(double)NAN{% else %}NAN{% endif %}; /* no bound */
+
+    if ((x >= {{ self.literal(estimate.exp_between.0) }}) && (x <= {{ self.literal(estimate.exp_between.1) }})) {
+        const {{ scalar }} scaled = x * {{ self.literal(estimate.exp_scale) }};
+        const {{ signed }} whole = ({{ signed }})scaled;
+        const {{ key }} bits = ({{ key }})whole + {{ "{:#x}"|format(estimate.exp_offset) }}{{ unsigned_suffix }};
+
+        (void)memcpy(&bound, &bits, sizeof bound);
+    } else if (x < {{ self.literal(estimate.exp_between.0) }}) {
+        bound = {{ self.literal(estimate.exp_below) }};
+    } else if (x > {{ self.literal(estimate.exp_infinite_above) }}) {
+        bound = {% if f64 %}(double)INFINITY{% else %}INFINITY{% endif %};
+    } else {
+        /* no change */
+    }
+    return bound;
+}
+{% endif %}
 {% if self.compares_bids() %}
 /* Compiled for size, comparisons of doubles are functions: on many processors each is a call. */
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)

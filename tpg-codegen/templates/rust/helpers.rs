@@ -27,6 +27,37 @@ fn {{ name }}(x: {{ scalar }}) -> {{ scalar }} {
     {{ provider }}::{{ name }}(x)
 }
 {% endfor %}
+{% if called.contains("ln_upper") %}
+/// A cheap upper bound of the logarithm: the bits of a number are a straight line between powers of two through it.
+fn ln_upper(x: {{ scalar }}) -> {{ scalar }} {
+    if x >= {{ scalar }}::MIN_POSITIVE && x <= {{ scalar }}::MAX {
+        x.to_bits() as {{ signed }} as {{ scalar }} * {{ self.literal(estimate.ln_scale) }} - {{ self.literal(estimate.ln_offset) }}
+    } else if x <= {{ zero }} {
+        // NaN also bids that.
+        {{ scalar }}::NEG_INFINITY
+    } else if x > {{ scalar }}::MAX {
+        {{ scalar }}::INFINITY
+    } else {
+        {{ scalar }}::NAN
+    }
+}
+{% endif %}
+{% if called.contains("exp_upper") %}
+/// A cheap upper bound of the exponential: the bits of a number are a straight line between powers of two through its
+/// logarithm.
+fn exp_upper(x: {{ scalar }}) -> {{ scalar }} {
+    if x >= {{ self.literal(estimate.exp_between.0) }} && x <= {{ self.literal(estimate.exp_between.1) }} {
+        let whole = (x * {{ self.literal(estimate.exp_scale) }}) as {{ signed }};
+        {{ scalar }}::from_bits((whole as {{ unsigned }}).wrapping_add({{ "{:#x}"|format(estimate.exp_offset) }}))
+    } else if x < {{ self.literal(estimate.exp_between.0) }} {
+        {{ self.literal(estimate.exp_below) }}
+    } else if x > {{ self.literal(estimate.exp_infinite_above) }} {
+        {{ scalar }}::INFINITY
+    } else {
+        {{ scalar }}::NAN
+    }
+}
+{% endif %}
 {% if printer.leads %}
 /// The best bid of a team so far, and its edge or way. Where a
 /// comparison is a call of its own, as on most processors of 32 bits, the functions keep code small.

@@ -114,6 +114,10 @@ impl Syntax for Printer<'_> {
         }
     }
 
+    fn upper(&self, instruction: Instruction, argument: &str) -> String {
+        format!("{}_{}_upper({argument})", self.prefix, instruction.name())
+    }
+
     fn call(&self, instruction: Instruction, arguments: &str) -> String {
         let function = match instruction {
             Cos => self.maths("cos", "cos", false),

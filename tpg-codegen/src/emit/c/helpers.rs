@@ -5,6 +5,7 @@ use super::own::OwnMaths;
 use crate::emit::helpers::called;
 use crate::emit::syntax::Syntax;
 use crate::passes::bound;
+use crate::passes::estimate::{self, Estimate};
 use askama::Template;
 use std::collections::BTreeSet;
 use tpg_graph::{MathsProvider, ScalarType};
@@ -36,6 +37,8 @@ struct CHelpers<'a> {
     /// Above the first number, an exponential is infinite; below the second, it is 0.
     beyond: (f64, f64),
     signed: &'a str,
+    unsigned_suffix: &'a str,
+    estimate: Estimate,
     whole: CWholeHelpers,
     /// The literal in place of NaN, where every output has the same.
     same_nan: Option<String>,
@@ -131,9 +134,9 @@ pub(super) fn render(printer: &Printer<'_>, body: &str, upper: &str) -> String {
     }
     let calls_own = is_own && ["sin", "cos", "ln", "exp", "atan"].iter().any(|name| called.contains(name));
     let scalar = printer.graph.scalar();
-    let (key, signed, top, exponent_end, sign, infinity) = match scalar {
-        ScalarType::F32 => ("uint32_t", "int32_t", 31, 9, "0x80000000U", "0x7f800000U"),
-        ScalarType::F64 => ("uint64_t", "int64_t", 63, 12, "0x8000000000000000ULL", "0x7ff0000000000000ULL"),
+    let (key, signed, unsigned_suffix, top, exponent_end, sign, infinity) = match scalar {
+        ScalarType::F32 => ("uint32_t", "int32_t", "U", 31, 9, "0x80000000U", "0x7f800000U"),
+        ScalarType::F64 => ("uint64_t", "int64_t", "ULL", 63, 12, "0x8000000000000000ULL", "0x7ff0000000000000ULL"),
     };
     let mut helpers = CHelpers {
         printer,
@@ -154,6 +157,8 @@ pub(super) fn render(printer: &Printer<'_>, body: &str, upper: &str) -> String {
         short: !is_own && printer.short_cuts,
         beyond: bound::beyond_exponentials(scalar),
         signed,
+        unsigned_suffix,
+        estimate: estimate::numbers(scalar),
         whole: CWholeHelpers::new(printer),
         same_nan: printer.same_nan().map(|nan| printer.literal(nan)),
     };

@@ -93,7 +93,7 @@ impl<'a> Lines<'a> {
         let text = match self.module.node(id) {
             Constant(bits) => return self.spelling.literal(f64::from_bits(bits) as i64, wide),
             Input(input) => return self.spelling.input(input, wide),
-            Operation(..) => match self.named.get(&id) {
+            Operation(..) | Upper(..) => match self.named.get(&id) {
                 Some(name) => name.clone(),
                 None => format!("({})", self.expression(id)),
             },

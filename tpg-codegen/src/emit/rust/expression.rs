@@ -10,8 +10,8 @@ use tpg_runtime::ops::Instruction;
 /// Keywords of Rust, and the variables and functions of generated code.
 const TAKEN: [&str; 5] = [
     "abstract action as async await become best bid bidder bool box break char const continue core cos crate ct",
-    "do dyn edge else enum exp extern f32 f64 false final fn for frame gen if impl in lead leaf let ln",
-    "loop macro match memory mod move mut next operand ops out override priv program pub ref return run",
+    "do dyn edge else enum exp exp_upper extern f32 f64 false final fn for frame gen if impl in lead leaf let ln",
+    "ln_upper loop macro match memory mod move mut next operand ops out override priv program pub ref return run",
     "s self sin span state static struct super tan trait true try type typeof unsafe unsized use vertex virtual",
     "walk where while yield zero",
 ];
@@ -97,6 +97,10 @@ impl Syntax for Printer<'_> {
 
     fn input(&self, input: Input) -> String {
         format!("s[{}]", input.index())
+    }
+
+    fn upper(&self, instruction: Instruction, argument: &str) -> String {
+        format!("{}_upper({argument})", instruction.name())
     }
 
     fn call(&self, instruction: Instruction, arguments: &str) -> String {

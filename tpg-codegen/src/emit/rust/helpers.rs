@@ -4,9 +4,10 @@ use super::expression::Printer;
 use crate::emit::helpers::called;
 use crate::emit::syntax::Syntax;
 use crate::passes::bound;
+use crate::passes::estimate::{self, Estimate};
 use askama::Template;
 use std::collections::BTreeSet;
-use tpg_graph::MathsProvider;
+use tpg_graph::{MathsProvider, ScalarType};
 
 #[derive(Template)]
 #[template(path = "rust/helpers.rs", escape = "none")]
@@ -22,6 +23,9 @@ struct RustHelpers<'a> {
     provider: &'a str,
     /// The functions that are called as they are.
     plain: Vec<&'a str>,
+    signed: &'a str,
+    unsigned: &'a str,
+    estimate: Estimate,
 }
 
 impl RustHelpers<'_> {
@@ -35,6 +39,7 @@ pub(super) fn render(printer: &Printer<'_>) -> String {
     let scalar = printer.graph.scalar();
     let short = printer.short_cuts && printer.graph.maths() == MathsProvider::System;
     let called = called(printer.nodes);
+    let (signed, unsigned) = if scalar == ScalarType::F32 { ("i32", "u32") } else { ("i64", "u64") };
     let plain = ["sin", "cos", "tan", "atan", "tanh", "ln", "exp"];
     let plain = &plain[..if short { 5 } else { 7 }];
     let helpers = RustHelpers {
@@ -46,6 +51,9 @@ pub(super) fn render(printer: &Printer<'_>) -> String {
         provider: printer.provider(),
         plain: plain.iter().copied().filter(|name| printer.short_cuts && called.contains(name)).collect(),
         called,
+        signed,
+        unsigned,
+        estimate: estimate::numbers(scalar),
     };
     helpers.render().expect("the template renders")
 }
