@@ -27,7 +27,7 @@ pub(crate) enum Computed {
     Below(bool, Width),
     /// A relation of floats
     Compared(fn(&Terms, Float, Float) -> Bool),
-    /// What so many bytes at an address hold
+    /// The content of so many bytes at an address
     Loaded(u8),
     /// A number that must be below a length
     Bounded(u32),
@@ -98,7 +98,7 @@ pub(crate) fn value(
     })
 }
 
-/// What is at an address, or at one of a few that it is chosen from.
+/// Returns the value at an address, or at one of a few that it is chosen from.
 pub(crate) fn loaded(terms: &Terms, address: Word, load: &dyn Fn(Word) -> Found<Value>) -> Found<Value> {
     if !matches!(terms.of_word(address), Node::WordIf(..)) {
         return load(address);

@@ -158,7 +158,7 @@ fn nan_alike(a: usize, b: usize) -> impl Iterator<Item = Implication> {
     nan_with(a, b).into_iter().chain(nan_with(b, a))
 }
 
-/// What is NaN exactly where a term is.
+/// Returns the innermost term that is NaN exactly where a term is.
 fn nan_root(terms: &Terms, mut term: Float) -> Float {
     loop {
         let inner = match terms.of_float(term) {

@@ -231,7 +231,7 @@ fn setting(first: Register, flags: [Expression; FLAG_COUNT as usize]) -> Instruc
     Instruction { sets, ..Instruction::default() }
 }
 
-/// What the flags say after a second number was subtracted from a first.
+/// Returns the flags after a second number was subtracted from a first.
 fn difference(a: &Expression, b: &Expression) -> [Expression; FLAG_COUNT as usize] {
     let below = |signed, a: &Expression, b: &Expression| of(Below(signed, Width::W32), [a.clone(), b.clone()]);
     let negative = below(true, &apply(Subtract, a.clone(), b.clone()), &number(0));
@@ -240,7 +240,7 @@ fn difference(a: &Expression, b: &Expression) -> [Expression; FLAG_COUNT as usiz
     [same, carry, negative, of(Unknown, []), below(false, b, a), at_least, below(true, b, a)]
 }
 
-/// What the flags say of floats that are compared.
+/// Returns the instruction that sets the flags to a comparison of floats.
 fn floats(left: Register, right: Expression) -> Option<Instruction> {
     let compared = |relation| of(Compared(relation), [register(left), right.clone()]);
     let less = || compared(Terms::less);
@@ -287,7 +287,7 @@ fn processed(
     set(flags, to, result, says)
 }
 
-/// What a result alone says: of zero and sign.
+/// Returns the flags that follow from a result alone: zero and sign.
 fn of_result(result: &Expression) -> [Expression; FLAG_COUNT as usize] {
     let mut says = [(); FLAG_COUNT as usize].map(|()| of(Unknown, []));
     says[0] = of(Same(Width::W32), [result.clone(), number(0)]);

@@ -33,7 +33,7 @@ pub(crate) const REGISTERS: Register = FLOAT_FLAGS + FLAG_COUNT;
 /// The condition of what is always executed; each odd one below negates the one before it.
 const ALWAYS: u8 = 14;
 
-/// What an instruction sets.
+/// A destination of an instruction.
 #[derive(Clone, Debug)]
 pub(crate) enum Place {
     Register(Register),
@@ -57,7 +57,7 @@ pub(crate) struct Instruction {
     pub(crate) size: u32,
     /// It is executed where this is not 0
     pub(crate) condition: Option<Expression>,
-    /// What it sets, all at once
+    /// Destinations and their new values, all set at once
     pub(crate) sets: Vec<(Place, Expression)>,
     pub(crate) jump: Option<Exit>,
 }
