@@ -88,7 +88,7 @@ pub enum Node {
     True,
     /// A conjunction of at least two, sorted
     And(Rc<[Bool]>),
-    /// The first ranks at most as high as the second, see [`rank`]: NaN ranks below minus infinity, both zeros rank equal
+    /// The first ranks at most as high as the second, see [`rank()`]: NaN ranks below minus infinity, both zeros rank equal
     AtMost(Float, Float),
     /// Negative zero; an atom that the order of floats does not see
     IsNegativeZero(Float),
