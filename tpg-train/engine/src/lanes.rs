@@ -165,8 +165,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
                 *value = columns.get(NodeId(place), lane).to_f64();
             }
             seen.push(&state);
-            let now = after.iter().filter(|&&after| after == done).count();
-            states.extend(std::iter::repeat_n(state.clone(), now));
+            states.extend(after.iter().filter(|&&after| after == done).map(|_| state.clone()));
             done += 1;
         })?;
         Ok(Played { ending: endings[0], seen, states })
