@@ -1,6 +1,7 @@
 //! A graph in Python.
 
 use crate::error;
+use crate::policy::Units;
 use crate::space::Space;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
@@ -12,12 +13,12 @@ use tpg_codegen::report;
 use tpg_codegen::size::Target;
 use tpg_codegen::verify::Proof;
 use tpg_engine::PolicyGraph;
-use tpg_graph::Counts;
 use tpg_graph::error::counted;
 use tpg_graph::files::{read_graph, write_atomically};
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::output::write_folder;
 use tpg_graph::states::StateSet;
+use tpg_graph::{Counts, Input, Output, Range};
 use tpg_picture as picture;
 
 /// States that a report's means are taken over, and their seed.
@@ -75,10 +76,20 @@ impl Graph {
         tpg_engine::places("graph", &self.0, &space.seen_by(&self.0)).map_err(error::input)
     }
 
-    /// The range of each input.
+    /// The range of each input, as a value.
     #[getter]
     fn ranges(&self) -> Vec<(f64, f64)> {
-        self.0.state_ranges().map(|range| (range.min, range.max)).collect()
+        let value = |(input, range): (Input, Range)| match self.0.counts_of(input) {
+            Some(counts) => (counts.value(range.min), counts.value(range.max)),
+            None => (range.min, range.max),
+        };
+        self.0.inputs().zip(self.0.state_ranges()).map(value).collect()
+    }
+
+    /// True for a graph in integers, whose ranges are those of its counts.
+    #[getter]
+    fn counts(&self) -> bool {
+        self.0.has_counts()
     }
 
     /// The names of the actions; empty for a policy with outputs.
@@ -90,7 +101,9 @@ impl Graph {
     /// The outputs: name, lowest and highest value; empty for a policy that chooses among actions.
     #[getter]
     fn outputs(&self) -> Vec<(String, f64, f64)> {
-        self.0.outputs().iter().map(|output| (output.name.clone(), output.range.min, output.range.max)).collect()
+        let value = |output: &Output, end| output.counts.map_or(end, |counts| counts.value(end));
+        let bounds = |output: &Output| (value(output, output.range.min), value(output, output.range.max));
+        self.0.outputs().iter().map(|output| (output.name.clone(), bounds(output).0, bounds(output).1)).collect()
     }
 
     /// The number of the outputs, the last ones, that are remembered until the next decision, which reads them as its last inputs.
@@ -111,21 +124,25 @@ impl Graph {
         PolicyGraph::from(&self.0).size()
     }
 
-    /// Returns the interpreter's answer to each row of `states`: numbers of actions, or rows of values.
+    /// Returns the interpreter's answer to each row of `states`, in values: numbers of actions, or rows of values.
     fn answers<'py>(&self, py: Python<'py>, states: PyReadonlyArray2<'py, f64>) -> PyResult<Bound<'py, PyAny>> {
         let (columns, inputs) = (states.shape()[1], self.0.state_length());
         if columns != inputs {
             return Err(error::input(format!("states of {columns} values; accepted: {inputs}")));
         }
-        let flat: Vec<f64> = states.as_array().iter().copied().collect();
-        let graph = &self.0;
+        let mut flat: Vec<f64> = states.as_array().iter().copied().collect();
+        let (graph, units) = (&self.0, Units::of(&self.0));
+        flat.chunks_exact_mut(inputs).for_each(|state| units.count(state));
         let answers = py.detach(|| interpret::answers(graph, &flat));
         if graph.outputs().is_empty() {
             let action = |answer| if let Answer::Action(action) = answer { i64::from(action.0) } else { 0 };
             return Ok(PyArray1::from_iter(py, answers.into_iter().map(action)).into_any());
         }
         let values = answers.into_iter().flat_map(|answer| match answer {
-            Answer::Values(values) => values,
+            Answer::Values(mut values) => {
+                units.value(&mut values);
+                values
+            }
             Answer::Action(_) => Vec::new(),
         });
         let values: Vec<f64> = values.collect();

@@ -8,7 +8,7 @@ use pyo3::types::PyBytes;
 use std::sync::Mutex;
 use tpg_engine::{Moments, Plan, Single};
 use tpg_graph::interpret::Answer;
-use tpg_graph::{MathsProvider, ScalarType, SourceDocument};
+use tpg_graph::{Counts, MathsProvider, ScalarType, SourceDocument};
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
 
@@ -18,8 +18,38 @@ pub(crate) struct Policy {
     policy: tpg_engine::PolicyGraph,
     inputs: usize,
     scalar: ScalarType,
+    units: Units,
     /// Its own evaluator, made when it first acts.
     acting: Mutex<Option<Acting>>,
+}
+
+/// Counts of the values that a graph reads and answers; both are values outside, counts inside. None for what is no count.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Units {
+    inputs: Vec<Option<Counts>>,
+    outputs: Vec<Option<Counts>>,
+}
+
+impl Units {
+    /// Returns those of a graph.
+    pub(crate) fn of(graph: &tpg_graph::Graph) -> Self {
+        let inputs = graph.inputs().map(|input| graph.counts_of(input)).collect();
+        Self { inputs, outputs: graph.outputs().iter().map(|output| output.counts).collect() }
+    }
+
+    /// Puts the values of a state into counts.
+    pub(crate) fn count(&self, state: &mut [f64]) {
+        for (value, counts) in state.iter_mut().zip(&self.inputs) {
+            *value = counts.map_or(*value, |counts| counts.count(*value));
+        }
+    }
+
+    /// Puts the counts of an answer into values.
+    pub(crate) fn value(&self, answer: &mut [f64]) {
+        for (value, counts) in answer.iter_mut().zip(&self.outputs) {
+            *value = counts.map_or(*value, |counts| counts.value(*value));
+        }
+    }
 }
 
 /// An evaluator of one state at a time, in what the policy computes in.
@@ -28,7 +58,7 @@ pub(crate) type Acting = Box<dyn FnMut(&[f64]) -> Answer + Send>;
 impl Policy {
     /// Wraps a policy over a state of `inputs` values, computed in `scalar`.
     pub(crate) fn new(policy: tpg_engine::PolicyGraph, inputs: usize, scalar: ScalarType) -> Self {
-        Self { policy, inputs, scalar, acting: Mutex::new(None) }
+        Self { policy, inputs, scalar, units: Units::default(), acting: Mutex::new(None) }
     }
 
     /// Returns what it computes in.
@@ -50,11 +80,19 @@ impl Policy {
     {
         let source = SourceDocument::new("state", "", vec![[-1.0, 1.0]; self.inputs]);
         let single = Single::<S, Own>::new(Plan::new::<Own>(&self.policy, &[source]));
-        let mut rounded = Vec::with_capacity(self.inputs);
+        let (mut counts, mut rounded) = (Vec::with_capacity(self.inputs), Vec::with_capacity(self.inputs));
+        let units = self.units.clone();
         Box::new(move |state| {
+            counts.clear();
+            counts.extend_from_slice(state);
+            units.count(&mut counts);
             rounded.clear();
-            rounded.extend(state.iter().map(|&value| S::from_f64(value)));
-            single.answer(&rounded)
+            rounded.extend(counts.iter().map(|&value| S::from_f64(value)));
+            let mut answer = single.answer(&rounded);
+            if let Answer::Values(values) = &mut answer {
+                units.value(values);
+            }
+            answer
         })
     }
 }
@@ -71,7 +109,8 @@ impl Policy {
             return Err(error::input(format!("{found}; accepted: own maths, or a built-in problem")));
         }
         let Some(space) = space else {
-            return Ok(Self::new(tpg_engine::PolicyGraph::from(graph), graph.state_length(), graph.scalar()));
+            let policy = Self::new(tpg_engine::PolicyGraph::from(graph), graph.state_length(), graph.scalar());
+            return Ok(Self { units: Units::of(graph), ..policy });
         };
         let policy = tpg_engine::reading("graph", graph, &space.seen_by(graph)).map_err(error::input)?;
         Ok(Self::new(policy, space.length() + graph.memory(), graph.scalar()))
@@ -80,13 +119,14 @@ impl Policy {
     /// Reads what `to_bytes` wrote.
     #[staticmethod]
     fn from_bytes(bytes: &[u8]) -> PyResult<Self> {
-        let (inputs, scalar, policy) = serde_json::from_slice(bytes).map_err(error::input)?;
-        Ok(Self::new(policy, inputs, scalar))
+        let (inputs, scalar, policy, counts) = serde_json::from_slice(bytes).map_err(error::input)?;
+        let (seen, given) = counts;
+        Ok(Self { units: Units { inputs: seen, outputs: given }, ..Self::new(policy, inputs, scalar) })
     }
 
     /// Returns the policy as bytes, one to three kilobytes.
     fn to_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
-        let bytes = serde_json::to_vec(&(self.inputs, self.scalar, &self.policy)).map_err(error::input)?;
+        let bytes = serde_json::to_vec(&(self.inputs, self.scalar, &self.policy, (&self.units.inputs, &self.units.outputs))).map_err(error::input)?;
         Ok(PyBytes::new(py, &bytes))
     }
 

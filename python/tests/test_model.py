@@ -74,11 +74,29 @@ def test_a_policy_in_integers_has_no_float(pole: TPG, tmp_path: Path) -> None:
         lines = [line for line in path.read_text().splitlines() if "SHA-256" not in line]
         assert not any(word in line for word in ("float", "double", "f32", "f64", "math.h") for line in lines)
     states = np.random.default_rng(1).normal(size=(500, 4)) * 0.1
-    whole = pole.quantise(bits=12, states=states)
-    assert "of 500 actions are the same" in whole.said and '"counts"' in whole.to_json()
+    whole = pole.quantise(bits=12, states=states, episodes=0)
+    assert "of 500 actions are the same" in whole.said and '"counts"' in whole.graph.to_json()
     for bits, given in [(1, None), (8, np.zeros((3, 2))), (8, np.zeros((3, 4)))]:
         with pytest.raises(InputError):
-            pole.quantise(bits=bits, states=given)
+            pole.quantise(bits=bits, states=given, episodes=4)
+
+
+def test_integers_have_the_fewest_bits_that_keep_the_return(swing: TPG, tmp_path: Path) -> None:
+    whole = swing.quantise(episodes=10)
+    assert "10 episodes" in whole.said and "8 bits" in whole.said
+    assert whole.graph.counts and not swing.graph.counts
+    # Both see and answer values; the integers' are multiples of a count.
+    angles = np.linspace(-3, 3, 50)
+    states = np.stack([np.cos(angles), np.sin(angles), angles], axis=1)
+    assert np.abs(whole.predict(states)[0] - swing.predict(states)[0]).max() < 0.1
+    whole.save(tmp_path / "whole.json")
+    loaded = TPG.load(tmp_path / "whole.json", "Pendulum-v1")
+    results = [model.evaluate(10, native=False, n_workers=count) for model, count in ((whole, 0), (loaded, 0), (loaded, 2))]
+    assert len({result.mean for result in results}) == 1
+    native = [model.evaluate(10).mean for model in (whole, swing)]
+    assert abs(native[0] - native[1]) < 0.05 * abs(native[1]), "on the built-in problem, too"
+    assert (TPG.load(tmp_path / "whole.json").predict(states)[0] == whole.predict(states)[0]).all()
+    assert "this model is better" in swing.quantise(2, episodes=10).said
 
 
 def test_the_c_answers_as_the_interpreter_in_whole_episodes(pole: TPG, tmp_path: Path) -> None:

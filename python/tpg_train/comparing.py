@@ -142,23 +142,26 @@ def compare(
 ) -> tuple[list[Played], Comparisons]:
     """Plays the same episodes with each controller; returns this one's, and the comparisons."""
     starts = [this, *map(controller, others)]
-    (ours, effort), *all_theirs = (play(env, start, seeds, limit) for start in starts)
-    found = []
-    for other, (theirs, other_effort) in zip(others, all_theirs, strict=True):
-        returns = [score for score, *_ in ours], [score for score, *_ in theirs]
-        differences = np.subtract(*returns)
-        mean, count = float(differences.mean()), len(differences)
-        deviation = float(differences.std(ddof=1)) if count > 1 else math.inf
-        found.append(
-            Comparison(
-                name=getattr(other, "kind", None) or getattr(other, "__name__", None) or type(other).__name__,
-                this=Evaluation.of(ours, name),
-                other=Evaluation.of(theirs, name),
-                difference=mean,
-                ci95=interval(mean, deviation, count),
-                efforts=None if effort is None or other_effort is None else (effort, other_effort),
-                law=None,
-                returns=returns,
-            )
-        )
-    return ours, Comparisons(found)
+    ours, *all_theirs = (play(env, start, seeds, limit) for start in starts)
+    kinds = [getattr(other, "kind", None) or getattr(other, "__name__", None) or type(other).__name__ for other in others]
+    return ours[0], Comparisons(beside(ours, theirs, kind, name) for kind, theirs in zip(kinds, all_theirs, strict=True))
+
+
+def beside(
+    ours: tuple[list[Played], Effort | None], theirs: tuple[list[Played], Effort | None], kind: str, name: str
+) -> Comparison:
+    """Compares what two controllers have played; `name` is the environment's."""
+    returns = [score for score, *_ in ours[0]], [score for score, *_ in theirs[0]]
+    differences = np.subtract(*returns)
+    mean, count = float(differences.mean()), len(differences)
+    deviation = float(differences.std(ddof=1)) if count > 1 else math.inf
+    return Comparison(
+        name=kind,
+        this=Evaluation.of(ours[0], name),
+        other=Evaluation.of(theirs[0], name),
+        difference=mean,
+        ci95=interval(mean, deviation, count),
+        efforts=None if ours[1] is None or theirs[1] is None else (ours[1], theirs[1]),
+        law=None,
+        returns=returns,
+    )

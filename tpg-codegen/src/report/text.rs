@@ -69,9 +69,9 @@ impl Report {
         )?;
         writeln!(
             f,
-            "removed   {}, {}; {} without a choice, {}, {}",
+            "removed   {}, {} that cannot win; {} without a choice, {}, {}",
             counted(duplicate_bids, "duplicate bid"),
-            counted(hopeless_bids, "bid that never wins"),
+            counted(hopeless_bids, "bid"),
             counted(teams_without_choice, "team"),
             counted(twin_teams, "twin"),
             counted(unreachable_teams, "unreachable one")
