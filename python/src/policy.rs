@@ -126,7 +126,9 @@ impl Policy {
 
     /// Returns the policy as bytes, one to three kilobytes.
     fn to_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
-        let bytes = serde_json::to_vec(&(self.inputs, self.scalar, &self.policy, (&self.units.inputs, &self.units.outputs))).map_err(error::input)?;
+        let bytes =
+            serde_json::to_vec(&(self.inputs, self.scalar, &self.policy, (&self.units.inputs, &self.units.outputs)))
+                .map_err(error::input)?;
         Ok(PyBytes::new(py, &bytes))
     }
 

@@ -60,6 +60,8 @@ pub(super) struct Limits {
     pub part: f64,
     /// For a random search the score of luck; another search follows it.
     pub luck: Option<f64>,
+    /// True for one that should start again.
+    pub restart: bool,
 }
 
 impl Budget {
@@ -84,7 +86,8 @@ impl Budget {
             {
                 self.begin_another(&point);
             } else if is_lucky
-                && self.progress.is_some_and(|(_, last, _)| now - last >= RANDOM_PATIENCE * limits.part)
+                && (limits.restart
+                    || self.progress.is_some_and(|(_, last, _)| now - last >= RANDOM_PATIENCE * limits.part))
                 && !is_over(RANDOM_TOO_LATE)
             {
                 self.begin_another(&point);
@@ -133,7 +136,7 @@ mod tests {
 
     #[test]
     fn searches_share_their_part_of_a_run() {
-        let cma = Limits { length: 20, part: 0.6, luck: None };
+        let cma = Limits { length: 20, part: 0.6, luck: None, restart: false };
         let random = Limits { luck: Some(50.0), ..cma };
         let (rising, flat) = (|now: u64| now as f64, |_: u64| 0.0);
         // Slow: a fifth of what was gained before is not gained within ten generations.
@@ -165,7 +168,7 @@ mod tests {
             [(0, 0.0), (30, 0.3), (40, 0.4)].into(),
             "a random search starts again where it has stalled, but not late"
         );
-        let long = Limits { length: 20, part: 1e9, luck: None };
+        let long = Limits { length: 20, part: 1e9, luck: None, restart: false };
         assert_eq!(run(long, true, flat).last(), Some(&600), "30 lengths at most");
     }
 }

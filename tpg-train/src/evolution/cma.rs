@@ -6,9 +6,6 @@
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
 
-/// Standard deviation of the first samples: 1 is a whole output for a whole input.
-const FIRST_DEVIATION: f64 = 0.5;
-
 /// The search distribution, and the paths that its mean has taken.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -28,13 +25,13 @@ pub(super) struct Cma {
 }
 
 impl Cma {
-    /// Starts at 0, with the same deviation in every direction.
-    pub(super) fn new(numbers: usize) -> Self {
+    /// Starts at 0, with the same standard deviation in every direction.
+    pub(super) fn new(numbers: usize, deviation: f64) -> Self {
         let zeros = vec![0.0; numbers];
         Self {
             updates: 0,
             mean: zeros.clone(),
-            deviation: FIRST_DEVIATION,
+            deviation,
             variances: vec![1.0; numbers],
             path: zeros.clone(),
             step_path: zeros,
@@ -59,6 +56,14 @@ impl Cma {
             numbers.map(|(mean, root)| mean + self.deviation * root * stream.normal()).collect()
         };
         (0..count).map(|_| sample()).collect()
+    }
+
+    /// Draws pairs of opposite samples: `count` of them, or one more.
+    pub(super) fn pairs(&self, count: usize, stream: &mut Stream) -> Vec<Vec<f64>> {
+        let opposite =
+            |sample: &Vec<f64>| self.mean.iter().zip(sample).map(|(mean, value)| 2.0 * mean - value).collect();
+        let samples = self.samples(count.div_ceil(2), stream);
+        samples.into_iter().flat_map(|sample| [opposite(&sample), sample]).collect()
     }
 
     /// Moves the distribution towards the better half of a generation's samples, which are given best first.
@@ -133,7 +138,7 @@ mod tests {
 
     /// Minimises a function and returns the best value of the last generation.
     fn minimum(numbers: usize, generations: u64, value: impl Fn(&[f64]) -> f64) -> f64 {
-        let mut cma = Cma::new(numbers);
+        let mut cma = Cma::new(numbers, 0.5);
         let mut best = f64::INFINITY;
         for generation in 0..generations {
             let mut stream = Stream::new(1, generation, Purpose::Test, 0);
@@ -157,7 +162,7 @@ mod tests {
 
     #[test]
     fn where_nothing_is_better_it_stays_finite_and_goes_on_where_it_was_written() {
-        let mut cma = Cma::new(6);
+        let mut cma = Cma::new(6, 0.5);
         for generation in 0..500 {
             let samples = cma.samples(9, &mut Stream::new(1, generation, Purpose::Test, 0));
             cma.update(&samples);

@@ -99,6 +99,7 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
             line_price: self.line_price(state),
             left: (1.0 - part).clamp(0.0, 1.0),
             samples: episodes.map_or(most, |all| (all / STEPS) as usize).clamp(fewest, most),
+            time_limit: self.environment.time_limit(),
         }
     }
 
@@ -116,7 +117,8 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
         let is_search = self.config.start.share > 0.0 && state.budget.ended.is_none();
         let context = self.context(state);
         if is_search && (state.search.is_none() || state.budget.begun == state.generation) {
-            let next = Search::begin(&context, state.budget.searches).map_err(EvaluationError::new)?;
+            let next =
+                Search::begin(&context, state.budget.searches, state.search.as_ref()).map_err(EvaluationError::new)?;
             if let Some(last) = state.search.replace(next) {
                 state.stalled = Some(match state.stalled.take() {
                     Some(before) => before.better(last),
@@ -306,8 +308,9 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
             .map_or(f64::NEG_INFINITY, |first| first.median_score + LUCK * (first.best_score - first.median_score));
         let limits = Limits {
             length: search.length(context)?,
-            part: if search.is_random() { start.random } else { start.share },
-            luck: search.is_random().then_some(luck),
+            part: if search.is_local() { start.random } else { start.share },
+            luck: search.is_local().then_some(luck),
+            restart: search.should_restart(),
         };
         let (generation, score) = (state.generation + 1, search.score().unwrap_or(f64::NEG_INFINITY));
         state.budget.spend(Point { generation, part: self.part(state), score }, limits);
@@ -315,11 +318,15 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
     }
 
     /// Returns the parts of the run for searches: the whole run where the rest is too short for evolution, with episodes as long as the
-    /// best sample's.
+    /// best sample's, or the limit where standing still lasts that long.
     fn start(&self, state: &State<E::Task>) -> StartConfig {
         let start = self.config.start.clone();
         let episodes = (self.config.tpg.nb_roots * self.config.demes.count) as f64;
-        let evolution = GENERATIONS[usize::from(self.actions > 0)] * episodes * state.episode_steps as f64;
+        let steps = match &state.search {
+            Some(search) if search.has_toll() => self.environment.time_limit().into(),
+            _ => state.episode_steps,
+        };
+        let evolution = GENERATIONS[usize::from(self.actions > 0)] * episodes * steps as f64;
         let is_short = self.goal.max_steps.is_some_and(|most| (1.0 - start.share) * (most as f64) < evolution);
         match is_short && start.share > 0.0 {
             true => StartConfig { random: if start.random > 0.0 { 1.0 } else { 0.0 }, share: 1.0 },

@@ -27,20 +27,20 @@ const DIRECTIONS_FOR_ONE: usize = 2;
 /// Minimum standard deviation of an input, in its unit: one that has hardly ever changed must not get a huge weight.
 const MIN_DEVIATION: f64 = 1e-3;
 
-/// Where the search is, and what its samples have seen.
+/// Where the search is.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RandomSearch {
     /// Weights of the normalised inputs, row after row.
     weights: Vec<f64>,
-    /// Mean and spread of the inputs that its samples have seen.
-    seen: Moments,
+    /// Standard deviation of a sample's distance from a weight.
+    noise: f64,
 }
 
 impl RandomSearch {
     /// Starts at 0.
     pub(super) fn new(rows: usize, inputs: usize) -> Self {
-        Self { weights: vec![0.0; rows * inputs], seen: Moments::new(inputs) }
+        Self { weights: vec![0.0; rows * inputs], noise: NOISE * (INPUTS / inputs as f64).sqrt() }
     }
 
     /// Returns the weights of the normalised inputs, row after row.
@@ -48,16 +48,10 @@ impl RandomSearch {
         &self.weights
     }
 
-    /// Returns the standard deviation of a sample's distance from a weight.
-    fn noise(&self) -> f64 {
-        NOISE * (INPUTS / self.seen.length() as f64).sqrt()
-    }
-
     /// Draws pairs of opposite samples around the weights: `count` of them, or one more.
     pub(super) fn samples(&self, count: usize, stream: &mut Stream) -> Vec<Vec<f64>> {
-        let noise = self.noise();
         let pair = |_| {
-            let steps: Vec<f64> = self.weights.iter().map(|_| noise * stream.normal()).collect();
+            let steps: Vec<f64> = self.weights.iter().map(|_| self.noise * stream.normal()).collect();
             [1.0, -1.0].map(|side| self.weights.iter().zip(&steps).map(|(weight, step)| weight + side * step).collect())
         };
         (0..count.div_ceil(2)).flat_map(pair).collect()
@@ -78,40 +72,35 @@ impl RandomSearch {
         if !(deviation.is_normal() && deviation.is_finite()) {
             return;
         }
-        let (step, noise) = (STEP * left.max(MIN_STEP), self.noise());
+        let step = STEP * left.max(MIN_STEP);
         for (sides, scores) in pairs {
             let length = step / (count * deviation) * (scores[0] - scores[1]);
             for (weight, (plus, minus)) in self.weights.iter_mut().zip(sides[0].iter().zip(&sides[1])) {
-                *weight += length * 0.5 * (plus - minus) / noise;
+                *weight += length * 0.5 * (plus - minus) / self.noise;
             }
         }
     }
+}
 
-    /// Takes states into the normalisation: each has one number for each input.
-    pub(super) fn observe(&mut self, states: &Moments) {
-        self.seen.merge(states);
-    }
-
-    /// Returns a sample's weights of inputs in the given units, and a constant, for each row: without normalisation.
-    pub(super) fn unfolded(&self, sample: &[f64], units: &[f64]) -> Vec<Vec<f64>> {
-        let factor = |(place, unit): (usize, &f64)| {
-            let deviation = self.seen.deviation(place).unwrap_or(*unit);
-            unit / deviation.max(MIN_DEVIATION * unit)
-        };
-        let factors: Vec<f64> = units.iter().enumerate().map(factor).collect();
-        let row = |weights: &[f64]| {
-            let mut row: Vec<f64> = weights.iter().zip(&factors).map(|(weight, factor)| weight * factor).collect();
-            let places = row.iter().zip(units).enumerate();
-            row.push(-places.map(|(place, (weight, unit))| weight * self.seen.mean(place) / unit).sum::<f64>());
-            row
-        };
-        sample.chunks_exact(units.len()).map(row).collect()
-    }
+/// Returns a sample's weights of inputs in the given units, and a constant, for each row: without normalisation by what was `seen`.
+pub(super) fn unfolded(sample: &[f64], seen: &Moments, units: &[f64]) -> Vec<Vec<f64>> {
+    let factor = |(place, unit): (usize, &f64)| {
+        let deviation = seen.deviation(place).unwrap_or(*unit);
+        unit / deviation.max(MIN_DEVIATION * unit)
+    };
+    let factors: Vec<f64> = units.iter().enumerate().map(factor).collect();
+    let row = |weights: &[f64]| {
+        let mut row: Vec<f64> = weights.iter().zip(&factors).map(|(weight, factor)| weight * factor).collect();
+        let places = row.iter().zip(units).enumerate();
+        row.push(-places.map(|(place, (weight, unit))| weight * seen.mean(place) / unit).sum::<f64>());
+        row
+    };
+    sample.chunks_exact(units.len()).map(row).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{INPUTS, MIN_STEP, NOISE, RandomSearch, STEP};
+    use super::{INPUTS, MIN_STEP, NOISE, RandomSearch, STEP, unfolded};
     use tpg_engine::Moments;
     use tpg_engine::random::{Purpose, Stream};
 
@@ -135,7 +124,7 @@ mod tests {
     #[test]
     fn a_step_follows_the_better_half_of_the_pairs() {
         let mut search = RandomSearch::new(1, 2);
-        let noise = search.noise();
+        let noise = search.noise;
         let samples = [[noise, 0.0], [-noise, 0.0], [0.0, noise], [0.0, -noise]].map(Vec::from);
         // The first pair has the best score, of mean 2 and deviation 1; the second does not count.
         search.update(&samples, &[3.0, 1.0, 2.0, -9.0], 1.0);
@@ -163,7 +152,7 @@ mod tests {
     fn steps_shrink_to_a_tenth() {
         for (left, length) in [(1.0, 1.0), (0.5, 0.5), (0.0, MIN_STEP)] {
             let mut search = RandomSearch::new(1, 2);
-            let samples = [search.noise(), -search.noise()].map(|distance| vec![distance, 0.0]);
+            let samples = [search.noise, -search.noise].map(|distance| vec![distance, 0.0]);
             search.update(&samples, &[3.0, 1.0], left);
             assert!((search.mean()[0] - 2.0 * STEP * length).abs() < 1e-12, "{left}: {:?}", search.mean());
         }
@@ -184,16 +173,18 @@ mod tests {
 
     #[test]
     fn unfolded_weights_give_the_normalised_sum() {
-        let mut search = RandomSearch::new(2, 2);
         let sample = [0.5, 2.0, -1.0, 1.0];
         let units = [4.0, 0.5];
-        assert_eq!(search.unfolded(&sample, &units), [[0.5, 2.0, 0.0], [-1.0, 1.0, 0.0]], "nothing seen: in units");
+        assert_eq!(
+            unfolded(&sample, &Moments::new(2), &units),
+            [[0.5, 2.0, 0.0], [-1.0, 1.0, 0.0]],
+            "nothing seen: in units"
+        );
         let mut seen = Moments::new(2);
         [[1.0, 7.0], [5.0, 7.0]].iter().for_each(|state| seen.push(state));
-        search.observe(&seen);
         // Mean 3 and deviation 2; the second input, always 7, has the least deviation.
         let state = [4.0, 7.001];
-        for (row, weights) in search.unfolded(&sample, &units).iter().zip(sample.chunks_exact(2)) {
+        for (row, weights) in unfolded(&sample, &seen, &units).iter().zip(sample.chunks_exact(2)) {
             let sum = row[0] * state[0] / units[0] + row[1] * state[1] / units[1] + row[2];
             let expected = weights[0] * (state[0] - 3.0) / 2.0 + weights[1] * (state[1] - 7.0) / 0.0005;
             assert!((sum - expected).abs() < 1e-9, "{sum} {expected}");

@@ -3,20 +3,28 @@
 
 use super::cma::Cma;
 use super::linear::{LinearWriter, ProgramKind};
-use super::random_search::RandomSearch;
+use super::random_search::{RandomSearch, unfolded};
 use super::record::{Record, Row};
 use super::stage::{Candidate, Context, EpisodePlan, Moment, Results, Stage};
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use tpg_engine::random::Purpose;
-use tpg_engine::{PolicyGraph, Summary};
+use tpg_engine::{Moments, PolicyGraph, Summary};
 use tpg_graph::error::Finding;
 
 /// Number of generations whose median is a search's score.
 const NEWEST: usize = 9;
 /// The part of the samples that counts in a generation's score, the best ones: one that is unstable may lose a million.
 const COUNTED: f64 = 0.75;
-/// Samples of a generation that adapts variances, in Hansen's numbers of them.
+/// Standard deviation of a wide search's first samples: 1 is a whole output for a whole input.
+const FIRST_DEVIATION: f64 = 0.5;
+/// Number of weights from which on a local search for outputs adapts their variances where first policies fall although they earn:
+/// small steps would learn to stand still. Its first outputs deviate so much that its policies move at once.
+const MANY_WEIGHTS: usize = 30;
+const FIRST_OUTPUTS: f64 = 0.8;
+/// Price of an action, as a part of what policies earn by lasting.
+const PRICE: f64 = 0.99;
+/// Samples of a generation of a wide search, in Hansen's numbers of them.
 const BREADTH: usize = 2;
 /// Default length of a search: generations for each weight, and their minimum.
 const GENERATIONS_PER_WEIGHT: u64 = 3;
@@ -29,6 +37,14 @@ pub(crate) struct Search {
     pub kind: ProgramKind,
     /// The method.
     method: Method,
+    /// For a local search, the mean and spread of the inputs that its samples have seen: its weights are of normalised inputs.
+    seen: Option<Moments>,
+    /// The toll of its samples, and that of the next local search.
+    toll: Option<Toll>,
+    next_toll: Option<Toll>,
+    /// Actions of its samples, and their best score.
+    actions: f64,
+    best: f64,
     /// The newest generations' scores.
     scores: VecDeque<f64>,
     /// The samples that are being evaluated.
@@ -36,20 +52,33 @@ pub(crate) struct Search {
     samples: Vec<Vec<f64>>,
 }
 
+/// The price of lasting: where standing still until the time limit is rewarded, samples are ranked with it, so that only what moves is
+/// better.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Toll {
+    /// Price of an action.
+    price: f64,
+    /// Score of what stands still.
+    score: f64,
+    /// Actions after which a search begins again that has no sample of a higher score: those that found what stands still.
+    actions: f64,
+}
+
 /// Method of a search for weights.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 enum Method {
-    /// Adaptation of variances, of the weights that are written.
+    /// Adaptation of variances.
     Cma(Cma),
-    /// Random search, of the weights of normalised inputs.
+    /// Random search.
     Random(RandomSearch),
 }
 
 impl Search {
-    /// Begins the search that follows `before` others: a random one if there is one, then sums and, where programs can be that,
-    /// products in turns. A run that is for random search alone has sums only.
-    pub(super) fn begin(context: &Context<'_>, before: u64) -> Result<Self, Finding> {
+    /// Begins the search that follows `before` others, `last` of them: a local one if there is one, then wide ones, of sums and, where programs can be
+    /// that, products in turns. A run that is for local search alone has sums only.
+    pub(super) fn begin(context: &Context<'_>, before: u64, last: Option<&Self>) -> Result<Self, Finding> {
         let random = context.config.start.random;
         let has_random = random > 0.0;
         let others = before.saturating_sub(has_random.into());
@@ -57,17 +86,46 @@ impl Search {
             others % 2 == 1 && random < 1.0 && context.writer(ProgramKind::Product).is_ok_and(|it| context.fits(&it));
         let kind = if is_product { ProgramKind::Product } else { ProgramKind::Sum };
         let writer = context.writer(kind)?;
-        let method = if has_random && before == 0 {
-            Method::Random(RandomSearch::new(writer.rows(), writer.units().len()))
-        } else {
-            Method::Cma(Cma::new(writer.weights()))
+        let is_local = has_random && before == 0;
+        let (rows, inputs) = (writer.rows(), writer.units().len());
+        let last = last.filter(|last| is_local && last.next_toll.is_some());
+        let toll = last.and_then(|last| last.next_toll);
+        let method = match (is_local, toll) {
+            (false, _) => Method::Cma(Cma::new(writer.weights(), FIRST_DEVIATION)),
+            (true, None) => Method::Random(RandomSearch::new(rows, inputs)),
+            (true, Some(_)) => Self::moving(rows * inputs, inputs),
         };
-        Ok(Self { kind, method, scores: VecDeque::new(), samples: Vec::new() })
+        Ok(Self {
+            kind,
+            method,
+            seen: last.map_or_else(|| is_local.then(|| Moments::new(inputs)), |last| last.seen.clone()),
+            toll,
+            next_toll: toll,
+            actions: 0.0,
+            best: f64::MIN,
+            scores: VecDeque::new(),
+            samples: Vec::new(),
+        })
     }
 
-    /// True for a random search.
-    pub(super) fn is_random(&self) -> bool {
-        matches!(self.method, Method::Random(_))
+    /// True for a local search.
+    pub(super) fn is_local(&self) -> bool {
+        self.seen.is_some()
+    }
+
+    /// Returns the search for weights whose first policies move.
+    fn moving(weights: usize, inputs: usize) -> Method {
+        Method::Cma(Cma::new(weights, FIRST_OUTPUTS / (inputs as f64).sqrt()))
+    }
+
+    /// True if its samples pay a toll.
+    pub(super) fn has_toll(&self) -> bool {
+        self.toll.is_some()
+    }
+
+    /// True if another one should begin: it has found a toll, or nothing that is better than standing still.
+    pub(super) fn should_restart(&self) -> bool {
+        self.toll.map_or(self.next_toll.is_some(), |toll| self.actions >= toll.actions && self.best <= toll.score)
     }
 
     /// Returns the default number of generations.
@@ -77,9 +135,18 @@ impl Search {
 
     /// Returns the weights in the middle of the samples, which are better than these.
     pub(super) fn weights(&self, writer: &LinearWriter<'_>) -> Vec<f64> {
-        match &self.method {
-            Method::Cma(cma) => cma.mean().to_vec(),
-            Method::Random(search) => writer.weights_of_rows(&search.unfolded(search.mean(), &writer.units())),
+        let mean = match &self.method {
+            Method::Cma(cma) => cma.mean(),
+            Method::Random(search) => search.mean(),
+        };
+        self.written(mean, writer)
+    }
+
+    /// Returns a sample's weights as they are written.
+    fn written(&self, sample: &[f64], writer: &LinearWriter<'_>) -> Vec<f64> {
+        match &self.seen {
+            Some(seen) => writer.weights_of_rows(&unfolded(sample, seen, &writer.units())),
+            None => sample.to_vec(),
         }
     }
 
@@ -87,6 +154,45 @@ impl Search {
     pub(super) fn best(&self, context: &Context<'_>) -> Option<PolicyGraph> {
         let writer = context.writer(self.kind).ok()?;
         Some(writer.policy(&self.weights(&writer)))
+    }
+
+    /// Moves the distribution of the samples.
+    fn learn(&mut self, context: &Context<'_>, samples: &[Vec<f64>], results: &[Summary]) {
+        let order = ranking(results, self.toll.map_or(0.0, |toll| toll.price));
+        self.actions += results.iter().map(|result| result.actions * result.episodes as f64).sum::<f64>();
+        self.best = results.iter().map(|result| result.score).fold(self.best, f64::max);
+        match &mut self.method {
+            Method::Random(search) => {
+                let scores: Vec<f64> = results.iter().map(|result| result.score).collect();
+                search.update(samples, &scores, context.left);
+            }
+            Method::Cma(cma) => cma.update(&order.iter().map(|&place| samples[place].clone()).collect::<Vec<_>>()),
+        }
+        let Some(seen) = &self.seen else { return };
+        let limit = f64::from(context.time_limit);
+        let (lasting, falling): (Vec<&Summary>, Vec<&Summary>) =
+            results.iter().partition(|result| result.actions >= limit);
+        match &self.method {
+            Method::Random(search) => {
+                let weights = search.mean().len();
+                let earns = results[order[order.len() / 2]].score > 0.0;
+                if self.scores.len() == 1
+                    && weights >= MANY_WEIGHTS
+                    && context.actions == 0
+                    && !falling.is_empty()
+                    && earns
+                {
+                    self.method = Self::moving(weights, seen.length());
+                }
+            }
+            Method::Cma(_) if self.toll.is_none() && lasting.len() >= falling.len() => {
+                let score = lasting.iter().map(|result| result.score).sum::<f64>() / lasting.len() as f64;
+                let prices = falling.iter().map(|result| (score - result.score) / (limit - result.actions));
+                let price = PRICE * prices.reduce(f64::min).unwrap_or(0.0);
+                self.next_toll = (price > 0.0).then_some(Toll { price, score, actions: self.actions });
+            }
+            Method::Cma(_) => {}
+        }
     }
 
     /// Returns the score: a mean of samples, the median over some generations.
@@ -100,6 +206,14 @@ impl Search {
     pub(super) fn better(self, other: Self) -> Self {
         if other.score() > self.score() { other } else { self }
     }
+}
+
+/// Returns the places of results, the best first, at a price of each action.
+fn ranking(results: &[Summary], price: f64) -> Vec<usize> {
+    let value = |place: usize| results[place].score - price * results[place].actions;
+    let mut order: Vec<usize> = (0..results.len()).collect();
+    order.sort_by(|&a, &b| value(b).total_cmp(&value(a)));
+    order
 }
 
 impl Context<'_> {
@@ -120,51 +234,33 @@ impl Stage for Search {
     fn ask(&mut self, context: &Context<'_>, moment: Moment) -> Vec<Candidate> {
         let Ok(writer) = context.writer(self.kind) else { return Vec::new() };
         let mut stream = moment.stream(Purpose::Linear, 0);
-        let (samples, weights): (_, Vec<Vec<f64>>) = match &self.method {
-            Method::Cma(cma) => {
-                let count = BREADTH * Cma::default_population(writer.weights());
-                let samples = cma.samples(count, &mut stream);
-                (samples.clone(), samples)
-            }
-            Method::Random(search) => {
-                let samples = search.samples(context.samples, &mut stream);
-                let units = writer.units();
-                let weights = samples.iter().map(|sample| writer.weights_of_rows(&search.unfolded(sample, &units)));
-                let weights = weights.collect();
-                (samples, weights)
-            }
+        self.samples = match &self.method {
+            Method::Cma(cma) if self.is_local() => cma.pairs(context.samples, &mut stream),
+            Method::Cma(cma) => cma.samples(BREADTH * Cma::default_population(writer.weights()), &mut stream),
+            Method::Random(search) => search.samples(context.samples, &mut stream),
         };
-        self.samples = samples;
-        let candidate =
-            |weights: &Vec<f64>| Candidate { policy: writer.policy(weights), deme: 0, record: Record::default() };
-        weights.iter().map(candidate).collect()
+        let candidate = |sample: &Vec<f64>| {
+            let policy = writer.policy(&self.written(sample, &writer));
+            Candidate { policy, deme: 0, record: Record::default() }
+        };
+        self.samples.iter().map(candidate).collect()
     }
 
     fn episodes(&self) -> EpisodePlan {
-        if self.is_random() { EpisodePlan::Pairs } else { EpisodePlan::Same }
+        if self.is_local() { EpisodePlan::Pairs } else { EpisodePlan::Same }
     }
 
     fn tell(&mut self, context: &Context<'_>, moment: Moment, results: &Results) -> (Row, usize) {
         let summaries: Vec<Summary> = results.endings.iter().map(|endings| Summary::new(endings)).collect();
-        let mut order: Vec<usize> = (0..summaries.len()).collect();
-        order.sort_by(|&a, &b| summaries[b].score.total_cmp(&summaries[a].score));
+        let order = ranking(&summaries, 0.0);
         let counted = &order[..(COUNTED * order.len() as f64).ceil() as usize];
         let sum: f64 = counted.iter().map(|&place| summaries[place].score).sum();
         self.scores.push_back((sum / counted.len() as f64).clamp(-1e30, 1e30));
         self.scores.drain(..self.scores.len().saturating_sub(NEWEST));
         let samples = std::mem::take(&mut self.samples);
-        match &mut self.method {
-            Method::Cma(cma) => {
-                let ranked: Vec<Vec<f64>> = order.iter().map(|&place| samples[place].clone()).collect();
-                cma.update(&ranked);
-            }
-            Method::Random(search) => {
-                let scores: Vec<f64> = summaries.iter().map(|result| result.score).collect();
-                search.update(&samples, &scores, context.left);
-                if let Ok(writer) = context.writer(self.kind) {
-                    search.observe(&results.seen.select(writer.places()));
-                }
-            }
+        self.learn(context, &samples, &summaries);
+        if let Some((seen, writer)) = self.seen.as_mut().zip(context.writer(self.kind).ok()) {
+            seen.merge(&results.seen.select(writer.places()));
         }
         let best = &summaries[order[0]];
         let row = Row {
@@ -177,5 +273,106 @@ impl Stage for Search {
             ..Row::default()
         };
         (row, order[0])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Method, PRICE, Search};
+    use crate::evolution::config::EvolutionConfig;
+    use crate::evolution::stage::{Context, Moment, Results, Stage};
+    use crate::evolution::vocabulary::Vocabulary;
+    use tpg_engine::{EpisodeResult, Moments, Output, Preference};
+    use tpg_graph::{ScalarType, SourceDocument};
+
+    const LIMIT: u32 = 1000;
+
+    fn vocabulary(config: &EvolutionConfig, outputs: usize) -> Vocabulary {
+        let sources = [SourceDocument::new("state", "", vec![[-1.0, 1.0]; 10])];
+        let output = |place| Output { name: format!("motor_{place}"), unit: String::new(), min: -1.0, max: 1.0 };
+        let limits = (0..outputs).map(|place| output(place).limits(ScalarType::F32)).collect();
+        let scales = Some(vec![1.0; 10]);
+        Vocabulary::new(config.instructions(), 8, &sources, scales, ScalarType::F32).with_outputs(limits)
+    }
+
+    fn context<'a>(config: &'a EvolutionConfig, vocabulary: &'a Vocabulary) -> Context<'a> {
+        Context {
+            config,
+            vocabulary,
+            actions: 0,
+            opposites: &[],
+            preference: Preference::Score,
+            line_price: 0.0,
+            left: 1.0,
+            samples: 8,
+            time_limit: LIMIT,
+        }
+    }
+
+    /// Plays a generation: `ending` gives score and number of actions of each sample.
+    fn play(search: &mut Search, context: &Context<'_>, generation: u64, ending: impl Fn(usize) -> (f64, u32)) {
+        let moment = Moment { seed: 1, generation, deme: 0 };
+        let candidates = search.ask(context, moment);
+        let ending = |place| {
+            let (score, actions) = ending(place);
+            vec![EpisodeResult { outcome: 0, success: None, score, measure: 0.0, actions }]
+        };
+        let results = Results { endings: (0..candidates.len()).map(ending).collect(), seen: Moments::new(10) };
+        search.tell(context, moment, &results);
+    }
+
+    fn local() -> EvolutionConfig {
+        let mut config = EvolutionConfig::default();
+        (config.start.random, config.start.share) = (0.5, 0.5);
+        config
+    }
+
+    #[test]
+    fn variances_of_many_weights_are_adapted_where_first_samples_fall_and_earn() {
+        let config = local();
+        for (what, outputs, score, actions, adapts) in [
+            ("they fall and earn", 3, 20.0, 20, true),
+            ("they fall and lose", 3, -100.0, 20, false),
+            ("they last", 3, 20.0, LIMIT, false),
+            ("few weights", 2, 20.0, 20, false),
+        ] {
+            let vocabulary = vocabulary(&config, outputs);
+            let context = context(&config, &vocabulary);
+            let mut search = Search::begin(&context, 0, None).expect("sums");
+            play(&mut search, &context, 0, |_| (score, actions));
+            assert_eq!(matches!(search.method, Method::Cma(_)), adapts, "{what}");
+        }
+    }
+
+    #[test]
+    fn where_standing_still_is_rewarded_the_next_search_pays_for_it() {
+        let config = local();
+        let vocabulary = vocabulary(&config, 3);
+        let context = context(&config, &vocabulary);
+        let mut search = Search::begin(&context, 0, None).expect("sums");
+        play(&mut search, &context, 0, |_| (20.0, 20));
+        assert!(!search.should_restart() && !search.has_toll());
+        // Half of them stand still, and the others earn a little more for each action until they fall.
+        let stands = |place: usize| if place < 4 { (1000.0, LIMIT) } else { (120.0, 100) };
+        play(&mut search, &context, 1, stands);
+        assert!(search.should_restart() && !search.has_toll());
+
+        let begin = |last: &Search| Search::begin(&context, 0, Some(last)).expect("sums");
+        let mut next = begin(&search);
+        let toll = next.toll.expect("a toll");
+        assert!((toll.price - PRICE * 880.0 / 900.0).abs() < 1e-12 && toll.score == 1000.0, "{toll:?}");
+        assert!(next.has_toll() && !next.should_restart());
+        // Those that earn clearly more for each action are the best now, although they fall.
+        let runs = |place: usize| if place < 4 { (1000.0, LIMIT) } else { (200.0, 100) };
+        let mut plain = Search { toll: None, ..next.clone() };
+        play(&mut plain, &context, 2, runs);
+        play(&mut next, &context, 2, runs);
+        assert_ne!(next.method, plain.method);
+
+        assert!(!next.should_restart(), "it has as many actions as the first had");
+        play(&mut next, &context, 3, runs);
+        assert!(next.should_restart() && begin(&next).has_toll(), "nothing better than standing still: another one");
+        play(&mut next, &context, 4, |_| (1001.0, 900));
+        assert!(!next.should_restart(), "something better goes on");
     }
 }

@@ -24,8 +24,10 @@ pub(crate) struct Context<'a> {
     pub line_price: f64,
     /// The part of a random search that is still to come, 0 to 1.
     pub left: f64,
-    /// Number of samples of its generations.
+    /// Number of samples of a local search's generations.
     pub samples: usize,
+    /// Maximum number of actions of an episode.
+    pub time_limit: u32,
 }
 
 /// Seed, generation and deme: the first half of every stream's address.
