@@ -24,6 +24,8 @@ const MANY_WEIGHTS: usize = 30;
 const FIRST_OUTPUTS: f64 = 0.8;
 /// Price of an action, as a part of what policies earn by lasting.
 const PRICE: f64 = 0.99;
+/// Score of a policy that moves, as a multiple of the score of standing still.
+const MOVING: f64 = 1.5;
 /// Samples of a generation of a wide search, in Hansen's numbers of them.
 const BREADTH: usize = 2;
 /// Default length of a search: generations for each weight, and their minimum.
@@ -123,9 +125,10 @@ impl Search {
         self.toll.is_some()
     }
 
-    /// True if another one should begin: it has found a toll, or nothing that is better than standing still.
+    /// True if another one should begin: it has learned to stand still, or has found nothing better.
     pub(super) fn should_restart(&self) -> bool {
-        self.toll.map_or(self.next_toll.is_some(), |toll| self.actions >= toll.actions && self.best <= toll.score)
+        self.next_toll != self.toll
+            || self.toll.is_some_and(|toll| self.actions >= toll.actions && self.best <= toll.score)
     }
 
     /// Returns the default number of generations.
@@ -185,11 +188,17 @@ impl Search {
                     self.method = Self::moving(weights, seen.length());
                 }
             }
-            Method::Cma(_) if self.toll.is_none() && lasting.len() >= falling.len() => {
+            Method::Cma(_) if lasting.len() >= falling.len() => {
                 let score = lasting.iter().map(|result| result.score).sum::<f64>() / lasting.len() as f64;
                 let prices = falling.iter().map(|result| (score - result.score) / (limit - result.actions));
-                let price = PRICE * prices.reduce(f64::min).unwrap_or(0.0);
-                self.next_toll = (price > 0.0).then_some(Toll { price, score, actions: self.actions });
+                self.next_toll = match self.toll {
+                    Some(toll) if self.best >= MOVING * toll.score => self.next_toll,
+                    Some(toll) => Some(Toll { price: toll.price.max(score / limit), ..toll }),
+                    None => {
+                        let price = PRICE * prices.reduce(f64::min).unwrap_or(0.0);
+                        (price > 0.0).then_some(Toll { price, score, actions: self.actions })
+                    }
+                };
             }
             Method::Cma(_) => {}
         }
@@ -363,7 +372,7 @@ mod tests {
         assert!((toll.price - PRICE * 880.0 / 900.0).abs() < 1e-12 && toll.score == 1000.0, "{toll:?}");
         assert!(next.has_toll() && !next.should_restart());
         // Those that earn clearly more for each action are the best now, although they fall.
-        let runs = |place: usize| if place < 4 { (1000.0, LIMIT) } else { (200.0, 100) };
+        let runs = |place: usize| if place < 2 { (1000.0, LIMIT) } else { (200.0, 100) };
         let mut plain = Search { toll: None, ..next.clone() };
         play(&mut plain, &context, 2, runs);
         play(&mut next, &context, 2, runs);
@@ -374,5 +383,11 @@ mod tests {
         assert!(next.should_restart() && begin(&next).has_toll(), "nothing better than standing still: another one");
         play(&mut next, &context, 4, |_| (1001.0, 900));
         assert!(!next.should_restart(), "something better goes on");
+        play(&mut next, &context, 5, |_| (1100.0, LIMIT));
+        assert!(next.should_restart(), "it stands still again");
+        assert_eq!(begin(&next).toll.map(|toll| toll.price), Some(1.1), "which is worth nothing in the next");
+        let mut moving = begin(&next);
+        play(&mut moving, &context, 6, |_| (1500.0, LIMIT));
+        assert!(!moving.should_restart(), "it lasts and moves");
     }
 }
