@@ -9,7 +9,6 @@ use crate::evolution::command::{TpgArgs, execute as execute_tpg};
 use crate::hybrid::command::{HybridArgs, execute as execute_hybrid};
 use crate::problems::print_problems;
 use crate::quantise::{QuantiseArgs, quantise};
-use crate::ranks::workplace::ThisProcess;
 use crate::report::{ReportArgs, report};
 use crate::sac::command::{SacArgs, execute as execute_sac};
 use crate::sac::import::{ImportArgs, import};
@@ -82,7 +81,7 @@ impl Cli {
         be_quiet(self.quiet);
         exit_code(match self.command {
             Command::Problems => good(print_problems()),
-            Command::Tpg(args) => execute_tpg(&args, &ThisProcess).map_err(CommandError::other),
+            Command::Tpg(args) => execute_tpg(&args, None).map_err(CommandError::other),
             Command::Sac(args) => execute_sac(&args).map_err(CommandError::other),
             Command::Hybrid(args) => execute_hybrid(&args).map_err(CommandError::from),
             Command::Import(args) => good(import(&args)),

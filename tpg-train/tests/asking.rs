@@ -75,12 +75,12 @@ fn a_run_with_a_price_ends_in_a_graph_that_asks_on_any_threads() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let config = written(&folder, &config(ProblemName::Pendulum, NETWORK));
     let out = |name: &str| folder.path().join(name);
-    for (name, more) in [("one", ["--threads", "1"]), ("two", ["--threads", "2"]), ("lanes", ["--lanes", "3"])] {
+    for (name, more) in [("one", ["--threads", "1"]), ("two", ["--threads", "2"])] {
         train(&config, &out(name), &more).assert().success();
     }
     let bytes = |name: &str, file: &str| fs::read(out(name).join(file)).expect("a file of the run");
     for file in ["graph.json", "hall.jsonl", "generations.jsonl", "config.toml", "checkpoint"] {
-        assert!(bytes("one", file) == bytes("two", file) && bytes("one", file) == bytes("lanes", file), "{file}");
+        assert!(bytes("one", file) == bytes("two", file), "{file}");
     }
     let path = out("one").join("graph.json");
     let graph = Graph::from_json("graph.json", &fs::read_to_string(&path).expect("text")).expect("a graph");

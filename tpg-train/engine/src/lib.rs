@@ -69,7 +69,7 @@ pub use erased::{AnyEnvironment, AnyEpisode, AnyTask, erase};
 pub use error::EvaluationError;
 pub use evaluator::{Evaluator, LocalThreads};
 pub use extensions::{Drawn, Guarded, TaskSet, Training};
-pub use lanes::{DEFAULT_LANES, Lanes, MOST_LANES};
+pub use lanes::{DEFAULT_LANES, Lanes};
 pub use mapped::Mapped;
 pub use moments::{Moments, Sample, confidence};
 pub use nodes::{Arena, Node};

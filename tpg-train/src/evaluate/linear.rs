@@ -3,10 +3,8 @@
 use super::EvalArgs;
 use crate::evolution::command::{TpgArgs, execute};
 use crate::evolution::record::Row;
-use crate::ranks::workplace::ThisProcess;
 use crate::run_args::{RunArgs, command_line};
 use std::path::{Path, PathBuf};
-use tpg_engine::DEFAULT_LANES;
 use tpg_graph::error::InputError;
 use tpg_graph::files::read_graph;
 
@@ -39,12 +37,10 @@ pub(super) fn trained(args: &EvalArgs) -> Result<PathBuf, InputError> {
         seed: read_graph(graph)?.provenance().seed.unwrap_or(1),
         seeds: None,
         threads: 0,
-        lanes: DEFAULT_LANES as u16,
         generations: None,
         target: None,
         max_steps: Some(last.steps),
     };
-    execute(&args, &ThisProcess)
-        .map_err(|error| command_line(format!("--against linear: {error}"), "the run's settings"))?;
+    execute(&args, None).map_err(|error| command_line(format!("--against linear: {error}"), "the run's settings"))?;
     Ok(out.join("graph.json"))
 }

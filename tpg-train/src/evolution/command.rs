@@ -5,22 +5,20 @@ use super::generation::Goal;
 use super::run::{Progress, RunEnd, RunError, RunOptions, train};
 use super::state::Best;
 use crate::configuration::{Chosen, Configuration as _};
-use crate::csv_text::to_csv;
 use crate::folder::{RunFolder, Trainer};
 use crate::hybrid::asking::{self, Asking};
 use crate::interrupt;
-use crate::ranks::workplace::Workplace;
+use crate::ranks::Ranks;
 use crate::run_args::{RunArgs, command_line};
 use crate::sac::integers::decided;
 use clap::Args;
-use serde::Serialize;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_engine::{
-    AnyEpisode, AnyTask, Choices, DEFAULT_LANES, Environment, Evaluator, LocalThreads, MOST_LANES, Measure, Remembered,
-    Remembering, Summary, erase,
+    AnyEpisode, AnyTask, Choices, Environment, Evaluator, LocalThreads, Measure, Remembered, Remembering, Summary,
+    erase,
 };
 use tpg_graph::ScalarType;
 use tpg_graph::command::Verdict;
@@ -51,9 +49,6 @@ pub struct TpgArgs {
     /// Threads; 0 for all. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub threads: usize,
-    /// Parallel episodes. Results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = DEFAULT_LANES as u16, value_parser = clap::value_parser!(u16).range(1..=MOST_LANES as i64))]
-    pub lanes: u16,
     /// Generations instead of the configuration's; with --resume, a run can go further than before
     #[arg(long, value_name = "G", value_parser = clap::value_parser!(u64).range(1..))]
     pub generations: Option<u64>,
@@ -87,11 +82,11 @@ fn seeds(text: &str) -> Result<Seeds, String> {
         .ok_or_else(|| "two seeds A..B with A below B, such as 1..9".to_owned())
 }
 
-/// Runs the training at a place.
+/// Runs the training, alone or on one of several ranks.
 ///
 /// # Errors
 /// An invalid configuration, a folder with another run, files that cannot be written.
-pub(crate) fn execute(args: &TpgArgs, place: &impl Workplace) -> Result<Verdict, RunError> {
+pub(crate) fn execute(args: &TpgArgs, ranks: Option<&Ranks<'_>>) -> Result<Verdict, RunError> {
     let Chosen { mut config, problem, .. } = Chosen::<EvolutionConfig>::by(&args.run, args.problem)?;
     if let Some(generations) = args.generations {
         config.learning.nb_generations = generations;
@@ -101,13 +96,13 @@ pub(crate) fn execute(args: &TpgArgs, place: &impl Workplace) -> Result<Verdict,
     // Actions must be named to have one more.
     let levels = problem.levels().or(config.ask.as_ref().map(|_| DEFAULT_LEVELS));
     let training =
-        TpgRun { args, config: &config, problem: &problem, levels, network: network.as_ref(), stop: &stop, place };
+        TpgRun { args, config: &config, problem: &problem, levels, network: network.as_ref(), stop: &stop, ranks };
     let out = args.run.folder(problem.name(), args.seeds.map_or(args.seed, |seeds| seeds.first));
     training.run(&out)
 }
 
 /// A run on a built-in problem.
-struct TpgRun<'a, W> {
+struct TpgRun<'a> {
     args: &'a TpgArgs,
     config: &'a EvolutionConfig,
     problem: &'a Problem,
@@ -116,10 +111,10 @@ struct TpgRun<'a, W> {
     /// The network that policies can ask.
     network: Option<&'a QuantisedPolicy>,
     stop: &'a AtomicBool,
-    place: &'a W,
+    ranks: Option<&'a Ranks<'a>>,
 }
 
-impl<W: Workplace> TpgRun<'_, W> {
+impl TpgRun<'_> {
     /// Trains in a folder, with one seed or with several.
     fn run(&self, out: &Path) -> Result<Verdict, RunError> {
         match self.config.language.scalar {
@@ -145,9 +140,10 @@ impl<W: Workplace> TpgRun<'_, W> {
         };
         let memory = Remembered::zeros(self.config.language.memory, &acting.sources());
         let environment = Remembering::new(acting, memory);
-        let local = LocalThreads::<S, Own, _>::new(&environment, self.args.threads)?.with_lanes(self.args.lanes.into());
+        let local = LocalThreads::<S, Own, _>::new(&environment, self.args.threads)?;
+        let Some(ranks) = self.ranks else { return self.restarts(out, &environment, &local) };
         let identity = format!("{}\n{}", env!("CARGO_PKG_VERSION"), self.config.to_toml());
-        self.place.train(&identity, &local, |evaluator| self.restarts(out, &environment, evaluator))
+        ranks.train(&identity, local.threads(), &local, |evaluator| self.restarts(out, &environment, evaluator))
     }
 
     fn restarts<S: Number, E: Environment<S>>(
@@ -194,30 +190,12 @@ fn message(progress: &Progress<'_>) -> String {
     format!("seed {}: best {:.2}, median {:.2}{best}", progress.seed, row.best_score, row.median_score)
 }
 
-/// A row of `restarts.csv`.
-#[derive(Serialize)]
-struct Restart {
-    seed: u64,
-    generation: u64,
-    validation_score: f64,
-    validation_success: Option<f64>,
-    validation_measure: f64,
-}
-
-/// Writes `restarts.csv`, and the best seed's graph as `graph.json`.
+/// Writes the best seed's graph as `graph.json`.
 fn keep_best<S: Number>(
     folder: &Path,
     finished: &[(u64, Box<Best>)],
     environment: &impl Environment<S>,
 ) -> Result<(), InputError> {
-    let rows = finished.iter().map(|&(seed, ref best)| Restart {
-        seed,
-        generation: best.generation,
-        validation_score: best.result.score,
-        validation_success: best.result.success,
-        validation_measure: best.result.measure,
-    });
-    write_atomically(&folder.join("restarts.csv"), &to_csv(rows))?;
     let preference = environment.preference();
     // The first of equals.
     let best = finished.iter().rev().max_by(|(_, a), (_, b)| a.result.compare(&b.result, preference));

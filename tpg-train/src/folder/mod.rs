@@ -57,7 +57,7 @@ impl fmt::Display for Trainer {
 }
 
 /// Files that show that a folder holds a run.
-const MARKS: [&str; 4] = ["config.toml", "restarts.csv", "study.toml", CHECKPOINT];
+const MARKS: [&str; 4] = ["config.toml", "graph.json", "study.toml", CHECKPOINT];
 
 /// Name of the checkpoint.
 const CHECKPOINT: &str = "checkpoint";
