@@ -31,7 +31,7 @@ pub(crate) struct TargetsArgs {
 /// # Errors
 /// If the problem has no such tasks, the configuration cannot be read, or stdout is closed.
 pub(crate) fn print_targets(args: &TargetsArgs) -> Result<(), InputError> {
-    let problem = problem_for(args.problem, args.config.as_deref(), None)?;
+    let problem = problem_for(args.problem, args.config.as_deref(), &[], &[])?;
     let text = problem.print_tasks(args.seed, args.episodes).ok_or_else(|| {
         let found = format!("--problem {}", args.problem.name());
         command_line(found, "fs, rs or dodge: the problems with committed test tasks")

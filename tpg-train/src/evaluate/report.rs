@@ -50,6 +50,9 @@ pub struct EvaluationReport {
     /// The name and unit of the problem's measure, its mean and its median.
     #[serde(skip)]
     pub measure: Option<(Measure, [f64; 2])>,
+    /// The episodes.
+    #[serde(skip)]
+    pub endings: Vec<EpisodeResult>,
     /// The comparison with another policy; absent if none was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub against: Option<Box<Against>>,
@@ -68,8 +71,8 @@ pub struct Against {
 
 impl Against {
     /// Compares episodes with those of another policy, pair by pair.
-    pub fn new(other: EvaluationReport, these: &[EpisodeResult], others: &[EpisodeResult]) -> Self {
-        let pairs = these.iter().zip(others);
+    pub fn new(these: &[EpisodeResult], other: EvaluationReport) -> Self {
+        let pairs = these.iter().zip(&other.endings);
         let differences: Vec<f64> = pairs.map(|(this, other)| finite(this.score) - finite(other.score)).collect();
         let sample = Sample::new(&differences);
         Self { other, difference: sample.mean, difference_ci95: sample.interval() }
@@ -133,7 +136,7 @@ impl EvaluationReport {
         problem: &dyn Shared,
         policy: &str,
         episodes: Episodes<'_>,
-        done: &HybridResult,
+        done: HybridResult,
         hybrid: Option<&Graph>,
     ) -> Self {
         let (endings, Facts { outcomes, measure, .. }) = (&done.endings, problem.facts());
@@ -162,10 +165,11 @@ impl EvaluationReport {
                 network_actions: done.network_actions,
                 hand_overs: hand_overs.collect(),
                 hand_backs: done.hand_backs,
-                asks: Asks::new(graph, done),
+                asks: Asks::new(graph, &done),
             }),
             figures: problem.figures(endings),
             measure: measure.map(|measure| (measure, [summary.measure, median])),
+            endings: done.endings,
             against: None,
         }
     }
@@ -213,7 +217,7 @@ mod tests {
         let done = HybridResult::alone(vec![ending, EpisodeResult { score: 4.0, ..ending }], Driver::Sac);
         let problem = Problem::new(ProblemName::Pendulum);
         let episodes = Episodes { set: TaskSet::Test, count: 2, seed: 1, file: None };
-        let report = EvaluationReport::new(&problem, "graph.json", episodes, &done, None);
+        let report = EvaluationReport::new(&problem, "graph.json", episodes, done, None);
         let json = serde_json::to_value(&report).expect("plain data");
         assert_eq!((&json["mean_score"], &json["min_score"]), (&3.0.into(), &2.0.into()));
         assert!((json["std_score"].as_f64().expect("a number") - 2f64.sqrt()).abs() < 1e-12);
@@ -229,9 +233,9 @@ mod tests {
         let problem = Problem::new(ProblemName::Pendulum);
         let report = |endings: &[EpisodeResult]| {
             let done = HybridResult::alone(endings.to_vec(), Driver::Sac);
-            EvaluationReport::new(&problem, "graph.json", episodes, &done, None)
+            EvaluationReport::new(&problem, "graph.json", episodes, done, None)
         };
-        let against = |others: &[EpisodeResult]| Against::new(report(others), &these, others);
+        let against = |others: &[EpisodeResult]| Against::new(&these, report(others));
         let found = against(&others);
         assert!((found.difference - 3.5 / 3.0).abs() < 1e-12);
         let half = 1.959_964 * (1.0f64 / 12.0).sqrt() / 3f64.sqrt();

@@ -1,30 +1,31 @@
 //! `tpg-train hybrid`: the study of a hybrid's settings.
 //!
-//! The folder of a study contains `study.toml` (the request), `cells.csv` (a row for each pair and setting),
-//! `settings.csv` (means over pairs, choice), `alone.csv`, `hybrid.toml` (the chosen setting with the best pair): the same bytes for equal
-//! runs.
+//! The folder of a study contains `study.toml` (the request), `cells.csv` (a row for each pair and setting), `alone.csv`, and
+//! `hybrid.toml` (the chosen setting with the best pair): the same bytes for equal runs.
 
 use super::cells::{Alone, Cell, Subject, grid};
-use super::choice;
+use super::choice::choose;
 use super::rollout::Acting;
 use super::setting::{Detector, HybridFile, Setting, UNGUARDED};
 use super::shared::{Episodes, Facts, Shared};
 use super::span::Span;
-use super::study::{self, absolute};
 use crate::csv_text::to_csv;
 use crate::folder::{RunFolder, Trainer};
 use crate::run_args::command_line;
 use crate::sac::network::Network;
 use clap::Args;
+use rayon::ThreadPool;
 use rayon::prelude::*;
 use serde::Serialize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 use tpg_engine::{Summary, TaskSet};
 use tpg_graph::Graph;
 use tpg_graph::command::Verdict;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::files::{read_graph, write_atomically};
-use tpg_problems::{Problem, ProblemName};
+use tpg_graph::progress::Bar;
+use tpg_problems::ProblemName;
 
 /// Study how graphs and networks share a problem, on validation episodes.
 #[derive(Clone, Debug, Args)]
@@ -95,13 +96,27 @@ struct Asked {
     problem: toml::Table,
 }
 
+/// Graphs and networks with their files.
+type Parts = (Vec<(String, Graph)>, Vec<(String, Network)>);
+
+impl StudyArgs {
+    fn read(&self) -> Result<Parts, InputError> {
+        let graph = |path: &PathBuf| Ok::<_, InputError>((path.display().to_string(), read_graph(path)?));
+        let network = |path: &PathBuf| Ok::<_, InputError>((path.display().to_string(), Network::read(path)?));
+        let graphs = self.tpg.iter().map(graph).collect::<Result<_, _>>()?;
+        Ok((graphs, self.policy.iter().map(network).collect::<Result<_, _>>()?))
+    }
+}
+
 /// Runs the study that the command line asks for.
 ///
 /// # Errors
 /// Files that are not policies of the problem, settings that it does not have, a folder with a run, files that
 /// cannot be written.
 pub(crate) fn execute(args: &HybridArgs) -> Result<Verdict, InputError> {
-    study_on(&shared_problem(args)?, &args.study)
+    let parts = args.study.read()?;
+    let problem = crate::evaluate::problem_for(args.problem, args.config.as_deref(), &parts.0, &parts.1)?;
+    study(&problem, &args.study, parts)
 }
 
 /// Runs a study on a problem, such as [an environment of your own](super::shared::OwnProblem).
@@ -109,18 +124,13 @@ pub(crate) fn execute(args: &HybridArgs) -> Result<Verdict, InputError> {
 /// # Errors
 /// Files that are not policies of the problem, settings that it does not have, files that cannot be written.
 pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, InputError> {
+    study(problem, args, args.read()?)
+}
+
+fn study(problem: &dyn Shared, args: &StudyArgs, (graphs, networks): Parts) -> Result<Verdict, InputError> {
     let facts = problem.facts();
-    let read_networks = args.policy.iter().map(|path| Ok((path.display().to_string(), Network::read(path)?)));
-    let mut subject = Subject {
-        problem,
-        graphs: args.tpg.iter().map(|p| Ok((p.display().to_string(), read_graph(p)?))).collect::<Result<_, _>>()?,
-        networks: read_networks.collect::<Result<_, InputError>>()?,
-        settings: Vec::new(),
-        episodes: Episodes { set: TaskSet::Study, count: args.episodes, seed: args.seed, file: None },
-    };
-    for (file, network) in &subject.networks {
-        crate::evaluate::same_problem(&problem.name(), file, network)?;
-    }
+    let episodes = Episodes { set: TaskSet::Study, count: args.episodes, seed: args.seed, file: None };
+    let mut subject = Subject { problem, graphs, networks, settings: Vec::new(), episodes };
     let asked = Asked {
         episodes: args.episodes,
         seed: args.seed,
@@ -147,76 +157,56 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, Input
         return Err(command_line("settings by which the graph never hands over", accepted));
     }
     // Policies that do not fit are refused before the folder is made.
-    let threads = study::threads(args.threads)?;
+    let threads = rayon::ThreadPoolBuilder::new().num_threads(args.threads).build().map_err(|error| {
+        InputError::new("--threads", Place::Whole, error.to_string(), "a number of threads that can be started")
+    })?;
     let alone = threads.install(|| alone(&subject))?;
     let folder = RunFolder::open(&args.out, Trainer::Hybrid, false)?;
     write_atomically(&folder.file("study.toml"), toml::to_string(&asked).expect("plain data").as_bytes())?;
-    let cells = study::run(&subject, &folder, &threads)?;
-    finish(args, &subject, &facts, &cells, &alone)
-}
-
-/// Writes the results of a study.
-fn finish(
-    args: &StudyArgs,
-    subject: &Subject<'_>,
-    facts: &Facts,
-    cells: &[Cell],
-    alone: &[Alone],
-) -> Result<Verdict, InputError> {
-    let problem = subject.problem;
-    let summaries = choice::summarise(cells, &subject.settings, facts.preference);
-    let file = |name: &str| args.out.join(name);
-    write_atomically(&file("settings.csv"), &to_csv(summaries.iter().map(|summary| (&summary.setting, summary))))?;
-    write_atomically(&file("alone.csv"), &to_csv(alone.iter()))?;
-    let chosen = summaries.iter().find(|summary| summary.chosen);
-    let best = chosen.and_then(|chosen| choice::best_pair(cells, &chosen.setting, facts.preference));
-    let Some((chosen, best)) = chosen.zip(best) else { return Ok(Verdict::Good) };
-    let hybrid = HybridFile {
-        problem: Some(problem.name()),
-        graph: absolute(&args.tpg[best.tpg]),
-        actor: absolute(&args.policy[best.sac]),
-        hand_back_after: chosen.setting.hand_back_after,
-        separation: chosen.setting.separation,
-        patience: chosen.setting.patience,
-        cycle_detector: chosen.setting.detector,
-        guard: (!facts.guards.is_empty()).then(|| chosen.setting.guard.clone()),
-    };
-    write_atomically(&file("hybrid.toml"), toml::to_string(&hybrid).expect("plain data").as_bytes())?;
-    tpg_graph::command::note(format_args!(
-        "chosen: {}: score {:.2}, {:.1} of {:.1} actions by the network",
-        chosen.setting.sentence(),
-        chosen.score,
-        chosen.network_actions,
-        chosen.steps
-    ));
-    for Alone { kind, file, mean_score, .. } in alone {
+    let cells = cells(&subject, &threads)?;
+    write_atomically(&folder.file("cells.csv"), &to_csv(cells.iter().map(|cell| (&cell.setting, cell))))?;
+    write_atomically(&folder.file("alone.csv"), &to_csv(alone.iter()))?;
+    if let Some(best) = choose(&cells, &subject.settings, facts.preference) {
+        let setting = &best.setting;
+        let hybrid = HybridFile {
+            problem: Some(problem.name()),
+            graph: absolute(&args.tpg[best.tpg]),
+            actor: absolute(&args.policy[best.sac]),
+            hand_back_after: setting.hand_back_after,
+            separation: setting.separation,
+            patience: setting.patience,
+            cycle_detector: setting.detector,
+            guard: (!facts.guards.is_empty()).then(|| setting.guard.clone()),
+        };
+        write_atomically(&folder.file("hybrid.toml"), toml::to_string(&hybrid).expect("plain data").as_bytes())?;
+        let (setting, Cell { mean_score, network_actions, mean_steps, .. }) = (setting.sentence(), best);
         tpg_graph::command::note(format_args!(
-            "{}: {file}: score {mean_score:.2}",
-            if *kind == "tpg" { "graph alone" } else { "network alone" }
+            "chosen: {setting}: score {mean_score:.2}, {network_actions:.1} of {mean_steps:.1} actions by the network"
         ));
+    }
+    for Alone { kind, file, mean_score, .. } in alone {
+        let part = if kind == "tpg" { "graph" } else { "network" };
+        tpg_graph::command::note(format_args!("{part} alone: {file}: score {mean_score:.2}"));
     }
     Ok(Verdict::Good)
 }
 
-/// Returns the problem of the arguments with what the policies say of their training.
-fn shared_problem(args: &HybridArgs) -> Result<Problem, InputError> {
-    let mut problem: Option<Problem> = None;
-    for path in &args.study.tpg {
-        let (file, graph) = (path.display().to_string(), read_graph(path)?);
-        let own = crate::evaluate::problem_for(args.problem, args.config.as_deref(), Some((&file, &graph)))?;
-        if problem.as_ref().is_some_and(|first| *first != own) {
-            let accepted = "one as the first, or --config";
-            return Err(InputError::new(file, Place::Whole, "a graph for another arm", accepted));
-        }
-        problem = Some(own);
-    }
-    let mut problem = problem.unwrap_or_else(|| Problem::new(args.problem));
-    // The first network's rules of tests hold for all.
-    for (place, path) in args.study.policy.iter().enumerate().rev() {
-        let rules = place == 0 && args.config.is_none();
-        problem = problem.joined(&path.display().to_string(), &Network::read(path)?.settings(), rules, true)?;
-    }
-    Ok(problem)
+/// Computes a cell for each pair and setting.
+fn cells(subject: &Subject<'_>, threads: &ThreadPool) -> Result<Vec<Cell>, InputError> {
+    let pairs = (0..subject.graphs.len()).flat_map(|tpg| (0..subject.networks.len()).map(move |sac| (tpg, sac)));
+    let all: Vec<_> = pairs.flat_map(|pair| subject.settings.iter().map(move |setting| (pair, setting))).collect();
+    let (progress, done) = (Bar::begin(), AtomicU64::new(0));
+    let cell = |&((tpg, sac), setting)| {
+        let cell = subject.cell(tpg, sac, setting)?;
+        progress.show(done.fetch_add(1, Ordering::Relaxed) + 1, all.len() as u64, String::new);
+        Ok(cell)
+    };
+    threads.install(|| all.par_iter().map(cell).collect())
+}
+
+/// Returns the absolute path of a file.
+fn absolute(path: &Path) -> String {
+    path.canonicalize().unwrap_or_else(|_| path.to_owned()).display().to_string()
 }
 
 /// Returns what is asked for, or the default.
