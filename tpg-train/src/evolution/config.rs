@@ -15,7 +15,6 @@ use serde::{Deserialize, Serialize};
 use tpg_engine::Environment;
 use tpg_graph::ScalarType;
 use tpg_graph::error::{Finding, InputError};
-use tpg_graph::settings;
 use tpg_problems::{PolicyKind, ProblemName};
 use tpg_runtime::scalar::Scalar;
 
@@ -347,15 +346,6 @@ impl Configuration for EvolutionConfig {
 }
 
 impl EvolutionConfig {
-    /// Reads the configuration stored with a run. With `--generations` it may be one that is not accepted in a file,
-    /// such as a run that ends before its curriculum.
-    ///
-    /// # Errors
-    /// An unknown key or a value of another type, with its line.
-    pub fn of_run(file: &str, text: &str) -> Result<Self, InputError> {
-        settings::from_toml(file, text, "the settings of a run")
-    }
-
     /// Creates the vocabulary of programs for an environment. `scales` are the units of literals, one for each value of
     /// the flat state.
     pub fn vocabulary<S: Scalar>(&self, environment: &impl Environment<S>, scales: Vec<f64>) -> Vocabulary {
