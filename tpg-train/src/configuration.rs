@@ -271,7 +271,7 @@ impl<C: Configuration> Chosen<C> {
     ///
     /// # Errors
     /// If the configuration cannot be read or is rejected, or nothing names a problem.
-    pub(crate) fn by(run: &RunArgs, problem: Option<ProblemName>) -> Result<Self, InputError> {
+    pub(crate) fn by(run: &RunArgs) -> Result<Self, InputError> {
         let file = match &run.config {
             Some(path) => {
                 let accepted = format!("settings as `{}` prints", C::PRINTED_BY);
@@ -286,7 +286,7 @@ impl<C: Configuration> Chosen<C> {
                 let table: toml::Table = settings::from_toml(&file.as_ref()?.0, &file.as_ref()?.1, "TOML").ok()?;
                 ProblemName::from_name(table.get("problem")?.get("name")?.as_str()?)
             };
-            name = problem.or_else(in_file).map(|problem| C::default_preset(problem).to_owned());
+            name = run.problem.or_else(in_file).map(|problem| C::default_preset(problem).to_owned());
         }
         let Some(name) = name else {
             return Err(no_problem());
@@ -306,7 +306,7 @@ impl<C: Configuration> Chosen<C> {
             let value = toml.ok().and_then(|mut table| table.remove("value")).unwrap_or_else(|| value.into());
             layers.set(key.trim(), value);
         }
-        let problem = chosen_problem(&mut layers, problem, C::KIND)?;
+        let problem = chosen_problem(&mut layers, run.problem, C::KIND)?;
         let mut config = layers.read(C::from_toml)?;
         *config.problem() = problem.to_table();
         let is_preset = run.config.is_none() && run.set.is_empty();

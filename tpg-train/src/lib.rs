@@ -59,7 +59,7 @@ pub use sac::training::train_network;
 #[doc(hidden)]
 pub mod parts {
     pub use crate::evolution::config::{AskConfig, Units};
-    pub use crate::folder::{RunFolder, Trainer};
+    pub use crate::folder::RunFolder;
     pub use crate::hybrid::command::{StudyArgs, study_on};
     pub use crate::hybrid::setting::{parse_file, read_file};
     pub use crate::quantise::{QuantiseArgs, quantise};

@@ -24,23 +24,18 @@ pub(super) fn trained(args: &EvalArgs) -> Result<PathBuf, InputError> {
     let last = log.lines().last().and_then(|line| serde_json::from_str::<Row>(line).ok()).ok_or_else(refuse)?;
     let settings = ["start.share=1", "start.random=1", "learning.nb_generations=0"];
     let run = RunArgs {
+        problem: Some(args.problem),
         preset: None,
         config: Some(config),
         set: settings.map(str::to_owned).into(),
         out: Some(out.clone()),
+        seed: read_graph(graph)?.provenance().seed.unwrap_or(1),
+        target: None,
+        max_steps: Some(last.steps),
         resume: true,
         checkpoint_seconds: None,
     };
-    let args = TpgArgs {
-        problem: Some(args.problem),
-        run,
-        seed: read_graph(graph)?.provenance().seed.unwrap_or(1),
-        seeds: None,
-        threads: 0,
-        generations: None,
-        target: None,
-        max_steps: Some(last.steps),
-    };
+    let args = TpgArgs { run, seeds: None, threads: 0, generations: None };
     execute(&args, None).map_err(|error| command_line(format!("--against linear: {error}"), "the run's settings"))?;
     Ok(out.join("graph.json"))
 }

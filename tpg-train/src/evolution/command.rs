@@ -5,7 +5,7 @@ use super::generation::Goal;
 use super::run::{Progress, RunEnd, RunError, RunOptions, train};
 use super::state::Best;
 use crate::configuration::{Chosen, Configuration as _};
-use crate::folder::{RunFolder, Trainer};
+use crate::folder::RunFolder;
 use crate::hybrid::asking::{self, Asking};
 use crate::interrupt;
 use crate::ranks::Ranks;
@@ -25,7 +25,7 @@ use tpg_graph::command::Verdict;
 use tpg_graph::error::InputError;
 use tpg_graph::files::{read_text, write_atomically};
 use tpg_graph::progress::Bar;
-use tpg_problems::{DEFAULT_LEVELS, Number, Problem, ProblemName};
+use tpg_problems::{DEFAULT_LEVELS, Number, Problem};
 use tpg_runtime::ops::{Maths, Own};
 
 /// Seconds between checkpoints.
@@ -34,17 +34,11 @@ const CHECKPOINT_SECONDS: u64 = 30;
 /// Evolve a tangled program graph.
 #[derive(Clone, Debug, Args)]
 pub struct TpgArgs {
-    /// The problem; `tpg-train problems` lists them. A configuration file can name it instead
-    #[arg(long, value_enum)]
-    pub problem: Option<ProblemName>,
     /// The arguments of every run.
     #[command(flatten)]
     pub run: RunArgs,
-    /// The seed
-    #[arg(long, value_name = "S", default_value_t = 1, conflicts_with = "seeds")]
-    pub seed: u64,
     /// Train with seeds A to B - 1, and keep the best on the validation episodes
-    #[arg(long, value_name = "A..B", value_parser = seeds)]
+    #[arg(long, value_name = "A..B", value_parser = seeds, conflicts_with = "seed")]
     pub seeds: Option<Seeds>,
     /// Threads; 0 for all. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -52,12 +46,6 @@ pub struct TpgArgs {
     /// Generations instead of the configuration's; with --resume, a run can go further than before
     #[arg(long, value_name = "G", value_parser = clap::value_parser!(u64).range(1..))]
     pub generations: Option<u64>,
-    /// End the run when a policy reaches this mean return on the validation episodes
-    #[arg(long, value_name = "SCORE", allow_negative_numbers = true)]
-    pub target: Option<f64>,
-    /// End the run after the generation in which the total number of actions reaches N
-    #[arg(long, value_name = "N")]
-    pub max_steps: Option<u64>,
 }
 
 /// A range of seeds, excluding the last.
@@ -87,7 +75,7 @@ fn seeds(text: &str) -> Result<Seeds, String> {
 /// # Errors
 /// An invalid configuration, a folder with another run, files that cannot be written.
 pub(crate) fn execute(args: &TpgArgs, ranks: Option<&Ranks<'_>>) -> Result<Verdict, RunError> {
-    let Chosen { mut config, problem, .. } = Chosen::<EvolutionConfig>::by(&args.run, args.problem)?;
+    let Chosen { mut config, problem, .. } = Chosen::<EvolutionConfig>::by(&args.run)?;
     if let Some(generations) = args.generations {
         config.learning.nb_generations = generations;
     }
@@ -97,7 +85,7 @@ pub(crate) fn execute(args: &TpgArgs, ranks: Option<&Ranks<'_>>) -> Result<Verdi
     let levels = problem.levels().or(config.ask.as_ref().map(|_| DEFAULT_LEVELS));
     let training =
         TpgRun { args, config: &config, problem: &problem, levels, network: network.as_ref(), stop: &stop, ranks };
-    let out = args.run.folder(problem.name(), args.seeds.map_or(args.seed, |seeds| seeds.first));
+    let out = args.run.folder(problem.name(), args.seeds.map_or(args.run.seed, |seeds| seeds.first));
     training.run(&out)
 }
 
@@ -156,7 +144,7 @@ impl TpgRun<'_> {
         Own: Maths<S>,
     {
         let Self { args, config, stop, .. } = *self;
-        let goal = Goal { target: args.target, max_steps: args.max_steps };
+        let goal = Goal { target: args.run.target, max_steps: args.run.max_steps };
         let one = |seed: u64, folder: PathBuf| {
             let resume = args.run.resume;
             let checkpoint_every = args.run.checkpoint_every(CHECKPOINT_SECONDS);
@@ -167,8 +155,8 @@ impl TpgRun<'_> {
                 if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             })
         };
-        let _folder = args.seeds.map(|_| RunFolder::open(out, Trainer::Restarts, args.run.resume)).transpose()?;
-        let seeds = args.seeds.map_or(args.seed..=args.seed, |seeds| seeds.first..=seeds.end - 1);
+        let _folder = args.seeds.map(|_| RunFolder::open(out, args.run.resume)).transpose()?;
+        let seeds = args.seeds.map_or(args.run.seed..=args.run.seed, |seeds| seeds.first..=seeds.end - 1);
         let mut finished = Vec::new();
         for seed in seeds {
             let folder = args.seeds.map_or_else(|| out.to_owned(), |_| out.join(of_seed(seed)));

@@ -9,7 +9,7 @@ use super::record::Row;
 use super::scales::scales;
 use super::state::{Best, State};
 use crate::configuration::Configuration as _;
-use crate::folder::{RunFolder, Trainer};
+use crate::folder::RunFolder;
 use crate::run_time::Stopwatch;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -172,9 +172,9 @@ pub fn train<S: Scalar, E: Environment<S>>(
             "a sum of all inputs is too long for a program: no search for weights, the run starts at random",
         );
     }
-    let folder = RunFolder::open(&options.folder, Trainer::Tpg, options.resume)?;
+    let folder = RunFolder::open(&options.folder, options.resume)?;
     let found = folder
-        .load(checkpoint::VERSION, |file, content| checkpoint::from_bytes(file, content, config, seed, environment))?;
+        .load(checkpoint::FORM, |file, content| checkpoint::from_bytes(file, content, config, seed, environment))?;
     write_atomically(&options.folder.join("config.toml"), config.to_toml().as_bytes())?;
     let mut state = match found {
         Some(state) => state,
@@ -188,7 +188,7 @@ pub fn train<S: Scalar, E: Environment<S>>(
     }
     let save = |state: &State<E::Task>| -> Result<(), RunError> {
         let file = folder.path().display().to_string();
-        folder.save(checkpoint::VERSION, checkpoint::to_bytes(&file, config, state, environment)?)?;
+        folder.save(checkpoint::FORM, checkpoint::to_bytes(&file, config, state, environment)?)?;
         write_results(config, options, state, environment)?;
         Ok(stopwatch.write(&options.folder)?)
     };

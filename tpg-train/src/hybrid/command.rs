@@ -10,7 +10,7 @@ use super::setting::{Detector, HybridFile, Setting, UNGUARDED};
 use super::shared::{Episodes, Facts, Shared};
 use super::span::Span;
 use crate::csv_text::to_csv;
-use crate::folder::{RunFolder, Trainer};
+use crate::folder::RunFolder;
 use crate::run_args::command_line;
 use crate::sac::network::Network;
 use clap::Args;
@@ -161,7 +161,7 @@ fn study(problem: &dyn Shared, args: &StudyArgs, (graphs, networks): Parts) -> R
         InputError::new("--threads", Place::Whole, error.to_string(), "a number of threads that can be started")
     })?;
     let alone = threads.install(|| alone(&subject))?;
-    let folder = RunFolder::open(&args.out, Trainer::Hybrid, false)?;
+    let folder = RunFolder::open(&args.out, false)?;
     write_atomically(&folder.file("study.toml"), toml::to_string(&asked).expect("plain data").as_bytes())?;
     let cells = cells(&subject, &threads)?;
     write_atomically(&folder.file("cells.csv"), &to_csv(cells.iter().map(|cell| (&cell.setting, cell))))?;

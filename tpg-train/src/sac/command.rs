@@ -10,12 +10,11 @@ use super::weights::to_tensors;
 use super::{checkpoint, log};
 use crate::configuration::{Chosen, Configuration as _};
 use crate::evolution::command::sentence;
+use crate::folder::RunFolder;
 use crate::folder::frame::checksum;
-use crate::folder::{RunFolder, Trainer};
 use crate::interrupt;
 use crate::run_args::{RunArgs, command_line};
 use crate::run_time::Stopwatch;
-use clap::Args;
 use serde_json::Value;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -29,32 +28,12 @@ use tpg_problems::ProblemName;
 /// Seconds between checkpoints: those of a large replay buffer take a while.
 const CHECKPOINT_SECONDS: u64 = 120;
 
-/// Train a soft actor-critic.
-#[derive(Clone, Debug, Args)]
-pub(crate) struct SacArgs {
-    /// The problem; `tpg-train problems` tells more. A configuration file can name it instead
-    #[arg(long, value_enum)]
-    pub problem: Option<ProblemName>,
-    /// The arguments of every run.
-    #[command(flatten)]
-    pub run: RunArgs,
-    /// The seed
-    #[arg(long, value_name = "S", default_value_t = 1)]
-    pub seed: u64,
-    /// End the run when a policy reaches this mean return on the validation episodes
-    #[arg(long, value_name = "SCORE", allow_negative_numbers = true)]
-    pub target: Option<f64>,
-    /// End the run after N decisions, with the learning rates of the full run
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
-    pub max_steps: Option<u64>,
-}
-
 /// Trains.
 ///
 /// # Errors
 /// A bad configuration, a problem without outputs, a folder with another run, files that cannot be written.
-pub(crate) fn execute(args: &SacArgs) -> Result<Verdict, InputError> {
-    let Chosen { preset, config, problem } = Chosen::<SacConfig>::by(&args.run, args.problem)?;
+pub(crate) fn execute(args: &RunArgs) -> Result<Verdict, InputError> {
+    let Chosen { preset, config, problem } = Chosen::<SacConfig>::by(args)?;
     let name = preset.unwrap_or_else(|| name_by_content(&config));
     let stop = interrupt::watch();
     let environment = problem.network_environment(args.seed);
@@ -68,7 +47,7 @@ fn name_by_content(config: &SacConfig) -> String {
 }
 
 struct SacRun<'a, E: Environment<f32>> {
-    args: &'a SacArgs,
+    args: &'a RunArgs,
     environment: &'a E,
     folder: RunFolder,
     name: &'a str,
@@ -82,19 +61,19 @@ struct SacRun<'a, E: Environment<f32>> {
 
 impl<'a, E: Environment<f32>> SacRun<'a, E> {
     fn begin(
-        args: &'a SacArgs,
+        args: &'a RunArgs,
         name: &'a str,
         config: SacConfig,
         problem: ProblemName,
         environment: &'a E,
     ) -> Result<Self, InputError> {
-        let (seed, folder) = (args.seed, args.run.folder(problem, args.seed));
+        let (seed, folder) = (args.seed, args.folder(problem, args.seed));
         let refused = |finding: Finding| {
             command_line(format!("--problem {}: {}", problem.name(), finding.found), finding.accepted)
         };
         interface(environment, &config).map_err(refused)?;
-        let folder = RunFolder::open(&folder, Trainer::Sac, args.run.resume)?;
-        let found = folder.load(checkpoint::VERSION, |file, content| {
+        let folder = RunFolder::open(&folder, args.resume)?;
+        let found = folder.load(checkpoint::FORM, |file, content| {
             checkpoint::from_bytes(file, content, environment, &config, seed)
         })?;
         let (training, log) = match found {
@@ -119,7 +98,7 @@ impl<'a, E: Environment<f32>> SacRun<'a, E> {
     }
 
     fn finish(mut self, stop: &AtomicBool) -> Result<Verdict, InputError> {
-        let checkpoint_every = self.args.run.checkpoint_every(CHECKPOINT_SECONDS);
+        let checkpoint_every = self.args.checkpoint_every(CHECKPOINT_SECONDS);
         let mut saved = Instant::now();
         while !self.spent() && !self.reached() {
             if self.training.tick_to_validation() || self.spent() {
@@ -165,7 +144,7 @@ impl<'a, E: Environment<f32>> SacRun<'a, E> {
     }
 
     fn save(&self) -> Result<(), InputError> {
-        self.folder.save(checkpoint::VERSION, checkpoint::to_bytes(&self.training, &self.log))?;
+        self.folder.save(checkpoint::FORM, checkpoint::to_bytes(&self.training, &self.log))?;
         self.stopwatch.write(self.folder.path())
     }
 
