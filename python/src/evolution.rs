@@ -19,8 +19,6 @@ use tpg_engine::{
     Choices, Environment, EpisodeResult, Evaluator, LocalThreads, Moments, Played, PolicyGraph, Remembered, Remembering,
 };
 use tpg_graph::ScalarType;
-use tpg_graph::error::InputError;
-use tpg_graph::files::read_text;
 use tpg_problems::{Number, Problem};
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
@@ -72,24 +70,17 @@ struct Line {
 
 /// A run's settings.
 #[derive(FromPyObject)]
+#[pyo3(from_item_all)]
 struct Settings {
-    #[pyo3(item)]
     config: String,
-    #[pyo3(item)]
     seed: u64,
-    #[pyo3(item)]
     folder: PathBuf,
-    #[pyo3(item)]
     resume: bool,
-    #[pyo3(item)]
     target: Option<f64>,
-    #[pyo3(item)]
     max_steps: Option<u64>,
     /// The name of an environment that is not built in.
-    #[pyo3(item)]
     task: Option<String>,
     /// Names of the values of an observation that has none of its own.
-    #[pyo3(item)]
     input_names: Vec<String>,
 }
 
@@ -104,18 +95,18 @@ impl Settings {
     }
 }
 
-/// Returns a preset with other values of some settings, as TOML: `settings` is a JSON object from keys such as
-/// `tpg.nb_roots` to values.
+/// Returns a preset, or a file of settings, with other values of some settings, as TOML: `settings` is a JSON object from keys such
+/// as `tpg.nb_roots` to values.
 #[pyfunction]
 pub(crate) fn configuration(preset: &str, settings: &str) -> PyResult<String> {
-    let mut layers = match EvolutionConfig::table(preset) {
-        Some(table) => Layers::new(preset, table),
-        None if Path::new(preset).is_file() => of_file(Path::new(preset)).map_err(error::input)?,
-        None => {
-            let names = EvolutionConfig::PRESETS.iter().map(|preset| preset.name).collect::<Vec<_>>().join(", ");
-            return Err(error::input(format!("the preset {preset:?}; accepted: {names}, or a file")));
-        }
-    };
+    let path = Path::new(preset);
+    let file = Some(path).filter(|path| path.is_file() && EvolutionConfig::table(preset).is_err());
+    let preset = Some(preset).filter(|_| file.is_none());
+    let layers = Layers::of::<EvolutionConfig>(preset, file, |_| Ok(DEFAULT));
+    let mut layers = layers.map_err(|error| match preset {
+        Some(_) => error::input(format!("{}; accepted: {}, or a file", error.found, error.accepted)),
+        None => error::input(error),
+    })?;
     set_all(&mut layers, settings)?;
     let mut config = layers.read(EvolutionConfig::from_toml).map_err(error::input)?;
     // The environment is the problem.
@@ -123,31 +114,8 @@ pub(crate) fn configuration(preset: &str, settings: &str) -> PyResult<String> {
     Ok(config.to_toml())
 }
 
-/// Returns the settings of a file above those of the preset that it differs from.
-fn of_file(path: &Path) -> Result<Layers, InputError> {
-    let (file, text) = (path.display().to_string(), read_text(path, "settings as `tpg-train config` prints")?);
-    let (other, base) = match EvolutionConfig::from_other(&file, &text).transpose()? {
-        Some((table, preset)) => (Some(table), preset),
-        None => (None, DEFAULT),
-    };
-    let mut layers = Layers::new(base, EvolutionConfig::table(base).unwrap_or_default());
-    match other {
-        Some(table) => layers.add_table(&file, table),
-        None => layers.add_file(&file, &text)?,
-    }
-    Ok(layers)
-}
-
-/// Returns a preset's settings with other values of some of them.
-pub(crate) fn with_settings(name: &str, mut preset: toml::Table, settings: &str) -> PyResult<Layers> {
-    preset.remove("problem");
-    let mut layers = Layers::new(name, preset);
-    set_all(&mut layers, settings)?;
-    Ok(layers)
-}
-
 /// Sets the values of a JSON object from keys such as `tpg.nb_roots`.
-fn set_all(layers: &mut Layers, settings: &str) -> PyResult<()> {
+pub(crate) fn set_all(layers: &mut Layers, settings: &str) -> PyResult<()> {
     let settings: toml::Table = serde_json::from_str(settings).map_err(error::input)?;
     settings.into_iter().for_each(|(key, value)| layers.set(&key, value));
     Ok(())

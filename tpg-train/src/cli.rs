@@ -7,11 +7,10 @@ use crate::evolution::command::{TpgArgs, execute as execute_tpg};
 use crate::hybrid::command::{HybridArgs, execute as execute_hybrid};
 use crate::problems::print_problems;
 use crate::quantise::{QuantiseArgs, quantise};
-use crate::report::{ReportArgs, report};
+use crate::report::{ReportArgs, report_with};
 use crate::run_args::RunArgs;
 use crate::sac::command::execute as execute_sac;
 use crate::sac::import::{ImportArgs, import};
-use crate::targets::{TargetsArgs, print_targets};
 use clap::{CommandFactory as _, Parser, Subcommand};
 use std::process::ExitCode;
 use tpg_codegen::shell::{CompletionsArgs, ManArgs};
@@ -84,10 +83,6 @@ enum Command {
     #[command(after_help = "Examples:
   tpg-train arm import so101.urdf --tip gripper_frame_link --fix wrist_roll=0 -o arm.toml")]
     Arm(ArmArgs),
-    /// Print a set of tasks as CSV
-    #[command(after_help = "Examples:
-  tpg-train targets --problem rs")]
-    Targets(TargetsArgs),
     /// Print completions for a shell
     #[command(after_help = "Examples:
   tpg-train completions bash
@@ -112,10 +107,9 @@ impl Cli {
             Command::Import(args) => good(import(&args)),
             Command::Quantise(args) => good(quantise(&args)),
             Command::Eval(args) => good(eval(&args)),
-            Command::Report(args) => good(report(&args)),
+            Command::Report(args) => good(report_with(&args, None)),
             Command::Config(args) => good(print_config(&args)),
             Command::Arm(args) => good(execute_arm(&args)),
-            Command::Targets(args) => good(print_targets(&args)),
             Command::Completions(args) => args.run(Self::command()),
             Command::Man(args) => args.run(Self::command()),
         })

@@ -30,7 +30,6 @@ mod report;
 mod run_args;
 mod run_time;
 mod sac;
-mod targets;
 #[cfg(test)]
 mod tests;
 
@@ -61,7 +60,7 @@ pub mod parts {
     pub use crate::evolution::config::{AskConfig, Units};
     pub use crate::folder::RunFolder;
     pub use crate::hybrid::command::{StudyArgs, study_on};
-    pub use crate::hybrid::setting::{parse_file, read_file};
+    pub use crate::hybrid::setting::parse_file;
     pub use crate::quantise::{QuantiseArgs, quantise};
     pub use crate::sac::tensors::{Tensor, Tensors};
     pub use crate::sac::{foreign, weights};

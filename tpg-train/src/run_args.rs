@@ -64,11 +64,3 @@ pub(crate) fn place(path: &Path, Finding { key, found, accepted }: Finding) -> I
     let place = if key.is_empty() { Place::Whole } else { Place::Path(key) };
     InputError::new(path.display().to_string(), place, found, accepted)
 }
-
-/// Writes a result to the standard output.
-///
-/// # Errors
-/// If it cannot be written.
-pub(crate) fn print(text: &str) -> Result<(), InputError> {
-    tpg_graph::command::print(text)
-}

@@ -396,32 +396,6 @@ fn a_policy_with_memory_has_the_same_bytes_on_other_threads_and_is_evaluated_wit
 }
 
 #[test]
-fn a_run_has_a_linear_rival_of_as_many_steps() {
-    let place = tempfile::tempdir().expect("a temporary folder");
-    let run = place.path().join("run");
-    let mut training = Command::new(env!("CARGO_BIN_EXE_tpg-train"));
-    training.args(["tpg", "--problem", "pendulum", "--seed", "2", "--max-steps", "30000"]).arg("--out").arg(&run);
-    assert!(training.stderr(Stdio::null()).status().expect("it runs").success());
-    let against = |graph: &Path| {
-        let mut eval = Command::new(env!("CARGO_BIN_EXE_tpg-train"));
-        eval.args(["eval", "--problem", "pendulum", "--against", "linear", "--episodes", "20", "--json", "--tpg"]);
-        eval.arg(graph);
-        eval
-    };
-    let output = against(&run.join("graph.json")).output().expect("it runs");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let figures: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
-    assert!(figures["against"]["difference"].is_number(), "{figures}");
-    let rival = tpg_graph::files::read_graph(&run.join("linear/graph.json")).expect("a graph");
-    assert_eq!((rival.leaves().len(), rival.provenance().seed), (1, Some(2)), "one sum");
-    assert_eq!(against(&run.join("graph.json")).output().expect("it runs").stdout, output.stdout, "it is kept");
-    let alone = place.path().join("graph.json");
-    fs::copy(run.join("graph.json"), &alone).expect("a copy");
-    let said = refusal(against(&alone));
-    assert!(said.contains("a run with its log"), "{said}");
-}
-
-#[test]
 fn memory_needs_outputs() {
     let place = tempfile::tempdir().expect("a temporary folder");
     let path = place.path().join("config.toml");

@@ -1,7 +1,6 @@
 //! `tpg-train eval`: lets a policy act on test episodes and reports how they end.
 
 mod law;
-mod linear;
 mod report;
 
 use report::Against;
@@ -10,13 +9,14 @@ pub use report::EvaluationReport;
 use crate::hybrid::rollout::{Acting, HybridResult, Policies};
 use crate::hybrid::setting::{Hybrid, Setting};
 use crate::hybrid::shared::{Episodes, Shared};
-use crate::run_args::{command_line, print};
+use crate::run_args::command_line;
 use crate::sac::network::Network;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::slice::from_ref;
 use tpg_engine::TaskSet;
 use tpg_graph::Graph;
+use tpg_graph::command::print;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::files::{read_graph, read_text};
 use tpg_problems::{Problem, ProblemName};
@@ -41,7 +41,7 @@ pub(crate) struct EvalArgs {
     /// A hybrid.toml: graph, network, and when they take turns
     #[arg(long, value_name = "FILE", conflicts_with_all = ["tpg", "policy"])]
     pub hybrid: Option<PathBuf>,
-    /// Episodes from a file, as `tpg-train targets` prints them for some problems
+    /// Episodes from a file, as generated/test-targets holds them for some problems
     #[arg(long, value_name = "CSV", conflicts_with = "episodes")]
     pub targets: Option<PathBuf>,
     /// The number of test episodes
@@ -51,8 +51,7 @@ pub(crate) struct EvalArgs {
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
     /// Also run another policy on the same episodes, and print the difference in score with its 95 % interval: a graph, a
-    /// network, a hybrid.toml, a file of formulas, a controller that comes with the problem, or `linear`: weighted sums, trained
-    /// as the run of --tpg was and kept in its folder
+    /// network, a hybrid.toml, a file of formulas, or a controller that comes with the problem
     #[arg(long, value_name = "POLICY")]
     pub against: Option<String>,
     /// Print one JSON object instead of a table
@@ -99,17 +98,18 @@ pub(crate) fn eval(args: &EvalArgs) -> Result<(), InputError> {
 /// If there is neither such a file nor such a controller.
 fn alone(args: &EvalArgs, other: &str, problem: &Problem) -> Result<EvalArgs, InputError> {
     let mut alone = EvalArgs { tpg: None, policy: None, hybrid: None, against: None, ..args.clone() };
-    match other {
-        linear::LINEAR => alone.tpg = Some(linear::trained(args)?),
-        _ if !Path::new(other).exists() && !problem.controllers().contains(&other) => {
-            let mut accepted = "a graph.json, a TOML file with [law], a network, a hybrid.toml, linear".to_owned();
-            problem.controllers().iter().for_each(|controller| accepted += &format!(", {controller}"));
-            return Err(command_line(format!("--against {other}: no such file"), accepted));
-        }
-        _ if problem.controllers().contains(&other) => alone.policy = Some(other.to_owned()),
-        _ if other.ends_with(".toml") && !law::is_law(other) => alone.hybrid = Some(other.into()),
-        _ if other.ends_with(".q.json") || other.ends_with(".safetensors") => alone.policy = Some(other.to_owned()),
-        _ => alone.tpg = Some(other.into()),
+    let is_controller = problem.controllers().contains(&other);
+    if !is_controller && !Path::new(other).exists() {
+        let mut accepted = "a graph.json, a TOML file with [law], a network, a hybrid.toml".to_owned();
+        problem.controllers().iter().for_each(|controller| accepted += &format!(", {controller}"));
+        return Err(command_line(format!("--against {other}: no such file"), accepted));
+    }
+    if is_controller || other.ends_with(".q.json") || other.ends_with(".safetensors") {
+        alone.policy = Some(other.to_owned());
+    } else if other.ends_with(".toml") && !law::is_law(other) {
+        alone.hybrid = Some(other.into());
+    } else {
+        alone.tpg = Some(other.into());
     }
     Ok(alone)
 }

@@ -8,14 +8,10 @@ mod check;
 
 use super::linear::{LinearWriter, ProgramKind};
 use super::vocabulary::{ProgramInstruction, Vocabulary};
-use super::{params, presets};
-use crate::configuration::{Configuration, Preset};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_engine::Environment;
 use tpg_graph::ScalarType;
-use tpg_graph::error::{Finding, InputError};
-use tpg_problems::{PolicyKind, ProblemName};
 use tpg_runtime::scalar::Scalar;
 
 /// Everything that determines a run except its seed.
@@ -315,33 +311,6 @@ pub struct RefinementConfig {
 impl Default for RefinementConfig {
     fn default() -> Self {
         Self { p_jitter: 0.2, p_deletion: 0.1, p_mutation: 0.0, p_mirror: 0.0 }
-    }
-}
-
-impl Configuration for EvolutionConfig {
-    const PRESETS: &'static [Preset] = &presets::PRESETS;
-    const KIND: PolicyKind = PolicyKind::Graph;
-    const PRINTED_BY: &'static str = "tpg-train config";
-
-    fn default_preset(problem: ProblemName) -> &'static str {
-        match problem {
-            ProblemName::Fs => "best-fs",
-            ProblemName::Rs => "best-rs",
-            ProblemName::Dodge => "dodge",
-            _ => "thorough",
-        }
-    }
-
-    fn from_other(file: &str, text: &str) -> Option<Result<(toml::Table, &'static str), InputError>> {
-        params::is_json(text).then(|| Ok((params::settings(file, text)?, params::PRESET)))
-    }
-
-    fn check(&self) -> Result<(), Finding> {
-        self.check_settings()
-    }
-
-    fn problem(&mut self) -> &mut toml::Table {
-        &mut self.problem
     }
 }
 

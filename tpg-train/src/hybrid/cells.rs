@@ -36,16 +36,6 @@ pub(crate) struct Cell {
     pub tpg_action_ratio: f64,
     /// Actions per episode that the network chose.
     pub network_actions: f64,
-    /// Hand-overs per episode because the guard refused.
-    pub hand_overs_guard: f64,
-    /// Hand-overs per episode because the distance grew.
-    pub hand_overs_drift: f64,
-    /// Hand-overs per episode because the graph made no progress.
-    pub hand_overs_stall: f64,
-    /// Hand-overs per episode because the graph cycled.
-    pub hand_overs_cycle: f64,
-    /// Number of times per episode that the network handed back.
-    pub hand_backs: f64,
 }
 
 /// One row of `alone.csv`: a policy acting alone.
@@ -90,7 +80,6 @@ impl Subject<'_> {
         let both = Acting::Both(&self.graphs[tpg], &self.networks[sac], setting);
         let done = self.problem.play(both, self.episodes)?;
         let summary = Summary::new(&done.endings);
-        let [hand_overs_guard, hand_overs_drift, hand_overs_stall, hand_overs_cycle] = done.hand_overs;
         Ok(Cell {
             tpg,
             sac,
@@ -103,11 +92,6 @@ impl Subject<'_> {
             mean_steps: summary.actions,
             tpg_action_ratio: done.tpg_action_ratio,
             network_actions: done.network_actions,
-            hand_overs_guard,
-            hand_overs_drift,
-            hand_overs_stall,
-            hand_overs_cycle,
-            hand_backs: done.hand_backs,
         })
     }
 }

@@ -44,11 +44,6 @@ mod tests {
             mean_steps: 200.0,
             tpg_action_ratio: 1.0 - network_actions / 200.0,
             network_actions,
-            hand_overs_guard: 0.0,
-            hand_overs_drift: 0.0,
-            hand_overs_stall: 1.0,
-            hand_overs_cycle: 0.0,
-            hand_backs: 1.0,
         }
     }
 

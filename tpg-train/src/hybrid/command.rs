@@ -41,8 +41,8 @@ pub(crate) struct HybridArgs {
     pub config: Option<PathBuf>,
 }
 
-/// The arguments of a study on any problem.
-#[derive(Clone, Debug, Args)]
+/// The arguments of a study on any problem; with their defaults and the problem they are its `study.toml`.
+#[derive(Clone, Debug, Args, Serialize)]
 pub struct StudyArgs {
     /// Graphs
     #[arg(long, value_name = "GRAPH", num_args = 1.., required = true)]
@@ -52,6 +52,7 @@ pub struct StudyArgs {
     pub policy: Vec<PathBuf>,
     /// The folder of the study
     #[arg(long, value_name = "RUN")]
+    #[serde(skip)]
     pub out: PathBuf,
     /// Validation episodes for each pair and setting
     #[arg(long, value_name = "N", default_value_t = 500)]
@@ -78,22 +79,8 @@ pub struct StudyArgs {
     pub patience: Vec<Span>,
     /// Threads; 0 for one per core
     #[arg(long, value_name = "N", default_value_t = 0)]
+    #[serde(skip)]
     pub threads: usize,
-}
-
-/// Content of `study.toml`.
-#[derive(Clone, Debug, Serialize)]
-struct Asked {
-    episodes: usize,
-    seed: u64,
-    guards: Vec<String>,
-    cycle_detectors: Vec<Detector>,
-    hand_back_after: Vec<Span>,
-    separation: Vec<f64>,
-    patience: Vec<Span>,
-    tpg: Vec<PathBuf>,
-    policy: Vec<PathBuf>,
-    problem: toml::Table,
 }
 
 /// Graphs and networks with their files.
@@ -131,22 +118,14 @@ fn study(problem: &dyn Shared, args: &StudyArgs, (graphs, networks): Parts) -> R
     let facts = problem.facts();
     let episodes = Episodes { set: TaskSet::Study, count: args.episodes, seed: args.seed, file: None };
     let mut subject = Subject { problem, graphs, networks, settings: Vec::new(), episodes };
-    let asked = Asked {
-        episodes: args.episodes,
-        seed: args.seed,
-        guards: or(&args.guard, || vec![facts.guards.last().copied().unwrap_or(UNGUARDED).to_owned()]),
-        cycle_detectors: or(&args.cycle_detector, || {
-            vec![if facts.has_key { Detector::Visited } else { Detector::None }]
-        }),
-        hand_back_after: or_spans(&args.hand_back_after, &[1, 5, 20, 50, 100], &facts),
-        separation: separations(args, &subject)?,
-        patience: or_spans(&args.patience, &[5, 10, 20, 50], &facts),
-        tpg: args.tpg.clone(),
-        policy: args.policy.clone(),
-        problem: problem.table(),
-    };
-    let Asked { guards, cycle_detectors, hand_back_after, separation, patience, .. } = &asked;
-    subject.settings = grid(guards, cycle_detectors, hand_back_after, separation, patience);
+    let mut asked = args.clone();
+    or(&mut asked.guard, || vec![facts.guards.last().copied().unwrap_or(UNGUARDED).to_owned()]);
+    or(&mut asked.cycle_detector, || vec![if facts.has_key { Detector::Visited } else { Detector::None }]);
+    or(&mut asked.hand_back_after, || spans(&[1, 5, 20, 50, 100], &facts));
+    or(&mut asked.patience, || spans(&[5, 10, 20, 50], &facts));
+    asked.separation = separations(args, &subject)?;
+    let StudyArgs { guard, cycle_detector, hand_back_after, separation, patience, .. } = &asked;
+    subject.settings = grid(guard, cycle_detector, hand_back_after, separation, patience);
     let refused = |setting: &Setting| setting.check_on(&problem.name(), facts.guards, facts.has_key);
     subject.settings.iter().try_for_each(refused)?;
     if subject.graphs.iter().any(|(_, graph)| asks(graph)) {
@@ -162,7 +141,9 @@ fn study(problem: &dyn Shared, args: &StudyArgs, (graphs, networks): Parts) -> R
     })?;
     let alone = threads.install(|| alone(&subject))?;
     let folder = RunFolder::open(&args.out, false)?;
-    write_atomically(&folder.file("study.toml"), toml::to_string(&asked).expect("plain data").as_bytes())?;
+    let mut asked = toml::Table::try_from(&asked).expect("plain data");
+    asked.insert("problem".to_owned(), problem.table().into());
+    write_atomically(&folder.file("study.toml"), asked.to_string().as_bytes())?;
     let cells = cells(&subject, &threads)?;
     write_atomically(&folder.file("cells.csv"), &to_csv(cells.iter().map(|cell| (&cell.setting, cell))))?;
     write_atomically(&folder.file("alone.csv"), &to_csv(alone.iter()))?;
@@ -183,10 +164,6 @@ fn study(problem: &dyn Shared, args: &StudyArgs, (graphs, networks): Parts) -> R
         tpg_graph::command::note(format_args!(
             "chosen: {setting}: score {mean_score:.2}, {network_actions:.1} of {mean_steps:.1} actions by the network"
         ));
-    }
-    for Alone { kind, file, mean_score, .. } in alone {
-        let part = if kind == "tpg" { "graph" } else { "network" };
-        tpg_graph::command::note(format_args!("{part} alone: {file}: score {mean_score:.2}"));
     }
     Ok(Verdict::Good)
 }
@@ -209,15 +186,17 @@ fn absolute(path: &Path) -> String {
     path.canonicalize().unwrap_or_else(|_| path.to_owned()).display().to_string()
 }
 
-/// Returns what is asked for, or the default.
-fn or<T: Clone>(asked: &[T], default: impl FnOnce() -> Vec<T>) -> Vec<T> {
-    if asked.is_empty() { default() } else { asked.to_vec() }
+/// Puts the default where nothing is asked for.
+fn or<T>(asked: &mut Vec<T>, default: impl FnOnce() -> Vec<T>) {
+    if asked.is_empty() {
+        *asked = default();
+    }
 }
 
-/// Returns the numbers asked for, or the common ones that an episode can reach, and never.
-fn or_spans(asked: &[Span], common: &[u32], facts: &Facts) -> Vec<Span> {
+/// Returns the common numbers of actions that an episode can reach, and never.
+fn spans(common: &[u32], facts: &Facts) -> Vec<Span> {
     let reached = common.iter().copied().filter(|&actions| actions < facts.time_limit).map(Span);
-    or(asked, || reached.chain([Span::NEVER]).collect())
+    reached.chain([Span::NEVER]).collect()
 }
 
 /// Quantiles of a graph's rises above its least distance that become separations.

@@ -272,14 +272,14 @@ fn cpu_seconds(folder: &Path) -> Option<f64> {
 }
 
 fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
+    let places = [("score", "/score"), ("success", "/success"), ("measure", "/measure"), ("entropy", "/entropy")];
+    let curves = curves(&folder.join("log.jsonl"), "/decisions", &places)?;
     let path = folder.join("policy.safetensors");
     let (network, contract) = weights::read(&path)?;
     let file = path.display().to_string();
     let known = named_in(&contract.problem).ok_or_else(|| {
         InputError::new(&file, Place::Whole, "a network of a problem that is not built in", "one that is")
     })?;
-    let places = [("score", "/score"), ("success", "/success"), ("measure", "/measure"), ("entropy", "/entropy")];
-    let curves = curves(&folder.join("log.jsonl"), "/decisions", &places)?;
     let (seed, cpu) = (Some(contract.provenance.seed), cpu_seconds(folder));
     let network = (file, Network::Float(Box::new((network, contract))));
     let problem = problem_for(known, None, &[], from_ref(&network))?;

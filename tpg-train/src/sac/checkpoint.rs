@@ -15,7 +15,7 @@ use tpg_graph::error::{Finding, InputError};
 use tpg_nn::{Agent, Mlp};
 
 /// Trainer and version, which is incremented with every change to the content or meaning of checkpoints.
-pub(super) const FORM: &str = "tpg-train sac, checkpoint version 9";
+pub(super) const FORM: &str = "tpg-train sac, checkpoint version 10";
 
 /// Everything except the numbers: networks, replay buffer, actions.
 #[derive(Clone, Debug, Serialize, Deserialize)]
