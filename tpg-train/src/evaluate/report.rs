@@ -110,8 +110,6 @@ pub struct Asks {
     pub asks: f64,
     /// Its interval.
     pub asks_ci95: [f64; 2],
-    /// The interval of the mean score. Nothing is paid for asks here.
-    pub mean_score_ci95: [f64; 2],
 }
 
 impl Asks {
@@ -119,8 +117,7 @@ impl Asks {
     fn new(graph: &Graph, done: &HybridResult) -> Option<Self> {
         graph.asks().next()?;
         let asks = Sample::new(&done.asks.iter().map(|&asks| asks.into()).collect::<Vec<_>>());
-        let scores = Sample::new(&done.endings.iter().map(|ending| finite(ending.score)).collect::<Vec<_>>());
-        Some(Self { asks: asks.mean, asks_ci95: asks.interval(), mean_score_ci95: scores.interval() })
+        Some(Self { asks: asks.mean, asks_ci95: asks.interval() })
     }
 }
 
@@ -193,9 +190,8 @@ impl EvaluationReport {
         }
         if let Some(hybrid) = &self.hybrid {
             row("by the graph", listed(self.tpg_action_ratio, &hybrid.hand_overs));
-            if let Some(Asks { asks, asks_ci95: [few, many], mean_score_ci95: [low, high] }) = hybrid.asks {
+            if let Some(Asks { asks, asks_ci95: [few, many] }) = hybrid.asks {
                 row("asks", format!("{asks:.2} an episode (95 %: {few:.2} to {many:.2})"));
-                row("mean score", format!("95 %: {low:.2} to {high:.2}"));
             }
         }
         let ends = self.outcomes.iter().filter(|(_, count)| **count > 0);

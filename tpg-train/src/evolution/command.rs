@@ -12,7 +12,7 @@ use crate::ranks::Ranks;
 use crate::run_args::{RunArgs, command_line};
 use crate::sac::integers::decided;
 use clap::Args;
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use tpg_codegen::policy::QuantisedPolicy;
@@ -39,7 +39,7 @@ pub struct TpgArgs {
     pub run: RunArgs,
     /// Train with seeds A to B - 1, and keep the best on the validation episodes
     #[arg(long, value_name = "A..B", value_parser = seeds, conflicts_with = "seed")]
-    pub seeds: Option<Seeds>,
+    pub seeds: Option<Range<u64>>,
     /// Threads; 0 for all. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub threads: usize,
@@ -48,26 +48,18 @@ pub struct TpgArgs {
     pub generations: Option<u64>,
 }
 
-/// A range of seeds, excluding the last.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Seeds {
-    first: u64,
-    end: u64,
-}
-
 /// Returns the name of the folder of one of several seeds.
 fn of_seed(seed: u64) -> String {
     format!("seed-{seed}")
 }
 
-fn seeds(text: &str) -> Result<Seeds, String> {
+fn seeds(text: &str) -> Result<Range<u64>, String> {
     let parse = || {
         let (first, end) = text.split_once("..")?;
-        Some(Seeds { first: first.parse().ok()?, end: end.parse().ok()? })
+        Some(first.parse().ok()?..end.parse().ok()?)
     };
-    parse()
-        .filter(|seeds| seeds.first < seeds.end)
-        .ok_or_else(|| "two seeds A..B with A below B, such as 1..9".to_owned())
+    let seeds = parse().filter(|seeds: &Range<u64>| !seeds.is_empty());
+    seeds.ok_or_else(|| "two seeds A..B with A below B, such as 1..9".to_owned())
 }
 
 /// Runs the training, alone or on one of several ranks.
@@ -85,8 +77,11 @@ pub(crate) fn execute(args: &TpgArgs, ranks: Option<&Ranks<'_>>) -> Result<Verdi
     let levels = problem.levels().or(config.ask.as_ref().map(|_| DEFAULT_LEVELS));
     let training =
         TpgRun { args, config: &config, problem: &problem, levels, network: network.as_ref(), stop: &stop, ranks };
-    let out = args.run.folder(problem.name(), args.seeds.map_or(args.run.seed, |seeds| seeds.first));
-    training.run(&out)
+    let out = args.run.folder(problem.name(), args.seeds.as_ref().map_or(args.run.seed, |seeds| seeds.start));
+    match config.language.scalar {
+        ScalarType::F32 => training.run_in::<f32>(&out),
+        ScalarType::F64 => training.run_in::<f64>(&out),
+    }
 }
 
 /// A run on a built-in problem.
@@ -104,13 +99,6 @@ struct TpgRun<'a> {
 
 impl TpgRun<'_> {
     /// Trains in a folder, with one seed or with several.
-    fn run(&self, out: &Path) -> Result<Verdict, RunError> {
-        match self.config.language.scalar {
-            ScalarType::F32 => self.run_in::<f32>(out),
-            ScalarType::F64 => self.run_in::<f64>(out),
-        }
-    }
-
     fn run_in<S: Number>(&self, out: &Path) -> Result<Verdict, RunError>
     where
         Own: Maths<S>,
@@ -155,11 +143,11 @@ impl TpgRun<'_> {
                 if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             })
         };
-        let _folder = args.seeds.map(|_| RunFolder::open(out, args.run.resume)).transpose()?;
-        let seeds = args.seeds.map_or(args.run.seed..=args.run.seed, |seeds| seeds.first..=seeds.end - 1);
+        let _folder = args.seeds.as_ref().map(|_| RunFolder::open(out, args.run.resume)).transpose()?;
+        let seeds = args.seeds.clone().unwrap_or(args.run.seed..args.run.seed.saturating_add(1));
         let mut finished = Vec::new();
         for seed in seeds {
-            let folder = args.seeds.map_or_else(|| out.to_owned(), |_| out.join(of_seed(seed)));
+            let folder = if args.seeds.is_some() { out.join(of_seed(seed)) } else { out.to_owned() };
             let RunEnd::Finished(best) = one(seed, folder)? else { return Ok(Verdict::Interrupted) };
             let result = sentence(seed, &best.result, "validation", environment.measure());
             tpg_graph::command::note(format_args!("{result}, found in generation {}", best.generation));

@@ -22,12 +22,6 @@ impl Drop for Lock {
 }
 
 impl Lock {
-    /// True if another process has locked the folder.
-    pub(crate) fn is_held(folder: &Path) -> bool {
-        let file = File::open(folder.join(NAME));
-        file.is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
-    }
-
     /// Locks a folder.
     ///
     /// # Errors

@@ -55,7 +55,7 @@ impl RunFolder {
     pub fn open(path: &Path, resume: bool) -> Result<Self, InputError> {
         make_folder(path)?;
         // First without the lock: a folder that is refused stays as it is.
-        if !resume && !Lock::is_held(path) {
+        if !resume {
             refuse_run(path)?;
         }
         let lock = Lock::take(path)?;

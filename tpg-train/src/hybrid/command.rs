@@ -7,7 +7,7 @@ use super::cells::{Alone, Cell, Subject, grid};
 use super::choice::choose;
 use super::rollout::Acting;
 use super::setting::{Detector, HybridFile, Setting, UNGUARDED};
-use super::shared::{Episodes, Facts, Shared};
+use super::shared::{Episodes, Shared};
 use super::span::Span;
 use crate::csv_text::to_csv;
 use crate::folder::RunFolder;
@@ -121,8 +121,8 @@ fn study(problem: &dyn Shared, args: &StudyArgs, (graphs, networks): Parts) -> R
     let mut asked = args.clone();
     or(&mut asked.guard, || vec![facts.guards.last().copied().unwrap_or(UNGUARDED).to_owned()]);
     or(&mut asked.cycle_detector, || vec![if facts.has_key { Detector::Visited } else { Detector::None }]);
-    or(&mut asked.hand_back_after, || spans(&[1, 5, 20, 50, 100], &facts));
-    or(&mut asked.patience, || spans(&[5, 10, 20, 50], &facts));
+    or(&mut asked.hand_back_after, || spans(&[1, 5, 20, 50, 100]));
+    or(&mut asked.patience, || spans(&[5, 10, 20, 50]));
     asked.separation = separations(args, &subject)?;
     let StudyArgs { guard, cycle_detector, hand_back_after, separation, patience, .. } = &asked;
     subject.settings = grid(guard, cycle_detector, hand_back_after, separation, patience);
@@ -193,10 +193,9 @@ fn or<T>(asked: &mut Vec<T>, default: impl FnOnce() -> Vec<T>) {
     }
 }
 
-/// Returns the common numbers of actions that an episode can reach, and never.
-fn spans(common: &[u32], facts: &Facts) -> Vec<Span> {
-    let reached = common.iter().copied().filter(|&actions| actions < facts.time_limit).map(Span);
-    reached.chain([Span::NEVER]).collect()
+/// Returns some numbers of actions, and never.
+fn spans(actions: &[u32]) -> Vec<Span> {
+    actions.iter().copied().map(Span).chain([Span::NEVER]).collect()
 }
 
 /// Quantiles of a graph's rises above its least distance that become separations.

@@ -46,8 +46,6 @@ impl Episodes<'_> {
 /// The facts about a problem that a study and a report need.
 #[derive(Clone, Copy, Debug)]
 pub struct Facts {
-    /// The maximum number of actions in an episode.
-    pub time_limit: u32,
     /// True if the environment has keys, so that cycles can be detected.
     pub has_key: bool,
     /// The ways in which an episode can end.
@@ -64,7 +62,6 @@ impl Facts {
     fn new<S: Scalar>(environment: &impl Environment<S>) -> Self {
         let task = environment.draw(&mut Stream::new(0, 0, Purpose::Selection, 0));
         Self {
-            time_limit: environment.time_limit(),
             has_key: environment.key(&environment.start(&task)).is_some(),
             outcomes: environment.outcomes(),
             measure: environment.measure(),

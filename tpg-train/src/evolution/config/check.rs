@@ -1,4 +1,4 @@
-//! Validity of configurations.
+//! Presets, and the validity of configurations.
 
 use super::EvolutionConfig;
 use crate::configuration::{Configuration, Preset};
