@@ -121,12 +121,6 @@ impl Asks {
     }
 }
 
-/// Lists hand-overs for people.
-fn listed(ratio: f64, hand_overs: &BTreeMap<String, f64>) -> String {
-    let causes: Vec<String> = hand_overs.iter().map(|(name, count)| format!("{name} {count:.2}")).collect();
-    format!("{:.1} % of the actions; hand-overs an episode: {}", 100.0 * ratio, causes.join(", "))
-}
-
 impl EvaluationReport {
     /// Creates the report of episodes; `hybrid` is the graph of a hybrid.
     pub fn new(
@@ -189,7 +183,10 @@ impl EvaluationReport {
             row("effort", format!("{:.1} % of actions saturated, chatter {chatter:.4}", 100.0 * saturated));
         }
         if let Some(hybrid) = &self.hybrid {
-            row("by the graph", listed(self.tpg_action_ratio, &hybrid.hand_overs));
+            let share = 100.0 * self.tpg_action_ratio;
+            let causes = hybrid.hand_overs.iter().map(|(name, count)| format!("{name} {count:.2}"));
+            let causes = causes.collect::<Vec<_>>().join(", ");
+            row("by the graph", format!("{share:.1} % of the actions; hand-overs an episode: {causes}"));
             if let Some(Asks { asks, asks_ci95: [few, many] }) = hybrid.asks {
                 row("asks", format!("{asks:.2} an episode (95 %: {few:.2} to {many:.2})"));
             }
