@@ -9,8 +9,8 @@ use tpg_engine::Preference;
 /// That is, among the settings whose worth (the mean score over all pairs, or the success rate where the problem prefers it) lies
 /// within one standard error of the highest, the one with the fewest actions of the network; ties go to the first.
 pub(crate) fn choose<'c>(cells: &'c [Cell], settings: &[Setting], preference: Preference) -> Option<&'c Cell> {
-    let by_success = |cell: &Cell| cell.success.filter(|_| preference == Preference::Success);
-    let worth = |cell: &Cell| by_success(cell).unwrap_or(cell.mean_score);
+    let by_success = |cell: &Cell| cell.result.success.filter(|_| preference == Preference::Success);
+    let worth = |cell: &Cell| by_success(cell).unwrap_or(cell.result.score);
     let variance = |cell: &Cell| by_success(cell).map_or(cell.std_score * cell.std_score, |rate| rate * (1.0 - rate));
     let matching = |setting: &Setting| cells.iter().filter(|cell| cell.setting == *setting).collect::<Vec<&Cell>>();
     let groups: Vec<Vec<&Cell>> = settings.iter().map(matching).collect();
@@ -18,7 +18,7 @@ pub(crate) fn choose<'c>(cells: &'c [Cell], settings: &[Setting], preference: Pr
         cells.iter().map(|cell| value(cell)).sum::<f64>() / cells.len().max(1) as f64
     };
     let best = groups.iter().rev().max_by(|a, b| mean(a, &worth).total_cmp(&mean(b, &worth)))?;
-    let error: f64 = best.iter().map(|cell| variance(cell) / cell.episodes.max(1) as f64).sum();
+    let error: f64 = best.iter().map(|cell| variance(cell) / cell.result.episodes.max(1) as f64).sum();
     let least = mean(best, &worth) - error.sqrt() / best.len().max(1) as f64;
     let network_actions = |cells: &[&Cell]| mean(cells, &|cell| cell.network_actions);
     let good = groups.iter().filter(|cells| mean(cells, &worth) >= least);
@@ -30,18 +30,15 @@ pub(crate) fn choose<'c>(cells: &'c [Cell], settings: &[Setting], preference: Pr
 mod tests {
     use super::*;
     use crate::hybrid::span::Span;
+    use tpg_engine::Summary;
 
     fn cell(sac: usize, patience: u32, score: f64, network_actions: f64) -> Cell {
         Cell {
             tpg: 0,
             sac,
             setting: Setting { patience: Span(patience), ..Setting::only_asks() },
-            episodes: 100,
-            mean_score: score,
+            result: Summary { episodes: 100, score, success: Some(0.5), measure: 0.0, actions: 200.0 },
             std_score: 20.0,
-            success: Some(0.5),
-            mean_measure: 0.0,
-            mean_steps: 200.0,
             tpg_action_ratio: 1.0 - network_actions / 200.0,
             network_actions,
         }
@@ -65,6 +62,6 @@ mod tests {
         // All succeed as often: the cheapest is chosen.
         assert_eq!(chosen(&settings, Preference::Success).setting, settings[2]);
         let best = chosen(&settings[..1], Preference::Score);
-        assert_eq!((best.sac, best.mean_score), (0, -149.0));
+        assert_eq!((best.sac, best.result.score), (0, -149.0));
     }
 }

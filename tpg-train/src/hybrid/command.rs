@@ -3,7 +3,7 @@
 //! The folder of a study contains `study.toml` (the request), `cells.csv` (a row for each pair and setting), `alone.csv`, and
 //! `hybrid.toml` (the chosen setting with the best pair): the same bytes for equal runs.
 
-use super::cells::{Alone, Cell, Subject, grid};
+use super::cells::{Cell, Subject, grid};
 use super::choice::choose;
 use super::rollout::Acting;
 use super::setting::{Detector, HybridFile, Setting, UNGUARDED};
@@ -145,7 +145,7 @@ fn study(problem: &dyn Shared, args: &StudyArgs, (graphs, networks): Parts) -> R
     asked.insert("problem".to_owned(), problem.table().into());
     write_atomically(&folder.file("study.toml"), asked.to_string().as_bytes())?;
     let cells = cells(&subject, &threads)?;
-    write_atomically(&folder.file("cells.csv"), &to_csv(cells.iter().map(|cell| (&cell.setting, cell))))?;
+    write_atomically(&folder.file("cells.csv"), &to_csv(cells.iter().map(|cell| (&cell.setting, cell, &cell.result))))?;
     write_atomically(&folder.file("alone.csv"), &to_csv(alone.iter()))?;
     if let Some(best) = choose(&cells, &subject.settings, facts.preference) {
         let setting = &best.setting;
@@ -160,9 +160,11 @@ fn study(problem: &dyn Shared, args: &StudyArgs, (graphs, networks): Parts) -> R
             guard: (!facts.guards.is_empty()).then(|| setting.guard.clone()),
         };
         write_atomically(&folder.file("hybrid.toml"), toml::to_string(&hybrid).expect("plain data").as_bytes())?;
-        let (setting, Cell { mean_score, network_actions, mean_steps, .. }) = (setting.sentence(), best);
+        let (setting, Cell { result, network_actions, .. }) = (setting.sentence(), best);
         tpg_graph::command::note(format_args!(
-            "chosen: {setting}: score {mean_score:.2}, {network_actions:.1} of {mean_steps:.1} actions by the network"
+            "chosen: {setting}: score {:.2}, {network_actions:.1} of {:.1} actions by the network",
+            result.score,
+            result.actions
         ));
     }
     Ok(Verdict::Good)
@@ -239,25 +241,24 @@ fn asks(graph: &Graph) -> bool {
     graph.asks().next().is_some()
 }
 
+/// A policy that acts alone: with its result, a row of `alone.csv`.
+#[derive(Serialize)]
+struct Alone<'a> {
+    /// `tpg` or `sac`.
+    kind: &'static str,
+    /// Its file.
+    file: &'a str,
+}
+
 /// Lets every policy that can act alone.
-fn alone(subject: &Subject<'_>) -> Result<Vec<Alone>, InputError> {
-    let graphs = subject.graphs.iter().map(|graph| ("tpg", &graph.0, Acting::Graph(graph))).enumerate();
-    let networks = subject.networks.iter().map(|network| ("sac", &network.0, Acting::Network(network))).enumerate();
-    let graphs = graphs.filter(|&(place, _)| !asks(&subject.graphs[place].1));
+fn alone<'a>(subject: &'a Subject<'_>) -> Result<Vec<(Alone<'a>, Summary)>, InputError> {
+    let graphs = subject.graphs.iter().filter(|(_, graph)| !asks(graph));
+    let graphs = graphs.map(|graph| (Alone { kind: "tpg", file: &graph.0 }, Acting::Graph(graph)));
+    let networks = subject.networks.iter();
+    let networks = networks.map(|network| (Alone { kind: "sac", file: &network.0 }, Acting::Network(network)));
     let all: Vec<_> = graphs.chain(networks).collect();
-    all.into_par_iter()
-        .map(|(place, (kind, file, acting))| {
-            let endings = subject.problem.play(acting, subject.episodes)?.endings;
-            let summary = Summary::new(&endings);
-            Ok(Alone {
-                kind,
-                place,
-                file: file.clone(),
-                mean_score: summary.score,
-                std_score: summary.score_deviation(&endings),
-                success: summary.success,
-                mean_steps: summary.actions,
-            })
-        })
-        .collect()
+    let play = |(policy, acting)| {
+        Ok((policy, Summary::new(&subject.problem.play(acting, subject.episodes)?.endings)))
+    };
+    all.into_par_iter().map(play).collect()
 }
