@@ -60,7 +60,7 @@ mod work;
 
 pub use action::{Act, ActionSpace, Acts, NETWORK, Output};
 pub use binding::{bind, places, reading};
-pub use choices::{Choices, TooManyActions};
+pub use choices::Choices;
 pub use counting::Counting;
 pub use environment::{Environment, OneByOne};
 pub use episode_result::{End, EpisodeResult, Measure, Preference, Step, Summary, finite};

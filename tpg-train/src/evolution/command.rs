@@ -3,13 +3,12 @@
 use super::config::EvolutionConfig;
 use super::generation::Goal;
 use super::run::{Progress, RunEnd, RunError, RunOptions, train};
-use super::state::Best;
 use crate::configuration::{Chosen, Configuration as _};
 use crate::folder::RunFolder;
 use crate::hybrid::asking::{self, Asking};
 use crate::interrupt;
 use crate::ranks::Ranks;
-use crate::run_args::{RunArgs, command_line};
+use crate::run_args::RunArgs;
 use crate::sac::integers::decided;
 use clap::Args;
 use std::ops::{ControlFlow, Range};
@@ -22,7 +21,6 @@ use tpg_engine::{
 };
 use tpg_graph::ScalarType;
 use tpg_graph::command::Verdict;
-use tpg_graph::error::InputError;
 use tpg_graph::files::{read_text, write_atomically};
 use tpg_graph::progress::Bar;
 use tpg_problems::{DEFAULT_LEVELS, Number, Problem};
@@ -46,11 +44,6 @@ pub struct TpgArgs {
     /// Generations instead of the configuration's; with --resume, a run can go further than before
     #[arg(long, value_name = "G", value_parser = clap::value_parser!(u64).range(1..))]
     pub generations: Option<u64>,
-}
-
-/// Returns the name of the folder of one of several seeds.
-fn of_seed(seed: u64) -> String {
-    format!("seed-{seed}")
 }
 
 fn seeds(text: &str) -> Result<Range<u64>, String> {
@@ -98,14 +91,13 @@ struct TpgRun<'a> {
 }
 
 impl TpgRun<'_> {
-    /// Trains in a folder, with one seed or with several.
+    /// Trains in a folder, with one seed or with several, of which the best one's `graph.json` is the folder's.
     fn run_in<S: Number>(&self, out: &Path) -> Result<Verdict, RunError>
     where
         Own: Maths<S>,
     {
         let environment = self.problem.environment::<S>();
-        let choices = Choices::new(&*environment, self.levels)
-            .map_err(|error| command_line(error.to_string(), "fewer problem.levels"))?;
+        let choices = Choices::new(&*environment, self.levels)?;
         let asking = self.config.ask.as_ref().zip(self.network).map(|(ask, network)| {
             let decide = |state: &[f32]| decided(network, state);
             erase(Asking::new::<S>(&choices, decide, ask.price))
@@ -145,15 +137,17 @@ impl TpgRun<'_> {
         };
         let _folder = args.seeds.as_ref().map(|_| RunFolder::open(out, args.run.resume)).transpose()?;
         let seeds = args.seeds.clone().unwrap_or(args.run.seed..args.run.seed.saturating_add(1));
-        let mut finished = Vec::new();
+        let mut kept: Option<Summary> = None;
         for seed in seeds {
-            let folder = if args.seeds.is_some() { out.join(of_seed(seed)) } else { out.to_owned() };
-            let RunEnd::Finished(best) = one(seed, folder)? else { return Ok(Verdict::Interrupted) };
+            let folder = if args.seeds.is_some() { out.join(format!("seed-{seed}")) } else { out.to_owned() };
+            let RunEnd::Finished(best) = one(seed, folder.clone())? else { return Ok(Verdict::Interrupted) };
             let result = sentence(seed, &best.result, "validation", environment.measure());
             tpg_graph::command::note(format_args!("{result}, found in generation {}", best.generation));
-            finished.push((seed, best));
-            if args.seeds.is_some() {
-                keep_best(out, &finished, environment)?;
+            let is_better = |kept: Summary| best.result.compare(&kept, environment.preference()).is_gt();
+            if args.seeds.is_some() && kept.is_none_or(is_better) {
+                let graph = read_text(&folder.join("graph.json"), "the graph of a finished run")?;
+                write_atomically(&out.join("graph.json"), graph.as_bytes())?;
+                kept = Some(best.result);
             }
         }
         Ok(Verdict::Good)
@@ -164,22 +158,6 @@ fn message(progress: &Progress<'_>) -> String {
     let Some(row) = progress.row else { return format!("seed {}", progress.seed) };
     let best = progress.best.map(|best| format!(", {:.2} validated", best.result.score)).unwrap_or_default();
     format!("seed {}: best {:.2}, median {:.2}{best}", progress.seed, row.best_score, row.median_score)
-}
-
-/// Writes the best seed's graph as `graph.json`.
-fn keep_best<S: Number>(
-    folder: &Path,
-    finished: &[(u64, Box<Best>)],
-    environment: &impl Environment<S>,
-) -> Result<(), InputError> {
-    let preference = environment.preference();
-    // The first of equals.
-    let best = finished.iter().rev().max_by(|(_, a), (_, b)| a.result.compare(&b.result, preference));
-    if let Some((seed, _)) = best {
-        let graph = read_text(&folder.join(of_seed(*seed)).join("graph.json"), "the graph of a finished run")?;
-        write_atomically(&folder.join("graph.json"), graph.as_bytes())?;
-    }
-    Ok(())
 }
 
 /// Returns the result of a run on episodes of a set, for people.

@@ -7,7 +7,7 @@ use std::path::Path;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{AnyEpisode, AnyTask, Choices, Environment, EpisodeResult, Measure, Preference, TaskSet, tasks};
 use tpg_graph::Graph;
-use tpg_graph::error::{InputError, Place};
+use tpg_graph::error::{Finding, InputError, Place};
 use tpg_graph::in_arithmetic_of;
 use tpg_problems::{Number, Problem};
 use tpg_runtime::ops::{Maths, Own};
@@ -142,7 +142,7 @@ pub(crate) fn opened<S: Number, T>(
 ) -> Result<T, InputError> {
     let environment = problem.environment::<S>();
     let choices = Choices::new(&*environment, problem.levels_for(graph))
-        .map_err(|error| InputError::new("problem", Place::Whole, error.to_string(), "fewer problem.levels"))?;
+        .map_err(|Finding { key, found, accepted }| InputError::new(key, Place::Whole, found, accepted))?;
     job(&choices)
 }
 
@@ -170,7 +170,7 @@ fn play_named<S: Number, M: Maths<S>>(
 /// let swing = OwnProblem::<f32, Own, _>::new("swing", Choices::new(Pendulum, Some(3))?);
 /// assert_eq!(swing.name(), "swing");
 /// assert!(!swing.facts().has_key, "so cycles cannot be detected");
-/// # Ok::<(), tpg_engine::TooManyActions>(())
+/// # Ok::<(), tpg_graph::error::Finding>(())
 /// ```
 #[derive(Debug)]
 pub struct OwnProblem<S, M, E> {

@@ -101,10 +101,9 @@ fn train<E: Environment<f32>>(
             let lines = log.iter().map(|row| format!("{row}\n"));
             write_atomically(&folder.file("log.jsonl"), lines.collect::<String>().as_bytes())?;
         }
-        let best = training.best.as_ref().map(|best| &best.result);
-        let shown = |result: Option<&Summary>| result.map(short).unwrap_or_default();
-        let message = || format!("{}, best {}", shown(training.last.as_ref()), shown(best));
-        progress.show(training.decisions, most, message);
+        let scores = training.last.zip(training.best.as_ref().map(|best| best.result.score));
+        let message = |(last, best): (Summary, f64)| format!("{:.2}, best {best:.2}", last.score);
+        progress.show(training.decisions, most, || scores.map(message).unwrap_or_default());
         let stopped = stop.load(Ordering::Relaxed);
         if stopped || saved.elapsed() >= args.checkpoint_every(CHECKPOINT_SECONDS) {
             save(&training, &log)?;
@@ -120,12 +119,4 @@ fn train<E: Environment<f32>>(
         tpg_graph::command::note(format_args!("{result}, after {} decisions", best.decisions));
     }
     Ok(Verdict::Good)
-}
-
-/// A result in a few letters, for the progress bar.
-fn short(result: &Summary) -> String {
-    match result.success {
-        Some(success) => format!("{:.1} %", 100.0 * success),
-        None => format!("{:.2}", result.score),
-    }
 }
