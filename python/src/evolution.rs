@@ -85,13 +85,87 @@ struct Settings {
 }
 
 impl Settings {
-    fn read(&self) -> PyResult<(EvolutionConfig, RunOptions)> {
+    fn job(self, field: Field) -> PyResult<Job> {
         let config = EvolutionConfig::from_toml("<settings>", &self.config).map_err(error::input)?;
         let goal = Goal { target: self.target, max_steps: self.max_steps };
-        let naming = Naming { task: self.task.clone(), inputs: self.input_names.clone() };
-        let options =
-            RunOptions { folder: self.folder.clone(), resume: self.resume, goal, naming, ..RunOptions::default() };
-        Ok((config, options))
+        let naming = Naming { task: self.task, inputs: self.input_names };
+        let options = RunOptions { folder: self.folder, resume: self.resume, goal, naming, ..RunOptions::default() };
+        Ok(Job { config, options, seed: self.seed, field })
+    }
+}
+
+/// The episodes of a run.
+enum Field {
+    /// Python runs them.
+    Outside(Space),
+    /// Samples, on so many threads; 0 for all.
+    Samples(Samples, usize),
+    /// A built-in problem, on so many threads; 0 for all.
+    Native(Problem, usize),
+}
+
+/// A run as its thread does it.
+struct Job {
+    config: EvolutionConfig,
+    options: RunOptions,
+    seed: u64,
+    field: Field,
+}
+
+impl Job {
+    fn run<S: Number>(&self, mailbox: &Mailbox) -> Result<RunEnd, RunError>
+    where
+        Own: Maths<S>,
+    {
+        match &self.field {
+            Field::Outside(space) => self.evolve::<S, _>(&self.remembering::<S, _>(space.clone()), mailbox, mailbox),
+            Field::Samples(samples, threads) => self.evolve_here::<S, _>(samples.clone(), *threads, mailbox),
+            Field::Native(problem, threads) => {
+                let environment = problem.environment::<S>();
+                self.evolve_here(Choices::new(&*environment, problem.levels())?, *threads, mailbox)
+            }
+        }
+    }
+
+    /// Adds the memory of policies to an environment.
+    fn remembering<S: Scalar, E: Environment<S>>(&self, environment: E) -> Remembering<E> {
+        let memory = Remembered::zeros(self.config.language.memory, &environment.sources());
+        Remembering::new(environment, memory)
+    }
+
+    /// A run whose episodes this process runs.
+    fn evolve_here<S: Scalar, E: Environment<S>>(
+        &self,
+        environment: E,
+        threads: usize,
+        mailbox: &Mailbox,
+    ) -> Result<RunEnd, RunError>
+    where
+        Own: Maths<S>,
+    {
+        let environment = self.remembering::<S, _>(environment);
+        let evaluator = LocalThreads::<S, Own, _>::new(&environment, threads)?;
+        self.evolve::<S, _>(&environment, &evaluator, mailbox)
+    }
+
+    /// A run that reports to a mailbox.
+    fn evolve<S: Scalar, E: Environment<S>>(
+        &self,
+        environment: &E,
+        evaluator: &dyn Evaluator<E::Task>,
+        mailbox: &Mailbox,
+    ) -> Result<RunEnd, RunError> {
+        let mut shown: Vec<u64> = Vec::new();
+        train(&self.config, self.seed, environment, evaluator, &self.options, |progress| {
+            let report = Report {
+                generations: progress.generations,
+                steps: progress.steps,
+                row: progress.row.cloned(),
+                best: progress.best.map(|best| best.result.score),
+                fresh: fresh(progress, &mut shown),
+            };
+            if mailbox.report(report) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        })
     }
 }
 
@@ -126,39 +200,19 @@ impl Evolution {
     /// Starts a run whose episodes Python runs.
     #[staticmethod]
     fn start(space: &Space, settings: Settings) -> PyResult<Self> {
-        let (config, options) = settings.read()?;
-        let (space, seed) = (space.clone(), settings.seed);
-        let memory = Remembered::zeros(config.language.memory, &Environment::<f32>::sources(&space));
-        let (inputs, scalar) = (space.length() + memory.len(), config.language.scalar);
-        let space = Remembering::new(space, memory);
-        Ok(Self::spawn(inputs, scalar, move |mailbox| match scalar {
-            ScalarType::F32 => evolve::<f32, _>(&config, seed, &space, mailbox, &options, mailbox),
-            ScalarType::F64 => evolve::<f64, _>(&config, seed, &space, mailbox, &options, mailbox),
-        }))
+        Self::spawn(settings, Field::Outside(space.clone()))
     }
 
     /// Starts a run on samples, on `threads` threads; 0 for all.
     #[staticmethod]
     fn start_samples(samples: &Samples, settings: Settings, threads: usize) -> PyResult<Self> {
-        let (config, options) = settings.read()?;
-        let (samples, seed, scalar) = (samples.clone(), settings.seed, config.language.scalar);
-        Ok(Self::spawn(0, scalar, move |mailbox| match scalar {
-            ScalarType::F32 => evolve_here::<f32, _>(&config, seed, samples, threads, &options, mailbox),
-            ScalarType::F64 => evolve_here::<f64, _>(&config, seed, samples, threads, &options, mailbox),
-        }))
+        Self::spawn(settings, Field::Samples(samples.clone(), threads))
     }
 
     /// Starts a run on a built-in problem, on `threads` threads; 0 for all.
     #[staticmethod]
     fn start_native(problem: &str, settings: Settings, threads: usize) -> PyResult<Self> {
-        let (mut config, options) = settings.read()?;
-        let problem = native::problem(problem)?;
-        config.problem = problem.to_table();
-        let (seed, scalar) = (settings.seed, config.language.scalar);
-        Ok(Self::spawn(0, scalar, move |mailbox| match scalar {
-            ScalarType::F32 => evolve_native::<f32>(&config, seed, &problem, threads, &options, mailbox),
-            ScalarType::F64 => evolve_native::<f64>(&config, seed, &problem, threads, &options, mailbox),
-        }))
+        Self::spawn(settings, Field::Native(native::problem(problem)?, threads))
     }
 
     /// Waits for the next event and returns its kind and what it says: `evaluate` (policies, seeds), `play` (policy, seed,
@@ -226,16 +280,27 @@ fn ending((score, actions, success): Told) -> EpisodeResult {
 }
 
 impl Evolution {
-    fn spawn(
-        inputs: usize,
-        scalar: ScalarType,
-        job: impl FnOnce(&Mailbox) -> Result<RunEnd, RunError> + Send + 'static,
-    ) -> Self {
+    fn spawn(settings: Settings, field: Field) -> PyResult<Self> {
+        let mut job = settings.job(field)?;
+        let scalar = job.config.language.scalar;
+        let inputs = match &job.field {
+            Field::Outside(space) => space.length() + usize::from(job.config.language.memory),
+            _ => 0,
+        };
+        if let Field::Native(problem, _) = &job.field {
+            job.config.problem = problem.to_table();
+        }
         let (events, told) = sync_channel(1);
         let (answers, replies) = sync_channel(1);
-        let thread = std::thread::spawn(move || job(&Mailbox::new(events, replies)));
+        let thread = std::thread::spawn(move || {
+            let mailbox = Mailbox::new(events, replies);
+            match scalar {
+                ScalarType::F32 => job.run::<f32>(&mailbox),
+                ScalarType::F64 => job.run::<f64>(&mailbox),
+            }
+        });
         let line = Line { events: Some(told), replies: Some(answers), thread: Some(thread), asked: None };
-        Self { inputs, scalar, line: Mutex::new(line) }
+        Ok(Self { inputs, scalar, line: Mutex::new(line) })
     }
 
     fn line(&self) -> MutexGuard<'_, Line> {
@@ -315,66 +380,6 @@ impl Report {
         }
         Ok(says)
     }
-}
-
-/// A run on a built-in problem.
-fn evolve_native<S: Number>(
-    config: &EvolutionConfig,
-    seed: u64,
-    problem: &Problem,
-    threads: usize,
-    options: &RunOptions,
-    mailbox: &Mailbox,
-) -> Result<RunEnd, RunError>
-where
-    Own: Maths<S>,
-{
-    let environment = problem.environment::<S>();
-    let choices = Choices::new(&*environment, problem.levels()).map_err(tpg_engine::EvaluationError::new)?;
-    evolve_here(config, seed, choices, threads, options, mailbox)
-}
-
-/// A run whose episodes this process runs.
-fn evolve_here<S: Scalar, E: Environment<S>>(
-    config: &EvolutionConfig,
-    seed: u64,
-    environment: E,
-    threads: usize,
-    options: &RunOptions,
-    mailbox: &Mailbox,
-) -> Result<RunEnd, RunError>
-where
-    Own: Maths<S>,
-{
-    let memory = Remembered::zeros(config.language.memory, &environment.sources());
-    let environment = Remembering::new(environment, memory);
-    let evaluator = LocalThreads::<S, Own, _>::new(&environment, threads)?;
-    evolve(config, seed, &environment, &evaluator, options, mailbox)
-}
-
-/// A run that reports to a mailbox.
-fn evolve<S: Scalar, E: Environment<S>>(
-    config: &EvolutionConfig,
-    seed: u64,
-    environment: &E,
-    evaluator: &dyn Evaluator<E::Task>,
-    options: &RunOptions,
-    mailbox: &Mailbox,
-) -> Result<RunEnd, RunError>
-where
-    Own: Maths<S>,
-{
-    let mut shown: Vec<u64> = Vec::new();
-    train(config, seed, environment, evaluator, options, |progress| {
-        let report = Report {
-            generations: progress.generations,
-            steps: progress.steps,
-            row: progress.row.cloned(),
-            best: progress.best.map(|best| best.result.score),
-            fresh: fresh(progress, &mut shown),
-        };
-        if mailbox.report(report) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
-    })
 }
 
 /// Returns the best graph and the hall of fame, if these are others than those that were shown.

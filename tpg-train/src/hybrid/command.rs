@@ -163,8 +163,7 @@ fn study(problem: &dyn Shared, args: &StudyArgs, (graphs, networks): Parts) -> R
         let (setting, Cell { result, network_actions, .. }) = (setting.sentence(), best);
         tpg_graph::command::note(format_args!(
             "chosen: {setting}: score {:.2}, {network_actions:.1} of {:.1} actions by the network",
-            result.score,
-            result.actions
+            result.score, result.actions
         ));
     }
     Ok(Verdict::Good)
@@ -257,8 +256,6 @@ fn alone<'a>(subject: &'a Subject<'_>) -> Result<Vec<(Alone<'a>, Summary)>, Inpu
     let networks = subject.networks.iter();
     let networks = networks.map(|network| (Alone { kind: "sac", file: &network.0 }, Acting::Network(network)));
     let all: Vec<_> = graphs.chain(networks).collect();
-    let play = |(policy, acting)| {
-        Ok((policy, Summary::new(&subject.problem.play(acting, subject.episodes)?.endings)))
-    };
+    let play = |(policy, acting)| Ok((policy, Summary::new(&subject.problem.play(acting, subject.episodes)?.endings)));
     all.into_par_iter().map(play).collect()
 }
