@@ -22,14 +22,14 @@ impl Drop for Lock {
 }
 
 impl Lock {
-    /// Locks a folder.
+    /// Locks a folder, and writes who has done so.
     ///
     /// # Errors
     /// If another process has locked it, or it cannot be written.
     pub(crate) fn take(folder: &Path) -> Result<Self, InputError> {
         let path = folder.join(NAME);
         let io = |error: &std::io::Error| InputError::io(&path, error, "a folder that can be written");
-        let file =
+        let mut file =
             (File::options().write(true).create(true).truncate(false).open(&path)).map_err(|error| io(&error))?;
         match file.try_lock() {
             Ok(()) => {}
@@ -46,21 +46,12 @@ impl Lock {
             }
             Err(TryLockError::Error(error)) => return Err(io(&error)),
         }
-        Ok(Self(file))
-    }
-
-    /// Writes who has locked the folder.
-    ///
-    /// # Errors
-    /// If the file cannot be written.
-    pub(crate) fn write(&self, folder: &Path) -> Result<(), InputError> {
-        let path = folder.join(NAME);
         let line = format!("process {}\n", std::process::id());
-        let mut file = &self.0;
         // Overwrites before it shortens: on a full disk the old bytes still have their place.
         (file.rewind())
             .and_then(|()| file.write_all(line.as_bytes()))
             .and_then(|()| file.set_len(line.len() as u64))
-            .map_err(|error| InputError::io(&path, &error, "a file that can be written, with space for it"))
+            .map_err(|error| InputError::io(&path, &error, "a file that can be written, with space for it"))?;
+        Ok(Self(file))
     }
 }

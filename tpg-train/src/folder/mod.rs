@@ -63,7 +63,6 @@ impl RunFolder {
             refuse_run(path)?;
         }
         remove_unfinished(path);
-        lock.write(path)?;
         Ok(Self { path: path.to_owned(), _lock: lock })
     }
 
