@@ -101,7 +101,7 @@ enum Field {
     /// Samples, on so many threads; 0 for all.
     Samples(Samples, usize),
     /// A built-in problem, on so many threads; 0 for all.
-    Native(Problem, usize),
+    Native(Box<Problem>, usize),
 }
 
 /// A run as its thread does it.
@@ -212,7 +212,7 @@ impl Evolution {
     /// Starts a run on a built-in problem, on `threads` threads; 0 for all.
     #[staticmethod]
     fn start_native(problem: &str, settings: Settings, threads: usize) -> PyResult<Self> {
-        Self::spawn(settings, Field::Native(native::problem(problem)?, threads))
+        Self::spawn(settings, Field::Native(Box::new(native::problem(problem)?), threads))
     }
 
     /// Waits for the next event and returns its kind and what it says: `evaluate` (policies, seeds), `play` (policy, seed,
