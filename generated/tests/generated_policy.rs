@@ -17,7 +17,7 @@ use tpg_generated::{widowx_fs_hybrid, widowx_rs_hybrid};
 use tpg_problems::{Problem, ProblemName};
 use tpg_runtime::net::Kind;
 use tpg_runtime::policy::Policy;
-use tpg_train::parts::{QuantiseArgs, quantise as quantise_file, read_file};
+use tpg_train::parts::{QuantiseArgs, parse_file, quantise as quantise_file};
 use tpg_train::{Acting, Episodes, Network, evaluate};
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
@@ -132,7 +132,8 @@ fn hybrids_are_made_of_what_is_there_and_their_constants_are_the_same() {
         let folder: PathBuf = [env!("CARGO_MANIFEST_DIR"), "../generated", name]
             .iter()
             .collect();
-        let file = read_file(&folder.join("hybrid.toml")).expect("a good file");
+        let text = std::fs::read_to_string(folder.join("hybrid.toml")).expect("a file");
+        let file = parse_file("hybrid.toml", &text).expect("a good file");
         for part in [&file.graph, &file.actor] {
             assert!(folder.join(part).is_file(), "{name}: {part}");
         }

@@ -1,4 +1,4 @@
-//! Checks that the committed test tasks are those that `tpg-train targets` prints.
+//! Checks that the committed test tasks are those that their seed draws.
 
 use tpg_arm::WIDOWX;
 use tpg_problems::arm::targets::{Set, Start, TEST_SEED, tasks, to_csv};

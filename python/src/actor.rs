@@ -1,13 +1,13 @@
 //! Soft actor-critics on Gymnasium environments.
 
 use crate::error;
-use crate::evolution::with_settings;
+use crate::evolution::set_all;
 use crate::gym::Gym;
 use crate::network::{Network, kind_of};
 use crate::space::Space;
 use pyo3::prelude::*;
 use std::ops::ControlFlow;
-use tpg_train::{Configuration as _, SacConfig};
+use tpg_train::{Configuration as _, Layers, SacConfig};
 
 /// Ticks between two looks for Ctrl-C.
 const LOOK: u64 = 256;
@@ -24,9 +24,9 @@ pub(crate) fn train_network(
     seed: u64,
     kind: &str,
 ) -> PyResult<(Network, f64)> {
-    let preset = SacConfig::table("long").expect("it comes with the trainer");
-    let settings = with_settings("long", preset, settings)?;
-    let config = settings.read(SacConfig::from_toml).map_err(error::input)?;
+    let mut layers = Layers::of::<SacConfig>(Some("long"), None, |_| Ok("long")).map_err(error::input)?;
+    set_all(&mut layers, settings)?;
+    let config = layers.read(SacConfig::from_toml).map_err(error::input)?;
     let (gym, kind) = (Gym::new(space.clone(), make), kind_of(kind)?);
     py.detach(|| {
         let (mut ticks, mut stopped) = (0_u64, Ok(()));

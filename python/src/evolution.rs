@@ -19,8 +19,6 @@ use tpg_engine::{
     Choices, Environment, EpisodeResult, Evaluator, LocalThreads, Moments, Played, PolicyGraph, Remembered, Remembering,
 };
 use tpg_graph::ScalarType;
-use tpg_graph::error::InputError;
-use tpg_graph::files::read_text;
 use tpg_problems::{Number, Problem};
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
@@ -72,50 +70,117 @@ struct Line {
 
 /// A run's settings.
 #[derive(FromPyObject)]
+#[pyo3(from_item_all)]
 struct Settings {
-    #[pyo3(item)]
     config: String,
-    #[pyo3(item)]
     seed: u64,
-    #[pyo3(item)]
     folder: PathBuf,
-    #[pyo3(item)]
     resume: bool,
-    #[pyo3(item)]
     target: Option<f64>,
-    #[pyo3(item)]
     max_steps: Option<u64>,
     /// The name of an environment that is not built in.
-    #[pyo3(item)]
     task: Option<String>,
     /// Names of the values of an observation that has none of its own.
-    #[pyo3(item)]
     input_names: Vec<String>,
 }
 
 impl Settings {
-    fn read(&self) -> PyResult<(EvolutionConfig, RunOptions)> {
+    fn job(self, field: Field) -> PyResult<Job> {
         let config = EvolutionConfig::from_toml("<settings>", &self.config).map_err(error::input)?;
         let goal = Goal { target: self.target, max_steps: self.max_steps };
-        let naming = Naming { task: self.task.clone(), inputs: self.input_names.clone() };
-        let options =
-            RunOptions { folder: self.folder.clone(), resume: self.resume, goal, naming, ..RunOptions::default() };
-        Ok((config, options))
+        let naming = Naming { task: self.task, inputs: self.input_names };
+        let options = RunOptions { folder: self.folder, resume: self.resume, goal, naming, ..RunOptions::default() };
+        Ok(Job { config, options, seed: self.seed, field })
     }
 }
 
-/// Returns a preset with other values of some settings, as TOML: `settings` is a JSON object from keys such as
-/// `tpg.nb_roots` to values.
+/// The episodes of a run.
+enum Field {
+    /// Python runs them.
+    Outside(Space),
+    /// Samples, on so many threads; 0 for all.
+    Samples(Samples, usize),
+    /// A built-in problem, on so many threads; 0 for all.
+    Native(Box<Problem>, usize),
+}
+
+/// A run as its thread does it.
+struct Job {
+    config: EvolutionConfig,
+    options: RunOptions,
+    seed: u64,
+    field: Field,
+}
+
+impl Job {
+    fn run<S: Number>(&self, mailbox: &Mailbox) -> Result<RunEnd, RunError>
+    where
+        Own: Maths<S>,
+    {
+        match &self.field {
+            Field::Outside(space) => self.evolve::<S, _>(&self.remembering::<S, _>(space.clone()), mailbox, mailbox),
+            Field::Samples(samples, threads) => self.evolve_here::<S, _>(samples.clone(), *threads, mailbox),
+            Field::Native(problem, threads) => {
+                let environment = problem.environment::<S>();
+                self.evolve_here(Choices::new(&*environment, problem.levels())?, *threads, mailbox)
+            }
+        }
+    }
+
+    /// Adds the memory of policies to an environment.
+    fn remembering<S: Scalar, E: Environment<S>>(&self, environment: E) -> Remembering<E> {
+        let memory = Remembered::zeros(self.config.language.memory, &environment.sources());
+        Remembering::new(environment, memory)
+    }
+
+    /// A run whose episodes this process runs.
+    fn evolve_here<S: Scalar, E: Environment<S>>(
+        &self,
+        environment: E,
+        threads: usize,
+        mailbox: &Mailbox,
+    ) -> Result<RunEnd, RunError>
+    where
+        Own: Maths<S>,
+    {
+        let environment = self.remembering::<S, _>(environment);
+        let evaluator = LocalThreads::<S, Own, _>::new(&environment, threads)?;
+        self.evolve::<S, _>(&environment, &evaluator, mailbox)
+    }
+
+    /// A run that reports to a mailbox.
+    fn evolve<S: Scalar, E: Environment<S>>(
+        &self,
+        environment: &E,
+        evaluator: &dyn Evaluator<E::Task>,
+        mailbox: &Mailbox,
+    ) -> Result<RunEnd, RunError> {
+        let mut shown: Vec<u64> = Vec::new();
+        train(&self.config, self.seed, environment, evaluator, &self.options, |progress| {
+            let report = Report {
+                generations: progress.generations,
+                steps: progress.steps,
+                row: progress.row.cloned(),
+                best: progress.best.map(|best| best.result.score),
+                fresh: fresh(progress, &mut shown),
+            };
+            if mailbox.report(report) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        })
+    }
+}
+
+/// Returns a preset, or a file of settings, with other values of some settings, as TOML: `settings` is a JSON object from keys such
+/// as `tpg.nb_roots` to values.
 #[pyfunction]
 pub(crate) fn configuration(preset: &str, settings: &str) -> PyResult<String> {
-    let mut layers = match EvolutionConfig::table(preset) {
-        Some(table) => Layers::new(preset, table),
-        None if Path::new(preset).is_file() => of_file(Path::new(preset)).map_err(error::input)?,
-        None => {
-            let names = EvolutionConfig::PRESETS.iter().map(|preset| preset.name).collect::<Vec<_>>().join(", ");
-            return Err(error::input(format!("the preset {preset:?}; accepted: {names}, or a file")));
-        }
-    };
+    let path = Path::new(preset);
+    let file = Some(path).filter(|path| path.is_file() && EvolutionConfig::table(preset).is_err());
+    let preset = Some(preset).filter(|_| file.is_none());
+    let layers = Layers::of::<EvolutionConfig>(preset, file, |_| Ok(DEFAULT));
+    let mut layers = layers.map_err(|error| match preset {
+        Some(_) => error::input(format!("{}; accepted: {}, or a file", error.found, error.accepted)),
+        None => error::input(error),
+    })?;
     set_all(&mut layers, settings)?;
     let mut config = layers.read(EvolutionConfig::from_toml).map_err(error::input)?;
     // The environment is the problem.
@@ -123,31 +188,8 @@ pub(crate) fn configuration(preset: &str, settings: &str) -> PyResult<String> {
     Ok(config.to_toml())
 }
 
-/// Returns the settings of a file above those of the preset that it differs from.
-fn of_file(path: &Path) -> Result<Layers, InputError> {
-    let (file, text) = (path.display().to_string(), read_text(path, "settings as `tpg-train config` prints")?);
-    let (other, base) = match EvolutionConfig::from_other(&file, &text).transpose()? {
-        Some((table, preset)) => (Some(table), preset),
-        None => (None, DEFAULT),
-    };
-    let mut layers = Layers::new(base, EvolutionConfig::table(base).unwrap_or_default());
-    match other {
-        Some(table) => layers.add_table(&file, table),
-        None => layers.add_file(&file, &text)?,
-    }
-    Ok(layers)
-}
-
-/// Returns a preset's settings with other values of some of them.
-pub(crate) fn with_settings(name: &str, mut preset: toml::Table, settings: &str) -> PyResult<Layers> {
-    preset.remove("problem");
-    let mut layers = Layers::new(name, preset);
-    set_all(&mut layers, settings)?;
-    Ok(layers)
-}
-
 /// Sets the values of a JSON object from keys such as `tpg.nb_roots`.
-fn set_all(layers: &mut Layers, settings: &str) -> PyResult<()> {
+pub(crate) fn set_all(layers: &mut Layers, settings: &str) -> PyResult<()> {
     let settings: toml::Table = serde_json::from_str(settings).map_err(error::input)?;
     settings.into_iter().for_each(|(key, value)| layers.set(&key, value));
     Ok(())
@@ -158,39 +200,19 @@ impl Evolution {
     /// Starts a run whose episodes Python runs.
     #[staticmethod]
     fn start(space: &Space, settings: Settings) -> PyResult<Self> {
-        let (config, options) = settings.read()?;
-        let (space, seed) = (space.clone(), settings.seed);
-        let memory = Remembered::zeros(config.language.memory, &Environment::<f32>::sources(&space));
-        let (inputs, scalar) = (space.length() + memory.len(), config.language.scalar);
-        let space = Remembering::new(space, memory);
-        Ok(Self::spawn(inputs, scalar, move |mailbox| match scalar {
-            ScalarType::F32 => evolve::<f32, _>(&config, seed, &space, mailbox, &options, mailbox),
-            ScalarType::F64 => evolve::<f64, _>(&config, seed, &space, mailbox, &options, mailbox),
-        }))
+        Self::spawn(settings, Field::Outside(space.clone()))
     }
 
     /// Starts a run on samples, on `threads` threads; 0 for all.
     #[staticmethod]
     fn start_samples(samples: &Samples, settings: Settings, threads: usize) -> PyResult<Self> {
-        let (config, options) = settings.read()?;
-        let (samples, seed, scalar) = (samples.clone(), settings.seed, config.language.scalar);
-        Ok(Self::spawn(0, scalar, move |mailbox| match scalar {
-            ScalarType::F32 => evolve_here::<f32, _>(&config, seed, samples, threads, &options, mailbox),
-            ScalarType::F64 => evolve_here::<f64, _>(&config, seed, samples, threads, &options, mailbox),
-        }))
+        Self::spawn(settings, Field::Samples(samples.clone(), threads))
     }
 
     /// Starts a run on a built-in problem, on `threads` threads; 0 for all.
     #[staticmethod]
     fn start_native(problem: &str, settings: Settings, threads: usize) -> PyResult<Self> {
-        let (mut config, options) = settings.read()?;
-        let problem = native::problem(problem)?;
-        config.problem = problem.to_table();
-        let (seed, scalar) = (settings.seed, config.language.scalar);
-        Ok(Self::spawn(0, scalar, move |mailbox| match scalar {
-            ScalarType::F32 => evolve_native::<f32>(&config, seed, &problem, threads, &options, mailbox),
-            ScalarType::F64 => evolve_native::<f64>(&config, seed, &problem, threads, &options, mailbox),
-        }))
+        Self::spawn(settings, Field::Native(Box::new(native::problem(problem)?), threads))
     }
 
     /// Waits for the next event and returns its kind and what it says: `evaluate` (policies, seeds), `play` (policy, seed,
@@ -258,16 +280,27 @@ fn ending((score, actions, success): Told) -> EpisodeResult {
 }
 
 impl Evolution {
-    fn spawn(
-        inputs: usize,
-        scalar: ScalarType,
-        job: impl FnOnce(&Mailbox) -> Result<RunEnd, RunError> + Send + 'static,
-    ) -> Self {
+    fn spawn(settings: Settings, field: Field) -> PyResult<Self> {
+        let mut job = settings.job(field)?;
+        let scalar = job.config.language.scalar;
+        let inputs = match &job.field {
+            Field::Outside(space) => space.length() + usize::from(job.config.language.memory),
+            _ => 0,
+        };
+        if let Field::Native(problem, _) = &job.field {
+            job.config.problem = problem.to_table();
+        }
         let (events, told) = sync_channel(1);
         let (answers, replies) = sync_channel(1);
-        let thread = std::thread::spawn(move || job(&Mailbox::new(events, replies)));
+        let thread = std::thread::spawn(move || {
+            let mailbox = Mailbox::new(events, replies);
+            match scalar {
+                ScalarType::F32 => job.run::<f32>(&mailbox),
+                ScalarType::F64 => job.run::<f64>(&mailbox),
+            }
+        });
         let line = Line { events: Some(told), replies: Some(answers), thread: Some(thread), asked: None };
-        Self { inputs, scalar, line: Mutex::new(line) }
+        Ok(Self { inputs, scalar, line: Mutex::new(line) })
     }
 
     fn line(&self) -> MutexGuard<'_, Line> {
@@ -347,66 +380,6 @@ impl Report {
         }
         Ok(says)
     }
-}
-
-/// A run on a built-in problem.
-fn evolve_native<S: Number>(
-    config: &EvolutionConfig,
-    seed: u64,
-    problem: &Problem,
-    threads: usize,
-    options: &RunOptions,
-    mailbox: &Mailbox,
-) -> Result<RunEnd, RunError>
-where
-    Own: Maths<S>,
-{
-    let environment = problem.environment::<S>();
-    let choices = Choices::new(&*environment, problem.levels()).map_err(tpg_engine::EvaluationError::new)?;
-    evolve_here(config, seed, choices, threads, options, mailbox)
-}
-
-/// A run whose episodes this process runs.
-fn evolve_here<S: Scalar, E: Environment<S>>(
-    config: &EvolutionConfig,
-    seed: u64,
-    environment: E,
-    threads: usize,
-    options: &RunOptions,
-    mailbox: &Mailbox,
-) -> Result<RunEnd, RunError>
-where
-    Own: Maths<S>,
-{
-    let memory = Remembered::zeros(config.language.memory, &environment.sources());
-    let environment = Remembering::new(environment, memory);
-    let evaluator = LocalThreads::<S, Own, _>::new(&environment, threads)?;
-    evolve(config, seed, &environment, &evaluator, options, mailbox)
-}
-
-/// A run that reports to a mailbox.
-fn evolve<S: Scalar, E: Environment<S>>(
-    config: &EvolutionConfig,
-    seed: u64,
-    environment: &E,
-    evaluator: &dyn Evaluator<E::Task>,
-    options: &RunOptions,
-    mailbox: &Mailbox,
-) -> Result<RunEnd, RunError>
-where
-    Own: Maths<S>,
-{
-    let mut shown: Vec<u64> = Vec::new();
-    train(config, seed, environment, evaluator, options, |progress| {
-        let report = Report {
-            generations: progress.generations,
-            steps: progress.steps,
-            row: progress.row.cloned(),
-            best: progress.best.map(|best| best.result.score),
-            fresh: fresh(progress, &mut shown),
-        };
-        if mailbox.report(report) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
-    })
 }
 
 /// Returns the best graph and the hall of fame, if these are others than those that were shown.

@@ -1,7 +1,7 @@
 //! A Gymnasium environment as an [`Environment`], for trainers that step it themselves.
 
 use crate::driver::Driver;
-use crate::space::Space;
+use crate::space::{Space, seed_of};
 use pyo3::prelude::*;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tpg_engine::random::Stream;
@@ -75,16 +75,16 @@ impl Environment<f32> for Gym {
     type Episode = Episode;
 
     fn sources(&self) -> Vec<SourceDocument> {
-        Environment::<f32>::sources(&self.space)
+        self.space.sources.clone()
     }
     fn actions(&self) -> ActionSpace {
-        Environment::<f32>::actions(&self.space)
+        self.space.actions.clone()
     }
     fn time_limit(&self) -> u32 {
-        Environment::<f32>::time_limit(&self.space)
+        self.space.limit
     }
     fn draw(&self, stream: &mut Stream) -> u64 {
-        Environment::<f32>::draw(&self.space, stream)
+        seed_of(stream)
     }
 
     fn start(&self, &seed: &u64) -> Episode {

@@ -55,10 +55,10 @@ impl<S: Scalar> Environment<S> for Samples {
     type Episode = usize;
 
     fn sources(&self) -> Vec<SourceDocument> {
-        Environment::<S>::sources(&self.space)
+        self.space.sources.clone()
     }
     fn actions(&self) -> ActionSpace {
-        Environment::<S>::actions(&self.space)
+        self.space.actions.clone()
     }
     fn time_limit(&self) -> u32 {
         1

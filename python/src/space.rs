@@ -12,9 +12,9 @@ use tpg_runtime::scalar::Scalar;
 #[pyclass(frozen, module = "tpg_train._tpg")]
 #[derive(Clone, Debug)]
 pub(crate) struct Space {
-    sources: Vec<SourceDocument>,
-    actions: ActionSpace,
-    limit: u32,
+    pub(crate) sources: Vec<SourceDocument>,
+    pub(crate) actions: ActionSpace,
+    pub(crate) limit: u32,
 }
 
 #[pymethods]

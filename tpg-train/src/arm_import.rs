@@ -1,8 +1,8 @@
 //! `tpg-train arm import`: an arm's URDF as a section of a configuration.
 
-use crate::run_args::print;
 use clap::{Args, Subcommand};
 use std::path::PathBuf;
+use tpg_graph::command::print;
 use tpg_graph::error::InputError;
 use tpg_graph::files::{read_text, write_atomically};
 use tpg_problems::arm::import::{Radii, import};

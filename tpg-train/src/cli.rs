@@ -1,7 +1,5 @@
 //! The command line: results on stdout, everything else on stderr.
 
-mod examples;
-
 use crate::arm_import::{ArmArgs, execute as execute_arm};
 use crate::configuration::print::{ConfigArgs, print_config};
 use crate::evaluate::{EvalArgs, eval};
@@ -9,11 +7,10 @@ use crate::evolution::command::{TpgArgs, execute as execute_tpg};
 use crate::hybrid::command::{HybridArgs, execute as execute_hybrid};
 use crate::problems::print_problems;
 use crate::quantise::{QuantiseArgs, quantise};
-use crate::ranks::workplace::ThisProcess;
-use crate::report::{ReportArgs, report};
-use crate::sac::command::{SacArgs, execute as execute_sac};
+use crate::report::{ReportArgs, report_with};
+use crate::run_args::RunArgs;
+use crate::sac::command::execute as execute_sac;
 use crate::sac::import::{ImportArgs, import};
-use crate::targets::{TargetsArgs, print_targets};
 use clap::{CommandFactory as _, Parser, Subcommand};
 use std::process::ExitCode;
 use tpg_codegen::shell::{CompletionsArgs, ManArgs};
@@ -24,7 +21,13 @@ use tpg_graph::error::InputError;
 ///
 /// Exit status: 0 good, 1 a check failed, 2 bad input, 130 stopped by Ctrl-C (the run can be resumed).
 #[derive(Debug, Parser)]
-#[command(version, after_help = examples::ALL)]
+#[command(
+    version,
+    after_help = "Examples:
+  tpg-train problems
+  tpg-train tpg --problem cartpole --target 475 --out runs/pole
+  tpg-train report runs/pole"
+)]
 pub struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -36,43 +39,59 @@ pub struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// List the built-in problems, with what they observe and do
-    #[command(after_help = examples::PROBLEMS)]
+    #[command(after_help = "Examples:
+  tpg-train problems")]
     Problems,
     /// Evolve a tangled program graph
-    #[command(after_help = examples::TPG)]
+    #[command(after_help = "Examples:
+  tpg-train tpg --problem cartpole --target 475 --out runs/pole
+  tpg-train tpg --problem pendulum --seeds 1..6 --out runs/pendulum
+  tpg-train tpg --problem cartpole --preset quick --set tpg.nb_roots=40 --max-steps 1000000 --out runs/quick
+  tpg-train tpg --config my.toml --generations 400 --out runs/mine --resume")]
     Tpg(TpgArgs),
     /// Train a soft actor-critic
-    #[command(after_help = examples::SAC)]
-    Sac(SacArgs),
+    #[command(after_help = "Examples:
+  tpg-train sac --problem pendulum --out runs/sac")]
+    Sac(RunArgs),
     /// Find the best hybrid of graphs and networks
-    #[command(after_help = examples::HYBRID)]
+    #[command(after_help = "Examples:
+  tpg-train hybrid --problem rs --tpg runs/graph/graph.json --policy runs/sac/policy.safetensors --out runs/study")]
     Hybrid(HybridArgs),
     /// Convert an actor of Stable-Baselines3 or CleanRL to a policy
-    #[command(after_help = examples::IMPORT)]
+    #[command(after_help = "Examples:
+  tpg-train import actor.safetensors --problem pendulum --out policy.safetensors")]
     Import(ImportArgs),
     /// Quantise a soft actor-critic's network to integers
-    #[command(after_help = examples::QUANTISE)]
+    #[command(after_help = "Examples:
+  tpg-train quantise runs/sac/policy.safetensors --out policy.q.json")]
     Quantise(QuantiseArgs),
     /// Run a policy and count how its episodes end
-    #[command(after_help = examples::EVAL)]
+    #[command(after_help = "Examples:
+  tpg-train eval --problem cartpole --tpg runs/pole/graph.json
+  tpg-train eval --problem fs --policy planner --episodes 100 --json")]
     Eval(EvalArgs),
     /// Write one HTML report about runs
-    #[command(after_help = examples::REPORT)]
+    #[command(after_help = "Examples:
+  tpg-train report runs/pole runs/pendulum --out report.html")]
     Report(ReportArgs),
     /// Print a commented configuration
-    #[command(after_help = examples::CONFIG)]
+    #[command(after_help = "Examples:
+  tpg-train config quick
+  tpg-train config --list")]
     Config(ConfigArgs),
     /// Describe arms, from their URDF
-    #[command(after_help = examples::ARM)]
+    #[command(after_help = "Examples:
+  tpg-train arm import so101.urdf --tip gripper_frame_link --fix wrist_roll=0 -o arm.toml")]
     Arm(ArmArgs),
-    /// Print a set of tasks as CSV
-    #[command(after_help = examples::TARGETS)]
-    Targets(TargetsArgs),
     /// Print completions for a shell
-    #[command(after_help = examples::COMPLETIONS)]
+    #[command(after_help = "Examples:
+  tpg-train completions bash
+  tpg-train completions fish")]
     Completions(CompletionsArgs),
     /// Print a manual page
-    #[command(after_help = examples::MAN)]
+    #[command(after_help = "Examples:
+  tpg-train man
+  tpg-train man tpg")]
     Man(ManArgs),
 }
 
@@ -82,16 +101,15 @@ impl Cli {
         be_quiet(self.quiet);
         exit_code(match self.command {
             Command::Problems => good(print_problems()),
-            Command::Tpg(args) => execute_tpg(&args, &ThisProcess).map_err(CommandError::other),
+            Command::Tpg(args) => execute_tpg(&args, None).map_err(CommandError::other),
             Command::Sac(args) => execute_sac(&args).map_err(CommandError::other),
             Command::Hybrid(args) => execute_hybrid(&args).map_err(CommandError::from),
             Command::Import(args) => good(import(&args)),
             Command::Quantise(args) => good(quantise(&args)),
             Command::Eval(args) => good(eval(&args)),
-            Command::Report(args) => good(report(&args)),
+            Command::Report(args) => good(report_with(&args, None)),
             Command::Config(args) => good(print_config(&args)),
             Command::Arm(args) => good(execute_arm(&args)),
-            Command::Targets(args) => good(print_targets(&args)),
             Command::Completions(args) => args.run(Self::command()),
             Command::Man(args) => args.run(Self::command()),
         })

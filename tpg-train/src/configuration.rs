@@ -13,6 +13,7 @@ pub(crate) mod schema;
 use crate::run_args::{RunArgs, command_line};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use std::path::Path;
 use tpg_graph::error::{Finding, InputError, Place};
 use tpg_graph::files::read_text;
 use tpg_graph::settings;
@@ -49,7 +50,7 @@ impl Preset {
 /// use tpg_train::{Config, Configuration, SacConfig};
 ///
 /// assert_eq!(Config::PRESETS.iter().filter(|preset| preset.name == "quick").count(), 1);
-/// assert!(Config::table("no such preset").is_none());
+/// assert!(Config::table("no such preset").is_err());
 /// let sac = SacConfig::preset("general")?;
 /// assert_eq!(sac.actor.hidden, [64, 64]);
 /// # Ok::<(), tpg_graph::error::InputError>(())
@@ -81,8 +82,7 @@ pub trait Configuration: Sized + Serialize + DeserializeOwned {
     /// # Errors
     /// An unknown key or a value that is not accepted, with its line.
     fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
-        let config: Self =
-            settings::from_toml(file, text, &format!("the settings that `{}` prints", Self::PRINTED_BY))?;
+        let config: Self = settings::from_toml(file, text, &printed_by::<Self>())?;
         config.check().map_err(|finding| settings::place(file, text, finding))?;
         Ok(config)
     }
@@ -98,18 +98,25 @@ pub trait Configuration: Sized + Serialize + DeserializeOwned {
     /// Returns the section `problem`.
     fn problem(&mut self) -> &mut toml::Table;
 
-    /// Returns all settings of a preset, if there is one of that name.
+    /// Returns all settings of a preset.
+    ///
+    /// # Errors
+    /// If there is no preset of that name.
     ///
     /// # Panics
     /// Never: a test reads every preset.
-    fn table(name: &str) -> Option<toml::Table> {
-        let preset = Self::PRESETS.iter().find(|preset| preset.name == name)?;
-        let mut table = preset.extends.and_then(Self::table).unwrap_or_else(|| {
+    fn table(name: &str) -> Result<toml::Table, InputError> {
+        let preset = Self::PRESETS.iter().find(|preset| preset.name == name).ok_or_else(|| {
+            let names: Vec<&str> = Self::PRESETS.iter().map(|preset| preset.name).collect();
+            command_line(format!("the preset {name:?}"), names.join(", "))
+        })?;
+        let Some(extended) = preset.extends else {
             let base = Self::from_toml(name, preset.text).expect("a preset is accepted");
-            toml::Table::try_from(base).expect("plain data")
-        });
+            return Ok(toml::Table::try_from(base).expect("plain data"));
+        };
+        let mut table = Self::table(extended)?;
         merge(&mut table, &preset.text.parse().expect("a preset is TOML"));
-        Some(table)
+        Ok(table)
     }
 
     /// Returns the configuration of a preset.
@@ -117,11 +124,7 @@ pub trait Configuration: Sized + Serialize + DeserializeOwned {
     /// # Errors
     /// If there is no preset of that name.
     fn preset(name: &str) -> Result<Self, InputError> {
-        let table = Self::table(name).ok_or_else(|| {
-            let names: Vec<&str> = Self::PRESETS.iter().map(|preset| preset.name).collect();
-            command_line(format!("the preset {name:?}"), names.join(", "))
-        })?;
-        Self::from_toml(&format!("<preset {name}>"), &table.to_string())
+        Self::from_toml(&format!("<preset {name}>"), &Self::table(name)?.to_string())
     }
 }
 
@@ -130,8 +133,7 @@ pub trait Configuration: Sized + Serialize + DeserializeOwned {
 /// ```
 /// use tpg_train::{Config as EvolutionConfig, Configuration as _, Layers};
 ///
-/// let mut layers = Layers::new("defaults", toml::Table::new());
-/// layers.add_file("mine.toml", "[tpg]\nnb_roots = 80\n")?;
+/// let mut layers = Layers::of::<EvolutionConfig>(Some("quick"), None, |_| Ok("thorough"))?;
 /// layers.set("tpg.nb_roots", 1.into());
 /// let error = layers.read(EvolutionConfig::from_toml).expect_err("one root");
 /// assert_eq!(error.to_string(), "the setting tpg.nb_roots: tpg.nb_roots = 1; accepted: 2 to 1000000");
@@ -154,25 +156,35 @@ struct PresetLayer {
 }
 
 impl Layers {
-    /// Begins with the settings of a preset.
-    pub fn new(name: &str, table: toml::Table) -> Self {
-        let merged = table.clone();
-        Self { layers: vec![PresetLayer { name: name.to_owned(), text: None, table }], merged }
-    }
-
-    /// Adds the settings of a file.
+    /// Begins with a preset, and the settings of a file above it. Without `preset` it is the one that the file belongs to, if
+    /// another program wrote it, or the `default` for the file's settings.
     ///
     /// # Errors
-    /// If the text is not TOML.
-    pub fn add_file(&mut self, file: &str, text: &str) -> Result<(), InputError> {
-        let table: toml::Table = settings::from_toml(file, text, "TOML")?;
-        self.add(PresetLayer { name: file.to_owned(), text: Some(text.to_owned()), table });
-        Ok(())
-    }
-
-    /// Adds settings that are no text of a user's.
-    pub fn add_table(&mut self, name: &str, table: toml::Table) {
-        self.add(PresetLayer { name: name.to_owned(), text: None, table });
+    /// If there is no such preset, or the file cannot be read; those of `default`.
+    pub fn of<C: Configuration>(
+        preset: Option<&str>,
+        file: Option<&Path>,
+        default: impl FnOnce(&toml::Table) -> Result<&'static str, InputError>,
+    ) -> Result<Self, InputError> {
+        let (mut above, mut of_other) = (None, None);
+        if let Some(path) = file {
+            let (name, text) = (path.display().to_string(), read_text(path, &printed_by::<C>())?);
+            above = Some(match C::from_other(&name, &text).transpose()? {
+                Some((table, preset)) => {
+                    of_other = Some(preset);
+                    PresetLayer { name, text: None, table }
+                }
+                None => PresetLayer { table: settings::from_toml(&name, &text, "TOML")?, name, text: Some(text) },
+            });
+        }
+        let preset = match preset.or(of_other) {
+            Some(preset) => preset,
+            None => default(above.as_ref().map_or(&toml::Table::new(), |layer| &layer.table))?,
+        };
+        let (name, table) = (format!("<preset {preset}>"), C::table(preset)?);
+        let mut layers = Self { merged: table.clone(), layers: vec![PresetLayer { name, text: None, table }] };
+        above.into_iter().for_each(|layer| layers.add(layer));
+        Ok(layers)
     }
 
     /// Sets one key, such as `tpg.nb_roots`.
@@ -237,6 +249,10 @@ impl Layers {
     }
 }
 
+fn printed_by<C: Configuration>() -> String {
+    format!("the settings that `{}` prints", C::PRINTED_BY)
+}
+
 /// Puts the values of a table over those of another one.
 fn merge(base: &mut toml::Table, over: &toml::Table) {
     for (key, value) in over {
@@ -271,33 +287,11 @@ impl<C: Configuration> Chosen<C> {
     ///
     /// # Errors
     /// If the configuration cannot be read or is rejected, or nothing names a problem.
-    pub(crate) fn by(run: &RunArgs, problem: Option<ProblemName>) -> Result<Self, InputError> {
-        let file = match &run.config {
-            Some(path) => {
-                let accepted = format!("settings as `{}` prints", C::PRINTED_BY);
-                Some((path.display().to_string(), read_text(path, &accepted)?))
-            }
-            None => None,
-        };
-        let other = file.as_ref().and_then(|(file, text)| C::from_other(file, text)).transpose()?;
-        let mut name = run.preset.clone().or(other.as_ref().map(|(_, preset)| (*preset).to_owned()));
-        if name.is_none() {
-            let in_file = || {
-                let table: toml::Table = settings::from_toml(&file.as_ref()?.0, &file.as_ref()?.1, "TOML").ok()?;
-                ProblemName::from_name(table.get("problem")?.get("name")?.as_str()?)
-            };
-            name = problem.or_else(in_file).map(|problem| C::default_preset(problem).to_owned());
-        }
-        let Some(name) = name else {
-            return Err(no_problem());
-        };
-        let table = C::preset(&name).map(|_| C::table(&name))?;
-        let mut layers = Layers::new(&format!("<preset {name}>"), table.unwrap_or_default());
-        match (&file, other) {
-            (Some((file, _)), Some((table, _))) => layers.add_table(file, table),
-            (Some((file, text)), None) => layers.add_file(file, text)?,
-            (None, _) => {}
-        }
+    pub(crate) fn by(run: &RunArgs) -> Result<Self, InputError> {
+        let mut layers = Layers::of::<C>(run.preset.as_deref(), run.config.as_deref(), |file| {
+            let in_file = || ProblemName::from_name(file.get("problem")?.get("name")?.as_str()?);
+            run.problem.or_else(in_file).map(C::default_preset).ok_or_else(no_problem)
+        })?;
         for setting in &run.set {
             let (key, value) = setting
                 .split_once('=')
@@ -306,11 +300,12 @@ impl<C: Configuration> Chosen<C> {
             let value = toml.ok().and_then(|mut table| table.remove("value")).unwrap_or_else(|| value.into());
             layers.set(key.trim(), value);
         }
-        let problem = chosen_problem(&mut layers, problem, C::KIND)?;
+        let problem = chosen_problem(&mut layers, run.problem, C::KIND)?;
         let mut config = layers.read(C::from_toml)?;
         *config.problem() = problem.to_table();
         let is_preset = run.config.is_none() && run.set.is_empty();
-        Ok(Self { preset: is_preset.then_some(name), config, problem })
+        let preset = || run.preset.clone().unwrap_or_else(|| C::default_preset(problem.name()).to_owned());
+        Ok(Self { preset: is_preset.then(preset), config, problem })
     }
 }
 

@@ -30,7 +30,6 @@ mod report;
 mod run_args;
 mod run_time;
 mod sac;
-mod targets;
 #[cfg(test)]
 mod tests;
 
@@ -48,8 +47,8 @@ pub use hybrid::rollout::Acting;
 pub use hybrid::setting::{Detector, Hybrid, Setting};
 pub use hybrid::shared::{Episodes, OwnProblem, Shared};
 pub use hybrid::span::Span;
+pub use ranks::evolve;
 pub use ranks::link::Link;
-pub use ranks::workplace::evolve;
 pub use report::{ReportArgs, report_with};
 pub use sac::config::SacConfig;
 pub use sac::network::Network;
@@ -59,9 +58,9 @@ pub use sac::training::train_network;
 #[doc(hidden)]
 pub mod parts {
     pub use crate::evolution::config::{AskConfig, Units};
-    pub use crate::folder::{RunFolder, Trainer};
+    pub use crate::folder::RunFolder;
     pub use crate::hybrid::command::{StudyArgs, study_on};
-    pub use crate::hybrid::setting::{parse_file, read_file};
+    pub use crate::hybrid::setting::parse_file;
     pub use crate::quantise::{QuantiseArgs, quantise};
     pub use crate::sac::tensors::{Tensor, Tensors};
     pub use crate::sac::{foreign, weights};

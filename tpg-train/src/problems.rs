@@ -1,10 +1,10 @@
 //! `tpg-train problems`: the built-in problems, with what they observe and do.
 
-use crate::run_args::print;
 use clap::ValueEnum;
 use std::fmt::Write as _;
 use tpg_engine::ActionSpace;
 use tpg_graph::SourceDocument;
+use tpg_graph::command::print;
 use tpg_graph::error::InputError;
 use tpg_problems::{PROBLEMS, Problem, ProblemName};
 

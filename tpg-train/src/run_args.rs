@@ -9,6 +9,9 @@ use tpg_problems::ProblemName;
 /// The arguments of a run.
 #[derive(Clone, Debug, Args)]
 pub struct RunArgs {
+    /// The problem; `tpg-train problems` lists them. A configuration file can name it instead
+    #[arg(long, value_enum)]
+    pub problem: Option<ProblemName>,
     /// A configuration included with the trainer, instead of the problem's default one; `tpg-train config --list` names them
     #[arg(long, value_name = "NAME")]
     pub preset: Option<String>,
@@ -21,6 +24,16 @@ pub struct RunArgs {
     /// The folder of the run [default: runs/PROBLEM-SEED]
     #[arg(long, value_name = "RUN")]
     pub out: Option<PathBuf>,
+    /// The seed
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
+    /// End the run when a policy reaches this mean return on the validation episodes
+    #[arg(long, value_name = "SCORE", allow_negative_numbers = true)]
+    pub target: Option<f64>,
+    /// End the run after N steps: of tpg after the generation in which all episodes together have N actions, of sac after N
+    /// decisions, with the learning rates of the full run
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub max_steps: Option<u64>,
     /// Continue from the folder's checkpoint
     #[arg(long)]
     pub resume: bool,
@@ -50,12 +63,4 @@ pub(crate) fn command_line(found: impl Into<String>, accepted: impl Into<String>
 pub(crate) fn place(path: &Path, Finding { key, found, accepted }: Finding) -> InputError {
     let place = if key.is_empty() { Place::Whole } else { Place::Path(key) };
     InputError::new(path.display().to_string(), place, found, accepted)
-}
-
-/// Writes a result to the standard output.
-///
-/// # Errors
-/// If it cannot be written.
-pub(crate) fn print(text: &str) -> Result<(), InputError> {
-    tpg_graph::command::print(text)
 }

@@ -24,7 +24,7 @@ impl Worker<'_> {
     fn ask(&self, message: &str) -> Result<String, EvaluationError> {
         let work: Work<ArmTask> = serde_json::from_str(message).map_err(EvaluationError::new)?;
         let engine = LocalThreads::<f32, Own, _>::new(self.environment, 1)?;
-        let answers = engine.with_lanes(3).evaluate(&work)?;
+        let answers = engine.evaluate(&work)?;
         serde_json::to_string(&answers).map_err(EvaluationError::new)
     }
 }

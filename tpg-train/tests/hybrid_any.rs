@@ -111,7 +111,7 @@ fn threads_do_not_matter() {
     let (one, two) = (folder.path().join("one"), folder.path().join("two"));
     study(&graph, &one, &["--threads", "1"]).success();
     study(&graph, &two, &["--threads", "2"]).success();
-    let files = ["cells.csv", "settings.csv", "alone.csv", "study.toml", "hybrid.toml"];
+    let files = ["cells.csv", "alone.csv", "study.toml", "hybrid.toml"];
     let all = |folder: &Path| files.map(|name| text(&folder.join(name)));
     assert_eq!(all(&one), all(&two));
 

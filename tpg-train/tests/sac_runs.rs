@@ -94,7 +94,7 @@ fn neither_trainer_overwrites_a_run_of_the_other() {
         let (code, error) = run(second, first, &[]);
         assert!(code == Some(2) && error.contains("already holds a run; accepted: another folder"), "{error}");
         let (code, error) = run(second, first, &["--resume"]);
-        assert!(code == Some(2) && error.contains(&format!("a run of tpg-train {first}")), "{error}");
+        assert!(code == Some(2) && error.contains(&format!("tpg-train {first}, checkpoint version")), "{error}");
         assert!(fs::read(place.path().join(first).join("checkpoint")).is_ok_and(|left| left == before));
     }
 }

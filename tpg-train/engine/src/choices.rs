@@ -5,6 +5,7 @@ use crate::environment::Environment;
 use crate::episode_result::Step;
 use crate::episodes::Episodes;
 use crate::mapped::Mapped;
+use tpg_graph::error::Finding;
 use tpg_graph::{ActionDocument, Effect};
 use tpg_runtime::scalar::Scalar;
 
@@ -39,7 +40,7 @@ use tpg_runtime::scalar::Scalar;
 /// let ActionSpace::Discrete(actions) = Choices::new(Motor, Some(3))?.actions() else { panic!("named actions") };
 /// let names: Vec<&str> = actions.iter().map(|action| action.name.as_str()).collect();
 /// assert_eq!(names, ["torque -2", "torque 0", "torque 2"]);
-/// # Ok::<(), tpg_engine::TooManyActions>(())
+/// # Ok::<(), tpg_graph::error::Finding>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Choices<S, E> {
@@ -47,14 +48,6 @@ pub struct Choices<S, E> {
     actions: ActionSpace,
     /// The values of the outputs for each named action; `None` if actions are passed on as they are.
     levels: Option<Vec<Vec<S>>>,
-}
-
-/// An action space with more combinations than there are action numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{found} combinations of actions; accepted: up to {MOST}")]
-pub struct TooManyActions {
-    /// The number of combinations.
-    found: u128,
 }
 
 /// Name of the effect that a graph carries for the levels of a box: the value of each output.
@@ -72,7 +65,7 @@ impl<S: Scalar, E: Environment<S>> Choices<S, E> {
     ///
     /// # Panics
     /// If `levels` is below 2.
-    pub fn new(environment: E, levels: Option<u16>) -> Result<Self, TooManyActions> {
+    pub fn new(environment: E, levels: Option<u16>) -> Result<Self, Finding> {
         let space = environment.actions();
         let (ActionSpace::Box(outputs), Some(levels)) = (&space, levels) else {
             return Ok(Self { environment, actions: space, levels: None });
@@ -106,10 +99,11 @@ fn level(output: &Output, at: u16, levels: u16) -> f64 {
 }
 
 /// Returns every combination of the levels of some outputs; the last position varies fastest.
-fn combinations(levels: u16, outputs: usize) -> Result<Vec<Vec<u16>>, TooManyActions> {
+fn combinations(levels: u16, outputs: usize) -> Result<Vec<Vec<u16>>, Finding> {
     let found = u128::from(levels).checked_pow(outputs as u32).unwrap_or(u128::MAX);
     if found > MOST {
-        return Err(TooManyActions { found });
+        let found = format!("{levels}: {found} combinations of actions");
+        return Err(Finding::new("problem.levels", found, format!("fewer, for up to {MOST} combinations")));
     }
     let mut all = vec![Vec::new()];
     for _ in 0..outputs {
@@ -146,13 +140,14 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Choices<S, E> {
 
 #[cfg(test)]
 mod tests {
-    use super::{TooManyActions, combinations};
+    use super::combinations;
 
     #[test]
     fn combinations_count_like_an_odometer() {
         assert_eq!(combinations(2, 2).expect("few"), [[0, 0], [0, 1], [1, 0], [1, 1]]);
         assert_eq!(combinations(256, 2).expect("just as many as allowed").len(), 65_536);
-        assert_eq!(combinations(257, 2), Err(TooManyActions { found: 66_049 }));
+        let refused = combinations(257, 2).expect_err("too many");
+        assert!(refused.to_string().starts_with("problem.levels = 257: 66049 combinations of actions"), "{refused}");
         assert!(combinations(u16::MAX, 20).is_err());
     }
 }

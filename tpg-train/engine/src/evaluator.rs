@@ -89,7 +89,6 @@ pub trait Evaluator<Task> {
 pub struct LocalThreads<'e, S, M, E> {
     environment: &'e E,
     sources: Vec<SourceDocument>,
-    lanes: usize,
     pool: rayon::ThreadPool,
     number: PhantomData<(S, M)>,
 }
@@ -102,13 +101,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'e, S, M, E> {
     pub fn new(environment: &'e E, threads: usize) -> Result<Self, EvaluationError> {
         let pool = (rayon::ThreadPoolBuilder::new().num_threads(threads).build()).map_err(EvaluationError::new)?;
         let sources = environment.sources();
-        Ok(Self { environment, sources, lanes: DEFAULT_LANES, pool, number: PhantomData })
-    }
-
-    /// Changes the number of parallel episodes, which changes no result.
-    #[must_use]
-    pub fn with_lanes(self, lanes: usize) -> Self {
-        Self { lanes, ..self }
+        Ok(Self { environment, sources, pool, number: PhantomData })
     }
 
     /// Returns the number of threads.
@@ -129,9 +122,9 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> Evaluator<E::Task> for LocalThre
             let plan = Plan::of_roots::<M>(&policies, &self.sources);
             lanes.run_roots(&plan, &tasks)
         };
-        let groups = side_by_side(work, pieces, self.lanes, self.threads());
+        let groups = side_by_side(work, pieces, DEFAULT_LANES, self.threads());
         let endings: Result<Vec<Vec<Vec<EpisodeResult>>>, _> = self.pool.install(|| {
-            groups.into_par_iter().map_init(|| Lanes::new(self.environment, self.lanes), evaluate).collect()
+            groups.into_par_iter().map_init(|| Lanes::new(self.environment, DEFAULT_LANES), evaluate).collect()
         });
         Ok(endings?.into_iter().flatten().collect())
     }

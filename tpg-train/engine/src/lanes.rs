@@ -13,7 +13,7 @@ use crate::error::EvaluationError;
 use crate::history::History;
 use crate::moments::Moments;
 use crate::nodes::NodeId;
-use crate::parts;
+use crate::parts::MOST_LANES;
 use crate::plan::Plan;
 use crate::work::{Play, Played};
 use tpg_runtime::ops::Maths;
@@ -22,8 +22,6 @@ use tpg_runtime::scalar::Scalar;
 
 /// Number of parallel episodes of evaluation; it changes no result.
 pub const DEFAULT_LANES: usize = 112;
-/// Greatest number of parallel episodes.
-pub const MOST_LANES: usize = parts::MOST_LANES;
 
 /// Runs roots over tasks, one plan after another, and reuses its buffers between them.
 ///
@@ -90,7 +88,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     /// Creates so many lanes for an environment; their number changes no result.
     ///
     /// # Panics
-    /// If the number of lanes is 0 or above [`MOST_LANES`].
+    /// If the number of lanes is 0, or more than the engine's parts cover: 512.
     pub fn new(environment: &'e E, lanes: usize) -> Self {
         assert!((1..=MOST_LANES).contains(&lanes), "{lanes} lanes; accepted: 1 to {MOST_LANES}");
         Self {

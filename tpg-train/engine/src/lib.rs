@@ -60,7 +60,7 @@ mod work;
 
 pub use action::{Act, ActionSpace, Acts, NETWORK, Output};
 pub use binding::{bind, places, reading};
-pub use choices::{Choices, TooManyActions};
+pub use choices::Choices;
 pub use counting::Counting;
 pub use environment::{Environment, OneByOne};
 pub use episode_result::{End, EpisodeResult, Measure, Preference, Step, Summary, finite};
@@ -69,7 +69,7 @@ pub use erased::{AnyEnvironment, AnyEpisode, AnyTask, erase};
 pub use error::EvaluationError;
 pub use evaluator::{Evaluator, LocalThreads};
 pub use extensions::{Drawn, Guarded, TaskSet, Training};
-pub use lanes::{DEFAULT_LANES, Lanes, MOST_LANES};
+pub use lanes::{DEFAULT_LANES, Lanes};
 pub use mapped::Mapped;
 pub use moments::{Moments, Sample, confidence};
 pub use nodes::{Arena, Node};

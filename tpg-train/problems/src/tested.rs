@@ -78,7 +78,7 @@ impl Problem {
         pair[0] == pair[1]
     }
 
-    /// Reads tasks as [`print_tasks`](Self::print_tasks) prints them, for a network alone or for anything else.
+    /// Reads tasks from a CSV file, for a network alone or for anything else.
     ///
     /// # Errors
     /// If the file cannot be read, or the problem has no such files.
@@ -100,22 +100,6 @@ impl Problem {
                 let found = format!("tasks from a file for {}", self.name().name());
                 Err(InputError::new(path.display().to_string(), Place::Whole, found, "fs, rs or dodge"))
             }
-        }
-    }
-
-    /// Returns test tasks as CSV, by default those of the committed files; `None` if the problem has no such files.
-    pub fn print_tasks(&self, seed: Option<u64>, count: usize) -> Option<String> {
-        match &self.settings {
-            ProblemSettings::Arm(config) => {
-                let seed = seed.unwrap_or(targets::TEST_SEED);
-                Some(targets::to_csv(&targets::tasks(&config.arm(), seed, targets::Set::Test, self.start(), count)))
-            }
-            ProblemSettings::Dodge(config) => {
-                let (seed, set) = (seed.unwrap_or(dodge::draw::SEED), targets::Set::Test);
-                let scenes = dodge::draw::scenes(config, seed, set, count, dodge::draw::TEST_TRIES);
-                Some(dodge::file::to_csv(&scenes))
-            }
-            _ => None,
         }
     }
 

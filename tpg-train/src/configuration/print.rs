@@ -1,13 +1,14 @@
 //! `tpg-train config`: prints presets, and the schema of settings.
 
-use super::Configuration as _;
+use super::Configuration;
 use super::schema::{commented, schema};
 use crate::evolution::config::EvolutionConfig;
-use crate::run_args::print;
 use crate::sac::config::SacConfig;
 use clap::Args;
-use tpg_graph::error::{InputError, Place};
-use tpg_problems::arm::arms::ARMS;
+use schemars::JsonSchema;
+use tpg_graph::command::print;
+use tpg_graph::error::InputError;
+use tpg_problems::arm::arms::{ARMS, NamedArm};
 
 /// Print a commented configuration.
 #[derive(Clone, Debug, Args)]
@@ -31,32 +32,34 @@ pub(crate) struct ConfigArgs {
 /// # Errors
 /// If there is no preset with that name, or stdout is closed.
 pub(crate) fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
-    let text = text(args)?;
-    print(&text)
+    let text = if args.sac {
+        text::<SacConfig>(args, "general", &[])
+    } else {
+        text::<EvolutionConfig>(args, "thorough", &ARMS)
+    };
+    print(&text?)
 }
 
-fn text(args: &ConfigArgs) -> Result<String, InputError> {
-    let schema = if args.sac { schema::<SacConfig>() } else { schema::<EvolutionConfig>() };
+fn text<C: Configuration + JsonSchema>(
+    args: &ConfigArgs,
+    default: &str,
+    arms: &[NamedArm],
+) -> Result<String, InputError> {
+    let name = args.name.as_deref().unwrap_or(default);
     if args.schema {
-        return Ok(format!("{schema:#}\n"));
+        return Ok(format!("{:#}\n", schema::<C>()));
     }
-    let own = EvolutionConfig::PRESETS.iter().map(|preset| (preset.name, preset.about, None::<String>));
-    let arms = ARMS.iter().map(|arm| (arm.name, arm.about, Some(arm.text.to_owned())));
-    let networks = SacConfig::PRESETS.iter().map(|preset| (preset.name, preset.about, None));
-    let all: Vec<_> = if args.sac { networks.collect() } else { own.chain(arms).collect() };
+    let presets = C::PRESETS.iter().map(|preset| (preset.name, preset.about));
+    let mut all = presets.chain(arms.iter().map(|arm| (arm.name, arm.about)));
     if args.list {
-        return Ok(all.into_iter().map(|(name, about, _)| format!("{name:18} {about}\n")).collect());
+        return Ok(all.map(|(name, about)| format!("{name:18} {about}\n")).collect());
     }
-    let name = args.name.as_deref().unwrap_or(if args.sac { "general" } else { "thorough" });
-    match all.iter().find(|(known, ..)| *known == name) {
-        Some((_, _, Some(text))) => Ok(text.clone()),
-        Some(_) => {
-            let table = if args.sac { SacConfig::table(name) } else { EvolutionConfig::table(name) };
-            Ok(commented(&schema, &table.unwrap_or_default()))
-        }
-        None => {
-            let accepted = all.iter().map(|(name, ..)| *name).collect::<Vec<_>>().join(", ");
-            Err(InputError::new("<command line>", Place::Whole, format!("the preset {name:?}"), accepted))
-        }
+    if let Some(arm) = arms.iter().find(|arm| arm.name == name) {
+        return Ok(arm.text.to_owned());
     }
+    let table = C::table(name).map_err(|error| {
+        let accepted = all.by_ref().map(|(name, _)| name).collect::<Vec<_>>().join(", ");
+        InputError { accepted, ..error }
+    });
+    Ok(commented(&schema::<C>(), &table?))
 }

@@ -1,7 +1,6 @@
 //! `tpg-train eval`: lets a policy act on test episodes and reports how they end.
 
 mod law;
-mod linear;
 mod report;
 
 use report::Against;
@@ -10,12 +9,14 @@ pub use report::EvaluationReport;
 use crate::hybrid::rollout::{Acting, HybridResult, Policies};
 use crate::hybrid::setting::{Hybrid, Setting};
 use crate::hybrid::shared::{Episodes, Shared};
-use crate::run_args::{command_line, print};
+use crate::run_args::command_line;
 use crate::sac::network::Network;
 use clap::Args;
 use std::path::{Path, PathBuf};
-use tpg_engine::{EpisodeResult, TaskSet};
+use std::slice::from_ref;
+use tpg_engine::TaskSet;
 use tpg_graph::Graph;
+use tpg_graph::command::print;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::files::{read_graph, read_text};
 use tpg_problems::{Problem, ProblemName};
@@ -40,7 +41,7 @@ pub(crate) struct EvalArgs {
     /// A hybrid.toml: graph, network, and when they take turns
     #[arg(long, value_name = "FILE", conflicts_with_all = ["tpg", "policy"])]
     pub hybrid: Option<PathBuf>,
-    /// Episodes from a file, as `tpg-train targets` prints them for some problems
+    /// Episodes from a file, as generated/test-targets holds them for some problems
     #[arg(long, value_name = "CSV", conflicts_with = "episodes")]
     pub targets: Option<PathBuf>,
     /// The number of test episodes
@@ -50,8 +51,7 @@ pub(crate) struct EvalArgs {
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
     /// Also run another policy on the same episodes, and print the difference in score with its 95 % interval: a graph, a
-    /// network, a hybrid.toml, a file of formulas, a controller that comes with the problem, or `linear`: weighted sums, trained
-    /// as the run of --tpg was and kept in its folder
+    /// network, a hybrid.toml, a file of formulas, or a controller that comes with the problem
     #[arg(long, value_name = "POLICY")]
     pub against: Option<String>,
     /// Print one JSON object instead of a table
@@ -59,11 +59,13 @@ pub(crate) struct EvalArgs {
     pub json: bool,
 }
 
-/// A policy that is asked for, with the name that the report shows.
-enum Evaluated {
-    Policies(String, Policies),
-    /// A controller that the problem brings.
-    Controller(String),
+/// A policy that is asked for, and its problem.
+struct Evaluated {
+    /// The name that the report shows.
+    name: String,
+    /// The policies; none for a controller that the problem brings.
+    policies: Option<Policies>,
+    problem: Problem,
 }
 
 /// Does what the arguments ask, and prints it.
@@ -71,17 +73,16 @@ enum Evaluated {
 /// # Errors
 /// If the policy or the episodes cannot be read, or do not go with the problem.
 pub(crate) fn eval(args: &EvalArgs) -> Result<(), InputError> {
-    let (policy, problem) = asked(args)?;
-    let (mut report, endings) = played(args, &policy, &problem)?;
+    let policy = asked(args)?;
+    let mut report = played(args, &policy)?;
     if let Some(other) = &args.against {
-        let args = alone(args, other, &problem)?;
-        let (policy, its) = asked(&args)?;
-        if !problem.has_same_episodes(&its) {
+        let args = alone(args, other, &policy.problem)?;
+        let its = asked(&args)?;
+        if !policy.problem.has_same_episodes(&its.problem) {
             let accepted = "a policy for the same settings of the problem; --config FILE gives them to both";
             return Err(command_line(format!("--against {other}, which brings other settings"), accepted));
         }
-        let (other, theirs) = played(&args, &policy, &its)?;
-        report.against = Some(Box::new(Against::new(other, &endings, &theirs)));
+        report.against = Some(Box::new(Against::new(&report.endings, played(&args, &its)?)));
     }
     let text = if args.json {
         serde_json::to_string(&report).expect("a report is plain data") + "\n"
@@ -97,101 +98,80 @@ pub(crate) fn eval(args: &EvalArgs) -> Result<(), InputError> {
 /// If there is neither such a file nor such a controller.
 fn alone(args: &EvalArgs, other: &str, problem: &Problem) -> Result<EvalArgs, InputError> {
     let mut alone = EvalArgs { tpg: None, policy: None, hybrid: None, against: None, ..args.clone() };
-    match other {
-        linear::LINEAR => alone.tpg = Some(linear::trained(args)?),
-        _ if !Path::new(other).exists() && !problem.controllers().contains(&other) => {
-            let mut accepted = "a graph.json, a TOML file with [law], a network, a hybrid.toml, linear".to_owned();
-            problem.controllers().iter().for_each(|controller| accepted += &format!(", {controller}"));
-            return Err(command_line(format!("--against {other}: no such file"), accepted));
-        }
-        _ if problem.controllers().contains(&other) => alone.policy = Some(other.to_owned()),
-        _ if other.ends_with(".toml") && !law::is_law(other) => alone.hybrid = Some(other.into()),
-        _ if other.ends_with(".q.json") || other.ends_with(".safetensors") => alone.policy = Some(other.to_owned()),
-        _ => alone.tpg = Some(other.into()),
+    let is_controller = problem.controllers().contains(&other);
+    if !is_controller && !Path::new(other).exists() {
+        let mut accepted = "a graph.json, a TOML file with [law], a network, a hybrid.toml".to_owned();
+        problem.controllers().iter().for_each(|controller| accepted += &format!(", {controller}"));
+        return Err(command_line(format!("--against {other}: no such file"), accepted));
+    }
+    if is_controller || other.ends_with(".q.json") || other.ends_with(".safetensors") {
+        alone.policy = Some(other.to_owned());
+    } else if other.ends_with(".toml") && !law::is_law(other) {
+        alone.hybrid = Some(other.into());
+    } else {
+        alone.tpg = Some(other.into());
     }
     Ok(alone)
 }
 
 /// Lets a policy do the episodes that the arguments ask for.
-fn played(
-    args: &EvalArgs,
-    policy: &Evaluated,
-    problem: &Problem,
-) -> Result<(EvaluationReport, Vec<EpisodeResult>), InputError> {
+fn played(args: &EvalArgs, Evaluated { name, policies, problem }: &Evaluated) -> Result<EvaluationReport, InputError> {
     let episodes =
         Episodes { set: TaskSet::Test, count: args.episodes, seed: args.seed, file: args.targets.as_deref() };
-    match policy {
-        Evaluated::Policies(name, policies) => play(problem, name, policies.acting(), episodes),
-        Evaluated::Controller(name) => {
-            let endings = problem.controlled(name, &episodes.in_problem(problem)?).unwrap_or_default();
-            let done = HybridResult::alone(endings, Driver::Sac);
-            let report = EvaluationReport::new(problem, name, episodes, &done, None);
-            Ok((report, done.endings))
-        }
+    if let Some(policies) = policies {
+        return evaluate(problem, name, policies.acting(), episodes);
     }
+    let endings = problem.controlled(name, &episodes.in_problem(problem)?).unwrap_or_default();
+    Ok(EvaluationReport::new(problem, name, episodes, HybridResult::alone(endings, Driver::Sac), None))
 }
 
 /// Reads the policies that the arguments name, and the problem that they are tested on.
-fn asked(args: &EvalArgs) -> Result<(Evaluated, Problem), InputError> {
-    let (config, from_file) = (args.config.as_deref(), args.config.is_none());
-    let read = |path: &Path| match path.extension().is_some_and(|extension| extension == "toml") {
-        true => {
-            let environment = problem_for(args.problem, config, None)?.environment::<f32>();
-            law::read(path, environment.sources(), environment.actions())
+fn asked(args: &EvalArgs) -> Result<Evaluated, InputError> {
+    let problem = |graphs: &[(String, Graph)], networks: &[(String, Network)]| {
+        problem_for(args.problem, args.config.as_deref(), graphs, networks)
+    };
+    if let Some(path) = &args.hybrid {
+        let hybrid = Hybrid::read(path)?;
+        let (asked, named) = (args.problem.name(), hybrid.problem.as_deref());
+        if let Some(other) = named.filter(|name| *name != asked) {
+            let found = format!("a hybrid for {other} with --problem {asked}");
+            return Err(command_line(found, "the same problem twice"));
         }
-        false => read_graph(path),
+        let problem = problem(from_ref(&hybrid.graph), from_ref(&hybrid.network))?;
+        let policies = Some(Policies::Both(Box::new(hybrid)));
+        return Ok(Evaluated { name: path.display().to_string(), policies, problem });
+    }
+    let bare = problem(&[], &[])?;
+    let graph = |path: &PathBuf| {
+        let is_law = path.extension().is_some_and(|extension| extension == "toml");
+        let environment = bare.environment::<f32>();
+        let law = || law::read(path, environment.sources(), environment.actions());
+        Ok::<_, InputError>((path.display().to_string(), if is_law { law() } else { read_graph(path) }?))
     };
-    let problem_for = |graph: Option<&(String, Graph)>| {
-        problem_for(args.problem, config, graph.map(|(file, graph)| (file.as_str(), graph)))
-    };
-    let joined = |graph: Option<&(String, Graph)>, (file, network): &(String, Network)| {
-        let settings = network.settings();
-        same_problem(args.problem.name(), file, network)?;
-        problem_for(graph)?.joined(file, &settings, from_file, graph.is_some())
-    };
-    match (&args.hybrid, &args.tpg, &args.policy) {
-        (Some(path), ..) => {
-            let hybrid = Hybrid::read(path)?;
-            let (asked, named) = (args.problem.name(), hybrid.problem.as_deref());
-            if let Some(other) = named.filter(|name| *name != asked) {
-                let found = format!("a hybrid for {other} with --problem {asked}");
-                return Err(command_line(found, "the same problem twice"));
-            }
-            let problem = joined(Some(&hybrid.graph), &hybrid.network)?;
-            Ok((Evaluated::Policies(path.display().to_string(), Policies::Both(Box::new(hybrid))), problem))
-        }
-        (None, Some(graph), Some(actor)) => {
-            let graph = (graph.display().to_string(), read(graph)?);
-            let network = (actor.clone(), Network::read(Path::new(actor))?);
-            let problem = joined(Some(&graph), &network)?;
+    let graph = args.tpg.as_ref().map(graph).transpose()?;
+    if let (None, Some(name)) = (&graph, args.policy.clone().filter(|name| bare.controllers().contains(&name.as_str())))
+    {
+        return Ok(Evaluated { name, policies: None, problem: bare });
+    }
+    let network = |file: &String| Ok::<_, InputError>((file.clone(), Network::read(Path::new(file))?));
+    let network = args.policy.as_ref().map(network).transpose()?;
+    let problem = problem(graph.as_slice(), network.as_slice())?;
+    let (name, policies) = match (graph, network) {
+        (Some(graph), Some(network)) => {
             if graph.1.asks().next().is_none() {
-                let found = format!("{} with --policy {actor}: it asks nobody", graph.0);
-                return Err(command_line(
-                    found,
-                    "a graph that asks, or --hybrid FILE, which says when the network takes over",
-                ));
+                let found = format!("{} with --policy {}: it asks nobody", graph.0, network.0);
+                let accepted = "a graph that asks, or --hybrid FILE, which says when the network takes over";
+                return Err(command_line(found, accepted));
             }
             let setting = Setting::only_asks();
-            let name = format!("{} with {actor}: {}", graph.0, setting.sentence());
-            let hybrid = Hybrid { problem: None, graph, network, setting };
-            Ok((Evaluated::Policies(name, Policies::Both(Box::new(hybrid))), problem))
+            let name = format!("{} with {}: {}", graph.0, network.0, setting.sentence());
+            (name, Policies::Both(Box::new(Hybrid { problem: None, graph, network, setting })))
         }
-        (None, Some(path), None) => {
-            let graph = (path.display().to_string(), read(path)?);
-            let problem = problem_for(Some(&graph))?;
-            Ok((Evaluated::Policies(graph.0.clone(), Policies::Graph(Box::new(graph))), problem))
-        }
-        (None, None, Some(file)) => {
-            let problem = problem_for(None)?;
-            if problem.controllers().contains(&file.as_str()) {
-                return Ok((Evaluated::Controller(file.clone()), problem));
-            }
-            let network = (file.clone(), Network::read(Path::new(file))?);
-            let problem = joined(None, &network)?;
-            Ok((Evaluated::Policies(file.clone(), Policies::Network(network)), problem))
-        }
-        (None, None, None) => Err(command_line("no policy", "--tpg GRAPH, --policy FILE or --hybrid FILE")),
-    }
+        (Some(graph), None) => (graph.0.clone(), Policies::Graph(Box::new(graph))),
+        (None, Some(network)) => (network.0.clone(), Policies::Network(network)),
+        (None, None) => return Err(command_line("no policy", "--tpg GRAPH, --policy FILE or --hybrid FILE")),
+    };
+    Ok(Evaluated { name, policies: Some(policies), problem })
 }
 
 /// Lets policies do episodes of a problem, such as [an environment of your own](crate::hybrid::shared::OwnProblem), and reports
@@ -236,15 +216,6 @@ pub fn evaluate(
     acting: Acting<'_>,
     episodes: Episodes<'_>,
 ) -> Result<EvaluationReport, InputError> {
-    play(problem, name, acting, episodes).map(|(report, _)| report)
-}
-
-fn play(
-    problem: &dyn Shared,
-    name: &str,
-    acting: Acting<'_>,
-    episodes: Episodes<'_>,
-) -> Result<(EvaluationReport, Vec<EpisodeResult>), InputError> {
     let hybrid = match acting {
         Acting::Both((_, graph), _, setting) => {
             let facts = problem.facts();
@@ -254,38 +225,47 @@ fn play(
         _ => None,
     };
     let done = problem.play(acting, episodes)?;
-    Ok((EvaluationReport::new(problem, name, episodes, &done, hybrid), done.endings))
+    Ok(EvaluationReport::new(problem, name, episodes, done, hybrid))
 }
 
-/// Returns a problem with the settings of a configuration, or the one that a graph is tested on without.
+/// Returns the problem that policies are tested on: with the settings of a configuration, or those that they were trained with. Of
+/// several networks, the first one's rules of tests hold for all.
 ///
 /// # Errors
-/// If the configuration cannot be read, or is for another problem.
+/// If the configuration cannot be read, or one of these is for another problem.
 pub(crate) fn problem_for(
     name: ProblemName,
     config: Option<&Path>,
-    graph: Option<(&str, &Graph)>,
+    graphs: &[(String, Graph)],
+    networks: &[(String, Network)],
 ) -> Result<Problem, InputError> {
-    let Some(path) = config else { return Problem::tested(name, graph) };
-    let text = read_text(path, "a configuration as `tpg-train config` prints")?;
-    let problem = Problem::from_toml(&path.display().to_string(), &text)?;
-    if problem.name() == name {
-        return Ok(problem.for_tests());
-    }
-    let found = format!("--problem {} with a configuration for {}", name.name(), problem.name().name());
-    Err(command_line(found, "the same problem twice"))
-}
-
-/// Refuses a network that names another problem than the one asked for; `file` is the network's.
-///
-/// # Errors
-/// If it does.
-pub(crate) fn same_problem(asked: &str, file: &str, network: &Network) -> Result<(), InputError> {
-    match network.settings().get("name").and_then(toml::Value::as_str) {
-        Some(name) if !Problem::share_policies(name, asked) => {
-            let found = format!("a policy for {name}");
-            Err(InputError::new(file, Place::Whole, found, format!("one for {asked}")))
+    let of_graph = |graph: Option<&(String, Graph)>| Problem::tested(name, graph.map(|(file, graph)| (&**file, graph)));
+    let mut problem = match config {
+        Some(path) => {
+            let text = read_text(path, "a configuration as `tpg-train config` prints")?;
+            let problem = Problem::from_toml(&path.display().to_string(), &text)?;
+            if problem.name() != name {
+                let found = format!("--problem {} with a configuration for {}", name.name(), problem.name().name());
+                return Err(command_line(found, "the same problem twice"));
+            }
+            problem.for_tests()
         }
-        _ => Ok(()),
+        None => of_graph(graphs.first())?,
+    };
+    for graph in graphs.iter().skip(1).filter(|_| config.is_none()) {
+        if of_graph(Some(graph))? != problem {
+            let accepted = "one as the first, or --config";
+            return Err(InputError::new(&graph.0, Place::Whole, "a graph for another arm", accepted));
+        }
     }
+    for (place, (file, network)) in networks.iter().enumerate().rev() {
+        let settings = network.settings();
+        let trained_on = settings.get("name").and_then(toml::Value::as_str);
+        if let Some(other) = trained_on.filter(|other| !Problem::share_policies(other, name.name())) {
+            let found = format!("a policy for {other}");
+            return Err(InputError::new(file, Place::Whole, found, format!("one for {}", name.name())));
+        }
+        problem = problem.joined(file, &settings, place == 0 && config.is_none(), !graphs.is_empty())?;
+    }
+    Ok(problem)
 }

@@ -50,6 +50,9 @@ pub struct EvaluationReport {
     /// The name and unit of the problem's measure, its mean and its median.
     #[serde(skip)]
     pub measure: Option<(Measure, [f64; 2])>,
+    /// The episodes.
+    #[serde(skip)]
+    pub endings: Vec<EpisodeResult>,
     /// The comparison with another policy; absent if none was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub against: Option<Box<Against>>,
@@ -68,8 +71,8 @@ pub struct Against {
 
 impl Against {
     /// Compares episodes with those of another policy, pair by pair.
-    pub fn new(other: EvaluationReport, these: &[EpisodeResult], others: &[EpisodeResult]) -> Self {
-        let pairs = these.iter().zip(others);
+    pub fn new(these: &[EpisodeResult], other: EvaluationReport) -> Self {
+        let pairs = these.iter().zip(&other.endings);
         let differences: Vec<f64> = pairs.map(|(this, other)| finite(this.score) - finite(other.score)).collect();
         let sample = Sample::new(&differences);
         Self { other, difference: sample.mean, difference_ci95: sample.interval() }
@@ -107,8 +110,6 @@ pub struct Asks {
     pub asks: f64,
     /// Its interval.
     pub asks_ci95: [f64; 2],
-    /// The interval of the mean score. Nothing is paid for asks here.
-    pub mean_score_ci95: [f64; 2],
 }
 
 impl Asks {
@@ -116,15 +117,8 @@ impl Asks {
     fn new(graph: &Graph, done: &HybridResult) -> Option<Self> {
         graph.asks().next()?;
         let asks = Sample::new(&done.asks.iter().map(|&asks| asks.into()).collect::<Vec<_>>());
-        let scores = Sample::new(&done.endings.iter().map(|ending| finite(ending.score)).collect::<Vec<_>>());
-        Some(Self { asks: asks.mean, asks_ci95: asks.interval(), mean_score_ci95: scores.interval() })
+        Some(Self { asks: asks.mean, asks_ci95: asks.interval() })
     }
-}
-
-/// Lists hand-overs for people.
-fn listed(ratio: f64, hand_overs: &BTreeMap<String, f64>) -> String {
-    let causes: Vec<String> = hand_overs.iter().map(|(name, count)| format!("{name} {count:.2}")).collect();
-    format!("{:.1} % of the actions; hand-overs an episode: {}", 100.0 * ratio, causes.join(", "))
 }
 
 impl EvaluationReport {
@@ -133,7 +127,7 @@ impl EvaluationReport {
         problem: &dyn Shared,
         policy: &str,
         episodes: Episodes<'_>,
-        done: &HybridResult,
+        done: HybridResult,
         hybrid: Option<&Graph>,
     ) -> Self {
         let (endings, Facts { outcomes, measure, .. }) = (&done.endings, problem.facts());
@@ -162,10 +156,11 @@ impl EvaluationReport {
                 network_actions: done.network_actions,
                 hand_overs: hand_overs.collect(),
                 hand_backs: done.hand_backs,
-                asks: Asks::new(graph, done),
+                asks: Asks::new(graph, &done),
             }),
             figures: problem.figures(endings),
             measure: measure.map(|measure| (measure, [summary.measure, median])),
+            endings: done.endings,
             against: None,
         }
     }
@@ -188,10 +183,12 @@ impl EvaluationReport {
             row("effort", format!("{:.1} % of actions saturated, chatter {chatter:.4}", 100.0 * saturated));
         }
         if let Some(hybrid) = &self.hybrid {
-            row("by the graph", listed(self.tpg_action_ratio, &hybrid.hand_overs));
-            if let Some(Asks { asks, asks_ci95: [few, many], mean_score_ci95: [low, high] }) = hybrid.asks {
+            let share = 100.0 * self.tpg_action_ratio;
+            let causes = hybrid.hand_overs.iter().map(|(name, count)| format!("{name} {count:.2}"));
+            let causes = causes.collect::<Vec<_>>().join(", ");
+            row("by the graph", format!("{share:.1} % of the actions; hand-overs an episode: {causes}"));
+            if let Some(Asks { asks, asks_ci95: [few, many] }) = hybrid.asks {
                 row("asks", format!("{asks:.2} an episode (95 %: {few:.2} to {many:.2})"));
-                row("mean score", format!("95 %: {low:.2} to {high:.2}"));
             }
         }
         let ends = self.outcomes.iter().filter(|(_, count)| **count > 0);
@@ -213,7 +210,7 @@ mod tests {
         let done = HybridResult::alone(vec![ending, EpisodeResult { score: 4.0, ..ending }], Driver::Sac);
         let problem = Problem::new(ProblemName::Pendulum);
         let episodes = Episodes { set: TaskSet::Test, count: 2, seed: 1, file: None };
-        let report = EvaluationReport::new(&problem, "graph.json", episodes, &done, None);
+        let report = EvaluationReport::new(&problem, "graph.json", episodes, done, None);
         let json = serde_json::to_value(&report).expect("plain data");
         assert_eq!((&json["mean_score"], &json["min_score"]), (&3.0.into(), &2.0.into()));
         assert!((json["std_score"].as_f64().expect("a number") - 2f64.sqrt()).abs() < 1e-12);
@@ -229,9 +226,9 @@ mod tests {
         let problem = Problem::new(ProblemName::Pendulum);
         let report = |endings: &[EpisodeResult]| {
             let done = HybridResult::alone(endings.to_vec(), Driver::Sac);
-            EvaluationReport::new(&problem, "graph.json", episodes, &done, None)
+            EvaluationReport::new(&problem, "graph.json", episodes, done, None)
         };
-        let against = |others: &[EpisodeResult]| Against::new(report(others), &these, others);
+        let against = |others: &[EpisodeResult]| Against::new(&these, report(others));
         let found = against(&others);
         assert!((found.difference - 3.5 / 3.0).abs() < 1e-12);
         let half = 1.959_964 * (1.0f64 / 12.0).sqrt() / 3f64.sqrt();

@@ -8,8 +8,8 @@ use tpg_engine::Environment;
 use tpg_graph::error::{InputError, Place};
 use tpg_runtime::scalar::Scalar;
 
-/// Incremented with every change to the content or meaning of checkpoints.
-pub(super) const VERSION: u32 = 15;
+/// Trainer and version, which is incremented with every change to the content or meaning of checkpoints.
+pub(super) const FORM: &str = "tpg-train tpg, checkpoint version 15";
 
 /// The serialised form, one line of JSON.
 #[derive(Debug, Serialize, Deserialize)]

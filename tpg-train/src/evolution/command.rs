@@ -3,31 +3,27 @@
 use super::config::EvolutionConfig;
 use super::generation::Goal;
 use super::run::{Progress, RunEnd, RunError, RunOptions, train};
-use super::state::Best;
 use crate::configuration::{Chosen, Configuration as _};
-use crate::csv_text::to_csv;
-use crate::folder::{RunFolder, Trainer};
+use crate::folder::RunFolder;
 use crate::hybrid::asking::{self, Asking};
 use crate::interrupt;
-use crate::ranks::workplace::Workplace;
-use crate::run_args::{RunArgs, command_line};
+use crate::ranks::Ranks;
+use crate::run_args::RunArgs;
 use crate::sac::integers::decided;
 use clap::Args;
-use serde::Serialize;
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_engine::{
-    AnyEpisode, AnyTask, Choices, DEFAULT_LANES, Environment, Evaluator, LocalThreads, MOST_LANES, Measure, Remembered,
-    Remembering, Summary, erase,
+    AnyEpisode, AnyTask, Choices, Environment, Evaluator, LocalThreads, Measure, Remembered, Remembering, Summary,
+    erase,
 };
 use tpg_graph::ScalarType;
 use tpg_graph::command::Verdict;
-use tpg_graph::error::InputError;
 use tpg_graph::files::{read_text, write_atomically};
 use tpg_graph::progress::Bar;
-use tpg_problems::{DEFAULT_LEVELS, Number, Problem, ProblemName};
+use tpg_problems::{DEFAULT_LEVELS, Number, Problem};
 use tpg_runtime::ops::{Maths, Own};
 
 /// Seconds between checkpoints.
@@ -36,63 +32,35 @@ const CHECKPOINT_SECONDS: u64 = 30;
 /// Evolve a tangled program graph.
 #[derive(Clone, Debug, Args)]
 pub struct TpgArgs {
-    /// The problem; `tpg-train problems` lists them. A configuration file can name it instead
-    #[arg(long, value_enum)]
-    pub problem: Option<ProblemName>,
     /// The arguments of every run.
     #[command(flatten)]
     pub run: RunArgs,
-    /// The seed
-    #[arg(long, value_name = "S", default_value_t = 1, conflicts_with = "seeds")]
-    pub seed: u64,
     /// Train with seeds A to B - 1, and keep the best on the validation episodes
-    #[arg(long, value_name = "A..B", value_parser = seeds)]
-    pub seeds: Option<Seeds>,
+    #[arg(long, value_name = "A..B", value_parser = seeds, conflicts_with = "seed")]
+    pub seeds: Option<Range<u64>>,
     /// Threads; 0 for all. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub threads: usize,
-    /// Parallel episodes. Results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = DEFAULT_LANES as u16, value_parser = clap::value_parser!(u16).range(1..=MOST_LANES as i64))]
-    pub lanes: u16,
     /// Generations instead of the configuration's; with --resume, a run can go further than before
     #[arg(long, value_name = "G", value_parser = clap::value_parser!(u64).range(1..))]
     pub generations: Option<u64>,
-    /// End the run when a policy reaches this mean return on the validation episodes
-    #[arg(long, value_name = "SCORE", allow_negative_numbers = true)]
-    pub target: Option<f64>,
-    /// End the run after the generation in which the total number of actions reaches N
-    #[arg(long, value_name = "N")]
-    pub max_steps: Option<u64>,
 }
 
-/// A range of seeds, excluding the last.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Seeds {
-    first: u64,
-    end: u64,
-}
-
-/// Returns the name of the folder of one of several seeds.
-fn of_seed(seed: u64) -> String {
-    format!("seed-{seed}")
-}
-
-fn seeds(text: &str) -> Result<Seeds, String> {
+fn seeds(text: &str) -> Result<Range<u64>, String> {
     let parse = || {
         let (first, end) = text.split_once("..")?;
-        Some(Seeds { first: first.parse().ok()?, end: end.parse().ok()? })
+        Some(first.parse().ok()?..end.parse().ok()?)
     };
-    parse()
-        .filter(|seeds| seeds.first < seeds.end)
-        .ok_or_else(|| "two seeds A..B with A below B, such as 1..9".to_owned())
+    let seeds = parse().filter(|seeds: &Range<u64>| !seeds.is_empty());
+    seeds.ok_or_else(|| "two seeds A..B with A below B, such as 1..9".to_owned())
 }
 
-/// Runs the training at a place.
+/// Runs the training, alone or on one of several ranks.
 ///
 /// # Errors
 /// An invalid configuration, a folder with another run, files that cannot be written.
-pub(crate) fn execute(args: &TpgArgs, place: &impl Workplace) -> Result<Verdict, RunError> {
-    let Chosen { mut config, problem, .. } = Chosen::<EvolutionConfig>::by(&args.run, args.problem)?;
+pub(crate) fn execute(args: &TpgArgs, ranks: Option<&Ranks<'_>>) -> Result<Verdict, RunError> {
+    let Chosen { mut config, problem, .. } = Chosen::<EvolutionConfig>::by(&args.run)?;
     if let Some(generations) = args.generations {
         config.learning.nb_generations = generations;
     }
@@ -101,13 +69,16 @@ pub(crate) fn execute(args: &TpgArgs, place: &impl Workplace) -> Result<Verdict,
     // Actions must be named to have one more.
     let levels = problem.levels().or(config.ask.as_ref().map(|_| DEFAULT_LEVELS));
     let training =
-        TpgRun { args, config: &config, problem: &problem, levels, network: network.as_ref(), stop: &stop, place };
-    let out = args.run.folder(problem.name(), args.seeds.map_or(args.seed, |seeds| seeds.first));
-    training.run(&out)
+        TpgRun { args, config: &config, problem: &problem, levels, network: network.as_ref(), stop: &stop, ranks };
+    let out = args.run.folder(problem.name(), args.seeds.as_ref().map_or(args.run.seed, |seeds| seeds.start));
+    match config.language.scalar {
+        ScalarType::F32 => training.run_in::<f32>(&out),
+        ScalarType::F64 => training.run_in::<f64>(&out),
+    }
 }
 
 /// A run on a built-in problem.
-struct TpgRun<'a, W> {
+struct TpgRun<'a> {
     args: &'a TpgArgs,
     config: &'a EvolutionConfig,
     problem: &'a Problem,
@@ -116,25 +87,17 @@ struct TpgRun<'a, W> {
     /// The network that policies can ask.
     network: Option<&'a QuantisedPolicy>,
     stop: &'a AtomicBool,
-    place: &'a W,
+    ranks: Option<&'a Ranks<'a>>,
 }
 
-impl<W: Workplace> TpgRun<'_, W> {
-    /// Trains in a folder, with one seed or with several.
-    fn run(&self, out: &Path) -> Result<Verdict, RunError> {
-        match self.config.language.scalar {
-            ScalarType::F32 => self.run_in::<f32>(out),
-            ScalarType::F64 => self.run_in::<f64>(out),
-        }
-    }
-
+impl TpgRun<'_> {
+    /// Trains in a folder, with one seed or with several, of which the best one's `graph.json` is the folder's.
     fn run_in<S: Number>(&self, out: &Path) -> Result<Verdict, RunError>
     where
         Own: Maths<S>,
     {
         let environment = self.problem.environment::<S>();
-        let choices = Choices::new(&*environment, self.levels)
-            .map_err(|error| command_line(error.to_string(), "fewer problem.levels"))?;
+        let choices = Choices::new(&*environment, self.levels)?;
         let asking = self.config.ask.as_ref().zip(self.network).map(|(ask, network)| {
             let decide = |state: &[f32]| decided(network, state);
             erase(Asking::new::<S>(&choices, decide, ask.price))
@@ -145,9 +108,10 @@ impl<W: Workplace> TpgRun<'_, W> {
         };
         let memory = Remembered::zeros(self.config.language.memory, &acting.sources());
         let environment = Remembering::new(acting, memory);
-        let local = LocalThreads::<S, Own, _>::new(&environment, self.args.threads)?.with_lanes(self.args.lanes.into());
+        let local = LocalThreads::<S, Own, _>::new(&environment, self.args.threads)?;
+        let Some(ranks) = self.ranks else { return self.restarts(out, &environment, &local) };
         let identity = format!("{}\n{}", env!("CARGO_PKG_VERSION"), self.config.to_toml());
-        self.place.train(&identity, &local, |evaluator| self.restarts(out, &environment, evaluator))
+        ranks.train(&identity, local.threads(), &local, |evaluator| self.restarts(out, &environment, evaluator))
     }
 
     fn restarts<S: Number, E: Environment<S>>(
@@ -160,7 +124,7 @@ impl<W: Workplace> TpgRun<'_, W> {
         Own: Maths<S>,
     {
         let Self { args, config, stop, .. } = *self;
-        let goal = Goal { target: args.target, max_steps: args.max_steps };
+        let goal = Goal { target: args.run.target, max_steps: args.run.max_steps };
         let one = |seed: u64, folder: PathBuf| {
             let resume = args.run.resume;
             let checkpoint_every = args.run.checkpoint_every(CHECKPOINT_SECONDS);
@@ -171,17 +135,19 @@ impl<W: Workplace> TpgRun<'_, W> {
                 if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             })
         };
-        let _folder = args.seeds.map(|_| RunFolder::open(out, Trainer::Restarts, args.run.resume)).transpose()?;
-        let seeds = args.seeds.map_or(args.seed..=args.seed, |seeds| seeds.first..=seeds.end - 1);
-        let mut finished = Vec::new();
+        let _folder = args.seeds.as_ref().map(|_| RunFolder::open(out, args.run.resume)).transpose()?;
+        let seeds = args.seeds.clone().unwrap_or(args.run.seed..args.run.seed.saturating_add(1));
+        let mut kept: Option<Summary> = None;
         for seed in seeds {
-            let folder = args.seeds.map_or_else(|| out.to_owned(), |_| out.join(of_seed(seed)));
-            let RunEnd::Finished(best) = one(seed, folder)? else { return Ok(Verdict::Interrupted) };
+            let folder = if args.seeds.is_some() { out.join(format!("seed-{seed}")) } else { out.to_owned() };
+            let RunEnd::Finished(best) = one(seed, folder.clone())? else { return Ok(Verdict::Interrupted) };
             let result = sentence(seed, &best.result, "validation", environment.measure());
             tpg_graph::command::note(format_args!("{result}, found in generation {}", best.generation));
-            finished.push((seed, best));
-            if args.seeds.is_some() {
-                keep_best(out, &finished, environment)?;
+            let is_better = |kept: Summary| best.result.compare(&kept, environment.preference()).is_gt();
+            if args.seeds.is_some() && kept.is_none_or(is_better) {
+                let graph = read_text(&folder.join("graph.json"), "the graph of a finished run")?;
+                write_atomically(&out.join("graph.json"), graph.as_bytes())?;
+                kept = Some(best.result);
             }
         }
         Ok(Verdict::Good)
@@ -192,40 +158,6 @@ fn message(progress: &Progress<'_>) -> String {
     let Some(row) = progress.row else { return format!("seed {}", progress.seed) };
     let best = progress.best.map(|best| format!(", {:.2} validated", best.result.score)).unwrap_or_default();
     format!("seed {}: best {:.2}, median {:.2}{best}", progress.seed, row.best_score, row.median_score)
-}
-
-/// A row of `restarts.csv`.
-#[derive(Serialize)]
-struct Restart {
-    seed: u64,
-    generation: u64,
-    validation_score: f64,
-    validation_success: Option<f64>,
-    validation_measure: f64,
-}
-
-/// Writes `restarts.csv`, and the best seed's graph as `graph.json`.
-fn keep_best<S: Number>(
-    folder: &Path,
-    finished: &[(u64, Box<Best>)],
-    environment: &impl Environment<S>,
-) -> Result<(), InputError> {
-    let rows = finished.iter().map(|&(seed, ref best)| Restart {
-        seed,
-        generation: best.generation,
-        validation_score: best.result.score,
-        validation_success: best.result.success,
-        validation_measure: best.result.measure,
-    });
-    write_atomically(&folder.join("restarts.csv"), &to_csv(rows))?;
-    let preference = environment.preference();
-    // The first of equals.
-    let best = finished.iter().rev().max_by(|(_, a), (_, b)| a.result.compare(&b.result, preference));
-    if let Some((seed, _)) = best {
-        let graph = read_text(&folder.join(of_seed(*seed)).join("graph.json"), "the graph of a finished run")?;
-        write_atomically(&folder.join("graph.json"), graph.as_bytes())?;
-    }
-    Ok(())
 }
 
 /// Returns the result of a run on episodes of a set, for people.

@@ -8,15 +8,10 @@ mod check;
 
 use super::linear::{LinearWriter, ProgramKind};
 use super::vocabulary::{ProgramInstruction, Vocabulary};
-use super::{params, presets};
-use crate::configuration::{Configuration, Preset};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_engine::Environment;
 use tpg_graph::ScalarType;
-use tpg_graph::error::{Finding, InputError};
-use tpg_graph::settings;
-use tpg_problems::{PolicyKind, ProblemName};
 use tpg_runtime::scalar::Scalar;
 
 /// Everything that determines a run except its seed.
@@ -319,43 +314,7 @@ impl Default for RefinementConfig {
     }
 }
 
-impl Configuration for EvolutionConfig {
-    const PRESETS: &'static [Preset] = &presets::PRESETS;
-    const KIND: PolicyKind = PolicyKind::Graph;
-    const PRINTED_BY: &'static str = "tpg-train config";
-
-    fn default_preset(problem: ProblemName) -> &'static str {
-        match problem {
-            ProblemName::Fs => "best-fs",
-            ProblemName::Rs => "best-rs",
-            ProblemName::Dodge => "dodge",
-            _ => "thorough",
-        }
-    }
-
-    fn from_other(file: &str, text: &str) -> Option<Result<(toml::Table, &'static str), InputError>> {
-        params::is_json(text).then(|| Ok((params::settings(file, text)?, params::PRESET)))
-    }
-
-    fn check(&self) -> Result<(), Finding> {
-        self.check_settings()
-    }
-
-    fn problem(&mut self) -> &mut toml::Table {
-        &mut self.problem
-    }
-}
-
 impl EvolutionConfig {
-    /// Reads the configuration stored with a run. With `--generations` it may be one that is not accepted in a file,
-    /// such as a run that ends before its curriculum.
-    ///
-    /// # Errors
-    /// An unknown key or a value of another type, with its line.
-    pub fn of_run(file: &str, text: &str) -> Result<Self, InputError> {
-        settings::from_toml(file, text, "the settings of a run")
-    }
-
     /// Creates the vocabulary of programs for an environment. `scales` are the units of literals, one for each value of
     /// the flat state.
     pub fn vocabulary<S: Scalar>(&self, environment: &impl Environment<S>, scales: Vec<f64>) -> Vocabulary {

@@ -125,8 +125,10 @@ impl Assignment for Spelled<'_> {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Genome {
     next: u64,
-    teams: BTreeMap<TeamId, Team>,
-    programs: BTreeMap<ProgramId, Program>,
+    /// The teams. The caller must not create a cycle: edges of new teams lead to older ones.
+    pub teams: BTreeMap<TeamId, Team>,
+    /// The programs.
+    pub programs: BTreeMap<ProgramId, Program>,
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     leaves: BTreeMap<LeafId, Leaf>,
 }
@@ -144,24 +146,9 @@ impl Genome {
         id
     }
 
-    /// Returns the teams, by number.
-    pub(crate) fn teams(&self) -> &BTreeMap<TeamId, Team> {
-        &self.teams
-    }
-
     /// Returns a team.
     pub(crate) fn team(&self, id: TeamId) -> &Team {
         &self.teams[&id]
-    }
-
-    /// Returns a team's edges for modification. The caller must not create a cycle: new teams lead to older ones.
-    pub(crate) fn edges_mut(&mut self, id: TeamId) -> &mut Vec<Edge> {
-        &mut self.teams.get_mut(&id).expect("the team exists").edges
-    }
-
-    /// Returns the programs, by number.
-    pub(crate) fn programs(&self) -> &BTreeMap<ProgramId, Program> {
-        &self.programs
     }
 
     /// Returns a program.
@@ -181,11 +168,6 @@ impl Genome {
         let id = ProgramId(self.number());
         self.programs.insert(id, program);
         id
-    }
-
-    /// Replaces a program.
-    pub(crate) fn replace_program(&mut self, id: ProgramId, program: Program) {
-        self.programs.insert(id, program);
     }
 
     fn number(&mut self) -> u64 {

@@ -89,7 +89,7 @@ impl Mirror<'_> {
             // A pair that does not fit stays as it is.
             let _ = self.bid(genome, &mut edges, program, pair, most_edges);
         }
-        *genome.edges_mut(team) = edges;
+        genome.teams.insert(team, Team { edges });
     }
 
     /// Returns the edges to actions that have an opposite, each with its action and the opposite.

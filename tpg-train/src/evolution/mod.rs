@@ -10,7 +10,6 @@ pub(crate) mod export;
 pub(crate) mod generation;
 mod genome;
 mod linear;
-pub(crate) mod logs;
 mod mirror;
 mod mutate_leaf;
 mod mutate_program;

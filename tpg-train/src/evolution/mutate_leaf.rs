@@ -70,7 +70,7 @@ impl LeafMutator<'_> {
 
     /// Adds children, changed copies of roots.
     pub(super) fn populate(&self, genome: &mut Genome, moment: Moment) {
-        let teams: Vec<TeamId> = genome.teams().keys().copied().collect();
+        let teams: Vec<TeamId> = genome.teams.keys().copied().collect();
         let leaves: Vec<LeafId> = genome.leaves().keys().copied().collect();
         let before = Before { teams: &teams, leaves: &leaves };
         let child = |genome: &mut Genome, parent, stream: &mut Stream| self.child(genome, parent, &before, stream);
@@ -175,11 +175,11 @@ mod tests {
 
     #[test]
     fn a_policy_starts_as_a_formula_and_structure_is_added() {
-        assert!(evolved(0).teams().values().all(|team| team.edges.len() == 1));
+        assert!(evolved(0).teams.values().all(|team| team.edges.len() == 1));
         let genome = evolved(400);
-        let edges: Vec<usize> = genome.teams().values().map(|team| team.edges.len()).collect();
+        let edges: Vec<usize> = genome.teams.values().map(|team| team.edges.len()).collect();
         assert!(edges.iter().any(|&edges| edges > 1), "{edges:?}");
-        let to_teams = genome.teams().values().flat_map(|team| &team.edges);
+        let to_teams = genome.teams.values().flat_map(|team| &team.edges);
         assert!(to_teams.clone().any(|edge| matches!(edge.to, Destination::Team(_))), "some edge leads to a team");
         assert!(to_teams.clone().all(|edge| !matches!(edge.to, Destination::Action(_))));
         let used: std::collections::BTreeSet<_> = to_teams.map(|edge| edge.to).collect();

@@ -78,8 +78,8 @@ impl TeamMutator<'_> {
     /// Adds children: mutated copies of roots; the refiner or the mirror may make them instead.
     pub(super) fn populate(&self, genome: &mut Genome, moment: Moment) {
         let Self { programs, refiner, mirror, parameters, actions } = *self;
-        let teams: Vec<TeamId> = genome.teams().keys().copied().collect();
-        let edges: Vec<Edge> = genome.teams().values().flat_map(|team| team.edges.iter().copied()).collect();
+        let teams: Vec<TeamId> = genome.teams.keys().copied().collect();
+        let edges: Vec<Edge> = genome.teams.values().flat_map(|team| team.edges.iter().copied()).collect();
         let before = Before { teams: &teams, edges: &edges, actions };
         let mut to_mutate = Vec::new();
         add_children(genome, parameters.nb_roots, moment, |genome, parent, stream| {
@@ -87,15 +87,15 @@ impl TeamMutator<'_> {
             let close = close.or_else(|| mirror.child(genome, parent, &edges, parameters, stream));
             let close = close.or_else(|| refiner.mutated(genome, parent, &programs, stream));
             close.unwrap_or_else(|| {
-                let child = genome.add_team(genome.team(parent).clone());
-                mutate_team(genome, child, &before, parameters, &mut to_mutate, stream);
-                child
+                let edges = genome.team(parent).edges.clone();
+                let edges = mutated(genome, edges, &before, parameters, &mut to_mutate, stream);
+                genome.add_team(Team { edges })
             })
         });
         for (index, new) in (0..).zip(&to_mutate) {
             let mut program = genome.program(*new).clone();
             programs.mutate(&mut program, &mut moment.stream(Purpose::Program, index));
-            genome.replace_program(*new, program);
+            genome.programs.insert(*new, program);
         }
     }
 }
@@ -107,16 +107,15 @@ struct Before<'a> {
     actions: u16,
 }
 
-/// Mutates a team (`TPGMutator::mutateTPGTeam`).
-fn mutate_team(
+/// Mutates the edges of a team (`TPGMutator::mutateTPGTeam`).
+fn mutated(
     genome: &mut Genome,
-    child: TeamId,
+    mut edges: Vec<Edge>,
     before: &Before<'_>,
     parameters: &TpgParameters,
     to_mutate: &mut Vec<ProgramId>,
     stream: &mut Stream,
-) {
-    let mut edges = genome.team(child).edges.clone();
+) -> Vec<Edge> {
     let mut probability = 1.0;
     while edges.len() > 2 && probability > stream.unit() {
         edges.remove(stream.below(edges.len()));
@@ -136,7 +135,7 @@ fn mutate_team(
             }
         }
     }
-    *genome.edges_mut(child) = edges;
+    edges
 }
 
 /// Mutates an edge (`TPGMutator::mutateOutgoingEdge`): replaces its program by a copy to be mutated, and may change the
@@ -206,8 +205,8 @@ mod tests {
     fn the_first_population_is_gegelatis() {
         let config = config();
         let genome = evolved(&config, 0);
-        assert_eq!((genome.roots().len(), genome.teams().len()), (30, 30));
-        for (place, team) in genome.teams().values().enumerate() {
+        assert_eq!((genome.roots().len(), genome.teams.len()), (30, 30));
+        for (place, team) in genome.teams.values().enumerate() {
             assert!((2..=config.tpg.max_init_outgoing_edges).contains(&team.edges.len()));
             if place < 9 {
                 let actions = [0, 1].map(|edge| Destination::Action(((place + edge) % 9) as u16));
@@ -234,7 +233,7 @@ mod tests {
         mutator.populate(&mut genome, moment);
         assert_eq!(genome.roots().len(), config.tpg.nb_roots);
         let mut deep = 0;
-        for (&id, team) in genome.teams() {
+        for (&id, team) in &genome.teams {
             assert!((2..=config.tpg.max_outgoing_edges).contains(&team.edges.len()));
             for edge in &team.edges {
                 assert!((1..=config.program.max_program_size).contains(&genome.program(edge.program).lines.len()));

@@ -84,8 +84,8 @@ impl Population {
 
     /// Returns the number of teams, and of programs.
     pub(super) fn size(&self) -> (usize, usize) {
-        let teams = self.demes.iter().map(|deme| deme.genome.teams().len()).sum();
-        (teams, self.demes.iter().map(|deme| deme.genome.programs().len()).sum())
+        let teams = self.demes.iter().map(|deme| deme.genome.teams.len()).sum();
+        (teams, self.demes.iter().map(|deme| deme.genome.programs.len()).sum())
     }
 
     /// Returns the surviving roots with their records less the price of their lines, best first; of equals the smaller one, then that
@@ -132,7 +132,7 @@ impl Population {
         for (deme, population) in (0..).zip(&mut self.demes) {
             let moment = Moment { deme, ..moment };
             let genome = &mut population.genome;
-            if genome.teams().is_empty() {
+            if genome.teams.is_empty() {
                 let mut stream = moment.stream(Purpose::Initial, 0);
                 if actions == 0 {
                     *genome = growing.random_population(config.tpg.init_nb_roots, &mut stream);
@@ -181,7 +181,7 @@ impl Population {
             let removed: Vec<TeamId> = roots.into_iter().filter(|team| !kept.contains(team)).collect();
             let Deme { genome, records } = &mut self.demes[deme];
             genome.remove_roots(&removed);
-            records.retain(|team, _| genome.teams().contains_key(team));
+            records.retain(|team, _| genome.teams.contains_key(team));
         }
     }
 }

@@ -67,7 +67,7 @@ mod tests {
             assert_eq!(EvolutionConfig::from_toml("written", &config.to_toml()), Ok(config), "{}", preset.name);
         }
         assert!(
-            PROBLEMS.iter().all(|(name, _)| EvolutionConfig::table(EvolutionConfig::default_preset(*name)).is_some())
+            PROBLEMS.iter().all(|(name, _)| EvolutionConfig::table(EvolutionConfig::default_preset(*name)).is_ok())
         );
     }
 

@@ -4,12 +4,11 @@ use super::checkpoint;
 use super::config::EvolutionConfig;
 use super::export;
 use super::generation::{Evolution, Goal};
-use super::logs;
 use super::record::Row;
 use super::scales::scales;
 use super::state::{Best, State};
 use crate::configuration::Configuration as _;
-use crate::folder::{RunFolder, Trainer};
+use crate::folder::RunFolder;
 use crate::run_time::Stopwatch;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -99,12 +98,6 @@ impl Progress<'_> {
     }
 }
 
-impl std::fmt::Debug for Progress<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Progress").field("generations", &self.generations).finish_non_exhaustive()
-    }
-}
-
 /// Outcome of a run.
 #[derive(Clone, Debug)]
 pub enum RunEnd {
@@ -172,9 +165,9 @@ pub fn train<S: Scalar, E: Environment<S>>(
             "a sum of all inputs is too long for a program: no search for weights, the run starts at random",
         );
     }
-    let folder = RunFolder::open(&options.folder, Trainer::Tpg, options.resume)?;
+    let folder = RunFolder::open(&options.folder, options.resume)?;
     let found = folder
-        .load(checkpoint::VERSION, |file, content| checkpoint::from_bytes(file, content, config, seed, environment))?;
+        .load(checkpoint::FORM, |file, content| checkpoint::from_bytes(file, content, config, seed, environment))?;
     write_atomically(&options.folder.join("config.toml"), config.to_toml().as_bytes())?;
     let mut state = match found {
         Some(state) => state,
@@ -182,17 +175,32 @@ pub fn train<S: Scalar, E: Environment<S>>(
     };
     let evolution = Evolution::new(config, environment, evaluator, state.scales.clone(), options.goal);
     let stopwatch = Stopwatch::new(&options.folder);
+    let to_graph = |best: &Best| graph_of(config, seed, best, environment, &options.naming);
+    // The log has no times, so that equal runs have equal logs; the hall of fame has a graph a line, smallest first.
+    let write_results = |state: &State<E::Task>| -> Result<(), RunError> {
+        let write = |name: &str, text: &str| write_atomically(&options.folder.join(name), text.as_bytes());
+        let row = |row: &Row| serde_json::to_string(row).expect("a row is plain data") + "\n";
+        write("generations.jsonl", &state.rows.iter().map(row).collect::<String>())?;
+        if let Some(best) = &state.best {
+            write("graph.json", &to_graph(best)?.to_json())?;
+        }
+        let mut hall = String::new();
+        for best in &state.hall {
+            hall.extend(to_graph(best)?.to_json().lines().map(str::trim));
+            hall.push('\n');
+        }
+        Ok(write("hall.jsonl", &hall)?)
+    };
     if state.generation > 0 {
         // The run may have been killed between writing its checkpoint and its results.
-        write_results(config, options, &state, environment)?;
+        write_results(&state)?;
     }
     let save = |state: &State<E::Task>| -> Result<(), RunError> {
         let file = folder.path().display().to_string();
-        folder.save(checkpoint::VERSION, checkpoint::to_bytes(&file, config, state, environment)?)?;
-        write_results(config, options, state, environment)?;
+        folder.save(checkpoint::FORM, checkpoint::to_bytes(&file, config, state, environment)?)?;
+        write_results(state)?;
         Ok(stopwatch.write(&options.folder)?)
     };
-    let to_graph = |best: &Best| graph_of(config, seed, best, environment, &options.naming);
     let mut stopped = watch(&progress(config, &state, &to_graph)).is_break();
     let mut saved = Instant::now();
     while !evolution.finished(&state) {
@@ -239,28 +247,6 @@ fn progress<'a, Task>(
         hall: &state.hall,
         to_graph,
     }
-}
-
-/// Writes the logs, the best graph, and the hall of fame: a graph a line, smallest first.
-fn write_results<S: Scalar, E: Environment<S>>(
-    config: &EvolutionConfig,
-    options: &RunOptions,
-    state: &State<E::Task>,
-    environment: &E,
-) -> Result<(), RunError> {
-    let RunOptions { folder, naming, .. } = options;
-    logs::write(folder, &state.rows)?;
-    if let Some(best) = &state.best {
-        let graph = graph_of(config, state.seed, best, environment, naming)?;
-        write_atomically(&folder.join("graph.json"), graph.to_json().as_bytes())?;
-    }
-    let mut hall = String::new();
-    for best in &state.hall {
-        hall.extend(graph_of(config, state.seed, best, environment, naming)?.to_json().lines().map(str::trim));
-        hall.push('\n');
-    }
-    write_atomically(&folder.join("hall.jsonl"), hall.as_bytes())?;
-    Ok(())
 }
 
 /// Returns a validated root as a graph, as a run writes it: with the ranges of its inputs and its provenance.

@@ -10,61 +10,25 @@ use tpg_engine::Summary;
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 
-/// One row of `cells.csv`: a pair under a setting.
+/// A pair under a setting: with these and its result, a row of `cells.csv`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(crate) struct Cell {
     /// Position of the graph on the command line, from 0.
     pub tpg: usize,
     /// Position of the network on the command line, from 0.
     pub sac: usize,
-    /// The setting, written before the other columns.
+    /// The setting.
     #[serde(skip)]
     pub setting: Setting,
-    /// Number of episodes.
-    pub episodes: usize,
-    /// Mean score.
-    pub mean_score: f64,
+    /// The result.
+    #[serde(skip)]
+    pub result: Summary,
     /// Standard deviation of the scores, over the episodes (of the sample, n − 1).
     pub std_score: f64,
-    /// Fraction of successes, 0 to 1; empty if the problem does not define success.
-    pub success: Option<f64>,
-    /// Mean of the problem's measure; 0 if it has none.
-    pub mean_measure: f64,
-    /// Mean number of actions.
-    pub mean_steps: f64,
     /// Fraction of all actions that the graph chose.
     pub tpg_action_ratio: f64,
     /// Actions per episode that the network chose.
     pub network_actions: f64,
-    /// Hand-overs per episode because the guard refused.
-    pub hand_overs_guard: f64,
-    /// Hand-overs per episode because the distance grew.
-    pub hand_overs_drift: f64,
-    /// Hand-overs per episode because the graph made no progress.
-    pub hand_overs_stall: f64,
-    /// Hand-overs per episode because the graph cycled.
-    pub hand_overs_cycle: f64,
-    /// Number of times per episode that the network handed back.
-    pub hand_backs: f64,
-}
-
-/// One row of `alone.csv`: a policy acting alone.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub(crate) struct Alone {
-    /// `tpg` or `sac`.
-    pub kind: &'static str,
-    /// Its position on the command line, from 0.
-    pub place: usize,
-    /// Its file.
-    pub file: String,
-    /// Mean score.
-    pub mean_score: f64,
-    /// Standard deviation of the scores, over the episodes (of the sample, n − 1).
-    pub std_score: f64,
-    /// Fraction of successes, 0 to 1; empty if the problem does not define success.
-    pub success: Option<f64>,
-    /// Mean number of actions.
-    pub mean_steps: f64,
 }
 
 /// Subject of a study.
@@ -89,25 +53,15 @@ impl Subject<'_> {
     pub(crate) fn cell(&self, tpg: usize, sac: usize, setting: &Setting) -> Result<Cell, InputError> {
         let both = Acting::Both(&self.graphs[tpg], &self.networks[sac], setting);
         let done = self.problem.play(both, self.episodes)?;
-        let summary = Summary::new(&done.endings);
-        let [hand_overs_guard, hand_overs_drift, hand_overs_stall, hand_overs_cycle] = done.hand_overs;
+        let result = Summary::new(&done.endings);
         Ok(Cell {
             tpg,
             sac,
             setting: setting.clone(),
-            episodes: summary.episodes,
-            mean_score: summary.score,
-            std_score: summary.score_deviation(&done.endings),
-            success: summary.success,
-            mean_measure: summary.measure,
-            mean_steps: summary.actions,
+            std_score: result.score_deviation(&done.endings),
+            result,
             tpg_action_ratio: done.tpg_action_ratio,
             network_actions: done.network_actions,
-            hand_overs_guard,
-            hand_overs_drift,
-            hand_overs_stall,
-            hand_overs_cycle,
-            hand_backs: done.hand_backs,
         })
     }
 }

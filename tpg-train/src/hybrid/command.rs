@@ -1,30 +1,31 @@
 //! `tpg-train hybrid`: the study of a hybrid's settings.
 //!
-//! The folder of a study contains `study.toml` (the request), `cells.csv` (a row for each pair and setting),
-//! `settings.csv` (means over pairs, choice), `alone.csv`, `hybrid.toml` (the chosen setting with the best pair): the same bytes for equal
-//! runs.
+//! The folder of a study contains `study.toml` (the request), `cells.csv` (a row for each pair and setting), `alone.csv`, and
+//! `hybrid.toml` (the chosen setting with the best pair): the same bytes for equal runs.
 
-use super::cells::{Alone, Cell, Subject, grid};
-use super::choice;
+use super::cells::{Cell, Subject, grid};
+use super::choice::choose;
 use super::rollout::Acting;
 use super::setting::{Detector, HybridFile, Setting, UNGUARDED};
-use super::shared::{Episodes, Facts, Shared};
+use super::shared::{Episodes, Shared};
 use super::span::Span;
-use super::study::{self, absolute};
 use crate::csv_text::to_csv;
-use crate::folder::{RunFolder, Trainer};
+use crate::folder::RunFolder;
 use crate::run_args::command_line;
 use crate::sac::network::Network;
 use clap::Args;
+use rayon::ThreadPool;
 use rayon::prelude::*;
 use serde::Serialize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 use tpg_engine::{Summary, TaskSet};
 use tpg_graph::Graph;
 use tpg_graph::command::Verdict;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::files::{read_graph, write_atomically};
-use tpg_problems::{Problem, ProblemName};
+use tpg_graph::progress::Bar;
+use tpg_problems::ProblemName;
 
 /// Study how graphs and networks share a problem, on validation episodes.
 #[derive(Clone, Debug, Args)]
@@ -40,8 +41,8 @@ pub(crate) struct HybridArgs {
     pub config: Option<PathBuf>,
 }
 
-/// The arguments of a study on any problem.
-#[derive(Clone, Debug, Args)]
+/// The arguments of a study on any problem; with their defaults and the problem they are its `study.toml`.
+#[derive(Clone, Debug, Args, Serialize)]
 pub struct StudyArgs {
     /// Graphs
     #[arg(long, value_name = "GRAPH", num_args = 1.., required = true)]
@@ -51,6 +52,7 @@ pub struct StudyArgs {
     pub policy: Vec<PathBuf>,
     /// The folder of the study
     #[arg(long, value_name = "RUN")]
+    #[serde(skip)]
     pub out: PathBuf,
     /// Validation episodes for each pair and setting
     #[arg(long, value_name = "N", default_value_t = 500)]
@@ -77,22 +79,20 @@ pub struct StudyArgs {
     pub patience: Vec<Span>,
     /// Threads; 0 for one per core
     #[arg(long, value_name = "N", default_value_t = 0)]
+    #[serde(skip)]
     pub threads: usize,
 }
 
-/// Content of `study.toml`.
-#[derive(Clone, Debug, Serialize)]
-struct Asked {
-    episodes: usize,
-    seed: u64,
-    guards: Vec<String>,
-    cycle_detectors: Vec<Detector>,
-    hand_back_after: Vec<Span>,
-    separation: Vec<f64>,
-    patience: Vec<Span>,
-    tpg: Vec<PathBuf>,
-    policy: Vec<PathBuf>,
-    problem: toml::Table,
+/// Graphs and networks with their files.
+type Parts = (Vec<(String, Graph)>, Vec<(String, Network)>);
+
+impl StudyArgs {
+    fn read(&self) -> Result<Parts, InputError> {
+        let graph = |path: &PathBuf| Ok::<_, InputError>((path.display().to_string(), read_graph(path)?));
+        let network = |path: &PathBuf| Ok::<_, InputError>((path.display().to_string(), Network::read(path)?));
+        let graphs = self.tpg.iter().map(graph).collect::<Result<_, _>>()?;
+        Ok((graphs, self.policy.iter().map(network).collect::<Result<_, _>>()?))
+    }
 }
 
 /// Runs the study that the command line asks for.
@@ -101,7 +101,9 @@ struct Asked {
 /// Files that are not policies of the problem, settings that it does not have, a folder with a run, files that
 /// cannot be written.
 pub(crate) fn execute(args: &HybridArgs) -> Result<Verdict, InputError> {
-    study_on(&shared_problem(args)?, &args.study)
+    let parts = args.study.read()?;
+    let problem = crate::evaluate::problem_for(args.problem, args.config.as_deref(), &parts.0, &parts.1)?;
+    study(&problem, &args.study, parts)
 }
 
 /// Runs a study on a problem, such as [an environment of your own](super::shared::OwnProblem).
@@ -109,34 +111,21 @@ pub(crate) fn execute(args: &HybridArgs) -> Result<Verdict, InputError> {
 /// # Errors
 /// Files that are not policies of the problem, settings that it does not have, files that cannot be written.
 pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, InputError> {
+    study(problem, args, args.read()?)
+}
+
+fn study(problem: &dyn Shared, args: &StudyArgs, (graphs, networks): Parts) -> Result<Verdict, InputError> {
     let facts = problem.facts();
-    let read_networks = args.policy.iter().map(|path| Ok((path.display().to_string(), Network::read(path)?)));
-    let mut subject = Subject {
-        problem,
-        graphs: args.tpg.iter().map(|p| Ok((p.display().to_string(), read_graph(p)?))).collect::<Result<_, _>>()?,
-        networks: read_networks.collect::<Result<_, InputError>>()?,
-        settings: Vec::new(),
-        episodes: Episodes { set: TaskSet::Study, count: args.episodes, seed: args.seed, file: None },
-    };
-    for (file, network) in &subject.networks {
-        crate::evaluate::same_problem(&problem.name(), file, network)?;
-    }
-    let asked = Asked {
-        episodes: args.episodes,
-        seed: args.seed,
-        guards: or(&args.guard, || vec![facts.guards.last().copied().unwrap_or(UNGUARDED).to_owned()]),
-        cycle_detectors: or(&args.cycle_detector, || {
-            vec![if facts.has_key { Detector::Visited } else { Detector::None }]
-        }),
-        hand_back_after: or_spans(&args.hand_back_after, &[1, 5, 20, 50, 100], &facts),
-        separation: separations(args, &subject)?,
-        patience: or_spans(&args.patience, &[5, 10, 20, 50], &facts),
-        tpg: args.tpg.clone(),
-        policy: args.policy.clone(),
-        problem: problem.table(),
-    };
-    let Asked { guards, cycle_detectors, hand_back_after, separation, patience, .. } = &asked;
-    subject.settings = grid(guards, cycle_detectors, hand_back_after, separation, patience);
+    let episodes = Episodes { set: TaskSet::Study, count: args.episodes, seed: args.seed, file: None };
+    let mut subject = Subject { problem, graphs, networks, settings: Vec::new(), episodes };
+    let mut asked = args.clone();
+    or(&mut asked.guard, || vec![facts.guards.last().copied().unwrap_or(UNGUARDED).to_owned()]);
+    or(&mut asked.cycle_detector, || vec![if facts.has_key { Detector::Visited } else { Detector::None }]);
+    or(&mut asked.hand_back_after, || spans(&[1, 5, 20, 50, 100]));
+    or(&mut asked.patience, || spans(&[5, 10, 20, 50]));
+    asked.separation = separations(args, &subject)?;
+    let StudyArgs { guard, cycle_detector, hand_back_after, separation, patience, .. } = &asked;
+    subject.settings = grid(guard, cycle_detector, hand_back_after, separation, patience);
     let refused = |setting: &Setting| setting.check_on(&problem.name(), facts.guards, facts.has_key);
     subject.settings.iter().try_for_each(refused)?;
     if subject.graphs.iter().any(|(_, graph)| asks(graph)) {
@@ -147,87 +136,67 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, Input
         return Err(command_line("settings by which the graph never hands over", accepted));
     }
     // Policies that do not fit are refused before the folder is made.
-    let threads = study::threads(args.threads)?;
+    let threads = rayon::ThreadPoolBuilder::new().num_threads(args.threads).build().map_err(|error| {
+        InputError::new("--threads", Place::Whole, error.to_string(), "a number of threads that can be started")
+    })?;
     let alone = threads.install(|| alone(&subject))?;
-    let folder = RunFolder::open(&args.out, Trainer::Hybrid, false)?;
-    write_atomically(&folder.file("study.toml"), toml::to_string(&asked).expect("plain data").as_bytes())?;
-    let cells = study::run(&subject, &folder, &threads)?;
-    finish(args, &subject, &facts, &cells, &alone)
-}
-
-/// Writes the results of a study.
-fn finish(
-    args: &StudyArgs,
-    subject: &Subject<'_>,
-    facts: &Facts,
-    cells: &[Cell],
-    alone: &[Alone],
-) -> Result<Verdict, InputError> {
-    let problem = subject.problem;
-    let summaries = choice::summarise(cells, &subject.settings, facts.preference);
-    let file = |name: &str| args.out.join(name);
-    write_atomically(&file("settings.csv"), &to_csv(summaries.iter().map(|summary| (&summary.setting, summary))))?;
-    write_atomically(&file("alone.csv"), &to_csv(alone.iter()))?;
-    let chosen = summaries.iter().find(|summary| summary.chosen);
-    let best = chosen.and_then(|chosen| choice::best_pair(cells, &chosen.setting, facts.preference));
-    let Some((chosen, best)) = chosen.zip(best) else { return Ok(Verdict::Good) };
-    let hybrid = HybridFile {
-        problem: Some(problem.name()),
-        graph: absolute(&args.tpg[best.tpg]),
-        actor: absolute(&args.policy[best.sac]),
-        hand_back_after: chosen.setting.hand_back_after,
-        separation: chosen.setting.separation,
-        patience: chosen.setting.patience,
-        cycle_detector: chosen.setting.detector,
-        guard: (!facts.guards.is_empty()).then(|| chosen.setting.guard.clone()),
-    };
-    write_atomically(&file("hybrid.toml"), toml::to_string(&hybrid).expect("plain data").as_bytes())?;
-    tpg_graph::command::note(format_args!(
-        "chosen: {}: score {:.2}, {:.1} of {:.1} actions by the network",
-        chosen.setting.sentence(),
-        chosen.score,
-        chosen.network_actions,
-        chosen.steps
-    ));
-    for Alone { kind, file, mean_score, .. } in alone {
+    let folder = RunFolder::open(&args.out, false)?;
+    let mut asked = toml::Table::try_from(&asked).expect("plain data");
+    asked.insert("problem".to_owned(), problem.table().into());
+    write_atomically(&folder.file("study.toml"), asked.to_string().as_bytes())?;
+    let cells = cells(&subject, &threads)?;
+    write_atomically(&folder.file("cells.csv"), &to_csv(cells.iter().map(|cell| (&cell.setting, cell, &cell.result))))?;
+    write_atomically(&folder.file("alone.csv"), &to_csv(alone.iter()))?;
+    if let Some(best) = choose(&cells, &subject.settings, facts.preference) {
+        let setting = &best.setting;
+        let hybrid = HybridFile {
+            problem: Some(problem.name()),
+            graph: absolute(&args.tpg[best.tpg]),
+            actor: absolute(&args.policy[best.sac]),
+            hand_back_after: setting.hand_back_after,
+            separation: setting.separation,
+            patience: setting.patience,
+            cycle_detector: setting.detector,
+            guard: (!facts.guards.is_empty()).then(|| setting.guard.clone()),
+        };
+        write_atomically(&folder.file("hybrid.toml"), toml::to_string(&hybrid).expect("plain data").as_bytes())?;
+        let (setting, Cell { result, network_actions, .. }) = (setting.sentence(), best);
         tpg_graph::command::note(format_args!(
-            "{}: {file}: score {mean_score:.2}",
-            if *kind == "tpg" { "graph alone" } else { "network alone" }
+            "chosen: {setting}: score {:.2}, {network_actions:.1} of {:.1} actions by the network",
+            result.score, result.actions
         ));
     }
     Ok(Verdict::Good)
 }
 
-/// Returns the problem of the arguments with what the policies say of their training.
-fn shared_problem(args: &HybridArgs) -> Result<Problem, InputError> {
-    let mut problem: Option<Problem> = None;
-    for path in &args.study.tpg {
-        let (file, graph) = (path.display().to_string(), read_graph(path)?);
-        let own = crate::evaluate::problem_for(args.problem, args.config.as_deref(), Some((&file, &graph)))?;
-        if problem.as_ref().is_some_and(|first| *first != own) {
-            let accepted = "one as the first, or --config";
-            return Err(InputError::new(file, Place::Whole, "a graph for another arm", accepted));
-        }
-        problem = Some(own);
-    }
-    let mut problem = problem.unwrap_or_else(|| Problem::new(args.problem));
-    // The first network's rules of tests hold for all.
-    for (place, path) in args.study.policy.iter().enumerate().rev() {
-        let rules = place == 0 && args.config.is_none();
-        problem = problem.joined(&path.display().to_string(), &Network::read(path)?.settings(), rules, true)?;
-    }
-    Ok(problem)
+/// Computes a cell for each pair and setting.
+fn cells(subject: &Subject<'_>, threads: &ThreadPool) -> Result<Vec<Cell>, InputError> {
+    let pairs = (0..subject.graphs.len()).flat_map(|tpg| (0..subject.networks.len()).map(move |sac| (tpg, sac)));
+    let all: Vec<_> = pairs.flat_map(|pair| subject.settings.iter().map(move |setting| (pair, setting))).collect();
+    let (progress, done) = (Bar::begin(), AtomicU64::new(0));
+    let cell = |&((tpg, sac), setting)| {
+        let cell = subject.cell(tpg, sac, setting)?;
+        progress.show(done.fetch_add(1, Ordering::Relaxed) + 1, all.len() as u64, String::new);
+        Ok(cell)
+    };
+    threads.install(|| all.par_iter().map(cell).collect())
 }
 
-/// Returns what is asked for, or the default.
-fn or<T: Clone>(asked: &[T], default: impl FnOnce() -> Vec<T>) -> Vec<T> {
-    if asked.is_empty() { default() } else { asked.to_vec() }
+/// Returns the absolute path of a file.
+fn absolute(path: &Path) -> String {
+    path.canonicalize().unwrap_or_else(|_| path.to_owned()).display().to_string()
 }
 
-/// Returns the numbers asked for, or the common ones that an episode can reach, and never.
-fn or_spans(asked: &[Span], common: &[u32], facts: &Facts) -> Vec<Span> {
-    let reached = common.iter().copied().filter(|&actions| actions < facts.time_limit).map(Span);
-    or(asked, || reached.chain([Span::NEVER]).collect())
+/// Puts the default where nothing is asked for.
+fn or<T>(asked: &mut Vec<T>, default: impl FnOnce() -> Vec<T>) {
+    if asked.is_empty() {
+        *asked = default();
+    }
+}
+
+/// Returns some numbers of actions, and never.
+fn spans(actions: &[u32]) -> Vec<Span> {
+    actions.iter().copied().map(Span).chain([Span::NEVER]).collect()
 }
 
 /// Quantiles of a graph's rises above its least distance that become separations.
@@ -271,25 +240,22 @@ fn asks(graph: &Graph) -> bool {
     graph.asks().next().is_some()
 }
 
+/// A policy that acts alone: with its result, a row of `alone.csv`.
+#[derive(Serialize)]
+struct Alone<'a> {
+    /// `tpg` or `sac`.
+    kind: &'static str,
+    /// Its file.
+    file: &'a str,
+}
+
 /// Lets every policy that can act alone.
-fn alone(subject: &Subject<'_>) -> Result<Vec<Alone>, InputError> {
-    let graphs = subject.graphs.iter().map(|graph| ("tpg", &graph.0, Acting::Graph(graph))).enumerate();
-    let networks = subject.networks.iter().map(|network| ("sac", &network.0, Acting::Network(network))).enumerate();
-    let graphs = graphs.filter(|&(place, _)| !asks(&subject.graphs[place].1));
+fn alone<'a>(subject: &'a Subject<'_>) -> Result<Vec<(Alone<'a>, Summary)>, InputError> {
+    let graphs = subject.graphs.iter().filter(|(_, graph)| !asks(graph));
+    let graphs = graphs.map(|graph| (Alone { kind: "tpg", file: &graph.0 }, Acting::Graph(graph)));
+    let networks = subject.networks.iter();
+    let networks = networks.map(|network| (Alone { kind: "sac", file: &network.0 }, Acting::Network(network)));
     let all: Vec<_> = graphs.chain(networks).collect();
-    all.into_par_iter()
-        .map(|(place, (kind, file, acting))| {
-            let endings = subject.problem.play(acting, subject.episodes)?.endings;
-            let summary = Summary::new(&endings);
-            Ok(Alone {
-                kind,
-                place,
-                file: file.clone(),
-                mean_score: summary.score,
-                std_score: summary.score_deviation(&endings),
-                success: summary.success,
-                mean_steps: summary.actions,
-            })
-        })
-        .collect()
+    let play = |(policy, acting)| Ok((policy, Summary::new(&subject.problem.play(acting, subject.episodes)?.endings)));
+    all.into_par_iter().map(play).collect()
 }

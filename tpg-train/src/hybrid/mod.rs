@@ -9,10 +9,9 @@
 //! | [`shared`] | the problems that a graph and a network can share |
 //! | [`rollout`] | a hybrid, or one of its parts, on many tasks |
 //! | [`asking`] | one more action for a graph: ask the network, at a price |
-//! | [`study`] | every pair under every setting, in a folder |
 //! | [`cells`] | the rows of a study |
-//! | [`choice`] | means over pairs, the setting to use |
-//! | [`command`] | `tpg-train hybrid` |
+//! | [`choice`] | the setting to use |
+//! | [`command`] | `tpg-train hybrid`: every pair under every setting, in a folder |
 
 pub(crate) mod asking;
 pub(crate) mod cells;
@@ -22,4 +21,3 @@ pub(crate) mod rollout;
 pub(crate) mod setting;
 pub(crate) mod shared;
 pub(crate) mod span;
-pub(crate) mod study;

@@ -91,7 +91,7 @@ impl Setting {
         let Self { hand_back_after, separation, patience, detector, guard } = self;
         let cycles = detector.name();
         let guard = if guard == UNGUARDED { String::new() } else { format!(", guard {guard}") };
-        let separation = shown(*separation);
+        let separation = if separation.is_infinite() { "∞".to_owned() } else { separation.to_string() };
         format!(
             "hands back after {hand_back_after}, separation {separation}, patience {patience}, cycles {cycles}{guard}"
         )
@@ -142,11 +142,6 @@ impl Setting {
 
 fn infinity() -> f64 {
     f64::INFINITY
-}
-
-/// Formats a distance; infinity is shown as ∞.
-pub(crate) fn shown(distance: f64) -> String {
-    if distance == f64::INFINITY { "∞".to_owned() } else { distance.to_string() }
 }
 
 /// A complete hybrid, as written in `hybrid.toml`. Paths are relative to the file. Rules that it leaves out are off: a
@@ -221,18 +216,10 @@ impl Hybrid {
 /// The file, for messages.
 const ACCEPTED: &str = "a hybrid.toml";
 
-/// Reads a `hybrid.toml` without its policies.
+/// Reads the text of a `hybrid.toml` without its policies; `name` is the file's, for messages.
 ///
 /// # Errors
 /// If it cannot be read or contains a setting that no graph can have.
-pub fn read_file(path: &Path) -> Result<HybridFile, InputError> {
-    parse_file(&path.display().to_string(), &read_text(path, ACCEPTED)?)
-}
-
-/// Reads the text of such a file; `name` is the file's, for messages.
-///
-/// # Errors
-/// As [`read_file`].
 pub fn parse_file(name: &str, text: &str) -> Result<HybridFile, InputError> {
     let accepted = "problem, graph, actor, hand_back_after, separation, patience, cycle_detector, guard";
     let file: HybridFile = settings::from_toml(name, text, accepted)?;
@@ -263,8 +250,6 @@ mod tests {
 
     #[test]
     fn an_impossible_setting_is_refused_at_its_line() {
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        let path = folder.path().join("hybrid.toml");
         for (from, to, line, found) in [
             ("2.5", "-1.0", 5, "separation = -1"),
             ("2.5", "nan", 5, "separation = NaN"),
@@ -273,8 +258,7 @@ mod tests {
             ("\"none\"", "\"floyd\"", 7, "unknown variant"),
             ("patience", "guards", 6, "unknown field `guards`"),
         ] {
-            std::fs::write(&path, TEXT.replace(from, to)).expect("a file");
-            let error = read_file(&path).expect_err(to);
+            let error = parse_file("hybrid.toml", &TEXT.replace(from, to)).expect_err(to);
             assert_eq!(error.place, tpg_graph::error::Place::Line(line), "{error}");
             assert!(error.found.starts_with(found), "{error}");
         }

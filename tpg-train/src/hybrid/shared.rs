@@ -7,7 +7,7 @@ use std::path::Path;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{AnyEpisode, AnyTask, Choices, Environment, EpisodeResult, Measure, Preference, TaskSet, tasks};
 use tpg_graph::Graph;
-use tpg_graph::error::{InputError, Place};
+use tpg_graph::error::{Finding, InputError, Place};
 use tpg_graph::in_arithmetic_of;
 use tpg_problems::{Number, Problem};
 use tpg_runtime::ops::{Maths, Own};
@@ -46,8 +46,6 @@ impl Episodes<'_> {
 /// The facts about a problem that a study and a report need.
 #[derive(Clone, Copy, Debug)]
 pub struct Facts {
-    /// The maximum number of actions in an episode.
-    pub time_limit: u32,
     /// True if the environment has keys, so that cycles can be detected.
     pub has_key: bool,
     /// The ways in which an episode can end.
@@ -64,7 +62,6 @@ impl Facts {
     fn new<S: Scalar>(environment: &impl Environment<S>) -> Self {
         let task = environment.draw(&mut Stream::new(0, 0, Purpose::Selection, 0));
         Self {
-            time_limit: environment.time_limit(),
             has_key: environment.key(&environment.start(&task)).is_some(),
             outcomes: environment.outcomes(),
             measure: environment.measure(),
@@ -145,7 +142,7 @@ pub(crate) fn opened<S: Number, T>(
 ) -> Result<T, InputError> {
     let environment = problem.environment::<S>();
     let choices = Choices::new(&*environment, problem.levels_for(graph))
-        .map_err(|error| InputError::new("problem", Place::Whole, error.to_string(), "fewer problem.levels"))?;
+        .map_err(|Finding { key, found, accepted }| InputError::new(key, Place::Whole, found, accepted))?;
     job(&choices)
 }
 
@@ -173,7 +170,7 @@ fn play_named<S: Number, M: Maths<S>>(
 /// let swing = OwnProblem::<f32, Own, _>::new("swing", Choices::new(Pendulum, Some(3))?);
 /// assert_eq!(swing.name(), "swing");
 /// assert!(!swing.facts().has_key, "so cycles cannot be detected");
-/// # Ok::<(), tpg_engine::TooManyActions>(())
+/// # Ok::<(), tpg_graph::error::Finding>(())
 /// ```
 #[derive(Debug)]
 pub struct OwnProblem<S, M, E> {

@@ -3,6 +3,11 @@
 use std::time::Duration;
 use tpg_engine::EvaluationError;
 
+/// Number of looks for a message without sleep between them.
+const AWAKE: u64 = 200;
+/// Time between two later looks.
+const ASLEEP: Duration = Duration::from_micros(50);
+
 /// A rank's connection to the others. Messages between two ranks arrive in the order in which they were sent.
 pub trait Link {
     /// Returns the number of this rank, from 0.
@@ -28,33 +33,18 @@ pub trait Link {
     /// # Errors
     /// If a rank is lost.
     fn receive(&self) -> Result<(usize, Vec<u8>), EvaluationError> {
-        let mut patience = Backoff::default();
+        let mut looks = 0;
         loop {
             if let Some(message) = self.poll()? {
                 return Ok(message);
             }
-            patience = patience.wait();
+            // Awake at first, then asleep, so that a waiting rank leaves its core to others.
+            if looks < AWAKE {
+                std::thread::yield_now()
+            } else {
+                std::thread::sleep(ASLEEP)
+            }
+            looks += 1;
         }
-    }
-}
-
-/// Waits for messages: awake at first, then asleep, so that a waiting rank leaves its core to others.
-#[derive(Debug, Default)]
-pub(super) struct Backoff(u32);
-
-impl Backoff {
-    /// Number of looks without sleep.
-    const AWAKE: u32 = 200;
-    /// Time between two later looks.
-    const ASLEEP: Duration = Duration::from_micros(50);
-
-    /// Waits a moment.
-    pub(super) fn wait(self) -> Self {
-        if self.0 < Self::AWAKE {
-            std::thread::yield_now();
-            return Self(self.0 + 1);
-        }
-        std::thread::sleep(Self::ASLEEP);
-        self
     }
 }

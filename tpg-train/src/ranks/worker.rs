@@ -10,8 +10,8 @@ use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Piece, PolicyGraph, 
 /// From rank 0 to a worker.
 #[derive(Serialize, Deserialize)]
 pub(super) enum Order {
-    /// Evaluate policies, each on some of the tasks in JSON; `None`: of those of the order before.
-    Evaluate { tasks: Option<Vec<u8>>, jobs: Vec<(PolicyGraph, Range<usize>)> },
+    /// Evaluate policies, each on some of the tasks in JSON.
+    Evaluate { tasks: Vec<u8>, jobs: Vec<(PolicyGraph, Range<usize>)> },
     /// Nothing more comes.
     End,
 }
@@ -27,11 +27,6 @@ pub(super) enum Reply {
     Failed(String),
 }
 
-/// Writes tasks.
-pub(super) fn pack_tasks<T: Serialize + ?Sized>(tasks: &T) -> Result<Vec<u8>, EvaluationError> {
-    serde_json::to_vec(tasks).map_err(EvaluationError::new)
-}
-
 /// Writes a message.
 pub(super) fn encode(message: &impl Serialize) -> Result<Vec<u8>, EvaluationError> {
     postcard::to_stdvec(message).map_err(EvaluationError::new)
@@ -44,22 +39,19 @@ pub(super) fn decode<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, EvaluationE
 
 /// Answers to rank 0's orders until there are no more.
 pub(super) fn serve<Task: Clone + DeserializeOwned>(
-    link: &impl Link,
+    link: &dyn Link,
     ready: &Reply,
     local: &dyn Evaluator<Task>,
 ) -> Result<(), EvaluationError> {
     link.send(0, &encode(ready)?)?;
-    // Tasks stay between orders.
-    let mut work = Work { tasks: Vec::new(), policies: Vec::new() };
     loop {
         let endings = match decode(&link.receive()?.1) {
             Ok(Order::End) => return Ok(()),
             Ok(Order::Evaluate { tasks, jobs }) => {
-                let ranges: Vec<Range<usize>>;
-                (work.policies, ranges) = jobs.into_iter().unzip();
+                let (policies, ranges): (Vec<PolicyGraph>, Vec<Range<usize>>) = jobs.into_iter().unzip();
                 let pieces = (0..).zip(ranges).map(|(policy, tasks)| Piece { policy, tasks }).collect::<Vec<_>>();
-                let read = tasks.map_or(Ok(()), |tasks| unpack_tasks(&tasks).map(|tasks| work.tasks = tasks));
-                read.and_then(|()| local.pieces(&work, &pieces))
+                let tasks = serde_json::from_slice(&tasks).map_err(EvaluationError::new);
+                tasks.and_then(|tasks| local.pieces(&Work { tasks, policies }, &pieces))
             }
             Err(error) => Err(error),
         };
@@ -69,9 +61,4 @@ pub(super) fn serve<Task: Clone + DeserializeOwned>(
         };
         link.send(0, &encode(&reply)?)?;
     }
-}
-
-/// Reads tasks.
-fn unpack_tasks<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, EvaluationError> {
-    serde_json::from_slice(bytes).map_err(EvaluationError::new)
 }

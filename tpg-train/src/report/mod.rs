@@ -14,11 +14,11 @@ mod tables;
 mod test;
 
 use crate::hybrid::shared::Shared;
-use crate::run_args::print;
 use clap::Args;
 use runs::{Group, OWN, Run};
 use std::path::{Path, PathBuf};
 use test::Tested;
+use tpg_graph::command::print;
 use tpg_graph::error::{InputError, counted};
 use tpg_graph::files::write_atomically;
 use tpg_picture::Page;
@@ -40,14 +40,6 @@ pub struct ReportArgs {
     /// The seed of the test episodes
     #[arg(long, value_name = "S", default_value_t = tpg_problems::TEST_SEED)]
     pub seed: u64,
-}
-
-/// Writes the report.
-///
-/// # Errors
-/// If a folder is not a run, or the file cannot be written.
-pub(crate) fn report(args: &ReportArgs) -> Result<(), InputError> {
-    report_with(args, None)
 }
 
 /// Writes the report; `own` tests the runs on an environment that is not built in.
@@ -76,22 +68,15 @@ fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<&dyn Shared>) 
     let tested: Vec<Vec<Option<Tested>>> = (groups.iter())
         .map(|group| group.runs.iter().map(|run| test::test(run, episodes, seed, own)).collect())
         .collect::<Result<_, _>>()?;
-    let halls: Vec<Vec<(String, &Run, Tested)>> = (groups.iter())
-        .map(|group| {
-            let archives = group.runs.iter().map(|run| test::hall(run, episodes, seed, own));
-            Ok(archives.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
-        })
-        .collect::<Result<_, InputError>>()?;
-    let several = groups.iter().any(|group| group.runs.len() > 1);
-    let mut lead =
-        if several { "In the tables ± is the standard deviation over the seeds of a group." } else { "" }.to_owned();
-    let runs = || groups.iter().flat_map(|group| &group.runs);
-    if own.is_some() || runs().any(|run| run.problem.is_some()) {
-        let test = format!(
+    let halls: Vec<Vec<(String, &Run, Tested)>> =
+        (groups.iter()).map(|group| test::halls(&group.runs, episodes, seed, own)).collect::<Result<_, _>>()?;
+    let has_problem = own.is_some() || groups.iter().flat_map(|group| &group.runs).any(|run| run.problem.is_some());
+    let test = || {
+        format!(
             "Tested on {episodes} episodes of the test set with seed {seed}, which no training and no selection reads."
-        );
-        lead = format!("{test} {lead}");
-    }
+        )
+    };
+    let lead = if has_problem { test() } else { String::new() };
     let best: Vec<Option<usize>> =
         groups.iter().zip(&tested).map(|(group, tested)| best(&group.runs, tested)).collect();
     let mut sections = vec![tables::section(groups, &tested)];

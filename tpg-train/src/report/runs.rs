@@ -1,8 +1,7 @@
 //! Reading and grouping of run folders.
 
 use crate::effort::Effort;
-use crate::evolution::config::{AskConfig, EvolutionConfig};
-use crate::evolution::record::Row;
+use crate::evaluate::problem_for;
 use crate::hybrid::rollout::Policies;
 use crate::hybrid::setting::{Hybrid, Setting};
 use crate::run_time::RunTime;
@@ -13,6 +12,7 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::slice::from_ref;
 use tpg_engine::EpisodeResult;
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
@@ -136,15 +136,17 @@ impl Run {
 pub(super) fn read(folders: &[PathBuf]) -> Result<Vec<Group>, InputError> {
     let mut groups: Vec<(String, Group)> = Vec::new();
     for (folder, name) in folders.iter().map(|folder| with_restarts(folder)).collect::<Result<Vec<_>, _>>()?.concat() {
-        if folder.join("study.toml").exists() {
-            let text = read_text(&folder.join("study.toml"), "the study.toml of a study")?;
-            let group = Group { name: String::new(), runs: vec![study(&folder, name, &text)?] };
-            groups.push((folder.display().to_string(), group));
-            continue;
-        }
-        let text = read_text(&folder.join("config.toml"), "the config.toml of a run")?;
-        let run = if folder.join("generations.jsonl").exists() {
-            tpg(&folder, name, &text)?
+        let is_study = folder.join("study.toml").exists();
+        let path = folder.join(if is_study { "study.toml" } else { "config.toml" });
+        let (file, text) = (path.display().to_string(), read_text(&path, "the settings of a run")?);
+        let settings: toml::Table = settings::from_toml(&file, &text, "the settings of a run")?;
+        let section = settings.get("problem").and_then(toml::Value::as_table).filter(|it| named_in(it).is_some());
+        let problem = section.map(|section| Problem::from_table(&file, section, PolicyKind::Graph));
+        let run = if is_study {
+            let hybrid = Policies::Both(Box::new(Hybrid::read(&folder.join("hybrid.toml"))?));
+            Run::new(name, problem.transpose()?.map(Problem::for_tests), hybrid)
+        } else if folder.join("generations.jsonl").exists() {
+            tpg(&folder, name, problem.transpose()?.map(Problem::for_tests), &settings)?
         } else if folder.join("log.jsonl").exists() {
             sac(&folder, name)?
         } else {
@@ -199,11 +201,24 @@ fn named(mut group: Group) -> Group {
     group
 }
 
-fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
-    let file = folder.join("config.toml").display().to_string();
-    let EvolutionConfig { problem, ask, .. } = EvolutionConfig::of_run(&file, config)?;
-    let problem = if problem.is_empty() { None } else { Some(Problem::from_toml(&file, config)?.for_tests()) };
-    let rows: Vec<Row> = lines(&folder.join("generations.jsonl"))?;
+/// Reads the curves of a log: for each of them its name, and the place of its values in a row.
+fn curves(
+    log: &Path,
+    x: &str,
+    places: &[(&'static str, &str)],
+) -> Result<BTreeMap<&'static str, Vec<[f64; 2]>>, InputError> {
+    let rows: Vec<Value> = lines(log)?;
+    let curve = |&(name, place): &(&'static str, &str)| {
+        let value = |row: &Value, place: &str| row.pointer(place).and_then(Value::as_f64);
+        // A problem without a measure has 0.
+        let y = |row| value(row, place).filter(|&y| name != "measure" || y > 0.0);
+        (name, rows.iter().filter_map(|row| Some([value(row, x)?, y(row)?])).collect())
+    };
+    Ok(places.iter().map(curve).collect())
+}
+
+fn tpg(folder: &Path, name: String, problem: Option<Problem>, settings: &toml::Table) -> Result<Run, InputError> {
+    let ask = settings.get("ask").and_then(|ask| ask.get("policy")?.as_str());
     let path = folder.join("graph.json");
     let graph = Graph::from_json(&path.display().to_string(), &read_text(&path, "the graph of a run")?)?;
     let hall = hall(&folder.join("hall.jsonl"), &graph)?;
@@ -211,23 +226,21 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
     let tested = if tested.exists() { lines::<TestedElsewhere>(&tested)? } else { Vec::new() };
     // A graph that has been trained further has not been tested.
     let tested = tested.into_iter().find(|one| one.graph == graph.sha256());
-    let curve = |value: &dyn Fn(&Row) -> Option<f64>| {
-        rows.iter().filter_map(|row| Some([row.steps as f64, value(row)?])).collect::<Vec<_>>()
-    };
-    let curves = BTreeMap::from([
-        ("best score", curve(&|row| Some(row.best_score))),
-        ("median score", curve(&|row| Some(row.median_score))),
-        ("score", curve(&|row| Some(row.validation?.score))),
-        ("success", curve(&|row| row.validation?.success)),
-        ("measure", curve(&|row| Some(row.validation?.measure).filter(|&measure| measure > 0.0))),
-        ("teams", curve(&|row| Some(row.teams as f64))),
-    ]);
-    let (seed, cpu) = (graph.provenance().seed, cpu_seconds(folder));
+    let places = [
+        ("best score", "/best_score"),
+        ("median score", "/median_score"),
+        ("score", "/validation/score"),
+        ("success", "/validation/success"),
+        ("measure", "/validation/measure"),
+        ("teams", "/teams"),
+    ];
+    let curves = curves(&folder.join("generations.jsonl"), "/steps", &places)?;
+    let seed = graph.provenance().seed;
     let run = |name: String, graph: Graph| {
         let graph = (path.display().to_string(), graph);
-        let policies = match &ask {
-            Some(AskConfig { policy, .. }) => {
-                let network = (policy.clone(), Network::read(Path::new(policy))?);
+        let policies = match ask {
+            Some(policy) => {
+                let network = (policy.to_owned(), Network::read(Path::new(policy))?);
                 Policies::Both(Box::new(Hybrid { problem: None, graph, network, setting: Setting::only_asks() }))
             }
             None => Policies::Graph(Box::new(graph)),
@@ -239,7 +252,7 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
         run(format!("generation {generation}"), graph)
     };
     let hall = hall.into_iter().map(of_hall).collect::<Result<_, InputError>>()?;
-    Ok(Run { curves, cpu, hall, tested, ..run(name, graph)? })
+    Ok(Run { curves, cpu: cpu_seconds(folder), hall, tested, ..run(name, graph)? })
 }
 
 /// Reads a run's hall of fame, without its best graph; empty for a run of an earlier version, which has none.
@@ -259,45 +272,23 @@ fn cpu_seconds(folder: &Path) -> Option<f64> {
 }
 
 fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
-    let rows: Vec<BTreeMap<String, Value>> = lines(&folder.join("log.jsonl"))?;
+    let places = [("score", "/score"), ("success", "/success"), ("measure", "/measure"), ("entropy", "/entropy")];
+    let curves = curves(&folder.join("log.jsonl"), "/decisions", &places)?;
     let path = folder.join("policy.safetensors");
     let (network, contract) = weights::read(&path)?;
     let file = path.display().to_string();
     let known = named_in(&contract.problem).ok_or_else(|| {
         InputError::new(&file, Place::Whole, "a network of a problem that is not built in", "one that is")
     })?;
-    let problem = Problem::tested(known, None)?.joined(&file, &contract.problem, true, false)?;
-    let value = |row: &BTreeMap<String, Value>, key: &str| row.get(key).and_then(Value::as_f64);
-    let curve = |key: &str| {
-        rows.iter().filter_map(|row| Some([value(row, "decisions")?, value(row, key)?])).collect::<Vec<_>>()
-    };
-    let curves = BTreeMap::from([
-        ("score", curve("score")),
-        ("success", curve("success")),
-        ("measure", curve("measure")),
-        ("entropy", curve("entropy")),
-    ]);
     let (seed, cpu) = (Some(contract.provenance.seed), cpu_seconds(folder));
-    let policies = Policies::Network((file, Network::Float(Box::new((network, contract)))));
-    Ok(Run { seed, curves, cpu, ..Run::new(name, Some(problem), policies) })
+    let network = (file, Network::Float(Box::new((network, contract))));
+    let problem = problem_for(known, None, &[], from_ref(&network))?;
+    Ok(Run { seed, curves, cpu, ..Run::new(name, Some(problem), Policies::Network(network)) })
 }
 
 /// The problem that settings name, if it is built in.
 fn named_in(settings: &toml::Table) -> Option<ProblemName> {
     settings.get("name").and_then(toml::Value::as_str).and_then(ProblemName::from_name)
-}
-
-/// Reads the hybrid of a study.
-fn study(folder: &Path, name: String, text: &str) -> Result<Run, InputError> {
-    #[derive(Deserialize)]
-    struct Asked {
-        problem: toml::Table,
-    }
-    let file = folder.join("study.toml").display().to_string();
-    let Asked { problem } = settings::from_toml(&file, text, "the study.toml of a study")?;
-    let hybrid = Policies::Both(Box::new(Hybrid::read(&folder.join("hybrid.toml"))?));
-    let problem = named_in(&problem).map(|_| Problem::from_table(&file, &problem, PolicyKind::Graph)).transpose()?;
-    Ok(Run::new(name, problem.map(|problem| problem.for_tests()), hybrid))
 }
 
 /// Parses one JSON value per line.

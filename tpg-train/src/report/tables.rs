@@ -1,64 +1,52 @@
-//! The tables: description and result of each run, and the mean of each group.
+//! The table: description and result of each run, and the mean of each group of several.
 
 use super::runs::{Group, Run};
 use super::test::Tested;
 use crate::hybrid::rollout::Policies;
+use std::ops::Range;
 use tpg_engine::Sample;
 use tpg_graph::error::counted;
-use tpg_picture::{Section, Table};
+use tpg_picture::{FiveNumbers, Section, Table};
+
+/// A number of a run, where it has one.
+type Number<'a> = &'a dyn Fn(&Run, Option<&Tested>) -> Option<f64>;
 
 pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Section {
     let measure = tested.iter().flatten().flatten().find_map(|tested| tested.measure);
     let measure = measure.map_or_else(|| "measure".to_owned(), |measure| format!("{} {}", measure.name, measure.unit));
-    let (mean_measure, median_measure) = (format!("mean {measure}"), format!("median {measure}"));
-    let mut means = Vec::new();
+    let [mean_measure, median_measure] = ["mean", "median"].map(|which| format!("{which} {measure}"));
+    let measured = |tested: Option<&Tested>| tested.filter(|tested| tested.measure.is_some()).map(Tested::measures);
+    let columns: [(&str, Number<'_>); 7] = [
+        ("score", &|_, tested| Some(tested?.summary().score)),
+        ("success %", &|_, tested| Some(100.0 * tested?.summary().success?)),
+        (&mean_measure, &|_, tested| Some(Sample::new(&measured(tested)?).mean)),
+        (&median_measure, &|_, tested| Some(FiveNumbers::new(&measured(tested)?)?.median)),
+        ("actions", &|_, tested| Some(tested?.summary().actions)),
+        ("selection", &|run, _| run.validated()),
+        ("CPU s", &|run, _| run.cpu),
+    ];
     let mut rows = Vec::new();
     for (group, tested) in groups.iter().zip(tested) {
-        let all: Vec<&Tested> = tested.iter().flatten().collect();
-        let over = |value: &dyn Fn(&Tested) -> Option<f64>| {
-            spread(&all.iter().filter_map(|tested| value(tested)).collect::<Vec<_>>())
+        let row = |words: [String; 3], places: Range<usize>| {
+            let cell = |(_, number): &(&str, Number<'_>)| {
+                let numbers = places.clone().filter_map(|place| number(&group.runs[place], tested[place].as_ref()));
+                spread(&numbers.collect::<Vec<_>>())
+            };
+            words.into_iter().chain(columns.iter().map(cell)).collect::<Vec<_>>()
         };
-        let cpu: Option<Vec<f64>> = group.runs.iter().map(|run| run.cpu).collect();
-        means.push(vec![
-            group.name.clone(),
-            group.runs[0].kind().to_owned(),
-            group.runs.len().to_string(),
-            over(&|tested| Some(tested.summary().score)),
-            over(&|tested| tested.summary().success.map(|success| 100.0 * success)),
-            over(&|tested| tested.measure.map(|_| tested.summary().measure)),
-            all.iter().map(|tested| tested.summary().score).reduce(f64::max).map_or_else(String::new, one_decimal),
-            cpu.map_or_else(String::new, |cpu| spread(&cpu)),
-        ]);
-        rows.extend(group.runs.iter().zip(tested).map(|(run, tested)| row(run, tested.as_ref())));
+        let count = group.runs.len();
+        if count > 1 {
+            rows.push(row([group.name.clone(), counted(count, "seed"), String::new()], 0..count));
+        }
+        for (place, run) in group.runs.iter().enumerate() {
+            let seed = run.seed.map_or_else(String::new, |seed| seed.to_string());
+            rows.push(row([run.name.clone(), seed, policy(run)], place..place + 1));
+        }
     }
-    let table =
-        |header: &[&str], rows| told(Table { header: header.iter().map(|&cell| cell.to_owned()).collect(), rows });
-    Section {
-        title: "Results".to_owned(),
-        text: String::new(),
-        tables: vec![
-            table(
-                &["group", "kind", "seeds", "score", "success %", &mean_measure, "best seed's score", "CPU s"],
-                means,
-            ),
-            table(
-                &[
-                    "run",
-                    "seed",
-                    "policy",
-                    "score",
-                    "success %",
-                    &mean_measure,
-                    &median_measure,
-                    "actions",
-                    "selection",
-                    "CPU s",
-                ],
-                rows,
-            ),
-        ],
-        ..Section::default()
-    }
+    let header = ["run", "seed", "policy"].into_iter().chain(columns.iter().map(|(name, _)| *name));
+    let table = told(Table { header: header.map(str::to_owned).collect(), rows });
+    let text = "± is the standard deviation over the seeds of a group.".to_owned();
+    Section { title: "Results".to_owned(), text, tables: vec![table], ..Section::default() }
 }
 
 /// Leaves out columns in which no row says anything.
@@ -69,7 +57,8 @@ fn told(Table { header, rows }: Table) -> Table {
     Table { header: cells(&header), rows: rows.iter().map(|row| cells(row)).collect() }
 }
 
-fn row(run: &Run, tested: Option<&Tested>) -> Vec<String> {
+/// Describes the policy of a run.
+fn policy(run: &Run) -> String {
     let what = match &run.policies {
         Policies::Graph(named) => {
             let graph = &named.1;
@@ -84,26 +73,7 @@ fn row(run: &Run, tested: Option<&Tested>) -> Vec<String> {
         }
         Policies::Both(hybrid) => hybrid.setting.sentence(),
     };
-    let text = |value: Option<f64>| value.map_or_else(String::new, one_decimal);
-    let summary = tested.map(Tested::summary);
-    let measured = tested.filter(|tested| tested.measure.is_some());
-    let median = measured.and_then(|tested| tpg_picture::FiveNumbers::new(&tested.measures())).map(|five| five.median);
-    vec![
-        run.name.clone(),
-        run.seed.map_or_else(String::new, |seed| seed.to_string()),
-        what,
-        text(summary.map(|summary| summary.score)),
-        text(summary.and_then(|summary| summary.success).map(|success| 100.0 * success)),
-        text(measured.map(|tested| tested.summary().measure)),
-        text(median),
-        text(summary.map(|summary| summary.actions)),
-        text(run.validated()),
-        text(run.cpu),
-    ]
-}
-
-fn one_decimal(value: f64) -> String {
-    format!("{value:.1}")
+    format!("{}: {what}", run.kind())
 }
 
 /// Formats mean ± standard deviation (of the sample, n − 1); for a single value, the value itself.
@@ -111,7 +81,7 @@ fn spread(values: &[f64]) -> String {
     let sample = Sample::new(values);
     match sample.count {
         0 => String::new(),
-        1 => one_decimal(sample.mean),
+        1 => format!("{:.1}", sample.mean),
         _ => format!("{:.1} ± {:.1}", sample.mean, sample.sample_deviation()),
     }
 }

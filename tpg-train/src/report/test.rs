@@ -37,17 +37,18 @@ impl Tested {
     }
 }
 
-/// Returns the policies of a run's hall of fame, each with its name and result.
-pub(super) fn hall<'r>(
-    run: &'r Run,
+/// Returns the policies of the halls of fame of runs, each with its name and result.
+pub(super) fn halls<'r>(
+    runs: &'r [Run],
     episodes: usize,
     seed: u64,
     own: Option<&dyn Shared>,
 ) -> Result<Vec<(String, &'r Run, Tested)>, InputError> {
     let mut tested = Vec::new();
-    for one in &run.hall {
-        if let Some(result) = test(one, episodes, seed, own)? {
-            tested.push((format!("{}, {}", run.name, one.name), one, result));
+    for run in runs {
+        for one in &run.hall {
+            let result = test(one, episodes, seed, own)?;
+            tested.extend(result.map(|result| (format!("{}, {}", run.name, one.name), one, result)));
         }
     }
     Ok(tested)

@@ -14,8 +14,8 @@ use tpg_engine::{Environment, Summary};
 use tpg_graph::error::{Finding, InputError};
 use tpg_nn::{Agent, Mlp};
 
-/// Incremented with every change to the content or meaning of checkpoints.
-pub(super) const VERSION: u32 = 9;
+/// Trainer and version, which is incremented with every change to the content or meaning of checkpoints.
+pub(super) const FORM: &str = "tpg-train sac, checkpoint version 10";
 
 /// Everything except the numbers: networks, replay buffer, actions.
 #[derive(Clone, Debug, Serialize, Deserialize)]

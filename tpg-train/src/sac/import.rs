@@ -18,8 +18,9 @@ use super::tensors::Tensors;
 use super::weights::{LIMIT, to_tensors};
 use crate::run_args::{command_line, place};
 use clap::Args;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use tpg_graph::error::InputError;
+use tpg_graph::files::read_text;
 use tpg_problems::{PolicyKind, Problem, ProblemName};
 
 /// Turn an actor of Stable-Baselines3 or CleanRL into a policy.safetensors.
@@ -30,37 +31,12 @@ pub(crate) struct ImportArgs {
     /// The policy.safetensors to write
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
-    /// The problem that it acts in; the arm's, fs and rs, need --actions too
-    #[arg(long, value_enum, default_value = "rs")]
-    pub problem: ProblemName,
-    /// The arm: the meaning of the outputs, fine or coarse
-    #[arg(long, value_name = "NAME")]
-    pub actions: Option<String>,
-    /// The arm: the moves that the policy refuses by itself, none or joint-limits [default: none]
-    #[arg(long, value_name = "NAME")]
-    pub mask: Option<String>,
-    /// The arm: let it rest where no output reaches a threshold
-    #[arg(long)]
-    pub may_rest: bool,
-}
-
-impl ImportArgs {
-    /// Returns the problem with the settings of the arguments.
-    fn problem(&self) -> Result<Problem, InputError> {
-        let mut table = Problem::new_for(self.problem, PolicyKind::Network).to_table();
-        let decide = table.contains_key("mask");
-        if decide && (self.actions.is_none()) {
-            return Err(command_line("an actor of the arm without --actions", "--actions fine or coarse"));
-        }
-        let mask = self.mask.clone().or_else(|| decide.then(|| "none".to_owned()));
-        for (key, value) in [("actions", &self.actions), ("mask", &mask)] {
-            table.extend(value.iter().map(|value| (key.to_owned(), value.clone().into())));
-        }
-        if self.may_rest {
-            table.insert("may_rest".to_owned(), true.into());
-        }
-        Problem::from_table("<command line>", &table, PolicyKind::Network)
-    }
+    /// The problem that it acts in
+    #[arg(long, value_enum, required_unless_present = "config")]
+    pub problem: Option<ProblemName>,
+    /// A section [problem] instead; the arm's, fs and rs, says `actions` and `mask`
+    #[arg(long, value_name = "FILE", conflicts_with = "problem")]
+    pub config: Option<PathBuf>,
 }
 
 /// Reads the actor, checks it, writes the policy.
@@ -68,7 +44,17 @@ impl ImportArgs {
 /// # Errors
 /// If the file is damaged, is neither trainer's, or does not fit what the arguments say.
 pub(crate) fn import(args: &ImportArgs) -> Result<(), InputError> {
-    let problem = args.problem()?;
+    let problem = match (&args.config, args.problem) {
+        (None, None | Some(ProblemName::Fs | ProblemName::Rs)) => {
+            let accepted = "--config FILE, whose [problem] says actions, fine or coarse, and mask";
+            return Err(command_line("an actor of the arm without --config", accepted));
+        }
+        (None, Some(name)) => Problem::new_for(name, PolicyKind::Network),
+        (Some(path), _) => {
+            let text = read_text(path, "settings with a section [problem]")?;
+            Problem::read(&path.display().to_string(), &text, PolicyKind::Network)?
+        }
+    };
     // The values go to the network as they are.
     let interface = Interface::new(&&*problem.network_environment(0), false).map_err(|finding| {
         command_line(format!("--problem {}: {}", problem.name().name(), finding.found), finding.accepted)
@@ -79,9 +65,9 @@ pub(crate) fn import(args: &ImportArgs) -> Result<(), InputError> {
     let actor = Actor { scaled_inputs: false, hidden: network.shape().hidden.clone() };
     let provenance = NetworkOrigin {
         tool: format!("{trainer}, imported by tpg-train {}", env!("CARGO_PKG_VERSION")),
-        problem: args.problem.name().to_owned(),
+        problem: problem.name().name().to_owned(),
         ..NetworkOrigin::default()
     };
     let contract = Contract::new(problem.to_table(), &interface, actor, provenance);
-    to_tensors(&network, &contract).write(Path::new(&args.out))
+    to_tensors(&network, &contract).write(&args.out)
 }

@@ -22,7 +22,6 @@ pub(crate) mod import;
 pub(crate) mod integers;
 pub(crate) mod interface;
 mod lanes;
-mod log;
 pub(crate) mod network;
 pub(crate) mod policy;
 pub(crate) mod presets;

@@ -64,23 +64,6 @@ impl Network {
         }
     }
 
-    /// Returns the network's decision for a flat state, by the mean of its actions.
-    pub fn decide(&self, state: &[f32]) -> Decision<f32> {
-        self.deciding(|decide| decide(state))
-    }
-
-    /// Returns the bytes of the constants that decide: four a parameter in floating point, the spreads left out.
-    pub fn bytes(&self) -> usize {
-        match self {
-            Self::Float(actor) => {
-                let shape = actor.0.shape();
-                let spreads = actor.1.outputs.len() * (shape.hidden.last().unwrap_or(&shape.inputs) + 1);
-                4 * (shape.parameters() - spreads)
-            }
-            Self::Fixed(policy) => policy.bytes(),
-        }
-    }
-
     /// Returns the settings of the problem that the network was trained on, as far as its file says them.
     pub fn settings(&self) -> toml::Table {
         match self {

@@ -32,7 +32,7 @@ pub(crate) struct Training<'e, E: Environment<f32>> {
     pub(super) best: Option<BestActor>,
     /// The result of the newest validation.
     pub(super) last: Option<Summary>,
-    /// Sums since the last [`Training::take_progress`].
+    /// Sums since the last row of the log.
     pub(super) recent: Recent,
     /// Scratch memory for acting and learning; not part of a run's state.
     acting: Tape,
@@ -51,17 +51,13 @@ pub(crate) struct BestActor {
     pub actor: Mlp,
 }
 
-/// Sums over updates and episodes, for the log.
+/// Sums over updates, for the log.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Recent {
     /// Updates.
     pub updates: u64,
     /// Sums of the updates' reports.
     pub sums: UpdateFigures,
-    /// Episodes by [`Environment::outcomes`].
-    pub ends: Vec<u64>,
-    /// Elementary steps.
-    pub steps: u64,
 }
 
 impl<'e, E: Environment<f32>> Training<'e, E> {
@@ -119,11 +115,6 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     /// True when the run has its decisions.
     pub(crate) fn finished(&self) -> bool {
         self.decisions >= self.config.learning.decisions
-    }
-
-    /// Returns the sums since the last call and resets them.
-    pub(crate) fn take_progress(&mut self) -> Recent {
-        std::mem::take(&mut self.recent)
     }
 
     /// Lets every lane decide once, as [`tick`](Self::tick); returns true if a validation is due.
@@ -189,7 +180,6 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
             agent.gaussian().sample(acting.output(), &noise, samples);
         }
         let mut next = vec![0.0; width];
-        self.recent.ends.resize(lanes.environment().outcomes().len(), 0);
         for (lane, action) in samples.actions.chunks_exact(actions).enumerate() {
             let step = lanes.act(lane, action);
             lanes.observe(lane, &mut next);
@@ -202,11 +192,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
                 discount: if goes_on { discount } else { 0.0 },
                 next: &next,
             });
-            self.recent.steps += u64::from(step.repeats);
-            if let Some(end) = step.end {
-                if let Some(ends) = self.recent.ends.get_mut(usize::from(end.outcome)) {
-                    *ends += 1;
-                }
+            if step.end.is_some() {
                 lanes.renew(lane);
             }
         }

@@ -22,22 +22,19 @@ pub fn to_tensors(network: &Mlp, contract: &Contract) -> Tensors {
     let mut insert = |name: String, shape: Vec<usize>, values: Vec<f32>| {
         tensors.tensors.insert(name, Tensor { shape, values });
     };
-    let (hidden, actions) = (contract.actor.hidden.len(), contract.outputs.len());
     let mut inputs = network.shape().inputs;
     for (index, (weights, bias)) in network.weights().into_iter().enumerate() {
-        if index < hidden {
-            let units = bias.len();
-            insert(format!("hidden.{index}.weight"), vec![units, inputs], weights);
-            insert(format!("hidden.{index}.bias"), vec![units], bias);
-            inputs = units;
-        } else {
-            let (means, spreads) = weights.split_at(actions * inputs);
-            let (mean_bias, spread_bias) = bias.split_at(actions);
-            insert("mean.weight".to_owned(), vec![actions, inputs], means.to_vec());
-            insert("mean.bias".to_owned(), vec![actions], mean_bias.to_vec());
-            insert("spread.weight".to_owned(), vec![actions, inputs], spreads.to_vec());
-            insert("spread.bias".to_owned(), vec![actions], spread_bias.to_vec());
+        let heads = match index < contract.actor.hidden.len() {
+            true => vec![format!("hidden.{index}")],
+            false => ["mean", "spread"].map(str::to_owned).into(),
+        };
+        let units = bias.len() / heads.len();
+        let parts = weights.chunks_exact(units * inputs).zip(bias.chunks_exact(units));
+        for (head, (weights, bias)) in heads.iter().zip(parts) {
+            insert(format!("{head}.weight"), vec![units, inputs], weights.to_vec());
+            insert(format!("{head}.bias"), vec![units], bias.to_vec());
         }
+        inputs = bias.len();
     }
     tensors
 }

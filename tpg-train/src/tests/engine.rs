@@ -12,9 +12,7 @@ use tpg_arm::episode::{Episode, Outcome, Summary};
 use tpg_arm::kinematics::Lattice;
 use tpg_arm::observation::{Observation, Source, TargetMemo};
 use tpg_arm::{Arm, Collision, Invalid, Move, WIDOWX};
-use tpg_engine::{
-    DEFAULT_LANES, Environment, EpisodeResult, Evaluator, Lanes, LocalThreads, Piece, Plan, PolicyGraph, Work,
-};
+use tpg_engine::{Environment, EpisodeResult, Evaluator, Lanes, LocalThreads, Piece, Plan, PolicyGraph, Work};
 use tpg_graph::Word;
 use tpg_graph::interpret::Interpreter;
 use tpg_graph::{Graph, ScalarType};
@@ -219,17 +217,20 @@ fn no_number_of_lanes_or_threads_changes_an_answer() {
     let world = World::<f32>::new(ScalarType::F32, &WIDOWX, problem());
     let policies = world.policies.iter().take(tpg_testing::amount(25, usize::MAX)).cloned().collect();
     let work = Work { tasks: arm_tasks(&WIDOWX, tpg_testing::amount(8, 30)), policies };
-    let answers = |lanes: usize, threads: usize| {
+    let answers = |threads: usize| {
         let evaluator = LocalThreads::<f32, Own, _>::new(&world.environment, threads).expect("threads start");
-        evaluator.with_lanes(lanes).evaluate(&work).expect("local threads always answer")
+        evaluator.evaluate(&work).expect("local threads always answer")
     };
-    let reference = answers(DEFAULT_LANES, 1);
+    let reference = answers(1);
     assert!(reference.iter().flatten().any(|ending| ending.actions > 100));
     for lanes in [1, 2, 7, 64, 500] {
-        assert_eq!(answers(lanes, 1), reference, "{lanes} lanes");
+        let mut lanes = Lanes::<f32, Own, _>::new(&world.environment, lanes);
+        let mut run = |policy| lanes.run(&Plan::new::<Own>(policy, &world.environment.sources()), &work.tasks);
+        let alone: Result<Vec<_>, _> = work.policies.iter().map(&mut run).collect();
+        assert_eq!(alone.expect("nothing fails"), reference);
     }
     for threads in [2, 5] {
-        assert_eq!(answers(DEFAULT_LANES, threads), reference, "{threads} threads");
+        assert_eq!(answers(threads), reference, "{threads} threads");
     }
     assert_eq!(world.config.language.instructions.len(), Word::ALL.len());
 

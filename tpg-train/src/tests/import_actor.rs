@@ -34,15 +34,12 @@ fn imported_actors_answer_what_pytorch_did() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     for (trainer, wanted) in [("sb3", &answers.sb3), ("cleanrl", &answers.cleanrl)] {
         let out = folder.path().join(trainer);
-        let args = ImportArgs {
-            actor: fixture(&format!("{trainer}.safetensors")),
-            out: out.clone(),
-            problem: ProblemName::Rs,
-            actions: Some("fine".to_owned()),
-            mask: None,
-            may_rest: false,
-        };
+        let (config, actor) = (folder.path().join("rs.toml"), fixture(&format!("{trainer}.safetensors")));
+        std::fs::write(&config, "[problem]\nname = \"rs\"\nactions = \"fine\"\nmask = \"none\"\n").expect("a file");
+        let args = ImportArgs { actor, out: out.clone(), problem: None, config: Some(config) };
         import(&args).expect("a good actor");
+        let of_the_arm = ImportArgs { problem: Some(ProblemName::Rs), config: None, ..args };
+        assert!(import(&of_the_arm).expect_err("no moves").to_string().contains("actions, fine or coarse"));
         let (network, contract) = weights::read(&out).expect("what was just written");
         assert_eq!(contract.actor.hidden, [7, 5]);
         let mut tape = Tape::new(network.shape(), 1);

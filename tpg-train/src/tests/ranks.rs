@@ -1,8 +1,8 @@
 //! Runs over several ranks: the same bytes as threads, whatever the number of ranks; failures name their rank.
 
 use crate::evolution::command::{TpgArgs, execute};
+use crate::ranks::Ranks;
 use crate::ranks::link::Link;
-use crate::ranks::workplace::{Ranks, ThisProcess, Workplace};
 use clap::Parser;
 use std::fs;
 use std::path::Path;
@@ -51,11 +51,11 @@ fn links(ranks: usize) -> Vec<Channels> {
 /// Runs a command on ranks and returns each one's result.
 fn on_ranks(
     ranks: usize,
-    command: impl Fn(usize, &Ranks<Channels>) -> Result<Verdict, CommandError> + Sync,
+    command: impl Fn(usize, &Ranks<'_>) -> Result<Verdict, CommandError> + Sync,
 ) -> Vec<Result<Verdict, CommandError>> {
     let one = |link: Channels| {
         let rank = link.rank();
-        let place = Ranks::new(link);
+        let place = Ranks::new(&link);
         place.close(command(rank, &place))
     };
     std::thread::scope(|scope| {
@@ -70,11 +70,11 @@ struct Tpg {
     args: TpgArgs,
 }
 
-fn tpg(out: &Path, more: &[&str], place: &impl Workplace) -> Result<Verdict, CommandError> {
+fn tpg(out: &Path, more: &[&str], ranks: Option<&Ranks<'_>>) -> Result<Verdict, CommandError> {
     let out = out.display().to_string();
     let small = ["tpg", "--threads", "2", "--checkpoint-seconds", "3600", "--out", &out];
     let args = Tpg::try_parse_from(small.iter().chain(more)).expect("arguments that are right").args;
-    execute(&args, place).map_err(CommandError::other)
+    execute(&args, ranks).map_err(CommandError::other)
 }
 
 /// The files of a folder that must not depend on the number of ranks.
@@ -103,11 +103,11 @@ fn any_number_of_ranks_gives_the_bytes_of_threads() {
         ("random", &random),
     ] {
         let alone = folder.path().join(format!("{problem}-alone"));
-        assert_eq!(tpg(&alone, more, &ThisProcess).expect("it runs"), Verdict::Good);
+        assert_eq!(tpg(&alone, more, None).expect("it runs"), Verdict::Good);
         let expected = files(&alone, &RESULTS);
         for ranks in [1, 2, 3, 5] {
             let out = folder.path().join(format!("{problem}-{ranks}"));
-            good(on_ranks(ranks, |_, place| tpg(&out, more, place)));
+            good(on_ranks(ranks, |_, place| tpg(&out, more, Some(place))));
             assert!(files(&out, &RESULTS) == expected, "{problem} on {ranks} ranks: other bytes");
         }
     }
@@ -120,10 +120,10 @@ fn a_run_goes_on_with_another_number_of_ranks() {
     let second = ["--problem", "cartpole", "--generations", "4", "--resume"];
     let [alone, shared] = ["alone", "shared"].map(|name| folder.path().join(name));
     for more in [&first[..], &second] {
-        tpg(&alone, more, &ThisProcess).expect("it runs");
+        tpg(&alone, more, None).expect("it runs");
     }
-    good(on_ranks(3, |_, place| tpg(&shared, &first, place)));
-    good(on_ranks(2, |_, place| tpg(&shared, &second, place)));
+    good(on_ranks(3, |_, place| tpg(&shared, &first, Some(place))));
+    good(on_ranks(2, |_, place| tpg(&shared, &second, Some(place))));
     assert!(files(&shared, &RESULTS) == files(&alone, &RESULTS), "other bytes");
 }
 
@@ -140,15 +140,15 @@ fn what_goes_wrong_on_a_rank_is_said_by_rank_0_and_ends_the_others() {
     };
 
     let other = ["--problem", "acrobot"];
-    let results = on_ranks(3, |rank, place| tpg(&out, if rank == 2 { &other } else { &good }, place));
+    let results = on_ranks(3, |rank, place| tpg(&out, if rank == 2 { &other } else { &good }, Some(place)));
     let error = said(results);
     assert!(error.contains("rank 2 was started with another version, configuration or problem"), "{error}");
 
     let none = ["--problem", "cartpole", "--config", "/no/such/file.toml"];
-    let error = said(on_ranks(3, |rank, place| tpg(&out, if rank == 1 { &none } else { &good }, place)));
+    let error = said(on_ranks(3, |rank, place| tpg(&out, if rank == 1 { &none } else { &good }, Some(place))));
     assert!(error.contains("rank 1") && error.contains("/no/such/file.toml"), "{error}");
 
-    let error = said(on_ranks(3, |rank, place| tpg(&out, if rank == 0 { &none } else { &good }, place)));
+    let error = said(on_ranks(3, |rank, place| tpg(&out, if rank == 0 { &none } else { &good }, Some(place))));
     assert!(error.contains("/no/such/file.toml") && !error.contains("rank"), "{error}");
     assert!(!out.exists(), "nothing was begun");
 }

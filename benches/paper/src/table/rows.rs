@@ -11,7 +11,7 @@ use tpg_codegen::emit::{Options, Prefix, Profile};
 use tpg_codegen::size::{self, Target};
 use tpg_engine::Sample;
 use tpg_graph::Graph;
-use tpg_graph::error::InputError;
+use tpg_graph::error::{InputError, Place};
 use tpg_graph::files::read_graph;
 use tpg_problems::arm::ArmProblem;
 use tpg_problems::arm::evaluation::{ReachStatistics, run};
@@ -120,7 +120,11 @@ pub fn measure(
 
     let shipped = Hybrid::read(&inputs.shipped)?;
     let ours = Ours::from_file(start, file);
-    let actor_bytes = shipped.network.1.bytes();
+    let Network::Fixed(actor) = &shipped.network.1 else {
+        let (file, found) = (&shipped.network.0, "a network in floating point");
+        return Err(InputError::new(file, Place::Whole, found, "one in integers, which ships"));
+    };
+    let actor_bytes = actor.bytes();
     let actor_row =
         |name: &str, trial: ReachStatistics| Row { bytes: Some([actor_bytes; 2]), ..Row::new(name, &[trial]) };
     rows.push(actor_row("SAC, shipped", ours.network(&shipped.network)?));

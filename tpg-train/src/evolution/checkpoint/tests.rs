@@ -1,10 +1,10 @@
 //! A state is read as it was written, on the environment and with the configuration that it belongs to.
 
-use super::{VERSION, from_bytes, to_bytes};
+use super::{FORM, from_bytes, to_bytes};
 use crate::evolution::config::EvolutionConfig;
 use crate::evolution::run::{Progress, RunOptions, train};
 use crate::evolution::state::State;
-use crate::folder::{RunFolder, Trainer};
+use crate::folder::RunFolder;
 use serde_json::{Value, json};
 use std::ops::ControlFlow;
 use std::sync::OnceLock;
@@ -52,8 +52,8 @@ fn content_after<E: Environment<f32>>(generations: u64, config: &EvolutionConfig
     };
     train(config, 1, environment, &evaluator, &options, watch).expect("it runs");
     let json = |_: &str, content: &[u8]| Ok(serde_json::from_slice(content).expect("JSON"));
-    let folder = RunFolder::open(place.path(), Trainer::Tpg, true).expect("a run");
-    folder.load(VERSION, json).expect("a whole one").expect("a checkpoint")
+    let folder = RunFolder::open(place.path(), true).expect("a run");
+    folder.load(FORM, json).expect("a whole one").expect("a checkpoint")
 }
 
 fn read(content: &Value) -> Result<State<[f64; 2]>, InputError> {

@@ -1,19 +1,35 @@
-//! Validity of configurations.
+//! Presets, and the validity of configurations.
 
 use super::EvolutionConfig;
+use crate::configuration::{Configuration, Preset};
 use crate::evolution::vocabulary::ProgramInstruction;
+use crate::evolution::{params, presets};
 use tpg_engine::{Environment, NETWORK};
 use tpg_graph::Word;
-use tpg_graph::error::Finding;
+use tpg_graph::error::{Finding, InputError};
+use tpg_problems::{PolicyKind, ProblemName};
 use tpg_runtime::ops::Instruction;
 use tpg_runtime::scalar::Scalar;
 
-impl EvolutionConfig {
-    /// Checks ranges, names and consistency.
-    ///
-    /// # Errors
-    /// The first invalid parameter.
-    pub(super) fn check_settings(&self) -> Result<(), Finding> {
+impl Configuration for EvolutionConfig {
+    const PRESETS: &'static [Preset] = &presets::PRESETS;
+    const KIND: PolicyKind = PolicyKind::Graph;
+    const PRINTED_BY: &'static str = "tpg-train config";
+
+    fn default_preset(problem: ProblemName) -> &'static str {
+        match problem {
+            ProblemName::Fs => "best-fs",
+            ProblemName::Rs => "best-rs",
+            ProblemName::Dodge => "dodge",
+            _ => "thorough",
+        }
+    }
+
+    fn from_other(file: &str, text: &str) -> Option<Result<(toml::Table, &'static str), InputError>> {
+        params::is_json(text).then(|| Ok((params::settings(file, text)?, params::PRESET)))
+    }
+
+    fn check(&self) -> Result<(), Finding> {
         const MANY: usize = 1_000_000;
         let Self { tpg, program, learning, selection, start, refinement, .. } = self;
         self.check_instructions()?;
@@ -65,6 +81,12 @@ impl EvolutionConfig {
         self.check_words()
     }
 
+    fn problem(&mut self) -> &mut toml::Table {
+        &mut self.problem
+    }
+}
+
+impl EvolutionConfig {
     /// Checks that the language has the words that other settings need.
     fn check_words(&self) -> Result<(), Finding> {
         let has = |word: Word| self.language.literals && self.language.instructions.iter().any(|it| it == word.name());
