@@ -5,11 +5,9 @@
 //! | `urdf` | the joints between a file's root and a link, or what is wrong with them |
 //! | `planar` | a turning base and three parallel axes in them: lengths, zeros, signs |
 //! | `section` | the section with its comments |
-//! | `space` | vectors and rotations |
 
 mod planar;
 mod section;
-mod space;
 mod urdf;
 
 pub use section::Radii;

@@ -1,8 +1,8 @@
 //! The planar arm in a chain of joints: a base that turns about a vertical axis, then three parallel level axes.
 
-use super::space::{Vector, Z, cross, direction, dot, minus, norm, times};
 use super::urdf::{Chain, Turning, at_joint};
 use crate::arm::description::LinksDescription;
+use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use tpg_arm::{JOINTS, TICKS_PER_TURN};
 use tpg_graph::error::{InputError, Place};
@@ -51,16 +51,16 @@ pub(super) fn recognise(file: &str, chain: &Chain) -> Result<Planar, InputError>
         return Err(InputError::new(file, Place::Whole, found, "four; --fix JOINT=RAD holds one"));
     };
     let across = axes(file, base, [shoulder, elbow, wrist])?;
-    let beside = dot(minus(chain.tip, base.at), across).abs();
+    let beside = (chain.tip - base.at).dot(&across).abs();
     if beside > BESIDE {
         let found = format!("a tip that is {beside:.3} mm beside the arm's plane");
         let accepted = format!("at most {BESIDE} mm: another --tip, or a roll that --fix holds at another angle");
         return Err(InputError::new(file, Place::Whole, found, accepted));
     }
-    let front = front(across, minus(shoulder.at, base.at), minus(chain.tip, shoulder.at));
+    let front = front(across, shoulder.at - base.at, chain.tip - shoulder.at);
     // As (ahead, up) in the plane.
     let [s, e, w, t] =
-        [shoulder.at, elbow.at, wrist.at, chain.tip].map(|point| (dot(minus(point, base.at), front), point[2]));
+        [shoulder.at, elbow.at, wrist.at, chain.tip].map(|point| ((point - base.at).dot(&front), point.z));
     let between = |from: (f64, f64), to: (f64, f64)| (to.0 - from.0, to.1 - from.1);
     let (upper, forearm, hand) = (between(s, e), between(e, w), between(w, t));
     let length = |(ahead, up): (f64, f64)| ahead.hypot(up);
@@ -72,9 +72,9 @@ pub(super) fn recognise(file: &str, chain: &Chain) -> Result<Planar, InputError>
     };
     let zeros = [0.0, lean, elevation(forearm) + lean, elevation(hand) - elevation(forearm)];
     // About this axis a turn lifts what points ahead.
-    let lifts = cross(front, Z);
-    let sign = |joint: &Turning, way: f64| if dot(joint.axis, lifts) > 0.0 { way } else { -way };
-    let signs = [if base.axis[2] > 0.0 { 1.0 } else { -1.0 }, sign(shoulder, -1.0), sign(elbow, 1.0), sign(wrist, 1.0)];
+    let lifts = front.cross(&Vector3::z());
+    let sign = |joint: &Turning, way: f64| if joint.axis.dot(&lifts) > 0.0 { way } else { -way };
+    let signs = [if base.axis.z > 0.0 { 1.0 } else { -1.0 }, sign(shoulder, -1.0), sign(elbow, 1.0), sign(wrist, 1.0)];
     let position = |joint: usize| position(file, &chain.joints[joint], signs[joint], zeros[joint]);
     let micrometres = |mm: f64| if mm.abs() < NOTHING { 0.0 } else { (mm * 1000.0).round() / 1000.0 };
     let [base_height, upper_arm, elbow_offset, forearm, hand, shoulder_radial] =
@@ -82,21 +82,21 @@ pub(super) fn recognise(file: &str, chain: &Chain) -> Result<Planar, InputError>
     Ok(Planar {
         links: LinksDescription { base: base_height, upper_arm, elbow_offset, forearm, hand, shoulder_radial },
         joints: [position(0)?, position(1)?, position(2)?, position(3)?],
-        axis: [base.at[0], base.at[1]],
-        front: [front[0], front[1]],
+        axis: [base.at.x, base.at.y],
+        front: [front.x, front.y],
     })
 }
 
 /// Checks the axes and returns the direction of the three parallel ones, level.
-fn axes(file: &str, base: &Turning, others: [&Turning; 3]) -> Result<Vector, InputError> {
-    let lean = norm(cross(base.axis, Z));
+fn axes(file: &str, base: &Turning, others: [&Turning; 3]) -> Result<Vector3<f64>, InputError> {
+    let lean = base.axis.cross(&Vector3::z()).norm();
     if lean > PARALLEL {
         let found = format!("an axis that leans by {:.2} degrees", libm::asin(lean.min(1.0)).to_degrees());
         return Err(at_joint(file, base.place(), found, "a vertical axis: the base of a planar arm"));
     }
     let [shoulder, ..] = others;
     for joint in others {
-        if joint.axis[2].abs() > PARALLEL || norm(cross(joint.axis, shoulder.axis)) > PARALLEL {
+        if joint.axis.z.abs() > PARALLEL || joint.axis.cross(&shoulder.axis).norm() > PARALLEL {
             let found = format!("an axis that is not level, or not parallel to that of {}", shoulder.name);
             return Err(at_joint(
                 file,
@@ -106,17 +106,17 @@ fn axes(file: &str, base: &Turning, others: [&Turning; 3]) -> Result<Vector, Inp
             ));
         }
     }
-    let [x, y, _] = shoulder.axis;
-    let level = direction([x, y, 0.0]);
+    let [x, y, _] = shoulder.axis.into();
+    let level = Vector3::new(x, y, 0.0).try_normalize(1e-9);
     level.ok_or_else(|| at_joint(file, shoulder.place(), format!("the axis {x} {y}"), "finite numbers, not both 0"))
 }
 
 /// The side on which the shoulder stands, or the tip where the shoulder stands on the base's axis; x where both do.
-fn front(across: Vector, shoulder: Vector, tip: Vector) -> Vector {
-    let front = cross(across, Z);
-    let sides = [dot(shoulder, front), dot(tip, front), front[0] + front[1]];
+fn front(across: Vector3<f64>, shoulder: Vector3<f64>, tip: Vector3<f64>) -> Vector3<f64> {
+    let front = across.cross(&Vector3::z());
+    let sides = [shoulder.dot(&front), tip.dot(&front), front.x + front.y];
     let decides = sides.into_iter().find(|value| value.abs() > NOTHING).unwrap_or(1.0);
-    if decides < 0.0 { times(-1.0, front) } else { front }
+    if decides < 0.0 { -front } else { front }
 }
 
 fn position(file: &str, joint: &Turning, sign: f64, zero: f64) -> Result<Position, InputError> {

@@ -70,7 +70,7 @@ fn tips_are_where_the_urdf_puts_them() {
     let chain = |angles: [f64; 4]| {
         let names = ["pan", "lift", "bend", "tilt"].map(str::to_owned);
         let held = held().into_iter().chain(names.into_iter().zip(angles)).collect::<Vec<_>>();
-        urdf::chain("five.urdf", ARM, "tip", holding(&held)).expect("a chain").tip
+        urdf::chain("five.urdf", ARM, "tip", holding(&held)).expect("a chain").tip.into()
     };
     let section = planar_section(ARM);
     let own = Problem::from_toml("own.toml", &format!("[problem]\nname = \"fs\"\n{section}")).expect("an arm");

@@ -1,6 +1,6 @@
 //! The joints between the root of a URDF and one of its links.
 
-use super::space::{NO_ROTATION, Rotation, Vector, X, Y, Z, about, compose, direction, plus, rotate};
+use nalgebra::{Rotation3, Vector3};
 use roxmltree::{Document, Node};
 use std::borrow::Cow;
 use std::f64::consts::TAU;
@@ -14,9 +14,9 @@ pub(super) struct Turning {
     /// The line of the file that it begins on.
     pub(super) line: u32,
     /// A point of its axis, mm, in the root's frame.
-    pub(super) at: Vector,
+    pub(super) at: Vector3<f64>,
     /// Its axis, in the root's frame.
-    pub(super) axis: Vector,
+    pub(super) axis: Vector3<f64>,
     /// Its limits, rad.
     pub(super) limits: [f64; 2],
 }
@@ -27,7 +27,7 @@ pub(super) struct Chain {
     /// The joints.
     pub(super) joints: Vec<Turning>,
     /// The tip.
-    pub(super) tip: Vector,
+    pub(super) tip: Vector3<f64>,
 }
 
 /// The elements of a URDF that the chain needs.
@@ -116,14 +116,14 @@ pub(super) fn chain(file: &str, text: &str, tip: &str, requests: Requests<'_>) -
         let joints = path.iter().map(|joint| joint.name.as_str()).collect::<Vec<_>>().join(", ");
         return Err(InputError::new(file, Place::Whole, found, format!("one of {joints}")));
     }
-    let (mut at, mut frame) = ([0.0; 3], NO_ROTATION);
+    let (mut at, mut frame) = (Vector3::zeros(), Rotation3::identity());
     let (mut joints, mut refused) = (Vec::new(), Vec::new());
     for joint in path {
-        let (place, turned) = origin(joint);
-        at = plus(at, rotate(&frame, place));
-        frame = compose(&frame, &turned);
+        let [place, [roll, pitch, yaw]] = joint.origin;
+        at += frame * Vector3::from(place) * 1000.0;
+        frame *= Rotation3::from_euler_angles(roll, pitch, yaw);
         let axis = || {
-            direction(joint.axis).ok_or_else(|| {
+            Vector3::from(joint.axis).try_normalize(1e-9).ok_or_else(|| {
                 at_joint(file, joint.place(), "an axis without a direction", "an axis such as \"0 0 1\"")
             })
         };
@@ -133,14 +133,14 @@ pub(super) fn chain(file: &str, text: &str, tip: &str, requests: Requests<'_>) -
                 return Err(at_joint(file, joint.place(), found, "0, where the file puts it"));
             }
             if *angle != 0.0 {
-                frame = compose(&frame, &about(axis()?, *angle));
+                frame *= Rotation3::new(axis()? * *angle);
             }
         } else if joint.kind != JointType::Fixed {
             let narrowed = limited.iter().find(|(name, _)| *name == joint.name).map(|(_, limits)| *limits);
             match limits(joint, narrowed) {
                 Ok(limits) => {
                     let (name, line) = (joint.name.clone(), joint.line);
-                    joints.push(Turning { name, line, at, axis: rotate(&frame, axis()?), limits });
+                    joints.push(Turning { name, line, at, axis: frame * axis()?, limits });
                 }
                 Err(refusal) => refused.push((joint, refusal)),
             }
@@ -284,13 +284,6 @@ fn path<'a>(file: &str, robot: &'a Robot, tip: &str) -> Result<Vec<&'a UrdfJoint
     }
     path.reverse();
     Ok(path)
-}
-
-/// The place of a joint in its parent's frame, mm, and the rotation of its own.
-fn origin(joint: &UrdfJoint) -> (Vector, Rotation) {
-    let [place, [roll, pitch, yaw]] = joint.origin;
-    let turned = compose(&compose(&about(Z, yaw), &about(Y, pitch)), &about(X, roll));
-    (place.map(|metres| 1000.0 * metres), turned)
 }
 
 /// Returns a joint's limits, narrowed on request; limits that contain nothing count for none then.
