@@ -82,7 +82,7 @@ enum XtaskCommand {
     Python(python::PythonArgs),
     /// Make what users download: static programs for Linux, libraries for every target, a bill of materials, checksums
     Dist(dist::DistArgs),
-    /// Build the book of `docs/` with mdBook, into target/book
+    /// Build the book of `docs/` with mdBook, into book/
     Book {
         /// First write the pages that are made from the programs: command lines and configuration
         #[arg(long)]

@@ -85,6 +85,22 @@ fn the_book_has_every_page_of_its_folder() {
     assert!(all.len() > 10 && missing.is_empty(), "not in docs/SUMMARY.md: {missing:?}");
 }
 
+/// mdBook would make a link to a page of it, which there is not.
+#[test]
+fn the_book_links_to_no_document_outside() {
+    let mut pages = Vec::new();
+    documents(&top().join("docs"), &mut pages);
+    for page in pages {
+        let text = fs::read_to_string(&page).expect("a page");
+        for event in Parser::new(&text) {
+            let Event::Start(Tag::Link { dest_url, .. }) = event else { continue };
+            let leaves =
+                dest_url.starts_with("..") && dest_url.split('#').next().is_some_and(|file| file.ends_with(".md"));
+            assert!(!leaves, "{}: {dest_url}", page.display());
+        }
+    }
+}
+
 #[test]
 fn a_broken_link_is_found() {
     let here = top().join("README.md");
