@@ -14,7 +14,4 @@ uint32_t platform_count(void);
 /* Bytes of stack that were written to since reset; 0 where nobody knows. */
 uint32_t platform_stack_used(void);
 
-/* Calls a function with an argument; the bytes of stack that it writes to, 0 where nobody knows. */
-uint32_t platform_stack_of(void (*function)(void *argument), void *argument);
-
 #endif

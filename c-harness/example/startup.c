@@ -55,36 +55,14 @@ void start(void)
     platform_exit(main());
 }
 
-/* Bytes of stack below an address that were written to since it was painted. */
-static uint32_t written_below(const uint32_t *top)
+uint32_t platform_stack_used(void)
 {
     const uint32_t *at = _stack_limit;
 
-    while ((at < top) && (*at == PAINT)) {
+    while ((at < _estack) && (*at == PAINT)) {
         at++;
     }
-    return (uint32_t)((uintptr_t)top - (uintptr_t)at);
-}
-
-uint32_t platform_stack_used(void)
-{
-    return written_below(_estack);
-}
-
-uint32_t platform_stack_of(void (*function)(void *argument), void *argument)
-{
-    /* Volatile: as a call of memset, this would paint over its own return address. */
-    volatile uint32_t *at = _stack_limit;
-    const uint32_t *here;
-
-    /* Memory below the stack pointer is free: no interrupt is on. */
-    __asm volatile("mov %0, sp" : "=r"(here));
-    while (at < here) {
-        *at = PAINT;
-        at++;
-    }
-    function(argument);
-    return written_below(here);
+    return (uint32_t)((uintptr_t)_estack - (uintptr_t)at);
 }
 
 void fault(void)

@@ -139,8 +139,7 @@ pub(crate) fn board(program: &Program, board: Board) -> Result<Option<PathBuf>, 
     let mut gcc = Command::new("arm-none-eabi-gcc");
     gcc.current_dir(&board_folder).args(tpg_codegen::size::Target::M4f.flags());
     gcc.args(["-std=gnu11", "-O2", "-ffp-contract=off", "-ffunction-sections", "-fdata-sections", "-fstack-usage"]);
-    // Tables of addresses, unlike the Thumb instruction's own tables, are not read by `cortex_bound`.
-    gcc.args(["-fno-jump-tables", "-Wall", "-Wextra", "-Werror", "-nostdlib", "-nostartfiles"]);
+    gcc.args(["-Wall", "-Wextra", "-Werror", "-nostdlib", "-nostartfiles"]);
     add_sources(&mut gcc, program, &BOARD, &archive)?;
     gcc.arg(format!("-L{}", board_folder.display())).arg("-T").arg(harness().join("example/sections.ld"));
     gcc.arg(format!("-Wl,--defsym=_stack_size={}", program.stack));

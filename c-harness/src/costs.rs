@@ -100,18 +100,10 @@ impl Costs {
     /// Counts what a firmware printed.
     pub(crate) fn add(&mut self, lines: &[Line]) {
         for line in lines {
-            match line.words.split_first() {
-                Some((first, names)) if first == "episode" || first == "cost" => {
-                    self.cost.entry(names.join(" ")).or_default().add(line);
-                }
-                Some((first, [])) if first == "around" => {
-                    for name in ["observe", "switch"] {
-                        let count = line.number(name);
-                        let cost = Cost { actions: 1, instructions: count, worst: count };
-                        self.cost.insert(name.to_owned(), cost);
-                    }
-                }
-                _ => {}
+            if let Some((first, names)) = line.words.split_first()
+                && ["episode", "cost"].contains(&first.as_str())
+            {
+                self.cost.entry(names.join(" ")).or_default().add(line);
             }
         }
     }

@@ -4,21 +4,21 @@ use crate::Failure;
 use crate::build;
 use crate::line::Line;
 use crate::problems::{self, PARTS, problems, settings};
-use crate::record::{Hash, code};
+use crate::record::Hash;
 use Start::*;
 use std::sync::LazyLock;
 use tpg_arm::binding;
 use tpg_arm::cycle::Brent;
-use tpg_arm::episode::{Episode, ReachTask};
 use tpg_arm::frame::Frame;
-use tpg_arm::hybrid::{Hybrid, HybridEpisode};
+use tpg_arm::hybrid::{Control, Counts, Hybrid};
 use tpg_arm::observation::{ArmPolicy, Observation, Source};
 use tpg_arm::sac::fixed::quantise;
 use tpg_arm::sac::{Actions, Decision, Mask, features};
+use tpg_arm::sensors::{Fault, Watch};
 use tpg_arm::{Arm, Move, Pose, WIDOWX};
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_generated::{widowx_fs::WidowxFs, widowx_rs::WidowxRs};
-use tpg_problems::arm::targets::Start;
+use tpg_problems::arm::targets::{Start, TOLERANCE, Task};
 use tpg_runtime::policy::Policy;
 
 pub(crate) const ARM: Arm<f32> = WIDOWX.to_f32();
@@ -82,48 +82,89 @@ pub(crate) fn lines() -> Result<Vec<Line>, Failure> {
     let mut lines = Vec::new();
     let (fs, rs) = (fs(), rs());
     let [fixed, random] = [problems(Fs)?, problems(Rs)?];
-    hybrid(&mut lines, Fs, fs.clone(), &fixed);
-    hybrid(&mut lines, Rs, rs.clone(), &random);
-    single(&mut lines, Fs, "graph", &fs, &fixed);
-    single(&mut lines, Rs, "graph", &rs, &random);
-    single(&mut lines, Fs, "network", &NETWORK, &fixed);
-    single(&mut lines, Rs, "network", &NETWORK, &random);
+    hybrid(&mut lines, Fs, fs.clone(), &fixed)?;
+    hybrid(&mut lines, Rs, rs.clone(), &random)?;
+    single(&mut lines, Fs, "graph", &fs, &fixed)?;
+    single(&mut lines, Rs, "graph", &rs, &random)?;
+    single(&mut lines, Fs, "network", &NETWORK, &fixed)?;
+    single(&mut lines, Rs, "network", &NETWORK, &random)?;
     Ok(lines)
 }
 
-fn hybrid<P>(lines: &mut Vec<Line>, start: Start, graph: P, problems: &[ReachTask<f32>])
+fn hybrid<P>(lines: &mut Vec<Line>, start: Start, graph: P, tasks: &[Task]) -> Result<(), Failure>
 where
     P: Policy<State = Observation<f32>, Action = Move>,
 {
     let hybrid = Hybrid { arm: &ARM, tpg: graph, sac: NETWORK, settings: settings(start) };
-    for (index, &problem) in problems.iter().enumerate() {
-        let mut poses = Hash::new();
-        let summary = HybridEpisode::new(&hybrid, problem, Brent::new()).run(|_, pose| poses.add_pose(pose));
-        let counts = summary.counts;
-        let decided = [counts.tpg_actions, counts.sac_actions, counts.hand_overs.iter().sum()];
-        let end = (code(summary.summary.outcome), summary.summary.actions, summary.summary.pose);
-        lines.push(line(start, "hybrid", index, end, decided, &poses));
+    for (index, task) in tasks.iter().enumerate() {
+        let target = task.target.map(|mm| mm as f32);
+        let seen = Observation::at(&ARM, task.start, target);
+        let begun = Control::new(&ARM, hybrid.settings, Watch::DEFAULT, Brent::new(), &seen);
+        let mut control = begun.map_err(Failure::new)?;
+        let rollout = ArmRollout::new(start, task, |motors| {
+            let (seen, chosen) = hybrid.step(&mut control, motors, target)?;
+            Ok((seen, chosen.wanted, false))
+        });
+        let Counts { tpg_actions, sac_actions, hand_overs, .. } = *control.switch().counts();
+        lines.push(rollout?.line(start, "hybrid", index, [tpg_actions, sac_actions, hand_overs.iter().sum()]));
     }
+    Ok(())
 }
 
-fn single<P>(lines: &mut Vec<Line>, start: Start, name: &str, policy: &P, problems: &[ReachTask<f32>])
+fn single<P>(lines: &mut Vec<Line>, start: Start, name: &str, policy: &P, tasks: &[Task]) -> Result<(), Failure>
 where
     P: Policy<State = Observation<f32>, Action = Move>,
 {
-    for (index, &problem) in problems.iter().take(PARTS).enumerate() {
-        let mut poses = Hash::new();
-        let summary = Episode::new(&ARM, problem, Brent::new()).run(policy, |pose| poses.add_pose(pose));
-        lines.push(line(start, name, index, (code(summary.outcome), summary.actions, summary.pose), [0; 3], &poses));
+    for (index, task) in tasks.iter().take(PARTS).enumerate() {
+        let rollout = ArmRollout::new(start, task, |motors| {
+            let seen = Observation::at(&ARM, motors, task.target.map(|mm| mm as f32));
+            let wanted = policy.decide(&seen);
+            Ok((seen, wanted, wanted == Move::STOP))
+        });
+        lines.push(rollout?.line(start, name, index, [0; 3]));
     }
+    Ok(())
 }
 
-fn line(start: Start, name: &str, index: usize, end: (i32, u32, Pose), decided: [u32; 3], poses: &Hash) -> Line {
-    let (outcome, actions, Pose([base, shoulder, elbow, wrist])) = end;
-    let [graph, network, switches] = decided;
-    Line::parse(&format!(
-        "episode {} {name} index={index} outcome={outcome} actions={actions} graph={graph} network={network} \
-         switches={switches} base={base} shoulder={shoulder} elbow={elbow} wrist={wrist} poses={:016x}",
-        problems::name(start),
-        poses.0
-    ))
+/// An episode as it went here.
+struct ArmRollout {
+    reached: bool,
+    actions: u32,
+    motors: Pose,
+    poses: Hash,
+}
+
+impl ArmRollout {
+    /// Goes until the hand is at the target, a move is not valid, `decide` gives up, or time is up; `decide` returns what it sees, a
+    /// move, and whether it gives up.
+    fn new(
+        start: Start,
+        task: &Task,
+        mut decide: impl FnMut(Pose) -> Result<(Observation<f32>, Move, bool), Fault>,
+    ) -> Result<Self, Failure> {
+        let mut rollout = Self { reached: false, actions: 0, motors: task.start, poses: Hash::new() };
+        while rollout.actions < start.max_actions() {
+            let (seen, wanted, gives_up) = decide(rollout.motors).map_err(Failure::new)?;
+            rollout.reached = seen.distance() < TOLERANCE as f32;
+            let step = ARM.step(rollout.motors, if rollout.reached { Move::STOP } else { wanted });
+            rollout.motors = step.pose;
+            rollout.actions += 1;
+            rollout.poses.add_pose(step.pose);
+            if rollout.reached || step.invalid.is_some() || gives_up {
+                break;
+            }
+        }
+        Ok(rollout)
+    }
+
+    fn line(&self, start: Start, name: &str, index: usize, [graph, network, switches]: [u32; 3]) -> Line {
+        let Self { reached, actions, motors: Pose([base, shoulder, elbow, wrist]), poses } = self;
+        Line::parse(&format!(
+            "episode {} {name} index={index} reached={} actions={actions} graph={graph} network={network} \
+             switches={switches} base={base} shoulder={shoulder} elbow={elbow} wrist={wrist} poses={:016x}",
+            problems::name(start),
+            u8::from(*reached),
+            poses.0
+        ))
+    }
 }

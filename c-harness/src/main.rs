@@ -9,12 +9,11 @@
 //! | [`dodge`] | the control step among balls, on test scenes |
 //! | [`emulate`] | QEMU |
 //! | [`expected`] | the host's trajectories |
-//! | [`record`] | how an episode is written down, here and in the firmware |
+//! | [`record`] | hashes of what firmwares do |
 //! | [`mod@cores`] | the shipped policies and the hybrid on every core |
 //! | [`embassy`] | the example in Embassy |
 //! | [`costs`] | instructions beside `costs.toml` |
 //! | [`symbols`] | what must not be in an image |
-//! | [`mod@worst`], [`facts`] | the static worst case of a decision, and what it rests on |
 //! | [`lint`] | linters on the C that is not generated |
 //! | [`size`] | flash and RAM beside `sizes.toml` |
 
@@ -26,7 +25,6 @@ mod dodge;
 mod embassy;
 mod emulate;
 mod expected;
-mod facts;
 mod line;
 mod lint;
 mod problems;
@@ -34,7 +32,6 @@ mod programs;
 mod record;
 mod size;
 mod symbols;
-mod worst;
 
 use build::Board;
 use clap::{Parser, Subcommand};
@@ -126,7 +123,7 @@ fn qemu(update: bool) -> Result<(), Failure> {
         };
         symbols::check(&image)?;
         let lines = emulate::run(Board::Mps2An386, &image)?;
-        (program.check)(&image, &lines)?;
+        (program.check)(&lines)?;
         size::stack(program, &lines)?;
         costs.add(&lines);
     }

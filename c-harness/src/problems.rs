@@ -3,12 +3,11 @@
 use crate::Failure;
 use crate::data::{self, Data};
 use Start::*;
-use tpg_arm::episode::ReachTask;
+use tpg_arm::WIDOWX;
 use tpg_arm::hybrid::{Guard, Settings};
-use tpg_arm::{Pose, WIDOWX};
 use tpg_codegen::emit::File;
 use tpg_generated::{widowx_fs_hybrid, widowx_rs_hybrid};
-use tpg_problems::arm::targets::{Start, read_csv};
+use tpg_problems::arm::targets::{Start, TOLERANCE, Task, read_csv};
 
 /// Episodes of the hybrid, for each start.
 pub(crate) const PROBLEMS: usize = 100;
@@ -35,15 +34,18 @@ pub(crate) const fn settings(start: Start) -> Settings<f32> {
 }
 
 /// The first of the committed test episodes.
-pub(crate) fn problems(start: Start) -> Result<Vec<ReachTask<f32>>, Failure> {
+pub(crate) fn problems(start: Start) -> Result<Vec<Task>, Failure> {
     let path = tpg_testing::library::top().join(format!("generated/test-targets/{}.csv", name(start)));
-    let tasks = read_csv(&WIDOWX, &path).map_err(Failure::new)?;
-    Ok(tasks.iter().take(PROBLEMS).map(|task| task.problem(start)).collect())
+    let mut tasks = read_csv(&WIDOWX, &path).map_err(Failure::new)?;
+    tasks.truncate(PROBLEMS);
+    Ok(tasks)
 }
 
 /// `problems.h`.
 pub(crate) fn file() -> Result<File, Failure> {
-    let mut data = Data::new("problems", "#include \"tpg_runtime.h\"\n\n#include <math.h>\n\n");
+    let head = "#include \"tpg_runtime.h\"\n\n#include <math.h>\n\n\
+                typedef struct problem {\n    tpg_pose_t start;\n    float target[3];\n} problem_t;\n\n";
+    let mut data = Data::new("problems", &format!("{head}#define TOLERANCE_MM {TOLERANCE:?}F\n"));
     // Fewer of them are run on slow cores.
     data.number("PROBLEMS", PROBLEMS);
     data.number("PARTS", PARTS);
@@ -55,12 +57,12 @@ pub(crate) fn file() -> Result<File, Failure> {
         data.text(&format!(
             "static const tpg_settings_t {name}_settings = {{ {hand_back_after}U, {separation}, {guard} }};\n"
         ));
-        let row = |task: ReachTask<f32>| {
-            let ReachTask { start: Pose([p, q, r, s]), target, tolerance, max_actions } = task;
-            let target = data::list(&target);
-            format!("{{ {{ {{ {p}, {q}, {r}, {s} }} }}, {target}, {tolerance:?}F, {max_actions}U }}")
+        data.number(&format!("{}_ACTIONS", name.to_uppercase()), start.max_actions() as usize);
+        let row = |task: Task| {
+            let [p, q, r, s] = task.start.0;
+            format!("{{ {{ {{ {p}, {q}, {r}, {s} }} }}, {} }}", data::list(&task.target.map(|mm| mm as f32)))
         };
-        data.table(&format!("static const tpg_problem_t {name}_problems[]"), problems(start)?.into_iter().map(row));
+        data.table(&format!("static const problem_t {name}_problems[]"), problems(start)?.into_iter().map(row));
     }
     Ok(data.file())
 }

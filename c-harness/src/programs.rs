@@ -1,8 +1,7 @@
 //! The programs of the firmwares: what each is linked with, and what its output must be.
 
 use crate::line::Line;
-use crate::{Failure, dodge, expected, worst};
-use std::path::Path;
+use crate::{Failure, dodge, expected};
 
 /// The stack of a program that the linker script keeps free, bytes.
 pub(crate) const STACK: u64 = 2304;
@@ -17,7 +16,7 @@ pub(crate) struct Program {
     /// Bytes kept for the stack.
     pub(crate) stack: u64,
     /// Compares what an image printed with this machine.
-    pub(crate) check: fn(&Path, &[Line]) -> Result<(), Failure>,
+    pub(crate) check: fn(&[Line]) -> Result<(), Failure>,
 }
 
 /// The control program, which runs on this machine and on every board, too.
@@ -26,10 +25,7 @@ pub(crate) static CONTROL: Program = Program {
     main: "firmware-c/control.c",
     generated: &["widowx_fs", "widowx_rs", "widowx_sac"],
     stack: STACK,
-    check: |image, lines| {
-        expected::check("firmware", lines)?;
-        worst::check(image, lines)
-    },
+    check: |lines| expected::check("firmware", lines),
 };
 
 /// The control step among balls, which needs more stack.
@@ -38,7 +34,7 @@ static DODGE: Program = Program {
     main: "firmware-c/dodge.c",
     generated: &["dodge", "balls"],
     stack: 4096,
-    check: |_, lines| dodge::check(lines),
+    check: dodge::check,
 };
 
 /// The control loop that a user copies.
@@ -47,7 +43,7 @@ pub(crate) static EXAMPLE: Program = Program {
     main: "example/main.c",
     generated: &["widowx_fs", "widowx_sac"],
     stack: STACK,
-    check: |_, _| Ok(()),
+    check: |_| Ok(()),
 };
 
 /// Every program whose output is checked.

@@ -1,22 +1,6 @@
-//! Records of episodes, as the firmware writes them, too: the outcome as `tpg_runtime.h` numbers it, and a hash of
-//! every motor position.
+//! Hashes of what firmwares do: of every motor position, or of every answer.
 
-use tpg_arm::episode::Outcome;
-use tpg_arm::{Collision, Invalid, Pose};
-
-/// As `tpg_runtime.h` numbers them.
-pub(crate) fn code(outcome: Outcome) -> i32 {
-    match outcome {
-        Outcome::Reached => 1,
-        Outcome::Stop => 2,
-        Outcome::Cycle => 3,
-        Outcome::Timeout => 4,
-        Outcome::Invalid(Invalid::JointLimit(joint)) => 17 + i32::from(joint.0),
-        Outcome::Invalid(Invalid::Collision(Collision::Table)) => 21,
-        Outcome::Invalid(Invalid::Collision(Collision::HandCorner)) => 22,
-        Outcome::Invalid(Invalid::Collision(Collision::Base)) => 23,
-    }
-}
+use tpg_arm::Pose;
 
 /// FNV-1a.
 #[derive(Clone, Copy, Debug)]

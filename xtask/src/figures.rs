@@ -128,11 +128,7 @@ impl Costs {
     /// Returns the costs of the arm's policies in C: mean and maximum, from a fixed and from a random start.
     fn table(&self) -> Vec<String> {
         let mut lines = vec!["| C | mean | worst |".into(), "| --- | --- | --- |".into()];
-        for (part, what) in [
-            ("graph", "graph with what it reads"),
-            ("network", "network, from observation to move"),
-            ("hybrid", "the hybrid's decision"),
-        ] {
+        for (part, what) in [("graph", "graph"), ("network", "network"), ("hybrid", "hybrid, with its checks")] {
             let both = ["fs", "rs"].map(|start| &self.cost[&format!("{start} {part}")]);
             let [mean, worst] = [
                 both.map(|cost| number(f64::from(cost.instructions) / f64::from(cost.actions), 0)),

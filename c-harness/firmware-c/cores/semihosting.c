@@ -69,9 +69,3 @@ uint32_t platform_stack_used(void)
 {
     return 0U;
 }
-
-uint32_t platform_stack_of(void (*function)(void *argument), void *argument)
-{
-    function(argument);
-    return 0U;
-}

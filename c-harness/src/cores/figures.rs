@@ -7,6 +7,7 @@ use crate::Failure;
 use crate::build;
 use crate::costs::{Cost, Tolerance};
 use crate::line::Line;
+use askama::Template;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -130,7 +131,8 @@ impl Figures {
         let head = "# Flash and instructions on each core; `cargo xtask cores --update` writes this file and docs/cores.md.\n\n";
         build::commit(FILE, &format!("{head}{text}"))?;
         let page = library::top().join("docs").join(PAGE);
-        fs::write(&page, self.to_string()).map_err(|error| Failure::at(&page, error))
+        let text = CoresPage::new(self).render().map_err(Failure::new)? + "\n";
+        fs::write(&page, text).map_err(|error| Failure::at(&page, error))
     }
 
     /// A table with a row for each core of which something is known.
@@ -183,56 +185,43 @@ fn compared(rust: bool, in_library: bool) -> String {
 }
 
 /// The page for people.
-impl std::fmt::Display for Figures {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let bits = WIDTHS[0];
-        writeln!(
-            f,
-            "# Cores\n\n\
-             You want to know what a policy costs on your chip. Find a similar policy here, or measure your own:\n\
-             `tpg-codegen report graph.json --target rp2040 --fixed {bits}`.\n\n\
-             Each cell shows `f32` · [{bits}-bit integers](no-fpu.md), for C of the profile `fast` compiled with `-Os`. The last column is the\n\
-             geometric mean of integers divided by floats over all shipped policies. {} and {} are close to the Cortex-M4F.\n\
-             [`cores.toml`](../c-harness/cores.toml) has every policy on every core, and {}-bit integers.\n",
-            LIKE_M4F[0], LIKE_M4F[1], WIDTHS[1],
-        )?;
-        writeln!(
-            f,
-            "## Flash\n\nBytes of code and constants, with picolibc (`report` uses newlib). Without an FPU, an image also holds the library's float functions, once.\n\n{}",
-            self.policies(|figures| costs_of(&figures.flash, |&bytes| bytes))
-        )?;
-        writeln!(
-            f,
-            "## RAM\n\nThe code uses a few bytes of stack and no other RAM. On an AVR, the profile `small` copies its tables to RAM.\n"
-        )?;
-        writeln!(
-            f,
-            "## Instructions of a decision\n\nThe maximum over {STATES} states in floats and {FEWER_STATES} in integers, counted by QEMU. \
-             For the AVR, the\nmaximum number of cycles over {FEWER_STATES} states, counted by simavr. Elsewhere an instruction is not a cycle.\n\n{}",
-            self.policies(|figures| costs_of(&figures.c, |cost| cost.worst))
-        )?;
+#[derive(Template)]
+#[template(path = "cores.md", escape = "none")]
+struct CoresPage {
+    bits: u32,
+    few_bits: u32,
+    like: [&'static str; 2],
+    states: usize,
+    fewer_states: usize,
+    episodes: usize,
+    inputs: u32,
+    flash: String,
+    instructions: String,
+    parts: String,
+    in_library: String,
+    in_rust: String,
+    in_c: String,
+}
+
+impl CoresPage {
+    fn new(figures: &Figures) -> Self {
+        let [bits, few_bits] = WIDTHS;
         let columns = ["hybrid, `fs`", "hybrid, `rs`", "network `w16a16`", "network `w8a16`"].map(str::to_owned);
-        writeln!(
-            f,
-            "## The hybrid and a network\n\nInstructions, mean · maximum. Hybrid: a decision in {EPISODES} test episodes from each start, `fs` fixed and `rs` \
-             random. Network:\n38-64-64-4 in integers (6,784 multiplications), {INPUTS} inputs.\n\n{}",
-            self.table(&[], &columns, parts_of)
-        )?;
-        write!(
-            f,
-            "## What was compared\n\n\
-             `cargo xtask cores` compares the code with the interpreter, bit for bit:\n\n\
-             - C: each shipped policy and one with memory on {STATES} states, a third of them with arbitrary bits. On the AVR {FEWER_STATES} states\n  \
-             without denormals, since avr-libc rounds the last bit of a denormal quotient differently.\n\
-             - Rust: the profile `constant-time` on the same states, and every kind of integer network on {INPUTS} inputs.\n\
-             - Library: every motor position in {} episodes of the shipped hybrids and of four parts, with `libtpg_runtime.a`.\n\n\
-             | compared | cores |\n| --- | --- |\n\
-             | C, Rust, library | {} |\n| C, Rust | {} |\n| C | {} |\n",
-            2 * EPISODES,
-            compared(true, true),
-            compared(true, false),
-            compared(false, false),
-        )
+        Self {
+            bits,
+            few_bits,
+            like: LIKE_M4F,
+            states: STATES,
+            fewer_states: FEWER_STATES,
+            episodes: EPISODES,
+            inputs: INPUTS,
+            flash: figures.policies(|figures| costs_of(&figures.flash, |&bytes| bytes)),
+            instructions: figures.policies(|figures| costs_of(&figures.c, |cost| cost.worst)),
+            parts: figures.table(&[], &columns, parts_of),
+            in_library: compared(true, true),
+            in_rust: compared(true, false),
+            in_c: compared(false, false),
+        }
     }
 }
 
@@ -244,6 +233,6 @@ mod tests {
     fn the_page_of_cores_is_fresh() {
         let committed = build::committed(FILE).expect("the figures");
         let figures: Figures = toml::from_str(&committed).expect("figures");
-        tpg_testing::book::page(PAGE, &figures.to_string());
+        tpg_testing::book::page(PAGE, &(CoresPage::new(&figures).render().expect("a page") + "\n"));
     }
 }

@@ -36,9 +36,9 @@ impl Place {
         let generated = room.join("generated");
         fs::create_dir_all(&generated).map_err(|error| Failure::at(&generated, error))?;
         let asking = [(shipped, Kind::C), (integers, Kind::Integers), (shipped, Kind::Rust)];
-        let asking = asking.map(|(policies, kind)| shipped::policies_c(policies, kind));
-        let code: Vec<Vec<File>> = shipped.iter().chain(integers).map(Shipped::c).collect::<Result<_, _>>()?;
-        for File { name, text } in code.into_iter().flatten().chain(asking) {
+        let asking = asking.into_iter().map(|(policies, kind)| Ok(vec![shipped::policies_c(policies, kind)?]));
+        let code = shipped.iter().chain(integers).map(Shipped::c).chain(asking);
+        for File { name, text } in code.collect::<Result<Vec<_>, Failure>>()?.into_iter().flatten() {
             let path = generated.join(name);
             fs::write(&path, text).map_err(|error| Failure::at(&path, error))?;
         }

@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::data;
 use crate::record::Hash;
-use std::fmt::Write as _;
+use askama::Template;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_codegen::emit::{Code, File, Language, Options, Prefix};
@@ -178,91 +178,58 @@ impl Shipped {
         self.graph.memory() == 0
     }
 
-    /// The function of `policies.h` that asks the generated C.
-    fn ask_c(&self) -> String {
-        let name = &self.prefix;
-        let memory = self.graph.memory();
-        let (mut declared, mut call, mut taken) = (String::new(), "&seen".to_owned(), String::new());
-        if memory > 0 {
-            let first = self.graph.state_length() - memory;
-            let _ = writeln!(declared, "    {name}_memory_t memory;");
-            let _ = writeln!(taken, "    memcpy(&memory, &state[{first}], sizeof memory);");
-            call.push_str(", &memory");
-        }
-        let answer = if self.graph.outputs().is_empty() {
-            format!(
-                "    action = {name}_infer({call});\n    count = platform_count();\n    bits[0] = (uint32_t)action;\n"
-            )
-        } else {
-            let next = self.graph.outputs().len() - memory;
-            let rest = if memory > 0 {
-                format!("    memcpy(&bits[{next}], &memory, sizeof memory);\n")
-            } else {
-                String::new()
-            };
-            format!(
-                "    {name}_infer({call}, &action);\n    count = platform_count();\n    memcpy(bits, &action, sizeof action);\n{rest}"
-            )
-        };
-        format!(
-            "static uint32_t {name}_answer(const float *state, uint32_t *bits)\n{{\n    {name}_state_t seen;\n{declared}    \
-             {name}_action_t action;\n    uint32_t count;\n\n    memcpy(&seen, state, sizeof seen);\n{taken}    platform_count_from();\n\
-             {answer}    return count;\n}}\n"
-        )
-    }
-
-    /// The same of generated C in integers.
-    fn ask_integers(&self) -> String {
-        let name = &self.prefix;
-        let mut place = 0;
-        let mut seen = String::new();
-        for source in self.graph.sources() {
+    /// What the template knows about it; `index` is its place among the others.
+    fn view(&self, index: usize) -> PolicyView {
+        let graph = &self.graph;
+        let memory = graph.memory();
+        let [low, step] = ranges(graph).map(|values| data::list(&values));
+        let mut fields = Vec::new();
+        for source in graph.sources() {
             let most = source.counts.iter().map(|counts| counts.limits()[1]).fold(0.0, f64::max);
             let length = source.ranges.len();
             for at in 0..length {
                 let element = if length == 1 { String::new() } else { format!("[{at}]") };
-                let _ = writeln!(seen, "    seen.{}{element} = counted(state[{place}], {most}.0F);", source.name);
-                place += 1;
+                fields.push((format!("{}{element}", source.name), fields.len(), most));
             }
         }
-        let outputs = self.graph.outputs();
-        let answer = if outputs.is_empty() {
-            format!(
-                "    action = {name}_infer(&seen);\n    count = platform_count();\n    bits[0] = (uint32_t)action;\n"
-            )
-        } else {
-            let bits = outputs.iter().enumerate().fold(String::new(), |mut text, (at, output)| {
-                let _ = writeln!(text, "    bits[{at}] = (uint32_t)(int32_t)action.{};", output.name);
-                text
-            });
-            format!("    {name}_infer(&seen, &action);\n    count = platform_count();\n{bits}")
-        };
-        format!(
-            "static uint32_t {name}_answer(const float *state, uint32_t *bits)\n{{\n    {name}_state_t seen;\n    {name}_action_t action;\n    \
-             uint32_t count;\n\n{seen}    platform_count_from();\n{answer}    return count;\n}}\n"
-        )
+        let outputs = graph.outputs();
+        PolicyView {
+            name: self.prefix.to_string(),
+            bit: 1 << index,
+            low,
+            step,
+            inputs: graph.state_length(),
+            answers: outputs.len().max(1),
+            memory: (memory > 0).then(|| graph.state_length() - memory),
+            fields,
+            outputs: outputs[..outputs.len() - memory].iter().map(|output| output.name.clone()).collect(),
+        }
     }
+}
 
-    /// The same of the generated Rust, which `cores/lib.rs` exports.
-    fn ask_rust(&self) -> String {
-        let name = &self.prefix;
-        format!(
-            "void rust_{name}(const float *state, uint32_t *bits);\n\nstatic uint32_t {name}_answer(const float *state, uint32_t \
-             *bits)\n{{\n    platform_count_from();\n    rust_{name}(state, bits);\n    return platform_count();\n}}\n\n"
-        )
-    }
+/// A policy in [`PoliciesC`].
+struct PolicyView {
+    name: String,
+    /// Its bit in `IN_IMAGE`.
+    bit: u32,
+    low: String,
+    step: String,
+    inputs: usize,
+    answers: usize,
+    /// The place of its memory in a state, if it has one.
+    memory: Option<usize>,
+    /// Each value of a state in integers, its place, and the greatest count.
+    fields: Vec<(String, usize, f64)>,
+    /// The outputs, memory aside.
+    outputs: Vec<String>,
+}
 
-    /// The constants and the entry of `policies[]`.
-    fn entry(&self) -> (String, String) {
-        let name = &self.prefix;
-        let constants = ["low", "step"].into_iter().zip(ranges(&self.graph));
-        let constants: String = constants
-            .map(|(what, values)| format!("static const float {name}_{what}[] = {};\n", data::list(&values)))
-            .collect();
-        let (inputs, answers) = (self.graph.state_length(), self.graph.outputs().len().max(1));
-        let entry = format!("    {{ \"{name}\", {inputs}U, {answers}U, {name}_low, {name}_step, {name}_answer }},\n");
-        (constants, entry)
-    }
+#[derive(Template)]
+#[template(path = "policies.c", escape = "none")]
+struct PoliciesC {
+    policies: Vec<PolicyView>,
+    integers: bool,
+    rust: bool,
 }
 
 /// The code whose policies a file asks.
@@ -284,35 +251,10 @@ impl Kind {
     }
 }
 
-/// A number as a sensor would give it: cut off, and clipped; no number is 0.
-const COUNTED: &str = "static int16_t counted(float value, float most)\n{\n    int16_t count = 0;\n\n    if (value >= most) {\n        \
-                       count = (int16_t)most;\n    } else if (value <= -most) {\n        count = (int16_t)(-most);\n    } else if ((value > -most) && \
-                       (value < most)) {\n        count = (int16_t)value;\n    } else {\n        /* no number */\n    }\n    return count;\n}\n\n";
-
 /// `policies.c`, of generated C, in floats or integers, or of generated Rust.
-pub(super) fn policies_c(shipped: &[Shipped], kind: Kind) -> File {
-    let shipped: Vec<&Shipped> = shipped.iter().filter(|one| kind != Kind::Rust || one.in_rust()).collect();
-    let mut text = "#include \"policies.h\"\n#include \"platform.h\"\n\n#include <string.h>\n\n".to_owned();
-    if kind == Kind::Integers {
-        text.push_str(COUNTED);
-    }
-    let mut entries = String::new();
-    for (index, one) in shipped.iter().enumerate() {
-        // Not all fit into the flash of every core at once.
-        let within = format!("#if (IN_IMAGE & {}U) != 0U", 1 << index);
-        let include = if kind == Kind::Rust { String::new() } else { format!("#include \"{}.h\"\n\n", one.prefix) };
-        let ask = match kind {
-            Kind::C => one.ask_c(),
-            Kind::Integers => one.ask_integers(),
-            Kind::Rust => one.ask_rust(),
-        };
-        let (constants, entry) = one.entry();
-        let _ = write!(text, "{within}\n{include}{constants}{ask}#endif\n\n");
-        let _ = write!(entries, "{within}\n{entry}#endif\n");
-    }
-    let _ = write!(
-        text,
-        "const policy_t policies[] = {{\n{entries}}};\nconst uint8_t policy_count = sizeof policies / sizeof policies[0];\n"
-    );
-    File { name: kind.file().to_owned(), text }
+pub(super) fn policies_c(shipped: &[Shipped], kind: Kind) -> Result<File, Failure> {
+    let asked = shipped.iter().filter(|one| kind != Kind::Rust || one.in_rust());
+    let policies = asked.zip(0..).map(|(one, index)| one.view(index)).collect();
+    let file = PoliciesC { policies, integers: kind == Kind::Integers, rust: kind == Kind::Rust };
+    Ok(File { name: kind.file().to_owned(), text: file.render().map_err(Failure::new)? })
 }

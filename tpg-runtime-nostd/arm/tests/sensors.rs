@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use std::cell::Cell;
 use tpg_arm::cycle::Brent;
-use tpg_arm::hybrid::{Chosen, Control, Driver, Guard, Hybrid, Settings, Switch};
+use tpg_arm::hybrid::{Chosen, Control, Guard, Hybrid, Settings, Switch};
 use tpg_arm::observation::{Observation, Straight};
 use tpg_arm::sensors::{Fault, Limits, Watch, Watchdog};
 use tpg_arm::{Arm, ArmError, BaseEdge, Joint, JointRange, Links, Move, Pose, Shapes, WIDOWX};
@@ -178,9 +178,6 @@ fn bad_readings_leave_no_trace() {
             for (motors, target, fault) in bad {
                 let before = *control.switch().counts();
                 assert_eq!(hybrid.step(&mut control, motors, target).map(|_| ()), Err(fault), "step {step}");
-                let garbled = Observation { hand: [f32::NAN; 3], ..seen };
-                assert_eq!(hybrid.drive(&mut control, &garbled), Err(Fault::Sensor));
-                assert_eq!(control.acted(chosen, &garbled), Err(Fault::Sensor));
                 assert_eq!(*control.switch().counts(), before);
             }
             assert_eq!(asked, hybrid.tpg.1.get() + hybrid.sac.1.get(), "no policy was asked");
@@ -226,18 +223,6 @@ fn a_loop_does_not_begin_on_a_bad_reading() {
     assert_eq!(begin(ARM.home, TARGET), None);
     assert_eq!(begin(Pose([0; 4]), TARGET), Some(Fault::Sensor));
     assert_eq!(begin(ARM.home, [0.0, f32::INFINITY, 0.0]), Some(Fault::Target));
-}
-
-#[test]
-fn acted_is_told_again_after_a_bad_observation() {
-    let seen = Observation::at(&ARM, ARM.home, TARGET);
-    let mut control = Control::new(&ARM, SETTINGS, Watch::DEFAULT, Brent::new(), &seen).expect("a good one");
-    let chosen = Chosen { driver: Driver::Tpg, wanted: Move([3, 0, 0, 0]) };
-    let bad = Observation { difference: [f32::INFINITY; 3], ..seen };
-    assert_eq!(control.acted(chosen, &bad), Err(Fault::Sensor));
-    assert_eq!(control.switch().counts().tpg_actions, 0);
-    assert!(control.acted(chosen, &seen).is_ok());
-    assert_eq!(control.switch().counts().tpg_actions, 1);
 }
 
 #[test]

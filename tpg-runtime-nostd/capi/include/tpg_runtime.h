@@ -6,8 +6,7 @@
  *
  * For the arm, everything else: kinematics and steps (tpg_arm_*), observation (tpg_observe, tpg_observation_*, tpg_memo_*),
  * generated policies and networks that drive it (tpg_policy_*, tpg_sac_*), two that share it (tpg_hybrid_*, tpg_switch_*),
- * the watch over its motors (tpg_watchdog_*), the arm among moving balls (tpg_body_*, tpg_dodger_*), episodes in simulation
- * (tpg_episode_*, tpg_hybrid_episode_*).
+ * the watch over its motors (tpg_watchdog_*), the arm among moving balls (tpg_body_*, tpg_dodger_*).
  *
  * Every function answers TPG_OK or says by a code why it did nothing. A pointer that is NULL or misaligned gives TPG_NULL or
  * TPG_MISALIGNED. No other bad pointer can be noticed: one must point to as much memory as its type, and the length beside
@@ -16,7 +15,7 @@
  *
  * All memory is the caller's; there is no heap and no variable. Nothing behind a pointer to const is ever written. So any
  * number of tasks may share a tpg_arm_t, tpg_body_t, tpg_sac_t, tpg_network_t, tpg_policy_t, tpg_dodge_policy_t, a model and
- * settings. Each task needs its own tpg_hybrid_t, tpg_switch_t, tpg_watchdog_t, tpg_dodger_t, tpg_memo_t, episodes and scratch
+ * settings. Each task needs its own tpg_hybrid_t, tpg_switch_t, tpg_watchdog_t, tpg_dodger_t, tpg_memo_t and scratch
  * memory: two tasks must not use one of these at the same time.
  *
  * Readings that cannot be move nothing: a decision answers TPG_BAD_TARGET, TPG_BAD_SENSOR or TPG_STUCK with a move of zero,
@@ -77,7 +76,7 @@
 // A buffer is too short, or longer than memory can be.
 #define TPG_LENGTH 3
 
-// A structure was not initialised, or not by this version of the library; or the episode is over.
+// A structure was not initialised, or not by this version of the library.
 #define TPG_STATE 4
 
 // A number outside the accepted range.
@@ -169,27 +168,6 @@
 // Words of a tpg_dodger_t.
 #define TPG_DODGER_WORDS 42
 
-// The episode goes on.
-#define TPG_RUNNING 0
-
-// The hand is at its target: the only success.
-#define TPG_REACHED 1
-
-// The policy chose not to move.
-#define TPG_STOP 2
-
-// A pose repeats: a memoryless policy will never leave the cycle.
-#define TPG_CYCLE 3
-
-// The action limit was reached.
-#define TPG_TIMEOUT 4
-
-// The policy asked for something impossible; a TPG_LIMIT or TPG_COLLISION code is added.
-#define TPG_INVALID 16
-
-// Words of a tpg_episode_t.
-#define TPG_EPISODE_WORDS 16
-
 // The network keeps the arm until the episode ends.
 #define TPG_NEVER 4294967295
 
@@ -211,22 +189,7 @@
 // The network acts.
 #define TPG_DRIVER_NETWORK 1
 
-// The graph goes on.
-#define TPG_CAUSE_NONE 0
-
-// The guard refused the graph's action.
-#define TPG_CAUSE_GUARD 1
-
-// The hand is further away than it has been, by more than the separation.
-#define TPG_CAUSE_DRIFT 2
-
-// The graph chose not to move.
-#define TPG_CAUSE_STOP 3
-
-// The graph came to a pose where it had been before.
-#define TPG_CAUSE_CYCLE 4
-
-// Causes of a hand-over.
+// Causes of a hand-over: guard, drift, stop, cycle.
 #define TPG_CAUSES 4
 
 // Words of a tpg_hybrid_t.
@@ -234,9 +197,6 @@
 
 // Words of a tpg_switch_t.
 #define TPG_SWITCH_WORDS 17
-
-// Words of a tpg_hybrid_episode_t.
-#define TPG_HYBRID_EPISODE_WORDS 34
 
 // Words of a tpg_memo_t.
 #define TPG_MEMO_WORDS 12
@@ -411,38 +371,6 @@ typedef struct {
   uint8_t behaviour;
 } tpg_dodge_t;
 
-// An episode under way. Opaque; initialised by tpg_episode_init.
-typedef struct {
-  // The library's.
-  uint64_t opaque[TPG_EPISODE_WORDS];
-} tpg_episode_t;
-
-// A task for the arm.
-typedef struct {
-  // The pose in which the arm starts.
-  tpg_pose_t start;
-  // The place where the hand's tip shall go, mm.
-  float target[3];
-  // The episode succeeds when hand and target are less than this apart, mm.
-  float tolerance;
-  // After this many actions it is over.
-  uint32_t max_actions;
-} tpg_problem_t;
-
-// The arm and its target as a policy sees them. tpg_observe makes one; fill in none by hand.
-typedef struct {
-  // Motor positions.
-  tpg_pose_t pose;
-  // Positions of the servos that never move, ticks.
-  int16_t fixed_servos[2];
-  // The hand's tip, mm.
-  float hand[3];
-  // The target, mm.
-  float target[3];
-  // Target - hand, mm.
-  float difference[3];
-} tpg_observation_t;
-
 // A policy and a network with their settings. Opaque; initialised by tpg_hybrid_init.
 //
 // It belongs to one task: it keeps what it has computed about the target. Two tasks need two hybrids with a scratch memory
@@ -490,6 +418,20 @@ typedef struct {
   uint64_t opaque[TPG_SWITCH_WORDS];
 } tpg_switch_t;
 
+// The arm and its target as a policy sees them. tpg_observe makes one; fill in none by hand.
+typedef struct {
+  // Motor positions.
+  tpg_pose_t pose;
+  // Positions of the servos that never move, ticks.
+  int16_t fixed_servos[2];
+  // The hand's tip, mm.
+  float hand[3];
+  // The target, mm.
+  float target[3];
+  // Target - hand, mm.
+  float difference[3];
+} tpg_observation_t;
+
 // An action, and the one that chose it.
 typedef struct {
   // The move that goes to the motors.
@@ -509,12 +451,6 @@ typedef struct {
   // Times that the network gave the arm back.
   uint32_t hand_backs;
 } tpg_counts_t;
-
-// An episode of a hybrid in the simulated arm. Opaque; initialised by tpg_hybrid_episode_init.
-typedef struct {
-  // The library's.
-  uint64_t opaque[TPG_HYBRID_EPISODE_WORDS];
-} tpg_hybrid_episode_t;
 
 // Values about a target, kept while decisions ask for the same one. It changes no result and saves most of the
 // cost of sources that take inverse tangents or collision tests. Opaque; initialised by tpg_memo_init. For one task at a
@@ -614,24 +550,6 @@ int32_t tpg_dodger_step(tpg_dodger_t *dodger,
 int32_t tpg_dodger_resume(tpg_dodger_t *dodger,
                           const tpg_pose_t *motors);
 
-// Puts an arm at a problem's start. `arm` must stay where it is for as long as the episode is used. TPG_BAD_TARGET for a
-// target out of reach, TPG_BAD_SENSOR for a start outside the joints' ranges.
-int32_t tpg_episode_init(tpg_episode_t *episode,
-                         const tpg_arm_t *arm,
-                         const tpg_problem_t *problem);
-
-// Gives what a policy sees now.
-int32_t tpg_episode_observation(const tpg_episode_t *episode, tpg_observation_t *observation);
-
-// Actions done so far.
-int32_t tpg_episode_actions(const tpg_episode_t *episode, uint32_t *actions);
-
-// Does one action. `outcome` is TPG_RUNNING, or how the episode ended: TPG_REACHED, TPG_STOP, TPG_CYCLE, TPG_TIMEOUT, or
-// TPG_INVALID + a code of TPG_LIMIT or TPG_COLLISION. An episode that is over answers TPG_STATE.
-int32_t tpg_episode_advance(tpg_episode_t *episode,
-                            const tpg_move_t *wanted,
-                            int32_t *outcome);
-
 // Joins a generated policy and a network. `arm`, `policy`, `sac` and `scratch` must stay where they are for as long as
 // the hybrid is used; `scratch`, of as many words as tpg_sac_scratch says, is the hybrid's alone.
 //
@@ -669,40 +587,8 @@ int32_t tpg_hybrid_step(tpg_hybrid_t *hybrid,
 int32_t tpg_switch_resume(tpg_switch_t *switch_,
                           const tpg_pose_t *motors);
 
-// The next action: a part of tpg_hybrid_step, for loops that observe themselves. They tell tpg_switch_acted what is seen
-// after the action, and do not call tpg_hybrid_step. Codes and move as there; also TPG_BAD_SENSOR where hand, target and
-// difference do not belong together.
-int32_t tpg_hybrid_decide(tpg_hybrid_t *hybrid,
-                          tpg_switch_t *switch_,
-                          const tpg_observation_t *observation,
-                          tpg_chosen_t *chosen);
-
-// Tells the switch what is seen after an action; `cause` is a TPG_CAUSE code: the reason why the network acts next, if it
-// newly does. Codes as tpg_hybrid_decide: nothing is noted then, and the action can be told again with a better observation.
-int32_t tpg_switch_acted(tpg_switch_t *switch_,
-                         const tpg_chosen_t *chosen,
-                         const tpg_observation_t *observation,
-                         int32_t *cause);
-
 // Gives the counts so far.
 int32_t tpg_switch_counts(const tpg_switch_t *switch_, tpg_counts_t *counts);
-
-// Puts the simulated arm at a problem's start. `hybrid` must stay where it is for as long as the episode
-// is used, which decides with it.
-// TPG_BAD_TARGET for a target out of reach, TPG_BAD_SENSOR for a start outside the joints' ranges.
-int32_t tpg_hybrid_episode_init(tpg_hybrid_episode_t *episode, tpg_hybrid_t *hybrid, const tpg_problem_t *problem);
-
-// Gives what the policies see now.
-int32_t tpg_hybrid_episode_observation(const tpg_hybrid_episode_t *episode, tpg_observation_t *observation);
-
-// Decides on one action, without doing it.
-int32_t tpg_hybrid_episode_decide(tpg_hybrid_episode_t *episode, tpg_chosen_t *chosen);
-
-// Does the action decided on; `outcome` as tpg_episode_advance has it. An episode that is over answers TPG_STATE.
-int32_t tpg_hybrid_episode_act(tpg_hybrid_episode_t *episode, const tpg_chosen_t *chosen, int32_t *outcome);
-
-// Gives the counts so far.
-int32_t tpg_hybrid_episode_counts(const tpg_hybrid_episode_t *episode, tpg_counts_t *counts);
 
 // Empties a memo: before its first use, and after the arm that it was used with was initialised anew.
 int32_t tpg_memo_init(tpg_memo_t *memo);

@@ -12,7 +12,7 @@ pub const TPG_NULL: i32 = 1;
 pub const TPG_MISALIGNED: i32 = 2;
 /// A buffer is too short, or longer than memory can be.
 pub const TPG_LENGTH: i32 = 3;
-/// A structure was not initialised, or not by this version of the library; or the episode is over.
+/// A structure was not initialised, or not by this version of the library.
 pub const TPG_STATE: i32 = 4;
 /// A number outside the accepted range.
 pub const TPG_ARGUMENT: i32 = 5;

@@ -2,17 +2,16 @@
 
 use crate::arm::{Ready, tpg_arm_t, tpg_move_t, tpg_pose_t};
 use crate::code::{self, Refusal, TPG_ARGUMENT, TPG_LENGTH};
-use crate::episode::{Running, tpg_problem_t};
 use crate::memory::{self, Opaque};
 use crate::observation::tpg_observation_t;
 use crate::policy::{Checked, tpg_policy_t};
 use crate::sac::tpg_sac_t;
 use crate::sensors::tpg_watch_t;
 use tpg_arm::cycle::Brent;
-use tpg_arm::hybrid::{CAUSES, Chosen, Control, Counts, Driver, Guard, Hybrid, HybridEpisode, Settings};
+use tpg_arm::hybrid::{CAUSES, Chosen, Control, Counts, Driver, Guard, Hybrid, Settings};
 use tpg_arm::observation::{Observation, TargetMemo};
 use tpg_arm::sac::packed::Model;
-use tpg_arm::sensors::{Fault, Limits};
+use tpg_arm::sensors::Limits;
 use tpg_arm::{Arm, Move, Pose};
 use tpg_runtime::policy::Policy;
 
@@ -33,18 +32,7 @@ pub const TPG_DRIVER_GRAPH: i32 = 0;
 /// The network acts.
 pub const TPG_DRIVER_NETWORK: i32 = 1;
 
-/// The graph goes on.
-pub const TPG_CAUSE_NONE: i32 = 0;
-/// The guard refused the graph's action.
-pub const TPG_CAUSE_GUARD: i32 = 1;
-/// The hand is further away than it has been, by more than the separation.
-pub const TPG_CAUSE_DRIFT: i32 = 2;
-/// The graph chose not to move.
-pub const TPG_CAUSE_STOP: i32 = 3;
-/// The graph came to a pose where it had been before.
-pub const TPG_CAUSE_CYCLE: i32 = 4;
-
-/// Causes of a hand-over.
+/// Causes of a hand-over: guard, drift, stop, cycle.
 pub const TPG_CAUSES: usize = 4;
 
 const _: () = assert!(TPG_CAUSES == CAUSES);
@@ -91,15 +79,6 @@ impl tpg_chosen_t {
     fn new(chosen: Chosen) -> Self {
         let driver = if chosen.driver == Driver::Tpg { TPG_DRIVER_GRAPH } else { TPG_DRIVER_NETWORK };
         Self { wanted: tpg_move_t { ticks: chosen.wanted.0 }, driver }
-    }
-
-    fn get(&self) -> Result<Chosen, Refusal> {
-        let driver = match self.driver {
-            TPG_DRIVER_GRAPH => Driver::Tpg,
-            TPG_DRIVER_NETWORK => Driver::Sac,
-            _ => return Err(Refusal(TPG_ARGUMENT)),
-        };
-        Ok(Chosen { driver, wanted: Move(self.wanted.ticks) })
     }
 }
 
@@ -202,25 +181,6 @@ unsafe impl Opaque for tpg_switch_t {
     const TAG: u32 = 0x5357_4902;
 }
 
-/// Words of a tpg_hybrid_episode_t.
-pub const TPG_HYBRID_EPISODE_WORDS: usize = 34;
-
-/// An episode of a hybrid in the simulated arm. Opaque; initialised by tpg_hybrid_episode_init.
-#[repr(C)]
-pub struct tpg_hybrid_episode_t {
-    /// The library's.
-    pub opaque: [u64; TPG_HYBRID_EPISODE_WORDS],
-}
-
-/// The content of a tpg_hybrid_episode_t.
-pub struct Simulated(Running<HybridEpisode<'static, f32, Graph, Network, Brent>>);
-
-// SAFETY: any bytes are an array of integers; `initialise` proves that the content fits.
-unsafe impl Opaque for tpg_hybrid_episode_t {
-    type Content = Simulated;
-    const TAG: u32 = 0x4845_5001;
-}
-
 /// Joins a generated policy and a network. `arm`, `policy`, `sac` and `scratch` must stay where they are for as long as
 /// the hybrid is used; `scratch`, of as many words as tpg_sac_scratch says, is the hybrid's alone.
 ///
@@ -279,13 +239,6 @@ pub unsafe extern "C" fn tpg_switch_init(
     }))
 }
 
-/// Writes an action, or where a reading is at fault that nothing moves.
-#[inline(always)]
-fn decided(chosen: &mut tpg_chosen_t, decided: Result<Chosen, Fault>) -> Result<(), Refusal> {
-    *chosen = tpg_chosen_t::new(decided.unwrap_or(Chosen { driver: Driver::Tpg, wanted: Move::STOP }));
-    decided.map(|_| ()).map_err(code::fault)
-}
-
 /// One step of a control loop: takes a reading of the motors and the target (x, y, z in mm), answers what is seen and the
 /// action that goes to the motors before the next step.
 ///
@@ -314,7 +267,9 @@ pub unsafe extern "C" fn tpg_hybrid_step(
                 memory::write(chosen)?,
             )
         };
-        decided(chosen, hybrid.step_into(control, Pose(motors.ticks), target, seen.get_mut()))
+        let decided = hybrid.step_into(control, Pose(motors.ticks), target, seen.get_mut());
+        *chosen = tpg_chosen_t::new(decided.unwrap_or(Chosen { driver: Driver::Tpg, wanted: Move::STOP }));
+        decided.map(|_| ()).map_err(code::fault)
     };
     code::from_result(step())
 }
@@ -328,125 +283,10 @@ pub unsafe extern "C" fn tpg_switch_resume(switch_: *mut tpg_switch_t, motors: *
     code::from_result(control.and_then(|control| control.resume(Pose(motors?.ticks)).map_err(code::fault)))
 }
 
-/// The next action: a part of tpg_hybrid_step, for loops that observe themselves. They tell tpg_switch_acted what is seen
-/// after the action, and do not call tpg_hybrid_step. Codes and move as there; also TPG_BAD_SENSOR where hand, target and
-/// difference do not belong together.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tpg_hybrid_decide(
-    hybrid: *mut tpg_hybrid_t,
-    switch_: *mut tpg_switch_t,
-    observation: *const tpg_observation_t,
-    chosen: *mut tpg_chosen_t,
-) -> i32 {
-    // SAFETY: the header's contract.
-    let (hybrid, control, seen, chosen) = unsafe {
-        (memory::content(hybrid), memory::content_mut(switch_), memory::read(observation), memory::write(chosen))
-    };
-    code::from_result(hybrid.and_then(|Both { hybrid, .. }| {
-        let (control, seen, chosen) = (control?, seen?.get(), chosen?);
-        decided(chosen, hybrid.drive(control, seen))
-    }))
-}
-
-/// Tells the switch what is seen after an action; `cause` is a TPG_CAUSE code: the reason why the network acts next, if it
-/// newly does. Codes as tpg_hybrid_decide: nothing is noted then, and the action can be told again with a better observation.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tpg_switch_acted(
-    switch_: *mut tpg_switch_t,
-    chosen: *const tpg_chosen_t,
-    observation: *const tpg_observation_t,
-    cause: *mut i32,
-) -> i32 {
-    // SAFETY: the header's contract.
-    let (control, chosen, seen, cause) = unsafe {
-        (memory::content_mut(switch_), memory::read(chosen), memory::read(observation), memory::write(cause))
-    };
-    code::from_result(control.and_then(|control| {
-        let (chosen, seen, cause) = (chosen?.get()?, seen?.get(), cause?);
-        let found = control.acted(chosen, seen).map_err(code::fault)?;
-        *cause = found.map_or(TPG_CAUSE_NONE, |cause| cause as i32 + TPG_CAUSE_GUARD);
-        Ok(())
-    }))
-}
-
 /// Gives the counts so far.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_switch_counts(switch_: *const tpg_switch_t, counts: *mut tpg_counts_t) -> i32 {
     // SAFETY: the header's contract.
     let (control, counts) = unsafe { (memory::content(switch_), memory::write(counts)) };
     code::answer(control.map(|control| tpg_counts_t::new(control.switch().counts())), counts)
-}
-
-/// Puts the simulated arm at a problem's start. `hybrid` must stay where it is for as long as the episode
-/// is used, which decides with it.
-/// TPG_BAD_TARGET for a target out of reach, TPG_BAD_SENSOR for a start outside the joints' ranges.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tpg_hybrid_episode_init(
-    episode: *mut tpg_hybrid_episode_t,
-    hybrid: *mut tpg_hybrid_t,
-    problem: *const tpg_problem_t,
-) -> i32 {
-    // SAFETY: the header's contract; the caller keeps the hybrid for as long as the episode lives.
-    let (hybrid, problem) = unsafe { (memory::content::<'static, tpg_hybrid_t>(hybrid), memory::read(problem)) };
-    code::from_result(hybrid.and_then(|Both { hybrid, limits }| {
-        let simulated = Simulated(Running::new(HybridEpisode::new(hybrid, problem?.get(limits)?, Brent::new())));
-        // SAFETY: the header's contract.
-        unsafe { memory::initialise(episode, simulated) }
-    }))
-}
-
-/// Gives what the policies see now.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tpg_hybrid_episode_observation(
-    episode: *const tpg_hybrid_episode_t,
-    observation: *mut tpg_observation_t,
-) -> i32 {
-    // SAFETY: the header's contract.
-    let (content, observation) = unsafe { (memory::content(episode), memory::write(observation)) };
-    let seen = content.map(|Simulated(running)| tpg_observation_t::new(running.episode.observation()));
-    code::answer(seen, observation)
-}
-
-/// Decides on one action, without doing it.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tpg_hybrid_episode_decide(
-    episode: *mut tpg_hybrid_episode_t,
-    chosen: *mut tpg_chosen_t,
-) -> i32 {
-    // SAFETY: the header's contract.
-    let (content, chosen) = unsafe { (memory::content_mut(episode), memory::write(chosen)) };
-    code::from_result(content.and_then(|Simulated(running)| {
-        // Nothing is decided where the result has no place.
-        let chosen = chosen?;
-        *chosen = tpg_chosen_t::new(running.episode.decide());
-        Ok(())
-    }))
-}
-
-/// Does the action decided on; `outcome` as tpg_episode_advance has it. An episode that is over answers TPG_STATE.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tpg_hybrid_episode_act(
-    episode: *mut tpg_hybrid_episode_t,
-    chosen: *const tpg_chosen_t,
-    outcome: *mut i32,
-) -> i32 {
-    // SAFETY: the header's contract.
-    let (content, chosen, outcome) =
-        unsafe { (memory::content_mut(episode), memory::read(chosen), memory::write(outcome)) };
-    code::from_result(content.and_then(|Simulated(running)| {
-        let (chosen, outcome) = (chosen?.get()?, outcome?);
-        *outcome = running.act(|episode| episode.act(chosen))?;
-        Ok(())
-    }))
-}
-
-/// Gives the counts so far.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tpg_hybrid_episode_counts(
-    episode: *const tpg_hybrid_episode_t,
-    counts: *mut tpg_counts_t,
-) -> i32 {
-    // SAFETY: the header's contract.
-    let (content, counts) = unsafe { (memory::content(episode), memory::write(counts)) };
-    code::answer(content.map(|Simulated(running)| tpg_counts_t::new(running.episode.switch().counts())), counts)
 }

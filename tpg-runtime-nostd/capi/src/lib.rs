@@ -17,7 +17,6 @@
 //! | [`hybrid`] | a generated policy and a network that share an arm |
 //! | [`dodge`] | the control step of an arm among moving balls |
 //! | [`sensors`] | the watch over motors, for control loops without a hybrid |
-//! | [`episode`] | one episode of one policy |
 
 #![cfg_attr(target_os = "none", no_std)]
 #![allow(non_camel_case_types, reason = "these are C's names")]
@@ -25,7 +24,6 @@
 pub mod arm;
 pub mod code;
 pub mod dodge;
-pub mod episode;
 pub mod hybrid;
 pub mod memo;
 pub mod memory;

@@ -25,11 +25,6 @@ pub struct tpg_observation_t {
 }
 
 impl tpg_observation_t {
-    pub(crate) fn new(seen: &Observation<f32>) -> Self {
-        let Observation { pose, fixed_servos, hand, target, difference } = *seen;
-        Self { pose: tpg_pose_t { ticks: pose.0 }, fixed_servos, hand, target, difference }
-    }
-
     pub(crate) fn get(&self) -> &Observation<f32> {
         // SAFETY: both are laid out as in C, with the same fields in the same places: see below.
         unsafe { &*core::ptr::from_ref(self).cast::<Observation<f32>>() }

@@ -7,7 +7,6 @@ use core::mem::MaybeUninit;
 use core::ptr::{null, null_mut};
 use tpg_runtime_capi::arm::*;
 use tpg_runtime_capi::code::*;
-use tpg_runtime_capi::episode::*;
 use tpg_runtime_capi::hybrid::*;
 use tpg_runtime_capi::memo::*;
 use tpg_runtime_capi::network::*;
@@ -59,11 +58,10 @@ fn every_function_keeps_to_the_memory_that_it_was_given() {
     let [mut arm, mut own] = [zeroed::<tpg_arm_t>(), zeroed::<tpg_arm_t>()];
     let (mut sac, mut network) = (zeroed::<tpg_sac_t>(), zeroed::<tpg_network_t>());
     let (mut hybrid, mut turn) = (zeroed::<tpg_hybrid_t>(), zeroed::<tpg_switch_t>());
-    let (mut episode, mut simulated) = (zeroed::<tpg_episode_t>(), zeroed::<tpg_hybrid_episode_t>());
     let (mut memo, mut watchdog) = (zeroed::<tpg_memo_t>(), zeroed::<tpg_watchdog_t>());
     let (arm, own, sac, network) = (arm.as_mut_ptr(), own.as_mut_ptr(), sac.as_mut_ptr(), network.as_mut_ptr());
-    let (hybrid, turn, episode) = (hybrid.as_mut_ptr(), turn.as_mut_ptr(), episode.as_mut_ptr());
-    let (simulated, memo, watchdog) = (simulated.as_mut_ptr(), memo.as_mut_ptr(), watchdog.as_mut_ptr());
+    let (hybrid, turn) = (hybrid.as_mut_ptr(), turn.as_mut_ptr());
+    let (memo, watchdog) = (memo.as_mut_ptr(), watchdog.as_mut_ptr());
     // SAFETY: every pointer is NULL, misaligned, or points to its structure: the header's contract.
     unsafe {
         assert_eq!(tpg_arm_home(arm, raw::<tpg_pose_t>().as_mut_ptr()), TPG_STATE);
@@ -132,8 +130,6 @@ fn every_function_keeps_to_the_memory_that_it_was_given() {
                         seen.as_mut_ptr(),
                         chosen.as_mut_ptr()
                     )));
-                    assert!(good(tpg_hybrid_decide(hybrid, turn, seen.as_ptr(), chosen.as_mut_ptr())));
-                    assert!(good(tpg_switch_acted(turn, chosen.as_ptr(), seen.as_ptr(), answer.as_mut_ptr())));
                 }
                 assert_eq!(tpg_switch_counts(turn, counts.as_mut_ptr()), TPG_OK);
                 assert!(good(tpg_switch_resume(turn, &pose)));
@@ -143,24 +139,6 @@ fn every_function_keeps_to_the_memory_that_it_was_given() {
                 assert!(good(tpg_watchdog_check(watchdog, &pose, target.as_ptr())));
                 assert_eq!(tpg_watchdog_commanded(watchdog, &pose, &wanted), TPG_OK);
                 assert!(good(tpg_watchdog_resume(watchdog, &pose)));
-            }
-            let problem = tpg_problem_t { start: pose, target, tolerance: any_float(&mut numbers), max_actions: 5 };
-            if tpg_episode_init(episode, arm, &problem) == TPG_OK {
-                let mut actions = raw::<u32>();
-                for _ in 0..3 {
-                    tpg_episode_advance(episode, &wanted, answer.as_mut_ptr());
-                }
-                assert_eq!(tpg_episode_observation(episode, seen.as_mut_ptr()), TPG_OK);
-                assert_eq!(tpg_episode_actions(episode, actions.as_mut_ptr()), TPG_OK);
-            }
-            if tpg_hybrid_episode_init(simulated, hybrid, &problem) == TPG_OK {
-                let mut counts = raw::<tpg_counts_t>();
-                for _ in 0..3 {
-                    assert_eq!(tpg_hybrid_episode_decide(simulated, chosen.as_mut_ptr()), TPG_OK);
-                    tpg_hybrid_episode_act(simulated, chosen.as_ptr(), answer.as_mut_ptr());
-                }
-                assert_eq!(tpg_hybrid_episode_observation(simulated, seen.as_mut_ptr()), TPG_OK);
-                assert_eq!(tpg_hybrid_episode_counts(simulated, counts.as_mut_ptr()), TPG_OK);
             }
             let values = hand.as_mut_ptr().cast();
             assert_eq!(tpg_network_values(network, target.as_ptr(), 3, scratch, needed, values, 3), TPG_ARGUMENT);

@@ -146,7 +146,6 @@ fn the_shipped_hybrids_move_nothing_on_readings_that_cannot_be() {
         each("pose-jumps", 3);
         each("any-pose", 2);
         each("any-target", 1);
-        each("any-hand", 2);
         assert!(of("stuck")[0] < 45 * episodes, "{text}");
     }
 }

@@ -1,6 +1,6 @@
 //! Analysis of a function together with its callees.
 
-use super::facts::{Calls, Limit, LoopBounds, Turns, in_libgcc};
+use super::facts::{Calls, LoopBounds, Turns, in_libgcc};
 use super::flow::Flow;
 use super::instruction::is_decision;
 use super::listing::Listing;
@@ -28,9 +28,6 @@ pub struct Site {
     pub text: String,
 }
 
-/// Functions that a limit counts elsewhere.
-type Elsewhere = BTreeSet<usize>;
-
 static NO_CALLS: Calls = Calls::new();
 
 /// Finds bounds in a listing and caches the results.
@@ -39,9 +36,8 @@ pub struct Analyser<'a> {
     listing: &'a Listing,
     bounds: &'a LoopBounds,
     calls: &'a Calls,
-    limits: &'a [Limit],
     flows: BTreeMap<usize, Flow>,
-    known: BTreeMap<(usize, Elsewhere), u64>,
+    known: BTreeMap<usize, u64>,
     stacks: BTreeMap<usize, u64>,
 }
 
@@ -49,19 +45,13 @@ impl<'a> Analyser<'a> {
     /// Creates the analyser of a listing, with bounds for loops that have none of their own.
     pub fn new(listing: &'a Listing, bounds: &'a LoopBounds) -> Self {
         let (flows, known, stacks) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
-        Self { listing, bounds, calls: &NO_CALLS, limits: &[], flows, known, stacks }
+        Self { listing, bounds, calls: &NO_CALLS, flows, known, stacks }
     }
 
     /// Adds the targets of calls through registers.
     #[must_use]
     pub fn calling(self, calls: &'a Calls) -> Self {
         Self { calls, ..self }
-    }
-
-    /// Adds limits on how often functions run.
-    #[must_use]
-    pub fn limited(self, limits: &'a [Limit]) -> Self {
-        Self { limits, ..self }
     }
 
     /// Returns the worst case of a function.
@@ -71,7 +61,7 @@ impl<'a> Analyser<'a> {
     pub fn bound(&mut self, name: &str) -> Result<Bound, Refusal> {
         let place = self.place(name)?;
         let stack = self.stack(place, &mut Vec::new())?;
-        Ok(Bound { instructions: self.worst(place, &Elsewhere::new())?, stack })
+        Ok(Bound { instructions: self.worst(place)?, stack })
     }
 
     /// Returns every instruction whose control flow depends on data, in a function and its callees.
@@ -103,16 +93,6 @@ impl<'a> Analyser<'a> {
 
     fn name(&self, place: usize) -> &str {
         &self.listing.functions()[place].name
-    }
-
-    /// Returns a function and everything that it may call.
-    fn reached(&mut self, from: usize) -> Result<BTreeSet<usize>, Refusal> {
-        let mut open = vec![from];
-        let mut seen: BTreeSet<usize> = open.iter().copied().collect();
-        while let Some(place) = open.pop() {
-            open.extend(self.flow(place)?.callees().into_iter().filter(|&callee| seen.insert(callee)));
-        }
-        Ok(seen)
     }
 
     fn flow(&mut self, place: usize) -> Result<&Flow, Refusal> {
@@ -188,37 +168,11 @@ impl<'a> Analyser<'a> {
         }
     }
 
-    /// Returns the functions that this function's limits apply to, that it reaches, and that are not counted elsewhere already.
-    fn limits(&mut self, place: usize, elsewhere: &Elsewhere) -> Result<Vec<(usize, u64)>, Refusal> {
-        let all = self.limits;
-        let here: Vec<&Limit> = all.iter().filter(|limit| limit.within == self.name(place)).collect();
-        let mut limits = Vec::new();
-        if here.is_empty() {
-            return Ok(limits);
-        }
-        let reached = self.reached(place)?;
-        for limit in here {
-            let function = self.place(&limit.function)?;
-            // What it cannot call does not run, however often it might.
-            if reached.contains(&function) && !elsewhere.contains(&function) {
-                limits.push((function, limit.times));
-            }
-        }
-        Ok(limits)
-    }
-
-    /// Returns the instructions of a function at most; `elsewhere` are counted where limits say.
-    fn worst(&mut self, place: usize, elsewhere: &Elsewhere) -> Result<u64, Refusal> {
-        if elsewhere.contains(&place) {
-            return Ok(0);
-        }
-        let key = (place, elsewhere.clone());
-        if let Some(&known) = self.known.get(&key) {
+    /// Returns the instructions of a function at most.
+    fn worst(&mut self, place: usize) -> Result<u64, Refusal> {
+        if let Some(&known) = self.known.get(&place) {
             return Ok(known);
         }
-        let limits = self.limits(place, elsewhere)?;
-        let without: Elsewhere =
-            elsewhere.iter().copied().chain(limits.iter().map(|&(function, _)| function)).collect();
         let headers = self.headers(place)?;
         let turns = self.turns(place, &headers)?;
         let flow = self.flow(place)?.clone();
@@ -226,17 +180,12 @@ impl<'a> Analyser<'a> {
         for callees in &flow.calls {
             let mut most = 0;
             for &callee in callees {
-                most = most.max(self.worst(callee, &without)?);
+                most = most.max(self.worst(callee)?);
             }
             costs.push(1 + most);
         }
-        let mut worst = longest(&flow.next, &costs, 0, &turns).map_err(|endless| self.endless(place, endless))?;
-        for &(function, times) in &limits {
-            // Calls from this function to the others are counted with them.
-            let others: Elsewhere = without.iter().copied().filter(|&other| other != function).collect();
-            worst += times * self.worst(function, &others)?;
-        }
-        self.known.insert(key, worst);
+        let worst = longest(&flow.next, &costs, 0, &turns).map_err(|endless| self.endless(place, endless))?;
+        self.known.insert(place, worst);
         Ok(worst)
     }
 }

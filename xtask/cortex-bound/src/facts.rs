@@ -39,14 +39,3 @@ pub type LoopBounds = BTreeMap<String, Turns>;
 
 /// The possible targets of a function's calls through a register, by the caller.
 pub type Calls = BTreeMap<String, Vec<String>>;
-
-/// A limit on the runs of one function while another one runs once, below the number implied by its calls.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Limit {
-    /// While this function runs once,
-    pub within: String,
-    /// this function, regardless of its caller,
-    pub function: String,
-    /// runs at most this number of times.
-    pub times: u64,
-}

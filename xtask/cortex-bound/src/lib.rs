@@ -17,7 +17,7 @@
 //! | [`listing`] | objdump's output, as functions of instructions |
 //! | [`instruction`] | effects of an instruction on control flow and stack |
 //! | `flow`, `table` | control flow of one function, and its tables of jumps |
-//! | [`facts`] | facts supplied by the user: loop bounds, targets of calls through registers, limits on runs |
+//! | [`facts`] | facts supplied by the user: loop bounds, targets of calls through registers |
 //! | `longest` | the longest path through it |
 //! | [`analysis`] | a function together with its callees |
 
@@ -31,6 +31,6 @@ mod refusal;
 mod table;
 
 pub use analysis::{Analyser, Bound, Site};
-pub use facts::{Calls, Limit, LoopBounds, Turns};
+pub use facts::{Calls, LoopBounds, Turns};
 pub use listing::{Listing, disassemble};
 pub use refusal::Refusal;

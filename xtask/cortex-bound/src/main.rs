@@ -1,7 +1,7 @@
 //! The program `cortex-bound`.
 
 use clap::Parser;
-use cortex_bound::{Analyser, Calls, Limit, Listing, LoopBounds, Turns, disassemble};
+use cortex_bound::{Analyser, Calls, Listing, LoopBounds, Turns, disassemble};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -21,9 +21,6 @@ struct Cli {
     /// Calls through a register in this function reach only these functions
     #[arg(long, value_name = "FUNCTION=CALLEE[,CALLEE…]", value_parser = calls)]
     calls: Vec<(String, Vec<String>)>,
-    /// While FUNCTION runs once, CALLEE runs no more than N times, regardless of its caller
-    #[arg(long, value_name = "FUNCTION:CALLEE=N", value_parser = limit)]
-    at_most: Vec<Limit>,
     /// Fail if control flow depends on data: branches, predicated blocks, tables
     #[arg(long)]
     constant_time: bool,
@@ -47,7 +44,7 @@ impl Cli {
     fn report(&self, listing: &Listing) -> bool {
         let bounds: LoopBounds = self.loop_bound.iter().cloned().collect();
         let calls: Calls = self.calls.iter().cloned().collect();
-        let mut analyser = Analyser::new(listing, &bounds).calling(&calls).limited(&self.at_most);
+        let mut analyser = Analyser::new(listing, &bounds).calling(&calls);
         let all = || listing.functions().iter().map(|function| function.name.clone()).collect();
         let names: Vec<String> = if self.functions.is_empty() { all() } else { self.functions.clone() };
         let mut good = true;
@@ -108,12 +105,4 @@ fn calls(text: &str) -> Result<(String, Vec<String>), String> {
     } else {
         Ok((function.to_owned(), callees))
     }
-}
-
-fn limit(text: &str) -> Result<Limit, String> {
-    let accepted = || format!("{text:?}; accepted: FUNCTION:CALLEE=N, N a whole number from 0");
-    let (names, number) = text.rsplit_once('=').ok_or_else(accepted)?;
-    let (within, function) = names.split_once(':').ok_or_else(accepted)?;
-    let times = number.parse().map_err(|_| accepted())?;
-    Ok(Limit { within: within.to_owned(), function: function.to_owned(), times })
 }

@@ -1,6 +1,6 @@
 //! Bounds of hand-written assembly: as a listing, and assembled if an assembler is available.
 
-use cortex_bound::{Analyser, Bound, Calls, Limit, Listing, LoopBounds, Refusal, Turns, disassemble};
+use cortex_bound::{Analyser, Bound, Calls, Listing, LoopBounds, Refusal, Turns, disassemble};
 use std::fs;
 use std::process::Command;
 use tempfile::TempDir;
@@ -408,38 +408,4 @@ fn a_risc_v_is_compiled_and_linked() {
     assert!(entry.instructions > parts && entry.stack > divide.stack, "{entry:?}");
     let refused = Analyser::new(&listing, &LoopBounds::new()).bound("entry").unwrap_err();
     assert!(matches!(refused, Refusal::Loop { .. }), "{refused}");
-}
-
-#[test]
-fn limits_count_a_function_no_more_than_it_runs() {
-    // f calls g twice and h once; h calls g as well.
-    let listing = listing(
-        "
-        f:
-        bl c <g>
-        bl c <g>
-        bl 12 <h>
-        bx lr
-        dummy:
-        g:
-        add r0, r1
-        bx lr
-        h:
-        bl c <g>
-        bx lr
-        apart:
-        add r0, r1
-        bx lr",
-    );
-    let bounds = LoopBounds::new();
-    let found =
-        |limits: &[Limit]| Analyser::new(&listing, &bounds).limited(limits).bound("f").map(|bound| bound.instructions);
-    let limit =
-        |within: &str, function: &str, times| Limit { within: within.to_owned(), function: function.to_owned(), times };
-    assert_eq!(found(&[]), Ok(5 + 3 * 3 + 3));
-    assert_eq!(found(&[limit("f", "g", 1)]), Ok(5 + 3 + 3));
-    assert_eq!(found(&[limit("f", "g", 1), limit("f", "h", 0)]), Ok(5 + 3));
-    assert_eq!(found(&[limit("h", "g", 0)]), Ok(5 + 2 * 3 + 3));
-    assert_eq!(found(&[limit("f", "apart", 7)]), found(&[]), "a function that is not called does not run");
-    assert_eq!(found(&[limit("f", "lost", 0)]), Err(Refusal::NoFunction { name: "lost".to_owned() }));
 }

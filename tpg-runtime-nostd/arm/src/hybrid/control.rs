@@ -1,6 +1,6 @@
 //! The control step of a hybrid on a real arm: readings in, a move out, nothing on bad readings.
 
-use super::{Cause, Chosen, Hybrid, Settings, Switch};
+use super::{Chosen, Hybrid, Settings, Switch};
 use crate::arm::{Arm, Move, Pose};
 use crate::cycle::CycleDetector;
 use crate::kinematics::{self, Lattice, Vector};
@@ -61,16 +61,6 @@ impl<S: Lattice, D: CycleDetector<Pose>> Control<S, D> {
     /// [`Fault::Sensor`] for a motor outside its joint's range; nothing changes then.
     pub fn resume(&mut self, motors: Pose) -> Result<(), Fault> {
         self.watchdog.resume(motors)
-    }
-
-    /// Tells the switch the observation after an action, as [`Switch::acted`]: for loops that call [`Hybrid::drive`].
-    ///
-    /// # Errors
-    /// See [`Fault`]. Nothing changes then: the action can be told again with a better observation.
-    #[inline]
-    pub fn acted(&mut self, chosen: Chosen, seen: &Observation<S>) -> Result<Option<Cause>, Fault> {
-        self.watchdog.check_seen(seen)?;
-        Ok(self.switch.acted(chosen, seen))
     }
 }
 
@@ -151,23 +141,6 @@ where
         let chosen = self.decide(&mut control.switch, seen);
         control.watchdog.commanded(motors, chosen.wanted);
         control.executed = Some(chosen);
-        Ok(chosen)
-    }
-
-    /// The next action for an observation: a part of [`step`](Self::step), for loops that observe themselves and tell
-    /// [`Control::acted`] what came of it.
-    ///
-    /// # Errors
-    /// See [`Fault`]. Nothing may be sent to the motors then, and nothing has changed.
-    #[inline]
-    pub fn drive<D: CycleDetector<Pose>>(
-        &self,
-        control: &mut Control<S, D>,
-        seen: &Observation<S>,
-    ) -> Result<Chosen, Fault> {
-        control.watchdog.check_seen(seen)?;
-        let chosen = self.decide(&mut control.switch, seen);
-        control.watchdog.commanded(seen.pose, chosen.wanted);
         Ok(chosen)
     }
 }

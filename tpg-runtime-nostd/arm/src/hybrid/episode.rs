@@ -65,17 +65,11 @@ where
     ///
     /// If several ends fall together, the first of these holds: invalid, reached, cycle, timeout.
     pub fn advance(&mut self) -> (Driver, Option<Outcome>) {
-        let chosen = self.decide();
+        let chosen = self.hybrid.decide(&mut self.switch, self.episode.observation());
         (chosen.driver, self.act(chosen))
     }
 
-    /// The first half of [`advance`](Self::advance): what a controller computes between two readings of the motors.
-    pub fn decide(&mut self) -> Chosen {
-        self.hybrid.decide(&mut self.switch, self.episode.observation())
-    }
-
-    /// The second half: moves the arm and tells the switch.
-    pub fn act(&mut self, chosen: Chosen) -> Option<Outcome> {
+    fn act(&mut self, chosen: Chosen) -> Option<Outcome> {
         let is_network = chosen.driver == Driver::Sac;
         if is_network && self.hybrid.settings.hand_back_after == NEVER && !self.is_last_turn {
             self.episode.detector.reset(self.observation().pose);

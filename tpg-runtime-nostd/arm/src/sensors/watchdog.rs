@@ -4,7 +4,6 @@ use super::lanes::{self, Expected, TOP};
 use super::{Fault, Limits};
 use crate::arm::{Arm, Move, Pose, TICKS_PER_TURN};
 use crate::kinematics::{Lattice, Vector};
-use crate::observation::Observation;
 
 /// The difference that commanded and observed motion may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -109,18 +108,6 @@ impl<S: Lattice> Watchdog<S> {
             Err(Fault::Stuck)
         } else {
             Err(Fault::Sensor)
-        }
-    }
-
-    /// Checks an observation.
-    ///
-    /// # Errors
-    /// See [`Fault`]. Nothing changes then.
-    #[inline]
-    pub fn check_seen(&self, seen: &Observation<S>) -> Result<(), Fault> {
-        match self.check(seen.pose, &seen.target) {
-            Ok(()) | Err(Fault::Stuck) if !seen.is_consistent() => Err(Fault::Sensor),
-            checked => checked,
         }
     }
 

@@ -125,10 +125,8 @@ int main(int count, char **arguments)
     tpg_arm_t *arm = BLOCK(tpg_arm_t);
     tpg_arm_t *other = BLOCK(tpg_arm_t);
     tpg_arm_description_t *description = BLOCK(tpg_arm_description_t);
-    tpg_episode_t *episode = BLOCK(tpg_episode_t);
     tpg_hybrid_t *hybrid = BLOCK(tpg_hybrid_t);
     tpg_switch_t *turn = BLOCK(tpg_switch_t);
-    tpg_hybrid_episode_t *hybrid_episode = BLOCK(tpg_hybrid_episode_t);
     tpg_memo_t *memo = BLOCK(tpg_memo_t);
     tpg_watchdog_t *watchdog = BLOCK(tpg_watchdog_t);
     tpg_sac_t *sac = BLOCK(tpg_sac_t);
@@ -138,7 +136,6 @@ int main(int count, char **arguments)
     tpg_pose_t *after = BLOCK(tpg_pose_t);
     tpg_move_t *wanted = BLOCK(tpg_move_t);
     tpg_chosen_t *chosen = BLOCK(tpg_chosen_t);
-    tpg_problem_t *problem = BLOCK(tpg_problem_t);
     tpg_settings_t *settings = BLOCK(tpg_settings_t);
     tpg_watch_t *watch = BLOCK(tpg_watch_t);
     tpg_counts_t *counts = BLOCK(tpg_counts_t);
@@ -151,7 +148,6 @@ int main(int count, char **arguments)
     float *target = (float *)block(3U * sizeof(float));
     float *hand = (float *)block(3U * sizeof(float));
     int32_t *answer = BLOCK(int32_t);
-    uint32_t *actions = BLOCK(uint32_t);
     uint16_t *action = BLOCK(uint16_t);
     size_t *size = BLOCK(size_t);
     const long rounds = (count > 2) ? strtol(arguments[2], NULL, 10) : 20000;
@@ -172,10 +168,6 @@ int main(int count, char **arguments)
         for (size_t k = 0U; k < 3U; k++) {
             target[k] = (below(2U) == 0U) ? any_float() : ((float)below(400U) - 200.0F);
         }
-        problem->start = *pose;
-        (void)memcpy(problem->target, target, sizeof problem->target);
-        problem->tolerance = any_float();
-        problem->max_actions = (below(3U) == 0U) ? (uint32_t)number() : below(100U);
         settings->hand_back_after = (below(3U) == 0U) ? (uint32_t)number() : (1U + below(50U));
         settings->separation = (below(2U) == 0U) ? any_float() : 10.0F;
         settings->guard = (below(8U) == 0U) ? (int32_t)(uint32_t)number() : (int32_t)below(4U);
@@ -198,7 +190,7 @@ int main(int count, char **arguments)
         policy->moves = (const tpg_move_t *)or_null(moves);
         policy->move_count = below(10U);
         /* A hybrid keeps both: they change only where it is made anew. */
-        switch (below(34U)) {
+        switch (below(22U)) {
         case 0U: {
             float *lengths = &description->base;
 
@@ -231,19 +223,6 @@ int main(int count, char **arguments)
             check((code != TPG_OK) || ((*answer >= TPG_VALID) && (*answer <= TPG_COLLISION_BASE)), "a validity");
             break;
         case 5U:
-            (void)did(tpg_episode_init((tpg_episode_t *)any(episode), (const tpg_arm_t *)any(arm),
-                                       (const tpg_problem_t *)any(problem)));
-            break;
-        case 6U:
-            (void)did(tpg_episode_observation((const tpg_episode_t *)any(episode), (tpg_observation_t *)any(seen)));
-            (void)did(tpg_episode_actions((const tpg_episode_t *)any(episode), (uint32_t *)any(actions)));
-            break;
-        case 7U:
-        case 8U:
-            (void)did(tpg_episode_advance((tpg_episode_t *)any(episode), (const tpg_move_t *)or_null(wanted),
-                                          (int32_t *)any(answer)));
-            break;
-        case 9U:
             for (size_t k = 0U; k < 64U; k++) {
                 sources[k] = (uint8_t)((below(60U) == 0U) ? below(256U) : below(16U));
             }
@@ -254,62 +233,32 @@ int main(int count, char **arguments)
                                       (const tpg_sac_t *)any(sac), (const tpg_settings_t *)any(settings),
                                       (uint32_t *)any(scratch), (below(5U) == 0U) ? below(WIDOWX_SAC_SCRATCH) : WIDOWX_SAC_SCRATCH));
             break;
-        case 10U:
+        case 6U:
             (void)did(tpg_switch_init((tpg_switch_t *)any(turn), (const tpg_hybrid_t *)any(hybrid),
                                       (const tpg_watch_t *)or_null(watch), (const tpg_observation_t *)any(seen)));
             break;
-        case 11U:
-        case 12U:
-        case 13U:
-        case 14U:
+        case 7U:
+        case 8U:
+        case 9U:
+        case 10U:
             (void)memset(chosen, 9, sizeof *chosen);
             code = did(tpg_hybrid_step((tpg_hybrid_t *)any(hybrid), (tpg_switch_t *)any(turn), (const tpg_pose_t *)any(pose),
                                        (const float *)any(target), (tpg_observation_t *)any(seen), chosen));
             check(!refused(code) || still(&chosen->wanted), "a move with a fault");
             break;
-        case 15U:
-        case 16U:
-            (void)memset(chosen, 9, sizeof *chosen);
-            code = did(tpg_hybrid_decide((tpg_hybrid_t *)any(hybrid), (tpg_switch_t *)any(turn),
-                                         (const tpg_observation_t *)any(seen), chosen));
-            check(!refused(code) || still(&chosen->wanted), "a move with a fault");
-            break;
-        case 17U:
-            chosen->driver = (below(10U) == 0U) ? (int32_t)(uint32_t)number() : (int32_t)below(2U);
-            (void)did(tpg_switch_acted((tpg_switch_t *)any(turn), (const tpg_chosen_t *)any(chosen),
-                                       (const tpg_observation_t *)any(seen), (int32_t *)any(answer)));
-            break;
-        case 18U:
+        case 11U:
             (void)did(tpg_switch_counts((const tpg_switch_t *)any(turn), (tpg_counts_t *)any(counts)));
             (void)did(tpg_switch_resume((tpg_switch_t *)any(turn), (const tpg_pose_t *)any(pose)));
             break;
-        case 19U:
-            (void)did(tpg_hybrid_episode_init((tpg_hybrid_episode_t *)any(hybrid_episode), (tpg_hybrid_t *)any(hybrid),
-                                              (const tpg_problem_t *)any(problem)));
-            break;
-        case 20U:
-            (void)did(tpg_hybrid_episode_observation((const tpg_hybrid_episode_t *)any(hybrid_episode),
-                                                     (tpg_observation_t *)any(seen)));
-            (void)did(tpg_hybrid_episode_counts((const tpg_hybrid_episode_t *)any(hybrid_episode),
-                                                (tpg_counts_t *)any(counts)));
-            break;
-        case 21U:
-        case 22U:
-            (void)did(tpg_hybrid_episode_decide((tpg_hybrid_episode_t *)any(hybrid_episode), (tpg_chosen_t *)any(chosen)));
-            break;
-        case 23U:
-            (void)did(tpg_hybrid_episode_act((tpg_hybrid_episode_t *)any(hybrid_episode), (const tpg_chosen_t *)any(chosen),
-                                             (int32_t *)any(answer)));
-            break;
-        case 24U:
+        case 12U:
             (void)did(tpg_memo_init((tpg_memo_t *)any(memo)));
             break;
-        case 25U:
+        case 13U:
             (void)did(tpg_observe((const tpg_arm_t *)any(other), (const tpg_pose_t *)any(pose), (const float *)any(target),
                                   (tpg_observation_t *)any(seen)));
             (void)did(tpg_observation_distance((const tpg_observation_t *)any(seen), (float *)any(hand)));
             break;
-        case 26U: {
+        case 14U: {
             const size_t length = below(49U);
             float *values = (float *)block((length == 0U) ? 1U : (length * sizeof(float)));
 
@@ -320,14 +269,14 @@ int main(int count, char **arguments)
             free(values);
             break;
         }
-        case 27U:
+        case 15U:
             (void)memset(wanted, 9, sizeof *wanted);
             code = did(tpg_policy_decide((const tpg_policy_t *)any(policy), (const tpg_arm_t *)any(arm),
                                          (const tpg_observation_t *)any(seen),
                                          (tpg_memo_t *)((below(2U) == 0U) ? NULL : any(memo)), wanted));
             check(!refused(code) || still(wanted), "a move with a fault");
             break;
-        case 28U: {
+        case 16U: {
             const size_t length = (below(2U) == 0U) ? WIDOWX_SAC_WORDS : below(WIDOWX_SAC_WORDS + 1U);
             tpg_sac_t *of_damaged = BLOCK(tpg_sac_t);
             tpg_network_t *net_of_damaged = BLOCK(tpg_network_t);
@@ -344,7 +293,7 @@ int main(int count, char **arguments)
             free(net_of_damaged);
             break;
         }
-        case 29U: {
+        case 17U: {
             const size_t length = below(WIDOWX_SAC_SCRATCH + 1U);
             uint32_t *exact = (uint32_t *)block((length == 0U) ? 1U : (length * sizeof(uint32_t)));
 
@@ -355,7 +304,7 @@ int main(int count, char **arguments)
             free(exact);
             break;
         }
-        case 30U:
+        case 18U:
             (void)did(tpg_network_inputs((const tpg_network_t *)any(network), (size_t *)any(size)));
             (void)did(tpg_network_outputs((const tpg_network_t *)any(network), (size_t *)any(size)));
             (void)did(tpg_network_choose((const tpg_network_t *)any(network), (const float *)any(target), 3U,
@@ -363,11 +312,11 @@ int main(int count, char **arguments)
             (void)did(tpg_network_values((const tpg_network_t *)any(network), (const float *)any(target), 3U,
                                          (uint32_t *)any(scratch), WIDOWX_SAC_SCRATCH, (float *)any(hand), 3U));
             break;
-        case 31U:
+        case 19U:
             (void)did(tpg_watchdog_init((tpg_watchdog_t *)any(watchdog), (const tpg_arm_t *)any(arm),
                                         (const tpg_watch_t *)or_null(watch), (const tpg_pose_t *)any(pose)));
             break;
-        case 32U:
+        case 20U:
             (void)did(tpg_watchdog_check((const tpg_watchdog_t *)any(watchdog), (const tpg_pose_t *)any(pose),
                                          (const float *)any(target)));
             (void)did(tpg_watchdog_commanded((tpg_watchdog_t *)any(watchdog), (const tpg_pose_t *)any(pose),
@@ -376,12 +325,12 @@ int main(int count, char **arguments)
             break;
         default: {
             /* Structures of any bytes that nobody has initialised. */
-            tpg_episode_t *garbage = BLOCK(tpg_episode_t);
+            tpg_switch_t *garbage = BLOCK(tpg_switch_t);
 
-            for (size_t k = 0U; k < (size_t)TPG_EPISODE_WORDS; k++) {
+            for (size_t k = 0U; k < (size_t)TPG_SWITCH_WORDS; k++) {
                 garbage->opaque[k] = number();
             }
-            check(did(tpg_episode_advance(garbage, wanted, answer)) == TPG_STATE, "garbage was taken");
+            check(did(tpg_switch_counts(garbage, counts)) == TPG_STATE, "garbage was taken");
             check(did(tpg_sac_init(sac, words, SIZE_MAX)) == TPG_LENGTH, "a length beyond memory");
             free(garbage);
             break;

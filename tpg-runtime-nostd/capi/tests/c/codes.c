@@ -242,47 +242,12 @@ static void policies(void)
     CHECK((wanted.ticks[0] == 0) && (wanted.ticks[1] == 0) && (wanted.ticks[2] == 0) && (wanted.ticks[3] == 0));
 }
 
-static void episodes(void)
-{
-    static tpg_arm_t arm;
-    static tpg_episode_t episode;
-    static tpg_episode_t raw;
-    tpg_observation_t seen;
-    tpg_move_t wanted;
-    int32_t outcome = TPG_RUNNING;
-    uint32_t actions = 0U;
-    const tpg_problem_t problem = { { { 2048, 2048, 2048, 2048 } }, { -250.0F, 239.2F, 267.0F }, 3.0F, 1707U };
-    tpg_problem_t impossible = problem;
-
-    CHECK(tpg_arm_init_widowx(&arm) == TPG_OK);
-    CHECK(tpg_episode_init(NULL, &arm, &problem) == TPG_NULL);
-    CHECK(tpg_episode_init(&episode, &arm, NULL) == TPG_NULL);
-    impossible.target[0] = INFINITY;
-    CHECK(tpg_episode_init(&episode, &arm, &impossible) == TPG_BAD_TARGET);
-    impossible = problem;
-    impossible.start.ticks[0] = -1;
-    CHECK(tpg_episode_init(&episode, &arm, &impossible) == TPG_BAD_SENSOR);
-    CHECK(tpg_episode_observation(&raw, &seen) == TPG_STATE);
-    CHECK(tpg_episode_init(&episode, &arm, &problem) == TPG_OK);
-    while (outcome == TPG_RUNNING) {
-        CHECK(tpg_episode_observation(&episode, &seen) == TPG_OK);
-        CHECK(tpg_policy_decide(&policy, &arm, &seen, NULL, &wanted) == TPG_OK);
-        CHECK(tpg_episode_advance(&episode, &wanted, &outcome) == TPG_OK);
-    }
-    CHECK(outcome == TPG_REACHED);
-    CHECK(tpg_episode_actions(&episode, &actions) == TPG_OK);
-    CHECK(actions > 100U);
-    CHECK(tpg_episode_advance(&episode, &wanted, &outcome) == TPG_STATE);
-    CHECK(tpg_episode_actions(&episode, NULL) == TPG_NULL);
-}
-
 static void hybrids(void)
 {
     static tpg_arm_t arm;
     static tpg_sac_t sac;
     static tpg_hybrid_t hybrid;
     static tpg_switch_t turn;
-    static tpg_hybrid_episode_t episode;
     static tpg_hybrid_t raw;
     static uint32_t scratch[MODEL_SCRATCH];
     tpg_settings_t settings = { 5U, 20.0F, TPG_GUARD_JOINT_LIMITS };
@@ -290,12 +255,12 @@ static void hybrids(void)
     tpg_observation_t seen;
     tpg_chosen_t chosen;
     tpg_counts_t counts;
-    int32_t cause = TPG_CAUSE_NONE;
-    int32_t outcome = TPG_RUNNING;
+    int32_t validity = TPG_VALID;
+    float distance = 1000.0F;
     const tpg_watch_t no_patience = { TPG_WATCH_THRESHOLD, 0U };
     const tpg_watch_t too_great = { TPG_WATCH_NEVER + 1U, TPG_WATCH_PATIENCE };
-    const tpg_problem_t problem = { { { 2048, 2048, 2048, 2048 } }, { 120.0F, 300.0F, 200.0F }, 3.0F, 1707U };
-    tpg_problem_t impossible = problem;
+    tpg_pose_t motors = { { 2048, 2048, 2048, 2048 } };
+    const float target[3] = { 120.0F, 300.0F, 200.0F };
 
     idle.infer = never_moves;
     CHECK(tpg_arm_init_widowx(&arm) == TPG_OK);
@@ -308,45 +273,28 @@ static void hybrids(void)
     settings.hand_back_after = 0U;
     CHECK(tpg_hybrid_init(&hybrid, &arm, &idle, &sac, &settings, scratch, MODEL_SCRATCH) == TPG_ARGUMENT);
     settings.hand_back_after = 5U;
-    CHECK(tpg_hybrid_episode_init(&episode, &raw, &problem) == TPG_STATE);
     CHECK(tpg_hybrid_init(&hybrid, &arm, &idle, &sac, &settings, scratch, MODEL_SCRATCH) == TPG_OK);
 
-    /* By hand: the graph does not move, so the network takes over. */
-    CHECK(tpg_observe(&arm, &problem.start, problem.target, &seen) == TPG_OK);
+    CHECK(tpg_observe(&arm, &motors, target, &seen) == TPG_OK);
     CHECK(tpg_switch_init(&turn, &raw, NULL, &seen) == TPG_STATE);
     CHECK(tpg_switch_init(&turn, &hybrid, NULL, NULL) == TPG_NULL);
     CHECK(tpg_switch_init(&turn, &hybrid, MISALIGNED(tpg_watch_t), &seen) == TPG_MISALIGNED);
     CHECK(tpg_switch_init(&turn, &hybrid, &no_patience, &seen) == TPG_ARGUMENT);
     CHECK(tpg_switch_init(&turn, &hybrid, &too_great, &seen) == TPG_ARGUMENT);
     CHECK(tpg_switch_init(&turn, &hybrid, NULL, &seen) == TPG_OK);
-    CHECK(tpg_hybrid_decide(&hybrid, &turn, &seen, &chosen) == TPG_OK);
-    CHECK(chosen.driver == TPG_DRIVER_GRAPH);
-    CHECK(tpg_switch_acted(&turn, &chosen, &seen, &cause) == TPG_OK);
-    CHECK(cause == TPG_CAUSE_STOP);
-    CHECK(tpg_hybrid_decide(&hybrid, &turn, &seen, &chosen) == TPG_OK);
-    CHECK(chosen.driver == TPG_DRIVER_NETWORK);
-    chosen.driver = 3;
-    CHECK(tpg_switch_acted(&turn, &chosen, &seen, &cause) == TPG_ARGUMENT);
-    CHECK(tpg_switch_counts(&turn, &counts) == TPG_OK);
-    CHECK((counts.graph_actions == 1U) && (counts.hand_overs[2] == 1U));
 
-    /* Simulated. */
-    impossible.target[1] = NAN;
-    CHECK(tpg_hybrid_episode_init(&episode, &hybrid, &impossible) == TPG_BAD_TARGET);
-    impossible = problem;
-    impossible.start.ticks[2] = 0;
-    CHECK(tpg_hybrid_episode_init(&episode, &hybrid, &impossible) == TPG_BAD_SENSOR);
-    CHECK(tpg_hybrid_episode_init(&episode, &hybrid, &problem) == TPG_OK);
-    while (outcome == TPG_RUNNING) {
-        CHECK(tpg_hybrid_episode_decide(&episode, &chosen) == TPG_OK);
-        CHECK(tpg_hybrid_episode_act(&episode, &chosen, &outcome) == TPG_OK);
+    /* The graph does not move, so the network takes over, and hands back after five actions. */
+    for (uint32_t step = 0U; (step < 1707U) && (distance >= 3.0F); step++) {
+        CHECK(tpg_hybrid_step(&hybrid, &turn, &motors, target, &seen, &chosen) == TPG_OK);
+        CHECK(chosen.driver == (((step % 6U) == 0U) ? TPG_DRIVER_GRAPH : TPG_DRIVER_NETWORK));
+        CHECK(tpg_arm_step(&arm, &motors, &chosen.wanted, &motors, &validity) == TPG_OK);
+        CHECK((validity == TPG_VALID) && (tpg_observation_distance(&seen, &distance) == TPG_OK));
     }
-    CHECK(outcome == TPG_REACHED);
-    CHECK(tpg_hybrid_episode_act(&episode, &chosen, &outcome) == TPG_STATE);
-    CHECK(tpg_hybrid_episode_counts(&episode, &counts) == TPG_OK);
+    CHECK(distance < 3.0F);
+    CHECK(tpg_switch_counts(&turn, &counts) == TPG_OK);
     CHECK((counts.network_actions > counts.graph_actions) && (counts.hand_backs > 0U));
-    CHECK(tpg_hybrid_episode_observation(&episode, &seen) == TPG_OK);
-    CHECK(tpg_hybrid_episode_observation(&episode, NULL) == TPG_NULL);
+    CHECK((counts.hand_overs[2] == counts.graph_actions) && (counts.hand_overs[0] == 0U));
+    CHECK(tpg_switch_counts(&turn, NULL) == TPG_NULL);
 }
 
 /* The control step of a real arm, and the watchdog of a loop without a hybrid. */
@@ -408,13 +356,8 @@ static void steps(void)
     }
     CHECK((code == TPG_STUCK) && (done < 8U));
     CHECK((chosen.wanted.ticks[0] == 0) && (chosen.driver == TPG_DRIVER_GRAPH));
-    CHECK(tpg_hybrid_decide(&hybrid, &turn, &seen, &chosen) == TPG_STUCK);
-    CHECK(tpg_switch_acted(&turn, &chosen, &seen, &code) == TPG_STUCK);
     CHECK(tpg_switch_resume(&turn, &motors) == TPG_OK);
     CHECK(tpg_hybrid_step(&hybrid, &turn, &motors, target, &seen, &chosen) == TPG_OK);
-    seen.difference[0] = NAN;
-    CHECK(tpg_hybrid_decide(&hybrid, &turn, &seen, &chosen) == TPG_BAD_SENSOR);
-    CHECK(tpg_switch_acted(&turn, &chosen, &seen, &code) == TPG_BAD_SENSOR);
 
     CHECK(tpg_watchdog_check(&watchdog, &motors, target) == TPG_STATE);
     CHECK(tpg_watchdog_init(&watchdog, &arm, NULL, &nowhere) == TPG_BAD_SENSOR);
@@ -439,7 +382,6 @@ int main(void)
     arm_and_observation();
     memos();
     policies();
-    episodes();
     hybrids();
     steps();
     return (failures == 0) ? 0 : 1;

@@ -16,9 +16,9 @@
 
 #define STEPS 60U
 
-typedef enum mode { CLEAN, TARGET_MOVES, POSE_JUMPS, STUCK, ANY_POSE, ANY_TARGET, ANY_HAND, MODES } disturbance_t;
+typedef enum mode { CLEAN, TARGET_MOVES, POSE_JUMPS, STUCK, ANY_POSE, ANY_TARGET, MODES } disturbance_t;
 
-static const char *const names[MODES] = { "clean", "target-moves", "pose-jumps", "stuck", "any-pose", "any-target", "any-hand" };
+static const char *const names[MODES] = { "clean", "target-moves", "pose-jumps", "stuck", "any-pose", "any-target" };
 
 static int32_t below(uint32_t bound)
 {
@@ -146,8 +146,6 @@ int main(int count, char **arguments)
             tpg_pose_t motors;
             tpg_observation_t seen;
             float target[3] = { (float)(below(400U) - 200), (float)(below(400U) - 200), (float)below(300U) };
-            /* By steps, or by the two halves of one. */
-            const bool halves = (episode % 2) == 1;
 
             if ((tpg_arm_home(&arm, &motors) != TPG_OK) || (tpg_observe(&arm, &motors, target, &seen) != TPG_OK)
                 || (tpg_switch_init(&turn, &hybrid, NULL, &seen) != TPG_OK)) {
@@ -161,19 +159,13 @@ int main(int count, char **arguments)
                 tpg_observation_t again;
                 int32_t code;
                 int32_t validity;
-                int32_t cause;
                 const char *wrong;
 
                 garble(mode, &reading, target);
                 if ((tpg_observe(&arm, &reading, target, &seen) != TPG_OK) || (tpg_switch_counts(&turn, &before) != TPG_OK)) {
                     return 2;
                 }
-                for (size_t k = 0U; (k < 3U) && (mode == ANY_HAND) && halves; k++) {
-                    seen.hand[k] = any_float();
-                    seen.difference[k] = any_float();
-                }
-                code = halves ? tpg_hybrid_decide(&hybrid, &turn, &seen, &chosen)
-                              : tpg_hybrid_step(&hybrid, &turn, &reading, target, &again, &chosen);
+                code = tpg_hybrid_step(&hybrid, &turn, &reading, target, &again, &chosen);
                 if (tpg_switch_counts(&turn, &after) != TPG_OK) {
                     return 2;
                 }
@@ -189,14 +181,6 @@ int main(int count, char **arguments)
                 }
                 if (tpg_arm_step(&arm, &motors, &chosen.wanted, &motors, &validity) != TPG_OK) {
                     return 2;
-                }
-                if (halves && (code == TPG_OK) && (tpg_observe(&arm, &motors, target, &seen) == TPG_OK)) {
-                    const int32_t told = tpg_switch_acted(&turn, &chosen, &seen, &cause);
-
-                    if ((told != due(&seen)) && !((due(&seen) == TPG_OK) && (told == TPG_STUCK))) {
-                        (void)printf("%s: acted answers %d\n", names[mode], (int)told);
-                        return 1;
-                    }
                 }
             }
         }
