@@ -176,22 +176,18 @@ impl Graph {
             let (low, high) = Counts::BITS.into_inner();
             return Err(error::input(format!("{bits} bits; accepted: {low} to {high}")));
         }
-        let (length, sampled) = (self.0.state_length(), StateSet::sampled(&self.0, STATES, SEED));
-        let visited = match states {
+        let length = self.0.state_length();
+        let states = match states {
             Some(states) if states.shape()[1] != length || states.shape()[0] == 0 => {
                 return Err(error::input(format!(
                     "states of {} values; accepted: rows of {length}",
                     states.shape()[1]
                 )));
             }
-            Some(states) => Some(StateSet::given(&self.0, states.as_array().iter().copied().collect())),
-            None => None,
+            Some(states) => StateSet::given(&self.0, states.as_array().iter().copied().collect()),
+            None => StateSet::sampled(&self.0, STATES, SEED),
         };
-        let quantised = py.detach(|| {
-            let compared = visited.as_ref().unwrap_or(&sampled);
-            let request = Request { inputs: bits, weights: bits, visited: visited.as_ref(), margin: 1.0, compared };
-            quantise("graph", &self.0, &request)
-        });
+        let quantised = py.detach(|| quantise("graph", &self.0, &Request::of_bits(bits, &states)));
         quantised.map(|(graph, report)| (Self(graph), report.to_string())).map_err(error::input)
     }
 

@@ -131,21 +131,6 @@ fn another_scalar_type_is_never_silent() {
 }
 
 #[test]
-fn too_little_agreement_writes_nothing() {
-    let (folder, _) = folder();
-    let folder = folder.path();
-    let args = ["--scalar", "f32", "--require-agreement", "100", "-o", "out"];
-    let (out, err) = generate(folder, &args, 1);
-    assert_eq!(out, "");
-    assert!(err.starts_with("refused: arm.json in f32: ") && err.ends_with("; --require-agreement 100 %\n"), "{err}");
-    assert!(!folder.join("out").exists());
-    generate(folder, &["--scalar", "f32", "--require-agreement", "50", "-o", "out"], 0);
-    generate(folder, &["--require-agreement", "100", "-o", "exact"], 0);
-    let (_, err) = generate(folder, &["--require-agreement", "101"], 2);
-    assert!(err.contains("a number from 0 to 100"), "{err}");
-}
-
-#[test]
 fn agreement_is_measured_on_recorded_states_where_there_are_some() {
     let (folder, graph) = folder();
     let folder = folder.path();

@@ -69,7 +69,7 @@ fn features_that_no_program_reads_are_dropped() {
 fn images_stay_out_of_integers() {
     let graph = graph();
     let states = StateSet::sampled(&graph, 10, 1);
-    let request = Request { inputs: 8, weights: 8, visited: None, margin: 1.0, compared: &states };
+    let request = Request::of_bits(8, &states);
     let error = quantise("eye.json", &graph, &request).expect_err("an image").to_string();
     assert!(error.contains("$.sources[0].image: a graph that sees an image"), "{error}");
 }

@@ -168,7 +168,7 @@ fn shipped(name: &str) -> Graph {
 fn quantised(name: &str, bits: u32) -> (Graph, Report) {
     let graph = shipped(name);
     let states = StateSet::sampled(&graph, 2000, 1);
-    let request = Request { inputs: bits, weights: bits, visited: None, margin: 1.0, compared: &states };
+    let request = Request::of_bits(bits, &states);
     quantise(name, &graph, &request).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -222,7 +222,7 @@ fn memory_is_kept_in_counts() {
     let graph = tpg_graph::import::load(path.as_ref(), None, None).expect("a graph with memory");
     assert!(graph.memory() > 0);
     let states = StateSet::sampled(&graph, 2000, 1);
-    let request = Request { inputs: 16, weights: 16, visited: None, margin: 1.0, compared: &states };
+    let request = Request::of_bits(16, &states);
     let (whole, report) = quantise("recall", &graph, &request).expect("integers");
     assert!(report.comparison.outputs.iter().all(|output| output.mean < 0.001), "{report}");
     assert_equal(Language::C, Profile::Fast, std::slice::from_ref(&whole), 2000);
@@ -282,7 +282,7 @@ fn bad_input_is_named() {
         change(&mut document);
         let graph = Graph::from_document("graph.json", document).unwrap_or_else(|error| panic!("{error}"));
         let states = StateSet::sampled(&graph, 100, 1);
-        let request = Request { inputs: 8, weights: 8, visited: None, margin: 1.0, compared: &states };
+        let request = Request::of_bits(8, &states);
         quantise("graph.json", &graph, &request).map(|_| ()).expect_err("refused").to_string()
     };
     let zero = with(&|document| document.sources[1].ranges[0] = [0.5, 0.5]);

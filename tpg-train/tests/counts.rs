@@ -30,7 +30,7 @@ fn a_return_is_kept_in_integers() {
         let path = format!("{}/../generated/{name}/graph.json", env!("CARGO_MANIFEST_DIR"));
         let graph = import::load(Path::new(&path), None, None).expect("a shipped graph");
         let states = StateSet::sampled(&graph, 100, 1);
-        let request = Request { inputs: 16, weights: 16, visited: None, margin: 1.0, compared: &states };
+        let request = Request::of_bits(16, &states);
         let (whole, _) = quantise(name, &graph, &request).expect("integers");
         let file = folder.path().join(format!("{name}.json"));
         fs::write(&file, whole.to_json()).expect("a file");

@@ -79,7 +79,7 @@ pub(super) fn integers(shipped: &[Shipped]) -> Result<Vec<Shipped>, Failure> {
     for one in shipped.iter().filter(|one| one.graph.memory() == 0) {
         for bits in WIDTHS {
             let compared = StateSet::sampled(&one.graph, 1, 1);
-            let request = Request { inputs: bits, weights: bits, visited: None, margin: 1.0, compared: &compared };
+            let request = Request::of_bits(bits, &compared);
             let (graph, _) = quantise(&one.prefix.to_string(), &one.graph, &request).map_err(Failure::new)?;
             let prefix = format!("{}_{bits}", one.prefix).parse().map_err(Failure::new)?;
             integers.push(Shipped::new(prefix, graph));

@@ -6,11 +6,9 @@
 use crate::error::InputError;
 use crate::model::{Counts, Graph, Input, Range, ScalarType};
 use crate::trace;
-use StateOrigin::*;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use sha2::{Digest, Sha256};
-use std::borrow::Cow;
 use std::path::Path;
 
 /// Samples flat states, concatenated, each of [`Graph::state_length`] values that are exact in the graph's scalar type.
@@ -72,7 +70,10 @@ fn values_of(graph: &Graph) -> Vec<ValueRange> {
 
 /// Samples flat states inside the declared ranges, as used by the embedded self-test.
 pub fn sample_in_range(graph: &Graph, count: usize, seed: u64) -> Vec<f64> {
-    SampledStates { state: values_of(graph), count, seed }.values().collect()
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let values = values_of(graph);
+    let states = (0..count).flat_map(|_| &values);
+    states.map(|value| value.draw(SetKind::InRange, &mut random)).collect()
 }
 
 /// Number of states of that length to hold at a time, at most `most`: 64 MiB of values, and at least one state.
@@ -149,8 +150,7 @@ impl SetKind {
     }
 }
 
-/// States for a measurement, and their origin. Sampled states are drawn anew each time, so that many states of many values
-/// take no memory.
+/// States for a measurement, and their origin.
 ///
 /// ```
 /// use tpg_graph::sample::{self, Shape};
@@ -158,57 +158,30 @@ impl SetKind {
 ///
 /// let graph = sample::graph(&Shape::default(), 7);
 /// let set = StateSet::sampled(&graph, 100, 1);
-/// let mut count = 0;
-/// set.each_batch(|states| count += states.len() / graph.state_length());
-/// assert_eq!((count, set.count()), (100, 100));
-/// assert_eq!(set.all(), states::sample_in_range(&graph, 100, 1));
+/// assert_eq!(set.states, states::sample_in_range(&graph, 100, 1));
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateSet {
-    source: StateOrigin,
-    state_length: usize,
+    /// Flat states, concatenated.
+    pub states: Vec<f64>,
+    /// They occurred, so that their values say more than the declared ranges.
+    pub is_visited: bool,
     /// Origin of the states, for human readers, without a path or a time.
     pub origin: String,
 }
 
-#[derive(Clone, Debug, PartialEq)]
-enum StateOrigin {
-    Recorded(Vec<f64>),
-    Sampled(SampledStates),
-}
-
-/// States drawn inside ranges.
-#[derive(Clone, Debug, PartialEq)]
-struct SampledStates {
-    state: Vec<ValueRange>,
-    count: usize,
-    seed: u64,
-}
-
-impl SampledStates {
-    /// Returns the values of all states, one after another.
-    fn values(&self) -> impl Iterator<Item = f64> + '_ {
-        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
-        let state = (0..self.count).flat_map(|_| &self.state);
-        state.map(move |value| value.draw(SetKind::InRange, &mut random))
-    }
-}
-
-/// Number of states that [`StateSet::each_batch`] holds at a time, unless they are long.
-const BATCH: usize = 8192;
-
 impl StateSet {
-    /// Samples states inside the declared ranges.
+    /// Samples states inside the declared ranges; fewer if they are long.
     pub fn sampled(graph: &Graph, count: usize, seed: u64) -> Self {
+        let count = batch(graph.state_length(), count);
         let origin = format!("{count} states sampled uniformly in the declared ranges, seed {seed}");
-        let sampled = SampledStates { state: values_of(graph), count, seed };
-        Self { source: Sampled(sampled), state_length: graph.state_length(), origin }
+        Self { states: sample_in_range(graph, count, seed), is_visited: false, origin }
     }
 
     /// Takes states that were visited, in the order of the graph's sources.
     pub fn given(graph: &Graph, states: Vec<f64>) -> Self {
         let origin = format!("{} given states", states.len() / graph.state_length());
-        Self { source: Recorded(states), state_length: graph.state_length(), origin }
+        Self { states, is_visited: true, origin }
     }
 
     /// Reads recorded states: see [`trace`].
@@ -219,44 +192,7 @@ impl StateSet {
         let (states, text) = trace::load(path, graph)?;
         let count = states.len() / graph.state_length();
         let hash = Sha256::digest(text).iter().take(8).fold(String::new(), |hex, byte| format!("{hex}{byte:02x}"));
-        let origin = format!("{count} recorded states, SHA-256 {hash}...");
-        Ok(Self { source: Recorded(states), state_length: graph.state_length(), origin })
-    }
-
-    /// Returns the number of states.
-    pub fn count(&self) -> usize {
-        match &self.source {
-            Recorded(states) => states.len() / self.state_length,
-            Sampled(sampled) => sampled.count,
-        }
-    }
-
-    /// Returns all flat states, concatenated.
-    pub fn all(&self) -> Cow<'_, [f64]> {
-        match &self.source {
-            Recorded(states) => Cow::Borrowed(states),
-            Sampled(sampled) => sampled.values().collect::<Vec<_>>().into(),
-        }
-    }
-
-    /// Calls `use_batch` with some flat states after others, concatenated, until it has had all.
-    pub fn each_batch(&self, mut use_batch: impl FnMut(&[f64])) {
-        let length = batch(self.state_length, BATCH) * self.state_length;
-        match &self.source {
-            Recorded(states) => states.chunks(length).for_each(use_batch),
-            Sampled(sampled) => {
-                let mut values = sampled.values();
-                let mut states = Vec::new();
-                loop {
-                    states.clear();
-                    states.extend(values.by_ref().take(length));
-                    if states.is_empty() {
-                        break;
-                    }
-                    use_batch(&states);
-                }
-            }
-        }
+        Ok(Self { states, is_visited: true, origin: format!("{count} recorded states, SHA-256 {hash}...") })
     }
 }
 
@@ -266,15 +202,10 @@ mod tests {
     use crate::sample::{self, Shape};
 
     #[test]
-    fn batches_of_long_states_are_small_and_hold_the_states_of_all() {
+    fn of_long_states_there_are_fewer() {
         let graph = sample::graph(&Shape { sources: vec![60_000], ..Shape::default() }, 1);
-        let set = StateSet::sampled(&graph, 300, 1);
-        let (mut values, mut batches) = (Vec::new(), 0);
-        set.each_batch(|states| {
-            assert!(states.len() <= 8 << 20 && states.len() % graph.state_length() == 0, "{} values", states.len());
-            values.extend_from_slice(states);
-            batches += 1;
-        });
-        assert!(batches > 1 && values == sample_in_range(&graph, 300, 1));
+        let StateSet { states, origin, .. } = StateSet::sampled(&graph, 300, 1);
+        assert!(origin.starts_with("139 states sampled"), "{origin}");
+        assert!(states == sample_in_range(&graph, 139, 1));
     }
 }

@@ -1,7 +1,6 @@
 //! The options that select code, shared by `generate` and `verify`.
 
-use super::graph::GraphArgs;
-use super::scalar::{Chosen, FixedArgs, ScalarArgs, StatesArgs};
+use super::numbers::{Chosen, NumbersArgs};
 use crate::emit::Code;
 use crate::options::{Language, Options, Prefix, Profile, Style};
 use clap::{Args, ValueEnum};
@@ -13,7 +12,7 @@ use tpg_graph::error::{InputError, Place};
 #[derive(Clone, Debug, Args)]
 pub(super) struct CodeArgs {
     #[command(flatten)]
-    pub(super) graph: GraphArgs,
+    numbers: NumbersArgs,
     /// The language
     #[arg(long, value_enum, default_value_t = LanguageArg::All)]
     pub(super) lang: LanguageArg,
@@ -23,12 +22,6 @@ pub(super) struct CodeArgs {
     /// The goal of the optimisation [default: fast in C, constant-time in Rust; verify: every profile]
     #[arg(long, value_enum)]
     pub(super) profile: Option<Profile>,
-    #[command(flatten)]
-    fixed: FixedArgs,
-    #[command(flatten)]
-    scalar: ScalarArgs,
-    #[command(flatten)]
-    states: StatesArgs,
     /// The prefix of every generated name [default: from the file's name]
     #[arg(long, value_name = "NAME")]
     prefix: Option<Prefix>,
@@ -54,22 +47,19 @@ impl LanguageArg {
 impl CodeArgs {
     /// The graph, in the requested scalar type, and the options.
     pub(super) fn load(&self) -> Result<(Graph, Options), CommandError> {
-        let mut graph = self.graph.load()?;
-        if let Some(whole) = self.fixed.integers(&self.graph, &graph, &self.states)? {
-            graph = whole;
-        }
-        let Chosen { graph, conversion } = self.scalar.choose(&self.graph, graph, &self.states)?;
+        let Chosen { graph, conversion, whole } = self.numbers.load()?;
+        let graph = whole.unwrap_or(graph);
         let options = Options {
             style: self.style.unwrap_or_default(),
             profile: self.profile,
             conversion,
-            ..Options::new(self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.graph.graph)))
+            ..Options::new(self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.numbers.graph.graph)))
         };
         if options.style == Style::Gegelati && (!graph.outputs().is_empty() || graph.has_counts()) {
             let what = if graph.has_counts() { "in integers" } else { "with outputs" };
             let found = format!("--style gegelati for a policy {what}");
             let accepted = "--style pure: GEGELATI's computes in floating point and answers an action";
-            return Err(InputError::new(self.graph.name(), Place::Whole, found, accepted).into());
+            return Err(InputError::new(self.numbers.graph.name(), Place::Whole, found, accepted).into());
         }
         Ok((graph, options))
     }
@@ -81,7 +71,7 @@ impl CodeArgs {
         options: &Options,
         language: Language,
     ) -> Result<Code<'g>, InputError> {
-        Code::of_graph(&self.graph.name(), graph, options, language)
+        Code::of_graph(&self.numbers.graph.name(), graph, options, language)
     }
 
     /// Every combination of language, style and profile that the arguments and the graph admit.

@@ -1,8 +1,7 @@
 //! `tpg-codegen GRAPH`: writes code, reports its size, compares it and proves it.
 
 use super::code::CodeArgs;
-use super::prove::proven;
-use super::verify::{prove, sentences, verdict};
+use super::verify::checked;
 use crate::emit::{Code, File};
 use crate::options::Language;
 use crate::{explain, size};
@@ -12,11 +11,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_graph::command::{self, CommandError, Verdict};
 use tpg_graph::output;
-
-/// States compared after generating; `verify` compares more.
-const STATES: usize = 10_000;
-/// The seed they are drawn with.
-const SEED: u64 = 1;
 
 /// Generate code.
 #[derive(Clone, Debug, Args)]
@@ -76,19 +70,15 @@ impl GenerateArgs {
         self.output == Path::new("-")
     }
 
-    /// Compares and proves the texts that were written, and no others.
     fn prove(&self, codes: &[Code<'_>]) -> Result<Verdict, CommandError> {
-        let proof = prove(codes, STATES, SEED)?;
-        let (proven, of_all) = proven(codes);
-        let told = if of_all == Failed || !command::is_quiet() { proven } else { String::new() };
-        let sentences = sentences(&proof) + &told;
+        let (sentences, verdict) = checked(codes)?;
         // Standard output holds either the code or the report, never both.
         if self.to_stdout() {
             eprint!("{sentences}");
         } else {
             command::print(sentences)?;
         }
-        Ok(if of_all == Failed { of_all } else { verdict(&proof) })
+        Ok(verdict)
     }
 
     fn stale(&self, files: &[&File]) -> Verdict {

@@ -7,12 +7,12 @@ mod expected;
 mod generate;
 mod graph;
 mod limits;
+mod numbers;
 mod package;
 mod policy;
 mod prove;
 mod quantise;
 mod report;
-mod scalar;
 pub mod shell;
 mod verify;
 

@@ -1,9 +1,7 @@
 //! `tpg-codegen package`: a policy as a package of an ecosystem.
 
-use super::graph::GraphArgs;
-use super::prove::proven;
-use super::scalar::{Chosen, FixedArgs, ScalarArgs, StatesArgs};
-use super::verify::{prove, sentences, verdict};
+use super::numbers::{Chosen, NumbersArgs};
+use super::verify::checked;
 use crate::options::{Options, Prefix, Profile};
 use crate::package::{Details, Ecosystem, License, package};
 use clap::Args;
@@ -14,15 +12,11 @@ use tpg_graph::command::{CommandError, Verdict};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::output;
 
-/// States compared after packing, and their seed.
-const STATES: usize = 10_000;
-const SEED: u64 = 1;
-
 /// Write a package: manifest, sources, an example that compiles, licence, README with the policy's figures.
 #[derive(Clone, Debug, Args)]
 pub(super) struct PackageArgs {
     #[command(flatten)]
-    graph: GraphArgs,
+    numbers: NumbersArgs,
     /// The ecosystem
     #[arg(long = "for", value_enum, value_name = "ECOSYSTEM")]
     ecosystem: Ecosystem,
@@ -35,12 +29,6 @@ pub(super) struct PackageArgs {
     /// The goal of the optimisation [default: fast in C, constant-time in Rust]
     #[arg(long, value_enum)]
     profile: Option<Profile>,
-    #[command(flatten)]
-    fixed: FixedArgs,
-    #[command(flatten)]
-    scalar: ScalarArgs,
-    #[command(flatten)]
-    states: StatesArgs,
     /// The package's version
     #[arg(long, value_name = "X.Y.Z", default_value = "0.1.0", value_parser = version)]
     package_version: String,
@@ -63,16 +51,13 @@ pub(super) struct PackageArgs {
 
 impl PackageArgs {
     pub(super) fn run(&self) -> Result<Verdict, CommandError> {
-        let loaded = self.graph.load()?;
-        let whole = self.fixed.integers(&self.graph, &loaded, &self.states)?;
-        let Chosen { graph, conversion } = self.scalar.choose(&self.graph, whole.unwrap_or(loaded), &self.states)?;
+        let Chosen { graph, conversion, whole } = self.numbers.load()?;
+        let (file, graph) = (&self.numbers.graph, whole.unwrap_or(graph));
         if self.ecosystem == Ecosystem::Arduino && graph.scalar() == ScalarType::F64 && !graph.has_counts() {
             let found = "a graph that computes in f64, which an AVR's double is not";
-            return Err(
-                InputError::new(self.graph.name(), Place::Whole, found, "--scalar f32, or another --for").into()
-            );
+            return Err(InputError::new(file.name(), Place::Whole, found, "--scalar f32, or another --for").into());
         }
-        let prefix = self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.graph.graph));
+        let prefix = self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&file.graph));
         let options = Options { profile: self.profile, conversion, ..Options::new(prefix) };
         let details = Details {
             version: self.package_version.clone(),
@@ -80,7 +65,7 @@ impl PackageArgs {
             url: self.url.clone(),
             license: self.license()?,
         };
-        let made = package(&self.graph.name(), &graph, &options, self.ecosystem, &details)?;
+        let made = package(&file.name(), &graph, &options, self.ecosystem, &details)?;
         let files: Vec<(PathBuf, &str)> =
             made.files.iter().map(|(path, text)| (self.output.join(path), text.as_str())).collect();
         output::write_folder(&self.output, &files)?;
@@ -90,11 +75,9 @@ impl PackageArgs {
         if self.no_verify {
             return Ok(Verdict::Good);
         }
-        let codes = [made.code];
-        let proof = prove(&codes, STATES, SEED)?;
-        let (proven, of_all) = proven(&codes);
-        print!("{}{proven}", sentences(&proof));
-        Ok(if of_all == Verdict::Failed { of_all } else { verdict(&proof) })
+        let (sentences, verdict) = checked(&[made.code])?;
+        print!("{sentences}");
+        Ok(verdict)
     }
 
     fn license(&self) -> Result<License, InputError> {

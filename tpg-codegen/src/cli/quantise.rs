@@ -49,18 +49,11 @@ fn margin(text: &str) -> Result<f64, String> {
 impl QuantiseArgs {
     pub(super) fn run(&self) -> Result<Verdict, CommandError> {
         let graph = self.graph.load()?;
-        let recorded = match self.ranges.to_str() {
-            Some("declared") => None,
-            _ => Some(StateSet::recorded(&graph, &self.ranges)?),
+        let states = match self.ranges.to_str() {
+            Some("declared") => StateSet::sampled(&graph, STATES, SEED),
+            _ => StateSet::recorded(&graph, &self.ranges)?,
         };
-        let sampled = StateSet::sampled(&graph, STATES, SEED);
-        let request = Request {
-            inputs: self.inputs,
-            weights: self.weights,
-            visited: recorded.as_ref(),
-            margin: self.margin,
-            compared: recorded.as_ref().unwrap_or(&sampled),
-        };
+        let request = Request { inputs: self.inputs, weights: self.weights, states: &states, margin: self.margin };
         let (whole, report) = quantise(&self.graph.name(), &graph, &request)?;
         let report = if self.json {
             serde_json::to_string(&report).map_err(CommandError::other)? + "\n"

@@ -1,8 +1,7 @@
 //! `tpg-codegen report`: the resources that a graph's code needs.
 
-use super::graph::GraphArgs;
 use super::limits::LimitArgs;
-use super::scalar::{Chosen, FixedArgs, ScalarArgs, StatesArgs};
+use super::numbers::{Chosen, NumbersArgs};
 use crate::emit::Code;
 use crate::options::{Language, Options, Prefix, Profile};
 use crate::report;
@@ -14,16 +13,10 @@ use tpg_graph::command::{self, CommandError, Verdict};
 #[derive(Clone, Debug, Args)]
 pub(super) struct ReportArgs {
     #[command(flatten)]
-    graph: GraphArgs,
+    numbers: NumbersArgs,
     /// Comma-separated targets [default: m4f,host]
     #[arg(long, value_enum, value_delimiter = ',')]
     target: Vec<Target>,
-    #[command(flatten)]
-    fixed: FixedArgs,
-    #[command(flatten)]
-    scalar: ScalarArgs,
-    #[command(flatten)]
-    states: StatesArgs,
     #[command(flatten)]
     limits: LimitArgs,
     /// The profile that the limits apply to; with --fixed, its integer version
@@ -36,12 +29,10 @@ pub(super) struct ReportArgs {
 
 impl ReportArgs {
     pub(super) fn run(&self) -> Result<Verdict, CommandError> {
-        let Chosen { graph, conversion } = self.scalar.choose(&self.graph, self.graph.load()?, &self.states)?;
-        let options = Options { conversion, ..Options::new(Prefix::of_file(&self.graph.graph)) };
+        let Chosen { graph, conversion, whole } = self.numbers.load()?;
+        let options = Options { conversion, ..Options::new(Prefix::of_file(&self.numbers.graph.graph)) };
         let targets = if self.target.is_empty() { &Target::DEFAULT[..] } else { &self.target };
-        let whole = self.fixed.integers(&self.graph, &graph, &self.states)?;
-        let file = self.graph.name();
-        let report = report::report(&file, &graph, &options, targets, whole.as_ref())?;
+        let report = report::report(&self.numbers.graph.name(), &graph, &options, targets, whole.as_ref())?;
         let text = if self.json {
             serde_json::to_string(&report).map_err(CommandError::other)? + "\n"
         } else {

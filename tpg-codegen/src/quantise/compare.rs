@@ -44,46 +44,45 @@ impl Comparison {
         let names: Vec<String> = graph.inputs().map(|input| graph.input_label(input)).collect();
         let scale = |(value, counts): (&Output, &Output)| counts.range.magnitude() / value.range.magnitude();
         let memory: Vec<f64> = values.iter().zip(kept).map(scale).collect();
-        let (mut states, mut same, mut saturated) = (0, 0, 0);
+        let (mut same, mut saturated) = (0, 0);
         let mut of_inputs = vec![0_usize; length];
         let mut sums = vec![(0.0_f64, 0.0_f64, 0_usize); answered.len()];
-        set.each_batch(|batch| {
-            let mut counts = Vec::with_capacity(batch.len());
-            for state in batch.chunks_exact(length) {
-                let mut beyond = false;
-                for (place, (input, &value)) in graph.inputs().zip(state).enumerate() {
-                    let count = match counted.counts_of(input) {
-                        Some(counts) => {
-                            let count = counts.count(value);
-                            if (counts.value(count) - value).abs() > 0.51 * counts.scale {
-                                of_inputs[place] += 1;
-                                beyond = true;
-                            }
-                            count
+        let mut counts = Vec::with_capacity(set.states.len());
+        for state in set.states.chunks_exact(length) {
+            let mut beyond = false;
+            for (place, (input, &value)) in graph.inputs().zip(state).enumerate() {
+                let count = match counted.counts_of(input) {
+                    Some(counts) => {
+                        let count = counts.count(value);
+                        if (counts.value(count) - value).abs() > 0.51 * counts.scale {
+                            of_inputs[place] += 1;
+                            beyond = true;
                         }
-                        None => (value * memory[place + memory.len() - length]).round(),
-                    };
-                    counts.push(count);
-                }
-                saturated += usize::from(beyond);
-            }
-            for (float, whole) in interpret::answers(graph, batch).iter().zip(interpret::answers(counted, &counts)) {
-                states += 1;
-                match (float, &whole) {
-                    (Answer::Values(float), Answer::Values(whole)) => {
-                        same += 1;
-                        for (place, sum) in sums.iter_mut().enumerate() {
-                            let (was, is) = (&graph.outputs()[place], &counted.outputs()[place]);
-                            let value = is.counts.map_or(whole[place], |counts| counts.value(whole[place]));
-                            let width = was.range.max - was.range.min;
-                            let share = if width > 0.0 { (value - float[place]).abs() / width } else { 0.0 };
-                            *sum = (sum.0 + share, sum.1.max(share), sum.2 + usize::from(share > 0.001));
-                        }
+                        count
                     }
-                    (float, whole) => same += usize::from(float == whole),
-                }
+                    None => (value * memory[place + memory.len() - length]).round(),
+                };
+                counts.push(count);
             }
-        });
+            saturated += usize::from(beyond);
+        }
+        let (floats, wholes) = (interpret::answers(graph, &set.states), interpret::answers(counted, &counts));
+        let states = floats.len();
+        for (float, whole) in floats.iter().zip(&wholes) {
+            match (float, whole) {
+                (Answer::Values(float), Answer::Values(whole)) => {
+                    same += 1;
+                    for (place, sum) in sums.iter_mut().enumerate() {
+                        let (was, is) = (&graph.outputs()[place], &counted.outputs()[place]);
+                        let value = is.counts.map_or(whole[place], |counts| counts.value(whole[place]));
+                        let width = was.range.max - was.range.min;
+                        let share = if width > 0.0 { (value - float[place]).abs() / width } else { 0.0 };
+                        *sum = (sum.0 + share, sum.1.max(share), sum.2 + usize::from(share > 0.001));
+                    }
+                }
+                (float, whole) => same += usize::from(float == whole),
+            }
+        }
         let share = |count: usize| count as f64 / states.max(1) as f64;
         let outputs =
             sums.into_iter().zip(graph.outputs()).map(|((sum, greatest, different), output)| OutputDifference {

@@ -43,18 +43,16 @@ pub struct Request<'a> {
     pub inputs: u32,
     /// Bits of the weights.
     pub weights: u32,
-    /// The states whose values fill the bits; without any, the declared ranges do.
-    pub visited: Option<&'a StateSet>,
+    /// The states on which both graphs are compared. The values of visited ones fill the bits, else the declared ranges do.
+    pub states: &'a StateSet,
     /// The multiple of these ranges that fills the bits.
     pub margin: f64,
-    /// The states on which both graphs are compared.
-    pub compared: &'a StateSet,
 }
 
 impl<'a> Request<'a> {
-    /// Inputs and weights of so many bits, compared on some states, whose values fill the bits if they were recorded.
-    pub(crate) fn of_bits(bits: u32, compared: &'a StateSet, is_recorded: bool) -> Self {
-        Self { inputs: bits, weights: bits, visited: is_recorded.then_some(compared), margin: 1.0, compared }
+    /// Inputs and weights of so many bits.
+    pub fn of_bits(bits: u32, states: &'a StateSet) -> Self {
+        Self { inputs: bits, weights: bits, states, margin: 1.0 }
     }
 }
 
@@ -118,7 +116,7 @@ pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Gra
     let Quantiser { builder, bounds, .. } = quantiser;
     let vanished = builder.vanished;
     let counted = Graph::from_document(file, document)?;
-    let comparison = Comparison::new(graph, &counted, request.compared);
+    let comparison = Comparison::new(graph, &counted, request.states);
     for (output, difference) in graph.outputs().iter().zip(&comparison.outputs) {
         // Even one count would be beyond what any actuator does.
         let is_too_coarse = output.range.max - output.range.min > 1e30;
@@ -135,19 +133,17 @@ pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Gra
 fn counts(file: &str, graph: &Graph, module: &Module<'_>, request: &Request<'_>) -> Result<Vec<Counts>, InputError> {
     let mut ranges: Vec<Range> = graph.state_ranges().collect();
     let observed = graph.observed_length();
-    if let Some(set) = request.visited {
+    if request.states.is_visited {
         ranges.truncate(observed);
         ranges.fill(Range { min: f64::INFINITY, max: f64::NEG_INFINITY });
         ranges.extend(graph.state_ranges().skip(observed));
-        set.each_batch(|states| {
-            for state in states.chunks_exact(graph.state_length()) {
-                for (range, &value) in ranges[..observed].iter_mut().zip(state) {
-                    // NaN makes an end NaN, which is refused.
-                    range.min = if range.min <= value { range.min } else { value };
-                    range.max = if range.max >= value { range.max } else { value };
-                }
+        for state in request.states.states.chunks_exact(graph.state_length()) {
+            for (range, &value) in ranges[..observed].iter_mut().zip(state) {
+                // NaN makes an end NaN, which is refused.
+                range.min = if range.min <= value { range.min } else { value };
+                range.max = if range.max >= value { range.max } else { value };
             }
-        });
+        }
     }
     let top = f64::from((1_u32 << (request.inputs - 1)) - 1);
     (graph.inputs().zip(&ranges))
@@ -162,7 +158,7 @@ fn counts(file: &str, graph: &Graph, module: &Module<'_>, request: &Request<'_>)
                 let what = if width == 0.0 { "a range of zero width" } else { "a range without end" };
                 let found = format!("{}: {range}, {what}", graph.input_label(input));
                 let accepted =
-                    if request.visited.is_some() { "states in which it varies, finite" } else { "a range that it has" };
+                    if request.states.is_visited { "states in which it varies, finite" } else { "a range that it has" };
                 return Err(InputError::new(file, "$.sources", found, accepted));
             }
             let scale = greatest * request.margin / top;

@@ -1,8 +1,7 @@
 //! Effects: numbers that an action carries for its problem.
 
-use schemars::{JsonSchema, Schema, SchemaGenerator};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
-use std::borrow::Cow;
 
 /// A named list of numbers that an action carries. The problem defines their meaning, such as changes of motor
 /// positions or a torque; the graph does not interpret them.
@@ -42,8 +41,8 @@ pub(super) struct WrittenAction {
     /// Name of the action.
     name: String,
     /// Shorthand for the effect "move", such as changes of motor positions.
-    #[serde(rename = "move", default, skip_serializing_if = "Option::is_none")]
-    moves: Option<EffectNumbers>,
+    #[serde(rename = "move", default, skip_serializing_if = "Option::is_none", serialize_with = "moves")]
+    moves: Option<Vec<f64>>,
     /// Any other effect; at most one of `move` and `effect` is given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     effect: Option<Effect>,
@@ -54,28 +53,11 @@ pub(super) struct WrittenAction {
     ask: Option<String>,
 }
 
-/// Numbers; whole ones are written without a fraction.
-#[derive(Deserialize)]
-struct EffectNumbers(Vec<f64>);
-
-impl Serialize for EffectNumbers {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        numbers(&self.0, serializer)
-    }
+fn moves<S: Serializer>(values: &Option<Vec<f64>>, serializer: S) -> Result<S::Ok, S::Error> {
+    numbers(values.as_deref().unwrap_or_default(), serializer)
 }
 
-impl JsonSchema for EffectNumbers {
-    fn schema_name() -> Cow<'static, str> {
-        Vec::<f64>::schema_name()
-    }
-    fn inline_schema() -> bool {
-        true
-    }
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        Vec::<f64>::json_schema(generator)
-    }
-}
-
+/// Whole numbers are written without a fraction.
 fn numbers<S: Serializer>(values: &[f64], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(values.iter().map(|&value| EffectNumber(value)))
 }
@@ -97,7 +79,7 @@ impl From<super::document::ActionDocument> for WrittenAction {
         let super::document::ActionDocument { id, name, effect, ask } = action;
         match effect {
             Some(effect) if effect.name == Effect::MOVE => {
-                Self { id, name, moves: Some(EffectNumbers(effect.values)), effect: None, ask }
+                Self { id, name, moves: Some(effect.values), effect: None, ask }
             }
             effect => Self { id, name, moves: None, effect, ask },
         }
@@ -111,7 +93,7 @@ impl TryFrom<WrittenAction> for super::document::ActionDocument {
         let WrittenAction { id, name, moves, effect, ask } = written;
         let effect = match (moves, effect) {
             (Some(_), Some(_)) => return Err("both \"move\" and \"effect\""),
-            (Some(EffectNumbers(values)), None) => Some(Effect::new(Effect::MOVE, values)),
+            (Some(values), None) => Some(Effect::new(Effect::MOVE, values)),
             (None, effect) => effect,
         };
         Ok(Self { id, name, effect, ask })
