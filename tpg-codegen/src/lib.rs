@@ -19,7 +19,7 @@
 //! | --- | --- |
 //! | [`emit`] | from a graph to text |
 //! | [`verify`] | compiles generated code and compares it with the interpreter |
-//! | [`report`] | the resources of the code, the removals of the passes, the policy as formulas and as a table |
+//! | [`report`] | the resources of the code, the policy as formulas and as a table |
 //! | [`size`] | bytes and stack of compiled code |
 //! | [`quantise`] | from floats to whole numbers, which compile to integers |
 //! | [`policy`] | quantised networks: `policy.q.json` into C and Rust |

@@ -3,7 +3,6 @@
 use crate::integers::{self, Integers};
 use crate::ir::Module;
 use crate::options::{Language, Options, Profile, Style};
-use crate::passes::removed::Removed;
 use crate::passes::{self, bytecode, cases, schedule};
 use crate::shape::{Formula, Shape};
 use Shape::*;
@@ -21,8 +20,6 @@ pub struct Program<'g> {
     pub(crate) options: Options,
     /// The shape of the code.
     pub(crate) shape: Shape,
-    /// The removals of the passes.
-    pub(crate) removed: Removed,
 }
 
 /// Compiles a graph.
@@ -42,16 +39,16 @@ pub struct Program<'g> {
 /// # Ok::<(), String>(())
 /// ```
 pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> Program<'g> {
-    let program = |module, shape, removed| Program { module, language, options: options.clone(), shape, removed };
+    let program = |module, shape| Program { module, language, options: options.clone(), shape };
     if language == Language::C && options.style == Style::Gegelati {
         assert!(graph.outputs().is_empty(), "GEGELATI's style has no outputs");
-        return program(Module::lower(graph), Gegelati, Removed::default());
+        return program(Module::lower(graph), Gegelati);
     }
-    let (module, removed) = passes::optimise(graph);
+    let module = passes::optimise(graph);
     // If no bid matters any more, tables and masks gain nothing: the plainest text is the best, and has no condition.
     let chooses = module.teams.iter().any(|team| team.edges.iter().any(|edge| edge.to != team.edges[0].to));
     if let Some(formula) = Formula::new(&module, options.profile_in(language)) {
-        return program(module, Shape::Formula(formula), removed);
+        return program(module, Shape::Formula(formula));
     }
     let profile = if chooses { options.profile_in(language) } else { Profile::Fast };
     let shape = |profile| match profile {
@@ -68,7 +65,7 @@ pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> P
         },
         _ => shape(profile),
     };
-    program(module, shape, removed)
+    program(module, shape)
 }
 
 /// The most edges of a graph whose code is smaller without a small evaluator and its tables.
@@ -87,21 +84,16 @@ pub(crate) fn compile_integers<'g>(
     options: &Options,
     language: Language,
 ) -> Result<Program<'g>, InputError> {
-    let (module, removed) = passes::optimise(graph);
+    let module = passes::optimise(graph);
     let tables = options.profile_in(language) == Profile::Small;
     let integers = Integers { values: integers::analyse(file, &module)?, tables };
-    Ok(Program { module, language, options: options.clone(), shape: Shape::Integers(integers), removed })
+    Ok(Program { module, language, options: options.clone(), shape: Shape::Integers(integers) })
 }
 
 impl<'g> Program<'g> {
     /// The graph.
     pub fn graph(&self) -> &'g Graph {
         self.module.graph
-    }
-
-    /// The removals of the passes.
-    pub fn removed(&self) -> Removed {
-        self.removed
     }
 
     /// The SHA-256 of the graph as it was given, before any change of its scalar type.

@@ -46,7 +46,7 @@ enum Command {
     /// Compile the generated code and compare it with the interpreter
     #[command(after_help = examples::VERIFY)]
     Verify(verify::VerifyArgs),
-    /// Report the flash, RAM, stack and operations of a graph's code, and what optimisation removed
+    /// Report the flash, RAM, stack and operations of a graph's code
     #[command(after_help = examples::REPORT)]
     Report(report::ReportArgs),
     /// Prove that C or machine code decides like the graph, for every input

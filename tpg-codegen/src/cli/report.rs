@@ -9,7 +9,7 @@ use crate::size::Target;
 use clap::Args;
 use tpg_graph::command::{self, CommandError, Verdict};
 
-/// Report the flash, RAM, stack and operations of a graph's code, and what was removed from it.
+/// Report the flash, RAM, stack and operations of a graph's code.
 #[derive(Clone, Debug, Args)]
 pub(super) struct ReportArgs {
     #[command(flatten)]

@@ -192,7 +192,7 @@ mod tests {
         let mut copies = 0;
         for (graph, seed) in graphs().zip(0..) {
             let arithmetic = Arithmetic::new(&graph);
-            let code = encode(&optimise(&graph).0);
+            let code = encode(&optimise(&graph));
             copies += usize::from(code.used.contains(&None));
             let states = states::sample(&graph, 100, seed);
             let expected = interpret::actions(&graph, &states);
@@ -209,7 +209,7 @@ mod tests {
         let text = include_str!("../../tests/fixtures/all_instructions.json");
         let graph = Graph::from_json("fixture", text).expect("a valid graph");
         assert_eq!(graph.scalar(), ScalarType::F64);
-        let code = encode(&optimise(&graph).0);
+        let code = encode(&optimise(&graph));
         // Program 3, which teams 7 and 9 share, bids 0, and no other program does: twelve programs for thirteen edges.
         assert_eq!((code.bidders.len(), code.programs.len() - 1, code.teams), (13, 12, vec![0, 5, 8, 13]));
         assert_eq!(code.bidders[2], code.bidders[7]);

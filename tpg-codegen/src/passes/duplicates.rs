@@ -5,10 +5,9 @@
 use crate::ir::{Edge, Module};
 use std::collections::BTreeSet;
 
-/// Removes them and returns them.
-pub(super) fn run(module: &mut Module<'_>) -> usize {
+/// Removes them.
+pub(super) fn run(module: &mut Module<'_>) {
     let Module { teams, bidders, .. } = module;
-    let mut removed = 0;
     for team in teams {
         let mut seen = BTreeSet::new();
         let mut kept: Vec<Edge> = Vec::with_capacity(team.edges.len());
@@ -18,10 +17,8 @@ pub(super) fn run(module: &mut Module<'_>) -> usize {
             }
         }
         kept.reverse();
-        removed += team.edges.len() - kept.len();
         team.edges = kept;
     }
-    removed
 }
 
 #[cfg(test)]
@@ -43,7 +40,7 @@ mod tests {
             teams: vec![Team { label: 1, edges }],
             ..Module::empty(&graph)
         };
-        assert_eq!(run(&mut module), 3);
+        run(&mut module);
         assert_eq!(module.teams[0].edges, [edge(0, 3), edge(3, 4)]);
     }
 }

@@ -4,20 +4,16 @@
 use super::interval::Interval;
 use crate::ir::Module;
 
-/// Removes them and returns them.
-pub(super) fn run(module: &mut Module<'_>, intervals: &[Interval]) -> usize {
+/// Removes them.
+pub(super) fn run(module: &mut Module<'_>, intervals: &[Interval]) {
     let Module { teams, bidders, .. } = module;
-    let mut removed = 0;
     for team in teams {
         let interval = |bidder: usize| intervals[bidders[bidder].value.index()];
         let certain =
             team.edges.iter().map(|edge| interval(edge.bidder).certain_bid()).fold(f64::NEG_INFINITY, f64::max);
         // The edge that is certain stays itself: its highest value is at least its lowest.
-        let before = team.edges.len();
         team.edges.retain(|edge| interval(edge.bidder).high >= certain);
-        removed += before - team.edges.len();
     }
-    removed
 }
 
 #[cfg(test)]
@@ -43,7 +39,7 @@ mod tests {
         let nodes = (0..4).map(|n| Node::Input(Input(n))).collect();
         let graph = sample::graph(&Shape::default(), 0);
         let mut module = Module { nodes, bidders, teams: vec![team], ..Module::empty(&graph) };
-        assert_eq!(run(&mut module, &intervals), 1);
+        run(&mut module, &intervals);
         assert_eq!(module.teams[0].edges, [edge(0), edge(1), edge(3)]);
     }
 }

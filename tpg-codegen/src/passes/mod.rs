@@ -15,43 +15,37 @@ pub(crate) mod estimate;
 mod fold;
 mod hopeless;
 pub(crate) mod interval;
-pub(crate) mod removed;
 pub(crate) mod schedule;
 mod teams;
 #[cfg(test)]
 mod tests;
 mod zeros;
 
-use crate::ir::{Module, Node, Team};
+use crate::ir::{Module, Team};
 use arithmetic::Arithmetic;
-use removed::Removed;
 use std::collections::BTreeSet;
 use tpg_graph::Graph;
 
 /// Lowers a graph and optimises it.
-pub(crate) fn optimise(graph: &Graph) -> (Module<'_>, Removed) {
+pub(crate) fn optimise(graph: &Graph) -> Module<'_> {
     let arithmetic = Arithmetic::new(graph);
     let mut module = Module::lower(graph);
-    let mut removed = Removed::default();
-    let before = operations(&module);
     fold::run(&mut module, arithmetic);
     zeros::run(&mut module, arithmetic);
     // Each round can make the next one find more; a round that finds nothing is the last.
     loop {
-        let duplicates = duplicates::run(&mut module);
+        let before = (module.teams.len(), module.edges());
+        duplicates::run(&mut module);
         let intervals = interval::analyse(&module);
-        let hopeless = hopeless::run(&mut module, &intervals);
-        let teams = teams::run(&mut module);
+        hopeless::run(&mut module, &intervals);
+        teams::run(&mut module);
         collect::run(&mut module);
-        let found = Removed { duplicate_bids: duplicates, hopeless_bids: hopeless, ..teams };
-        if found == Removed::default() {
+        if (module.teams.len(), module.edges()) == before {
             break;
         }
-        removed += found;
     }
     drop_idle_bids(&mut module);
-    removed.operations = before - operations(&module);
-    (module, removed)
+    module
 }
 
 /// Removes bids that decide nothing: those of teams with one edge, and all where there is only one leaf.
@@ -66,8 +60,4 @@ fn drop_idle_bids(module: &mut Module<'_>) {
         }
     }
     collect::run(module);
-}
-
-fn operations(module: &Module<'_>) -> usize {
-    module.nodes.iter().filter(|node| matches!(node, Node::Operation(..))).count()
 }

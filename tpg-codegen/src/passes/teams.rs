@@ -4,16 +4,13 @@
 //! destinations are merged. Each rule can enable the other, so teams are visited in reverse topological order: successors
 //! first.
 
-use super::removed::Removed;
 use crate::ir::{Module, NodeId, Target, ends_first, longest_walk};
 use Target::*;
 use std::collections::BTreeMap;
 
 /// Redirects edges past such teams, and renumbers the remaining ones breadth first. The root always stays.
-pub(super) fn run(module: &mut Module<'_>) -> Removed {
-    let before = module.teams.len();
-    let mut removed = Removed::default();
-    let mut place: Vec<Target> = (0..before).map(Team).collect();
+pub(super) fn run(module: &mut Module<'_>) {
+    let mut place: Vec<Target> = (0..module.teams.len()).map(Team).collect();
     let mut known: BTreeMap<Vec<(NodeId, Target)>, usize> = BTreeMap::new();
     for index in ends_first(&module.teams) {
         let team = &mut module.teams[index];
@@ -28,19 +25,15 @@ pub(super) fn run(module: &mut Module<'_>) -> Removed {
         let only = team.edges.first().map(|edge| edge.to).filter(|&to| team.edges.iter().all(|edge| edge.to == to));
         if let Some(to) = only {
             place[index] = to;
-            removed.teams_without_choice += 1;
             continue;
         }
         let decision = team.edges.iter().map(|edge| (module.bidders[edge.bidder].value, edge.to)).collect();
         let first = *known.entry(decision).or_insert(index);
         if first != index {
             place[index] = Team(first);
-            removed.twin_teams += 1;
         }
     }
     renumber(module);
-    removed.unreachable_teams = before - module.teams.len() - removed.teams_without_choice - removed.twin_teams;
-    removed
 }
 
 /// Keeps the reachable teams, breadth first from the root, and the bidders that they use.
@@ -83,7 +76,7 @@ fn renumber(module: &mut Module<'_>) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Removed, run};
+    use super::run;
     use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
     use tpg_graph::sample::{self, Shape};
     use tpg_graph::{ActionId, Input};
@@ -108,7 +101,7 @@ mod tests {
             ..Module::empty(&graph)
         };
         // Successors come first, otherwise edges in their order: the twin that is reached first stays.
-        assert_eq!(run(&mut module), Removed { teams_without_choice: 1, twin_teams: 1, ..Removed::default() });
+        run(&mut module);
         assert_eq!(module.teams.len(), 2);
         assert_eq!(module.depth, 2);
         assert_eq!(module.teams[0].edges, [to_action(0, 5), to_team(1, 1), to_team(2, 1)]);

@@ -96,7 +96,7 @@ pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Gra
         let place = format!("$.sources[{place}].image");
         return refuse(&place, "a graph that sees an image", "values of sensors");
     }
-    let (module, _) = passes::optimise(graph);
+    let module = passes::optimise(graph);
     let counts = counts(file, graph, &module, request)?;
     let observed = graph.observed_length();
     let mut quantiser = Quantiser {

@@ -4,7 +4,6 @@
 mod text;
 
 pub use crate::explain::{BidFormula, Bids, Destination, LeafFormulas, PolicyFormulas, TeamFormulas, Value, explain};
-pub use crate::passes::removed::Removed;
 
 use crate::cost::Cost;
 use crate::emit::Code;
@@ -43,8 +42,6 @@ pub struct Report {
     pub asks: Vec<String>,
     /// Values of the state that no action depends on, by name.
     pub dead_inputs: Vec<String>,
-    /// The passes' removals.
-    pub removed: Removed,
     /// The cost of a decision in C.
     pub costs: Vec<ShapeCost>,
     /// The size of the C on each target.
@@ -176,7 +173,6 @@ pub fn report(
         graph: counts(optimised),
         asks: graph.asks().map(str::to_owned).collect(),
         dead_inputs: dead_inputs(optimised),
-        removed: codes[0].1.program.removed(),
         costs: costs.collect(),
         sizes: sizes.collect(),
         rust_sizes: if targets.contains(&Target::M4f) { rust_sizes(graph, options) } else { Vec::new() },

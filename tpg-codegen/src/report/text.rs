@@ -1,7 +1,6 @@
 //! The report for people.
 
 use super::{Cost, GraphCounts, Report, ShapeCost, ShapeSize};
-use crate::passes::removed::Removed;
 use crate::size::Target;
 use std::fmt;
 use tpg_graph::MathsProvider;
@@ -10,7 +9,19 @@ use tpg_graph::error::counted;
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let GraphCounts {
-            teams, depth, edges, programs, actions, outputs, memory, leaves, inputs, lines, introns, ..
+            teams,
+            depth,
+            edges,
+            programs,
+            actions,
+            outputs,
+            memory,
+            leaves,
+            inputs,
+            lines,
+            introns,
+            distinct_operations,
+            operations,
         } = self.graph;
         let asks = &self.asks;
         let answers = match outputs {
@@ -48,7 +59,11 @@ impl fmt::Display for Report {
         let dead = if self.dead_inputs.is_empty() { "none".to_owned() } else { self.dead_inputs.join(", ") };
         writeln!(f, "inputs    {inputs}; unused: {dead}")?;
         writeln!(f, "lines     {lines}; {introns} introns removed ({})", percent(introns, lines))?;
-        self.removed(f)?;
+        let effective = lines - introns;
+        writeln!(
+            f,
+            "work      {effective} effective lines, {distinct_operations} distinct, {operations} after all passes"
+        )?;
         self.costs(f)?;
         for sizes in self.sizes.chunk_by(|a, b| a.target == b.target) {
             self.sizes(f, sizes)?;
@@ -58,26 +73,6 @@ impl fmt::Display for Report {
 }
 
 impl Report {
-    fn removed(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let GraphCounts { lines, introns, distinct_operations, operations, .. } = self.graph;
-        let Removed { duplicate_bids, hopeless_bids, teams_without_choice, twin_teams, unreachable_teams, .. } =
-            self.removed;
-        writeln!(
-            f,
-            "work      {} effective lines, {distinct_operations} distinct, {operations} after all passes",
-            lines - introns
-        )?;
-        writeln!(
-            f,
-            "removed   {}, {} that cannot win; {} without a choice, {}, {}",
-            counted(duplicate_bids, "duplicate bid"),
-            counted(hopeless_bids, "bid"),
-            counted(teams_without_choice, "team"),
-            counted(twin_teams, "twin"),
-            counted(unreachable_teams, "unreachable one")
-        )
-    }
-
     fn costs(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let maths = match self.maths {
             MathsProvider::System => "libm calls",
