@@ -1,3 +1,8 @@
+{%- let entry = printer.entry() -%}
+{%- let prefix = printer.prefix -%}
+{%- let upper = printer.upper() -%}
+{%- let scalar = printer.scalar() -%}
+{%- let lowest = printer.lowest() -%}
 {% if outputs.is_empty() -%}
 {{ entry.head }}
 {%- else -%}

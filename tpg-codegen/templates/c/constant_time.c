@@ -1,4 +1,7 @@
-
+{%- let entry = printer.entry() -%}
+{%- let prefix = printer.prefix -%}
+{%- let upper = printer.upper() -%}
+{%- let scalar = printer.scalar() %}
 {{ entry.head }}
 {
 {%- if only %}

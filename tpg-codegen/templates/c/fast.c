@@ -1,3 +1,7 @@
+{%- let entry = printer.entry() -%}
+{%- let prefix = printer.prefix -%}
+{%- let scalar = printer.scalar() -%}
+{%- let lowest = printer.lowest() -%}
 {%- if teams.len() > 1 %}
 /* {{ rule }} No team leads back to one above it. */
 {%- else %}

@@ -1,3 +1,4 @@
+{%- let entry = printer.entry() -%}
 {{ entry.head }}
 {
 {%- for statement in statements %}

@@ -1,3 +1,6 @@
+{%- let prefix = printer.prefix -%}
+{%- let upper = printer.upper() -%}
+{%- let scalar = printer.scalar() -%}
 {% for program in programs %}
 static {{ scalar }} {{ prefix }}_program_{{ program.label }}(void)
 {

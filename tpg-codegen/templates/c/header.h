@@ -1,3 +1,6 @@
+{%- let prefix = printer.prefix -%}
+{%- let upper = printer.upper() -%}
+{%- let scalar = printer.scalar() -%}
 /*
 {%- for line in banner %}
  * {{ line }}

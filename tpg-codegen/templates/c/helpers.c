@@ -1,3 +1,6 @@
+{%- let prefix = printer.prefix -%}
+{%- let scalar = printer.scalar() -%}
+{%- let upper = printer.upper() -%}
 {% if self.calls("hidden") %}
 /* A number that the compiler does not know: it would compute the platform's function of it itself, and round another way. */
 static {{ scalar }} {{ prefix }}_hidden({{ scalar }} number)

@@ -1,4 +1,6 @@
-
+{%- let entry = printer.entry() -%}
+{%- let prefix = printer.prefix -%}
+{%- let scalar = printer.scalar() %}
 {{ entry.head }}
 {
 {%- for output in outputs %}

@@ -1,3 +1,8 @@
+{%- let entry = printer.entry() -%}
+{%- let prefix = printer.prefix -%}
+{%- let upper = printer.upper() -%}
+{%- let scalar = printer.scalar() -%}
+{%- let lowest = printer.lowest() -%}
 /* Runs a program: its results follow one another in the frame, and the last is its bid. */
 static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
 {

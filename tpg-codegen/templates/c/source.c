@@ -1,3 +1,7 @@
+{%- let prefix = printer.prefix -%}
+{%- let upper = printer.upper() -%}
+{%- let scalar = printer.scalar() -%}
+{%- let entry = printer.entry() -%}
 /*
 {%- for line in banner %}
  * {{ line }}

@@ -1,6 +1,5 @@
 //! The profile `balanced`: tables of teams over native bids, each distinct one a case of one `switch`.
 
-use super::entry::Entry;
 use super::expression::Printer;
 use super::leaves;
 use crate::emit::cases::{self, CaseView, FunctionView};
@@ -13,11 +12,7 @@ use askama::Template;
 #[derive(Template)]
 #[template(path = "c/balanced.c", escape = "none")]
 struct Balanced<'a> {
-    entry: Entry,
-    prefix: &'a str,
-    upper: &'a str,
-    scalar: &'a str,
-    lowest: String,
+    printer: &'a Printer<'a>,
     outputs: &'a [OutputView],
     bidders: Table,
     places: Table,
@@ -32,14 +27,10 @@ struct Balanced<'a> {
 }
 
 /// Renders the body.
-pub(super) fn render(printer: &Printer<'_>, cases: &Cases, outputs: &[OutputView], upper: &str) -> String {
+pub(super) fn render(printer: &Printer<'_>, cases: &Cases, outputs: &[OutputView]) -> String {
     let table = |values: &[u64]| table(printer, values, |width| if width.bits() == 64 { "ULL" } else { "U" });
     let balanced = Balanced {
-        entry: Entry::new(printer),
-        prefix: printer.prefix,
-        upper,
-        scalar: printer.scalar(),
-        lowest: printer.lowest(),
+        printer,
         outputs,
         bidders: table(&cases.bidders),
         places: table(&cases.places),

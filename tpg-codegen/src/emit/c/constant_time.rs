@@ -2,7 +2,6 @@
 //! without a loop. A comparison is the sign of a difference, taken from its bits, so that no compiler has a reason to branch.
 //! A graph of one team has nothing to chase.
 
-use super::entry::Entry;
 use super::expression::Printer;
 use super::leaves;
 use crate::emit::choice::{self, KeyView, TeamView};
@@ -16,9 +15,7 @@ use std::collections::BTreeSet;
 #[derive(Template)]
 #[template(path = "c/constant_time.c", escape = "none")]
 struct CConstantTime<'a> {
-    entry: Entry,
-    prefix: &'a str,
-    upper: &'a str,
+    printer: &'a Printer<'a>,
     vertex: &'a str,
     /// The only team chooses among the ends.
     only: bool,
@@ -35,11 +32,10 @@ struct CConstantTime<'a> {
     /// The statements of all leaves.
     statements: Vec<String>,
     assignments: Vec<String>,
-    scalar: &'a str,
 }
 
 /// Renders the body.
-pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, outputs: &[OutputView], upper: &str) -> String {
+pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, outputs: &[OutputView]) -> String {
     let names = choice::names(module);
     let (bids, challengers) = (module.deciding_bids(), challengers(module));
     // A challenger is read once, to make it comparable; another bid has a name.
@@ -59,9 +55,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, outputs: &[Outp
     let teams = (0..module.teams.len()).map(|number| choice::team(module, number, key)).collect();
     let (statements, leaves) = choice::leaves(&mut block, &module.leaves, outputs);
     let constant_time = CConstantTime {
-        entry: Entry::new(printer),
-        prefix: printer.prefix,
-        upper,
+        printer,
         vertex: &printer.vertex_type(module.vertices()),
         only: module.teams.len() == 1,
         reads_state: printer.reads_state(bids.iter().chain(reached(&module.leaves).flat_map(|(_, leaf)| &leaf.values))),
@@ -74,7 +68,6 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, outputs: &[Outp
         leaves,
         statements,
         assignments: leaves::assignments(printer, outputs),
-        scalar: printer.scalar(),
     };
     constant_time.render().expect("the template renders")
 }

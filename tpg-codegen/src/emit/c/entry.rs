@@ -20,10 +20,10 @@ pub(super) struct Entry {
     pub(super) head: String,
 }
 
-impl Entry {
-    /// Names the entry point of a printer's graph.
-    pub(super) fn new(printer: &Printer<'_>) -> Self {
-        let (prefix, graph): (&str, &Graph) = (printer.prefix, printer.graph);
+impl Printer<'_> {
+    /// Names the entry point of the graph.
+    pub(super) fn entry(&self) -> Entry {
+        let (prefix, graph): (&str, &Graph) = (self.prefix, self.graph);
         let [state, answer, function] = match graph.memory() {
             0 => ["state_t", "action_t", "infer"],
             _ => ["view_t", "answer_t", "decide"],
@@ -34,6 +34,6 @@ impl Entry {
             (_, 0) => format!("void {function}(const {state} *state, {answer} *action)"),
             _ => format!("static void {function}(const {state} *state, {answer} *action)"),
         };
-        Self { state, answer, action: format!("{prefix}_action_t"), function, head }
+        Entry { state, answer, action: format!("{prefix}_action_t"), function, head }
     }
 }

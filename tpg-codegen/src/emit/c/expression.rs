@@ -136,6 +136,11 @@ impl Syntax for Printer<'_> {
 }
 
 impl Printer<'_> {
+    /// The prefix in capitals.
+    pub(super) fn upper(&self) -> String {
+        self.prefix.to_ascii_uppercase()
+    }
+
     /// The macro of the highest finite number, whose negative is the lowest.
     pub(super) fn greatest(&self) -> &'static str {
         match self.graph.scalar() {

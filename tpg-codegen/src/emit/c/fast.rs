@@ -6,7 +6,6 @@
 //!
 //! A bid of 0 is read from a volatile variable where another may be `max(0, x)`: see [`Syntax::hides_zeros`].
 
-use super::entry::Entry;
 use super::expression::Printer;
 use super::leaves;
 use crate::emit::interface::OutputView;
@@ -25,10 +24,7 @@ use askama::Template;
 #[derive(Template)]
 #[template(path = "c/fast.c", escape = "none")]
 struct CFast<'a> {
-    entry: Entry,
-    prefix: &'a str,
-    scalar: &'a str,
-    lowest: String,
+    printer: &'a Printer<'a>,
     rule: &'a str,
     leads: bool,
     teams: Vec<CTeamLines>,
@@ -146,7 +142,7 @@ pub(super) fn render(
     outputs: &[OutputView],
 ) -> String {
     let answers_in_place = module.teams.len() == 1 && !outputs.is_empty();
-    let entry = Entry::new(printer);
+    let action = printer.entry().action;
     let mut leaves = views(printer, &schedule.leaves, outputs, true);
     let in_place = if answers_in_place { std::mem::take(&mut leaves) } else { Vec::new() };
     let names = names::actions(printer.graph).iter().map(|name| printer.local(name)).collect();
@@ -170,7 +166,7 @@ pub(super) fn render(
         let is_action = matches!(view.decision, Winner);
         CTeamLines {
             keeps_winner: matches!(view.decision, Winner | Ways(_)),
-            winner_type: if is_action { entry.action.clone() } else { "uint32_t".to_owned() },
+            winner_type: if is_action { action.clone() } else { "uint32_t".to_owned() },
             view,
             decision,
         }
@@ -178,9 +174,7 @@ pub(super) fn render(
     let teams = order.iter().enumerate().map(line).collect();
     let values: Vec<_> = schedule.plans.iter().flat_map(TeamSchedule::values).collect();
     let fast = CFast {
-        prefix: printer.prefix,
-        scalar: printer.scalar(),
-        lowest: printer.lowest(),
+        printer,
         rule: RULE,
         leads: printer.leads,
         teams,
@@ -189,7 +183,6 @@ pub(super) fn render(
         leaves,
         answers_in_place,
         assignments: leaves::assignments(printer, outputs),
-        entry,
     };
     layout::indent(&fast.render().expect("the template renders"))
 }

@@ -1,6 +1,5 @@
 //! The outputs of an only leaf: straight code.
 
-use super::entry::Entry;
 use super::expression::Printer;
 use super::leaves;
 use crate::emit::block::Block;
@@ -11,8 +10,8 @@ use askama::Template;
 
 #[derive(Template)]
 #[template(path = "c/formula.c", escape = "none")]
-struct CStraight {
-    entry: Entry,
+struct CStraight<'a> {
+    printer: &'a Printer<'a>,
     reads_state: bool,
     statements: Vec<String>,
     /// The value of each output, limited.
@@ -31,7 +30,7 @@ pub(super) fn render(printer: &Printer<'_>, formula: &Formula, outputs: &[Output
         (output.field.clone(), limited)
     });
     let straight = CStraight {
-        entry: Entry::new(printer),
+        printer,
         reads_state: printer.reads_state(&formula.values),
         statements,
         answers: answers.collect(),

@@ -10,9 +10,7 @@ use askama::Template;
 #[derive(Template)]
 #[template(path = "c/gegelati.c", escape = "none")]
 struct Gegelati<'a> {
-    prefix: &'a str,
-    upper: &'a str,
-    scalar: &'a str,
+    printer: &'a Printer<'a>,
     vertex: String,
     programs: Vec<ProgramView>,
     teams: Vec<GegelatiTeamView>,
@@ -31,11 +29,9 @@ struct GegelatiTeamView {
 }
 
 /// Renders the body.
-pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, upper: &str) -> String {
+pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>) -> String {
     let gegelati = Gegelati {
-        prefix: printer.prefix,
-        upper,
-        scalar: printer.scalar(),
+        printer,
         vertex: printer.vertex_type(module.vertices()),
         programs: module.bidders.iter().map(|bidder| program(printer, bidder)).collect(),
         teams: (module.teams.iter())

@@ -15,8 +15,6 @@ use tpg_runtime::ops::{BY_ZERO, ZERO_BY_ZERO};
 #[template(path = "c/helpers.c", escape = "none")]
 struct CHelpers<'a> {
     printer: &'a Printer<'a>,
-    prefix: &'a str,
-    scalar: &'a str,
     f64: bool,
     own: Option<OwnMaths>,
     called: BTreeSet<&'a str>,
@@ -24,7 +22,6 @@ struct CHelpers<'a> {
     branch_free: bool,
     /// The masks' functions are so few calls that all are inlined.
     inlined: bool,
-    upper: &'a str,
     storage: &'a str,
     key: &'a str,
     top: u32,
@@ -120,7 +117,7 @@ const MASKS: [&str; 9] = ["challenge", "number", "clamp", "pick", "min", "max", 
 const FEW: usize = 24;
 
 /// Renders what nodes and the body call.
-pub(super) fn render(printer: &Printer<'_>, body: &str, upper: &str) -> String {
+pub(super) fn render(printer: &Printer<'_>, body: &str) -> String {
     let branch_free = printer.branch_free;
     let count = |name: &str| body.matches(&format!("{}_{name}(", printer.prefix)).count();
     let mut called = called(printer.nodes);
@@ -140,14 +137,11 @@ pub(super) fn render(printer: &Printer<'_>, body: &str, upper: &str) -> String {
     };
     let mut helpers = CHelpers {
         printer,
-        prefix: printer.prefix,
-        scalar: printer.scalar(),
         f64: scalar == ScalarType::F64,
         own: calls_own.then(|| OwnMaths::new(printer)),
         called,
         branch_free,
         inlined: false,
-        upper,
         storage: "static",
         key,
         top,
@@ -162,7 +156,7 @@ pub(super) fn render(printer: &Printer<'_>, body: &str, upper: &str) -> String {
         whole: CWholeHelpers::new(printer),
         same_nan: printer.same_nan().map(|nan| printer.literal(nan)),
     };
-    let inline = format!("{upper}_INLINE");
+    let inline = printer.upper() + "_INLINE";
     let chooses = helpers.compares() || helpers.any(&["clamp", "pick"]);
     if branch_free && chooses && MASKS.iter().map(|name| count(name)).sum::<usize>() <= FEW {
         (helpers.inlined, helpers.storage) = (true, &inline);

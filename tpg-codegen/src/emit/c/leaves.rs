@@ -1,6 +1,5 @@
 //! The leaves of a policy with outputs, where code first decides on a leaf and then computes its outputs.
 
-use super::entry::Entry;
 use super::expression::Printer;
 use crate::emit::interface::OutputView;
 use crate::emit::leaves::{LeafView, views};
@@ -24,9 +23,7 @@ pub(super) fn assignments(printer: &Printer<'_>, outputs: &[OutputView]) -> Vec<
 #[derive(Template)]
 #[template(path = "c/leaves.c", escape = "none")]
 struct Leaves<'a> {
-    entry: Entry,
-    prefix: &'a str,
-    scalar: &'a str,
+    printer: &'a Printer<'a>,
     leaves: Vec<LeafView>,
     outputs: &'a [OutputView],
     assignments: Vec<String>,
@@ -35,9 +32,7 @@ struct Leaves<'a> {
 /// Renders the entry point over a static function that decides on a leaf.
 pub(super) fn render(printer: &Printer<'_>, leaves: &[Leaf], outputs: &[OutputView]) -> String {
     let leaves = Leaves {
-        entry: Entry::new(printer),
-        prefix: printer.prefix,
-        scalar: printer.scalar(),
+        printer,
         outputs,
         leaves: views(printer, leaves, outputs, true),
         assignments: assignments(printer, outputs),

@@ -22,7 +22,6 @@ use super::{banner, layout, moves::moves, team::compares_in_functions};
 use crate::program::Program;
 use crate::shape::Shape;
 use askama::Template;
-use entry::Entry;
 use expression::Printer;
 use tpg_graph::interpret::Answer;
 use tpg_graph::{Graph, MathsProvider, ScalarType};
@@ -30,10 +29,8 @@ use tpg_graph::{Graph, MathsProvider, ScalarType};
 #[derive(Template)]
 #[template(path = "c/header.h", escape = "none")]
 struct CHeader<'a> {
+    printer: &'a Printer<'a>,
     banner: &'a [String],
-    prefix: &'a str,
-    upper: &'a str,
-    scalar: &'a str,
     sources: &'a [SourceView],
     /// The constant of each action, and its name where the constant does not say it.
     actions: Vec<(String, String)>,
@@ -58,10 +55,8 @@ struct CArmView {
 #[derive(Template)]
 #[template(path = "c/source.c", escape = "none")]
 struct CSource<'a> {
+    printer: &'a Printer<'a>,
     banner: &'a [String],
-    prefix: &'a str,
-    upper: &'a str,
-    scalar: &'a str,
     f64: bool,
     needs_math: bool,
     needs_string: bool,
@@ -69,7 +64,6 @@ struct CSource<'a> {
     walk: Option<(usize, usize)>,
     helpers: String,
     body: String,
-    entry: Entry,
     sources: &'a [SourceView],
     vectors: Vec<CVectorView>,
     system_maths: bool,
@@ -93,7 +87,6 @@ struct CVectorView {
 pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let (graph, module) = (program.graph(), &program.module);
     let prefix = program.options.prefix.lower();
-    let upper = program.options.prefix.upper();
     let gegelati = program.shape == Shape::Gegelati;
     let branch_free = match &program.shape {
         Shape::ConstantTime => true,
@@ -104,7 +97,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         Printer { graph, nodes: &module.nodes, prefix, gegelati, short_cuts: false, branch_free, leads: false };
     let outputs = outputs(&printer, comment);
     let (printer, body) = match &program.shape {
-        Shape::Gegelati => (printer, gegelati::render(&printer, module, &upper)),
+        Shape::Gegelati => (printer, gegelati::render(&printer, module)),
         Shape::Fast(schedule) => {
             let leads = compares_in_functions(module);
             let printer = Printer { nodes: &schedule.nodes, short_cuts: true, leads, ..printer };
@@ -112,14 +105,14 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         }
         Shape::Balanced(cases) => {
             let printer = Printer { nodes: &cases.nodes, ..printer };
-            (printer, balanced::render(&printer, cases, &outputs, &upper))
+            (printer, balanced::render(&printer, cases, &outputs))
         }
-        Shape::Small(code) => (printer, small::render(&printer, code, &outputs, &upper)),
-        Shape::ConstantTime => (printer, constant_time::render(&printer, module, &outputs, &upper)),
+        Shape::Small(code) => (printer, small::render(&printer, code, &outputs)),
+        Shape::ConstantTime => (printer, constant_time::render(&printer, module, &outputs)),
         Shape::Formula(formula) => (printer, formula::render(&printer, formula, &outputs)),
         Shape::Integers(_) => unreachable!("integers have a back end of their own"),
     };
-    let helpers = helpers::render(&printer, &body, &upper);
+    let helpers = helpers::render(&printer, &body);
     let banner = banner::lines(program);
     let sources = sources(graph, comment);
     let seen = &sources[..sources.len() - graph.memory()];
@@ -128,12 +121,10 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let chosen = vectors(graph);
     let seen_image = LookView::new(graph, &sources).filter(|_| !gegelati);
     let header = CHeader {
+        printer: &printer,
         banner: &banner,
-        prefix,
-        upper: &upper,
-        scalar: printer.scalar(),
         sources: seen,
-        actions: actions(graph, &upper),
+        actions: actions(graph, &printer.upper()),
         asks: asks(graph),
         outputs: answers,
         memory,
@@ -148,17 +139,14 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let needs_math = [&helpers, &body].into_iter().chain(shown).any(|text| uses_maths(text));
     let needs_string = [&helpers, &body].into_iter().chain(&observed).any(|text| text.contains("memcpy"));
     let source = CSource {
+        printer: &printer,
         banner: &banner,
-        prefix,
-        upper: &upper,
-        scalar: printer.scalar(),
         f64: graph.scalar() == ScalarType::F64,
         needs_math,
         needs_string,
         walk: body.contains("_TEAMS").then_some((module.teams.len(), module.depth)),
         helpers,
         body,
-        entry: Entry::new(&printer),
         sources: &sources,
         vectors,
         system_maths: graph.maths() == MathsProvider::System,

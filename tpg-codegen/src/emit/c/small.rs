@@ -4,7 +4,6 @@
 //! after another: where a result goes needs no bits. Instructions are packed into the least integer that holds them,
 //! 16 bits for up to 64 places.
 
-use super::entry::Entry;
 use super::expression::Printer;
 use super::leaves;
 use crate::emit::interface::OutputView;
@@ -16,12 +15,8 @@ use askama::Template;
 #[derive(Template)]
 #[template(path = "c/small.c", escape = "none")]
 struct CSmall<'a> {
-    entry: Entry,
-    prefix: &'a str,
-    upper: &'a str,
-    scalar: &'a str,
+    printer: &'a Printer<'a>,
     f64: bool,
-    lowest: String,
     code: Table,
     programs: Table,
     bidders: Table,
@@ -45,19 +40,15 @@ struct CSmall<'a> {
 }
 
 /// Renders the body.
-pub(super) fn render(printer: &Printer<'_>, code: &Bytecode, outputs: &[OutputView], upper: &str) -> String {
+pub(super) fn render(printer: &Printer<'_>, code: &Bytecode, outputs: &[OutputView]) -> String {
     let graph = printer.graph;
     let f64 = graph.scalar() == tpg_graph::ScalarType::F64;
     let table = |values: &[u64]| table(printer, values, |width| if width.bits() == 64 { "ULL" } else { "U" });
     // The constants are sorted by their bits, of which minus infinity has the highest.
     let constants = code.constants.strip_suffix(&[f64::NEG_INFINITY]).unwrap_or(&code.constants);
     let small = CSmall {
-        entry: Entry::new(printer),
-        prefix: printer.prefix,
-        upper,
-        scalar: printer.scalar(),
+        printer,
         f64,
-        lowest: printer.lowest(),
         code: table(&code.code),
         programs: table(&code.programs),
         bidders: table(&code.bidders),
