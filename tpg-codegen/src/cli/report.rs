@@ -41,7 +41,8 @@ impl ReportArgs {
         command::print(text)?;
         if self.limits.any() {
             let options = Options { profile: Some(self.profile), ..options };
-            let code = Code::of_graph(&file, whole.as_ref().unwrap_or(&graph), &options, Language::C)?;
+            let code =
+                Code::of_graph(&self.numbers.graph.name(), whole.as_ref().unwrap_or(&graph), &options, Language::C)?;
             let targets = if self.target.is_empty() { &[Target::M4f][..] } else { &self.target };
             targets.iter().try_for_each(|&target| self.limits.check(&code, target))?;
         }
