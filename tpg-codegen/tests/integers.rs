@@ -10,6 +10,7 @@ use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{Code, Language, Options, Profile};
 use tpg_codegen::quantise::{Report, Request, quantise};
+use tpg_codegen::report::explain;
 use tpg_codegen::verify::{self, Workshop};
 use tpg_graph::sample::{self, Constants, Shape};
 use tpg_graph::states::StateSet;
@@ -243,6 +244,16 @@ fn the_code_reads_as_an_engineer_would_write_it() {
             text.split("_NO_SELFTEST\n\n").next().expect("a first part")
         );
     }
+}
+
+#[test]
+fn sums_are_explained_in_units() {
+    let text = explain(&quantised("pendulum", 16).0, &options(0, Profile::Fast));
+    for expected in ["torque is limited to -2 to 2 N·m", "\n  torque = -15.126 * sin_theta - 2.8415 * omega\n"] {
+        assert!(text.contains(expected), "{text}");
+    }
+    let bids = explain(&quantised("cartpole", 16).0, &options(0, Profile::Fast));
+    assert!(bids.contains("-> right: 0.99998 * theta + omega"), "{bids}");
 }
 
 /// A graph of one output: `x * a / b`, and its refusal.

@@ -8,11 +8,14 @@ pub use table::{Bids, Destination, Value};
 
 use crate::options::Options;
 use std::fmt::{self, Write as _};
-use tpg_graph::{Graph, Output};
+use tpg_graph::{Graph, Output, Range};
 
 /// Returns the formulas of a graph as fast C: what each team's bids are, and what each leaf computes.
 pub fn explain(graph: &Graph, options: &Options) -> String {
     let mut out = String::new();
+    if graph.has_counts() {
+        out += "Sums are in the units of the sources and outputs, those of a team to one scale; other formulas are in counts.\n";
+    }
     let formulas = PolicyFormulas::of(graph, options);
     let written = write_teams(&formulas.teams, &mut out).and_then(|()| write_leaves(graph, &formulas.leaves, &mut out));
     written.expect("a string takes everything");
@@ -50,7 +53,9 @@ fn write_leaves(graph: &Graph, leaves: &[LeafFormulas], out: &mut String) -> fmt
         return Ok(());
     }
     writeln!(out, "\nWhat the leaves compute\n")?;
-    for Output { name, unit, range, nan, .. } in answers {
+    for Output { name, unit, range, nan, counts, .. } in answers {
+        let value = |end| counts.map_or(end, |counts| counts.value(end));
+        let (range, nan) = (Range { min: value(range.min), max: value(range.max) }, value(*nan));
         let space = if unit.is_empty() { "" } else { " " };
         writeln!(out, "{name} is limited to {range}{space}{unit}; {nan} replaces NaN.")?;
     }

@@ -1,12 +1,13 @@
 //! A policy as formulas in a structure: for pages and reports that show it.
 
+use crate::emit::integers::{bids_in_units, output_in_units};
 use crate::formula::Formulas;
 use crate::ir::{Module, NodeId, Target, reached};
 use crate::options::{Language, Options, Profile, Style};
 use crate::program::compile;
 use crate::shape::Shape;
 use serde::Serialize;
-use tpg_graph::Graph;
+use tpg_graph::{Graph, Output};
 
 /// A policy as formulas, optimised as its fast C is.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -78,12 +79,15 @@ impl PolicyFormulas {
         let outputs = module.graph.outputs();
         let leaves = reached(&module.leaves).map(|(number, leaf)| {
             let formulas = Formulas::new(module, &leaf.values);
-            let value = |(name, &value): (&String, &NodeId)| (name.clone(), formulas.formula(value).to_owned());
+            let value = |(output, &value): (&Output, &NodeId)| {
+                let in_units = output_in_units(module, output, value).filter(|_| module.graph.has_counts());
+                (output.name.clone(), in_units.unwrap_or_else(|| formulas.formula(value).to_owned()))
+            };
             LeafFormulas {
                 id: leaf.label,
                 number,
                 shared: formulas.shared().to_vec(),
-                values: outputs.iter().map(|output| &output.name).zip(&leaf.values).map(value).collect(),
+                values: outputs.iter().zip(&leaf.values).map(value).collect(),
             }
         });
         Self { teams, leaves: leaves.collect() }
@@ -95,7 +99,10 @@ impl TeamFormulas {
         let team = &module.teams[team];
         let bids: Vec<NodeId> = team.edges.iter().map(|edge| module.bidders[edge.bidder].value).collect();
         let formulas = Formulas::new(module, &bids);
-        let bid = |(edge, &bid): (&crate::ir::Edge, &NodeId)| {
+        // To one scale, all or none of them.
+        let in_units: Option<Vec<String>> =
+            bids_in_units(module, &bids).into_iter().collect::<Option<_>>().filter(|_| module.graph.has_counts());
+        let bid = |(place, (edge, &bid)): (usize, (&crate::ir::Edge, &NodeId))| {
             let (to, team) = match edge.to {
                 Target::Team(team) => (format!("team {}", module.teams[team].label), Some(team)),
                 Target::Action(end) if module.graph.leaves().is_empty() => {
@@ -107,13 +114,15 @@ impl TeamFormulas {
                 program: module.bidders[edge.bidder].label,
                 to,
                 team,
-                formula: formulas.formula(bid).to_owned(),
+                formula: in_units
+                    .as_ref()
+                    .map_or_else(|| formulas.formula(bid).to_owned(), |texts| texts[place].clone()),
             }
         };
         Self {
             id: team.label,
             shared: formulas.shared().to_vec(),
-            bids: team.edges.iter().zip(&bids).map(bid).collect(),
+            bids: team.edges.iter().zip(&bids).enumerate().map(bid).collect(),
         }
     }
 }

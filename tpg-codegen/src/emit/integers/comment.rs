@@ -5,7 +5,7 @@ use crate::ir::{Module, Node, NodeId};
 use Node::*;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use tpg_graph::{Counts, Graph, Input};
+use tpg_graph::{Counts, Graph, Input, Output};
 use tpg_runtime::ops::Instruction::*;
 
 /// A sum of multiples of values of the state.
@@ -95,16 +95,11 @@ pub(super) struct Comments<'a> {
 impl<'a> Comments<'a> {
     /// The comments of a team's bids, with the names of what they bid for: formulas to one scale.
     pub(super) fn for_bids(module: &'a Module<'a>, bids: &[(NodeId, String)]) -> Self {
-        let sums: Vec<_> = bids.iter().filter_map(|(id, name)| Some((*id, name, sum(module, *id)?))).collect();
-        let weights = sums.iter().flat_map(|(.., linear)| linear.weights.values());
-        let greatest = weights.fold(0.0, |most: f64, weight| most.max(weight.abs()));
-        let unit = greatest.log2().floor().max(0.0).exp2();
         let mut names: BTreeMap<NodeId, String> = BTreeMap::new();
-        for (id, name, linear) in sums {
-            let text = linear.divided(unit, 0.0).text(module.graph);
-            let said = names.entry(id).or_default();
-            if said.is_empty() {
-                *said = format!("{name} bids in proportion to {text}");
+        let ids: Vec<NodeId> = bids.iter().map(|(id, _)| *id).collect();
+        for ((id, name), text) in bids.iter().zip(bids_in_units(module, &ids)) {
+            if let Some(text) = text {
+                names.entry(*id).or_insert_with(|| format!("{name} bids in proportion to {text}"));
             }
         }
         Self { module, names }
@@ -114,18 +109,8 @@ impl<'a> Comments<'a> {
     pub(super) fn for_outputs(module: &'a Module<'a>, values: &[NodeId]) -> Self {
         let mut names = BTreeMap::new();
         for (output, &value) in module.graph.outputs().iter().zip(values) {
-            let scale = output.counts.map_or(1.0, |counts| counts.scale);
-            let offset = output.counts.map_or(0.0, |counts| counts.offset);
-            let (inner, divisor) = match module.node(value) {
-                Operation(Quotient, [a, b]) => (a, module.node(b).as_constant()),
-                _ => (value, Some(1.0)),
-            };
-            let (Some(linear), Some(divisor)) = (sum(module, inner), divisor) else { continue };
-            // The half that makes rounding down rounding to the nearest.
-            let half = (divisor / 2.0).floor();
-            let linear = LinearSum { constant: linear.constant - half, ..linear };
-            let text = linear.divided(divisor / scale, offset * scale).text(module.graph);
-            names.entry(inner).or_insert_with(|| format!("{} = {text}", output.name));
+            let Some(text) = output_in_units(module, output, value) else { continue };
+            names.entry(divided(module, value).0).or_insert_with(|| format!("{} = {text}", output.name));
         }
         Self { module, names }
     }
@@ -142,6 +127,34 @@ impl<'a> Comments<'a> {
             Some(name) => Some(format!("{name}; {bound}")),
             None => sums.then_some(bound),
         }
+    }
+}
+
+/// The formulas of bids that are sums, in units and to one scale.
+pub(crate) fn bids_in_units(module: &Module<'_>, bids: &[NodeId]) -> Vec<Option<String>> {
+    let sums: Vec<Option<LinearSum>> = bids.iter().map(|&id| sum(module, id)).collect();
+    let weights = sums.iter().flatten().flat_map(|linear| linear.weights.values());
+    let greatest = weights.fold(0.0, |most: f64, weight| most.max(weight.abs()));
+    let unit = greatest.log2().floor().max(0.0).exp2();
+    sums.into_iter().map(|linear| Some(linear?.divided(unit, 0.0).text(module.graph))).collect()
+}
+
+/// The formula of an output that is a sum, in its unit.
+pub(crate) fn output_in_units(module: &Module<'_>, output: &Output, value: NodeId) -> Option<String> {
+    let (scale, offset) = output.counts.map_or((1.0, 0.0), |counts| (counts.scale, counts.offset));
+    let (inner, divisor) = divided(module, value);
+    let (linear, divisor) = (sum(module, inner)?, divisor?);
+    // The half that makes rounding down rounding to the nearest.
+    let half = (divisor / 2.0).floor();
+    let linear = LinearSum { constant: linear.constant - half, ..linear };
+    Some(linear.divided(divisor / scale, offset * scale).text(module.graph))
+}
+
+/// What a value divides, and by what number; itself by 1 if it is no quotient.
+fn divided(module: &Module<'_>, value: NodeId) -> (NodeId, Option<f64>) {
+    match module.node(value) {
+        Operation(Quotient, [a, b]) => (a, module.node(b).as_constant()),
+        _ => (value, Some(1.0)),
     }
 }
 

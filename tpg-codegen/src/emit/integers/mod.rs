@@ -18,6 +18,8 @@ mod rust;
 mod spelling;
 mod view;
 
+pub(crate) use comment::{bids_in_units, output_in_units};
+
 pub(crate) use comment::worth_from;
 
 use super::file::File;
