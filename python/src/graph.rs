@@ -164,13 +164,14 @@ impl Graph {
         Ok((report.to_string(), serde_json::to_string(&report).map_err(error::input)?))
     }
 
-    /// Returns the graph in integers, with inputs and weights of so many bits, and a report. The ranges of `states` fill the bits, or the
-    /// declared ones.
+    /// Returns the graph in integers, with inputs and weights of so many bits, and a report. The ranges of `states`, or the declared
+    /// ones, times `margin` fill the bits.
     fn quantise(
         &self,
         py: Python<'_>,
         bits: u32,
         states: Option<PyReadonlyArray2<'_, f64>>,
+        margin: f64,
     ) -> PyResult<(Self, String)> {
         if !Counts::BITS.contains(&bits) {
             let (low, high) = Counts::BITS.into_inner();
@@ -187,7 +188,8 @@ impl Graph {
             Some(states) => StateSet::given(&self.0, states.as_array().iter().copied().collect()),
             None => StateSet::sampled(&self.0, STATES, SEED),
         };
-        let quantised = py.detach(|| quantise("graph", &self.0, &Request::of_bits(bits, &states)));
+        let quantised =
+            py.detach(|| quantise("graph", &self.0, &Request { margin, ..Request::of_bits(bits, &states) }));
         quantised.map(|(graph, report)| (Self(graph), report.to_string())).map_err(error::input)
     }
 

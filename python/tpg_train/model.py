@@ -673,27 +673,28 @@ class TPG:
     def quantise(self, bits: int | None = None, states: Any = None, episodes: int = 100) -> TPG:
         """Returns a model of the policy in integers, for chips without an FPU; its `said` tells what they change.
 
-        The policy plays episodes that `evaluate` does not; the states that it visits, or `states`, a row for each, give the
-        ranges that the bits of the inputs fill. Then the integers play the same episodes. Without `bits`, these are the fewest
+        The policy plays episodes that `evaluate` does not. Twice the ranges that it visits, or the ranges of `states`, a row for
+        each, fill the bits of the inputs. Then the integers play the same episodes. Without `bits`, these are the fewest
         of 8, 10, 12, 14 and 16 with which the mean return is at most one standard error lower. With `episodes=0`, and for a
         model without its environment, there are the declared ranges, which may be much wider than what happens, and 16 bits.
         """
         graph, interface = self._best(), self._interface
         rows = None if states is None else np.ascontiguousarray(states, dtype=np.float64)
         if episodes == 0 or isinstance(self._env, _Described):
-            return self._in_integers(*graph.quantise(16 if bits is None else bits, rows))
+            return self._in_integers(*graph.quantise(16 if bits is None else bits, rows, 1.0))
         seeds = _tpg.test_seeds(_QUANTISING, _whole("episodes", episodes, 2))
         visited: list[list[float]] = []
 
-        def played(graph: Graph) -> tuple[list[Played], Effort | None]:
+        def played(graph: Graph, seen: list[list[float]] | None = None) -> tuple[list[Played], Effort | None]:
             policy = interface.policy(graph)
-            return play(self.env, lambda: Candidate(policy, 0, interface, 0, [], visited).predict, seeds, interface.limit)
+            after: list[int] | None = None if seen is None else []
+            return play(self.env, lambda: Candidate(policy, 0, interface, 0, after, seen).predict, seeds, interface.limit)
 
-        ours = played(graph)
-        rows = np.asarray(visited) if rows is None else rows
+        ours = played(graph, visited)
+        rows, margin = (np.asarray(visited), 2.0) if rows is None else (rows, 1.0)
         tried = []
         for number in (8, 10, 12, 14, 16) if bits is None else (bits,):
-            whole, said = graph.quantise(number, rows)
+            whole, said = graph.quantise(number, rows, margin)
             tried.append(beside(ours, played(whole), f"{number} bits", interface.name))
             low, high = tried[-1].this.ci95
             if 2 * 1.96 * tried[-1].difference <= high - low:
