@@ -44,11 +44,11 @@ def main() -> None:
         difference, low, high = (-value + 0.0 for value in (played.difference, played.ci95[1], played.ci95[0]))
         (bytes_, instructions), (fewer_bytes, fewer) = cost(model), cost(whole)
         ratios.append((fewer_bytes / bytes_, fewer / instructions))
-        print(
-            f"| {problem.id} | {bits} | {played.this.mean:,.2f} | {difference:+.2f} ({low:+.2f} to {high:+.2f}) "
-            f"| {bytes_:,} → {fewer_bytes:,} | {instructions:,} → {fewer:,} |",
-            flush=True,
+        row = (
+            f"{bits} | {played.this.mean:,.2f} | {difference:+.2f} ({low:+.2f} to {high:+.2f}) "
+            f"| {bytes_:,} → {fewer_bytes:,} | {instructions:,} → {fewer:,} |"
         )
+        print(f"| {problem.id} | {row.replace('-', '−')}", flush=True)
     means = [math.exp(sum(math.log(ratio) for ratio in column) / len(ratios)) for column in zip(*ratios, strict=True)]
     print(f"| geometric mean | | | | × {means[0]:.3f} | × 1/{1 / means[1]:.0f} |")
 

@@ -76,9 +76,14 @@ def test_a_policy_in_integers_has_no_float(pole: TPG, tmp_path: Path) -> None:
     states = np.random.default_rng(1).normal(size=(500, 4)) * 0.1
     whole = pole.quantise(bits=12, states=states, episodes=0)
     assert "of 500 actions are the same" in whole.said and '"counts"' in whole.graph.to_json()
-    for bits, given in [(1, None), (8, np.zeros((3, 2))), (8, np.zeros((3, 4)))]:
+    few: list[tuple[Any, Any]] = [(1, None), ("8", None), (3.5, None), (2**40, None)]
+    few += [(8, given) for given in (np.zeros((3, 2)), np.zeros((3, 4)), [], [1.0], "text", np.full((3, 4), np.nan))]
+    for bits, given in few:
         with pytest.raises(InputError):
             pole.quantise(bits=bits, states=given, episodes=4)
+    partly = np.vstack([states, np.full((1, 4), np.nan), states])
+    with pytest.raises(InputError, match="finite"):
+        pole.quantise(8, states=partly, episodes=4)
 
 
 def test_integers_have_the_fewest_bits_that_keep_the_return(swing: TPG, tmp_path: Path) -> None:
@@ -96,7 +101,7 @@ def test_integers_have_the_fewest_bits_that_keep_the_return(swing: TPG, tmp_path
     native = [model.evaluate(10).mean for model in (whole, swing)]
     assert abs(native[0] - native[1]) < 0.05 * abs(native[1]), "on the built-in problem, too"
     assert (TPG.load(tmp_path / "whole.json").predict(states)[0] == whole.predict(states)[0]).all()
-    assert "this model is better" in swing.quantise(2, episodes=10).said
+    assert "one standard error lower" in swing.quantise(2, episodes=10).said
 
 
 def test_the_c_answers_as_the_interpreter_in_whole_episodes(pole: TPG, tmp_path: Path) -> None:

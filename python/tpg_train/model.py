@@ -22,6 +22,7 @@ import cloudpickle  # type: ignore[import-untyped, unused-ignore]
 import gymnasium
 import numpy as np
 from gymnasium.envs.registration import EnvSpec
+from numpy.typing import NDArray
 
 from . import _tpg
 from ._episodes import Episodes, Here, Workers, first_difference
@@ -364,6 +365,7 @@ class TPG:
             tensorboard_log: folder for TensorBoard.
         """
         total_timesteps = _whole("total_timesteps", total_timesteps, 1)
+        self.said = ""
         self._leave_asking()
         if self.native is not None and executor is not None:
             self._say("a built-in problem runs in this process: executor= is ignored; native=False uses it")
@@ -679,7 +681,8 @@ class TPG:
         model without its environment, there are the declared ranges, which may be much wider than what happens, and 16 bits.
         """
         graph, interface = self._best(), self._interface
-        rows = None if states is None else np.ascontiguousarray(states, dtype=np.float64)
+        rows = None if states is None else _rows(states, len(graph.inputs), graph.memory)
+        bits = None if bits is None else _whole("bits", bits, 2, 16)
         if episodes == 0 or isinstance(self._env, _Described):
             return self._in_integers(*graph.quantise(16 if bits is None else bits, rows, 1.0))
         seeds = _tpg.test_seeds(_QUANTISING, _whole("episodes", episodes, 2))
@@ -691,7 +694,11 @@ class TPG:
             return play(self.env, lambda: Candidate(policy, 0, interface, 0, after, seen).predict, seeds, interface.limit)
 
         ours = played(graph, visited)
-        rows, margin = (np.asarray(visited), 2.0) if rows is None else (rows, 1.0)
+        margin = 1.0
+        if rows is None:
+            rows, margin = np.asarray(visited), 2.0
+            # A value that never changed gets a range, too.
+            rows = np.vstack([rows, rows[0] + (rows.min(axis=0) == rows.max(axis=0))])
         tried = []
         for number in (8, 10, 12, 14, 16) if bits is None else (bits,):
             whole, said = graph.quantise(number, rows, margin)
@@ -699,6 +706,8 @@ class TPG:
             low, high = tried[-1].this.ci95
             if 2 * 1.96 * tried[-1].difference <= high - low:
                 break
+        else:
+            said += "\nthe mean return is more than one standard error lower"
         return self._in_integers(whole, f"{said}\n{Comparisons(tried)}")
 
     def _in_integers(self, graph: Graph, said: str) -> TPG:
@@ -927,6 +936,17 @@ def _steps_of(folder: Path) -> int:
 
 def _is_function(env: Any) -> bool:
     return callable(env) and (isinstance(env, type) or not hasattr(env, "reset"))
+
+
+def _rows(states: Any, length: int, memory: int) -> NDArray[np.float64]:
+    """Returns states as rows of a graph's inputs; memory may be left out."""
+    try:
+        rows = np.ascontiguousarray(states, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"states: {error}; accepted: rows of {length - memory} numbers") from error
+    if rows.ndim != 2 or len(rows) == 0 or rows.shape[1] not in (length, length - memory):
+        raise InputError(f"states of shape {rows.shape}; accepted: (n, {length - memory}), n from 1")
+    return np.hstack([rows, np.zeros((len(rows), length - rows.shape[1]))])
 
 
 def _whole(name: str, value: Any, least: int, most: int | None = None) -> int:

@@ -254,6 +254,12 @@ fn sums_are_explained_in_units() {
     }
     let bids = explain(&quantised("cartpole", 16).0, &options(0, Profile::Fast));
     assert!(bids.contains("-> right: 0.99998 * theta + omega"), "{bids}");
+    let constant = explain(&quantised("mountain-car-continuous", 16).0, &options(0, Profile::Fast));
+    assert!(
+        constant.contains("-> leaf 0: 0 (in counts)") && constant.contains("force = 4.8467 * velocity"),
+        "{constant}"
+    );
+    assert!(!explain(&quantised("lunar-lander", 8).0, &options(0, Profile::Fast)).contains("(in counts)"));
 }
 
 /// A graph of one output: `x * a / b`, and its refusal.

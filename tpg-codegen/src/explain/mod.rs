@@ -14,7 +14,7 @@ use tpg_graph::{Graph, Output, Range};
 pub fn explain(graph: &Graph, options: &Options) -> String {
     let mut out = String::new();
     if graph.has_counts() {
-        out += "Sums are in the units of the sources and outputs, those of a team to one scale; other formulas are in counts.\n";
+        out += "Sums are in the units of sources and outputs, the bids of a team divided by one number; what is in counts says so.\n";
     }
     let formulas = PolicyFormulas::of(graph, options);
     let written = write_teams(&formulas.teams, &mut out).and_then(|()| write_leaves(graph, &formulas.leaves, &mut out));
@@ -59,10 +59,11 @@ fn write_leaves(graph: &Graph, leaves: &[LeafFormulas], out: &mut String) -> fmt
         let space = if unit.is_empty() { "" } else { " " };
         writeln!(out, "{name} is limited to {range}{space}{unit}; {nan} replaces NaN.")?;
     }
+    let counts = if graph.has_counts() { ", in counts" } else { "" };
     for Output { name, range, nan, .. } in memory {
         writeln!(
             out,
-            "{name} in a formula is its value at the last decision, {nan} at the first, limited to {range}; {nan} replaces NaN."
+            "{name} in a formula is its value at the last decision, {nan} at the first, limited to {range}{counts}; {nan} replaces NaN."
         )?;
     }
     write_words(&leaves, out)?;

@@ -7,7 +7,7 @@ use crate::options::{Language, Options, Profile, Style};
 use crate::program::compile;
 use crate::shape::Shape;
 use serde::Serialize;
-use tpg_graph::{Graph, Output};
+use tpg_graph::Graph;
 
 /// A policy as formulas, optimised as its fast C is.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -79,16 +79,16 @@ impl PolicyFormulas {
         let outputs = module.graph.outputs();
         let leaves = reached(&module.leaves).map(|(number, leaf)| {
             let formulas = Formulas::new(module, &leaf.values);
-            let value = |(output, &value): (&Output, &NodeId)| {
-                let in_units = output_in_units(module, output, value).filter(|_| module.graph.has_counts());
-                (output.name.clone(), in_units.unwrap_or_else(|| formulas.formula(value).to_owned()))
+            let in_units: Vec<Option<String>> = match module.graph.has_counts() {
+                true => {
+                    let values = outputs.iter().zip(&leaf.values);
+                    values.map(|(output, &value)| output_in_units(module, output, value)).collect()
+                }
+                false => vec![None; outputs.len()],
             };
-            LeafFormulas {
-                id: leaf.label,
-                number,
-                shared: formulas.shared().to_vec(),
-                values: outputs.iter().zip(&leaf.values).map(value).collect(),
-            }
+            let (shared, texts) = texts(module, &formulas, &leaf.values, in_units);
+            let names = outputs.iter().map(|output| output.name.clone());
+            LeafFormulas { id: leaf.label, number, shared, values: names.zip(texts).collect() }
         });
         Self { teams, leaves: leaves.collect() }
     }
@@ -102,7 +102,9 @@ impl TeamFormulas {
         // To one scale, all or none of them.
         let in_units: Option<Vec<String>> =
             bids_in_units(module, &bids).into_iter().collect::<Option<_>>().filter(|_| module.graph.has_counts());
-        let bid = |(place, (edge, &bid)): (usize, (&crate::ir::Edge, &NodeId))| {
+        let in_units = in_units.map_or_else(|| vec![None; bids.len()], |texts| texts.into_iter().map(Some).collect());
+        let (shared, texts) = texts(module, &formulas, &bids, in_units);
+        let bid = |(edge, formula): (&crate::ir::Edge, String)| {
             let (to, team) = match edge.to {
                 Target::Team(team) => (format!("team {}", module.teams[team].label), Some(team)),
                 Target::Action(end) if module.graph.leaves().is_empty() => {
@@ -110,19 +112,23 @@ impl TeamFormulas {
                 }
                 Target::Action(end) => (module.graph.end_name(end), None),
             };
-            BidFormula {
-                program: module.bidders[edge.bidder].label,
-                to,
-                team,
-                formula: in_units
-                    .as_ref()
-                    .map_or_else(|| formulas.formula(bid).to_owned(), |texts| texts[place].clone()),
-            }
+            BidFormula { program: module.bidders[edge.bidder].label, to, team, formula }
         };
-        Self {
-            id: team.label,
-            shared: formulas.shared().to_vec(),
-            bids: team.edges.iter().zip(&bids).enumerate().map(bid).collect(),
-        }
+        Self { id: team.label, shared, bids: team.edges.iter().zip(texts).map(bid).collect() }
     }
+}
+
+/// Returns the formulas of values, those in units where there are such, and what the others share.
+fn texts(
+    module: &Module<'_>,
+    formulas: &Formulas,
+    values: &[NodeId],
+    in_units: Vec<Option<String>>,
+) -> (Vec<(String, String)>, Vec<String>) {
+    let shared = if in_units.iter().all(Option::is_some) { Vec::new() } else { formulas.shared().to_vec() };
+    let counts = if module.graph.has_counts() { " (in counts)" } else { "" };
+    let text = |(in_units, &value): (Option<String>, &NodeId)| {
+        in_units.unwrap_or_else(|| format!("{}{counts}", formulas.formula(value)))
+    };
+    (shared, in_units.into_iter().zip(values).map(text).collect())
 }

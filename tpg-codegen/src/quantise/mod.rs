@@ -140,8 +140,8 @@ fn counts(file: &str, graph: &Graph, module: &Module<'_>, request: &Request<'_>)
         for state in request.states.states.chunks_exact(graph.state_length()) {
             for (range, &value) in ranges[..observed].iter_mut().zip(state) {
                 // NaN makes an end NaN, which is refused.
-                range.min = if range.min <= value { range.min } else { value };
-                range.max = if range.max >= value { range.max } else { value };
+                range.min = if range.min.is_nan() || range.min <= value { range.min } else { value };
+                range.max = if range.max.is_nan() || range.max >= value { range.max } else { value };
             }
         }
     }

@@ -60,7 +60,7 @@ pub(super) struct Limits {
     pub part: f64,
     /// For a random search the score of luck; another search follows it.
     pub luck: Option<f64>,
-    /// True for one that should start again.
+    /// True for one that should start again, in a run with a limit.
     pub restart: bool,
 }
 
@@ -86,7 +86,7 @@ impl Budget {
             {
                 self.begin_another(&point);
             } else if is_lucky
-                && (limits.restart
+                && (limits.restart && point.part.is_some()
                     || self.progress.is_some_and(|(_, last, _)| now - last >= RANDOM_PATIENCE * limits.part))
                 && !is_over(RANDOM_TOO_LATE)
             {

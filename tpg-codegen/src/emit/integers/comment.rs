@@ -81,7 +81,7 @@ impl LinearSum {
             });
             let _ = write!(text, "{sign}{}", term.unwrap_or(number));
         }
-        text
+        if text.is_empty() { "0".to_owned() } else { text }
     }
 }
 
@@ -98,7 +98,7 @@ impl<'a> Comments<'a> {
         let mut names: BTreeMap<NodeId, String> = BTreeMap::new();
         let ids: Vec<NodeId> = bids.iter().map(|(id, _)| *id).collect();
         for ((id, name), text) in bids.iter().zip(bids_in_units(module, &ids)) {
-            if let Some(text) = text {
+            if let Some(text) = text.filter(|_| sum(module, *id).is_some()) {
                 names.entry(*id).or_insert_with(|| format!("{name} bids in proportion to {text}"));
             }
         }
@@ -109,8 +109,11 @@ impl<'a> Comments<'a> {
     pub(super) fn for_outputs(module: &'a Module<'a>, values: &[NodeId]) -> Self {
         let mut names = BTreeMap::new();
         for (output, &value) in module.graph.outputs().iter().zip(values) {
-            let Some(text) = output_in_units(module, output, value) else { continue };
-            names.entry(divided(module, value).0).or_insert_with(|| format!("{} = {text}", output.name));
+            let (inner, _) = divided(module, value);
+            let Some(text) = output_in_units(module, output, value).filter(|_| sum(module, inner).is_some()) else {
+                continue;
+            };
+            names.entry(inner).or_insert_with(|| format!("{} = {text}", output.name));
         }
         Self { module, names }
     }
@@ -132,7 +135,8 @@ impl<'a> Comments<'a> {
 
 /// The formulas of bids that are sums, in units and to one scale.
 pub(crate) fn bids_in_units(module: &Module<'_>, bids: &[NodeId]) -> Vec<Option<String>> {
-    let sums: Vec<Option<LinearSum>> = bids.iter().map(|&id| sum(module, id)).collect();
+    let sum = |&id| Some(LinearSum::from_node(module, id)?.in_units(module.graph));
+    let sums: Vec<Option<LinearSum>> = bids.iter().map(sum).collect();
     let weights = sums.iter().flatten().flat_map(|linear| linear.weights.values());
     let greatest = weights.fold(0.0, |most: f64, weight| most.max(weight.abs()));
     let unit = greatest.log2().floor().max(0.0).exp2();
@@ -143,7 +147,7 @@ pub(crate) fn bids_in_units(module: &Module<'_>, bids: &[NodeId]) -> Vec<Option<
 pub(crate) fn output_in_units(module: &Module<'_>, output: &Output, value: NodeId) -> Option<String> {
     let (scale, offset) = output.counts.map_or((1.0, 0.0), |counts| (counts.scale, counts.offset));
     let (inner, divisor) = divided(module, value);
-    let (linear, divisor) = (sum(module, inner)?, divisor?);
+    let (linear, divisor) = (LinearSum::from_node(module, inner)?.in_units(module.graph), divisor?);
     // The half that makes rounding down rounding to the nearest.
     let half = (divisor / 2.0).floor();
     let linear = LinearSum { constant: linear.constant - half, ..linear };
