@@ -164,8 +164,8 @@ impl Graph {
         Ok((report.to_string(), serde_json::to_string(&report).map_err(error::input)?))
     }
 
-    /// Returns the graph in integers, with inputs and weights of so many bits, and a report. The ranges of `states`, or the declared
-    /// ones, times `margin` fill the bits.
+    /// Returns the graph in integers, with inputs and weights of so many bits, and a report. The ranges of `states`, or the
+    /// declared ones, times `margin` fill the bits.
     fn quantise(
         &self,
         py: Python<'_>,

@@ -78,8 +78,8 @@ enum Method {
 }
 
 impl Search {
-    /// Begins the search that follows `before` others, `last` of them: a local one if there is one, then wide ones, of sums and, where programs can be
-    /// that, products in turns. A run that is for local search alone has sums only.
+    /// Begins the search that follows `before` others, the newest of which is `last`: a local one if there is one, then wide ones, of
+    /// sums and, where programs can be that, products in turns. A run that is for local search alone has sums only.
     pub(super) fn begin(context: &Context<'_>, before: u64, last: Option<&Self>) -> Result<Self, Finding> {
         let random = context.config.start.random;
         let has_random = random > 0.0;
