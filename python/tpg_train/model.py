@@ -7,6 +7,7 @@ import dataclasses
 import functools
 import json
 import logging
+import math
 import os
 import secrets
 import shutil
@@ -703,8 +704,7 @@ class TPG:
         for number in (8, 10, 12, 14, 16) if bits is None else (bits,):
             whole, said = graph.quantise(number, rows, margin)
             tried.append(beside(ours, played(whole), f"{number} bits", interface.name))
-            low, high = tried[-1].this.ci95
-            if 2 * 1.96 * tried[-1].difference <= high - low:
+            if tried[-1].difference <= tried[-1].this.std / math.sqrt(episodes):
                 break
         else:
             said += "\nthe mean return is more than one standard error lower"

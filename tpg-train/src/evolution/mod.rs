@@ -14,6 +14,7 @@ mod mirror;
 mod mutate_leaf;
 mod mutate_program;
 mod mutate_team;
+mod normalise;
 mod params;
 mod population;
 pub(crate) mod presets;

@@ -6,7 +6,6 @@
 //! balances or walks a little, and gets better.
 
 use serde::{Deserialize, Serialize};
-use tpg_engine::Moments;
 use tpg_engine::random::Stream;
 
 /// Length of a step along a direction whose samples differ by the scores' standard deviation.
@@ -23,9 +22,6 @@ const INPUTS: f64 = 24.0;
 
 /// Number of directions for each one that a step follows: the better half.
 const DIRECTIONS_FOR_ONE: usize = 2;
-
-/// Minimum standard deviation of an input, in its unit: one that has hardly ever changed must not get a huge weight.
-const MIN_DEVIATION: f64 = 1e-3;
 
 /// Where the search is.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -82,26 +78,9 @@ impl RandomSearch {
     }
 }
 
-/// Returns a sample's weights of inputs in the given units, and a constant, for each row: without normalisation by what was `seen`.
-pub(super) fn unfolded(sample: &[f64], seen: &Moments, units: &[f64]) -> Vec<Vec<f64>> {
-    let factor = |(place, unit): (usize, &f64)| {
-        let deviation = seen.deviation(place).unwrap_or(*unit);
-        unit / deviation.max(MIN_DEVIATION * unit)
-    };
-    let factors: Vec<f64> = units.iter().enumerate().map(factor).collect();
-    let row = |weights: &[f64]| {
-        let mut row: Vec<f64> = weights.iter().zip(&factors).map(|(weight, factor)| weight * factor).collect();
-        let places = row.iter().zip(units).enumerate();
-        row.push(-places.map(|(place, (weight, unit))| weight * seen.mean(place) / unit).sum::<f64>());
-        row
-    };
-    sample.chunks_exact(units.len()).map(row).collect()
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{INPUTS, MIN_STEP, NOISE, RandomSearch, STEP, unfolded};
-    use tpg_engine::Moments;
+    use super::{INPUTS, MIN_STEP, NOISE, RandomSearch, STEP};
     use tpg_engine::random::{Purpose, Stream};
 
     fn stream(number: u64) -> Stream {
@@ -169,25 +148,5 @@ mod tests {
             search.update(&samples, &scores, 1.0);
         }
         assert!(score(&search.weights) > -0.01, "{:?}", search.weights);
-    }
-
-    #[test]
-    fn unfolded_weights_give_the_normalised_sum() {
-        let sample = [0.5, 2.0, -1.0, 1.0];
-        let units = [4.0, 0.5];
-        assert_eq!(
-            unfolded(&sample, &Moments::new(2), &units),
-            [[0.5, 2.0, 0.0], [-1.0, 1.0, 0.0]],
-            "nothing seen: in units"
-        );
-        let mut seen = Moments::new(2);
-        [[1.0, 7.0], [5.0, 7.0]].iter().for_each(|state| seen.push(state));
-        // Mean 3 and deviation 2; the second input, always 7, has the least deviation.
-        let state = [4.0, 7.001];
-        for (row, weights) in unfolded(&sample, &seen, &units).iter().zip(sample.chunks_exact(2)) {
-            let sum = row[0] * state[0] / units[0] + row[1] * state[1] / units[1] + row[2];
-            let expected = weights[0] * (state[0] - 3.0) / 2.0 + weights[1] * (state[1] - 7.0) / 0.0005;
-            assert!((sum - expected).abs() < 1e-9, "{sum} {expected}");
-        }
     }
 }

@@ -3,7 +3,8 @@
 
 use super::cma::Cma;
 use super::linear::{LinearWriter, ProgramKind};
-use super::random_search::{RandomSearch, unfolded};
+use super::normalise::unfolded;
+use super::random_search::RandomSearch;
 use super::record::{Record, Row};
 use super::stage::{Candidate, Context, EpisodePlan, Moment, Results, Stage};
 use serde::{Deserialize, Serialize};
@@ -178,30 +179,28 @@ impl Search {
         match &self.method {
             Method::Random(search) => {
                 let weights = search.mean().len();
-                let earns = results[order[order.len() / 2]].score > 0.0;
-                if self.scores.len() == 1
-                    && weights >= MANY_WEIGHTS
-                    && context.actions == 0
-                    && !falling.is_empty()
-                    && earns
-                {
+                let earns = results[order[order.len() / 2]].score > 0.0 && !falling.is_empty();
+                if self.scores.len() == 1 && weights >= MANY_WEIGHTS && context.actions == 0 && earns {
                     self.method = Self::moving(weights, seen.length());
                 }
             }
-            Method::Cma(_) if lasting.len() >= falling.len() => {
-                let score = lasting.iter().map(|result| result.score).sum::<f64>() / lasting.len() as f64;
-                let prices = falling.iter().map(|result| (score - result.score) / (limit - result.actions));
-                self.next_toll = match self.toll {
-                    Some(toll) if self.best >= MOVING * toll.score => self.next_toll,
-                    Some(toll) => Some(Toll { price: toll.price.max(score / limit), ..toll }),
-                    None => {
-                        let price = PRICE * prices.reduce(f64::min).unwrap_or(0.0);
-                        (price > 0.0).then_some(Toll { price, score, actions: self.actions })
-                    }
-                };
-            }
+            Method::Cma(_) if lasting.len() >= falling.len() => self.charge(&lasting, &falling, limit),
             Method::Cma(_) => {}
         }
+    }
+
+    /// Finds the toll of the next search, if this one has learned to stand still.
+    fn charge(&mut self, lasting: &[&Summary], falling: &[&Summary], limit: f64) {
+        let score = lasting.iter().map(|result| result.score).sum::<f64>() / lasting.len() as f64;
+        self.next_toll = match self.toll {
+            Some(toll) if self.best >= MOVING * toll.score => self.next_toll,
+            Some(toll) => Some(Toll { price: toll.price.max(score / limit), ..toll }),
+            None => {
+                let prices = falling.iter().map(|result| (score - result.score) / (limit - result.actions));
+                let price = PRICE * prices.reduce(f64::min).unwrap_or(0.0);
+                (price > 0.0).then_some(Toll { price, score, actions: self.actions })
+            }
+        };
     }
 
     /// Returns the score: a mean of samples, the median over some generations.
