@@ -2,11 +2,12 @@
 //! addon report nothing. What may deviate, and why, is in `misra-deviations.txt`.
 
 use crate::common::{COMBINATIONS, SHAPES, emit_into, fixture, run, shaped};
+use crate::integers::quantised;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 use tempfile::TempDir;
-use tpg_codegen::emit::{Language, Style};
+use tpg_codegen::emit::{Language, Profile, Style};
 use tpg_graph::Graph;
 use tpg_graph::sample::{self, Constants, Shape};
 
@@ -51,6 +52,18 @@ fn everywhere(mut check: impl FnMut(&Path)) {
             let folder = TempDir::new().expect("a temporary folder");
             emit_into(folder.path(), &graph, Language::C, &shaped("arm", shape));
             fs::write(folder.path().join("user.c"), user(&graph, shape.0)).expect("the folder can be written");
+            check(folder.path());
+        }
+    }
+    // Integers: actions, sums and a table of them, teams over leaves.
+    let shipped = [("dodge", 16), ("bipedal-walker", 8), ("widowx-fs", 8)];
+    for &(name, bits) in &shipped[..tpg_testing::amount(2, 3)] {
+        let whole = quantised(name, bits).0;
+        for profile in [Profile::Fast, Profile::Small] {
+            let folder = TempDir::new().expect("a temporary folder");
+            let shape = (Style::Pure, Some(profile));
+            emit_into(folder.path(), &whole, Language::C, &shaped("arm", shape));
+            fs::write(folder.path().join("user.c"), user(&whole, Style::Pure)).expect("the folder can be written");
             check(folder.path());
         }
     }

@@ -166,7 +166,7 @@ fn shipped(name: &str) -> Graph {
     tpg_graph::import::load(path.as_ref(), None, None).expect("a shipped graph")
 }
 
-fn quantised(name: &str, bits: u32) -> (Graph, Report) {
+pub(crate) fn quantised(name: &str, bits: u32) -> (Graph, Report) {
     let graph = shipped(name);
     let states = StateSet::sampled(&graph, 2000, 1);
     let request = Request::of_bits(bits, &states);
@@ -347,4 +347,33 @@ fn a_user_goes_from_floats_to_integers() {
     assert!(!folder.path().join("no").exists());
     fs::write(folder.path().join("seen.csv"), "cart_position[0]\n1\n").expect("a file");
     tool().args(["quantise", "pole.json", "--ranges", "seen.csv", "-o", "whole.json"]).assert().code(2);
+}
+
+#[test]
+fn a_sensor_keeps_its_own_counts() {
+    let folder = TempDir::new().expect("a temporary folder");
+    let tool = |args: &[&str]| {
+        let mut tool = Tool::cargo_bin("tpg-codegen").expect("the program");
+        tool.current_dir(folder.path()).args(args).assert()
+    };
+    fs::write(folder.path().join("pole.json"), shipped("cartpole").to_json()).expect("a file");
+    let quantise =
+        |adc: &str| tool(&["quantise", "pole.json", "--adc", "v=raw*0.001", "--adc", adc, "-o", "whole.json"]);
+    let said = quantise("omega[0]=(raw-2048)*0.0008").success();
+    let said = String::from_utf8_lossy(&said.get_output().stdout).into_owned();
+    assert!(said.contains("(99.9"), "{said}");
+    tool(&["whole.json", "--lang", "c", "--prefix", "pole"]).success();
+    let header = fs::read_to_string(folder.path().join("pole.h")).expect("a header");
+    assert!(header.contains("int16_t omega; /* 0.0008 rad/s a count from 2048 on"), "{header}");
+    assert!(header.contains("int16_t v; /* 0.001 m/s a count"), "{header}");
+    for (bad, said) in [
+        ("omega=raw", "accepted: VALUE=raw*SCALE"),
+        ("omega=raw*-1", "accepted: VALUE=raw*SCALE"),
+        ("omega=(raw-0.5)*1", "accepted: VALUE=raw*SCALE"),
+        ("spin=raw*1", "no value \"spin\"; accepted: x, v, theta, omega"),
+    ] {
+        let refused = quantise(bad).code(2);
+        let found = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
+        assert!(found.contains(said), "{found}");
+    }
 }

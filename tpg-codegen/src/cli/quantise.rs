@@ -4,6 +4,7 @@ use super::graph::GraphArgs;
 use crate::quantise::{Request, quantise};
 use clap::Args;
 use std::path::PathBuf;
+use tpg_graph::Counts;
 use tpg_graph::command::{self, CommandError, Verdict};
 use tpg_graph::output;
 use tpg_graph::states::StateSet;
@@ -36,6 +37,9 @@ pub(super) struct QuantiseArgs {
     /// Widen the ranges by this factor
     #[arg(long, value_name = "M", default_value_t = 1.0, value_parser = margin)]
     margin: f64,
+    /// A value that a sensor delivers in counts of its own, of 16 bits: spin=raw*0.00107, or angle=(raw-2048)*0.0008
+    #[arg(long, value_name = "VALUE=FORMULA", value_parser = adc)]
+    adc: Vec<(String, Counts)>,
     /// Print the report as one JSON object
     #[arg(long)]
     json: bool,
@@ -46,6 +50,24 @@ fn margin(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| "accepted: a number above 0".to_owned())
 }
 
+/// Reads the worth of a sensor's counts.
+fn adc(text: &str) -> Result<(String, Counts), String> {
+    let parse = || {
+        let (name, formula) = text.split_once('=')?;
+        let (raw, scale) = formula.split_once('*')?;
+        let offset = match raw.trim().strip_prefix('(').and_then(|raw| raw.strip_suffix(')')).unwrap_or(raw.trim()) {
+            "raw" => 0.0,
+            inner => {
+                inner.strip_prefix("raw")?.trim_start().replacen("- ", "-", 1).parse::<f64>().ok().map(|sum| -sum)?
+            }
+        };
+        let scale: f64 = scale.trim().parse().ok()?;
+        let is_count = offset.fract() == 0.0 && offset.abs() <= 32_768.0;
+        (scale > 0.0 && scale.is_finite() && is_count).then(|| (name.to_owned(), Counts { bits: 16, scale, offset }))
+    };
+    parse().ok_or_else(|| "accepted: VALUE=raw*SCALE or VALUE=(raw-OFFSET)*SCALE, the scale above 0".to_owned())
+}
+
 impl QuantiseArgs {
     pub(super) fn run(&self) -> Result<Verdict, CommandError> {
         let graph = self.graph.load()?;
@@ -53,7 +75,8 @@ impl QuantiseArgs {
             Some("declared") => StateSet::sampled(&graph, STATES, SEED),
             _ => StateSet::recorded(&graph, &self.ranges)?,
         };
-        let request = Request { inputs: self.inputs, weights: self.weights, states: &states, margin: self.margin };
+        let Self { inputs, weights, margin, ref adc, .. } = *self;
+        let request = Request { inputs, weights, states: &states, margin, given: adc };
         let (whole, report) = quantise(&self.graph.name(), &graph, &request)?;
         let report = if self.json {
             serde_json::to_string(&report).map_err(CommandError::other)? + "\n"

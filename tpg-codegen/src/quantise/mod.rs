@@ -47,12 +47,14 @@ pub struct Request<'a> {
     pub states: &'a StateSet,
     /// The multiple of these ranges that fills the bits.
     pub margin: f64,
+    /// Values by label, as in `target[0]`, that a sensor delivers in counts of its own.
+    pub given: &'a [(String, Counts)],
 }
 
 impl<'a> Request<'a> {
     /// Inputs and weights of so many bits.
     pub fn of_bits(bits: u32, states: &'a StateSet) -> Self {
-        Self { inputs: bits, weights: bits, states, margin: 1.0 }
+        Self { inputs: bits, weights: bits, states, margin: 1.0, given: &[] }
     }
 }
 
@@ -145,10 +147,21 @@ fn counts(file: &str, graph: &Graph, module: &Module<'_>, request: &Request<'_>)
             }
         }
     }
+    let labels: Vec<String> = graph.inputs().take(observed).map(|input| graph.input_label(input)).collect();
+    // As CSV files do, `[0]` may name the only value of a source.
+    let is = |label: &String, name: &str| label == name || name.strip_suffix("[0]") == Some(label);
+    if let Some((name, _)) = request.given.iter().find(|(name, _)| !labels.iter().any(|label| is(label, name))) {
+        return Err(InputError::new(file, "$.sources", format!("no value {name:?}"), labels.join(", ")));
+    }
     let top = f64::from((1_u32 << (request.inputs - 1)) - 1);
     (graph.inputs().zip(&ranges))
         .map(|(input, range)| {
             let greatest = range.magnitude();
+            let given =
+                request.given.iter().rfind(|(name, _)| labels.get(input.index()).is_some_and(|label| is(label, name)));
+            if let Some((_, counts)) = given {
+                return Ok(*counts);
+            }
             if input.index() >= observed {
                 return Ok(Counts { bits: 16, scale: 1.0 / memory_scale(greatest), offset: 0.0 });
             }

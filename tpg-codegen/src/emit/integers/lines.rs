@@ -13,6 +13,10 @@ const TAKEN: &str = "action best memory s state to vertex way self";
 /// The width of a line of a sum, and of what stands before its first.
 const WIDTH: usize = 104;
 const FIRST: usize = 20;
+/// More uses than there are.
+const ROOT: usize = 1 << 20;
+/// The greatest magnitude of a sum in 16 bits.
+const NARROW: u64 = i16::MAX as u64;
 
 /// The statements of some values, and what they call.
 pub(super) struct Lines<'a> {
@@ -38,7 +42,7 @@ impl<'a> Lines<'a> {
         let mut uses: BTreeMap<NodeId, usize> = BTreeMap::new();
         for &root in roots {
             needed.extend(self.module.operations_of(root));
-            *uses.entry(root).or_default() += 2; // a root has a name
+            *uses.entry(root).or_default() += ROOT; // a root has a name
         }
         let mut in_sums = BTreeSet::new();
         for &id in &needed {
@@ -51,9 +55,11 @@ impl<'a> Lines<'a> {
             }
         }
         let is_part = |id: &NodeId| {
-            let arithmetic =
-                matches!(self.module.node(*id), Operation(instruction, _) if is_sum(instruction) || instruction == Mul);
-            arithmetic && uses[id] == 1 && in_sums.contains(id)
+            let Operation(instruction, [a, b]) = self.module.node(*id) else { return false };
+            // A product of an input and a constant takes no more than a copy of it.
+            let cheap = instruction == Mul && [a, b].iter().all(|id| !matches!(self.module.node(*id), Operation(..)));
+            let once = uses[id] == 1 || (cheap && uses[id] < ROOT);
+            (is_sum(instruction) || instruction == Mul) && once && in_sums.contains(id)
         };
         let named: Vec<NodeId> = needed.iter().copied().filter(|id| !is_part(id)).collect();
         self.named = named.iter().map(|&id| (id, format!("v{}", id.0))).collect();
@@ -129,6 +135,7 @@ impl<'a> Lines<'a> {
         let wide = operands.iter().chain([&id]).any(|&id| self.is_wide(id));
         let text = match instruction {
             Add | Sub => self.sum(id, wide),
+            Mul if !wide && let Some(product) = self.narrow(id) => format!("(int32_t)({product})"),
             Mul => format!("{} * {}", self.operand(a, wide), self.operand(b, wide)),
             Quotient => self.quotient(a, b, wide),
             Fmod => format!("{} % {}", self.operand(a, wide), self.operand(b, wide)),
@@ -149,11 +156,21 @@ impl<'a> Lines<'a> {
 
     /// A sum of terms, on as many lines as it takes.
     fn sum(&self, id: NodeId, wide: bool) -> String {
-        let mut terms = Vec::new();
-        self.terms(id, wide, &mut terms);
+        let collected = |any_order| {
+            let mut terms = Vec::new();
+            self.terms(id, wide, false, any_order, &mut terms);
+            terms
+        };
+        // Every partial sum is a node, so its bound holds. If all magnitudes fit, so does every other partial sum.
+        let mut terms = collected(true);
+        let most: u64 = terms.iter().map(|term| term.magnitude).sum();
+        if most > if wide { Whole::MOST } else { i64::from(i32::MAX) }.unsigned_abs() {
+            terms = collected(false);
+        }
+        in_16_bits(&mut terms);
         let mut text = String::new();
         let mut column = FIRST;
-        for (minus, term) in terms {
+        for Term { minus, text: term, .. } in terms {
             if !text.is_empty() {
                 if column + term.len() + 3 > WIDTH {
                     text.push_str("\n    ");
@@ -171,34 +188,46 @@ impl<'a> Lines<'a> {
         text
     }
 
-    /// The terms of a sum in the order in which they are added. Every partial sum is a node, so its bound holds.
-    fn terms(&self, id: NodeId, wide: bool, terms: &mut Vec<(bool, String)>) {
+    /// Collects the terms of a sum in the order in which they are added, those of its second operand only if any order will do.
+    fn terms(&self, id: NodeId, wide: bool, minus: bool, any_order: bool, terms: &mut Vec<Term>) {
         let Operation(instruction, [a, b]) = self.module.node(id) else { return };
-        let is_inner = matches!(self.module.node(a), Operation(inner, _) if is_sum(inner));
-        // In another width, it is computed in brackets.
-        if is_inner && !self.named.contains_key(&a) && self.width(a) == wide {
-            self.terms(a, wide, terms);
-        } else if self.constant(a) != Some(0) {
-            terms.push((false, self.term(a, wide)));
-        }
-        let minus = instruction == Sub;
-        match self.constant(b) {
-            Some(0) if !terms.is_empty() => {}
-            Some(value) if value < 0 && value > -i64::from(i32::MAX) => {
-                terms.push((!minus, self.spelling.literal(-value, wide)));
+        let sides = [(a, minus, true), (b, minus != (instruction == Sub), any_order)];
+        for (side, minus, opens) in sides {
+            let is_inner = matches!(self.module.node(side), Operation(inner, _) if is_sum(inner));
+            // In another width, it is computed in brackets.
+            if opens && is_inner && !self.named.contains_key(&side) && self.width(side) == wide {
+                self.terms(side, wide, minus, any_order, terms);
+            } else if self.constant(side) != Some(0) {
+                terms.push(self.term(side, wide, minus));
             }
-            _ => terms.push((minus, self.term(b, wide))),
         }
     }
 
     /// A term: a product needs no brackets.
-    fn term(&self, id: NodeId, wide: bool) -> String {
-        let is_product = matches!(self.module.node(id), Operation(Mul, _));
-        if is_product && !self.named.contains_key(&id) && self.width(id) == wide {
-            self.expression(id)
-        } else {
-            self.operand(id, wide)
+    fn term(&self, id: NodeId, wide: bool, minus: bool) -> Term {
+        let magnitude = self.integers.interval(id).magnitude();
+        if let Some(value) = self.constant(id).filter(|&value| value < 0 && value > -i64::from(i32::MAX)) {
+            return Term { minus: !minus, text: self.spelling.literal(-value, wide), magnitude, narrow: None };
         }
+        let is_product = matches!(self.module.node(id), Operation(Mul, _));
+        let is_part = !self.named.contains_key(&id);
+        let text =
+            if is_product && is_part && self.width(id) == wide { self.expression(id) } else { self.operand(id, wide) };
+        Term { minus, text, magnitude, narrow: self.narrow(id).filter(|_| !wide && is_part) }
+    }
+
+    /// A count of 8 bits or its product with a constant, without a cast, if C computes it in 16 bits.
+    fn narrow(&self, id: NodeId) -> Option<String> {
+        let text = match self.module.node(id) {
+            Input(input) => self.spelling.byte(input)?,
+            Operation(Mul, [a, b]) => {
+                let (count, weight) = if self.constant(a).is_some() { (b, a) } else { (a, b) };
+                let Input(input) = self.module.node(count) else { return None };
+                format!("{} * {}", self.spelling.byte(input)?, self.spelling.literal(self.constant(weight)?, false))
+            }
+            _ => return None,
+        };
+        (self.integers.interval(id).magnitude() <= NARROW).then_some(text)
     }
 
     /// Tests for an operation in 64 bits.
@@ -230,6 +259,38 @@ impl<'a> Lines<'a> {
         } else {
             self.call(Function::Divide, wide, &[dividend, divisor_text])
         }
+    }
+}
+
+/// A term of a sum.
+struct Term {
+    minus: bool,
+    text: String,
+    /// The greatest magnitude.
+    magnitude: u64,
+    /// [`Lines::narrow`].
+    narrow: Option<String>,
+}
+
+/// Adds neighbours in 16 bits where these hold their sum: a core of 8 bits has half of the work, others the same as before.
+fn in_16_bits(terms: &mut [Term]) {
+    let mut rest = terms;
+    while !rest.is_empty() {
+        let mut most = 0;
+        let fits = |term: &&Term| {
+            most += term.magnitude;
+            term.narrow.is_some() && !term.minus && most <= NARROW
+        };
+        let length = rest.iter().take_while(fits).count();
+        let (group, others) = rest.split_at_mut(length.max(1));
+        if length > 1 {
+            for term in &mut *group {
+                term.text = term.narrow.take().unwrap_or_default();
+            }
+            group[0].text.insert_str(0, "(int32_t)(");
+            group[length - 1].text.push(')');
+        }
+        rest = others;
     }
 }
 

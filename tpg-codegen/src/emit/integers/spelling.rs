@@ -92,18 +92,28 @@ impl<'a> IntegerSpelling<'a> {
     /// A value of the state in 32 bits, or in 64.
     pub(super) fn input(&self, input: Input, wide: bool) -> String {
         let bits = self.either(input_bits(self.graph, input), state_bits(self.graph));
-        let (source, place) = self.graph.source_of(input);
-        let name = field(self.graph, &source.name);
-        let value = match source.counts.len() {
-            _ if !self.is_c => format!("s[{}]", input.index()),
-            0 => format!("memory->{name}"),
-            1 => format!("state->{name}"),
-            _ => format!("state->{name}[{place}]"),
-        };
+        let value = self.value(input);
         match (self.is_c, wide) {
             (_, false) if bits == 32 => value,
             (true, _) => format!("({}){value}", self.integer(wide)),
             (false, _) => format!("{}::from({value})", self.integer(wide)),
+        }
+    }
+
+    /// A value of the state of 8 bits as C holds it.
+    pub(super) fn byte(&self, input: Input) -> Option<String> {
+        (self.is_c && input_bits(self.graph, input) == 8).then(|| self.value(input))
+    }
+
+    /// A value of the state in its own type.
+    fn value(&self, input: Input) -> String {
+        let (source, place) = self.graph.source_of(input);
+        let name = field(self.graph, &source.name);
+        match source.counts.len() {
+            _ if !self.is_c => format!("s[{}]", input.index()),
+            0 => format!("memory->{name}"),
+            1 => format!("state->{name}"),
+            _ => format!("state->{name}[{place}]"),
         }
     }
 
@@ -243,17 +253,17 @@ impl<'a> IntegerSpelling<'a> {
 
     /// One of some statements, as the winner is their place.
     pub(super) fn choice(&self, ways: &[String]) -> String {
-        let mut text = self.either("switch (way) {\n", "match to {\n").to_owned();
+        let mut text = self.either("", "match to {\n").to_owned();
         for (place, way) in ways.iter().enumerate() {
             let is_last = place + 1 == ways.len();
             text += &match self.is_c {
-                true if is_last => format!("default:\n    {way}\n"),
-                true => format!("case {place}U:\n    {way}\n"),
-                false if is_last => format!("    _ => {},\n", way.trim_end_matches(';')),
+                true if is_last => way.clone(),
+                true => format!("if (way == {place}U) {{\n    {way}\n}}\n"),
+                false if is_last => format!("    _ => {},\n}}", way.trim_end_matches(';')),
                 false => format!("    {place} => {},\n", way.trim_end_matches(';')),
             };
         }
-        text + "}"
+        text
     }
 
     /// The variable of an output, if it gets one.
