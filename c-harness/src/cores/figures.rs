@@ -154,18 +154,19 @@ impl Figures {
     }
 }
 
-/// The costs of each shown policy in floats and in integers, and the geometric mean of the ratios of all policies.
+/// The costs of each shown policy in floats and in integers, and the geometric means of the ratios of all policies.
 fn costs_of<T>(costs: &BTreeMap<String, T>, number: impl Fn(&T) -> u64) -> Option<Vec<String>> {
-    let pair = |name: &str| -> Option<[u64; 2]> {
-        let integers = format!("{name}_{}", WIDTHS[0]);
-        Some([costs.get(name)?, costs.get(&integers)?].map(&number))
+    let pair = |name: &str, bits: u32| -> Option<[u64; 2]> {
+        Some([costs.get(name)?, costs.get(&format!("{name}_{bits}"))?].map(&number))
     };
-    let shown: Option<Vec<[u64; 2]>> = SHOWN.iter().map(|name| pair(name)).collect();
+    let shown: Option<Vec<[u64; 2]>> = SHOWN.iter().map(|name| pair(name, WIDTHS[0])).collect();
     let mut cells: Vec<String> = shown?.iter().map(|[floats, integers]| format!("{floats} · {integers}")).collect();
     let logarithm = |[floats, integers]: [u64; 2]| (integers as f64 / floats as f64).ln();
-    let logarithms: Vec<f64> = costs.keys().filter_map(|name| pair(name)).map(logarithm).collect();
-    let mean = (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp();
-    cells.push(format!("{mean:.2}"));
+    let means = WIDTHS.map(|bits| {
+        let logarithms: Vec<f64> = costs.keys().filter_map(|name| pair(name, bits)).map(logarithm).collect();
+        format!("{:.2}", (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp())
+    });
+    cells.push(means.join(" · "));
     Some(cells)
 }
 
