@@ -5,15 +5,16 @@
 
 Needs what `integers.py` needs, scikit-learn and `emlearn==0.23.2`. A tree sees the same observation in counts of 16 bits. It learns
 from the policy's answers, first where the policy goes, then three times where the tree goes (DAgger, 40 episodes each). Of trees of
-4 to 1,024 leaves, an output each, the smallest is taken whose mean return of 100 episodes is at most one standard error below the policy's, else the
-best. Both then play the same other episodes. Bytes and instructions of a tree are those of emlearn's inline function of `int16_t` without
-its vote. Prints a table in Markdown.
+4 to 1,024 leaves, one for each output, the smallest is taken whose mean return of 100 episodes is at most one standard error below
+the policy's, else the best. Both then play the same other episodes. Bytes and instructions of a tree are those of emlearn's
+inline function of `int16_t` without its vote. Prints a table in Markdown.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import re
 import subprocess
 import tempfile
 from pathlib import Path
@@ -31,6 +32,8 @@ from table import FIRST_SEED, PROBLEMS
 from tpg_train import TPG
 
 M0 = ["arm-none-eabi-gcc", "-mcpu=cortex-m0", "-mthumb", "-Os", "-std=c99", "-c"]
+# emlearn makes numpy raise errors, which environments do not expect.
+np.seterr(all="warn")
 LEAVES = (4, 8, 16, 32, 64, 128, 256, 512, 1024)
 EPISODES, ROUNDS, CHOICE = 40, 4, 100
 
@@ -67,8 +70,9 @@ class Trees:
             how = "classifier" if self.is_discrete else "regressor"
             model = emlearn.convert(fitted, method="inline", dtype="int16_t", return_type=how)
             code = model.save(name=f"t{place}", format="c")
-            start = code.index("static inline")
-            text += code[start : code.index("predict(const", start)].rsplit("}", 1)[0] + "}\n"
+            found = re.search(r"static inline .*?\n {8}\}\n", code, re.DOTALL)
+            assert found is not None, code
+            text += found[0]
             calls += f"    a[{place}] = t{place}_tree_0(s, {fitted.n_features_in_});\n"
         source = folder / "trees.c"
         source.write_text(f"{text}void decide(const int16_t *s, {kind} *a)\n{{\n{calls}}}\n")
