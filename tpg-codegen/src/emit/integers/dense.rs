@@ -1,4 +1,4 @@
-//! Outputs that are sums over the same source: a table of weights and one loop.
+//! Outputs that are sums of the same values: a table of weights and one loop.
 
 use super::comment::LinearSum;
 use super::spelling::{Called, Function};
@@ -11,7 +11,7 @@ use tpg_runtime::ops::Instruction;
 /// Sums of fewer products take less flash one by one.
 const FEW: usize = 12;
 
-/// Sums of all values of one source, each divided by a power of two and limited.
+/// Sums of all values of a state, which have one type, each divided by a power of two and limited.
 pub(super) struct Dense<'a> {
     graph: &'a Graph,
     rows: Vec<DenseRow>,
@@ -21,6 +21,11 @@ struct DenseRow {
     weights: Vec<i64>,
     bias: i64,
     shift: i64,
+}
+
+/// The counts of every value of a state.
+fn counts(graph: &Graph) -> impl Iterator<Item = &Counts> {
+    graph.sources().iter().flat_map(|source| &source.counts)
 }
 
 /// The tables' text.
@@ -38,9 +43,9 @@ impl<'a> Dense<'a> {
     /// The sums of the only leaf, if tables are asked for and take less.
     pub(super) fn find(module: &'a Module<'a>, integers: &Integers) -> Option<Self> {
         let graph = module.graph;
-        let [source] = graph.sources() else { return None };
-        let kinds = source.counts.iter().map(Counts::container);
-        let is_one_kind = kinds.min() == source.counts.iter().map(Counts::container).max();
+        let mut kinds = counts(graph).map(Counts::container);
+        let kind = kinds.next()?;
+        let is_one_kind = kinds.all(|other| other == kind) && graph.memory() == 0;
         let outputs = graph.outputs();
         let same = outputs.iter().all(|output| output_bits(output) == output_bits(&outputs[0]));
         if !integers.tables || !is_one_kind || !same {
@@ -57,10 +62,8 @@ impl<'a> Dense<'a> {
             let is_small = weights.iter().all(|weight| i16::try_from(*weight).is_ok());
             let is_power = divisor > 0 && divisor & (divisor - 1) == 0;
             // Partial sums are added in another order: their bound is that of all magnitudes.
-            let counts = source.counts.iter().map(|counts| 1_i64 << (counts.container() - 1));
             let bias = linear.constant as i64;
-            let most: i64 =
-                bias.abs() + weights.iter().zip(counts).map(|(weight, count)| weight.abs() * count).sum::<i64>();
+            let most = bias.abs() + weights.iter().map(|weight| weight.abs() << (kind - 1)).sum::<i64>();
             (is_small && is_power && most <= i64::from(i32::MAX)).then_some(DenseRow {
                 weights,
                 bias,
@@ -85,11 +88,25 @@ impl<'a> Dense<'a> {
         self.graph.outputs()[row].range.max as i64
     }
 
+    /// Tests for weights of 8 bits.
+    fn has_bytes(&self) -> bool {
+        self.rows.iter().flat_map(|row| &row.weights).all(|weight| i8::try_from(*weight).is_ok())
+    }
+
+    /// Bits of the type of every value.
+    fn container(&self) -> u32 {
+        counts(self.graph).map(Counts::container).next().unwrap_or(16)
+    }
+
+    /// Tests for products of two bytes.
+    fn is_narrow(&self) -> bool {
+        self.has_bytes() && self.container() == 8
+    }
+
     /// The tables.
     pub(super) fn table(&self) -> Table {
         let list =
             |numbers: &mut dyn Iterator<Item = i64>| numbers.map(|n| n.to_string()).collect::<Vec<_>>().join(", ");
-        let is_byte = self.rows.iter().flat_map(|row| &row.weights).all(|weight| i8::try_from(*weight).is_ok());
         let all = 0..self.rows.len();
         let mut numbers = vec![("biases", list(&mut self.rows.iter().map(|row| row.bias)))];
         if self.common(|row| self.rows[row].shift).is_none() {
@@ -103,7 +120,7 @@ impl<'a> Dense<'a> {
         }
         let names: Vec<&str> = self.graph.outputs().iter().map(|output| output.name.as_str()).collect();
         Table {
-            weight: if is_byte { "int8_t" } else { "int16_t" },
+            weight: if self.has_bytes() { "int8_t" } else { "int16_t" },
             columns: self.graph.state_length(),
             rows: self.rows.iter().map(|row| list(&mut row.weights.iter().copied())).collect(),
             numbers,
@@ -119,7 +136,9 @@ impl<'a> Dense<'a> {
             Some(number) => number.to_string(),
             None => format!("{upper}_NUMBER(&{prefix}_{name}[row])"),
         };
-        let source = field(self.graph, &self.graph.sources()[0].name);
+        let source = &self.graph.sources()[0];
+        let values =
+            format!("{}state->{}", if source.counts.len() > 1 { "" } else { "&" }, field(self.graph, &source.name));
         let first = field(self.graph, &self.graph.outputs()[0].name);
         let bits = output_bits(&self.graph.outputs()[0]);
         let shift = self.common(|row| self.rows[row].shift);
@@ -130,11 +149,20 @@ impl<'a> Dense<'a> {
         };
         let shifts = (shift != Some(0)).then_some((Function::Shift, false));
         let called = shifts.into_iter().chain([(Function::Clamp, false)]).collect();
-        let (rows, columns) = (self.rows.len(), self.graph.state_length());
+        let (rows, columns, container) = (self.rows.len(), self.graph.state_length(), self.container());
         let [low, high] = [(self.common(|row| self.low(row)), "lows"), (self.common(|row| self.high(row)), "highs")]
             .map(|(common, name)| number(common, name));
+        let weight = format!("{upper}_WEIGHT(&{prefix}_weights[row][column])");
+        // Bytes are multiplied in int, which has at least 16 bits: a core of 8 bits has an instruction for it.
+        let product = if self.is_narrow() {
+            format!("(int32_t)(values[column] * {weight})")
+        } else {
+            format!("(int32_t)values[column] * {weight}")
+        };
         let text = format!(
-            "    int{bits}_t *const answers = &action->{first};
+            "    /* Fields of one type lie as in an array. */
+    const int{container}_t *const values = {values};
+    int{bits}_t *const answers = &action->{first};
     uint_fast8_t row;
     uint_fast8_t column;
 
@@ -142,7 +170,7 @@ impl<'a> Dense<'a> {
         int32_t sum = {upper}_NUMBER(&{prefix}_biases[row]);
 
         for (column = 0U; column < {columns}U; column++) {{
-            sum += (int32_t)state->{source}[column] * {upper}_WEIGHT(&{prefix}_weights[row][column]);
+            sum += {product};
         }}
         answers[row] = (int{bits}_t){prefix}_clamp({shifted}, {low}, {high});
     }}
