@@ -33,7 +33,7 @@ from tpg_train import TPG
 
 M0 = ["arm-none-eabi-gcc", "-mcpu=cortex-m0", "-mthumb", "-Os", "-std=c99", "-c"]
 # emlearn makes numpy raise errors, which environments do not expect.
-np.seterr(all="warn")
+np.seterr(all="warn", under="ignore")
 LEAVES = (4, 8, 16, 32, 64, 128, 256, 512, 1024)
 EPISODES, ROUNDS, CHOICE = 40, 4, 100
 

@@ -261,3 +261,27 @@ fn a_wide_graph_takes_little_memory() {
     let output = limited.assert().code(0).get_output().clone();
     assert!(String::from_utf8_lossy(&output.stdout).contains("constant-time"));
 }
+
+#[test]
+fn a_table_of_sums_has_a_bound() {
+    if !has_cross_compilers("reports of tables in integers") {
+        return;
+    }
+    // Compilers keep the loop over three rows, and write two one by one.
+    for name in ["hopper", "swimmer"] {
+        let sizes = sizes_of(name, "m0,m4f,rv32imac");
+        for target in ["m0", "m4f", "rv32imac"] {
+            let of = |profile: &str, key: &str| {
+                let is = |size: &&Value| size["target"] == target && size["profile"] == profile;
+                sizes
+                    .iter()
+                    .find(is)
+                    .and_then(|size| size[key].as_u64())
+                    .unwrap_or_else(|| panic!("{name}, {target}, {profile}"))
+            };
+            let [sums, table] = ["integers", "integers, small"];
+            assert!(of(table, "flash") < of(sums, "flash"), "{name} on {target}");
+            assert!(of(table, "instructions") > of(sums, "instructions"), "{name} on {target}");
+        }
+    }
+}

@@ -2,6 +2,7 @@
 
 use super::object::{Size, measure};
 use super::target::Target;
+use crate::emit::integers;
 use crate::program::Program;
 use crate::shape::Shape;
 use cortex_bound::{Analyser, Bound, Listing, LoopBounds, Refusal, Turns, disassemble};
@@ -28,10 +29,11 @@ pub(super) fn link(folder: &Path, target: Target, entry: &str, program: &Program
     let size = measure(&fs::read(&image)?)?;
     let bound = target.has_bound().then(|| {
         let listing = disassemble(&image).map_err(|error| error.to_string())?;
-        let loops = loops(program, entry, &listing);
         // What is accepted are options of `cortex-bound`.
         let reason = |refusal: Refusal| refusal.to_string().split("; accepted").next().unwrap_or_default().to_owned();
-        Analyser::new(&listing, &loops).bound(entry).map_err(reason)
+        let bound = |loops: &LoopBounds| Analyser::new(&listing, loops).bound(entry);
+        let found = bound(&loops(program, entry, &listing));
+        found.or_else(|refusal| unrolled(program, entry).map_or(Err(refusal), |loops| bound(&loops))).map_err(reason)
     });
     Ok(Linked { size, bound })
 }
@@ -58,6 +60,20 @@ fn loops(program: &Program<'_>, entry: &str, listing: &Listing) -> LoopBounds {
             loops.insert("memcpy".to_owned(), Turns::Every(value * code.first_result as u64 + 1));
             loops
         }
-        _ => LoopBounds::new(),
+        _ => table(program).map(|counts| (entry.to_owned(), turns(&counts))).into_iter().collect(),
+    }
+}
+
+/// The turns where a compiler writes the few rows of a table one by one: only inner loops are left.
+fn unrolled(program: &Program<'_>, entry: &str) -> Option<LoopBounds> {
+    let [rows, columns] = table(program)?;
+    Some(LoopBounds::from([(entry.to_owned(), Turns::Every(rows.max(columns) + 1))]))
+}
+
+/// Rows and columns of a table of sums in integers.
+fn table(program: &Program<'_>) -> Option<[u64; 2]> {
+    match &program.shape {
+        Shape::Integers(integers) => integers::turns(program, integers),
+        _ => None,
     }
 }

@@ -36,8 +36,8 @@ impl Size {
                 &mut self.constants
             }
             SectionKind::Data => &mut self.data,
-            // A library's linker script reserves a stack.
-            SectionKind::UninitializedData if section.name() != Ok(".stack") => &mut self.bss,
+            // A library's linker script reserves a stack, and fills up to the next word.
+            SectionKind::UninitializedData if !matches!(section.name(), Ok(".stack" | ".persistent")) => &mut self.bss,
             _ => return,
         };
         *bytes += section.size();

@@ -75,6 +75,11 @@ impl<'a> Dense<'a> {
         (products >= FEW && rows.len() > 1).then_some(Self { graph, rows })
     }
 
+    /// The turns of the outer loop and of the inner one.
+    pub(super) fn turns(&self) -> [u64; 2] {
+        [self.rows.len(), self.graph.state_length()].map(|turns| turns as u64)
+    }
+
     /// The number that all rows share, or none.
     fn common(&self, number: impl Fn(usize) -> i64) -> Option<i64> {
         (0..self.rows.len()).all(|row| number(row) == number(0)).then(|| number(0))
@@ -149,7 +154,7 @@ impl<'a> Dense<'a> {
         };
         let shifts = (shift != Some(0)).then_some((Function::Shift, false));
         let called = shifts.into_iter().chain([(Function::Clamp, false)]).collect();
-        let (rows, columns, container) = (self.rows.len(), self.graph.state_length(), self.container());
+        let ([rows, columns], container) = (self.turns(), self.container());
         let [low, high] = [(self.common(|row| self.low(row)), "lows"), (self.common(|row| self.high(row)), "highs")]
             .map(|(common, name)| number(common, name));
         let weight = format!("{upper}_WEIGHT(&{prefix}_weights[row][column])");

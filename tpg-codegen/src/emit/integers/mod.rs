@@ -27,6 +27,11 @@ use crate::integers::Integers;
 use crate::options::Language;
 use crate::program::Program;
 
+/// The turns of the loops in the C of a program in integers, if it has any.
+pub(crate) fn turns(program: &Program<'_>, integers: &Integers) -> Option<[u64; 2]> {
+    Some(dense::Dense::find(&program.module, integers)?.turns())
+}
+
 /// The files of a program in integers.
 pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
     match program.language {
