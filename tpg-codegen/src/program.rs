@@ -86,7 +86,7 @@ pub(crate) fn compile_integers<'g>(
 ) -> Result<Program<'g>, InputError> {
     let module = passes::optimise(graph);
     let tables = options.profile_in(language) == Profile::Small;
-    let integers = Integers { values: integers::analyse(file, &module)?, tables };
+    let integers = Integers { values: integers::analyse(file, &module)?, forms: integers::forms(&module), tables };
     Ok(Program { module, language, options: options.clone(), shape: Shape::Integers(integers) })
 }
 

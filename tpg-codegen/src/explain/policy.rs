@@ -2,6 +2,7 @@
 
 use crate::emit::integers::{bids_in_units, output_in_units};
 use crate::formula::Formulas;
+use crate::integers::{Form, forms};
 use crate::ir::{Module, NodeId, Target, reached};
 use crate::options::{Language, Options, Profile, Style};
 use crate::program::compile;
@@ -72,9 +73,10 @@ impl PolicyFormulas {
         let options = Options { style: Style::Pure, profile: Some(Profile::Fast), ..options.clone() };
         let program = &compile(graph, &options, Language::C);
         let module = &program.module;
+        let forms = if module.graph.has_counts() { forms(module) } else { Vec::new() };
         let teams = match program.shape {
             Shape::Formula(_) => Vec::new(),
-            _ => (0..module.teams.len()).map(|team| TeamFormulas::new(module, team)).collect(),
+            _ => (0..module.teams.len()).map(|team| TeamFormulas::new(module, &forms, team)).collect(),
         };
         let outputs = module.graph.outputs();
         let leaves = reached(&module.leaves).map(|(number, leaf)| {
@@ -82,7 +84,7 @@ impl PolicyFormulas {
             let in_units: Vec<Option<String>> = match module.graph.has_counts() {
                 true => {
                     let values = outputs.iter().zip(&leaf.values);
-                    values.map(|(output, &value)| output_in_units(module, output, value)).collect()
+                    values.map(|(output, &value)| output_in_units(module, &forms, output, value)).collect()
                 }
                 false => vec![None; outputs.len()],
             };
@@ -95,13 +97,13 @@ impl PolicyFormulas {
 }
 
 impl TeamFormulas {
-    fn new(module: &Module<'_>, team: usize) -> Self {
+    fn new(module: &Module<'_>, forms: &[Form], team: usize) -> Self {
         let team = &module.teams[team];
         let bids: Vec<NodeId> = team.edges.iter().map(|edge| module.bidders[edge.bidder].value).collect();
         let formulas = Formulas::new(module, &bids);
         // To one scale, all or none of them.
-        let in_units: Option<Vec<String>> =
-            bids_in_units(module, &bids).into_iter().collect::<Option<_>>().filter(|_| module.graph.has_counts());
+        let in_units = || bids_in_units(module, forms, &bids).into_iter().collect::<Option<Vec<_>>>();
+        let in_units = module.graph.has_counts().then(in_units).flatten();
         let in_units = in_units.map_or_else(|| vec![None; bids.len()], |texts| texts.into_iter().map(Some).collect());
         let (shared, texts) = texts(module, &formulas, &bids, in_units);
         let bid = |(edge, formula): (&crate::ir::Edge, String)| {

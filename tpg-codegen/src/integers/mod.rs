@@ -5,8 +5,10 @@
 //! computed in it, what does not in `int64_t`; nothing wraps or saturates, so the integers are the interpreter's. A value that may be
 //! a fraction, or is too great for an `f64` to be exact, is refused: there is no way back to floats.
 
+mod form;
 mod whole;
 
+pub(crate) use form::{Form, forms};
 pub(crate) use whole::{Unfit, Whole};
 
 use crate::formula;
@@ -15,10 +17,12 @@ use tpg_graph::error::InputError;
 use tpg_graph::{Graph, Input, ScalarType};
 
 /// A module whose every value is whole.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Integers {
     /// The interval of each node.
     pub values: Vec<Whole>,
+    /// Each node as a sum.
+    pub forms: Vec<Form>,
     /// Dense sums are tables.
     pub tables: bool,
 }

@@ -1,8 +1,7 @@
 //! Values times a scale, in whole numbers, with the bound of each.
 
-use super::form::{Form, forms};
 use crate::formula;
-use crate::integers::{Unfit, Whole};
+use crate::integers::{Form, Unfit, Whole, forms};
 use crate::ir::{Module, Node, NodeId, Values};
 use Instruction::*;
 use Node::*;

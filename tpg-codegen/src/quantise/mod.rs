@@ -7,14 +7,12 @@
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | `form` | values as sums |
 //! | `build` | values times a scale, in whole numbers |
 //! | `program` | whole numbers as lines of programs |
 //! | `compare` | how far both graphs differ |
 
 mod build;
 mod compare;
-mod form;
 mod program;
 
 pub use compare::{Comparison, OutputDifference};

@@ -123,7 +123,7 @@ impl IntegerBody<'_> {
             None => self.label(to).replace('_', " "),
         };
         let said: Vec<_> = bids.iter().zip(edges).map(|(&bid, edge)| (bid, said(edge.to))).collect();
-        let comments = Comments::for_bids(module, &said);
+        let comments = Comments::for_bids(module, &self.integers.forms, &said);
         let wide = bids.iter().any(|&bid| self.lines.is_wide(bid));
         let mut open: BTreeSet<NodeId> = self.lines.choose(&bids).into_iter().collect();
         let names = names::actions(module.graph);
@@ -186,7 +186,7 @@ impl IntegerBody<'_> {
     fn leaf(&mut self, values: &[NodeId]) {
         let module = self.module;
         let outputs = module.graph.outputs();
-        let comments = Comments::for_outputs(module, values);
+        let comments = Comments::for_outputs(module, &self.integers.forms, values);
         let named = self.lines.choose(values);
         let names = outputs.iter().zip(values).filter_map(|(output, &value)| {
             let name = self.spelling.variable(output)?;

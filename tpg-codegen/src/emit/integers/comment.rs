@@ -1,6 +1,6 @@
 //! The comment beside a sum: its formula in the units of the sources, and its bound.
 
-use crate::integers::Whole;
+use crate::integers::{Form, Whole};
 use crate::ir::{Module, Node, NodeId};
 use Node::*;
 use std::collections::BTreeMap;
@@ -17,32 +17,12 @@ pub(super) struct LinearSum {
 
 impl LinearSum {
     /// The sum that a node is, if it is one.
-    pub(super) fn from_node(module: &Module<'_>, id: NodeId) -> Option<Self> {
-        let mut linear = Self::default();
-        linear.add(module, id, 1.0).then_some(linear)
-    }
-
-    fn add(&mut self, module: &Module<'_>, id: NodeId, factor: f64) -> bool {
-        match module.node(id) {
-            Constant(bits) => self.constant += factor * f64::from_bits(bits),
-            Node::Input(input) => *self.weights.entry(input).or_default() += factor,
-            Operation(Add, [a, b]) => {
-                return self.add(module, a, factor) && self.add(module, b, factor);
-            }
-            Operation(Sub, [a, b]) => {
-                return self.add(module, a, factor) && self.add(module, b, -factor);
-            }
-            Operation(Mul, [a, b]) => {
-                let [x, y] = [a, b].map(|id| module.node(id).as_constant());
-                return match (x, y) {
-                    (Some(x), _) => self.add(module, b, factor * x),
-                    (_, Some(y)) => self.add(module, a, factor * y),
-                    _ => false,
-                };
-            }
-            _ => return false,
-        }
-        true
+    pub(super) fn new(module: &Module<'_>, form: &Form) -> Option<Self> {
+        let weights = form.terms.iter().map(|(&term, &weight)| match module.node(term) {
+            Node::Input(input) => Some((input, weight)),
+            _ => None,
+        });
+        Some(Self { weights: weights.collect::<Option<_>>()?, constant: form.constant })
     }
 
     /// The same sum of values instead of counts.
@@ -94,11 +74,11 @@ pub(super) struct Comments<'a> {
 
 impl<'a> Comments<'a> {
     /// The comments of a team's bids, with the names of what they bid for: formulas to one scale.
-    pub(super) fn for_bids(module: &'a Module<'a>, bids: &[(NodeId, String)]) -> Self {
+    pub(super) fn for_bids(module: &'a Module<'a>, forms: &[Form], bids: &[(NodeId, String)]) -> Self {
         let mut names: BTreeMap<NodeId, String> = BTreeMap::new();
         let ids: Vec<NodeId> = bids.iter().map(|(id, _)| *id).collect();
-        for ((id, name), text) in bids.iter().zip(bids_in_units(module, &ids)) {
-            if let Some(text) = text.filter(|_| sum(module, *id).is_some()) {
+        for ((id, name), text) in bids.iter().zip(bids_in_units(module, forms, &ids)) {
+            if let Some(text) = text.filter(|_| forms[id.index()].number().is_none()) {
                 names.entry(*id).or_insert_with(|| format!("{name} bids in proportion to {text}"));
             }
         }
@@ -106,11 +86,13 @@ impl<'a> Comments<'a> {
     }
 
     /// The comments of a leaf's outputs: their formulas are in the outputs' units.
-    pub(super) fn for_outputs(module: &'a Module<'a>, values: &[NodeId]) -> Self {
+    pub(super) fn for_outputs(module: &'a Module<'a>, forms: &[Form], values: &[NodeId]) -> Self {
         let mut names = BTreeMap::new();
         for (output, &value) in module.graph.outputs().iter().zip(values) {
             let (inner, _) = divided(module, value);
-            let Some(text) = output_in_units(module, output, value).filter(|_| sum(module, inner).is_some()) else {
+            let Some(text) =
+                output_in_units(module, forms, output, value).filter(|_| forms[inner.index()].number().is_none())
+            else {
                 continue;
             };
             names.entry(inner).or_insert_with(|| format!("{} = {text}", output.name));
@@ -134,8 +116,8 @@ impl<'a> Comments<'a> {
 }
 
 /// The formulas of bids that are sums, in units and to one scale.
-pub(crate) fn bids_in_units(module: &Module<'_>, bids: &[NodeId]) -> Vec<Option<String>> {
-    let sum = |&id| Some(LinearSum::from_node(module, id)?.in_units(module.graph));
+pub(crate) fn bids_in_units(module: &Module<'_>, forms: &[Form], bids: &[NodeId]) -> Vec<Option<String>> {
+    let sum = |id: &NodeId| Some(LinearSum::new(module, &forms[id.index()])?.in_units(module.graph));
     let sums: Vec<Option<LinearSum>> = bids.iter().map(sum).collect();
     let weights = sums.iter().flatten().flat_map(|linear| linear.weights.values());
     let greatest = weights.fold(0.0, |most: f64, weight| most.max(weight.abs()));
@@ -144,10 +126,10 @@ pub(crate) fn bids_in_units(module: &Module<'_>, bids: &[NodeId]) -> Vec<Option<
 }
 
 /// The formula of an output that is a sum, in its unit.
-pub(crate) fn output_in_units(module: &Module<'_>, output: &Output, value: NodeId) -> Option<String> {
+pub(crate) fn output_in_units(module: &Module<'_>, forms: &[Form], output: &Output, value: NodeId) -> Option<String> {
     let (scale, offset) = output.counts.map_or((1.0, 0.0), |counts| (counts.scale, counts.offset));
     let (inner, divisor) = divided(module, value);
-    let (linear, divisor) = (LinearSum::from_node(module, inner)?.in_units(module.graph), divisor?);
+    let (linear, divisor) = (LinearSum::new(module, &forms[inner.index()])?.in_units(module.graph), divisor?);
     // The half that makes rounding down rounding to the nearest.
     let half = (divisor / 2.0).floor();
     let linear = LinearSum { constant: linear.constant - half, ..linear };
@@ -160,13 +142,6 @@ fn divided(module: &Module<'_>, value: NodeId) -> (NodeId, Option<f64>) {
         Operation(Quotient, [a, b]) => (a, module.node(b).as_constant()),
         _ => (value, Some(1.0)),
     }
-}
-
-/// The sum that a node is, of at least one value, in units.
-fn sum(module: &Module<'_>, id: NodeId) -> Option<LinearSum> {
-    LinearSum::from_node(module, id)
-        .filter(|linear| !linear.weights.is_empty())
-        .map(|linear| linear.in_units(module.graph))
 }
 
 /// The worth of a count.

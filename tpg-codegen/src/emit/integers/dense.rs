@@ -56,7 +56,7 @@ impl<'a> Dense<'a> {
                 Node::Operation(Instruction::Quotient, [a, b]) => (a, module.node(b).as_constant()? as i64),
                 _ => (value, 1),
             };
-            let linear = LinearSum::from_node(module, sum)?;
+            let linear = LinearSum::new(module, &integers.forms[sum.index()])?;
             let weight = |input| linear.weights.get(&input).map_or(0, |&weight| weight as i64);
             let weights: Vec<i64> = graph.inputs().map(weight).collect();
             let is_small = weights.iter().all(|weight| i16::try_from(*weight).is_ok());

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Decision trees of emlearn that imitate the shipped policies, beside these policies in integers, on a Cortex-M0.
 
-    python benches/control/trees.py [--episodes 1000] [--only cartpole]
+    python benches/control/distilled.py [--episodes 1000] [--only cartpole]
 
 Needs what `integers.py` needs, scikit-learn and `emlearn==0.23.2`. A tree sees the same observation in counts of 16 bits. It learns
 from the policy's answers, first where the policy goes, then three times where the tree goes (DAgger, 40 episodes each). Of trees of

@@ -6,9 +6,9 @@ use tpg_runtime::ops::Instruction;
 
 /// A sum of multiples of nodes, and a constant.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Form {
-    pub(super) terms: BTreeMap<NodeId, f64>,
-    pub(super) constant: f64,
+pub(crate) struct Form {
+    pub(crate) terms: BTreeMap<NodeId, f64>,
+    pub(crate) constant: f64,
 }
 
 impl Form {
@@ -32,19 +32,19 @@ impl Form {
     }
 
     /// The number that it is, if it is one.
-    fn number(&self) -> Option<f64> {
+    pub(crate) fn number(&self) -> Option<f64> {
         self.terms.is_empty().then_some(self.constant)
     }
 
     /// The only node that it is a multiple of, with the factor.
-    pub(super) fn multiple(&self) -> Option<(NodeId, f64)> {
+    pub(crate) fn multiple(&self) -> Option<(NodeId, f64)> {
         let (&id, &factor) = self.terms.first_key_value()?;
         (self.terms.len() == 1 && self.constant == 0.0).then_some((id, factor))
     }
 }
 
 /// The form of every node of a module.
-pub(super) fn forms(module: &Module<'_>) -> Vec<Form> {
+pub(crate) fn forms(module: &Module<'_>) -> Vec<Form> {
     let mut forms: Vec<Form> = Vec::with_capacity(module.nodes.len());
     for (place, node) in module.nodes.iter().enumerate() {
         let itself = || Form::node(NodeId(place as u32));
