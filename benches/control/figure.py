@@ -44,38 +44,65 @@ def ticks(low: float, high: float) -> list[float]:
     return [step * place for place in range(math.ceil(low / step), math.floor(high / step) + 1)]
 
 
+class Frame:
+    """A panel with axes: a title, what lies across and what down, with their ends."""
+
+    def __init__(self, title: str, across: str, down: tuple[float, float]) -> None:
+        self.left, self.right, self.top, self.bottom = MARGIN, WIDTH - 12, 26, HEIGHT - 44
+        self.low, self.high = down
+        middle = (self.top + self.bottom) / 2
+        width, height = self.right - self.left, self.bottom - self.top
+        self.drawn = [f'<text x="{self.left}" y="18" font-weight="bold">{title}</text>']
+        self.drawn.append(f'<rect x="{self.left}" y="{self.top}" width="{width}" height="{height}" fill="none" stroke="#999"/>')
+        self.drawn.append(f'<text x="{(self.left + self.right) / 2}" y="{self.bottom + 29}" text-anchor="middle">{across}</text>')
+        self.drawn.append(f'<text transform="translate(14,{middle}) rotate(-90)" text-anchor="middle">return</text>')
+        for value in ticks(self.low, self.high):
+            text = f"{value:,.0f}".replace("-", "−")
+            self.drawn.append(f'<path d="M{self.left} {self.down(value):.1f}H{self.right}" stroke="#ddd"/>')
+            self.drawn.append(f'<text x="{self.left - 5}" y="{self.down(value) + 4:.1f}" text-anchor="end">{text}</text>')
+
+    def down(self, value: float) -> float:
+        """Returns the place of a return."""
+        return self.bottom - (self.bottom - self.top) * (value - self.low) / (self.high - self.low)
+
+    def tick(self, place: float, text: str) -> None:
+        """Draws a line at a place across, and its number."""
+        self.drawn.append(f'<path d="M{place:.1f} {self.top}V{self.bottom}" stroke="#ddd"/>')
+        self.drawn.append(f'<text x="{place:.1f}" y="{self.bottom + 14}" text-anchor="middle">{text}</text>')
+
+
 def panel(task: dict[str, Any]) -> str:
     """Draws one task."""
     linear, trees = task["linear"], task["trees"]
     points = [shipped(task["folder"]), linear["random_search"], linear["covariance"], trees["leaves_16"], trees["leaves_128"]]
     low, high = min(value for value, _ in points), max(value for value, _ in points)
     room = 0.12 * (high - low)
-    low, high = low - room, high + room
-    left, right, top, bottom = MARGIN, WIDTH - 12, 26, HEIGHT - 44
+    frame = Frame(task["id"], "flash, bytes", (low - room, high + room))
 
     def across(flash: float) -> float:
-        return left + (right - left) * math.log(flash / LEAST) / math.log(MOST / LEAST)
+        return frame.left + (frame.right - frame.left) * math.log(flash / LEAST) / math.log(MOST / LEAST)
 
-    def down(value: float) -> float:
-        return bottom - (bottom - top) * (value - low) / (high - low)
-
-    middle = (top + bottom) / 2
-    drawn = [f'<text x="{left}" y="18" font-weight="bold">{task["id"]}</text>']
-    drawn.append(f'<rect x="{left}" y="{top}" width="{right - left}" height="{bottom - top}" fill="none" stroke="#999"/>')
-    drawn.append(f'<text x="{(left + right) / 2}" y="{bottom + 29}" text-anchor="middle">flash, bytes</text>')
-    drawn.append(f'<text transform="translate(14,{middle}) rotate(-90)" text-anchor="middle">return</text>')
     for flash in (100, 1_000, 10_000):
-        drawn.append(f'<path d="M{across(flash):.1f} {top}V{bottom}" stroke="#ddd"/>')
-        drawn.append(f'<text x="{across(flash):.1f}" y="{bottom + 14}" text-anchor="middle">{flash:,}</text>')
-    for value in ticks(low, high):
-        text = f"{value:,.0f}".replace("-", "−")
-        drawn.append(f'<path d="M{left} {down(value):.1f}H{right}" stroke="#ddd"/>')
-        drawn.append(f'<text x="{left - 5}" y="{down(value) + 4:.1f}" text-anchor="end">{text}</text>')
+        frame.tick(across(flash), f"{flash:,}")
     # This project's point is drawn last and smaller: a rival's under it can be seen.
     for place, ((value, flash), ink) in reversed(list(enumerate(zip(points, INKS.values(), strict=True)))):
         size = 5 if place else 4
-        drawn.append(f'<circle cx="{across(flash):.1f}" cy="{down(value):.1f}" r="{size}" fill="{ink}" fill-opacity="0.85"/>')
-    return "\n".join(drawn)
+        circle = f'<circle cx="{across(flash):.1f}" cy="{frame.down(value):.1f}" r="{size}" fill="{ink}" fill-opacity="0.85"/>'
+        frame.drawn.append(circle)
+    return "\n".join(frame.drawn)
+
+
+def page(panels: list[str]) -> str:
+    """Returns a picture of panels side by side."""
+    body = "".join(
+        f'<g transform="translate({place % COLUMNS * WIDTH},{place // COLUMNS * HEIGHT})">\n{drawn}\n</g>\n'
+        for place, drawn in enumerate(panels)
+    )
+    wide, high = COLUMNS * WIDTH, math.ceil(len(panels) / COLUMNS) * HEIGHT
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {wide} {high}" width="{wide}" height="{high}" '
+        f'font-family="sans-serif" font-size="12">\n<rect width="100%" height="100%" fill="white"/>\n{body}</svg>\n'
+    )
 
 
 def main() -> None:
@@ -86,15 +113,7 @@ def main() -> None:
         f'<text x="{MARGIN + 20}" y="{54 + 22 * place}">{kind}</text>'
         for place, (kind, ink) in enumerate(INKS.items())
     ]
-    body = "".join(
-        f'<g transform="translate({place % COLUMNS * WIDTH},{place // COLUMNS * HEIGHT})">\n{drawn}\n</g>\n'
-        for place, drawn in enumerate([*panels, "\n".join(legend)])
-    )
-    wide, high = COLUMNS * WIDTH, math.ceil((len(panels) + 1) / COLUMNS) * HEIGHT
-    (ROOT / "docs/control.svg").write_text(
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {wide} {high}" width="{wide}" height="{high}" '
-        f'font-family="sans-serif" font-size="12">\n<rect width="100%" height="100%" fill="white"/>\n{body}</svg>\n'
-    )
+    (ROOT / "docs/control.svg").write_text(page([*panels, "\n".join(legend)]))
 
 
 if __name__ == "__main__":

@@ -72,7 +72,7 @@ def main() -> None:
         bits = whole.said.split("-bit")[0]
         played = model.evaluate(given.episodes, other=whole)
         # Less the policy in floats; 0 is no -0.
-        difference, low, high = (-value + 0.0 for value in (played.difference, played.ci95[1], played.ci95[0]))
+        difference, low, high = (round(-value, 2) + 0.0 for value in (played.difference, played.ci95[1], played.ci95[0]))
         floats = (*cost(model), *(one + more for one, more in zip(cost(model, "m4f"), conversion(model, whole), strict=True)))
         integers = (*cost(whole), *cost(whole, "m4f"))
         pairs = list(zip(floats, integers, strict=True))
