@@ -12,7 +12,7 @@ pub(super) struct LimitArgs {
     /// Cortex-M4F
     #[arg(long, value_name = "BYTES")]
     max_flash: Option<u64>,
-    /// Exit with status 1 and write no code if a decision can take more instructions than this, or has no bound
+    /// Exit with status 1 and write no code if a decision can take more instructions than this, on an AVR cycles, or has no bound
     #[arg(long, value_name = "N")]
     max_instructions: Option<u64>,
 }
@@ -31,7 +31,9 @@ impl LimitArgs {
             let found = if option == "--max-flash" { flash(code, target) } else { instructions(code, target) };
             let why = match found {
                 Ok((found, _)) if found <= limit => continue,
-                Ok((found, what)) => format!("{found} {what} on {name}, {} more than {option} {limit}", found - limit),
+                Ok((found, what)) => {
+                    format!("at most {found} {what} on {name}, {} more than {option} {limit}", found - limit)
+                }
                 Err(why) => format!("{option} {limit} cannot be checked on {name}: {why}"),
             };
             return Err(CommandError::Failed(format!("refused: {why}")));
@@ -50,11 +52,11 @@ fn flash(code: &Code<'_>, target: Target) -> Result<(u64, &'static str), String>
     Ok((size.flash(), "bytes of flash"))
 }
 
-/// Returns the bound on the instructions of a decision.
+/// Returns the bound of a decision.
 fn instructions(code: &Code<'_>, target: Target) -> Result<(u64, &'static str), String> {
     let built = size::build_c(code, target).map_err(|error| error.to_string())?;
     let linked = built.link(code).map_err(|error| error.to_string())?;
-    let accepted = "accepted are Cortex-M and RISC-V, whose machine code is analysed";
+    let accepted = "accepted are Cortex-M and RISC-V, whose machine code is analysed, and integers on an AVR";
     let bound = linked.and_then(|linked| linked.bound).ok_or(accepted)??;
-    Ok((bound.instructions, "instructions of a decision at most"))
+    Ok((bound.instructions, target.unit()))
 }

@@ -112,7 +112,7 @@ pub struct ShapeSize {
     pub linked_flash: Option<u64>,
     /// Bytes of RAM, without the stack; of linked code with that of library functions.
     pub ram: Option<u64>,
-    /// Instructions of a decision at most, library functions included, if there is a bound.
+    /// Instructions of a decision at most, library functions included, if there is a bound; on an AVR cycles.
     pub instructions: Option<u64>,
     /// Bytes of stack, if the compiler reports them.
     pub stack: Option<Stack>,

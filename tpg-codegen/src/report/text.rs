@@ -102,7 +102,7 @@ impl Report {
             ("linked", &|size| size.linked_flash),
             ("RAM", &|size| size.ram),
             ("stack", &|size| size.stack.as_ref().map(|stack| stack.bytes)),
-            ("instructions", &|size| size.instructions),
+            (first.target.unit(), &|size| size.instructions),
             ("flash, Rust", &flash_of_rust),
         ];
         let (always, known) = (["flash", "RAM", "stack"], |column: &dyn Fn(&ShapeSize) -> Option<u64>| {
@@ -134,14 +134,16 @@ impl Report {
 type Column<'a> = (&'static str, &'a dyn Fn(&ShapeSize) -> Option<u64>);
 
 /// Explains the columns.
-fn explanation(sizes: &[ShapeSize]) -> &'static str {
+fn explanation(sizes: &[ShapeSize]) -> String {
     let any = |known: fn(&ShapeSize) -> bool| sizes.iter().any(known);
-    match (any(|size| size.linked_flash.is_some()), any(|size| size.instructions.is_some())) {
-        (false, _) => ", without the libraries that are called",
-        (true, false) => "; linked: with the library functions that are called",
-        (true, true) => {
-            "; linked: with the library functions that are called;\ninstructions: of a decision and what it calls, at most, by analysis of the machine code"
-        }
+    let linked = "; linked: with the library functions that are called";
+    match (any(|size| size.linked_flash.is_some()), sizes.iter().find(|size| size.instructions.is_some())) {
+        (false, _) => ", without the libraries that are called".to_owned(),
+        (true, None) => linked.to_owned(),
+        (true, Some(size)) => format!(
+            "{linked};\n{}: of a decision and what it calls, at most, by analysis of the machine code",
+            size.target.unit()
+        ),
     }
 }
 

@@ -27,7 +27,7 @@ pub(super) fn link(folder: &Path, target: Target, entry: &str, program: &Program
     super::run(command, "cannot link it", |line| line.contains("undefined") || line.contains("cannot"))?;
     let image = folder.join("image");
     let size = measure(&fs::read(&image)?)?;
-    let bound = target.has_bound().then(|| {
+    let bound = target.has_bound(matches!(program.shape, Shape::Integers(_))).then(|| {
         let listing = disassemble(&image).map_err(|error| error.to_string())?;
         // What is accepted are options of `cortex-bound`.
         let reason = |refusal: Refusal| refusal.to_string().split("; accepted").next().unwrap_or_default().to_owned();

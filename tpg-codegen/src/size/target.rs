@@ -110,8 +110,14 @@ impl Target {
         Ok((command, program != AVR))
     }
 
-    /// True for cores whose linked code has a bound on instructions.
-    pub(super) fn has_bound(self) -> bool {
-        [ARM, RISC_V].contains(&self.described().1)
+    /// The unit of the bound of a decision.
+    pub(crate) fn unit(self) -> &'static str {
+        if self.described().1 == AVR { "cycles" } else { "instructions" }
+    }
+
+    /// True for cores whose linked code has a bound on instructions; of integers also an AVR's, whose cycles are counted.
+    pub(super) fn has_bound(self, of_integers: bool) -> bool {
+        let program = self.described().1;
+        [ARM, RISC_V].contains(&program) || of_integers && program == AVR
     }
 }

@@ -2,8 +2,8 @@
 
 use super::facts::{Calls, LoopBounds, Turns, in_libgcc};
 use super::flow::Flow;
-use super::instruction::is_decision;
-use super::listing::Listing;
+use super::instruction::{cycles, is_decision};
+use super::listing::{Line, Listing};
 use super::longest::{Endless, Header, headers, longest};
 use super::refusal::Refusal;
 use std::collections::{BTreeMap, BTreeSet};
@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The worst case of a function, including its callees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bound {
-    /// Instructions on the longest path, from the first to the return.
+    /// Instructions on the longest path, from the first to the return; of an AVR, cycles.
     pub instructions: u64,
     /// Bytes of stack.
     pub stack: u64,
@@ -75,11 +75,7 @@ impl<'a> Analyser<'a> {
         while let Some(place) = open.pop() {
             let function = &self.listing.functions()[place];
             let decisions = function.lines.iter().filter(|line| is_decision(line));
-            let site = |line: &super::listing::Line| Site {
-                function: function.name.clone(),
-                address: line.address,
-                text: line.text(),
-            };
+            let site = |line: &Line| Site { function: function.name.clone(), address: line.address, text: line.text() };
             sites.extend(decisions.map(site));
             let flow = Flow::new(self.listing, function, self.calls)?;
             open.extend(flow.calls.into_iter().flatten().filter(|&callee| seen.insert(callee)));
@@ -120,7 +116,9 @@ impl<'a> Analyser<'a> {
         let (frame, callees) = self.flow(place).map(|flow| (flow.frame, flow.callees()))?;
         let mut deepest = 0;
         for callee in callees {
-            deepest = deepest.max(self.stack(callee, open)?);
+            // An AVR pushes the address of the return.
+            let back = if self.listing.is_avr { 2 } else { 0 };
+            deepest = deepest.max(back + self.stack(callee, open)?);
         }
         open.pop();
         self.stacks.insert(place, frame + deepest);
@@ -134,23 +132,27 @@ impl<'a> Analyser<'a> {
     /// Returns the bounds of a function's loops, by their headers.
     fn turns(&self, place: usize, headers: &[Header]) -> Result<BTreeMap<usize, u64>, Refusal> {
         let name = self.name(place);
+        let (lines, next) = (&self.listing.functions()[place].lines, &self.flows[&place].next);
+        let counted = |header: &Header| Some((header.node, counted(lines, next, header.node)?));
+        let mut turns: BTreeMap<usize, u64> = headers.iter().filter_map(counted).collect();
+        let headers: Vec<&Header> = headers.iter().filter(|header| !turns.contains_key(&header.node)).collect();
         let nodes = headers.iter().map(|header| header.node);
-        Ok(match self.bounds.get(name) {
+        turns.extend(match self.bounds.get(name) {
             None => {
                 let known = |header: &Header| Some((header.node, in_libgcc(name, header.is_tangled)?));
-                headers.iter().filter_map(known).collect()
+                headers.iter().filter_map(|header| known(header)).collect()
             }
-            Some(Turns::Every(turns)) => nodes.map(|node| (node, *turns)).collect(),
+            Some(Turns::Every(turns)) => nodes.map(|node| (node, *turns)).collect::<Vec<_>>(),
             Some(Turns::Each(turns)) if turns.len() == headers.len() => nodes.zip(turns.iter().copied()).collect(),
-            Some(Turns::Nested(turns)) if is_chain(headers, turns.len()) => {
+            Some(Turns::Nested(turns)) if is_chain(&headers, turns.len()) => {
                 headers.iter().map(|header| (header.node, turns[header.depth])).collect()
             }
             Some(Turns::Each(turns) | Turns::Nested(turns)) => {
-                let lines = &self.listing.functions()[place].lines;
                 let found = nodes.map(|node| lines[node].address).collect();
                 return Err(Refusal::OtherLoops { function: name.to_owned(), found, given: turns.len() });
             }
-        })
+        });
+        Ok(turns)
     }
 
     fn endless(&self, place: usize, endless: Endless) -> Refusal {
@@ -177,12 +179,12 @@ impl<'a> Analyser<'a> {
         let turns = self.turns(place, &headers)?;
         let flow = self.flow(place)?.clone();
         let mut costs = Vec::with_capacity(flow.calls.len());
-        for callees in &flow.calls {
+        for (callees, line) in flow.calls.iter().zip(&self.listing.functions()[place].lines) {
             let mut most = 0;
             for &callee in callees {
                 most = most.max(self.worst(callee)?);
             }
-            costs.push(1 + most);
+            costs.push(if self.listing.is_avr { cycles(line) } else { 1 } + most);
         }
         let worst = longest(&flow.next, &costs, 0, &turns).map_err(|endless| self.endless(place, endless))?;
         self.known.insert(place, worst);
@@ -190,8 +192,23 @@ impl<'a> Analyser<'a> {
     }
 }
 
+/// The instructions of an AVR that shift by a bit.
+const SHIFTS: [&str; 7] = ["asr", "ror", "lsr", "lsl", "rol", "add", "adc"];
+
+/// Returns the turns of a loop of an AVR that shifts by a constant: `ldi r18, 0x0C`, shifts, `dec r18`, `brne`.
+fn counted(lines: &[Line], next: &[Vec<usize>], header: usize) -> Option<u64> {
+    let before: Vec<usize> = (0..next.len()).filter(|&node| next[node].contains(&header)).collect();
+    let [start, latch] = before[..] else { return None };
+    let (counter, turns) = lines[start].operands.split_once(", 0x").filter(|_| lines[start].mnemonic == "ldi")?;
+    let (down, shifts) = lines.get(header..latch)?.split_last()?;
+    let is = |line: &Line| SHIFTS.contains(&line.mnemonic.as_str()) && !line.operands.starts_with(counter);
+    let is_down = down.mnemonic == "dec" && down.operands == counter && lines[latch].mnemonic == "brne";
+    let turns = u64::from_str_radix(turns, 16).ok()?;
+    (is_down && shifts.iter().all(is) && turns > 0).then_some(turns)
+}
+
 /// Tests for so many loops, each but the first in the one before; or none.
-fn is_chain(headers: &[Header], count: usize) -> bool {
+fn is_chain(headers: &[&Header], count: usize) -> bool {
     let depths: BTreeSet<usize> = headers.iter().map(|header| header.depth).collect();
     headers.is_empty() || headers.len() == count && depths.into_iter().eq(0..count)
 }

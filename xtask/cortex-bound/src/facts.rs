@@ -28,6 +28,9 @@ pub(super) fn in_libgcc(function: &str, is_tangled: bool) -> Option<u64> {
         }
         "__mulsi3" | "__udivsi3" | "__umodsi3" | "__divsi3" | "__modsi3" | "sqrtf" | "__ieee754_sqrtf" => Some(32),
         "__muldi3" | "__udivdi3" | "__umoddi3" | "__udivmoddi4" | "sqrt" | "__ieee754_sqrt" => Some(64),
+        // An AVR's, with one turn more.
+        "__udivmodhi4" => Some(17),
+        "__udivmodsi4" => Some(33),
         _ if is("__aeabi_f", "sf3") => Some(27),
         _ if is("__aeabi_d", "df3") => Some(56),
         _ => None,

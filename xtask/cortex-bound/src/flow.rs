@@ -97,6 +97,10 @@ impl Flow {
             }
             Return { conditional } => goes_on = conditional,
             Trap => goes_on = false,
+            Skip => {
+                let after = follower(function, index).and_then(|next| follower(function, next));
+                self.next[index].push(after.ok_or_else(|| astray(function, line))?);
+            }
             Indirect { goes_on: and_on } => {
                 let Some(callees) = through.get(&function.name) else {
                     return Err(Refusal::Indirect { function: name(), address, text });
@@ -141,10 +145,16 @@ fn goes_by_register(line: &Line) -> bool {
     matches!(kind(line), Indirect { .. })
 }
 
-/// Returns the instruction directly after another one, with no data in between.
+/// Returns the instruction directly after another one, with no data in between; what follows a function's end may be joined anywhere.
 fn follower(function: &Function, index: usize) -> Option<usize> {
-    let [here, next] = [function.lines.get(index)?, function.lines.get(index + 1)?];
-    (1..=4).contains(&next.address.wrapping_sub(here.address)).then_some(index + 1)
+    let here = function.lines.get(index)?.address;
+    let follows = |line: &Line| (1..=4).contains(&line.address.wrapping_sub(here));
+    match function.lines.get(index + 1) {
+        Some(next) if follows(next) => Some(index + 1),
+        _ => (0..function.lines.len())
+            .filter(|&place| follows(&function.lines[place]))
+            .min_by_key(|&place| function.lines[place].address),
+    }
 }
 
 /// Returns the addresses outside a function at which it goes on without a call: the middles of others that it branches to, and what
@@ -152,12 +162,15 @@ fn follower(function: &Function, index: usize) -> Option<usize> {
 pub(super) fn continues_at(function: &Function) -> BTreeSet<u64> {
     let end = function.lines.last();
     // Behind the last instruction there may be padding.
-    let acts = function.lines.iter().rev().find(|line| !line.mnemonic.starts_with("nop"));
-    let runs_on = acts.is_some_and(|line| match kind(line) {
-        Plain => true,
+    let mut acts = function.lines.iter().rev().filter(|line| !line.mnemonic.starts_with("nop"));
+    let runs_on = acts.next().is_some_and(|line| match kind(line) {
+        Plain | Skip => true,
         Branch { conditional } | Return { conditional } => conditional,
+        // The library of an AVR goes on in the next function; elsewhere, a call at the end never returns.
+        Call => line.mnemonic.ends_with("call"),
         _ => false,
     });
+    let runs_on = runs_on || acts.next().is_some_and(|line| kind(line) == Skip);
     let after = |line: &Line| [line.address + 2, line.address + 4];
     let branches = function.lines.iter().filter(|line| matches!(kind(line), Branch { .. }) && line.symbol.is_none());
     let targets = branches.filter_map(address).chain(end.filter(|_| runs_on).into_iter().flat_map(after));
@@ -168,7 +181,8 @@ pub(super) fn continues_at(function: &Function) -> BTreeSet<u64> {
 /// Returns the address that an instruction branches to, its last operand: `10 <f+0x8>`.
 fn address(line: &Line) -> Option<u64> {
     let operands = line.operands.split(" <").next().unwrap_or_default();
-    u64::from_str_radix(operands.rsplit(',').next().unwrap_or_default().trim(), 16).ok()
+    let last = operands.rsplit(',').next().unwrap_or_default().trim();
+    u64::from_str_radix(last.strip_prefix("0x").unwrap_or(last), 16).ok()
 }
 
 enum To {

@@ -1,5 +1,5 @@
-//! Effects of Thumb-2 and RISC-V instructions on control flow and stack, derived from mnemonics and operands in objdump's
-//! notation. A mnemonic that both have means the same in both: `beq`, `blt`.
+//! Effects of Thumb-2, RISC-V and AVR instructions on control flow and stack, derived from mnemonics and operands in objdump's
+//! notation. A mnemonic that several have means the same in all: `beq`, `blt`.
 
 use super::listing::Line;
 use Kind::*;
@@ -31,6 +31,8 @@ pub enum Kind {
     },
     /// Jumps to an address from a table.
     JumpTable,
+    /// Continues with the next instruction or the one after it.
+    Skip,
 }
 
 const CONDITIONS: [&str; 16] =
@@ -61,9 +63,14 @@ pub fn kind(line: &Line) -> Kind {
         "cbz" | "cbnz" | "beqz" | "bnez" | "bltz" | "bgez" | "blez" | "bgtz" | "bltu" | "bgeu" | "bleu" | "bgtu" => {
             Branch { conditional: true }
         }
-        "jal" | "bl" => Call,
-        "jalr" | "blx" => Indirect { goes_on: true },
-        "ret" => Return { conditional: false },
+        "rcall" if operands == PUSH => Plain,
+        "jal" | "bl" | "call" | "rcall" => Call,
+        "jalr" | "blx" | "icall" => Indirect { goes_on: true },
+        "ijmp" => Indirect { goes_on: false },
+        "ret" | "reti" => Return { conditional: false },
+        "jmp" | "rjmp" => Branch { conditional: false },
+        "sbrc" | "sbrs" | "sbic" | "sbis" | "cpse" => Skip,
+        _ if name.starts_with("br") => Branch { conditional: true },
         "b" => Branch { conditional },
         "bx" if operands == "lr" => Return { conditional },
         "bx" => Indirect { goes_on: conditional },
@@ -75,12 +82,31 @@ pub fn kind(line: &Line) -> Kind {
     }
 }
 
+/// The distance of a call of an AVR that only pushes an address, to make room on the stack.
+const PUSH: &str = ".+0";
+
+/// Returns the cycles of an instruction of an AVR at most: branches are taken, and skips skip two words.
+pub(crate) fn cycles(line: &Line) -> u64 {
+    let name = line.mnemonic.as_str();
+    match name {
+        "call" | "ret" | "reti" => 4,
+        "jmp" | "rcall" | "icall" | "lpm" | "elpm" => 3,
+        "adiw" | "sbiw" | "mul" | "muls" | "mulsu" | "fmul" | "fmuls" | "fmulsu" | "ld" | "ldd" | "lds" | "st"
+        | "std" | "sts" | "push" | "pop" | "rjmp" | "ijmp" | "sbi" | "cbi" => 2,
+        _ => match kind(line) {
+            Skip => 3,
+            Branch { .. } => 2,
+            _ => 1,
+        },
+    }
+}
+
 /// True if the instruction's control flow depends on data: a conditional branch, a predicated block, a table.
 pub fn is_decision(line: &Line) -> bool {
     let conditional = matches!(kind(line), Branch { conditional: true } | Return { conditional: true });
     let block =
         bare(&line.mnemonic).strip_prefix("it").is_some_and(|rest| rest.chars().all(|c| matches!(c, 't' | 'e')));
-    conditional || block || matches!(kind(line), JumpTable | Indirect { .. })
+    conditional || block || matches!(kind(line), JumpTable | Indirect { .. } | Skip)
 }
 
 /// Change of the stack pointer.
@@ -100,7 +126,16 @@ pub fn stack(line: &Line) -> Stack {
     let ((name, _), operands) = (base(line), line.operands.as_str());
     let by_number = || number(operands.rsplit('#').next().filter(|_| operands.contains('#')));
     match name {
+        "push" if operands.starts_with('r') => Down(1),
         "push" => Down(4 * registers(operands)),
+        "rcall" if operands == PUSH => Down(2),
+        // The frame of an AVR is below its pointer, r28 and r29, whose bytes are subtracted one by one if it is large.
+        "sbiw" | "subi" if operands.starts_with("r28,") => byte(operands).map_or(Unknown, Down),
+        "sbci" if operands.starts_with("r29,") => match byte(operands) {
+            Some(high) if high < 128 => Down(high << 8),
+            found => found.map_or(Unknown, |_| Same),
+        },
+        "out" if operands.starts_with("0x3d,") && !operands.ends_with("r28") => Unknown,
         "vpush" => Down(floats(operands)),
         "stmdb" | "stmfd" if operands.starts_with("sp!") => Down(4 * registers(operands)),
         "vstmdb" if operands.starts_with("sp!") => Down(floats(operands)),
@@ -157,6 +192,11 @@ fn register(name: &str) -> u64 {
         "ip" => 12,
         name => name[1..].parse().unwrap_or(0),
     }
+}
+
+/// Returns the byte that is the last operand of an instruction of an AVR.
+fn byte(operands: &str) -> Option<u64> {
+    u64::from_str_radix(operands.rsplit_once("0x")?.1, 16).ok()
 }
 
 fn number(text: Option<&str>) -> Option<u64> {
@@ -229,6 +269,29 @@ mod tests {
         ] {
             assert_eq!(stack(&line(text)), expected, "{text}");
         }
+    }
+
+    #[test]
+    fn avr() {
+        let kinds = [
+            ("brne 3e", Kind::Branch { conditional: true }),
+            ("rjmp 10", Kind::Branch { conditional: false }),
+            ("call 0x178", Kind::Call),
+            ("rcall .+0", Kind::Plain),
+            ("sbrs r27, 7", Kind::Skip),
+            ("ijmp", Kind::Indirect { goes_on: false }),
+            ("ret", Kind::Return { conditional: false }),
+            ("bst r24, 7", Kind::Plain),
+        ];
+        for (text, expected) in kinds {
+            assert_eq!(kind(&line(text)), expected, "{text}");
+        }
+        let cycles = ["add r0, r0", "muls r16, r17", "brne 3e", "sbrs r27, 7", "lpm r24, Z+", "call 0x178"];
+        assert_eq!(cycles.map(|text| super::cycles(&line(text))), [1, 2, 2, 3, 3, 4]);
+        let moves = ["push r28", "sbiw r28, 0x17", "rcall .+0", "sbci r29, 0x01"];
+        assert_eq!(moves.map(|text| stack(&line(text))), [1, 23, 2, 256].map(Stack::Down));
+        assert_eq!(stack(&line("adiw r28, 0x17")), Stack::Same);
+        assert_eq!(stack(&line("out 0x3d, r24")), Stack::Unknown);
     }
 
     #[test]

@@ -1,8 +1,8 @@
-//! Static worst-case analysis of compiled code for a Cortex-M or a RISC-V: maximum instructions on any path through a function and
-//! its callees, and maximum bytes of stack.
+//! Static worst-case analysis of compiled code for a Cortex-M, a RISC-V or an AVR: maximum instructions, of an AVR cycles, on any
+//! path through a function and its callees, and maximum bytes of stack.
 //!
-//! The input is the output of `objdump -dr` for an object or a linked image, of a RISC-V a linked one. Every instruction is a node
-//! of a graph; predicated ones count whether or not their condition holds, since they take their slot either way. Code
+//! The input is the output of `objdump -dr` for an object or a linked image, of a RISC-V or an AVR a linked one. Every instruction is
+//! a node of a graph; predicated ones count whether or not their condition holds, since they take their slot either way. Code
 //! without a bound is rejected, with the place and the reason: loops without a `--loop-bound`, recursion, calls through
 //! registers without `--calls`, jumps through tables that are not found, a stack pointer that changes by an amount known
 //! only at run time, callees that are not in the object. The supplied [`facts`], and those about the loops of GCC's
@@ -10,7 +10,7 @@
 //! one whose address goes into the jump, and ends where the code refers to something else or an entry leads out of the
 //! function, and that a `bl` into the own function is a far jump.
 //!
-//! Not covered: the duration of an instruction, wait states of the memory, interrupts.
+//! Not covered: the duration of an instruction except on an AVR, wait states of the memory, interrupts.
 //!
 //! | module | subject |
 //! | --- | --- |

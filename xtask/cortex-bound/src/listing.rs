@@ -58,6 +58,8 @@ pub struct Listing {
     by_address: BTreeMap<(String, u64), usize>,
     /// The words of a linked image, by their addresses: tables of jumps are among them.
     words: BTreeMap<u64, u32>,
+    /// It is code of an AVR, whose cycles are counted.
+    pub(crate) is_avr: bool,
 }
 
 impl Listing {
@@ -129,6 +131,11 @@ impl Listing {
         &self.functions
     }
 
+    /// Returns the unit of bounds.
+    pub fn unit(&self) -> &'static str {
+        if self.is_avr { "cycles" } else { "instructions" }
+    }
+
     /// Returns the index of a function by its name.
     pub fn named(&self, name: &str) -> Option<usize> {
         self.by_name.get(name).copied()
@@ -147,22 +154,27 @@ impl Listing {
 
 /// The place of `e_type` in an ELF file, and its value for an object that is not linked.
 const TYPE: (usize, [u8; 2]) = (16, [1, 0]);
-/// The place of `e_machine`, and its value for RISC-V.
-const MACHINE: (usize, [u8; 2]) = (18, [243, 0]);
+/// The place of `e_machine`, and its values for RISC-V and AVR.
+const RISC_V: (usize, [u8; 2]) = (18, [243, 0]);
+const AVR: (usize, [u8; 2]) = (18, [83, 0]);
 
-/// Disassembles an object or image for a Cortex-M, or an image for a RISC-V.
+/// Disassembles an object or image for a Cortex-M, or an image for a RISC-V or an AVR.
 ///
 /// # Errors
-/// If `arm-none-eabi-objdump` or `riscv64-unknown-elf-objdump` is missing or finds nothing to read; an object for a RISC-V, whose
-/// calls are known only when it is linked.
+/// If `arm-none-eabi-objdump`, `riscv64-unknown-elf-objdump` or `avr-objdump` is missing or finds nothing to read; an object for a
+/// RISC-V or an AVR, whose calls are known only when it is linked.
 pub fn disassemble(object: &Path) -> io::Result<Listing> {
     let bytes = fs::read(object)?;
     let says = |(at, value): (usize, [u8; 2])| bytes.get(at..at + 2) == Some(&value[..]);
     let is_linked = !says(TYPE);
-    if says(MACHINE) && !is_linked {
-        return Err(io::Error::other("an object for a RISC-V; accepted: a linked image"));
+    let (program, core) = match (says(RISC_V), says(AVR)) {
+        (true, _) => ("riscv64-unknown-elf-objdump", "a RISC-V"),
+        (_, true) => ("avr-objdump", "an AVR"),
+        _ => ("arm-none-eabi-objdump", ""),
+    };
+    if !is_linked && !core.is_empty() {
+        return Err(io::Error::other(format!("an object for {core}; accepted: a linked image")));
     }
-    let program = if says(MACHINE) { "riscv64-unknown-elf-objdump" } else { "arm-none-eabi-objdump" };
     let contents = is_linked.then_some("-s");
     let arguments = ["-d", "-r", "-z", "--no-show-raw-insn", "-w"].into_iter().chain(contents);
     let output = Command::new(program).args(arguments).arg(object).output();
@@ -170,13 +182,16 @@ pub fn disassemble(object: &Path) -> io::Result<Listing> {
     if !output.status.success() {
         return Err(io::Error::other(String::from_utf8_lossy(&output.stderr).trim().to_owned()));
     }
-    Ok(Listing::parse(&String::from_utf8_lossy(&output.stdout)))
+    Ok(Listing { is_avr: says(AVR), ..Listing::parse(&String::from_utf8_lossy(&output.stdout)) })
 }
 
-/// Parses `00000010 <name>:`.
+/// Parses `00000010 <name>:`, unless it is a label within a function of an AVR's library.
 fn header(line: &str) -> Option<(u64, String)> {
     let (address, rest) = line.split_once(" <")?;
     let name = rest.strip_suffix(">:")?;
+    if name.starts_with("__udivmod") && (name.ends_with("_loop") || name.ends_with("_ep")) {
+        return None;
+    }
     Some((u64::from_str_radix(address, 16).ok()?, name.to_owned()))
 }
 
@@ -191,6 +206,11 @@ fn instruction(line: &str) -> Option<Line> {
     let operands = fields.next().unwrap_or_default();
     let operands = operands.split(['@', ';']).next().unwrap_or_default();
     let operands = operands.split(" # ").next().unwrap_or_default().trim();
+    // An AVR branches by a distance, `.-12`; by none to push the address that follows.
+    let distance =
+        operands.strip_prefix('.').and_then(|distance| distance.parse().ok()).filter(|&distance| distance != 0);
+    let target = distance.map(|distance: i64| format!("{:x}", (address + 2).wrapping_add_signed(distance)));
+    let operands = target.as_deref().unwrap_or(operands);
     // A comment: `@ (85e8 <f+0x10>)`, `# 1000085c <table>`.
     let comment = rest.rsplit_once(['@', '#']).and_then(|(_, comment)| comment.split_once(" <"));
     let refers_to = comment.and_then(|(text, _)| u64::from_str_radix(text.rsplit([' ', '(']).next()?, 16).ok());

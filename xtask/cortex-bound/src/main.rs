@@ -5,12 +5,12 @@ use cortex_bound::{Analyser, Calls, Listing, LoopBounds, Turns, disassemble};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Print the worst case of functions of a Cortex-M object or image, or of a RISC-V image: instructions and bytes of stack, including
-/// callees.
+/// Print the worst case of functions of a Cortex-M object or image, or of a RISC-V or AVR image: instructions, of an AVR cycles, and
+/// bytes of stack, including callees.
 #[derive(Debug, Parser)]
 #[command(version)]
 struct Cli {
-    /// An object file or a linked image for a Cortex-M, a linked image for a RISC-V
+    /// An object file or a linked image for a Cortex-M, a linked image for a RISC-V or an AVR
     object: PathBuf,
     /// The functions; by default every function of the object
     functions: Vec<String>,
@@ -52,11 +52,15 @@ impl Cli {
             match analyser.bound(&name) {
                 Ok(bound) if self.json => {
                     println!(
-                        "{{\"function\":{name:?},\"instructions\":{},\"stack_bytes\":{}}}",
-                        bound.instructions, bound.stack
+                        "{{\"function\":{name:?},\"{}\":{},\"stack_bytes\":{}}}",
+                        listing.unit(),
+                        bound.instructions,
+                        bound.stack
                     );
                 }
-                Ok(bound) => println!("{name}: {} instructions, {} bytes of stack", bound.instructions, bound.stack),
+                Ok(bound) => {
+                    println!("{name}: {} {}, {} bytes of stack", bound.instructions, listing.unit(), bound.stack)
+                }
                 Err(refusal) => {
                     eprintln!("{name}: no bound: {refusal}");
                     // If all functions are analysed, some may lack a bound: their callers show whether that matters.
