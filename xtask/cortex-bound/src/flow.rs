@@ -55,7 +55,7 @@ impl Flow {
         let line = &function.lines[index];
         let name = || function.name.clone();
         let (address, text) = (line.address, line.text());
-        match stack(line) {
+        match stack(line, index.checked_sub(1).map(|before| &function.lines[before])) {
             Stack::Same => {}
             Stack::Down(bytes) => self.frame += bytes,
             Stack::Unknown => return Err(Refusal::DynamicStack { function: name(), address, text }),

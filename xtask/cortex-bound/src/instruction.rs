@@ -120,21 +120,25 @@ pub enum Stack {
     Unknown,
 }
 
-/// Returns the effect of an instruction on the stack pointer. Releasing stack is not counted, which keeps the bound
-/// safe.
-pub fn stack(line: &Line) -> Stack {
+/// Returns the effect of an instruction, and of one before it, on the stack pointer. Releasing stack is not counted, which keeps the
+/// bound safe.
+pub fn stack(line: &Line, before: Option<&Line>) -> Stack {
     let ((name, _), operands) = (base(line), line.operands.as_str());
     let by_number = || number(operands.rsplit('#').next().filter(|_| operands.contains('#')));
     match name {
         "push" if operands.starts_with('r') => Down(1),
         "push" => Down(4 * registers(operands)),
         "rcall" if operands == PUSH => Down(2),
-        // The frame of an AVR is below its pointer, r28 and r29, whose bytes are subtracted one by one if it is large.
-        "sbiw" | "subi" if operands.starts_with("r28,") => byte(operands).map_or(Unknown, Down),
-        "sbci" if operands.starts_with("r29,") => match byte(operands) {
-            Some(high) if high < 128 => Down(high << 8),
-            found => found.map_or(Unknown, |_| Same),
-        },
+        // The frame of an AVR is below its pointer, r28 and r29: at once, or byte by byte if it is large.
+        "sbiw" if operands.starts_with("r28,") => byte(operands).map_or(Unknown, Down),
+        "sbci" | "sbc" if operands.starts_with("r29,") => {
+            let low = before.filter(|before| before.mnemonic == "subi" && before.operands.starts_with("r28,"));
+            // r1 is 0.
+            let high = if operands == "r29, r1" { Some(0) } else { byte(operands) };
+            let both = low.and_then(|low| Some((high? << 8) + byte(&low.operands)?));
+            // Else these registers hold data.
+            both.filter(|&bytes| bytes < 1 << 15).map_or(Same, Down)
+        }
         "out" if operands.starts_with("0x3d,") && !operands.ends_with("r28") => Unknown,
         "vpush" => Down(floats(operands)),
         "stmdb" | "stmfd" if operands.starts_with("sp!") => Down(4 * registers(operands)),
@@ -267,7 +271,7 @@ mod tests {
             ("mv sp,s0", Stack::Unknown),
             ("sw ra,12(sp)", Stack::Same),
         ] {
-            assert_eq!(stack(&line(text)), expected, "{text}");
+            assert_eq!(stack(&line(text), None), expected, "{text}");
         }
     }
 
@@ -288,10 +292,14 @@ mod tests {
         }
         let cycles = ["add r0, r0", "muls r16, r17", "brne 3e", "sbrs r27, 7", "lpm r24, Z+", "call 0x178"];
         assert_eq!(cycles.map(|text| super::cycles(&line(text))), [1, 2, 2, 3, 3, 4]);
-        let moves = ["push r28", "sbiw r28, 0x17", "rcall .+0", "sbci r29, 0x01"];
-        assert_eq!(moves.map(|text| stack(&line(text))), [1, 23, 2, 256].map(Stack::Down));
-        assert_eq!(stack(&line("adiw r28, 0x17")), Stack::Same);
-        assert_eq!(stack(&line("out 0x3d, r24")), Stack::Unknown);
+        let moves = ["push r28", "sbiw r28, 0x17", "rcall .+0"];
+        assert_eq!(moves.map(|text| stack(&line(text), None)), [1, 23, 2].map(Stack::Down));
+        let large = |low, high| stack(&line(high), Some(&line(low)));
+        assert_eq!(large("subi r28, 0x50", "sbci r29, 0x01"), Stack::Down(336));
+        assert_eq!(large("subi r28, 0x50", "sbc r29, r1"), Stack::Down(80));
+        assert_eq!(large("subi r28, 0xB0", "sbci r29, 0xFE"), Stack::Same);
+        assert_eq!(stack(&line("adiw r28, 0x17"), None), Stack::Same);
+        assert_eq!(stack(&line("out 0x3d, r24"), None), Stack::Unknown);
     }
 
     #[test]
@@ -314,7 +322,7 @@ mod tests {
             ("str.w lr, [sp, #-4]!", 4),
         ];
         for (text, bytes) in cases {
-            assert_eq!(stack(&line(text)), Stack::Down(bytes), "{text}");
+            assert_eq!(stack(&line(text), None), Stack::Down(bytes), "{text}");
         }
         for text in [
             "add sp, #8",
@@ -324,10 +332,10 @@ mod tests {
             "mov r7, sp",
             "ldmia.w sp, {r0, r1, r2, r3}",
         ] {
-            assert_eq!(stack(&line(text)), Stack::Same, "{text}");
+            assert_eq!(stack(&line(text), None), Stack::Same, "{text}");
         }
         for text in ["sub.w sp, sp, r3", "mov sp, r0", "bic.w sp, sp, #7", "ldr sp, [r0]"] {
-            assert_eq!(stack(&line(text)), Stack::Unknown, "{text}");
+            assert_eq!(stack(&line(text), None), Stack::Unknown, "{text}");
         }
     }
 }

@@ -409,3 +409,81 @@ fn a_risc_v_is_compiled_and_linked() {
     let refused = Analyser::new(&listing, &LoopBounds::new()).bound("entry").unwrap_err();
     assert!(matches!(refused, Refusal::Loop { .. }), "{refused}");
 }
+
+/// Products that need the library, shifts by a constant, a division, and a frame on the stack; the cycles of each decision are written
+/// to the serial port.
+const AVR: &str = r#"
+    #include <avr/interrupt.h>
+    #include <avr/io.h>
+    #include <stdint.h>
+
+    __attribute__((noinline)) int32_t nothing(const int16_t *s) { return s != 0; }
+    __attribute__((noinline)) int32_t decide(const int16_t *s)
+    {
+        volatile int32_t sums[20];
+        sums[s[2] & 15] = (int32_t)s[0] * -21354 + (int32_t)s[1] * 13726;
+        const int32_t product = (sums[s[2] & 15] >> 12) * s[1];
+        return (product < 0) ? product / s[2] : (product >> 7);
+    }
+    static void put(char letter)
+    {
+        while (!(UCSR0A & (1 << UDRE0))) { }
+        UDR0 = letter;
+    }
+    static volatile int32_t result;
+    static uint16_t time(int32_t (*of)(const int16_t *), const int16_t *s)
+    {
+        TCNT1 = 0;
+        result = of(s);
+        return TCNT1;
+    }
+    int main(void)
+    {
+        static int16_t states[4][3] = { { 1000, -7, 30 }, { -32000, 30000, -123 }, { 0, 0, 1 }, { 32767, -32768, 7 } };
+        UCSR0B = 1 << TXEN0;
+        TCCR1B = 1;
+        for (uint8_t at = 0; at < 4; at++) {
+            uint16_t cycles = time(decide, states[at]) - time(nothing, states[at]);
+            for (uint16_t power = 10000; power > 0; power /= 10) { put('0' + cycles / power % 10); }
+            put('\n');
+        }
+        cli();
+        __asm__("sleep");
+    }
+"#;
+
+#[test]
+fn an_avr_takes_no_more_cycles_than_its_bound() {
+    if !tpg_testing::tool("avr-gcc", "gcc-avr, avr-libc", "bounds of an AVR") {
+        return;
+    }
+    let folder = TempDir::new().expect("a folder");
+    fs::write(folder.path().join("a.c"), AVR).expect("written");
+    let compile = |args: &[&str]| {
+        let gcc =
+            Command::new("avr-gcc").current_dir(&folder).args(["-mmcu=atmega328p", "-Os", "a.c"]).args(args).status();
+        assert!(gcc.expect("a compiler").success());
+    };
+    compile(&["-c", "-o", "a.o"]);
+    let refused = disassemble(&folder.path().join("a.o")).unwrap_err().to_string();
+    assert_eq!(refused, "an object for an AVR; accepted: a linked image");
+    compile(&["-o", "a.elf"]);
+    let listing = disassemble(&folder.path().join("a.elf")).expect("a listing");
+    let bounds = LoopBounds::new();
+    let mut analyser = Analyser::new(&listing, &bounds);
+    let [decide, nothing] = ["decide", "nothing"].map(|name| analyser.bound(name).expect("a bound"));
+    assert!((80..110).contains(&decide.stack) && nothing.stack == 0, "{decide:?}");
+    assert_eq!(listing.unit(), "cycles");
+    if !tpg_testing::tool("simavr", "simavr", "cycles of an AVR") {
+        return;
+    }
+    let mut simavr = Command::new("simavr");
+    let output =
+        simavr.current_dir(&folder).args(["-m", "atmega328p", "-f", "16000000", "a.elf"]).output().expect("it runs");
+    let said = String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned();
+    // Colours come before a line, and a dot after it.
+    let lines = said.lines().filter_map(|line| line.rsplit('m').next()?.strip_suffix('.')?.parse::<u64>().ok());
+    let most = lines.inspect(|cycles| assert!(*cycles > 100, "{said}")).max().expect("cycles of each state");
+    let bound = decide.instructions - nothing.instructions;
+    assert!((most..2 * most).contains(&bound), "{bound}: {said}");
+}
