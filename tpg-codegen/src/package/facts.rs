@@ -144,7 +144,8 @@ fn figures(code: &Code<'_>, target: Target) -> Vec<String> {
     )];
     match (bound, stack) {
         (Some(Ok(Bound { instructions, stack })), _) => figures.push(format!(
-            "a decision there: at most {instructions} instructions, {stack} bytes of stack, by analysis of the machine code"
+            "a decision there: at most {instructions} {}, {stack} bytes of stack, by analysis of the machine code",
+            target.unit()
         )),
         (_, stack) => figures.extend(stack.map(|stack| format!("stack of a decision there: {} bytes", stack.bytes))),
     }
