@@ -32,7 +32,7 @@ impl LimitArgs {
             let why = match found {
                 Ok((found, _)) if found <= limit => continue,
                 Ok((found, what)) => {
-                    format!("at most {found} {what} on {name}, {} more than {option} {limit}", found - limit)
+                    format!("{found} {what} on {name}, {} more than {option} {limit}", found - limit)
                 }
                 Err(why) => format!("{option} {limit} cannot be checked on {name}: {why}"),
             };
@@ -43,20 +43,20 @@ impl LimitArgs {
 }
 
 /// Returns the bytes of flash, of linked code where it can be linked.
-fn flash(code: &Code<'_>, target: Target) -> Result<(u64, &'static str), String> {
+fn flash(code: &Code<'_>, target: Target) -> Result<(u64, String), String> {
     let built = size::build_c(code, target).map_err(|error| error.to_string())?;
     let size = match built.link(code).map_err(|error| error.to_string())? {
         Some(linked) => linked.size,
         None => size::measure(&built.object).map_err(|error| error.to_string())?,
     };
-    Ok((size.flash(), "bytes of flash"))
+    Ok((size.flash(), "bytes of flash".to_owned()))
 }
 
 /// Returns the bound of a decision.
-fn instructions(code: &Code<'_>, target: Target) -> Result<(u64, &'static str), String> {
+fn instructions(code: &Code<'_>, target: Target) -> Result<(u64, String), String> {
     let built = size::build_c(code, target).map_err(|error| error.to_string())?;
     let linked = built.link(code).map_err(|error| error.to_string())?;
     let accepted = "accepted are Cortex-M and RISC-V, whose machine code is analysed, and integers on an AVR";
     let bound = linked.and_then(|linked| linked.bound).ok_or(accepted)??;
-    Ok((bound.instructions, target.unit()))
+    Ok((bound.instructions, format!("{} of a decision at most", target.unit())))
 }
