@@ -66,10 +66,19 @@ fn features_that_no_program_reads_are_dropped() {
 }
 
 #[test]
-fn images_stay_out_of_integers() {
+fn integers_read_the_image_in_place() {
     let graph = graph();
-    let states = StateSet::sampled(&graph, 10, 1);
-    let request = Request::of_bits(8, &states);
-    let error = quantise("eye.json", &graph, &request).expect_err("an image").to_string();
-    assert!(error.contains("$.sources[0].image: a graph that sees an image"), "{error}");
+    let states = StateSet::sampled(&graph, 1000, 1);
+    let (whole, report) = quantise("eye.json", &graph, &Request::of_bits(16, &states)).expect("integers");
+    assert!(report.comparison.same == 1000 && report.comparison.saturated == 0.0, "{report}");
+    assert!(report.comparison.outputs.iter().all(|output| output.mean < 0.001), "{report}");
+    let of = |(language, profile)| Code::of_graph("eye.json", &whole, &options(profile), language).expect("integers");
+    let codes = [(Language::C, Profile::Fast), (Language::C, Profile::Small), (Language::Rust, Profile::Fast)].map(of);
+    assert!(codes.iter().flat_map(|code| &code.files).all(|file| !file.text.contains("float")));
+    let proof = Proof::of(&codes, 1000, 3).expect("compilers run");
+    assert!(proof.holds() && proof.comparisons.len() == 2 * codes.len(), "{proof:?}");
+    // Counts of an image's values are these values.
+    let text = whole.to_json().replacen("\"scale\":1.0", "\"scale\":2.0", 1);
+    let error = Graph::from_json("eye.json", &text).expect_err("no such counts").to_string();
+    assert!(error.contains("accepted: a scale of 1, and bits for"), "{error}");
 }

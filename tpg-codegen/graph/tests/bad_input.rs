@@ -88,10 +88,17 @@ fn images() {
             )],
         ),
         (
-            "counts beside",
+            "too few bits",
             &[(
                 "\"image\":",
-                "\"counts\":[{\"bits\":16,\"scale\":1},{\"bits\":16,\"scale\":1},{\"bits\":16,\"scale\":1}],\"image\":",
+                "\"counts\":[{\"bits\":16,\"scale\":1},{\"bits\":8,\"scale\":1},{\"bits\":16,\"scale\":1}],\"image\":",
+            )],
+        ),
+        (
+            "half a row",
+            &[(
+                "\"image\":",
+                "\"counts\":[{\"bits\":16,\"scale\":0.5},{\"bits\":16,\"scale\":1},{\"bits\":16,\"scale\":1}],\"image\":",
             )],
         ),
     ];

@@ -33,14 +33,16 @@ struct ValueView {
     /// The place in a flat state, and the member of C's structure.
     input: usize,
     member: String,
+    /// The type that it has in the state.
+    kind: String,
     /// The number of the place that is looked for.
     find: usize,
     feature: Feature,
 }
 
 impl LookView {
-    /// Returns what a graph reads from an image; `None` if it sees none.
-    pub(super) fn new(graph: &Graph, sources: &[SourceView]) -> Option<Self> {
+    /// Returns what a graph reads from an image, with the type of each value of a state; `None` if it sees none.
+    pub(super) fn new(graph: &Graph, sources: &[SourceView], kind: &dyn Fn(usize) -> String) -> Option<Self> {
         let vision = Vision::new(&graph.state_sources())?;
         let ([rows, columns, channels], finds) = (vision.shape(), vision.finds());
         let member = |input: usize| {
@@ -62,7 +64,8 @@ impl LookView {
             finds: finds.iter().map(|&find| FindView::new(find)).collect(),
             values: (vision.features())
                 .filter_map(|(input, feature, find)| {
-                    Some(ValueView { input, member: member(input)?, find: find.unwrap_or_default(), feature })
+                    let find = find.unwrap_or_default();
+                    Some(ValueView { input, member: member(input)?, kind: kind(input), find, feature })
                 })
                 .collect(),
         })
@@ -92,7 +95,6 @@ fn function(find: Find) -> &'static str {
 #[template(path = "c/look.c", escape = "none")]
 struct CLook<'a> {
     prefix: &'a str,
-    scalar: &'a str,
     look: &'a LookView,
 }
 
@@ -106,8 +108,8 @@ struct RustLook<'a> {
 }
 
 /// The function in C.
-pub(super) fn c(look: &LookView, prefix: &str, scalar: &str) -> String {
-    CLook { prefix, scalar, look }.render().expect("the template renders")
+pub(super) fn c(look: &LookView, prefix: &str) -> String {
+    CLook { prefix, look }.render().expect("the template renders")
 }
 
 /// The function in Rust, for a state of so many values.

@@ -81,13 +81,16 @@ pub(crate) fn analyse(file: &str, module: &Module<'_>) -> Result<Vec<Whole>, Inp
 fn declared(file: &str, graph: &Graph) -> Result<Vec<Whole>, InputError> {
     let refuse = |path: String, found: &str, accepted: &str| Err(InputError::new(file, path, found, accepted));
     let mut limits = Vec::new();
+    let mut inputs = graph.inputs();
     for (place, source) in graph.observed().iter().enumerate() {
         if source.counts.is_empty() {
             let accepted = "\"counts\", the integers that it comes in: `tpg-codegen quantise` makes such a graph";
             return refuse(format!("$.sources[{place}]"), &format!("{:?} without counts", source.name), accepted);
         }
-        // Whatever the container holds is legal.
-        limits.extend(source.counts.iter().map(|counts| Whole::of_bits(counts.container())));
+        for (&counts, input) in source.counts.iter().zip(&mut inputs) {
+            let [low, high] = graph.count_range(input, counts);
+            limits.push(Whole { low: low as i64, high: high as i64 });
+        }
     }
     let answered = graph.split_outputs().0.len();
     for (place, output) in graph.outputs().iter().enumerate() {

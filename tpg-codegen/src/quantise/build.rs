@@ -67,7 +67,10 @@ impl<'a> Builder<'a> {
                     let greatest = self.counts[input.index()].scale.recip() * self.magnitude_of_input(input.index());
                     Whole::between(-greatest.ceil(), greatest.ceil())
                 }
-                Input(input) => Ok(Whole::of_bits(self.counts[input.index()].container())),
+                Input(input) => {
+                    let [low, high] = self.limits(input);
+                    Whole::between(low, high)
+                }
                 Operation(instruction, [a, b]) => Whole::apply(instruction, self.whole(a), self.whole(b)),
                 Upper(..) => Err(Unfit::NotWhole),
             };
@@ -96,8 +99,13 @@ impl<'a> Builder<'a> {
             let range = self.module.graph.state_ranges().nth(input);
             return range.map_or(0.0, Range::magnitude);
         }
-        let limits = Counts { bits: counts.container(), ..counts }.limits();
+        let limits = self.limits(tpg_graph::Input(input as u16));
         limits.into_iter().map(|count| counts.value(count).abs()).fold(0.0, f64::max)
+    }
+
+    /// The lowest and highest count of an input that is no memory.
+    fn limits(&self, input: tpg_graph::Input) -> [f64; 2] {
+        self.module.graph.count_range(input, self.counts[input.index()])
     }
 
     /// The greatest magnitude of a value, that of quotients aside: these may be infinite.
@@ -124,7 +132,8 @@ impl<'a> Builder<'a> {
     fn half_of(&self, id: NodeId) -> f64 {
         match self.module.node(id) {
             Input(input) => {
-                -0.5 * Counts { bits: self.counts[input.index()].container(), ..self.counts[input.index()] }.limits()[0]
+                let [low, high] = self.limits(input);
+                0.5 * high.max(-low)
             }
             _ => 0.5,
         }

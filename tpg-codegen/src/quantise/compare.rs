@@ -48,9 +48,14 @@ impl Comparison {
         let mut of_inputs = vec![0_usize; length];
         let mut sums = vec![(0.0_f64, 0.0_f64, 0_usize); answered.len()];
         let mut counts = Vec::with_capacity(set.states.len());
-        for state in set.states.chunks_exact(length) {
+        // An image gives whole numbers.
+        let mut states = set.states.clone();
+        for state in states.chunks_exact_mut(length) {
+            for (input, value) in graph.inputs().zip(&mut *state) {
+                *value = if graph.image_range(input).is_some() { value.round() } else { *value };
+            }
             let mut beyond = false;
-            for (place, (input, &value)) in graph.inputs().zip(state).enumerate() {
+            for (place, (input, &value)) in graph.inputs().zip(&*state).enumerate() {
                 let count = match counted.counts_of(input) {
                     Some(counts) => {
                         let count = counts.count(value);
@@ -66,7 +71,7 @@ impl Comparison {
             }
             saturated += usize::from(beyond);
         }
-        let (floats, wholes) = (interpret::answers(graph, &set.states), interpret::answers(counted, &counts));
+        let (floats, wholes) = (interpret::answers(graph, &states), interpret::answers(counted, &counts));
         let states = floats.len();
         for (float, whole) in floats.iter().zip(&wholes) {
             match (float, whole) {

@@ -92,10 +92,6 @@ pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Gra
     if graph.has_counts() {
         return refuse("$.sources[0].counts", "a graph of counts", "a graph that is not in integers yet");
     }
-    if let Some(place) = graph.sources().iter().position(|source| source.image.is_some()) {
-        let place = format!("$.sources[{place}].image");
-        return refuse(&place, "a graph that sees an image", "values of sensors");
-    }
     let module = passes::optimise(graph);
     let counts = counts(file, graph, &module, request)?;
     let observed = graph.observed_length();
@@ -159,6 +155,15 @@ fn counts(file: &str, graph: &Graph, module: &Module<'_>, request: &Request<'_>)
                 request.given.iter().rfind(|(name, _)| labels.get(input.index()).is_some_and(|label| is(label, name)));
             if let Some((_, counts)) = given {
                 return Ok(*counts);
+            }
+            if let Some(limits) = graph.image_range(input) {
+                // A value of an image is a count already.
+                let counts = |bits| Counts { bits, scale: 1.0, offset: 0.0 };
+                let holds =
+                    |bits: &u32| counts(*bits).limits()[0] <= limits[0] && limits[1] <= counts(*bits).limits()[1];
+                let found = || format!("{}: {} to {}", graph.input_label(input), limits[0], limits[1]);
+                let refused = || InputError::new(file, "$.sources", found(), "windows whose sum fits 16 bits");
+                return Counts::BITS.clone().find(holds).map(counts).ok_or_else(refused);
             }
             if input.index() >= observed {
                 return Ok(Counts { bits: 16, scale: 1.0 / memory_scale(greatest), offset: 0.0 });

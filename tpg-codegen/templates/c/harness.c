@@ -129,9 +129,25 @@ static int look_{{ policy.prefix }}(void)
             image[place] = (uint8_t)values[place];
         }
         {{ policy.prefix }}_look(image, {{ row }}U, &state);
+{%- if policy.integers.is_some() %}
+        {
+            int32_t seen[{{ policy.state_length - policy.memory.len() }}];
+            size_t count = 0U;
+{%- for (name, length) in policy.sources %}
+            for (place = 0U; place < {{ length }}U; place++) {
+                seen[count] = state.{{ name }}{% if *length > 1 %}[place]{% endif %};
+                count++;
+            }
+{%- endfor %}
+            if ((fwrite(seen, sizeof(seen), 1U, stdout) != 1U) || (fflush(stdout) != 0)) {
+                return 2;
+            }
+        }
+{%- else %}
         if ((fwrite(&state, sizeof(state), 1U, stdout) != 1U) || (fflush(stdout) != 0)) {
             return 2;
         }
+{%- endif %}
     }
     return 0;
 }

@@ -106,15 +106,15 @@ void {{ prefix }}_look(const uint8_t *image, uint32_t stride, {{ prefix }}_state
 {% for value in look.values %}
 {%- match value.feature %}
 {%- when Feature::Sum with { channel, row, column, height, width } %}
-    state->{{ value.member }} = ({{ scalar }}){{ prefix }}_sum(&image[({{ row }}U * stride) + {{ column * (look.channels as u32) + channel }}U], stride, {{ height }}U, {{ width }}U);
+    state->{{ value.member }} = ({{ value.kind }}){{ prefix }}_sum(&image[({{ row }}U * stride) + {{ column * (look.channels as u32) + channel }}U], stride, {{ height }}U, {{ width }}U);
 {%- when Feature::Row with (_) %}
-    state->{{ value.member }} = ({{ scalar }})place_{{ value.find }}.row;
+    state->{{ value.member }} = ({{ value.kind }})place_{{ value.find }}.row;
 {%- when Feature::Column with (_) %}
-    state->{{ value.member }} = ({{ scalar }})place_{{ value.find }}.column;
+    state->{{ value.member }} = ({{ value.kind }})place_{{ value.find }}.column;
 {%- when Feature::Contrast with (_) %}
-    state->{{ value.member }} = ({{ scalar }})place_{{ value.find }}.contrast;
+    state->{{ value.member }} = ({{ value.kind }})place_{{ value.find }}.contrast;
 {%- when Feature::Cell with { channel, down, right, .. } %}
-    state->{{ value.member }} = ({{ scalar }}){{ prefix }}_cell(&image[{{ channel }}U], stride, place_{{ value.find }}, {{ down }}, {{ right }});
+    state->{{ value.member }} = ({{ value.kind }}){{ prefix }}_cell(&image[{{ channel }}U], stride, place_{{ value.find }}, {{ down }}, {{ right }});
 {%- endmatch %}
 {%- endfor %}
 }

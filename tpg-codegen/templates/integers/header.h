@@ -23,7 +23,7 @@ typedef enum {{ prefix }}_action {
 #define {{ upper }}_OUTPUTS {{ outputs.len() }}U
 {%- endif %}
 
-/* What the policy sees, in counts. Every value that the types hold is legal. */
+/* What the policy sees, in counts. Every value that the types hold is legal{% if look.is_some() %}; of an image, every one that {{ prefix }}_look writes{% endif %}. */
 typedef struct {{ prefix }}_state {
 {%- for source in sources %}
 {%- if let [meaning] = source.meaning.as_slice() %}
@@ -66,6 +66,9 @@ void {{ prefix }}_reset({{ prefix }}_memory_t *memory);
 void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_memory_t *memory, {{ prefix }}_action_t *action);
 {% endif %}
 {%- endif %}
+{%- if let Some(look) = look %}
+{% include "c/look.h" %}
+{% endif %}
 #ifndef {{ upper }}_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
 {%- if let Some(quality) = quality %}

@@ -18,7 +18,7 @@ use tpg_runtime::policy::{% if outputs.is_empty() %}{ActionId, Policy}{% else %}
 /// - {{ source }}
 {% endfor -%}
 ///
-/// Every value that the types hold is legal. It answers:
+/// Every value that the types hold is legal{% if !look.is_empty() %}; of an image, every one that `look` writes{% endif %}. It answers:
 {% for answer in answers -%}
 /// - {{ answer }}
 {% endfor -%}
@@ -62,6 +62,7 @@ impl Policy for {{ name }} {
 {{ body }}
     }
 }
+{{ look }}
 {% for helper in helpers %}
 {%- let (int, bits) = (helper.int, helper.end) %}
 {% if helper.calls(Function::Divide) %}

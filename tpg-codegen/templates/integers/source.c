@@ -109,6 +109,9 @@ void {{ prefix }}_reset({{ prefix }}_memory_t *memory)
 {%- endfor %}
 }
 {% endif %}
+{%- if !look.is_empty() %}
+{{ look }}
+{% endif %}
 #ifndef {{ upper }}_NO_SELFTEST
 
 uint32_t {{ prefix }}_selftest(void)

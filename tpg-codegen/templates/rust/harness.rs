@@ -60,9 +60,9 @@ fn main() -> io::Result<()> {
         }),
 {%- if let Some([bytes, row]) = policy.image %}
         Some({{ loop.index0 + policies.len() }}) => serve({{ policy.scalar }}::from_ne_bytes, |values: &[{{ policy.scalar }}; {{ bytes }}]| {
-            let mut state = [0.0; {{ policy.state_length - policy.memory.len() }}];
+            let mut state = [Default::default(); {{ policy.state_length - policy.memory.len() }}];
             assert!(policy_{{ loop.index0 }}::{{ policy.name }}.look(&values.map(|value| value as u8), {{ row }}, &mut state));
-            state.into_iter().flat_map({{ policy.scalar }}::to_ne_bytes)
+            state.into_iter().flat_map(|value| {{ policy.scalar }}::from(value).to_ne_bytes())
         }),
 {%- endif %}
 {%- endfor %}

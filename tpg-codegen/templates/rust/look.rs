@@ -18,15 +18,15 @@ impl {{ name }} {
 {%- for value in look.values %}
 {%- match value.feature %}
 {%- when Feature::Sum with { channel, row, column, height, width } %}
-        state[{{ value.input }}] = seen.sum({{ channel }}, {{ row }}, {{ column }}, {{ height }}, {{ width }}) as {{ scalar }};
+        state[{{ value.input }}] = seen.sum({{ channel }}, {{ row }}, {{ column }}, {{ height }}, {{ width }}) as {{ value.kind }};
 {%- when Feature::Row with (_) %}
-        state[{{ value.input }}] = place_{{ value.find }}.row as {{ scalar }};
+        state[{{ value.input }}] = place_{{ value.find }}.row as {{ value.kind }};
 {%- when Feature::Column with (_) %}
-        state[{{ value.input }}] = place_{{ value.find }}.column as {{ scalar }};
+        state[{{ value.input }}] = place_{{ value.find }}.column as {{ value.kind }};
 {%- when Feature::Contrast with (_) %}
-        state[{{ value.input }}] = place_{{ value.find }}.contrast as {{ scalar }};
+        state[{{ value.input }}] = place_{{ value.find }}.contrast as {{ value.kind }};
 {%- when Feature::Cell with { channel, down, right, .. } %}
-        state[{{ value.input }}] = seen.from({{ channel }}, place_{{ value.find }}, {{ down }}, {{ right }}) as {{ scalar }};
+        state[{{ value.input }}] = seen.from({{ channel }}, place_{{ value.find }}, {{ down }}, {{ right }}) as {{ value.kind }};
 {%- endmatch %}
 {%- endfor %}
         true

@@ -335,6 +335,19 @@ impl Graph {
         self.sources.iter().any(|source| !source.counts.is_empty())
     }
 
+    /// Returns the lowest and highest value that an input can have if it comes from an image.
+    pub fn image_range(&self, input: Input) -> Option<[f64; 2]> {
+        let (source, place) = self.source_of(input);
+        let image = source.image.as_ref()?;
+        Some(image.features[place].range(image.shape, u8::MAX))
+    }
+
+    /// Returns the lowest and highest count that an input can have: all that its type holds, or all that its image can give.
+    pub fn count_range(&self, input: Input, counts: Counts) -> [f64; 2] {
+        let held = Counts { bits: counts.container(), ..counts };
+        self.image_range(input).unwrap_or_else(|| held.limits())
+    }
+
     /// Tests for a graph that sees an image.
     pub fn sees(&self) -> bool {
         self.sources.iter().any(|source| source.image.is_some())

@@ -119,7 +119,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let (answers, memory) = outputs.split_at(outputs.len() - graph.memory());
     let observed = if memory.is_empty() { Vec::new() } else { seen.iter().flat_map(observed).collect() };
     let chosen = vectors(graph);
-    let seen_image = LookView::new(graph, &sources).filter(|_| !gegelati);
+    let seen_image = LookView::new(graph, &sources, &|_| printer.scalar().to_owned()).filter(|_| !gegelati);
     let header = CHeader {
         printer: &printer,
         banner: &banner,
@@ -154,7 +154,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         parts: (answers, memory),
         observed,
         gegelati,
-        look: seen_image.as_ref().map_or_else(String::new, |view| look::c(view, prefix, printer.scalar())),
+        look: seen_image.as_ref().map_or_else(String::new, |view| look::c(view, prefix)),
     };
     let text = |text: askama::Result<String>| layout::wrap(&layout::tidy(&text.expect("the template renders")), false);
     vec![

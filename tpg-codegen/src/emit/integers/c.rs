@@ -4,13 +4,15 @@ use super::body::body;
 use super::dense::{Dense, Table};
 use super::spelling::{Function, IntegerHelpers, IntegerSpelling};
 use super::view::{self, FieldView, VectorView, sources};
-use crate::emit::file::File;
-use crate::emit::interface::actions;
+use crate::emit::file::{File, comment};
+use crate::emit::interface::{self, actions};
+use crate::emit::look::{self, LookView};
 use crate::emit::vectors::vectors;
 use crate::emit::{banner, layout};
 use crate::integers::Integers;
 use crate::program::Program;
 use askama::Template;
+use tpg_graph::Input;
 
 #[derive(Template)]
 #[template(path = "integers/header.h", escape = "none")]
@@ -23,6 +25,7 @@ struct IntegerHeader<'a> {
     actions: Vec<(String, String)>,
     outputs: Vec<FieldView>,
     memory: Vec<FieldView>,
+    look: Option<&'a LookView>,
     /// The quality of the self-test.
     quality: Option<String>,
 }
@@ -38,6 +41,8 @@ struct IntegerSource<'a> {
     outputs: Vec<FieldView>,
     memory: Vec<FieldView>,
     body: String,
+    /// The function that reads an image.
+    look: String,
     vectors: Vec<VectorView>,
 }
 
@@ -57,6 +62,8 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
     }
     let banner = banner::lines(program);
     let chosen = vectors(graph);
+    let kind = |input: usize| format!("int{}_t", view::source_bits(graph.source_of(Input(input as u16)).0));
+    let seen_image = LookView::new(graph, &interface::sources(graph, comment), &kind);
     let header = IntegerHeader {
         banner: &banner,
         prefix,
@@ -65,6 +72,7 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
         actions: actions(graph, &upper),
         outputs: view::outputs(graph, false),
         memory: view::outputs(graph, true),
+        look: seen_image.as_ref(),
         quality: chosen.quality(),
     };
     let source = IntegerSource {
@@ -76,6 +84,7 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
         outputs: view::outputs(graph, false),
         memory: view::outputs(graph, true),
         body,
+        look: seen_image.as_ref().map_or_else(String::new, |view| look::c(view, prefix)),
         vectors: view::views(graph, &upper, &chosen),
     };
     let text = |text: askama::Result<String>| layout::tidy(&text.expect("the template renders"));

@@ -4,7 +4,8 @@ use super::body::body;
 use super::comment::{worth, worth_from};
 use super::spelling::{Function, IntegerHelpers, IntegerSpelling, answer_bits, state_bits};
 use crate::emit::file::{File, one_line};
-use crate::emit::{banner, layout};
+use crate::emit::look::{self, LookView};
+use crate::emit::{banner, interface, layout};
 use crate::integers::Integers;
 use crate::program::Program;
 use askama::Template;
@@ -29,6 +30,7 @@ struct IntegerPolicy<'a> {
     remembered: String,
     answered: String,
     body: String,
+    look: String,
     helpers: [IntegerHelpers; 2],
 }
 
@@ -46,6 +48,7 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
         [] => "ActionId".to_owned(),
         outputs => format!("[i{}; {}]", answer_bits(graph), outputs.len()),
     };
+    let kind = format!("i{}", state_bits(graph));
     let policy = IntegerPolicy {
         banner: &banner::lines(program),
         name: prefix.camel(),
@@ -54,7 +57,6 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
         outputs: graph.outputs(),
         memory,
         state_length: graph.state_length(),
-        kind: format!("i{}", state_bits(graph)),
         action,
         initial: layout::array(
             &graph.outputs()[answers..].iter().map(|value| (value.nan as i64).to_string()).collect::<Vec<_>>(),
@@ -64,6 +66,9 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
         remembered: layout::array(&list("out", answers..answers + memory), 8),
         answered: layout::array(&list("out", 0..answers), 8),
         body: body.trim_end().to_owned(),
+        look: LookView::new(graph, &interface::sources(graph, one_line), &|_| kind.clone())
+            .map_or_else(String::new, |view| look::rust(&view, &prefix.camel(), &kind, observed)),
+        kind,
         helpers: spelling.helpers(&called),
     };
     let text = layout::tidy(&policy.render().expect("the template renders"));

@@ -35,10 +35,14 @@ pub(super) struct VectorView {
     pub(super) next: String,
 }
 
+/// Bits of the type of a source's values.
+pub(super) fn source_bits(source: &tpg_graph::Source) -> u32 {
+    source.counts.iter().map(|counts| counts.container()).max().unwrap_or(16)
+}
+
 /// The fields of a state.
 pub(super) fn sources(graph: &Graph) -> Vec<FieldView> {
     let view = |source: &tpg_graph::Source| {
-        let bits = source.counts.iter().map(|counts| counts.container()).max().unwrap_or(16);
         let meaning = |(counts, range): (&tpg_graph::Counts, &tpg_graph::Range)| {
             format!("{}: {range}", worth_from(counts, &comment(&source.unit)))
         };
@@ -48,7 +52,7 @@ pub(super) fn sources(graph: &Graph) -> Vec<FieldView> {
         }
         FieldView {
             field: field(graph, &source.name),
-            kind: format!("int{bits}_t"),
+            kind: format!("int{}_t", source_bits(source)),
             length: source.ranges.len(),
             meaning,
             initial: String::new(),

@@ -97,7 +97,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         scalar: graph.scalar().name(),
         imports: imports(&printer, &parts),
         state_length: graph.state_length(),
-        look: LookView::new(graph, &sources)
+        look: LookView::new(graph, &sources, &|_| graph.scalar().name().to_owned())
             .map_or_else(String::new, |view| look::rust(&view, &prefix.camel(), graph.scalar().name(), observed)),
         sources,
         actions: graph.actions().iter().map(|action| one_line(&action.to_string())).collect(),

@@ -12,9 +12,6 @@ impl Validator<'_> {
         if self.document.version < 2 {
             return self.refuse(path, "an image in version 1", "version 2");
         }
-        if !source.counts.is_empty() {
-            return self.refuse(path, "an image beside counts", "one of the two");
-        }
         let known = self.document.sources.iter().find_map(|source| source.image.as_ref()).map(|image| image.shape);
         let [rows, columns, channels] = image.shape;
         let cells = u64::from(rows) * u64::from(columns);
@@ -27,6 +24,14 @@ impl Validator<'_> {
         if image.features.len() != source.length as usize {
             let found = format!("{} for a length of {}", counted(image.features.len(), "feature"), source.length);
             return self.refuse(format!("{path}.features"), found, "one for each value");
+        }
+        for (place, (feature, counts)) in image.features.iter().zip(&source.counts).enumerate() {
+            let [low, high] = feature.range(image.shape, u8::MAX);
+            let [lowest, highest] = counts.limits();
+            if (counts.scale, counts.offset) != (1.0, 0.0) || low < lowest || high > highest {
+                let accepted = format!("a scale of 1, and bits for {low} to {high}");
+                return self.refuse(format!("{path}.features[{place}]"), "counts that do not hold it", accepted);
+            }
         }
         match (0..)
             .zip(&image.features)
