@@ -4,7 +4,7 @@
 //! infinities, denormals, arbitrary bits. Implementations must agree on every one. Counts are whole numbers that their integers hold.
 
 use crate::error::InputError;
-use crate::model::{Graph, Input, Range, ScalarType};
+use crate::model::{Counts, Graph, Input, Range, ScalarType};
 use crate::trace;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -47,8 +47,8 @@ struct ValueRange {
 
 impl ValueRange {
     fn new(graph: &Graph, input: Input, range: Range) -> Self {
-        let counts = graph.counts_of(input).map(|counts| {
-            let [min, max] = graph.count_range(input, counts);
+        let counts = graph.counts_of(input).map(|_| {
+            let [min, max] = graph.count_range(input, Counts::container_of(&graph.source_of(input).0.counts));
             Range { min, max }
         });
         Self { range, scalar: graph.scalar(), whole: counts.or_else(|| graph.has_counts().then_some(range)) }

@@ -14,7 +14,7 @@ pub(crate) use whole::{Unfit, Whole};
 use crate::formula;
 use crate::ir::{Module, Node, NodeId, reached};
 use tpg_graph::error::InputError;
-use tpg_graph::{Graph, Input, ScalarType};
+use tpg_graph::{Counts, Graph, Input, ScalarType, Source};
 
 /// A module whose every value is whole.
 #[derive(Clone, Debug, PartialEq)]
@@ -87,8 +87,8 @@ fn declared(file: &str, graph: &Graph) -> Result<Vec<Whole>, InputError> {
             let accepted = "\"counts\", the integers that it comes in: `tpg-codegen quantise` makes such a graph";
             return refuse(format!("$.sources[{place}]"), &format!("{:?} without counts", source.name), accepted);
         }
-        for (&counts, input) in source.counts.iter().zip(&mut inputs) {
-            let [low, high] = graph.count_range(input, counts);
+        for input in inputs.by_ref().take(source.counts.len()) {
+            let [low, high] = graph.count_range(input, source_bits(source));
             limits.push(Whole { low: low as i64, high: high as i64 });
         }
     }
@@ -129,8 +129,12 @@ fn user(module: &Module<'_>, id: NodeId) -> String {
 
 /// The type of a value of the state in bits: 8, 16 or 32.
 pub(crate) fn input_bits(graph: &Graph, input: Input) -> u32 {
-    let (source, place) = graph.source_of(input);
-    source.counts.get(place).map_or(32, tpg_graph::Counts::container)
+    source_bits(graph.source_of(input).0)
+}
+
+/// The type of a source's values in bits; 32 for memory.
+pub(crate) fn source_bits(source: &Source) -> u32 {
+    if source.counts.is_empty() { 32 } else { Counts::container_of(&source.counts) }
 }
 
 /// The type of an output in bits: 8, 16, or 32 for memory.

@@ -105,7 +105,10 @@ impl<'a> Builder<'a> {
 
     /// The lowest and highest count of an input that is no memory.
     fn limits(&self, input: tpg_graph::Input) -> [f64; 2] {
-        self.module.graph.count_range(input, self.counts[input.index()])
+        let (source, place) = self.module.graph.source_of(input);
+        let first = input.index() - place;
+        let bits = Counts::container_of(&self.counts[first..first + source.ranges.len()]);
+        self.module.graph.count_range(input, bits)
     }
 
     /// The greatest magnitude of a value, that of quotients aside: these may be infinite.

@@ -3,6 +3,7 @@
 use super::process::{Process, wire};
 use crate::emit::c::field::field;
 use crate::emit::{Code, File};
+use crate::integers::source_bits;
 use crate::options::{Language, Options};
 use crate::program::compile as compile_graph;
 use crate::shape::Shape;
@@ -13,7 +14,7 @@ use std::process::{Command, Output};
 use std::{env, fs, io, slice};
 use tempfile::TempDir;
 use tpg_graph::image::Vision;
-use tpg_graph::{Counts, Graph, ScalarType, Source};
+use tpg_graph::{Graph, ScalarType};
 use tpg_runtime::standalone;
 
 /// The program around generated C.
@@ -58,11 +59,10 @@ struct IntegerView {
 
 impl IntegerView {
     fn new(graph: &Graph) -> Self {
-        let bits = |source: &Source| source.counts.iter().map(Counts::container).max().unwrap_or(32);
-        let widest = graph.sources().iter().map(bits).max().unwrap_or(32);
+        let widest = graph.sources().iter().map(source_bits).max().unwrap_or(16);
         let (answered, _) = graph.split_outputs();
         Self {
-            sources: graph.sources().iter().map(|source| format!("int{}_t", bits(source))).collect(),
+            sources: graph.sources().iter().map(|source| format!("int{}_t", source_bits(source))).collect(),
             outputs: answered.iter().map(|output| field(graph, &output.name)).collect(),
             state: format!("i{widest}"),
         }

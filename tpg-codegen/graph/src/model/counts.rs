@@ -41,6 +41,11 @@ impl Counts {
         [-half, half - 1.0]
     }
 
+    /// Returns the bits of the integer type that holds each of some counts: one type for an array.
+    pub fn container_of(counts: &[Self]) -> u32 {
+        counts.iter().map(|counts| counts.container()).max().unwrap_or(16)
+    }
+
     /// Returns the bits of the integer type that holds a count: 8 or 16.
     pub const fn container(&self) -> u32 {
         if self.bits <= 8 { 8 } else { 16 }

@@ -342,9 +342,9 @@ impl Graph {
         Some(image.features[place].range(image.shape, u8::MAX))
     }
 
-    /// Returns the lowest and highest count that an input can have: all that its type holds, or all that its image can give.
-    pub fn count_range(&self, input: Input, counts: Counts) -> [f64; 2] {
-        let held = Counts { bits: counts.container(), ..counts };
+    /// Returns the lowest and highest count that an input can have: all that a type of so many bits holds, or all that its image can give.
+    pub fn count_range(&self, input: Input, bits: u32) -> [f64; 2] {
+        let held = Counts { bits, scale: 1.0, offset: 0.0 };
         self.image_range(input).unwrap_or_else(|| held.limits())
     }
 

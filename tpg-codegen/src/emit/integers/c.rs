@@ -9,7 +9,7 @@ use crate::emit::interface::{self, actions};
 use crate::emit::look::{self, LookView};
 use crate::emit::vectors::vectors;
 use crate::emit::{banner, layout};
-use crate::integers::Integers;
+use crate::integers::{Integers, input_bits};
 use crate::program::Program;
 use askama::Template;
 use tpg_graph::Input;
@@ -62,7 +62,7 @@ pub(super) fn files(program: &Program<'_>, integers: &Integers) -> Vec<File> {
     }
     let banner = banner::lines(program);
     let chosen = vectors(graph);
-    let kind = |input: usize| format!("int{}_t", view::source_bits(graph.source_of(Input(input as u16)).0));
+    let kind = |input: usize| format!("int{}_t", input_bits(graph, Input(input as u16)));
     let seen_image = LookView::new(graph, &interface::sources(graph, comment), &kind);
     let header = IntegerHeader {
         banner: &banner,

@@ -5,9 +5,9 @@ use crate::emit::c::field::field;
 use crate::emit::file::comment;
 use crate::emit::interface::actions;
 use crate::emit::vectors::Vectors;
-use crate::integers::output_bits;
-use tpg_graph::Graph;
+use crate::integers::{output_bits, source_bits};
 use tpg_graph::interpret::Answer;
+use tpg_graph::{Counts, Graph};
 
 /// A field of a structure.
 pub(super) struct FieldView {
@@ -35,15 +35,10 @@ pub(super) struct VectorView {
     pub(super) next: String,
 }
 
-/// Bits of the type of a source's values.
-pub(super) fn source_bits(source: &tpg_graph::Source) -> u32 {
-    source.counts.iter().map(|counts| counts.container()).max().unwrap_or(16)
-}
-
 /// The fields of a state.
 pub(super) fn sources(graph: &Graph) -> Vec<FieldView> {
     let view = |source: &tpg_graph::Source| {
-        let meaning = |(counts, range): (&tpg_graph::Counts, &tpg_graph::Range)| {
+        let meaning = |(counts, range): (&Counts, &tpg_graph::Range)| {
             format!("{}: {range}", worth_from(counts, &comment(&source.unit)))
         };
         let mut meaning: Vec<String> = source.counts.iter().zip(&source.ranges).map(meaning).collect();
