@@ -1,5 +1,7 @@
 //! States to look for a difference in: in the ranges, at their ends and beyond, ties, NaN, infinities and any bits.
 
+use crate::graph::Graph;
+
 /// A stream of numbers: SplitMix64.
 #[derive(Clone)]
 pub(crate) struct Stream(u64);
@@ -26,10 +28,14 @@ impl Stream {
         (self.next() % count.max(1) as u64) as usize
     }
 
-    /// A state as bits; `special` are numbers of which some are taken.
-    pub(crate) fn state(&mut self, ranges: &[[f32; 2]], special: &[f32], inside: bool) -> Vec<u32> {
+    /// A state of a graph as bits.
+    pub(crate) fn state(&mut self, graph: &Graph, inside: bool) -> Vec<u32> {
+        if graph.is_whole() {
+            return self.counts(graph, inside);
+        }
+        let special: Vec<_> = graph.constants().into_iter().map(|value| value as f32).collect();
         let mut state: Vec<f32> = Vec::new();
-        for &[low, high] in ranges {
+        for [low, high] in graph.ranges.iter().map(|range| range.map(|end| end as f32)) {
             let within = low + (high - low) * self.share();
             let value = match self.below(16) {
                 0..8 => within,
@@ -45,5 +51,22 @@ impl Stream {
             state.push(if inside && !(low..=high).contains(&value) { within } else { value });
         }
         state.into_iter().map(f32::to_bits).collect()
+    }
+
+    /// A state of whole numbers: anywhere between the limits, near 0, and at the limits.
+    fn counts(&mut self, graph: &Graph, inside: bool) -> Vec<u32> {
+        let mut state: Vec<i128> = Vec::new();
+        for (&[low, high], range) in graph.interface().counts.iter().zip(&graph.ranges) {
+            let [low, high] = if inside { range.map(|end| end as i128) } else { [low, high] };
+            let value = match self.below(16) {
+                0..8 => low + i128::from(self.next()) % (high - low + 1),
+                8 => [low, high][self.below(2)],
+                9 if !state.is_empty() => state[self.below(state.len())] * [1, -1][self.below(2)],
+                10..12 => self.below(5) as i128 - 2,
+                _ => (self.next() >> (48 + self.below(16))) as i128 * [1, -1][self.below(2)],
+            };
+            state.push(value.clamp(low, high));
+        }
+        state.into_iter().map(|value| value as i32 as u32).collect()
     }
 }

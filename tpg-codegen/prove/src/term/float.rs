@@ -88,7 +88,11 @@ impl Terms {
 
     /// A choice between two floats.
     pub fn choose_float(&self, condition: Bool, a: Float, b: Float) -> Float {
-        Float(self.chosen(condition, a.0, b.0, |condition, a, b| FloatIf(condition, Float(a), Float(b))))
+        let chosen = Float(self.chosen(condition, a.0, b.0, |condition, a, b| FloatIf(condition, Float(a), Float(b))));
+        match self.chosen_interval(chosen) {
+            Some(interval) if !self.is_whole(chosen) => self.narrow(chosen, interval),
+            _ => chosen,
+        }
     }
 
     /// A float where facts hold: choices that they decide are made.
@@ -101,6 +105,7 @@ impl Terms {
         match self.of_float(a) {
             Negative(inner) => inner,
             FloatIf(condition, x, y) => self.choose_float(condition, self.negate(x), self.negate(y)),
+            _ if self.is_whole(a) => self.exact(Multiply, a, self.whole(-1)),
             Node::Arithmetic(operation @ (Multiply | Divide), x, y) => {
                 if let Some(bits) = self.bits_of(x) {
                     self.arithmetic(operation, self.constant_bits(bits ^ NEGATIVE_ZERO), y)
@@ -119,6 +124,7 @@ impl Terms {
         let a = self.zero_free(a);
         match self.of_float(a) {
             Magnitude(_) => a,
+            _ if self.is_whole(a) => self.choose_float(self.less(a, self.whole(0)), self.negate(a), a),
             _ => self.float(Magnitude(a)),
         }
     }
@@ -128,8 +134,10 @@ impl Terms {
         if let Some(lifted) = self.lifted(operation, a, b) {
             return lifted;
         }
+        if self.is_whole(a) && self.is_whole(b) {
+            return self.exact(operation, a, b);
+        }
         let (x, y) = (self.bits_of(a), self.bits_of(b));
-
         if x.or(y).is_some_and(is_nan_bits) {
             return self.constant_bits(NAN);
         }
