@@ -53,6 +53,14 @@ impl Stream {
         state.into_iter().map(f32::to_bits).collect()
     }
 
+    /// A state that differs in one value.
+    pub(crate) fn neighbour(&mut self, graph: &Graph, state: &[u32], inside: bool) -> Vec<u32> {
+        let (mut neighbour, other) = (state.to_vec(), self.state(graph, inside));
+        let at = self.below(state.len());
+        neighbour[at] = other[at];
+        neighbour
+    }
+
     /// A state of whole numbers: anywhere between the limits, near 0, and at the limits.
     fn counts(&mut self, graph: &Graph, inside: bool) -> Vec<u32> {
         let mut state: Vec<i128> = Vec::new();

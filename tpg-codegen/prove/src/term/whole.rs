@@ -1,7 +1,7 @@
 //! Whole numbers: exact, each with an interval that holds all its values. A sum is a polynomial over what is no sum, so that sums
 //! are one node however they are ordered, bracketed and multiplied out.
 
-use super::{Arithmetic, Bool, Float, Node, Terms, Width, Word, rank};
+use super::{Arithmetic, Bool, Float, Node, Terms, Width, Word, decided, rank};
 use Node::*;
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -182,7 +182,17 @@ impl Terms {
                         (product, by * factor)
                     })
                 });
-                self.summed(Self::collected(both), corners(p, q, |x, y| x * y))
+                let mut known = corners(p, q, |x, y| x * y);
+                for (quotient, divisor) in [(a, b), (b, a)] {
+                    if let Quotient(x, y) = self.of_float(quotient)
+                        && y == divisor
+                        && let Some([low, high]) = self.interval(x)
+                    {
+                        // what was divided is not nearer to 0
+                        known = meet(known, [low.min(0), high.max(0)]);
+                    }
+                }
+                self.summed(Self::collected(both), known)
             }
             Arithmetic::Divide => match (self.whole_of(a), self.whole_of(b)) {
                 (Some(x), Some(y)) => self.whole(x.checked_div(y).unwrap_or(0)),
@@ -278,13 +288,37 @@ impl Terms {
         }
     }
 
+    /// What is left of a condition where facts hold.
+    fn restricted(&self, condition: Bool, facts: &[Bool]) -> Bool {
+        match (decided(facts, condition), self.of_bool(condition)) {
+            (Some(known), _) => Self::known(known),
+            (None, (And(members), negated)) => {
+                // not all of some, and so not all of more
+                let excluded = |&fact: &Bool| match self.of_bool(fact) {
+                    (And(some), true) => some.iter().all(|one| members.contains(one)),
+                    _ => false,
+                };
+                if facts.iter().any(excluded) {
+                    return Self::known(negated);
+                }
+                let all = self.all(members.iter().map(|&member| self.restricted(member, facts)).collect::<Vec<_>>());
+                if negated { !all } else { all }
+            }
+            _ => condition,
+        }
+    }
+
     /// The interval of a whole number where conditions hold; none if they cannot.
     pub(crate) fn interval_under(&self, term: Float, facts: &[Bool]) -> Option<Interval> {
         if let FloatIf(condition, x, y) = self.of_float(term)
             && facts.len() < FACTS
         {
-            let [x, y] = [(x, condition), (y, !condition)]
-                .map(|(side, held)| self.interval_under(side, &[facts, &self.parts(held)].concat()));
+            let [x, y] = [(x, condition), (y, !condition)].map(|(side, held)| {
+                let mut all = self.parts(held);
+                let known = all.clone();
+                all.extend(facts.iter().flat_map(|&fact| self.parts(self.restricted(fact, &known))));
+                if all.contains(&Self::FALSE) { None } else { self.interval_under(side, &all) }
+            });
             return match (x, y) {
                 (Some([a, b]), Some([c, d])) => Some([a.min(c), b.max(d)]),
                 (x, y) => x.or(y),
@@ -292,6 +326,9 @@ impl Terms {
         }
         let Multiple { of, by, plus } = self.multiple(term);
         let mut known = self.interval(of)?;
+        if let Shifted(inner, by) = self.of_float(of) {
+            known = meet(known, self.interval_under(inner, facts)?.map(|end| end.div_euclid(by)));
+        }
         for &fact in facts {
             let (AtMost(a, b), negated) = self.of_bool(fact) else { continue };
             // the lower one, and how much it is lower at least
