@@ -104,8 +104,8 @@ impl Terms {
     pub fn negate(&self, a: Float) -> Float {
         match self.of_float(a) {
             Negative(inner) => inner,
-            FloatIf(condition, x, y) => self.choose_float(condition, self.negate(x), self.negate(y)),
             _ if self.is_whole(a) => self.exact(Multiply, a, self.whole(-1)),
+            FloatIf(condition, x, y) => self.choose_float(condition, self.negate(x), self.negate(y)),
             Node::Arithmetic(operation @ (Multiply | Divide), x, y) => {
                 if let Some(bits) = self.bits_of(x) {
                     self.arithmetic(operation, self.constant_bits(bits ^ NEGATIVE_ZERO), y)
@@ -131,11 +131,11 @@ impl Terms {
 
     /// A rounded operation.
     pub fn arithmetic(&self, operation: Arithmetic, a: Float, b: Float) -> Float {
-        if let Some(lifted) = self.lifted(operation, a, b) {
-            return lifted;
-        }
         if self.is_whole(a) && self.is_whole(b) {
             return self.exact(operation, a, b);
+        }
+        if let Some(lifted) = self.lifted(operation, a, b) {
+            return lifted;
         }
         let (x, y) = (self.bits_of(a), self.bits_of(b));
         if x.or(y).is_some_and(is_nan_bits) {

@@ -219,9 +219,6 @@ impl Terms {
 
     /// A whole number divided by a power of two, rounded down.
     pub(crate) fn shifted(&self, a: Float, by: i128) -> Float {
-        if let FloatIf(condition, x, y) = self.of_float(a) {
-            return self.choose_float(condition, self.shifted(x, by), self.shifted(y, by));
-        }
         if by == 1 {
             return a;
         }
@@ -326,8 +323,12 @@ impl Terms {
         }
         let Multiple { of, by, plus } = self.multiple(term);
         let mut known = self.interval(of)?;
-        if let Shifted(inner, by) = self.of_float(of) {
-            known = meet(known, self.interval_under(inner, facts)?.map(|end| end.div_euclid(by)));
+        match self.of_float(of) {
+            Shifted(inner, by) => {
+                known = meet(known, self.interval_under(inner, facts)?.map(|end| end.div_euclid(by)));
+            }
+            FloatIf(..) if of != term => known = meet(known, self.interval_under(of, facts)?),
+            _ => {}
         }
         for &fact in facts {
             let (AtMost(a, b), negated) = self.of_bool(fact) else { continue };
