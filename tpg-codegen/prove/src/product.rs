@@ -270,7 +270,11 @@ impl<'a> Comparison<'a> {
         let conditions = |cases: &[(Bool, Float)]| cases.iter().map(|&(condition, _)| condition).collect::<Vec<_>>();
         let sides = [&conditions(&first)[..], &conditions(&second)];
         let pairs = self.together((side, place), assumed, sides)?;
-        Ok(pairs.iter().all(|&(x, y)| first[x].1 == second[y].1))
+        let same = |x: usize, y: usize| {
+            let ((p, a), (q, b)) = (first[x], second[y]);
+            a == b || self.terms.same_under(a, b, [p, q])
+        };
+        Ok(pairs.iter().all(|&(x, y)| same(x, y)))
     }
 
     /// Where the code can go on from a side; none where it has answered.

@@ -17,9 +17,6 @@ use std::fmt;
 /// States in which a difference is looked for if there is no proof.
 const STATES: u64 = 20_000;
 
-/// States from which the answer's next change is looked for.
-const BORDERS: u64 = 2_000;
-
 /// A state in which the code answers something else. Both answers were computed anew for that state alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
@@ -113,42 +110,18 @@ fn in_range(graph: &Graph, ranges: &[[f64; 2]], effort: Effort) -> bool {
 /// A state in which code and graph differ, among many.
 fn difference(comparison: &mut Comparison<'_>, graph: &Graph, inside: bool) -> Option<Vec<u32>> {
     let mut stream = Stream::new(1);
+    let borders = comparison.terms.borders();
     for number in 0..STATES {
-        let state = stream.state(graph, inside);
+        let mut state = stream.state(graph, inside);
+        if number % 2 == 1 && !borders.is_empty() {
+            stream.approach(&borders[number as usize / 2 % borders.len()], graph, inside, &mut state);
+        }
         let [expected, found] = comparison.answers_for(&state).ok()?;
         if expected != found {
             return Some(state);
-        }
-        if graph.is_whole() && number < BORDERS {
-            let other = stream.neighbour(graph, &state, inside);
-            let at_border = at_border(comparison, [state, other], &expected);
-            if at_border.is_some() {
-                return at_border;
-            }
         }
     }
     None
-}
-
-/// A state in which code and graph differ between two, where the answer of the first changes.
-fn at_border(comparison: &mut Comparison<'_>, [mut near, mut far]: [Vec<u32>; 2], answer: &str) -> Option<Vec<u32>> {
-    let mut state = far.clone();
-    loop {
-        let [expected, found] = comparison.answers_for(&state).ok()?;
-        if expected != found {
-            return Some(state);
-        }
-        match (expected == answer, state == far) {
-            (true, true) => return None,
-            (true, false) => near = state,
-            (false, _) => far = state,
-        }
-        let middle = |(&near, &far): (&u32, &u32)| (i64::from(near as i32) + i64::from(far as i32)).div_euclid(2) as u32;
-        state = near.iter().zip(&far).map(middle).collect();
-        if state == near || state == far {
-            return None;
-        }
-    }
 }
 
 /// A difference in one of so many states, each computed by itself: nothing that a proof uses has a part in it.

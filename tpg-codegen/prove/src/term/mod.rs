@@ -14,6 +14,8 @@ mod set;
 mod whole;
 pub(crate) mod word;
 
+pub(crate) use whole::Border;
+
 pub use rank::{INFINITY, NAN, NEGATIVE_ZERO, is_nan_bits, next_above, next_below, rank};
 
 use crate::input::{Missing, Result};

@@ -19,6 +19,13 @@ pub(crate) type Interval = [i128; 2];
 /// Products of nodes, each sorted, with their factors.
 pub(super) type Products = Vec<(Vec<u32>, i128)>;
 
+/// Counts by their indices, each with its factor: where their sum with a number is 0, or a multiple of a step, an answer may change.
+pub(crate) struct Border {
+    pub(crate) factors: Vec<(u32, i128)>,
+    pub(crate) plus: i128,
+    pub(crate) step: i128,
+}
+
 /// A number as a multiple of another, which has no constant part, and a constant.
 struct Multiple {
     of: Float,
@@ -259,6 +266,40 @@ impl Terms {
         let known = solved(self.interval(term).unwrap_or([-MOST, MOST]), by, plus);
         let of = rest().map(|(product, factor)| (product.clone(), factor / by)).collect();
         Multiple { of: self.summed(of, known), by, plus }
+    }
+
+    /// The borders of comparisons and of quotients, where they are of sums of counts.
+    pub(crate) fn borders(&self) -> Vec<Border> {
+        let nodes = (0..self.count()).map(|number| self.node_at(number as u32));
+        let sums = nodes.filter_map(|node| match node {
+            AtMost(a, b) if self.is_whole(a) => Some((self.merged([(a, 1), (b, -1)]), 0)),
+            Shifted(a, by) => Some((self.merged([(a, 1), (self.whole(0), 1)]), by)),
+            _ => None,
+        });
+        let border = |(products, step): (Products, i128)| {
+            let (mut factors, mut plus) = (Vec::new(), 0);
+            for (product, by) in products {
+                match product[..] {
+                    [] => plus = by,
+                    [only] => match self.node_at(only) {
+                        Count(index) => factors.push((index, by)),
+                        _ => return None,
+                    },
+                    _ => return None,
+                }
+            }
+            (!factors.is_empty()).then_some(Border { factors, plus, step })
+        };
+        sums.filter_map(border).collect()
+    }
+
+    /// Tests that two numbers are the same whole number where conditions hold.
+    pub(crate) fn same_under(&self, a: Float, b: Float, conditions: [Bool; 2]) -> bool {
+        if !self.is_whole(a) || !self.is_whole(b) {
+            return false;
+        }
+        let facts = conditions.map(|condition| self.parts(condition)).concat();
+        self.interval_under(self.subtract(a, b), &facts).is_none_or(|interval| interval == [0, 0])
     }
 
     /// Tests whether a whole number is at most as high as another: by their intervals, or as the least number of atoms.
