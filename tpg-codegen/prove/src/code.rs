@@ -105,7 +105,12 @@ fn integral(terms: &Terms, what: Integral, kind: Kind, values: &[Value], facts: 
             return Err("an unsigned integer");
         }
         Integral::From(from) if kind.bytes < 4 || from.bytes == 8 && kind.bytes == 4 => {
-            terms.apply(Operator::And, width, word(0), terms.number((1 << (8 * u64::from(kind.bytes))) - 1))
+            let mask = (1 << (8 * u64::from(kind.bytes))) - 1;
+            let fits = || terms.numbers(word(0)).is_some_and(|numbers| numbers.iter().all(|&number| number <= mask));
+            if kind.exact && !fits() {
+                return Err("a number that its integer type holds");
+            }
+            terms.apply(Operator::And, width, word(0), terms.number(mask))
         }
         Integral::From(_) => word(0),
     }))

@@ -164,9 +164,10 @@ impl Proof {
         let (result, details) = match &self.verdict {
             Proven => ("proven", Value::Null),
             Undecided(missing) => ("not decided", json!(missing.to_string())),
-            Different(difference) => {
-                ("different", json!({ "state": difference.state, "graph": difference.expected, "code": difference.found }))
-            }
+            Different(difference) => (
+                "different",
+                json!({ "state": difference.state, "graph": difference.expected, "code": difference.found }),
+            ),
         };
         let files: serde_json::Map<_, _> =
             files.iter().map(|&(name, bytes)| (name.to_owned(), json!({ "sha256": sha256(bytes) }))).collect();

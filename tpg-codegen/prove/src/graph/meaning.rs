@@ -56,7 +56,8 @@ impl<'g> Meaning<'g> {
             }
             ("fmod", &[a, b]) => terms.remainder(a, b),
             ("quotient", &[a, b]) if is_whole => {
-                let [zero, most, least, lowest] = [0, i32::MAX, -i32::MAX, i32::MIN].map(|value| constant(value.into()));
+                let [zero, most, least, lowest] =
+                    [0, i32::MAX, -i32::MAX, i32::MIN].map(|value| constant(value.into()));
                 let by_zero = terms.choose_float(terms.less(a, zero), least, lowest);
                 let by_zero = terms.choose_float(terms.less(zero, a), most, by_zero);
                 terms.choose_float(terms.equal(b, zero), by_zero, terms.rounded_down(a, b))
@@ -68,7 +69,9 @@ impl<'g> Meaning<'g> {
             ("gate", &[a, b]) => terms.choose_float(terms.equal(b, constant(0.0)), constant(-0.0), a),
             ("copy", &[a]) => a,
             ("abs", &[a]) => terms.magnitude(a),
-            (word, &[a]) if WORDS.contains(&word) && self.graph.own_maths && !is_whole => self.maths.apply(terms, word, a)?,
+            (word, &[a]) if WORDS.contains(&word) && self.graph.own_maths && !is_whole => {
+                self.maths.apply(terms, word, a)?
+            }
             (word, _) => {
                 let whose = if WORDS.contains(&word) && !self.graph.own_maths { "platform's" } else { "word" };
                 let of = if is_whole { " of whole numbers" } else { "" };

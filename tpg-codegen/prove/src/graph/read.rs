@@ -75,7 +75,8 @@ impl<'j> Part<'j> {
         let number = self.json.as_f64().map(|number| if whole { number } else { f64::from(number as f32) });
         let is_exact = |number: &f64| number.fract() == 0.0 && number.abs() <= MOST;
         let number = number.filter(|number| if whole { is_exact(number) } else { number.is_finite() });
-        number.ok_or_else(|| self.fault(if whole { "a whole number up to 2^53" } else { "a finite number of binary32" }))
+        number
+            .ok_or_else(|| self.fault(if whole { "a whole number up to 2^53" } else { "a finite number of binary32" }))
     }
 
     fn numbers<const N: usize>(&self, names: [&str; N], whole: bool) -> Result<[f64; N]> {

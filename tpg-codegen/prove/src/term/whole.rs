@@ -92,7 +92,9 @@ impl Terms {
     /// The word of a whole number that is a constant or a choice of constants; of 32 bits if they hold it.
     pub(crate) fn word_of_whole(&self, term: Float) -> Option<Word> {
         match (self.whole_of(term), self.of_float(term)) {
-            (Some(value), _) => Some(self.number(i32::try_from(value).map_or(value as u64, |value| u64::from(value as u32)))),
+            (Some(value), _) => {
+                Some(self.number(i32::try_from(value).map_or(value as u64, |value| u64::from(value as u32))))
+            }
             (None, FloatIf(condition, a, b)) => {
                 Some(self.choose_word(condition, self.word_of_whole(a)?, self.word_of_whole(b)?))
             }

@@ -147,8 +147,8 @@ impl<'t> Compiler<'t> {
     }
 
     /// Reads a file: its types, its constants, and where its functions are.
-    pub(super) fn read(file: &'t str, tokens: Vec<Placed>) -> Result<Self> {
-        let mut compiler = Self::new(file, tokens);
+    pub(super) fn read(file: &'t str, tokens: Vec<Placed>, exact: bool) -> Result<Self> {
+        let mut compiler = Self { exact, ..Self::new(file, tokens) };
         while *compiler.peek() != End {
             compiler.external()?;
         }
@@ -158,7 +158,6 @@ impl<'t> Compiler<'t> {
     /// Compiles a function that has the interface of a policy.
     pub(super) fn policy(mut self, name: &str, interface: &Interface) -> Result<Program> {
         let function = self.function(name)?;
-        self.exact = !interface.counts.is_empty();
         let mut kinds = interface.bytes.iter().map(|&bytes| Integer(bytes, true));
         let mut arguments = Vec::new();
         let mut structures = Vec::new();
