@@ -116,7 +116,9 @@ impl ProveArgs {
         let more: &[&str] = if self.object.is_some() {
             &["the processor executes instructions as the ARM v7-M manual says, with the default FPSCR"]
         } else {
-            &["the C compiler keeps to C99 and IEEE 754, and defines no macro of its own that the text asks for"]
+            &[
+                "the C compiler keeps to C99 and IEEE 754, has an int of 32 bits, and defines no macro that the text asks for",
+            ]
         };
         let certificates: Vec<_> = (proofs.iter())
             .map(|(_, proof, files)| {

@@ -10,8 +10,10 @@ use std::rc::Rc;
 const MOST: i128 = 1 << 53;
 /// The most products of a sum.
 const LONGEST: usize = 1 << 12;
-/// The most facts from which an interval is found.
-const FACTS: usize = 24;
+/// Choices in choices, down to which an interval is looked for.
+const CHOICES: u32 = 8;
+/// A greater sum is not bounded.
+const UNBOUNDED: i128 = 1 << 110;
 
 /// The lowest and the highest value.
 pub(crate) type Interval = [i128; 2];
@@ -152,10 +154,15 @@ impl Terms {
     fn span(&self, products: &Products) -> Interval {
         let factor = |&atom: &u32| self.interval(Float(atom)).unwrap_or([-MOST, MOST]);
         let times = |a, b| corners(a, b, i128::saturating_mul);
-        products.iter().fold([0, 0], |[low, high], (product, by)| {
-            let [from, to] = product.iter().map(factor).fold([*by, *by], times);
-            [low.saturating_add(from), high.saturating_add(to)]
-        })
+        let mut sum = [0, 0];
+        for (product, by) in products {
+            let [low, high] = product.iter().map(factor).fold([*by, *by], times);
+            if low < -UNBOUNDED || high > UNBOUNDED {
+                return [-UNBOUNDED, UNBOUNDED];
+            }
+            sum = [sum[0] + low, sum[1] + high];
+        }
+        sum
     }
 
     /// A sum of products, which an interval is known to hold.
@@ -306,8 +313,8 @@ impl Terms {
 
     /// Tests whether a whole number is at most as high as another: by their intervals, or as the least number of atoms.
     pub(super) fn wholes_at_most(&self, a: Float, b: Float) -> Option<Bool> {
-        let [low, high] = self.span(&self.merged([(b, 1), (a, -1)]));
         let ([p, q], [r, s]) = (self.interval(a)?, self.interval(b)?);
+        let [low, high] = self.span(&self.merged([(b, 1), (a, -1)]));
         if low >= 0 || q <= r {
             return Some(Self::TRUE);
         }
@@ -350,14 +357,18 @@ impl Terms {
 
     /// The interval of a whole number where conditions hold; none if they cannot.
     pub(crate) fn interval_under(&self, term: Float, facts: &[Bool]) -> Option<Interval> {
+        self.interval_below(CHOICES, term, facts)
+    }
+
+    fn interval_below(&self, choices: u32, term: Float, facts: &[Bool]) -> Option<Interval> {
         if let FloatIf(condition, x, y) = self.of_float(term)
-            && facts.len() < FACTS
+            && let Some(choices) = choices.checked_sub(1)
         {
             let [x, y] = [(x, condition), (y, !condition)].map(|(side, held)| {
                 let mut all = self.parts(held);
                 let known = all.clone();
                 all.extend(facts.iter().flat_map(|&fact| self.parts(self.restricted(fact, &known))));
-                if all.contains(&Self::FALSE) { None } else { self.interval_under(side, &all) }
+                if all.contains(&Self::FALSE) { None } else { self.interval_below(choices, side, &all) }
             });
             return match (x, y) {
                 (Some([a, b]), Some([c, d])) => Some([a.min(c), b.max(d)]),
@@ -368,9 +379,9 @@ impl Terms {
         let mut known = self.interval(of)?;
         match self.of_float(of) {
             Shifted(inner, by) => {
-                known = meet(known, self.interval_under(inner, facts)?.map(|end| end.div_euclid(by)));
+                known = meet(known, self.interval_below(choices, inner, facts)?.map(|end| end.div_euclid(by)));
             }
-            FloatIf(..) if of != term => known = meet(known, self.interval_under(of, facts)?),
+            FloatIf(..) if of != term => known = meet(known, self.interval_below(choices, of, facts)?),
             _ => {}
         }
         for &fact in facts {
