@@ -48,6 +48,8 @@ pub(crate) enum Computed {
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Integral {
     Apply(Operator),
+    Divide,
+    Remainder,
     Same,
     Below,
     /// A conversion from another type
@@ -97,7 +99,7 @@ fn integral(terms: &Terms, what: Integral, kind: Kind, values: &[Value], facts: 
     }
     let (width, word) = (of.width(), |at: usize| values[at].bits(terms));
     Ok(Value::Word(match what {
-        Integral::Apply(Operator::Divide | Operator::Remainder) => return Err("a quotient of integers that is exact"),
+        Integral::Divide | Integral::Remainder => return Err("a quotient of whole numbers"),
         Integral::Apply(operator) => terms.apply(operator, width, word(0), word(1)),
         Integral::Same => terms.word_of(terms.same(width, word(0), word(1))),
         Integral::Below => terms.word_of(terms.below(kind.signed, width, word(0), word(1))),
@@ -118,7 +120,7 @@ fn integral(terms: &Terms, what: Integral, kind: Kind, values: &[Value], facts: 
 
 /// The result of what C does with integers that are whole numbers. It is refused unless nothing overflows.
 fn exact(terms: &Terms, what: Integral, kind: Kind, values: &[Float], facts: &[Bool]) -> Found<Value> {
-    use Operator::{Add, Divide, Multiply, Remainder, ShiftArithmetic, ShiftRight, Subtract, Xor};
+    use Operator::{Add, Multiply, ShiftArithmetic, ShiftRight, Subtract, Xor};
     let ones = terms.whole(if kind.signed { -1 } else { (1 << (8 * kind.bytes)) - 1 });
     let result = match (what, values) {
         (Integral::Same, &[a, b]) => return Ok(Value::Word(terms.word_of(terms.equal(a, b)))),
@@ -127,12 +129,12 @@ fn exact(terms: &Terms, what: Integral, kind: Kind, values: &[Float], facts: &[B
         (Integral::Apply(Subtract), &[a, b]) => terms.subtract(a, b),
         (Integral::Apply(Multiply), &[a, b]) => terms.multiply(a, b),
         (Integral::Apply(Xor), &[a, b]) if a == ones => terms.subtract(a, b),
-        (Integral::Apply(operator @ (Divide | Remainder)), &[a, b]) => {
+        (Integral::Divide | Integral::Remainder, &[a, b]) => {
             if terms.all([facts, &[terms.equal(b, terms.whole(0))]].concat()) != Terms::FALSE {
                 return Err("a divisor that is never 0");
             }
             let quotient = kind.holding(terms, terms.divide(a, b), facts)?;
-            if operator == Divide { quotient } else { terms.remainder(a, b) }
+            if let Integral::Divide = what { quotient } else { terms.remainder(a, b) }
         }
         (Integral::Apply(ShiftRight | ShiftArithmetic), &[a, b]) => {
             // C leaves it to the compiler what becomes of negative numbers

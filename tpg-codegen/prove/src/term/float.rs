@@ -1,6 +1,7 @@
 //! Floats: constants, sources and operations, each rounded once.
 
 use super::rank::{NAN, NEGATIVE_ZERO, is_nan_bits};
+use super::whole::MOST;
 use super::{Arithmetic, Bool, Float, Node, Terms};
 use Arithmetic::*;
 use Node::*;
@@ -89,10 +90,10 @@ impl Terms {
     /// A choice between two floats.
     pub fn choose_float(&self, condition: Bool, a: Float, b: Float) -> Float {
         let chosen = Float(self.chosen(condition, a.0, b.0, |condition, a, b| FloatIf(condition, Float(a), Float(b))));
-        match self.chosen_interval(chosen) {
-            Some(interval) if !self.is_whole(chosen) => self.narrow(chosen, interval),
-            _ => chosen,
+        if self.is_whole(a) && !self.is_whole(chosen) {
+            self.narrow(chosen, self.interval_under(chosen, &[]).unwrap_or([-MOST, MOST]));
         }
+        chosen
     }
 
     /// A float where facts hold: choices that they decide are made.

@@ -58,10 +58,6 @@ pub enum Operator {
     Subtract,
     /// `a * b`
     Multiply,
-    /// `a / b` of signed numbers, cut off; only of whole numbers
-    Divide,
-    /// `a % b` of signed numbers, with the sign of `a`; only of whole numbers
-    Remainder,
     /// `a & b`
     And,
     /// `a | b`
@@ -152,12 +148,10 @@ pub struct Terms {
     nodes: RefCell<Vec<Node>>,
     /// The depth of each node
     depths: RefCell<Vec<u16>>,
-    /// A node had to be left out
-    too_deep: Cell<bool>,
+    /// What is missing where a node had to be left out
+    left_out: Cell<Option<&'static str>>,
     /// The intervals of whole numbers
     intervals: RefCell<HashMap<Float, whole::Interval>>,
-    /// A whole number had to be left out
-    too_great: Cell<bool>,
     index: RefCell<HashMap<Node, u32>>,
     lemmas: RefCell<BTreeMap<&'static str, u64>>,
     at_most: RefCell<HashMap<(Float, Float), Bool>>,
@@ -174,9 +168,8 @@ impl Default for Terms {
         let terms = Self {
             nodes: RefCell::default(),
             depths: RefCell::default(),
-            too_deep: Cell::default(),
+            left_out: Cell::default(),
             intervals: RefCell::default(),
-            too_great: Cell::default(),
             index: RefCell::default(),
             lemmas: RefCell::default(),
             at_most: RefCell::default(),
@@ -231,7 +224,7 @@ impl Terms {
         assert!(at < u32::MAX / 2, "the table of terms is full");
         let depth = self.deepest_part(&node) + 1;
         if depth > DEEPEST {
-            self.too_deep.set(true);
+            self.left_out.set(Some("a proof with expressions of at most 2000 levels"));
             return simpler;
         }
         self.nodes.borrow_mut().push(node.clone());
@@ -289,10 +282,7 @@ impl Terms {
 
     /// Returns an error if a term was too deep or too great to be built: nothing can be claimed with these terms then.
     pub(crate) fn complete(&self, place: impl FnOnce() -> String) -> Result<()> {
-        if self.too_deep.get() {
-            return Err(Missing::new(place(), format!("a proof with expressions of at most {DEEPEST} levels")));
-        }
-        if self.too_great.get() { Err(Missing::new(place(), "whole numbers of at most 2^53")) } else { Ok(()) }
+        self.left_out.get().map_or(Ok(()), |what| Err(Missing::new(place(), what)))
     }
 
     /// The condition and the sides of a choice between floats or words.

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// The greatest magnitude: up to here binary64 holds every whole number, and a quotient rounded to it has the same whole part.
-const MOST: i128 = 1 << 53;
+pub(super) const MOST: i128 = 1 << 53;
 /// The most products of a sum.
 const LONGEST: usize = 1 << 12;
 /// Choices in choices, down to which an interval is looked for.
@@ -111,7 +111,7 @@ impl Terms {
             return self.whole(low);
         }
         if low < -MOST || high > MOST {
-            self.too_great.set(true);
+            self.left_out.set(Some("whole numbers of at most 2^53"));
             return self.whole(0);
         }
         let float = Float(self.node(node, 1));
@@ -168,7 +168,7 @@ impl Terms {
     /// A sum of products, which an interval is known to hold.
     fn summed(&self, products: Products, known: Interval) -> Float {
         if products.len() > LONGEST || products.iter().any(|(_, by)| by.abs() > MOST) {
-            self.too_great.set(true);
+            self.left_out.set(Some("whole numbers of at most 2^53"));
             return self.whole(0);
         }
         if let [(product, 1)] = &products[..]
@@ -188,7 +188,7 @@ impl Terms {
             Arithmetic::Multiply => {
                 let (first, second) = (self.products(a), self.products(b));
                 if first.len() * second.len() > LONGEST {
-                    self.too_great.set(true);
+                    self.left_out.set(Some("whole numbers of at most 2^53"));
                     return self.whole(0);
                 }
                 let both = first.iter().flat_map(|(x, by)| {
@@ -401,14 +401,6 @@ impl Terms {
         let ends = if by > 0 { ends } else { [ends[1], ends[0]] };
         let ends = meet(ends, self.interval(term)?);
         (known[0] <= known[1] && ends[0] <= ends[1]).then_some(ends)
-    }
-
-    /// The interval of a choice between whole numbers.
-    pub(super) fn chosen_interval(&self, choice: Float) -> Option<Interval> {
-        let FloatIf(_, a, b) = self.of_float(choice) else { return None };
-        let ([a, b], [c, d]) = (self.interval(a)?, self.interval(b)?);
-        let all = [a.min(c), b.max(d)];
-        self.interval_under(choice, &[]).or(Some(all))
     }
 }
 

@@ -42,8 +42,6 @@ pub(crate) fn computed(operator: Operator, width: Width, a: u64, b: u64) -> u64 
         Operator::Add => a.wrapping_add(b),
         Operator::Subtract => a.wrapping_sub(b),
         Operator::Multiply => a.wrapping_mul(b),
-        Operator::Divide => width.signed(a).checked_div(width.signed(b)).unwrap_or_default() as u64,
-        Operator::Remainder => width.signed(a).checked_rem(width.signed(b)).unwrap_or_default() as u64,
         Operator::And => a & b,
         Operator::Or => a | b,
         Operator::Xor => a ^ b,

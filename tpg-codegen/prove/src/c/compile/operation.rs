@@ -49,21 +49,21 @@ impl Compiler<'_> {
         let Integer(_, signed) = ty else { return self.refuse(format!("`{sign}` of this type")) };
         // shifts by the width or more have no meaning
         let b = if shifts { of(Computed::Bounded(width(&ty).bits()), [b]) } else { b };
-        let operator = match sign {
-            "+" => Add,
-            "-" => Subtract,
-            "*" => Multiply,
-            "/" => Divide,
-            "%" => Remainder,
-            "&" => And,
-            "|" => Or,
-            "^" => Xor,
-            "<<" => ShiftLeft,
-            ">>" if signed => ShiftArithmetic,
-            ">>" => ShiftRight,
+        let what = match sign {
+            "+" => Integral::Apply(Add),
+            "-" => Integral::Apply(Subtract),
+            "*" => Integral::Apply(Multiply),
+            "/" => Integral::Divide,
+            "%" => Integral::Remainder,
+            "&" => Integral::Apply(And),
+            "|" => Integral::Apply(Or),
+            "^" => Integral::Apply(Xor),
+            "<<" => Integral::Apply(ShiftLeft),
+            ">>" if signed => Integral::Apply(ShiftArithmetic),
+            ">>" => Integral::Apply(ShiftRight),
             _ => return self.refuse(format!("`{sign}` of integers")),
         };
-        Ok((self.integral(Integral::Apply(operator), &ty, [a, b]), ty))
+        Ok((self.integral(what, &ty, [a, b]), ty))
     }
 
     /// A type of integers; anything else is as wide as an `int`.
