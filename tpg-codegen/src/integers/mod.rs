@@ -82,8 +82,9 @@ fn declared(file: &str, graph: &Graph) -> Result<Vec<Whole>, InputError> {
             let accepted = "\"counts\", the integers that it comes in: `tpg-codegen quantise` makes such a graph";
             return refuse(format!("$.sources[{place}]"), &format!("{:?} without counts", source.name), accepted);
         }
-        // Whatever the container holds is legal.
-        limits.extend(source.counts.iter().map(|counts| Whole::of_bits(counts.container())));
+        // Whatever the type holds is legal; an array has one.
+        let bits = source.counts.iter().map(tpg_graph::Counts::container).max().unwrap_or(16);
+        limits.extend(source.counts.iter().map(|_| Whole::of_bits(bits)));
     }
     let answered = graph.split_outputs().0.len();
     for (place, output) in graph.outputs().iter().enumerate() {
