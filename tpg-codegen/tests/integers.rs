@@ -35,7 +35,7 @@ const WORDS: [&str; 13] = [
 ];
 
 /// A random graph of whole numbers: counts of every number of bits, small constants and great ones.
-fn whole(seed: u64) -> Graph {
+pub(crate) fn whole(seed: u64) -> Graph {
     let shape = if seed.is_multiple_of(2) { Shape::random(seed) } else { Shape::random_with_outputs(seed) };
     let words = WORDS.iter().filter_map(|name| Word::from_name(name));
     let instructions = words.filter(|word| *word != Word::Instruction(Instruction::Fmod) || seed.is_multiple_of(5));

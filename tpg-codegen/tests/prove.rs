@@ -1,11 +1,12 @@
 //! The prover: shipped policies are proven in every profile, mutants never are, random graphs are proven or named.
 
 use crate::common::shaped;
+use crate::integers;
 use std::time::Instant;
-use tpg_codegen::emit::{self, File, Language, Profile, Style};
+use tpg_codegen::emit::{Code, File, Language, Profile, Style};
 use tpg_graph::interpret::Interpreter;
 use tpg_graph::sample::{self, Shape};
-use tpg_graph::{Graph, MathsProvider, ScalarType, Word};
+use tpg_graph::{Graph, MathsProvider, OperandDocument, ScalarType, Word};
 use tpg_prove::c;
 use tpg_prove::graph::{self, Graph as Meaning};
 use tpg_prove::input::Missing;
@@ -43,7 +44,13 @@ fn shipped(name: &str) -> String {
 /// The files of C of a graph.
 fn c_of(text: &str, profile: Profile) -> Vec<File> {
     let graph = Graph::from_json("graph.json", text).expect("a graph");
-    emit::emit(&graph, Language::C, &shaped("policy", (Style::Pure, Some(profile))))
+    let options = shaped("policy", (Style::Pure, Some(profile)));
+    Code::of_graph("graph.json", &graph, &options, Language::C).expect("whole numbers, if they are counts").files
+}
+
+/// A shipped graph in integers.
+fn in_integers(name: &str, bits: u32) -> String {
+    integers::quantised(name, bits).0.to_json()
 }
 
 /// Work that is a matter of a second.
@@ -82,8 +89,46 @@ fn shipped_policies_are_proven_in_every_profile() {
     }
 }
 
+/// In integers, tables are the only thing that profiles differ in.
+#[test]
+fn shipped_policies_in_integers_are_proven() {
+    for name in SHIPPED {
+        for bits in [8, 16] {
+            let text = in_integers(name, bits);
+            let start = Instant::now();
+            let proof = proof_of(&text, &c_of(&text, Profile::Fast), Effort::default());
+            println!("| {name} | {bits} | {:.3} s |", start.elapsed().as_secs_f32());
+            assert!(matches!(proof.verdict, Verdict::Proven), "{name}, {bits} bits: {proof}");
+            assert!(proof.in_range != Some(false), "{name}: outputs in their ranges");
+        }
+    }
+    // with all observations as one source
+    let mut document = integers::quantised("bipedal-walker", 16).0.to_document();
+    let names: Vec<String> = document.sources.iter().map(|source| format!("{}[0]", source.name)).collect();
+    for other in document.sources.split_off(1) {
+        let all = &mut document.sources[0];
+        all.length += 1;
+        all.ranges.extend(other.ranges);
+        all.counts.extend(other.counts);
+    }
+    let all = document.sources[0].name.clone();
+    for operand in document.programs.iter_mut().flat_map(|program| &mut program.lines).flat_map(|line| &mut line.args) {
+        if let OperandDocument::Place(place) = operand
+            && let Some(at) = names.iter().position(|name| name == place)
+        {
+            *place = format!("{all}[{at}]");
+        }
+    }
+    let text = Graph::from_document("walker", document).expect("a graph").to_json();
+    let files = c_of(&text, Profile::Small);
+    assert!(files.iter().any(|file| file.text.contains("policy_weights[4][24]")), "a table");
+    let proof = proof_of(&text, &files, Effort::default());
+    assert!(matches!(proof.verdict, Verdict::Proven), "{proof}");
+}
+
 /// Replaces one token of the function in each possible way: numbers, comparisons, operators, names of fields.
 fn mutants(source: &str) -> Vec<String> {
+    let source = &without_comments(source);
     let start = source.find("policy_infer(const").expect("the function");
     let end = source.find("#ifndef POLICY_NO_SELFTEST").expect("its end");
     let body = &source[start..end];
@@ -118,6 +163,14 @@ fn mutants(source: &str) -> Vec<String> {
         let before = body[..at].chars().next_back().unwrap_or(' ');
         let length = body[at..].find(|letter: char| !(letter.is_ascii_digit() || letter == '.')).unwrap_or(0);
         let number = &body[at..at + length];
+        let is_name = before.is_ascii_alphanumeric() || before == '_' || before == '.';
+        if let Ok(whole) = number.parse::<i64>()
+            && !is_name
+            && !body[at + length..].starts_with('U')
+        {
+            change(at, length, &(whole + 1).to_string());
+            change(at, length, &(2 * whole + 3).to_string());
+        }
         if number.contains('.') && !(before.is_ascii_alphanumeric() || before == '.' || before == '_') {
             let value: f32 = number.parse().expect("a number");
             change(at, length, &format!("{:?}", value * 1.000_001 + f32::MIN_POSITIVE));
@@ -127,12 +180,21 @@ fn mutants(source: &str) -> Vec<String> {
     mutants
 }
 
+fn without_comments(source: &str) -> String {
+    source.split("/*").map(|part| part.split_once("*/").map_or(part, |(_, behind)| behind)).collect()
+}
+
 /// Every constant, comparison and operator of the small policies, changed: none that differs in a sampled state is called proven.
 #[test]
 fn no_mutant_that_differs_is_called_proven() {
+    assert_differ(&shipped);
+    assert_differ(&|name| in_integers(name, 8));
+}
+
+fn assert_differ(graph_of: &dyn Fn(&str) -> String) {
     let (mut refuted, mut undecided, mut equal) = (0, 0, 0);
     for name in &SHIPPED[..12] {
-        let text = shipped(name);
+        let text = graph_of(name);
         let graph = Meaning::read(name, &text).expect("a graph");
         let files = c_of(&text, Profile::Fast);
         let source = &files.iter().find(|file| file.name == "policy.c").expect("C").text;
@@ -182,6 +244,24 @@ fn random_graphs_are_proven_or_named() {
     }
     println!("proven {proven}, open {}:\n{}", open.len(), open.join("\n"));
     assert!(proven > 0);
+}
+
+/// Random graphs of counts: proven or named, and never called different.
+#[test]
+fn random_graphs_of_counts_are_proven_or_named() {
+    let (mut proven, mut open) = (0, Vec::new());
+    for seed in 0..amount(60, 1_000) {
+        let graph = integers::whole(seed);
+        let options = shaped("policy", (Style::Pure, Some(Profile::Fast)));
+        let Ok(code) = Code::of_graph("random", &graph, &options, Language::C) else { continue };
+        match proof_of(&graph.to_json(), &code.files, QUICK).verdict {
+            Verdict::Proven => proven += 1,
+            Verdict::Different(difference) => panic!("seed {seed}: {difference:?}"),
+            Verdict::Undecided(missing) => open.push(format!("seed {seed}: {missing}")),
+        }
+    }
+    println!("proven {proven}, open {}:\n{}", open.len(), open.join("\n"));
+    assert!(proven > 2 * open.len(), "{open:?}");
 }
 
 /// The prover's own definition of sine and the like is that of the runtime, bit for bit.

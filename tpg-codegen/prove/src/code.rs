@@ -25,6 +25,8 @@ pub(crate) enum Computed {
     If,
     Same(Width),
     Below(bool, Width),
+    /// What C does with integers
+    Integer(Integral, Kind),
     /// A relation of floats
     Compared(fn(&Terms, Float, Float) -> Bool),
     /// The content of so many bytes at an address
@@ -40,6 +42,112 @@ pub(crate) enum Computed {
     Completed(Address),
     /// Something of which nothing is known
     Unknown,
+}
+
+/// What C does with integers of one type.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Integral {
+    Apply(Operator),
+    Divide,
+    Remainder,
+    Same,
+    Below,
+    /// A conversion from another type
+    From(Kind),
+}
+
+/// A type of integers: bytes, whether it is signed, and whether code computes in whole numbers. Then all that is signed is one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Kind {
+    pub(crate) bytes: u8,
+    pub(crate) signed: bool,
+    pub(crate) exact: bool,
+}
+
+impl Kind {
+    pub(crate) fn width(self) -> Width {
+        if self.bytes == 8 { Width::W64 } else { Width::W32 }
+    }
+
+    /// A value of this type as a whole number, if it is one or a constant.
+    pub(crate) fn whole(self, terms: &Terms, value: Value) -> Found<Float> {
+        let found = match value {
+            Value::Float(number) => terms.is_whole(number).then_some(number),
+            Value::Word(word) => terms.whole_of_word(word, self.signed.then_some(self.width())),
+        };
+        found.ok_or("an integer that is computed exactly")
+    }
+
+    /// Checks that the type holds a number wherever facts hold.
+    fn holding(self, terms: &Terms, number: Float, facts: &[Bool]) -> Found<Float> {
+        let end = 1_i128 << (8 * self.bytes - u8::from(self.signed));
+        let fits = match terms.interval_under(number, facts) {
+            Some([low, high]) => (if self.signed { -end } else { 0 }) <= low && high < end,
+            None => true,
+        };
+        if fits { Ok(number) } else { Err("a number that its integer type holds") }
+    }
+}
+
+/// The result of what C does with integers, where facts hold.
+fn integral(terms: &Terms, what: Integral, kind: Kind, values: &[Value], facts: &[Bool]) -> Found<Value> {
+    let of = if let Integral::From(from) = what { from } else { kind };
+    let is_whole = |value: &Value| matches!(*value, Value::Float(number) if terms.is_whole(number));
+    if values.iter().any(is_whole) || kind.exact && (kind.signed || of.signed) {
+        let wholes = values.iter().map(|&value| of.whole(terms, value)).collect::<Found<Vec<_>>>()?;
+        return exact(terms, what, kind, &wholes, facts);
+    }
+    let (width, word) = (of.width(), |at: usize| values[at].bits(terms));
+    Ok(Value::Word(match what {
+        Integral::Divide | Integral::Remainder => return Err("a quotient of whole numbers"),
+        Integral::Apply(operator) => terms.apply(operator, width, word(0), word(1)),
+        Integral::Same => terms.word_of(terms.same(width, word(0), word(1))),
+        Integral::Below => terms.word_of(terms.below(kind.signed, width, word(0), word(1))),
+        Integral::From(from) if from.signed && kind.bytes == 8 || kind.signed && kind.bytes < 4 => {
+            return Err("an unsigned integer");
+        }
+        Integral::From(from) if kind.bytes < 4 || from.bytes == 8 && kind.bytes == 4 => {
+            let mask = (1 << (8 * u64::from(kind.bytes))) - 1;
+            let fits = || terms.numbers(word(0)).is_some_and(|numbers| numbers.iter().all(|&number| number <= mask));
+            if kind.exact && !fits() {
+                return Err("a number that its integer type holds");
+            }
+            terms.apply(Operator::And, width, word(0), terms.number(mask))
+        }
+        Integral::From(_) => word(0),
+    }))
+}
+
+/// The result of what C does with integers that are whole numbers. It is refused unless nothing overflows.
+fn exact(terms: &Terms, what: Integral, kind: Kind, values: &[Float], facts: &[Bool]) -> Found<Value> {
+    use Operator::{Add, Multiply, ShiftArithmetic, ShiftRight, Subtract, Xor};
+    let ones = terms.whole(if kind.signed { -1 } else { (1 << (8 * kind.bytes)) - 1 });
+    let result = match (what, values) {
+        (Integral::Same, &[a, b]) => return Ok(Value::Word(terms.word_of(terms.equal(a, b)))),
+        (Integral::Below, &[a, b]) => return Ok(Value::Word(terms.word_of(terms.less(a, b)))),
+        (Integral::Apply(Add), &[a, b]) => terms.add(a, b),
+        (Integral::Apply(Subtract), &[a, b]) => terms.subtract(a, b),
+        (Integral::Apply(Multiply), &[a, b]) => terms.multiply(a, b),
+        (Integral::Apply(Xor), &[a, b]) if a == ones => terms.subtract(a, b),
+        (Integral::Divide | Integral::Remainder, &[a, b]) => {
+            if terms.all([facts, &[terms.equal(b, terms.whole(0))]].concat()) != Terms::FALSE {
+                return Err("a divisor that is never 0");
+            }
+            let quotient = kind.holding(terms, terms.divide(a, b), facts)?;
+            if let Integral::Divide = what { quotient } else { terms.remainder(a, b) }
+        }
+        (Integral::Apply(ShiftRight | ShiftArithmetic), &[a, b]) => {
+            // C leaves it to the compiler what becomes of negative numbers
+            Kind { signed: false, ..kind }.holding(terms, a, facts)?;
+            let by = terms.whole_of(b).filter(|by| (0..64).contains(by)).ok_or("a shift by a constant")?;
+            terms.shifted(a, 1 << by)
+        }
+        (Integral::From(_), &[a]) => a,
+        _ => return Err("an operation of integers that is exact"),
+    };
+    let result = kind.holding(terms, result, facts)?;
+    let word = terms.word_of_whole(result).filter(|_| !kind.signed);
+    Ok(word.map_or(Value::Float(result), Value::Word))
 }
 
 /// A number of 32 bits.
@@ -63,10 +171,11 @@ impl std::ops::Not for Expression {
 /// A value, or what it lacks.
 pub(crate) type Found<T> = Result<T, &'static str>;
 
-/// The value of an expression. What depends on the kind of code is computed by a function.
+/// The value of an expression where facts hold. What depends on the kind of code is computed by a function.
 pub(crate) fn value(
     terms: &Terms,
     expression: &Expression,
+    facts: &[Bool],
     own: &dyn Fn(Computed, &[Value]) -> Found<Value>,
 ) -> Found<Value> {
     let (name, parts) = match expression {
@@ -75,14 +184,15 @@ pub(crate) fn value(
         Expression::Of(name, parts) => (*name, parts),
     };
     if let (Computed::If, [condition, a, b]) = (name, &parts[..]) {
-        let condition = holds(terms, value(terms, condition, own)?);
+        let condition = holds(terms, value(terms, condition, facts, own)?);
+        let side = |side, held| value(terms, side, &[facts, &terms.parts(held)].concat(), own);
         return match condition {
-            Terms::TRUE => value(terms, a, own),
-            Terms::FALSE => value(terms, b, own),
-            _ => Ok(Value::chosen(terms, condition, value(terms, a, own)?, value(terms, b, own)?)),
+            Terms::TRUE => side(a, condition),
+            Terms::FALSE => side(b, !condition),
+            _ => Ok(Value::chosen(terms, condition, side(a, condition)?, side(b, !condition)?)),
         };
     }
-    let values = parts.iter().map(|part| value(terms, part, own)).collect::<Found<Vec<_>>>()?;
+    let values = parts.iter().map(|part| value(terms, part, facts, own)).collect::<Found<Vec<_>>>()?;
     let (word, float) = (|at: usize| values[at].bits(terms), |at: usize| values[at].float(terms));
     let truth = |condition| Value::Word(terms.word_of(condition));
     Ok(match name {
@@ -93,6 +203,7 @@ pub(crate) fn value(
         Computed::OfInteger(signed) => Value::Float(terms.of_integer(signed, word(0))),
         Computed::Same(width) => truth(terms.same(width, word(0), word(1))),
         Computed::Below(signed, width) => truth(terms.below(signed, width, word(0), word(1))),
+        Computed::Integer(what, kind) => integral(terms, what, kind, &values, facts)?,
         Computed::Compared(relation) => truth(relation(terms, float(0), float(1))),
         _ => return own(name, &values),
     })

@@ -18,9 +18,18 @@ pub struct Interface {
     pub memory: Vec<String>,
     /// Names of the outputs; none where the policy answers an action.
     pub outputs: Vec<String>,
+    /// Of a policy in integers, the lowest and highest of each value of the state, and of the memory after it
+    pub counts: Vec<[i128; 2]>,
+    /// Of a policy in integers, the bytes of each source, of each value of the memory, and of each output
+    pub bytes: Vec<u8>,
 }
 
 impl Interface {
+    /// A value of the state, or of the memory behind it.
+    pub(crate) fn value(&self, terms: &Terms, index: u32) -> Float {
+        self.counts.get(index as usize).map_or_else(|| terms.source(index), |&range| terms.counted(index, range))
+    }
+
     /// The number of values of the sources.
     #[must_use]
     pub fn state_length(&self) -> u32 {
@@ -61,6 +70,9 @@ impl Value {
     pub(crate) fn bits(self, terms: &Terms) -> Word {
         match self {
             Self::Word(word) => word,
+            Self::Float(float) if terms.is_whole(float) => {
+                terms.word_of_whole(float).unwrap_or_else(|| terms.bits(terms.unknown()))
+            }
             Self::Float(float) => terms.bits(float),
         }
     }

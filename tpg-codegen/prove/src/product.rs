@@ -66,9 +66,10 @@ pub struct Comparison<'a> {
 }
 
 /// The condition that the values of the state are in ranges.
-pub(crate) fn in_ranges(terms: &Terms, ranges: &[[f32; 2]]) -> Bool {
+pub(crate) fn in_ranges(graph: &Graph, terms: &Terms, ranges: &[[f64; 2]]) -> Bool {
     let inside = (0..).zip(ranges).flat_map(|(index, range)| {
-        let (value, [low, high]) = (terms.source(index), range.map(|end| terms.constant(end)));
+        let value = graph.interface().value(terms, index);
+        let [low, high] = range.map(|end| graph.constant(terms, end));
         [terms.less_or_equal(low, value), terms.less_or_equal(value, high)]
     });
     terms.all(inside.collect::<Vec<_>>())
@@ -80,10 +81,10 @@ impl<'a> Comparison<'a> {
         graph: &'a Graph,
         machine: &'a mut dyn Machine,
         terms: Terms,
-        ranges: &[[f32; 2]],
+        ranges: &[[f64; 2]],
         effort: Effort,
     ) -> Self {
-        let claimed = in_ranges(&terms, ranges);
+        let claimed = in_ranges(graph, &terms, ranges);
         Self {
             terms,
             graph,
@@ -269,7 +270,11 @@ impl<'a> Comparison<'a> {
         let conditions = |cases: &[(Bool, Float)]| cases.iter().map(|&(condition, _)| condition).collect::<Vec<_>>();
         let sides = [&conditions(&first)[..], &conditions(&second)];
         let pairs = self.together((side, place), assumed, sides)?;
-        Ok(pairs.iter().all(|&(x, y)| first[x].1 == second[y].1))
+        let same = |x: usize, y: usize| {
+            let ((p, a), (q, b)) = (first[x], second[y]);
+            a == b || self.terms.same_under(a, b, [p, q])
+        };
+        Ok(pairs.iter().all(|&(x, y)| same(x, y)))
     }
 
     /// Where the code can go on from a side; none where it has answered.
@@ -333,8 +338,8 @@ impl<'a> Comparison<'a> {
         let answers = [expected, found].map(|answer| match answer {
             Answer::Action(word) => format!("action {}", self.evaluator.word(&self.terms, word)),
             Answer::Values(values) => {
-                let bits = values.into_iter().map(|value| self.evaluator.bits(&self.terms, value));
-                format!("{:?}", bits.map(f32::from_bits).collect::<Vec<_>>())
+                let values: Vec<_> = values.into_iter().map(|value| self.evaluator.text(&self.terms, value)).collect();
+                format!("[{}]", values.join(", "))
             }
         });
         self.terms.complete(|| "the code".to_owned())?;

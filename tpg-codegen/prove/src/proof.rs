@@ -21,7 +21,7 @@ const STATES: u64 = 20_000;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
     /// The values of the state, then those of the memory
-    pub state: Vec<f32>,
+    pub state: Vec<String>,
     /// The graph's answer
     pub expected: String,
     /// The code's answer
@@ -61,7 +61,7 @@ impl fmt::Display for Proof {
             Proven => write!(f, "proven equal to the graph for {inputs}")?,
             Undecided(missing) => write!(f, "not decided: {missing}")?,
             Different(Difference { state, expected, found }) => {
-                write!(f, "different: the code answers {found} instead of {expected} for {state:?}")?;
+                write!(f, "different: the code answers {found} instead of {expected} for [{}]", state.join(", "))?;
             }
         }
         if self.in_range == Some(true) {
@@ -95,9 +95,9 @@ pub fn prove<M: Machine>(graph: &Graph, read: &dyn Fn() -> Result<M>, assume_ran
 }
 
 /// Tests whether every answer is proven to be a number in its range.
-fn in_range(graph: &Graph, ranges: &[[f32; 2]], effort: Effort) -> bool {
+fn in_range(graph: &Graph, ranges: &[[f64; 2]], effort: Effort) -> bool {
     let (terms, mut meaning) = (Terms::new(), Meaning::new(graph));
-    let claimed = in_ranges(&terms, ranges);
+    let claimed = in_ranges(graph, &terms, ranges);
     let all = (0..graph.leaves.len()).all(|leaf| {
         let Ok(inside) = meaning.in_range(&terms, leaf) else { return false };
         let sides = [&[inside, !inside][..], &[Terms::TRUE]];
@@ -109,10 +109,13 @@ fn in_range(graph: &Graph, ranges: &[[f32; 2]], effort: Effort) -> bool {
 
 /// A state in which code and graph differ, among many.
 fn difference(comparison: &mut Comparison<'_>, graph: &Graph, inside: bool) -> Option<Vec<u32>> {
-    let special = graph.constants();
     let mut stream = Stream::new(1);
-    for _ in 0..STATES {
-        let state = stream.state(&graph.ranges, &special, inside);
+    let borders = comparison.terms.borders();
+    for number in 0..STATES {
+        let mut state = stream.state(graph, inside);
+        if number % 2 == 1 && !borders.is_empty() {
+            stream.approach(&borders[number as usize / 2 % borders.len()], graph, inside, &mut state);
+        }
         let [expected, found] = comparison.answers_for(&state).ok()?;
         if expected != found {
             return Some(state);
@@ -123,8 +126,8 @@ fn difference(comparison: &mut Comparison<'_>, graph: &Graph, inside: bool) -> O
 
 /// A difference in one of so many states, each computed by itself: nothing that a proof uses has a part in it.
 pub fn sampled<M: Machine>(graph: &Graph, read: &dyn Fn() -> Result<M>, states: u64, seed: u64) -> Option<Difference> {
-    let (special, mut stream) = (graph.constants(), Stream::new(seed));
-    (0..states).find_map(|_| replayed(graph, &stream.state(&graph.ranges, &special, false), read))
+    let mut stream = Stream::new(seed);
+    (0..states).find_map(|_| replayed(graph, &stream.state(graph, false), read))
 }
 
 /// The difference in a state, computed with that state's numbers from the start on.
@@ -132,7 +135,11 @@ fn replayed<M: Machine>(graph: &Graph, state: &[u32], read: &dyn Fn() -> Result<
     let mut machine = read().ok()?;
     let mut comparison = Comparison::new(graph, &mut machine, Terms::for_state(state), &[], Effort::default());
     let [expected, found] = comparison.answers_for(state).ok()?;
-    let state = state.iter().map(|&bits| f32::from_bits(bits)).collect();
+    let text = |&bits: &u32| match graph.is_whole() {
+        true => (bits as i32).to_string(),
+        false => format!("{:?}", f32::from_bits(bits)),
+    };
+    let state = state.iter().map(text).collect();
     (expected != found).then_some(Difference { state, expected, found })
 }
 
@@ -157,10 +164,10 @@ impl Proof {
         let (result, details) = match &self.verdict {
             Proven => ("proven", Value::Null),
             Undecided(missing) => ("not decided", json!(missing.to_string())),
-            Different(difference) => {
-                let state: Vec<_> = difference.state.iter().map(|value| format!("{value:?}")).collect();
-                ("different", json!({ "state": state, "graph": difference.expected, "code": difference.found }))
-            }
+            Different(difference) => (
+                "different",
+                json!({ "state": difference.state, "graph": difference.expected, "code": difference.found }),
+            ),
         };
         let files: serde_json::Map<_, _> =
             files.iter().map(|&(name, bytes)| (name.to_owned(), json!({ "sha256": sha256(bytes) }))).collect();

@@ -117,6 +117,90 @@ fn what_is_missing_is_named() {
     none("#include \"absent.h\"\nuint16_t pole_infer(const state_t *s) { return 0; }", "absent.h");
 }
 
+/// One output: `floor((3 * x - 5 * y) / 4)`, limited to -100 to 100, and 0 where `x * y` bids more than 7.
+const COUNTS: &str = r#"{ "format": "tpg-graph", "version": 2, "scalar": "f64", "maths": "own", "registers": 2,
+  "sources": [{ "name": "x", "length": 1, "unit": "m", "ranges": [[-9, 9]], "counts": [{ "bits": 16, "scale": 0.5 }] },
+    { "name": "y", "length": 1, "unit": "m", "ranges": [[-9, 9]], "counts": [{ "bits": 7, "scale": 0.5 }] }],
+  "instructions": ["mul", "sub", "copy", "quotient"],
+  "outputs": [{ "name": "u", "unit": "", "min": -100, "max": 100, "nan": 0, "counts": { "bits": 8, "scale": 1 } }],
+  "root": 0,
+  "teams": [{ "id": 0, "edges": [{ "program": 0, "leaf": 0 }, { "program": 1, "leaf": 1 }] }],
+  "leaves": [{ "id": 0, "programs": [2] }, { "id": 1, "programs": [3] }],
+  "programs": [
+    { "id": 0, "lines": [{ "to": 0, "op": "copy", "args": [8] }] },
+    { "id": 1, "lines": [{ "to": 0, "op": "mul", "args": ["x[0]", "y[0]"] }] },
+    { "id": 2, "lines": [{ "to": 0, "op": "mul", "args": ["x[0]", 3] }, { "to": 1, "op": "mul", "args": ["y[0]", 5] },
+      { "to": 0, "op": "sub", "args": ["r0", "r1"] }, { "to": 0, "op": "quotient", "args": ["r0", 4] }] },
+    { "id": 3, "lines": [] } ] }"#;
+
+const COUNTED: &str = "#include <stdint.h>
+#define TWICE(number) (2 * (number))
+typedef struct state { int16_t x; int8_t y; } state_t;
+typedef struct answer { int8_t u; } answer_t;
+static const int16_t weights[2] = { 3, -5 };
+void pole_infer(const state_t *s, answer_t *answer)
+{
+    int32_t sum = 0;
+    if ((int32_t)s->x * s->y - 1 > 6) { answer->u = 0; return; }
+    sum += TWICE((int32_t)s->x) + s->x;
+    sum += (int32_t)s->y * weights[1];
+    sum = sum < 0 ? -1 - ((-1 - sum) >> 2) : sum >> 2;
+    answer->u = (int8_t)(sum >= 100 ? 100 : sum < -100 ? -100 : sum);
+}";
+
+#[test]
+fn counts_are_whole_numbers_that_never_overflow() {
+    let graph = Graph::read("graph.json", COUNTS).expect("a graph of counts");
+    let proof_of = |text: &str| {
+        prove(&graph, &|| c::read_with("policy.c", text, &|_| None, None, graph.interface()), false, Effort::default())
+    };
+    let proof = proof_of(COUNTED);
+    assert!(matches!(proof.verdict, Verdict::Proven) && proof.in_range == Some(true), "{proof}");
+    for (from, to) in [
+        ("- 1 > 6", "- 1 > 7"),
+        ("3, -5", "3, -4"),
+        ("2 * (number)", "3 * (number)"),
+        (">= 100", ">= 99"),
+        ("? -1 - (", "? - ("),
+        (" - 1 > 6", " > 6"),
+        ("u = 0;", "u = -1;"),
+    ] {
+        let proof = proof_of(&COUNTED.replacen(from, to, 1));
+        assert!(
+            matches!(&proof.verdict, Verdict::Different(difference) if difference.state.len() == 2),
+            "{to}: {proof}"
+        );
+    }
+    for (from, to, what) in [
+        // what C does not define, or leaves to the compiler, and what a type does not hold
+        ("((-1 - sum) >> 2)", "((sum) >> 2)", "policy.c:12: a number that its integer type holds"),
+        ("int32_t sum = 0", "int32_t sum = 2147483647 + 1", "policy.c:8: a number that its integer type holds"),
+        ("sum += TWICE", "sum += 2147483647 + TWICE", "policy.c:10: a number that its integer type holds"),
+        ("sum < -100 ? -100", "sum < -200 ? -100", "policy.c:13: a number that its integer type holds"),
+        (
+            "sum += TWICE((int32_t)s->x)",
+            "sum += 7 / s->x + TWICE((int32_t)s->x)",
+            "policy.c:10: a divisor that is never 0",
+        ),
+        ("int16_t x", "int32_t x", "a structure of the numbers"),
+        ("sum < 0 ?", "(uint32_t)sum > 7U ?", "a number that its integer type holds"),
+    ] {
+        let proof = proof_of(&COUNTED.replacen(from, to, 1));
+        assert!(
+            matches!(&proof.verdict, Verdict::Undecided(missing) if missing.to_string().contains(what)),
+            "{to}: {proof}"
+        );
+    }
+    for (from, to, place) in [
+        ("\"args\": [8]", "\"args\": [8.5]", "graph.programs[0].lines[0].args[0]"),
+        (r#", "counts": { "bits": 8, "scale": 1 }"#, "", "graph.outputs[0].counts"),
+        (r#""bits": 16"#, r#""bits": 17"#, "graph.sources[0].counts[0].bits"),
+    ] {
+        let error = Graph::read("graph.json", &COUNTS.replacen(from, to, 1)).expect_err(place);
+        assert_eq!(error.place, format!("graph.json: {place}"), "{error}");
+    }
+}
+
 #[test]
 fn own_maths_is_compared_as_it_is_written() {
     let graph = GRAPH.replace(r#""op": "abs""#, r#""op": "exp""#);
@@ -138,7 +222,7 @@ fn bad_graphs_are_refused_with_their_place() {
         (r#""action": 2"#, r#""team": 7"#, "graph.teams"),
         (r#""action": 1"#, r#""action": 3"#, "graph.teams[0].edges[1].action"),
         ("y[1]", "y[2]", "graph.programs[0].lines[0].args[1]"),
-        (r#""unit": "m","#, r#""unit": "m", "counts": [],"#, "graph.sources[0].counts"),
+        (r#""unit": "m","#, r#""unit": "m", "counts": [],"#, "graph.scalar"),
         (r#""version": 1"#, r#""version": 3"#, "graph.version"),
         (r#""root": 7"#, r#""root": -7"#, "graph.root"),
         (r#""id": 2, "lines""#, r#""id": 1, "lines""#, "graph.programs[2].id"),

@@ -173,7 +173,7 @@ fn assembly(forms: &[String]) -> String {
 /// The results of a form as terms.
 fn executed(file: &[u8], number: usize, terms: &Terms) -> Result<Vec<Float>, String> {
     let names = ["r4", "s4"].map(str::to_owned).to_vec();
-    let interface = Interface { sources: vec![("operand".to_owned(), 4)], memory: Vec::new(), outputs: names };
+    let interface = Interface { sources: vec![("operand".to_owned(), 4)], outputs: names, ..Interface::default() };
     let mut object = Object::new(file, &format!("form_{number}"), interface).map_err(|error| error.to_string())?;
     let point = object.entry(terms).map_err(|error| error.to_string())?;
     followed(&mut object, terms, point)

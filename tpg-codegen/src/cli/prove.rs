@@ -2,8 +2,6 @@
 
 use super::graph::GraphArgs;
 use crate::emit::{Code, Language, Options, Prefix, Profile, Style};
-use crate::program::compile;
-use crate::shape::Shape;
 use Verdict::*;
 use clap::Args;
 use std::fs;
@@ -52,13 +50,6 @@ impl ProveArgs {
         let loaded = self.graph.load()?;
         let text = loaded.to_json();
         let name = self.graph.name();
-        if loaded.has_counts() {
-            let instead = "generate shows that its values are whole and fit; verify compares";
-            command::print(format!(
-                "not decided: {name}: a graph of counts, which this proof does not cover: {instead}\n"
-            ))?;
-            return Ok(Undecided);
-        }
         let graph = match Graph::read(&name, &text) {
             Ok(graph) => graph,
             Err(error) => {
@@ -97,7 +88,7 @@ impl ProveArgs {
                 for profile in Profile::ALL {
                     let prefix = Prefix::of_file(&self.graph.graph);
                     let options = Options { style: Style::Pure, profile: Some(profile), ..Options::new(prefix) };
-                    let code = Code::of(compile(&loaded, &options, Language::C));
+                    let code = Code::of_graph(&name, &loaded, &options, Language::C)?;
                     let proof = of_code(&code, &graph, self.assume_ranges, Effort::default());
                     let files = code.files.iter().map(|file| (file.name.clone(), file.text.clone().into_bytes()));
                     add(code.program.name(), proof, files.collect())?;
@@ -125,7 +116,9 @@ impl ProveArgs {
         let more: &[&str] = if self.object.is_some() {
             &["the processor executes instructions as the ARM v7-M manual says, with the default FPSCR"]
         } else {
-            &["the C compiler keeps to C99 and IEEE 754, and defines no macro of its own that the text asks for"]
+            &[
+                "the C compiler keeps to C99 and IEEE 754, has an int of 32 bits, and defines no macro that the text asks for",
+            ]
         };
         let certificates: Vec<_> = (proofs.iter())
             .map(|(_, proof, files)| {
@@ -164,9 +157,7 @@ pub(super) fn proven(codes: &[Code<'_>]) -> (String, Verdict) {
     let (mut text, mut verdict) = (String::new(), Good);
     for code in codes {
         let options = &code.program.options;
-        // Integers have a proof of their own: that each value is whole and fits.
-        let is_integers = matches!(code.program.shape, Shape::Integers(_));
-        if code.program.language != Language::C || options.style != Style::Pure || is_integers {
+        if code.program.language != Language::C || options.style != Style::Pure {
             continue;
         }
         let Ok(graph) = Graph::read("graph.json", &code.program.graph().to_json()) else { continue };

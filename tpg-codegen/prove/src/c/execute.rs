@@ -2,7 +2,7 @@
 
 use super::code::{Operation, Program};
 use super::value::Here;
-use crate::code::{Found, holds};
+use crate::code::{Found, Kind, holds};
 use crate::input::{Missing, Result};
 use crate::machine::{Answer, Cell, Cells, Followers, Interface, Machine, Point, State, Step, Value};
 use crate::term::{Bool, Float, Terms};
@@ -52,11 +52,16 @@ impl Code {
 
     /// Executes an operation; where it goes if that is not behind it.
     fn executed(&self, terms: &Terms, at: usize, mut state: State) -> Found<Followers> {
-        let here = Here { program: &self.program, terms, cells: &state.cells, defines: self.defines };
+        let facts = terms.parts(state.guard);
+        let here = Here { program: &self.program, terms, cells: &state.cells, defines: self.defines, facts: &facts };
         match &self.program.operations[at].1 {
             Operation::Set(address, value, is_float) => {
                 let (address, value) = (here.word(address)?, here.value(value)?);
-                let value = if *is_float { Value::Float(value.float(terms)) } else { Value::Word(value.bits(terms)) };
+                let value = match value {
+                    Value::Float(number) if terms.is_whole(number) => value,
+                    value if *is_float => Value::Float(value.float(terms)),
+                    value => Value::Word(value.bits(terms)),
+                };
                 let address = terms.number_of(address).and_then(|address| u32::try_from(address).ok());
                 let variable = address.filter(|&address| address < self.program.cells);
                 let variable = variable.ok_or("a place to write to that is a constant")?;
@@ -80,7 +85,11 @@ impl Code {
                 let answer = if self.interface.outputs.is_empty() {
                     Answer::Action(here.cell(answers[0].into())?.bits(terms))
                 } else {
-                    let values = answers.iter().map(|&address| Ok(here.cell(address.into())?.float(terms)));
+                    let answer = |value: Value| match self.interface.counts[..] {
+                        [] => Ok(value.float(terms)),
+                        _ => Kind { bytes: 4, signed: true, exact: true }.whole(terms, value),
+                    };
+                    let values = answers.iter().map(|&address| answer(here.cell(address.into())?));
                     Answer::Values(values.collect::<Found<_>>()?)
                 };
                 return Ok(vec![(state, Step::Return(answer))]);
@@ -93,8 +102,8 @@ impl Code {
 impl Machine for Code {
     fn entry(&mut self, terms: &Terms) -> Result<Point> {
         let inputs = (0..).zip(&self.program.inputs);
-        self.first =
-            inputs.map(|(index, &address)| (Cell::Variable(address), Value::Float(terms.source(index)))).collect();
+        let value = |index| Value::Float(self.interface.value(terms, index));
+        self.first = inputs.map(|(index, &address)| (Cell::Variable(address), value(index))).collect();
         Ok(Point { at: 0, cells: self.first.clone() })
     }
 

@@ -1,7 +1,6 @@
 //! C as generated code uses it: read, compiled and executed by this crate alone.
 //!
-//! The subset: unsigned integers of 8 to 64 bits and `int`, `float`, structures, arrays, pointers, enumerations, functions (inlined
-//! from their text), `if`, `switch`, `for` with a constant number of rounds, `goto`, `memcpy` of scalars. Anything else is named as missing.
+//! The subset: integers of 8 to 64 bits, `float`, structures, arrays, pointers, enumerations, functions (inlined from their text), `if`, `switch`, `for` with a constant number of rounds, `goto`, `memcpy` of scalars. Anything else is named as missing.
 
 mod code;
 mod compile;
@@ -38,7 +37,7 @@ pub fn read_with(
     function: Option<&str>,
     interface: &Interface,
 ) -> Result<Code> {
-    let compiler = Compiler::read(file, token::tokens(file, text, include)?)?;
+    let compiler = Compiler::read(file, token::tokens(file, text, include)?, !interface.counts.is_empty())?;
     let name = match function {
         Some(name) => name.to_owned(),
         None => {
@@ -55,7 +54,7 @@ pub fn read_with(
 
 /// Executes a function of one float from a text that defines what it means.
 pub(crate) fn definition(file: &str, text: &str, name: &str, terms: &Terms, argument: Float) -> Result<Float> {
-    let compiler = Compiler::read(file, token::tokens(file, text, &|_| None)?)?;
+    let compiler = Compiler::read(file, token::tokens(file, text, &|_| None)?, false)?;
     let (sources, outputs) = (vec![("x".to_owned(), 1)], vec!["y".to_owned()]);
     let interface = Interface { sources, outputs, ..Interface::default() };
     Code::new(file, compiler.policy(name, &interface)?, &interface, true).of_float(terms, argument)

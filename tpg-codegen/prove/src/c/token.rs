@@ -32,7 +32,9 @@ const SIGNS: [&str; 2] = [
 ];
 
 /// Macros of the standard headers that generated code uses.
-const STANDARD: [(&str, &str); 5] = [
+const STANDARD: [(&str, &str); 7] = [
+    ("INT32_MAX", "2147483647"),
+    ("INT32_MIN", "(-2147483647 - 1)"),
     ("FLT_MAX", "3.40282347e+38F"),
     ("FLT_MIN", "1.17549435e-38F"),
     ("FLT_EPSILON", "1.1920929e-7F"),
@@ -43,9 +45,12 @@ const STANDARD: [(&str, &str); 5] = [
 /// Reads included files by their names.
 pub(super) type Include<'a> = &'a dyn Fn(&str) -> Option<String>;
 
+/// The names of a macro's arguments, if it has any, and its text.
+type Macro = (Option<Vec<Token>>, Vec<Placed>);
+
 struct Preprocessor<'a> {
     include: Include<'a>,
-    macros: HashMap<String, Vec<Placed>>,
+    macros: HashMap<String, Macro>,
     tokens: Vec<Placed>,
     depth: u32,
 }
@@ -55,7 +60,7 @@ pub(super) fn tokens(file: &str, text: &str, include: Include<'_>) -> Result<Vec
     let mut preprocessor = Preprocessor { include, macros: HashMap::new(), tokens: Vec::new(), depth: 0 };
     for (name, value) in STANDARD {
         let value = line_tokens(file, value, 0)?;
-        preprocessor.macros.insert(name.to_owned(), value);
+        preprocessor.macros.insert(name.to_owned(), (None, value));
     }
     preprocessor.file(file, text)?;
     let line = preprocessor.tokens.last().map_or(1, |last| last.line);
@@ -118,9 +123,8 @@ impl Preprocessor<'_> {
             let active = conditions.iter().all(|&(active, _)| active);
             let Some(directive) = text.trim_start().strip_prefix('#') else {
                 if active {
-                    for token in line_tokens(file, text, number)? {
-                        self.expanded(token, &mut HashSet::new());
-                    }
+                    let expanded = self.expanded(line_tokens(file, text, number)?, &mut HashSet::new());
+                    self.tokens.extend(expanded);
                 }
                 continue;
             };
@@ -158,13 +162,14 @@ impl Preprocessor<'_> {
                 "define" => {
                     let end = rest.find(|letter: char| !(letter.is_ascii_alphanumeric() || letter == '_'));
                     let (name, value) = rest.split_at(end.unwrap_or(rest.len()));
-                    if value.starts_with('(') {
-                        return Err(Missing::new(place(), "macros with arguments"));
-                    }
-                    let value = line_tokens(file, value, number)?;
-                    self.macros.insert(name.to_owned(), value);
+                    let (names, value) = match value.strip_prefix('(').and_then(|value| value.split_once(')')) {
+                        Some((names, value)) => (Some(line_tokens(file, names, number)?), value),
+                        None => (None, value),
+                    };
+                    let is_name = |token: &Token| matches!(token, Name(_));
+                    let names = names.map(|names| names.into_iter().map(|name| name.token).filter(is_name).collect());
+                    self.macros.insert(name.to_owned(), (names, line_tokens(file, value, number)?));
                 }
-
                 // the pragmas of generated code ask for what C defines: no fused operations
                 "pragma" => {}
                 _ => return Err(Missing::new(place(), format!("#{word} {rest}"))),
@@ -174,19 +179,49 @@ impl Preprocessor<'_> {
         Ok(())
     }
 
-    fn expanded(&mut self, token: Placed, inside: &mut HashSet<String>) {
-        if let Name(name) = &token.token
-            && !inside.contains(name)
-            && let Some(value) = self.macros.get(name).cloned()
-        {
-            inside.insert(name.clone());
-            for inner in value {
-                self.expanded(Placed { line: token.line, ..inner }, inside);
+    /// Tokens with all macros replaced but for those that this is the text of.
+    fn expanded(&self, tokens: Vec<Placed>, inside: &mut HashSet<String>) -> Vec<Placed> {
+        let (mut expanded, mut tokens) = (Vec::new(), tokens.into_iter().peekable());
+        while let Some(token) = tokens.next() {
+            let name = if let Name(name) = &token.token { name.clone() } else { String::new() };
+            let found = self.macros.get(&name).filter(|_| !inside.contains(&name));
+            let opens = |next: &Placed| next.token == Sign("(");
+            let (names, text) = match found {
+                Some((None, text)) => (&[][..], text),
+                Some((Some(names), text)) if tokens.next_if(opens).is_some() => (&names[..], text),
+                _ => {
+                    expanded.push(token);
+                    continue;
+                }
+            };
+            let (mut arguments, mut depth) = (vec![Vec::new()], 0);
+            while !names.is_empty()
+                && let Some(next) = tokens.next()
+            {
+                depth += match next.token {
+                    Sign("(" | "[") => 1,
+                    Sign(")" | "]") => -1,
+                    _ => 0,
+                };
+                match next.token {
+                    _ if depth < 0 => break,
+                    Sign(",") if depth == 0 => arguments.push(Vec::new()),
+                    _ => arguments.last_mut().into_iter().for_each(|last| last.push(next.clone())),
+                }
             }
-            inside.remove(name);
-            return;
+            let arguments: Vec<_> = arguments.into_iter().map(|argument| self.expanded(argument, inside)).collect();
+            let mut replaced = Vec::new();
+            for inner in text {
+                match names.iter().position(|name| *name == inner.token).and_then(|at| arguments.get(at)) {
+                    Some(argument) => replaced.extend(argument.iter().cloned()),
+                    None => replaced.push(Placed { line: token.line, ..inner.clone() }),
+                }
+            }
+            inside.insert(name.clone());
+            expanded.extend(self.expanded(replaced, inside));
+            inside.remove(&name);
         }
-        self.tokens.push(token);
+        expanded
     }
 
     /// The value of a condition of `#if`: numbers, `defined`, `!`, `&&`, `||`, comparisons. Names that are not defined are 0.

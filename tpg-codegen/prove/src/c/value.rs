@@ -4,7 +4,7 @@ use super::code::{CONSTANTS, Program};
 use crate::code::{self, Computed, Expression, Found};
 use crate::machine::{Cell, Cells, Value};
 use crate::term::word::computed;
-use crate::term::{Node, Operator::*, Terms, Width::*, Word};
+use crate::term::{Bool, Node, Operator::*, Terms, Width::*, Word};
 use std::collections::BTreeSet;
 
 /// The cells where something is evaluated.
@@ -14,6 +14,8 @@ pub(super) struct Here<'a> {
     pub(super) cells: &'a Cells,
     /// That indices are in bounds is known
     pub(super) defines: bool,
+    /// They hold here
+    pub(super) facts: &'a [Bool],
 }
 
 impl Here<'_> {
@@ -68,7 +70,7 @@ impl Here<'_> {
     }
 
     pub(super) fn value(&self, expression: &Expression) -> Found<Value> {
-        code::value(self.terms, expression, &|name, values| self.own(name, values))
+        code::value(self.terms, expression, self.facts, &|name, values| self.own(name, values))
     }
 
     /// The value of what depends on memory.

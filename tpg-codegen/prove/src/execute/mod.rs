@@ -68,6 +68,9 @@ impl Object {
 
 impl Machine for Object {
     fn entry(&mut self, terms: &Terms) -> Result<Point> {
+        if !self.interface.counts.is_empty() {
+            return Err(Missing::new(self.place(0), "machine code of a policy in binary32"));
+        }
         if self.flow.is_empty() {
             self.flow = Rc::new(flow::flow(&self.image, &self.function)?);
             let anything = || terms.bits(terms.unknown());
@@ -232,7 +235,7 @@ impl Here<'_> {
     }
 
     fn value(&self, expression: &Expression, cells: &Cells) -> Found<Value> {
-        code::value(self.terms, expression, &|name, values| match (name, values) {
+        code::value(self.terms, expression, &[], &|name, values| match (name, values) {
             (Computed::Register(register), _) => {
                 cells.get(&Cell::Register(register)).copied().ok_or("a register that is known")
             }

@@ -27,13 +27,13 @@ impl<'g> Meaning<'g> {
         if let Some(&known) = self.programs.get(&program) {
             return Ok(known);
         }
-        let mut registers = vec![terms.constant(0.0); self.graph.registers];
+        let mut registers = vec![self.graph.constant(terms, 0.0); self.graph.registers];
         for line in &self.graph.programs[program] {
             let operands: Vec<_> = (line.operands.iter())
                 .map(|&operand| match operand {
                     GraphOperand::Register(register) => registers[register],
-                    GraphOperand::Source(index) => terms.source(index),
-                    GraphOperand::Constant(value) => terms.constant(value),
+                    GraphOperand::Source(index) => self.graph.interface.value(terms, index),
+                    GraphOperand::Constant(value) => self.graph.constant(terms, value),
                 })
                 .collect();
             registers[line.to] = self.line(terms, line, registers[line.to], &operands)?;
@@ -44,23 +44,38 @@ impl<'g> Meaning<'g> {
 
     /// A line's result; `to` is what its register holds before.
     fn line(&mut self, terms: &Terms, line: &GraphLine, to: Float, operands: &[Float]) -> Result<Float> {
+        let constant = |value| self.graph.constant(terms, value);
+        let is_whole = self.graph.is_whole();
         let result = match (line.word.as_str(), operands) {
             ("add", &[a, b]) => terms.add(a, b),
             ("sub", &[a, b]) => terms.subtract(a, b),
             ("mul", &[a, b]) => terms.multiply(a, b),
-            ("div", &[a, b]) => terms.divide(a, b),
+            ("div", &[a, b]) if !is_whole => terms.divide(a, b),
+            ("fmod", &[_, b]) if is_whole && terms.equal(b, constant(0.0)) != Terms::FALSE => {
+                return Err(Missing::new("graph", "a remainder by what is never 0"));
+            }
             ("fmod", &[a, b]) => terms.remainder(a, b),
+            ("quotient", &[a, b]) if is_whole => {
+                let [zero, most, least, lowest] =
+                    [0, i32::MAX, -i32::MAX, i32::MIN].map(|value| constant(value.into()));
+                let by_zero = terms.choose_float(terms.less(a, zero), least, lowest);
+                let by_zero = terms.choose_float(terms.less(zero, a), most, by_zero);
+                terms.choose_float(terms.equal(b, zero), by_zero, terms.rounded_down(a, b))
+            }
             ("multiply_add", &[a, b]) => terms.add(to, terms.multiply(a, b)),
             ("negate_if_less", &[a, b]) => terms.choose_float(terms.less(a, b), terms.negate(a), a),
             ("min", &[a, b]) | ("std_min", &[b, a]) => terms.minimum(a, b),
             ("max", &[a, b]) | ("std_max", &[b, a]) => terms.maximum(a, b),
-            ("gate", &[a, b]) => terms.choose_float(terms.equal(b, terms.constant(0.0)), terms.constant(-0.0), a),
+            ("gate", &[a, b]) => terms.choose_float(terms.equal(b, constant(0.0)), constant(-0.0), a),
             ("copy", &[a]) => a,
             ("abs", &[a]) => terms.magnitude(a),
-            (word, &[a]) if WORDS.contains(&word) && self.graph.own_maths => self.maths.apply(terms, word, a)?,
+            (word, &[a]) if WORDS.contains(&word) && self.graph.own_maths && !is_whole => {
+                self.maths.apply(terms, word, a)?
+            }
             (word, _) => {
                 let whose = if WORDS.contains(&word) && !self.graph.own_maths { "platform's" } else { "word" };
-                return Err(Missing::new("graph", format!("the meaning of the {whose} `{word}`")));
+                let of = if is_whole { " of whole numbers" } else { "" };
+                return Err(Missing::new("graph", format!("the meaning of the {whose} `{word}`{of}")));
             }
         };
         Ok(result)
@@ -103,7 +118,7 @@ impl<'g> Meaning<'g> {
         let mut values = Vec::new();
         for (&program, &limits) in self.graph.leaves[leaf].iter().zip(&self.graph.limits) {
             let value = self.program(terms, program)?;
-            let limits = limits.map(|limit| terms.constant(limit));
+            let limits = limits.map(|limit| self.graph.constant(terms, limit));
             values.push(terms.clamp(value, limits));
         }
         Ok(values)
@@ -116,8 +131,8 @@ impl<'g> Meaning<'g> {
     pub fn in_range(&mut self, terms: &Terms, leaf: usize) -> Result<Bool> {
         let mut conditions = Vec::new();
         for (value, [low, high, _]) in self.values(terms, leaf)?.into_iter().zip(self.graph.limits.clone()) {
-            conditions.push(terms.less_or_equal(terms.constant(low), value));
-            conditions.push(terms.less_or_equal(value, terms.constant(high)));
+            let [low, high] = [low, high].map(|end| self.graph.constant(terms, end));
+            conditions.extend([terms.less_or_equal(low, value), terms.less_or_equal(value, high)]);
         }
         Ok(terms.all(conditions))
     }
@@ -125,5 +140,9 @@ impl<'g> Meaning<'g> {
 
 /// Tests whether bid `a` is as high as bid `b`; a NaN counts as minus infinity.
 fn as_high(terms: &Terms, a: Float, b: Float) -> Bool {
-    terms.or(terms.at_most(b, a), terms.and(terms.is_nan(a), terms.at_most(b, terms.constant(f32::NEG_INFINITY))))
+    let (higher, nan) = (terms.at_most(b, a), terms.is_nan(a));
+    if nan == Terms::FALSE {
+        return higher;
+    }
+    terms.or(higher, terms.and(nan, terms.at_most(b, terms.constant(f32::NEG_INFINITY))))
 }

@@ -4,6 +4,7 @@ pub mod meaning;
 mod read;
 
 use crate::machine::Interface;
+use crate::term::{Float, Terms};
 
 /// The end of an edge. Teams and leaves by their places in the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -37,7 +38,7 @@ pub(crate) fn circle(after: &[Vec<usize>]) -> Option<usize> {
 enum GraphOperand {
     Register(usize),
     Source(u32),
-    Constant(f32),
+    Constant(f64),
 }
 
 #[derive(Clone, Debug)]
@@ -60,14 +61,14 @@ struct GraphTeam {
 }
 
 /// The lowest and highest value of an output or of memory, and the one in place of NaN.
-type ValueLimits = [f32; 3];
+type ValueLimits = [f64; 3];
 
 /// A graph as it is written. All numbers of programs, teams and leaves are places in the lists here.
 #[derive(Clone, Debug)]
 pub struct Graph {
     interface: Interface,
     /// The declared ranges of the sources, one for each value, and those of the memory after them
-    pub(crate) ranges: Vec<[f32; 2]>,
+    pub(crate) ranges: Vec<[f64; 2]>,
     registers: usize,
     /// Sine and the like are this project's own, not the platform's
     own_maths: bool,
@@ -88,9 +89,19 @@ impl Graph {
         &self.interface
     }
 
-    /// The numbers that programs name.
+    /// Tests for a graph of counts, which are whole numbers.
     #[must_use]
-    pub fn constants(&self) -> Vec<f32> {
+    pub fn is_whole(&self) -> bool {
+        !self.interface.counts.is_empty()
+    }
+
+    /// A number that the graph names.
+    pub(crate) fn constant(&self, terms: &Terms, value: f64) -> Float {
+        if self.is_whole() { terms.whole(value as i128) } else { terms.constant(value as f32) }
+    }
+
+    /// The numbers that programs name.
+    pub(crate) fn constants(&self) -> Vec<f64> {
         let operands = self.programs.iter().flatten().flat_map(|line| &line.operands);
         let constants = operands.filter_map(|operand| match operand {
             GraphOperand::Constant(value) => Some(*value),

@@ -1,4 +1,4 @@
-//! A reader of `graph.json`, versions 1 and 2, in binary32.
+//! A reader of `graph.json`, versions 1 and 2, in binary32, or in whole numbers if it is one of counts.
 
 use super::{Destination::*, Graph, GraphEdge, GraphLine, GraphOperand, GraphTeam, circle};
 use crate::input::{Missing, Result};
@@ -13,6 +13,9 @@ struct Part<'j> {
     json: &'j Json,
     place: String,
 }
+
+/// The greatest whole number up to which binary64 holds all.
+const MOST: f64 = 9_007_199_254_740_992.0;
 
 /// Places in a list by the ids of its items.
 type Ids = HashMap<u64, usize>;
@@ -67,18 +70,27 @@ impl<'j> Part<'j> {
         number.filter(|number| range.contains(number)).ok_or_else(accepted)
     }
 
-    /// The binary32 number nearest to the binary64 number nearest to what is written, as the format says.
-    fn number(&self) -> Result<f32> {
-        let number = self.json.as_f64().map(|number| number as f32).filter(|number| number.is_finite());
-        number.ok_or_else(|| self.fault("a finite number of binary32"))
+    /// The binary32 number nearest to the binary64 number nearest to what is written, as the format says; or a whole number.
+    fn number(&self, whole: bool) -> Result<f64> {
+        let number = self.json.as_f64().map(|number| if whole { number } else { f64::from(number as f32) });
+        let is_exact = |number: &f64| number.fract() == 0.0 && number.abs() <= MOST;
+        let number = number.filter(|number| if whole { is_exact(number) } else { number.is_finite() });
+        number
+            .ok_or_else(|| self.fault(if whole { "a whole number up to 2^53" } else { "a finite number of binary32" }))
     }
 
-    fn numbers<const N: usize>(&self, names: [&str; N]) -> Result<[f32; N]> {
+    fn numbers<const N: usize>(&self, names: [&str; N], whole: bool) -> Result<[f64; N]> {
         let mut numbers = [0.0; N];
         for (number, name) in numbers.iter_mut().zip(names) {
-            *number = self.member(name).number()?;
+            *number = self.member(name).number(whole)?;
         }
         Ok(numbers)
+    }
+
+    /// The bytes of the type of counts.
+    fn bytes(&self) -> Result<u8> {
+        self.only("bits scale offset")?;
+        Ok(if self.member("bits").whole(2..=16)? > 8 { 2 } else { 1 })
     }
 
     fn id(&self) -> Result<u64> {
@@ -89,6 +101,12 @@ impl<'j> Part<'j> {
     fn find(&self, ids: &Ids) -> Result<usize> {
         ids.get(&self.id()?).copied().ok_or_else(|| self.fault("the id of something that is there"))
     }
+}
+
+/// The lowest and the highest number of a signed type.
+fn held(bytes: u8) -> [i128; 2] {
+    let end = 1 << (8 * bytes - 1);
+    [-end, end - 1]
 }
 
 fn ids(items: &[Part<'_>]) -> Result<Ids> {
@@ -124,46 +142,71 @@ impl Graph {
         )?;
         top.member("format").word(&["tpg-graph"])?;
         top.member("version").whole(1..=2)?;
-        top.member("scalar").word(&["f32"])?;
+        let sources = top.member("sources").objects("name length unit ranges image counts")?;
+        let whole = sources.iter().any(|source| !source.member("counts").json.is_null());
+        top.member("scalar").word(&[if whole { "f64" } else { "f32" }])?;
         let own_maths = top.member("maths").word(&["own", "system"])? == 0;
         let registers = top.member("registers").whole(1..=256)?;
         let (mut interface, mut ranges, mut limits) = (Interface::default(), Vec::new(), Vec::new());
         let mut values = HashMap::new();
         // the proof is of the decision for a state, however its values came about: what an image becomes is not read
-        for source in top.member("sources").objects("name length unit ranges image")? {
+        for source in sources {
             let (name, length) = (source.member("name").text()?, source.member("length").whole(0..=1 << 20)?);
             let declared = source.member("ranges").items()?;
             for at in 0..length {
                 values.insert(format!("{name}[{at}]"), ranges.len() as u32);
                 let range = match declared.get(at).or(declared.first()) {
-                    None => [f32::NEG_INFINITY, f32::INFINITY],
+                    None => [f64::NEG_INFINITY, f64::INFINITY],
                     Some(range) => match &range.items()?[..] {
-                        [low, high] => [low.number()?, high.number()?],
+                        [low, high] => [low.number(whole)?, high.number(whole)?],
                         _ => return Err(range.fault("two numbers")),
                     },
                 };
                 ranges.push(range);
             }
             interface.sources.push((name, length as u32));
+            if whole {
+                let list = source.member("counts");
+                let counts = list.items()?;
+                if counts.len() != length {
+                    return Err(list.fault(format!("counts of {length} values")));
+                }
+                let bytes = counts.iter().map(Part::bytes).collect::<Result<Vec<_>>>()?;
+                let bytes = bytes.into_iter().max().unwrap_or(2);
+                interface.bytes.push(bytes);
+                interface.counts.extend(vec![held(bytes); length]);
+            }
         }
-        for output in top.member("outputs").objects("name unit min max nan")? {
+        let mut answered = Vec::new();
+        for output in top.member("outputs").objects("name unit min max nan counts")? {
             interface.outputs.push(output.member("name").text()?);
-            limits.push(output.numbers(["min", "max", "nan"])?);
+            limits.push(output.numbers(["min", "max", "nan"], whole)?);
+            let counts = output.member("counts");
+            match (whole, counts.json.is_null()) {
+                (false, true) => {}
+                (true, false) => answered.push(counts.bytes()?),
+                _ => return Err(counts.fault("counts of all sources and outputs, or of none")),
+            }
         }
         for memory in top.member("memory").objects("name min max initial")? {
             let name = memory.member("name").text()?;
             values.insert(format!("{name}[0]"), ranges.len() as u32);
             interface.memory.push(name);
-            let [low, high, initial] = memory.numbers(["min", "max", "initial"])?;
+            let [low, high, initial] = memory.numbers(["min", "max", "initial"], whole)?;
             ranges.push([low, high]);
             limits.push([low, high, initial]);
+            if whole {
+                interface.bytes.push(4);
+                interface.counts.push([low as i128, high as i128]);
+            }
         }
+        interface.bytes.extend(answered);
         let written = top.member("programs").objects("id lines")?;
         let program_ids = ids(&written)?;
         let mut programs = Vec::new();
         for program in written {
             let lines = program.member("lines").objects("to op args")?;
-            programs.push(lines.iter().map(|line| line.line(&values, registers)).collect::<Result<_>>()?);
+            programs.push(lines.iter().map(|line| line.line(&values, registers, whole)).collect::<Result<_>>()?);
         }
         let written = top.member("leaves").objects("id programs memory")?;
         let leaf_ids = ids(&written)?;
@@ -219,12 +262,12 @@ impl Graph {
 
 impl Part<'_> {
     /// A line of a program, of the numbers of values by their names.
-    fn line(&self, values: &HashMap<String, u32>, registers: usize) -> Result<GraphLine> {
+    fn line(&self, values: &HashMap<String, u32>, registers: usize, whole: bool) -> Result<GraphLine> {
         let mut operands = Vec::new();
         for operand in self.member("args").items()? {
             let register = |name: &str| name.strip_prefix('r')?.parse().ok().filter(|&register| register < registers);
             operands.push(match operand.json.as_str() {
-                None => GraphOperand::Constant(operand.number()?),
+                None => GraphOperand::Constant(operand.number(whole)?),
                 Some(name) => match (values.get(name), register(name)) {
                     (Some(&index), _) => GraphOperand::Source(index),
                     (None, Some(register)) => GraphOperand::Register(register),

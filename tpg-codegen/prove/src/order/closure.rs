@@ -1,6 +1,6 @@
 //! The transitive closure of what is assumed about an order.
 
-use crate::term::{Arithmetic, Float, INFINITY, NEGATIVE_ZERO, Node, Terms, next_above};
+use crate::term::{Arithmetic, Float, INFINITY, NEGATIVE_ZERO, Node, Terms};
 use Arithmetic::*;
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -33,14 +33,15 @@ impl Closure {
             order.reached[element * words + element / 64] |= 1 << (element % 64);
         }
         let places: HashMap<_, _> = elements.iter().enumerate().map(|(at, &element)| (element, at)).collect();
-        let constants: Vec<u32> = elements.iter().map_while(|&element| terms.bits_of(element)).collect();
+        let constants: Vec<i128> = elements.iter().map_while(|&element| terms.rank_of(element)).collect();
         let mut facts = Vec::new();
         for at in 1..constants.len() {
             if !order.link((at - 1, at, true)) {
                 return None;
             }
             // nothing is between neighbours
-            if next_above(constants[at - 1]) == constants[at] {
+            let is_one_kind = terms.is_whole(elements[at - 1]) == terms.is_whole(elements[at]);
+            if is_one_kind && constants[at - 1] + 1 == constants[at] {
                 for other in 0..count {
                     facts.push(alone((at - 1, other, true), (at, other, false)));
                     facts.push(alone((other, at, true), (other, at - 1, false)));
@@ -58,8 +59,18 @@ impl Closure {
         }
         let mut roots = HashMap::new();
         for (at, &element) in elements.iter().enumerate().skip(constants.len()) {
-            if constants.last() == Some(&INFINITY) {
+            if terms.bits_of(elements[constants.len() - 1]) == Some(INFINITY) {
                 order.link((at, constants.len() - 1, false));
+            }
+            if let Some([low, high]) = terms.interval(element) {
+                order.link((0, at, true));
+                for (place, &constant) in constants.iter().enumerate().skip(1) {
+                    if constant >= high {
+                        order.link((at, place, false));
+                    } else if constant <= low {
+                        order.link((place, at, false));
+                    }
+                }
             }
             facts.extend(nan_alike(at, *roots.entry(nan_root(terms, element)).or_insert(at)));
             let Node::Arithmetic(operation, a, b) = terms.of_float(element) else { continue };

@@ -1,4 +1,4 @@
-//! Decides which conditions can hold together, over all total preorders of the floats that they compare.
+//! Decides which conditions can hold together, over all total preorders of the numbers that they compare.
 //!
 //! No solver: cases are split by one comparison at a time, and each is followed through a transitive closure. NaN is one more place
 //! in the order, below minus infinity. What the order does not know, it takes to be possible, so that *never together* is a proof
@@ -6,7 +6,7 @@
 
 mod closure;
 
-use crate::term::{Bool, Float, INFINITY, NAN, NEGATIVE_ZERO, Node::*, Terms, is_nan_bits, next_above, rank};
+use crate::term::{Bool, Float, INFINITY, NAN, NEGATIVE_ZERO, Node::*, Terms, is_nan_bits, next_above};
 use OrderValue::*;
 use closure::Closure;
 use std::collections::{BTreeSet, HashMap};
@@ -63,7 +63,7 @@ pub(crate) fn together(terms: &Terms, assumption: Bool, [left, right]: [&[Bool];
     Some(found)
 }
 
-/// All floats that are compared: NaN first, then constants from the lowest on, then the others.
+/// All numbers that are compared: NaN first, then constants from the lowest on, then the others.
 fn elements(terms: &Terms, roots: &[Bool]) -> Vec<Float> {
     let mut seen: BTreeSet<Bool> = BTreeSet::new();
     let mut floats = BTreeSet::new();
@@ -87,10 +87,14 @@ fn elements(terms: &Terms, roots: &[Bool]) -> Vec<Float> {
             }
         }
     }
-    floats.extend([terms.constant_bits(NAN), terms.constant(0.0)]);
+    if floats.iter().all(|&float| !terms.is_whole(float)) {
+        floats.insert(terms.constant(0.0));
+    }
+    floats.insert(terms.constant_bits(NAN));
     let mut elements: Vec<_> = floats.into_iter().collect();
-    elements.sort_by_key(|&element| {
-        terms.bits_of(element).map_or((1, i64::from(u32::MAX), element), |bits| (0, rank(bits), element))
+    elements.sort_by_key(|&element| match terms.rank_of(element) {
+        Some(rank) => (u8::from(terms.bits_of(element) != Some(NAN)), rank, element),
+        None => (2, 0, element),
     });
     elements
 }

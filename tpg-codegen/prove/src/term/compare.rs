@@ -24,7 +24,7 @@ impl Terms {
 
     /// Tests for NaN.
     pub fn is_nan(&self, a: Float) -> Bool {
-        self.at_most(a, self.constant_bits(NAN))
+        if self.is_whole(a) { Self::FALSE } else { self.at_most(a, self.constant_bits(NAN)) }
     }
 
     /// Tests whether `a` ranks at most as high as `b`: `a <= b`, or `a` is NaN.
@@ -42,6 +42,9 @@ impl Terms {
     }
 
     fn compared(&self, a: Float, b: Float) -> Bool {
+        if let Some(known) = self.wholes_at_most(a, b) {
+            return known;
+        }
         match (self.bits_of(a), self.bits_of(b)) {
             (Some(x), None) if is_nan_bits(x) => return Self::TRUE,
             // c <= b unless b ranks at most as high as what is just below c

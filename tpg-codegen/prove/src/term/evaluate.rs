@@ -35,7 +35,7 @@ impl Evaluator {
     pub fn set(&mut self, state: &[u32]) {
         self.guessed = false;
         self.round += 1;
-        self.state = state.iter().map(|&bits| if is_nan_bits(bits) { NAN } else { bits }).collect();
+        self.state = state.to_vec();
     }
 
     /// A truth value.
@@ -46,6 +46,12 @@ impl Evaluator {
     /// The bits of a float; those of every NaN are [`NAN`].
     pub fn bits(&mut self, terms: &Terms, term: Float) -> u32 {
         self.value(terms, term.0) as u32
+    }
+
+    /// A number, for people.
+    pub(crate) fn text(&mut self, terms: &Terms, term: Float) -> String {
+        let value = self.value(terms, term.0);
+        if terms.is_whole(term) { (value as i64).to_string() } else { format!("{:?}", f32::from_bits(value as u32)) }
     }
 
     /// A word.
@@ -68,8 +74,10 @@ impl Evaluator {
     }
 
     fn computed(&mut self, terms: &Terms, node: &Node) -> u64 {
+        let state = |index: u32| self.state.get(index as usize).copied().unwrap_or_default();
         match *node {
-            Source(index) => self.state.get(index as usize).copied().unwrap_or_default().into(),
+            Source(index) => canonical(state(index)),
+            Count(index) => i64::from(state(index) as i32) as u64,
             Unknown(_) => {
                 self.guessed = true;
                 NAN.into()
@@ -77,16 +85,34 @@ impl Evaluator {
             // every NaN is evaluated as a positive one
             IsNegativeNan(_) => 0,
             Bits(a) => self.value(terms, a.0),
-            _ => value_of(node, &mut |part| Some(self.value(terms, part))).unwrap_or_default(),
+            _ => value_of(terms, node, &mut |part| Some(self.value(terms, part))).unwrap_or_default(),
         }
     }
 }
 
+/// The bits of a number, or those that stand for every NaN.
+fn canonical(bits: u32) -> u64 {
+    u64::from(if is_nan_bits(bits) { NAN } else { bits })
+}
+
 /// The value of a node, if those of its parts give it. The bits of a NaN are unknown.
-pub(super) fn value_of(node: &Node, get: &mut dyn FnMut(u32) -> Option<u64>) -> Option<u64> {
-    let canonical = |bits: u32| u64::from(if is_nan_bits(bits) { NAN } else { bits });
+pub(super) fn value_of(terms: &Terms, node: &Node, get: &mut dyn FnMut(u32) -> Option<u64>) -> Option<u64> {
     let mut float = |term: Float| get(term.0).map(|bits| bits as u32);
     Some(match *node {
+        AtMost(a, b) if terms.is_whole(a) => u64::from(get(a.0)? as i64 <= get(b.0)? as i64),
+        Sum(ref products) => {
+            let mut sum = 0_u64;
+            for (product, by) in products.iter() {
+                let mut value = *by as u64;
+                for &factor in product {
+                    value = value.wrapping_mul(get(factor)?);
+                }
+                sum = sum.wrapping_add(value);
+            }
+            sum
+        }
+        Quotient(a, b) => (get(a.0)? as i64).checked_div(get(b.0)? as i64).unwrap_or_default() as u64,
+        Shifted(a, by) => (get(a.0)? as i64).div_euclid(by as i64) as u64,
         AtMost(a, b) => u64::from(rank(float(a)?) <= rank(float(b)?)),
         IsNegativeZero(a) => u64::from(float(a)? == NEGATIVE_ZERO),
         Arithmetic(operation, a, b) => {
@@ -122,7 +148,7 @@ pub(super) fn value_of(node: &Node, get: &mut dyn FnMut(u32) -> Option<u64>) -> 
         Element(ref table, index) => *table.get(usize::try_from(get(index.0)?).ok()?)?,
         Constant(bits) => bits.into(),
         Number(number) => number,
-        Source(_) | Unknown(_) | IsNegativeNan(_) => return None,
+        Source(_) | Count(_) | Unknown(_) | IsNegativeNan(_) => return None,
     })
 }
 

@@ -1,6 +1,7 @@
 //! Floats: constants, sources and operations, each rounded once.
 
 use super::rank::{NAN, NEGATIVE_ZERO, is_nan_bits};
+use super::whole::MOST;
 use super::{Arithmetic, Bool, Float, Node, Terms};
 use Arithmetic::*;
 use Node::*;
@@ -88,7 +89,11 @@ impl Terms {
 
     /// A choice between two floats.
     pub fn choose_float(&self, condition: Bool, a: Float, b: Float) -> Float {
-        Float(self.chosen(condition, a.0, b.0, |condition, a, b| FloatIf(condition, Float(a), Float(b))))
+        let chosen = Float(self.chosen(condition, a.0, b.0, |condition, a, b| FloatIf(condition, Float(a), Float(b))));
+        if self.is_whole(a) && !self.is_whole(chosen) {
+            self.narrow(chosen, self.interval_under(chosen, &[]).unwrap_or([-MOST, MOST]));
+        }
+        chosen
     }
 
     /// A float where facts hold: choices that they decide are made.
@@ -100,6 +105,7 @@ impl Terms {
     pub fn negate(&self, a: Float) -> Float {
         match self.of_float(a) {
             Negative(inner) => inner,
+            _ if self.is_whole(a) => self.exact(Multiply, a, self.whole(-1)),
             FloatIf(condition, x, y) => self.choose_float(condition, self.negate(x), self.negate(y)),
             Node::Arithmetic(operation @ (Multiply | Divide), x, y) => {
                 if let Some(bits) = self.bits_of(x) {
@@ -119,17 +125,20 @@ impl Terms {
         let a = self.zero_free(a);
         match self.of_float(a) {
             Magnitude(_) => a,
+            _ if self.is_whole(a) => self.choose_float(self.less(a, self.whole(0)), self.negate(a), a),
             _ => self.float(Magnitude(a)),
         }
     }
 
     /// A rounded operation.
     pub fn arithmetic(&self, operation: Arithmetic, a: Float, b: Float) -> Float {
+        if self.is_whole(a) && self.is_whole(b) {
+            return self.exact(operation, a, b);
+        }
         if let Some(lifted) = self.lifted(operation, a, b) {
             return lifted;
         }
         let (x, y) = (self.bits_of(a), self.bits_of(b));
-
         if x.or(y).is_some_and(is_nan_bits) {
             return self.constant_bits(NAN);
         }

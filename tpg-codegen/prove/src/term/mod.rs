@@ -1,4 +1,4 @@
-//! Hash-consed terms over binary32 values, truth values and machine words. Both sides of a proof are built in one [`Terms`]: equal
+//! Hash-consed terms over numbers, truth values and machine words. A number is of binary32, or a whole number. Both sides of a proof are built in one [`Terms`]: equal
 //! nodes are proven equal.
 //!
 //! Constructors simplify. Every rule they apply holds for all bit patterns; the rules that are more than definitions are counted
@@ -11,7 +11,10 @@ pub mod evaluate;
 mod float;
 mod rank;
 mod set;
+mod whole;
 pub(crate) mod word;
+
+pub(crate) use whole::Border;
 
 pub use rank::{INFINITY, NAN, NEGATIVE_ZERO, is_nan_bits, next_above, next_below, rank};
 
@@ -25,7 +28,7 @@ use std::rc::Rc;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Bool(u32);
 
-/// A binary32 value.
+/// A number: a binary32 value, or a whole number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Float(u32);
 
@@ -102,6 +105,14 @@ pub enum Node {
     Constant(u32),
     /// A value of the state, by its index
     Source(u32),
+    /// A value of the state that is a whole number
+    Count(u32),
+    /// A sum of products of whole numbers
+    Sum(Rc<whole::Products>),
+    /// The quotient of two whole numbers, cut off; 0 where the second is
+    Quotient(Float, Float),
+    /// A whole number divided by a power of two, rounded down
+    Shifted(Float, i128),
     /// A value of which nothing is known; equal only to itself
     Unknown(u32),
     /// A rounded operation
@@ -137,8 +148,10 @@ pub struct Terms {
     nodes: RefCell<Vec<Node>>,
     /// The depth of each node
     depths: RefCell<Vec<u16>>,
-    /// A node had to be left out
-    too_deep: Cell<bool>,
+    /// What is missing where a node had to be left out
+    left_out: Cell<Option<&'static str>>,
+    /// The intervals of whole numbers
+    intervals: RefCell<HashMap<Float, whole::Interval>>,
     index: RefCell<HashMap<Node, u32>>,
     lemmas: RefCell<BTreeMap<&'static str, u64>>,
     at_most: RefCell<HashMap<(Float, Float), Bool>>,
@@ -155,7 +168,8 @@ impl Default for Terms {
         let terms = Self {
             nodes: RefCell::default(),
             depths: RefCell::default(),
-            too_deep: Cell::default(),
+            left_out: Cell::default(),
+            intervals: RefCell::default(),
             index: RefCell::default(),
             lemmas: RefCell::default(),
             at_most: RefCell::default(),
@@ -210,7 +224,7 @@ impl Terms {
         assert!(at < u32::MAX / 2, "the table of terms is full");
         let depth = self.deepest_part(&node) + 1;
         if depth > DEEPEST {
-            self.too_deep.set(true);
+            self.left_out.set(Some("a proof with expressions of at most 2000 levels"));
             return simpler;
         }
         self.nodes.borrow_mut().push(node.clone());
@@ -221,10 +235,11 @@ impl Terms {
 
     /// The value of a node whose parts are constants.
     fn folded(&self, node: &Node) -> Option<u64> {
-        evaluate::value_of(node, &mut |part| match self.node_at(part) {
+        evaluate::value_of(self, node, &mut |part| match self.node_at(part) {
             True => Some(1),
             Constant(bits) => Some(bits.into()),
             Number(number) => Some(number),
+            Sum(_) => self.whole_of(Float(part)).map(|value| value as u64),
             _ => None,
         })
     }
@@ -251,10 +266,13 @@ impl Terms {
         let depths = self.depths.borrow();
         let deepest = |parts: &[u32]| parts.iter().map(|&part| depths[part as usize]).max().unwrap_or(0);
         match *node {
-            True | Constant(_) | Source(_) | Unknown(_) | Number(_) => 0,
+            True | Constant(_) | Source(_) | Count(_) | Unknown(_) | Number(_) => 0,
+            Sum(ref products) => products.iter().map(|(product, _)| deepest(product)).max().unwrap_or(0),
             And(ref parts) => parts.iter().map(|part| depths[(part.0 >> 1) as usize]).max().unwrap_or(0),
-            AtMost(a, b) | Arithmetic(_, a, b) => deepest(&[a.0, b.0]),
-            IsNegativeZero(a) | IsNegativeNan(a) | Negative(a) | Magnitude(a) | Bits(a) => deepest(&[a.0]),
+            AtMost(a, b) | Arithmetic(_, a, b) | Quotient(a, b) => deepest(&[a.0, b.0]),
+            IsNegativeZero(a) | IsNegativeNan(a) | Negative(a) | Magnitude(a) | Bits(a) | Shifted(a, _) => {
+                deepest(&[a.0])
+            }
             Within(a, _) | OfBits(a) | OfInteger(_, a) | Element(_, a) => deepest(&[a.0]),
             Below(_, _, a, b) | Apply(_, _, a, b) => deepest(&[a.0, b.0]),
             FloatIf(condition, a, b) => deepest(&[condition.0 >> 1, a.0, b.0]),
@@ -262,10 +280,9 @@ impl Terms {
         }
     }
 
-    /// Returns an error if a term was too deep to be built: nothing can be claimed with these terms then.
+    /// Returns an error if a term was too deep or too great to be built: nothing can be claimed with these terms then.
     pub(crate) fn complete(&self, place: impl FnOnce() -> String) -> Result<()> {
-        let missing = || Missing::new(place(), format!("a proof with expressions of at most {DEEPEST} levels"));
-        if self.too_deep.get() { Err(missing()) } else { Ok(()) }
+        self.left_out.get().map_or(Ok(()), |what| Err(Missing::new(place(), what)))
     }
 
     /// The condition and the sides of a choice between floats or words.

@@ -135,6 +135,10 @@ impl Compiler<'_> {
             self.types.insert(name, ty);
             return self.expect(";");
         }
+        if *self.peek() == Sign("=") {
+            self.variable(name, ty, true)?;
+            return self.expect(";");
+        }
         self.expect("(")?;
         let parameters = self.parameters()?;
         if !self.accept("{") {

@@ -3,7 +3,7 @@
 use super::{Compiler, Operand, Type, Typed, apply, number, width};
 use crate::c::code::Operation;
 use crate::c::token::Token;
-use crate::code::{Computed, Expression, of};
+use crate::code::{Computed, Expression, Integral, of};
 use crate::input::Result;
 use crate::term::{Operator::*, Width};
 use Operand::*;
@@ -75,9 +75,15 @@ impl Compiler<'_> {
             return Ok(condition);
         }
         let condition = self.condition(condition)?;
-        let mark = self.here();
+        // sides with effects lie on two ways, which meet with the value in a cell
+        let (mark, cell) = (self.here(), number(self.allocate(&Type::INT)));
+        let branch = self.branch(condition.clone());
         let first = self.assigned()?;
+        let stored = self.emit(Operation::Return);
+        let end = self.jump(self.scopes.len());
         self.expect(":")?;
+        self.land(&[branch]);
+        let behind = self.here();
         let second = self.conditional()?;
         let second = self.value(second)?;
         let ty = if first.1 == second.1 && !matches!(first.1, Integer(..)) {
@@ -85,11 +91,15 @@ impl Compiler<'_> {
         } else {
             self.common(&first.1, &second.1)?
         };
-        if self.here() != mark {
-            return self.refuse("choices without side effects");
+        let (first, second) = (self.converted(first, &ty)?, self.converted(second, &ty)?);
+        if stored == mark + 1 && self.here() == behind {
+            self.program.operations.truncate(mark);
+            return Ok(Operand::Value(of(Computed::If, [condition, first, second]), ty));
         }
-        let parts = [condition, self.converted(first, &ty)?, self.converted(second, &ty)?];
-        Ok(Operand::Value(of(Computed::If, parts), ty))
+        self.program.operations[stored].1 = Operation::Set(cell.clone(), first, ty == Float);
+        self.emit(Operation::Set(cell.clone(), second, ty == Float));
+        self.land(&[end]);
+        self.loaded(cell, ty).map(|(value, ty)| Operand::Value(value, ty))
     }
 
     fn binary(&mut self, level: usize) -> Result<Operand> {
@@ -136,7 +146,7 @@ impl Compiler<'_> {
     /// What was read as a condition.
     fn condition(&mut self, operand: Operand) -> Result<Expression> {
         match self.value(operand)? {
-            (value, ty @ Integer(..)) => Ok(!of(Computed::Same(width(&ty)), [value, number(0)])),
+            (value, ty @ Integer(..)) => Ok(!self.integral(Integral::Same, &ty, [value, number(0)])),
             _ => self.refuse("a condition of another type"),
         }
     }
@@ -193,7 +203,8 @@ impl Compiler<'_> {
                 let value = self.converted((value, ty), &wide)?;
                 let width = width(&wide);
                 let (operator, first) = if sign == "-" { (Subtract, 0) } else { (Xor, width.mask()) };
-                return Ok(Operand::Value(apply(operator, width, Expression::Number(first), value), wide));
+                let parts = [Expression::Number(first), value];
+                return Ok(Operand::Value(self.integral(Integral::Apply(operator), &wide, parts), wide));
             }
             _ => return self.refuse(format!("`{sign}` of another type")),
         };
@@ -274,7 +285,7 @@ impl Compiler<'_> {
     }
 
     fn call(&mut self, name: &str) -> Result<Operand> {
-        let known = matches!(name, "memcpy" | "fabsf");
+        let known = matches!(name, "memcpy" | "fabsf" | "INT64_C");
         let function = if known { None } else { Some(self.function(name)?) };
         let mut arguments = self.list(")", Self::assigned)?;
         let Some(function) = function else {
@@ -284,6 +295,9 @@ impl Compiler<'_> {
             let (Some(value), true) = (arguments.pop(), arguments.is_empty()) else {
                 return self.refuse(format!("`{name}` of one argument"));
             };
+            if name == "INT64_C" {
+                return Ok(Operand::Value(self.converted(value, &Integer(8, true))?, Integer(8, true)));
+            }
             let value = self.converted(value, &Float)?;
             return Ok(Operand::Value(of(Computed::Magnitude, [value]), Float));
         };
@@ -327,6 +341,7 @@ impl Compiler<'_> {
         let value = value.map_err(|_| fault())?;
         let ty = match suffix {
             "" if value <= i32::MAX as u64 => Type::INT,
+            "" if value <= i64::MAX as u64 => Integer(8, true),
             "u" if value <= u64::from(u32::MAX) => Type::UNSIGNED,
             "ull" => Integer(8, false),
             _ => return Err(fault()),

@@ -97,6 +97,8 @@ pub(super) struct Compiler<'t> {
     scopes: Vec<usize>,
     frame: CallFrame,
     calls: Vec<Rc<Function>>,
+    /// Signed integers are whole numbers, and do not overflow
+    exact: bool,
 }
 
 fn apply(operator: Operator, width: Width, a: Expression, b: Expression) -> Expression {
@@ -116,13 +118,14 @@ impl<'t> Compiler<'t> {
             ("void", Void),
             ("float", Float),
             ("int", Type::INT),
-            ("int32_t", Type::INT),
             ("unsigned", Type::UNSIGNED),
             ("size_t", Type::UNSIGNED),
+            ("uint_fast8_t", Integer(1, false)),
         ];
         let mut types: HashMap<_, _> = names.map(|(name, ty)| (name.to_owned(), ty)).into();
         for bytes in [1, 2, 4, 8] {
             types.insert(format!("uint{}_t", 8 * bytes), Integer(bytes, false));
+            types.insert(format!("int{}_t", 8 * bytes), Integer(bytes, true));
         }
         Self {
             file,
@@ -139,12 +142,13 @@ impl<'t> Compiler<'t> {
             scopes: Vec::new(),
             frame: CallFrame::default(),
             calls: Vec::new(),
+            exact: false,
         }
     }
 
     /// Reads a file: its types, its constants, and where its functions are.
-    pub(super) fn read(file: &'t str, tokens: Vec<Placed>) -> Result<Self> {
-        let mut compiler = Self::new(file, tokens);
+    pub(super) fn read(file: &'t str, tokens: Vec<Placed>, exact: bool) -> Result<Self> {
+        let mut compiler = Self { exact, ..Self::new(file, tokens) };
         while *compiler.peek() != End {
             compiler.external()?;
         }
@@ -154,6 +158,7 @@ impl<'t> Compiler<'t> {
     /// Compiles a function that has the interface of a policy.
     pub(super) fn policy(mut self, name: &str, interface: &Interface) -> Result<Program> {
         let function = self.function(name)?;
+        let mut kinds = interface.bytes.iter().map(|&bytes| Integer(bytes, true));
         let mut arguments = Vec::new();
         let mut structures = Vec::new();
         for (_, ty) in &function.parameters {
@@ -165,7 +170,10 @@ impl<'t> Compiler<'t> {
         let single = |names: &[String]| names.iter().map(|name| (name.clone(), 1)).collect::<Vec<_>>();
         let mut parameters = structures.into_iter();
         let mut cells = |names: &[(String, u32)]| match parameters.next() {
-            Some((address, ty)) => self.fields(ty, names).map(|()| address..address + self.cells(ty)),
+            Some((address, ty)) => {
+                let kinds: Vec<_> = names.iter().map(|_| kinds.next().unwrap_or(Float)).collect();
+                self.fields(ty, names, &kinds).map(|()| address..address + self.cells(ty))
+            }
             None => self.refuse(format!("other parameters of `{name}`")),
         };
         let state = cells(&interface.sources)?;
@@ -188,20 +196,21 @@ impl<'t> Compiler<'t> {
         Ok(self.program)
     }
 
-    /// Checks that a structure holds floats with these names, in this order; underscores may follow a name.
-    fn fields(&self, ty: &Type, names: &[(String, u32)]) -> Result<()> {
+    /// Checks that a structure holds numbers with these names and types, in this order; underscores may follow a name.
+    fn fields(&self, ty: &Type, names: &[(String, u32)], kinds: &[Type]) -> Result<()> {
         let Struct(number) = ty else { return self.refuse("a pointer to a structure") };
         let members = &self.structs[*number];
-        let fits = |member: &(String, Type), (name, length): &(String, u32)| {
-            let floats = match &member.1 {
-                Float => 1,
-                Array(ty, count) if **ty == Float => *count,
+        let fits = |member: &(String, Type), ((name, length), kind): (&(String, u32), &Type)| {
+            let numbers = match &member.1 {
+                ty if ty == kind => 1,
+                Array(ty, count) if **ty == *kind => *count,
                 _ => 0,
             };
-            floats == *length && member.0.trim_end_matches('_') == name.trim_end_matches('_')
+            numbers == *length && member.0.trim_end_matches('_') == name.trim_end_matches('_')
         };
-        let all = members.len() == names.len() && members.iter().zip(names).all(|(member, name)| fits(member, name));
-        if all { Ok(()) } else { self.refuse(format!("a structure of the floats {names:?}")) }
+        let mut pairs = members.iter().zip(names.iter().zip(kinds));
+        let all = members.len() == names.len() && pairs.all(|(member, name)| fits(member, name));
+        if all { Ok(()) } else { self.refuse(format!("a structure of the numbers {names:?}: {kinds:?}")) }
     }
 
     fn function(&self, name: &str) -> Result<Rc<Function>> {
@@ -409,9 +418,11 @@ impl Compiler<'_> {
     /// The constant that a value is: a number, or the bits of a float.
     fn constant_of(&self, value: &Expression) -> Option<u64> {
         let (terms, cells) = (Terms::new(), Cells::new());
-        let here = Here { program: &self.program, terms: &terms, cells: &cells, defines: false };
+        let here = Here { program: &self.program, terms: &terms, cells: &cells, defines: false, facts: &[] };
         match here.value(value).ok()? {
-            Value::Float(float) => terms.bits_of(float).map(u64::from),
+            Value::Float(float) => {
+                terms.bits_of(float).map(u64::from).or_else(|| terms.whole_of(float).map(|value| value as u64))
+            }
             Value::Word(word) => terms.number_of(word),
         }
     }

@@ -1,10 +1,10 @@
 //! Operators on values, and conversions.
 
-use super::{Compiler, Type, Typed, apply, width};
-use crate::code::{Computed, Expression, of};
+use super::{Compiler, Type, Typed, width};
+use crate::code::{Computed, Expression, Integral, Kind, of};
 use crate::input::Result;
 use crate::term::{Arithmetic, Operator::*, Terms};
-use Computed::{Below, Compared, Same};
+use Computed::Compared;
 use Type::*;
 
 pub(super) fn promoted(ty: &Type) -> Type {
@@ -21,14 +21,13 @@ impl Compiler<'_> {
         if sign.starts_with('>') {
             (a, b) = (b, a);
         }
-        let (width, signed) = (width(&ty), ty != Type::UNSIGNED && ty != Integer(8, false));
         let condition = match (&ty, sign) {
             (Float, "==" | "!=") => of(Compared(Terms::equal), [a, b]),
             (Float, "<" | ">") => of(Compared(Terms::less), [a, b]),
             (Float, _) => of(Compared(Terms::less_or_equal), [a, b]),
-            (_, "==" | "!=") => of(Same(width), [a, b]),
-            (_, "<" | ">") => of(Below(signed, width), [a, b]),
-            _ => !of(Below(signed, width), [b, a]),
+            (_, "==" | "!=") => self.integral(Integral::Same, &ty, [a, b]),
+            (_, "<" | ">") => self.integral(Integral::Below, &ty, [a, b]),
+            _ => !self.integral(Integral::Below, &ty, [b, a]),
         };
         Ok(if sign == "!=" { !condition } else { condition })
     }
@@ -50,43 +49,53 @@ impl Compiler<'_> {
         let Integer(_, signed) = ty else { return self.refuse(format!("`{sign}` of this type")) };
         // shifts by the width or more have no meaning
         let b = if shifts { of(Computed::Bounded(width(&ty).bits()), [b]) } else { b };
-        let operator = match sign {
-            "+" => Add,
-            "-" => Subtract,
-            "*" => Multiply,
-            "&" => And,
-            "|" => Or,
-            "^" => Xor,
-            "<<" => ShiftLeft,
-            ">>" if signed => ShiftArithmetic,
-            ">>" => ShiftRight,
+        let what = match sign {
+            "+" => Integral::Apply(Add),
+            "-" => Integral::Apply(Subtract),
+            "*" => Integral::Apply(Multiply),
+            "/" => Integral::Divide,
+            "%" => Integral::Remainder,
+            "&" => Integral::Apply(And),
+            "|" => Integral::Apply(Or),
+            "^" => Integral::Apply(Xor),
+            "<<" => Integral::Apply(ShiftLeft),
+            ">>" if signed => Integral::Apply(ShiftArithmetic),
+            ">>" => Integral::Apply(ShiftRight),
             _ => return self.refuse(format!("`{sign}` of integers")),
         };
-        Ok((apply(operator, width(&ty), a, b), ty))
+        Ok((self.integral(what, &ty, [a, b]), ty))
+    }
+
+    /// A type of integers; anything else is as wide as an `int`.
+    pub(super) fn kind(&self, ty: &Type) -> Kind {
+        let (bytes, signed) = if let Integer(bytes, signed) = *ty { (bytes, signed) } else { (4, false) };
+        Kind { bytes, signed, exact: self.exact }
+    }
+
+    /// An operation in a type of integers.
+    pub(super) fn integral<const N: usize>(&self, what: Integral, ty: &Type, parts: [Expression; N]) -> Expression {
+        of(Computed::Integer(what, self.kind(ty)), parts)
     }
 
     /// The type in which two operands are computed with.
     pub(super) fn common(&self, x: &Type, y: &Type) -> Result<Type> {
         match (promoted(x), promoted(y)) {
             (Float, Float | Integer(..)) | (Integer(..), Float) => Ok(Float),
-            // the only signed type is narrower than the unsigned ones, or as wide
-            (Integer(a, s), Integer(b, t)) => Ok(Integer(a.max(b), s && t)),
+            (Integer(a, s), Integer(b, t)) if a == b => Ok(Integer(a, s && t)),
+            (x @ Integer(a, _), y @ Integer(b, _)) => Ok(if a > b { x } else { y }),
             _ => self.refuse("operands of another type"),
         }
     }
 
     pub(super) fn converted(&self, (value, from): Typed, to: &Type) -> Result<Expression> {
         match (&from, to) {
+            (Integer(..), Integer(_, signed)) if from != *to || self.exact && *signed => {
+                Ok(self.integral(Integral::From(self.kind(&from)), to, [value]))
+            }
             _ if from == *to => Ok(value),
             (Pointer(_), Pointer(_)) => Ok(value),
             (Integer(bytes, signed), Float) if *bytes <= 4 => Ok(of(Computed::OfInteger(*signed), [value])),
             (Float, Integer(..)) => self.refuse("a float that is in the range of an integer"),
-            (Integer(_, true), Integer(8, _)) => self.refuse("an unsigned integer"),
-            (Integer(a, _), Integer(b, _)) if *b < 4 || *a == 8 && *b == 4 => {
-                let mask = Expression::Number((1 << (8 * u64::from(*b))) - 1);
-                Ok(apply(And, width(&from), value, mask))
-            }
-            (Integer(..), Integer(..)) => Ok(value),
             _ => self.refuse(format!("a conversion from {from:?} to {to:?}")),
         }
     }
