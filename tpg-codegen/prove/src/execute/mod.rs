@@ -69,7 +69,7 @@ impl Object {
 impl Machine for Object {
     fn entry(&mut self, terms: &Terms) -> Result<Point> {
         if !self.interface.counts.is_empty() {
-            return Err(Missing::new(self.place(0), "machine code of a policy in binary32"));
+            return Err(Missing::new("the object", "a graph in binary32: machine code in integers is not read yet"));
         }
         if self.flow.is_empty() {
             self.flow = Rc::new(flow::flow(&self.image, &self.function)?);
