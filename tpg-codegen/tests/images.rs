@@ -1,5 +1,6 @@
 //! Policies that see an image: the function that reads it.
 
+use std::fs;
 use tpg_codegen::compile;
 use tpg_codegen::emit::{self, Code, Language, Options, Profile};
 use tpg_codegen::quantise::{Request, quantise};
@@ -77,6 +78,12 @@ fn integers_read_the_image_in_place() {
     assert!(codes.iter().flat_map(|code| &code.files).all(|file| !file.text.contains("float")));
     let proof = Proof::of(&codes, 1000, 3).expect("compilers run");
     assert!(proof.holds() && proof.comparisons.len() == 2 * codes.len(), "{proof:?}");
+    let folder = tempfile::TempDir::new().expect("a temporary folder");
+    fs::write(folder.path().join("eye.json"), whole.to_json()).expect("a file");
+    let mut tool = assert_cmd::Command::cargo_bin("tpg-codegen").expect("the program");
+    let said = tool.current_dir(folder.path()).args(["prove", "eye.json"]).assert().success();
+    let said = String::from_utf8_lossy(&said.get_output().stdout).into_owned();
+    assert_eq!(said.matches("proven equal to the graph for all inputs").count(), 4, "{said}");
     // Counts of an image's values are these values.
     let text = whole.to_json().replacen("\"scale\":1.0", "\"scale\":2.0", 1);
     let error = Graph::from_json("eye.json", &text).expect_err("no such counts").to_string();

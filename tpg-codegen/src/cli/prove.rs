@@ -117,7 +117,7 @@ impl ProveArgs {
             &["the processor executes instructions as the ARM v7-M manual says, with the default FPSCR"]
         } else {
             &[
-                "the C compiler keeps to C99 and IEEE 754, has an int of 32 bits, and defines no macro that the text asks for",
+                "the C compiler keeps to C99 and IEEE 754, has an int of 32 bits, of counts 16 or more, and defines no macro that the text asks for",
             ]
         };
         let certificates: Vec<_> = (proofs.iter())

@@ -18,7 +18,8 @@ use tpg_runtime::policy::{% if outputs.is_empty() %}{ActionId, Policy}{% else %}
 /// - {{ source }}
 {% endfor -%}
 ///
-/// Every value that the types hold is legal{% if !look.is_empty() %}; of an image, every one that `look` writes{% endif %}. It answers:
+/// Every value is legal that the type of its counts holds, `i8` for up to 8 bits, else `i16`{% if !look.is_empty() %}; of an image, every one that
+/// `look` writes{% endif %}. It answers:
 {% for answer in answers -%}
 /// - {{ answer }}
 {% endfor -%}

@@ -93,6 +93,26 @@ impl<'j> Part<'j> {
         Ok(if self.member("bits").whole(2..=16)? > 8 { 2 } else { 1 })
     }
 
+    /// The lowest and the highest value of a feature of an image of so many rows and columns.
+    fn feature(&self, [rows, columns]: [usize; 2]) -> Result<[i128; 2]> {
+        let [row, column, contrast, sum] = ["row", "column", "contrast", "sum"].map(|name| self.member(name));
+        let is = |part: &Self| !part.json.is_null();
+        let size = |part: &Self, name: &str| part.member(name).whole(1..=1 << 16);
+        // a cell that is not 0 may not be there, a window is
+        let none = |part: &Self| if ["first", "last"].iter().any(|name| is(&part.member(name))) { -1 } else { 0 };
+        Ok(match () {
+            () if is(&row) => [none(&row), rows as i128 - 1],
+            () if is(&column) => [none(&column), columns as i128 - 1],
+            () if is(&contrast) => {
+                let windows = ["brightest", "darkest"].map(|name| contrast.member(name));
+                let size = windows.iter().find(|window| is(window)).map_or(Ok(0), |window| size(window, "size"))?;
+                [0, (255 * size * size) as i128]
+            }
+            () if is(&sum) => [0, (255 * size(&sum, "height")? * size(&sum, "width")?) as i128],
+            () => [0, 255],
+        })
+    }
+
     fn id(&self) -> Result<u64> {
         self.json.as_u64().ok_or_else(|| self.fault("an id"))
     }
@@ -174,7 +194,20 @@ impl Graph {
                 let bytes = counts.iter().map(Part::bytes).collect::<Result<Vec<_>>>()?;
                 let bytes = bytes.into_iter().max().unwrap_or(2);
                 interface.bytes.push(bytes);
-                interface.counts.extend(vec![held(bytes); length]);
+                let image = source.member("image");
+                if image.json.is_null() {
+                    interface.counts.extend(vec![held(bytes); length]);
+                    continue;
+                }
+                let [Some(rows), Some(columns)] = [0, 1].map(|at| image.json["shape"][at].as_u64()) else {
+                    return Err(image.member("shape").fault("rows and columns"));
+                };
+                for feature in image.member("features").items()? {
+                    interface.counts.push(feature.feature([rows as usize, columns as usize])?);
+                }
+                if interface.counts.len() != ranges.len() {
+                    return Err(image.member("features").fault(format!("features of {length} values")));
+                }
             }
         }
         let mut answered = Vec::new();

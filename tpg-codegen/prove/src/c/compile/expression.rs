@@ -199,7 +199,7 @@ impl Compiler<'_> {
             ("*", _) => return self.refuse("a pointer"),
             ("-", Float) => of(Computed::Negative, [value]),
             ("-" | "~", Integer(..)) => {
-                let wide = super::operation::promoted(&ty);
+                let wide = self.promoted(&ty);
                 let value = self.converted((value, ty), &wide)?;
                 let width = width(&wide);
                 let (operator, first) = if sign == "-" { (Subtract, 0) } else { (Xor, width.mask()) };
@@ -340,8 +340,10 @@ impl Compiler<'_> {
         };
         let value = value.map_err(|_| fault())?;
         let ty = match suffix {
+            "" if value <= i16::MAX as u64 => Integer(self.int(), true),
             "" if value <= i32::MAX as u64 => Type::INT,
             "" if value <= i64::MAX as u64 => Integer(8, true),
+            "u" if value <= u64::from(u16::MAX) => Integer(self.int(), false),
             "u" if value <= u64::from(u32::MAX) => Type::UNSIGNED,
             "ull" => Integer(8, false),
             _ => return Err(fault()),

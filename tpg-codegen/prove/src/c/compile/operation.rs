@@ -7,14 +7,19 @@ use crate::term::{Arithmetic, Operator::*, Terms};
 use Computed::Compared;
 use Type::*;
 
-pub(super) fn promoted(ty: &Type) -> Type {
-    match ty {
-        Integer(1 | 2, _) => Type::INT,
-        ty => ty.clone(),
-    }
-}
-
 impl Compiler<'_> {
+    /// The bytes of an `int`: with counts, what it computes holds in 16 bits, and so in more.
+    pub(super) fn int(&self) -> u8 {
+        if self.exact { 2 } else { 4 }
+    }
+
+    pub(super) fn promoted(&self, ty: &Type) -> Type {
+        match *ty {
+            Integer(bytes, signed) if bytes < self.int() || bytes == self.int() && signed => Integer(self.int(), true),
+            _ => ty.clone(),
+        }
+    }
+
     pub(super) fn compared(&self, sign: &str, a: Typed, b: Typed) -> Result<Expression> {
         let ty = self.common(&a.1, &b.1)?;
         let (mut a, mut b) = (self.converted(a, &ty)?, self.converted(b, &ty)?);
@@ -34,7 +39,7 @@ impl Compiler<'_> {
 
     pub(super) fn operated(&self, sign: &str, a: Typed, b: Typed) -> Result<Typed> {
         let shifts = matches!(sign, "<<" | ">>");
-        let ty = if shifts { promoted(&a.1) } else { self.common(&a.1, &b.1)? };
+        let ty = if shifts { self.promoted(&a.1) } else { self.common(&a.1, &b.1)? };
         let (a, b) = (self.converted(a, &ty)?, self.converted(b, if shifts { &Type::UNSIGNED } else { &ty })?);
         if ty == Float {
             let (operation, b) = match sign {
@@ -79,7 +84,7 @@ impl Compiler<'_> {
 
     /// The type in which two operands are computed with.
     pub(super) fn common(&self, x: &Type, y: &Type) -> Result<Type> {
-        match (promoted(x), promoted(y)) {
+        match (self.promoted(x), self.promoted(y)) {
             (Float, Float | Integer(..)) | (Integer(..), Float) => Ok(Float),
             (Integer(a, s), Integer(b, t)) if a == b => Ok(Integer(a, s && t)),
             (x @ Integer(a, _), y @ Integer(b, _)) => Ok(if a > b { x } else { y }),
