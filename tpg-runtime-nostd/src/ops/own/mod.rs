@@ -66,8 +66,8 @@ macro_rules! kernels {
         pub(in crate::ops) const LEAST_NORMAL: $bits = 1 << DIGITS;
         pub(in crate::ops) const FRACTION: $bits = LEAST_NORMAL - 1;
         const BIAS: $bits = $float::MAX_EXP as $bits - 1;
-        const INFINITY: $bits = MAGNITUDE - FRACTION;
-        const NAN: $bits = INFINITY | LEAST_NORMAL >> 1;
+        pub(in crate::ops) const INFINITY: $bits = MAGNITUDE - FRACTION;
+        pub(in crate::ops) const NAN: $bits = INFINITY | LEAST_NORMAL >> 1;
 
         /// Sine of `x` radians: odd, and never beyond ±1.
         #[inline]
