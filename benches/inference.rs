@@ -32,7 +32,7 @@ fn main() {
     if testing {
         subjects.truncate(1);
     } else {
-        subjects.extend(subject::conformance(subject::STATES));
+        subjects.extend(subject::conformance());
     }
     let mut times = Table::new("Nanoseconds per decision");
     let mut counts = Table::new("Instructions per decision");
@@ -41,10 +41,10 @@ fn main() {
         let programs = Variant::ALL.map(|variant| Program::build(subject, variant).unwrap_or_else(|e| panic!("{e}")));
         let least = least(subject, &programs, if testing { 1 } else { STARTS });
         for ((variant, program), least) in Variant::ALL.into_iter().zip(&programs).zip(least) {
-            times.note(subject, variant, least / subject.count() as f64);
+            times.note(&subject.name, subject.kind, variant, least / subject.count() as f64);
             if counting {
                 let count = callgrind::per_state(program, subject).unwrap_or_else(|error| panic!("{error}"));
-                counts.note(subject, variant, count);
+                counts.note(&subject.name, subject.kind, variant, count);
             }
         }
         eprintln!("{}", subject.name);

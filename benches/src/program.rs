@@ -6,7 +6,7 @@ use crate::variant::Variant;
 use askama::Template;
 use std::io::{self, BufRead as _, BufReader, Write as _};
 use std::path::{Path, PathBuf};
-use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::process::{Child, ChildStdout, Command, Stdio};
 use std::time::Duration;
 use std::{env, fs};
 use tempfile::TempDir;
@@ -45,7 +45,6 @@ pub struct Program {
 #[derive(Debug)]
 pub struct Running {
     child: Child,
-    input: Option<ChildStdin>,
     output: BufReader<ChildStdout>,
     hash: u32,
 }
@@ -97,10 +96,9 @@ impl Program {
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()?;
-        let missing = || io::Error::other("the program has no pipe");
-        let input = Some(child.stdin.take().ok_or_else(missing)?);
-        let output = BufReader::new(child.stdout.take().ok_or_else(missing)?);
-        Ok(Running { child, input, output, hash: hash(subject, subject.count()) })
+        let output = child.stdout.take().ok_or_else(missing)?;
+        let hash = hash_of(interpret::actions(&subject.graph, &subject.states).iter().map(|action| action.0));
+        Ok(Running { child, output: BufReader::new(output), hash })
     }
 
     /// Returns the command that decides the first `count` states `passes` times and exits.
@@ -122,8 +120,7 @@ impl Running {
     /// # Errors
     /// If the program died, or takes different actions from the interpreter.
     pub fn time(&mut self, passes: u64) -> io::Result<Duration> {
-        let input = self.input.as_mut().ok_or_else(|| io::Error::other("the program was closed"))?;
-        writeln!(input, "{passes}")?;
+        writeln!(self.child.stdin.as_mut().ok_or_else(missing)?, "{passes}")?;
         let mut line = String::new();
         self.output.read_line(&mut line)?;
         let mut words = line.split_whitespace();
@@ -139,16 +136,13 @@ impl Running {
 
 impl Drop for Running {
     fn drop(&mut self) {
-        // Closing its input ends the program.
-        self.input = None;
+        // This closes its input, which ends the program.
         let _ = self.child.wait();
     }
 }
 
-/// Returns the expected hash of a pass over the first states.
-pub fn hash(subject: &Subject, count: usize) -> u32 {
-    let actions = interpret::actions(&subject.graph, &subject.states[..count * subject.graph.state_length()]);
-    hash_of(actions.iter().map(|action| action.0))
+fn missing() -> io::Error {
+    io::Error::other("the program has no pipe")
 }
 
 /// Computes FNV-1a, one action at a time.

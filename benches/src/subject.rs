@@ -19,7 +19,7 @@ use tpg_problems::arm::binding::{Binding, bind};
 use tpg_problems::arm::targets::{self, Start};
 
 /// Number of states of a subject: too many for a branch predictor to memorise.
-pub const STATES: usize = 8192;
+const STATES: usize = 8192;
 
 /// Origin of a policy; policies of a kind are summarised together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -102,7 +102,7 @@ fn episodes<S: Lattice>(graph: &Graph, arm: &Arm<S>, tasks: &[targets::Task], st
 ///
 /// # Panics
 /// If the folder exists and cannot be read, or a policy does not end its episodes as recorded.
-pub fn conformance(limit: usize) -> Vec<Subject> {
+pub fn conformance() -> Vec<Subject> {
     let default = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/conformance");
     let folder = env::var_os("TPG_CONFORMANCE").map_or_else(default, PathBuf::from);
     if !folder.is_dir() {
@@ -120,7 +120,7 @@ pub fn conformance(limit: usize) -> Vec<Subject> {
         .iter()
         .map(|path| {
             let mut subject = recorded(&folder, path);
-            subject.states.truncate(limit.saturating_mul(subject.graph.state_length()));
+            subject.states.truncate(STATES * subject.graph.state_length());
             subject
         })
         .collect()

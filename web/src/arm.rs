@@ -48,9 +48,10 @@ type Network = PackedPolicy<'static, { widowx_sac::SCRATCH }>;
 
 /// The state of an arm, as numbers that a page reads.
 #[repr(u32)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum State {
     /// The graph acted last, or nothing has yet.
+    #[default]
     Graph,
     /// The network acted last.
     Network,
@@ -92,7 +93,7 @@ impl From<Outcome> for State {
 
 /// An arm as a page reads it; the same layout in JavaScript.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct View {
     /// Shoulder, end of the upper arm, elbow, wrist, tip of the hand: x, y, z each, mm.
     pub points: [[f32; 3]; 5],
@@ -111,8 +112,8 @@ pub struct View {
 /// An episode of one of the four.
 enum Course {
     Hybrid(HybridEpisode<'static, f32, Graph, Network, widowx_rs_hybrid::Detector>),
-    Graph(Episode<'static, f32, Brent>),
-    Network(Episode<'static, f32, Brent>),
+    /// Of the graph or the network.
+    Alone(Episode<'static, f32, Brent>, State),
     Planner(Episode<'static, f64, Brent>),
 }
 
@@ -140,15 +141,7 @@ impl Scene {
         let target = [0.0, 300.0, 300.0];
         let planner = Planner::new(&EXACT_ARM, Choice::NearestFree);
         let courses = courses(hybrid, [ARM.home; ARMS], target);
-        let blank = View {
-            points: [[0.0; 3]; 5],
-            distance: 0.0,
-            pose: [0; 4],
-            actions: [0; 2],
-            state: State::Graph,
-            seen: [0.0; SEEN],
-        };
-        let mut scene = Self { hybrid, seen, planner, target, courses, views: [blank; ARMS] };
+        let mut scene = Self { hybrid, seen, planner, target, courses, views: [View::default(); ARMS] };
         scene.show_all();
         Some(scene)
     }
@@ -183,11 +176,11 @@ impl Scene {
                     let (driver, outcome) = episode.advance();
                     (if driver == Driver::Sac { State::Network } else { State::Graph }, outcome)
                 }
-                Course::Graph(episode) => {
-                    (State::Graph, episode.advance(self.hybrid.tpg.decide(episode.observation())))
-                }
-                Course::Network(episode) => {
-                    (State::Network, episode.advance(self.hybrid.sac.decide(episode.observation())))
+                Course::Alone(episode, driver) => {
+                    let seen = episode.observation();
+                    let is_network = *driver == State::Network;
+                    let wanted = if is_network { self.hybrid.sac.decide(seen) } else { self.hybrid.tpg.decide(seen) };
+                    (*driver, episode.advance(wanted))
                 }
                 Course::Planner(episode) => {
                     (State::Planner, episode.advance(self.planner.decide(episode.observation())))
@@ -209,7 +202,7 @@ impl Scene {
     pub fn poses(&self) -> [Pose; ARMS] {
         self.courses.each_ref().map(|course| match course {
             Course::Hybrid(episode) => episode.observation().pose,
-            Course::Graph(episode) | Course::Network(episode) => episode.observation().pose,
+            Course::Alone(episode, _) => episode.observation().pose,
             Course::Planner(episode) => episode.observation().pose,
         })
     }
@@ -230,7 +223,7 @@ impl Scene {
         let (Some(course), Some(view)) = (self.courses.get(arm), self.views.get_mut(arm)) else { return };
         match course {
             Course::Hybrid(episode) => fill(view, &ARM, episode.observation()),
-            Course::Graph(episode) | Course::Network(episode) => fill(view, &ARM, episode.observation()),
+            Course::Alone(episode, _) => fill(view, &ARM, episode.observation()),
             Course::Planner(episode) => fill(view, &EXACT_ARM, episode.observation()),
         }
         // Where the target lies in the hand, there is nothing to do.
@@ -247,8 +240,8 @@ fn courses(
 ) -> [Course; ARMS] {
     [
         Course::Hybrid(HybridEpisode::new(hybrid, task(poses[0], target), widowx_rs_hybrid::Detector::new())),
-        Course::Graph(Episode::new(&ARM, task(poses[1], target), Brent::new())),
-        Course::Network(Episode::new(&ARM, task(poses[2], target), Brent::new())),
+        Course::Alone(Episode::new(&ARM, task(poses[1], target), Brent::new()), State::Graph),
+        Course::Alone(Episode::new(&ARM, task(poses[2], target), Brent::new()), State::Network),
         Course::Planner(Episode::new(&EXACT_ARM, task(poses[3], target), Brent::new())),
     ]
 }

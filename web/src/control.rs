@@ -3,18 +3,18 @@
 //! The dynamics are those of `tpg-problems`, which training and evaluation step, too.
 
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Act, SourceSet};
+use tpg_engine::{Decision, SourceSet};
 use tpg_generated::{cartpole::Cartpole, mountain_car::MountainCar as CarPolicy, pendulum::Pendulum as PendulumPolicy};
 use tpg_problems::varied::Adjustable;
 use tpg_problems::{CartPole, MountainCar, Pendulum, cartpole, mountain_car, pendulum};
-use tpg_runtime::policy::{ActionId, Policy};
+use tpg_runtime::policy::Policy;
 
 /// The greatest number of values of a state.
 pub const STATE: usize = 4;
 
 /// A problem as a page reads it; the same layout in JavaScript.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct View {
     /// Position and velocity, angle and angular velocity: whatever an episode can begin with.
     pub state: [f64; STATE],
@@ -32,30 +32,6 @@ pub struct View {
     pub ended: u32,
 }
 
-/// A policy's answer as an action of an environment.
-trait Answer {
-    fn act(&self) -> Act<'_, f32>;
-    fn number(&self) -> f64;
-}
-
-impl Answer for ActionId {
-    fn act(&self) -> Act<'_, f32> {
-        Act::Choice(*self)
-    }
-    fn number(&self) -> f64 {
-        f64::from(self.0)
-    }
-}
-
-impl Answer for [f32; 1] {
-    fn act(&self) -> Act<'_, f32> {
-        Act::Values(self)
-    }
-    fn number(&self) -> f64 {
-        f64::from(self[0])
-    }
-}
-
 /// A problem under way.
 pub trait Rig {
     /// Begins an episode, drawn by a seed.
@@ -71,9 +47,9 @@ pub trait Rig {
 }
 
 /// An environment with the policy that drives it.
-struct Driven<E: Adjustable<f32>, P, const N: usize> {
+struct Driven<E: Adjustable<f32>, const N: usize> {
     environment: E,
-    policy: P,
+    policy: fn(&[f32; N]) -> Decision<f32>,
     physics: E::Physics,
     /// The constants that a page may change, in its order.
     constants: fn(&mut E::Physics) -> [&mut f64; 2],
@@ -81,21 +57,18 @@ struct Driven<E: Adjustable<f32>, P, const N: usize> {
     view: View,
 }
 
-impl<E, P, const N: usize> Driven<E, P, N>
+impl<E, const N: usize> Driven<E, N>
 where
     E: Adjustable<f32, Task: AsRef<[f64]> + AsMut<[f64]>>,
 {
-    fn new(environment: E, policy: P, physics: E::Physics, constants: fn(&mut E::Physics) -> [&mut f64; 2]) -> Self {
+    fn new(
+        environment: E,
+        policy: fn(&[f32; N]) -> Decision<f32>,
+        physics: E::Physics,
+        constants: fn(&mut E::Physics) -> [&mut f64; 2],
+    ) -> Self {
         let task = environment.draw(&mut Stream::new(1, 0, Purpose::Test, 0));
-        let view = View {
-            state: [0.0; STATE],
-            action: 0.0,
-            score: 0.0,
-            last_score: f64::NAN,
-            seen: [0.0; STATE],
-            actions: 0,
-            ended: 0,
-        };
+        let view = View { last_score: f64::NAN, ..View::default() };
         let episode = environment.start(&task);
         let mut driven = Self { environment, policy, physics, constants, episode, view };
         driven.show();
@@ -109,10 +82,9 @@ where
     }
 }
 
-impl<E, P, const N: usize> Rig for Driven<E, P, N>
+impl<E, const N: usize> Rig for Driven<E, N>
 where
     E: Adjustable<f32, Task: AsRef<[f64]> + AsMut<[f64]>>,
-    P: Policy<State = [f32; N], Action: Answer>,
 {
     fn restart(&mut self, seed: u32) {
         let task = self.environment.draw(&mut Stream::new(u64::from(seed), 0, Purpose::Test, 0));
@@ -127,11 +99,14 @@ where
         }
         let mut seen = [0.0; N];
         self.environment.observe(&mut self.episode, SourceSet::ALL, &mut seen);
-        let answer = self.policy.decide(&seen);
+        let answer = (self.policy)(&seen);
         let step = self.environment.step_under(&self.physics, &mut self.episode, answer.act());
         let view = &mut self.view;
         view.seen[..N].copy_from_slice(&seen);
-        view.action = answer.number();
+        view.action = match answer {
+            Decision::Choice(action) => action.0.into(),
+            Decision::Values(values) => values.first().copied().map_or(0.0, f64::from),
+        };
         view.score += step.reward;
         view.actions += 1;
         view.ended = u32::from(step.end.is_some());
@@ -170,14 +145,23 @@ where
 /// The problems in the page's order, each with the constants that a page may change.
 pub fn rigs() -> [Box<dyn Rig>; 3] {
     [
-        Box::new(Driven::<_, _, 4>::new(CartPole, Cartpole, cartpole::Physics::STANDARD, |physics| {
-            [&mut physics.length, &mut physics.force]
-        })),
-        Box::new(Driven::<_, _, 3>::new(Pendulum, PendulumPolicy, pendulum::Physics::STANDARD, |physics| {
-            [&mut physics.mass, &mut physics.length]
-        })),
-        Box::new(Driven::<_, _, 2>::new(MountainCar, CarPolicy, mountain_car::Physics::STANDARD, |physics| {
-            [&mut physics.force, &mut physics.slope]
-        })),
+        Box::new(Driven::new(
+            CartPole,
+            |seen| Decision::Choice(Cartpole.decide(seen)),
+            cartpole::Physics::STANDARD,
+            |physics| [&mut physics.length, &mut physics.force],
+        )),
+        Box::new(Driven::new(
+            Pendulum,
+            |seen| Decision::Values(PendulumPolicy.decide(seen).to_vec()),
+            pendulum::Physics::STANDARD,
+            |physics| [&mut physics.mass, &mut physics.length],
+        )),
+        Box::new(Driven::new(
+            MountainCar,
+            |seen| Decision::Choice(CarPolicy.decide(seen)),
+            mountain_car::Physics::STANDARD,
+            |physics| [&mut physics.force, &mut physics.slope],
+        )),
     ]
 }

@@ -21,78 +21,87 @@ const PUBLISHED: [&str; 3] = ["tpg-train", "tpg-generated", "cortex-bound"];
 /// Bare-metal targets that the runtime without its features is built for.
 const NO_STD: [&str; 3] = ["thumbv7em-none-eabihf", "thumbv7em-none-eabi", "thumbv6m-none-eabi"];
 
+/// Runs some checks and prints their summary; returns true if all passed.
+pub(crate) fn run(checks: impl FnOnce(&mut Run)) -> bool {
+    let log = env::temp_dir().join(format!("tpg-skipped-{}", std::process::id()));
+    let mut run = Run { summary: Summary::default(), log };
+    checks(&mut run);
+    run.summary.skip(tpg_testing::skipped(&run.log));
+    let _ = fs::remove_file(&run.log);
+    run.summary.print();
+    run.summary.good()
+}
+
 /// Runs the tests of every crate; returns true if all passed.
 pub(crate) fn test() -> bool {
-    let mut run = Run::new();
-    run.all_tests();
-    run.finish()
+    run(Run::all_tests)
 }
 
 /// Runs every check but the tests; returns true if all passed.
 pub(crate) fn all() -> bool {
-    let mut run = Run::new();
-    run.check("format", cargo(&["fmt", "--all", "--check"]));
-    let python = interpreter();
-    let without: &[&str] = if python.is_some() { &[] } else { &[PYTHON] };
-    let mut clippy = workspace("clippy", without, &["--all-targets", "--all-features", "--", "--deny", "warnings"]);
-    clippy.envs(python.map(|python| ("PYO3_PYTHON", python)));
-    run.check("clippy", clippy);
-    let mut documentation = workspace("doc", &[PYTHON], &["--all-features", "--no-deps", "--quiet"]);
-    documentation.env("RUSTDOCFLAGS", "--deny warnings");
-    run.check("documentation", documentation);
-    run.supply_chain();
-    run.book();
-    for target in NO_STD {
-        run.no_std(target);
-    }
-    run.oldest_compiler();
-    run.firmware(&["qemu"]);
-    run.firmware(&["cores"]);
-    run.firmware(&["lint"]);
-    python::check(&mut run, PythonArgs::default());
-    run.finish()
+    run(|run| {
+        run.check("format", cargo(&["fmt", "--all", "--check"]));
+        let python = interpreter();
+        let without: &[&str] = if python.is_some() { &[] } else { &[PYTHON] };
+        let mut clippy = workspace("clippy", without, &["--all-targets", "--all-features", "--", "--deny", "warnings"]);
+        clippy.envs(python.map(|python| ("PYO3_PYTHON", python)));
+        run.check("clippy", clippy);
+        let mut documentation = workspace("doc", &[PYTHON], &["--all-features", "--no-deps", "--quiet"]);
+        documentation.env("RUSTDOCFLAGS", "--deny warnings");
+        run.check("documentation", documentation);
+        run.supply_chain();
+        run.book();
+        for target in NO_STD {
+            run.no_std(target);
+        }
+        run.oldest_compiler();
+        run.firmware(&["qemu"]);
+        run.firmware(&["cores"]);
+        run.firmware(&["lint"]);
+        python::check(run, PythonArgs::default());
+    })
 }
 
 /// Runs the lint of generated C and of the firmwares; returns true if it passed.
 pub(crate) fn lint() -> bool {
-    let mut run = Run::new();
-    run.tests(
-        "lint of generated C",
-        cargo(&["test", "--package", "tpg-codegen", "--test", "all", "--", "c_lint::", "eva::"]),
-    );
-    run.firmware(&["lint"]);
-    run.finish()
+    run(|run| {
+        run.tests(
+            "lint of generated C",
+            cargo(&["test", "--package", "tpg-codegen", "--test", "all", "--", "c_lint::", "eva::"]),
+        );
+        run.firmware(&["lint"]);
+    })
 }
 
 /// Runs a check of the firmwares; returns true if it passed.
 pub(crate) fn harness(words: &[&str]) -> bool {
-    let mut run = Run::new();
-    run.firmware(words);
-    run.finish()
+    run(|run| {
+        run.firmware(words);
+    })
 }
 
 /// Builds the book, with fresh pages if asked to; returns true if it could be built, or what builds it is missing.
 pub(crate) fn book(update: bool) -> bool {
-    let mut run = Run::new();
-    if update {
-        let crates = ["--package", "tpg-train", "--package", "tpg-harness"];
-        let mut command = cargo(&[&["test", "--quiet", "--lib", "--bins"], &crates[..], &["the_page_of"]].concat());
-        command.env(tpg_testing::book::UPDATE, "1");
-        run.check("pages made from the programs", command);
-    }
-    run.book();
-    run.finish()
+    run(|run| {
+        if update {
+            let crates = ["--package", "tpg-train", "--package", "tpg-harness"];
+            let mut command = cargo(&[&["test", "--quiet", "--lib", "--bins"], &crates[..], &["the_page_of"]].concat());
+            command.env(tpg_testing::book::UPDATE, "1");
+            run.check("pages made from the programs", command);
+        }
+        run.book();
+    })
 }
 
 /// Compares compilers on random graphs; returns true if nothing differs.
 pub(crate) fn compilers(graphs: u32) -> bool {
-    let mut run = Run::new();
-    let graphs = graphs.to_string();
-    run.check(
-        "compilers",
-        cargo(&["run", "--quiet", "--release", "--package", "tpg-benches", "--bin", "compilers", "--", &graphs]),
-    );
-    run.finish()
+    run(|run| {
+        let graphs = graphs.to_string();
+        run.check(
+            "compilers",
+            cargo(&["run", "--quiet", "--release", "--package", "tpg-benches", "--bin", "compilers", "--", &graphs]),
+        );
+    })
 }
 
 /// Returns the cargo that runs this program.
@@ -156,11 +165,6 @@ pub(crate) struct Run {
 }
 
 impl Run {
-    pub(crate) fn new() -> Self {
-        let log = env::temp_dir().join(format!("tpg-skipped-{}", std::process::id()));
-        Self { summary: Summary::default(), log }
-    }
-
     /// Runs every test of every crate.
     fn all_tests(&mut self) {
         if !has_mpi() {
@@ -287,13 +291,6 @@ impl Run {
         println!("\n==== {name}: {program} {}", words.join(" "));
         command.env(tpg_testing::LOG, &self.log).stdin(Stdio::null());
         Ok(())
-    }
-
-    pub(crate) fn finish(mut self) -> bool {
-        self.summary.skip(tpg_testing::skipped(&self.log));
-        let _ = fs::remove_file(&self.log);
-        self.summary.print();
-        self.summary.good()
     }
 }
 

@@ -1,6 +1,6 @@
 //! The Python package: built as a wheel, installed into a virtual environment, tested there.
 
-use crate::check::{Run, step};
+use crate::check::{self, Run, step};
 use crate::venv::{environment, interpreter};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -23,9 +23,7 @@ pub(crate) struct PythonArgs {
 
 /// Builds and tests the package; returns true if all passed.
 pub(crate) fn run(arguments: PythonArgs) -> bool {
-    let mut run = Run::new();
-    check(&mut run, arguments);
-    run.finish()
+    check::run(|run| check(run, arguments))
 }
 
 /// Builds and tests the package.

@@ -1,6 +1,6 @@
 //! The page: the module as WebAssembly, its data, and tests under Node and in a browser.
 
-use crate::check::{Run, cargo, program, step};
+use crate::check::{self, Run, cargo, program, step};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{fs, io};
@@ -14,13 +14,13 @@ pub(crate) const PAGE: &str = "TPG_PAGE";
 
 /// Builds the page into `web` in cargo's target folder, and tests it; returns true if all passed.
 pub(crate) fn run() -> bool {
-    let mut run = Run::new();
-    if let Some(page) = page(&mut run) {
-        let mut tests = cargo(&["test", "--package", "tpg-web", "--features", "page", "--no-fail-fast"]);
-        tests.env(PAGE, page);
-        run.tests("page", tests);
-    }
-    run.finish()
+    check::run(|run| {
+        if let Some(page) = page(run) {
+            let mut tests = cargo(&["test", "--package", "tpg-web", "--features", "page", "--no-fail-fast"]);
+            tests.env(PAGE, page);
+            run.tests("page", tests);
+        }
+    })
 }
 
 /// Builds the page and returns its folder; `None` where that failed or its target is missing.
@@ -60,7 +60,7 @@ fn build(folder: &Path) -> io::Result<u64> {
     }
     fs::copy(module, folder.join("tpg_web.wasm"))?;
     let mut data = program("tpg-page")?;
-    data.args(["data", "--out"]).arg(folder.join("data.json"));
+    data.arg("--out").arg(folder.join("data.json"));
     step(data)?;
     Ok(size)
 }

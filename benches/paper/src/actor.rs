@@ -23,20 +23,21 @@ pub const STATE: usize = INPUTS.next_multiple_of(LANES);
 const SPREAD: (f32, f32) = (1e-6, 1.0);
 const NORM_EPSILON: f32 = 1e-5;
 
-/// Name, rows and columns (0: a vector) of each part, in the order of the file.
-const LAYOUT: [(&str, usize, usize); 12] = [
-    ("fc1.weight", UNITS, INPUTS),
-    ("fc1.bias", UNITS, 0),
-    ("ln1.weight", UNITS, 0),
-    ("ln1.bias", UNITS, 0),
-    ("fc2.weight", UNITS, UNITS),
-    ("fc2.bias", UNITS, 0),
-    ("ln2.weight", UNITS, 0),
-    ("ln2.bias", UNITS, 0),
-    ("mu.weight", JOINTS, UNITS),
-    ("mu.bias", JOINTS, 0),
-    ("sigma.weight", JOINTS, UNITS),
-    ("sigma.bias", JOINTS, 0),
+/// Rows and columns of each part in the order of the file, a vector as one column: weights and biases of `fc1`, `ln1`, `fc2`, `ln2`,
+/// `mu` and `sigma`.
+pub(crate) const LAYOUT: [(usize, usize); 12] = [
+    (UNITS, INPUTS),
+    (UNITS, 1),
+    (UNITS, 1),
+    (UNITS, 1),
+    (UNITS, UNITS),
+    (UNITS, 1),
+    (UNITS, 1),
+    (UNITS, 1),
+    (JOINTS, UNITS),
+    (JOINTS, 1),
+    (JOINTS, UNITS),
+    (JOINTS, 1),
 ];
 
 /// Order of an actor's inputs: the artifact swapped two parts for random starts.
@@ -51,15 +52,7 @@ pub enum Order {
 /// Content of the description file of an actor.
 #[derive(Deserialize)]
 struct Description {
-    layout: Vec<ActorPart>,
     state_order: String,
-}
-
-#[derive(Deserialize)]
-struct ActorPart {
-    name: String,
-    shape: Vec<usize>,
-    offset: usize,
 }
 
 /// A recorded actor.
@@ -78,35 +71,25 @@ impl RecordedActor {
     pub fn read(weights: &Path, description: &Path) -> Result<Self, InputError> {
         let text = fs::read_to_string(description)
             .map_err(|error| InputError::io(description, &error, "an actor's description"))?;
-        let refuse = |path: &Path, place: String, found: String, accepted: String| {
-            InputError::new(path.display().to_string(), Place::Path(place), found, accepted)
-        };
-        let described: Description = serde_json::from_str(&text).map_err(|error| {
-            refuse(description, "$".to_owned(), error.to_string(), "layout, state_order".to_owned())
-        })?;
+        let file = description.display().to_string();
+        let described: Description = serde_json::from_str(&text)
+            .map_err(|error| InputError::new(&file, Place::Whole, error.to_string(), "an object with state_order"))?;
         let order = match described.state_order.as_str() {
             order if order.starts_with("target/100,diff/100,hand/100") => Order::DifferenceFirst,
             order if order.starts_with("target/100,hand/100,diff/100") => Order::HandFirst,
             order => {
                 let accepted = "target/100,diff/100,hand/100,motors or target/100,hand/100,diff/100,motors";
-                return Err(refuse(description, "$.state_order".to_owned(), order.to_owned(), accepted.to_owned()));
+                return Err(InputError::new(file, "$.state_order", order, accepted));
             }
         };
         let bytes = fs::read(weights).map_err(|error| InputError::io(weights, &error, "an actor's weights"))?;
-        let numbers: Vec<f32> = bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
-        let mut parts: [Vec<f32>; LAYOUT.len()] = Default::default();
-        for ((name, shape), part) in Self::layout().zip(&mut parts) {
-            let place = format!("$.layout.{name}");
-            let found = described.layout.iter().find(|part| part.name == name);
-            let found = found.filter(|part| part.shape == shape).ok_or_else(|| {
-                refuse(description, place.clone(), "no such part".to_owned(), format!("shape {shape:?}"))
-            })?;
-            let length = shape.iter().product::<usize>();
-            let values = numbers.get(found.offset..).and_then(|from| from.get(..length)).ok_or_else(|| {
-                refuse(weights, place.clone(), format!("{} numbers", numbers.len()), format!("{length} more"))
-            })?;
-            *part = values.to_vec();
+        let count = LAYOUT.iter().map(|(rows, columns)| rows * columns).sum::<usize>();
+        if bytes.len() != 4 * count {
+            let (file, found) = (weights.display().to_string(), format!("{} bytes", bytes.len()));
+            return Err(InputError::new(file, Place::Whole, found, format!("{count} numbers, f32 in little endian")));
         }
+        let mut numbers = bytes.as_chunks().0.iter().map(|&number| f32::from_le_bytes(number));
+        let mut parts = LAYOUT.map(|(rows, columns)| numbers.by_ref().take(rows * columns).collect::<Vec<f32>>());
         parts[0] =
             parts[0].chunks_exact(INPUTS).flat_map(|row| row.iter().chain(&[0.0; STATE - INPUTS])).copied().collect();
         Ok(Self { order, parts })
@@ -115,19 +98,12 @@ impl RecordedActor {
     /// Creates an actor with random weights: it takes as much time as any other.
     pub fn random(seed: u64) -> Self {
         let mut random = Stream::new(seed, 0, Purpose::Weights, 0);
-        let parts = LAYOUT.map(|(_, rows, columns)| match columns {
-            0 => vec![1.0; rows],
+        let parts = LAYOUT.map(|(rows, columns)| match columns {
+            1 => vec![1.0; rows],
             INPUTS => (0..rows * STATE).map(|_| (2.0 * random.unit() - 1.0) as f32).collect(),
             _ => (0..rows * columns).map(|_| ((2.0 * random.unit() - 1.0) / (columns as f64).sqrt()) as f32).collect(),
         });
         Self { order: Order::DifferenceFirst, parts }
-    }
-
-    /// Returns the name and shape of each part, in the order of the file.
-    pub fn layout() -> impl Iterator<Item = (&'static str, Vec<usize>)> {
-        LAYOUT
-            .into_iter()
-            .map(|(name, rows, columns)| (name, if columns == 0 { vec![rows] } else { vec![rows, columns] }))
     }
 
     /// Returns the actor's input, computed in `f64` and then rounded.

@@ -8,7 +8,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use tpg_arm::kinematics::Vector;
-use tpg_arm::{Arm, Pose, TICKS_PER_TURN};
+use tpg_arm::{Arm, Pose};
 
 /// The artifact's segments of the hand: wrist angle, wrist rotation and gripper, mm.
 const HAND_SEGMENTS: [f64; 3] = [74.0, 41.0, 40.0];
@@ -41,8 +41,6 @@ struct ChainSegment {
 pub struct Chain {
     arm: Arm<f64>,
     segments: [ChainSegment; 6],
-    /// Turns of all 4,096 motor positions: cheaper than computing sines at every step.
-    turns: Vec<ChainTurn>,
 }
 
 impl Chain {
@@ -64,8 +62,7 @@ impl Chain {
             straight(ChainAxis::Z, rotation),
             straight(ChainAxis::Z, gripper),
         ];
-        let turns = (0..TICKS_PER_TURN).map(ChainTurn::at).collect();
-        Self { arm, segments, turns }
+        Self { arm, segments }
     }
 
     /// Returns the arm.
@@ -79,17 +76,12 @@ impl Chain {
         let mut rotation = IDENTITY;
         let mut position = [0.0; 3];
         for (segment, &ticks) in self.segments.iter().zip(motors) {
-            let joint = self.turn(ticks).about(segment.axis);
+            let joint = ChainTurn::at(ticks).about(segment.axis);
             let step = apply(&rotation, &apply(&joint, &segment.tip));
             position = [step[0] + position[0], step[1] + position[1], step[2] + position[2]];
             rotation = product(&rotation, &product(&joint, &segment.tip_rotation));
         }
         position
-    }
-
-    fn turn(&self, ticks: i16) -> ChainTurn {
-        let tabulated = usize::try_from(ticks).ok().and_then(|index| self.turns.get(index));
-        tabulated.copied().unwrap_or_else(|| ChainTurn::at(i32::from(ticks)))
     }
 }
 
@@ -99,7 +91,7 @@ impl ChainTurn {
     }
 
     /// Returns the turn of a motor position; the order of operations is the artifact's.
-    fn at(ticks: i32) -> Self {
+    fn at(ticks: i16) -> Self {
         Self::new((f64::from(ticks) * (360.0 / 4096.0) - 180.0) * PI / 180.0)
     }
 
@@ -125,7 +117,7 @@ fn apply(matrix: &Matrix, v: &Vector<f64>) -> Vector<f64> {
 #[cfg(test)]
 mod tests {
     use super::{Chain, HAND_SEGMENTS};
-    use tpg_arm::{Pose, WIDOWX};
+    use tpg_arm::WIDOWX;
 
     #[test]
     fn the_hand_at_home_keeps_its_residue() {
@@ -137,12 +129,5 @@ mod tests {
     #[test]
     fn the_hand_is_as_long_as_the_arm_says() {
         assert_eq!(HAND_SEGMENTS.iter().sum::<f64>(), WIDOWX.links.hand);
-    }
-
-    #[test]
-    fn positions_beyond_the_table_are_computed() {
-        let chain = Chain::new(WIDOWX);
-        let beyond = chain.hand(Pose([2048 + 4096, 2048, 2048, 2048]));
-        assert!(beyond.iter().zip(chain.hand(WIDOWX.home)).all(|(a, b)| (a - b).abs() < 1e-9));
     }
 }

@@ -23,29 +23,6 @@ pub struct Done {
     pub end: EndState,
 }
 
-/// Reason why a replay was aborted.
-#[derive(Debug, thiserror::Error)]
-pub enum ReplayError {
-    /// The engine failed.
-    #[error("the engine {engine} failed: {error}")]
-    Engine {
-        /// Name of the engine.
-        engine: String,
-        /// The error.
-        error: io::Error,
-    },
-    /// The engine gave an answer that no policy can give.
-    #[error("the engine {engine} answered {found} where {expected}")]
-    Answer {
-        /// Name of the engine.
-        engine: String,
-        /// The answer.
-        found: String,
-        /// The expected answer.
-        expected: String,
-    },
-}
-
 /// A running episode.
 struct ReplayLane<'a> {
     row: u32,
@@ -57,14 +34,14 @@ struct ReplayLane<'a> {
 /// Runs all tasks with an engine, in lockstep.
 ///
 /// # Errors
-/// If the engine fails.
+/// If the engine fails, or gives an answer that no policy can give.
 pub fn run(
     chain: &Chain,
     rules: Rules,
     tasks: &ByRow<Task>,
     binding: &Binding,
     engine: &mut dyn Engine,
-) -> Result<ByRow<Done>, ReplayError> {
+) -> io::Result<ByRow<Done>> {
     let mut lanes: Vec<ReplayLane<'_>> = (tasks.iter())
         .map(|(&row, task)| ReplayLane {
             row,
@@ -73,7 +50,7 @@ pub fn run(
             over: false,
         })
         .collect();
-    let (mut states, mut actions) = (Vec::new(), Vec::new());
+    let mut states = Vec::new();
     loop {
         let mut live: Vec<&mut ReplayLane<'_>> = lanes.iter_mut().filter(|lane| !lane.over).collect();
         if live.is_empty() {
@@ -81,13 +58,10 @@ pub fn run(
         }
         states.clear();
         live.iter().for_each(|lane| binding.push_state(lane.episode.observation(), &mut states));
-        actions.clear();
-        ask(engine, &states, live.len(), &mut actions)?;
-        for (lane, &action) in live.iter_mut().zip(&actions) {
-            let wanted = binding.wanted(action).ok_or_else(|| ReplayError::Answer {
-                engine: engine.name().to_owned(),
-                found: format!("action {}", action.0),
-                expected: "the policy has no such action".to_owned(),
+        let actions = ask(engine, &states, live.len())?;
+        for (lane, ActionId(action)) in live.iter_mut().zip(actions) {
+            let wanted = binding.wanted(ActionId(action)).ok_or_else(|| {
+                failed(engine, &format!("answered action {action} where the policy has no such action"))
             })?;
             lane.over = lane.episode.advance(wanted);
             lane.poses.push(lane.episode.observation().pose);
@@ -96,22 +70,22 @@ pub fn run(
     Ok(lanes.into_iter().map(|lane| (lane.row, Done { poses: lane.poses, end: lane.episode.end_state() })).collect())
 }
 
-fn ask(engine: &mut dyn Engine, states: &[f64], count: usize, actions: &mut Vec<ActionId>) -> Result<(), ReplayError> {
+fn ask(engine: &mut dyn Engine, states: &[f64], count: usize) -> io::Result<Vec<ActionId>> {
     let mut answers = Vec::with_capacity(count);
-    let answered = engine.answer(states, &mut answers);
-    actions.extend(answers.into_iter().filter_map(|answer| match answer {
+    engine.answer(states, &mut answers).map_err(|error| failed(engine, &format!("failed: {error}")))?;
+    let action = |answer| match answer {
         Answer::Action(action) => Some(action),
         Answer::Values(_) => None,
-    }));
-    match answered {
-        Ok(()) if actions.len() == count => Ok(()),
-        Ok(()) => Err(ReplayError::Answer {
-            engine: engine.name().to_owned(),
-            found: format!("{} actions", actions.len()),
-            expected: format!("{count} states were given"),
-        }),
-        Err(error) => Err(ReplayError::Engine { engine: engine.name().to_owned(), error }),
+    };
+    let actions: Vec<ActionId> = answers.into_iter().filter_map(action).collect();
+    if actions.len() == count {
+        return Ok(actions);
     }
+    Err(failed(engine, &format!("answered {} actions where {count} states were given", actions.len())))
+}
+
+fn failed(engine: &dyn Engine, what: &str) -> io::Error {
+    io::Error::other(format!("the engine {} {what}", engine.name()))
 }
 
 /// Result of comparing a replay with a recorded file.
@@ -207,7 +181,7 @@ fn trace_difference(recorded: &[Pose], replayed: &[Pose]) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{ReplayError, run};
+    use super::run;
     use crate::chain::Chain;
     use crate::data::{ByRow, Task};
     use crate::episode::Rules;
@@ -248,7 +222,7 @@ mod tests {
         [(5, task(1)), (6, task(2)), (9, task(3))].into_iter().collect()
     }
 
-    fn replay(engine: &mut dyn Engine) -> Result<ByRow<super::Done>, ReplayError> {
+    fn replay(engine: &mut dyn Engine) -> io::Result<ByRow<super::Done>> {
         let moves = vec![Move::single(Joint(0), 3), Move::STOP];
         let binding = Binding::new(ScalarType::F64, vec![Source::Servos], moves);
         let rules = Rules { max_actions: 100, tolerance: 3.0 };

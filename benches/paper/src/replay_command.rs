@@ -159,12 +159,8 @@ impl ReplayArgs {
         tasks: &ByRow<Task>,
     ) -> Result<(String, String, ByRow<Done>), CommandError> {
         let actor = RecordedActor::read(weights, layout)?;
-        let rules = sac::Rules {
-            max_actions: max_actor_actions(self.problem),
-            tolerance: self.tolerance_mm,
-            end_at_collision: self.end_at_collision,
-        };
-        let done = sac::run(&Chain::new(WIDOWX), rules, tasks, &actor);
+        let rules = Rules { max_actions: max_actor_actions(self.problem), tolerance: self.tolerance_mm };
+        let done = sac::run(&Chain::new(WIDOWX), rules, self.end_at_collision, tasks, &actor);
         Ok((weights.display().to_string(), "actor".to_owned(), done))
     }
 }

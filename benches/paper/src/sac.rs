@@ -4,22 +4,11 @@
 use super::actor::RecordedActor;
 use super::chain::Chain;
 use super::data::{ByRow, Task};
-use super::episode::EndState;
+use super::episode::{EndState, Rules};
 use super::plane;
 use super::replay::Done;
 use super::torch_random::TorchRandom;
 use tpg_arm::observation::Observation;
-
-/// Rules common to all SAC episodes of a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rules {
-    /// Maximum number of actions.
-    pub max_actions: u32,
-    /// Distance below which the hand has reached its target, mm.
-    pub tolerance: f64,
-    /// True if an invalid action ends the episode.
-    pub end_at_collision: bool,
-}
 
 /// Reward of the step that reaches the target (`bonusSuccess` of the SAC runs).
 const REWARD_FOR_SUCCESS: f64 = 100.0;
@@ -28,12 +17,12 @@ const REWARD_FOR_COLLISION: f64 = -10.0;
 /// Factor of the distance in the reward of every other step.
 const REWARD_PER_MM: f64 = -0.1;
 
-/// Runs all tasks with an actor.
-pub fn run(chain: &Chain, rules: Rules, tasks: &ByRow<Task>, actor: &RecordedActor) -> ByRow<Done> {
-    tasks.iter().map(|(&row, task)| (row, episode(chain, rules, row, task, actor))).collect()
+/// Runs all tasks with an actor; `is_strict` lets an invalid action end an episode.
+pub fn run(chain: &Chain, rules: Rules, is_strict: bool, tasks: &ByRow<Task>, actor: &RecordedActor) -> ByRow<Done> {
+    tasks.iter().map(|(&row, task)| (row, episode(chain, rules, is_strict, row, task, actor))).collect()
 }
 
-fn episode(chain: &Chain, rules: Rules, row: u32, task: &Task, actor: &RecordedActor) -> Done {
+fn episode(chain: &Chain, rules: Rules, is_strict: bool, row: u32, task: &Task, actor: &RecordedActor) -> Done {
     let arm = chain.arm();
     let mut random = TorchRandom::new(row.into());
     let mut seen = Observation::new(arm, task.start, chain.hand(task.start), task.target);
@@ -48,11 +37,11 @@ fn episode(chain: &Chain, rules: Rules, row: u32, task: &Task, actor: &RecordedA
         score += match (success, collision) {
             (true, _) => REWARD_FOR_SUCCESS,
             (false, false) => REWARD_PER_MM * distance,
-            (false, true) if rules.end_at_collision => REWARD_FOR_COLLISION,
+            (false, true) if is_strict => REWARD_FOR_COLLISION,
             (false, true) => REWARD_PER_MM * distance + REWARD_FOR_COLLISION,
         };
         let actions = poses.len() as u32;
-        if success || (collision && rules.end_at_collision) || actions >= rules.max_actions {
+        if success || (collision && is_strict) || actions >= rules.max_actions {
             return Done { poses, end: EndState::new(score, distance, success, collision, actions) };
         }
     }

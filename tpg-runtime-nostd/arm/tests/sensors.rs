@@ -114,8 +114,9 @@ fn only_numbers_in_reach_are_targets() {
 
 #[test]
 fn an_observation_of_another_hand_is_refused() {
+    let limits = Limits::new(&ARM);
     let seen = Observation::at(&ARM, ARM.home, TARGET);
-    assert_eq!(seen.check(&ARM), Ok(()));
+    assert_eq!(limits.check(&seen), Ok(()));
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e38, 0.5] {
         for place in 0..3 {
             let (mut hand, mut difference, mut both) = (seen, seen, seen);
@@ -123,14 +124,14 @@ fn an_observation_of_another_hand_is_refused() {
             difference.difference[place] = bad;
             both.hand[place] = bad;
             both.difference[place] = both.target[place] - bad;
-            assert_eq!(hand.check(&ARM), Err(Fault::Sensor), "{hand:?}");
-            assert_eq!(difference.check(&ARM), Err(Fault::Sensor), "{difference:?}");
+            assert_eq!(limits.check(&hand), Err(Fault::Sensor), "{hand:?}");
+            assert_eq!(limits.check(&difference), Err(Fault::Sensor), "{difference:?}");
             // Finite and consistent: the documentation says that it is believed.
-            assert_eq!(both.check(&ARM).is_ok(), bad.is_finite(), "{both:?}");
+            assert_eq!(limits.check(&both).is_ok(), bad.is_finite(), "{both:?}");
         }
     }
-    assert_eq!(Observation::at(&ARM, Pose([1; 4]), TARGET).check(&ARM), Err(Fault::Sensor));
-    assert_eq!(Observation::at(&ARM, Pose([1; 4]), [f32::NAN; 3]).check(&ARM), Err(Fault::Target));
+    assert_eq!(limits.check(&Observation::at(&ARM, Pose([1; 4]), TARGET)), Err(Fault::Sensor));
+    assert_eq!(limits.check(&Observation::at(&ARM, Pose([1; 4]), [f32::NAN; 3])), Err(Fault::Target));
 }
 
 /// Counts how often it is asked.
@@ -285,7 +286,7 @@ proptest! {
         }
         arm.step(Pose(pose), Move(wanted));
         let _ = arm.check();
-        let _ = seen.check(&arm);
+        let _ = Limits::new(&arm).check(&seen);
         let mut watchdog = Watchdog::new(&arm, Watch { threshold: u16::MAX, patience: 0 }, Pose(pose));
         let _ = watchdog.check(Pose(pose), &target);
         watchdog.commanded(Pose(pose), Move(wanted));

@@ -5,8 +5,8 @@ use core::arch::x86_64::{
     __m128i, __m256i, _mm_add_epi32, _mm_cvtsi128_si64, _mm_max_epi32, _mm_packs_epi32, _mm_set_epi32,
     _mm_setzero_si128, _mm_unpackhi_epi64, _mm256_add_epi32, _mm256_add_epi64, _mm256_broadcastsi128_si256,
     _mm256_castsi256_si128, _mm256_cvtepi32_epi64, _mm256_extracti128_si256, _mm256_madd_epi16, _mm256_mul_epi32,
-    _mm256_permutevar8x32_epi32, _mm256_set_epi8, _mm256_set_epi32, _mm256_set1_epi64x, _mm256_setzero_si256,
-    _mm256_shuffle_epi8, _mm256_slli_epi16, _mm256_srai_epi16,
+    _mm256_permutevar8x32_epi32, _mm256_set_epi32, _mm256_set1_epi64x, _mm256_setzero_si256, _mm256_shuffle_epi8,
+    _mm256_slli_epi16, _mm256_srai_epi16,
 };
 
 cpufeatures::new!(avx2, "avx2");
@@ -98,42 +98,10 @@ fn accumulate(kind: Kind, blocks: [&[u32]; 2], inputs: &[u32]) -> [__m128i; 2] {
 /// Word `low` four times, then word `high` four times.
 #[inline]
 #[target_feature(enable = "avx2")]
-fn spread(words: &[u32; 4], low: i8, high: i8) -> __m256i {
-    let [l, h] = [4 * low, 4 * high];
-    let bytes = _mm256_set_epi8(
-        h + 3,
-        h + 2,
-        h + 1,
-        h,
-        h + 3,
-        h + 2,
-        h + 1,
-        h,
-        h + 3,
-        h + 2,
-        h + 1,
-        h,
-        h + 3,
-        h + 2,
-        h + 1,
-        h, //
-        l + 3,
-        l + 2,
-        l + 1,
-        l,
-        l + 3,
-        l + 2,
-        l + 1,
-        l,
-        l + 3,
-        l + 2,
-        l + 1,
-        l,
-        l + 3,
-        l + 2,
-        l + 1,
-        l,
-    );
+fn spread(words: &[u32; 4], low: i32, high: i32) -> __m256i {
+    // The places of a word's four bytes.
+    let [low, high] = [low, high].map(|word| 0x0302_0100 + 0x0404_0404 * word);
+    let bytes = _mm256_set_epi32(high, high, high, high, low, low, low, low);
     _mm256_shuffle_epi8(_mm256_broadcastsi128_si256(quad(words)), bytes)
 }
 

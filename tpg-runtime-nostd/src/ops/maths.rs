@@ -58,7 +58,7 @@ pub struct System;
 
 /// Implements a provider by its functions in one scalar type, and more.
 macro_rules! provider {
-    ($provider:ty, $scalar:ty, [$($function:ident = $path:path),+] $($more:item)*) => {
+    ($provider:ty, $scalar:ty, [$($function:ident = $path:expr),+] $($more:item)*) => {
         impl Maths<$scalar> for $provider {
             $(
                 #[inline]
@@ -114,55 +114,30 @@ macro_rules! own_kernels {
 own_kernels!(f32);
 own_kernels!(f64);
 
-/// Implements [`System`] by the functions of the standard library.
-#[cfg(feature = "std")]
+/// Implements [`System`] by the functions of the standard library, or of `libm` without it.
 macro_rules! platform {
-    ($scalar:ident) => {
+    ($scalar:ident, $functions:ty, $ln:ident) => {
         provider!(
             System,
             $scalar,
             [
-                sin = $scalar::sin,
-                cos = $scalar::cos,
-                tan = $scalar::tan,
-                ln = $scalar::ln,
-                exp = $scalar::exp,
-                atan = $scalar::atan,
-                tanh = $scalar::tanh
+                sin = <$functions>::sin,
+                cos = <$functions>::cos,
+                tan = <$functions>::tan,
+                ln = <$functions>::$ln,
+                exp = <$functions>::exp,
+                atan = <$functions>::atan,
+                tanh = <$functions>::tanh
             ]
         );
     };
 }
 
 #[cfg(feature = "std")]
-platform!(f32);
+platform!(f32, f32, ln);
 #[cfg(feature = "std")]
-platform!(f64);
+platform!(f64, f64, ln);
 #[cfg(not(feature = "std"))]
-provider!(
-    System,
-    f32,
-    [
-        sin = libm::sinf,
-        cos = libm::cosf,
-        tan = libm::tanf,
-        ln = libm::logf,
-        exp = libm::expf,
-        atan = libm::atanf,
-        tanh = libm::tanhf
-    ]
-);
+platform!(f32, libm::Libm<f32>, log);
 #[cfg(not(feature = "std"))]
-provider!(
-    System,
-    f64,
-    [
-        sin = libm::sin,
-        cos = libm::cos,
-        tan = libm::tan,
-        ln = libm::log,
-        exp = libm::exp,
-        atan = libm::atan,
-        tanh = libm::tanh
-    ]
-);
+platform!(f64, libm::Libm<f64>, log);

@@ -5,7 +5,7 @@
 //! divisor's power. The C template `fmod.c` of `tpg-codegen` holds the same steps.
 // It is compiled alone, too, where generated code is verified: nothing here may depend on the rest of the crate.
 
-use super::own::f32::{choose, mask};
+use super::own::f32::{INFINITY, LEAST_NORMAL, MAGNITUDE, NAN, choose, mask};
 
 macro_rules! fmod {
     ($fmod:ident, $float:ident, $word:ident) => {
@@ -55,10 +55,6 @@ fmod!(fmod_f64, f64, u64);
 /// of the top bit, hidden from the compiler: see [`constant_time`](super::constant_time).
 #[inline]
 pub(crate) fn fmod_by(top: u32, a: f32, b: f32) -> f32 {
-    const MAGNITUDE: u32 = 0x7fff_ffff;
-    const INFINITY: u32 = 0x7f80_0000;
-    const NAN: u32 = 0x7fc0_0000;
-
     let (bits, dividend, divisor) = (a.to_bits(), a.to_bits() & MAGNITUDE, b.to_bits() & MAGNITUDE);
     let (integer, exponent, scaled_up) = normal(top, dividend);
     let (modulus, power, scaled_down) = normal(top, divisor);
@@ -86,7 +82,6 @@ pub(crate) fn fmod_by(top: u32, a: f32, b: f32) -> f32 {
 /// A magnitude's integer of 24 bits and its exponent, and by which power of two a subnormal one was scaled: 24, else 0.
 #[inline(always)]
 fn normal(top: u32, magnitude: u32) -> (u32, u32, u32) {
-    const LEAST_NORMAL: u32 = 0x0080_0000;
     let subnormal = mask(top, magnitude.wrapping_sub(LEAST_NORMAL));
     let scaled = (f32::from_bits(magnitude) * 16777216.0).to_bits();
     let bits = choose(subnormal, scaled, magnitude);
@@ -98,7 +93,7 @@ fn seven_steps(top: u32, modulus: u32, mut rest: u32, mut left: u32) -> (u32, u3
     macro_rules! step {
         () => {
             let bits = choose(mask(top, left.wrapping_sub(8)), left, 8);
-            rest = rest.wrapping_shl(bits) % (modulus | 0x0080_0000);
+            rest = rest.wrapping_shl(bits) % (modulus | LEAST_NORMAL);
             left = left.wrapping_sub(bits);
         };
     }

@@ -2,7 +2,7 @@
 
 use crate::action::{ActionSpace, Output};
 use crate::policy::{Destination, Edge, Line, Operand, PolicyGraph};
-use tpg_graph::error::{InputError, Place};
+use tpg_graph::error::InputError;
 use tpg_graph::{Action, ActionDocument, Graph, Input, SourceDocument};
 
 /// Turns a graph into a policy of these sources and actions, or outputs. Sources, actions and outputs are matched by name, in any
@@ -18,28 +18,22 @@ pub fn bind(
     space: &ActionSpace,
 ) -> Result<PolicyGraph, InputError> {
     let places = places(file, graph, known)?;
-    let refuse =
-        |path: String, found: String, accepted: String| InputError::new(file, Place::Path(path), found, accepted);
     if let (ActionSpace::Box(known), false) = (space, graph.outputs().is_empty()) {
-        let outputs = outputs(graph, known, refuse)?;
-        let PolicyGraph { outputs: limits, leaves, .. } = PolicyGraph::from(graph);
-        let order = |list: &[u32]| outputs.iter().map(|&at| list[at]).collect();
-        let limits = outputs.iter().map(|&at| limits[at]).collect();
-        let leaves = leaves.iter().map(|leaf| order(leaf)).collect();
+        let outputs = outputs(file, graph, known)?;
         let ends: Vec<u16> = (0..graph.leaves().len() as u16).collect();
-        return Ok(renumbered(PolicyGraph::from(graph), &places, &ends).with_outputs(limits, leaves));
+        let policy = renumbered(PolicyGraph::from(graph), &places, &ends);
+        let limits = outputs.iter().map(|&at| policy.outputs[at]).collect();
+        let leaves = policy.leaves.iter().map(|leaf| outputs.iter().map(|&at| leaf[at]).collect()).collect();
+        return Ok(policy.with_outputs(limits, leaves));
     }
     if !graph.outputs().is_empty() {
         let found = format!("a graph with {} outputs", graph.outputs().len());
-        return Err(refuse(
-            "$.outputs".to_owned(),
-            found,
-            "a graph that chooses among the problem's actions".to_owned(),
-        ));
+        let accepted = "a graph that chooses among the problem's actions";
+        return Err(InputError::new(file, "$.outputs", found, accepted));
     }
     let ActionSpace::Discrete(named) = space else {
         let found = format!("a graph that chooses among {} actions", graph.actions().len());
-        return Err(refuse("$.actions".to_owned(), found, "a problem with named actions".to_owned()));
+        return Err(InputError::new(file, "$.actions", found, "a problem with named actions"));
     };
     let mut actions = Vec::new();
     for (number, action) in graph.actions().iter().enumerate() {
@@ -47,11 +41,11 @@ pub fn bind(
             if let Some(asked) = &action.ask {
                 let found = format!("{asked:?}: a graph that does not act alone");
                 let accepted = "the asked policy beside the graph: `tpg-train eval --tpg GRAPH --policy FILE`";
-                return Err(refuse(format!("$.actions[{number}].ask"), found, accepted.to_owned()));
+                return Err(InputError::new(file, format!("$.actions[{number}].ask"), found, accepted));
             }
             let names: Vec<&str> = space.names().collect();
             let (path, found) = (format!("$.actions[{number}].name"), format!("{:?}", action.name));
-            return Err(refuse(path, found, names.join(", ")));
+            return Err(InputError::new(file, path, found, names.join(", ")));
         };
         actions.push(at as u16);
     }
@@ -64,14 +58,12 @@ pub fn bind(
 /// # Errors
 /// If the graph reads what these sources do not have.
 pub fn places(file: &str, graph: &Graph, known: &[SourceDocument]) -> Result<Vec<u16>, InputError> {
-    let refuse =
-        |path: String, found: String, accepted: String| InputError::new(file, Place::Path(path), found, accepted);
     let mut places = Vec::new();
     for (number, source) in graph.sources().iter().enumerate() {
         let path = || format!("$.sources[{number}].name");
         let names = || known.iter().map(|source| source.name.as_str()).collect::<Vec<_>>().join(", ");
         let Some(at) = known.iter().position(|other| other.name == source.name) else {
-            return Err(refuse(path(), format!("{:?}", source.name), names()));
+            return Err(InputError::new(file, path(), format!("{:?}", source.name), names()));
         };
         let first: usize = known[..at].iter().map(|source| source.length as usize).sum();
         if let (Some(image), Some(given)) = (&source.image, &known[at].image) {
@@ -80,7 +72,7 @@ pub fn places(file: &str, graph: &Graph, known: &[SourceDocument]) -> Result<Vec
                 let found = found.filter(|_| image.shape == given.shape).ok_or_else(|| {
                     let accepted = format!("the features of {:?} of an image of {:?}", source.name, given.shape);
                     let path = format!("$.sources[{number}].image.features[{place}]");
-                    refuse(path, format!("{feature:?} of an image of {:?}", image.shape), accepted)
+                    InputError::new(file, path, format!("{feature:?} of an image of {:?}", image.shape), accepted)
                 })?;
                 places.push((first + found) as u16);
             }
@@ -89,13 +81,13 @@ pub fn places(file: &str, graph: &Graph, known: &[SourceDocument]) -> Result<Vec
         let (length, wanted) = (known[at].length as usize, source.ranges.len());
         if length != wanted {
             let found = format!("{:?} of {wanted} values", source.name);
-            return Err(refuse(path(), found, format!("{length} values")));
+            return Err(InputError::new(file, path(), found, format!("{length} values")));
         }
         if known[at].counts != source.counts {
             let kind = |is_counts: bool| if is_counts { "counts" } else { "values" };
             let found = format!("{:?} in {}", source.name, kind(!source.counts.is_empty()));
             let accepted = format!("{}, as the environment gives them", kind(!known[at].counts.is_empty()));
-            return Err(refuse(format!("$.sources[{number}].counts"), found, accepted));
+            return Err(InputError::new(file, format!("$.sources[{number}].counts"), found, accepted));
         }
         places.extend((first..first + length).map(|place| place as u16));
     }
@@ -121,26 +113,22 @@ fn is_same(action: &Action, other: &ActionDocument) -> bool {
 }
 
 /// Returns the place in the graph of each output that the environment expects.
-fn outputs(
-    graph: &Graph,
-    known: &[Output],
-    refuse: impl Fn(String, String, String) -> InputError,
-) -> Result<Vec<usize>, InputError> {
+fn outputs(file: &str, graph: &Graph, known: &[Output]) -> Result<Vec<usize>, InputError> {
     if graph.outputs().len() != known.len() {
         let names: Vec<&str> = known.iter().map(|output| output.name.as_str()).collect();
         let found = format!("{} outputs", graph.outputs().len());
-        return Err(refuse("$.outputs".to_owned(), found, format!("{}: {}", known.len(), names.join(", "))));
+        let accepted = format!("{}: {}", known.len(), names.join(", "));
+        return Err(InputError::new(file, "$.outputs", found, accepted));
     }
     let mut places = Vec::new();
     for output in known {
         let Some(at) = graph.outputs().iter().position(|other| other.name == output.name) else {
-            let found = "no output of that name".to_owned();
-            return Err(refuse("$.outputs".to_owned(), found, format!("{:?}", output.name)));
+            return Err(InputError::new(file, "$.outputs", "no output of that name", format!("{:?}", output.name)));
         };
         let range = graph.outputs()[at].range;
         if range.min < output.min || range.max > output.max {
             let (found, accepted) = (range.to_string(), format!("at least {}, at most {}", output.min, output.max));
-            return Err(refuse(format!("$.outputs[{at}]"), found, accepted));
+            return Err(InputError::new(file, format!("$.outputs[{at}]"), found, accepted));
         }
         places.push(at);
     }

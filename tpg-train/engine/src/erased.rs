@@ -134,12 +134,6 @@ impl<'de> Deserialize<'de> for AnyTask {
 /// A running episode of an environment of any type.
 pub struct AnyEpisode(Box<dyn Any + Send>);
 
-impl fmt::Debug for AnyEpisode {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("AnyEpisode")
-    }
-}
-
 impl AnyEpisode {
     fn typed<T: 'static>(&self) -> &T {
         self.0.downcast_ref().expect("an episode of this environment")

@@ -4,7 +4,7 @@ use super::facts::{Calls, LoopBounds, Turns, in_libgcc};
 use super::flow::Flow;
 use super::instruction::{cycles, is_decision};
 use super::listing::{Line, Listing};
-use super::longest::{Endless, Header, headers, longest};
+use super::longest::{Header, headers, longest};
 use super::refusal::Refusal;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -125,10 +125,6 @@ impl<'a> Analyser<'a> {
         Ok(frame + deepest)
     }
 
-    fn headers(&mut self, place: usize) -> Result<Vec<Header>, Refusal> {
-        headers(&self.flow(place)?.next, 0).map_err(|endless| self.endless(place, endless))
-    }
-
     /// Returns the bounds of a function's loops, by their headers.
     fn turns(&self, place: usize, headers: &[Header]) -> Result<BTreeMap<usize, u64>, Refusal> {
         let name = self.name(place);
@@ -155,19 +151,11 @@ impl<'a> Analyser<'a> {
         Ok(turns)
     }
 
-    fn endless(&self, place: usize, endless: Endless) -> Refusal {
-        let function = &self.listing.functions()[place];
-        let at = |node: usize| (function.name.clone(), function.lines[node].address);
-        match endless {
-            Endless::Loop(node) => {
-                let (function, address) = at(node);
-                Refusal::Loop { function, address }
-            }
-            Endless::Tangled(node) => {
-                let (function, address) = at(node);
-                Refusal::TangledLoop { function, address }
-            }
-        }
+    /// Returns the refusal of a loop without a bound.
+    fn endless(&self, place: usize, header: &Header) -> Refusal {
+        let found = &self.listing.functions()[place];
+        let (function, address) = (found.name.clone(), found.lines[header.node].address);
+        if header.is_tangled { Refusal::TangledLoop { function, address } } else { Refusal::Loop { function, address } }
     }
 
     /// Returns the instructions of a function at most.
@@ -175,9 +163,8 @@ impl<'a> Analyser<'a> {
         if let Some(&known) = self.known.get(&place) {
             return Ok(known);
         }
-        let headers = self.headers(place)?;
-        let turns = self.turns(place, &headers)?;
         let flow = self.flow(place)?.clone();
+        let turns = self.turns(place, &headers(&flow.next, 0))?;
         let mut costs = Vec::with_capacity(flow.calls.len());
         for (callees, line) in flow.calls.iter().zip(&self.listing.functions()[place].lines) {
             let mut most = 0;
@@ -186,7 +173,7 @@ impl<'a> Analyser<'a> {
             }
             costs.push(if self.listing.is_avr { cycles(line) } else { 1 } + most);
         }
-        let worst = longest(&flow.next, &costs, 0, &turns).map_err(|endless| self.endless(place, endless))?;
+        let worst = longest(&flow.next, &costs, 0, &turns).map_err(|header| self.endless(place, &header))?;
         self.known.insert(place, worst);
         Ok(worst)
     }

@@ -164,7 +164,7 @@ pub fn stack(line: &Line, before: Option<&Line>) -> Stack {
 }
 
 /// Removes the width from a mnemonic.
-fn bare(mnemonic: &str) -> &str {
+pub(super) fn bare(mnemonic: &str) -> &str {
     mnemonic.trim_end_matches(".n").trim_end_matches(".w")
 }
 

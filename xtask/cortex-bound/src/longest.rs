@@ -7,24 +7,15 @@
 
 use std::collections::BTreeMap;
 
-/// Reason why there is no longest path.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Endless {
-    /// A loop with this header has no bound.
-    Loop(usize),
-    /// A loop at this node has several entries.
-    Tangled(usize),
-}
-
-/// Returns the cost of the longest path from `entry`. `turns` holds the maximum iterations of the loop of each header.
+/// Returns the cost of the longest path from `entry`, or a loop without a bound. `turns` holds the maximum iterations of the loop of
+/// each header.
 pub(super) fn longest(
     next: &[Vec<usize>],
     cost: &[u64],
     entry: usize,
     turns: &BTreeMap<usize, u64>,
-) -> Result<u64, Endless> {
-    let mut search = Search::new(next, cost, entry, Some(turns));
-    let found = search.walk(&vec![true; next.len() + 1], next.len())?;
+) -> Result<u64, Header> {
+    let found = Search::new(next, cost, entry, Some(turns)).walk(&vec![true; next.len() + 1], next.len())?;
     Ok(found.into_iter().flatten().max().unwrap_or(0))
 }
 
@@ -39,12 +30,12 @@ pub(super) struct Header {
 }
 
 /// Returns all loops, in the order of the nodes.
-pub(super) fn headers(next: &[Vec<usize>], entry: usize) -> Result<Vec<Header>, Endless> {
+pub(super) fn headers(next: &[Vec<usize>], entry: usize) -> Vec<Header> {
     let cost = vec![0; next.len()];
     let mut search = Search::new(next, &cost, entry, None);
-    search.walk(&vec![true; next.len() + 1], next.len())?;
+    search.walk(&vec![true; next.len() + 1], next.len()).expect("every loop has a bound");
     search.headers.sort_unstable();
-    Ok(search.headers)
+    search.headers
 }
 
 struct Search<'a> {
@@ -70,7 +61,7 @@ impl<'a> Search<'a> {
     }
 
     /// Finds the cost of the longest path to each node of the subgraph `inside`, the node included, ignoring edges back to `entry`.
-    fn walk(&mut self, inside: &[bool], entry: usize) -> Result<Vec<Option<u64>>, Endless> {
+    fn walk(&mut self, inside: &[bool], entry: usize) -> Result<Vec<Option<u64>>, Header> {
         let parts = components(&self.next, inside, entry);
         let mut part_of = vec![usize::MAX; self.next.len()];
         for (number, part) in parts.iter().enumerate() {
@@ -101,21 +92,19 @@ impl<'a> Search<'a> {
     }
 
     /// Handles a loop.
-    fn turn(&mut self, part: &[usize], before: &[Option<u64>], found: &mut [Option<u64>]) -> Result<(), Endless> {
+    fn turn(&mut self, part: &[usize], before: &[Option<u64>], found: &mut [Option<u64>]) -> Result<(), Header> {
         let mut entries = part.iter().copied().filter(|&node| before[node].is_some());
         let first = entries.next();
         let is_tangled = entries.next().is_some();
-        let header = first.filter(|_| !is_tangled).unwrap_or(part[0]);
+        let node = first.filter(|_| !is_tangled).unwrap_or(part[0]);
+        let header = Header { node, depth: self.depth, is_tangled };
         let turns = match self.turns {
-            Some(turns) => {
-                let endless = if is_tangled { Endless::Tangled } else { Endless::Loop };
-                *turns.get(&header).ok_or(endless(header))?
-            }
+            Some(turns) => *turns.get(&node).ok_or_else(|| header.clone())?,
             None => 1,
         };
         let mut body = vec![false; self.next.len()];
         part.iter().for_each(|&node| body[node] = true);
-        self.headers.push(Header { node: header, depth: self.depth, is_tangled });
+        self.headers.push(header);
         if is_tangled {
             // Each of its instructions is reached at most so many times.
             let once: u64 = part.iter().map(|&node| self.cost[node]).sum();
@@ -124,11 +113,11 @@ impl<'a> Search<'a> {
             return Ok(());
         }
         self.depth += 1;
-        let within = self.walk(&body, header)?;
+        let within = self.walk(&body, node)?;
         self.depth -= 1;
-        let latches = part.iter().filter(|&&node| self.next[node].contains(&header));
+        let latches = part.iter().filter(|&&latch| self.next[latch].contains(&node));
         let turn = latches.filter_map(|&node| within[node]).max().unwrap_or(0);
-        let base = before[header].unwrap_or(0) + turns.saturating_sub(1) * turn;
+        let base = before[node].unwrap_or(0) + turns.saturating_sub(1) * turn;
         part.iter().for_each(|&node| found[node] = within[node].map(|cost| base + cost));
         Ok(())
     }
@@ -186,7 +175,7 @@ fn components(next: &[Vec<usize>], inside: &[bool], entry: usize) -> Vec<Vec<usi
 
 #[cfg(test)]
 mod tests {
-    use super::{Endless, Header, headers, longest};
+    use super::{Header, headers, longest};
     use std::collections::BTreeMap;
 
     fn graph(next: &[&[usize]]) -> Vec<Vec<usize>> {
@@ -194,12 +183,16 @@ mod tests {
     }
 
     /// Returns the cost if every loop has the same bound, or none has.
-    fn most(next: &[&[usize]], turns: Option<u64>) -> Result<u64, Endless> {
+    fn most(next: &[&[usize]], turns: Option<u64>) -> Result<u64, Header> {
         let next = graph(next);
-        let headers = if turns.is_some() { headers(&next, 0)? } else { vec![] };
+        let headers = if turns.is_some() { headers(&next, 0) } else { vec![] };
         let turns: BTreeMap<usize, u64> =
             headers.into_iter().map(|header| header.node).zip(turns.into_iter().cycle()).collect();
         longest(&next, &vec![1; next.len()], 0, &turns)
+    }
+
+    fn header(node: usize, depth: usize) -> Header {
+        Header { node, depth, is_tangled: false }
     }
 
     #[test]
@@ -212,7 +205,7 @@ mod tests {
     fn loops_need_a_bound() {
         // 0, then 1 2 in a loop, then 3.
         let looped: &[&[usize]] = &[&[1], &[2], &[1, 3], &[]];
-        assert_eq!(most(looped, None), Err(Endless::Loop(1)));
+        assert_eq!(most(looped, None), Err(header(1, 0)));
         assert_eq!(most(looped, Some(10)), Ok(1 + 10 * 2 + 1));
         // A loop that is left at its entry: the last iteration stops there.
         assert_eq!(most(&[&[1], &[2, 3], &[1], &[]], Some(10)), Ok(1 + 9 * 2 + 2));
@@ -230,22 +223,21 @@ mod tests {
     #[test]
     fn each_loop_has_its_own_bound() {
         let next = graph(&[&[1], &[2], &[2, 3], &[1, 4], &[]]);
-        let header = |node, depth| Header { node, depth, is_tangled: false };
-        assert_eq!(headers(&next, 0), Ok(vec![header(1, 0), header(2, 1)]));
+        assert_eq!(headers(&next, 0), [header(1, 0), header(2, 1)]);
         let turns = BTreeMap::from([(1, 3), (2, 7)]);
         assert_eq!(longest(&next, &[1, 10, 100, 1000, 1], 0, &turns), Ok(1 + 3 * (10 + 7 * 100 + 1000) + 1));
     }
 
     #[test]
     fn a_loop_back_to_the_first_instruction_is_found() {
-        assert_eq!(most(&[&[1], &[0, 2], &[]], None), Err(Endless::Loop(0)));
+        assert_eq!(most(&[&[1], &[0, 2], &[]], None), Err(header(0, 0)));
         assert_eq!(most(&[&[1], &[0, 2], &[]], Some(3)), Ok(7));
     }
 
     #[test]
     fn with_two_entries_everything_counts_each_time() {
         let tangled: &[&[usize]] = &[&[1, 2], &[2], &[1, 3], &[]];
-        assert_eq!(most(tangled, None), Err(Endless::Tangled(1)));
+        assert_eq!(most(tangled, None), Err(Header { is_tangled: true, ..header(1, 0) }));
         assert_eq!(most(tangled, Some(9)), Ok(1 + 9 * 2 + 1));
     }
 }

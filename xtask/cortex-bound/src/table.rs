@@ -1,6 +1,6 @@
 //! Tables of jumps: the addresses that a `switch` goes to.
 
-use super::instruction::{Kind, kind};
+use super::instruction::{Kind, bare, kind};
 use super::listing::{Function, Line, Listing};
 use std::collections::BTreeSet;
 
@@ -83,7 +83,7 @@ fn registers(operands: &str) -> impl Iterator<Item = &str> {
 /// Returns the register that an instruction writes: its first operand, but for stores and comparisons.
 fn written(line: &Line) -> Option<&str> {
     let reads = ["sw", "sh", "sb", "fsw", "cmp", "cmn", "tst", "teq", "push", "vcmp"];
-    let name = line.mnemonic.trim_end_matches(".n").trim_end_matches(".w");
+    let name = bare(&line.mnemonic);
     let is_read = reads.contains(&name) || name.starts_with("st") || name.starts_with("vst");
     registers(&line.operands).next().filter(|_| !is_read)
 }

@@ -3,11 +3,11 @@
 use super::ROWS;
 use std::fmt::Write as _;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use tpg_graph::error::{InputError, Place};
 
 /// Header of a trace.
-pub(super) const TRACE_HEADER: &str = "row,step,m0,m1,m2,m3\n";
+const TRACE_HEADER: &str = "row,step,m0,m1,m2,m3\n";
 /// Header of end states, without the column that only some have and without the line's end.
 pub(super) const ENDS_HEADER: &str = "row,score_x1000,distance_um,success,collision,nb_actions";
 
@@ -20,11 +20,6 @@ fn text(path: &Path) -> Result<String, InputError> {
     String::from_utf8(read(path)?).map_err(|error| {
         InputError::new(path.display().to_string(), Place::Whole, error.to_string(), "the artifact's file of text")
     })
-}
-
-/// Returns the place of a hybrid's recording.
-pub(super) fn cell(data: &Path, hybrids: &str, seed: u32, separation: u32, actions: u32) -> PathBuf {
-    data.join(format!("{hybrids}/seed_{seed}/nbMili_{separation}_nbIt_{actions}/outputGegelati.csv"))
 }
 
 /// Returns starts and targets as CSV: six motors and three coordinates a line, separated by spaces.
@@ -45,25 +40,24 @@ pub(super) fn targets(path: &Path) -> Result<String, InputError> {
     Ok(csv)
 }
 
-/// A recorded episode: the artifact's columns, by this project's names.
+/// The artifact's columns of an end state; some recordings lack the last.
+const ENDS: [&str; 6] = ["Score", "Distance", "Success", "Collision", "NbActions", "NbIterationGegelati"];
+/// The place of the number of actions among them.
+const ACTIONS: usize = 4;
+
+/// A recorded episode.
 #[derive(Clone, Debug)]
 pub(super) struct Run {
-    pub(super) score_x1000: i64,
-    pub(super) distance_um: i64,
-    pub(super) success: u8,
-    pub(super) collision: u8,
-    pub(super) actions: u32,
-    pub(super) tpg_actions: Option<u32>,
+    /// The columns of [`ENDS`].
+    end: Vec<i64>,
     /// Motor positions, four a step.
-    motors: Vec<i16>,
+    motors: Vec<i64>,
 }
 
 impl Run {
     /// Returns the columns of the end state.
     pub(super) fn end(&self, row: usize) -> String {
-        let Self { score_x1000, distance_um, success, collision, actions, tpg_actions, .. } = self;
-        let by_tpg = tpg_actions.map_or(String::new(), |actions| format!(",{actions}"));
-        format!("{row},{score_x1000},{distance_um},{success},{collision},{actions}{by_tpg}")
+        self.end.iter().fold(row.to_string(), |text, value| format!("{text},{value}"))
     }
 }
 
@@ -71,13 +65,6 @@ impl Run {
 pub(super) struct Recording {
     file: String,
     pub(super) runs: Vec<Run>,
-}
-
-/// Returns the end states as CSV.
-pub(super) fn ends(runs: &[Run]) -> String {
-    let by_tpg = if runs.iter().any(|run| run.tpg_actions.is_some()) { ",nb_tpg_actions" } else { "" };
-    let rows = runs.iter().take(ROWS).enumerate().map(|(row, run)| run.end(row) + "\n");
-    format!("{ENDS_HEADER}{by_tpg}\n{}", rows.collect::<String>())
 }
 
 impl Recording {
@@ -91,33 +78,36 @@ impl Recording {
             place(name)
                 .ok_or_else(|| InputError::new(&file, Place::Line(1), names.join(","), format!("a column {name}")))
         };
-        let [score, distance, success] = [column("Score")?, column("Distance")?, column("Success")?];
-        let [collision, actions, motors] = [column("Collision")?, column("NbActions")?, column("MotorPos")?];
-        let tpg_actions = place("NbIterationGegelati");
-        let runs = lines.enumerate().map(|(index, line)| {
+        let mut ends = ENDS[..=ACTIONS].iter().map(|name| column(name)).collect::<Result<Vec<usize>, _>>()?;
+        ends.extend(place(ENDS[ACTIONS + 1]));
+        let motors = column("MotorPos")?;
+        let runs = lines.zip(2..).map(|(line, number)| {
             let values: Vec<&str> = line.split(',').collect();
-            Ok(Run {
-                score_x1000: number(&file, index + 2, &values, score)?,
-                distance_um: number(&file, index + 2, &values, distance)?,
-                success: number(&file, index + 2, &values, success)?,
-                collision: number(&file, index + 2, &values, collision)?,
-                actions: number(&file, index + 2, &values, actions)?,
-                tpg_actions: tpg_actions.map(|column| number(&file, index + 2, &values, column)).transpose()?,
-                motors: (motors..values.len())
-                    .map(|column| number(&file, index + 2, &values, column))
-                    .collect::<Result<_, _>>()?,
-            })
+            let whole = |column: usize| {
+                let value = values.get(column).copied().unwrap_or_default();
+                let found = || format!("{value:?} in column {}", column + 1);
+                value.parse().map_err(|_| InputError::new(&file, Place::Line(number), found(), "a whole number"))
+            };
+            let end = ends.iter().map(|&column| whole(column)).collect::<Result<_, _>>()?;
+            Ok(Run { end, motors: (motors..values.len()).map(whole).collect::<Result<_, _>>()? })
         });
         Ok(Self { runs: runs.collect::<Result<_, InputError>>()?, file })
+    }
+
+    /// Returns the end states as CSV.
+    pub(super) fn ends(&self) -> String {
+        let by_tpg = if self.runs.iter().any(|run| run.end.len() == ENDS.len()) { ",nb_tpg_actions" } else { "" };
+        let rows = self.runs.iter().take(ROWS).enumerate().map(|(row, run)| run.end(row) + "\n");
+        format!("{ENDS_HEADER}{by_tpg}\n{}", rows.collect::<String>())
     }
 
     /// Returns the steps as CSV.
     pub(super) fn trace(&self) -> Result<String, InputError> {
         let mut text = TRACE_HEADER.to_owned();
         for (row, run) in self.runs.iter().take(ROWS).enumerate() {
-            if run.motors.len() != 4 * run.actions as usize {
+            if run.motors.len() as i64 != 4 * run.end[ACTIONS] {
                 let found = format!("{} positions", run.motors.len());
-                let accepted = format!("four for each of {} actions", run.actions);
+                let accepted = format!("four for each of {} actions", run.end[ACTIONS]);
                 return Err(InputError::new(&self.file, Place::Line(row + 2), found, accepted));
             }
             for (step, motors) in run.motors.chunks_exact(4).enumerate() {
@@ -128,16 +118,10 @@ impl Recording {
     }
 }
 
-fn number<T: std::str::FromStr>(file: &str, line: usize, values: &[&str], column: usize) -> Result<T, InputError> {
-    let value = values.get(column).copied().unwrap_or_default();
-    value.parse().map_err(|_| {
-        InputError::new(file, Place::Line(line), format!("{value:?} in column {}", column + 1), "a whole number")
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::path::PathBuf;
 
     fn written(text: &str) -> (tempfile::TempDir, PathBuf) {
         let folder = tempfile::tempdir().expect("a temporary folder");
@@ -153,7 +137,7 @@ mod tests {
              1,9,-5,70,0,1,2,1,1,2,3,4,5,6,7,8\n",
         );
         let recording = Recording::read(&path).expect("a recording");
-        assert_eq!(ends(&recording.runs), format!("{ENDS_HEADER},nb_tpg_actions\n0,-5,70,0,1,2,1\n"));
+        assert_eq!(recording.ends(), format!("{ENDS_HEADER},nb_tpg_actions\n0,-5,70,0,1,2,1\n"));
         assert_eq!(recording.trace().expect("steps"), format!("{TRACE_HEADER}0,1,1,2,3,4\n0,2,5,6,7,8\n"));
     }
 

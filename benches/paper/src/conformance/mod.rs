@@ -1,40 +1,28 @@
 //! `tpg-paper conformance`: makes the folder of recorded data that tests compare with from a clone of the paper's public
 //! artifact, `gegelati/ECTA24`.
 //!
-//! The artifact carries no licence, so neither its files nor what is made of them can be part of a repository. Most files
-//! are the artifact's own numbers in one form. Step traces that it lacks come from this project's replay, which must end
-//! in every recorded end state. Reference values that only other programs can make are not in the folder; tests that need
-//! them are skipped.
+//! The artifact carries no licence, so neither its files nor what is made of them can be part of a repository. All files
+//! are the artifact's own numbers in one form. Reference values that only other programs can make are not in the folder;
+//! tests that need them are skipped.
 
 mod actor_file;
 mod artifact;
 
-use crate::chain::Chain;
-use crate::data::{self, ByRow, Task};
-use crate::episode::Rules;
-use crate::limits::max_actions;
-use crate::replay::{self, Done};
-use artifact::{Recording, Run};
+use artifact::Recording;
 use clap::Args;
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use serde_json::json;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use tpg_arm::WIDOWX;
 use tpg_graph::command::{CommandError, Verdict};
-use tpg_graph::engine::Reference;
 use tpg_graph::error::{InputError, Place};
-use tpg_graph::import::{self, Profile};
-use tpg_problems::arm::binding::Binding;
-use tpg_problems::arm::targets::Start;
 
 /// Rows of every recording that are kept.
 pub(crate) const ROWS: usize = 60;
-/// Seeds whose traces are derived.
-const DERIVED: [u32; 2] = [0, 2];
 /// Seeds of the actors.
 const ACTORS: u32 = 3;
 /// Seeds of the graphs.
@@ -57,9 +45,10 @@ const TRACED: [(&str, &str); 6] = [
 /// A problem, and its places in the artifact.
 pub(crate) struct ArtifactProblem {
     name: &'static str,
-    start: Start,
     graphs: &'static str,
     actors: &'static str,
+    /// The order of the actors' inputs.
+    inputs: &'static str,
     /// Recordings of actors where an invalid action ends an episode, and where it does not.
     episodes: [(&'static str, &'static str); 2],
     /// The name of these files: some are text despite their ending.
@@ -71,9 +60,9 @@ pub(crate) struct ArtifactProblem {
 const PROBLEMS: [ArtifactProblem; 2] = [
     ArtifactProblem {
         name: "fs",
-        start: Start::Fs,
         graphs: "expeStudy2/multiTraining_6",
         actors: "multiSAC_0save",
+        inputs: "target/100,diff/100,hand/100,motors",
         episodes: [("kill", "multiSAC_1"), ("nokill", "multiSAC_0")],
         file: "outputSAC.csv",
         hybrids: "multiHybride_0",
@@ -81,9 +70,9 @@ const PROBLEMS: [ArtifactProblem; 2] = [
     },
     ArtifactProblem {
         name: "rs",
-        start: Start::Rs,
         graphs: "expeStudy2/multiTraining_5",
         actors: "multiSAC_2",
+        inputs: "target/100,hand/100,diff/100,motors",
         episodes: [("kill", "multiSAC_3"), ("nokill", "multiSAC_2")],
         file: "outputSAC.ods",
         hybrids: "multiHybride_1",
@@ -109,8 +98,7 @@ impl ConformanceArgs {
     /// Runs the command.
     ///
     /// # Errors
-    /// If the clone lacks a file or one is not what it should be, a replay does not end as recorded, or the folder cannot
-    /// be written. Nothing is written then.
+    /// If the clone lacks a file or one is not what it should be, or the folder cannot be written. Nothing is written then.
     pub fn run(&self) -> Result<Verdict, CommandError> {
         if fs::read_dir(&self.output).is_ok_and(|mut entries| entries.next().is_some()) {
             let file = self.output.display().to_string();
@@ -118,7 +106,11 @@ impl ConformanceArgs {
         }
         let files = files(&self.clone.join("Data"))?;
         for (name, content) in &files {
-            write(&self.output.join(name), content)?;
+            let path = self.output.join(name);
+            let folder = path.parent().map_or(Ok(()), fs::create_dir_all);
+            folder
+                .and_then(|()| fs::write(&path, content))
+                .map_err(|error| InputError::io(&path, &error, "a folder that can be written"))?;
         }
         let bytes: usize = files.values().map(Vec::len).sum();
         println!("{}: {} files, {bytes} bytes", self.output.display(), files.len());
@@ -126,15 +118,8 @@ impl ConformanceArgs {
     }
 }
 
-fn write(path: &Path, content: &[u8]) -> Result<(), InputError> {
-    let folder = path.parent().map_or(Ok(()), fs::create_dir_all);
-    folder
-        .and_then(|()| fs::write(path, content))
-        .map_err(|error| InputError::io(path, &error, "a folder that can be written"))
-}
-
 /// Returns all files, made from the artifact's `Data`.
-fn files(data: &Path) -> Result<Files, CommandError> {
+fn files(data: &Path) -> Result<Files, InputError> {
     let mut files = Files::new();
     for problem in &PROBLEMS {
         let targets = artifact::targets(&data.join(problem.graphs).join("params/ValidationTrajectories.txt"))?;
@@ -146,75 +131,39 @@ fn files(data: &Path) -> Result<Files, CommandError> {
     for (name, place) in TRACED {
         let recording = Recording::read(&data.join(place).join("outputGegelati.csv"))?;
         files.insert(format!("tpg_traced/{name}.dot"), artifact::read(&data.join(place).join("out_best.dot"))?);
-        files.insert(format!("tpg_traced/{name}.ends.csv"), artifact::ends(&recording.runs).into_bytes());
+        files.insert(format!("tpg_traced/{name}.ends.csv"), recording.ends().into_bytes());
         files.insert(format!("tpg_traced/{name}.trace.csv.gz"), zipped(&recording.trace()?));
     }
     Ok(files)
 }
 
-fn graphs(data: &Path, problem: &ArtifactProblem, files: &mut Files) -> Result<(), CommandError> {
+fn graphs(data: &Path, problem: &ArtifactProblem, files: &mut Files) -> Result<(), InputError> {
     for seed in 0..GRAPHS {
         let (place, name) = (format!("{}/seed_{seed}", problem.graphs), format!("tpg/{}_final_s{seed}", problem.name));
-        let dot = data.join(&place).join("out_best.dot");
         let recording = Recording::read(&data.join(&place).join("outputGegelati.csv"))?;
         let cleaned = artifact::read(&data.join(&place).join("out_best_cleaned.dot"))?;
-        files.insert(format!("{name}.dot"), artifact::read(&dot)?);
+        files.insert(format!("{name}.dot"), artifact::read(&data.join(&place).join("out_best.dot"))?);
         files.insert(format!("{name}.cleaned.dot"), cleaned);
-        files.insert(format!("{name}.ends.csv"), artifact::ends(&recording.runs).into_bytes());
-        if DERIVED.contains(&seed) {
-            let trace = derived(&dot, problem, &recording.runs, files)?;
-            files.insert(format!("{name}.trace_derived.csv.gz"), zipped(&trace));
-        }
+        files.insert(format!("{name}.ends.csv"), recording.ends().into_bytes());
     }
     Ok(())
 }
 
-/// Returns the steps of a graph's episodes, which end as recorded.
-fn derived(dot: &Path, problem: &ArtifactProblem, runs: &[Run], files: &Files) -> Result<String, CommandError> {
-    let place = tempfile::tempdir().map_err(CommandError::other)?;
-    let table = |name: &str, content: &[u8]| {
-        let path = place.path().join(name);
-        write(&path, content).map(|()| path)
-    };
-    let targets = table("targets.csv", &files[&format!("targets_{}.csv", problem.name)])?;
-    let tasks: ByRow<Task> = data::tasks(&targets)?;
-    let ends = data::ends(&table("ends.csv", artifact::ends(runs).as_bytes())?, &tasks)?;
-
-    let graph = import::load(dot, Some(Profile::Ecta24), None)?;
-    let binding = Binding::of_graph(&dot.display().to_string(), &graph)?;
-    let rules = Rules { max_actions: max_actions(problem.start), tolerance: 3.0 };
-    let mut engine = Reference::new(&graph);
-    let done = replay::run(&Chain::new(WIDOWX), rules, &tasks, &binding, &mut engine).map_err(CommandError::other)?;
-    let comparison = replay::compare_ends(&ends, &done);
-    if let Some(difference) = comparison.first_difference {
-        let found = format!("a policy whose replay ends otherwise: {difference}");
-        let accepted = "the artifact's own end states";
-        return Err(InputError::new(dot.display().to_string(), Place::Whole, found, accepted).into());
-    }
-    Ok(steps(&done))
-}
-
-fn steps(done: &ByRow<Done>) -> String {
-    let mut text = artifact::TRACE_HEADER.to_owned();
-    for (row, done) in done {
-        for (step, pose) in done.poses.iter().enumerate() {
-            let [m0, m1, m2, m3] = pose.0;
-            let _ = writeln!(text, "{row},{},{m0},{m1},{m2},{m3}", step + 1);
-        }
-    }
-    text
-}
-
-fn actors(data: &Path, problem: &ArtifactProblem, files: &mut Files) -> Result<(), CommandError> {
+fn actors(data: &Path, problem: &ArtifactProblem, files: &mut Files) -> Result<(), InputError> {
     for seed in 0..ACTORS {
         let name = format!("sac/{}_s{seed}", problem.name);
         let weights =
             actor_file::weights(&data.join(format!("{}/seed_{seed}/model/best_model/actor.pt", problem.actors)))?;
-        files.insert(format!("{name}.json"), actor_file::description(problem.start).into_bytes());
+        let description = json!({
+            "dtype": "f32 little endian",
+            "activation": "fc1->relu->ln1->fc2->relu->ln2->{mu,sigma}; LayerNorm eps 1e-5, sigma=clamp(raw,1e-6,1)",
+            "state_order": problem.inputs,
+        });
+        files.insert(format!("{name}.json"), description.to_string().into_bytes());
         files.insert(format!("{name}.actor.f32"), weights);
         for (mode, place) in problem.episodes {
             let recording = Recording::read(&data.join(format!("{place}/seed_{seed}/{}", problem.file)))?;
-            files.insert(format!("{name}.{mode}.ends.csv"), artifact::ends(&recording.runs).into_bytes());
+            files.insert(format!("{name}.{mode}.ends.csv"), recording.ends().into_bytes());
             files.insert(format!("{name}.{mode}.trace.csv.gz"), zipped(&recording.trace()?));
         }
     }
@@ -222,14 +171,15 @@ fn actors(data: &Path, problem: &ArtifactProblem, files: &mut Files) -> Result<(
 }
 
 /// Makes the table of the hybrids' episodes: pairs of the first graphs and actors.
-fn hybrids(data: &Path, problem: &ArtifactProblem, files: &mut Files) -> Result<(), CommandError> {
+fn hybrids(data: &Path, problem: &ArtifactProblem, files: &mut Files) -> Result<(), InputError> {
     let mut text = format!("tpg_seed,sac_seed,sep_mm,nb_it,{}", artifact::ENDS_HEADER);
     text.push_str(",nb_tpg_actions\n");
     for graph in 0..GRAPHS {
         for actor in 0..ACTORS {
             for &(separation, actions) in &CELLS[..problem.cells] {
-                let place = artifact::cell(data, problem.hybrids, GRAPHS * graph + actor, separation, actions);
-                for (row, run) in Recording::read(&place)?.runs.iter().take(ROWS).enumerate() {
+                let (hybrids, seed) = (problem.hybrids, GRAPHS * graph + actor);
+                let place = format!("{hybrids}/seed_{seed}/nbMili_{separation}_nbIt_{actions}/outputGegelati.csv");
+                for (row, run) in Recording::read(&data.join(place))?.runs.iter().take(ROWS).enumerate() {
                     let _ = writeln!(text, "{graph},{actor},{separation},{actions},{}", run.end(row));
                 }
             }

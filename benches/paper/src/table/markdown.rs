@@ -43,7 +43,7 @@ struct MarkdownPage<'a> {
 
 /// The tables of one problem.
 struct MarkdownSection {
-    title: String,
+    title: &'static str,
     episodes: usize,
     table: String,
 }
@@ -54,7 +54,7 @@ struct MarkdownSection {
 /// Never: the template only puts text together.
 pub fn page(problems: &[ProblemResults], ideas: &[Row]) -> String {
     let section = |problem: &ProblemResults| MarkdownSection {
-        title: capital(problem.name()),
+        title: problem.name(),
         episodes: problem.episodes,
         table: table(&problem.rows, problem.episodes),
     };
@@ -63,17 +63,13 @@ pub fn page(problems: &[ProblemResults], ideas: &[Row]) -> String {
     page.render().expect("text is put together").trim_end().to_owned() + "\n"
 }
 
-fn capital(name: &str) -> String {
-    let mut letters = name.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
-}
-
 /// Renders a table: the first column is text, the others are numbers.
-fn grid<const N: usize>(names: [&str; N], rows: impl IntoIterator<Item = [String; N]>) -> String {
-    let line = |cells: [String; N]| format!("| {} |", cells.join(" | "));
-    let rule = std::array::from_fn(|place| if place == 0 { "---" } else { "--:" }.to_owned());
-    let head = [names.map(str::to_owned), rule];
-    head.into_iter().chain(rows).map(line).collect::<Vec<_>>().join("\n")
+pub fn grid<R: AsRef<[String]>>(names: &[impl AsRef<str>], rows: impl IntoIterator<Item = R>) -> String {
+    let line = |cells: &[String]| format!("| {} |", cells.join(" | "));
+    let head: Vec<String> = names.iter().map(|name| name.as_ref().to_owned()).collect();
+    let rule: Vec<String> = (0..names.len()).map(|place| if place == 0 { "---" } else { "--:" }.to_owned()).collect();
+    let rows = rows.into_iter().map(|row| line(row.as_ref()));
+    [line(&head), line(&rule)].into_iter().chain(rows).collect::<Vec<_>>().join("\n")
 }
 
 fn number(spread: Sample, factor: f64, digits: usize, many: bool) -> String {
@@ -123,7 +119,7 @@ fn table(rows: &[Row], episodes: usize) -> String {
         }
         [name, success, collision, distance, actions, time(|time| time.mean), time(|time| time.worst), bytes]
     };
-    grid(names, rows.iter().map(cells))
+    grid(&names, rows.iter().map(cells))
 }
 
 /// Formats success and collisions in %, distance in mm, and actions.
@@ -175,7 +171,7 @@ fn costs(problems: &[ProblemResults]) -> String {
     let cell = |place: usize, row: usize| columns.get(place).map_or(String::new(), |column| column[row].clone());
     let rows = (0..NAMES.len()).map(|row| [NAMES[row].to_owned(), cell(0, row), cell(1, row)]);
     let title = |place: usize| problems.get(place).map_or("", ProblemResults::name);
-    grid(["times", title(0), title(1)], rows)
+    grid(&["times", title(0), title(1)], rows)
 }
 
 fn effects(rows: &[Row]) -> String {
@@ -183,17 +179,15 @@ fn effects(rows: &[Row]) -> String {
         let [success, collision, distance, actions] = outcome(row);
         [row.name.clone(), success, collision, distance, actions, by_graph(row)]
     };
-    grid(["policy", "success %", "collision %", "distance mm", "actions", "by graph %"], rows.iter().map(cells))
+    grid(&["policy", "success %", "collision %", "distance mm", "actions", "by graph %"], rows.iter().map(cells))
 }
 
 /// Tabulates what the paper's own files say.
 fn printed() -> String {
     let cells = |(name, fixed, random): &(&str, [&str; 3], [&str; 3])| {
-        let [a, b, c] = fixed.map(str::to_owned);
-        let [d, e, f] = random.map(str::to_owned);
-        [(*name).to_owned(), a, b, c, d, e, f]
+        [name].into_iter().chain(fixed).chain(random).map(|cell| (*cell).to_owned()).collect::<Vec<String>>()
     };
     let names =
         ["policy", "fixed: distance mm", "success %", "collision %", "random: distance mm", "success %", "collision %"];
-    grid(names, PRINTED.iter().map(cells))
+    grid(&names, PRINTED.iter().map(cells))
 }

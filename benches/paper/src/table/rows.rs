@@ -45,23 +45,14 @@ pub struct Row {
 impl Row {
     /// Summarises trials.
     pub fn new(name: &str, trials: &[ReachStatistics]) -> Self {
-        let values = |trial: &ReachStatistics| {
-            [trial.success_rate, trial.collision_rate, trial.mean_distance_mm, trial.mean_actions]
-        };
-        Self::of_values(name, &trials.iter().map(values).collect::<Vec<_>>())
-    }
-
-    /// Summarises policies given as success rate, collision rate, mean distance in mm and number of actions.
-    pub fn of_values(name: &str, policies: &[[f64; 4]]) -> Self {
-        let [success, collision, distance, actions] =
-            [0, 1, 2, 3].map(|place| Sample::new(&policies.iter().map(|values| values[place]).collect::<Vec<_>>()));
+        let sample = |value: fn(&ReachStatistics) -> f64| Sample::new(&trials.iter().map(value).collect::<Vec<_>>());
         Self {
             name: name.to_owned(),
-            policies: policies.len(),
-            success,
-            collision,
-            distance,
-            actions,
+            policies: trials.len(),
+            success: sample(|trial| trial.success_rate),
+            collision: sample(|trial| trial.collision_rate),
+            distance: sample(|trial| trial.mean_distance_mm),
+            actions: sample(|trial| trial.mean_actions),
             by_graph: None,
             time: None,
             bytes: None,
@@ -85,9 +76,6 @@ pub fn graph_bytes(graph: &Graph) -> Option<[usize; 2]> {
     };
     Some([flash(Profile::Fast)?, flash(Profile::Small)?])
 }
-
-/// Name of the classical policy that fits a microcontroller.
-pub const STRAIGHT: &str = "one goal, straight (`stance`)";
 
 /// Number of tasks that are timed of the planner, which is slow.
 const TIMED_PLANNER: usize = 20;
@@ -115,7 +103,7 @@ pub fn measure(
     let straight = Straight::new(&arm);
     let time = Some(timing::of_policy(&arm, &straight, start, timed));
     let trial = ReachStatistics::new(&run(&arm, &straight, &problem, tasks));
-    rows.push(Row { time, ..Row::new(STRAIGHT, &[trial]) });
+    rows.push(Row { time, ..Row::new("one goal, straight (`stance`)", &[trial]) });
     let classical = rows.len();
 
     let shipped = Hybrid::read(&inputs.shipped)?;

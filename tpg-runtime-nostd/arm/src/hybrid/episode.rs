@@ -1,7 +1,7 @@
 //! One episode of a hybrid in the simulated arm.
 
-use super::{Chosen, Counts, Driver, Hybrid, NEVER, Switch};
-use crate::arm::{Move, Play, Pose};
+use super::{Counts, Driver, Hybrid, NEVER, Switch};
+use crate::arm::{Move, Pose};
 use crate::cycle::{Brent, CycleDetector};
 use crate::episode::{Episode, Outcome, ReachTask, Summary};
 use crate::kinematics::Lattice;
@@ -41,12 +41,7 @@ where
 {
     /// Puts the arm at the problem's start.
     pub fn new(hybrid: &'a Hybrid<'a, S, T, P>, problem: ReachTask<S>, detector: D) -> Self {
-        Self::with_play(hybrid, problem, detector, Play::NONE)
-    }
-
-    /// Puts an arm whose joints have play at the problem's start.
-    pub fn with_play(hybrid: &'a Hybrid<'a, S, T, P>, problem: ReachTask<S>, detector: D, play: Play) -> Self {
-        let episode = Episode::with_play(hybrid.arm, problem, Brent::new(), play);
+        let episode = Episode::new(hybrid.arm, problem, Brent::new());
         let switch = Switch::new(hybrid.settings, detector, episode.observation());
         Self { hybrid, episode, switch, is_last_turn: false }
     }
@@ -56,20 +51,11 @@ where
         self.episode.observation()
     }
 
-    /// Whose turn it is, and what happened so far.
-    pub fn switch(&self) -> &Switch<S, D> {
-        &self.switch
-    }
-
     /// Does one action; returns the policy that chose it, and the episode's end if it ended.
     ///
     /// If several ends fall together, the first of these holds: invalid, reached, cycle, timeout.
     pub fn advance(&mut self) -> (Driver, Option<Outcome>) {
         let chosen = self.hybrid.decide(&mut self.switch, self.episode.observation());
-        (chosen.driver, self.act(chosen))
-    }
-
-    fn act(&mut self, chosen: Chosen) -> Option<Outcome> {
         let is_network = chosen.driver == Driver::Sac;
         if is_network && self.hybrid.settings.hand_back_after == NEVER && !self.is_last_turn {
             self.episode.detector.reset(self.observation().pose);
@@ -78,12 +64,12 @@ where
         let outcome = self.episode.step(chosen.wanted);
         if outcome.is_some() {
             self.switch.ended(chosen);
-            return outcome;
+            return (chosen.driver, outcome);
         }
         self.switch.acted(chosen, self.episode.observation());
         let pose = self.observation().pose;
         let cycles = is_network && self.is_last_turn && self.episode.detector.repeats(pose);
-        if cycles { Some(Outcome::Cycle) } else { self.episode.timeout() }
+        (chosen.driver, if cycles { Some(Outcome::Cycle) } else { self.episode.timeout() })
     }
 
     /// Lets the hybrid act until the end; `each` sees the policy that acted and the pose after every action.

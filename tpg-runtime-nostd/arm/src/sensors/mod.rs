@@ -48,7 +48,6 @@ mod watchdog;
 pub use limits::Limits;
 pub use watchdog::{Watch, Watchdog};
 
-use crate::arm::Arm;
 use crate::kinematics::Lattice;
 use crate::observation::Observation;
 use core::fmt;
@@ -86,13 +85,5 @@ impl<S: Lattice> Observation<S> {
         let [x, y, z] = [0, 1, 2].map(|k| ((self.target[k] - self.hand[k]) - self.difference[k]).abs());
         // An infinity less an infinity is NaN, which is not zero.
         x + y + z == S::ZERO
-    }
-
-    /// Checks an observation of an arm without a memory of what was commanded.
-    ///
-    /// # Errors
-    /// [`Fault::Target`] or [`Fault::Sensor`].
-    pub fn check(&self, arm: &Arm<S>) -> Result<(), Fault> {
-        Limits::new(arm).check(self)
     }
 }

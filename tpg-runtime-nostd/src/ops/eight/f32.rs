@@ -11,34 +11,7 @@ const fn bits(byte: usize) -> u64 {
     (TWO_OVER_PI[byte] as u64) << 32 | TWO_OVER_PI[byte + 4] as u64
 }
 
-/// Replaces each number by its sine.
-#[inline(always)]
-pub(in crate::ops) fn sines(numbers: &mut [f32; 8]) {
-    if any_is_large(numbers) {
-        return numbers.iter_mut().for_each(|x| *x = own::sin(*x));
-    }
-    for x in numbers {
-        let bits = x.to_bits();
-        *x = f32::from_bits(circle(bits & MAGNITUDE, 0x2000_0000) ^ (bits & SIGN));
-    }
-}
-
-/// Replaces each number by its cosine.
-#[inline(always)]
-pub(in crate::ops) fn cosines(numbers: &mut [f32; 8]) {
-    if any_is_large(numbers) {
-        return numbers.iter_mut().for_each(|x| *x = own::cos(*x));
-    }
-    for x in numbers {
-        *x = f32::from_bits(circle(x.to_bits() & MAGNITUDE, 0x6000_0000));
-    }
-}
-
-/// Infinities and NaN are not large: they become NaN in any case.
-#[inline(always)]
-fn any_is_large(numbers: &[f32; 8]) -> bool {
-    numbers.iter().fold(false, |any, x| any | ((x.abs() >= MOST) & (x.abs() < f32::INFINITY)))
-}
+of_eight!(f32, u32);
 
 /// As the function of that name in [`own`], which explains it: of numbers below 2³⁰, without tables.
 #[inline(always)]
@@ -56,13 +29,6 @@ fn circle(magnitude: u32, offset: u32) -> u32 {
     let angle = high.wrapping_add(middle).wrapping_add(low);
 
     own::wave(TOP, magnitude, angle, offset, row)
-}
-
-/// The row of [`CIRCLE`] for a quadrant.
-#[inline(always)]
-fn row(turn: u32) -> [f32; 4] {
-    let odd = own::mask(TOP, turn << 1);
-    core::array::from_fn(|at| f32::from_bits(own::choose(odd, CIRCLE[1][at].to_bits(), CIRCLE[0][at].to_bits())))
 }
 
 #[cfg(test)]

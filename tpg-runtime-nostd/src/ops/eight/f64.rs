@@ -1,6 +1,6 @@
 //! Eight doubles.
 
-use super::super::own::f64::{self as own, CIRCLE, FRACTION, LEAST_NORMAL, MAGNITUDE, SIGN, TWO_OVER_PI};
+use super::super::own::f64::{self as own, CIRCLE, FRACTION, LEAST_NORMAL, MAGNITUDE, SIGN, TOP, TWO_OVER_PI};
 
 /// The first 192 bits of 2/π behind the binary point.
 const WINDOW: [u64; 3] = [bits(2), bits(4), bits(6)];
@@ -11,34 +11,7 @@ const fn bits(word: usize) -> u64 {
     (TWO_OVER_PI[word] as u64) << 32 | TWO_OVER_PI[word + 1] as u64
 }
 
-/// Replaces each number by its sine.
-#[inline(always)]
-pub(in crate::ops) fn sines(numbers: &mut [f64; 8]) {
-    if any_is_large(numbers) {
-        return numbers.iter_mut().for_each(|x| *x = own::sin(*x));
-    }
-    for x in numbers {
-        let bits = x.to_bits();
-        *x = f64::from_bits(circle(bits & MAGNITUDE, 0x2000_0000_0000_0000) ^ (bits & SIGN));
-    }
-}
-
-/// Replaces each number by its cosine.
-#[inline(always)]
-pub(in crate::ops) fn cosines(numbers: &mut [f64; 8]) {
-    if any_is_large(numbers) {
-        return numbers.iter_mut().for_each(|x| *x = own::cos(*x));
-    }
-    for x in numbers {
-        *x = f64::from_bits(circle(x.to_bits() & MAGNITUDE, 0x6000_0000_0000_0000));
-    }
-}
-
-/// Infinities and NaN are not large: they become NaN in any case.
-#[inline(always)]
-fn any_is_large(numbers: &[f64; 8]) -> bool {
-    numbers.iter().fold(false, |any, x| any | ((x.abs() >= MOST) & (x.abs() < f64::INFINITY)))
-}
+of_eight!(f64, u64);
 
 /// As the function of that name in [`own`], which explains it: of numbers below 2⁵⁴, without a table and without products of
 /// 128 bits.
@@ -57,14 +30,7 @@ fn circle(magnitude: u64, offset: u64) -> u64 {
     let carry = u64::from(angle_low < below);
     let angle_high = mantissa.wrapping_mul(first).wrapping_add(multiply_high(mantissa, second)).wrapping_add(carry);
 
-    own::wave(magnitude, [angle_high, angle_low], offset, multiply_high, row)
-}
-
-/// The row of [`CIRCLE`] for a quadrant.
-#[inline(always)]
-fn row(turn: u64) -> [f64; 7] {
-    let odd = own::mask(turn << 1);
-    core::array::from_fn(|at| f64::from_bits(own::choose(odd, CIRCLE[1][at].to_bits(), CIRCLE[0][at].to_bits())))
+    own::wave(TOP, magnitude, [angle_high, angle_low], offset, multiply_high, row)
 }
 
 /// The upper half of a product, from products of 32 bits.

@@ -2,17 +2,16 @@
 
 use core::f32::consts::{FRAC_PI_2, FRAC_PI_4};
 
-/// The place of the top bit.
-pub(in crate::ops) const TOP: u32 = 31;
-/// Everything but the sign.
-pub(in crate::ops) const MAGNITUDE: u32 = 0x7fff_ffff;
-pub(in crate::ops) const SIGN: u32 = 0x8000_0000;
-pub(in crate::ops) const FRACTION: u32 = 0x007f_ffff;
-/// The least normal number, and also the bit below which the exponent begins.
-pub(in crate::ops) const LEAST_NORMAL: u32 = 0x0080_0000;
-const INFINITY: u32 = 0x7f80_0000;
-const MINUS_INFINITY: u32 = 0xff80_0000;
-const NAN: u32 = 0x7fc0_0000;
+/// The power of two by which subnormal numbers are scaled up.
+const SCALE: u32 = 23;
+/// The bits of √½.
+const ROOT_OF_HALF: u32 = 0x3f35_04f3;
+/// `eˣ` is +∞ from 88.722_84 on, 0 below −103.972_08.
+const EXP_LIMIT: f32 = 104.0;
+/// The bits of √2 − 1, of √2 + 1, and of 0.55.
+const ATAN_LOW: u32 = 0x3ed4_13cd;
+const ATAN_HIGH: u32 = 0x401a_827a;
+const TANH_NEAR: u32 = 0x3f0c_cccd;
 
 /// `floor(2/π · 2^(8i + 5)) mod 2³²`: a window on the bits of 2/π for every byte of the exponent, so that no word needs
 /// to be shifted after loading. The zeros are never read: they make a place of every number of five bits and 8.
@@ -87,54 +86,7 @@ pub const QUARTERS: [[f32; 2]; 2] = [[FRAC_PI_4, -2.1855694e-8], [FRAC_PI_2, -4.
 /// `tanh a = a + a·s·P(s)` for `s = a²`, `|a| ≤ 0.55`; relative error of the polynomial 3.7e-8.
 pub const TANH: [f32; 4] = [-0.33332947, 0.13320726, -0.052671693, 0.0164371];
 
-/// Sine of `x` radians: off by at most 8.8e-8, and by at most 1.5 ulp, for every finite `x`; odd, and never beyond ±1.
-#[inline]
-pub fn sin(x: f32) -> f32 {
-    sin_by(TOP, x)
-}
-
-#[inline(always)]
-pub(in crate::ops) fn sin_by(top: u32, x: f32) -> f32 {
-    let bits = x.to_bits();
-    let of_magnitude = circle(top, bits & MAGNITUDE, 0x2000_0000);
-    f32::from_bits(of_magnitude ^ (bits & SIGN))
-}
-
-/// Cosine of `x` radians: off by at most 8.8e-8, and by at most 1.5 ulp, for every finite `x`; even, and never
-/// beyond ±1.
-#[inline]
-pub fn cos(x: f32) -> f32 {
-    cos_by(TOP, x)
-}
-
-#[inline(always)]
-pub(in crate::ops) fn cos_by(top: u32, x: f32) -> f32 {
-    f32::from_bits(circle(top, x.to_bits() & MAGNITUDE, 0x6000_0000))
-}
-
-/// Tangent of `x` radians: sine by cosine, off by at most 3.5 ulp for every finite `x`; odd.
-#[inline]
-pub fn tan(x: f32) -> f32 {
-    tan_by(TOP, x)
-}
-
-#[inline(always)]
-pub(in crate::ops) fn tan_by(top: u32, x: f32) -> f32 {
-    sin_by(top, x) / cos_by(top, x)
-}
-
-/// All ones where the top bit is set, else 0. Masks rather than conditions, where a compiler would branch. `top` is
-/// [`TOP`], which a caller may hide from the compiler: see [`constant_time`](crate::ops::constant_time).
-#[inline(always)]
-pub(in crate::ops) fn mask(top: u32, bits: u32) -> u32 {
-    bits.cast_signed().wrapping_shr(top).cast_unsigned()
-}
-
-/// `a` where the mask is all ones, `b` where it is 0.
-#[inline(always)]
-pub(in crate::ops) fn choose(mask: u32, a: u32, b: u32) -> u32 {
-    b ^ ((a ^ b) & mask)
-}
+kernels!(f32, u32, [c0 c1 c2], [c0 c1 c2 c3 c4], [c0 c1 c2 c3], [c0 c1 c2 c3]);
 
 /// The bits of `sin(a + offset − ⅛ turn)`, `a` given by its bits and the offset in 2⁻³² turns.
 ///
@@ -201,141 +153,4 @@ pub(in crate::ops) fn wave(
 
     // The lower half turn is negative.
     value.to_bits() ^ (turn & SIGN)
-}
-
-/// Natural logarithm: off by at most 0.96 ulp; of ±0 it is −∞, of a negative number NaN.
-#[inline]
-pub fn ln(x: f32) -> f32 {
-    ln_by(TOP, x)
-}
-
-#[inline(always)]
-pub(in crate::ops) fn ln_by(top: u32, x: f32) -> f32 {
-    let bits = x.to_bits();
-
-    // x = m · 2^exponent with √½ ≤ m < √2, a subnormal number being scaled up first.
-    let scaled = (x * 8388608.0).to_bits();
-    let small = mask(top, bits.wrapping_sub(LEAST_NORMAL));
-    let normal = choose(small, scaled, bits);
-    let bias = 127 + (23 & small) as i32;
-    let shifted = normal.wrapping_add(0x3f80_0000 - 0x3f35_04f3);
-    let exponent = ((shifted >> 23) as i32).wrapping_sub(bias) as f32;
-    let m = f32::from_bits((shifted & FRACTION).wrapping_add(0x3f35_04f3));
-
-    // ln(1 + f) = 2 artanh(s) = 2s + s·R(s²) for s = f / (2 + f); and 2s = f − s·f, where f is exact.
-    let f = m - 1.0;
-    let g = f + 2.0;
-    let s = f / g;
-    let w = s * s;
-    let [c0, c1, c2] = LN;
-    let p = (f - ((c2 * w + c1) * w + c0) * w) * s;
-    let low = exponent * LN_2_LOW;
-    let p = f - (p - low);
-    let high = exponent * LN_2_HIGH;
-    let value = (high + p).to_bits();
-
-    // What is not in 1..INFINITY: infinity and NaN stay, zeros and what is negative have values of their own.
-    let before = bits.wrapping_sub(1);
-    let special = mask(top, before | (INFINITY - 2).wrapping_sub(before));
-    let zero = mask(top, (bits & MAGNITUDE).wrapping_sub(1));
-    let limit = choose(zero, MINUS_INFINITY, bits | (mask(top, bits) & NAN));
-    f32::from_bits(choose(special, limit, value))
-}
-
-/// `eˣ`: off by at most 1 ulp, subnormal results included; +∞ from 88.722_84 on, 0 below −103.972_08.
-#[inline]
-pub fn exp(x: f32) -> f32 {
-    exp_by(TOP, x)
-}
-
-#[inline(always)]
-pub(in crate::ops) fn exp_by(top: u32, x: f32) -> f32 {
-    // 1.5 · 2²³: adding it leaves the nearest integer in the low bits of the sum.
-    const ROUND: f32 = 12582912.0;
-    const ROUND_BITS: u32 = 0x4b40_0000;
-    const LIMIT: u32 = 0x42d0_0000; // 104
-
-    // Beyond ±104 nothing changes any more; NaN is put back at the end.
-    let bits = x.to_bits();
-    let magnitude = bits & MAGNITUDE;
-    let limited = choose(mask(top, magnitude.wrapping_sub(LIMIT)), magnitude, LIMIT);
-    let a = f32::from_bits(limited | (bits & SIGN));
-
-    // x = n·ln 2 + r with |r| ≤ ½ ln 2.
-    let sum = a * core::f32::consts::LOG2_E + ROUND;
-    let n = sum - ROUND;
-    let high = n * LN_2_HIGH;
-    let low = n * LN_2_LOW;
-    let r = a - high - low;
-
-    // eʳ = 1 + (r + r²·P(r)).
-    let [c0, c1, c2, c3, c4] = EXP;
-    let p = ((((c4 * r + c3) * r + c2) * r + c1) * r + c0) * r * r + r + 1.0;
-
-    // Times 2ⁿ as two powers of two: the first product is exact, the second rounds once, if at all.
-    let biased = sum.to_bits().wrapping_sub(ROUND_BITS - 2 * 127);
-    let half = biased >> 1;
-    let value = p * f32::from_bits(half << 23);
-    let value = value * f32::from_bits(biased.wrapping_sub(half) << 23);
-
-    let not_a_number = mask(top, INFINITY.wrapping_sub(magnitude));
-    f32::from_bits(value.to_bits() | (not_a_number & NAN))
-}
-
-/// Arctangent: off by at most 2.1 ulp; odd.
-#[inline]
-pub fn atan(x: f32) -> f32 {
-    atan_by(TOP, x)
-}
-
-#[inline(always)]
-pub(in crate::ops) fn atan_by(top: u32, x: f32) -> f32 {
-    let bits = x.to_bits();
-    let magnitude = bits & MAGNITUDE;
-    let a = f32::from_bits(magnitude);
-
-    // arctan a = π/4 + arctan((a − 1) / (a + 1)) = π/2 + arctan(−1 / a): whichever leaves a small argument.
-    let low = mask(top, magnitude.wrapping_sub(0x3ed4_13cd)); // √2 − 1
-    let high = mask(top, 0x401a_827a_u32.wrapping_sub(magnitude)); // √2 + 1
-    let pick = |of_low: f32, of_middle: f32, of_high: f32| {
-        f32::from_bits(choose(low, of_low.to_bits(), choose(high, of_high.to_bits(), of_middle.to_bits())))
-    };
-    let [[quarter, quarter_rest], [half, half_rest]] = QUARTERS;
-    let above = pick(a, a - 1.0, -1.0);
-    let below = pick(1.0, a + 1.0, a);
-    let t = above / below;
-    let offset = pick(0.0, quarter, half);
-    let rest = pick(0.0, quarter_rest, half_rest);
-
-    let [c0, c1, c2, c3] = ATAN;
-    let s = t * t;
-    let p = t + ((((c3 * s + c2) * s + c1) * s + c0) * s * t + rest);
-    let value = offset + p;
-    f32::from_bits(value.to_bits() | (bits & SIGN))
-}
-
-/// Hyperbolic tangent: off by at most 1.5 ulp; odd, and never beyond ±1.
-#[inline]
-pub fn tanh(x: f32) -> f32 {
-    tanh_by(TOP, x)
-}
-
-#[inline(always)]
-pub(in crate::ops) fn tanh_by(top: u32, x: f32) -> f32 {
-    let bits = x.to_bits();
-    let magnitude = bits & MAGNITUDE;
-    let a = f32::from_bits(magnitude);
-
-    // 1 − 2 / (e²ᵃ + 1), where that does not cancel.
-    let grown = exp_by(top, a + a);
-    let part = 2.0 / (grown + 1.0);
-    let far = 1.0 - part;
-
-    let [c0, c1, c2, c3] = TANH;
-    let s = a * a;
-    let p = (((c3 * s + c2) * s + c1) * s + c0) * s * a;
-    let near = a + p;
-
-    let small = mask(top, magnitude.wrapping_sub(0x3f0c_cccd)); // 0.55
-    f32::from_bits(choose(small, near.to_bits(), far.to_bits()) | (bits & SIGN))
 }

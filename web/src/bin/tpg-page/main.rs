@@ -3,30 +3,21 @@
 mod data;
 mod policies;
 
-use clap::{Parser, Subcommand};
+use clap::Parser;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::{fs, io};
 
-/// Writes what the page shows of the shipped policies.
+/// Writes what the page shows of the shipped policies: formulas and measured costs, as JSON.
 #[derive(Debug, Parser)]
 struct PageCli {
-    #[command(subcommand)]
-    command: PageCommand,
-}
-
-#[derive(Debug, Subcommand)]
-enum PageCommand {
-    /// Write the policies as formulas and the measured costs, as JSON
-    Data {
-        /// The file
-        #[arg(long, short)]
-        out: PathBuf,
-    },
+    /// The file
+    #[arg(long, short)]
+    out: PathBuf,
 }
 
 fn main() -> ExitCode {
-    let PageCommand::Data { out } = PageCli::parse().command;
+    let PageCli { out } = PageCli::parse();
     let place = |error| io::Error::other(format!("{}: {error}", out.display()));
     match data::text().and_then(|text| fs::write(&out, text).map_err(place)) {
         Ok(()) => ExitCode::SUCCESS,
