@@ -280,6 +280,8 @@ pub(crate) struct Chosen<C: Configuration> {
     pub config: C,
     /// The problem.
     pub problem: Problem,
+    /// The settings that a file or an argument changes.
+    pub settings: toml::Table,
 }
 
 impl<C: Configuration> Chosen<C> {
@@ -305,7 +307,9 @@ impl<C: Configuration> Chosen<C> {
         *config.problem() = problem.to_table();
         let is_preset = run.config.is_none() && run.set.is_empty();
         let preset = || run.preset.clone().unwrap_or_else(|| C::default_preset(problem.name()).to_owned());
-        Ok(Self { preset: is_preset.then(preset), config, problem })
+        let mut settings = toml::Table::new();
+        layers.layers[1..].iter().for_each(|layer| merge(&mut settings, &layer.table));
+        Ok(Self { preset: is_preset.then(preset), config, problem, settings })
     }
 }
 

@@ -165,6 +165,21 @@ fn a_target_and_a_number_of_steps_end_a_run_early() {
 }
 
 #[test]
+fn a_number_of_steps_replaces_the_default_number_of_generations() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let generations = |name: &str, more: &[&str]| {
+        let folder = place.path().join(name);
+        let few = ["--max-steps", "2000", "--set", "tpg.nb_roots=5"];
+        assert!(train_on("cartpole", &folder, &[&few[..], more].concat()).status().expect("it runs").success());
+        let config = fs::read_to_string(folder.join("config.toml")).expect("the configuration");
+        config.lines().find_map(|line| line.strip_prefix("nb_generations = ").map(str::to_owned)).expect("a number")
+    };
+    assert_eq!(generations("steps", &[]), "0");
+    assert_eq!(generations("argument", &["--generations", "3"]), "3");
+    assert_eq!(generations("setting", &["--set", "learning.nb_generations=4"]), "4");
+}
+
+#[test]
 fn a_target_that_the_search_for_weights_reaches_ends_it() {
     let place = tempfile::tempdir().expect("a temporary folder");
     let run = |name: &str, threads: &str| {

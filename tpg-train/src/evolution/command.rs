@@ -60,8 +60,11 @@ fn seeds(text: &str) -> Result<Range<u64>, String> {
 /// # Errors
 /// An invalid configuration, a folder with another run, files that cannot be written.
 pub(crate) fn execute(args: &TpgArgs, ranks: Option<&Ranks<'_>>) -> Result<Verdict, RunError> {
-    let Chosen { mut config, problem, .. } = Chosen::<EvolutionConfig>::by(&args.run)?;
-    if let Some(generations) = args.generations {
+    let Chosen { mut config, problem, settings, .. } = Chosen::<EvolutionConfig>::by(&args.run)?;
+    let is_set = settings.get("learning").is_some_and(|learning| learning.get("nb_generations").is_some());
+    // A budget of steps needs no other: a preset's number of generations is for runs without one.
+    let default = (args.run.max_steps.is_some() && !is_set).then_some(0);
+    if let Some(generations) = args.generations.or(default) {
         config.learning.nb_generations = generations;
     }
     let network = config.ask.as_mut().map(|ask| asking::read(ask, &problem)).transpose()?;

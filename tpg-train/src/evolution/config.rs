@@ -151,7 +151,7 @@ pub struct LearningParameters {
     pub nb_iterations_per_policy_evaluation: usize,
     /// Fraction of `nb_roots` replaced in each generation.
     pub ratio_deleted_roots: f64,
-    /// Generations; 0 for no limit: `--max-steps` or `--target` ends the run.
+    /// Generations; 0 for no limit, the default with `--max-steps`.
     pub nb_generations: u64,
     /// Episodes after which a root's score is final.
     pub max_nb_evaluation_per_policy: u64,

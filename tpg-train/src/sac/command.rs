@@ -33,7 +33,7 @@ const CHECKPOINT_SECONDS: u64 = 120;
 /// # Errors
 /// A bad configuration, a problem without outputs, a folder with another run, files that cannot be written.
 pub(crate) fn execute(args: &RunArgs) -> Result<Verdict, InputError> {
-    let Chosen { preset, config, problem } = Chosen::<SacConfig>::by(args)?;
+    let Chosen { preset, config, problem, .. } = Chosen::<SacConfig>::by(args)?;
     let name = preset.unwrap_or_else(|| name_by_content(&config));
     let stop = interrupt::watch();
     let environment = problem.network_environment(args.seed);
