@@ -24,7 +24,6 @@ TASKS = {
     "InvertedDoublePendulum-v5": 300_000,
     "Hopper-v5": 1_000_000,
     "HalfCheetah-v5": 3_000_000,
-    "Walker2d-v5": 2_000_000,
     "LunarLander-v3": 1_000_000,
 }
 SEEDS = range(1, 6)

@@ -72,11 +72,14 @@ impl RustForCortexM4 {
 
 /// Stubs for the functions of the crate libm that the runtime calls.
 fn libm() -> String {
-    let functions = |scalar: &str, names: [&str; 8]| {
-        names.map(|name| format!("#[inline(never)]\npub fn {name}(x: {scalar}) -> {scalar} {{\n    x\n}}\n")).concat()
+    let stub =
+        |scalar: &str, name: &str| format!("#[inline(never)]\npub fn {name}(x: {scalar}) -> {scalar} {{\n    x\n}}\n");
+    let of = |(scalar, root)| {
+        let functions = ["sin", "cos", "tan", "log", "exp", "atan", "tanh"].map(|name| stub(scalar, name)).concat();
+        format!("{}impl Libm<{scalar}> {{\n{functions}}}\n", stub(scalar, root))
     };
-    let single = functions("f32", ["sinf", "cosf", "tanf", "logf", "expf", "atanf", "tanhf", "sqrtf"]);
-    format!("#![no_std]\n{single}{}", functions("f64", ["sin", "cos", "tan", "log", "exp", "atan", "tanh", "sqrt"]))
+    let both = [("f32", "sqrtf"), ("f64", "sqrt")].map(of).concat();
+    format!("#![no_std]\npub struct Libm<T>(T);\n{both}")
 }
 
 fn compile(folder: &Path, level: &str, arguments: &[&str]) -> io::Result<()> {
