@@ -33,7 +33,8 @@ pub(super) fn link(folder: &Path, target: Target, entry: &str, program: &Program
         let reason = |refusal: Refusal| refusal.to_string().split("; accepted").next().unwrap_or_default().to_owned();
         let bound = |loops: &LoopBounds| Analyser::new(&listing, loops).bound(entry);
         let found = bound(&loops(program, entry, &listing));
-        found.or_else(|refusal| unrolled(program, entry).map_or(Err(refusal), |loops| bound(&loops))).map_err(reason)
+        let unrolled = || unrolled(program, entry).filter(|_| target.unit() == "instructions");
+        found.or_else(|refusal| unrolled().map_or(Err(refusal), |loops| bound(&loops))).map_err(reason)
     });
     Ok(Linked { size, bound })
 }
@@ -64,7 +65,7 @@ fn loops(program: &Program<'_>, entry: &str, listing: &Listing) -> LoopBounds {
     }
 }
 
-/// The turns where a compiler writes the few rows of a table one by one: only inner loops are left.
+/// The turns where a compiler writes the few rows of a table one by one: only inner loops are left. On an AVR, a shift is a loop, too.
 fn unrolled(program: &Program<'_>, entry: &str) -> Option<LoopBounds> {
     let [rows, columns] = table(program)?;
     Some(LoopBounds::from([(entry.to_owned(), Turns::Every(rows.max(columns) + 1))]))

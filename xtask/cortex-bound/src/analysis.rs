@@ -182,16 +182,25 @@ impl<'a> Analyser<'a> {
 /// The instructions of an AVR that shift by a bit.
 const SHIFTS: [&str; 7] = ["asr", "ror", "lsr", "lsl", "rol", "add", "adc"];
 
-/// Returns the turns of a loop of an AVR that shifts by a constant: `ldi r18, 0x0C`, shifts, `dec r18`, `brne`.
+/// Tests for instructions that shift by a bit without a change of the counter.
+fn shifts(lines: &[Line], counter: &str) -> bool {
+    lines.iter().all(|line| SHIFTS.contains(&line.mnemonic.as_str()) && !line.operands.starts_with(counter))
+}
+
+/// Returns the turns of a loop of an AVR that shifts, by a constant: `ldi r18, 0x0C`, shifts, `dec r18`, `brne`; or by a variable, which
+/// is below 32 in C: into the middle of shifts, `dec r24`, `brpl`.
 fn counted(lines: &[Line], next: &[Vec<usize>], header: usize) -> Option<u64> {
+    if lines[header].mnemonic == "dec" && lines.get(header + 1)?.mnemonic == "brpl" {
+        let first = *next[header + 1].iter().find(|&&to| to < header)?;
+        return shifts(&lines[first..header], &lines[header].operands).then_some(32);
+    }
     let before: Vec<usize> = (0..next.len()).filter(|&node| next[node].contains(&header)).collect();
     let [start, latch] = before[..] else { return None };
     let (counter, turns) = lines[start].operands.split_once(", 0x").filter(|_| lines[start].mnemonic == "ldi")?;
-    let (down, shifts) = lines.get(header..latch)?.split_last()?;
-    let is = |line: &Line| SHIFTS.contains(&line.mnemonic.as_str()) && !line.operands.starts_with(counter);
+    let (down, body) = lines.get(header..latch)?.split_last()?;
     let is_down = down.mnemonic == "dec" && down.operands == counter && lines[latch].mnemonic == "brne";
     let turns = u64::from_str_radix(turns, 16).ok()?;
-    (is_down && shifts.iter().all(is) && turns > 0).then_some(turns)
+    (is_down && shifts(body, counter) && turns > 0).then_some(turns)
 }
 
 /// Tests for so many loops, each but the first in the one before; or none.

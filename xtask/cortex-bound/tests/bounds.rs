@@ -423,7 +423,7 @@ const AVR: &str = r#"
         volatile int32_t sums[20];
         sums[s[2] & 15] = (int32_t)s[0] * -21354 + (int32_t)s[1] * 13726;
         const int32_t product = (sums[s[2] & 15] >> 12) * s[1];
-        return (product < 0) ? product / s[2] : (product >> 7);
+        return (product < 0) ? product / s[2] : (product >> (s[2] & 31));
     }
     static void put(char letter)
     {
