@@ -4,6 +4,8 @@ use std::fs;
 use tpg_codegen::compile;
 use tpg_codegen::emit::{self, Code, Language, Options, Profile};
 use tpg_codegen::quantise::{Request, quantise};
+use tpg_codegen::report::report;
+use tpg_codegen::size::Target;
 use tpg_codegen::verify::Proof;
 use tpg_graph::states::StateSet;
 use tpg_graph::{Graph, interpret};
@@ -39,6 +41,22 @@ fn every_profile_sees_what_the_features_mean() {
     let proof = Proof::of(&codes, 1000, 3).expect("compilers run");
     assert!(proof.holds(), "{proof:?}");
     assert_eq!(proof.comparisons.len(), 2 * codes.len(), "states, and images");
+}
+
+#[test]
+fn a_report_bounds_what_reads_the_image() {
+    if !tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "a bound of what reads an image") {
+        return;
+    }
+    // Three searches through all 100 cells, two through 64 windows of 9 with the mean of the image, and a window.
+    const READS: u64 = 3 * 100 + 2 * (64 * 9 + 100) + 12;
+    let report = report("eye.json", &graph(), &options(Profile::Fast), &[Target::M0, Target::M4f], None);
+    let sizes = report.expect("floats").sizes;
+    let looks: Vec<u64> = sizes.iter().filter_map(|size| size.look).collect();
+    assert!(
+        looks.len() >= 2 * Profile::ALL.len() && looks.iter().all(|look| (3 * READS..20 * READS).contains(look)),
+        "{looks:?}"
+    );
 }
 
 #[test]

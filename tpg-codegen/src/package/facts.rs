@@ -136,7 +136,7 @@ impl<'a> Facts<'a> {
 /// What the C needs on the package's chip, with the library functions that it calls; nothing where its compiler is not installed.
 fn figures(code: &Code<'_>, target: Target) -> Vec<String> {
     let linked = size::build_c(code, target).and_then(|built| Ok((built.link(code)?, built.stack)));
-    let Ok((Some(Linked { size, bound }), stack)) = linked else { return Vec::new() };
+    let Ok((Some(Linked { size, bound, look }), stack)) = linked else { return Vec::new() };
     let (flash, ram) = (size.flash(), size.ram());
     let mut figures = vec![format!(
         "C on {}, `-Os`, with the library functions that it calls: {flash} bytes of flash, {ram} of RAM",
@@ -149,5 +149,6 @@ fn figures(code: &Code<'_>, target: Target) -> Vec<String> {
         )),
         (_, stack) => figures.extend(stack.map(|stack| format!("stack of a decision there: {} bytes", stack.bytes))),
     }
+    figures.extend(look.map(|look| format!("reading an image there: at most {} {}", look.instructions, target.unit())));
     figures
 }

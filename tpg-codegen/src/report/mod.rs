@@ -114,6 +114,9 @@ pub struct ShapeSize {
     pub ram: Option<u64>,
     /// Instructions of a decision at most, library functions included, if there is a bound; on an AVR cycles.
     pub instructions: Option<u64>,
+    /// As `instructions`, of reading an image.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub look: Option<u64>,
     /// Bytes of stack, if the compiler reports them.
     pub stack: Option<Stack>,
     /// The sections that the compiler made.
@@ -233,6 +236,7 @@ fn size_of(code: &Code<'_>, target: Target, profile: &'static str) -> ShapeSize 
         linked_flash: None,
         ram: None,
         instructions: None,
+        look: None,
         stack: None,
         sections: None,
         unavailable: None,
@@ -248,8 +252,11 @@ impl ShapeSize {
         let size = size::measure(&built.object).map_err(|error| error.to_string())?;
         (self.flash, self.ram, self.sections) = (Some(size.flash()), Some(size.ram()), Some(size));
         self.stack = built.stack.clone();
-        let Some(Linked { size, bound }) = built.link(code).map_err(|error| error.to_string())? else { return Ok(()) };
+        let Some(Linked { size, bound, look }) = built.link(code).map_err(|error| error.to_string())? else {
+            return Ok(());
+        };
         (self.linked_flash, self.ram) = (Some(size.flash()), Some(size.ram()));
+        self.look = look.map(|look| look.instructions);
         if let Some(Bound { instructions, stack }) = bound.transpose()? {
             self.instructions = Some(instructions);
             self.stack = Some(Stack { bytes: stack, without: Vec::new() });

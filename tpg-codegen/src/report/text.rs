@@ -97,12 +97,13 @@ impl Report {
         let rust = if first.target == Target::M4f { &self.rust_sizes[..] } else { &[] };
         let flash_of_rust =
             |size: &ShapeSize| rust.iter().find(|rust| rust.profile == size.profile).and_then(|rust| rust.flash);
-        let columns: [Column<'_>; 6] = [
+        let columns: [Column<'_>; 7] = [
             ("flash", &|size| size.flash),
             ("linked", &|size| size.linked_flash),
             ("RAM", &|size| size.ram),
             ("stack", &|size| size.stack.as_ref().map(|stack| stack.bytes)),
             (first.target.unit(), &|size| size.instructions),
+            ("look", &|size| size.look),
             ("flash, Rust", &flash_of_rust),
         ];
         let (always, known) = (["flash", "RAM", "stack"], |column: &dyn Fn(&ShapeSize) -> Option<u64>| {
@@ -141,8 +142,9 @@ fn explanation(sizes: &[ShapeSize]) -> String {
         (false, _) => ", without the libraries that are called".to_owned(),
         (true, None) => linked.to_owned(),
         (true, Some(size)) => format!(
-            "{linked};\n{}: of a decision and what it calls, at most, by analysis of the machine code",
-            size.target.unit()
+            "{linked};\n{}{}: of a decision and what it calls, at most, by analysis of the machine code",
+            size.target.unit(),
+            if size.look.is_some() { ", and look" } else { "" }
         ),
     }
 }

@@ -9,6 +9,7 @@ use cortex_bound::{Analyser, Bound, Listing, LoopBounds, Refusal, Turns, disasse
 use std::path::Path;
 use std::{fs, io};
 use tpg_graph::ScalarType;
+use tpg_graph::image::{Feature, Find, Vision};
 
 /// The parts of an image that a decision reaches.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -17,6 +18,8 @@ pub struct Linked {
     pub size: Size,
     /// The worst case of a decision; none for cores that are not analysed, and the reason where there is none.
     pub bound: Option<Result<Bound, String>>,
+    /// The worst case of reading an image; none where there is no image, or no bound.
+    pub look: Option<Bound>,
 }
 
 /// Links an object file of a folder, from `entry` on.
@@ -27,8 +30,12 @@ pub(super) fn link(folder: &Path, target: Target, entry: &str, program: &Program
     super::run(command, "cannot link it", |line| line.contains("undefined") || line.contains("cannot"))?;
     let image = folder.join("image");
     let size = measure(&fs::read(&image)?)?;
-    let bound = target.has_bound(matches!(program.shape, Shape::Integers(_))).then(|| {
-        let listing = disassemble(&image).map_err(|error| error.to_string())?;
+    if !target.has_bound(matches!(program.shape, Shape::Integers(_))) {
+        return Ok(Linked { size, bound: None, look: None });
+    }
+    let listing = disassemble(&image).map_err(|error| error.to_string());
+    let look = listing.as_ref().ok().and_then(|listing| look(program, listing));
+    let bound = listing.and_then(|listing| {
         // What is accepted are options of `cortex-bound`.
         let reason = |refusal: Refusal| refusal.to_string().split("; accepted").next().unwrap_or_default().to_owned();
         let bound = |loops: &LoopBounds| Analyser::new(&listing, loops).bound(entry);
@@ -36,7 +43,25 @@ pub(super) fn link(folder: &Path, target: Target, entry: &str, program: &Program
         let unrolled = || unrolled(program, entry).filter(|_| target.unit() == "instructions");
         found.or_else(|refusal| unrolled().map_or(Err(refusal), |loops| bound(&loops))).map_err(reason)
     });
-    Ok(Linked { size, bound })
+    Ok(Linked { size, bound: Some(bound), look })
+}
+
+/// Bounds what reads an image. Its loops go through all cells, and in some of these through a window.
+fn look(program: &Program<'_>, listing: &Listing) -> Option<Bound> {
+    let vision = Vision::new(&program.graph().state_sources())?;
+    let [rows, columns, _] = vision.shape();
+    let windows = vision.features().map(|(_, feature, _)| match (feature, feature.find()) {
+        (Feature::Sum { height, width, .. }, _) => height.max(width),
+        (_, Some(Find::Brightest { size, .. } | Find::Darkest { size, .. })) => size,
+        _ => 0,
+    });
+    let (cells, window) = (rows.max(columns) as u64 + 1, u64::from(windows.max().unwrap_or(0)) + 1);
+    let prefix = &program.options.prefix;
+    let sum = format!("{prefix}_sum");
+    let depths = |name: &str| if name.starts_with(&sum) { vec![window; 2] } else { vec![cells, cells, window, window] };
+    let own = listing.functions().iter().map(|function| &function.name).filter(|name| name.starts_with(prefix.lower()));
+    let loops = own.map(|name| (name.clone(), Turns::Depths(depths(name)))).collect();
+    Analyser::new(listing, &loops).bound(&format!("{prefix}_look")).ok()
 }
 
 /// The turns of the loops in generated C: control comes once more to a loop's first instruction than to its body. Code with other loops has

@@ -62,12 +62,18 @@ static uint32_t {{ prefix }}_sum(const uint8_t *image, uint32_t stride, uint32_t
 /* The middle of the square window with the greatest sum, or with the smallest; the first of equal ones. */
 static {{ prefix }}_place_t {{ prefix }}_window(const uint8_t *image, uint32_t stride, uint32_t size, uint32_t is_dark)
 {
-    const uint32_t mean = (({{ prefix }}_sum(image, stride, {{ look.rows }}U, {{ look.columns }}U) * size) * size) / {{ look.rows * look.columns }}U;
+    uint32_t mean = 0U;
     uint32_t best = (is_dark != 0U) ? 0xFFFFFFFFU : 0U;
     {{ prefix }}_place_t place = { (int32_t)(size / 2U), (int32_t)(size / 2U), 0 };
     uint32_t row;
     uint32_t column;
 
+    for (row = 0U; row < {{ look.rows }}U; row++) {
+        for (column = 0U; column < {{ look.columns }}U; column++) {
+            mean += image[(row * stride) + (column * {{ look.channels }}U)];
+        }
+    }
+    mean = ((mean * size) * size) / {{ look.rows * look.columns }}U;
     for (row = 0U; row <= ({{ look.rows }}U - size); row++) {
         for (column = 0U; column <= ({{ look.columns }}U - size); column++) {
             const uint32_t sum = {{ prefix }}_sum(&image[(row * stride) + (column * {{ look.channels }}U)], stride, size, size);

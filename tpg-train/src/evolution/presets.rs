@@ -3,7 +3,7 @@
 use crate::configuration::Preset;
 
 /// Every preset.
-pub(crate) const PRESETS: [Preset; 11] = [
+pub(crate) const PRESETS: [Preset; 12] = [
     Preset::base("thorough", "for any problem; the default of built-in ones", ""),
     Preset::new(
         "quick",
@@ -22,6 +22,12 @@ pub(crate) const PRESETS: [Preset; 11] = [
         "samples of classes: an episode is one decision",
         "quick",
         include_str!("presets/labels.toml"),
+    ),
+    Preset::new(
+        "images",
+        "features of images: one large population of short programs",
+        "thorough",
+        include_str!("presets/images.toml"),
     ),
     Preset::new(
         "paper-fs",

@@ -143,6 +143,9 @@ impl<'a> Analyser<'a> {
             Some(Turns::Nested(turns)) if is_chain(&headers, turns.len()) => {
                 headers.iter().map(|header| (header.node, turns[header.depth])).collect()
             }
+            Some(Turns::Depths(turns)) => {
+                headers.iter().filter_map(|header| Some((header.node, *turns.get(header.depth)?))).collect()
+            }
             Some(Turns::Each(turns) | Turns::Nested(turns)) => {
                 let found = nodes.map(|node| lines[node].address).collect();
                 return Err(Refusal::OtherLoops { function: name.to_owned(), found, given: turns.len() });

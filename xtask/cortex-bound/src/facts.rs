@@ -13,6 +13,8 @@ pub enum Turns {
     /// One bound for each loop of a chain, from the outermost to the innermost. If there are loops, but others, there is no
     /// bound.
     Nested(Vec<u64>),
+    /// One bound for all loops of each depth, from the outermost ones.
+    Depths(Vec<u64>),
 }
 
 /// Returns the maximum iterations of the loops of GCC's own arithmetic: each decides a bit of a number or more, of 24 or 53 and three that

@@ -21,6 +21,7 @@ impl Configuration for EvolutionConfig {
             ProblemName::Fs => "best-fs",
             ProblemName::Rs => "best-rs",
             ProblemName::Dodge => "dodge",
+            ProblemName::Breakout | ProblemName::Asterix => "images",
             _ => "thorough",
         }
     }
