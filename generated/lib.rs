@@ -2,7 +2,8 @@
 //!
 //! Each folder holds a policy's `graph.json`, the C and Rust made of it, and `PROVENANCE.md`: how it was trained and how
 //! well it does; `hybrid.toml` and `hybrid.rs` say how it shares the arm with the network. `widowx-sac` is a soft actor-critic's network instead: its weights, the same in integers, and the Rust
-//! constants of those. `dodge` chooses among behaviours of an arm among moving balls. The other folders are problems of Gymnasium. Tests fail when regenerating gives other bytes.
+//! constants of those. `dodge` chooses among behaviours of an arm among moving balls. `asterix`, `breakout` and `space-invaders`
+//! see images of MinAtar's games. The other folders are problems of Gymnasium. Tests fail when regenerating gives other bytes.
 //!
 //! ```
 //! use tpg_generated::widowx_fs::WidowxFs;
@@ -23,8 +24,12 @@
 
 #[path = "acrobot/acrobot.rs"]
 pub mod acrobot;
+#[path = "asterix/asterix.rs"]
+pub mod asterix;
 #[path = "bipedal-walker/bipedal_walker.rs"]
 pub mod bipedal_walker;
+#[path = "breakout/breakout.rs"]
+pub mod breakout;
 #[path = "cartpole/cartpole.rs"]
 pub mod cartpole;
 #[path = "dodge/dodge.rs"]
@@ -43,6 +48,8 @@ pub mod mountain_car;
 pub mod mountain_car_continuous;
 #[path = "pendulum/pendulum.rs"]
 pub mod pendulum;
+#[path = "space-invaders/space_invaders.rs"]
+pub mod space_invaders;
 #[path = "swimmer/swimmer.rs"]
 pub mod swimmer;
 #[path = "widowx-fs/widowx_fs.rs"]

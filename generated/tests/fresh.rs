@@ -7,7 +7,9 @@ use tpg_codegen::emit::{self, Language, Options, Prefix, Profile};
 use tpg_codegen::report;
 use tpg_codegen::size::{Target, build_c, measure};
 use tpg_generated::acrobot::Acrobot;
+use tpg_generated::asterix::Asterix;
 use tpg_generated::bipedal_walker::BipedalWalker;
+use tpg_generated::breakout::Breakout;
 use tpg_generated::cartpole::Cartpole;
 use tpg_generated::dodge::Dodge;
 use tpg_generated::hopper::Hopper;
@@ -17,6 +19,7 @@ use tpg_generated::lunar_lander_continuous::LunarLanderContinuous;
 use tpg_generated::mountain_car::MountainCar;
 use tpg_generated::mountain_car_continuous::MountainCarContinuous;
 use tpg_generated::pendulum::Pendulum;
+use tpg_generated::space_invaders::SpaceInvaders;
 use tpg_generated::swimmer::Swimmer;
 use tpg_generated::widowx_fs::WidowxFs;
 use tpg_generated::widowx_fs_fast::WidowxFsFast;
@@ -197,7 +200,9 @@ fn compiled_policies_act_like_their_graphs() {
     acts_like(Cartpole, "cartpole");
     acts_like(Dodge, "dodge");
     acts_like(Acrobot, "acrobot");
+    acts_like(Asterix, "asterix");
     acts_like(BipedalWalker, "bipedal-walker");
+    acts_like(Breakout, "breakout");
     acts_like(Hopper, "hopper");
     acts_like(InvertedDoublePendulum, "inverted-double-pendulum");
     acts_like(LunarLander, "lunar-lander");
@@ -205,5 +210,6 @@ fn compiled_policies_act_like_their_graphs() {
     acts_like(MountainCar, "mountain-car");
     acts_like(MountainCarContinuous, "mountain-car-continuous");
     acts_like(Pendulum, "pendulum");
+    acts_like(SpaceInvaders, "space-invaders");
     acts_like(Swimmer, "swimmer");
 }

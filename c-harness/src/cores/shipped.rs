@@ -8,6 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_codegen::emit::{Code, File, Language, Options, Prefix};
 use tpg_codegen::quantise::{Request, quantise};
+use tpg_graph::image::Vision;
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::states::StateSet;
 use tpg_graph::{Graph, ScalarType, import};
@@ -62,7 +63,7 @@ pub(super) struct Shipped {
 /// The bits of integers that each policy is put into.
 pub(super) const WIDTHS: [u32; 2] = [16, 8];
 
-/// The graphs of `generated/`, and one with memory, by name.
+/// The graphs of `generated/` that see no image, and one with memory, by name.
 pub(super) fn all() -> Result<Vec<Shipped>, Failure> {
     let generated = library::top().join("generated");
     let entries = fs::read_dir(&generated).map_err(|error| Failure::at(&generated, error))?;
@@ -70,7 +71,9 @@ pub(super) fn all() -> Result<Vec<Shipped>, Failure> {
         entries.flatten().map(|entry| entry.path().join("graph.json")).filter(|path| path.is_file()).collect();
     paths.push(library::top().join("c-harness/pendulum/recall.json"));
     paths.sort();
-    paths.iter().map(|path| Shipped::load(path)).collect()
+    let mut all = paths.iter().map(|path| Shipped::load(path)).collect::<Result<Vec<_>, _>>()?;
+    all.retain(|one| Vision::new(&one.graph.state_sources()).is_none());
+    Ok(all)
 }
 
 /// The policies that have no memory in integers, each of every width, with the width behind its name.
