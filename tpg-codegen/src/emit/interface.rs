@@ -3,10 +3,11 @@
 use super::block::unused;
 use super::c::field::field;
 use super::file::comment;
+use super::integers::{with_unit, worth, worth_from};
 use super::names;
 use super::syntax::Syntax;
 use std::collections::BTreeSet;
-use tpg_graph::{Action, Graph, Output, Range};
+use tpg_graph::{Action, Graph, Output, Range, Source};
 
 /// A source.
 pub(super) struct SourceView {
@@ -17,7 +18,9 @@ pub(super) struct SourceView {
     pub(super) first: usize,
     pub(super) end: usize,
     pub(super) length: usize,
-    /// The unit and the range.
+    /// The type of a value.
+    pub(super) kind: String,
+    /// The unit and the range; of counts, the worth of one.
     pub(super) meaning: String,
 }
 
@@ -28,8 +31,12 @@ impl SourceView {
     }
 }
 
-/// Every source, its unit made safe for a comment.
-pub(super) fn sources(graph: &Graph, safe: impl Fn(&str) -> String) -> Vec<SourceView> {
+/// Every source, its unit made safe for a comment, with the type of its values.
+pub(super) fn sources(
+    graph: &Graph,
+    safe: impl Fn(&str) -> String,
+    kind: impl Fn(&Source) -> String,
+) -> Vec<SourceView> {
     let mut end = 0;
     (graph.sources().iter())
         .map(|source| {
@@ -41,7 +48,8 @@ pub(super) fn sources(graph: &Graph, safe: impl Fn(&str) -> String) -> Vec<Sourc
                 first: end - length,
                 end,
                 length,
-                meaning: meaning(&safe(&source.unit), &range(&source.ranges)),
+                kind: kind(source),
+                meaning: meaning_of(source, &safe(&source.unit)),
             }
         })
         .collect()
@@ -67,7 +75,9 @@ pub(super) struct OutputView {
     pub(super) name: String,
     /// The field of C's struct.
     pub(super) field: String,
-    /// The unit and the range.
+    /// The type of its value.
+    pub(super) kind: String,
+    /// The unit and the range; of counts, the worth of one.
     pub(super) meaning: String,
     pub(super) nan: f64,
     /// The literal of that value, which is a memory's first.
@@ -80,14 +90,26 @@ pub(super) struct OutputView {
     pub(super) variable: String,
 }
 
-/// Every output, its unit made safe for a comment.
-pub(super) fn outputs(syntax: &impl Syntax, safe: impl Fn(&str) -> String) -> Vec<OutputView> {
+/// Every output, its unit made safe for a comment, with the type of its value.
+pub(super) fn outputs(
+    syntax: &impl Syntax,
+    safe: impl Fn(&str) -> String,
+    kind: impl Fn(&Output) -> String,
+) -> Vec<OutputView> {
     let mut taken = BTreeSet::new();
     (syntax.graph().outputs().iter().enumerate())
-        .map(|(place, Output { name, unit, range, nan, .. })| OutputView {
+        .map(|(place, output @ Output { name, unit, range, nan, counts })| OutputView {
             name: name.clone(),
             field: field(syntax.graph(), name),
-            meaning: meaning(&safe(unit), &written(range)),
+            kind: kind(output),
+            meaning: match counts {
+                Some(counts) => {
+                    let [low, high] = [range.min, range.max]
+                        .map(|end| format!("{end} ({})", with_unit(&counts.value(end).to_string(), &safe(unit))));
+                    format!("{}: {low} to {high}", worth(counts.scale, &safe(unit)))
+                }
+                None => meaning(&safe(unit), &written(range)),
+            },
             nan: *nan,
             initial: syntax.literal(*nan),
             place,
@@ -102,12 +124,28 @@ fn meaning(unit: &str, range: &str) -> String {
     if unit.is_empty() { range.to_owned() } else { format!("{unit}, {range}") }
 }
 
+/// The unit of a source, and its range; of counts, what one is worth.
+fn meaning_of(source: &Source, unit: &str) -> String {
+    match &source.counts[..] {
+        [] => meaning(unit, &range(&source.ranges)),
+        counts => {
+            let worth = common(counts.iter().map(|counts| worth_from(counts, unit)).collect());
+            format!("{worth}: {}", range(&source.ranges))
+        }
+    }
+}
+
 /// The common range of the values, or if ranges differ, each value's own in order.
 fn range(ranges: &[Range]) -> String {
-    match ranges {
-        [first, others @ ..] if others.iter().all(|range| range == first) => written(first),
-        _ => ranges.iter().map(written).collect::<Vec<_>>().join("; "),
+    common(ranges.iter().map(written).collect())
+}
+
+/// The text that all values have, or each value's own in order.
+fn common(mut texts: Vec<String>) -> String {
+    if texts.iter().all(|text| *text == texts[0]) {
+        texts.truncate(1);
     }
+    texts.join("; ")
 }
 
 /// A range in as few digits as tell its ends from other numbers: of the type `f32`, if they are such.

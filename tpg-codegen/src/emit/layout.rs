@@ -87,6 +87,9 @@ pub(crate) fn indent(text: &str) -> String {
         if !line.is_empty() && !line.ends_with(':') {
             out.push_str(&"    ".repeat(depth));
         }
+        if line.starts_with("* ") {
+            out.push(' '); // the stars of a comment stand below each other
+        }
         out.push_str(line);
         out.push('\n');
         let opened = line.matches('{').count() + usize::from(line.ends_with('['));

@@ -41,14 +41,13 @@ struct ValueView {
 }
 
 impl LookView {
-    /// Returns what a graph reads from an image, with the type of each value of a state; `None` if it sees none.
-    pub(super) fn new(graph: &Graph, sources: &[SourceView], kind: &dyn Fn(usize) -> String) -> Option<Self> {
+    /// Returns what a graph reads from an image; `None` if it sees none.
+    pub(super) fn new(graph: &Graph, sources: &[SourceView]) -> Option<Self> {
         let vision = Vision::new(&graph.state_sources())?;
         let ([rows, columns, channels], finds) = (vision.shape(), vision.finds());
-        let member = |input: usize| {
-            let source = sources.iter().find(|source| source.end > input)?;
-            let place = input - source.first;
-            Some(if source.length == 1 { source.field.clone() } else { format!("{}[{place}]", source.field) })
+        let member = |input: usize, source: &SourceView| match source.length {
+            1 => source.field.clone(),
+            _ => format!("{}[{}]", source.field, input - source.first),
         };
         let has = |wanted: &str| finds.iter().any(|&find| function(find) == wanted);
         let is = |wanted: fn(&Feature) -> bool| vision.features().any(|(_, feature, _)| wanted(&feature));
@@ -64,8 +63,8 @@ impl LookView {
             finds: finds.iter().map(|&find| FindView::new(find)).collect(),
             values: (vision.features())
                 .filter_map(|(input, feature, find)| {
-                    let find = find.unwrap_or_default();
-                    Some(ValueView { input, member: member(input)?, kind: kind(input), find, feature })
+                    let (find, source) = (find.unwrap_or_default(), sources.iter().find(|source| source.end > input)?);
+                    Some(ValueView { input, member: member(input, source), kind: source.kind.clone(), find, feature })
                 })
                 .collect(),
         })

@@ -25,7 +25,6 @@ pub use file::File;
 pub use crate::options::{Language, Options, Prefix, Profile, Style};
 
 use crate::program::{Program, compile, compile_integers};
-use crate::shape::Shape;
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 
@@ -41,10 +40,9 @@ pub struct Code<'g> {
 impl<'g> Code<'g> {
     /// Prints a program.
     pub fn of(program: Program<'g>) -> Self {
-        let files = match (&program.shape, program.language) {
-            (Shape::Integers(integers), _) => integers::files(&program, integers),
-            (_, Language::C) => c::files(&program),
-            (_, Language::Rust) => rust::files(&program),
+        let files = match program.language {
+            Language::C => c::files(&program),
+            Language::Rust => rust::files(&program),
         };
         Self { files, program }
     }

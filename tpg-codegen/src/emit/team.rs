@@ -19,6 +19,8 @@ pub(crate) fn compares_in_functions(module: &Module<'_>) -> bool {
 /// A team; `J` is a language's jump to a destination.
 pub(super) struct TeamView<J> {
     pub(super) label: u32,
+    /// The type of its bids.
+    pub(super) kind: &'static str,
     /// The variable that holds the winner: its destination, or its place.
     pub(super) winner: &'static str,
     /// Its value before a bid wins.
@@ -75,12 +77,12 @@ pub(super) struct Destinations<'a, J> {
 }
 
 impl<J> Destinations<'_, J> {
-    fn jump(&self, to: Target) -> J {
+    pub(super) fn jump(&self, to: Target) -> J {
         (self.jump)(to, self.answer(to).map_or_else(|| Ok(self.label(to)), Err))
     }
 
     /// The label of a team or leaf.
-    fn label(&self, to: Target) -> String {
+    pub(super) fn label(&self, to: Target) -> String {
         match to {
             Target::Team(team) => format!("team_{}", self.module.teams[team].label),
             Target::Action(leaf) => format!("leaf_{}", self.module.leaves[usize::from(leaf.0)].label),
@@ -88,7 +90,7 @@ impl<J> Destinations<'_, J> {
     }
 
     /// The answer that a destination is, if nothing remains to be done there.
-    fn answer(&self, to: Target) -> Option<String> {
+    pub(super) fn answer(&self, to: Target) -> Option<String> {
         match to {
             Target::Action(action) if self.module.leaves.is_empty() => {
                 Some(self.answers[usize::from(action.0)].clone())
@@ -98,7 +100,7 @@ impl<J> Destinations<'_, J> {
     }
 
     /// The name of a bid for it.
-    fn bid(&self, to: Target) -> String {
+    pub(super) fn bid(&self, to: Target) -> String {
         match to {
             Target::Action(action) if self.module.leaves.is_empty() => self.names[usize::from(action.0)].clone(),
             Target::Team(_) | Target::Action(_) => format!("to_{}", self.label(to)),
@@ -151,6 +153,7 @@ pub(super) fn view<J>(syntax: &impl Syntax, plan: &TeamSchedule, to: &Destinatio
     };
     TeamView {
         label: plan.label,
+        kind: syntax.scalar(),
         winner: match is_direct {
             _ if syntax.leads() => "lead.winner",
             true => "action",

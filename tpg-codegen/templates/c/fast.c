@@ -35,13 +35,13 @@ team_{{ team.view.label }}:
 {%- if leads %}
         {{ prefix }}_lead_t lead = { {{ first.value }}, {{ first.rank }} };
 {%- else %}
-        {{ scalar }} best = {{ first.value }};
+        {{ team.view.kind }} best = {{ first.value }};
         {{ team.winner_type }} {{ team.view.winner }} = {{ first.rank }};
 {%- endif %}
 {%- else if leads %}
         {{ prefix }}_lead_t lead = { {{ lowest }}, {{ team.view.initial }} };
 {%- else %}
-        {{ scalar }} best = {{ lowest }};
+        {{ team.view.kind }} best = {{ lowest }};
         {{ team.winner_type }} {{ team.view.winner }} = {{ team.view.initial }};
 {%- endif %}
 {%- endif %}
@@ -96,10 +96,10 @@ leaf_{{ leaf.label }}:
 {%- endfor %}
     }
 {%- if !loop.last %}
-    goto answered;
+    {% if outputs.is_empty() %}return{% else %}goto answered{% endif %};
 {% endif %}
 {% endfor %}
-{%- if leaves.len() > 1 %}
+{%- if leaves.len() > 1 && !outputs.is_empty() %}
 answered:
 {%- endif %}
 {%- if !leaves.is_empty() || answers_in_place %}

@@ -45,10 +45,14 @@ extern {{ scalar }} *in{{ loop.index }}; /* {{ source.name }}: {{ source.length 
 /* The action for the values that in1, in2, ... point at now. */
 int inferenceTPG(void);
 {% else %}
+{%- if printer.integers %}
+/* What the policy sees, in counts. Every value that the types hold is legal{% if look.is_some() %}; of an image, every one that {{ prefix }}_look writes{% endif %}. */
+{%- else %}
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
+{%- endif %}
 typedef struct {{ prefix }}_state {
 {%- for source in sources %}
-    {{ scalar }} {{ source.member() }}; /* {% if source.field != source.name %}{{ source.name }}: {% endif %}{{ source.meaning }} */
+    {{ source.kind }} {{ source.member() }}; /* {% if source.field != source.name %}{{ source.name }}: {% endif %}{{ source.meaning }} */
 {%- endfor %}
 } {{ prefix }}_state_t;
 
@@ -58,10 +62,10 @@ typedef struct {{ prefix }}_state {
 {{ prefix }}_action_t {{ prefix }}_infer(const {{ prefix }}_state_t *state);
 {%- else %}
 
-/* The values that the policy answers, each in its range and never NaN. */
+/* The values that the policy answers, {% if printer.integers %}in counts, each in its range{% else %}each in its range and never NaN{% endif %}. */
 typedef struct {{ prefix }}_action {
 {%- for output in outputs %}
-    {{ scalar }} {{ output.field }}; /* {% if output.field != output.name %}{{ output.name }}: {% endif %}{{ output.meaning }} */
+    {{ output.kind }} {{ output.field }}; /* {% if output.field != output.name %}{{ output.name }}: {% endif %}{{ output.meaning }} */
 {%- endfor %}
 } {{ prefix }}_action_t;
 
@@ -71,10 +75,10 @@ typedef struct {{ prefix }}_action {
 void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action);
 {%- else %}
 
-/* The values that the policy carries from one decision to the next, each in its range and never NaN. */
+/* The values that the policy carries from one decision to the next, each in its range{% if !printer.integers %} and never NaN{% endif %}. */
 typedef struct {{ prefix }}_memory {
 {%- for value in memory %}
-    {{ scalar }} {{ value.field }}; /* {% if value.field != value.name %}{{ value.name }}: {% endif %}{{ value.meaning }}; at first {{ value.nan }} */
+    {{ value.kind }} {{ value.field }}; /* {% if value.field != value.name %}{{ value.name }}: {% endif %}{{ value.meaning }}; at first {{ value.nan }} */
 {%- endfor %}
 } {{ prefix }}_memory_t;
 

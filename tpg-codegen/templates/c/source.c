@@ -9,6 +9,7 @@
  */
 #include "{{ prefix }}.h"
 
+{% if !printer.integers %}
 #include <float.h>
 {%- if needs_math %}
 #include <math.h>
@@ -23,7 +24,8 @@
 #error "{{ scalar }} expressions must be computed in {{ scalar }}: the policy would act differently"
 #endif
 {% include "c/contraction.c" %}
-{% if let Some((teams, depth)) = walk %}
+{% endif %}
+{%- if let Some((teams, depth)) = walk %}
 /* Teams, and how many of them decide at most in one inference. */
 #define {{ upper }}_TEAMS {{ teams }}U
 #define {{ upper }}_DEPTH {{ depth }}U
@@ -33,13 +35,13 @@
 /* A state and the memory as one; an answer and the next memory as one. */
 typedef struct {{ prefix }}_view {
 {%- for source in sources %}
-    {{ scalar }} {{ source.member() }};
+    {{ source.kind }} {{ source.member() }};
 {%- endfor %}
 } {{ entry.state }};
 
 typedef struct {{ prefix }}_answer {
 {%- for output in outputs %}
-    {{ scalar }} {{ output.field }};
+    {{ output.kind }} {{ output.field }};
 {%- endfor %}
 } {{ entry.answer }};
 {% endif %}
@@ -83,7 +85,9 @@ typedef struct {{ prefix }}_vector {
 {%- endfor %}
 } {{ prefix }}_vector_t;
 {% endif %}
+{% if !printer.integers %}
 {% include "c/arithmetic.c" %}
+{% endif %}
 
 uint32_t {{ prefix }}_selftest(void)
 {
@@ -101,7 +105,7 @@ uint32_t {{ prefix }}_selftest(void)
     /* Read anew: a compiler that knew the states would compute the platform's maths itself, and round another way. */
     const {% if gegelati %}{{ prefix }}_vector_t{% else %}{{ entry.state }}{% endif %} *const volatile hidden = states;
 {%- endif %}
-    uint32_t failures = {{ prefix }}_arithmetic();
+    uint32_t failures = {% if printer.integers %}0U{% else %}{{ prefix }}_arithmetic(){% endif %};
     uint32_t vector;
 {%- if gegelati %}
 {%- for source in sources %}

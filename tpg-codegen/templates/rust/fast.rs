@@ -1,4 +1,3 @@
-{{ helpers }}
 {% for leaf in leaves %}
 
 /// What leaf {{ leaf.label }} answers, before it is limited.

@@ -21,12 +21,17 @@ use tpg_runtime::policy::{% if outputs.is_empty() %}{ActionId, Policy}{% else %}
 /// - `s[{{ source.first }}..{{ source.end }}]`: {{ source.name }}, {{ source.meaning }}
 {% endfor -%}
 ///
+{% if integers -%}
+/// Every value is legal that the type of its counts holds, `i8` for up to 8 bits, else `i16`{% if !look.is_empty() %}; of an image, every one that
+/// `look` writes{% endif %}. It answers:
+{% else -%}
 /// Values outside the ranges are legal, NaN and infinities too. It answers:
+{% endif -%}
 {% for action in actions -%}
 /// - {{ loop.index0 }}: {{ action }}
 {% endfor -%}
 {% for output in outputs -%}
-/// - `[{{ output.place }}]`: {{ output.name }}, {{ output.meaning }}; {{ output.nan }} for NaN
+/// - `[{{ output.place }}]`: {{ output.name }}, {{ output.meaning }}{% if !integers %}; {{ output.nan }} for NaN{% endif %}
 {% endfor -%}
 #[derive(Clone, Copy, Debug, Default)]
 pub struct {{ name }};
@@ -51,7 +56,7 @@ impl {{ name }} {
 {%- endif %}
 {%- if !memory.is_empty() %}
     /// The memory before the first decision of an episode.
-    pub const INITIAL: [{{ scalar }}; {{ memory.len() }}] = {{ layout::array(initial, 4) }};
+    pub const INITIAL: [{{ kind }}; {{ memory.len() }}] = {{ layout::array(initial, 4) }};
 {%- endif %}
     /// Teams on the longest walk.
     pub const DEPTH: usize = {{ depth }};
@@ -66,7 +71,7 @@ impl {{ name }} {
 {% if !memory.is_empty() -%}
 impl {{ name }} {
     /// Answers a state, and replaces the memory by the next one: [`INITIAL`](Self::INITIAL) before the first decision.
-    pub fn infer(&self, state: &[{{ scalar }}; {{ state_length - memory.len() }}], memory: &mut [{{ scalar }}; {{ memory.len() }}]) -> [{{ scalar }}; {{ outputs.len() - memory.len() }}] {
+    pub fn infer(&self, state: &[{{ kind }}; {{ state_length - memory.len() }}], memory: &mut [{{ kind }}; {{ memory.len() }}]) -> [{{ answer }}; {{ outputs.len() - memory.len() }}] {
         let seen = {{ layout::array(seen, 8) }};
         let out = self.decide(&seen);
         *memory = {{ layout::array(remembered, 8) }};
@@ -77,10 +82,10 @@ impl {{ name }} {
 /// The decision as a function of a state{% if !memory.is_empty() %} and the memory behind it, to the outputs and the next memory behind them{% endif %}.
 {% endif -%}
 impl Policy for {{ name }} {
-    type State = [{{ scalar }}; {{ state_length }}];
-    type Action = {% if outputs.is_empty() %}ActionId{% else %}[{{ scalar }}; {{ outputs.len() }}]{% endif %};
+    type State = [{{ kind }}; {{ state_length }}];
+    type Action = {% if outputs.is_empty() %}ActionId{% else %}[{{ answer }}; {{ outputs.len() }}]{% endif %};
 
-    fn decide(&self, s: &[{{ scalar }}; {{ state_length }}]) -> {% if outputs.is_empty() %}ActionId{% else %}[{{ scalar }}; {{ outputs.len() }}]{% endif %} {
+    fn decide(&self, s: &[{{ kind }}; {{ state_length }}]) -> {% if outputs.is_empty() %}ActionId{% else %}[{{ answer }}; {{ outputs.len() }}]{% endif %} {
 {{ body }}
     }
 }

@@ -23,6 +23,8 @@ pub(super) struct Printer<'a> {
     pub(super) branch_free: bool,
     /// [Functions](crate::emit::team::compares_in_functions) compare bids.
     pub(super) leads: bool,
+    /// Numbers are whole.
+    pub(super) integers: bool,
 }
 
 impl Syntax for Printer<'_> {
@@ -48,6 +50,8 @@ impl Syntax for Printer<'_> {
     fn literal(&self, value: f64) -> String {
         let scalar = self.graph.scalar();
         match scalar {
+            _ if self.integers && value == f64::from(i32::MIN) => "INT32_MIN".to_owned(),
+            _ if self.integers => (value as i64).to_string(),
             F32 if value.is_finite() => format!("{:?}f", value as f32),
             F64 if value.is_finite() => format!("{value:?}"),
             _ => {

@@ -14,7 +14,7 @@ use crate::emit::leaves::{LeafView, views};
 use crate::emit::names;
 use crate::emit::syntax::Syntax;
 use crate::emit::team::{self, Decision, Destinations, TeamView};
-use crate::ir::{Module, Target, topological};
+use crate::ir::{Module, NodeId, Target, topological};
 use crate::passes::schedule::{Schedule, TeamSchedule};
 use Decision::*;
 use Jump::*;
@@ -58,7 +58,7 @@ struct CTeamLines {
 }
 
 /// The way to go on.
-enum Jump {
+pub(super) enum Jump {
     /// At a label.
     Goto(String),
     /// Out of the function, with its result.
@@ -141,48 +141,72 @@ pub(super) fn render(
     schedule: &Schedule,
     outputs: &[OutputView],
 ) -> String {
-    let answers_in_place = module.teams.len() == 1 && !outputs.is_empty();
-    let action = printer.entry().action;
     let mut leaves = views(printer, &schedule.leaves, outputs, true);
-    let in_place = if answers_in_place { std::mem::take(&mut leaves) } else { Vec::new() };
-    let names = names::actions(printer.graph).iter().map(|name| printer.local(name)).collect();
     // The only team computes its leaves itself.
-    let jump = |to, way| match (way, to) {
-        (Err(answer), _) => Return(answer),
-        (Ok(label), Team(_)) => Goto(label),
-        (Ok(label), Action(leaf)) => match in_place.iter().find(|view| view.number == usize::from(leaf.0)) {
-            Some(leaf) => Answer(answer(leaf, outputs)),
-            None => Goto(label),
-        },
-    };
-    let to = Destinations { module, names, answers: printer.constants(), jump: &jump };
-    // What a team leads to comes after it.
-    let order = topological(&module.teams);
-    let labels = order.iter().map(|&team| format!("team_{}", module.teams[team].label));
-    let labels: Vec<String> = labels.chain(leaves.first().map(|leaf| format!("leaf_{}", leaf.label))).collect();
-    let line = |(place, &team): (usize, &usize)| {
-        let view = team::view(printer, &schedule.plans[team], &to);
-        let decision = decision(&view.decision, view.winner, labels.get(place + 1).map(String::as_str));
-        let is_action = matches!(view.decision, Winner);
-        CTeamLines {
-            keeps_winner: matches!(view.decision, Winner | Ways(_)),
-            winner_type: if is_action { action.clone() } else { "uint32_t".to_owned() },
-            view,
-            decision,
-        }
-    };
-    let teams = order.iter().enumerate().map(line).collect();
-    let values: Vec<_> = schedule.plans.iter().flat_map(TeamSchedule::values).collect();
-    let fast = CFast {
-        printer,
-        rule: RULE,
-        leads: printer.leads,
-        teams,
-        reads_state: leaves.iter().chain(&in_place).any(|leaf| leaf.reads_state) || printer.reads_state(&values),
-        outputs,
-        leaves,
-        answers_in_place,
-        assignments: leaves::assignments(printer, outputs),
-    };
-    layout::indent(&fast.render().expect("the template renders"))
+    let in_place = if module.teams.len() == 1 { std::mem::take(&mut leaves) } else { Vec::new() };
+    let values = schedule.plans.iter().flat_map(TeamSchedule::values).collect();
+    let walk = Walk { printer, module, rule: RULE, place: "uint32_t", values, outputs, leaves, in_place };
+    walk.text(|team, to| team::view(printer, &schedule.plans[team], to))
+}
+
+/// Teams, and the leaves behind them.
+pub(super) struct Walk<'a> {
+    pub(super) printer: &'a Printer<'a>,
+    pub(super) module: &'a Module<'a>,
+    pub(super) rule: &'a str,
+    /// The type of the place of a winner.
+    pub(super) place: &'a str,
+    /// The values that teams compute.
+    pub(super) values: Vec<NodeId>,
+    /// The outputs that leaves leave in variables.
+    pub(super) outputs: &'a [OutputView],
+    /// The leaves that walks jump to, and those that the only team computes.
+    pub(super) leaves: Vec<LeafView>,
+    pub(super) in_place: Vec<LeafView>,
+}
+
+impl Walk<'_> {
+    /// Renders the body, with a team as a function views it.
+    pub(super) fn text(self, view: impl Fn(usize, &Destinations<'_, Jump>) -> TeamView<Jump>) -> String {
+        let Self { printer, module, rule, place: winner_place, values, outputs, leaves, in_place } = self;
+        let names = names::actions(printer.graph).iter().map(|name| printer.local(name)).collect();
+        let jump = |to, way| match (way, to) {
+            (Err(answer), _) => Return(answer),
+            (Ok(label), Team(_)) => Goto(label),
+            (Ok(label), Action(leaf)) => match in_place.iter().find(|view| view.number == usize::from(leaf.0)) {
+                Some(leaf) => Answer(answer(leaf, outputs)),
+                None => Goto(label),
+            },
+        };
+        let to = Destinations { module, names, answers: printer.constants(), jump: &jump };
+        // What a team leads to comes after it.
+        let order = topological(&module.teams);
+        let labels = order.iter().map(|&team| format!("team_{}", module.teams[team].label));
+        let labels: Vec<String> = labels.chain(leaves.first().map(|leaf| format!("leaf_{}", leaf.label))).collect();
+        let action = printer.entry().action;
+        let line = |(place, &team): (usize, &usize)| {
+            let view = view(team, &to);
+            let decision = decision(&view.decision, view.winner, labels.get(place + 1).map(String::as_str));
+            let is_action = matches!(view.decision, Winner);
+            CTeamLines {
+                keeps_winner: matches!(view.decision, Winner | Ways(_)),
+                winner_type: if is_action { action.clone() } else { winner_place.to_owned() },
+                view,
+                decision,
+            }
+        };
+        let teams = order.iter().enumerate().map(line).collect();
+        let fast = CFast {
+            printer,
+            rule,
+            leads: printer.leads,
+            teams,
+            reads_state: leaves.iter().chain(&in_place).any(|leaf| leaf.reads_state) || printer.reads_state(&values),
+            outputs,
+            answers_in_place: !in_place.is_empty(),
+            leaves,
+            assignments: leaves::assignments(printer, outputs),
+        };
+        layout::indent(&fast.render().expect("the template renders"))
+    }
 }

@@ -10,12 +10,18 @@ use askama::Template;
 
 #[derive(Template)]
 #[template(path = "c/formula.c", escape = "none")]
-struct CStraight<'a> {
-    printer: &'a Printer<'a>,
-    reads_state: bool,
-    statements: Vec<String>,
+pub(super) struct CStraight<'a> {
+    pub(super) printer: &'a Printer<'a>,
+    pub(super) reads_state: bool,
+    pub(super) statements: Vec<String>,
     /// The value of each output, limited.
-    answers: Vec<(String, String)>,
+    pub(super) answers: Vec<(String, String)>,
+}
+
+impl CStraight<'_> {
+    pub(super) fn text(&self) -> String {
+        self.render().expect("the template renders")
+    }
 }
 
 /// Renders the body.
@@ -29,11 +35,6 @@ pub(super) fn render(printer: &Printer<'_>, formula: &Formula, outputs: &[Output
         let limited = if is_constant { value } else { leaves::limited(printer, output, &value) };
         (output.field.clone(), limited)
     });
-    let straight = CStraight {
-        printer,
-        reads_state: printer.reads_state(&formula.values),
-        statements,
-        answers: answers.collect(),
-    };
-    straight.render().expect("the template renders")
+    CStraight { printer, reads_state: printer.reads_state(&formula.values), statements, answers: answers.collect() }
+        .text()
 }

@@ -9,6 +9,7 @@ pub(crate) mod field;
 mod formula;
 mod gegelati;
 mod helpers;
+mod integers;
 mod leaves;
 mod own;
 mod small;
@@ -19,6 +20,7 @@ use super::look::{self, LookView};
 use super::syntax::Syntax;
 use super::vectors::{Vectors, vectors};
 use super::{banner, layout, moves::moves, team::compares_in_functions};
+use crate::integers::{output_bits, source_bits};
 use crate::program::Program;
 use crate::shape::Shape;
 use askama::Template;
@@ -93,9 +95,21 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         Shape::Formula(formula) => formula.branch_free,
         _ => false,
     };
-    let printer =
-        Printer { graph, nodes: &module.nodes, prefix, gegelati, short_cuts: false, branch_free, leads: false };
-    let outputs = outputs(&printer, comment);
+    let integers = matches!(program.shape, Shape::Integers(_));
+    let printer = Printer {
+        graph,
+        nodes: &module.nodes,
+        prefix,
+        gegelati,
+        integers,
+        short_cuts: false,
+        branch_free,
+        leads: false,
+    };
+    let kind = |bits: u32| if integers { format!("int{bits}_t") } else { printer.scalar().to_owned() };
+    let sources = sources(graph, comment, |source| kind(source_bits(source)));
+    let outputs = outputs(&printer, comment, |output| kind(output_bits(output)));
+    let mut own_helpers = None;
     let (printer, body) = match &program.shape {
         Shape::Gegelati => (printer, gegelati::render(&printer, module)),
         Shape::Fast(schedule) => {
@@ -110,16 +124,23 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         Shape::Small(code) => (printer, small::render(&printer, code, &outputs)),
         Shape::ConstantTime => (printer, constant_time::render(&printer, module, &outputs)),
         Shape::Formula(formula) => (printer, formula::render(&printer, formula, &outputs)),
-        Shape::Integers(_) => unreachable!("integers have a back end of their own"),
+        Shape::Integers(integers) => {
+            let (helpers, body) = integers::render(&printer, program, integers, &outputs);
+            own_helpers = Some(helpers);
+            (printer, body)
+        }
     };
-    let helpers = helpers::render(&printer, &body);
+    let helpers = own_helpers.unwrap_or_else(|| helpers::render(&printer, &body));
     let banner = banner::lines(program);
-    let sources = sources(graph, comment);
     let seen = &sources[..sources.len() - graph.memory()];
     let (answers, memory) = outputs.split_at(outputs.len() - graph.memory());
-    let observed = if memory.is_empty() { Vec::new() } else { seen.iter().flat_map(observed).collect() };
+    let observed = if memory.is_empty() {
+        Vec::new()
+    } else {
+        seen.iter().flat_map(|source| observed(source, integers)).collect()
+    };
     let chosen = vectors(graph);
-    let seen_image = LookView::new(graph, &sources, &|_| printer.scalar().to_owned()).filter(|_| !gegelati);
+    let seen_image = LookView::new(graph, &sources).filter(|_| !gegelati);
     let header = CHeader {
         printer: &printer,
         banner: &banner,
@@ -136,7 +157,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     };
     let vectors = views(&printer, &chosen);
     let shown = vectors.iter().flat_map(|vector| [&vector.state, &vector.answer]);
-    let needs_math = [&helpers, &body].into_iter().chain(shown).any(|text| uses_maths(text));
+    let needs_math = [&helpers, &body].into_iter().chain(shown).any(|text| uses_maths(text)) && !integers;
     let needs_string = [&helpers, &body].into_iter().chain(&observed).any(|text| text.contains("memcpy"));
     let source = CSource {
         printer: &printer,
@@ -185,11 +206,11 @@ fn arm_view(graph: &Graph) -> Option<CArmView> {
 }
 
 /// The statements that copy a source from a state to a view.
-fn observed(source: &SourceView) -> Vec<String> {
+fn observed(source: &SourceView, one_by_one: bool) -> Vec<String> {
     /// More values than this are copied as a block.
     const FEW: usize = 16;
     let SourceView { field: name, length, .. } = source;
-    if *length > FEW {
+    if *length > FEW && !one_by_one {
         return vec![format!("(void)memcpy(view.{name}, state->{name}, sizeof view.{name});")];
     }
     match length {

@@ -145,7 +145,7 @@ fn divided(module: &Module<'_>, value: NodeId) -> (NodeId, Option<f64>) {
 }
 
 /// The worth of a count.
-pub(super) fn worth(scale: f64, unit: &str) -> String {
+pub(in crate::emit) fn worth(scale: f64, unit: &str) -> String {
     with_unit(&five_digits(scale), unit) + " a count"
 }
 
@@ -156,7 +156,7 @@ pub(crate) fn worth_from(counts: &Counts, unit: &str) -> String {
 }
 
 /// A number and its unit, if it has one.
-pub(super) fn with_unit(number: &str, unit: &str) -> String {
+pub(in crate::emit) fn with_unit(number: &str, unit: &str) -> String {
     if unit.is_empty() { number.to_owned() } else { format!("{number} {unit}") }
 }
 

@@ -1,7 +1,8 @@
 //! Outputs that are sums of the same values: a table of weights and one loop.
 
 use super::comment::LinearSum;
-use super::spelling::{Called, Function};
+use super::spelling::Function;
+use super::work::Work;
 use crate::emit::c::field::field;
 use crate::integers::{Integers, output_bits};
 use crate::ir::{Module, Node};
@@ -12,7 +13,7 @@ use tpg_runtime::ops::Instruction;
 const FEW: usize = 12;
 
 /// Sums of all values of a state, which have one type, each divided by a power of two and limited.
-pub(super) struct Dense<'a> {
+pub(in crate::emit) struct Dense<'a> {
     graph: &'a Graph,
     rows: Vec<DenseRow>,
 }
@@ -29,19 +30,20 @@ fn counts(graph: &Graph) -> impl Iterator<Item = &Counts> {
 }
 
 /// The tables' text.
-pub(super) struct Table {
+pub(in crate::emit) struct Table {
     /// The type of a weight.
-    pub(super) weight: &'static str,
-    pub(super) columns: usize,
-    pub(super) rows: Vec<String>,
+    pub(in crate::emit) weight: &'static str,
+    pub(in crate::emit) columns: usize,
+    pub(in crate::emit) rows: Vec<String>,
     /// The other tables: one number for each row.
-    pub(super) numbers: Vec<(&'static str, String)>,
-    pub(super) comments: Vec<String>,
+    pub(in crate::emit) numbers: Vec<(&'static str, String)>,
+    /// What the rows are for.
+    pub(in crate::emit) names: String,
 }
 
 impl<'a> Dense<'a> {
     /// The sums of the only leaf, if tables are asked for and take less.
-    pub(super) fn find(module: &'a Module<'a>, integers: &Integers) -> Option<Self> {
+    pub(in crate::emit) fn find(module: &'a Module<'a>, integers: &Integers) -> Option<Self> {
         let graph = module.graph;
         let mut kinds = counts(graph).map(Counts::container);
         let kind = kinds.next()?;
@@ -109,7 +111,7 @@ impl<'a> Dense<'a> {
     }
 
     /// The tables.
-    pub(super) fn table(&self) -> Table {
+    pub(in crate::emit) fn table(&self) -> Table {
         let list =
             |numbers: &mut dyn Iterator<Item = i64>| numbers.map(|n| n.to_string()).collect::<Vec<_>>().join(", ");
         let all = 0..self.rows.len();
@@ -129,12 +131,12 @@ impl<'a> Dense<'a> {
             columns: self.graph.state_length(),
             rows: self.rows.iter().map(|row| list(&mut row.weights.iter().copied())).collect(),
             numbers,
-            comments: vec![format!("A row for each of {}.", names.join(", "))],
+            names: names.join(", "),
         }
     }
 
-    /// The loop over rows and columns, and the functions that it calls.
-    pub(super) fn body(&self, prefix: &str) -> (String, Called) {
+    /// The statements of the loop over rows and columns.
+    pub(in crate::emit) fn body(&self, work: &Work<'_>, prefix: &str) -> String {
         let upper = prefix.to_ascii_uppercase();
         let number = |common: Option<i64>, name: &str| match common {
             Some(number) if number < 0 => format!("({number})"),
@@ -147,13 +149,15 @@ impl<'a> Dense<'a> {
         let first = field(self.graph, &self.graph.outputs()[0].name);
         let bits = output_bits(&self.graph.outputs()[0]);
         let shift = self.common(|row| self.rows[row].shift);
+        let call = |function, arguments: &[String]| work.spelling.call(function, false, arguments);
         let shifted = match shift {
             Some(0) => "sum".to_owned(),
-            Some(bits) => format!("{prefix}_shift(sum, {bits}U)"),
-            None => format!("{prefix}_shift(sum, (uint32_t){upper}_NUMBER(&{prefix}_shifts[row]))"),
+            Some(bits) => call(Function::Shift, &["sum".to_owned(), format!("{bits}U")]),
+            None => {
+                let bits = format!("(uint32_t){upper}_NUMBER(&{prefix}_shifts[row])");
+                call(Function::Shift, &["sum".to_owned(), bits])
+            }
         };
-        let shifts = (shift != Some(0)).then_some((Function::Shift, false));
-        let called = shifts.into_iter().chain([(Function::Clamp, false)]).collect();
         let ([rows, columns], container) = (self.turns(), self.container());
         let [low, high] = [(self.common(|row| self.low(row)), "lows"), (self.common(|row| self.high(row)), "highs")]
             .map(|(common, name)| number(common, name));
@@ -164,7 +168,8 @@ impl<'a> Dense<'a> {
         } else {
             format!("(int32_t)values[column] * {weight}")
         };
-        let text = format!(
+        let limited = call(Function::Clamp, &[shifted, low, high]);
+        format!(
             "    /* Fields of one type lie as in an array. */
     const int{container}_t *const values = {values};
     int{bits}_t *const answers = &action->{first};
@@ -177,10 +182,9 @@ impl<'a> Dense<'a> {
         for (column = 0U; column < {columns}U; column++) {{
             sum += {product};
         }}
-        answers[row] = (int{bits}_t){prefix}_clamp({shifted}, {low}, {high});
+        answers[row] = (int{bits}_t){limited};
     }}
 "
-        );
-        (text, called)
+        )
     }
 }

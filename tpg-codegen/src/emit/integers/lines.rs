@@ -1,53 +1,45 @@
 //! Values as statements: a sum with its products is one, everything else a call.
 
-use super::spelling::{Called, Function, IntegerSpelling};
+use super::comment::Comments;
+use super::spelling::Function;
+use super::work::Work;
 use crate::emit::block::unused;
-use crate::integers::{Integers, Whole};
-use crate::ir::{Module, Node::*, NodeId};
+use crate::integers::Whole;
+use crate::ir::{Node::*, NodeId};
 use Instruction::*;
 use std::collections::{BTreeMap, BTreeSet};
 use tpg_runtime::ops::Instruction;
 
-/// Names that functions have already.
-const TAKEN: &str = "action best memory s state to vertex way self";
-/// The width of a line of a sum, and of what stands before its first.
-const WIDTH: usize = 104;
-const FIRST: usize = 20;
 /// More uses than there are.
 const ROOT: usize = 1 << 20;
 /// The greatest magnitude of a sum in 16 bits.
 const NARROW: u64 = i16::MAX as u64;
 
-/// The statements of some values, and what they call.
+/// The statements of some values.
 pub(super) struct Lines<'a> {
-    module: &'a Module<'a>,
-    integers: &'a Integers,
-    spelling: &'a IntegerSpelling<'a>,
+    work: &'a Work<'a>,
     /// The names of nodes that have one.
     named: BTreeMap<NodeId, String>,
-    /// The functions that were called, and whether in 64 bits.
-    called: std::cell::RefCell<Called>,
+    /// Named nodes whose statements have not been written yet.
+    open: BTreeSet<NodeId>,
 }
 
 impl<'a> Lines<'a> {
-    pub(super) fn new(module: &'a Module<'a>, integers: &'a Integers, spelling: &'a IntegerSpelling<'a>) -> Self {
-        Self { module, integers, spelling, named: BTreeMap::new(), called: Default::default() }
-    }
-
-    /// Chooses what has a name in the computation of some values.
+    /// Chooses what has a name in the computation of some values; names are given to the first nodes that have one.
     ///
-    /// Returns these nodes, operands before operations. A product or sum that is used once is part of the sum that uses it.
-    pub(super) fn choose(&mut self, roots: &[NodeId]) -> Vec<NodeId> {
+    /// A product or sum that is used once is part of the sum that uses it.
+    pub(super) fn new(work: &'a Work<'a>, roots: &[NodeId], names: Vec<(NodeId, String)>) -> Self {
+        let module = work.module;
         let mut needed: BTreeSet<NodeId> = BTreeSet::new();
         let mut uses: BTreeMap<NodeId, usize> = BTreeMap::new();
         for &root in roots {
-            needed.extend(self.module.operations_of(root));
+            needed.extend(module.operations_of(root));
             *uses.entry(root).or_default() += ROOT; // a root has a name
         }
         let mut in_sums = BTreeSet::new();
         for &id in &needed {
-            let Operation(instruction, _) = self.module.node(id) else { continue };
-            for &operand in self.module.node(id).operands() {
+            let Operation(instruction, _) = module.node(id) else { continue };
+            for &operand in module.node(id).operands() {
                 *uses.entry(operand).or_default() += 1;
                 if is_sum(instruction) || instruction == Mul {
                     in_sums.insert(operand);
@@ -55,82 +47,78 @@ impl<'a> Lines<'a> {
             }
         }
         let is_part = |id: &NodeId| {
-            let Operation(instruction, [a, b]) = self.module.node(*id) else { return false };
+            let Operation(instruction, [a, b]) = module.node(*id) else { return false };
             // A product of an input and a constant takes no more than a copy of it.
-            let cheap = instruction == Mul && [a, b].iter().all(|id| !matches!(self.module.node(*id), Operation(..)));
+            let cheap = instruction == Mul && [a, b].iter().all(|id| !matches!(module.node(*id), Operation(..)));
             let once = uses[id] == 1 || (cheap && uses[id] < ROOT);
             (is_sum(instruction) || instruction == Mul) && once && in_sums.contains(id)
         };
-        let named: Vec<NodeId> = needed.iter().copied().filter(|id| !is_part(id)).collect();
-        self.named = named.iter().map(|&id| (id, format!("v{}", id.0))).collect();
-        named
-    }
-
-    /// Gives names to some of what was chosen, the first to each; of equal names, later ones get a number.
-    pub(super) fn name(&mut self, names: Vec<(NodeId, String)>) {
-        let mut taken: BTreeSet<String> = TAKEN.split(' ').map(str::to_owned).collect();
-        let mut done = BTreeSet::new();
+        let open: BTreeSet<NodeId> = needed.into_iter().filter(|id| !is_part(id)).collect();
+        let (mut named, mut taken) = (BTreeMap::new(), BTreeSet::new());
         for (id, name) in names {
-            if let Some(known) = self.named.get_mut(&id)
-                && done.insert(id)
-            {
-                *known = unused(name, &mut taken);
+            if open.contains(&id) && !named.contains_key(&id) {
+                named.insert(id, unused(name, &mut taken));
             }
         }
+        for &id in &open {
+            named.entry(id).or_insert_with(|| unused(format!("v{}", id.0), &mut taken));
+        }
+        Self { work, named, open }
     }
 
-    /// The functions that were called.
-    pub(super) fn called(self) -> Called {
-        self.called.into_inner()
+    /// The statements for what a value needs and has no statement yet, each below its comment.
+    pub(super) fn statements(&mut self, value: NodeId, comments: &Comments<'_>) -> Vec<String> {
+        let (work, mut statements) = (self.work, Vec::new());
+        for id in work.module.operations_of(value) {
+            if self.open.remove(&id) {
+                let said = comments.text(id, work.integers.interval(id));
+                statements.extend(said.iter().flat_map(|said| work.spelling.comment(said)));
+                statements.push(self.statement(id));
+            }
+        }
+        statements
     }
 
     /// The statement of a node.
-    pub(super) fn statement(&self, id: NodeId) -> String {
-        self.spelling.statement(&self.named[&id], self.is_wide(id), bare(&self.expression(id)))
+    fn statement(&self, id: NodeId) -> String {
+        self.work.spelling.statement(&self.named[&id], self.is_wide(id), bare(&self.expression(id)))
     }
 
     /// Tests for a value of 64 bits.
     pub(super) fn is_wide(&self, id: NodeId) -> bool {
-        !self.integers.interval(id).fits(32)
+        !self.work.integers.interval(id).fits(32)
     }
 
     /// A node as an operand.
     pub(super) fn operand(&self, id: NodeId, wide: bool) -> String {
-        let text = match self.module.node(id) {
-            Constant(bits) => return self.spelling.literal(f64::from_bits(bits) as i64, wide),
-            Input(input) => return self.spelling.input(input, wide),
+        let text = match self.work.module.node(id) {
+            Constant(bits) => return self.work.spelling.literal(f64::from_bits(bits) as i64, wide),
+            Input(input) => return self.work.spelling.input(input, wide),
             Operation(..) | Upper(..) => match self.named.get(&id) {
                 Some(name) => name.clone(),
                 None => format!("({})", self.expression(id)),
             },
         };
-        if wide && !self.is_wide(id) { self.spelling.widened(&text) } else { text }
+        if wide && !self.is_wide(id) { self.work.spelling.widened(&text) } else { text }
     }
 
     /// A value limited to a range.
     pub(super) fn limited(&self, id: NodeId, range: Whole) -> String {
-        let Whole { low, high } = self.integers.interval(id);
+        let Whole { low, high } = self.work.integers.interval(id);
         let wide = self.is_wide(id);
         let value = self.operand(id, wide);
         if range.low <= low && high <= range.high {
             return value;
         }
-        let limits = [range.low, range.high].map(|end| self.spelling.literal(end, wide));
-        let text = self.call(Function::Clamp, wide, &[value, limits[0].clone(), limits[1].clone()]);
-        if wide { self.spelling.narrowed(&text) } else { text }
-    }
-
-    fn call(&self, function: Function, wide: bool, arguments: &[String]) -> String {
-        // A quotient divides where its divisor is not 0.
-        let divides = (function == Function::Quotient).then_some(Function::Divide);
-        self.called.borrow_mut().extend(divides.into_iter().chain([function]).map(|function| (function, wide)));
-        self.spelling.call(function, wide, arguments)
+        let limits = [range.low, range.high].map(|end| self.work.spelling.literal(end, wide));
+        let text = self.work.spelling.call(Function::Clamp, wide, &[value, limits[0].clone(), limits[1].clone()]);
+        if wide { self.work.spelling.narrowed(&text) } else { text }
     }
 
     /// The expression that computes an operation.
     fn expression(&self, id: NodeId) -> String {
-        let Operation(instruction, [a, b]) = self.module.node(id) else { return self.operand(id, false) };
-        let operands = &self.module.node(id).operands().to_vec();
+        let Operation(instruction, [a, b]) = self.work.module.node(id) else { return self.operand(id, false) };
+        let operands = &self.work.module.node(id).operands().to_vec();
         // Computed in the width of the greatest that takes part.
         let wide = operands.iter().chain([&id]).any(|&id| self.is_wide(id));
         let text = match instruction {
@@ -148,13 +136,13 @@ impl<'a> Lines<'a> {
                     _ => Function::NegateIfLess,
                 };
                 let arguments: Vec<String> = operands.iter().map(|&operand| self.operand(operand, wide)).collect();
-                self.call(function, wide, &arguments)
+                self.work.spelling.call(function, wide, &arguments)
             }
         };
-        if wide && !self.is_wide(id) { self.spelling.narrowed(&format!("({text})")) } else { text }
+        if wide && !self.is_wide(id) { self.work.spelling.narrowed(&format!("({text})")) } else { text }
     }
 
-    /// A sum of terms, on as many lines as it takes.
+    /// A sum of terms.
     fn sum(&self, id: NodeId, wide: bool) -> String {
         let collected = |any_order| {
             let mut terms = Vec::new();
@@ -169,20 +157,13 @@ impl<'a> Lines<'a> {
         }
         in_16_bits(&mut terms);
         let mut text = String::new();
-        let mut column = FIRST;
         for Term { minus, text: term, .. } in terms {
-            if !text.is_empty() {
-                if column + term.len() + 3 > WIDTH {
-                    text.push_str("\n    ");
-                    column = 0;
-                } else {
-                    text.push(' ');
-                }
-                text.push_str(if minus { "- " } else { "+ " });
-            } else if minus {
-                text.push('-');
-            }
-            column += term.len() + 3;
+            text.push_str(match (text.is_empty(), minus) {
+                (true, false) => "",
+                (true, true) => "-",
+                (false, false) => " + ",
+                (false, true) => " - ",
+            });
             text.push_str(&term);
         }
         text
@@ -190,10 +171,10 @@ impl<'a> Lines<'a> {
 
     /// Collects the terms of a sum in the order in which they are added, those of its second operand only if any order will do.
     fn terms(&self, id: NodeId, wide: bool, minus: bool, any_order: bool, terms: &mut Vec<Term>) {
-        let Operation(instruction, [a, b]) = self.module.node(id) else { return };
+        let Operation(instruction, [a, b]) = self.work.module.node(id) else { return };
         let sides = [(a, minus, true), (b, minus != (instruction == Sub), any_order)];
         for (side, minus, opens) in sides {
-            let is_inner = matches!(self.module.node(side), Operation(inner, _) if is_sum(inner));
+            let is_inner = matches!(self.work.module.node(side), Operation(inner, _) if is_sum(inner));
             // In another width, it is computed in brackets.
             if opens && is_inner && !self.named.contains_key(&side) && self.width(side) == wide {
                 self.terms(side, wide, minus, any_order, terms);
@@ -205,11 +186,11 @@ impl<'a> Lines<'a> {
 
     /// A term: a product needs no brackets.
     fn term(&self, id: NodeId, wide: bool, minus: bool) -> Term {
-        let magnitude = self.integers.interval(id).magnitude();
+        let magnitude = self.work.integers.interval(id).magnitude();
         if let Some(value) = self.constant(id).filter(|&value| value < 0 && value > -i64::from(i32::MAX)) {
-            return Term { minus: !minus, text: self.spelling.literal(-value, wide), magnitude, narrow: None };
+            return Term { minus: !minus, text: self.work.spelling.literal(-value, wide), magnitude, narrow: None };
         }
-        let is_product = matches!(self.module.node(id), Operation(Mul, _));
+        let is_product = matches!(self.work.module.node(id), Operation(Mul, _));
         let is_part = !self.named.contains_key(&id);
         let text =
             if is_product && is_part && self.width(id) == wide { self.expression(id) } else { self.operand(id, wide) };
@@ -218,46 +199,54 @@ impl<'a> Lines<'a> {
 
     /// A count of 8 bits or its product with a constant, without a cast, if C computes it in 16 bits.
     fn narrow(&self, id: NodeId) -> Option<String> {
-        let text = match self.module.node(id) {
-            Input(input) => self.spelling.byte(input)?,
+        let text = match self.work.module.node(id) {
+            Input(input) => self.work.spelling.byte(input)?,
             Operation(Mul, [a, b]) => {
                 let (count, weight) = if self.constant(a).is_some() { (b, a) } else { (a, b) };
-                let Input(input) = self.module.node(count) else { return None };
-                format!("{} * {}", self.spelling.byte(input)?, self.spelling.literal(self.constant(weight)?, false))
+                let Input(input) = self.work.module.node(count) else { return None };
+                format!(
+                    "{} * {}",
+                    self.work.spelling.byte(input)?,
+                    self.work.spelling.literal(self.constant(weight)?, false)
+                )
             }
             _ => return None,
         };
-        (self.integers.interval(id).magnitude() <= NARROW).then_some(text)
+        (self.work.integers.interval(id).magnitude() <= NARROW).then_some(text)
     }
 
     /// Tests for an operation in 64 bits.
     fn width(&self, id: NodeId) -> bool {
-        self.module.node(id).operands().iter().chain([&id]).any(|&id| self.is_wide(id))
+        self.work.module.node(id).operands().iter().chain([&id]).any(|&id| self.is_wide(id))
     }
 
     fn constant(&self, id: NodeId) -> Option<i64> {
-        self.module.node(id).as_constant().map(|value| value as i64)
+        self.work.module.node(id).as_constant().map(|value| value as i64)
     }
 
     fn quotient(&self, a: NodeId, b: NodeId, wide: bool) -> String {
-        let divisor = self.integers.interval(b);
+        let divisor = self.work.integers.interval(b);
         let dividend = self.operand(a, wide);
         if divisor.contains(0) {
-            return self.call(Function::Quotient, wide, &[dividend, self.operand(b, wide)]);
+            return self.work.spelling.call(Function::Quotient, wide, &[dividend, self.operand(b, wide)]);
         }
-        let is_positive = self.integers.interval(a).low >= 0;
+        let is_positive = self.work.integers.interval(a).low >= 0;
         if let Some(power) = self.constant(b).filter(|&power| power > 1 && power & (power - 1) == 0) {
             let bits = power.trailing_zeros();
             if is_positive {
-                return self.spelling.halved(&dividend, bits, wide);
+                return self.work.spelling.halved(&dividend, bits, wide);
             }
-            return self.call(Function::Shift, wide, &[dividend, format!("{bits}")]);
+            return self.work.spelling.call(
+                Function::Shift,
+                wide,
+                &[dividend, self.work.spelling.place(bits as usize)],
+            );
         }
         let divisor_text = self.operand(b, wide);
         if is_positive && self.constant(b).is_some_and(|divisor| divisor > 0) {
             format!("{dividend} / {divisor_text}")
         } else {
-            self.call(Function::Divide, wide, &[dividend, divisor_text])
+            self.work.spelling.call(Function::Divide, wide, &[dividend, divisor_text])
         }
     }
 }

@@ -1,19 +1,18 @@
-//! What C and Rust spell their own way: a text of several lines is indented where it is written.
+//! What C and Rust spell their own way.
 
 use crate::emit::c::field::field;
 use crate::emit::file::{comment, one_line};
-use crate::emit::interface::actions;
 use crate::integers::{input_bits, output_bits};
 use crate::options::Language;
 use crate::program::Program;
 use Function::*;
+use std::cell::RefCell;
 use std::collections::BTreeSet;
-use std::fmt::Write as _;
-use tpg_graph::{ActionId, Graph, Input, Output};
+use tpg_graph::{Graph, Input, Output};
 
 /// A function that expressions call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Function {
+pub(in crate::emit) enum Function {
     /// Rounded down to a multiple of a power of two, and divided by it.
     Shift,
     /// A quotient rounded down, of a divisor that is not 0.
@@ -29,50 +28,43 @@ pub(super) enum Function {
     Clamp,
 }
 
-/// The functions that are called, and whether in 64 bits.
-pub(super) type Called = BTreeSet<(Function, bool)>;
-
 /// The functions of one width, for a template.
-pub(super) struct IntegerHelpers {
-    pub(super) int: &'static str,
+pub(in crate::emit) struct IntegerHelpers {
+    pub(in crate::emit) int: &'static str,
     /// The end of their names.
-    pub(super) end: &'static str,
+    pub(in crate::emit) end: &'static str,
     called: BTreeSet<Function>,
 }
 
 impl IntegerHelpers {
-    pub(super) fn calls(&self, function: Function) -> bool {
+    pub(in crate::emit) fn calls(&self, function: Function) -> bool {
         self.called.contains(&function)
     }
 }
 
 /// The spelling of a language.
-pub(super) struct IntegerSpelling<'a> {
+pub(in crate::emit) struct IntegerSpelling<'a> {
     is_c: bool,
     graph: &'a Graph,
     prefix: &'a str,
-    /// The actions' constants in C.
-    constants: Vec<(String, String)>,
+    /// The functions that were called, and whether in 64 bits.
+    called: RefCell<BTreeSet<(Function, bool)>>,
 }
 
 impl<'a> IntegerSpelling<'a> {
     pub(super) fn new(program: &'a Program<'_>) -> Self {
-        let (graph, prefix) = (program.graph(), &program.options.prefix);
-        Self {
-            is_c: program.language == Language::C,
-            graph,
-            prefix: prefix.lower(),
-            constants: actions(graph, &prefix.upper()),
-        }
+        let (graph, prefix) = (program.graph(), program.options.prefix.lower());
+        Self { is_c: program.language == Language::C, graph, prefix, called: RefCell::default() }
     }
 
     /// The spelling in C, or in Rust.
-    pub(super) fn either<T>(&self, c: T, rust: T) -> T {
+    fn either<T>(&self, c: T, rust: T) -> T {
         if self.is_c { c } else { rust }
     }
 
-    /// The functions of 32 bits, then those of 64.
-    pub(super) fn helpers(&self, called: &Called) -> [IntegerHelpers; 2] {
+    /// The functions of 32 bits that were called, then those of 64.
+    pub(in crate::emit) fn helpers(&self) -> [IntegerHelpers; 2] {
+        let called = self.called.borrow();
         [false, true].map(|wide| {
             let called = called.iter().filter(|(_, is_wide)| *is_wide == wide).map(|(function, _)| *function);
             IntegerHelpers { int: self.integer(wide), end: self.end(wide), called: called.collect() }
@@ -80,7 +72,7 @@ impl<'a> IntegerSpelling<'a> {
     }
 
     /// The type of a value in 32 bits, or in 64.
-    fn integer(&self, wide: bool) -> &'static str {
+    pub(super) fn integer(&self, wide: bool) -> &'static str {
         if wide { self.either("int64_t", "i64") } else { self.either("int32_t", "i32") }
     }
 
@@ -111,8 +103,7 @@ impl<'a> IntegerSpelling<'a> {
         let name = field(self.graph, &source.name);
         match source.counts.len() {
             _ if !self.is_c => format!("s[{}]", input.index()),
-            0 => format!("memory->{name}"),
-            1 => format!("state->{name}"),
+            0 | 1 => format!("state->{name}"),
             _ => format!("state->{name}[{place}]"),
         }
     }
@@ -141,6 +132,9 @@ impl<'a> IntegerSpelling<'a> {
 
     /// A call.
     pub(super) fn call(&self, function: Function, wide: bool, arguments: &[String]) -> String {
+        // A quotient divides where its divisor is not 0.
+        let divides = (function == Quotient).then_some(Divide);
+        self.called.borrow_mut().extend(divides.into_iter().chain([function]).map(|function| (function, wide)));
         let name = match function {
             Shift => "shift",
             Divide => "divide",
@@ -155,7 +149,7 @@ impl<'a> IntegerSpelling<'a> {
         let (end, all) = (self.end(wide), arguments.join(", "));
         match function {
             Shift => {
-                self.either(format!("{}_{name}{end}({all}U)", self.prefix), format!("({})", arguments.join(" >> ")))
+                self.either(format!("{}_{name}{end}({all})", self.prefix), format!("({})", arguments.join(" >> ")))
             }
             _ if self.is_c => format!("{}_{name}{end}({all})", self.prefix),
             Min | Max | Abs | Clamp => {
@@ -177,19 +171,9 @@ impl<'a> IntegerSpelling<'a> {
         self.either(format!("const {int} {name} = {value};"), format!("let {name}: {int} = {value};"))
     }
 
-    /// A comment at a level of indentation.
-    pub(super) fn comment(&self, said: &str, depth: usize) -> String {
-        if self.is_c { wrapped(&comment(said), 110 - depth * 4) } else { format!("// {}", one_line(said)) }
-    }
-
-    /// The name of an action in comments.
-    pub(super) fn said(&self, action: ActionId) -> String {
-        self.either(self.graph.actions()[usize::from(action.0)].name.clone(), self.graph.end_name(action))
-    }
-
-    /// An action.
-    pub(super) fn action(&self, action: ActionId) -> String {
-        self.either(self.constants[usize::from(action.0)].0.clone(), action.0.to_string())
+    /// The lines of a comment.
+    pub(super) fn comment(&self, said: &str) -> Vec<String> {
+        if self.is_c { wrapped(&comment(said)) } else { vec![format!("// {}", one_line(said))] }
     }
 
     /// The place of a destination among a team's.
@@ -197,127 +181,35 @@ impl<'a> IntegerSpelling<'a> {
         format!("{place}{}", self.either("U", ""))
     }
 
-    /// The declaration of a team's best bid, which changes where there are more than two.
-    pub(super) fn best(&self, wide: bool, changes: bool) -> String {
-        let int = self.integer(wide);
-        match changes {
-            true => self.either(format!("{int} best"), format!("let mut best: {int}")),
-            false => self.either(format!("const {int} best"), format!("let best: {int}")),
+    /// A value of 32 bits in the type of an output.
+    pub(super) fn answered(&self, output: &Output, value: &str) -> String {
+        match self.either(output_bits(output), answer_bits(self.graph)) {
+            32 => value.to_owned(),
+            bits => self.either(format!("(int{bits}_t){value}"), format!("({value}) as i{bits}")),
         }
-    }
-
-    /// The variable of the winner, which is an action or a destination, and its declaration.
-    pub(super) fn winner(&self, is_action: bool) -> (&'static str, String) {
-        match self.is_c {
-            true if is_action => ("action", format!("{}_action_t action", self.prefix)),
-            true => ("way", "uint_fast8_t way".to_owned()),
-            false => ("to", "let mut to".to_owned()),
-        }
-    }
-
-    /// The beginning of a block under a condition.
-    pub(super) fn when(&self, condition: &str) -> String {
-        self.either(format!("if ({condition}) {{"), format!("if {condition} {{"))
-    }
-
-    /// The beginning of a vertex's block.
-    pub(super) fn head(&self, vertex: &str, is_first: bool, is_last: bool) -> String {
-        match self.is_c {
-            true if is_first => "    {\n".to_owned(),
-            true => format!("{vertex}:\n    {{\n"),
-            false => format!("{:16}{} => {{\n", "", if is_last { "_" } else { vertex }),
-        }
-    }
-
-    /// The statement that goes to a vertex.
-    pub(super) fn go(&self, vertex: &str) -> String {
-        self.either(format!("goto {vertex};"), format!("vertex = {vertex};"))
-    }
-
-    /// The statement that answers an action, in the code of one of several vertices or at the end of the body.
-    pub(super) fn answer(&self, action: &str, several: bool) -> String {
-        match self.is_c {
-            true => format!("return {action};"),
-            false if several => format!("return ActionId({action});"),
-            false => format!("ActionId({action})"),
-        }
-    }
-
-    /// The first of two values if a condition holds, else the second.
-    pub(super) fn one_of_two(&self, condition: &str, [one, other]: &[String; 2]) -> String {
-        self.either(
-            format!("({condition}) ? {one} : {other}"),
-            format!("if {condition} {{ {one} }} else {{ {other} }}"),
-        )
-    }
-
-    /// One of some statements, as the winner is their place.
-    pub(super) fn choice(&self, ways: &[String]) -> String {
-        let mut text = self.either("", "match to {\n").to_owned();
-        for (place, way) in ways.iter().enumerate() {
-            let is_last = place + 1 == ways.len();
-            text += &match self.is_c {
-                true if is_last => way.clone(),
-                true => format!("if (way == {place}U) {{\n    {way}\n}}\n"),
-                false if is_last => format!("    _ => {},\n}}", way.trim_end_matches(';')),
-                false => format!("    {place} => {},\n", way.trim_end_matches(';')),
-            };
-        }
-        text
-    }
-
-    /// The variable of an output, if it gets one.
-    pub(super) fn variable(&self, output: &Output) -> Option<String> {
-        self.is_c.then(|| field(self.graph, &output.name))
-    }
-
-    /// The statements that answer values in their ranges.
-    pub(super) fn outputs(&self, values: &[String], several: bool) -> String {
-        if !self.is_c {
-            let bits = answer_bits(self.graph);
-            let cast = |value: &String| if bits == 32 { value.clone() } else { format!("({value}) as i{bits}") };
-            let answer = values.iter().map(cast).collect::<Vec<_>>().join(", ");
-            return if several { format!("return [{answer}];") } else { format!("[{answer}]") };
-        }
-        // What is remembered is read before it is written.
-        let is_later = self.graph.memory() > 0;
-        let (mut first, mut text) = (String::new(), String::new());
-        for (place, (output, value)) in self.graph.outputs().iter().zip(values).enumerate() {
-            let to = if output.counts.is_some() { "action" } else { "memory" };
-            let cast = match output_bits(output) {
-                32 => String::new(),
-                bits => format!("(int{bits}_t)"),
-            };
-            let next = format!("next_{place}");
-            if is_later {
-                let _ = writeln!(first, "const int32_t {next} = {value};");
-            }
-            let value = if is_later { &next } else { value };
-            let _ = writeln!(text, "{to}->{} = {cast}{value};", field(self.graph, &output.name));
-        }
-        first + &text + if several { "return;" } else { "" }
     }
 }
 
 /// Bits of the type of every value of a state in Rust: that of the widest.
-pub(super) fn state_bits(graph: &Graph) -> u32 {
+pub(in crate::emit) fn state_bits(graph: &Graph) -> u32 {
     graph.inputs().map(|input| input_bits(graph, input)).max().unwrap_or(16)
 }
 
 /// Bits of the type of every output in Rust.
-pub(super) fn answer_bits(graph: &Graph) -> u32 {
+pub(in crate::emit) fn answer_bits(graph: &Graph) -> u32 {
     graph.outputs().iter().map(output_bits).max().unwrap_or(16)
 }
 
 /// A comment of C on as many lines as it takes.
-fn wrapped(said: &str, width: usize) -> String {
+fn wrapped(said: &str) -> Vec<String> {
+    const WIDTH: usize = 102;
     let mut lines = vec!["/*".to_owned()];
     // The end of the comment stays with the last word.
     for word in format!("{said}\u{a0}*/").split(' ') {
         match lines.last_mut() {
-            Some(line) if line.len() + 1 + word.len() <= width => *line += &format!(" {word}"),
+            Some(line) if line.len() + 1 + word.len() <= WIDTH => *line += &format!(" {word}"),
             _ => lines.push(format!(" * {word}")),
         }
     }
-    lines.join("\n").replace('\u{a0}', " ")
+    lines.into_iter().map(|line| line.replace('\u{a0}', " ")).collect()
 }

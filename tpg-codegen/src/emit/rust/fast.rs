@@ -26,7 +26,7 @@ const MANY: usize = 64;
 
 #[derive(Template)]
 #[template(path = "rust/fast.rs", escape = "none")]
-struct RustFast<'a> {
+pub(super) struct RustFast<'a> {
     scalar: &'a str,
     state_length: usize,
     many: bool,
@@ -35,34 +35,53 @@ struct RustFast<'a> {
     answer: String,
     leaves: Vec<LeafView>,
     teams: Vec<TeamView<String>>,
-    helpers: String,
 }
 
 /// Renders the profile.
 pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, schedule: &Schedule, outputs: &[OutputView]) -> Parts {
-    let actions = names::actions(printer.graph);
-    let calls = Destinations {
-        module,
-        answers: (0..actions.len()).map(|action| action.to_string()).collect(),
-        names: actions.iter().map(|name| printer.local(name)).collect(),
-        jump: &|_, to| to.map_or_else(|answer| answer, |label| format!("{label}(s)")),
+    let scalar = printer.scalar();
+    let answer = match outputs.len() {
+        0 => "u16".to_owned(),
+        count => format!("[{scalar}; {count}]"),
     };
-    let root = format!("team_{}(s)", schedule.plans[0].label);
-    let (body, answer) = if outputs.is_empty() {
-        (format!("        ActionId({root})"), "u16".to_owned())
-    } else {
-        let limited = leaves::limited(printer, outputs, leaves::element);
-        (format!("        let out = {root};\n        {limited}"), format!("[{}; {}]", printer.scalar(), outputs.len()))
+    let leaves = views(printer, &schedule.leaves, outputs, false);
+    let view = |team: usize, to: &Destinations<'_, String>| team::view(printer, &schedule.plans[team], to);
+    let (decision, items) = RustFast::text(printer, module, scalar, answer, leaves, view);
+    let body = match outputs {
+        [] => decision,
+        _ => format!("let out = {decision};\n        {}", leaves::limited(printer, outputs, leaves::element)),
     };
-    let fast = RustFast {
-        scalar: printer.scalar(),
-        state_length: printer.graph.state_length(),
-        many: schedule.plans.len() > MANY,
-        leads: printer.leads,
-        answer,
-        leaves: views(printer, &schedule.leaves, outputs, false),
-        teams: schedule.plans.iter().map(|plan| team::view(printer, plan, &calls)).collect(),
-        helpers: helpers::render(printer),
-    };
-    Parts { body, items: layout::indent(&fast.render().expect("the template renders")) }
+    Parts { body: format!("        {body}"), items: layout::indent(&(helpers::render(printer) + "\n" + &items)) }
+}
+
+impl<'a> RustFast<'a> {
+    /// Renders the expression that decides and the functions that it calls, with a team as a function views it.
+    pub(super) fn text(
+        printer: &Printer<'_>,
+        module: &Module<'_>,
+        scalar: &'a str,
+        answer: String,
+        leaves: Vec<LeafView>,
+        view: impl Fn(usize, &Destinations<'_, String>) -> TeamView<String>,
+    ) -> (String, String) {
+        let actions = names::actions(printer.graph);
+        let to = Destinations {
+            module,
+            answers: (0..actions.len()).map(|action| action.to_string()).collect(),
+            names: actions.iter().map(|name| printer.local(name)).collect(),
+            jump: &|_, to| to.map_or_else(|answer| answer, |label| format!("{label}(s)")),
+        };
+        let root = format!("team_{}(s)", module.teams[0].label);
+        let decision = if leaves.is_empty() { format!("ActionId({root})") } else { root };
+        let fast = RustFast {
+            scalar,
+            state_length: printer.graph.state_length(),
+            many: module.teams.len() > MANY,
+            leads: printer.leads,
+            answer,
+            leaves,
+            teams: (0..module.teams.len()).map(|team| view(team, &to)).collect(),
+        };
+        (decision, fast.render().expect("the template renders"))
+    }
 }

@@ -5,11 +5,13 @@ mod constant_time;
 mod expression;
 mod fast;
 mod helpers;
+mod integers;
 mod leaves;
 mod parts;
 mod small;
 
 use super::file::{File, one_line};
+use super::integers::{answer_bits, state_bits};
 use super::interface::{OutputView, SourceView, asks, outputs, sources};
 use super::look::{self, LookView};
 use super::{banner, layout, moves::moves, names, team::compares_in_functions};
@@ -26,7 +28,11 @@ struct RustPolicy<'a> {
     banner: &'a [String],
     name: String,
     title: &'a str,
-    scalar: &'a str,
+    /// Numbers are whole.
+    integers: bool,
+    /// The type of a value of the state and the memory, and that of an output.
+    kind: &'a str,
+    answer: &'a str,
     /// Imports from `tpg_runtime`.
     imports: Vec<String>,
     state_length: usize,
@@ -63,7 +69,11 @@ struct RustArmView {
 pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let (graph, module, prefix) = (program.graph(), &program.module, &program.options.prefix);
     let printer = Printer { graph, nodes: &module.nodes, short_cuts: false, branch_free: false, leads: false };
-    let outputs = outputs(&printer, one_line);
+    let integers = matches!(program.shape, Shape::Integers(_));
+    let kind = |bits: u32| if integers { format!("i{bits}") } else { graph.scalar().name().to_owned() };
+    let (kind, answer) = (kind(state_bits(graph)), kind(answer_bits(graph)));
+    let sources = sources(graph, one_line, |_| kind.clone());
+    let outputs = outputs(&printer, one_line, |_| answer.clone());
     let (title, parts) = match &program.shape {
         Shape::Fast(schedule) => {
             let leads = compares_in_functions(module);
@@ -85,27 +95,31 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
             let body = leaves::formula(&printer, formula, &outputs);
             ("a formula", Parts { body, items: String::new() })
         }
-        Shape::Gegelati | Shape::Integers(_) => unreachable!("in C alone, and with a back end of its own"),
+        Shape::Integers(whole) => ("in integers", integers::render(&printer, program, whole, &outputs)),
+        Shape::Gegelati => unreachable!("in C alone"),
     };
     let (observed, first) = (graph.state_length() - graph.memory(), outputs.len() - graph.memory());
     let memory = &outputs[first..];
-    let sources = sources(graph, one_line);
     let policy = RustPolicy {
         banner: &banner::lines(program),
         name: prefix.camel(),
         title,
-        scalar: graph.scalar().name(),
+        integers,
+        kind: &kind,
+        answer: &answer,
         imports: imports(&printer, &parts),
         state_length: graph.state_length(),
-        look: LookView::new(graph, &sources, &|_| graph.scalar().name().to_owned())
-            .map_or_else(String::new, |view| look::rust(&view, &prefix.camel(), graph.scalar().name(), observed)),
+        look: LookView::new(graph, &sources)
+            .map_or_else(String::new, |view| look::rust(&view, &prefix.camel(), &kind, observed)),
         sources,
         actions: graph.actions().iter().map(|action| one_line(&action.to_string())).collect(),
         constants: names::actions(graph).into_iter().map(|name| name.to_ascii_uppercase()).collect(),
         asks: asks(graph),
         outputs: &outputs,
         memory,
-        initial: memory.iter().map(|value| value.initial.clone()).collect(),
+        initial: (memory.iter())
+            .map(|value| if integers { value.nan.to_string() } else { value.initial.clone() })
+            .collect(),
         seen: [names("state", observed), names("memory", memory.len())].concat(),
         remembered: memory.iter().map(leaves::element).collect(),
         answered: outputs[..first].iter().map(leaves::element).collect(),

@@ -1,9 +1,3 @@
-/*
-{%- for line in banner %}
- * {{ line }}
-{%- endfor %}
- */
-#include "{{ prefix }}.h"
 {% if let Some(table) = table %}
 /* On an AVR, tables stay in flash. */
 #ifdef __AVR__
@@ -17,9 +11,7 @@
 #define {{ upper }}_NUMBER(place) (*(place))
 #endif
 
-{% for comment in table.comments -%}
-/* {{ comment }} */
-{% endfor -%}
+/* A row for each of {{ table.names }}, a column for each value of the state. */
 static const {{ table.weight }} {{ prefix }}_weights[{{ table.rows.len() }}][{{ table.columns }}] {{ upper }}_TABLE = {
 {%- for row in table.rows %}
     { {{ row }} },
@@ -91,81 +83,3 @@ static {{ int }} {{ prefix }}_clamp{{ bits }}({{ int }} value, {{ int }} low, {{
 }
 {% endif %}
 {%- endfor %}
-{% if outputs.is_empty() -%}
-{{ prefix }}_action_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
-{%- else if memory.is_empty() -%}
-void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action)
-{%- else -%}
-void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_memory_t *memory, {{ prefix }}_action_t *action)
-{%- endif %}
-{
-{{ body -}}
-}
-{% if !memory.is_empty() %}
-void {{ prefix }}_reset({{ prefix }}_memory_t *memory)
-{
-{%- for value in memory %}
-    memory->{{ value.field }} = {{ value.initial }};
-{%- endfor %}
-}
-{% endif %}
-{%- if !look.is_empty() %}
-{{ look }}
-{% endif %}
-#ifndef {{ upper }}_NO_SELFTEST
-
-uint32_t {{ prefix }}_selftest(void)
-{
-    static const {{ prefix }}_state_t states[{{ vectors.len() }}] = {
-{%- for vector in vectors %}
-        {{ vector.state }},
-{%- endfor %}
-    };
-{%- if outputs.is_empty() %}
-    static const {{ prefix }}_action_t actions[{{ vectors.len() }}] = {
-        {% for vector in vectors %}{{ vector.answer }}{% if !loop.last %}, {% endif %}{% endfor %}
-    };
-{%- else %}
-    static const {{ prefix }}_action_t actions[{{ vectors.len() }}] = {
-{%- for vector in vectors %}
-        {{ vector.answer }},
-{%- endfor %}
-    };
-{%- if !memory.is_empty() %}
-    static const {{ prefix }}_memory_t before[{{ vectors.len() }}] = {
-{%- for vector in vectors %}
-        {{ vector.memory }},
-{%- endfor %}
-    };
-    static const {{ prefix }}_memory_t after[{{ vectors.len() }}] = {
-{%- for vector in vectors %}
-        {{ vector.next }},
-{%- endfor %}
-    };
-{%- endif %}
-{%- endif %}
-    uint32_t failures = 0U;
-    uint32_t vector;
-
-    for (vector = 0U; vector < {{ vectors.len() }}U; vector++) {
-{%- if outputs.is_empty() %}
-        if ({{ prefix }}_infer(&states[vector]) != actions[vector]) {
-{%- else %}
-        {{ prefix }}_action_t action;
-{%- if memory.is_empty() %}
-
-        {{ prefix }}_infer(&states[vector], &action);
-        if ({% for output in outputs %}{% if !loop.first %} || {% endif %}(action.{{ output.field }} != actions[vector].{{ output.field }}){% endfor %}) {
-{%- else %}
-        {{ prefix }}_memory_t memory = before[vector];
-
-        {{ prefix }}_infer(&states[vector], &memory, &action);
-        if ({% for output in outputs %}(action.{{ output.field }} != actions[vector].{{ output.field }}) || {% endfor %}{% for value in memory %}{% if !loop.first %} || {% endif %}(memory.{{ value.field }} != after[vector].{{ value.field }}){% endfor %}) {
-{%- endif %}
-{%- endif %}
-            failures++;
-        }
-    }
-    return failures;
-}
-#endif
