@@ -2,8 +2,7 @@
 
 use super::limits::LimitArgs;
 use super::numbers::{Chosen, NumbersArgs};
-use crate::emit::Code;
-use crate::options::{Language, Options, Prefix, Profile};
+use crate::options::{Options, Prefix, Profile};
 use crate::report;
 use crate::size::Target;
 use clap::Args;
@@ -39,13 +38,14 @@ impl ReportArgs {
             report.to_string()
         };
         command::print(text)?;
-        if self.limits.any() {
-            let options = Options { profile: Some(self.profile), ..options };
-            let code =
-                Code::of_graph(&self.numbers.graph.name(), whole.as_ref().unwrap_or(&graph), &options, Language::C)?;
-            let targets = if self.target.is_empty() { &[Target::M4f][..] } else { &self.target };
-            targets.iter().try_for_each(|&target| self.limits.check(&code, target))?;
-        }
+        let limited = if self.target.is_empty() { &[Target::M4f][..] } else { &self.target };
+        let profile = match self.profile {
+            Profile::Small if whole.is_some() || graph.has_counts() => "integers, small",
+            _ if whole.is_some() || graph.has_counts() => "integers",
+            profile => profile.name(),
+        };
+        let rows = report.sizes.iter().filter(|size| limited.contains(&size.target) && size.profile == profile);
+        rows.map(|size| self.limits.check(size)).collect::<Result<(), _>>()?;
         Ok(Verdict::Good)
     }
 }

@@ -7,8 +7,8 @@ use crate::emit::c::field::field;
 use crate::emit::integers::worth_from;
 use crate::emit::interface::written;
 use crate::options::{Language, Options};
-use crate::size::{self, Linked, Target};
-use cortex_bound::Bound;
+use crate::report::{ShapeSize, size_of};
+use crate::size::Target;
 use tpg_graph::error::counted;
 use tpg_graph::{Counts, Graph, MathsProvider, ScalarType};
 
@@ -135,20 +135,20 @@ impl<'a> Facts<'a> {
 
 /// What the C needs on the package's chip, with the library functions that it calls; nothing where its compiler is not installed.
 fn figures(code: &Code<'_>, target: Target) -> Vec<String> {
-    let linked = size::build_c(code, target).and_then(|built| Ok((built.link(code)?, built.stack)));
-    let Ok((Some(Linked { size, bound, look }), stack)) = linked else { return Vec::new() };
-    let (flash, ram) = (size.flash(), size.ram());
+    let ShapeSize { linked_flash: Some(flash), ram: Some(ram), instructions, stack, look, .. } = size_of(code, target, "")
+    else {
+        return Vec::new();
+    };
     let mut figures = vec![format!(
         "C on {}, `-Os`, with the library functions that it calls: {flash} bytes of flash, {ram} of RAM",
         target.name()
     )];
-    match (bound, stack) {
-        (Some(Ok(Bound { instructions, stack })), _) => figures.push(format!(
+    if let (Some(instructions), Some(stack)) = (instructions, stack) {
+        figures.push(format!(
             "a decision there: at most {instructions} {}, {stack} bytes of stack, by analysis of the machine code",
             target.unit()
-        )),
-        (_, stack) => figures.extend(stack.map(|stack| format!("stack of a decision there: {} bytes", stack.bytes))),
+        ));
     }
-    figures.extend(look.map(|look| format!("reading an image there: at most {} {}", look.instructions, target.unit())));
+    figures.extend(look.map(|look| format!("reading an image there: at most {look} {}", target.unit())));
     figures
 }

@@ -10,7 +10,7 @@ use crate::emit::Code;
 use crate::ir::{Module, Node};
 use crate::options::{Language, Options, Profile, Style};
 use crate::program::{Program, compile};
-use crate::size::{self, Linked, RustForCortexM4, Size, Stack, Target};
+use crate::size::{self, Linked, RustForCortexM4, Size, Target};
 use cortex_bound::Bound;
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -117,8 +117,8 @@ pub struct ShapeSize {
     /// As `instructions`, of reading an image.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub look: Option<u64>,
-    /// Bytes of stack, if the compiler reports them.
-    pub stack: Option<Stack>,
+    /// Bytes of stack of a decision at most, library functions included, if there is a bound.
+    pub stack: Option<u64>,
     /// The sections that the compiler made.
     pub sections: Option<Size>,
     /// The reason for having no compiler's numbers, or none of linked code.
@@ -228,7 +228,8 @@ fn dead_inputs(optimised: &Module<'_>) -> Vec<String> {
     inputs.filter(|input| !read.contains(input)).map(|input| graph.input_label(input)).collect()
 }
 
-fn size_of(code: &Code<'_>, target: Target, profile: &'static str) -> ShapeSize {
+/// Returns the size of a shape's code on a target.
+pub(crate) fn size_of(code: &Code<'_>, target: Target, profile: &'static str) -> ShapeSize {
     let mut found = ShapeSize {
         target,
         profile,
@@ -251,15 +252,13 @@ impl ShapeSize {
         let built = size::build_c(code, self.target).map_err(|error| error.to_string())?;
         let size = size::measure(&built.object).map_err(|error| error.to_string())?;
         (self.flash, self.ram, self.sections) = (Some(size.flash()), Some(size.ram()), Some(size));
-        self.stack = built.stack.clone();
         let Some(Linked { size, bound, look }) = built.link(code).map_err(|error| error.to_string())? else {
             return Ok(());
         };
         (self.linked_flash, self.ram) = (Some(size.flash()), Some(size.ram()));
         self.look = look.map(|look| look.instructions);
         if let Some(Bound { instructions, stack }) = bound.transpose()? {
-            self.instructions = Some(instructions);
-            self.stack = Some(Stack { bytes: stack, without: Vec::new() });
+            (self.instructions, self.stack) = (Some(instructions), Some(stack));
         }
         Ok(())
     }

@@ -101,12 +101,12 @@ impl Report {
             ("flash", &|size| size.flash),
             ("linked", &|size| size.linked_flash),
             ("RAM", &|size| size.ram),
-            ("stack", &|size| size.stack.as_ref().map(|stack| stack.bytes)),
+            ("stack", &|size| size.stack),
             (first.target.unit(), &|size| size.instructions),
             ("look", &|size| size.look),
             ("flash, Rust", &flash_of_rust),
         ];
-        let (always, known) = (["flash", "RAM", "stack"], |column: &dyn Fn(&ShapeSize) -> Option<u64>| {
+        let (always, known) = (["flash", "RAM"], |column: &dyn Fn(&ShapeSize) -> Option<u64>| {
             sizes.iter().any(|size| column(size).is_some())
         });
         let columns: Vec<_> =
@@ -119,9 +119,7 @@ impl Report {
                 let number = column(size).map_or_else(|| "?".to_owned(), |number| number.to_string());
                 format!("{number:>width$}", width = width(name))
             });
-            let without = size.stack.as_ref().map(|stack| stack.without.join(", ")).filter(|names| !names.is_empty());
-            let note = size.unavailable.clone().or(without.map(|names| format!("and the stack of {names}")));
-            let note = note.map_or_else(String::new, |note| format!("  {note}"));
+            let note = size.unavailable.as_ref().map_or_else(String::new, |note| format!("  {note}"));
             writeln!(f, "{:<16}{}{note}", size.profile, cells.collect::<String>())?;
         }
         if let Some(why) = rust.iter().find_map(|size| size.unavailable.as_ref()) {

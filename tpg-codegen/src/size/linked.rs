@@ -24,7 +24,7 @@ pub struct Linked {
 
 /// Links an object file of a folder, from `entry` on.
 pub(super) fn link(folder: &Path, target: Target, entry: &str, program: &Program<'_>) -> io::Result<Linked> {
-    let (mut command, _) = target.compiler()?;
+    let mut command = target.compiler()?;
     command.current_dir(folder).args(["-nostartfiles", "-Wl,--gc-sections"]).arg(format!("-Wl,-e,{entry}"));
     command.args(["policy.o", "-o", "image", "-lm"]);
     super::run(command, "cannot link it", |line| line.contains("undefined") || line.contains("cannot"))?;

@@ -3,13 +3,11 @@
 mod linked;
 mod object;
 mod rust;
-mod stack;
 mod target;
 
 pub use self::object::{Size, measure};
 pub use linked::Linked;
 pub use rust::RustForCortexM4;
-pub use stack::Stack;
 pub use target::Target;
 
 use crate::emit::Code;
@@ -43,8 +41,6 @@ pub fn compile_c(graph: &Graph, options: &Options, target: Target) -> io::Result
 pub struct Built {
     /// The object file.
     pub object: Vec<u8>,
-    /// The stack that a decision needs; only GCC reports it.
-    pub stack: Option<Stack>,
     folder: TempDir,
     target: Target,
     entry: String,
@@ -62,7 +58,7 @@ impl Built {
     }
 }
 
-/// Compiles generated C for size, without its self-test, and asks the compiler for the stack.
+/// Compiles generated C for size, without its self-test.
 ///
 /// # Errors
 /// When the compiler is missing or refuses.
@@ -73,22 +69,17 @@ pub fn build_c(code: &Code<'_>, target: Target) -> io::Result<Built> {
     for file in files {
         fs::write(folder.path().join(&file.name), &file.text)?;
     }
-    let (mut command, writes_call_graph) = target.compiler()?;
+    let mut command = target.compiler()?;
     command.current_dir(folder.path()).args(["-std=c99", "-Os"]);
     // What a debugger or an unwinder reads is not the policy.
     command.args(["-g0", "-fno-asynchronous-unwind-tables"]).arg(format!("-D{}_NO_SELFTEST", options.prefix.upper()));
-    if writes_call_graph {
-        command.arg("-fcallgraph-info=su");
-    }
     command.arg("-c").arg(format!("{}.c", options.prefix)).args(["-o", "policy.o"]);
     run(command, "refused", |line| line.contains("error"))?;
     let entry = match options.style {
         Style::Pure => format!("{}_infer", options.prefix),
         Style::Gegelati => "inferenceTPG".to_owned(),
     };
-    let call_graph = fs::read_to_string(folder.path().join("policy.ci")).ok();
-    let stack = call_graph.and_then(|text| stack::deepest(&text, &entry));
-    Ok(Built { object: fs::read(folder.path().join("policy.o"))?, stack, folder, target, entry })
+    Ok(Built { object: fs::read(folder.path().join("policy.o"))?, folder, target, entry })
 }
 
 /// Runs a compiler; where it fails, the first line that says why is the error.

@@ -87,14 +87,13 @@ impl Target {
         self.described().2
     }
 
-    /// Returns the compiler with the target's flags, and true if it writes a graph of calls.
+    /// Returns the compiler with the target's flags.
     ///
     /// # Errors
     /// If this machine's compiler, which `CC` may name, is not there.
-    pub(super) fn compiler(self) -> io::Result<(Command, bool)> {
+    pub(super) fn compiler(self) -> io::Result<Command> {
         if self == Self::Host {
-            let tool = verify::c_compiler().map_err(io::Error::other)?;
-            return Ok((tool.to_command(), tool.is_like_gnu()));
+            return Ok(verify::c_compiler().map_err(io::Error::other)?.to_command());
         }
         let (_, program, flags) = self.described();
         let mut command = Command::new(program);
@@ -106,8 +105,7 @@ impl Target {
                 command.arg("--specs=picolibc.specs");
             }
         }
-        // Its GCC, an old one, draws no graph of calls.
-        Ok((command, program != AVR))
+        Ok(command)
     }
 
     /// The unit of the bound of a decision.
