@@ -1,7 +1,8 @@
 //! Compiles generated code into small programs that decide over a pipe.
 
-use super::process::{Process, wire};
+use super::process::Process;
 use crate::emit::c::field::field;
+use crate::emit::integers::state_bits;
 use crate::emit::{Code, File};
 use crate::integers::source_bits;
 use crate::options::{Language, Options};
@@ -14,7 +15,7 @@ use std::process::{Command, Output};
 use std::{env, fs, io, slice};
 use tempfile::TempDir;
 use tpg_graph::image::Vision;
-use tpg_graph::{Graph, ScalarType};
+use tpg_graph::{Graph, ScalarType, Source};
 use tpg_runtime::standalone;
 
 /// The program around generated C.
@@ -34,64 +35,42 @@ struct RustHarness {
 struct PolicyView {
     prefix: String,
     name: String,
-    scalar: &'static str,
     state_length: usize,
-    /// The observed sources: their fields and lengths.
-    sources: Vec<(String, usize)>,
+    /// The observed sources: their fields, lengths and types.
+    sources: Vec<(String, usize, String)>,
+    /// The type of every value of a state in Rust.
+    kind: String,
     outputs: usize,
-    /// The fields of the memory's values.
-    memory: Vec<String>,
+    /// The fields of the answer's values.
+    answers: Vec<String>,
+    /// Those of the memory.
+    memory: Vec<(String, usize, String)>,
     gegelati: bool,
-    /// Every number goes over the pipe in 32 bits: the types of the sources' values, and the outputs.
-    integers: Option<IntegerView>,
     /// The bytes of an image that the policy sees, and of a row.
     image: Option<[usize; 2]>,
-}
-
-/// The types of a policy in integers.
-struct IntegerView {
-    /// The type of each source's values, and in Rust of all.
-    sources: Vec<String>,
-    /// The fields of the outputs, without the memory.
-    outputs: Vec<String>,
-    state: String,
-}
-
-impl IntegerView {
-    fn new(graph: &Graph) -> Self {
-        let widest = graph.sources().iter().map(source_bits).max().unwrap_or(16);
-        let (answered, _) = graph.split_outputs();
-        Self {
-            sources: graph.sources().iter().map(|source| format!("int{}_t", source_bits(source))).collect(),
-            outputs: answered.iter().map(|output| field(graph, &output.name)).collect(),
-            state: format!("i{widest}"),
-        }
-    }
 }
 
 impl PolicyView {
     fn new(code: &Code<'_>) -> Self {
         let (graph, prefix) = (code.program.graph(), &code.program.options.prefix);
         let is_integers = matches!(code.program.shape, Shape::Integers(_));
-        let (_, memory) = graph.split_outputs();
+        let kind = |source: &Source| match graph.scalar() {
+            _ if is_integers => format!("int{}_t", source_bits(source)),
+            ScalarType::F32 => "float".to_owned(),
+            ScalarType::F64 => "double".to_owned(),
+        };
+        let view = |source: &Source| (field(graph, &source.name), source.ranges.len(), kind(source));
+        let (observed, memory) = graph.sources().split_at(graph.observed().len());
         Self {
             prefix: prefix.to_string(),
             name: prefix.camel(),
-            scalar: match (code.program.language, graph.scalar()) {
-                (Language::C, _) if is_integers => "int32_t",
-                (Language::Rust, _) if is_integers => "i32",
-                (Language::C, ScalarType::F32) => "float",
-                (Language::C, ScalarType::F64) => "double",
-                (Language::Rust, scalar) => scalar.name(),
-            },
             state_length: graph.state_length(),
-            sources: (graph.observed().iter())
-                .map(|source| (field(graph, &source.name), source.ranges.len()))
-                .collect(),
+            sources: observed.iter().map(view).collect(),
+            kind: if is_integers { format!("i{}", state_bits(graph)) } else { graph.scalar().name().to_owned() },
             outputs: graph.outputs().len(),
-            memory: memory.iter().map(|value| field(graph, &value.name)).collect(),
+            answers: graph.split_outputs().0.iter().map(|output| field(graph, &output.name)).collect(),
+            memory: memory.iter().map(view).collect(),
             gegelati: code.program.shape == Shape::Gegelati,
-            integers: is_integers.then(|| IntegerView::new(graph)),
             image: Vision::new(&graph.state_sources()).map(|vision| {
                 let [_, columns, channels] = vision.shape();
                 [vision.bytes(), columns * channels]
@@ -105,7 +84,6 @@ impl PolicyView {
 pub struct Batch {
     program: PathBuf,
     language: Language,
-    wires: Vec<Option<ScalarType>>,
 }
 
 impl Batch {
@@ -115,7 +93,7 @@ impl Batch {
     /// When it cannot be started.
     pub fn start(&self, policy: usize, graph: &Graph) -> io::Result<Process> {
         let name = format!("{} policy {policy}", self.language.name());
-        Process::start(&self.program, policy, name, graph, self.wires[policy])
+        Process::start(&self.program, policy, name, graph)
     }
 }
 
@@ -166,14 +144,14 @@ impl Workshop {
     /// See [`BuildError`].
     pub fn start(&self, code: &Code<'_>) -> Result<Process, BuildError> {
         let program = self.build(code.program.language, slice::from_ref(code), None)?;
-        Ok(Process::start(&program, 0, code.program.name(), code.program.graph(), wire(code))?)
+        Ok(Process::start(&program, 0, code.program.name(), code.program.graph())?)
     }
 
     /// As [`start`](Self::start), for the function that reads an image: it gets bytes as numbers, and answers the values of a state.
     pub(super) fn start_looking(&self, code: &Code<'_>, vision: &Vision) -> Result<Process, BuildError> {
         let program = self.build(code.program.language, slice::from_ref(code), None)?;
         let graph = code.program.graph();
-        let process = Process::start(&program, 1, code.program.name(), graph, wire(code))?;
+        let process = Process::start(&program, 1, code.program.name(), graph)?;
         Ok(process.looking(vision, graph.observed_length()))
     }
 
@@ -218,8 +196,7 @@ impl Workshop {
         codes: &[Code<'_>],
         compiler: Option<&dyn Fn(&Path) -> Command>,
     ) -> Result<Batch, BuildError> {
-        let wires = codes.iter().map(wire).collect();
-        Ok(Batch { program: self.build(language, codes, compiler)?, language, wires })
+        Ok(Batch { program: self.build(language, codes, compiler)?, language })
     }
 
     /// Compiles code of one language into a program.

@@ -1,18 +1,15 @@
 //! A compiled policy in its own process, driven over a pipe.
 //!
-//! A batch goes in as a little-endian `u32` count and the states' values in the graph's scalar type, native byte order;
-//! out come as many native `u16` actions, or for a policy with outputs the values of each in the graph's scalar type. Policies in
-//! integers get and give 32 bits instead.
+//! A batch goes in as a little-endian `u32` count and the states' values as `f64`, native byte order; out come as many native `u16`
+//! actions, or for a policy with outputs the values of each as `f64`.
 
-use crate::emit::Code;
-use crate::shape::Shape;
 use std::io::{self, BufReader, BufWriter, Read, Write};
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use tpg_graph::Graph;
 use tpg_graph::engine::Engine;
 use tpg_graph::image::Vision;
 use tpg_graph::interpret::Answer;
-use tpg_graph::{Graph, ScalarType};
 use tpg_runtime::policy::ActionId;
 
 /// States in one exchange: both sides hold a whole batch, so that neither waits for the other's full pipe.
@@ -21,17 +18,10 @@ const BATCH: usize = 1024;
 /// The exit status of a C program whose self-test fails.
 const SELF_TEST_DIFFERS: i32 = 3;
 
-/// The type of the numbers in the pipe: floats, or none for integers.
-pub(super) fn wire(code: &Code<'_>) -> Option<ScalarType> {
-    let is_integers = matches!(code.program.shape, Shape::Integers(_));
-    (!is_integers).then(|| code.program.graph().scalar())
-}
-
 /// A running policy.
 #[derive(Debug)]
 pub struct Process {
     name: String,
-    wire: Option<ScalarType>,
     state_length: usize,
     /// Values of an answer; 0 for a policy that answers with an action.
     outputs: usize,
@@ -44,13 +34,7 @@ pub struct Process {
 
 impl Process {
     /// Starts `program` as one of its policies.
-    pub(super) fn start(
-        program: &Path,
-        policy: usize,
-        name: String,
-        graph: &Graph,
-        wire: Option<ScalarType>,
-    ) -> io::Result<Self> {
+    pub(super) fn start(program: &Path, policy: usize, name: String, graph: &Graph) -> io::Result<Self> {
         let mut command = Command::new(program);
         let mut child = command.arg(policy.to_string()).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
         let missing = || io::Error::other("the process has no pipe");
@@ -58,7 +42,6 @@ impl Process {
         let output = child.stdout.take().ok_or_else(missing)?;
         Ok(Self {
             name,
-            wire,
             state_length: graph.state_length(),
             outputs: graph.outputs().len(),
             batch: BATCH,
@@ -92,30 +75,20 @@ impl Process {
         let input = self.input.as_mut().ok_or_else(|| io::Error::other("the process was closed"))?;
         input.write_all(&(count as u32).to_le_bytes())?;
         for &value in states {
-            match self.wire {
-                Some(ScalarType::F32) => input.write_all(&(value as f32).to_ne_bytes())?,
-                Some(ScalarType::F64) => input.write_all(&value.to_ne_bytes())?,
-                None => input.write_all(&(value as i32).to_ne_bytes())?,
-            }
+            input.write_all(&value.to_ne_bytes())?;
         }
         input.flush()?;
         for _ in 0..count {
             let answer = if self.outputs == 0 {
                 Answer::Action(ActionId(u16::from_ne_bytes(self.read()?)))
             } else {
-                Answer::Values((0..self.outputs).map(|_| self.value()).collect::<io::Result<_>>()?)
+                Answer::Values(
+                    (0..self.outputs).map(|_| self.read().map(f64::from_ne_bytes)).collect::<io::Result<_>>()?,
+                )
             };
             answers.push(answer);
         }
         Ok(())
-    }
-
-    fn value(&mut self) -> io::Result<f64> {
-        Ok(match self.wire {
-            Some(ScalarType::F32) => f64::from(f32::from_ne_bytes(self.read()?)),
-            Some(ScalarType::F64) => f64::from_ne_bytes(self.read()?),
-            None => f64::from(i32::from_ne_bytes(self.read()?)),
-        })
     }
 
     fn read<const N: usize>(&mut self) -> io::Result<[u8; N]> {

@@ -11,27 +11,20 @@
 
 {% for policy in policies %}
 {%- if policy.gegelati %}
-{%- for (_, length) in policy.sources %}
-static {{ policy.scalar }} source{{ loop.index }}[{{ length }}];
-{{ policy.scalar }} *in{{ loop.index }} = source{{ loop.index }};
+{%- for (_, length, kind) in policy.sources %}
+static {{ kind }} source{{ loop.index }}[{{ length }}];
+{{ kind }} *in{{ loop.index }} = source{{ loop.index }};
 {%- endfor %}
 {%- endif %}
 
 static int serve_{{ policy.prefix }}(void)
 {
-{%- if policy.integers.is_some() && policy.outputs > 0 %}
-    static int32_t actions[BATCH][{{ policy.outputs }}];
-{%- else if policy.outputs == 0 %}
+{%- if policy.outputs == 0 %}
     static uint16_t actions[BATCH];
-{%- else if policy.memory.is_empty() %}
-    static {{ policy.prefix }}_action_t actions[BATCH];
 {%- else %}
-    static struct {
-        {{ policy.prefix }}_action_t action;
-        {{ policy.prefix }}_memory_t memory;
-    } actions[BATCH];
+    static double actions[BATCH][{{ policy.outputs }}];
 {%- endif %}
-    static {{ policy.scalar }} values[BATCH * {{ policy.state_length }}U];
+    static double values[BATCH * {{ policy.state_length }}U];
     unsigned char head[4];
 
     if ({{ policy.prefix }}_selftest() != 0U) {
@@ -46,20 +39,21 @@ static int serve_{{ policy.prefix }}(void)
             return 1;
         }
         for (index = 0U; index < count; index++) {
-            const {{ policy.scalar }} *value = &values[index * {{ policy.state_length }}U];
+            const double *value = &values[index * {{ policy.state_length }}U];
+            size_t place;
 {%- if policy.gegelati %}
-{%- for (_, length) in policy.sources %}
-            memcpy(in{{ loop.index }}, value, sizeof(source{{ loop.index }}));
-            value += {{ length }};
+{%- for (_, length, kind) in policy.sources %}
+            for (place = 0U; place < {{ length }}U; place++) {
+                in{{ loop.index }}[place] = ({{ kind }})*value;
+                value++;
+            }
 {%- endfor %}
             actions[index] = (uint16_t)inferenceTPG();
 {%- else %}
             {{ policy.prefix }}_state_t state;
-{%- if let Some(integers) = policy.integers %}
-            size_t place;
-{%- for (name, length) in policy.sources %}
+{%- for (name, length, kind) in policy.sources %}
             for (place = 0U; place < {{ length }}U; place++) {
-                state.{{ name }}{% if *length > 1 %}[place]{% endif %} = ({{ integers.sources[loop.index0] }})*value;
+                state.{{ name }}{% if *length > 1 %}[place]{% endif %} = ({{ kind }})*value;
                 value++;
             }
 {%- endfor %}
@@ -71,38 +65,21 @@ static int serve_{{ policy.prefix }}(void)
             {{ policy.prefix }}_infer(&state, &action);
 {%- else %}
             {{ policy.prefix }}_memory_t memory;
-{%- for name in policy.memory %}
-            memory.{{ name }} = *value;
+{%- for (name, _, kind) in policy.memory %}
+            memory.{{ name }} = ({{ kind }})*value;
             value++;
 {%- endfor %}
             {{ policy.prefix }}_infer(&state, &memory, &action);
 {%- endif %}
             place = 0U;
-{%- for name in integers.outputs %}
-            actions[index][place] = action.{{ name }};
+{%- for name in policy.answers %}
+            actions[index][place] = (double)action.{{ name }};
             place++;
 {%- endfor %}
-{%- for name in policy.memory %}
-            actions[index][place] = memory.{{ name }};
+{%- for (name, _, _) in policy.memory %}
+            actions[index][place] = (double)memory.{{ name }};
             place++;
 {%- endfor %}
-{%- endif %}
-{%- else %}
-{% for (name, length) in policy.sources %}
-            memcpy(&state.{{ name }}, value, sizeof(state.{{ name }}));
-            value += {{ length }};
-{%- endfor %}
-{%- if policy.outputs == 0 %}
-            actions[index] = (uint16_t){{ policy.prefix }}_infer(&state);
-{%- else if policy.memory.is_empty() %}
-            {{ policy.prefix }}_infer(&state, &actions[index]);
-{%- else %}
-{%- for name in policy.memory %}
-            actions[index].memory.{{ name }} = *value;
-            value++;
-{%- endfor %}
-            {{ policy.prefix }}_infer(&state, &actions[index].memory, &actions[index].action);
-{%- endif %}
 {%- endif %}
 {%- endif %}
         }
@@ -116,12 +93,14 @@ static int serve_{{ policy.prefix }}(void)
 
 static int look_{{ policy.prefix }}(void)
 {
-    static {{ policy.scalar }} values[{{ bytes }}];
+    static double values[{{ bytes }}];
     static uint8_t image[{{ bytes }}];
     unsigned char head[4];
 
     while ((fread(head, 1U, 4U, stdin) == 4U) && (fread(values, sizeof(values[0]), {{ bytes }}U, stdin) == {{ bytes }}U)) {
         {{ policy.prefix }}_state_t state;
+        double seen[{{ policy.state_length - policy.memory.len() }}];
+        size_t count = 0U;
         size_t place;
 
         memset(&state, 0, sizeof(state));
@@ -129,25 +108,15 @@ static int look_{{ policy.prefix }}(void)
             image[place] = (uint8_t)values[place];
         }
         {{ policy.prefix }}_look(image, {{ row }}U, &state);
-{%- if policy.integers.is_some() %}
-        {
-            int32_t seen[{{ policy.state_length - policy.memory.len() }}];
-            size_t count = 0U;
-{%- for (name, length) in policy.sources %}
-            for (place = 0U; place < {{ length }}U; place++) {
-                seen[count] = state.{{ name }}{% if *length > 1 %}[place]{% endif %};
-                count++;
-            }
-{%- endfor %}
-            if ((fwrite(seen, sizeof(seen), 1U, stdout) != 1U) || (fflush(stdout) != 0)) {
-                return 2;
-            }
+{%- for (name, length, _) in policy.sources %}
+        for (place = 0U; place < {{ length }}U; place++) {
+            seen[count] = (double)state.{{ name }}{% if *length > 1 %}[place]{% endif %};
+            count++;
         }
-{%- else %}
-        if ((fwrite(&state, sizeof(state), 1U, stdout) != 1U) || (fflush(stdout) != 0)) {
+{%- endfor %}
+        if ((fwrite(seen, sizeof(seen), 1U, stdout) != 1U) || (fflush(stdout) != 0)) {
             return 2;
         }
-{%- endif %}
     }
     return 0;
 }

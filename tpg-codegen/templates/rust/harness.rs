@@ -9,8 +9,8 @@ mod policy_{{ loop.index0 }};
 use std::io::{self, Read, Write};
 use tpg_runtime::policy::{ActionId, Policy};
 
-fn serve<const N: usize, const W: usize, S: Copy + Default, B: IntoIterator<Item = u8>>(
-    number: fn([u8; W]) -> S,
+fn serve<const N: usize, S: Copy + Default, B: IntoIterator<Item = u8>>(
+    number: fn(f64) -> S,
     decide: impl Fn(&[S; N]) -> B,
 ) -> io::Result<()> {
     let mut input = io::stdin().lock();
@@ -18,13 +18,13 @@ fn serve<const N: usize, const W: usize, S: Copy + Default, B: IntoIterator<Item
     let mut head = [0; 4];
     while input.read_exact(&mut head).is_ok() {
         let count = u32::from_le_bytes(head) as usize;
-        let mut bytes = vec![0; count * N * W];
+        let mut bytes = vec![0; count * N * 8];
         input.read_exact(&mut bytes)?;
         let mut actions = Vec::with_capacity(count * 2);
-        for values in bytes.chunks_exact(N * W) {
+        for values in bytes.chunks_exact(N * 8) {
             let mut state = [S::default(); N];
-            for (slot, value) in state.iter_mut().zip(values.chunks_exact(W)) {
-                *slot = number(value.try_into().unwrap());
+            for (slot, value) in state.iter_mut().zip(values.chunks_exact(8)) {
+                *slot = number(f64::from_ne_bytes(value.try_into().unwrap()));
             }
             actions.extend(decide(&state));
         }
@@ -37,32 +37,25 @@ fn serve<const N: usize, const W: usize, S: Copy + Default, B: IntoIterator<Item
 fn main() -> io::Result<()> {
     match std::env::args().nth(1).and_then(|number| number.parse::<usize>().ok()) {
 {%- for policy in policies %}
-        Some({{ loop.index0 }}) => serve({{ policy.scalar }}::from_ne_bytes, |state: &[{{ policy.scalar }}; {{ policy.state_length }}]| {
-{%- if let Some(integers) = policy.integers %}
-            let counts = state.map(|value| value as {{ integers.state }});
+        Some({{ loop.index0 }}) => serve(|value| value as {{ policy.kind }}, |state: &[{{ policy.kind }}; {{ policy.state_length }}]| {
 {%- if policy.outputs == 0 %}
-            let ActionId(action) = policy_{{ loop.index0 }}::{{ policy.name }}.decide(&counts);
-            action.to_ne_bytes()
-{%- else %}
-            policy_{{ loop.index0 }}::{{ policy.name }}.decide(&counts).into_iter().flat_map(|value| i32::from(value).to_ne_bytes())
-{%- endif %}
-{%- else if policy.outputs == 0 %}
             let ActionId(action) = policy_{{ loop.index0 }}::{{ policy.name }}.decide(state);
             action.to_ne_bytes()
 {%- else if policy.memory.is_empty() %}
-            policy_{{ loop.index0 }}::{{ policy.name }}.decide(state).into_iter().flat_map({{ policy.scalar }}::to_ne_bytes)
+            let values = policy_{{ loop.index0 }}::{{ policy.name }}.decide(state);
+            values.into_iter().flat_map(|value| f64::from(value).to_ne_bytes())
 {%- else %}
             let (seen, memory) = state.split_at({{ policy.state_length - policy.memory.len() }});
             let mut memory = memory.try_into().unwrap();
             let values = policy_{{ loop.index0 }}::{{ policy.name }}.infer(seen.try_into().unwrap(), &mut memory);
-            values.into_iter().chain(memory).flat_map({{ policy.scalar }}::to_ne_bytes)
+            values.into_iter().chain(memory).flat_map(|value| f64::from(value).to_ne_bytes())
 {%- endif %}
         }),
 {%- if let Some([bytes, row]) = policy.image %}
-        Some({{ loop.index0 + policies.len() }}) => serve({{ policy.scalar }}::from_ne_bytes, |values: &[{{ policy.scalar }}; {{ bytes }}]| {
+        Some({{ loop.index0 + policies.len() }}) => serve(|value| value as u8, |image: &[u8; {{ bytes }}]| {
             let mut state = [Default::default(); {{ policy.state_length - policy.memory.len() }}];
-            assert!(policy_{{ loop.index0 }}::{{ policy.name }}.look(&values.map(|value| value as u8), {{ row }}, &mut state));
-            state.into_iter().flat_map(|value| {{ policy.scalar }}::from(value).to_ne_bytes())
+            assert!(policy_{{ loop.index0 }}::{{ policy.name }}.look(image, {{ row }}, &mut state));
+            state.into_iter().flat_map(|value| f64::from(value).to_ne_bytes())
         }),
 {%- endif %}
 {%- endfor %}

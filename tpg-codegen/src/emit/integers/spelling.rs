@@ -191,7 +191,7 @@ impl<'a> IntegerSpelling<'a> {
 }
 
 /// Bits of the type of every value of a state in Rust: that of the widest.
-pub(in crate::emit) fn state_bits(graph: &Graph) -> u32 {
+pub(crate) fn state_bits(graph: &Graph) -> u32 {
     graph.inputs().map(|input| input_bits(graph, input)).max().unwrap_or(16)
 }
 
