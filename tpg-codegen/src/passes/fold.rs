@@ -23,18 +23,8 @@ use tpg_runtime::policy::ActionId;
 /// Folds every node, then every bid: a bid of NaN is a bid of −∞, and one of −0 a bid of 0. An output that is constant is
 /// limited here, and of leaves with the same values one remains.
 pub(super) fn run(module: &mut Module<'_>, arithmetic: Arithmetic) {
-    let mut values = Values::default();
-    let mut folded: Vec<NodeId> = Vec::with_capacity(module.nodes.len());
-    for &node in &module.nodes {
-        let id = match node {
-            Operation(instruction, operands) => {
-                operation(&mut values, arithmetic, instruction, operands.map(|operand| folded[operand.index()]))
-            }
-            Upper(function, value) => values.intern(Upper(function, folded[value.index()])),
-            Constant(_) | Input(_) => values.intern(node),
-        };
-        folded.push(id);
-    }
+    let fold = |values: &mut Values, _, instruction, operands| operation(values, arithmetic, instruction, operands);
+    let (mut values, folded) = rewritten(&module.nodes, fold);
     for bidder in &mut module.bidders {
         let value = folded[bidder.value.index()];
         bidder.value = match values.node(value).as_constant() {
@@ -54,6 +44,24 @@ pub(super) fn run(module: &mut Module<'_>, arithmetic: Arithmetic) {
     }
     module.nodes = values.into_nodes();
     merge_leaves(module);
+}
+
+/// Rewrites nodes, and says what each has become; `operation` makes the new node of the operation at a place, from its new operands.
+pub(super) fn rewritten(
+    nodes: &[Node],
+    operation: impl Fn(&mut Values, usize, Instruction, [NodeId; 2]) -> NodeId,
+) -> (Values, Vec<NodeId>) {
+    let mut values = Values::default();
+    let mut places: Vec<NodeId> = Vec::with_capacity(nodes.len());
+    for (index, &node) in nodes.iter().enumerate() {
+        let at = |id: NodeId| places[id.index()];
+        places.push(match node {
+            Operation(instruction, operands) => operation(&mut values, index, instruction, operands.map(at)),
+            Upper(function, value) => values.intern(Upper(function, at(value))),
+            Constant(_) | Input(_) => values.intern(node),
+        });
+    }
+    (values, places)
 }
 
 /// Leads every edge to a leaf to the first leaf with the same values.

@@ -8,7 +8,7 @@
 
 use super::arithmetic::Arithmetic;
 use super::fold;
-use crate::ir::{Module, Node, NodeId, Values};
+use crate::ir::{Module, Node};
 use Instruction::*;
 use Node::*;
 use tpg_runtime::ops::Instruction;
@@ -16,24 +16,14 @@ use tpg_runtime::ops::Instruction;
 /// Removes additions and subtractions of a zero that change nothing but an unseen sign.
 pub(super) fn run(module: &mut Module<'_>, arithmetic: Arithmetic) {
     let seen = seen(module);
-    let mut values = Values::default();
-    let mut place: Vec<NodeId> = Vec::with_capacity(module.nodes.len());
-    for (&node, &seen) in module.nodes.iter().zip(&seen) {
-        let at = |id: NodeId| place[id.index()];
-        place.push(match node {
-            Operation(instruction, operands) => {
-                let [a, b] = operands.map(at);
-                let [zero_a, zero_b] = [a, b].map(|id| values.node(id).as_constant() == Some(0.0));
-                match instruction {
-                    Add | Sub if zero_b && !seen => a,
-                    Add if zero_a && !seen => b,
-                    _ => fold::operation(&mut values, arithmetic, instruction, [a, b]),
-                }
-            }
-            Upper(function, value) => values.intern(Upper(function, at(value))),
-            Constant(_) | Input(_) => values.intern(node),
-        });
-    }
+    let (values, place) = fold::rewritten(&module.nodes, |values, index, instruction, [a, b]| {
+        let [zero_a, zero_b] = [a, b].map(|id| values.node(id).as_constant() == Some(0.0));
+        match instruction {
+            Add | Sub if zero_b && !seen[index] => a,
+            Add if zero_a && !seen[index] => b,
+            _ => fold::operation(values, arithmetic, instruction, [a, b]),
+        }
+    });
     for value in module.bidders.iter_mut().map(|bidder| &mut bidder.value) {
         *value = place[value.index()];
     }
