@@ -9,37 +9,7 @@
 static uint32_t {{ prefix }}_leaf(const {{ entry.state }} *state)
 {%- endif %}
 {
-    /* What each edge bids, and where it leads: teams are numbered from 0, the root, and the {% if outputs.is_empty() %}actions{% else %}leaves{% endif %} follow them. */
-    static const {{ bidders.kind }} bidders[{{ bidders.values.len() }}] = {
-{%- for line in bidders.values.chunks(12) %}
-        {{ line.join(", ") }},
-{%- endfor %}
-    };
-    static const {{ targets.kind }} targets[{{ targets.values.len() }}] = {
-{%- for line in targets.values.chunks(12) %}
-        {{ line.join(", ") }},
-{%- endfor %}
-    };
-{%- if !places.values.is_empty() %}
-    /* The edge's place in its team, which decides ties: cheap bids are computed first. */
-    static const {{ places.kind }} places[{{ places.values.len() }}] = {
-{%- for line in places.values.chunks(12) %}
-        {{ line.join(", ") }},
-{%- endfor %}
-    };
-    /* Where each team leads if no bid wins. */
-    static const {{ otherwise.kind }} otherwise[{{ otherwise.values.len() }}] = {
-{%- for line in otherwise.values.chunks(12) %}
-        {{ line.join(", ") }},
-{%- endfor %}
-    };
-{%- endif %}
-    /* Where each team's edges begin, and where the last team's end. */
-    static const {{ teams.kind }} teams[{{ teams.values.len() }}] = {
-{%- for line in teams.values.chunks(12) %}
-        {{ line.join(", ") }},
-{%- endfor %}
-    };
+{%- include "c/tables.c" %}
     uint32_t vertex = 0U;
     uint32_t hop;
 {%- if !reads_state %}
@@ -51,12 +21,12 @@ static uint32_t {{ prefix }}_leaf(const {{ entry.state }} *state)
         const uint32_t end = teams[vertex + 1U];
         uint32_t edge = teams[vertex];
         {{ scalar }} best = {{ lowest }};
-{%- if !places.values.is_empty() %}
+{%- if places %}
         uint32_t leader = 0U;
 {%- endif %}
 
         /* Only bids above minus infinity win; where there is none, the last edge does. */
-        vertex = {% if places.values.is_empty() %}targets[end - 1U]{% else %}otherwise[vertex]{% endif %};
+        vertex = {% if !places %}targets[end - 1U]{% else %}otherwise[vertex]{% endif %};
         for (; edge < end; edge++) {
             const uint32_t bidder = bidders[edge];
             {{ scalar }} bid;
@@ -109,7 +79,7 @@ static uint32_t {{ prefix }}_leaf(const {{ entry.state }} *state)
 {%- endif %}
 {%- endfor %}
             if (bid >= best) {
-{%- if places.values.is_empty() %}
+{%- if !places %}
                 best = bid;
                 vertex = targets[edge];
 {%- else %}

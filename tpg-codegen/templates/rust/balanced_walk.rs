@@ -1,3 +1,4 @@
+{% include "rust/tables.rs" %}
 /// Goes from the root to the vertex where the walk ends.
 fn walk(s: &[{{ scalar }}; {{ state_length }}]) -> usize {
 let mut vertex = 0;

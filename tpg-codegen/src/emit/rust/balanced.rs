@@ -14,14 +14,10 @@ use crate::passes::cases::Cases;
 use askama::Template;
 
 #[derive(Template)]
-#[template(path = "rust/balanced.rs", escape = "none")]
-struct Tables<'a> {
-    tables: Vec<(&'a str, &'a str, Table)>,
-}
-
-#[derive(Template)]
 #[template(path = "rust/balanced_walk.rs", escape = "none")]
 struct BalancedWalk<'a> {
+    /// The name of each table, a comment, and the values.
+    tables: Vec<(&'a str, &'a str, Table)>,
     scalar: &'a str,
     state_length: usize,
     places: bool,
@@ -60,6 +56,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, cases: &Cases, 
         tables.push(("OTHERWISE", "Where each team leads if no bid wins.", table(&cases.otherwise)));
     }
     let walk = BalancedWalk {
+        tables,
         scalar: printer.scalar(),
         state_length: printer.graph.state_length(),
         places,
@@ -70,7 +67,6 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, cases: &Cases, 
         outputs: outputs.len(),
         depth: module.depth,
     };
-    let [tables, walk] = [Tables { tables }.render(), walk.render()].map(|text| text.expect("the template renders"));
-    let items = format!("{tables}{}", layout::indent(&walk));
+    let items = layout::indent(&walk.render().expect("the template renders"));
     Parts { body: body.render().expect("the template renders"), items }
 }

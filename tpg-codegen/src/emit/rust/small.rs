@@ -19,9 +19,7 @@ struct RustSmall<'a> {
     wide: &'a str,
     tables: Vec<(&'a str, &'a str, Table)>,
     constants: Vec<String>,
-    first_result: usize,
-    frame: usize,
-    operand_bits: u32,
+    bytecode: &'a Bytecode,
     operand_mask: u32,
     cases: Vec<(u32, String)>,
 }
@@ -51,28 +49,23 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, code: &Bytecode
         limited: leaves::limited(printer, outputs, |output| output.variable.clone()),
     };
     let table = |values: &[u64]| table(printer, values, |_| "");
-    let tables = vec![
+    let mut tables = vec![
         ("CODE", "Instructions: from the highest bits, an operation and two places.", table(&code.code)),
         ("PROGRAMS", "Where each program begins, and where the last ends.", table(&code.programs)),
         ("BIDDERS", "The program of each edge.", table(&code.bidders)),
         ("TARGETS", "Where each edge leads: teams from 0, the root; the actions follow.", table(&code.targets)),
         ("TEAMS", "Where each team's edges begin, and where the last team's end.", table(&code.teams)),
     ];
+    if !outputs.is_empty() {
+        tables.push(("LEAVES", "The program of each output of each leaf.", table(&code.leaves)));
+    }
     let small = RustSmall {
         scalar: printer.scalar(),
         zero,
         wide: if code.operand_bits * 2 + 4 > 32 { "u64" } else { "u32" },
-        tables: tables
-            .into_iter()
-            .chain(
-                (!outputs.is_empty())
-                    .then(|| ("LEAVES", "The program of each output of each leaf.", table(&code.leaves))),
-            )
-            .collect(),
+        tables,
         constants: code.constants.iter().map(|&constant| printer.literal(constant)).collect(),
-        first_result: code.first_result,
-        frame: code.frame,
-        operand_bits: code.operand_bits,
+        bytecode: code,
         operand_mask: (1 << code.operand_bits) - 1,
         cases: cases(printer, code),
     };
