@@ -138,7 +138,7 @@ fn recorded(folder: &Path, path: &Path) -> Subject {
         let graph = import::load(path, Some(Profile::Ecta24), None)?;
         let tasks = data::tasks(&folder.join(targets))?;
         let ends = path.with_file_name(format!("{}.ends.csv", name.trim_end_matches(".cleaned")));
-        let ends = data::ends(&ends, &tasks)?;
+        let ends = data::ends(&ends)?;
         let binding = Binding::of_graph(&name, &graph)?;
         Ok((graph, tasks, ends, binding))
     };

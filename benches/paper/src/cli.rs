@@ -1,13 +1,12 @@
 //! The command line of `tpg-paper`: results on stdout, everything else on stderr.
 
 use crate::conformance::ConformanceArgs;
-use crate::replay_command::ReplayArgs;
 use crate::table::{Table2Args, execute as execute_table2};
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 use tpg_graph::command::{CommandError, Verdict, exit_code};
 
-/// Replays the paper's recorded episodes, and compares its policies with this project's.
+/// Compares the paper's policies with this project's.
 ///
 /// Exit status: 0 good, 1 a check failed, 2 bad input.
 #[derive(Debug, Parser)]
@@ -19,8 +18,6 @@ pub struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum PaperCommand {
-    /// Replay recorded episodes and count exact matches
-    Replay(ReplayArgs),
     /// Make the folder of recorded data from a clone of the paper's artifact, gegelati/ECTA24
     Conformance(ConformanceArgs),
     /// Measure every kind of policy and write docs/results.md
@@ -31,7 +28,6 @@ impl Cli {
     /// Runs the command; errors go to stderr.
     pub fn run(self) -> ExitCode {
         exit_code(match self.command {
-            PaperCommand::Replay(args) => args.run(),
             PaperCommand::Conformance(args) => args.run(),
             PaperCommand::Table2(args) => execute_table2(&args).map(|()| Verdict::Good).map_err(CommandError::from),
         })

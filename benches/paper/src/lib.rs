@@ -18,7 +18,6 @@
 //! | [`torch_random`] | PyTorch's random numbers |
 //! | [`limits`] | action limits of the recorded episodes |
 //! | [`replay`] | all rows of a file in lockstep, compared with the recording |
-//! | [`replay_command`] | `tpg-paper replay` |
 //! | [`table`] | `tpg-paper table2` |
 //! | [`cli`] | the command line |
 
@@ -31,7 +30,6 @@ pub mod episode;
 pub mod limits;
 pub mod plane;
 pub mod replay;
-pub mod replay_command;
 pub mod sac;
 pub mod table;
 pub mod torch_random;

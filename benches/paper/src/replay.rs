@@ -6,7 +6,6 @@
 use super::chain::Chain;
 use super::data::{ByRow, End, Task};
 use super::episode::{EndState, Episode, Rules};
-use serde::Serialize;
 use std::io;
 use tpg_arm::Pose;
 use tpg_graph::engine::Engine;
@@ -89,10 +88,8 @@ fn failed(engine: &dyn Engine, what: &str) -> io::Error {
 }
 
 /// Result of comparing a replay with a recorded file.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Comparison {
-    /// Kind of the file: `ends` or `trace`.
-    pub kind: &'static str,
     /// Number of recorded episodes.
     pub rows: usize,
     /// Number of episodes that are entirely equal.
@@ -106,10 +103,6 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    fn new(kind: &'static str) -> Self {
-        Self { kind, rows: 0, exact_rows: 0, steps: 0, exact_steps: 0, first_difference: None }
-    }
-
     /// True if everything is equal.
     pub fn is_exact(&self) -> bool {
         self.exact_rows == self.rows && self.exact_steps == self.steps
@@ -128,7 +121,7 @@ impl Comparison {
 
 /// Compares all recorded columns of end states.
 pub fn compare_ends(recorded: &ByRow<End>, done: &ByRow<Done>) -> Comparison {
-    let mut comparison = Comparison::new("ends");
+    let mut comparison = Comparison::default();
     for (row, end) in recorded {
         comparison.add_row(match done.get(row) {
             None => Some(format!("row {row} was not replayed")),
@@ -158,7 +151,7 @@ fn end_difference(recorded: &End, replayed: &EndState) -> Option<String> {
 
 /// Compares all recorded steps of traces.
 pub fn compare_traces(recorded: &ByRow<Vec<Pose>>, done: &ByRow<Done>) -> Comparison {
-    let mut comparison = Comparison::new("trace");
+    let mut comparison = Comparison::default();
     for (row, trace) in recorded {
         let replayed = done.get(row).map_or(&[][..], |done| &done.poses);
         comparison.steps += trace.len();
@@ -181,10 +174,10 @@ fn trace_difference(recorded: &[Pose], replayed: &[Pose]) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::run;
+    use super::{Comparison, Done, compare_ends, compare_traces, run};
     use crate::chain::Chain;
-    use crate::data::{ByRow, Task};
-    use crate::episode::Rules;
+    use crate::data::{ByRow, End, Task};
+    use crate::episode::{EndState, Rules};
     use std::io;
     use tpg_arm::observation::Source;
     use tpg_arm::{Joint, Move, Pose, WIDOWX};
@@ -222,7 +215,7 @@ mod tests {
         [(5, task(1)), (6, task(2)), (9, task(3))].into_iter().collect()
     }
 
-    fn replay(engine: &mut dyn Engine) -> io::Result<ByRow<super::Done>> {
+    fn replay(engine: &mut dyn Engine) -> io::Result<ByRow<Done>> {
         let moves = vec![Move::single(Joint(0), 3), Move::STOP];
         let binding = Binding::new(ScalarType::F64, vec![Source::Servos], moves);
         let rules = Rules { max_actions: 100, tolerance: 3.0 };
@@ -251,6 +244,27 @@ mod tests {
         let done = replay(&mut engine).unwrap();
         let ends: Vec<(i16, u32)> = done.values().map(|done| (done.poses[0].0[0], done.end.actions)).collect();
         assert_eq!(ends, [(4091, 1), (4091, 2), (4088, 3)]);
+    }
+
+    #[test]
+    fn what_differs_is_counted_and_described() {
+        let [a, b] = [4091, 4094].map(|base| Pose([base, 2048, 2048, 2048]));
+        let end = EndState { score_x1000: -9, distance_um: 9, success: false, collision: true, actions: 2 };
+        let done: ByRow<Done> = [(7, Done { poses: vec![a, b], end })].into();
+        let ends = |state: EndState, tpg_actions| compare_ends(&[(7, End { state, tpg_actions })].into(), &done);
+        assert!(ends(end, None).is_exact() && ends(end, Some(2)).is_exact());
+        let other = ends(EndState { success: true, ..end }, Some(1));
+        assert!(!other.is_exact());
+        let difference = "row 7: success 0 instead of 1, nb_tpg_actions 2 instead of 1";
+        assert_eq!(other.first_difference.as_deref(), Some(difference));
+        assert!(!compare_ends(&[(8, End { state: end, tpg_actions: None })].into(), &done).is_exact());
+
+        let traces = |poses: &[Pose]| compare_traces(&[(7, poses.to_vec())].into(), &done);
+        let exact = Comparison { rows: 1, exact_rows: 1, steps: 2, exact_steps: 2, first_difference: None };
+        assert_eq!(traces(&[a, b]), exact);
+        let difference = "row 7: step 2: pose [4094, 2048, 2048, 2048] instead of [4091, 2048, 2048, 2048]";
+        assert_eq!(traces(&[a, a]).first_difference.as_deref(), Some(difference));
+        assert_eq!(traces(&[a]).first_difference.as_deref(), Some("row 7: 2 steps instead of 1"));
     }
 
     #[test]

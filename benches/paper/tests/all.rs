@@ -3,7 +3,6 @@
 mod conformance;
 mod hybrid_conformance;
 mod kinematics;
-mod replay_command;
 mod results;
 mod sac_conformance;
 mod support;

@@ -4,11 +4,15 @@ use crate::support;
 use crate::support::fk::{self, Exactness, Nearness};
 use std::path::Path;
 use tpg_arm::WIDOWX;
+use tpg_codegen::emit::{Language, Options, Prefix};
+use tpg_codegen::verify::Workshop;
+use tpg_engine::single;
+use tpg_graph::Graph;
+use tpg_graph::engine::{Engine, Reference};
 use tpg_graph::import::{self, Profile};
 use tpg_paper::chain::Chain;
 use tpg_paper::episode::Rules;
 use tpg_paper::limits::max_actions;
-use tpg_paper::replay_command::EngineArg;
 use tpg_paper::{data, replay};
 use tpg_problems::arm::binding::Binding;
 use tpg_problems::arm::targets::Start;
@@ -67,6 +71,30 @@ fn traced_policies() -> Vec<Case> {
     names.into_iter().map(case).collect()
 }
 
+/// What decides.
+#[derive(Clone, Copy)]
+enum Decider {
+    Interpreter,
+    /// The trainer's own engine, one state at a time.
+    Trainer,
+    /// Generated code, compiled.
+    Code(Language),
+}
+
+impl Decider {
+    fn start<'g>(self, file: &Path, graph: &'g Graph) -> Box<dyn Engine + 'g> {
+        match self {
+            Self::Interpreter => Box::new(Reference::new(graph)),
+            Self::Trainer => single(graph),
+            // The folder is deleted on return; the program started from it keeps running.
+            Self::Code(language) => {
+                let options = Options::new(Prefix::of_file(file));
+                Box::new(Workshop::new().unwrap().run(language, graph, &options).unwrap())
+            }
+        }
+    }
+}
+
 /// Totals over several policies.
 #[derive(Debug, Default, PartialEq, Eq)]
 struct Totals {
@@ -76,7 +104,7 @@ struct Totals {
     steps: usize,
 }
 
-fn replay_all(folder: &Path, cases: &[Case], engine: EngineArg) -> Totals {
+fn replay_all(folder: &Path, cases: &[Case], engine: Decider) -> Totals {
     let chain = Chain::new(WIDOWX);
     let mut totals = Totals::default();
     let mut differences = Vec::new();
@@ -89,16 +117,16 @@ fn replay_all(folder: &Path, cases: &[Case], engine: EngineArg) -> Totals {
         let file = folder.join(format!("{}.dot", case.graph));
         let graph = import::load(&file, Some(Profile::Ecta24), None).unwrap();
         let binding = Binding::of_graph(&case.graph, &graph).unwrap();
-        let ends = data::ends(&folder.join(format!("{}.ends.csv", case.recorded)), &tasks).unwrap();
+        let ends = data::ends(&folder.join(format!("{}.ends.csv", case.recorded))).unwrap();
         let rules = Rules { max_actions: max_actions(case.problem), tolerance: case.tolerance };
-        let mut engine = engine.start(&file, &graph).unwrap();
+        let mut engine = engine.start(&file, &graph);
         let done = replay::run(&chain, rules, &tasks, &binding, engine.as_mut()).unwrap();
 
         let mut comparisons = vec![replay::compare_ends(&ends, &done)];
         totals.graphs += 1;
         totals.end_rows += comparisons[0].exact_rows;
         if let Some(suffix) = case.trace {
-            let traces = data::traces(&folder.join(format!("{}{suffix}", case.recorded)), &tasks).unwrap();
+            let traces = data::traces(&folder.join(format!("{}{suffix}", case.recorded))).unwrap();
             let comparison = replay::compare_traces(&traces, &done);
             totals.trace_rows += comparison.exact_rows;
             totals.steps += comparison.exact_steps;
@@ -112,14 +140,14 @@ fn replay_all(folder: &Path, cases: &[Case], engine: EngineArg) -> Totals {
 }
 
 /// Replays 20 graphs with 60 rows each.
-fn replay_final(test: &str, engine: EngineArg) {
+fn replay_final(test: &str, engine: Decider) {
     let Some(folder) = support::folder(test) else { return };
     let totals = replay_all(&folder, &final_policies(), engine);
     assert_eq!(totals, Totals { graphs: 20, end_rows: 1_200, trace_rows: 0, steps: 0 });
 }
 
 /// Replays 6 graphs with 60 rows each and all their steps.
-fn replay_traced(test: &str, engine: EngineArg) {
+fn replay_traced(test: &str, engine: Decider) {
     let Some(folder) = support::folder(test) else { return };
     let totals = replay_all(&folder, &traced_policies(), engine);
     assert_eq!(totals, Totals { graphs: 6, end_rows: 360, trace_rows: 360, steps: 223_121 });
@@ -127,42 +155,42 @@ fn replay_traced(test: &str, engine: EngineArg) {
 
 #[test]
 fn final_policies_through_the_interpreter() {
-    replay_final("final_policies_through_the_interpreter", EngineArg::Interpreter);
+    replay_final("final_policies_through_the_interpreter", Decider::Interpreter);
 }
 
 #[test]
 fn traced_policies_through_the_interpreter() {
-    replay_traced("traced_policies_through_the_interpreter", EngineArg::Interpreter);
+    replay_traced("traced_policies_through_the_interpreter", Decider::Interpreter);
 }
 
 #[test]
 fn final_policies_through_the_trainers_engine() {
-    replay_final("final_policies_through_the_trainers_engine", EngineArg::Trainer);
+    replay_final("final_policies_through_the_trainers_engine", Decider::Trainer);
 }
 
 #[test]
 fn traced_policies_through_the_trainers_engine() {
-    replay_traced("traced_policies_through_the_trainers_engine", EngineArg::Trainer);
+    replay_traced("traced_policies_through_the_trainers_engine", Decider::Trainer);
 }
 
 #[test]
 fn final_policies_through_generated_c() {
-    replay_final("final_policies_through_generated_c", EngineArg::C);
+    replay_final("final_policies_through_generated_c", Decider::Code(Language::C));
 }
 
 #[test]
 fn traced_policies_through_generated_c() {
-    replay_traced("traced_policies_through_generated_c", EngineArg::C);
+    replay_traced("traced_policies_through_generated_c", Decider::Code(Language::C));
 }
 
 #[test]
 fn final_policies_through_generated_rust() {
-    replay_final("final_policies_through_generated_rust", EngineArg::Rust);
+    replay_final("final_policies_through_generated_rust", Decider::Code(Language::Rust));
 }
 
 #[test]
 fn traced_policies_through_generated_rust() {
-    replay_traced("traced_policies_through_generated_rust", EngineArg::Rust);
+    replay_traced("traced_policies_through_generated_rust", Decider::Code(Language::Rust));
 }
 
 #[test]

@@ -34,7 +34,7 @@ struct Recorded {
 impl Recorded {
     fn read(folder: &Path, name: &str, problem: Start) -> Self {
         let tasks = data::tasks(&folder.join(format!("targets_{name}.csv"))).expect("recorded targets");
-        let ends = hybrid_ends(&folder.join(format!("hybrid_{name}.ends.csv.gz")), &tasks);
+        let ends = hybrid_ends(&folder.join(format!("hybrid_{name}.ends.csv.gz")));
         let graph = |seed| {
             let file = folder.join(format!("tpg/{name}_final_s{seed}.dot"));
             import::load(&file, Some(Profile::Ecta24), None).expect("a recorded graph")

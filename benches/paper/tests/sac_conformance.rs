@@ -100,12 +100,12 @@ fn stochastic_episodes_come_out_the_same() {
                 let actor = RecordedActor::read(&file("actor.f32"), &file("json")).expect("a recorded actor");
                 let rules = Rules { max_actions: max_actor_actions(problem), tolerance: 3.0 };
                 let done = run(&chain, rules, is_strict, &tasks, &actor);
-                let mut ends = data::ends(&file(&format!("{mode}.ends.csv")), &tasks).expect("recorded ends");
+                let mut ends = data::ends(&file(&format!("{mode}.ends.csv"))).expect("recorded ends");
                 for end in ends.values_mut() {
                     assert!(end.tpg_actions.is_none_or(|actions| actions == 0), "no action is a TPG's");
                     end.tpg_actions = None;
                 }
-                let traces = data::traces(&file(&format!("{mode}.trace.csv.gz")), &tasks).expect("a recorded trace");
+                let traces = data::traces(&file(&format!("{mode}.trace.csv.gz"))).expect("a recorded trace");
                 let (of_ends, of_traces) = (replay::compare_ends(&ends, &done), replay::compare_traces(&traces, &done));
                 for comparison in [&of_ends, &of_traces] {
                     assert!(comparison.is_exact(), "{name} {seed} {mode}: {comparison:?}");

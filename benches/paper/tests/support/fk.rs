@@ -9,9 +9,8 @@ use serde::Deserialize;
 use std::path::Path;
 use tpg_arm::kinematics::{self, Lattice, Plane, Vector};
 use tpg_arm::{Arm, Collision, Pose};
-use tpg_graph::error::Finding;
 use tpg_paper::chain::Chain;
-use tpg_paper::data::each_row;
+use tpg_paper::data::rows;
 use tpg_paper::plane;
 
 /// A reference value of kinematics and collision test.
@@ -39,20 +38,17 @@ struct ReferenceRow {
 
 /// Reads recorded reference values.
 pub(crate) fn reference_poses(path: &Path) -> Vec<ReferencePose> {
-    let mut all = Vec::new();
-    let read = each_row(path, |ReferenceRow { m0, m1, m2, m3, x, y, z, collision_code }| {
+    let pose = |ReferenceRow { m0, m1, m2, m3, x, y, z, collision_code }| {
         let collision = match collision_code {
             0 => None,
             1 => Some(Collision::Table),
             2 => Some(Collision::HandCorner),
             3 => Some(Collision::Base),
-            code => return Err(Finding::new("collision_code", code, "0 to 3")),
+            code => panic!("collision_code {code}"),
         };
-        all.push(ReferencePose { pose: Pose([m0, m1, m2, m3]), hand: [x, y, z], collision });
-        Ok(())
-    });
-    read.expect("recorded poses");
-    all
+        ReferencePose { pose: Pose([m0, m1, m2, m3]), hand: [x, y, z], collision }
+    };
+    rows(path).expect("recorded poses").into_iter().map(pose).collect()
 }
 
 /// Computes the reference for a pose with the conformance arithmetic.

@@ -13,7 +13,7 @@ use tpg_arm::observation::Observation;
 use tpg_arm::{Move, Pose};
 use tpg_paper::actor::RecordedActor;
 use tpg_paper::chain::Chain;
-use tpg_paper::data::{ByRow, End, EndRow, Task, each_row};
+use tpg_paper::data::{End, EndRow, Task, rows};
 use tpg_paper::episode::{EndState, Rules};
 use tpg_paper::plane;
 use tpg_paper::torch_random::TorchRandom;
@@ -50,16 +50,12 @@ struct HybridRow {
 const NO_SEPARATION: f64 = 10_000.0;
 
 /// Reads the recorded ends of hybrids.
-pub(crate) fn hybrid_ends(path: &Path, tasks: &ByRow<Task>) -> Vec<HybridEnd> {
-    let mut all = Vec::new();
-    let read = each_row(path, |HybridRow { tpg_seed, sac_seed, sep_mm, nb_it, end }| {
+pub(crate) fn hybrid_ends(path: &Path) -> Vec<HybridEnd> {
+    let end = |HybridRow { tpg_seed, sac_seed, sep_mm, nb_it, end }| {
         let separation_mm = if sep_mm == NO_SEPARATION { f64::INFINITY } else { sep_mm };
-        let (row, end) = (end.row, end.end(tasks)?);
-        all.push(HybridEnd { tpg_seed, sac_seed, separation_mm, hand_back_after: nb_it, row, end });
-        Ok(())
-    });
-    read.expect("recorded ends");
-    all
+        HybridEnd { tpg_seed, sac_seed, separation_mm, hand_back_after: nb_it, row: end.row, end: end.end() }
+    };
+    rows(path).expect("recorded ends").into_iter().map(end).collect()
 }
 
 /// The artifact's set of visited poses, which does not contain the start.
