@@ -44,8 +44,8 @@ impl ReportArgs {
             _ if whole.is_some() || graph.has_counts() => "integers",
             profile => profile.name(),
         };
-        let rows = report.sizes.iter().filter(|size| limited.contains(&size.target) && size.profile == profile);
-        rows.map(|size| self.limits.check(size)).collect::<Result<(), _>>()?;
+        let mut rows = report.sizes.iter().filter(|size| limited.contains(&size.target) && size.profile == profile);
+        rows.try_for_each(|size| self.limits.check(size))?;
         Ok(Verdict::Good)
     }
 }
