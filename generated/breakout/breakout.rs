@@ -140,8 +140,9 @@ impl Breakout {
 }
 
 mod image {
-    /// A place in an image; row −1 if there is none.
+    /// A place in an image; row −1 if there is none. A policy may read only a part of it.
     #[derive(Clone, Copy)]
+    #[allow(dead_code)]
     pub(super) struct Place {
         pub(super) row: i32,
         pub(super) column: i32,

@@ -135,7 +135,8 @@ impl<'a> Facts<'a> {
 
 /// What the C needs on the package's chip, with the library functions that it calls; nothing where its compiler is not installed.
 fn figures(code: &Code<'_>, target: Target) -> Vec<String> {
-    let ShapeSize { linked_flash: Some(flash), ram: Some(ram), instructions, stack, look, .. } = size_of(code, target, "")
+    let ShapeSize { linked_flash: Some(flash), ram: Some(ram), instructions, stack, look, .. } =
+        size_of(code, target, "")
     else {
         return Vec::new();
     };
