@@ -86,22 +86,6 @@ pub enum Cause {
 /// The number of causes that a [`Switch`] has of its own: the rules, all but [`Cause::Asked`].
 pub const CAUSES: usize = 4;
 
-impl Cause {
-    /// Every cause, in order; the rules come first.
-    pub const ALL: [Self; CAUSES + 1] = [Self::Guard, Self::Drift, Self::Stop, Self::Cycle, Self::Asked];
-
-    /// The name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Guard => "guard",
-            Self::Drift => "drift",
-            Self::Stop => "stop",
-            Self::Cycle => "cycle",
-            Self::Asked => "asked",
-        }
-    }
-}
-
 /// Actions of each policy, and the reasons of their changes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Counts {
@@ -109,7 +93,7 @@ pub struct Counts {
     pub tpg_actions: u32,
     /// Actions of the second policy.
     pub sac_actions: u32,
-    /// Hand-overs to the second policy by a rule, in the order of [`Cause::ALL`].
+    /// Hand-overs to the second policy by a rule, in the order of [`Cause`].
     pub hand_overs: [u32; CAUSES],
     /// Times that the second policy handed back.
     pub hand_backs: u32,

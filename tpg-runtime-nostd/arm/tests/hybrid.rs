@@ -259,5 +259,5 @@ fn names_go_both_ways() {
         assert_eq!(Guard::from_name(guard.name()), Some(guard));
     }
     assert_eq!(Guard::from_name("everything"), None);
-    assert!(Cause::ALL.iter().enumerate().all(|(index, &cause)| cause as usize == index));
+    assert_eq!([Cause::Guard, Cause::Drift, Cause::Stop, Cause::Cycle].map(|cause| cause as usize), [0, 1, 2, 3]);
 }
