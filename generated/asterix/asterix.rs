@@ -1,9 +1,9 @@
-//! A policy for asterix, score 18.18 in validation, trained by tpg-train 0.1.0 with seed 2.
+//! A policy for asterix, score 18.77 in validation, trained by tpg-train 0.1.0 with seed 5.
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix asterix --profile constant-time
-//! Graph SHA-256: 4061f7d0b45d5d0664d2fb6680afe7f598172fed250250341c63b04254539c66
-//! 14 teams (14 on the longest walk), 57 edges, 56 programs, 38 distinct operations.
-//! A decision takes at most 57 bids and 38 operations.
+//! Graph SHA-256: a3c82f56424c1df88866034091fa7737c88264df73cc0d7ed64bc0dbb1317f50
+//! 11 teams (9 on the longest walk), 36 edges, 35 programs, 23 distinct operations.
+//! A decision takes at most 36 bids and 23 operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -19,11 +19,12 @@ use tpg_runtime::policy::{ActionId, Policy};
 /// A tangled program graph: branch-free, the same time for every state.
 ///
 /// It sees, one after another:
-/// - `s[0..3]`: player_at, -1 to 9
-/// - `s[3..17]`: enemy_near, 0 to 1
-/// - `s[17..23]`: trail_near, 0 to 1
-/// - `s[23..27]`: gold_at, -1 to 9
-/// - `s[27..36]`: gold_near, 0 to 1
+/// - `s[0..1]`: player_at, -1 to 9
+/// - `s[1..4]`: enemy_at, -1 to 9
+/// - `s[4..11]`: enemy_near, 0 to 1
+/// - `s[11..12]`: trail_at, -1 to 9
+/// - `s[12..16]`: trail_near, 0 to 1
+/// - `s[16..29]`: gold_near, 0 to 1
 ///
 /// Values outside the ranges are legal, NaN and infinities too. It answers:
 /// - 0: stay
@@ -36,7 +37,7 @@ pub struct Asterix;
 
 impl Asterix {
     /// Values of a state.
-    pub const STATE: usize = 36;
+    pub const STATE: usize = 29;
     /// Actions.
     pub const ACTIONS: usize = 5;
     /// An action.
@@ -50,165 +51,117 @@ impl Asterix {
     /// An action.
     pub const DOWN: ActionId = ActionId(4);
     /// Teams on the longest walk.
-    pub const DEPTH: usize = 14;
+    pub const DEPTH: usize = 9;
 }
 
 impl Policy for Asterix {
-    type State = [f32; 36];
+    type State = [f32; 29];
     type Action = ActionId;
 
-    fn decide(&self, s: &[f32; 36]) -> ActionId {
+    fn decide(&self, s: &[f32; 29]) -> ActionId {
         let ct = ConstantTime::<f32>::default();
-        let bid_20_value = ct.negate_if_less(ct.min(s[15], s[26]), -1.2375401_f32);
 
         // What is bid, as integers in the same order.
-        let bid_1 = -8388607_i32; // 0.0_f32
-        let bid_2 = ct.order(s[0] + s[34]);
-        let bid_41 = ct.order(s[27] - s[7]);
-        let bid_5 = ct.order(s[29] / s[22]);
-        let bid_66 = ct.order(ct.negate_if_less(s[11], -0.084591985_f32));
-        let bid_67 = ct.order(s[1] - s[23]);
-        let bid_70 = ct.order(ct.max(f32::abs(s[19]), s[20]));
-        let bid_50 = ct.order(s[17] - s[6]);
-        let bid_45 = ct.order(s[30] / s[16]);
-        let bid_10 = ct.order(ct.max(s[1], s[0]));
-        let bid_11 = ct.order(s[33] / s[8]);
-        let bid_12 = ct.order(s[30] / 0.0_f32);
-        let bid_19 = ct.order(s[31] - s[7]);
-        let bid_20 = ct.order(bid_20_value);
-        let bid_24 = ct.order(s[14] - 0.058283113_f32);
-        let bid_51 = ct.order(0.5620203_f32 / s[24]);
-        let bid_52 = ct.order(s[26] / s[1]);
-        let bid_53 = ct.order(s[35] / s[9]);
-        let bid_54 = ct.order(s[23] / s[2]);
-        let bid_55 = ct.order(ct.min(s[18], -0.026303096_f32));
-        let bid_56 = ct.order(s[28] / s[16]);
-        let bid_57 = ct.order(s[26] - s[1]);
-        let bid_16 = ct.order(ct.negate_if_less(s[7], s[1]));
-        let bid_17 = ct.order(f32::abs(s[5]));
-        let bid_25 = ct.order(s[30] / s[14]);
-        let bid_26 = ct.order(s[3] + 0.095409065_f32);
-        let bid_28 = ct.order(s[32] / 0.0_f32);
-        let bid_59 = ct.order(ct.negate_if_less(s[11], -0.08727101_f32));
-        let bid_60 = ct.order(ct.negate_if_less(s[12], -1.0024955_f32));
-        let bid_61 = 1005222905_i32; // 0.014311783_f32
-        let bid_62 = ct.order(s[21] / s[16]);
-        let bid_63 = ct.order(0.034219213_f32 * s[25]);
-        let bid_64 = ct.order(0.033292964_f32 * s[25]);
-        let bid_65 = ct.order(f32::abs(s[4]));
-        let bid_35 = ct.order(f32::abs(s[13]));
-        let bid_36 = ct.order(s[3] + 0.09617237_f32);
-        let bid_38 = ct.order(s[5] * s[3]);
-        let bid_39 = ct.order(f32::abs(s[10]));
+        let bid_0 = ct.order(0.04226071_f32 / s[0]);
+        let bid_7 = -8388607_i32; // 0.0_f32
+        let bid_3 = ct.order(ct.max(s[18], s[19]));
+        let bid_6 = ct.order(ct.max(s[9], s[28]));
+        let bid_8 = ct.order(0.03143443_f32 / s[3]);
+        let bid_10 = ct.order(ct.max(s[18], s[21]));
+        let bid_61 = ct.order(s[7] * s[2]);
+        let bid_62 = ct.order(ct.max(s[10], s[27]));
+        let bid_65 = ct.order(ct.max(s[8], 0.0_f32));
+        let bid_31 = ct.order(ct.max(s[1], 0.0_f32));
+        let bid_32 = ct.order(ct.max(s[17], s[16]));
+        let bid_34 = ct.order(ct.max(s[10], s[25]));
+        let bid_17 = ct.order(ct.negate_if_less(s[26], s[6]));
+        let bid_53 = ct.order(ct.max(s[23], s[25]));
+        let bid_55 = ct.order(ct.max(s[23], s[27]));
+        let bid_46 = ct.order(ct.max(s[3], s[15]));
+        let bid_35 = ct.order(s[11] / s[4]);
+        let bid_19 = ct.order(s[11] - s[12]);
+        let bid_21 = ct.order(s[2] - s[12]);
+        let bid_42 = ct.order(ct.max(s[14], s[5]));
+        let bid_23 = ct.order(ct.max(s[20], s[21]));
+        let bid_26 = ct.order(ct.max(s[13], 0.0651647_f32));
+        let bid_27 = ct.order(s[24] + s[24]);
+        let bid_30 = ct.order(ct.max(s[20], s[22]));
 
         // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
         // Team 0
-        let best = (bid_1, 1);
-        let best = ct.challenge(best, (bid_2, 2));
+        let best = (bid_0, 1);
+        let best = ct.challenge(best, (bid_3, 13));
+        let best = ct.challenge(best, (bid_6, 15));
+        let best = ct.challenge(best, (bid_7, 2));
         let t0 = best.1 as u8;
-        // Team 9
-        let best = (bid_1, 16);
-        let best = ct.challenge(best, (bid_41, 3));
-        let t1 = best.1 as u8;
         // Team 1
-        let best = (bid_5, 16);
-        let best = ct.challenge(best, (bid_1, 4));
+        let best = (bid_8, 3);
+        let best = ct.challenge(best, (bid_10, 13));
+        let best = ct.challenge(best, (bid_7, 4));
+        let t1 = best.1 as u8;
+        // Team 5
+        let best = (bid_31, 5);
+        let best = ct.challenge(best, (bid_32, 6));
+        let best = ct.challenge(best, (bid_7, 7));
+        let best = ct.challenge(best, (bid_34, 15));
         let t2 = best.1 as u8;
-        // Team 10
-        let best = (bid_1, 5);
-        let best = ct.challenge(best, (bid_50, 6));
-        let t3 = best.1 as u8;
         // Team 2
-        let best = (bid_1, 7);
-        let best = ct.challenge(best, (bid_11, 14));
-        let best = ct.challenge(best, (bid_10, 8));
-        let best = ct.challenge(best, (bid_12, 14));
+        let best = (bid_17, 15);
+        let best = ct.challenge(best, (bid_7, 8));
+        let t3 = best.1 as u8;
+        // Team 12
+        let best = (bid_61, 13);
+        let best = ct.challenge(best, (bid_62, 15));
+        let best = ct.challenge(best, (bid_65, 13));
+        let best = ct.challenge(best, (bid_7, 11));
         let t4 = best.1 as u8;
-        // Team 13
-        let best = (bid_66, 14);
-        let best = ct.challenge(best, (bid_67, 16));
-        let best = ct.challenge(best, (bid_70, 14));
-        let best = ct.challenge(best, (bid_1, 18));
+        // Team 10
+        let best = (bid_53, 15);
+        let best = ct.challenge(best, (bid_55, 15));
+        let best = ct.challenge(best, (bid_7, 4));
         let t5 = best.1 as u8;
-        // Team 11
-        let best = (bid_51, 14);
-        let best = ct.challenge(best, (bid_52, 9));
-        let best = ct.challenge(best, (bid_54, 9));
-        let best = ct.challenge(best, (bid_55, 9));
-        let best = ct.challenge(best, (bid_53, 16));
-        let best = ct.challenge(best, (bid_56, 14));
-        let best = ct.challenge(best, (bid_57, 9));
-        let t6 = best.1 as u8;
         // Team 8
-        let best = (bid_41, 3);
-        let best = ct.challenge(best, (bid_1, 1));
-        let best = ct.challenge(best, (bid_45, 14));
+        let best = (bid_7, 4);
+        let best = ct.challenge(best, (bid_46, 5));
+        let t6 = best.1 as u8;
+        // Team 6
+        let best = (bid_35, 9);
+        let best = ct.challenge(best, (bid_7, 11));
+        let best = ct.challenge(best, (bid_34, 15));
         let t7 = best.1 as u8;
         // Team 3
-        let best = (bid_45, 6);
-        let best = ct.challenge(best, (bid_16, 18));
-        let best = ct.challenge(best, (bid_17, 14));
-        let best = ct.challenge(best, (bid_1, 10));
+        let best = (bid_19, 10);
+        let best = ct.challenge(best, (bid_21, 10));
+        let best = ct.challenge(best, (bid_7, 4));
         let t8 = best.1 as u8;
-        // Team 12
-        let best = (bid_17, 14);
-        let best = ct.challenge(best, (bid_59, 14));
-        let best = ct.challenge(best, (bid_60, 14));
-        let best = ct.challenge(best, (bid_61, 14));
-        let best = ct.challenge(best, (bid_62, 14));
-        let best = ct.challenge(best, (bid_63, 5));
-        let best = ct.challenge(best, (bid_64, 5));
-        let best = ct.challenge(best, (bid_65, 14));
+        // Team 7
+        let best = (bid_55, 15);
+        let best = ct.challenge(best, (bid_42, 4));
+        let best = ct.challenge(best, (bid_53, 15));
+        let best = ct.challenge(best, (bid_7, 4));
         let t9 = best.1 as u8;
         // Team 4
-        let best = (bid_19, 14);
-        let best = ct.challenge(best, (bid_20, 16));
-        let best = ct.challenge(best, (bid_1, 11));
-        let best = ct.challenge(best, (bid_24, 11));
+        let best = (bid_23, 13);
+        let best = ct.challenge(best, (bid_26, 2));
+        let best = ct.challenge(best, (bid_27, 15));
+        let best = ct.challenge(best, (bid_30, 13));
         let t10 = best.1 as u8;
-        // Team 5
-        let best = (bid_25, 12);
-        let best = ct.challenge(best, (bid_26, 13));
-        let best = ct.challenge(best, (bid_28, 14));
-        let best = ct.challenge(best, (bid_17, 14));
-        let best = ct.challenge(best, (bid_56, 14));
-        let best = ct.challenge(best, (bid_1, 7));
-        let t11 = best.1 as u8;
-        // Team 6
-        let best = (bid_19, 14);
-        let best = ct.challenge(best, (bid_35, 14));
-        let best = ct.challenge(best, (bid_36, 13));
-        let best = ct.challenge(best, (bid_1, 7));
-        let best = ct.challenge(best, (bid_17, 14));
-        let t12 = best.1 as u8;
-        // Team 7
-        let best = (bid_38, 15);
-        let best = ct.challenge(best, (bid_39, 14));
-        let best = ct.challenge(best, (bid_1, 7));
-        let best = ct.challenge(best, (bid_41, 3));
-        let t13 = best.1 as u8;
 
         // An action leads to itself, and so does what fills the array up to a power of two: it is never come to.
-        let next: [u8; 32] = [
-            t0, t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, 14, 15, 16, 17, 18, 19, 20,
-            21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31,
+        let next: [u8; 16] = [
+            t0, t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, 11, 12, 13, 14, 15,
         ];
-        // The longest walk decides 14 times; a shorter one waits at its action. No loop, and no end to check.
+        // The longest walk decides 9 times; a shorter one waits at its action. No loop, and no end to check.
         let vertex = next[0];
-        let vertex = next[(vertex & 31) as usize];
-        let vertex = next[(vertex & 31) as usize];
-        let vertex = next[(vertex & 31) as usize];
-        let vertex = next[(vertex & 31) as usize];
-        let vertex = next[(vertex & 31) as usize];
-        let vertex = next[(vertex & 31) as usize];
-        let vertex = next[(vertex & 31) as usize];
-        let vertex = next[(vertex & 31) as usize];
-        let vertex = next[(vertex & 31) as usize];
-        let vertex = next[(vertex & 31) as usize];
-        let vertex = next[(vertex & 31) as usize];
-        let vertex = next[(vertex & 31) as usize];
-        let vertex = next[(vertex & 31) as usize];
-        ActionId(vertex.wrapping_sub(14) as u16)
+        let vertex = next[(vertex & 15) as usize];
+        let vertex = next[(vertex & 15) as usize];
+        let vertex = next[(vertex & 15) as usize];
+        let vertex = next[(vertex & 15) as usize];
+        let vertex = next[(vertex & 15) as usize];
+        let vertex = next[(vertex & 15) as usize];
+        let vertex = next[(vertex & 15) as usize];
+        let vertex = next[(vertex & 15) as usize];
+        ActionId(vertex.wrapping_sub(11) as u16)
     }
 }
 
@@ -218,56 +171,46 @@ impl Asterix {
 
     /// Computes the values of a state that come from an image, whose rows begin `stride` bytes apart. Returns false where the
     /// image is too short; the state is then as it was.
-    pub fn look(&self, image: &[u8], stride: usize, state: &mut [f32; 36]) -> bool {
+    pub fn look(&self, image: &[u8], stride: usize, state: &mut [f32; 29]) -> bool {
         let before = stride.checked_mul(9);
         let needed = before.and_then(|bytes| bytes.checked_add(40));
         if stride < 40 || needed.is_none_or(|needed| image.len() < needed) {
             return false;
         }
-        let seen = image::Image {
-            bytes: image,
-            stride,
-        };
+        let seen = image::Image { bytes: image, stride };
         let place_0 = seen.first(0);
-        let place_1 = seen.last(0);
-        let place_2 = seen.first(3);
-        let place_3 = seen.last(3);
+        let place_1 = seen.first(1);
+        let place_2 = seen.last(1);
+        let place_3 = seen.last(2);
         state[0] = place_0.row as f32;
         state[1] = place_1.row as f32;
-        state[2] = place_1.column as f32;
-        state[3] = seen.from(1, place_0, -2, -2) as f32;
-        state[4] = seen.from(1, place_0, -1, -1) as f32;
-        state[5] = seen.from(1, place_0, -1, 0) as f32;
-        state[6] = seen.from(1, place_0, 0, -1) as f32;
-        state[7] = seen.from(1, place_0, 0, 1) as f32;
-        state[8] = seen.from(1, place_0, 0, 2) as f32;
-        state[9] = seen.from(1, place_0, 0, 3) as f32;
-        state[10] = seen.from(1, place_0, 1, -1) as f32;
-        state[11] = seen.from(1, place_0, 1, 0) as f32;
-        state[12] = seen.from(1, place_0, 1, 1) as f32;
-        state[13] = seen.from(1, place_0, 1, 3) as f32;
-        state[14] = seen.from(1, place_0, 2, -2) as f32;
-        state[15] = seen.from(1, place_0, 2, 0) as f32;
-        state[16] = seen.from(1, place_0, 4, -1) as f32;
-        state[17] = seen.from(2, place_0, -4, -2) as f32;
-        state[18] = seen.from(2, place_0, -2, 2) as f32;
-        state[19] = seen.from(2, place_0, -2, 3) as f32;
-        state[20] = seen.from(2, place_0, 1, -4) as f32;
-        state[21] = seen.from(2, place_0, 4, -4) as f32;
-        state[22] = seen.from(2, place_0, 4, -1) as f32;
-        state[23] = place_2.row as f32;
-        state[24] = place_2.column as f32;
-        state[25] = place_3.row as f32;
-        state[26] = place_3.column as f32;
-        state[27] = seen.from(3, place_0, -4, -2) as f32;
-        state[28] = seen.from(3, place_0, -3, 2) as f32;
-        state[29] = seen.from(3, place_0, -1, 0) as f32;
-        state[30] = seen.from(3, place_0, 0, -2) as f32;
-        state[31] = seen.from(3, place_0, 0, -1) as f32;
-        state[32] = seen.from(3, place_0, 0, 1) as f32;
-        state[33] = seen.from(3, place_0, 0, 2) as f32;
-        state[34] = seen.from(3, place_0, 1, -4) as f32;
-        state[35] = seen.from(3, place_0, 4, -1) as f32;
+        state[2] = place_2.row as f32;
+        state[3] = place_2.column as f32;
+        state[4] = seen.from(1, place_0, -4, -2) as f32;
+        state[5] = seen.from(1, place_0, -2, -3) as f32;
+        state[6] = seen.from(1, place_0, -2, 3) as f32;
+        state[7] = seen.from(1, place_0, 0, -1) as f32;
+        state[8] = seen.from(1, place_0, 0, 1) as f32;
+        state[9] = seen.from(1, place_0, 1, -3) as f32;
+        state[10] = seen.from(1, place_0, 1, -2) as f32;
+        state[11] = place_3.row as f32;
+        state[12] = seen.from(2, place_0, -4, -2) as f32;
+        state[13] = seen.from(2, place_0, -4, 2) as f32;
+        state[14] = seen.from(2, place_0, -3, 1) as f32;
+        state[15] = seen.from(2, place_0, 1, -1) as f32;
+        state[16] = seen.from(3, place_0, -4, 2) as f32;
+        state[17] = seen.from(3, place_0, -3, 1) as f32;
+        state[18] = seen.from(3, place_0, -2, -1) as f32;
+        state[19] = seen.from(3, place_0, -2, 0) as f32;
+        state[20] = seen.from(3, place_0, -1, -1) as f32;
+        state[21] = seen.from(3, place_0, -1, 0) as f32;
+        state[22] = seen.from(3, place_0, -1, 1) as f32;
+        state[23] = seen.from(3, place_0, 1, -2) as f32;
+        state[24] = seen.from(3, place_0, 1, 0) as f32;
+        state[25] = seen.from(3, place_0, 1, 2) as f32;
+        state[26] = seen.from(3, place_0, 2, 0) as f32;
+        state[27] = seen.from(3, place_0, 3, -1) as f32;
+        state[28] = seen.from(3, place_0, 4, -1) as f32;
         true
     }
 }
@@ -300,19 +243,11 @@ mod image {
             for row in 0..10 {
                 for column in 0..10 {
                     if self.cell(channel, row, column) != 0 {
-                        return Place {
-                            row: row as i32,
-                            column: column as i32,
-                            contrast: 0,
-                        };
+                        return Place { row: row as i32, column: column as i32, contrast: 0 };
                     }
                 }
             }
-            Place {
-                row: -1,
-                column: -1,
-                contrast: 0,
-            }
+            Place { row: -1, column: -1, contrast: 0 }
         }
 
         /// The last cell that is not 0.
@@ -320,19 +255,11 @@ mod image {
             for row in (0..10).rev() {
                 for column in (0..10).rev() {
                     if self.cell(channel, row, column) != 0 {
-                        return Place {
-                            row: row as i32,
-                            column: column as i32,
-                            contrast: 0,
-                        };
+                        return Place { row: row as i32, column: column as i32, contrast: 0 };
                     }
                 }
             }
-            Place {
-                row: -1,
-                column: -1,
-                contrast: 0,
-            }
+            Place { row: -1, column: -1, contrast: 0 }
         }
 
         /// The cell so far down and to the right of a place; 0 outside the image.

@@ -1,16 +1,15 @@
 /*
- * A policy for space-invaders, score 59.61 in validation, trained by tpg-train 0.1.0 with seed 1.
+ * A policy for space-invaders, score 66.88 in validation, trained by tpg-train 0.1.0 with seed 4.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix space_invaders --profile fast
- * Graph SHA-256: bef23f1de19c20c11a459497109ab6a19d5d0f0a423df75b3466968c4c8c0dbb
- * 6 teams (5 on the longest walk), 31 edges, 29 programs, 18 distinct operations.
- * A decision takes at most 27 bids and 24 operations.
+ * Graph SHA-256: 2a7b9c8d4594307dd8bf2ad54345a496599b5de7ca0dfd4ea2d75fa06ffc0f6d
+ * 5 teams (5 on the longest walk), 25 edges, 25 programs, 18 distinct operations.
+ * A decision takes at most 25 bids and 24 operations.
  * Computes in f32 with own maths.
  */
 #include "space_invaders.h"
 
 #include <float.h>
-#include <math.h>
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
 #error "fast-math, or a part of it, reorders operations: the policy would act differently"
@@ -34,9 +33,19 @@
 #pragma clang fp reassociate(off)
 #endif
 
+static float space_invaders_negate_if_less(float a, float b)
+{
+    return (a < b) ? -a : a;
+}
+
 static float space_invaders_min(float a, float b)
 {
     return (a < b) ? a : b;
+}
+
+static float space_invaders_max(float a, float b)
+{
+    return (a > b) ? a : b;
 }
 
 /* The highest bid wins; of equal bids, the last. NaN and minus infinity never win. No team leads back to one above it. */
@@ -44,120 +53,125 @@ space_invaders_action_t space_invaders_infer(const space_invaders_state_t *state
 {
     {
         float best = -FLT_MAX;
-        uint32_t next = 4U;
-        const float to_team_1 = fabsf(state->alien_right_at[1]);
-        if (to_team_1 >= best) {
-            best = to_team_1;
-            next = 2U;
+        uint32_t next = 3U;
+        const float to_team_2 = space_invaders_max(-0.009387939f, state->alien_at[0]);
+        if (to_team_2 >= best) {
+            best = to_team_2;
+            next = 1U;
         }
 
-        const float left = state->bullet_near[5] / state->bullet_near[10];
+        const float left = state->bullet_near[4] * state->bullet_at[0];
         if (left >= best) {
             best = left;
-            next = 1U;
-        }
-
-        const float to_team_1_2 = fabsf(state->bullet_at);
-        if (to_team_1_2 >= best) {
-            best = to_team_1_2;
             next = 2U;
         }
 
-        /* Volatile: for a 0 that they know, compilers may take max(0, x), which is wrong for NaN. */
-        const volatile float constant = 0.0f;
-        const float zero = constant;
-        if (zero >= best) {
-            best = zero;
+        const float left_2 = state->bullet_at[0] * state->bullet_near[1];
+        if (left_2 >= best) {
+            best = left_2;
+            next = 2U;
+        }
+
+        const float to_team_1 = space_invaders_max(-0.025351083f, state->alien_at[0]);
+        if (to_team_1 >= best) {
             next = 3U;
         }
 
-        const float fire = -0.011686859f * state->own_bullet_at[0];
-        if (fire >= best) {
-            next = 4U;
-        }
-
         if (next == 1U) {
+            goto team_2;
+        }
+        if (next == 2U) {
             return SPACE_INVADERS_LEFT;
         }
-        if (next == 2U) {
-            goto team_1;
-        }
-        if (next == 4U) {
-            return SPACE_INVADERS_FIRE;
-        }
     }
 
     {
         float best = -FLT_MAX;
-        uint32_t next = 4U;
-        const float right = state->alien_right_at[0] + state->own_bullet_near[1];
-        if (right >= best) {
-            best = right;
+        uint32_t next = 3U;
+        const float to_team_2 = space_invaders_max(-0.011006754f, state->alien_at[0]);
+        if (to_team_2 >= best) {
+            best = to_team_2;
             next = 1U;
         }
 
-        const float to_team_3 = fabsf(state->alien_right_at[1]);
+        const float to_team_3 = space_invaders_min(state->bullet_at[1], state->alien_right_at[0]);
         if (to_team_3 >= best) {
             best = to_team_3;
-            next = 2U;
-        }
-
-        const float to_team_4 = fabsf(state->alien_at);
-        if (to_team_4 >= best) {
-            best = to_team_4;
             next = 3U;
         }
 
-        if (0.0f >= best) {
-            next = 4U;
+        const float left = state->bullet_near[4] * state->bullet_at[0];
+        if (left >= best) {
+            best = left;
+            next = 2U;
         }
 
-        if (next == 1U) {
-            return SPACE_INVADERS_RIGHT;
+        const float to_team_3_2 = space_invaders_min(0.0f, state->own_bullet_near);
+        if (to_team_3_2 >= best) {
+            next = 3U;
         }
+
         if (next == 2U) {
-            goto team_3;
+            return SPACE_INVADERS_LEFT;
         }
         if (next == 3U) {
-            goto team_4;
+            goto team_3;
         }
-        goto team_5;
     }
 
-team_1:
+team_2:
     {
         float best = -FLT_MAX;
         uint32_t next = 4U;
-        const float right = state->alien_right_at[0] + state->own_bullet_near[1];
-        if (right >= best) {
-            best = right;
+        const float to_team_4 = space_invaders_max(0.005276723f, state->alien_at[1]);
+        if (to_team_4 >= best) {
+            best = to_team_4;
             next = 1U;
         }
 
-        const float fire = -0.011686859f * state->own_bullet_at[0];
-        if (fire >= best) {
-            best = fire;
+        const float right = space_invaders_min(state->cannon_at[1], state->bullet_near[0]);
+        if (right >= best) {
+            best = right;
             next = 2U;
         }
 
-        const float to_team_3 = fabsf(state->alien_right_at[1]);
+        const float left = state->bullet_near[2] * state->cannon_at[0];
+        if (left >= best) {
+            best = left;
+            next = 4U;
+        }
+
+        const float left_2 = state->bullet_at[0] * state->bullet_near[1];
+        if (left_2 >= best) {
+            best = left_2;
+            next = 4U;
+        }
+
+        const float left_3 = state->bullet_near[3] * state->bullet_at[1];
+        if (left_3 >= best) {
+            best = left_3;
+            next = 4U;
+        }
+
+        const float to_team_3 = space_invaders_min(state->cannon_at[1], state->alien_right_at[0]);
         if (to_team_3 >= best) {
             best = to_team_3;
             next = 3U;
         }
 
-        if (0.0f >= best) {
+        const float left_4 = state->cannon_at[1] * state->bullet_near[2];
+        if (left_4 >= best) {
             next = 4U;
         }
 
         if (next == 1U) {
-            return SPACE_INVADERS_RIGHT;
+            goto team_4;
         }
         if (next == 2U) {
-            return SPACE_INVADERS_FIRE;
+            return SPACE_INVADERS_RIGHT;
         }
         if (next == 4U) {
-            goto team_5;
+            return SPACE_INVADERS_LEFT;
         }
     }
 
@@ -165,42 +179,48 @@ team_3:
     {
         float best = -FLT_MAX;
         uint32_t next = 4U;
-        const float fire = -0.02626852f * state->own_bullet_at[0];
+        const float right = space_invaders_min(state->cannon_at[1], state->alien_right_at[0]);
+        if (right >= best) {
+            best = right;
+            next = 3U;
+        }
+
+        const float fire = space_invaders_min(state->alien_near, state->alien_at[1]);
         if (fire >= best) {
             best = fire;
             next = 1U;
         }
 
-        const float left = state->bullet_near[1] / state->bullet_near[0];
-        if (left >= best) {
-            best = left;
-            next = 3U;
-        }
-
-        const float right = state->bullet_near[7] / state->bullet_near[6];
-        if (right >= best) {
-            best = right;
+        const float to_team_4 = space_invaders_max(0.006655848f, state->alien_at[1]);
+        if (to_team_4 >= best) {
+            best = to_team_4;
             next = 2U;
         }
 
-        const float left_2 = space_invaders_min(state->alien_near, state->bullet_near[8]);
-        if (left_2 >= best) {
-            best = left_2;
+        const float right_2 = space_invaders_min(state->cannon_at[1], state->bullet_near[0]);
+        if (right_2 >= best) {
+            best = right_2;
             next = 3U;
         }
 
-        const float to_team_4 = fabsf(state->alien_at);
-        if (to_team_4 >= best) {
+        const float left = state->bullet_near[2] * state->bullet_at[1];
+        if (left >= best) {
+            best = left;
+            next = 4U;
+        }
+
+        const float left_2 = state->bullet_at[0] * state->bullet_near[1];
+        if (left_2 >= best) {
             next = 4U;
         }
 
         if (next == 1U) {
             return SPACE_INVADERS_FIRE;
         }
-        if (next == 2U) {
+        if (next == 3U) {
             return SPACE_INVADERS_RIGHT;
         }
-        if (next == 3U) {
+        if (next == 4U) {
             return SPACE_INVADERS_LEFT;
         }
     }
@@ -208,95 +228,28 @@ team_3:
 team_4:
     {
         float best = -FLT_MAX;
-        uint32_t next = 3U;
-        const float left = state->bullet_near[1] / state->bullet_near[0];
-        if (left >= best) {
-            best = left;
-            next = 3U;
-        }
-
-        /* Volatile: for a 0 that they know, compilers may take max(0, x), which is wrong for NaN. */
-        const volatile float constant = 0.0f;
-        const float zero = constant;
-        if (zero >= best) {
-            best = zero;
-            next = 2U;
-        }
-
-        const float left_2 = state->bullet_near[4] / state->bullet_near[0];
-        if (left_2 >= best) {
-            best = left_2;
-            next = 3U;
-        }
-
-        const float fire = -0.026904494f * state->own_bullet_at[0];
-        if (fire >= best) {
-            best = fire;
-            next = 1U;
-        }
-
-        const float left_3 = state->bullet_near[1] / state->alien_right_near[0];
-        if (left_3 >= best) {
-            best = left_3;
-            next = 3U;
-        }
-
-        const float to_team_5_2 = state->bullet_near[7] / state->bullet_near[3];
-        if (to_team_5_2 >= best) {
-            best = to_team_5_2;
-            next = 2U;
-        }
-
-        const float left_4 = state->bullet_near[9] / state->bullet_near[0];
-        if (left_4 >= best) {
-            next = 3U;
-        }
-
-        if (next == 1U) {
-            return SPACE_INVADERS_FIRE;
-        }
-        if (next == 3U) {
-            return SPACE_INVADERS_LEFT;
-        }
-    }
-
-team_5:
-    {
-        float best = -FLT_MAX;
-        space_invaders_action_t action = SPACE_INVADERS_RIGHT;
-        const float fire = state->own_bullet_at[1] * state->cannon_at;
+        space_invaders_action_t action = SPACE_INVADERS_FIRE;
+        const float fire = state->alien_right_at[1] + state->alien_left_near[2];
         if (fire >= best) {
             best = fire;
             action = SPACE_INVADERS_FIRE;
         }
 
-        const float fire_2 = -0.011686859f * state->own_bullet_at[0];
+        const float fire_2 =
+            space_invaders_negate_if_less(state->alien_left_near[1], state->alien_left_near[0]);
         if (fire_2 >= best) {
             best = fire_2;
             action = SPACE_INVADERS_FIRE;
         }
 
-        const float left = state->bullet_near[4] / state->bullet_near[0];
+        const float left = state->bullet_near[2] * state->bullet_at[1];
         if (left >= best) {
             best = left;
             action = SPACE_INVADERS_LEFT;
         }
 
-        const float left_2 = state->bullet_near[1] / state->bullet_near[0];
-        if (left_2 >= best) {
-            best = left_2;
-            action = SPACE_INVADERS_LEFT;
-        }
-
-        const float fire_3 = state->bullet_near[2] / state->bullet_near[0];
-        if (fire_3 >= best) {
-            best = fire_3;
+        if (0.0f >= best) {
             action = SPACE_INVADERS_FIRE;
-        }
-
-        const float right = state->alien_right_near[1] * state->own_bullet_near[0];
-        if (right >= best) {
-            action = SPACE_INVADERS_RIGHT;
         }
 
         return action;
@@ -361,34 +314,31 @@ static uint8_t space_invaders_cell(const uint8_t *image, uint32_t stride, space_
 void space_invaders_look(const uint8_t *image, uint32_t stride, space_invaders_state_t *state)
 {
     const space_invaders_place_t place_0 = space_invaders_first(&image[0U], stride);
-    const space_invaders_place_t place_1 = space_invaders_last(&image[1U], stride);
-    const space_invaders_place_t place_2 = space_invaders_first(&image[3U], stride);
-    const space_invaders_place_t place_3 = space_invaders_first(&image[4U], stride);
-    const space_invaders_place_t place_4 = space_invaders_first(&image[5U], stride);
+    const space_invaders_place_t place_1 = space_invaders_last(&image[0U], stride);
+    const space_invaders_place_t place_2 = space_invaders_first(&image[1U], stride);
+    const space_invaders_place_t place_3 = space_invaders_first(&image[3U], stride);
+    const space_invaders_place_t place_4 = space_invaders_last(&image[3U], stride);
+    const space_invaders_place_t place_5 = space_invaders_first(&image[5U], stride);
+    const space_invaders_place_t place_6 = space_invaders_last(&image[5U], stride);
 
-    state->cannon_at = (float)place_0.row;
-    state->alien_at = (float)place_1.column;
-    state->alien_near = (float)space_invaders_cell(&image[1U], stride, place_0, -2, 0);
-    state->alien_right_at[0] = (float)place_2.row;
-    state->alien_right_at[1] = (float)place_2.column;
-    state->alien_right_near[0] = (float)space_invaders_cell(&image[3U], stride, place_0, -3, -4);
-    state->alien_right_near[1] = (float)space_invaders_cell(&image[3U], stride, place_0, 4, 0);
-    state->own_bullet_at[0] = (float)place_3.row;
-    state->own_bullet_at[1] = (float)place_3.column;
-    state->own_bullet_near[0] = (float)space_invaders_cell(&image[4U], stride, place_0, 0, -4);
-    state->own_bullet_near[1] = (float)space_invaders_cell(&image[4U], stride, place_0, 1, 1);
-    state->bullet_at = (float)place_4.column;
-    state->bullet_near[0] = (float)space_invaders_cell(&image[5U], stride, place_0, -3, -4);
-    state->bullet_near[1] = (float)space_invaders_cell(&image[5U], stride, place_0, -2, 0);
-    state->bullet_near[2] = (float)space_invaders_cell(&image[5U], stride, place_0, -2, 3);
-    state->bullet_near[3] = (float)space_invaders_cell(&image[5U], stride, place_0, -2, 4);
+    state->cannon_at[0] = (float)place_0.column;
+    state->cannon_at[1] = (float)place_1.row;
+    state->alien_at[0] = (float)place_2.row;
+    state->alien_at[1] = (float)place_2.column;
+    state->alien_near = (float)space_invaders_cell(&image[1U], stride, place_0, -1, -2);
+    state->alien_left_near[0] = (float)space_invaders_cell(&image[2U], stride, place_0, -2, 1);
+    state->alien_left_near[1] = (float)space_invaders_cell(&image[2U], stride, place_0, -1, 3);
+    state->alien_left_near[2] = (float)space_invaders_cell(&image[2U], stride, place_0, 4, -4);
+    state->alien_right_at[0] = (float)place_3.row;
+    state->alien_right_at[1] = (float)place_4.column;
+    state->own_bullet_near = (float)space_invaders_cell(&image[4U], stride, place_0, -4, 0);
+    state->bullet_at[0] = (float)place_5.column;
+    state->bullet_at[1] = (float)place_6.row;
+    state->bullet_near[0] = (float)space_invaders_cell(&image[5U], stride, place_0, -4, 0);
+    state->bullet_near[1] = (float)space_invaders_cell(&image[5U], stride, place_0, -3, 0);
+    state->bullet_near[2] = (float)space_invaders_cell(&image[5U], stride, place_0, -2, 0);
+    state->bullet_near[3] = (float)space_invaders_cell(&image[5U], stride, place_0, -2, 1);
     state->bullet_near[4] = (float)space_invaders_cell(&image[5U], stride, place_0, -1, 0);
-    state->bullet_near[5] = (float)space_invaders_cell(&image[5U], stride, place_0, -1, 1);
-    state->bullet_near[6] = (float)space_invaders_cell(&image[5U], stride, place_0, -1, 3);
-    state->bullet_near[7] = (float)space_invaders_cell(&image[5U], stride, place_0, 0, -4);
-    state->bullet_near[8] = (float)space_invaders_cell(&image[5U], stride, place_0, 2, 1);
-    state->bullet_near[9] = (float)space_invaders_cell(&image[5U], stride, place_0, 3, -4);
-    state->bullet_near[10] = (float)space_invaders_cell(&image[5U], stride, place_0, 3, 3);
 }
 
 #ifndef SPACE_INVADERS_NO_SELFTEST
@@ -423,35 +373,41 @@ static uint32_t space_invaders_arithmetic(void)
 uint32_t space_invaders_selftest(void)
 {
     static const space_invaders_state_t states[24] = {
-        { 3.0248566f, -0.19616291f, 0.5965602f, { 1.1932458f, 1.836906f }, { 0.7106102f, 0.46108818f }, { 0.526527f, 7.747811f }, { 0.7066241f, 0.48325714f }, 4.7720914f, { 0.09945952f, 0.26391757f, 0.4534597f, 0.28022873f, 0.99103236f, 0.91235495f, 0.94711745f, 0.13324392f, 0.3436841f, 0.48030224f, 0.39733443f } },
-        { -0.8630246f, -0.51080316f, 0.18512952f, { 4.2552495f, 1.6813247f }, { 0.08841649f, 0.10045459f }, { 8.910168f, 5.949953f }, { 0.108245455f, 0.57967204f }, 6.307476f, { 0.7046505f, 0.22342087f, 0.9531366f, 0.12823077f, 0.6325227f, 0.80388886f, 0.5813457f, 0.89960766f, 0.3793073f, 0.4768372f, 0.922189f } },
-        { 2.3854349f, 5.2581854f, 0.28172845f, { 1.2682902f, 4.718627f }, { 0.9364328f, 0.3449127f }, { 8.073228f, 8.961968f }, { 0.8893838f, 0.73242044f }, 4.1522765f, { 0.6499256f, 0.568612f, 0.61433357f, 0.47202012f, 0.6483753f, 0.60657984f, 0.065146215f, 0.24056327f, 0.42051163f, 0.3658804f, 0.36268634f } },
-        { 1.545297f, 4.8948884f, 0.2752873f, { 7.901086f, 5.5411043f }, { 0.21645394f, 0.6206962f }, { 2.6287687f, 1.533876f }, { 0.98349655f, 0.53900975f }, 8.404517f, { 0.25510684f, 0.26876456f, 0.13766856f, 0.39716187f, 0.88031644f, 0.8799096f, 0.06705855f, 0.86320966f, 0.95823956f, 0.92738104f, 0.12539066f } },
-        { -0.29263067f, 1.3372178f, 0.99593747f, { 3.724218f, 3.8469634f }, { 0.7956114f, 0.2887153f }, { 4.266672f, 2.0602636f }, { 0.31643564f, 0.12274586f }, 3.6879978f, { 0.18587267f, 0.06820871f, 0.360259f, 0.45650584f, 0.5839412f, 0.5693772f, 0.27031988f, 0.03655745f, 0.15543982f, 0.93970156f, 0.7979287f } },
-        { -0.29263064f, 1.3372179f, 0.99593747f, { 3.724218f, 3.8469636f }, { 0.7956114f, 0.28871533f }, { 4.266672f, 2.0602639f }, { 0.31643564f, 0.12274586f }, 3.6879978f, { 0.18587267f, 0.06820871f, 0.360259f, 0.45650584f, 0.5839412f, 0.5693772f, 0.27031988f, 0.03655745f, 0.15543984f, 0.93970156f, 0.7979287f } },
-        { 1.4204905f, 5.2397003f, 0.233915f, { 6.4790306f, 6.886097f }, { 0.5081731f, 0.7470585f }, { 0.24024948f, 7.326915f }, { 0.43005323f, 0.40706635f }, 4.1884575f, { 0.56693935f, 0.5854809f, 0.5661155f, 0.44814718f, 0.56686616f, 0.7682406f, 0.4424805f, 0.096037924f, 0.49727815f, 0.43242884f, 0.47975308f } },
-        { 1.4204906f, 5.2397003f, 0.233915f, { 6.4790306f, 6.8860965f }, { 0.5081731f, 0.74705845f }, { 0.24024948f, 7.326915f }, { 0.43005323f, 0.40706635f }, 4.1884575f, { 0.5669393f, 0.58548087f, 0.5661155f, 0.44814718f, 0.56686616f, 0.7682406f, 0.4424805f, 0.096037924f, 0.49727815f, 0.43242884f, 0.4797531f } },
-        { 5.185446f, 1.3502251f, 0.4845882f, { 5.9933224f, 7.1610518f }, { 0.37499934f, 0.6506969f }, { 5.81631f, 5.892561f }, { 0.42327142f, 0.500537f }, 2.7214208f, { 0.56111354f, 0.2640798f, 0.44596148f, 0.3952422f, 0.12096262f, 0.7794819f, 0.3660434f, 0.494241f, 0.6668184f, 0.9074656f, 0.7317177f } },
-        { 5.185446f, 1.3502252f, 0.4845882f, { 5.9933224f, 7.1610518f }, { 0.37499934f, 0.6506969f }, { 5.81631f, 5.892561f }, { 0.42327142f, 0.50053704f }, 2.7214208f, { 0.5611135f, 0.2640798f, 0.44596148f, 0.3952422f, 0.12096262f, 0.7794819f, 0.3660434f, 0.494241f, 0.6668184f, 0.9074656f, 0.7317177f } },
-        { 3.9038339f, 6.651451f, 0.6075529f, { 6.0981245f, 7.0242877f }, { 0.119228736f, 0.83784676f }, { 3.162002f, 1.8154044f }, { 0.82735884f, 0.9261632f }, 8.37595f, { 0.10777937f, 0.6395956f, 0.88274705f, 0.16742016f, 0.4272456f, 0.8589799f, 0.06186995f, 0.14544684f, 0.81075585f, 0.8574598f, 0.5047077f } },
-        { 3.9038339f, 6.651451f, 0.6075529f, { 6.0981245f, 7.024287f }, { 0.119228736f, 0.83784676f }, { 3.162002f, 1.8154044f }, { 0.82735884f, 0.9261632f }, 8.37595f, { 0.10777937f, 0.6395956f, 0.88274705f, 0.16742018f, 0.42724562f, 0.8589798f, 0.06186995f, 0.14544684f, 0.81075585f, 0.8574598f, 0.5047077f } },
-        { 3.082695f, 6.8532276f, 0.058414243f, { 6.394457f, 7.2744837f }, { 0.46151274f, 0.4254263f }, { 6.2907763f, 4.0789785f }, { 0.70332634f, 0.88002753f }, 2.4837608f, { 0.7220112f, 0.12728861f, 0.108515605f, 0.8179685f, 0.9316865f, 0.6995666f, 0.48340684f, 0.034481734f, 0.9401896f, 0.44933867f, 0.25204664f } },
-        { 3.0826952f, 6.8532276f, 0.058414243f, { 6.3944564f, 7.2744837f }, { 0.4615127f, 0.4254263f }, { 6.2907763f, 4.0789785f }, { 0.70332634f, 0.8800275f }, 2.4837608f, { 0.7220112f, 0.12728861f, 0.108515605f, 0.8179685f, 0.9316865f, 0.6995666f, 0.48340684f, 0.034481734f, 0.94018954f, 0.44933867f, 0.25204664f } },
-        { 4.487611f, 1.7783551f, 0.19317555f, { 4.213765f, 7.95255f }, { 0.6043788f, 0.28403842f }, { 6.092188f, 6.4817886f }, { 0.3517785f, 0.41085643f }, 5.626354f, { 0.25855094f, 0.45979542f, 0.6381419f, 0.28528327f, 0.13973498f, 0.7427281f, 0.8668668f, 0.767568f, 0.1415307f, 0.55645895f, 0.4158324f } },
-        { 4.487611f, 1.7783551f, 0.19317555f, { 4.213765f, 7.95255f }, { 0.6043788f, 0.2840384f }, { 6.092188f, 6.4817886f }, { 0.3517785f, 0.41085643f }, 5.6263537f, { 0.25855097f, 0.4597954f, 0.6381419f, 0.28528327f, 0.13973498f, 0.7427281f, 0.8668668f, 0.767568f, 0.1415307f, 0.5564589f, 0.41583237f } },
-        { 2.9466743f, 7.2262545f, 0.49938375f, { 6.53876f, 7.1695457f }, { 0.87290466f, 0.08057229f }, { 1.9673166f, 6.7708607f }, { 0.17086178f, 0.63078547f }, 0.24318357f, { 0.7224244f, 0.09148176f, 0.074887305f, 0.7396648f, 0.119683444f, 0.59462225f, 0.68735933f, 0.57158244f, 0.10346146f, 0.14336193f, 0.1485297f } },
-        { 2.9466743f, 7.2262545f, 0.49938375f, { 6.53876f, 7.169545f }, { 0.87290466f, 0.08057229f }, { 1.9673166f, 6.7708607f }, { 0.17086178f, 0.63078547f }, 0.24318358f, { 0.7224244f, 0.09148176f, 0.074887305f, 0.7396648f, 0.119683444f, 0.59462225f, 0.68735933f, 0.57158244f, 0.10346146f, 0.14336193f, 0.14852971f } },
-        { 2.7382622f, 1.661361f, 0.8957179f, { 1.2973902f, 0.99946713f }, { 0.038191848f, 0.59760344f }, { 6.452841f, 5.708619f }, { 0.96457386f, 0.8227889f }, 5.480507f, { 0.69276047f, 0.0627981f, 0.4190132f, 0.9100932f, 0.85460365f, 0.6924534f, 0.9608815f, 0.39663154f, 0.15011358f, 0.55683327f, 0.12634842f } },
-        { 2.7382622f, 1.661361f, 0.895718f, { 1.2973902f, 0.99946713f }, { 0.038191848f, 0.59760344f }, { 6.452841f, 5.708619f }, { 0.96457386f, 0.82278895f }, 5.480507f, { 0.69276047f, 0.0627981f, 0.4190132f, 0.9100932f, 0.85460365f, 0.6924534f, 0.9608815f, 0.39663154f, 0.15011358f, 0.55683327f, 0.1263484f } },
-        { 2.6470728f, 1.8187921f, 0.8954315f, { 1.2853694f, 0.93966675f }, { 0.057692543f, 0.5972886f }, { 6.7613506f, 5.9389f }, { 0.96473193f, 0.8255608f }, 5.2663546f, { 0.66517603f, 0.05437907f, 0.40031326f, 0.90837574f, 0.8616077f, 0.68108773f, 0.9385482f, 0.43442923f, 0.17295182f, 0.54173875f, 0.1293281f } },
-        { 2.6470728f, 1.8187921f, 0.8954315f, { 1.2853694f, 0.93966675f }, { 0.057692546f, 0.5972886f }, { 6.7613506f, 5.9389f }, { 0.96473193f, 0.8255608f }, 5.2663546f, { 0.66517603f, 0.05437907f, 0.40031326f, 0.90837574f, 0.8616077f, 0.68108773f, 0.9385482f, 0.43442923f, 0.17295183f, 0.54173875f, 0.12932812f } },
-        { 2.879158f, 6.619794f, 0.61081827f, { 1.2993358f, 1.7876587f }, { 0.56797945f, 0.30682284f }, { 6.3853407f, 5.017715f }, { 0.6846968f, 0.48832303f }, 2.1113625f, { 0.4554265f, 0.47698444f, 0.15323454f, 0.69227266f, 0.42132676f, 0.2424342f, 0.3034594f, 0.6873784f, 0.5978025f, 0.46334702f, 0.6108576f } },
-        { 2.879158f, 6.619794f, 0.61081827f, { 1.2993357f, 1.7876587f }, { 0.56797945f, 0.30682284f }, { 6.3853407f, 5.0177145f }, { 0.6846968f, 0.48832303f }, 2.1113625f, { 0.4554265f, 0.47698444f, 0.15323454f, 0.69227266f, 0.42132676f, 0.2424342f, 0.3034594f, 0.6873784f, 0.5978025f, 0.46334702f, 0.6108576f } },
+        { { 3.0248566f, -0.19616291f }, { 4.965602f, 1.1932458f }, 0.2836906f, { 0.7106102f, 0.46108818f, 0.1526527f }, { 7.747811f, 6.066241f }, 0.48325714f, { 4.7720914f, -0.005404772f }, { 0.26391757f, 0.4534597f, 0.28022873f, 0.99103236f, 0.91235495f } },
+        { { 8.471175f, 0.33243912f }, { 2.436841f, 3.8030224f }, 0.39733443f, { 0.013697542f, 0.048919685f, 0.18512952f }, { 4.2552495f, 1.6813247f }, 0.08841649f, { 0.0045458893f, 8.910168f }, { 0.6949953f, 0.108245455f, 0.57967204f, 0.73074764f, 0.7046505f } },
+        { { 1.2342087f, 8.531366f }, { 0.28230762f, 5.3252273f }, 0.80388886f, { 0.5813457f, 0.89960766f, 0.3793073f }, { 3.7683718f, 8.2218895f }, 0.3385435f, { 5.2581854f, 1.8172845f }, { 0.22682902f, 0.5718627f, 0.9364328f, 0.3449127f, 0.90732276f } },
+        { { 8.961968f, 7.893838f }, { 6.3242044f, 4.1522765f }, 0.6499256f, { 0.568612f, 0.61433357f, 0.47202012f }, { 5.4837527f, 5.0657988f }, 0.065146215f, { 1.4056326f, 3.2051163f }, { 0.3658804f, 0.36268634f, 0.2545297f, 0.58948886f, 0.2752873f } },
+        { { 7.6034403f, 4.813712f }, { 6.055111f, 7.270483f }, 0.2730502f, { 0.6212412f, 0.89740884f, 0.061198592f }, { 1.3357649f, 1.0548251f }, 0.73576653f, { 7.7575674f, 1.8516524f }, { 0.73233306f, 0.055299334f, 0.111906275f, 0.7451749f, 0.7805425f } },
+        { { 7.60344f, 4.813712f }, { 6.055111f, 7.270483f }, 0.2730502f, { 0.6212412f, 0.8974088f, 0.061198592f }, { 1.3357649f, 1.0548251f }, 0.73576653f, { 7.7575674f, 1.8516524f }, { 0.73233306f, 0.055299334f, 0.11190628f, 0.7451749f, 0.78054243f } },
+        { { 5.8096695f, 5.778118f }, { 0.78445745f, 5.074916f }, 0.7735326f, { 0.33396637f, 0.47089702f, 0.4087906f }, { 5.074917f, 1.8826957f }, 0.4920326f, { 1.5864272f, -0.18677998f }, { 0.15220815f, 0.3776549f, 0.24287918f, 0.9749421f, 0.0794218f } },
+        { { 5.8096695f, 5.778118f }, { 0.78445745f, 5.0749164f }, 0.7735326f, { 0.3339664f, 0.47089702f, 0.40879056f }, { 5.0749164f, 1.8826957f }, 0.4920326f, { 1.5864273f, -0.18677999f }, { 0.15220815f, 0.3776549f, 0.24287918f, 0.9749421f, 0.0794218f } },
+        { { 4.6809397f, 4.3207445f }, { 6.7371883f, 2.7111526f }, 0.5956359f, { 0.31062055f, 0.25224143f, 0.22871599f }, { 2.7111526f, 1.5388427f }, 0.08863926f, { 1.8842902f, 3.145852f }, { 0.55492806f, 0.48039466f, 0.22821856f, 0.07750225f, 0.33037806f } },
+        { { 4.6809397f, 4.3207445f }, { 6.7371883f, 2.7111523f }, 0.5956359f, { 0.31062055f, 0.25224146f, 0.22871599f }, { 2.7111526f, 1.5388427f }, 0.08863925f, { 1.8842902f, 3.145852f }, { 0.55492806f, 0.4803947f, 0.22821857f, 0.07750225f, 0.33037806f } },
+        { { 7.3770766f, 6.293498f }, { 2.1553094f, 4.375427f }, 0.18649796f, { 0.56964207f, 0.83072793f, 0.38468498f }, { 7.341204f, -0.5338738f }, 0.64028823f, { 2.7532644f, 1.0887212f }, { 0.507771f, 0.7828196f, 0.6563172f, 0.37395233f, 0.30339003f } },
+        { { 7.377077f, 6.293498f }, { 2.1553092f, 4.3754272f }, 0.18649796f, { 0.56964207f, 0.83072793f, 0.38468498f }, { 7.3412046f, -0.5338738f }, 0.64028823f, { 2.7532644f, 1.088721f }, { 0.507771f, 0.7828196f, 0.65631723f, 0.37395233f, 0.30339003f } },
+        { { 6.2272835f, 6.7250366f }, { 1.8900946f, 2.7481818f }, 0.3039418f, { 0.47473955f, 0.70660436f, 0.42237622f }, { 7.2278147f, 1.1709919f }, 0.8646536f, { 2.9254932f, 2.2854695f }, { 0.43668532f, 0.6460773f, 0.8170272f, 0.49465507f, 0.58933294f } },
+        { { 6.2272835f, 6.7250366f }, { 1.8900948f, 2.7481818f }, 0.3039418f, { 0.47473955f, 0.70660436f, 0.42237622f }, { 7.2278147f, 1.1709919f }, 0.8646536f, { 2.9254932f, 2.2854695f }, { 0.43668532f, 0.6460773f, 0.8170272f, 0.49465507f, 0.58933294f } },
+        { { 3.2062654f, 5.6266775f }, { 3.2778158f, 0.04180479f }, 0.6209705f, { 0.29171437f, 0.3631984f, 0.3744244f }, { 5.12068f, 3.971807f }, 0.94358504f, { 3.5113888f, 4.9287004f }, { 0.36622554f, 0.40310556f, 0.8835983f, 0.5612514f, 0.93348134f } },
+        { { 3.2062654f, 5.626677f }, { 3.2778158f, 0.04180479f }, 0.6209705f, { 0.29171437f, 0.36319843f, 0.3744244f }, { 5.12068f, 3.971807f }, 0.94358504f, { 3.511389f, 4.9287004f }, { 0.36622554f, 0.4031056f, 0.8835983f, 0.5612514f, 0.93348134f } },
+        { { 6.2605247f, 3.917576f }, { 4.2864814f, 1.9342368f }, 0.33323586f, { 0.4602545f, 0.36979812f, 0.75622785f }, { 4.286481f, 6.572097f }, 0.34258032f, { 2.9250538f, 4.4986544f }, { 0.83355296f, 0.53191257f, 0.69887495f, 0.5965739f, 0.57509923f } },
+        { { 6.2605247f, 3.9175763f }, { 4.286481f, 1.9342368f }, 0.33323586f, { 0.4602545f, 0.36979812f, 0.75622785f }, { 4.286481f, 6.572097f }, 0.34258032f, { 2.925054f, 4.4986544f }, { 0.83355296f, 0.53191257f, 0.69887495f, 0.59657395f, 0.57509923f } },
+        { { 5.4951577f, 4.4719267f }, { 2.8831775f, 0.21066353f }, 0.17874068f, { 0.44647962f, 0.4617998f, 0.6984881f }, { 5.742752f, 5.545534f }, 0.08677624f, { 3.5113292f, 6.0151715f }, { 0.81437767f, 0.45975822f, 0.5966033f, 0.756184f, 0.82110715f } },
+        { { 5.4951572f, 4.4719267f }, { 2.8831773f, 0.21066353f }, 0.17874068f, { 0.44647962f, 0.4617998f, 0.6984881f }, { 5.742752f, 5.545534f }, 0.08677624f, { 3.5113292f, 6.015172f }, { 0.81437767f, 0.45975822f, 0.5966033f, 0.756184f, 0.82110715f } },
+        { { 3.4544349f, 1.8694429f }, { 2.84018f, 5.216563f }, 0.17978132f, { 0.45780563f, 0.61393976f, 0.2968213f }, { 4.5913124f, 4.172785f }, 0.69816995f, { 3.732719f, 6.7300606f }, { 0.8317231f, 0.34846747f, 0.5895587f, 0.6792252f, 0.76088774f } },
+        { { 3.4544349f, 1.8694429f }, { 2.8401802f, 5.216563f }, 0.17978132f, { 0.45780563f, 0.61393976f, 0.2968213f }, { 4.5913124f, 4.172785f }, 0.69816995f, { 3.732719f, 6.7300606f }, { 0.8317231f, 0.34846747f, 0.5895587f, 0.6792252f, 0.76088774f } },
+        { { 6.592314f, 1.3137561f }, { 6.654947f, 3.3151145f }, 0.28306705f, { 0.7563524f, 0.8482702f, 0.8749243f }, { 0.3300951f, 5.857856f }, 0.8266672f, { 0.8793685f, 3.8206527f }, { 0.74408233f, 0.1829091f, 0.13371679f, 0.8676827f, 0.87701833f } },
+        { { 6.592314f, 1.3137562f }, { 6.6549463f, 3.3151145f }, 0.28306705f, { 0.7563524f, 0.8482702f, 0.8749243f }, { 0.3300951f, 5.857856f }, 0.8266672f, { 0.87936854f, 3.820653f }, { 0.74408233f, 0.1829091f, 0.13371679f, 0.8676827f, 0.87701833f } },
     };
     static const space_invaders_action_t actions[24] = {
         SPACE_INVADERS_LEFT,
+        SPACE_INVADERS_LEFT,
+        SPACE_INVADERS_LEFT,
         SPACE_INVADERS_RIGHT,
         SPACE_INVADERS_LEFT,
+        SPACE_INVADERS_FIRE,
+        SPACE_INVADERS_RIGHT,
+        SPACE_INVADERS_FIRE,
+        SPACE_INVADERS_FIRE,
         SPACE_INVADERS_RIGHT,
         SPACE_INVADERS_RIGHT,
         SPACE_INVADERS_LEFT,
@@ -466,12 +422,6 @@ uint32_t space_invaders_selftest(void)
         SPACE_INVADERS_LEFT,
         SPACE_INVADERS_FIRE,
         SPACE_INVADERS_FIRE,
-        SPACE_INVADERS_RIGHT,
-        SPACE_INVADERS_RIGHT,
-        SPACE_INVADERS_LEFT,
-        SPACE_INVADERS_LEFT,
-        SPACE_INVADERS_RIGHT,
-        SPACE_INVADERS_RIGHT,
         SPACE_INVADERS_LEFT,
     };
     uint32_t failures = space_invaders_arithmetic();

@@ -71,9 +71,7 @@ pub(super) fn all() -> Result<Vec<Shipped>, Failure> {
         entries.flatten().map(|entry| entry.path().join("graph.json")).filter(|path| path.is_file()).collect();
     paths.push(library::top().join("c-harness/pendulum/recall.json"));
     paths.sort();
-    let mut all = paths.iter().map(|path| Shipped::load(path)).collect::<Result<Vec<_>, _>>()?;
-    all.retain(|one| Vision::new(&one.graph.state_sources()).is_none());
-    Ok(all)
+    paths.iter().filter_map(|path| Shipped::load(path).transpose()).collect()
 }
 
 /// The policies that have no memory in integers, each of every width, with the width behind its name.
@@ -139,15 +137,19 @@ fn hash(graph: &Graph, states: &[f64]) -> Hash {
 }
 
 impl Shipped {
-    fn load(path: &Path) -> Result<Self, Failure> {
+    /// Reads a graph, unless it sees an image.
+    fn load(path: &Path) -> Result<Option<Self>, Failure> {
         let graph = import::load(path, None, None).map_err(Failure::new)?;
+        if Vision::new(&graph.state_sources()).is_some() {
+            return Ok(None);
+        }
         if graph.scalar() != ScalarType::F32 {
             return Err(Failure::at(path, "it computes in f64, which an AVR does not have"));
         }
         if graph.state_length() as u32 > MOST_VALUES {
             return Err(Failure::at(path, format!("a state of more than {MOST_VALUES} values: see policies.h")));
         }
-        Ok(Self::new(Prefix::of_file(path), graph))
+        Ok(Some(Self::new(Prefix::of_file(path), graph)))
     }
 
     fn new(prefix: Prefix, graph: Graph) -> Self {
