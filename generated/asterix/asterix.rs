@@ -177,7 +177,10 @@ impl Asterix {
         if stride < 40 || needed.is_none_or(|needed| image.len() < needed) {
             return false;
         }
-        let seen = image::Image { bytes: image, stride };
+        let seen = image::Image {
+            bytes: image,
+            stride,
+        };
         let place_0 = seen.first(0);
         let place_1 = seen.first(1);
         let place_2 = seen.last(1);
@@ -243,11 +246,19 @@ mod image {
             for row in 0..10 {
                 for column in 0..10 {
                     if self.cell(channel, row, column) != 0 {
-                        return Place { row: row as i32, column: column as i32, contrast: 0 };
+                        return Place {
+                            row: row as i32,
+                            column: column as i32,
+                            contrast: 0,
+                        };
                     }
                 }
             }
-            Place { row: -1, column: -1, contrast: 0 }
+            Place {
+                row: -1,
+                column: -1,
+                contrast: 0,
+            }
         }
 
         /// The last cell that is not 0.
@@ -255,11 +266,19 @@ mod image {
             for row in (0..10).rev() {
                 for column in (0..10).rev() {
                     if self.cell(channel, row, column) != 0 {
-                        return Place { row: row as i32, column: column as i32, contrast: 0 };
+                        return Place {
+                            row: row as i32,
+                            column: column as i32,
+                            contrast: 0,
+                        };
                     }
                 }
             }
-            Place { row: -1, column: -1, contrast: 0 }
+            Place {
+                row: -1,
+                column: -1,
+                contrast: 0,
+            }
         }
 
         /// The cell so far down and to the right of a place; 0 outside the image.

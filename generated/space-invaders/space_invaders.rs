@@ -142,7 +142,10 @@ impl SpaceInvaders {
         if stride < 60 || needed.is_none_or(|needed| image.len() < needed) {
             return false;
         }
-        let seen = image::Image { bytes: image, stride };
+        let seen = image::Image {
+            bytes: image,
+            stride,
+        };
         let place_0 = seen.first(0);
         let place_1 = seen.last(0);
         let place_2 = seen.first(1);
@@ -200,11 +203,19 @@ mod image {
             for row in 0..10 {
                 for column in 0..10 {
                     if self.cell(channel, row, column) != 0 {
-                        return Place { row: row as i32, column: column as i32, contrast: 0 };
+                        return Place {
+                            row: row as i32,
+                            column: column as i32,
+                            contrast: 0,
+                        };
                     }
                 }
             }
-            Place { row: -1, column: -1, contrast: 0 }
+            Place {
+                row: -1,
+                column: -1,
+                contrast: 0,
+            }
         }
 
         /// The last cell that is not 0.
@@ -212,11 +223,19 @@ mod image {
             for row in (0..10).rev() {
                 for column in (0..10).rev() {
                     if self.cell(channel, row, column) != 0 {
-                        return Place { row: row as i32, column: column as i32, contrast: 0 };
+                        return Place {
+                            row: row as i32,
+                            column: column as i32,
+                            contrast: 0,
+                        };
                     }
                 }
             }
-            Place { row: -1, column: -1, contrast: 0 }
+            Place {
+                row: -1,
+                column: -1,
+                contrast: 0,
+            }
         }
 
         /// The cell so far down and to the right of a place; 0 outside the image.

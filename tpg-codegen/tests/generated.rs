@@ -104,6 +104,7 @@ fn rustfmt_changes_nothing() {
         let shape = Shape { teams: 2, outputs, memory: 12 - outputs, ..Shape::random(u64::from(outputs)) };
         add(&sample::graph(&shape, u64::from(outputs)), &format!("values{outputs}"));
     }
+    add(&Graph::from_json("eye.json", include_str!("fixtures/eye.json")).expect("a graph"), "eye");
     // Around the lengths where arrays get a line more.
     for teams in (0..60).chain([97, 98, 99, 500]) {
         add(&stretched(teams, 4 + teams % 7), &format!("stretched{teams}"));

@@ -11,7 +11,10 @@ impl {{ name }} {
         if stride < {{ look.columns * look.channels }} || needed.is_none_or(|needed| image.len() < needed) {
             return false;
         }
-        let seen = image::Image { bytes: image, stride };
+        let seen = image::Image {
+            bytes: image,
+            stride,
+        };
 {%- for find in look.finds %}
         let place_{{ loop.index0 }} = seen.{{ find.function }}({{ find.channel }}{% if find.size > 0 %}, {{ find.size }}, {{ find.is_dark }}{% endif %});
 {%- endfor %}
@@ -61,11 +64,19 @@ mod image {
             for row in 0..{{ look.rows }} {
                 for column in 0..{{ look.columns }} {
                     if self.cell(channel, row, column) != 0 {
-                        return Place { row: row as i32, column: column as i32, contrast: 0 };
+                        return Place {
+                            row: row as i32,
+                            column: column as i32,
+                            contrast: 0,
+                        };
                     }
                 }
             }
-            Place { row: -1, column: -1, contrast: 0 }
+            Place {
+                row: -1,
+                column: -1,
+                contrast: 0,
+            }
         }
 {% endif %}
 {%- if look.has_last %}
@@ -74,16 +85,31 @@ mod image {
             for row in (0..{{ look.rows }}).rev() {
                 for column in (0..{{ look.columns }}).rev() {
                     if self.cell(channel, row, column) != 0 {
-                        return Place { row: row as i32, column: column as i32, contrast: 0 };
+                        return Place {
+                            row: row as i32,
+                            column: column as i32,
+                            contrast: 0,
+                        };
                     }
                 }
             }
-            Place { row: -1, column: -1, contrast: 0 }
+            Place {
+                row: -1,
+                column: -1,
+                contrast: 0,
+            }
         }
 {% endif %}
 {%- if look.has_sum %}
         /// The sum of a window.
-        pub(super) fn sum(self, channel: usize, row: usize, column: usize, height: usize, width: usize) -> u32 {
+        pub(super) fn sum(
+            self,
+            channel: usize,
+            row: usize,
+            column: usize,
+            height: usize,
+            width: usize,
+        ) -> u32 {
             let mut sum = 0;
             for row in row..row + height {
                 for column in column..column + width {
@@ -110,8 +136,16 @@ mod image {
                     }
                 }
             }
-            let contrast = if is_dark { mean as i32 - best as i32 } else { best as i32 - mean as i32 };
-            Place { row: down, column: right, contrast }
+            let contrast = if is_dark {
+                mean as i32 - best as i32
+            } else {
+                best as i32 - mean as i32
+            };
+            Place {
+                row: down,
+                column: right,
+                contrast,
+            }
         }
 {% endif %}
 {%- if look.has_cell %}
