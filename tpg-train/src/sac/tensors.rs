@@ -3,7 +3,7 @@
 use super::config::check_widths;
 use crate::run_args::place;
 use safetensors::tensor::{Dtype, SafeTensors, TensorView, serialize};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Read as _;
 use std::path::Path;
@@ -45,7 +45,7 @@ impl Tensors {
             let view = TensorView::new(Dtype::F32, shape.to_vec(), bytes).expect("a shape that fits its values");
             (*name, view)
         });
-        let metadata = self.text.as_ref().map(|text| HashMap::from([(KEY.to_owned(), text.clone())]));
+        let metadata = self.text.as_ref().map(|text| [(KEY.to_owned(), text.clone())].into_iter().collect());
         serialize(views, metadata).expect("plain tensors")
     }
 
