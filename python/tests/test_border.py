@@ -246,7 +246,7 @@ def test_a_budget_is_kept_but_for_an_episode_of_each_policy() -> None:
 
     arguments = {**SMALL, "episodes": 10}
     model = TPG(Endless, max_episode_steps=100, **arguments).learn(4_000)
-    # Two demes of twelve roots, at first twice as many; half of what was asked for; and a validation of as much.
+    # Twelve roots, at first twice as many; half of what was asked for; and a validation of as much.
     assert 4_000 <= model.num_timesteps <= 12_000
     with pytest.warns(UserWarning, match=r"learn\(500\) made \d+ steps: .*max_episode_steps= makes them shorter"):
         TPG(Endless, max_episode_steps=500, **arguments).learn(500)

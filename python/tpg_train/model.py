@@ -278,8 +278,8 @@ class TPG:
             # A small population has survivors, too.
             chosen["learning.ratio_deleted_roots"] = max(0.0, min(0.9, 1.0 - 6.0 / population))
         if population is not None or episodes is not None:
-            # A generation is what was asked for: no search for weights, whose samples are fewer, and no second population.
-            chosen.update({"start.random": 0.0, "start.share": 0.0, "demes.count": 1, "demes.halving_interval": 0})
+            # A generation is what was asked for: no search for weights, whose samples are fewer.
+            chosen.update({"start.random": 0.0, "start.share": 0.0})
         if episodes is not None:
             chosen["learning.nb_iterations_per_policy_evaluation"] = episodes
             chosen["selection.racing_episodes"] = min(1, episodes - 1)

@@ -32,7 +32,7 @@ const ASKS: &str = r#"{
 fn config(problem: ProblemName, policy: &str) -> EvolutionConfig {
     let ask = Some(AskConfig { policy: policy.to_owned(), price: 2.0, sha256: None });
     let mut config = EvolutionConfig { problem: Problem::new(problem).to_table(), ask, ..EvolutionConfig::default() };
-    (config.tpg.nb_roots, config.tpg.init_nb_roots, config.demes.count) = (40, 60, 1);
+    (config.tpg.nb_roots, config.tpg.init_nb_roots) = (40, 60);
     config.start.share = 0.0;
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (4, 8);
     config.selection.validation_episodes = 20;

@@ -28,10 +28,9 @@ impl Run {
 fn tpg(place: &Path) -> Run {
     let problem = Problem::new(ProblemName::Cartpole).to_table();
     let mut config = EvolutionConfig { problem, ..EvolutionConfig::default() };
-    (config.tpg.nb_roots, config.tpg.init_nb_roots) = (6, 6);
+    (config.tpg.nb_roots, config.tpg.init_nb_roots) = (12, 12);
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (2, 4);
     (config.selection.racing_episodes, config.selection.validation_episodes) = (0, 2);
-    config.demes.count = 2;
     run(place, "tpg", &config.to_toml())
 }
 

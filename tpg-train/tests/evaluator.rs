@@ -72,11 +72,9 @@ impl Evaluator<ArmTask> for Wire<'_> {
     }
 }
 
-/// Two demes, so that different roots have equal numbers.
 fn config() -> EvolutionConfig {
     let mut config = EvolutionConfig::preset("best-rs").expect("a preset");
-    (config.tpg.nb_roots, config.tpg.init_nb_roots, config.learning.ratio_deleted_roots) = (16, 20, 0.7);
-    config.demes.count = 2;
+    (config.tpg.nb_roots, config.tpg.init_nb_roots, config.learning.ratio_deleted_roots) = (32, 40, 0.7);
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (12, 5);
     (config.selection.lexicase_survivors, config.selection.racing_episodes) = (2, 4);
     config.selection.validation_episodes = 20;

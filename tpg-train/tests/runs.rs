@@ -11,13 +11,13 @@ use tpg_problems::{Problem, ProblemName};
 use tpg_train::parts::Units;
 use tpg_train::{Config as EvolutionConfig, Configuration as _};
 
-/// A run of seconds that uses every feature of evolution: two demes, pool, lexicase, racing, an instruction of its own.
+/// A run of seconds that uses every feature of evolution: pool, lexicase, racing, an instruction of its own.
 fn small_config() -> EvolutionConfig {
     let mut config = EvolutionConfig::preset("best-rs").expect("a preset");
     config.problem = Problem::new(ProblemName::Pendulum).to_table();
     config.problem.insert("levels".to_owned(), 3.into());
-    (config.tpg.nb_roots, config.tpg.init_nb_roots, config.tpg.max_init_outgoing_edges) = (24, 40, 3);
-    (config.demes.count, config.pool.share) = (2, 0.3);
+    (config.tpg.nb_roots, config.tpg.init_nb_roots, config.tpg.max_init_outgoing_edges) = (48, 80, 3);
+    config.pool.share = 0.3;
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (12, 25);
     config.learning.ratio_deleted_roots = 0.7;
     (config.selection.lexicase_survivors, config.selection.racing_episodes) = (3, 4);
@@ -341,15 +341,15 @@ fn ctrl_c_leaves_a_checkpoint_that_ends_in_the_same_bytes() {
     }
 }
 
-/// Two small demes, of which one begins with what a short search has found.
+/// A small population that begins with what a short search has found.
 fn small() -> EvolutionConfig {
     let mut config = EvolutionConfig::default();
-    (config.tpg.nb_roots, config.tpg.init_nb_roots, config.demes.count) = (30, 60, 2);
+    (config.tpg.nb_roots, config.tpg.init_nb_roots) = (60, 120);
     config.start.share = 0.2;
     config
 }
 
-/// A policy that computes the torque: leaves, teams and refined numbers, two demes.
+/// A policy that computes the torque: leaves, teams and refined numbers.
 #[test]
 fn a_policy_with_outputs_has_the_same_bytes_on_other_threads_and_after_a_stop() {
     let place = tempfile::tempdir().expect("a temporary folder");
@@ -421,8 +421,8 @@ fn memory_needs_outputs() {
     assert!(said.contains("language.memory") && said.contains("a problem without outputs"), "{said}");
 }
 
-/// A search for weights before two demes, of which the worse one ends, for outputs and named actions; units from visited states:
-/// searches, what stalled before them, and demes are part of the checkpoint.
+/// A search for weights before evolution, for outputs and named actions; units from visited states: searches, and what stalled before
+/// them, are part of the checkpoint.
 #[test]
 fn stages_have_the_same_bytes_on_other_threads_and_after_kills() {
     for (name, problem, random) in [
@@ -435,10 +435,10 @@ fn stages_have_the_same_bytes_on_other_threads_and_after_kills() {
         let place = tempfile::tempdir().expect("a temporary folder");
         let path = place.path().join("config.toml");
         let mut config = small();
-        (config.tpg.nb_roots, config.tpg.init_nb_roots) = (20, 30);
+        (config.tpg.nb_roots, config.tpg.init_nb_roots) = (40, 60);
         (config.learning.nb_generations, config.selection.validation_episodes) = (100, 30);
         config.learning.nb_iterations_per_policy_evaluation = 4;
-        (config.demes.halving_interval, config.literals.units) = (6, Units::Visited);
+        config.literals.units = Units::Visited;
         (config.refinement.p_mutation, config.start.share, config.start.random) = (0.5, 0.8, random);
         config.problem = Problem::new(problem).to_table();
         fs::write(&path, config.to_toml()).expect("it can be written");
@@ -494,7 +494,7 @@ fn lines_have_their_price() {
     let sizes = ["0", "1"].map(|price| {
         let folder = place.path().join(price);
         let price = format!("selection.line_price={price}");
-        let more = ["--set", &price, "--set", "demes.count=1", "--generations", "60"];
+        let more = ["--set", &price, "--generations", "60"];
         assert!(train_on("pendulum", &folder, &more).status().expect("it runs").success());
         let text = fs::read_to_string(folder.join("graph.json")).expect("a graph");
         let graph = tpg_graph::Graph::from_json("graph.json", &text).expect("a valid graph");

@@ -10,7 +10,7 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Purpose {
-    /// The first population of a deme.
+    /// The first population.
     Initial = 1,
     /// The shape of one child: its parent, edges and destinations.
     Child = 2,

@@ -20,7 +20,7 @@ use tpg_runtime::scalar::Scalar;
 /// use tpg_train::{Config as EvolutionConfig, Configuration as _};
 ///
 /// let config = EvolutionConfig::from_toml("mine.toml", "[tpg]\nnb_roots = 100\n")?;
-/// assert_eq!((config.tpg.nb_roots, config.demes.count), (100, 10));
+/// assert_eq!((config.tpg.nb_roots, config.tpg.max_outgoing_edges), (100, 8));
 ///
 /// let error = EvolutionConfig::from_toml("mine.toml", "[tpg]\nnb_rots = 100\n").expect_err("a typing error");
 /// assert!(error.to_string().contains("line 2: unknown field `nb_rots`"), "{error}");
@@ -48,8 +48,6 @@ pub struct EvolutionConfig {
     pub selection: SelectionConfig,
     /// Literal constants.
     pub literals: Literals,
-    /// Populations that breed separately.
-    pub demes: DemeConfig,
     /// Episodes that a best root failed, played again.
     pub pool: PoolConfig,
     /// Coarser episodes in the first generations.
@@ -98,9 +96,9 @@ impl Default for LanguageConfig {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct TpgParameters {
-    /// Roots of a deme.
+    /// Roots of a generation.
     pub nb_roots: usize,
-    /// Roots of a deme's first population; at least the number of actions.
+    /// Roots of the first generation; at least the number of actions.
     pub init_nb_roots: usize,
     /// Maximum edges of a team at the start.
     pub max_init_outgoing_edges: usize,
@@ -115,8 +113,8 @@ pub struct TpgParameters {
 impl Default for TpgParameters {
     fn default() -> Self {
         Self {
-            nb_roots: 50,
-            init_nb_roots: 200,
+            nb_roots: 500,
+            init_nb_roots: 2000,
             max_init_outgoing_edges: 4,
             max_outgoing_edges: 8,
             p_edge_destination_change: 0.2,
@@ -226,22 +224,6 @@ pub enum Units {
     Visited,
 }
 
-/// Demes: populations that breed separately.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-pub struct DemeConfig {
-    /// Demes; each has `nb_roots` roots.
-    pub count: usize,
-    /// Remove the worse half of the demes every N generations; 0 for never.
-    pub halving_interval: u64,
-}
-
-impl Default for DemeConfig {
-    fn default() -> Self {
-        Self { count: 10, halving_interval: 0 }
-    }
-}
-
 /// Episodes that a best root failed, played again.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -275,7 +257,7 @@ impl CurriculumConfig {
     }
 }
 
-/// The search for weights of sums of the inputs, before evolution. Half of the demes begin with its result, the others at random.
+/// The search for weights of sums of the inputs, before evolution. Evolution begins with its result.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct StartConfig {
@@ -354,18 +336,12 @@ impl EvolutionConfig {
         config
     }
 
-    /// Returns the number of demes before a generation of a run whose search for weights ended with generation `start`.
-    pub fn demes_at(&self, generation: u64, start: u64) -> usize {
-        let halvings = generation.saturating_sub(start).checked_div(self.demes.halving_interval).unwrap_or(0);
-        (0..halvings.min(64)).fold(self.demes.count, |demes, _| demes.div_ceil(2))
-    }
-
     /// Returns the instruction set.
     pub fn instructions(&self) -> Vec<ProgramInstruction> {
         self.language.instructions.iter().filter_map(|text| ProgramInstruction::parse(text).ok()).collect()
     }
 
-    /// Returns the number of survivors of a deme, at least 1. A larger first population is cut to them at once.
+    /// Returns the number of survivors, at least 1. A larger first population is cut to them at once.
     pub fn survivors(&self) -> usize {
         let deleted = (self.learning.ratio_deleted_roots * self.tpg.nb_roots as f64).floor() as usize;
         self.tpg.nb_roots.saturating_sub(deleted).max(1)

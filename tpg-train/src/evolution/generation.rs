@@ -138,8 +138,6 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
             let found = state.search.iter().chain(&state.stalled).collect();
             state.population.begin(&context, found).map_err(EvaluationError::new)?;
         }
-        let start = state.budget.ended.unwrap_or(if is_search { u64::MAX } else { 0 });
-        state.population.keep_best(self.config.demes_at(state.generation + 1, start), &context);
         (row.teams, row.programs) = state.population.size();
         if is_search && !begins {
             let best = state.search.as_ref().and_then(|search| search.best(&context));
@@ -161,8 +159,8 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
 
     /// Lets the candidates of a stage play; returns the figures of the generation.
     fn play(&self, state: &mut State<E::Task>, context: &Context<'_>, is_search: bool) -> Result<Row, EvaluationError> {
-        let moment = Moment { seed: state.seed, generation: state.generation, deme: 0 };
-        let survivors = self.config.survivors() * state.population.demes.len();
+        let moment = Moment { seed: state.seed, generation: state.generation };
+        let survivors = self.config.survivors();
         let stage: &mut dyn Stage = match &mut state.search {
             Some(search) if is_search => search,
             _ => &mut state.population,
@@ -321,7 +319,7 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
     /// best sample's, or the limit where standing still lasts that long.
     fn start(&self, state: &State<E::Task>) -> StartConfig {
         let start = self.config.start.clone();
-        let episodes = (self.config.tpg.nb_roots * self.config.demes.count) as f64;
+        let episodes = self.config.tpg.nb_roots as f64;
         let steps = match &state.search {
             Some(search) if search.has_toll() => self.environment.time_limit().into(),
             _ => state.episode_steps,
@@ -390,9 +388,9 @@ mod tests {
         let environment: Choices<f32, Pendulum> = Choices::new(Pendulum, None).expect("a torque");
         let named: Choices<f32, Pendulum> = Choices::new(Pendulum, Some(2)).expect("two torques");
         let mut config = EvolutionConfig::default();
-        (config.tpg.nb_roots, config.demes.count) = (10, 3);
+        config.tpg.nb_roots = 30;
         let evaluator = LocalThreads::<f32, Own, _>::new(&environment, 1).expect("a thread");
-        let mut state = State::new(1, 1);
+        let mut state = State::new(1);
         state.episode_steps = 200;
         // A quarter of so many steps is enough for ten generations.
         let enough = 4 * 10 * 10 * 3 * 200;

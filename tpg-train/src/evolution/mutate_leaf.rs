@@ -162,7 +162,7 @@ mod tests {
         let mutator = LeafMutator { bids, leaves, refiner, tpg: &config.tpg };
         let mut genome = mutator.random_population(40, &mut Stream::new(1, 0, Purpose::Test, 0));
         for generation in 0..generations {
-            mutator.populate(&mut genome, Moment { seed: 1, generation, deme: 0 });
+            mutator.populate(&mut genome, Moment { seed: 1, generation });
             let doomed: Vec<_> = genome.roots().into_iter().step_by(2).collect();
             genome.remove_roots(&doomed);
         }

@@ -190,7 +190,7 @@ mod tests {
             ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
         let mut genome = random_population(&mutator, &config.tpg, 9, &mut Stream::new(1, 0, Purpose::Test, 0));
         for generation in 0..generations {
-            let moment = Moment { seed: 1, generation, deme: 0 };
+            let moment = Moment { seed: 1, generation };
             let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
             let mirror = Mirror { programs: mutator, opposites: &[], probability: 0.0 };
             let mutator = TeamMutator { programs: mutator, refiner, mirror, parameters: &config.tpg, actions: 9 };
@@ -226,7 +226,7 @@ mod tests {
         let mut genome = evolved(&config, 8);
         let mutator =
             ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
-        let moment = Moment { seed: 1, generation: 9, deme: 0 };
+        let moment = Moment { seed: 1, generation: 9 };
         let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
         let mirror = Mirror { programs: mutator, opposites: &[], probability: 0.0 };
         let mutator = TeamMutator { programs: mutator, refiner, mirror, parameters: &config.tpg, actions: 9 };

@@ -132,7 +132,7 @@ pub enum RunError {
 /// use tpg_train::{Config, RunEnd, RunOptions, train};
 ///
 /// let mut config = Config::default();
-/// (config.tpg.nb_roots, config.demes.count) = (20, 1);
+/// config.tpg.nb_roots = 20;
 /// config.learning.nb_generations = 2;
 /// config.selection.validation_episodes = 20;
 ///
@@ -171,7 +171,7 @@ pub fn train<S: Scalar, E: Environment<S>>(
     write_atomically(&options.folder.join("config.toml"), config.to_toml().as_bytes())?;
     let mut state = match found {
         Some(state) => state,
-        None => State { scales: scales(config, environment, evaluator, seed)?, ..State::new(seed, config.demes.count) },
+        None => State { scales: scales(config, environment, evaluator, seed)?, ..State::new(seed) },
     };
     let evolution = Evolution::new(config, environment, evaluator, state.scales.clone(), options.goal);
     let stopwatch = Stopwatch::new(&options.folder);

@@ -80,10 +80,10 @@ fn explore<S: Scalar, E: Environment<S>>(
 ) -> Result<Vec<Vec<f64>>, EvaluationError> {
     let mut few = config.clone();
     let actions = environment.actions().count().unwrap_or(0);
-    (few.tpg.nb_roots, few.tpg.init_nb_roots, few.demes.count) = (2, EXPLORERS.max(actions), 1);
+    (few.tpg.nb_roots, few.tpg.init_nb_roots) = (2, EXPLORERS.max(actions));
     let evolution = Evolution::new(&few, environment, evaluator, vec![1.0; inputs], Goal::default());
-    let mut state = State::new(seed, 1);
-    let moment = Moment { seed, generation: 0, deme: 0 };
+    let mut state = State::new(seed);
+    let moment = Moment { seed, generation: 0 };
     let context = evolution.context(&state);
     let candidates = state.population.ask(&context, moment);
     let policies: Vec<_> = candidates.into_iter().map(|candidate| candidate.policy).collect();

@@ -249,7 +249,7 @@ impl Stage for Search {
         };
         let candidate = |sample: &Vec<f64>| {
             let policy = writer.policy(&self.written(sample, &writer));
-            Candidate { policy, deme: 0, record: Record::default() }
+            Candidate { policy, record: Record::default() }
         };
         self.samples.iter().map(candidate).collect()
     }
@@ -319,7 +319,7 @@ mod tests {
 
     /// Plays a generation: `ending` gives score and number of actions of each sample.
     fn play(search: &mut Search, context: &Context<'_>, generation: u64, ending: impl Fn(usize) -> (f64, u32)) {
-        let moment = Moment { seed: 1, generation, deme: 0 };
+        let moment = Moment { seed: 1, generation };
         let candidates = search.ask(context, moment);
         let ending = |place| {
             let (score, actions) = ending(place);

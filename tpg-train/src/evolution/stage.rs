@@ -30,21 +30,19 @@ pub(crate) struct Context<'a> {
     pub time_limit: u32,
 }
 
-/// Seed, generation and deme: the first half of every stream's address.
+/// Seed and generation: the first half of every stream's address.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Moment {
     /// Seed of the run.
     pub seed: u64,
     /// The generation.
     pub generation: u64,
-    /// The deme.
-    pub deme: u64,
 }
 
 impl Moment {
-    /// Returns the stream for a purpose. `index` counts within the deme and is below 2⁴⁰.
+    /// Returns the stream for a purpose. 
     pub(crate) fn stream(self, purpose: Purpose, index: u64) -> Stream {
-        Stream::new(self.seed, self.generation, purpose, self.deme << 40 | index)
+        Stream::new(self.seed, self.generation, purpose, index)
     }
 }
 
@@ -53,8 +51,6 @@ impl Moment {
 pub(crate) struct Candidate {
     /// The policy.
     pub policy: PolicyGraph,
-    /// Its deme.
-    pub deme: usize,
     /// Its record so far.
     pub record: Record,
 }

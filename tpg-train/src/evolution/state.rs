@@ -84,14 +84,14 @@ pub(super) fn actions<'a>(endings: impl IntoIterator<Item = &'a EpisodeResult>) 
 
 impl<Task> State<Task> {
     /// Creates the state of a run before its first generation.
-    pub(crate) fn new(seed: u64, demes: usize) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         Self {
             seed,
             generation: 0,
             budget: Budget::default(),
             search: None,
             stalled: None,
-            population: Population::new(demes),
+            population: Population::default(),
             pool: VecDeque::new(),
             best: None,
             hall: Vec::new(),

@@ -70,13 +70,13 @@ where
         let environment = ArmEnvironment::<S>::new(arm, problem.problem(Start::Rs));
         let evaluator = LocalThreads::<S, Own, _>::new(&environment, 1).expect("a thread");
         let evolution = Evolution::new(&config, &environment, &evaluator, literal_units(&environment), Goal::default());
-        let mut state = State::new(1, 1);
+        let mut state = State::new(1);
         let mut policies: Vec<PolicyGraph> = Vec::new();
         for generation in 0..7 {
-            let moment = Moment { seed: 1, generation, deme: 0 };
+            let moment = Moment { seed: 1, generation };
             let context = evolution.context(&state);
             policies = state.population.ask(&context, moment).into_iter().map(|root| root.policy).collect();
-            let genome = &mut state.population.demes[0].genome;
+            let genome = &mut state.population.genome;
             let doomed: Vec<_> = genome.roots().into_iter().step_by(2).collect();
             genome.remove_roots(&doomed);
         }

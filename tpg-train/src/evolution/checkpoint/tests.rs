@@ -23,8 +23,7 @@ fn swing() -> Swing {
 
 fn config() -> EvolutionConfig {
     let mut config = EvolutionConfig::default();
-    (config.tpg.nb_roots, config.tpg.init_nb_roots) = (12, 14);
-    config.demes.count = 2;
+    (config.tpg.nb_roots, config.tpg.init_nb_roots) = (24, 28);
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (4, 4);
     (config.pool.share, config.start.share) = (0.5, 0.0);
     (config.selection.racing_episodes, config.selection.validation_episodes) = (0, 4);

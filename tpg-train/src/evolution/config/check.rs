@@ -49,8 +49,6 @@ impl Configuration for EvolutionConfig {
             ("selection.lexicase_survivors", selection.lexicase_survivors, 0, self.survivors()),
             ("selection.racing_episodes", selection.racing_episodes, 0, episodes - 1),
             ("selection.validation_episodes", selection.validation_episodes, 1, MANY),
-            ("demes.count", self.demes.count, 1, 1000),
-            ("demes.halving_interval", self.demes.halving_interval as usize, 0, MANY),
             ("curriculum.generations", self.curriculum.generations as usize, 0, last as usize),
             ("curriculum.roughness", self.curriculum.roughness.into(), 1, 127),
         ] {
