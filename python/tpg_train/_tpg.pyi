@@ -26,6 +26,7 @@ __all__ = [
     "evaluate_native",
     "flat",
     "problems",
+    "quantise_native",
     "success_of",
     "test_seeds",
     "train_network",
