@@ -17,7 +17,7 @@ use tpg_generated::{widowx_fs_hybrid, widowx_rs_hybrid};
 use tpg_problems::{Problem, ProblemName};
 use tpg_runtime::net::Kind;
 use tpg_runtime::policy::Policy;
-use tpg_train::parts::{QuantiseArgs, parse_file, quantise as quantise_file};
+use tpg_train::parts::{GraphArgs, QuantiseArgs, parse_file, quantise as quantise_file};
 use tpg_train::{Acting, Episodes, Network, evaluate};
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
@@ -42,8 +42,9 @@ fn args(out: PathBuf, kind: Kind) -> QuantiseArgs {
     QuantiseArgs {
         policy: generated("policy.safetensors"),
         out,
-        kind,
+        kind: Some(kind),
         seed: 1,
+        graph: GraphArgs::default(),
     }
 }
 

@@ -1,7 +1,6 @@
 //! A graph in Python.
 
 use crate::error;
-use crate::policy::Units;
 use crate::space::Space;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
@@ -12,14 +11,15 @@ use tpg_codegen::quantise::{Request, quantise};
 use tpg_codegen::report;
 use tpg_codegen::size::Target;
 use tpg_codegen::verify::Proof;
-use tpg_engine::PolicyGraph;
-use tpg_graph::error::counted;
+use tpg_engine::{PolicyGraph, Units};
+use tpg_graph::error::{InputError, counted};
 use tpg_graph::files::{read_graph, write_atomically};
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::output::write_folder;
 use tpg_graph::states::StateSet;
-use tpg_graph::{Counts, Input, Output, Range};
+use tpg_graph::{Input, Output, Range};
 use tpg_picture as picture;
+use tpg_train::{InIntegers, Visit};
 
 /// States that a report's means are taken over, and their seed.
 const STATES: usize = 20_000;
@@ -164,33 +164,35 @@ impl Graph {
         Ok((report.to_string(), serde_json::to_string(&report).map_err(error::input)?))
     }
 
-    /// Returns the graph in integers, with inputs and weights of so many bits, and a report. The ranges of `states`, or the
-    /// declared ones, times `margin` fill the bits.
+    /// Returns the graph in integers, with inputs and weights of so many bits, which the ranges of `states` fill, or the declared
+    /// ones; and a report.
     fn quantise(
         &self,
         py: Python<'_>,
         bits: u32,
         states: Option<PyReadonlyArray2<'_, f64>>,
-        margin: f64,
     ) -> PyResult<(Self, String)> {
-        if !Counts::BITS.contains(&bits) {
-            let (low, high) = Counts::BITS.into_inner();
-            return Err(error::input(format!("{bits} bits; accepted: {low} to {high}")));
-        }
-        let length = self.0.state_length();
-        let states = match states {
-            Some(states) if states.shape()[1] != length || states.shape()[0] == 0 => {
-                return Err(error::input(format!(
-                    "states of {} values; accepted: rows of {length}",
-                    states.shape()[1]
-                )));
-            }
-            Some(states) => StateSet::given(&self.0, states.as_array().iter().copied().collect()),
-            None => StateSet::sampled(&self.0, STATES, SEED),
-        };
-        let quantised =
-            py.detach(|| quantise("graph", &self.0, &Request { margin, ..Request::of_bits(bits, &states) }));
+        let states = self.given(states)?.unwrap_or_else(|| StateSet::sampled(&self.0, STATES, SEED));
+        let quantised = py.detach(|| quantise("graph", &self.0, &Request::of_bits(bits, &states)));
         quantised.map(|(graph, report)| (Self(graph), report.to_string())).map_err(error::input)
+    }
+
+    /// Returns the graph in integers that keep its return, and a report: see [`InIntegers::keeping_return`]. `play` gives the
+    /// returns of a graph, and the states that it visits without its memory.
+    fn quantise_keeping(
+        &self,
+        bits: Option<u32>,
+        states: Option<PyReadonlyArray2<'_, f64>>,
+        play: &Bound<'_, PyAny>,
+    ) -> PyResult<(Self, String)> {
+        let visit = |graph: &tpg_graph::Graph| -> PyResult<Visit> {
+            let played = play.call1((Self(graph.clone()),))?;
+            let (returns, states): (_, PyReadonlyArray2<'_, f64>) = played.extract()?;
+            Ok(Visit { returns, states: states.as_array().iter().copied().collect() })
+        };
+        let given = self.given(states)?;
+        let whole = InIntegers::keeping_return("graph", &self.0, bits, given, |graph| visit(graph).map_err(Raised));
+        whole.map(in_python).map_err(|Raised(error)| error)
     }
 
     /// Returns the generated files, names and texts, in integers where the graph is. `language` is "c" or "rust"; `profile` is "fast", "balanced", "small" or
@@ -250,6 +252,33 @@ impl Graph {
         };
         let (teams, programs) = (self.0.teams().len(), self.0.programs().len());
         format!("<Graph of {}, {}, {ends}>", counted(teams, "team"), counted(programs, "program"))
+    }
+}
+
+impl Graph {
+    /// Returns states that are given.
+    pub(crate) fn given(&self, states: Option<PyReadonlyArray2<'_, f64>>) -> PyResult<Option<StateSet>> {
+        let Some(states) = states else { return Ok(None) };
+        let (found, wanted) = (states.shape(), self.0.state_length());
+        if found[1] != wanted || found[0] == 0 {
+            return Err(error::input(format!("states of {} values; accepted: rows of {wanted}", found[1])));
+        }
+        Ok(Some(StateSet::given(&self.0, states.as_array().iter().copied().collect())))
+    }
+}
+
+/// Returns a graph in integers, and its report.
+pub(crate) fn in_python(whole: InIntegers) -> (Graph, String) {
+    let said = whole.to_string();
+    (Graph(whole.graph), said)
+}
+
+/// An exception, also of an input.
+struct Raised(PyErr);
+
+impl From<InputError> for Raised {
+    fn from(error: InputError) -> Self {
+        Self(error::input(error))
     }
 }
 

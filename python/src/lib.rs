@@ -62,5 +62,6 @@ fn _tpg(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(test_seeds, module)?)?;
     module.add_function(wrap_pyfunction!(evolution::configuration, module)?)?;
     module.add_function(wrap_pyfunction!(native::evaluate_native, module)?)?;
+    module.add_function(wrap_pyfunction!(native::quantise_native, module)?)?;
     module.add_function(wrap_pyfunction!(native::problems, module)?)
 }

@@ -1,8 +1,8 @@
 //! The built-in problems: by name, and as environments that Python steps.
 
 use crate::error;
-use crate::graph::Graph;
-use numpy::{PyArray1, PyReadonlyArray1};
+use crate::graph::{Graph, in_python};
+use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use serde_json::json;
 use std::sync::Mutex;
@@ -10,7 +10,7 @@ use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Act, ActionSpace, AnyEnvironment, AnyEpisode, AnyTask, End, SourceSet, TaskSet};
 use tpg_problems::{PROBLEMS, PolicyKind, Problem, ProblemName};
 use tpg_runtime::policy::ActionId;
-use tpg_train::{Acting, Config as EvolutionConfig, Configuration as _, Episodes, evaluate};
+use tpg_train::{Acting, Config as EvolutionConfig, Configuration as _, Episodes, evaluate, in_integers};
 
 /// Finds a built-in problem with its default settings.
 pub(crate) fn problem(name: &str) -> PyResult<Problem> {
@@ -43,6 +43,22 @@ pub(crate) fn evaluate_native(
     let report = py.detach(|| evaluate(&problem, &graph.0, Acting::Graph(&graph), episodes));
     let report = report.map_err(error::input)?;
     serde_json::to_string(&report).map_err(error::input)
+}
+
+/// Returns a graph in integers that keep its return on a built-in problem, and a report: see [`in_integers`].
+#[pyfunction]
+pub(crate) fn quantise_native(
+    py: Python<'_>,
+    problem_name: &str,
+    graph: &Graph,
+    bits: Option<u32>,
+    states: Option<PyReadonlyArray2<'_, f64>>,
+    episodes: usize,
+) -> PyResult<(Graph, String)> {
+    let (problem, given) = (problem(problem_name)?, graph.given(states)?);
+    let graph = ("graph".to_owned(), graph.0.clone());
+    let whole = py.detach(|| in_integers(&problem, &graph, bits, given, episodes, 1));
+    whole.map(in_python).map_err(error::input)
 }
 
 /// A step as Python sees it: observation, reward, terminated, truncated, and success where the problem defines it.

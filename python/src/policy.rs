@@ -6,9 +6,9 @@ use crate::space::Space;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::sync::Mutex;
-use tpg_engine::{Moments, Plan, Single};
+use tpg_engine::{Moments, Plan, Single, Units};
 use tpg_graph::interpret::Answer;
-use tpg_graph::{Counts, MathsProvider, ScalarType, SourceDocument};
+use tpg_graph::{MathsProvider, ScalarType, SourceDocument};
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
 
@@ -21,35 +21,6 @@ pub(crate) struct Policy {
     units: Units,
     /// Its own evaluator, made when it first acts.
     acting: Mutex<Option<Acting>>,
-}
-
-/// Counts of the values that a graph reads and answers; both are values outside, counts inside. None for what is no count.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Units {
-    inputs: Vec<Option<Counts>>,
-    outputs: Vec<Option<Counts>>,
-}
-
-impl Units {
-    /// Returns those of a graph.
-    pub(crate) fn of(graph: &tpg_graph::Graph) -> Self {
-        let inputs = graph.inputs().map(|input| graph.counts_of(input)).collect();
-        Self { inputs, outputs: graph.outputs().iter().map(|output| output.counts).collect() }
-    }
-
-    /// Puts the values of a state into counts.
-    pub(crate) fn count(&self, state: &mut [f64]) {
-        for (value, counts) in state.iter_mut().zip(&self.inputs) {
-            *value = counts.map_or(*value, |counts| counts.count(*value));
-        }
-    }
-
-    /// Puts the counts of an answer into values.
-    pub(crate) fn value(&self, answer: &mut [f64]) {
-        for (value, counts) in answer.iter_mut().zip(&self.outputs) {
-            *value = counts.map_or(*value, |counts| counts.value(*value));
-        }
-    }
 }
 
 /// An evaluator of one state at a time, in what the policy computes in.
@@ -119,16 +90,13 @@ impl Policy {
     /// Reads what `to_bytes` wrote.
     #[staticmethod]
     fn from_bytes(bytes: &[u8]) -> PyResult<Self> {
-        let (inputs, scalar, policy, counts) = serde_json::from_slice(bytes).map_err(error::input)?;
-        let (seen, given) = counts;
-        Ok(Self { units: Units { inputs: seen, outputs: given }, ..Self::new(policy, inputs, scalar) })
+        let (inputs, scalar, policy, units) = serde_json::from_slice(bytes).map_err(error::input)?;
+        Ok(Self { units, ..Self::new(policy, inputs, scalar) })
     }
 
     /// Returns the policy as bytes, one to three kilobytes.
     fn to_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
-        let bytes =
-            serde_json::to_vec(&(self.inputs, self.scalar, &self.policy, (&self.units.inputs, &self.units.outputs)))
-                .map_err(error::input)?;
+        let bytes = serde_json::to_vec(&(self.inputs, self.scalar, &self.policy, &self.units)).map_err(error::input)?;
         Ok(PyBytes::new(py, &bytes))
     }
 

@@ -7,7 +7,6 @@ import dataclasses
 import functools
 import json
 import logging
-import math
 import os
 import secrets
 import shutil
@@ -29,7 +28,7 @@ from . import _tpg
 from ._episodes import Episodes, Here, Workers, first_difference
 from ._tpg import Evolution, Graph, InputError, Policy, Samples, TrainingError
 from .callbacks import BaseCallback, MaybeCallback, _Bar, _TensorBoard, as_list
-from .comparing import Comparison, Comparisons, Effort, Played, beside, compare, play
+from .comparing import Comparison, Comparisons, compare, play
 from .reports import Evaluation, HallEntry, Proof, Report
 from .spaces import Interface, _name
 from .tuning import tuned
@@ -685,30 +684,20 @@ class TPG:
         rows = None if states is None else _rows(states, len(graph.inputs), graph.memory)
         bits = None if bits is None else _whole("bits", bits, 2, 16)
         if episodes == 0 or isinstance(self._env, _Described):
-            return self._in_integers(*graph.quantise(16 if bits is None else bits, rows, 1.0))
-        seeds = _tpg.test_seeds(_QUANTISING, _whole("episodes", episodes, 2))
-        visited: list[list[float]] = []
+            return self._in_integers(*graph.quantise(16 if bits is None else bits, rows))
+        count = _whole("episodes", episodes, 2)
+        if self.native is not None:
+            return self._in_integers(*_tpg.quantise_native(self.native, graph, bits, rows, count))
+        seeds = _tpg.test_seeds(_QUANTISING, count)
 
-        def played(graph: Graph, seen: list[list[float]] | None = None) -> tuple[list[Played], Effort | None]:
+        def played(graph: Graph) -> tuple[list[float], NDArray[np.float64]]:
             policy = interface.policy(graph)
-            after: list[int] | None = None if seen is None else []
-            return play(self.env, lambda: Candidate(policy, 0, interface, 0, after, seen).predict, seeds, interface.limit)
+            seen: list[list[float]] = []
+            results, _ = play(self.env, lambda: Candidate(policy, 0, interface, 0, [], seen).predict, seeds, interface.limit)
+            states = interface.read_by(graph, np.asarray(seen))
+            return [score for score, *_ in results], states[:, : len(graph.inputs) - graph.memory]
 
-        ours = played(graph, visited)
-        margin = 1.0
-        if rows is None:
-            rows, margin = np.asarray(visited), 2.0
-            # A value that never changed gets a range, too.
-            rows = np.vstack([rows, rows[0] + (rows.min(axis=0) == rows.max(axis=0))])
-        tried = []
-        for number in (8, 10, 12, 14, 16) if bits is None else (bits,):
-            whole, said = graph.quantise(number, rows, margin)
-            tried.append(beside(ours, played(whole), f"{number} bits", interface.name))
-            if tried[-1].difference <= tried[-1].this.std / math.sqrt(episodes):
-                break
-        else:
-            said += "\nthe mean return is more than one standard error lower"
-        return self._in_integers(whole, f"{said}\n{Comparisons(tried)}")
+        return self._in_integers(*graph.quantise_keeping(bits, rows, played))
 
     def _in_integers(self, graph: Graph, said: str) -> TPG:
         if isinstance(self._env, _Described):

@@ -61,8 +61,9 @@ enum Command {
     #[command(after_help = "Examples:
   tpg-train import actor.safetensors --problem pendulum --out policy.safetensors")]
     Import(ImportArgs),
-    /// Quantise a soft actor-critic's network to integers
+    /// Put a policy into integers: a network, or a graph with the fewest bits that keep its return
     #[command(after_help = "Examples:
+  tpg-train quantise runs/pole/graph.json --out whole.json
   tpg-train quantise runs/sac/policy.safetensors --out policy.q.json")]
     Quantise(QuantiseArgs),
     /// Run a policy and count how its episodes end

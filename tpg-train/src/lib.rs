@@ -7,6 +7,7 @@
 //! | [`train_network`], [`Network`] | soft actor-critics |
 //! | [`evaluate`], [`Acting`], [`Episodes`], [`OwnProblem`], [`Shared`] | test episodes of a graph, a network, or both |
 //! | [`Hybrid`], [`Setting`], [`Asking`] | graphs and networks that share a problem |
+//! | [`in_integers`], [`InIntegers`], [`Visit`] | graphs in integers that keep their return |
 //! | [`report_with`] | runs in one HTML file |
 //! | [`Cli`] | the program `tpg-train` |
 //! | [`evolve`], [`Link`] | `tpg-train tpg` over several processes |
@@ -47,6 +48,7 @@ pub use hybrid::rollout::Acting;
 pub use hybrid::setting::{Detector, Hybrid, Setting};
 pub use hybrid::shared::{Episodes, OwnProblem, Shared};
 pub use hybrid::span::Span;
+pub use quantise::{InIntegers, Visit, in_integers};
 pub use ranks::evolve;
 pub use ranks::link::Link;
 pub use report::{ReportArgs, report_with};
@@ -61,7 +63,7 @@ pub mod parts {
     pub use crate::folder::RunFolder;
     pub use crate::hybrid::command::{StudyArgs, study_on};
     pub use crate::hybrid::setting::parse_file;
-    pub use crate::quantise::{QuantiseArgs, quantise};
+    pub use crate::quantise::{GraphArgs, QuantiseArgs, quantise};
     pub use crate::sac::tensors::{Tensor, Tensors};
     pub use crate::sac::{foreign, weights};
 }

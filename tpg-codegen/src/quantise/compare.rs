@@ -38,7 +38,7 @@ pub struct OutputDifference {
 
 impl Comparison {
     /// Compares on states of values.
-    pub(super) fn new(graph: &Graph, counted: &Graph, set: &StateSet) -> Self {
+    pub fn new(graph: &Graph, counted: &Graph, set: &StateSet) -> Self {
         let length = graph.state_length();
         let ((answered, values), (_, kept)) = (graph.split_outputs(), counted.split_outputs());
         let names: Vec<String> = graph.inputs().map(|input| graph.input_label(input)).collect();

@@ -5,8 +5,40 @@ use crate::environment::{Environment, OneByOne};
 use crate::episode_result::Step;
 use crate::episodes::Episodes;
 use crate::source_set::SourceSet;
+use serde::{Deserialize, Serialize};
 use tpg_graph::{Counts, Graph, SourceDocument};
 use tpg_runtime::scalar::Scalar;
+
+/// The counts of the values that a graph reads and answers, if they are counts.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub struct Units {
+    inputs: Vec<Option<Counts>>,
+    outputs: Vec<Option<Counts>>,
+}
+
+impl Units {
+    /// Returns those of a graph.
+    pub fn of(graph: &Graph) -> Self {
+        let inputs = graph.inputs().map(|input| graph.counts_of(input)).collect();
+        Self { inputs, outputs: graph.outputs().iter().map(|output| output.counts).collect() }
+    }
+
+    /// Puts the values of a state into counts.
+    pub fn count<S: Scalar>(&self, state: &mut [S]) {
+        convert(&self.inputs, state, Counts::count);
+    }
+
+    /// Puts the counts of an answer into values.
+    pub fn value<S: Scalar>(&self, answer: &mut [S]) {
+        convert(&self.outputs, answer, Counts::value);
+    }
+}
+
+fn convert<S: Scalar>(counts: &[Option<Counts>], values: &mut [S], convert: fn(Counts, f64) -> f64) {
+    for (value, counts) in values.iter_mut().zip(counts) {
+        *value = counts.map_or(*value, |counts| S::from_f64(convert(counts, value.to_f64())));
+    }
+}
 
 /// An environment whose values are the counts that a graph sees and answers: each observed value becomes its count, as a sensor
 /// gives it, and each output its value.
@@ -58,9 +90,7 @@ pub struct Counting<E> {
     environment: E,
     /// The sources, in counts where the graph has some.
     sources: Vec<SourceDocument>,
-    /// The counts of each value of the state, and of each output.
-    inputs: Vec<Option<Counts>>,
-    outputs: Vec<Option<Counts>>,
+    units: Units,
 }
 
 impl<E> Counting<E> {
@@ -81,7 +111,8 @@ impl<E> Counting<E> {
         };
         let of_output = |output: &Output| graph.outputs().iter().find(|known| known.name == output.name)?.counts;
         let outputs = environment.actions().outputs().iter().map(of_output).collect();
-        Self { environment, inputs: sources.iter().flat_map(of_source).collect(), sources, outputs }
+        let units = Units { inputs: sources.iter().flat_map(of_source).collect(), outputs };
+        Self { environment, sources, units }
     }
 }
 
@@ -99,7 +130,7 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Counting<E> {
     fn actions(&self) -> ActionSpace {
         let mut space = self.environment.actions();
         if let ActionSpace::Box(outputs) = &mut space {
-            for (output, counts) in outputs.iter_mut().zip(&self.outputs) {
+            for (output, counts) in outputs.iter_mut().zip(&self.units.outputs) {
                 if let Some(counts) = counts {
                     (output.min, output.max) = (counts.count(output.min), counts.count(output.max));
                 }
@@ -109,26 +140,19 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Counting<E> {
     }
 
     fn lanes(&self) -> Box<dyn Episodes<S, E::Task> + '_> {
-        let is_plain = self.inputs.iter().chain(&self.outputs).all(Option::is_none);
+        let is_plain = self.units.inputs.iter().chain(&self.units.outputs).all(Option::is_none);
         if is_plain { self.environment.lanes() } else { Box::new(OneByOne::new(self)) }
     }
 
     fn observe(&self, episode: &mut Self::Episode, wanted: SourceSet, state: &mut [S]) {
         self.environment.observe(episode, wanted, state);
-        for (value, counts) in state.iter_mut().zip(&self.inputs) {
-            if let Some(counts) = counts {
-                *value = S::from_f64(counts.count(value.to_f64()));
-            }
-        }
+        self.units.count(state);
     }
 
     fn step(&self, episode: &mut Self::Episode, act: Act<'_, S>) -> Step {
         let Act::Values(values) = act else { return self.environment.step(episode, act) };
-        let value = |(counts, &value): (&Option<Counts>, &S)| match counts {
-            Some(counts) => S::from_f64(counts.value(value.to_f64())),
-            None => value,
-        };
-        let values: Vec<S> = self.outputs.iter().zip(values).map(value).collect();
+        let mut values = values.to_vec();
+        self.units.value(&mut values);
         self.environment.step(episode, Act::Values(&values))
     }
 }

@@ -15,7 +15,7 @@
 //! | [`bind`] | binding of a graph to an environment's sources and actions |
 //! | [`Choices`] | any action space as a list of named actions |
 //! | [`Remembering`], [`Remembered`] | a memory for policies |
-//! | [`Counting`] | counts in place of values, for graphs in integers |
+//! | [`Counting`], [`Units`] | counts in place of values, for graphs in integers |
 //! | [`Episodes`], [`OneByOne`], [`Mapped`], [`View`], [`SourceSet`] | parallel episodes |
 //! | [`EpisodeResult`], [`Summary`], [`Preference`] | results |
 //! | [`PolicyGraph`], [`Plan`], [`Node`], [`Arena`] | a graph in the engine's own form |
@@ -61,7 +61,7 @@ mod work;
 pub use action::{Act, ActionSpace, Acts, NETWORK, Output};
 pub use binding::{bind, places, reading};
 pub use choices::Choices;
-pub use counting::Counting;
+pub use counting::{Counting, Units};
 pub use environment::{Environment, OneByOne};
 pub use episode_result::{End, EpisodeResult, Measure, Preference, Step, Summary, finite};
 pub use episodes::Episodes;
