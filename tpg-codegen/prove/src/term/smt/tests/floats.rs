@@ -119,16 +119,19 @@ pub(super) fn arithmetic() -> Lemmas {
     lemmas
 }
 
+/// Makes a term of two floats.
+type Made<T> = fn(&Terms, Float, Float) -> T;
+
 pub(super) fn comparisons() -> Lemmas {
     let mut lemmas = Lemmas::default();
     let (all, conditions) = (floats(&lemmas.terms), conditions(&lemmas.terms));
-    let comparisons: [(fn(&Terms, Float, Float) -> Bool, &str); 4] = [
+    let comparisons: [(Made<Bool>, &str); 4] = [
         (Terms::at_most, "(or (fp.isNaN {a}) (fp.leq {a} {b}))"),
         (Terms::less, "(fp.lt {a} {b})"),
         (Terms::less_or_equal, "(fp.leq {a} {b})"),
         (Terms::equal, "(fp.eq {a} {b})"),
     ];
-    let choices: [(fn(&Terms, Float, Float) -> Float, &str); 2] =
+    let choices: [(Made<Float>, &str); 2] =
         [(Terms::minimum, "(ite (fp.lt {a} {b}) {a} {b})"), (Terms::maximum, "(ite (fp.gt {a} {b}) {a} {b})")];
     for (at, &a) in all.iter().enumerate() {
         let nan = lemmas.terms.is_nan(a);
