@@ -172,36 +172,42 @@ pub(super) fn comparisons() -> Lemmas {
     lemmas
 }
 
-/// What the order of floats excludes: two comparisons that share a number, where a third one holds.
+/// What the order of floats excludes: two comparisons where a third one holds.
 pub(super) fn orders() -> Lemmas {
     let mut lemmas = Lemmas::default();
-    let all = {
+    let mut asked = Vec::new();
+    {
         let terms = &lemmas.terms;
         let [x, y, z] = [0, 1, 2].map(|index| terms.source(index));
         let [zero, one, two] = [0.0, 1.0, 2.0].map(|value| terms.constant(value));
+        let nan = terms.constant(f32::NAN);
         let mut all: Vec<_> = [0, 1, 0x3f80_0000, 0xbf80_0000, 0x7f7f_ffff, 0x7f80_0000, 0xff80_0000, 0x7fc0_0000]
             .map(|bits| terms.constant_bits(bits))
             .into();
+        let constants = all.clone();
+        let sums = [terms.subtract(x, y), terms.subtract(y, x), terms.add(x, y), terms.add(x, one)];
         all.extend([x, y, z, terms.negate(x), terms.negate(y), terms.magnitude(x), terms.add(x, zero)]);
-        all.extend([terms.subtract(x, y), terms.subtract(y, x), terms.add(x, y), terms.add(x, one)]);
         all.extend([terms.multiply(x, two), terms.multiply(x, y), terms.divide(x, y), terms.divide(x, zero)]);
-        all
-    };
-    for &a in &all {
-        for &b in &all {
-            for &c in &all {
-                let [first, second, third] = [(a, b), (b, c), (c, a)].map(|(a, b)| lemmas.terms.at_most(a, b));
-                for assumed in [Terms::TRUE, third] {
-                    let sides = [[first, !first], [second, !second]];
-                    let found = together(&lemmas.terms, assumed, [&sides[0], &sides[1]], 1 << 12).expect("few cases");
-                    for (p, q) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-                        let [left, right] = [sides[0][p], sides[1][q]];
-                        if !found.pairs.contains(&(p, q)) && ![assumed, left, right].contains(&Terms::FALSE) {
-                            lemmas.claim(|s| {
-                                format!("(not (and {} {} {}))", s.truth(assumed), s.truth(left), s.truth(right))
-                            });
-                        }
-                    }
+        all.extend(sums);
+        // three numbers
+        let pairs = all.iter().flat_map(|&a| all.iter().map(move |&b| (a, b)));
+        asked.extend(pairs.flat_map(|(a, b)| all.iter().map(move |&c| [(a, b), (b, c), (c, a)])));
+        // two numbers, and a sum beside a constant
+        for pair in [(x, y), (y, x), (x, terms.negate(y)), (terms.negate(y), x), (x, x)] {
+            for (sum, constant) in sums.iter().flat_map(|&sum| constants.iter().map(move |&constant| (sum, constant))) {
+                asked.extend([[pair, (sum, constant), (pair.0, nan)], [pair, (constant, sum), (y, nan)]]);
+            }
+        }
+    }
+    for comparisons in asked {
+        let [first, second, third] = comparisons.map(|(a, b)| lemmas.terms.at_most(a, b));
+        let sides = [[first, !first], [second, !second]];
+        for assumed in [Terms::TRUE, third, !third] {
+            let found = together(&lemmas.terms, assumed, [&sides[0], &sides[1]], 1 << 12).expect("few cases");
+            for (p, q) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                let all = [assumed, sides[0][p], sides[1][q]];
+                if !found.pairs.contains(&(p, q)) && !all.contains(&Terms::FALSE) {
+                    lemmas.claim(|s| format!("(not (and {}))", all.map(|condition| s.truth(condition)).join(" ")));
                 }
             }
         }
