@@ -61,7 +61,7 @@ const QUICK: Effort = Effort { cases: 100_000, pairs: 5_000 };
 
 fn proof_of(text: &str, files: &[File], effort: Effort) -> Proof {
     let graph = Meaning::read("graph.json", text).expect("a graph in binary32");
-    with(&graph, files, &|graph, read| proof::prove(graph, read, false, effort))
+    with(&graph, files, &|graph, read| proof::prove(graph, read, false, effort, None))
 }
 
 /// Reads the code anew.

@@ -3,14 +3,14 @@
 use crate::book;
 use crate::python::{self, PythonArgs};
 use crate::summary::{Count, Summary};
-use crate::venv::interpreter;
+use crate::venv::{environment, interpreter};
 use crate::web;
 use std::io::{BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 use std::{env, fs, io};
-use tpg_testing::library::target_folder;
+use tpg_testing::library::{target_folder, top};
 
 /// The crate that needs a Python interpreter: `python.rs` builds and tests it.
 const PYTHON: &str = "tpg-python";
@@ -58,8 +58,14 @@ pub(crate) fn all() -> bool {
         run.firmware(&["qemu"]);
         run.firmware(&["cores"]);
         run.firmware(&["lint"]);
+        run.lemmas();
         python::check(run, PythonArgs::default());
     })
+}
+
+/// Has a solver prove the rules of proofs; returns true if it could, or what runs it is missing.
+pub(crate) fn lemmas() -> bool {
+    run(Run::lemmas)
 }
 
 /// Runs the lint of generated C and of the firmwares; returns true if it passed.
@@ -227,6 +233,23 @@ impl Run {
             Err(error) => Err(error),
         };
         self.summary.note("book", began.elapsed(), result);
+    }
+
+    /// Has a solver prove the rules of proofs, and some proofs.
+    fn lemmas(&mut self) {
+        let Some(python) = interpreter() else {
+            return self.missing("lemmas", "Python 3.10 or newer with venv; Debian: python3-venv");
+        };
+        let requirements = top().join("xtask/requirements-lemmas.txt");
+        match environment(&python, &target_folder().join("lemmas"), &requirements) {
+            Ok(venv) => {
+                let words = ["test", "--package", "tpg-prove", "--lib", "--", "smt::", "--include-ignored"];
+                let mut tests = cargo(&words);
+                tests.env("TPG_SOLVER", venv.join("bin/python"));
+                self.tests("lemmas", tests);
+            }
+            Err(error) => self.failed("lemmas", &error),
+        }
     }
 
     /// Checks licences, sources and bans of every crate by `deny.toml`; known defects and abandoned crates where the database

@@ -62,6 +62,8 @@ enum XtaskCommand {
     /// Only the lint of C, generated and the firmwares' own: gcc, clang, clang-tidy, cppcheck with its MISRA addon, Frama-C
     /// EVA
     Lint,
+    /// Have a solver prove every rule that proofs apply, and some proofs; writes what is proven
+    Lemmas,
     /// Random graphs by every compiler at every level of optimisation: gcc, clang, tcc, g++, clang++, rustc
     Compilers {
         /// Random graphs, each in three profiles
@@ -108,6 +110,7 @@ fn main() -> ExitCode {
             check::harness(&["cores"].into_iter().chain(update).chain(only.into_iter().flatten()).collect::<Vec<_>>())
         }
         Lint => check::lint(),
+        Lemmas => check::lemmas(),
         Compilers { graphs } => check::compilers(graphs),
         Fuzz(arguments) => arguments.run(),
         Miri => nightly::miri(),

@@ -9,6 +9,7 @@ use crate::input::{Missing, Result};
 use crate::machine::{Answer, Machine, Point, Step, Ways};
 use crate::order::together;
 use crate::term::evaluate::Evaluator;
+use crate::term::smt::Script;
 use crate::term::{Bool, Float, Terms};
 use Destination::*;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -63,6 +64,35 @@ pub struct Comparison<'a> {
     pub work: Work,
     pieces: Pieces,
     combined: HashMap<(Bool, [Vec<Bool>; 2]), Combined>,
+    /// Takes what is decided, as scripts that no state satisfies
+    pub(crate) queries: Queries<'a>,
+}
+
+/// Takes scripts of SMT-LIB, if somebody wants them.
+pub type Queries<'a> = Option<&'a dyn Fn(String)>;
+
+/// The script of an assumption and of what never holds with it.
+fn never(terms: &Terms, assumed: Bool, formula: impl FnOnce(&mut Script<'_>) -> String) -> String {
+    let mut script = Script::new(terms);
+    let assumed = script.truth(assumed);
+    script.assert(&assumed);
+    let formula = formula(&mut script);
+    script.assert(&formula);
+    script.finish()
+}
+
+/// The script of pairs of conditions that were not found to hold together; some condition of each side always holds.
+pub(crate) fn excluded(terms: &Terms, assumed: Bool, sides: [&[Bool]; 2], found: &Combined) -> String {
+    never(terms, assumed, |script| {
+        let [left, right] = sides.map(|side| side.iter().map(|&condition| script.truth(condition)).collect::<Vec<_>>());
+        let pairs = (0..left.len()).flat_map(|x| (0..right.len()).map(move |y| (x, y)));
+        let excluded: String = pairs
+            .filter(|pair| !found.contains(pair))
+            .map(|(x, y)| format!(" (and {} {})", left[x], right[y]))
+            .collect();
+        let [left, right] = [left, right].map(|side| side.join(" "));
+        format!("(or (not (or false {left})) (not (or false {right})){excluded})")
+    })
 }
 
 /// The condition that the values of the state are in ranges.
@@ -96,6 +126,7 @@ impl<'a> Comparison<'a> {
             work: Work::default(),
             pieces: HashMap::new(),
             combined: HashMap::new(),
+            queries: None,
         }
     }
 
@@ -224,6 +255,9 @@ impl<'a> Comparison<'a> {
         self.work.cases += found.as_ref().map_or(left, |found| found.cases);
         match found {
             Some(found) if !found.incomplete => {
+                if let Some(take) = self.queries {
+                    take(excluded(&self.terms, assumed, sides, &found.pairs));
+                }
                 self.combined.insert(key, found.pairs.clone());
                 Ok(found.pairs)
             }
@@ -274,7 +308,11 @@ impl<'a> Comparison<'a> {
             let ((p, a), (q, b)) = (first[x], second[y]);
             a == b || self.terms.same_under(a, b, [p, q])
         };
-        Ok(pairs.iter().all(|&(x, y)| same(x, y)))
+        let same = pairs.iter().all(|&(x, y)| same(x, y));
+        if let Some(take) = self.queries.filter(|_| same) {
+            take(never(&self.terms, assumed, |script| format!("(distinct {} {})", script.number(a), script.number(b))));
+        }
+        Ok(same)
     }
 
     /// Where the code can go on from a side; none where it has answered.

@@ -5,7 +5,7 @@ use crate::graph::meaning::Meaning;
 use crate::input::{Missing, Result};
 use crate::machine::Machine;
 use crate::order::together;
-use crate::product::{Comparison, Effort, Work, in_ranges};
+use crate::product::{Comparison, Effort, Queries, Work, excluded, in_ranges};
 use crate::states::Stream;
 use crate::term::Terms;
 use Verdict::*;
@@ -71,10 +71,17 @@ impl fmt::Display for Proof {
     }
 }
 
-/// Compares code with a graph. The code is read anew for each attempt.
-pub fn prove<M: Machine>(graph: &Graph, read: &dyn Fn() -> Result<M>, assume_ranges: bool, effort: Effort) -> Proof {
+/// Compares code with a graph. The code is read anew for each attempt. What is decided also goes to `queries`, as scripts that
+/// no state satisfies.
+pub fn prove<M: Machine>(
+    graph: &Graph,
+    read: &dyn Fn() -> Result<M>,
+    assume_ranges: bool,
+    effort: Effort,
+    queries: Queries<'_>,
+) -> Proof {
     let ranges = if assume_ranges { &graph.ranges[..] } else { &[] };
-    let in_range = (!graph.leaves.is_empty()).then(|| in_range(graph, ranges, effort));
+    let in_range = (!graph.leaves.is_empty()).then(|| in_range(graph, ranges, effort, queries));
     let (work, lemmas) = (Work::default(), BTreeMap::new());
     let mut machine = match read() {
         Ok(machine) => machine,
@@ -83,6 +90,7 @@ pub fn prove<M: Machine>(graph: &Graph, read: &dyn Fn() -> Result<M>, assume_ran
         }
     };
     let mut comparison = Comparison::new(graph, &mut machine, Terms::new(), ranges, effort);
+    comparison.queries = queries;
     let verdict = match comparison.prove() {
         Ok(()) => Proven,
         Err(missing) => {
@@ -95,14 +103,18 @@ pub fn prove<M: Machine>(graph: &Graph, read: &dyn Fn() -> Result<M>, assume_ran
 }
 
 /// Tests whether every answer is proven to be a number in its range.
-fn in_range(graph: &Graph, ranges: &[[f64; 2]], effort: Effort) -> bool {
+fn in_range(graph: &Graph, ranges: &[[f64; 2]], effort: Effort, queries: Queries<'_>) -> bool {
     let (terms, mut meaning) = (Terms::new(), Meaning::new(graph));
     let claimed = in_ranges(graph, &terms, ranges);
     let all = (0..graph.leaves.len()).all(|leaf| {
         let Ok(inside) = meaning.in_range(&terms, leaf) else { return false };
         let sides = [&[inside, !inside][..], &[Terms::TRUE]];
         let found = together(&terms, claimed, sides, effort.cases);
-        found.is_some_and(|found| !found.incomplete && !found.pairs.contains(&(1, 0)))
+        let holds = found.as_ref().is_some_and(|found| !found.incomplete && !found.pairs.contains(&(1, 0)));
+        if let (true, Some(found), Some(take)) = (holds, found, queries) {
+            take(excluded(&terms, claimed, sides, &found.pairs));
+        }
+        holds
     });
     all && terms.complete(String::new).is_ok()
 }

@@ -27,7 +27,7 @@ fn proof_of(graph: &str, body: &str) -> Proof {
     let graph = Graph::read("graph.json", graph).expect("a graph");
     let text = format!("{HEAD}{body}");
     let read = || c::read_with("policy.c", &text, &|_| None, None, graph.interface());
-    let proof = prove(&graph, &read, false, Effort::default());
+    let proof = prove(&graph, &read, false, Effort::default(), None);
     // whatever is proven never differs in a state that is computed by itself
     if matches!(proof.verdict, Verdict::Proven) {
         assert_eq!(sampled(&graph, &read, 500, 3), None, "{body}");
@@ -152,7 +152,13 @@ void pole_infer(const state_t *s, answer_t *answer)
 fn counts_are_whole_numbers_that_never_overflow() {
     let graph = Graph::read("graph.json", COUNTS).expect("a graph of counts");
     let proof_of = |text: &str| {
-        prove(&graph, &|| c::read_with("policy.c", text, &|_| None, None, graph.interface()), false, Effort::default())
+        prove(
+            &graph,
+            &|| c::read_with("policy.c", text, &|_| None, None, graph.interface()),
+            false,
+            Effort::default(),
+            None,
+        )
     };
     let proof = proof_of(COUNTED);
     assert!(matches!(proof.verdict, Verdict::Proven) && proof.in_range == Some(true), "{proof}");

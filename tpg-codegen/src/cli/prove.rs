@@ -4,6 +4,7 @@ use super::graph::GraphArgs;
 use crate::emit::{Code, Language, Options, Prefix, Profile, Style};
 use Verdict::*;
 use clap::Args;
+use std::cell::RefCell;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_graph::command::{self, CommandError, Verdict};
@@ -13,7 +14,7 @@ use tpg_prove::c;
 use tpg_prove::execute::Object;
 use tpg_prove::graph::Graph;
 use tpg_prove::input::Missing;
-use tpg_prove::product::Effort;
+use tpg_prove::product::{Effort, Queries};
 use tpg_prove::proof::{self, Proof};
 
 /// Prove that code decides like the graph, for every input, NaN and infinities included.
@@ -40,6 +41,9 @@ pub(super) struct ProveArgs {
     /// Write a certificate as JSON: file hashes, proof statistics, applied rules and assumptions
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
+    /// Write each step of the proof as a question to solvers, in SMT-LIB: all that is proven is `unsat`
+    #[arg(long, value_name = "DIR")]
+    smt_lib: Option<PathBuf>,
 }
 
 /// Files by their names, for a certificate.
@@ -58,6 +62,14 @@ impl ProveArgs {
             }
         };
         let mut proofs: Vec<(String, Proof, Files)> = Vec::new();
+        // Numbered, over all proofs.
+        let questions = RefCell::new(Vec::new());
+        let ask = |script: String| {
+            let mut questions = questions.borrow_mut();
+            let name = PathBuf::from(format!("{:05}.smt2", questions.len()));
+            questions.push((name, script));
+        };
+        let queries: Queries<'_> = self.smt_lib.as_ref().map(|_| &ask as &dyn Fn(String));
         // A long proof says what it has found so far.
         let mut add = |code: String, proof: Proof, files: Files| {
             command::print(format!("{code}: {proof}\n"))?;
@@ -69,7 +81,7 @@ impl ProveArgs {
                 let bytes = read(path)?;
                 let source = String::from_utf8_lossy(&bytes);
                 let read = || c::read(path, &source, self.symbol.as_deref(), graph.interface());
-                let proof = proof::prove(&graph, &read, self.assume_ranges, Effort::default());
+                let proof = proof::prove(&graph, &read, self.assume_ranges, Effort::default(), queries);
                 let file = path.display().to_string();
                 add(file.clone(), proof, vec![(file, bytes)])?;
             }
@@ -81,7 +93,7 @@ impl ProveArgs {
                 let accepted = "an object for ARM with that function";
                 object().map_err(|error| InputError::new(&*file, Place::Whole, error.to_string(), accepted))?;
                 let read = || object().map_err(|error| Missing::new(&*file, error.to_string()));
-                let proof = proof::prove(&graph, &read, self.assume_ranges, Effort::default());
+                let proof = proof::prove(&graph, &read, self.assume_ranges, Effort::default(), queries);
                 add(file.clone(), proof, vec![(file.clone(), bytes.clone())])?;
             }
             (None, None) => {
@@ -89,7 +101,7 @@ impl ProveArgs {
                     let prefix = Prefix::of_file(&self.graph.graph);
                     let options = Options { style: Style::Pure, profile: Some(profile), ..Options::new(prefix) };
                     let code = Code::of_graph(&name, &loaded, &options, Language::C)?;
-                    let proof = of_code(&code, &graph, self.assume_ranges, Effort::default());
+                    let proof = of_code(&code, &graph, self.assume_ranges, Effort::default(), queries);
                     let files = code.files.iter().map(|file| (file.name.clone(), file.text.clone().into_bytes()));
                     add(code.program.name(), proof, files.collect())?;
                 }
@@ -97,6 +109,11 @@ impl ProveArgs {
         }
         if let Some(path) = &self.certificate {
             self.certify(path, &proofs)?;
+        }
+        if let Some(folder) = &self.smt_lib {
+            let files: Vec<_> =
+                questions.take().into_iter().map(|(name, script)| (folder.join(name), script)).collect();
+            output::write_folder(folder, &files)?;
         }
         let verdicts = proofs.iter().map(|(_, proof, _)| match proof.verdict {
             proof::Verdict::Proven => Good,
@@ -139,14 +156,14 @@ fn read(path: &Path) -> Result<Vec<u8>, InputError> {
 }
 
 /// Proves generated C.
-fn of_code(code: &Code<'_>, graph: &Graph, assume_ranges: bool, effort: Effort) -> Proof {
+fn of_code(code: &Code<'_>, graph: &Graph, assume_ranges: bool, effort: Effort, queries: Queries<'_>) -> Proof {
     let text = |name: &str| code.files.iter().find(|file| file.name == name).map(|file| file.text.clone());
     let read = || {
         let source = code.files.iter().find(|file| file.name.ends_with(".c"));
         let source = source.ok_or_else(|| Missing::new(code.program.name(), "a file of C"))?;
         c::read_with(&source.name, &source.text, &text, None, graph.interface())
     };
-    proof::prove(graph, &read, assume_ranges, effort)
+    proof::prove(graph, &read, assume_ranges, effort, queries)
 }
 
 /// The work that `generate` and `package` do for a proof: that of some seconds at most.
@@ -161,7 +178,7 @@ pub(super) fn proven(codes: &[Code<'_>]) -> (String, Verdict) {
             continue;
         }
         let Ok(graph) = Graph::read("graph.json", &code.program.graph().to_json()) else { continue };
-        let proof = of_code(code, &graph, false, QUICK);
+        let proof = of_code(code, &graph, false, QUICK, None);
         match proof.verdict {
             proof::Verdict::Undecided(_) => continue,
             proof::Verdict::Different(_) => verdict = Failed,

@@ -59,7 +59,7 @@ impl Evaluator {
         self.value(terms, term.0)
     }
 
-    fn value(&mut self, terms: &Terms, at: u32) -> u64 {
+    pub(super) fn value(&mut self, terms: &Terms, at: u32) -> u64 {
         if let Some(&(round, value)) = self.values.get(at as usize)
             && round == self.round
         {

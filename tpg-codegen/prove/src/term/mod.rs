@@ -11,6 +11,7 @@ pub mod evaluate;
 mod float;
 mod rank;
 mod set;
+pub mod smt;
 mod whole;
 pub(crate) mod word;
 
@@ -263,21 +264,9 @@ impl Terms {
 
     /// Returns the depth of the deepest part of a node; 0 where it has none.
     fn deepest_part(&self, node: &Node) -> u16 {
-        let depths = self.depths.borrow();
-        let deepest = |parts: &[u32]| parts.iter().map(|&part| depths[part as usize]).max().unwrap_or(0);
-        match *node {
-            True | Constant(_) | Source(_) | Count(_) | Unknown(_) | Number(_) => 0,
-            Sum(ref products) => products.iter().map(|(product, _)| deepest(product)).max().unwrap_or(0),
-            And(ref parts) => parts.iter().map(|part| depths[(part.0 >> 1) as usize]).max().unwrap_or(0),
-            AtMost(a, b) | Arithmetic(_, a, b) | Quotient(a, b) => deepest(&[a.0, b.0]),
-            IsNegativeZero(a) | IsNegativeNan(a) | Negative(a) | Magnitude(a) | Bits(a) | Shifted(a, _) => {
-                deepest(&[a.0])
-            }
-            Within(a, _) | OfBits(a) | OfInteger(_, a) | Element(_, a) => deepest(&[a.0]),
-            Below(_, _, a, b) | Apply(_, _, a, b) => deepest(&[a.0, b.0]),
-            FloatIf(condition, a, b) => deepest(&[condition.0 >> 1, a.0, b.0]),
-            WordIf(condition, a, b) => deepest(&[condition.0 >> 1, a.0, b.0]),
-        }
+        let (depths, mut deepest) = (self.depths.borrow(), 0);
+        visit_parts(node, &mut |part| deepest = deepest.max(depths[part as usize]));
+        deepest
     }
 
     /// Returns an error if a term was too deep or too great to be built: nothing can be claimed with these terms then.
@@ -410,6 +399,33 @@ impl Terms {
     #[must_use]
     pub fn of_word(&self, term: Word) -> Node {
         self.node_at(term.0)
+    }
+}
+
+/// Visits the parts of a node.
+fn visit_parts(node: &Node, visit: &mut dyn FnMut(u32)) {
+    match *node {
+        True | Constant(_) | Source(_) | Count(_) | Unknown(_) | Number(_) => {}
+        Sum(ref products) => products.iter().flat_map(|(product, _)| product).for_each(|&part| visit(part)),
+        And(ref parts) => parts.iter().for_each(|part| visit(part.0 >> 1)),
+        IsNegativeZero(Float(a))
+        | IsNegativeNan(Float(a))
+        | Negative(Float(a))
+        | Magnitude(Float(a))
+        | Bits(Float(a))
+        | Shifted(Float(a), _)
+        | Within(Word(a), _)
+        | OfBits(Word(a))
+        | OfInteger(_, Word(a))
+        | Element(_, Word(a)) => visit(a),
+        AtMost(Float(a), Float(b))
+        | Node::Arithmetic(_, Float(a), Float(b))
+        | Quotient(Float(a), Float(b))
+        | Below(_, _, Word(a), Word(b))
+        | Apply(_, _, Word(a), Word(b)) => [a, b].into_iter().for_each(visit),
+        FloatIf(condition, Float(a), Float(b)) | WordIf(condition, Word(a), Word(b)) => {
+            [condition.0 >> 1, a, b].into_iter().for_each(visit);
+        }
     }
 }
 

@@ -336,7 +336,7 @@ impl Terms {
     }
 
     /// What is left of a condition where facts hold.
-    fn restricted(&self, condition: Bool, facts: &[Bool]) -> Bool {
+    pub(super) fn restricted(&self, condition: Bool, facts: &[Bool]) -> Bool {
         match (decided(facts, condition), self.of_bool(condition)) {
             (Some(known), _) => Self::known(known),
             (None, (And(members), negated)) => {
