@@ -113,11 +113,11 @@ fn a_finished_run_is_not_overwritten_and_another_configuration_not_resumed() {
     assert_eq!(steps.last().copied(), state(&folder)["steps"].as_u64(), "those of the run");
     assert!(refusal(train(&folder, &config, &["--generations", "2"])).contains("--resume"));
     let mut changed = small_config();
-    changed.tpg.nb_roots = 25;
+    changed.tpg.nb_roots = 49;
     let other = place.path().join("other.toml");
     fs::write(&other, changed.to_toml()).expect("it can be written");
     let refused = refusal(train(&folder, &other, &["--generations", "2", "--resume"]));
-    assert!(refused.contains("- tpg.nb_roots = 24") && refused.contains("+ tpg.nb_roots = 25"), "{refused}");
+    assert!(refused.contains("- tpg.nb_roots = 48") && refused.contains("+ tpg.nb_roots = 49"), "{refused}");
     assert!(refusal(train(&folder, &config, &["--generations", "2", "--resume", "--seed", "9"])).contains("seed 1"));
     assert!(results(&folder) == before, "a refused run changes nothing");
 }
