@@ -23,12 +23,7 @@ pub(crate) const PRESETS: [Preset; 12] = [
         "quick",
         include_str!("presets/labels.toml"),
     ),
-    Preset::new(
-        "images",
-        "features of images: one large population of short programs",
-        "thorough",
-        include_str!("presets/images.toml"),
-    ),
+    Preset::new("images", "features of images: many short programs", "thorough", include_str!("presets/images.toml")),
     Preset::new(
         "paper-fs",
         "the paper's learning problem, fixed start",

@@ -40,7 +40,7 @@ pub(crate) struct Moment {
 }
 
 impl Moment {
-    /// Returns the stream for a purpose. 
+    /// Returns the stream for a purpose.
     pub(crate) fn stream(self, purpose: Purpose, index: u64) -> Stream {
         Stream::new(self.seed, self.generation, purpose, index)
     }
