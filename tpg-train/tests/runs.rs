@@ -567,3 +567,14 @@ fn a_full_disk_is_an_error_and_keeps_the_last_good_checkpoint() {
     assert!(train(&folder, &config, &["--resume"]).status().expect("it runs").success());
     assert!(results(&folder) == results(&undisturbed), "with space again it ends in the same bytes");
 }
+
+#[test]
+fn the_papers_language_without_literals_trains_on_the_arm() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let sizes = ["tpg.nb_roots=20", "tpg.init_nb_roots=20", "learning.nb_iterations_per_policy_evaluation=2"];
+    let sizes = sizes.iter().flat_map(|size| ["--set", size]);
+    let few = ["--preset", "paper-fs", "--generations", "1", "--set", "selection.validation_episodes=2"];
+    let all: Vec<&str> = few.into_iter().chain(sizes).collect();
+    let trained = train_on("fs", &place.path().join("run"), &all).status().expect("it runs");
+    assert!(trained.success());
+}

@@ -53,9 +53,8 @@ impl Population {
 
     /// Begins with linear policies.
     pub(super) fn begin_linear(&mut self, context: &Context<'_>, policies: &[Vec<Vec<f64>>]) -> Result<(), Finding> {
-        let writer = context.writer(ProgramKind::Sum)?;
         for rows in policies {
-            writer.add_linear(&mut self.genome, rows);
+            context.writer(ProgramKind::Sum)?.add_linear(&mut self.genome, rows);
         }
         Ok(())
     }
