@@ -12,8 +12,8 @@ use tpg_graph::interpret::Answer;
 /// The keys of an episode's last info that say success, in the order in which they are looked for.
 const SUCCESS: [&str; 2] = ["is_success", "success"];
 
-/// The result of an episode: return, number of actions, and success where the environment's info has it.
-type Played = (f64, u32, Option<bool>);
+/// The result of an episode: return, number of actions, success where the environment's info has it, and the last reward.
+type Played = (f64, u32, Option<bool>, f64);
 
 /// The outcome of a step, as an environment tells it.
 pub(crate) struct Told {
@@ -136,7 +136,7 @@ impl Driver {
         self.begin(py, seed, &mut state)?;
         // What it remembers is read behind the observation.
         let mut memory = vec![0.0; policy.inputs().saturating_sub(self.inputs())];
-        let (mut score, mut actions, mut success) = (0.0, 0, None);
+        let (mut score, mut actions, mut success, mut reward) = (0.0, 0, None, 0.0);
         while actions < self.limit {
             state.extend(&memory);
             state.iter_mut().for_each(|value| *value = policy.scalar().round(*value));
@@ -144,13 +144,14 @@ impl Driver {
             actions += 1;
             let action = self.act(py, acting(&state), &mut memory)?;
             let told = self.advance(action, &mut state, || format!("seed {seed}, step {actions}"))?;
-            score += told.reward;
+            reward = told.reward;
+            score += reward;
             if let Some(end) = told.end {
                 success = end.success;
                 break;
             }
         }
-        Ok((score, actions, success))
+        Ok((score, actions, success, reward))
     }
 
     /// Begins an episode and reads its first observation.

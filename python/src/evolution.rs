@@ -272,11 +272,11 @@ impl Evolution {
     }
 }
 
-/// An episode's return, number of actions and success.
-type Told = (f64, u32, Option<bool>);
+/// An episode's return, number of actions, success, and last reward.
+type Told = (f64, u32, Option<bool>, f64);
 
-fn ending((score, actions, success): Told) -> EpisodeResult {
-    EpisodeResult { outcome: 0, success, score, measure: 0.0, actions }
+fn ending((score, actions, success, final_reward): Told) -> EpisodeResult {
+    EpisodeResult { outcome: 0, success, score, final_reward, measure: 0.0, actions }
 }
 
 impl Evolution {

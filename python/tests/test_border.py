@@ -83,7 +83,7 @@ def test_a_transposed_observation_gets_the_return_that_it_was_trained_for() -> N
             observation, reward, _, done, _ = env.step(model.predict(observation)[0])
             total += reward
     played = Interface.of(env).driver(env).run(Policy.of(model.graph._graph), list(range(5)))
-    assert total == pytest.approx(sum(score for score, _, _ in played))
+    assert total == pytest.approx(sum(score for score, *_ in played))
 
 
 def test_an_observation_of_another_shape_is_refused_in_training_as_in_predict() -> None:
@@ -365,7 +365,7 @@ def test_a_policy_with_memory_acts_in_predict_as_in_training(tmp_path: Path) -> 
             observation, reward, _, done, _ = env.step(action)
             total += reward
     played = Interface.of(env).driver(env).run(Policy.of(model.graph._graph), list(range(4)))
-    assert total == pytest.approx(sum(score for score, _, _ in played))
+    assert total == pytest.approx(sum(score for score, *_ in played))
     batch, memories = model.predict(np.array([[0.5], [-0.5]], np.float32), np.ones((2, 2)), episode_start=[True, False])
     assert batch[0] == model.predict(np.array([0.5], np.float32))[0] and memories.shape == (2, 2)
     model.save(tmp_path / "graph.json")

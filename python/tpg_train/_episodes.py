@@ -17,7 +17,7 @@ import gymnasium
 from ._tpg import Driver, InputError, Policy, TrainingError
 from .spaces import Interface
 
-Played = tuple[float, int, Union[bool, None]]
+Played = tuple[float, int, Union[bool, None], float]
 Seen = tuple[Played, str, list[list[float]]]
 Environment = gymnasium.Env[Any, Any]
 

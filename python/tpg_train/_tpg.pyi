@@ -33,7 +33,7 @@ __all__ = [
 ]
 
 # An episode's return, its steps, and whether the environment called it a success.
-_Ending: TypeAlias = tuple[float, int, bool | None]
+_Ending: TypeAlias = tuple[float, int, bool | None, float]
 # An episode's ending, the moments of what was seen, and some states.
 _Played: TypeAlias = tuple[_Ending, str, list[list[float]]]
 

@@ -13,7 +13,7 @@ import numpy as np
 from ._tpg import InputError, success_of
 from .reports import Evaluation, interval
 
-Played = tuple[float, int, "bool | None"]
+Played = tuple[float, int, "bool | None", float]
 # Answers the observations of one episode.
 Act = Callable[[Any], Any]
 
@@ -85,7 +85,7 @@ def play(
 ) -> tuple[list[Played], Effort | None]:
     """Plays an episode for each seed; `start` gives a controller for an episode.
 
-    Returns return, number of steps and success of each, and the effort where actions are a bounded Box.
+    Returns return, number of steps, success and last reward of each, and the effort where actions are a bounded Box.
     """
     space = env.action_space
     bounded = isinstance(space, gymnasium.spaces.Box) and space.is_bounded() and bool(np.all(space.low < space.high))
@@ -94,7 +94,7 @@ def play(
     for seed in seeds:
         act, last = start(), None
         observation, _ = env.reset(seed=seed)
-        score, length, done, success = 0.0, 0, False, None
+        score, length, done, success, reward = 0.0, 0, False, None, 0.0
         while not done and length < limit:
             action = act(observation)
             if bounded:
@@ -108,7 +108,7 @@ def play(
             observation, reward, terminated, truncated, info = env.step(action)
             score, length, done = score + float(reward), length + 1, bool(terminated or truncated)
             success = success_of(info) if done else None
-        played.append((score, length, success))
+        played.append((score, length, success, float(reward)))
         steps += length
     return played, Effort(saturated / max(steps, 1), changed / max(changes, 1)) if bounded else None
 

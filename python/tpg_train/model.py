@@ -633,11 +633,11 @@ class TPG:
         finally:
             place.close()
 
-    def _record(self, graph: Graph, played: Sequence[tuple[float, int, bool | None]], rivals: Sequence[Comparison] = ()) -> None:
+    def _record(self, graph: Graph, played: Sequence[tuple[float, int, bool | None, float]], rivals: Sequence[Comparison] = ()) -> None:
         """Writes test episodes into the run's folder, for `tpg-train report`; rivals on the same episodes stay there."""
         results = [
-            {"outcome": 0, "success": success, "score": score, "measure": 0.0, "actions": steps}
-            for score, steps, success in played
+            {"outcome": 0, "success": success, "score": score, "final_reward": last, "measure": 0.0, "actions": steps}
+            for score, steps, success, last in played
         ]
         file = self.folder / "tested.jsonl"
         said = {"graph": graph.sha256, "episodes": results}

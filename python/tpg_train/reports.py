@@ -26,10 +26,10 @@ class Evaluation:
     environment: str
 
     @classmethod
-    def of(cls, played: Sequence[tuple[float, int, bool | None]], environment: str) -> Evaluation:
-        """Takes return, number of actions and success of each episode."""
-        scores = np.asarray([score for score, _, _ in played])
-        successes = [success for _, _, success in played if success is not None]
+    def of(cls, played: Sequence[tuple[float, int, bool | None, float]], environment: str) -> Evaluation:
+        """Takes return, number of actions, success and last reward of each episode."""
+        scores = np.asarray([score for score, *_ in played])
+        successes = [success for _, _, success, _ in played if success is not None]
         std = float(scores.std(ddof=1)) if len(scores) > 1 else 0.0
         return cls(
             episodes=len(played),
@@ -37,7 +37,7 @@ class Evaluation:
             std=std,
             min=float(scores.min()),
             ci95=interval(float(scores.mean()), std, len(played)),
-            mean_steps=float(np.mean([steps for _, steps, _ in played])),
+            mean_steps=float(np.mean([steps for _, steps, *_ in played])),
             success_rate=sum(successes) / len(successes) if successes else None,
             environment=environment,
         )

@@ -58,6 +58,9 @@ pub struct EpisodeResult {
     pub success: Option<bool>,
     /// Sum of the rewards.
     pub score: f64,
+    /// The last of them: what the end earned or cost.
+    #[serde(default)]
+    pub final_reward: f64,
     /// Value of [`Environment::measure`](crate::Environment::measure); 0 if there is none.
     pub measure: f64,
     /// Number of actions, including the last one.
@@ -89,7 +92,7 @@ pub enum Preference {
 /// use std::cmp::Ordering;
 /// use tpg_engine::{EpisodeResult, Preference, Summary};
 ///
-/// let ending = |score| EpisodeResult { outcome: 0, success: None, score, measure: 0.0, actions: 10 };
+/// let ending = |score| EpisodeResult { outcome: 0, success: None, score, final_reward: 0.0, measure: 0.0, actions: 10 };
 /// let (good, bad) = (Summary::new(&[ending(4.0), ending(6.0)]), Summary::new(&[ending(4.0), ending(1.0)]));
 /// assert_eq!((good.score, good.success, good.actions), (5.0, None, 10.0));
 /// assert_eq!(good.compare(&bad, Preference::Score), Ordering::Greater);
@@ -150,7 +153,7 @@ mod tests {
     use super::{EpisodeResult, Preference, Summary};
 
     fn ending(score: f64, success: Option<bool>) -> EpisodeResult {
-        EpisodeResult { outcome: 0, success, score, measure: 1.0, actions: 2 }
+        EpisodeResult { outcome: 0, success, score, final_reward: 0.0, measure: 1.0, actions: 2 }
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use crate::action::Act;
 use crate::environment::Environment;
-use crate::episode_result::{EpisodeResult, Step};
+use crate::episode_result::{End, EpisodeResult, Step};
 use crate::source_set::SourceSet;
 use tpg_graph::interpret::Answer;
 use tpg_runtime::policy::ActionId;
@@ -91,9 +91,9 @@ impl<'e, S: Scalar, E: Environment<S> + ?Sized> Rollout<'e, S, E> {
 
     /// Takes an action; returns the ending if the episode ended.
     pub fn act(&mut self, act: Act<'_, S>) -> Option<EpisodeResult> {
-        let end = self.step(act).end?;
-        let (score, actions) = (self.score, self.actions);
-        Some(EpisodeResult { outcome: end.outcome, success: end.success, score, measure: end.measure, actions })
+        let Step { reward: final_reward, end, .. } = self.step(act);
+        let (End { outcome, success, measure, .. }, score, actions) = (end?, self.score, self.actions);
+        Some(EpisodeResult { outcome, success, score, final_reward, measure, actions })
     }
 
     /// Lets a policy act until the end.

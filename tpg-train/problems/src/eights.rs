@@ -104,25 +104,26 @@ pub(crate) struct Eights<'e, E, const N: usize> {
 struct Eight<const N: usize> {
     numbers: [[f64; 8]; N],
     scores: [f64; 8],
+    rewards: [f64; 8],
     actions: [u32; 8],
     ended: [bool; 8],
 }
 
-/// One of them: its numbers, its score and the number of its actions.
-type One<const N: usize> = ([f64; N], f64, u32);
+/// One of them: its numbers, its score, its newest reward and the number of its actions.
+type One<const N: usize> = ([f64; N], f64, f64, u32);
 
 impl<const N: usize> Eight<N> {
     fn new() -> Self {
-        Self { numbers: [[0.0; 8]; N], scores: [0.0; 8], actions: [0; 8], ended: [false; 8] }
+        Self { numbers: [[0.0; 8]; N], scores: [0.0; 8], rewards: [0.0; 8], actions: [0; 8], ended: [false; 8] }
     }
 
     fn get(&self, lane: usize) -> One<N> {
-        (self.numbers.map(|eight| eight[lane]), self.scores[lane], self.actions[lane])
+        (self.numbers.map(|eight| eight[lane]), self.scores[lane], self.rewards[lane], self.actions[lane])
     }
 
-    fn set(&mut self, lane: usize, (numbers, score, actions): One<N>) {
+    fn set(&mut self, lane: usize, (numbers, score, reward, actions): One<N>) {
         self.numbers.iter_mut().zip(numbers).for_each(|(eight, number)| eight[lane] = number);
-        (self.scores[lane], self.actions[lane]) = (score, actions);
+        (self.scores[lane], self.rewards[lane], self.actions[lane]) = (score, reward, actions);
     }
 
     /// Takes one action in each of the first `L` episodes: few take less time than all.
@@ -139,6 +140,7 @@ impl<const N: usize> Eight<N> {
             to[..L].copy_from_slice(from);
         }
         self.ended[..L].copy_from_slice(&ended);
+        self.rewards[..L].copy_from_slice(&rewards);
         self.scores.iter_mut().zip(rewards).for_each(|(score, reward)| *score += reward);
         self.actions[..L].iter_mut().for_each(|actions| *actions += 1);
     }
@@ -169,10 +171,10 @@ impl<'e, E, const N: usize> Eights<'e, E, N> {
         if !ended[lane % 8] && actions[lane % 8] < self.limit {
             return None;
         }
-        let (numbers, score, actions) = self.eights[lane / 8].get(lane % 8);
+        let (numbers, score, final_reward, actions) = self.eights[lane / 8].get(lane % 8);
         let End { outcome, success, measure, .. } =
             if ended[lane % 8] { End::new(0) } else { self.environment.timeout(&numbers) };
-        Some(EpisodeResult { outcome, success, score, measure, actions })
+        Some(EpisodeResult { outcome, success, score, final_reward, measure, actions })
     }
 }
 
@@ -198,7 +200,7 @@ where
     fn begin(&mut self, lane: usize, task: &E::Task) -> Result<(), EvaluationError> {
         self.lanes = self.lanes.max(lane + 1);
         self.eights.resize_with(self.lanes.div_ceil(8), Eight::new);
-        self.eights[lane / 8].set(lane % 8, (self.environment.start(task), 0.0, 0));
+        self.eights[lane / 8].set(lane % 8, (self.environment.start(task), 0.0, 0.0, 0));
         Ok(())
     }
 

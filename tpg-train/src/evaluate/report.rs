@@ -206,7 +206,8 @@ mod tests {
 
     #[test]
     fn undefined_figures_are_null() {
-        let ending = EpisodeResult { outcome: 0, success: None, score: 2.0, measure: 0.0, actions: 3 };
+        let ending =
+            EpisodeResult { outcome: 0, success: None, score: 2.0, final_reward: 0.0, measure: 0.0, actions: 3 };
         let done = HybridResult::alone(vec![ending, EpisodeResult { score: 4.0, ..ending }], Driver::Sac);
         let problem = Problem::new(ProblemName::Pendulum);
         let episodes = Episodes { set: TaskSet::Test, count: 2, seed: 1, file: None };
@@ -220,7 +221,8 @@ mod tests {
 
     #[test]
     fn a_difference_is_that_of_pairs() {
-        let ending = |score| EpisodeResult { outcome: 0, success: None, score, measure: 0.0, actions: 3 };
+        let ending =
+            |score| EpisodeResult { outcome: 0, success: None, score, final_reward: 0.0, measure: 0.0, actions: 3 };
         let (these, others) = ([1.0, 102.0, 7.0].map(ending), [0.0, 101.0, 5.5].map(ending));
         let episodes = Episodes { set: TaskSet::Test, count: 3, seed: 1, file: None };
         let problem = Problem::new(ProblemName::Pendulum);

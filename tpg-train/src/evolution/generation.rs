@@ -321,7 +321,7 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
         let start = self.config.start.clone();
         let episodes = self.config.tpg.nb_roots as f64;
         let steps = match &state.search {
-            Some(search) if search.has_toll() => self.environment.time_limit().into(),
+            Some(search) if search.discourages_standing() => self.environment.time_limit().into(),
             _ => state.episode_steps,
         };
         let evolution = GENERATIONS[usize::from(self.actions > 0)] * episodes * steps as f64;

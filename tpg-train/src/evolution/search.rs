@@ -10,7 +10,7 @@ use super::stage::{Candidate, Context, EpisodePlan, Moment, Results, Stage};
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use tpg_engine::random::Purpose;
-use tpg_engine::{Moments, PolicyGraph, Summary};
+use tpg_engine::{EpisodeResult, Moments, PolicyGraph, Summary};
 use tpg_graph::error::Finding;
 
 /// Number of generations whose median is a search's score.
@@ -42,6 +42,8 @@ pub(crate) struct Search {
     method: Method,
     /// For a local search, the mean and spread of the inputs that its samples have seen: its weights are of normalised inputs.
     seen: Option<Moments>,
+    /// True if the last action of an episode costs its samples nothing: a fall that costs more than all else teaches to stand still.
+    forgives: bool,
     /// The toll of its samples, and that of the next local search.
     toll: Option<Toll>,
     next_toll: Option<Toll>,
@@ -91,9 +93,9 @@ impl Search {
         let writer = context.writer(kind)?;
         let is_local = has_random && before == 0;
         let (rows, inputs) = (writer.rows(), writer.units().len());
-        let last = last.filter(|last| is_local && last.next_toll.is_some());
+        let last = last.filter(|last| is_local && (last.next_toll.is_some() || last.forgives));
         let toll = last.and_then(|last| last.next_toll);
-        let method = match (is_local, toll) {
+        let method = match (is_local, last) {
             (false, _) => Method::Cma(Cma::new(writer.weights(), FIRST_DEVIATION)),
             (true, None) => Method::Random(RandomSearch::new(rows, inputs)),
             (true, Some(_)) => Self::moving(rows * inputs, inputs),
@@ -102,6 +104,7 @@ impl Search {
             kind,
             method,
             seen: last.map_or_else(|| is_local.then(|| Moments::new(inputs)), |last| last.seen.clone()),
+            forgives: last.is_some_and(|last| last.forgives),
             toll,
             next_toll: toll,
             actions: 0.0,
@@ -121,9 +124,9 @@ impl Search {
         Method::Cma(Cma::new(weights, FIRST_OUTPUTS / (inputs as f64).sqrt()))
     }
 
-    /// True if its samples pay a toll.
-    pub(super) fn has_toll(&self) -> bool {
-        self.toll.is_some()
+    /// True if its samples are kept from learning to stand still: they pay a toll, or their falls cost nothing.
+    pub(super) fn discourages_standing(&self) -> bool {
+        self.toll.is_some() || self.forgives
     }
 
     /// True if another one should begin: it has learned to stand still, or has found nothing better.
@@ -180,13 +183,36 @@ impl Search {
             Method::Random(search) => {
                 let weights = search.mean().len();
                 let earns = results[order[order.len() / 2]].score > 0.0 && !falling.is_empty();
-                if self.scores.len() == 1 && weights >= MANY_WEIGHTS && context.actions == 0 && earns {
+                if self.scores.len() == 1 && (self.forgives || earns && self.has_many_weights(context)) {
                     self.method = Self::moving(weights, seen.length());
                 }
             }
-            Method::Cma(_) if lasting.len() >= falling.len() => self.charge(&lasting, &falling, limit),
+            Method::Cma(_) if lasting.len() >= falling.len() && !self.forgives => {
+                self.charge(&lasting, &falling, limit);
+            }
             Method::Cma(_) => {}
         }
+    }
+
+    /// True if small steps would learn to stand still.
+    fn has_many_weights(&self, context: &Context<'_>) -> bool {
+        context.actions == 0 && matches!(&self.method, Method::Random(search) if search.mean().len() >= MANY_WEIGHTS)
+    }
+
+    /// True if a quarter of the samples or more lose by the last action of an episode more than by all others.
+    fn loses_by_falling(&self, context: &Context<'_>, results: &Results) -> bool {
+        let falls = |ending: &EpisodeResult| {
+            ending.actions < context.time_limit && ending.score < 0.0 && ending.final_reward < 0.5 * ending.score
+        };
+        let falling = results.endings.iter().filter(|endings| endings.iter().all(falls)).count();
+        self.is_local() && self.has_many_weights(context) && 4 * falling >= results.endings.len()
+    }
+
+    /// Returns the result of a sample.
+    fn summary(&self, endings: &[EpisodeResult]) -> Summary {
+        let price = |ending: &EpisodeResult| if self.forgives { ending.final_reward.min(0.0) } else { 0.0 };
+        let paid = |ending: &EpisodeResult| EpisodeResult { score: ending.score - price(ending), ..*ending };
+        Summary::new(&endings.iter().map(paid).collect::<Vec<_>>())
     }
 
     /// Finds the toll of the next search, if this one has learned to stand still.
@@ -259,7 +285,10 @@ impl Stage for Search {
     }
 
     fn tell(&mut self, context: &Context<'_>, moment: Moment, results: &Results) -> (Row, usize) {
-        let summaries: Vec<Summary> = results.endings.iter().map(|endings| Summary::new(endings)).collect();
+        if self.scores.is_empty() && self.loses_by_falling(context, results) {
+            self.forgives = true;
+        }
+        let summaries: Vec<Summary> = results.endings.iter().map(|endings| self.summary(endings)).collect();
         let order = ranking(&summaries, 0.0);
         let counted = &order[..(COUNTED * order.len() as f64).ceil() as usize];
         let sum: f64 = counted.iter().map(|&place| summaries[place].score).sum();
@@ -319,14 +348,25 @@ mod tests {
 
     /// Plays a generation: `ending` gives score and number of actions of each sample.
     fn play(search: &mut Search, context: &Context<'_>, generation: u64, ending: impl Fn(usize) -> (f64, u32)) {
+        play_to_the_end(search, context, generation, 0.0, ending);
+    }
+
+    /// Plays a generation whose episodes end with a reward; returns the best score.
+    fn play_to_the_end(
+        search: &mut Search,
+        context: &Context<'_>,
+        generation: u64,
+        final_reward: f64,
+        ending: impl Fn(usize) -> (f64, u32),
+    ) -> f64 {
         let moment = Moment { seed: 1, generation };
         let candidates = search.ask(context, moment);
         let ending = |place| {
             let (score, actions) = ending(place);
-            vec![EpisodeResult { outcome: 0, success: None, score, measure: 0.0, actions }]
+            vec![EpisodeResult { outcome: 0, success: None, score, final_reward, measure: 0.0, actions }]
         };
         let results = Results { endings: (0..candidates.len()).map(ending).collect(), seen: Moments::new(10) };
-        search.tell(context, moment, &results);
+        search.tell(context, moment, &results).0.best_score
     }
 
     fn local() -> EvolutionConfig {
@@ -353,23 +393,42 @@ mod tests {
     }
 
     #[test]
+    fn a_fall_that_costs_more_than_all_else_is_forgiven() {
+        let config = local();
+        let vocabulary = vocabulary(&config, 3);
+        let context = context(&config, &vocabulary);
+        let begin = |last| Search::begin(&context, 0, last).expect("sums");
+        for (final_reward, best, forgives) in [(-100.0, -4.0, true), (-50.0, -104.0, false), (100.0, -104.0, false)] {
+            let mut search = begin(None);
+            let found = play_to_the_end(&mut search, &context, 0, final_reward, |place| (-104.0 - place as f64, 60));
+            assert_eq!((found, search.discourages_standing()), (best, forgives), "{final_reward}");
+            assert_eq!(matches!(search.method, Method::Cma(_)), forgives, "{final_reward}");
+        }
+        let mut search = begin(None);
+        play_to_the_end(&mut search, &context, 0, -100.0, |_| (-104.0, 60));
+        play(&mut search, &context, 1, |place| if place < 6 { (0.0, LIMIT) } else { (-8.0, 900) });
+        assert!(!search.should_restart(), "there is no reward for standing still");
+        assert!(begin(Some(&search)).discourages_standing(), "nor does a later search pay for falls");
+    }
+
+    #[test]
     fn where_standing_still_is_rewarded_the_next_search_pays_for_it() {
         let config = local();
         let vocabulary = vocabulary(&config, 3);
         let context = context(&config, &vocabulary);
         let mut search = Search::begin(&context, 0, None).expect("sums");
         play(&mut search, &context, 0, |_| (20.0, 20));
-        assert!(!search.should_restart() && !search.has_toll());
+        assert!(!search.should_restart() && !search.discourages_standing());
         // Half of them stand still, and the others earn a little more for each action until they fall.
         let stands = |place: usize| if place < 4 { (1000.0, LIMIT) } else { (120.0, 100) };
         play(&mut search, &context, 1, stands);
-        assert!(search.should_restart() && !search.has_toll());
+        assert!(search.should_restart() && !search.discourages_standing());
 
         let begin = |last: &Search| Search::begin(&context, 0, Some(last)).expect("sums");
         let mut next = begin(&search);
         let toll = next.toll.expect("a toll");
         assert!((toll.price - PRICE * 880.0 / 900.0).abs() < 1e-12 && toll.score == 1000.0, "{toll:?}");
-        assert!(next.has_toll() && !next.should_restart());
+        assert!(next.discourages_standing() && !next.should_restart());
         // Those that earn clearly more for each action are the best now, although they fall.
         let runs = |place: usize| if place < 2 { (1000.0, LIMIT) } else { (200.0, 100) };
         let mut plain = Search { toll: None, ..next.clone() };
@@ -379,7 +438,10 @@ mod tests {
 
         assert!(!next.should_restart(), "it has as many actions as the first had");
         play(&mut next, &context, 3, runs);
-        assert!(next.should_restart() && begin(&next).has_toll(), "nothing better than standing still: another one");
+        assert!(
+            next.should_restart() && begin(&next).discourages_standing(),
+            "nothing better than standing still: another one"
+        );
         play(&mut next, &context, 4, |_| (1001.0, 900));
         assert!(!next.should_restart(), "something better goes on");
         play(&mut next, &context, 5, |_| (1100.0, LIMIT));

@@ -145,7 +145,14 @@ mod tests {
     use tpg_engine::{Destination, Edge, EpisodeResult, PolicyGraph, Preference, Summary};
 
     fn best(edges: usize, score: f64, generation: u64) -> Best {
-        let result = Summary::new(&[EpisodeResult { outcome: 0, success: None, score, measure: 0.0, actions: 1 }]);
+        let result = Summary::new(&[EpisodeResult {
+            outcome: 0,
+            success: None,
+            score,
+            final_reward: 0.0,
+            measure: 0.0,
+            actions: 1,
+        }]);
         let team = vec![Edge { program: 0, to: Destination::Action(0) }; edges];
         Best { generation, result, policy: PolicyGraph::new(1, 0, vec![team], vec![vec![]]), ranges: None }
     }

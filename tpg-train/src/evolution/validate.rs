@@ -229,7 +229,8 @@ mod tests {
     #[test]
     fn a_share_of_the_steps_is_fewer_episodes_where_they_have_grown_long() {
         let mut state = State::<u64>::new(1);
-        let ending = |actions| EpisodeResult { outcome: 0, success: None, score: 0.0, measure: 0.0, actions };
+        let ending =
+            |actions| EpisodeResult { outcome: 0, success: None, score: 0.0, final_reward: 0.0, measure: 0.0, actions };
         state.count_training(&[vec![ending(10); 900]], 0);
         state.count_training(&[vec![ending(500); 40], vec![ending(500), ending(499)], vec![ending(499); 58]], 1);
         assert_eq!((state.steps, state.episode_steps), (58_941, 500));

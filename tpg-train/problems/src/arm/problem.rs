@@ -78,7 +78,14 @@ impl ArmProblem {
         let success = outcome == Outcome::Reached;
         let unused = f64::from(self.max_actions.saturating_sub(actions));
         let score = if success { unused * self.per_unused_action + self.bonus } else { -distance };
-        EpisodeResult { outcome: outcome_number(outcome), success: Some(success), score, measure: distance, actions }
+        EpisodeResult {
+            outcome: outcome_number(outcome),
+            success: Some(success),
+            score,
+            final_reward: score,
+            measure: distance,
+            actions,
+        }
     }
 }
 
