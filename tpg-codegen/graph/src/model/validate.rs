@@ -273,7 +273,7 @@ impl Validator<'_> {
 
     fn teams(&self, names: &KnownNames<'_>) -> Result<Vec<Team>, InputError> {
         if self.document.teams.is_empty() {
-            return self.refuse("$.teams", "an empty list", "at least one");
+            return self.refuse("$.teams", "no teams", "at least one");
         }
         let mut teams = Vec::new();
         for (index, team) in self.document.teams.iter().enumerate() {
