@@ -4,13 +4,10 @@ mod counts;
 mod image;
 mod values;
 
-use super::document::{
-    ActionDocument, Document, EdgeDocument, FORMAT, LineDocument, OperandDocument, SourceDocument, VERSIONS,
-};
+use super::document::{Document, EdgeDocument, FORMAT, LineDocument, OperandDocument, SourceDocument, VERSIONS};
 use super::effect::Effect;
 use super::graph::{
-    Action, Destination, Edge, Graph, Input, Leaf, Line, Operand, Output, Program, ProgramId, Range, Reg, Source, Team,
-    TeamId,
+    Destination, Edge, Graph, Input, Leaf, Line, Operand, Output, Program, ProgramId, Reg, Team, TeamId,
 };
 use super::name;
 use super::read::other_version;
@@ -107,9 +104,9 @@ impl Validator<'_> {
             scalar: self.document.scalar,
             maths: self.document.maths,
             registers: self.document.registers as u16,
-            sources: self.document.sources.iter().map(source).chain(memory.iter().map(remembered)).collect(),
+            sources: self.document.sources.iter().cloned().chain(memory.iter().map(remembered)).collect(),
             instructions: names.instructions,
-            actions: self.document.actions.iter().map(action).collect(),
+            actions: self.document.actions.clone(),
             outputs,
             memory: memory.len(),
             leaves,
@@ -488,20 +485,9 @@ impl Validator<'_> {
     }
 }
 
-fn source(source: &SourceDocument) -> Source {
-    let ranges = source.ranges.iter().map(|&[min, max]| Range { min, max }).collect();
-    let (counts, image) = (source.counts.clone(), source.image.clone());
-    Source { name: source.name.clone(), unit: source.unit.clone(), ranges, counts, image }
-}
-
 /// The source by which programs read a value of the memory.
-fn remembered(memory: &Output) -> Source {
-    let (name, unit) = (memory.name.clone(), memory.unit.clone());
-    Source { name, unit, ranges: vec![memory.range], counts: Vec::new(), image: None }
-}
-
-fn action(action: &ActionDocument) -> Action {
-    Action { name: action.name.clone(), effect: action.effect.clone(), ask: action.ask.clone() }
+fn remembered(memory: &Output) -> SourceDocument {
+    SourceDocument::new(&memory.name, &memory.unit, vec![[memory.range.min, memory.range.max]])
 }
 
 fn known_instructions() -> String {
