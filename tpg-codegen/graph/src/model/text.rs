@@ -17,7 +17,11 @@ pub(super) fn write(document: &Document) -> String {
         ("sources", list(sources, json, 4)),
         ("instructions", json(instructions)),
     ];
-    fields.push(if outputs.is_empty() { ("actions", list(actions, json, 4)) } else { ("outputs", list(outputs, json, 4)) });
+    fields.push(if outputs.is_empty() {
+        ("actions", list(actions, json, 4))
+    } else {
+        ("outputs", list(outputs, json, 4))
+    });
     if !memory.is_empty() {
         fields.push(("memory", list(memory, json, 4)));
     }
