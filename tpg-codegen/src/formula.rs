@@ -1,9 +1,9 @@
-//! Nodes as people write them: infix, with no more brackets than the order of operations needs.
+//! Nodes as people write them.
 
+use crate::infix::Infix;
 use crate::ir::{Module, Node, NodeId};
 use Instruction::*;
 use Node::*;
-use Precedence::*;
 use std::collections::BTreeMap;
 use tpg_graph::{Graph, ScalarType, Word};
 use tpg_runtime::ops::Instruction;
@@ -18,35 +18,10 @@ pub(crate) fn text(module: &Module<'_>, value: NodeId) -> String {
 /// The formulas of a team's bids. What occurs more than once has a name, so that no formula is longer than its program.
 pub(crate) struct Formulas {
     /// The term of each node: a name, or its expression.
-    terms: BTreeMap<NodeId, Term>,
+    terms: BTreeMap<NodeId, Infix>,
     shared: Vec<(String, String)>,
     /// The graph has C++'s minimum, or maximum, and no other.
     of_cpp: [bool; 2],
-}
-
-#[derive(Clone)]
-struct Term {
-    text: String,
-    rank: Precedence,
-}
-
-impl Term {
-    fn is_number(&self) -> bool {
-        self.text.parse::<f64>().is_ok()
-    }
-
-    /// Returns what follows the sign of a negative number, or of a product that begins with one: of -2 * x, 2 * x.
-    fn negative(&self) -> Option<&str> {
-        self.text.strip_prefix('-').filter(|_| self.rank != Sum)
-    }
-}
-
-/// The precedence of a term.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Precedence {
-    Sum,
-    Product,
-    Atom,
 }
 
 impl Formulas {
@@ -76,7 +51,7 @@ impl Formulas {
             if uses.get(&id).is_some_and(|&uses| uses > 1) {
                 let name = format!("t{}", formulas.shared.len() + 1);
                 formulas.shared.push((name.clone(), term.text));
-                term = Term { text: name, rank: Atom };
+                term = Infix::atom(name);
             }
             formulas.terms.insert(id, term);
         }
@@ -93,36 +68,19 @@ impl Formulas {
         &self.terms[&bid].text
     }
 
-    fn operation(&self, instruction: Instruction, [a, b]: [NodeId; 2]) -> Term {
+    fn operation(&self, instruction: Instruction, [a, b]: [NodeId; 2]) -> Infix {
         let [a, b] = [a, b].map(|id| &self.terms[&id]);
-        let infix = |a: &Term, operator: &str, b: &Term, rank: Precedence| {
-            // Nothing is associative: a + (b + c) is not (a + b) + c.
-            let left = if a.rank < rank { format!("({})", a.text) } else { a.text.clone() };
-            let right = if b.rank <= rank || (b.negative().is_some() && !b.is_number()) {
-                format!("({})", b.text)
-            } else {
-                b.text.clone()
-            };
-            Term { text: format!("{left} {operator} {right}"), rank }
-        };
-        let call = |name: &str, operands: &[&Term]| {
+        let call = |name: &str, operands: &[&Infix]| {
             let operands: Vec<&str> = operands.iter().map(|term| term.text.as_str()).collect();
-            Term { text: format!("{name}({})", operands.join(", ")), rank: Atom }
+            Infix::atom(format!("{name}({})", operands.join(", ")))
         };
         match instruction {
             // Only the sign of a zero differs, which no comparison sees.
             Add if a.text == "0" => b.clone(),
-            Add => match b.negative() {
-                Some(rest) => Term { text: format!("{} - {rest}", a.text), rank: Sum },
-                None => infix(a, "+", b, Sum),
-            },
-            Sub => match b.negative() {
-                Some(rest) => Term { text: format!("{} + {rest}", a.text), rank: Sum },
-                None => infix(a, "-", b, Sum),
-            },
-            Mul if b.is_number() && !a.is_number() => infix(b, "*", a, Product),
-            Mul => infix(a, "*", b, Product),
-            Div => infix(a, "/", b, Product),
+            Add => a.plus(b),
+            Sub => a.minus(b),
+            Mul => a.times(b),
+            Div => a.over(b),
             // C++'s have their operands the other way round.
             Min if self.of_cpp[0] => call("std_min", &[b, a]),
             Max if self.of_cpp[1] => call("std_max", &[b, a]),
@@ -132,7 +90,7 @@ impl Formulas {
 }
 
 /// A number or a value of the state.
-fn leaf(graph: &Graph, node: Node) -> Option<Term> {
+fn leaf(graph: &Graph, node: Node) -> Option<Infix> {
     let text = match node {
         Input(input) => graph.input_label(input),
         Constant(bits) => {
@@ -145,7 +103,7 @@ fn leaf(graph: &Graph, node: Node) -> Option<Term> {
         }
         Operation(..) | Upper(..) => return None,
     };
-    Some(Term { text, rank: Atom })
+    Some(Infix { is_number: matches!(node, Constant(_)), ..Infix::atom(text) })
 }
 
 #[cfg(test)]
@@ -180,7 +138,7 @@ mod tests {
             let product = op(Mul, sum, square);
             vec![op(Sub, x, product)]
         });
-        assert_eq!(found, ["target[0] - (target[0] - 2) * (target[0] * target[0])"]);
+        assert_eq!(found, ["target[0] - target[0] * target[0] * (target[0] - 2)"]);
         let found = formulas(FIXTURE, |op, x, two| {
             let quotient = op(Div, two, x);
             let inner = op(Sub, x, quotient);

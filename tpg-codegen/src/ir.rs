@@ -8,7 +8,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use tpg_graph::dataflow::{depth_first, effective};
 use tpg_graph::hash_cons::HashCons;
-use tpg_graph::{Destination, Graph, Input, Operand, Program, TeamId};
+use tpg_graph::{Destination, Graph, Input, Operand, Program};
 use tpg_runtime::ops::Instruction;
 use tpg_runtime::policy::ActionId;
 
@@ -221,31 +221,21 @@ impl<'g> ModuleBuilder<'g> {
     }
 
     fn module(mut self) -> Module<'g> {
-        let order = breadth_first(self.graph);
-        let mut place = vec![0; order.len()];
-        for (index, team) in order.iter().enumerate() {
-            place[team.index()] = index;
-        }
-        let mut bidders = Vec::new();
-        let mut bidder_of = BTreeMap::new();
-        let mut teams = Vec::new();
-        for &id in &order {
-            let team = self.graph.team(id);
-            let mut edges = Vec::new();
-            for edge in &team.edges {
-                let bidder = *bidder_of.entry(edge.program).or_insert_with(|| {
-                    let program = self.graph.program(edge.program);
-                    bidders.push(Bidder { label: program.label, value: self.value(program) });
-                    bidders.len() - 1
-                });
-                let to = match edge.to {
-                    Destination::Team(team) => Target::Team(place[team.index()]),
-                    Destination::Action(action) => Target::Action(action),
-                };
-                edges.push(Edge { bidder, to });
-            }
-            teams.push(Team { label: team.label, edges });
-        }
+        let edge = |edge: &tpg_graph::Edge| {
+            let to = match edge.to {
+                Destination::Team(team) => Target::Team(team.index()),
+                Destination::Action(action) => Target::Action(action),
+            };
+            Edge { bidder: edge.program.index(), to }
+        };
+        let team = |team: &tpg_graph::Team| Team { label: team.label, edges: team.edges.iter().map(edge).collect() };
+        let teams: Vec<Team> = self.graph.teams().iter().map(team).collect();
+        let (teams, programs) = breadth_first(&teams, self.graph.root().index());
+        let bidder = |program: usize| {
+            let program = &self.graph.programs()[program];
+            Bidder { label: program.label, value: self.value(program) }
+        };
+        let bidders = programs.into_iter().map(bidder).collect();
         let depth = longest_walk(&teams);
         let leaves = (self.graph.leaves().iter())
             .map(|leaf| Leaf {
@@ -317,22 +307,30 @@ impl Values {
     }
 }
 
-fn breadth_first(graph: &Graph) -> Vec<TeamId> {
-    let mut seen = vec![false; graph.teams().len()];
-    seen[graph.root().index()] = true;
-    let mut order = vec![graph.root()];
-    let mut next = 0;
-    while let Some(&team) = order.get(next) {
-        next += 1;
-        for edge in &graph.team(team).edges {
-            if let Destination::Team(to) = edge.to
-                && !std::mem::replace(&mut seen[to.index()], true)
-            {
-                order.push(to);
+/// The teams that a root leads to, breadth first and numbered in this order, and the bidders that they use, by first use. Edges have
+/// the new numbers of both.
+pub(crate) fn breadth_first(teams: &[Team], root: usize) -> (Vec<Team>, Vec<usize>) {
+    let mut order = vec![root];
+    let mut place = BTreeMap::from([(root, 0)]);
+    let (mut bidders, mut bidder_place) = (Vec::new(), BTreeMap::new());
+    let mut reached = Vec::new();
+    while let Some(&index) = order.get(reached.len()) {
+        let mut team = teams[index].clone();
+        for edge in &mut team.edges {
+            if let Target::Team(to) = &mut edge.to {
+                *to = *place.entry(*to).or_insert_with_key(|to| {
+                    order.push(*to);
+                    order.len() - 1
+                });
             }
+            edge.bidder = *bidder_place.entry(edge.bidder).or_insert_with_key(|bidder| {
+                bidders.push(*bidder);
+                bidders.len() - 1
+            });
         }
+        reached.push(team);
     }
-    order
+    (reached, bidders)
 }
 
 /// The teams that an edge at a place leads to, as [`depth_first`] asks for them.

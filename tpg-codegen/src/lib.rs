@@ -30,6 +30,7 @@ mod cost;
 pub mod emit;
 mod explain;
 mod formula;
+mod infix;
 mod integers;
 mod ir;
 mod options;

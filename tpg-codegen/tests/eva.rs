@@ -23,17 +23,13 @@ fn driver(graph: &Graph, bad_index: bool) -> String {
         "#include \"arm.h\"\n#include \"__fc_builtin.h\"\nint main(void)\n{\n    arm_state_t state;\n    uint32_t action;\n",
     );
     for source in graph.sources() {
-        for (index, range) in source.ranges.iter().enumerate() {
+        for (index, &[low, high]) in source.ranges.iter().enumerate() {
             let member = match source.ranges.len() {
                 1 if bad_index => format!("(&state.{})[1]", source.name),
                 1 => format!("state.{}", source.name),
                 length => format!("state.{}[{}]", source.name, if bad_index { length } else { index }),
             };
-            let _ = writeln!(
-                text,
-                "    {member} = Frama_C_float_interval({:?}F, {:?}F);",
-                range.min as f32, range.max as f32
-            );
+            let _ = writeln!(text, "    {member} = Frama_C_float_interval({:?}F, {:?}F);", low as f32, high as f32);
         }
     }
     let _ = write!(

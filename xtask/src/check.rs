@@ -32,84 +32,6 @@ pub(crate) fn run(checks: impl FnOnce(&mut Run)) -> bool {
     run.summary.good()
 }
 
-/// Runs the tests of every crate; returns true if all passed.
-pub(crate) fn test() -> bool {
-    run(Run::all_tests)
-}
-
-/// Runs every check but the tests; returns true if all passed.
-pub(crate) fn all() -> bool {
-    run(|run| {
-        run.check("format", cargo(&["fmt", "--all", "--check"]));
-        let python = interpreter();
-        let without: &[&str] = if python.is_some() { &[] } else { &[PYTHON] };
-        let mut clippy = workspace("clippy", without, &["--all-targets", "--all-features", "--", "--deny", "warnings"]);
-        clippy.envs(python.map(|python| ("PYO3_PYTHON", python)));
-        run.check("clippy", clippy);
-        let mut documentation = workspace("doc", &[PYTHON], &["--all-features", "--no-deps", "--quiet"]);
-        documentation.env("RUSTDOCFLAGS", "--deny warnings");
-        run.check("documentation", documentation);
-        run.supply_chain();
-        run.book();
-        for target in NO_STD {
-            run.no_std(target);
-        }
-        run.oldest_compiler();
-        run.firmware(&["qemu"]);
-        run.firmware(&["cores"]);
-        run.firmware(&["lint"]);
-        run.lemmas();
-        python::check(run, PythonArgs::default());
-    })
-}
-
-/// Has a solver prove the rules of proofs; returns true if it could, or what runs it is missing.
-pub(crate) fn lemmas() -> bool {
-    run(Run::lemmas)
-}
-
-/// Runs the lint of generated C and of the firmwares; returns true if it passed.
-pub(crate) fn lint() -> bool {
-    run(|run| {
-        run.tests(
-            "lint of generated C",
-            cargo(&["test", "--package", "tpg-codegen", "--test", "all", "--", "c_lint::", "eva::"]),
-        );
-        run.firmware(&["lint"]);
-    })
-}
-
-/// Runs a check of the firmwares; returns true if it passed.
-pub(crate) fn harness(words: &[&str]) -> bool {
-    run(|run| {
-        run.firmware(words);
-    })
-}
-
-/// Builds the book, with fresh pages if asked to; returns true if it could be built, or what builds it is missing.
-pub(crate) fn book(update: bool) -> bool {
-    run(|run| {
-        if update {
-            let crates = ["--package", "tpg-train", "--package", "tpg-harness"];
-            let mut command = cargo(&[&["test", "--quiet", "--lib", "--bins"], &crates[..], &["the_page_of"]].concat());
-            command.env(tpg_testing::book::UPDATE, "1");
-            run.check("pages made from the programs", command);
-        }
-        run.book();
-    })
-}
-
-/// Compares compilers on random graphs; returns true if nothing differs.
-pub(crate) fn compilers(graphs: u32) -> bool {
-    run(|run| {
-        let graphs = graphs.to_string();
-        run.check(
-            "compilers",
-            cargo(&["run", "--quiet", "--release", "--package", "tpg-benches", "--bin", "compilers", "--", &graphs]),
-        );
-    })
-}
-
 /// Returns the cargo that runs this program.
 pub(crate) fn cargo(arguments: &[&str]) -> Command {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
@@ -171,8 +93,55 @@ pub(crate) struct Run {
 }
 
 impl Run {
+    /// Runs every check but the tests.
+    pub(crate) fn all(&mut self) {
+        self.check("format", cargo(&["fmt", "--all", "--check"]));
+        let python = interpreter();
+        let without: &[&str] = if python.is_some() { &[] } else { &[PYTHON] };
+        let mut clippy = workspace("clippy", without, &["--all-targets", "--all-features", "--", "--deny", "warnings"]);
+        clippy.envs(python.map(|python| ("PYO3_PYTHON", python)));
+        self.check("clippy", clippy);
+        let mut documentation = workspace("doc", &[PYTHON], &["--all-features", "--no-deps", "--quiet"]);
+        documentation.env("RUSTDOCFLAGS", "--deny warnings");
+        self.check("documentation", documentation);
+        self.supply_chain();
+        self.book();
+        for target in NO_STD {
+            self.no_std(target);
+        }
+        self.oldest_compiler();
+        self.firmware(&["qemu"]);
+        self.firmware(&["cores"]);
+        self.firmware(&["lint"]);
+        self.lemmas();
+        python::check(self, PythonArgs::default());
+    }
+
+    /// Runs the lint of generated C and of the firmwares.
+    pub(crate) fn lint(&mut self) {
+        let tests = ["test", "--package", "tpg-codegen", "--test", "all", "--", "c_lint::", "eva::"];
+        self.tests("lint of generated C", cargo(&tests));
+        self.firmware(&["lint"]);
+    }
+
+    /// Makes the book's pages from the programs.
+    pub(crate) fn pages(&mut self) {
+        let crates = ["--package", "tpg-train", "--package", "tpg-harness"];
+        let mut command = cargo(&[&["test", "--quiet", "--lib", "--bins"], &crates[..], &["the_page_of"]].concat());
+        command.env(tpg_testing::book::UPDATE, "1");
+        self.check("pages made from the programs", command);
+    }
+
+    /// Compares compilers on random graphs.
+    pub(crate) fn compilers(&mut self, graphs: u32) {
+        let words = ["run", "--quiet", "--release", "--package", "tpg-benches", "--bin", "compilers", "--"];
+        let mut command = cargo(&words);
+        command.arg(graphs.to_string());
+        self.check("compilers", command);
+    }
+
     /// Runs every test of every crate.
-    fn all_tests(&mut self) {
+    pub(crate) fn all_tests(&mut self) {
         if !has_mpi() {
             self.missing("runs over MPI", "an MPI with its compiler, and libclang; Debian: libopenmpi-dev, clang");
         }
@@ -208,8 +177,14 @@ impl Run {
         self.summary.missing(name, remedy);
     }
 
+    /// Records a check that is left out, even where missing tools must fail.
+    fn skip(&mut self, what: &str) {
+        tpg_testing::skip(what);
+        self.summary.skip(vec![what.to_owned()]);
+    }
+
     /// Runs a check of the firmwares.
-    fn firmware(&mut self, words: &[&str]) {
+    pub(crate) fn firmware(&mut self, words: &[&str]) {
         let name = format!("firmware: {}", words.join(" "));
         match program("tpg-harness") {
             Ok(mut harness) => {
@@ -221,7 +196,7 @@ impl Run {
     }
 
     /// Builds the book.
-    fn book(&mut self) {
+    pub(crate) fn book(&mut self) {
         let began = Instant::now();
         let result = match book::mdbook() {
             Ok(Some(mdbook)) => book::build(&mdbook).map(|good| (good, Count::default())),
@@ -236,7 +211,7 @@ impl Run {
     }
 
     /// Has a solver prove the rules of proofs, and some proofs.
-    fn lemmas(&mut self) {
+    pub(crate) fn lemmas(&mut self) {
         let Some(python) = interpreter() else {
             return self.missing("lemmas", "Python 3.10 or newer with venv; Debian: python3-venv");
         };
@@ -255,15 +230,11 @@ impl Run {
     /// Checks licences, sources and bans of every crate by `deny.toml`; known defects and abandoned crates where the database
     /// can be fetched.
     fn supply_chain(&mut self) {
-        let mut skip = |what: &str| {
-            tpg_testing::skip(what);
-            self.summary.skip(vec![what.to_owned()]);
-        };
         if !answers("cargo", &["deny", "--version"]) {
-            return skip("supply chain: not installed (cargo install --locked cargo-deny)");
+            return self.skip("supply chain: not installed (cargo install --locked cargo-deny)");
         }
         if !answers("cargo", &["deny", "fetch", "db"]) {
-            skip("advisories: their database cannot be fetched");
+            self.skip("advisories: their database cannot be fetched");
         } else {
             self.check("advisories", cargo(&["deny", "check", "--disable-fetch", "advisories"]));
         }
@@ -274,31 +245,18 @@ impl Run {
     fn no_std(&mut self, target: &str) {
         let name = format!("no_std build for {target}");
         if !tpg_testing::library::has_target(target) {
-            self.summary.missing(&name, &format!("rustup target add {target}"));
-            return;
+            return self.missing(&name, &format!("rustup target add {target}"));
         }
-        self.check(
-            &name,
-            cargo(&[
-                "build",
-                "--package",
-                "tpg-runtime",
-                "--package",
-                "tpg-arm",
-                "--no-default-features",
-                "--target",
-                target,
-            ]),
-        );
+        let packages = ["--package", "tpg-runtime", "--package", "tpg-arm"];
+        self.check(&name, cargo(&[&["build"], &packages[..], &["--no-default-features", "--target", target]].concat()));
     }
 
     /// Checks the crates that users install with the oldest compiler that they name.
     fn oldest_compiler(&mut self) {
         let (version, crates) = (OLDEST, PUBLISHED.iter().flat_map(|name| ["--package", name]));
         if !answers("rustup", &["run", version, "rustc", "--version"]) {
-            let what = format!("Rust {version}: not installed (rustup toolchain install {version} --profile minimal)");
-            tpg_testing::skip(&what);
-            return self.summary.skip(vec![what]);
+            let remedy = format!("rustup toolchain install {version} --profile minimal");
+            return self.skip(&format!("Rust {version}: not installed ({remedy})"));
         }
         let mut command = Command::new("rustup");
         command.args(["run", version, "cargo", "check", "--quiet", "--locked", "--all-features"]).args(crates);

@@ -4,6 +4,7 @@
 //! A table is what a document holds between `<!-- table NAME -->` and `<!-- end -->`.
 
 use serde::Deserialize;
+use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -120,24 +121,24 @@ struct Cost {
 }
 
 impl Costs {
-    fn read() -> io::Result<Self> {
-        let path = top().join("c-harness/costs.toml");
-        toml::from_str(&fs::read_to_string(&path)?).map_err(|error| invalid(&path, &error.to_string()))
-    }
-
     /// Returns the costs of the arm's policies in C: mean and maximum, from a fixed and from a random start.
-    fn table(&self) -> Vec<String> {
-        let mut lines = vec!["| C | mean | worst |".into(), "| --- | --- | --- |".into()];
-        for (part, what) in [("graph", "graph"), ("network", "network"), ("hybrid", "hybrid, with its checks")] {
+    fn rows(&self) -> Vec<String> {
+        let row = |(part, what): (&str, &str)| {
             let both = ["fs", "rs"].map(|start| &self.cost[&format!("{start} {part}")]);
             let [mean, worst] = [
                 both.map(|cost| number(f64::from(cost.instructions) / f64::from(cost.actions), 0)),
                 both.map(|cost| number(cost.worst.into(), 0)),
             ];
-            lines.push(format!("| {what} | {} | {} |", mean.join(" / "), worst.join(" / ")));
-        }
-        lines
+            format!("| {what} | {} | {} |", mean.join(" / "), worst.join(" / "))
+        };
+        [("graph", "graph"), ("network", "network"), ("hybrid", "hybrid, with its checks")].map(row).into()
     }
+}
+
+/// Reads a TOML file of the repository.
+fn read<T: DeserializeOwned>(file: &str) -> io::Result<T> {
+    let path = top().join(file);
+    toml::from_str(&fs::read_to_string(&path)?).map_err(|error| invalid(&path, &error.to_string()))
 }
 
 fn invalid(path: &Path, what: &str) -> io::Error {
@@ -191,63 +192,53 @@ fn default_mean(task: &FigureTask, default: &Default) -> String {
 
 impl FigureResults {
     fn read() -> io::Result<Self> {
-        let path = top().join("docs/figures.toml");
-        let text = fs::read_to_string(&path)?;
-        let results: Self = toml::from_str(&text).map_err(|error| invalid(&path, &error.to_string()))?;
-        for default in results.tasks.iter().filter_map(|task| task.by_default.as_ref()) {
-            if !(2..=10).contains(&default.seeds.len()) {
-                return Err(invalid(&path, &format!("{} seeds; accepted: 2 to 10", default.seeds.len())));
-            }
+        let file = "docs/figures.toml";
+        let results: Self = read(file)?;
+        let mut seeds = results.tasks.iter().filter_map(|task| Some(task.by_default.as_ref()?.seeds.len()));
+        match seeds.find(|count| !(2..=10).contains(count)) {
+            Some(count) => Err(invalid(&top().join(file), &format!("{count} seeds; accepted: 2 to 10"))),
+            None => Ok(results),
         }
-        Ok(results)
     }
 
-    /// Returns the lines of a table by its name, `None` if there is no such table.
-    fn table(&self, name: &str) -> io::Result<Option<Vec<String>>> {
-        Ok(Some(match name {
-            "results" => self.overview()?,
-            "default" => self.trainings(false),
-            "default-python" => self.trainings(true),
-            "costs" => Costs::read()?.table(),
-            "shipped" => self.shipped()?,
-            "rivals" => self.rivals()?,
+    /// Returns a table by its name, `None` if there is no such table.
+    fn table(&self, name: &str) -> io::Result<Option<String>> {
+        let (head, rows) = match name {
+            "results" => (
+                "| task | ours, by default | linear | best network | shipped policy | flash, bytes | instructions | form |\n\
+                 | --- | --: | --: | --: | --: | --: | --: | --- |",
+                self.of_each(overview)?,
+            ),
+            "default" | "default-python" => (
+                "| task | steps | seeds | mean | CPU s per seed | trainer |\n| --- | --- | --- | --: | --- | --- |",
+                self.trainings(name == "default-python"),
+            ),
+            "costs" => ("| C | mean | worst |\n| --- | --- | --- |", read::<Costs>("c-harness/costs.toml")?.rows()),
+            "shipped" => (
+                "| task | return | minimum | flash | instructions | published |\n| --- | --- | --: | --: | --: | --- |",
+                self.of_each(shipped)?,
+            ),
+            "rivals" => (
+                "| task | shipped | random search | covariance adaptation | 16 leaves | 128 leaves |\n\
+                 | --- | --- | --- | --- | --- | --- |",
+                self.of_each(rivals)?,
+            ),
             _ => return Ok(None),
-        }))
+        };
+        Ok(Some(format!("{head}\n{}", rows.join("\n"))))
     }
 
-    fn overview(&self) -> io::Result<Vec<String>> {
-        let mut lines = vec![
-            "| task | ours, by default | linear | best network | shipped policy | flash, bytes | instructions | form |"
-                .into(),
-            "| --- | --: | --: | --: | --: | --: | --: | --- |".into(),
-        ];
-        for task in &self.tasks {
-            let shipped = ShippedFigures::read(&task.folder)?;
-            let ours = task.by_default.as_ref().map_or_else(|| "–".into(), |default| default_mean(task, default));
-            let linear = brief(task.linear.random_search.0.max(task.linear.covariance.0), 1);
-            let network = brief(task.network, 1);
-            lines.push(format!(
-                "| {} | {ours} | {linear} | {network} | {} | {} | {} | {} |",
-                task.id,
-                round(shipped.mean, task.decimals),
-                shipped.bytes,
-                shipped.instructions,
-                task.kind
-            ));
-        }
-        Ok(lines)
+    /// Returns a row for each task and its shipped policy.
+    fn of_each(&self, row: fn(&FigureTask, ShippedFigures) -> String) -> io::Result<Vec<String>> {
+        self.tasks.iter().map(|task| Ok(row(task, ShippedFigures::read(&task.folder)?))).collect()
     }
 
     /// Returns trainings on Gymnasium, which are limited by steps, or those on this project's own simulators.
     fn trainings(&self, is_limited: bool) -> Vec<String> {
-        let mut lines = vec![
-            "| task | steps | seeds | mean | CPU s per seed | trainer |".into(),
-            "| --- | --- | --- | --: | --- | --- |".into(),
-        ];
         let trained = self.tasks.iter().filter_map(|task| Some((task, task.by_default.as_ref()?)));
-        for (task, default) in trained.filter(|(_, default)| default.steps.is_some() == is_limited) {
+        let row = |(task, default): (&FigureTask, &Default)| {
             let precise = if mean(&default.seeds).abs() >= 1000.0 { 0 } else { task.decimals };
-            lines.push(format!(
+            format!(
                 "| {} | {} | {} | {} ± {} | {} | {}, {} |",
                 if is_limited { task.id.clone() } else { format!("`{}`", task.folder) },
                 default.steps.as_deref().unwrap_or("–"),
@@ -257,42 +248,38 @@ impl FigureResults {
                 default.cpu_s.as_deref().unwrap_or("–"),
                 default.trained_at,
                 default.date
-            ));
-        }
-        lines
+            )
+        };
+        trained.filter(|(_, default)| default.steps.is_some() == is_limited).map(row).collect()
     }
+}
 
-    fn shipped(&self) -> io::Result<Vec<String>> {
-        let mut lines = vec![
-            "| task | return | minimum | flash | instructions | published |".into(),
-            "| --- | --- | --: | --: | --: | --- |".into(),
-        ];
-        for task in &self.tasks {
-            let ShippedFigures { mean, interval, minimum, bytes, instructions } = ShippedFigures::read(&task.folder)?;
-            let [mean, interval] = [mean, interval].map(|value| number(value, task.decimals));
-            lines.push(format!(
-                "| {} | {mean} ± {interval} | {minimum} | {bytes} | {instructions} | {} |",
-                task.id, task.published
-            ));
-        }
-        Ok(lines)
-    }
+fn overview(task: &FigureTask, shipped: ShippedFigures) -> String {
+    let ours = task.by_default.as_ref().map_or_else(|| "–".into(), |default| default_mean(task, default));
+    let linear = brief(task.linear.random_search.0.max(task.linear.covariance.0), 1);
+    let network = brief(task.network, 1);
+    format!(
+        "| {} | {ours} | {linear} | {network} | {} | {} | {} | {} |",
+        task.id,
+        round(shipped.mean, task.decimals),
+        shipped.bytes,
+        shipped.instructions,
+        task.kind
+    )
+}
 
-    fn rivals(&self) -> io::Result<Vec<String>> {
-        let mut lines = vec![
-            "| task | shipped | random search | covariance adaptation | 16 leaves | 128 leaves |".into(),
-            "| --- | --- | --- | --- | --- | --- |".into(),
-        ];
-        for task in &self.tasks {
-            let ShippedFigures { mean, bytes, .. } = ShippedFigures::read(&task.folder)?;
-            let (linear, trees) = (&task.linear, &task.trees);
-            let rivals = [linear.random_search, linear.covariance, trees.leaves_16, trees.leaves_128]
-                .map(|(value, bytes)| format!("{} ({})", brief(value, task.decimals), number(f64::from(bytes), 0)));
-            let mean = round(mean, task.decimals);
-            lines.push(format!("| {} | {mean} ({bytes}) | {} |", task.id, rivals.join(" | ")));
-        }
-        Ok(lines)
-    }
+fn shipped(task: &FigureTask, shipped: ShippedFigures) -> String {
+    let ShippedFigures { mean, interval, minimum, bytes, instructions } = shipped;
+    let [mean, interval] = [mean, interval].map(|value| number(value, task.decimals));
+    format!("| {} | {mean} ± {interval} | {minimum} | {bytes} | {instructions} | {} |", task.id, task.published)
+}
+
+fn rivals(task: &FigureTask, shipped: ShippedFigures) -> String {
+    let (linear, trees) = (&task.linear, &task.trees);
+    let rivals = [linear.random_search, linear.covariance, trees.leaves_16, trees.leaves_128]
+        .map(|(value, bytes)| format!("{} ({})", brief(value, task.decimals), number(f64::from(bytes), 0)));
+    let mean = round(shipped.mean, task.decimals);
+    format!("| {} | {mean} ({}) | {} |", task.id, shipped.bytes, rivals.join(" | "))
 }
 
 fn seeds(task: &FigureTask, default: &Default) -> String {
@@ -314,7 +301,7 @@ fn rewritten(results: &FigureResults, path: &Path) -> io::Result<(String, String
         if !lines.any(|line| line == "<!-- end -->") {
             return Err(invalid(path, &format!("table {name:?} has no <!-- end -->")));
         }
-        written.push_str(&format!("\n{}\n\n<!-- end -->\n", table.join("\n")));
+        written.push_str(&format!("\n{table}\n\n<!-- end -->\n"));
     }
     Ok((text, written))
 }

@@ -1,9 +1,9 @@
 //! Runs the fuzz targets under libFuzzer; needs a nightly compiler and cargo-fuzz, and skips loudly without them.
 
-use crate::check::answers;
-use std::fs;
+use crate::check::{Run, answers};
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Command;
+use std::{fs, io};
 use tpg_testing::library;
 
 /// Longest input, bytes: more would only be more of the same.
@@ -22,45 +22,28 @@ pub(crate) struct FuzzArgs {
 }
 
 impl FuzzArgs {
-    /// Runs the targets one after another and prints a table; returns true if nothing was found.
-    pub(crate) fn run(&self) -> bool {
+    /// Runs the targets one after another.
+    pub(crate) fn run(&self, run: &mut Run) {
         if !answers("cargo", &["+nightly", "fuzz", "--version"]) {
-            tpg_testing::skip("fuzzing: not installed (rustup toolchain install nightly; cargo install cargo-fuzz)");
-            return !tpg_testing::required();
+            return run.missing("fuzzing", "rustup toolchain install nightly; cargo install cargo-fuzz");
         }
         let folder = library::top().join("fuzz");
         let all = names(&folder.join("fuzz_targets"));
         if let Some(unknown) = self.targets.iter().find(|name| !all.contains(name)) {
-            eprintln!("{unknown}: no such target; there are {}", all.join(" "));
-            return false;
+            return run.failed(unknown, &io::Error::other(format!("no such target; there are {}", all.join(" "))));
         }
-        let wanted = all.iter().filter(|name| self.targets.is_empty() || self.targets.contains(name));
-        let mut table = String::from("| target | runs | seconds | found |\n| --- | --- | --- | --- |\n");
-        let mut good = true;
-        for name in wanted {
-            let (passed, text) = self.target(&folder, name);
-            let stat = |name: &str| {
-                let line = text.lines().find_map(|line| line.strip_prefix("stat::").unwrap_or("").strip_prefix(name));
-                line.map_or("?", |line| line.trim_start_matches(':').trim()).to_owned()
-            };
-            let (runs, found) = (stat("number_of_executed_units"), if passed { "nothing" } else { "see above" });
-            table += &format!("| {name} | {runs} | {} | {found} |\n", self.seconds);
-            if !passed {
-                eprintln!("{text}");
+        for name in if self.targets.is_empty() { &all } else { &self.targets } {
+            match self.command(&folder, name) {
+                Ok(command) => run.check(name, command),
+                Err(error) => run.failed(name, &error),
             }
-            good &= passed;
         }
-        print!("\n{table}");
-        good
     }
 
-    /// Runs a target; returns true if nothing was found, and the text of the run.
-    fn target(&self, folder: &Path, name: &str) -> (bool, String) {
-        println!("==== {name}");
+    /// Returns the command that runs a target.
+    fn command(&self, folder: &Path, name: &str) -> io::Result<Command> {
         let found = folder.join("found").join(name);
-        if let Err(error) = fs::create_dir_all(&found) {
-            return (false, format!("{}: {error}", found.display()));
-        }
+        fs::create_dir_all(&found)?;
         let mut cargo = Command::new("cargo");
         cargo.args(["+nightly", "fuzz", "run", "--fuzz-dir"]).arg(folder);
         // The flags of a release build: what cargo-fuzz adds for debugging would halve the runs.
@@ -70,11 +53,8 @@ impl FuzzArgs {
         cargo.arg(format!("-dict={}", folder.join("tpg.dict").display()));
         cargo.arg(format!("-max_total_time={}", self.seconds)).arg(format!("-max_len={LONGEST}"));
         cargo.args(["-print_final_stats=1", "-timeout=60", "-rss_limit_mb=2048", "-verbosity=0"]);
-        cargo.current_dir(library::top()).env_remove("RUSTUP_TOOLCHAIN").env_remove("RUSTC").stdin(Stdio::null());
-        match cargo.output() {
-            Ok(output) => (output.status.success(), String::from_utf8_lossy(&output.stderr).into_owned()),
-            Err(error) => (false, error.to_string()),
-        }
+        cargo.current_dir(library::top()).env_remove("RUSTUP_TOOLCHAIN").env_remove("RUSTC");
+        Ok(cargo)
     }
 }
 

@@ -13,6 +13,7 @@ mod venv;
 mod web;
 
 use XtaskCommand::*;
+use check::{Run, run};
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -100,26 +101,32 @@ enum XtaskCommand {
 fn main() -> ExitCode {
     let good = match XtaskCli::parse().command {
         Setup => setup::run(),
-        Test => check::test(),
-        Check => check::all(),
+        Test => run(Run::all_tests),
+        Check => run(Run::all),
         Library { target, out } => library(target, out),
-        Qemu { update } => check::harness(if update { &["qemu", "--update"] } else { &["qemu"] }),
+        Qemu { update } => run(|run| run.firmware(if update { &["qemu", "--update"] } else { &["qemu"] })),
         Cores { update, only } => {
             let only = only.as_deref().map(|only| ["--only", only]);
             let update = update.then_some("--update");
-            check::harness(&["cores"].into_iter().chain(update).chain(only.into_iter().flatten()).collect::<Vec<_>>())
+            let words: Vec<_> = ["cores"].into_iter().chain(update).chain(only.into_iter().flatten()).collect();
+            run(|run| run.firmware(&words))
         }
-        Lint => check::lint(),
-        Lemmas => check::lemmas(),
-        Compilers { graphs } => check::compilers(graphs),
-        Fuzz(arguments) => arguments.run(),
-        Miri => nightly::miri(),
-        Sanitize { seeds } => nightly::sanitize(seeds),
-        Python(arguments) => python::run(arguments),
+        Lint => run(Run::lint),
+        Lemmas => run(Run::lemmas),
+        Compilers { graphs } => run(|run| run.compilers(graphs)),
+        Fuzz(arguments) => run(|run| arguments.run(run)),
+        Miri => run(nightly::miri),
+        Sanitize { seeds } => run(|run| nightly::sanitize(run, seeds)),
+        Python(arguments) => run(|run| python::check(run, arguments)),
         Dist(arguments) => arguments.run(),
-        Book { update } => check::book(update),
+        Book { update } => run(|run| {
+            if update {
+                run.pages();
+            }
+            run.book();
+        }),
         Figures => figures(),
-        Web => web::run(),
+        Web => run(web::check),
     };
     if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }

@@ -1,9 +1,9 @@
 //! Checks that need a nightly compiler: Miri, and sanitizers. Without their tools they are skipped loudly.
 
-use crate::check::answers;
-use std::path::PathBuf;
-use std::process::{Command, Stdio};
-use tpg_testing::library::{self, Missing};
+use crate::check::{Run, answers};
+use std::process::Command;
+use tpg_testing::exists;
+use tpg_testing::library::{host, target_folder, top};
 
 /// The tests that Miri interprets.
 ///
@@ -19,92 +19,49 @@ const PLAIN: &str = "riscv64gc-unknown-linux-gnu";
 /// Rounds of random calls for each seed, some 57,000 calls.
 const ROUNDS: &str = "20000";
 
-/// Runs Miri on the runtime, the kernels and the C interface; returns true if it found nothing.
-pub(crate) fn miri() -> bool {
-    if !there(&["+nightly", "miri", "--version"], "rustup component add --toolchain nightly miri rust-src", "Miri") {
-        return !tpg_testing::required();
+/// Runs Miri on the runtime, the kernels and the C interface.
+pub(crate) fn miri(run: &mut Run) {
+    if !answers("cargo", &["+nightly", "miri", "--version"]) {
+        return run.missing("Miri", "rustup component add --toolchain nightly miri rust-src");
     }
-    MIRI.iter().fold(true, |good, arguments| {
-        println!("\n==== Miri: {arguments}");
+    for arguments in MIRI {
         let mut cargo = Command::new("cargo");
         cargo.args(["+nightly", "miri", "test", "--target", PLAIN]).args(arguments.split(' '));
         cargo.env_remove("RUSTC").env_remove("RUSTDOC");
         // Few cases of each property; files of earlier failures are not read in isolation.
         cargo.env("PROPTEST_CASES", "4").env("MIRIFLAGS", "-Zmiri-disable-isolation");
-        cargo.env("CARGO_TARGET_DIR", library::target_folder().join("miri")).env_remove("RUSTUP_TOOLCHAIN");
-        cargo.current_dir(library::top()).stdin(Stdio::null()).status().is_ok_and(|status| status.success()) && good
-    })
+        cargo.env("CARGO_TARGET_DIR", target_folder().join("miri")).env_remove("RUSTUP_TOOLCHAIN");
+        cargo.current_dir(top());
+        run.tests("Miri", cargo);
+    }
 }
 
 /// Runs random calls of the C interface with the library and its caller instrumented: addresses, undefined behaviour,
-/// overflow checks. Returns true if nothing was found.
-pub(crate) fn sanitize(seeds: u32) -> bool {
+/// overflow checks.
+pub(crate) fn sanitize(run: &mut Run, seeds: u32) {
     let what = "the C interface under ASan and UBSan";
-    if !there(&["+nightly", "--version"], "rustup toolchain install nightly", what)
-        || !tpg_testing::tool("gcc", "gcc", what)
-    {
-        return !tpg_testing::required();
+    if !answers("cargo", &["+nightly", "--version"]) || !exists("gcc") {
+        return run.missing(what, "rustup toolchain install nightly; cargo xtask setup installs gcc");
     }
-    match calls() {
-        Ok(program) => (0..seeds).all(|seed| {
-            let mut calls = Command::new(&program);
-            run(calls.args([&seed.to_string(), ROUNDS]).env("ASAN_OPTIONS", "detect_leaks=0"), seed)
-        }),
-        Err(error) => {
-            eprintln!("{what}: {error:?}");
-            false
-        }
-    }
-}
-
-/// Returns a command of cargo that instruments what it builds.
-fn instrumented() -> Command {
+    let folder = target_folder().join("sanitize");
     let mut cargo = Command::new("cargo");
-    cargo.args(["+nightly", "build", "--target", library::host(), "-p", "tpg-runtime-capi", "--lib"]);
+    cargo.args(["+nightly", "build", "--target", host(), "-p", "tpg-runtime-capi", "--lib"]);
     cargo.env("RUSTFLAGS", "-Zsanitizer=address -Coverflow-checks=on -Cdebug-assertions=on");
-    cargo.env("CARGO_TARGET_DIR", folder()).env_remove("RUSTC").env_remove("RUSTUP_TOOLCHAIN");
-    cargo.current_dir(library::top());
-    cargo
-}
-
-fn folder() -> PathBuf {
-    library::target_folder().join("sanitize")
-}
-
-/// Builds the library and the random calls in C, with a generated network, all of it instrumented; returns the program.
-fn calls() -> Result<PathBuf, Missing> {
-    library::output(&mut instrumented())?;
-    let (capi, generated) =
-        (library::top().join("tpg-runtime-nostd/capi"), library::top().join("generated/widowx-sac"));
-    let program = folder().join("calls");
+    cargo.env("CARGO_TARGET_DIR", &folder).env_remove("RUSTC").env_remove("RUSTUP_TOOLCHAIN").current_dir(top());
+    run.check("the library, instrumented", cargo);
+    // The random calls in C, with a generated network.
+    let (capi, generated) = (top().join("tpg-runtime-nostd/capi"), top().join("generated/widowx-sac"));
+    let program = folder.join("calls");
     let mut gcc = Command::new("gcc");
     gcc.args(["-std=c99", "-O1", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]);
     gcc.arg("-I").arg(capi.join("include")).arg("-I").arg(&generated);
     gcc.arg(capi.join("tests/c/calls.c")).arg(generated.join("widowx_sac.c"));
-    gcc.arg(folder().join(library::host()).join("debug/libtpg_runtime_capi.a"));
-    library::output(gcc.args(["-lm", "-lpthread", "-ldl", "-o"]).arg(&program))?;
-    Ok(program)
-}
-
-/// Runs a program and prints its text; returns true if it succeeded.
-fn run(program: &mut Command, seed: u32) -> bool {
-    match library::output(program) {
-        Ok(text) => {
-            print!("seed {seed}: {text}");
-            true
-        }
-        Err(error) => {
-            eprintln!("seed {seed}: {error:?}");
-            false
-        }
+    gcc.arg(folder.join(host()).join("debug/libtpg_runtime_capi.a"));
+    gcc.args(["-lm", "-lpthread", "-ldl", "-o"]).arg(&program);
+    run.check("their caller, instrumented", gcc);
+    for seed in 0..seeds {
+        let mut calls = Command::new(&program);
+        calls.args([&seed.to_string(), ROUNDS]).env("ASAN_OPTIONS", "detect_leaks=0");
+        run.check(&format!("{what}, seed {seed}"), calls);
     }
-}
-
-/// True if cargo answers so; otherwise that `what` is skipped is reported, with the command that installs it.
-fn there(arguments: &[&str], remedy: &str, what: &str) -> bool {
-    let found = answers("cargo", arguments);
-    if !found {
-        tpg_testing::skip(&format!("{what}: not installed ({remedy})"));
-    }
-    found
 }

@@ -1,6 +1,6 @@
 //! The Python package: built as a wheel, installed into a virtual environment, tested there.
 
-use crate::check::{self, Run, step};
+use crate::check::{Run, step};
 use crate::venv::{environment, interpreter};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -19,11 +19,6 @@ pub(crate) struct PythonArgs {
     /// Install PyTorch and Stable-Baselines3 first, for the tests that need them: gigabytes, once
     #[arg(long)]
     sb3: bool,
-}
-
-/// Builds and tests the package; returns true if all passed.
-pub(crate) fn run(arguments: PythonArgs) -> bool {
-    check::run(|run| check(run, arguments))
 }
 
 /// Builds and tests the package.

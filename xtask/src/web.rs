@@ -1,6 +1,6 @@
 //! The page: the module as WebAssembly, its data, and tests under Node and in a browser.
 
-use crate::check::{self, Run, cargo, program, step};
+use crate::check::{Run, cargo, program, step};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{fs, io};
@@ -12,15 +12,13 @@ pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
 /// Names the folder of the page to its tests.
 pub(crate) const PAGE: &str = "TPG_PAGE";
 
-/// Builds the page into `web` in cargo's target folder, and tests it; returns true if all passed.
-pub(crate) fn run() -> bool {
-    check::run(|run| {
-        if let Some(page) = page(run) {
-            let mut tests = cargo(&["test", "--package", "tpg-web", "--features", "page", "--no-fail-fast"]);
-            tests.env(PAGE, page);
-            run.tests("page", tests);
-        }
-    })
+/// Builds the page into `web` in cargo's target folder, and tests it.
+pub(crate) fn check(run: &mut Run) {
+    if let Some(page) = page(run) {
+        let mut tests = cargo(&["test", "--package", "tpg-web", "--features", "page", "--no-fail-fast"]);
+        tests.env(PAGE, page);
+        run.tests("page", tests);
+    }
 }
 
 /// Builds the page and returns its folder; `None` where that failed or its target is missing.

@@ -138,7 +138,11 @@ fn plain(expected: &str) -> &str {
     }
 }
 
-/// Formats a count with its noun: `1 edge`, `2 edges`.
+/// Formats a count with its noun: `1 edge`, `2 edges`, `2 leaves`.
 pub fn counted(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+    match what.strip_suffix('f') {
+        _ if count == 1 => format!("1 {what}"),
+        Some(stem) => format!("{count} {stem}ves"),
+        None => format!("{count} {what}s"),
+    }
 }

@@ -1,21 +1,11 @@
 //! Folders, text files and graphs, with errors that name them. Files are written by [`write_atomically`].
 
+pub use crate::output::write_atomically;
+
 use crate::Graph;
 use crate::error::{InputError, Place};
-use crate::output::{self, remove_unfinished};
 use std::fs;
 use std::path::Path;
-
-/// Writes one file whole or not at all, and removes what killed programs left beside it.
-///
-/// # Errors
-/// If the file cannot be written. Nothing has changed in that case.
-pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), InputError> {
-    if let Some(folder) = path.parent() {
-        remove_unfinished(if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
-    }
-    output::write_atomically(path, bytes)
-}
 
 /// Creates a folder and its parents.
 ///

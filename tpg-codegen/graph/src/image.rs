@@ -426,6 +426,7 @@ impl Graph {
                 source.ranges.retain(|_| keep.next() == Some(&true));
                 let mut keep = keeps.iter();
                 image.features.retain(|_| keep.next() == Some(&true));
+                source.length = source.ranges.len() as u32;
             }
         }
         self.sources.retain(|source| !source.ranges.is_empty());

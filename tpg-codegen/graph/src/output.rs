@@ -11,7 +11,7 @@ use std::iter;
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 
-/// Writes one file.
+/// Writes one file, and removes what killed programs left beside it.
 ///
 /// ```
 /// use tpg_graph::output::write_atomically;
@@ -27,6 +27,7 @@ use tempfile::{Builder, NamedTempFile};
 /// # Errors
 /// If the file cannot be written: no such folder, no permission, no space. Nothing has changed in that case.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), InputError> {
+    remove_unfinished(folder_of(path));
     write_all(&[(path, bytes)])
 }
 

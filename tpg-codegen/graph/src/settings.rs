@@ -26,25 +26,29 @@ pub fn read<T: DeserializeOwned>(path: &Path, accepted: &str) -> Result<T, Input
     from_toml(&path.display().to_string(), &text, accepted)
 }
 
-/// Locates a finding in its file: at the line of its key, or else of the innermost enclosing table in the text.
+/// Locates a finding in its file: at the line of its value, or else of the innermost enclosing table in the text.
 pub fn place(file: &str, text: &str, finding: Finding) -> InputError {
     let Finding { key, found, accepted } = finding;
-    let place = line_of_key(text, &key).map_or(Place::Path(key.clone()), Place::Line);
+    let place = position(text, &key).map_or(Place::Path(key.clone()), |byte| Place::Line(line(text, byte)));
     InputError::new(file, place, format!("{key} = {found}"), accepted)
 }
 
-/// Returns the line, from 1, of a key with its tables, or of the innermost of these tables that the text has.
-fn line_of_key(text: &str, key: &str) -> Option<usize> {
+/// Returns the first byte of the value that a path of keys and places leads to, `a.b[2]`, or of the innermost one around it that the
+/// text has.
+pub(crate) fn position(text: &str, path: &str) -> Option<usize> {
     let parsed = DeTable::parse(text).ok()?;
-    let mut table = parsed.get_ref();
-    let mut found = None;
-    for part in key.split('.') {
-        let Some((name, value)) = table.get_key_value(part) else { break };
-        found = Some(line(text, name.span().start));
-        let DeValue::Table(inner) = value.get_ref() else { break };
-        table = inner;
+    let mut steps = path.trim_start_matches('$').split(['.', '[']).filter(|step| !step.is_empty());
+    let mut value = parsed.get_ref().get(steps.next()?)?;
+    for step in steps {
+        let inner = match value.get_ref() {
+            DeValue::Table(table) => table.get(step),
+            DeValue::Array(array) => step.trim_end_matches(']').parse().ok().and_then(|place: usize| array.get(place)),
+            _ => None,
+        };
+        let Some(inner) = inner else { break };
+        value = inner;
     }
-    found
+    Some(value.span().start)
 }
 
 /// Returns the line, from 1, of a byte of the text.

@@ -66,11 +66,7 @@ pub fn figure(graph: &Graph) -> Figure {
         counted(graph.teams().len(), "team"),
         counted(edges, "edge"),
         counted(graph.programs().len(), "program"),
-        match (graph.ends(), graph.outputs().is_empty()) {
-            (ends, true) => counted(ends, "action"),
-            (1, false) => "1 leaf".to_owned(),
-            (ends, false) => format!("{ends} leaves"),
-        },
+        counted(graph.ends(), if graph.outputs().is_empty() { "action" } else { "leaf" }),
     );
     Figure { svg: svg.finish("the graph"), caption, is_broad: width > COLUMN }
 }

@@ -1,8 +1,8 @@
 //! The values of a block of code: those read once are written where they are read, the others get a name.
 
 use super::syntax::Syntax;
+use crate::infix::{Infix, Level::Sum};
 use crate::ir::{Node, NodeId, needed};
-use Level::*;
 use Node::*;
 use Origin::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -16,38 +16,6 @@ const LONGEST_TERM: usize = 80;
 const LONGEST_FACTOR: usize = 60;
 /// The longest arguments of a call.
 pub(super) const LONGEST_ARGUMENTS: usize = 48;
-
-/// How tightly an expression's outermost operator binds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Level {
-    Sum,
-    Product,
-    Atom,
-}
-
-/// An expression.
-#[derive(Clone, Debug)]
-struct BlockExpression {
-    text: String,
-    level: Level,
-    is_number: bool,
-}
-
-impl BlockExpression {
-    fn atom(text: String) -> Self {
-        Self { text, level: Atom, is_number: false }
-    }
-
-    /// The text as an operand that must bind at least this tightly.
-    fn at(&self, level: Level) -> String {
-        if self.level < level { format!("({})", self.text) } else { self.text.clone() }
-    }
-
-    /// The text without its sign, if it is a negative number or a product that begins with one.
-    fn negated(&self) -> Option<&str> {
-        if self.level == Sum { None } else { self.text.strip_prefix('-') }
-    }
-}
 
 /// The inputs that a value is made of.
 #[derive(Clone, Copy, PartialEq)]
@@ -71,7 +39,7 @@ impl Origin {
 pub(super) struct Block<'a, S> {
     syntax: &'a S,
     /// The operations that are written where they are read.
-    inline: BTreeMap<NodeId, BlockExpression>,
+    inline: BTreeMap<NodeId, Infix>,
     /// The names of the others, and the expressions that compute them.
     named: BTreeMap<NodeId, (String, String)>,
     /// Named operations in scope.
@@ -173,21 +141,19 @@ impl<'a, S: Syntax> Block<'a, S> {
         (statements, value)
     }
 
-    fn operand(&self, id: NodeId) -> BlockExpression {
+    fn operand(&self, id: NodeId) -> Infix {
         match self.syntax.nodes()[id.index()] {
-            Constant(bits) => {
-                BlockExpression { is_number: true, ..BlockExpression::atom(self.syntax.literal(f64::from_bits(bits))) }
-            }
-            Node::Input(input) => BlockExpression::atom(self.syntax.input(input)),
+            Constant(bits) => Infix { is_number: true, ..Infix::atom(self.syntax.literal(f64::from_bits(bits))) },
+            Node::Input(input) => Infix::atom(self.syntax.input(input)),
             Operation(..) | Upper(..) => match self.named.get(&id) {
-                Some((name, _)) => BlockExpression::atom(name.clone()),
+                Some((name, _)) => Infix::atom(name.clone()),
                 None => self.inline[&id].clone(),
             },
         }
     }
 
     /// An operand, which gets a name if it is longer than the limit.
-    fn within(&mut self, id: NodeId, limit: usize) -> BlockExpression {
+    fn within(&mut self, id: NodeId, limit: usize) -> Infix {
         if self.inline.get(&id).is_some_and(|expression| expression.text.len() > limit) {
             self.name(id);
         }
@@ -195,7 +161,7 @@ impl<'a, S: Syntax> Block<'a, S> {
     }
 
     /// The expression that computes an operation.
-    fn operation(&mut self, id: NodeId) -> BlockExpression {
+    fn operation(&mut self, id: NodeId) -> Infix {
         let node = self.syntax.nodes()[id.index()];
         match node {
             Operation(instruction @ (Add | Sub), [a, b]) => {
@@ -207,24 +173,22 @@ impl<'a, S: Syntax> Block<'a, S> {
                     self.within(id, limit)
                 };
                 let (a, b) = (limited(a), limited(b));
-                if instruction == Add { sum(&a, &b) } else { difference(&a, &b) }
+                if instruction == Add { a.plus(&b) } else { a.minus(&b) }
             }
-            Operation(Mul, [a, b]) => product(&self.within(a, LONGEST_FACTOR), &self.within(b, LONGEST_FACTOR)),
-            Operation(Div, [a, b]) => {
+            Operation(instruction @ (Mul | Div), [a, b]) => {
                 let (a, b) = (self.within(a, LONGEST_FACTOR), self.within(b, LONGEST_FACTOR));
-                let text = format!("{} / {}", a.at(Product), b.at(Atom));
-                BlockExpression { text, level: Product, is_number: false }
+                if instruction == Mul { a.times(&b) } else { a.over(&b) }
             }
             Operation(instruction, _) => {
                 let total: usize = node.operands().iter().map(|&id| self.value(id).len() + 2).sum();
                 let limit = if total > LONGEST_ARGUMENTS { LONGEST_ARGUMENTS / 3 } else { LONGEST_ARGUMENTS };
                 let arguments: Vec<String> =
                     node.operands().iter().map(|&id| self.call_argument(node, id, limit)).collect();
-                BlockExpression::atom(self.syntax.call(instruction, &arguments.join(", ")))
+                Infix::atom(self.syntax.call(instruction, &arguments.join(", ")))
             }
             Upper(instruction, value) => {
                 let value = self.within(value, LONGEST_ARGUMENTS).text;
-                BlockExpression::atom(self.syntax.upper(instruction, &value))
+                Infix::atom(self.syntax.upper(instruction, &value))
             }
             Constant(_) | Node::Input(_) => self.operand(id),
         }
@@ -237,35 +201,6 @@ impl<'a, S: Syntax> Block<'a, S> {
         let platforms = node.is_transcendental() && self.syntax.graph().maths() == MathsProvider::System;
         if operand.is_number && platforms { self.syntax.hidden(&operand.text) } else { operand.text }
     }
-}
-
-/// A sum. To add a negative number, or a product with one, is to subtract the positive one, bit for bit; a number comes last, a sum
-/// first.
-fn sum(a: &BlockExpression, b: &BlockExpression) -> BlockExpression {
-    let swap = a.is_number && !b.is_number || b.level == Sum && a.level != Sum;
-    let (a, b) = if swap { (b, a) } else { (a, b) };
-    let text = match b.negated() {
-        Some(positive) => format!("{} - {positive}", a.text),
-        None => format!("{} + {}", a.text, b.at(Product)),
-    };
-    BlockExpression { text, level: Sum, is_number: false }
-}
-
-/// A difference, which to a negative number is a sum.
-fn difference(a: &BlockExpression, b: &BlockExpression) -> BlockExpression {
-    let text = match b.negated() {
-        Some(positive) => format!("{} + {positive}", a.text),
-        None => format!("{} - {}", a.text, b.at(Product)),
-    };
-    BlockExpression { text, level: Sum, is_number: false }
-}
-
-/// A product: a number comes first, or a product.
-fn product(a: &BlockExpression, b: &BlockExpression) -> BlockExpression {
-    let swap = b.is_number && !a.is_number || b.level == Product && a.level != Product;
-    let (a, b) = if swap { (b, a) } else { (a, b) };
-    let text = format!("{} * {}", a.at(Product), b.at(Atom));
-    BlockExpression { text, level: Product, is_number: false }
 }
 
 /// A name that is not taken, which it is then.

@@ -7,7 +7,7 @@ use super::integers::{with_unit, worth, worth_from};
 use super::names;
 use super::syntax::Syntax;
 use std::collections::BTreeSet;
-use tpg_graph::{Action, Graph, Output, Range, Source};
+use tpg_graph::{ActionDocument, Graph, Output, SourceDocument};
 
 /// A source.
 pub(super) struct SourceView {
@@ -35,7 +35,7 @@ impl SourceView {
 pub(super) fn sources(
     graph: &Graph,
     safe: impl Fn(&str) -> String,
-    kind: impl Fn(&Source) -> String,
+    kind: impl Fn(&SourceDocument) -> String,
 ) -> Vec<SourceView> {
     let mut end = 0;
     (graph.sources().iter())
@@ -57,7 +57,7 @@ pub(super) fn sources(
 
 /// The constant of each action, and its name where the constant does not say it.
 pub(super) fn actions(graph: &Graph, upper: &str) -> Vec<(String, String)> {
-    let said = |(action, name): (&Action, String)| {
+    let said = |(action, name): (&ActionDocument, String)| {
         let shown = comment(&action.to_string());
         (format!("{upper}_{}", name.to_ascii_uppercase()), if shown == name { String::new() } else { shown })
     };
@@ -108,7 +108,7 @@ pub(super) fn outputs(
                         .map(|end| format!("{end} ({})", with_unit(&counts.value(end).to_string(), &safe(unit))));
                     format!("{}: {low} to {high}", worth(counts.scale, &safe(unit)))
                 }
-                None => meaning(&safe(unit), &written(range)),
+                None => meaning(&safe(unit), &written(&[range.min, range.max])),
             },
             nan: *nan,
             initial: syntax.literal(*nan),
@@ -125,7 +125,7 @@ fn meaning(unit: &str, range: &str) -> String {
 }
 
 /// The unit of a source, and its range; of counts, what one is worth.
-fn meaning_of(source: &Source, unit: &str) -> String {
+fn meaning_of(source: &SourceDocument, unit: &str) -> String {
     match &source.counts[..] {
         [] => meaning(unit, &range(&source.ranges)),
         counts => {
@@ -136,7 +136,7 @@ fn meaning_of(source: &Source, unit: &str) -> String {
 }
 
 /// The common range of the values, or if ranges differ, each value's own in order.
-fn range(ranges: &[Range]) -> String {
+fn range(ranges: &[[f64; 2]]) -> String {
     common(ranges.iter().map(written).collect())
 }
 
@@ -149,22 +149,21 @@ fn common(mut texts: Vec<String>) -> String {
 }
 
 /// A range in as few digits as tell its ends from other numbers: of the type `f32`, if they are such.
-pub(crate) fn written(range: &Range) -> String {
+pub(crate) fn written(&[low, high]: &[f64; 2]) -> String {
     let number = |end: f64| {
         let narrow = end as f32;
         if f64::from(narrow) == end { (narrow + 0.0).to_string() } else { end.to_string() }
     };
-    format!("{} to {}", number(range.min), number(range.max))
+    format!("{} to {}", number(low), number(high))
 }
 
 #[cfg(test)]
 mod tests {
     use super::range;
-    use tpg_graph::Range;
 
     #[test]
     fn each_value_has_its_own_range_where_they_differ() {
-        let between = |min, max| Range { min, max };
+        let between = |min, max| [min, max];
         assert_eq!(range(&[between(-1.0, 1.0)]), "-1 to 1");
         assert_eq!(range(&[between(-1.0, 1.0), between(-1.0, 1.0)]), "-1 to 1");
         assert_eq!(range(&[between(-1.0, 1.0), between(-0.0, 2.5)]), "-1 to 1; 0 to 2.5");
@@ -172,7 +171,7 @@ mod tests {
 
     #[test]
     fn a_range_has_the_digits_that_it_needs() {
-        let text = |min, max| super::meaning("", &range(&[Range { min, max }]));
+        let text = |min, max| super::meaning("", &range(&[[min, max]]));
         assert_eq!(text(f64::from(-4.8_f32), f64::from(4.8_f32)), "-4.8 to 4.8");
         assert_eq!(text(-4.8, 4.8), "-4.8 to 4.8");
         assert_eq!(text(0.1, 1e6), "0.1 to 1000000");

@@ -43,7 +43,7 @@ struct ValueView {
 impl LookView {
     /// Returns what a graph reads from an image; `None` if it sees none.
     pub(super) fn new(graph: &Graph, sources: &[SourceView]) -> Option<Self> {
-        let vision = Vision::new(&graph.state_sources())?;
+        let vision = Vision::new(graph.sources())?;
         let ([rows, columns, channels], finds) = (vision.shape(), vision.finds());
         let member = |input: usize, source: &SourceView| match source.length {
             1 => source.field.clone(),

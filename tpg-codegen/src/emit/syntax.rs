@@ -16,6 +16,10 @@ pub(super) trait Syntax {
     fn scalar(&self) -> &'static str;
     /// The name of a type of unsigned integers.
     fn unsigned(&self, width: Width) -> String;
+    /// What follows a number of such a type.
+    fn suffix(&self, _width: Width) -> &'static str {
+        ""
+    }
     /// A number, so that the compiler reads the very same one.
     fn literal(&self, value: f64) -> String;
     /// A value of the state.

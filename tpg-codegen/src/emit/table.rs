@@ -9,10 +9,9 @@ pub(super) struct Table {
     pub(super) values: Vec<String>,
 }
 
-/// A table whose values have no suffix, or one that depends on their width.
-pub(super) fn table(syntax: &impl Syntax, values: &[u64], suffix: impl Fn(Width) -> &'static str) -> Table {
+pub(super) fn table(syntax: &impl Syntax, values: &[u64]) -> Table {
     let width = Width::covering(values);
-    let value = |value: &u64| format!("{value}{}", suffix(width));
+    let value = |value: &u64| format!("{value}{}", syntax.suffix(width));
     Table { kind: syntax.unsigned(width), values: values.iter().map(value).collect() }
 }
 

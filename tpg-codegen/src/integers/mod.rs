@@ -14,7 +14,7 @@ pub(crate) use whole::{Unfit, Whole};
 use crate::formula;
 use crate::ir::{Module, Node, NodeId, reached};
 use tpg_graph::error::InputError;
-use tpg_graph::{Counts, Graph, Input, ScalarType, Source};
+use tpg_graph::{Counts, Graph, Input, ScalarType, SourceDocument};
 
 /// A module whose every value is whole.
 #[derive(Clone, Debug, PartialEq)]
@@ -133,7 +133,7 @@ pub(crate) fn input_bits(graph: &Graph, input: Input) -> u32 {
 }
 
 /// The type of a source's values in bits; 32 for memory.
-pub(crate) fn source_bits(source: &Source) -> u32 {
+pub(crate) fn source_bits(source: &SourceDocument) -> u32 {
     if source.counts.is_empty() { 32 } else { Counts::container_of(&source.counts) }
 }
 

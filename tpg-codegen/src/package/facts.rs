@@ -68,7 +68,7 @@ impl<'a> Facts<'a> {
         let (seen, (answered, _)) = (graph.observed(), graph.split_outputs());
         let whole = graph.has_counts();
         let suffix = if graph.scalar() == ScalarType::F32 && !whole { "F" } else { "" };
-        let middle = |range: &tpg_graph::Range| match range.min / 2.0 + range.max / 2.0 {
+        let middle = |[low, high]: [f64; 2]| match low / 2.0 + high / 2.0 {
             count if whole => format!("{}", count.round() as i64),
             value => format!("{:?}", graph.scalar().round(value)),
         };
@@ -76,8 +76,8 @@ impl<'a> Facts<'a> {
             Some(counts) => cell(&worth_from(counts, unit)),
             None => cell(unit),
         };
-        let group = |source: &tpg_graph::Source| {
-            let values: Vec<String> = source.ranges.iter().map(|range| middle(range) + suffix).collect();
+        let group = |source: &tpg_graph::SourceDocument| {
+            let values: Vec<String> = source.ranges.iter().map(|&range| middle(range) + suffix).collect();
             if let [value] = &values[..] { value.clone() } else { format!("{{ {} }}", values.join(", ")) }
         };
         let answers = match answered.len() {
@@ -111,15 +111,15 @@ impl<'a> Facts<'a> {
                     field: field(graph, &output.name),
                     length: 1,
                     unit: unit(output.counts.as_ref(), &output.unit),
-                    range: written(&output.range),
+                    range: written(&[output.range.min, output.range.max]),
                 })
                 .collect(),
             memory: graph.memory(),
             state_c: seen.iter().map(group).collect::<Vec<_>>().join(", "),
-            state_rust: graph
-                .state_ranges()
-                .take(graph.observed_length())
-                .map(|r| middle(&r))
+            state_rust: seen
+                .iter()
+                .flat_map(|source| &source.ranges)
+                .map(|&range| middle(range))
                 .collect::<Vec<_>>()
                 .join(", "),
             figures: figures(c, target),

@@ -4,7 +4,7 @@
 //! destinations are merged. Each rule can enable the other, so teams are visited in reverse topological order: successors
 //! first.
 
-use crate::ir::{Module, NodeId, Target, ends_first, longest_walk};
+use crate::ir::{Module, NodeId, Target, breadth_first, ends_first, longest_walk};
 use Target::*;
 use std::collections::BTreeMap;
 
@@ -33,45 +33,10 @@ pub(super) fn run(module: &mut Module<'_>) {
             place[index] = Team(first);
         }
     }
-    renumber(module);
-}
-
-/// Keeps the reachable teams, breadth first from the root, and the bidders that they use.
-fn renumber(module: &mut Module<'_>) {
-    let mut place = vec![None; module.teams.len()];
-    place[0] = Some(0);
-    let mut order = vec![0];
-    let mut next = 0;
-    while let Some(&index) = order.get(next) {
-        next += 1;
-        for edge in &module.teams[index].edges {
-            if let Team(to) = edge.to
-                && place[to].is_none()
-            {
-                place[to] = Some(order.len());
-                order.push(to);
-            }
-        }
-    }
-    let mut bidder_place = BTreeMap::new();
-    let mut bidders = Vec::new();
-    let mut teams = Vec::with_capacity(order.len());
-    for index in order {
-        let mut team = module.teams[index].clone();
-        for edge in &mut team.edges {
-            if let Team(to) = edge.to {
-                edge.to = Team(place[to].unwrap_or_default());
-            }
-            edge.bidder = *bidder_place.entry(edge.bidder).or_insert_with(|| {
-                bidders.push(module.bidders[edge.bidder].clone());
-                bidders.len() - 1
-            });
-        }
-        teams.push(team);
-    }
+    let (teams, used) = breadth_first(&module.teams, 0);
     module.depth = longest_walk(&teams);
     module.teams = teams;
-    module.bidders = bidders;
+    module.bidders = used.into_iter().map(|bidder| module.bidders[bidder].clone()).collect();
 }
 
 #[cfg(test)]

@@ -251,12 +251,12 @@ impl Quantiser<'_> {
 
     fn sources(&self, counts: &[Counts]) -> Vec<SourceDocument> {
         let mut counts = counts.iter();
-        (self.graph.state_sources().into_iter().take(self.graph.observed().len()))
+        (self.graph.observed().iter())
             .map(|source| {
                 let counts: Vec<Counts> = counts.by_ref().take(source.length as usize).copied().collect();
                 let ranges = source.ranges.iter().zip(&counts);
                 let ranges = ranges.map(|(range, counts)| range.map(|end| counts.count(end))).collect();
-                SourceDocument { ranges, counts, ..source }
+                SourceDocument { ranges, counts, ..source.clone() }
             })
             .collect()
     }

@@ -100,7 +100,7 @@ pub struct ShapeCost {
 }
 
 /// The size of one shape on one target.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ShapeSize {
     /// The target.
     pub target: Target,
@@ -230,18 +230,7 @@ fn dead_inputs(optimised: &Module<'_>) -> Vec<String> {
 
 /// Returns the size of a shape's code on a target.
 pub(crate) fn size_of(code: &Code<'_>, target: Target, profile: &'static str) -> ShapeSize {
-    let mut found = ShapeSize {
-        target,
-        profile,
-        flash: None,
-        linked_flash: None,
-        ram: None,
-        instructions: None,
-        look: None,
-        stack: None,
-        sections: None,
-        unavailable: None,
-    };
+    let mut found = ShapeSize { target, profile, ..ShapeSize::default() };
     found.unavailable = found.measure(code).err();
     found
 }

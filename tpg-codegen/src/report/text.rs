@@ -29,7 +29,7 @@ impl fmt::Display for Report {
             0 => format!("{}, of which {} asks {}", counted(actions, "action"), asks.len(), asks.join(", ")),
             _ => format!(
                 "{} with {}{}",
-                if leaves == 1 { "1 leaf".to_owned() } else { format!("{leaves} leaves") },
+                counted(leaves, "leaf"),
                 counted(outputs, "output"),
                 if memory == 0 { String::new() } else { format!(" and {} of memory", counted(memory, "value")) }
             ),

@@ -48,7 +48,7 @@ pub(super) fn link(folder: &Path, target: Target, entry: &str, program: &Program
 
 /// Bounds what reads an image. Its loops go through all cells, and in some of these through a window.
 fn look(program: &Program<'_>, listing: &Listing) -> Option<Bound> {
-    let vision = Vision::new(&program.graph().state_sources())?;
+    let vision = Vision::new(program.graph().sources())?;
     let [rows, columns, _] = vision.shape();
     let windows = vision.features().map(|(_, feature, _)| match (feature, feature.find()) {
         (Feature::Sum { height, width, .. }, _) => height.max(width),

@@ -8,10 +8,11 @@ use std::process::Command;
 use std::str::FromStr;
 
 /// A target of generated code.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum Target {
     /// This machine, by its C compiler.
+    #[default]
     Host,
     /// Cortex-M0, without an FPU.
     M0,

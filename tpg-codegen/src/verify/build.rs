@@ -15,7 +15,7 @@ use std::process::{Command, Output};
 use std::{env, fs, io, slice};
 use tempfile::TempDir;
 use tpg_graph::image::Vision;
-use tpg_graph::{Graph, ScalarType, Source};
+use tpg_graph::{Graph, ScalarType, SourceDocument};
 use tpg_runtime::standalone;
 
 /// The program around generated C.
@@ -54,12 +54,12 @@ impl PolicyView {
     fn new(code: &Code<'_>) -> Self {
         let (graph, prefix) = (code.program.graph(), &code.program.options.prefix);
         let is_integers = matches!(code.program.shape, Shape::Integers(_));
-        let kind = |source: &Source| match graph.scalar() {
+        let kind = |source: &SourceDocument| match graph.scalar() {
             _ if is_integers => format!("int{}_t", source_bits(source)),
             ScalarType::F32 => "float".to_owned(),
             ScalarType::F64 => "double".to_owned(),
         };
-        let view = |source: &Source| (field(graph, &source.name), source.ranges.len(), kind(source));
+        let view = |source: &SourceDocument| (field(graph, &source.name), source.ranges.len(), kind(source));
         let (observed, memory) = graph.sources().split_at(graph.observed().len());
         Self {
             prefix: prefix.to_string(),
@@ -71,7 +71,7 @@ impl PolicyView {
             answers: graph.split_outputs().0.iter().map(|output| field(graph, &output.name)).collect(),
             memory: memory.iter().map(view).collect(),
             gegelati: code.program.shape == Shape::Gegelati,
-            image: Vision::new(&graph.state_sources()).map(|vision| {
+            image: Vision::new(graph.sources()).map(|vision| {
                 let [_, columns, channels] = vision.shape();
                 [vision.bytes(), columns * channels]
             }),

@@ -1,6 +1,34 @@
 {%- let prefix = printer.prefix -%}
 {%- let scalar = printer.scalar() -%}
 {%- let upper = printer.upper() -%}
+{#- exponent_end is the place of the exponent's lowest bit, counted from the top; from most on, every number is whole. -#}
+{%- decl key -%}{%- decl signed -%}{%- decl unsigned_suffix -%}{%- decl top -%}{%- decl exponent_end -%}{%- decl sign -%}
+{%- decl infinity -%}{%- decl zero -%}{%- decl one -%}{%- decl most -%}{%- decl most_bits -%}
+{%- if f64 -%}
+{%- let key = "uint64_t" -%}
+{%- let signed = "int64_t" -%}
+{%- let unsigned_suffix = "ULL" -%}
+{%- let top = "63" -%}
+{%- let exponent_end = "12" -%}
+{%- let sign = "0x8000000000000000ULL" -%}
+{%- let infinity = "0x7ff0000000000000ULL" -%}
+{%- let zero = "0.0" -%}
+{%- let one = "1.0" -%}
+{%- let most = "4503599627370496.0" -%}
+{%- let most_bits = "0x4330000000000000ULL" -%}
+{%- else -%}
+{%- let key = "uint32_t" -%}
+{%- let signed = "int32_t" -%}
+{%- let unsigned_suffix = "U" -%}
+{%- let top = "31" -%}
+{%- let exponent_end = "9" -%}
+{%- let sign = "0x80000000U" -%}
+{%- let infinity = "0x7f800000U" -%}
+{%- let zero = "0.0f" -%}
+{%- let one = "1.0f" -%}
+{%- let most = "8388608.0f" -%}
+{%- let most_bits = "0x4b000000U" -%}
+{%- endif -%}
 {% if self.calls("hidden") %}
 /* A number that the compiler does not know: it would compute the platform's function of it itself, and round another way. */
 static {{ scalar }} {{ prefix }}_hidden({{ scalar }} number)
@@ -51,7 +79,7 @@ static {{ scalar }} {{ prefix }}_max({{ scalar }} a, {{ scalar }} b)
 /* a where b is not 0, else -0. */
 static {{ scalar }} {{ prefix }}_gate({{ scalar }} a, {{ scalar }} b)
 {
-    return ((b >= {% if f64 %}0.0{% else %}0.0f{% endif %}) && (b <= {% if f64 %}0.0{% else %}0.0f{% endif %})) ? {% if f64 %}-0.0{% else %}-0.0f{% endif %} : a;
+    return ((b >= {{ zero }}) && (b <= {{ zero }})) ? {% if f64 %}-0.0{% else %}-0.0f{% endif %} : a;
 }
 {% endif %}
 {% if self.calls("quotient") %}
@@ -61,11 +89,11 @@ static {{ scalar }} {{ prefix }}_quotient({{ scalar }} a, {{ scalar }} b)
     const {{ scalar }} quotient = a / b;
     {{ scalar }} result = quotient;
 
-    if ((b >= {{ whole.zero }}) && (b <= {{ whole.zero }})) {
-        result = (a > {{ whole.zero }}) ? {{ whole.by_zero }} : ((a < {{ whole.zero }}) ? {{ whole.minus_by_zero }} : {{ whole.zero_by_zero }});
-    } else if ((quotient > {{ whole.least }}) && (quotient < {{ whole.most }})) {
+    if ((b >= {{ zero }}) && (b <= {{ zero }})) {
+        result = (a > {{ zero }}) ? {{ by_zero[0] }} : ((a < {{ zero }}) ? {{ by_zero[1] }} : {{ by_zero[2] }});
+    } else if ((quotient > -{{ most }}) && (quotient < {{ most }})) {
         result = ({{ scalar }})({{ signed }})quotient;
-        result = (result > quotient) ? (result - {{ whole.one }}) : result;
+        result = (result > quotient) ? (result - {{ one }}) : result;
     } else {
         /* whole as it is, or no number */
     }
@@ -90,7 +118,7 @@ static {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ 
 /* The platform's logarithm, which is slow for negative arguments. */
 static {{ scalar }} {{ prefix }}_ln({{ scalar }} x)
 {
-    return (x < {% if f64 %}0.0{% else %}0.0f{% endif %}) ? {% if f64 %}(double)NAN{% else %}NAN{% endif %} : {{ printer.function("log") }}(x);
+    return (x < {{ zero }}) ? {% if f64 %}(double)NAN{% else %}NAN{% endif %} : {{ printer.function("log") }}(x);
 }
 {% endif %}
 {% if short && self.calls("exp") %}
@@ -102,7 +130,7 @@ static {{ scalar }} {{ prefix }}_exp({{ scalar }} x)
     if (x > {{ self.literal(beyond.0) }}) {
         result = {% if f64 %}(double)INFINITY{% else %}INFINITY{% endif %};
     } else if (x < {{ self.literal(beyond.1) }}) {
-        result = {% if f64 %}0.0{% else %}0.0f{% endif %};
+        result = {{ zero }};
     } else {
         result = {{ printer.function("exp") }}(x);
     }
@@ -120,7 +148,7 @@ static {{ scalar }} {{ prefix }}_ln_upper({{ scalar }} x)
 
         (void)memcpy(&bits, &x, sizeof bits);
         bound = (({{ scalar }})bits * {{ self.literal(estimate.ln_scale) }}) - {{ self.literal(estimate.ln_offset) }};
-    } else if (x <= {% if f64 %}0.0{% else %}0.0f{% endif %}) {
+    } else if (x <= {{ zero }}) {
         bound = {% if f64 %}-(double)INFINITY{% else %}-INFINITY{% endif %}; /* NaN also bids that */
     } else if (x > {% if f64 %}DBL_MAX{% else %}FLT_MAX{% endif %}) {
         bound = {% if f64 %}(double)INFINITY{% else %}INFINITY{% endif %};

@@ -90,7 +90,7 @@
 {
     {{ key }} bits;
     (void)memcpy(&bits, &b, sizeof bits);
-    return {{ prefix }}_select({{ prefix }}_opaque(0U - (((bits & ~{{ sign }}) - 1U) >> {{ top }})), {% if f64 %}-0.0{% else %}-0.0f{% endif %}, a);
+    return {{ prefix }}_select({{ prefix }}_opaque(0U - (((bits & ~{{ sign }}) - 1U) >> {{ top }})), -{{ zero }}, a);
 }
 {% endif %}
 {% if self.calls("quotient") %}
@@ -99,17 +99,17 @@
 {{ storage }} {{ scalar }} {{ prefix }}_quotient({{ scalar }} a, {{ scalar }} b)
 {
     const {{ scalar }} quotient = a / b;
-    const {{ scalar }} not_positive = {{ prefix }}_select({{ prefix }}_above({{ whole.zero }}, a), {{ whole.minus_by_zero }}, {{ whole.zero_by_zero }});
-    const {{ scalar }} by_zero = {{ prefix }}_select({{ prefix }}_above(a, {{ whole.zero }}), {{ whole.by_zero }}, not_positive);
+    const {{ scalar }} not_positive = {{ prefix }}_select({{ prefix }}_above({{ zero }}, a), {{ by_zero[1] }}, {{ by_zero[2] }});
+    const {{ scalar }} by_zero = {{ prefix }}_select({{ prefix }}_above(a, {{ zero }}), {{ by_zero[0] }}, not_positive);
     {{ key }} bits;
     {{ key }} small;
     {{ scalar }} within;
     {{ scalar }} whole;
     (void)memcpy(&bits, &quotient, sizeof bits);
-    small = {{ prefix }}_opaque(0U - (((bits & ~{{ sign }}) - {{ whole.most_bits }}) >> {{ top }})); /* from there on, all are whole */
-    within = {{ prefix }}_select(small, quotient, {{ whole.zero }});
+    small = {{ prefix }}_opaque(0U - (((bits & ~{{ sign }}) - {{ most_bits }}) >> {{ top }})); /* from there on, all are whole */
+    within = {{ prefix }}_select(small, quotient, {{ zero }});
     whole = ({{ scalar }})({{ signed }})within;
-    whole = whole - {{ prefix }}_select({{ prefix }}_above(whole, within), {{ whole.one }}, {{ whole.zero }});
+    whole = whole - {{ prefix }}_select({{ prefix }}_above(whole, within), {{ one }}, {{ zero }});
     whole = {{ prefix }}_select(small, whole, quotient);
     (void)memcpy(&bits, &b, sizeof bits);
     return {{ prefix }}_select({{ prefix }}_opaque(0U - (((bits & ~{{ sign }}) - 1U) >> {{ top }})), by_zero, whole);
@@ -146,9 +146,9 @@
 {{ storage }} {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ scalar }} high{% if same_nan.is_none() %}, {{ scalar }} nan{% endif %})
 {
     /* Differences of what is equal are 0, not -0; where the value is NaN, both choices are of no account. */
-    const {{ scalar }} unsigned_zero = value + {% if f64 %}0.0{% else %}0.0f{% endif %};
+    const {{ scalar }} unsigned_zero = value + {{ zero }};
     const {{ scalar }} raised = {{ prefix }}_select({{ prefix }}_negative(unsigned_zero - low), low, value);
-    const {{ scalar }} limited = {{ prefix }}_select({{ prefix }}_negative((high + {% if f64 %}0.0{% else %}0.0f{% endif %}) - unsigned_zero), high, raised);
+    const {{ scalar }} limited = {{ prefix }}_select({{ prefix }}_negative((high + {{ zero }}) - unsigned_zero), high, raised);
     return {{ prefix }}_select({{ prefix }}_not_a_number(value), {% if let Some(nan) = same_nan %}{{ nan }}{% else %}nan{% endif %}, limited);
 }
 {% endif %}

@@ -3,7 +3,7 @@
 use super::facts::{Calls, LoopBounds, Turns, in_libgcc};
 use super::flow::Flow;
 use super::instruction::{cycles, is_decision};
-use super::listing::{Line, Listing};
+use super::listing::{Line, Listing, Site};
 use super::longest::{Header, headers, longest};
 use super::refusal::Refusal;
 use std::collections::{BTreeMap, BTreeSet};
@@ -15,17 +15,6 @@ pub struct Bound {
     pub instructions: u64,
     /// Bytes of stack.
     pub stack: u64,
-}
-
-/// An instruction whose control flow depends on data.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Site {
-    /// The function.
-    pub function: String,
-    /// Its address.
-    pub address: u64,
-    /// The instruction.
-    pub text: String,
 }
 
 static NO_CALLS: Calls = Calls::new();
@@ -75,8 +64,7 @@ impl<'a> Analyser<'a> {
         while let Some(place) = open.pop() {
             let function = &self.listing.functions()[place];
             let decisions = function.lines.iter().filter(|line| is_decision(line));
-            let site = |line: &Line| Site { function: function.name.clone(), address: line.address, text: line.text() };
-            sites.extend(decisions.map(site));
+            sites.extend(decisions.map(|line| function.site(line)));
             let flow = Flow::new(self.listing, function, self.calls)?;
             open.extend(flow.calls.into_iter().flatten().filter(|&callee| seen.insert(callee)));
         }
@@ -157,8 +145,8 @@ impl<'a> Analyser<'a> {
     /// Returns the refusal of a loop without a bound.
     fn endless(&self, place: usize, header: &Header) -> Refusal {
         let found = &self.listing.functions()[place];
-        let (function, address) = (found.name.clone(), found.lines[header.node].address);
-        if header.is_tangled { Refusal::TangledLoop { function, address } } else { Refusal::Loop { function, address } }
+        let site = found.site(&found.lines[header.node]);
+        if header.is_tangled { Refusal::TangledLoop(site) } else { Refusal::Loop(site) }
     }
 
     /// Returns the instructions of a function at most.

@@ -21,44 +21,49 @@ pub(super) struct Flow {
 impl Flow {
     /// Builds the graph of a function of a listing. Unreachable instructions (padding before data) are ignored.
     pub(super) fn new(listing: &Listing, function: &Function, through: &Calls) -> Result<Self, Refusal> {
-        let place: BTreeMap<u64, usize> = (function.lines.iter().map(|line| line.address)).zip(0..).collect();
+        let place = (function.lines.iter().map(|line| line.address)).zip(0..).collect();
         let count = function.lines.len();
-        let mut flow = Self { next: vec![Vec::new(); count], calls: vec![Vec::new(); count], frame: 0 };
+        let flow = Self { next: vec![Vec::new(); count], calls: vec![Vec::new(); count], frame: 0 };
+        let mut builder = FlowBuilder { listing, function, through, place, flow };
         let mut open: Vec<usize> = (0..count.min(1)).collect();
         let mut seen = vec![false; count];
         while let Some(index) = open.pop() {
             if !std::mem::replace(&mut seen[index], true) {
-                flow.add(listing, function, &place, through, index)?;
-                open.extend(&flow.next[index]);
+                builder.add(index)?;
+                open.extend(&builder.flow.next[index]);
             }
         }
         if through.contains_key(&function.name) && !function.lines.iter().any(goes_by_register) {
             return Err(Refusal::NotIndirect { function: function.name.clone() });
         }
-        Ok(flow)
+        Ok(builder.flow)
     }
 
     /// Returns every function that it may call.
     pub(super) fn callees(&self) -> BTreeSet<usize> {
         self.calls.iter().flatten().copied().collect()
     }
+}
 
+struct FlowBuilder<'a> {
+    listing: &'a Listing,
+    function: &'a Function,
+    /// The targets of calls through registers.
+    through: &'a Calls,
+    /// The instruction at each address.
+    place: BTreeMap<u64, usize>,
+    flow: Flow,
+}
+
+impl FlowBuilder<'_> {
     /// Adds an instruction.
-    fn add(
-        &mut self,
-        listing: &Listing,
-        function: &Function,
-        place: &BTreeMap<u64, usize>,
-        through: &Calls,
-        index: usize,
-    ) -> Result<(), Refusal> {
+    fn add(&mut self, index: usize) -> Result<(), Refusal> {
+        let (listing, function) = (self.listing, self.function);
         let line = &function.lines[index];
-        let name = || function.name.clone();
-        let (address, text) = (line.address, line.text());
         match stack(line, index.checked_sub(1).map(|before| &function.lines[before])) {
             Stack::Same => {}
-            Stack::Down(bytes) => self.frame += bytes,
-            Stack::Unknown => return Err(Refusal::DynamicStack { function: name(), address, text }),
+            Stack::Down(bytes) => self.flow.frame += bytes,
+            Stack::Unknown => return Err(Refusal::DynamicStack(function.site(line))),
         }
         let mut goes_on = true;
         match kind(line) {
@@ -66,77 +71,69 @@ impl Flow {
             Branch { conditional } => {
                 goes_on = conditional;
                 match target(listing, function, line)? {
-                    To::Here(address) => {
-                        self.next[index].push(*place.get(&address).ok_or_else(|| astray(function, line))?);
-                    }
-                    To::Function(callee) => self.calls[index] = vec![callee],
+                    To::Here(address) => self.go(index, [address])?,
+                    To::Function(callee) => self.flow.calls[index] = vec![callee],
                 }
             }
-            Call => {
-                match target(listing, function, line)? {
-                    To::Function(callee) => {
-                        self.calls[index] = vec![callee];
-                        let callee = &listing.functions()[callee].name;
-                        if callee.starts_with("__gnu_thumb1_case") {
-                            let targets = table(function, line, callee);
-                            let targets = targets.ok_or(Refusal::JumpTable { function: name(), address, text })?;
-                            self.jump(function, place, index, targets)?;
-                            goes_on = false;
-                        } else {
-                            // A call that no instruction follows never returns.
-                            goes_on = follower(function, index).is_some();
-                        }
-                    }
-                    // Thumb of a Cortex-M0 jumps far by `bl`, in functions that have saved the register of the return.
-                    To::Here(address) if function.saves_return() => {
-                        self.next[index].push(*place.get(&address).ok_or_else(|| astray(function, line))?);
+            Call => match target(listing, function, line)? {
+                To::Function(callee) => {
+                    self.flow.calls[index] = vec![callee];
+                    let callee = &listing.functions()[callee].name;
+                    if callee.starts_with("__gnu_thumb1_case") {
+                        self.jump(index, table(function, line, callee))?;
                         goes_on = false;
+                    } else {
+                        // A call that no instruction follows never returns.
+                        goes_on = follower(function, index).is_some();
                     }
-                    To::Here(_) => return Err(astray(function, line)),
                 }
-            }
+                // Thumb of a Cortex-M0 jumps far by `bl`, in functions that have saved the register of the return.
+                To::Here(address) if function.saves_return() => {
+                    self.go(index, [address])?;
+                    goes_on = false;
+                }
+                To::Here(_) => return Err(Refusal::Astray(function.site(line))),
+            },
             Return { conditional } => goes_on = conditional,
             Trap => goes_on = false,
-            Skip => {
-                let after = follower(function, index).and_then(|next| follower(function, next));
-                self.next[index].push(after.ok_or_else(|| astray(function, line))?);
-            }
+            Skip => self.follow(index, follower(function, index).and_then(|next| follower(function, next)))?,
             Indirect { goes_on: and_on } => {
-                let Some(callees) = through.get(&function.name) else {
-                    return Err(Refusal::Indirect { function: name(), address, text });
+                let Some(callees) = self.through.get(&function.name) else {
+                    return Err(Refusal::Indirect(function.site(line)));
                 };
                 for callee in callees {
                     let place = listing.named(callee).ok_or_else(|| Refusal::NoFunction { name: callee.clone() })?;
-                    self.calls[index].push(place);
+                    self.flow.calls[index].push(place);
                 }
                 goes_on = and_on;
             }
             JumpTable => {
                 let targets = table(function, line, "").or_else(|| table_elsewhere(listing, function, index));
-                let targets = targets.ok_or(Refusal::JumpTable { function: name(), address, text })?;
-                self.jump(function, place, index, targets)?;
+                self.jump(index, targets)?;
                 goes_on = false;
             }
         }
-        if goes_on {
-            self.next[index].push(follower(function, index).ok_or_else(|| astray(function, line))?);
-        }
+        if goes_on { self.follow(index, follower(function, index)) } else { Ok(()) }
+    }
+
+    /// Adds a successor of an instruction.
+    fn follow(&mut self, index: usize, next: Option<usize>) -> Result<(), Refusal> {
+        let astray = || Refusal::Astray(self.function.site(&self.function.lines[index]));
+        self.flow.next[index].push(next.ok_or_else(astray)?);
         Ok(())
     }
 
+    /// Adds the targets of a branch.
+    fn go(&mut self, index: usize, targets: impl IntoIterator<Item = u64>) -> Result<(), Refusal> {
+        targets.into_iter().try_for_each(|target| self.follow(index, self.place.get(&target).copied()))
+    }
+
     /// Adds the targets of a table.
-    fn jump(
-        &mut self,
-        function: &Function,
-        place: &BTreeMap<u64, usize>,
-        index: usize,
-        targets: Vec<u64>,
-    ) -> Result<(), Refusal> {
-        for target in targets {
-            self.next[index].push(*place.get(&target).ok_or_else(|| astray(function, &function.lines[index]))?);
-        }
-        self.next[index].sort_unstable();
-        self.next[index].dedup();
+    fn jump(&mut self, index: usize, targets: Option<Vec<u64>>) -> Result<(), Refusal> {
+        let unknown = || Refusal::JumpTable(self.function.site(&self.function.lines[index]));
+        self.go(index, targets.ok_or_else(unknown)?)?;
+        self.flow.next[index].sort_unstable();
+        self.flow.next[index].dedup();
         Ok(())
     }
 }
@@ -200,16 +197,12 @@ fn target(listing: &Listing, function: &Function, line: &Line) -> Result<To, Ref
             callee: symbol.clone(),
         });
     }
-    let address = address(line).ok_or_else(|| astray(function, line))?;
+    let address = address(line).ok_or_else(|| Refusal::Astray(function.site(line)))?;
     let inside = function.lines.iter().any(|line| line.address == address);
     match listing.at(&function.section, address) {
         // A branch to the function's own start is a loop, a call of it is a recursion.
         Some(callee) if kind(line) == Call || address != function.address => Ok(To::Function(callee)),
         _ if inside => Ok(To::Here(address)),
-        _ => Err(astray(function, line)),
+        _ => Err(Refusal::Astray(function.site(line))),
     }
-}
-
-fn astray(function: &Function, line: &Line) -> Refusal {
-    Refusal::Astray { function: function.name.clone(), address: line.address, text: line.text() }
 }

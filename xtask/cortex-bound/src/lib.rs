@@ -30,7 +30,7 @@ mod longest;
 mod refusal;
 mod table;
 
-pub use analysis::{Analyser, Bound, Site};
+pub use analysis::{Analyser, Bound};
 pub use facts::{Calls, LoopBounds, Turns};
-pub use listing::{Listing, disassemble};
+pub use listing::{Listing, Site, disassemble};
 pub use refusal::Refusal;

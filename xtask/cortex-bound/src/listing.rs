@@ -4,7 +4,7 @@ use super::flow::continues_at;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::process::Command;
-use std::{fs, io};
+use std::{fmt, fs, io};
 
 /// An instruction as printed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,6 +28,23 @@ impl Line {
     }
 }
 
+/// An instruction of a function.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Site {
+    /// The function.
+    pub function: String,
+    /// The instruction's address.
+    pub address: u64,
+    /// The instruction.
+    pub text: String,
+}
+
+impl fmt::Display for Site {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} at {:#x} ({})", self.function, self.address, self.text)
+    }
+}
+
 /// A function: its instructions in order, and data between them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Function {
@@ -44,6 +61,11 @@ pub struct Function {
 }
 
 impl Function {
+    /// Returns one of its instructions as a place.
+    pub(crate) fn site(&self, line: &Line) -> Site {
+        Site { function: self.name.clone(), address: line.address, text: line.text() }
+    }
+
     /// Tests if it begins by saving the register that holds the return address.
     pub(crate) fn saves_return(&self) -> bool {
         self.lines.first().is_some_and(|line| line.mnemonic.starts_with("push") && line.operands.contains("lr"))

@@ -1,5 +1,7 @@
 //! Reasons why there is no bound.
 
+use super::listing::Site;
+
 /// The reason why a function has no bound, and the place: addresses are those of the listing.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Refusal {
@@ -24,14 +26,11 @@ pub enum Refusal {
     },
     /// A loop without a bound.
     #[error(
-        "{function} has a loop at {address:#x}: without a bound it has no worst case; accepted: code without loops, or --loop-bound {function}=N if none of its loops iterates more than N times"
+        "{name} has a loop at {address:#x}: without a bound it has no worst case; accepted: code without loops, or --loop-bound {name}=N if none of its loops iterates more than N times",
+        name = .0.function,
+        address = .0.address
     )]
-    Loop {
-        /// The function.
-        function: String,
-        /// Address of the loop's first instruction.
-        address: u64,
-    },
+    Loop(Site),
     /// The number of bounds differs from the number of loops.
     #[error(
         "{function} has loops at {}, and {given} bounds are given; accepted: one for each, in this order",
@@ -47,14 +46,11 @@ pub enum Refusal {
     },
     /// A loop with several entries, without a bound.
     #[error(
-        "{function} has a loop with several entries at {address:#x}; accepted: --loop-bound {function}=N if none of its instructions is reached more than N times"
+        "{name} has a loop with several entries at {address:#x}; accepted: --loop-bound {name}=N if none of its instructions is reached more than N times",
+        name = .0.function,
+        address = .0.address
     )]
-    TangledLoop {
-        /// The function.
-        function: String,
-        /// An instruction in it.
-        address: u64,
-    },
+    TangledLoop(Site),
     /// A function that calls itself, possibly through others.
     #[error("recursion: {}", functions.join(" calls "))]
     Recursion {
@@ -63,16 +59,10 @@ pub enum Refusal {
     },
     /// A call or a jump to an address in a register.
     #[error(
-        "{function} branches through a register at {address:#x} ({text}) to an unknown target; accepted: --calls {function}=CALLEE,… with every function that it may reach"
+        "{0} branches through a register to an unknown target; accepted: --calls {name}=CALLEE,… with every function that it may reach",
+        name = .0.function
     )]
-    Indirect {
-        /// The function.
-        function: String,
-        /// Its address.
-        address: u64,
-        /// The instruction.
-        text: String,
-    },
+    Indirect(Site),
     /// A function with targets for calls through a register that it does not contain.
     #[error("{function} calls nothing through a register, so --calls {function}=… has no effect")]
     NotIndirect {
@@ -80,39 +70,14 @@ pub enum Refusal {
         function: String,
     },
     /// A jump through a table that cannot be read.
-    #[error(
-        "{function} jumps through a table at {address:#x} ({text}) that is not found: -fno-jump-tables avoids them"
-    )]
-    JumpTable {
-        /// The function.
-        function: String,
-        /// Its address.
-        address: u64,
-        /// The instruction.
-        text: String,
-    },
+    #[error("{0} jumps through a table that is not found: -fno-jump-tables avoids them")]
+    JumpTable(Site),
     /// A stack pointer that changes by an amount known only at run time.
-    #[error("{function} moves its stack pointer by an unknown amount at {address:#x} ({text})")]
-    DynamicStack {
-        /// The function.
-        function: String,
-        /// Its address.
-        address: u64,
-        /// The instruction.
-        text: String,
-    },
+    #[error("{0} moves its stack pointer by an unknown amount")]
+    DynamicStack(Site),
     /// A branch into the middle of another function, or to an address without an instruction; or a path past the end.
-    #[error(
-        "{function} at {address:#x} ({text}) leads neither to one of its instructions nor to the start of a function"
-    )]
-    Astray {
-        /// The function.
-        function: String,
-        /// Its address.
-        address: u64,
-        /// The instruction.
-        text: String,
-    },
+    #[error("{0} leads neither to one of its instructions nor to the start of a function")]
+    Astray(Site),
 }
 
 /// Returns what makes a missing function slow.

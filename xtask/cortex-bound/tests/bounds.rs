@@ -69,7 +69,7 @@ fn loops_are_refused_without_a_bound() {
         bne.n 2 <f+0x2>
         bx lr";
     let refusal = bound(text, "f").unwrap_err();
-    assert_eq!(refusal, Refusal::Loop { function: "f".to_owned(), address: 2 });
+    assert!(matches!(refusal, Refusal::Loop(ref site) if site.function == "f" && site.address == 2));
     assert!(refusal.to_string().contains("--loop-bound f=N"), "{refusal}");
     let bounds = LoopBounds::from([("f".to_owned(), Turns::Every(10))]);
     let found = Analyser::new(&listing(text), &bounds).bound("f");
@@ -355,7 +355,7 @@ fn a_far_jump_within_a_function_is_no_call() {
         add r0, r1
         pop {r4, pc}";
     let refused = bound(text, "f").unwrap_err();
-    assert!(matches!(refused, Refusal::Astray { .. }), "nothing is pushed first: {refused}");
+    assert!(matches!(refused, Refusal::Astray(_)), "nothing is pushed first: {refused}");
     let text = "Disassembly of section .text:
 
 00000000 <f>:
@@ -407,7 +407,7 @@ fn a_risc_v_is_compiled_and_linked() {
     let parts = choose.instructions + sum.instructions + divide.instructions;
     assert!(entry.instructions > parts && entry.stack > divide.stack, "{entry:?}");
     let refused = Analyser::new(&listing, &LoopBounds::new()).bound("entry").unwrap_err();
-    assert!(matches!(refused, Refusal::Loop { .. }), "{refused}");
+    assert!(matches!(refused, Refusal::Loop(_)), "{refused}");
 }
 
 /// Products that need the library, shifts by a constant, a division, and a frame on the stack; the cycles of each decision are written

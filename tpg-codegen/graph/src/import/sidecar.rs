@@ -6,10 +6,9 @@ use crate::error::{InputError, Place, serde_message};
 use crate::model::{
     ActionDocument, Document, FORMAT, MAX_NUMBERED, MathsProvider, OutputDocument, ScalarType, SourceDocument,
 };
+use crate::settings;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
-use std::ops::Range;
-use toml::de::{DeTable, DeValue};
 
 /// The contents of a `graph.json` that a `.dot` file leaves out: everything except teams and programs.
 ///
@@ -137,7 +136,7 @@ impl Sidecar {
     /// Any error in the sidecar, with line and column.
     pub fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
         let described: Described = toml::from_str(text).map_err(|error| {
-            let place = error.span().map_or(Place::Whole, |span| place_of(text, &span));
+            let place = error.span().map_or(Place::Whole, |span| place_of(text, span.start));
             let (found, accepted) = serde_message(error.message());
             InputError::new(
                 file,
@@ -352,29 +351,12 @@ impl Sidecar {
 
     /// Finds the place in the text that a JSON path names, or else the nearest enclosing element that the text has.
     fn place(&self, path: &str) -> Place {
-        let Ok(table) = DeTable::parse(&self.text) else { return Place::Whole };
-        let mut steps = path.trim_start_matches('$').split(['.', '[']).filter(|step| !step.is_empty());
-        let first = steps.next().and_then(|key| table.get_ref().iter().find(|(name, _)| name.get_ref() == key));
-        let Some((_, mut value)) = first else { return Place::Whole };
-        for step in steps {
-            let next = match value.get_ref() {
-                DeValue::Table(table) => table.iter().find(|(name, _)| name.get_ref() == step).map(|(_, value)| value),
-                DeValue::Array(array) => {
-                    step.trim_end_matches(']').parse().ok().and_then(|index: usize| array.get(index))
-                }
-                _ => None,
-            };
-            match next {
-                Some(next) => value = next,
-                None => break,
-            }
-        }
-        place_of(&self.text, &value.span())
+        settings::position(&self.text, path).map_or(Place::Whole, |byte| place_of(&self.text, byte))
     }
 }
 
-fn place_of(text: &str, span: &Range<usize>) -> Place {
-    let before = text.get(..span.start).unwrap_or(text);
+fn place_of(text: &str, byte: usize) -> Place {
+    let before = text.get(..byte).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
     Place::Column(before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
 }

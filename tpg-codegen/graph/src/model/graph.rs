@@ -1,10 +1,8 @@
 //! A validated graph and its parts.
 
 use super::counts::Counts;
-use super::document::{MathsProvider, Provenance, ScalarType};
-use super::effect::Effect;
+use super::document::{ActionDocument, MathsProvider, Provenance, ScalarType, SourceDocument};
 use super::text;
-use crate::image::ImageSource;
 use crate::word::Word;
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
@@ -57,21 +55,6 @@ impl Input {
     }
 }
 
-/// A data source: a named, contiguous group of values that programs read.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Source {
-    /// A C and Rust identifier.
-    pub name: String,
-    /// Unit of the values, for human readers.
-    pub unit: String,
-    /// The declared range of each value, both ends included and finite.
-    pub ranges: Vec<Range>,
-    /// The integers that each value comes in; empty where programs see the values themselves.
-    pub counts: Vec<Counts>,
-    /// The image that they are computed from.
-    pub image: Option<ImageSource>,
-}
-
 /// A closed, finite range of values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
@@ -87,18 +70,7 @@ impl std::fmt::Display for Range {
     }
 }
 
-/// An action of the policy.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Action {
-    /// Name of the action.
-    pub name: String,
-    /// Numbers that the action carries for its problem; equally many for all actions that have an effect.
-    pub effect: Option<Effect>,
-    /// Name of another policy that decides this step: the action is to ask it. It has no effect of its own.
-    pub ask: Option<String>,
-}
-
-impl std::fmt::Display for Action {
+impl std::fmt::Display for ActionDocument {
     /// Writes the name, and what the action asks: `help (asks network)`.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match &self.ask {
@@ -196,9 +168,9 @@ pub struct Graph {
     pub(super) scalar: ScalarType,
     pub(super) maths: MathsProvider,
     pub(super) registers: u16,
-    pub(crate) sources: Vec<Source>,
+    pub(crate) sources: Vec<SourceDocument>,
     pub(super) instructions: Vec<Word>,
-    pub(super) actions: Vec<Action>,
+    pub(super) actions: Vec<ActionDocument>,
     pub(super) outputs: Vec<Output>,
     pub(super) memory: usize,
     pub(super) leaves: Vec<Leaf>,
@@ -227,7 +199,7 @@ impl Graph {
     }
 
     /// Returns the data sources, in the order of the state; the last ones are the memory, if there is any.
-    pub fn sources(&self) -> &[Source] {
+    pub fn sources(&self) -> &[SourceDocument] {
         &self.sources
     }
 
@@ -237,7 +209,7 @@ impl Graph {
     }
 
     /// Returns the actions, by id; empty for a policy with outputs.
-    pub fn actions(&self) -> &[Action] {
+    pub fn actions(&self) -> &[ActionDocument] {
         &self.actions
     }
 
@@ -327,7 +299,7 @@ impl Graph {
 
     /// Iterates over the declared range of each value of the state.
     pub fn state_ranges(&self) -> impl Iterator<Item = Range> + '_ {
-        self.sources.iter().flat_map(|source| source.ranges.iter().copied())
+        self.sources.iter().flat_map(|source| &source.ranges).map(|&[min, max]| Range { min, max })
     }
 
     /// Tests for a graph that sees and answers counts.
@@ -360,7 +332,7 @@ impl Graph {
     }
 
     /// Returns the source that an input belongs to, and the input's index in it.
-    pub fn source_of(&self, input: Input) -> (&Source, usize) {
+    pub fn source_of(&self, input: Input) -> (&SourceDocument, usize) {
         let mut place = input.index();
         for source in &self.sources {
             if place < source.ranges.len() {

@@ -22,10 +22,11 @@ pub use document::{
     OperandDocument, OutputDocument, ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument, VERSIONS,
 };
 
+/// What a [`Graph`] calls them.
+pub use document::{ActionDocument as Action, SourceDocument as Source};
 pub use effect::Effect;
 pub use graph::{
-    Action, Destination, Edge, Graph, Input, Leaf, Line, Operand, Output, Program, ProgramId, Range, Reg, Source, Team,
-    TeamId,
+    Destination, Edge, Graph, Input, Leaf, Line, Operand, Output, Program, ProgramId, Range, Reg, Team, TeamId,
 };
 pub use schema::schema;
 pub use validate::MAX_NUMBERED;

@@ -1,10 +1,10 @@
 //! What a graph with memory sees of the world, and what it tells it.
 
-use super::{Graph, Output, Range, Source};
+use super::{Graph, Output, Range, SourceDocument};
 
 impl Graph {
     /// The sources, without those of the memory.
-    pub fn observed(&self) -> &[Source] {
+    pub fn observed(&self) -> &[SourceDocument] {
         &self.sources()[..self.sources().len() - self.memory()]
     }
 

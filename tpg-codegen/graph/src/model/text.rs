@@ -3,52 +3,48 @@
 
 use super::document::{Document, ProgramDocument};
 use serde::Serialize;
-use std::fmt::Write as _;
 
 /// Writes a document. Equal documents give equal bytes.
 pub(super) fn write(document: &Document) -> String {
-    let mut out = String::from("{\n");
-    let mut field = |name: &str, value: &str, last: bool| {
-        let comma = if last { "" } else { "," };
-        let _ = writeln!(out, "  \"{name}\": {value}{comma}");
-    };
-    field("format", &json(&document.format), false);
-    field("version", &json(&document.version), false);
-    field("scalar", &json(&document.scalar), false);
-    field("maths", &json(&document.maths), false);
-    field("registers", &json(&document.registers), false);
-    field("sources", &list(document.sources.iter().map(json), 4), false);
-    field("instructions", &json(&document.instructions), false);
-    if document.outputs.is_empty() {
-        field("actions", &list(document.actions.iter().map(json), 4), false);
+    let Document { format, version, scalar, maths, registers, sources, instructions, actions, outputs, .. } = document;
+    let Document { memory, root, teams, leaves, programs, provenance, .. } = document;
+    let mut fields = vec![
+        ("format", json(format)),
+        ("version", json(version)),
+        ("scalar", json(scalar)),
+        ("maths", json(maths)),
+        ("registers", json(registers)),
+        ("sources", list(sources, json, 4)),
+        ("instructions", json(instructions)),
+    ];
+    fields.push(if outputs.is_empty() {
+        ("actions", list(actions, json, 4))
     } else {
-        field("outputs", &list(document.outputs.iter().map(json), 4), false);
+        ("outputs", list(outputs, json, 4))
+    });
+    if !memory.is_empty() {
+        fields.push(("memory", list(memory, json, 4)));
     }
-    if !document.memory.is_empty() {
-        field("memory", &list(document.memory.iter().map(json), 4), false);
+    if let Some(root) = root {
+        fields.extend([("root", json(root)), ("teams", list(teams, json, 4))]);
     }
-    if let Some(root) = document.root {
-        field("root", &json(&root), false);
-        field("teams", &list(document.teams.iter().map(json), 4), false);
+    if !leaves.is_empty() {
+        fields.push(("leaves", list(leaves, json, 4)));
     }
-    if !document.leaves.is_empty() {
-        field("leaves", &list(document.leaves.iter().map(json), 4), false);
-    }
-    field("programs", &list(document.programs.iter().map(program), 4), false);
-    field("provenance", &json(&document.provenance), true);
-    out.push_str("}\n");
-    out
+    fields.extend([("programs", list(programs, program, 4)), ("provenance", json(provenance))]);
+    let fields: Vec<String> = fields.iter().map(|(name, value)| format!("  \"{name}\": {value}")).collect();
+    format!("{{\n{}\n}}\n", fields.join(",\n"))
 }
 
 fn program(program: &ProgramDocument) -> String {
-    format!("{{\"id\":{},\"lines\":{}}}", program.id, list(program.lines.iter().map(json), 6))
+    format!("{{\"id\":{},\"lines\":{}}}", program.id, list(&program.lines, json, 6))
 }
 
-fn list(items: impl ExactSizeIterator<Item = String>, indent: usize) -> String {
-    if items.len() == 0 {
+fn list<T>(items: &[T], text: impl Fn(&T) -> String, indent: usize) -> String {
+    if items.is_empty() {
         return "[]".to_owned();
     }
-    let items: Vec<String> = items.map(|item| format!("{:indent$}{item}", "")).collect();
+    let items: Vec<String> = items.iter().map(|item| format!("{:indent$}{}", "", text(item))).collect();
     format!("[\n{}\n{:outer$}]", items.join(",\n"), "", outer = indent - 2)
 }
 

@@ -4,13 +4,10 @@ mod counts;
 mod image;
 mod values;
 
-use super::document::{
-    ActionDocument, Document, EdgeDocument, FORMAT, LineDocument, OperandDocument, SourceDocument, VERSIONS,
-};
+use super::document::{Document, EdgeDocument, FORMAT, LineDocument, OperandDocument, SourceDocument, VERSIONS};
 use super::effect::Effect;
 use super::graph::{
-    Action, Destination, Edge, Graph, Input, Leaf, Line, Operand, Output, Program, ProgramId, Range, Reg, Source, Team,
-    TeamId,
+    Destination, Edge, Graph, Input, Leaf, Line, Operand, Output, Program, ProgramId, Reg, Team, TeamId,
 };
 use super::name;
 use super::read::other_version;
@@ -107,9 +104,9 @@ impl Validator<'_> {
             scalar: self.document.scalar,
             maths: self.document.maths,
             registers: self.document.registers as u16,
-            sources: self.document.sources.iter().map(source).chain(memory.iter().map(remembered)).collect(),
+            sources: self.document.sources.iter().cloned().chain(memory.iter().map(remembered)).collect(),
             instructions: names.instructions,
-            actions: self.document.actions.iter().map(action).collect(),
+            actions: self.document.actions.clone(),
             outputs,
             memory: memory.len(),
             leaves,
@@ -140,20 +137,14 @@ impl Validator<'_> {
         let mut first = 0;
         for (index, source) in self.document.sources.iter().enumerate() {
             let path = format!("$.sources[{index}]");
-            if !name::is_source(&source.name) {
-                return self.refuse(format!("{path}.name"), format!("{:?}", source.name), name::SOURCE);
-            }
-            if !name::is_text(&source.unit) {
-                return self.refuse(format!("{path}.unit"), format!("{:?}", source.unit), name::TEXT);
-            }
+            self.name_and_unit(&path, &source.name, &source.unit)?;
             let length = source.length as usize;
             if source.ranges.len() != length || length == 0 {
                 let found = format!("{} for a length of {length}", counted(source.ranges.len(), "range"));
                 return self.refuse(format!("{path}.ranges"), found, "one range for each value, at least one");
             }
             for (place, [min, max]) in source.ranges.iter().enumerate() {
-                let exact = |value: &f64| value.is_finite() && self.document.scalar.round(*value) == *value;
-                if !(min <= max && exact(min) && exact(max)) {
+                if !(min <= max && self.is_exact(*min) && self.is_exact(*max)) {
                     let found = format!("[{min}, {max}]");
                     let scalar = self.document.scalar.name();
                     let accepted = format!("[lowest, highest], finite and exact in {scalar}");
@@ -172,6 +163,27 @@ impl Validator<'_> {
             return self.refuse("$.sources", format!("{first} values"), format!("1 to {MAX_NUMBERED} values"));
         }
         Ok(places)
+    }
+
+    fn name_and_unit(&self, path: &str, name: &str, unit: &str) -> Result<(), InputError> {
+        if !name::is_source(name) {
+            return self.refuse(format!("{path}.name"), format!("{name:?}"), name::SOURCE);
+        }
+        if !name::is_text(unit) {
+            return self.refuse(format!("{path}.unit"), format!("{unit:?}"), name::TEXT);
+        }
+        Ok(())
+    }
+
+    /// Tests for a finite number that the scalar type has.
+    fn is_exact(&self, value: f64) -> bool {
+        value.is_finite() && self.document.scalar.round(value) == value
+    }
+
+    /// Looks up an element by the id that the file names at `path`.
+    fn known<Id: Copy>(&self, path: String, what: &str, ids: &BTreeMap<u32, Id>, id: u32) -> Result<Id, InputError> {
+        let missing = || self.error(path, format!("{what} {id}, which does not exist"), format!("the id of a {what}"));
+        ids.get(&id).copied().ok_or_else(missing)
     }
 
     fn instructions(&self) -> Result<Vec<Word>, InputError> {
@@ -273,7 +285,7 @@ impl Validator<'_> {
 
     fn teams(&self, names: &KnownNames<'_>) -> Result<Vec<Team>, InputError> {
         if self.document.teams.is_empty() {
-            return self.refuse("$.teams", "an empty list", "at least one");
+            return self.refuse("$.teams", "no teams", "at least one");
         }
         let mut teams = Vec::new();
         for (index, team) in self.document.teams.iter().enumerate() {
@@ -290,22 +302,15 @@ impl Validator<'_> {
     }
 
     fn edge(&self, path: &str, edge: &EdgeDocument, names: &KnownNames<'_>) -> Result<Edge, InputError> {
-        let program = *names.programs.get(&edge.program).ok_or_else(|| {
-            let found = format!("program {}, which does not exist", edge.program);
-            self.error(format!("{path}.program"), found, "the id of a program")
-        })?;
-        let (end, last) = if self.document.outputs.is_empty() {
-            ("action", self.document.actions.len() - 1)
-        } else {
-            ("leaf", self.document.leaves.len() - 1)
-        };
+        let program = self.known(format!("{path}.program"), "program", &names.programs, edge.program)?;
+        let end = if self.document.outputs.is_empty() { "action" } else { "leaf" };
         let accepted = format!("either \"team\" or \"{end}\"");
         let to = match (edge.team, edge.action, edge.leaf) {
-            (Some(team), None, None) => Destination::Team(*names.teams.get(&team).ok_or_else(|| {
-                let found = format!("team {team}, which does not exist");
-                self.error(format!("{path}.team"), found, "the id of a team")
-            })?),
+            (Some(team), None, None) => {
+                Destination::Team(self.known(format!("{path}.team"), "team", &names.teams, team)?)
+            }
             (None, Some(action), None) if end == "action" => {
+                let last = self.document.actions.len() - 1;
                 if action as usize > last {
                     let accepted = format!("0 to {last}");
                     return self.refuse(format!("{path}.action"), format!("action {action}"), accepted);
@@ -313,10 +318,7 @@ impl Validator<'_> {
                 Destination::Action(ActionId(action as u16))
             }
             (None, None, Some(leaf)) if end == "leaf" => {
-                Destination::Action(*names.leaves.get(&leaf).ok_or_else(|| {
-                    let found = format!("leaf {leaf}, which does not exist");
-                    self.error(format!("{path}.leaf"), found, "the id of a leaf")
-                })?)
+                Destination::Action(self.known(format!("{path}.leaf"), "leaf", &names.leaves, leaf)?)
             }
             (None, Some(_), None) => {
                 return self.refuse(format!("{path}.action"), "an action of a policy with outputs", accepted);
@@ -363,9 +365,7 @@ impl Validator<'_> {
     /// this makes every team reachable.
     fn root(&self, names: &KnownNames<'_>, teams: &[Team]) -> Result<TeamId, InputError> {
         let declared = self.document.root.ok_or_else(|| self.error("$.root", "no root", "the id of a team"))?;
-        let root = *names.teams.get(&declared).ok_or_else(|| {
-            self.error("$.root", format!("team {declared}, which does not exist"), "the id of a team")
-        })?;
+        let root = self.known("$.root".to_owned(), "team", &names.teams, declared)?;
         let mut entered = vec![false; teams.len()];
         for edge in teams.iter().flat_map(|team| &team.edges) {
             if let Destination::Team(team) = edge.to {
@@ -485,20 +485,9 @@ impl Validator<'_> {
     }
 }
 
-fn source(source: &SourceDocument) -> Source {
-    let ranges = source.ranges.iter().map(|&[min, max]| Range { min, max }).collect();
-    let (counts, image) = (source.counts.clone(), source.image.clone());
-    Source { name: source.name.clone(), unit: source.unit.clone(), ranges, counts, image }
-}
-
 /// The source by which programs read a value of the memory.
-fn remembered(memory: &Output) -> Source {
-    let (name, unit) = (memory.name.clone(), memory.unit.clone());
-    Source { name, unit, ranges: vec![memory.range], counts: Vec::new(), image: None }
-}
-
-fn action(action: &ActionDocument) -> Action {
-    Action { name: action.name.clone(), effect: action.effect.clone(), ask: action.ask.clone() }
+fn remembered(memory: &Output) -> SourceDocument {
+    SourceDocument::new(&memory.name, &memory.unit, vec![[memory.range.min, memory.range.max]])
 }
 
 fn known_instructions() -> String {

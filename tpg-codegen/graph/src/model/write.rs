@@ -1,15 +1,15 @@
 //! Conversion of a graph to the document that `graph.json` holds.
 
 use super::document::{
-    ActionDocument, Document, EdgeDocument, FORMAT, LeafDocument, LineDocument, MemoryDocument, OperandDocument,
-    OutputDocument, ProgramDocument, SourceDocument, TeamDocument,
+    Document, EdgeDocument, FORMAT, LeafDocument, LineDocument, MemoryDocument, OperandDocument, OutputDocument,
+    ProgramDocument, SourceDocument, TeamDocument,
 };
-use super::graph::{Action, Destination, Edge, Graph, Line, Operand, Output, ProgramId, Source};
+use super::graph::{Destination, Edge, Graph, Line, Operand, Output, ProgramId};
 
 impl Graph {
     /// Returns the sources of a flat state as documents, those of the memory among them.
     pub fn state_sources(&self) -> Vec<SourceDocument> {
-        self.sources.iter().map(source_document).collect()
+        self.sources.clone()
     }
 
     /// Converts the graph to a document.
@@ -42,9 +42,9 @@ impl Graph {
             scalar: self.scalar,
             maths: self.maths,
             registers: u32::from(self.registers),
-            sources: self.sources[..self.sources.len() - self.memory].iter().map(source_document).collect(),
+            sources: self.observed().to_vec(),
             instructions: self.instructions.iter().map(|i| i.name().to_owned()).collect(),
-            actions: (0..).zip(&self.actions).map(|(id, action)| action_document(id, action)).collect(),
+            actions: self.actions.clone(),
             outputs: outputs.iter().map(output_document).collect(),
             memory: memory.iter().map(memory_document).collect(),
             root: (!self.is_formula).then(|| self.team(self.root).label),
@@ -64,21 +64,6 @@ impl Graph {
             provenance: self.provenance.clone(),
         }
     }
-}
-
-fn source_document(source: &Source) -> SourceDocument {
-    SourceDocument {
-        name: source.name.clone(),
-        length: source.ranges.len() as u32,
-        unit: source.unit.clone(),
-        ranges: source.ranges.iter().map(|range| [range.min, range.max]).collect(),
-        counts: source.counts.clone(),
-        image: source.image.clone(),
-    }
-}
-
-fn action_document(id: u32, action: &Action) -> ActionDocument {
-    ActionDocument { id, name: action.name.clone(), effect: action.effect.clone(), ask: action.ask.clone() }
 }
 
 fn output_document(output: &Output) -> OutputDocument {

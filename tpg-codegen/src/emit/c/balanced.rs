@@ -27,7 +27,7 @@ struct Balanced<'a> {
 
 /// Renders the body.
 pub(super) fn render(printer: &Printer<'_>, cases: &Cases, outputs: &[OutputView]) -> String {
-    let table = |values: &[u64]| table(printer, values, |width| if width.bits() == 64 { "ULL" } else { "U" });
+    let table = |values: &[u64]| table(printer, values);
     let of_edges = if outputs.is_empty() {
         "What each edge bids, and where it leads: teams are numbered from 0, the root, and the actions follow them."
     } else {

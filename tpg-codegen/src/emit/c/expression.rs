@@ -43,6 +43,10 @@ impl Syntax for Printer<'_> {
         }
     }
 
+    fn suffix(&self, width: Width) -> &'static str {
+        if width.bits() == 64 { "ULL" } else { "U" }
+    }
+
     fn unsigned(&self, width: Width) -> String {
         format!("uint{}_t", width.bits())
     }

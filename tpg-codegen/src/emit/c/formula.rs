@@ -2,9 +2,8 @@
 
 use super::expression::Printer;
 use super::leaves;
-use crate::emit::block::Block;
 use crate::emit::interface::OutputView;
-use crate::emit::syntax::Syntax;
+use crate::emit::leaves::{LeafView, view};
 use crate::shape::Formula;
 use askama::Template;
 
@@ -26,15 +25,10 @@ impl CStraight<'_> {
 
 /// Renders the body.
 pub(super) fn render(printer: &Printer<'_>, formula: &Formula, outputs: &[OutputView]) -> String {
-    let reads = formula.values.iter().zip(outputs).map(|(&value, output)| (value, Some(output.variable.clone())));
-    let mut block = Block::new(printer, reads);
-    let statements = formula.values.iter().flat_map(|&value| block.statements(value)).collect();
-    let answers = outputs.iter().zip(&formula.values).map(|(output, &id)| {
+    let LeafView { statements, values, reads_state, .. } = view(printer, &formula.values, outputs, false);
+    let answers = outputs.iter().zip(&formula.values).zip(values).map(|((output, id), value)| {
         let is_constant = printer.nodes[id.index()].as_constant().is_some();
-        let value = block.value(id);
-        let limited = if is_constant { value } else { leaves::limited(printer, output, &value) };
-        (output.field.clone(), limited)
+        (output.field.clone(), if is_constant { value } else { leaves::limited(printer, output, &value) })
     });
-    CStraight { printer, reads_state: printer.reads_state(&formula.values), statements, answers: answers.collect() }
-        .text()
+    CStraight { printer, reads_state, statements, answers: answers.collect() }.text()
 }

@@ -23,56 +23,15 @@ struct CHelpers<'a> {
     /// The masks' functions are so few calls that all are inlined.
     inlined: bool,
     storage: &'a str,
-    key: &'a str,
-    top: u32,
-    /// The place of the exponent's lowest bit, counted from the top.
-    exponent_end: u32,
-    sign: &'a str,
-    infinity: &'a str,
     /// Calls of the platform's logarithm and exponential handle the simple cases themselves.
     short: bool,
     /// Above the first number, an exponential is infinite; below the second, it is 0.
     beyond: (f64, f64),
-    signed: &'a str,
-    unsigned_suffix: &'a str,
     estimate: Estimate,
-    whole: CWholeHelpers,
+    /// The quotients by 0 of a positive number, of a negative one, and of 0.
+    by_zero: [String; 3],
     /// The literal in place of NaN, where every output has the same.
     same_nan: Option<String>,
-}
-
-/// The literals of a quotient.
-struct CWholeHelpers {
-    zero: String,
-    one: String,
-    by_zero: String,
-    minus_by_zero: String,
-    zero_by_zero: String,
-    /// From there on every number is whole, and below the negative.
-    most: String,
-    least: String,
-    most_bits: &'static str,
-}
-
-impl CWholeHelpers {
-    fn new(printer: &Printer<'_>) -> Self {
-        let scalar = printer.graph.scalar();
-        let number = |value: f64| printer.literal(scalar.round(value));
-        let (most, most_bits) = match scalar {
-            ScalarType::F32 => (8_388_608.0, "0x4b000000U"),
-            ScalarType::F64 => (4_503_599_627_370_496.0, "0x4330000000000000ULL"),
-        };
-        Self {
-            zero: number(0.0),
-            one: number(1.0),
-            by_zero: number(BY_ZERO.into()),
-            minus_by_zero: number((-BY_ZERO).into()),
-            zero_by_zero: number(ZERO_BY_ZERO.into()),
-            most: number(most),
-            least: number(-most),
-            most_bits,
-        }
-    }
 }
 
 impl CHelpers<'_> {
@@ -131,10 +90,6 @@ pub(super) fn render(printer: &Printer<'_>, body: &str) -> String {
     }
     let calls_own = is_own && ["sin", "cos", "ln", "exp", "atan"].iter().any(|name| called.contains(name));
     let scalar = printer.graph.scalar();
-    let (key, signed, unsigned_suffix, top, exponent_end, sign, infinity) = match scalar {
-        ScalarType::F32 => ("uint32_t", "int32_t", "U", 31, 9, "0x80000000U", "0x7f800000U"),
-        ScalarType::F64 => ("uint64_t", "int64_t", "ULL", 63, 12, "0x8000000000000000ULL", "0x7ff0000000000000ULL"),
-    };
     let mut helpers = CHelpers {
         printer,
         f64: scalar == ScalarType::F64,
@@ -143,17 +98,10 @@ pub(super) fn render(printer: &Printer<'_>, body: &str) -> String {
         branch_free,
         inlined: false,
         storage: "static",
-        key,
-        top,
-        exponent_end,
-        sign,
-        infinity,
         short: !is_own && printer.short_cuts,
         beyond: bound::beyond_exponentials(scalar),
-        signed,
-        unsigned_suffix,
         estimate: estimate::numbers(scalar),
-        whole: CWholeHelpers::new(printer),
+        by_zero: [BY_ZERO, -BY_ZERO, ZERO_BY_ZERO].map(|whole| printer.literal(scalar.round(whole.into()))),
         same_nan: printer.same_nan().map(|nan| printer.literal(nan)),
     };
     let inline = printer.upper() + "_INLINE";

@@ -41,7 +41,7 @@ struct CSmall<'a> {
 pub(super) fn render(printer: &Printer<'_>, code: &Bytecode, outputs: &[OutputView]) -> String {
     let graph = printer.graph;
     let f64 = graph.scalar() == tpg_graph::ScalarType::F64;
-    let table = |values: &[u64]| table(printer, values, |width| if width.bits() == 64 { "ULL" } else { "U" });
+    let table = |values: &[u64]| table(printer, values);
     // The constants are sorted by their bits, of which minus infinity has the highest.
     let constants = code.constants.strip_suffix(&[f64::NEG_INFINITY]).unwrap_or(&code.constants);
     let of_edges = if outputs.is_empty() {

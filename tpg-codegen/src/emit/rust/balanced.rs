@@ -45,7 +45,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, cases: &Cases, 
         leaves: reached.map(|(number, leaf)| (number, leaf.label)).collect(),
         limited: leaves::limited(printer, outputs, leaves::element),
     };
-    let table = |values: &[u64]| table(printer, values, |_| "");
+    let table = |values: &[u64]| table(printer, values);
     let mut tables = vec![
         ("BIDDERS", "The bid of each edge.", table(&cases.bidders)),
         ("TARGETS", "Where each edge leads: teams from 0, the root; the actions follow.", table(&cases.targets)),

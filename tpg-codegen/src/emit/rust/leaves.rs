@@ -1,9 +1,9 @@
 //! The leaves of a policy with outputs.
 
 use super::expression::Printer;
-use crate::emit::block::Block;
 use crate::emit::interface::OutputView;
 use crate::emit::layout::array;
+use crate::emit::leaves::{LeafView, view};
 use crate::emit::syntax::Syntax;
 use crate::shape::Formula;
 
@@ -30,12 +30,10 @@ pub(super) fn element(output: &OutputView) -> String {
 /// The body of a policy that has nothing to decide.
 pub(super) fn formula(printer: &Printer<'_>, formula: &Formula, outputs: &[OutputView]) -> String {
     let masks = printer.branch_free.then(|| masks(printer));
-    let reads = formula.values.iter().zip(outputs).map(|(&value, output)| (value, Some(output.variable.clone())));
-    let mut block = Block::new(printer, reads);
-    let statements: Vec<String> = formula.values.iter().flat_map(|&value| block.statements(value)).collect();
-    let limited = outputs.iter().zip(&formula.values).map(|(output, &id)| {
+    let LeafView { statements, values, .. } = view(printer, &formula.values, outputs, false);
+    let limited = outputs.iter().zip(&formula.values).zip(values).map(|((output, id), value)| {
         let is_constant = printer.nodes[id.index()].as_constant().is_some();
-        (block.value(id), (!is_constant).then(|| output.limits.join(", ")))
+        (value, (!is_constant).then(|| output.limits.join(", ")))
     });
     let answer = answer(printer, limited.collect());
     let lines = masks.into_iter().chain(statements).chain([answer]);

@@ -48,7 +48,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, code: &Bytecode
         outputs,
         limited: leaves::limited(printer, outputs, |output| output.variable.clone()),
     };
-    let table = |values: &[u64]| table(printer, values, |_| "");
+    let table = |values: &[u64]| table(printer, values);
     let mut tables = vec![
         ("CODE", "Instructions: from the highest bits, an operation and two places.", table(&code.code)),
         ("PROGRAMS", "Where each program begins, and where the last ends.", table(&code.programs)),

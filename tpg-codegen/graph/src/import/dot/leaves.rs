@@ -4,8 +4,7 @@
 //! a program that leaves it elsewhere, or whose value is squashed, gets a copy with lines that follow.
 
 use super::declared::Action;
-use super::lines::{Lines, ProgramLines};
-use super::resolve::Resolver;
+use super::resolve::{Bases, Resolver};
 use crate::Word;
 use crate::error::{InputError, counted};
 use crate::import::composed::Given;
@@ -13,30 +12,29 @@ use crate::import::sidecar::Values;
 use crate::model::{LeafDocument, LineDocument, OperandDocument, ProgramDocument, TeamDocument};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Builds the leaves, and adds the programs that only they need.
+/// Builds the leaves, and adds the programs that only they need; these are made of others.
 pub(super) fn resolve(
     resolver: &Resolver<'_>,
     teams: &mut [TeamDocument],
     programs: &mut Vec<ProgramDocument>,
-    lines: &mut Lines,
-) -> Result<Vec<LeafDocument>, InputError> {
+) -> Result<(Vec<LeafDocument>, Bases), InputError> {
     let next = programs.iter().map(|program| program.id).max().unwrap_or(0).saturating_add(1);
-    let places = programs.iter().enumerate().map(|(place, program)| (program.id, place)).collect();
-    let mut builder = LeafBuilder { resolver, programs, places, lines, next, made: BTreeMap::new() };
+    let mut builder = LeafBuilder { resolver, programs, next, made: BTreeMap::new() };
     let leaves = match resolver.sidecar.values() {
         Values::Bid => builder.of_bids(teams)?,
         Values::Programs | Values::Registers => builder.of_actions(teams)?,
     };
-    keep_used(teams, &leaves, programs, lines);
-    Ok(leaves)
+    let bases = builder.made.into_iter().filter_map(|((base, ..), made)| Some((made, base?))).collect();
+    // Some programs only stood for their copies.
+    let bidding = teams.iter().flat_map(|team| &team.edges).map(|edge| edge.program);
+    let used: BTreeSet<u32> = bidding.chain(leaves.iter().flat_map(|leaf| leaf.programs.iter().copied())).collect();
+    programs.retain(|program| used.contains(&program.id));
+    Ok((leaves, bases))
 }
 
 struct LeafBuilder<'b, 's> {
     resolver: &'b Resolver<'s>,
     programs: &'b mut Vec<ProgramDocument>,
-    /// The place of each program of the file.
-    places: BTreeMap<u32, usize>,
-    lines: &'b mut Lines,
     /// The next free id of a program.
     next: u32,
     /// The id of the program that computes an output from a register of another program.
@@ -56,7 +54,6 @@ impl LeafBuilder<'_, '_> {
         for action in resolver.declared.actions.items() {
             if teams.is_empty() || reached.contains(&action.node) {
                 leaves.push(LeafDocument { id: action.node, programs: self.of_action(action)?, memory: Vec::new() });
-                self.lines.leaves.push(action.line);
             }
         }
         Ok(leaves)
@@ -119,7 +116,6 @@ impl LeafBuilder<'_, '_> {
                 let values = 0..self.outputs();
                 let programs = values.map(|output| self.program(Some(program), output as u32 + 1, output)).collect();
                 leaves.push(LeafDocument { id: program, programs, memory: Vec::new() });
-                self.lines.leaves.push(action.map_or(0, |action| action.line));
             }
         }
         if leaves.is_empty() {
@@ -147,8 +143,8 @@ impl LeafBuilder<'_, '_> {
         if let Some(&made) = self.made.get(&key) {
             return made;
         }
-        let base = program.and_then(|id| self.places.get(&id).copied());
-        let mut lines = base.map_or_else(Vec::new, |place| self.programs[place].lines.clone());
+        let base = self.programs.iter().find(|base| Some(base.id) == program);
+        let mut lines = base.map_or_else(Vec::new, |base| base.lines.clone());
         let value = |register: u32| OperandDocument::Place(format!("r{register}"));
         if register > 0 {
             lines.push(LineDocument { to: 0, op: Word::Copy.name().to_owned(), args: vec![value(register)] });
@@ -157,22 +153,10 @@ impl LeafBuilder<'_, '_> {
             let given = Given { operands: &[vec![value(0)]], constants: &[] };
             activation.lines(given, 0, sidecar.registers(), &mut lines);
         }
-        let (id, node) = (self.next, self.resolver.declared.close);
+        let id = self.next;
         self.next = self.next.saturating_add(1);
         self.programs.push(ProgramDocument { id, lines });
-        self.lines.programs.push(base.map_or(ProgramLines { node, lines: node }, |place| self.lines.programs[place]));
         self.made.insert(key, id);
         id
     }
-}
-
-/// Removes the programs that only stood for their copies.
-fn keep_used(teams: &[TeamDocument], leaves: &[LeafDocument], programs: &mut Vec<ProgramDocument>, lines: &mut Lines) {
-    let bidding = teams.iter().flat_map(|team| &team.edges).map(|edge| edge.program);
-    let used: BTreeSet<u32> = bidding.chain(leaves.iter().flat_map(|leaf| leaf.programs.iter().copied())).collect();
-    let kept: Vec<bool> = programs.iter().map(|program| used.contains(&program.id)).collect();
-    let mut keep = kept.iter();
-    programs.retain(|_| *keep.next().unwrap_or(&true));
-    let mut keep = kept.iter();
-    lines.programs.retain(|_| *keep.next().unwrap_or(&true));
 }

@@ -1,7 +1,8 @@
 //! Strict reader of GEGELATI's `.dot` format: every statement is either understood or rejected with its line.
 //!
 //! Each statement occupies one line, so a file is read line by line. [`lexer`] splits a line into tokens, [`parser`]
-//! collects what they [declare](declared) ([`label`] parses programs), and [`resolve`] builds a document. The graph's own validation then checks the whole, and [`lines`] maps its errors to lines of the file.
+//! collects what they [declare](declared) ([`label`] parses programs), and [`resolve`] builds a document. The
+//! graph's own validation then checks the whole, and its errors get the lines of the file.
 //!
 //! ```text
 //! file        = comment* "digraph{" statement* "}"
@@ -21,12 +22,10 @@
 //! ```
 
 mod declared;
-mod document;
 mod fault;
 mod label;
 mod leaves;
 mod lexer;
-mod lines;
 mod parser;
 mod program;
 mod resolve;
@@ -34,12 +33,14 @@ mod resolve;
 use super::sidecar::Sidecar;
 use crate::error::{InputError, Place};
 use crate::model::Graph;
+use resolve::Resolver;
 
 /// Reads a `.dot` file whose sources, instructions and actions are described by `sidecar`.
 pub(super) fn read(file: &str, text: &str, sidecar: &Sidecar) -> Result<Graph, InputError> {
-    let (document, lines) = document::document(file, parser::declared(file, text)?, sidecar)?;
-    Graph::from_document(file, document).map_err(|error| match &error.place {
-        Place::Path(path) => match lines.line(path) {
+    let resolver = Resolver { file, sidecar, declared: parser::declared(file, text)? };
+    let (document, bases) = resolver.document()?;
+    Graph::from_document(file, document.clone()).map_err(|error| match &error.place {
+        Place::Path(path) => match resolver.line(path, &document, &bases) {
             Some(line) => InputError { place: Place::Line(line), ..error },
             None => sidecar.place_error(error),
         },

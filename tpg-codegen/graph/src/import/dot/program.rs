@@ -5,19 +5,13 @@ use super::fault::{Fault, refuse};
 use crate::Word;
 use crate::error::counted;
 use crate::import::composed::{FORM, Given, Operator};
-use crate::model::{Document, LineDocument, OperandDocument};
+use crate::import::sidecar::Sidecar;
+use crate::model::{LineDocument, OperandDocument};
 
 /// Context that gives the numbers in a program's lines their meaning.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Meaning<'d> {
-    /// The document described by the sidecar.
-    pub(super) document: &'d Document,
-    /// The meaning of each instruction number.
-    pub(super) instructions: &'d [Operator],
-    /// Rows and columns of each source of two dimensions.
-    pub(super) shapes: &'d [Option<[u32; 2]>],
-    /// Number of registers in the file: the document has more for intermediate values.
-    pub(super) registers: u32,
+    pub(super) sidecar: &'d Sidecar,
     /// Constants of the program. If programs have any, they are source 1, before the environment's sources.
     pub(super) constants: &'d [f64],
     /// Constants of the lines, as many for each; empty where no instruction reads one.
@@ -42,18 +36,18 @@ impl Meaning<'_> {
     }
 
     fn line(&self, line: &ProgramLine, constants: &[f64], document: &mut Vec<LineDocument>) -> Result<(), Fault> {
-        let Some(Operator { name, value, windows }) = self.instructions.get(line.instruction as usize) else {
-            let known: Vec<&str> = self.instructions.iter().map(|operator| &*operator.name).collect();
+        let Some(Operator { name, value, windows }) = self.sidecar.instructions().get(line.instruction as usize) else {
+            let known: Vec<&str> = self.sidecar.instructions().iter().map(|operator| &*operator.name).collect();
             let known = known.join(", ");
-            let accepted = format!("0 to {}: {known}", self.instructions.len() - 1);
+            let accepted = format!("0 to {}: {known}", self.sidecar.instructions().len() - 1);
             return refuse(format!("instruction {}", line.instruction), accepted);
         };
         let Some(value) = value else {
             let found = format!("instruction {}, {name}, whose meaning the sidecar does not give", line.instruction);
             return refuse(found, format!("{{ name = {name:?}, is = … }} in the sidecar, {FORM}"));
         };
-        if line.to >= self.registers {
-            let accepted = format!("0 to {}", self.registers - 1);
+        if line.to >= self.sidecar.registers() {
+            let accepted = format!("0 to {}", self.sidecar.registers() - 1);
             return refuse(format!("register {}", line.to), accepted);
         }
         // Operands beyond the arity are present in the file but never read.
@@ -78,7 +72,7 @@ impl Meaning<'_> {
                 window => self.window(*operand, window),
             })
             .collect::<Result<Vec<_>, _>>()?;
-        value.lines(Given { operands: &operands, constants }, line.to, self.registers, document);
+        value.lines(Given { operands: &operands, constants }, line.to, self.sidecar.registers(), document);
         Ok(())
     }
 
@@ -87,12 +81,12 @@ impl Meaning<'_> {
         let first = if self.constants.is_empty() { 1 } else { 2 };
         let place = |size: usize| (operand.location % size as u64) as usize;
         if operand.source == 0 {
-            return Ok(OperandDocument::Place(format!("r{}", place(self.registers as usize))));
+            return Ok(OperandDocument::Place(format!("r{}", place(self.sidecar.registers() as usize))));
         }
         let Some(index) = (operand.source as usize).checked_sub(first) else {
             return Ok(OperandDocument::Constant(self.constants[place(self.constants.len())]));
         };
-        match self.document.sources.get(index) {
+        match self.sidecar.document().sources.get(index) {
             Some(source) => Ok(OperandDocument::Place(format!("{}[{}]", source.name, place(source.ranges.len())))),
             None => refuse(format!("source {}", operand.source), self.sources(first)),
         }
@@ -102,10 +96,10 @@ impl Meaning<'_> {
     fn window(&self, operand: OperandText, window: &[u32]) -> Result<Vec<OperandDocument>, Fault> {
         let first = if self.constants.is_empty() { 1 } else { 2 };
         let (name, [rows, columns]) = match (operand.source as usize).checked_sub(first) {
-            _ if operand.source == 0 => (None, [1, self.registers]),
+            _ if operand.source == 0 => (None, [1, self.sidecar.registers()]),
             None => return refuse("a window on the constants", "a source of numbers, or the registers"),
-            Some(index) => match self.document.sources.get(index) {
-                Some(source) => (Some(&source.name), self.shapes[index].unwrap_or([1, source.length])),
+            Some(index) => match self.sidecar.document().sources.get(index) {
+                Some(source) => (Some(&source.name), self.sidecar.shapes()[index].unwrap_or([1, source.length])),
                 None => return refuse(format!("source {}", operand.source), self.sources(first)),
             },
         };
@@ -134,7 +128,7 @@ impl Meaning<'_> {
     fn sources(&self, first: usize) -> String {
         let constants = if self.constants.is_empty() { "" } else { ", 1 constants" };
         let named: Vec<String> = (first..)
-            .zip(&self.document.sources)
+            .zip(&self.sidecar.document().sources)
             .map(|(number, source)| format!(", {number} {}", source.name))
             .collect();
         format!("0 registers{constants}{}", named.concat())

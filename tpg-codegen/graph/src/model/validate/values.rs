@@ -1,10 +1,10 @@
 //! Outputs and leaves: the part of a document that makes a policy answer with values.
 
-use super::{KnownNames, MAX_NUMBERED, Validator, name};
+use super::{KnownNames, MAX_NUMBERED, Validator};
 use crate::error::{InputError, counted};
 use crate::model::document::{MemoryDocument, OutputDocument};
 use crate::model::graph::Destination;
-use crate::model::graph::{Edge, Leaf, Output, ProgramId, Range, Team};
+use crate::model::graph::{Edge, Leaf, Output, Range, Team};
 use std::collections::{BTreeMap, BTreeSet};
 use tpg_runtime::policy::ActionId;
 
@@ -42,20 +42,14 @@ impl Validator<'_> {
     /// Checks an output; `nan` is the name of the field that holds its value in place of NaN.
     fn output(&self, path: &str, field: &str, output: &OutputDocument) -> Result<Output, InputError> {
         let OutputDocument { name, unit, min, max, nan, counts } = output;
-        if !name::is_source(name) {
-            return self.refuse(format!("{path}.name"), format!("{name:?}"), name::SOURCE);
-        }
-        if !name::is_text(unit) {
-            return self.refuse(format!("{path}.unit"), format!("{unit:?}"), name::TEXT);
-        }
-        let scalar = self.document.scalar;
-        let exact = |value: &f64| value.is_finite() && scalar.round(*value) == *value;
-        if !(min <= max && exact(min) && exact(max)) {
-            let accepted = format!("min not above max, both finite and exact in {}", scalar.name());
+        self.name_and_unit(path, name, unit)?;
+        let scalar = self.document.scalar.name();
+        if !(min <= max && self.is_exact(*min) && self.is_exact(*max)) {
+            let accepted = format!("min not above max, both finite and exact in {scalar}");
             return self.refuse(path, format!("min {min} and max {max}"), accepted);
         }
-        if !((min..=max).contains(&nan) && exact(nan)) {
-            let accepted = format!("a number from {min} to {max}, exact in {}", scalar.name());
+        if !((min..=max).contains(&nan) && self.is_exact(*nan)) {
+            let accepted = format!("a number from {min} to {max}, exact in {scalar}");
             return self.refuse(format!("{path}.{field}"), nan.to_string(), accepted);
         }
         self.output_counts(path, output)?;
@@ -134,14 +128,9 @@ impl Validator<'_> {
                     let found = counted(leaf.memory.len(), "program");
                     return self.refuse(of_memory, found, format!("{memory}, one for each value of the memory"));
                 }
-                let program = |(path, place, id): (&str, usize, &u32)| -> Result<ProgramId, InputError> {
-                    names.programs.get(id).copied().ok_or_else(|| {
-                        let found = format!("program {id}, which does not exist");
-                        self.error(format!("{path}[{place}]"), found, "the id of a program")
-                    })
-                };
-                let outputs = (0..).zip(&leaf.programs).map(|(place, id)| (&*path, place, id));
-                let memory = (0..).zip(&leaf.memory).map(|(place, id)| (&*of_memory, place, id));
+                let outputs = (leaf.programs.iter().enumerate()).map(|(place, id)| (format!("{path}[{place}]"), *id));
+                let memory = (leaf.memory.iter().enumerate()).map(|(place, id)| (format!("{of_memory}[{place}]"), *id));
+                let program = |(path, id)| self.known(path, "program", &names.programs, id);
                 let programs = outputs.chain(memory).map(program).collect::<Result<_, _>>()?;
                 Ok(Leaf { label: leaf.id, programs })
             })
