@@ -2,7 +2,7 @@
 
 use crate::arm::points;
 use std::array;
-use tpg_arm::dodge::{Behaviour, Dodger, DodgerSettings, SCOUT};
+use tpg_arm::dodge::{Behaviour, Dodger, DodgerSettings};
 use tpg_arm::{JOINTS, Pose};
 use tpg_generated::dodge::Dodge;
 use tpg_problems::dodge::BODY;
@@ -66,7 +66,7 @@ impl Balls {
     pub fn begin(&mut self, scene: &Scene) {
         let course = |learned| {
             let episode = Episode::new(scene);
-            let dodger = Dodger::new(DodgerSettings { scout: SCOUT, guard: learned }, &episode.view());
+            let dodger = Dodger::new(DodgerSettings { guard: learned, ..DodgerSettings::DEFAULT }, &episode.view());
             Course { episode, dodger, learned }
         };
         self.courses = vec![course(true), course(false)];

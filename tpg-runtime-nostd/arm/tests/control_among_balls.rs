@@ -2,14 +2,14 @@
 
 use proptest::prelude::*;
 use tpg_arm::dodge::{
-    BALLS, Ball, Behaviour, Body, Chooser, Control, DodgerSettings, GOALS, SCOUT, Source, VALUES, WIDOWX_RADII,
+    BALLS, Ball, Behaviour, Body, Chooser, Control, DodgerSettings, GOALS, Source, VALUES, WIDOWX_RADII,
 };
 use tpg_arm::sensors::{Fault, Watch};
 use tpg_arm::{Move, Pose, WIDOWX};
 use tpg_runtime::policy::{ActionId, Policy};
 
 const BODY: Body = Body::new(WIDOWX.to_f32(), WIDOWX_RADII);
-const SETTINGS: DodgerSettings = DodgerSettings { scout: SCOUT, guard: true };
+const SETTINGS: DodgerSettings = DodgerSettings::DEFAULT;
 const START: Pose = Pose([1536, 2048, 2048, 2048]);
 const GOAL: Pose = Pose([2560, 2200, 1900, 2048]);
 

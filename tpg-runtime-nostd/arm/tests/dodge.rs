@@ -6,14 +6,14 @@ use std::f32::consts::TAU;
 use tpg_arm::dodge::plan::Plan;
 use tpg_arm::dodge::plan::{STEP, steps, straight};
 use tpg_arm::dodge::{
-    Ball, Behaviour, Body, CAPSULES, Dodger, DodgerSettings, FIELD, Fate, Field, HORIZON, SCOUT, Scout, Source, VALUES,
-    View, WIDOWX_RADII, away, guarded, permitted,
+    Ball, Behaviour, Body, CAPSULES, Dodger, DodgerSettings, FIELD, Fate, Field, HORIZON, Scout, Source, VALUES, View,
+    WIDOWX_RADII, away, guarded, permitted,
 };
 use tpg_arm::kinematics::Vector;
 use tpg_arm::{JOINTS, Move, Pose, WIDOWX};
 
 const BODY: Body = Body::new(WIDOWX.to_f32(), WIDOWX_RADII);
-const SETTINGS: DodgerSettings = DodgerSettings { scout: SCOUT, guard: true };
+const SETTINGS: DodgerSettings = DodgerSettings::DEFAULT;
 
 fn pose() -> impl Strategy<Value = Pose> {
     let [base, shoulder, elbow, wrist] = WIDOWX.ranges.map(|range| range.min..=range.max);
@@ -318,7 +318,7 @@ fn a_goal_behind_a_ball_that_stays_is_not_free_however_far_it_is() {
     let fate = |velocity| {
         let (goals, balls) = ([goal], [ball(velocity)]);
         let view = View::new(&BODY, start, &goals, &balls);
-        let mut scout = Scout::new(SCOUT, &view);
+        let mut scout = Scout::new(SETTINGS.effort, &view);
         (0..100).for_each(|_| scout.step(&view, 0));
         scout.straight()
     };
@@ -333,7 +333,7 @@ fn a_larger_effort_searches_no_less() {
     let (goals, balls) = ([goal], [ball]);
     let view = View::new(&BODY, start, &goals, &balls);
     let after = |effort| {
-        let mut scout = Scout::new(tpg_arm::dodge::ScoutSettings { effort, ..SCOUT }, &view);
+        let mut scout = Scout::new(effort, &view);
         (1..2000).find(|_| {
             scout.step(&view, 0);
             scout.plan().via.is_some() && scout.fate() == Fate::Free
@@ -342,7 +342,7 @@ fn a_larger_effort_searches_no_less() {
     let (little, much) = (after(4000).expect("found"), after(40_000).expect("found"));
     assert!(much <= little, "{much} steps instead of {little}");
     // No effort, no search.
-    let mut idle = Scout::new(SCOUT, &view);
+    let mut idle = Scout::new(SETTINGS.effort, &view);
     let before = idle;
     idle.step(&view, u16::MAX);
     assert_eq!((idle.plan(), idle.fate()), (before.plan(), before.fate()));

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use std::cell::Cell;
 use tpg_arm::cycle::Brent;
 use tpg_arm::hybrid::{Chosen, Control, Guard, Hybrid, Settings, Switch};
-use tpg_arm::observation::{Observation, Straight};
+use tpg_arm::observation::{Observation, Source, Straight, TargetMemo};
 use tpg_arm::sensors::{Fault, Limits, Watch, Watchdog};
 use tpg_arm::{Arm, ArmError, BaseEdge, Joint, JointRange, Links, Move, Pose, Shapes, WIDOWX};
 use tpg_runtime::policy::Policy;
@@ -281,8 +281,8 @@ proptest! {
             ..ARM
         };
         let (seen, mut state) = (Observation::at(&arm, Pose(pose), target), [0f32; 48]);
-        for source in tpg_arm::observation::Source::ALL {
-            source.write(&arm, &seen, &mut state);
+        for source in Source::ALL {
+            Source::fill(&[source], &arm, &seen, &TargetMemo::new(), &mut state);
         }
         arm.step(Pose(pose), Move(wanted));
         let _ = arm.check();

@@ -30,5 +30,5 @@ pub use body::{Body, CAPSULES, Nearest, Outline, Posture, WIDOWX_RADII};
 pub use control::{Chooser, Control, GOALS, Step};
 pub use dodger::{Dodger, DodgerSettings};
 pub use guard::{Guarded, guarded, permitted};
-pub use scout::{Fate, HORIZON, SCOUT, Scout, ScoutSettings};
+pub use scout::{Fate, HORIZON, Scout};
 pub use sources::{Source, VALUES};

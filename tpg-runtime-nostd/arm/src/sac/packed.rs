@@ -1,6 +1,6 @@
 //! The arm's network as one array of words: a [`tpg_runtime::net::Model`] of the arm's features, and its decision.
 
-use super::fixed::quantise_into;
+use super::fixed::quantise;
 use super::{Decision, FEATURE_CONTRACT, FEATURES, features};
 use crate::arm::{Arm, JOINTS, Move};
 use crate::frame::Frame;
@@ -63,8 +63,7 @@ impl<'a> Model<'a> {
         if scratch.len() < self.scratch() {
             return Move::STOP;
         }
-        let mut inputs = [0; FEATURES];
-        quantise_into(&features(&Frame::new(arm, seen)), &mut inputs);
+        let inputs = quantise(&features(&Frame::new(arm, seen)));
         self.decision.decide(self.preferences(&inputs, scratch), seen.pose, &arm.ranges)
     }
 }

@@ -87,12 +87,7 @@ impl<S: Lattice> Watchdog<S> {
     /// See [`Fault`]. Nothing changes then.
     #[inline(always)]
     pub fn check(&self, motors: Pose, target: &Vector<S>) -> Result<(), Fault> {
-        let at = lanes::from_pose(motors);
-        if self.limits.ranges.hold(at) & self.expected.hold(at) & TOP == TOP && self.limits.reaches(target) {
-            Ok(())
-        } else {
-            Err(self.fault(motors, target))
-        }
+        if self.limits.reaches(target) { self.check_motors(motors) } else { Err(Fault::Target) }
     }
 
     /// Checks the motors' positions alone.
@@ -119,18 +114,5 @@ impl<S: Lattice> Watchdog<S> {
             self.anchor(motors);
         }
         self.expected.shift(wanted);
-    }
-
-    /// The first fault of a reading that has one.
-    #[cold]
-    #[inline(never)]
-    fn fault(&self, motors: Pose, target: &Vector<S>) -> Fault {
-        if !self.limits.reaches(target) {
-            Fault::Target
-        } else if self.limits.hold(motors) {
-            Fault::Stuck
-        } else {
-            Fault::Sensor
-        }
     }
 }
