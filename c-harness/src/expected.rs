@@ -14,7 +14,7 @@ use tpg_arm::hybrid::{Control, Counts, Hybrid};
 use tpg_arm::observation::{ArmPolicy, Observation, Source};
 use tpg_arm::sac::fixed::quantise;
 use tpg_arm::sac::{Actions, Decision, Mask, features};
-use tpg_arm::sensors::{Fault, Watch};
+use tpg_arm::sensors::{Fault, Limits, Watch};
 use tpg_arm::{Arm, Move, Pose, WIDOWX};
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_generated::{widowx_fs::WidowxFs, widowx_rs::WidowxRs};
@@ -99,7 +99,7 @@ where
     for (index, task) in tasks.iter().enumerate() {
         let target = task.target.map(|mm| mm as f32);
         let seen = Observation::at(&ARM, task.start, target);
-        let begun = Control::new(&ARM, hybrid.settings, Watch::DEFAULT, Brent::new(), &seen);
+        let begun = Control::new(Limits::new(&ARM), hybrid.settings, Watch::DEFAULT, Brent::new(), &seen);
         let mut control = begun.map_err(Failure::new)?;
         let rollout = ArmRollout::new(start, task, |motors| {
             let (seen, chosen) = hybrid.step(&mut control, motors, target)?;

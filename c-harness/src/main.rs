@@ -3,7 +3,6 @@
 //! | module | subject |
 //! | --- | --- |
 //! | [`programs`] | the programs |
-//! | [`data`] | tables of numbers in C |
 //! | [`problems`] | which episodes, and how graph and network share the arm |
 //! | [`build`] | the firmwares |
 //! | [`dodge`] | the control step among balls, on test scenes |
@@ -20,7 +19,6 @@
 mod build;
 mod cores;
 mod costs;
-mod data;
 mod dodge;
 mod embassy;
 mod emulate;

@@ -1,7 +1,6 @@
 //! The shipped policies, the states that they see on every core, and their answers on this machine: the interpreter's.
 
 use crate::Failure;
-use crate::data;
 use crate::record::Hash;
 use askama::Template;
 use std::fs;
@@ -90,15 +89,13 @@ pub(super) fn integers(shipped: &[Shipped]) -> Result<Vec<Shipped>, Failure> {
 }
 
 /// The low end and a 16,777,216th of the range of each input.
-fn ranges(graph: &Graph) -> [Vec<f32>; 2] {
-    let (low, step) =
-        graph.state_ranges().map(|range| (range.min as f32, ((range.max - range.min) / 16_777_216.0) as f32)).unzip();
-    [low, step]
+fn ranges(graph: &Graph) -> (Vec<f32>, Vec<f32>) {
+    graph.state_ranges().map(|range| (range.min as f32, ((range.max - range.min) / 16_777_216.0) as f32)).unzip()
 }
 
 /// The states that `states.c` draws.
 fn states(graph: &Graph, kind: Bits) -> Vec<f64> {
-    let [low, step] = ranges(graph);
+    let (low, step) = ranges(graph);
     let most = |input| graph.counts_of(input).map(|counts| counts.limits()[1] as f32);
     let most: Vec<Option<f32>> = graph.inputs().map(most).collect();
     let mut bits = 1u32;
@@ -187,7 +184,7 @@ impl Shipped {
     fn view(&self, index: usize) -> PolicyView {
         let graph = &self.graph;
         let memory = graph.memory();
-        let [low, step] = ranges(graph).map(|values| data::list(&values));
+        let (low, step) = ranges(graph);
         let mut fields = Vec::new();
         for source in graph.sources() {
             let most = source.counts.iter().map(|counts| counts.limits()[1]).fold(0.0, f64::max);
@@ -217,8 +214,8 @@ struct PolicyView {
     name: String,
     /// Its bit in `IN_IMAGE`.
     bit: u32,
-    low: String,
-    step: String,
+    low: Vec<f32>,
+    step: Vec<f32>,
     inputs: usize,
     answers: usize,
     /// The place of its memory in a state, if it has one.

@@ -75,12 +75,9 @@ impl Control {
             Some(kept) if !goals.is_empty() && goals.iter().all(is_reached) => kept.copy_from_slice(goals),
             _ => return Err(Fault::Target),
         }
-        if !limits.hold(motors) {
-            return Err(Fault::Sensor);
-        }
+        let watchdog = Watchdog::new(limits, watch, motors)?;
         check(balls)?;
         let dodger = Dodger::new(settings, &View::new(body, motors, goals, balls));
-        let watchdog = Watchdog::within(limits, watch, motors);
         Ok(Self { dodger, watchdog, goals: kept, count: goals.len() as u8 })
     }
 

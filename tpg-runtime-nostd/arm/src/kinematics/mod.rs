@@ -91,6 +91,7 @@ pub struct Point<S> {
 
 impl<S: Scalar> Point<S> {
     /// This point moved `by` mm in a direction.
+    #[inline(always)]
     pub fn along(self, direction: Direction<S>, by: S) -> Self {
         Self { x: self.x + direction.cos * by, z: self.z + direction.sin * by }
     }
