@@ -4,7 +4,7 @@
 //! A firmware has no model of how balls fly: it gets where they were seen, step by step.
 
 use crate::Failure;
-use crate::build::load;
+use crate::build::graph_in_c;
 use crate::line::{self, Line};
 use crate::record::Hash;
 use askama::Template;
@@ -12,7 +12,7 @@ use tpg_arm::Pose;
 use tpg_arm::dodge::{Behaviour, Chooser, Control, Source};
 use tpg_arm::kinematics::Vector;
 use tpg_arm::sensors::Watch;
-use tpg_codegen::emit::{self, File, Language, Options};
+use tpg_codegen::emit::File;
 use tpg_generated::dodge::Dodge;
 use tpg_problems::dodge::episode::{End, Episode};
 use tpg_problems::dodge::file::read_csv;
@@ -55,11 +55,11 @@ fn run() -> Result<(Rollouts, Hash), Failure> {
         let first = centres.len();
         centres.extend(scene.balls.iter().map(|path| path.at(-1.0)));
         let begun = Control::new(body, settings, Watch::DEFAULT, &goals, episode.pose(), episode.view().balls);
-        let mut control = begun.map_err(Failure::new)?;
+        let mut control = begun?;
         let end = loop {
             let view = episode.view();
             centres.extend(view.balls.iter().map(|ball| ball.at));
-            let step = control.step(body, &choose, view.pose, view.balls).map_err(Failure::new)?;
+            let step = control.step(body, &choose, view.pose, view.balls)?;
             let end = episode.step(step.wanted, config.tolerance);
             poses.add_pose(episode.pose());
             if let Some(end) = end {
@@ -69,18 +69,17 @@ fn run() -> Result<(Rollouts, Hash), Failure> {
         Ok(DodgeRollout { end, steps: episode.steps(), first, scene })
     };
     let path = library::top().join("generated/test-targets/dodge.csv");
-    let scenes = read_csv(&path).map_err(Failure::new)?.into_iter().take(SCENES).map(|certified| certified.scene);
+    let scenes = read_csv(&path)?.into_iter().take(SCENES).map(|certified| certified.scene);
     let rollouts = scenes.map(rollout).collect::<Result<_, Failure>>()?;
     Ok((Rollouts { rollouts, centres }, poses))
 }
 
 /// The shipped graph and the scenes in C.
 pub(crate) fn files() -> Result<Vec<File>, Failure> {
-    let graph = load("generated/dodge/graph.json")?;
-    let mut files = emit::emit(&graph, Language::C, &Options::new("dodge".parse().map_err(Failure::new::<String>)?));
+    let mut files = graph_in_c("generated/dodge/graph.json")?;
     let (scenes, _) = run()?;
     // The header with the declarations is written by hand: linters would take minutes over all these numbers.
-    files.push(File { name: "balls.c".to_owned(), text: scenes.render().map_err(Failure::new)? });
+    files.push(File { name: "balls.c".to_owned(), text: scenes.render()? });
     Ok(files)
 }
 

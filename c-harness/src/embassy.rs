@@ -40,7 +40,7 @@ pub(crate) fn check() -> Result<(), Failure> {
         return Ok(());
     }
     let image = made.join(TARGET).join("release").join(format!("tpg-{EXAMPLE}"));
-    let lines = emulate::until_done(emulate::arm(BOARD).arg(image))?;
+    let lines = emulate::until_done(emulate::qemu("qemu-system-arm", BOARD).arg(image))?;
     if lines.iter().filter(|line| line.words == ["stopped"]).ne([&expected]) {
         return Err(Failure(format!("the example in Embassy is not the host: {lines:?}, not {expected:?}")));
     }

@@ -100,7 +100,7 @@ where
         let target = task.target.map(|mm| mm as f32);
         let seen = Observation::at(&ARM, task.start, target);
         let begun = Control::new(Limits::new(&ARM), hybrid.settings, Watch::DEFAULT, Brent::new(), &seen);
-        let mut control = begun.map_err(Failure::new)?;
+        let mut control = begun?;
         let rollout = ArmRollout::new(start, task, |motors| {
             let (seen, chosen) = hybrid.step(&mut control, motors, target)?;
             Ok((seen, chosen.wanted, false))
@@ -144,7 +144,7 @@ impl ArmRollout {
     ) -> Result<Self, Failure> {
         let mut rollout = Self { reached: false, actions: 0, motors: task.start, poses: Hash::new() };
         while rollout.actions < start.max_actions() {
-            let (seen, wanted, gives_up) = decide(rollout.motors).map_err(Failure::new)?;
+            let (seen, wanted, gives_up) = decide(rollout.motors)?;
             rollout.reached = seen.distance() < TOLERANCE as f32;
             let step = ARM.step(rollout.motors, if rollout.reached { Move::STOP } else { wanted });
             rollout.motors = step.pose;

@@ -36,7 +36,7 @@ pub(crate) const fn settings(start: Start) -> Settings<f32> {
 /// The first of the committed test episodes.
 pub(crate) fn problems(start: Start) -> Result<Vec<Task>, Failure> {
     let path = tpg_testing::library::top().join(format!("generated/test-targets/{}.csv", name(start)));
-    let mut tasks = read_csv(&WIDOWX, &path).map_err(Failure::new)?;
+    let mut tasks = read_csv(&WIDOWX, &path)?;
     tasks.truncate(PROBLEMS);
     Ok(tasks)
 }
@@ -68,5 +68,5 @@ pub(crate) fn file() -> Result<File, Failure> {
     };
     let starts = STARTS.into_iter().map(view).collect::<Result<_, Failure>>()?;
     let header = ProblemsHeader { tolerance: TOLERANCE, count: PROBLEMS, parts: PARTS, starts };
-    Ok(File { name: "problems.h".to_owned(), text: header.render().map_err(Failure::new)? })
+    Ok(File { name: "problems.h".to_owned(), text: header.render()? })
 }

@@ -1,6 +1,7 @@
 //! The cores: what compiles for each, and what runs it.
 
 use super::shipped::Bits;
+use crate::emulate;
 use Runner::*;
 use std::path::Path;
 use std::process::Command;
@@ -212,29 +213,18 @@ impl Core {
 
     /// The command that runs an image; its last line is `done`.
     pub(super) fn run(&self, image: &Path, wasi: &Path) -> Command {
-        let (program, _) = self.emulator().unwrap_or_default();
-        let mut command = Command::new(if program.is_empty() { image.as_os_str() } else { program.as_ref() });
-        let system = ["-machine", self.machine, "-nographic", "-monitor", "none"];
-        let semihosting = ["-serial", "none", "-semihosting-config", "enable=on,target=native", "-kernel"];
+        let Some((program, _)) = self.emulator() else { return Command::new(image) };
+        let mut command = match self.runner {
+            Arm(..) | RiscV(_) => emulate::qemu(program, self.machine),
+            _ => Command::new(program),
+        };
         match self.runner {
-            Arm(..) => {
-                command.args(system).args(["-icount", "shift=10,align=off,sleep=off"]).args(semihosting).arg(image);
-            }
-            RiscV(_) => {
-                command.args(system).args(["-icount", "shift=0,align=off,sleep=off", "-bios", "none"]);
-                command.args(semihosting).arg(image);
-            }
-            Avr => {
-                command.args(["-m", self.machine, "-f", "16000000"]).arg(image);
-            }
-            Wasm => {
-                command.arg("--no-warnings").arg(wasi).arg(image);
-            }
-            User => {
-                command.arg(image);
-            }
-            Host => {}
-        }
+            Arm(..) => command.arg(image).args(["-icount", "shift=10,align=off,sleep=off"]),
+            RiscV(_) => command.arg(image).args(["-icount", "shift=0,align=off,sleep=off", "-bios", "none"]),
+            Avr => command.args(["-m", self.machine, "-f", "16000000"]).arg(image),
+            Wasm => command.arg("--no-warnings").arg(wasi).arg(image),
+            User | Host => command.arg(image),
+        };
         command
     }
 }

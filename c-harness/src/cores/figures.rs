@@ -11,7 +11,6 @@ use askama::Template;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
-use std::fs;
 use tpg_cores::layers::INPUTS;
 use tpg_testing::library;
 
@@ -106,7 +105,7 @@ impl Figures {
 
     /// Differences from what is committed; a test compares the page.
     pub(super) fn differences(&self) -> Result<Vec<String>, Failure> {
-        let committed: Self = toml::from_str(&build::committed(FILE)?).map_err(Failure::new)?;
+        let committed: Self = toml::from_str(&build::committed(FILE)?)?;
         let tolerance = Tolerance::new(FILE, &committed.compilers, &self.compilers);
         let mut differences = Vec::new();
         for (name, found) in &self.core {
@@ -127,12 +126,12 @@ impl Figures {
 
     /// Takes these figures as the committed ones.
     pub(super) fn commit(&self) -> Result<(), Failure> {
-        let text = toml::to_string(self).map_err(Failure::new)?;
+        let text = toml::to_string(self)?;
         let head = "# Flash and instructions on each core; `cargo xtask cores --update` writes this file and docs/cores.md.\n\n";
         build::commit(FILE, &format!("{head}{text}"))?;
         let page = library::top().join("docs").join(PAGE);
-        let text = CoresPage::new(self).render().map_err(Failure::new)? + "\n";
-        fs::write(&page, text).map_err(|error| Failure::at(&page, error))
+        let text = CoresPage::new(self).render()? + "\n";
+        build::write(&page, text)
     }
 
     /// A table with a row for each core of which something is known.

@@ -77,20 +77,15 @@ fn one(
     figures: &mut Figures,
 ) -> Result<bool, Failure> {
     let run = |image: &std::path::Path| emulate::until_done(&mut core.run(image, &place.wasi()));
-    figures.add_flash(core, place.policies(core, shipped)?);
-    let mut lines = Vec::new();
-    for image in place.in_c(core, Kind::C, shipped)? {
-        lines.extend(run(&image)?);
+    for (language, kind, policies) in [("C", Kind::C, shipped), ("C in integers", Kind::Integers, integers)] {
+        figures.add_flash(core, place.policies(core, policies)?);
+        let mut lines = Vec::new();
+        for image in place.in_c(core, kind, policies)? {
+            lines.extend(run(&image)?);
+        }
+        compare(core, language, policies, &lines)?;
+        figures.add(core, Program::C, &lines);
     }
-    compare(core, "C", shipped, &lines)?;
-    figures.add(core, Program::C, &lines);
-    figures.add_flash(core, place.policies(core, integers)?);
-    let mut lines = Vec::new();
-    for image in place.in_c(core, Kind::Integers, integers)? {
-        lines.extend(run(&image)?);
-    }
-    compare(core, "C in integers", integers, &lines)?;
-    figures.add(core, Program::C, &lines);
     let [states, fewer] = [false, true].map(|integers| core.bits().states(integers));
     let mut said = format!("C of {} policies on {states} states each, in integers on {fewer}", shipped.len());
     let mut all = true;

@@ -80,8 +80,8 @@ pub(super) fn integers(shipped: &[Shipped]) -> Result<Vec<Shipped>, Failure> {
         for bits in WIDTHS {
             let compared = StateSet::sampled(&one.graph, 1, 1);
             let request = Request::of_bits(bits, &compared);
-            let (graph, _) = quantise(&one.prefix.to_string(), &one.graph, &request).map_err(Failure::new)?;
-            let prefix = format!("{}_{bits}", one.prefix).parse().map_err(Failure::new)?;
+            let (graph, _) = quantise(&one.prefix.to_string(), &one.graph, &request)?;
+            let prefix = format!("{}_{bits}", one.prefix).parse().map_err(Failure::new::<String>)?;
             integers.push(Shipped::new(prefix, graph));
         }
     }
@@ -136,7 +136,7 @@ fn hash(graph: &Graph, states: &[f64]) -> Hash {
 impl Shipped {
     /// Reads a graph, unless it sees an image.
     fn load(path: &Path) -> Result<Option<Self>, Failure> {
-        let graph = import::load(path, None, None).map_err(Failure::new)?;
+        let graph = import::load(path, None, None)?;
         if Vision::new(&graph.state_sources()).is_some() {
             return Ok(None);
         }
@@ -258,5 +258,5 @@ pub(super) fn policies_c(shipped: &[Shipped], kind: Kind) -> Result<File, Failur
     let asked = shipped.iter().filter(|one| kind != Kind::Rust || one.in_rust());
     let policies = asked.zip(0..).map(|(one, index)| one.view(index)).collect();
     let file = PoliciesC { policies, integers: kind == Kind::Integers, rust: kind == Kind::Rust };
-    Ok(File { name: kind.file().to_owned(), text: file.render().map_err(Failure::new)? })
+    Ok(File { name: kind.file().to_owned(), text: file.render()? })
 }
