@@ -82,7 +82,7 @@ pub(crate) fn graph_in_c(path: &str) -> Result<Vec<File>, Failure> {
 }
 
 /// Reads a committed network in integers.
-pub(crate) fn load_network(path: &str) -> Result<QuantisedPolicy, Failure> {
+fn load_network(path: &str) -> Result<QuantisedPolicy, Failure> {
     let path = library::top().join(path);
     let text = read_text(&path, "a network in integers")?;
     Ok(QuantisedPolicy::from_json(&path.display().to_string(), &text)?)

@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::build::there;
 use crate::emulate;
-use crate::expected::{self, ARM, NETWORK};
+use crate::expected::{self, ARM};
 use crate::line::Line;
 use crate::problems::settings;
 use std::env;
@@ -50,7 +50,7 @@ pub(crate) fn check() -> Result<(), Failure> {
 
 /// The example's loop on this machine.
 fn expected() -> Line {
-    let hybrid = Hybrid { arm: &ARM, tpg: expected::fs(), sac: NETWORK, settings: settings(Start::Fs) };
+    let hybrid = Hybrid { arm: &ARM, tpg: expected::fs(), sac: expected::network(), settings: settings(Start::Fs) };
     let task = ReachTask { start: ARM.home, target: WHERE, tolerance: TOLERANCE_MM, max_actions: MOST_STEPS };
     let Summary { actions, pose, .. } = HybridEpisode::new(&hybrid, task, Brent::new()).run(|_, _| ()).summary;
     let Pose([base, shoulder, elbow, wrist]) = pose;

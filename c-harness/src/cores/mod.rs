@@ -18,7 +18,7 @@ use crate::expected;
 use crate::line::{self, Line};
 use crate::record::Hash;
 use core::{CORES, Core};
-use figures::{Figures, Program};
+use figures::Figures;
 use images::{EPISODES, Place};
 use shipped::{Kind, Shipped};
 use std::fs;
@@ -84,7 +84,7 @@ fn one(
             lines.extend(run(&image)?);
         }
         compare(core, language, policies, &lines)?;
-        figures.add(core, Program::C, &lines);
+        figures.add(core, "c", &lines);
     }
     let [states, fewer] = [false, true].map(|integers| core.bits().states(integers));
     let mut said = format!("C of {} policies on {states} states each, in integers on {fewer}", shipped.len());
@@ -93,18 +93,18 @@ fn one(
         Some([policies, layers]) => {
             let lines = run(&policies)?;
             compare(core, "Rust", shipped.iter().filter(|one| one.in_rust()), &lines)?;
-            figures.add(core, Program::Rust, &lines);
+            figures.add(core, "rust", &lines);
             let lines = run(&layers)?;
             networks(core, &lines)?;
             said.push_str(&format!(", their Rust, networks of {} kinds", Network::ALL.len()));
-            figures.add(core, Program::Layers, &lines);
+            figures.add(core, "layers", &lines);
         }
         None => all &= core.target.is_none(),
     }
     if let Some(image) = place.hybrid(core)? {
         let lines = run(&image)?;
         expected::same(&core.title(), episodes, &lines)?;
-        figures.add(core, Program::Hybrid, &lines);
+        figures.add(core, "hybrid", &lines);
     }
     println!("{}: {said}: the same bits as on the host", core.title());
     Ok(all)
