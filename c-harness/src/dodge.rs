@@ -45,8 +45,7 @@ struct Rollouts {
 fn run() -> Result<(Rollouts, Hash), Failure> {
     let config = Config::default();
     let (body, settings) = (&BODY, config.settings());
-    let behaviours = Behaviour::ALL.map(|(behaviour, _)| behaviour);
-    let chooser = Chooser { policy: Dodge, sources: &Source::ALL, behaviours: &behaviours };
+    let chooser = Chooser { policy: Dodge, sources: &Source::ALL, behaviours: &Behaviour::ALL };
     let choose = |values: &_| chooser.choose(values);
     let (mut poses, mut centres) = (Hash::new(), Vec::new());
     let rollout = |scene: Scene| {

@@ -82,7 +82,7 @@ impl Balls {
         }
         let seen = course.episode.view();
         let action = if course.learned { Dodge.decide(&course.dodger.observe(&seen)) } else { STRAIGHT };
-        let behaviour = Behaviour::ALL.get(usize::from(action.0)).map_or(Behaviour::Hold, |(behaviour, _)| *behaviour);
+        let behaviour = Behaviour::ALL.get(usize::from(action.0)).copied().unwrap_or(Behaviour::Hold);
         let wanted = course.dodger.act(&seen, behaviour);
         view.behaviour = action.0.into();
         view.state = course.episode.step(wanted, TOLERANCE).map_or(0, |end| match end {

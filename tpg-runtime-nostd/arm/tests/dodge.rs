@@ -145,9 +145,9 @@ proptest! {
     fn every_behaviour_takes_a_step_that_the_joints_can_make(pose in free_pose(), goal in pose(), balls in balls()) {
         let goals = [goal];
         let view = View::new(&BODY, pose, &goals, &balls);
-        for (behaviour, name) in Behaviour::ALL {
+        for behaviour in Behaviour::ALL {
             let step = behaviour.step(&view, &mut Plan::straight(goal));
-            prop_assert!(step.0.iter().all(|ticks| i16::from(*ticks).abs() <= STEP), "{}: {:?}", name, step);
+            prop_assert!(step.0.iter().all(|ticks| i16::from(*ticks).abs() <= STEP), "{:?}: {:?}", behaviour, step);
         }
         prop_assert_eq!(Behaviour::Straight.step(&view, &mut Plan::straight(pose)), straight(pose, goal));
         prop_assert_eq!(Behaviour::Plan.step(&view, &mut Plan::straight(goal)), straight(pose, goal));
@@ -241,7 +241,7 @@ proptest! {
         let mut dodger = Dodger::new(SETTINGS, &view);
         for _ in 0..20 {
             prop_assert_eq!(dodger.observe(&view).len(), VALUES);
-            let step = dodger.act(&view, Behaviour::ALL[choice].0);
+            let step = dodger.act(&view, Behaviour::ALL[choice]);
             prop_assert!(step.0.iter().all(|ticks| i16::from(*ticks).abs() <= STEP));
         }
     }
@@ -249,9 +249,10 @@ proptest! {
 
 #[test]
 fn behaviours_and_sources_have_names_of_their_own() {
-    let names: BTreeSet<&str> = Behaviour::ALL.iter().map(|(_, name)| *name).collect();
+    let names: BTreeSet<&str> = Behaviour::ALL.iter().map(|behaviour| behaviour.name()).collect();
     assert_eq!(names.len(), Behaviour::ALL.len());
-    for (behaviour, name) in Behaviour::ALL {
+    for behaviour in Behaviour::ALL {
+        let name = behaviour.name();
         assert_eq!(Behaviour::from_name(name), Some(behaviour));
     }
     assert_eq!(Behaviour::from_name("left"), None);

@@ -200,7 +200,7 @@ fn source(number: u8) -> Option<Source> {
 
 /// The behaviour of a number, which is its place in [`Behaviour::ALL`].
 fn behaviour(number: u8) -> Behaviour {
-    Behaviour::ALL.get(usize::from(number)).map_or(Behaviour::Hold, |&(behaviour, _)| behaviour)
+    Behaviour::ALL.get(usize::from(number)).copied().unwrap_or(Behaviour::Hold)
 }
 
 /// Words of a tpg_dodger_t.

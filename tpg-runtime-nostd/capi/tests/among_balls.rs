@@ -125,7 +125,7 @@ fn walk(policy: &tpg_dodge_policy_t, choose: impl Fn(&[f32; VALUES]) -> Behaviou
                         counts[1] += 1;
                         assert_eq!(code, TPG_OK);
                         assert_eq!(chosen.wanted.ticks, step.wanted.0);
-                        assert_eq!(Behaviour::ALL[usize::from(chosen.behaviour)].0, step.behaviour);
+                        assert_eq!(Behaviour::ALL[usize::from(chosen.behaviour)], step.behaviour);
                         motors = BODY.arm.step(motors, step.wanted).pose;
                     }
                     Err(fault) => {
@@ -148,7 +148,7 @@ fn walk(policy: &tpg_dodge_policy_t, choose: impl Fn(&[f32; VALUES]) -> Behaviou
 #[test]
 fn every_step_is_as_in_rust() {
     let behaviours: Vec<u8> = (0..TPG_BEHAVIOURS).collect();
-    let all = Behaviour::ALL.map(|(behaviour, _)| behaviour);
+    let all = Behaviour::ALL;
     let policy = |infer, sources: &'static [u8]| tpg_dodge_policy_t {
         infer: Some(infer),
         sources: sources.as_ptr(),

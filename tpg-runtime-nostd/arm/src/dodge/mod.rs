@@ -25,7 +25,7 @@ mod scout;
 mod sources;
 
 pub use ball::Ball;
-pub use behaviour::{BALLS, Behaviour, EVASION, FIELD, Field, Shift, View, away};
+pub use behaviour::{BALLS, Behaviour, EVASION, FIELD, Field, View, away};
 pub use body::{Body, CAPSULES, Nearest, Outline, Posture, WIDOWX_RADII};
 pub use control::{Chooser, Control, GOALS, Step};
 pub use dodger::{Dodger, DodgerSettings};
