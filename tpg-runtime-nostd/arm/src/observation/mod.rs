@@ -112,6 +112,7 @@ fn put<S, W: Slot<S>, const N: usize>(slots: &mut [W], values: [S; N]) {
     }
 }
 
+#[inline(always)]
 fn ticks<S: Lattice>(ticks: i16) -> S {
     S::from_i32(i32::from(ticks))
 }

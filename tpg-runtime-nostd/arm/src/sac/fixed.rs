@@ -7,11 +7,7 @@ use tpg_runtime::net::{Meaning, OutputKind, PREFERENCE_ONE, integer};
 /// Features as integers: rounded to nearest, halves away from zero, clipped to `i16`; NaN becomes 0.
 #[inline(never)] // its loop is not its caller's: a static bound multiplies nested ones
 pub fn quantise(features: &[f32; FEATURES]) -> [i16; FEATURES] {
-    let mut integers = [0; FEATURES];
-    for (to, &feature) in integers.iter_mut().zip(features) {
-        *to = integer(feature);
-    }
-    integers
+    features.map(integer)
 }
 
 impl Decision<i32> {
