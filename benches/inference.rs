@@ -1,4 +1,4 @@
-//! Time and instruction count of a decision: every variant of every policy, compared in one run.
+//! Time and instruction count of a decision: every variant of every policy, compared in one run; of the interpreter the time.
 //!
 //! `cargo bench -p tpg-benches --bench inference` prints the tables, in minutes. A word selects the policies whose names
 //! contain it.
@@ -10,7 +10,7 @@
 use std::env;
 use std::time::Duration;
 use tpg_benches::callgrind;
-use tpg_benches::program::{Program, Running};
+use tpg_benches::program::{Decider, Program};
 use tpg_benches::subject::{self, Subject};
 use tpg_benches::table::Table;
 use tpg_benches::variant::Variant;
@@ -42,21 +42,21 @@ fn main() {
         let least = least(subject, &programs, if testing { 1 } else { STARTS });
         for ((variant, program), least) in Variant::ALL.into_iter().zip(&programs).zip(least) {
             times.note(&subject.name, subject.kind, variant, least / subject.count() as f64);
-            if counting {
+            if let Some(program) = program.as_ref().filter(|_| counting) {
                 let count = callgrind::per_state(program, subject).unwrap_or_else(|error| panic!("{error}"));
                 counts.note(&subject.name, subject.kind, variant, count);
             }
         }
         eprintln!("{}", subject.name);
     }
-    for table in [Some(times), counting.then_some(counts)].into_iter().flatten() {
-        println!("{}", table.render());
-        println!("{}{}", table.summary(Variant::Gegelati), table.summary(Variant::Interpreter));
+    println!("{}{}{}", times.render(), times.summary(Variant::Gegelati), times.summary(Variant::Interpreter));
+    if counting {
+        println!("{}{}", counts.render(), counts.summary(Variant::Gegelati));
     }
 }
 
 /// Returns the time of the fastest pass over all states, in nanoseconds.
-fn least<const N: usize>(subject: &Subject, programs: &[Program; N], starts: usize) -> [f64; N] {
+fn least<const N: usize>(subject: &Subject, programs: &[Option<Program>; N], starts: usize) -> [f64; N] {
     let mut least = [f64::INFINITY; N];
     for _ in 0..starts {
         let mut running = programs.each_ref().map(|program| start(program, subject));
@@ -74,10 +74,13 @@ fn least<const N: usize>(subject: &Subject, programs: &[Program; N], starts: usi
     least
 }
 
-fn start(program: &Program, subject: &Subject) -> Running {
-    program.start(subject).unwrap_or_else(|error| panic!("{error}"))
+fn start<'a>(program: &Option<Program>, subject: &'a Subject) -> Decider<'a> {
+    match program {
+        Some(program) => Decider::Program(program.start(subject).unwrap_or_else(|error| panic!("{error}"))),
+        None => Decider::Interpreter(subject),
+    }
 }
 
-fn time(running: &mut Running, passes: u64) -> Duration {
+fn time(running: &mut Decider<'_>, passes: u64) -> Duration {
     running.time(passes).unwrap_or_else(|error| panic!("{error}"))
 }

@@ -3,37 +3,15 @@
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-/// Returns the Python interpreter that has PyTorch: the one named by `TPG_PYTHON` (default `python3`), or, if
-/// `TPG_INSTALL_PYTORCH` is set, one in a virtual environment in the target folder, which pip creates from PyPI in the
-/// first run. Otherwise reports that the comparison is skipped.
+/// Returns the Python interpreter that has PyTorch, named by `TPG_PYTHON` (default `python3`); otherwise reports that the comparison is
+/// skipped.
 pub(crate) fn python() -> Option<String> {
-    let has_torch = |python: &str| {
-        let import = Command::new(python).args(["-c", "import torch"]).stderr(Stdio::null()).status();
-        import.is_ok_and(|status| status.success())
-    };
     let named = std::env::var("TPG_PYTHON").unwrap_or_else(|_| "python3".to_owned());
-    if has_torch(&named) {
+    let import = Command::new(&named).args(["-c", "import torch"]).stderr(Stdio::null()).status();
+    if import.is_ok_and(|status| status.success()) {
         return Some(named);
     }
-    if std::env::var_os("TPG_INSTALL_PYTORCH").is_some() {
-        let folder: PathBuf = [env!("CARGO_TARGET_TMPDIR"), "pytorch"].iter().collect();
-        let own = folder.join("bin/python").display().to_string();
-        let done = |mut command: Command| command.status().is_ok_and(|status| status.success());
-        if has_torch(&own) {
-            return Some(own);
-        }
-        let mut venv = Command::new(&named);
-        venv.args(["-m", "venv"]).arg(&folder);
-        let mut install = Command::new(&own);
-        install.args(["-m", "pip", "install", "--quiet", "torch", "numpy"]);
-        if done(venv) && done(install) && has_torch(&own) {
-            return Some(own);
-        }
-    }
-    println!(
-        "SKIPPED: PyTorch. {named} has none; name another Python in TPG_PYTHON, or set TPG_INSTALL_PYTORCH=1 to install \
-         it from PyPI under the target folder."
-    );
+    println!("SKIPPED: PyTorch. {named} has none; name another Python in TPG_PYTHON.");
     None
 }
 

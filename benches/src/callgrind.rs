@@ -28,7 +28,11 @@ pub fn per_state(program: &Program, subject: &Subject) -> io::Result<f64> {
 fn total(program: &Program, passes: u32, count: usize) -> io::Result<u64> {
     let mut command = Command::new("valgrind");
     command.current_dir(program.folder()).args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]);
-    command.args(program.once(passes, count)).stdout(Stdio::null()).stderr(Stdio::piped());
+    command
+        .args(["./program", "states"])
+        .args([passes.to_string(), count.to_string()])
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped());
     let output = command.output()?;
     let text = String::from_utf8_lossy(&output.stderr);
     let collected = text.lines().find_map(|line| line.split_once("Collected :")).map(|(_, number)| number.trim());

@@ -1,14 +1,15 @@
 //! A variant of a subject as a separate program that holds the states, decides all of them as often as requested, and
-//! reports the CPU time. One loop in C drives C and Rust alike; the interpreter has the same loop in Rust.
+//! reports the CPU time. One loop in C drives C and Rust alike; the interpreter runs here.
 
+use crate::cpu_seconds;
 use crate::subject::Subject;
 use crate::variant::Variant;
 use askama::Template;
 use std::io::{self, BufRead as _, BufReader, Write as _};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, ChildStdout, Command, Stdio};
 use std::time::Duration;
-use std::{env, fs};
+use std::{fs, hint::black_box};
 use tempfile::TempDir;
 use tpg_codegen::emit::{self, Language, Options, Style};
 use tpg_codegen::verify;
@@ -34,12 +35,9 @@ struct LibRust {
     name: String,
 }
 
-/// A program, built and checked.
+/// The folder of a program, built and checked.
 #[derive(Debug)]
-pub struct Program {
-    folder: TempDir,
-    command: Vec<PathBuf>,
-}
+pub struct Program(TempDir);
 
 /// A running program that waits for requests.
 #[derive(Debug)]
@@ -49,20 +47,25 @@ pub struct Running {
     hash: u32,
 }
 
+/// What decides a subject's states.
+#[derive(Debug)]
+pub enum Decider<'a> {
+    /// A program.
+    Program(Running),
+    /// The interpreter.
+    Interpreter(&'a Subject),
+}
+
 impl Program {
-    /// Builds a variant with the compilers at `-O2` and `-O`, without unusual flags.
+    /// Builds a variant with the compilers at `-O2` and `-O`, without unusual flags; `None` for the interpreter.
     ///
     /// # Errors
     /// If a compiler is missing or reports an error.
-    pub fn build(subject: &Subject, variant: Variant) -> Result<Self, Box<dyn std::error::Error>> {
+    pub fn build(subject: &Subject, variant: Variant) -> Result<Option<Self>, Box<dyn std::error::Error>> {
+        let Some((language, options)) = variant.emission() else { return Ok(None) };
         let folder = TempDir::new()?;
         let at = |name: &str| folder.path().join(name);
         fs::write(at("states"), bytes(subject))?;
-        let Some((language, options)) = variant.emission() else {
-            fs::write(at("graph.json"), subject.graph.to_json())?;
-            let command = vec![interpreter()?, at("states"), at("graph.json")];
-            return Ok(Self { folder, command });
-        };
         for file in emit::emit(&subject.graph, language, &options) {
             fs::write(at(&file.name), file.text)?;
         }
@@ -82,8 +85,7 @@ impl Program {
         let mut command = verify::c_command(folder.path())?;
         command.args(["-o", "program", "main.c", policy, "-lm"]);
         verify::compile("C", command)?;
-        let command = vec![at("program"), at("states")];
-        Ok(Self { folder, command })
+        Ok(Some(Self(folder)))
     }
 
     /// Starts the program.
@@ -91,35 +93,40 @@ impl Program {
     /// # Errors
     /// If it does not start.
     pub fn start(&self, subject: &Subject) -> io::Result<Running> {
-        let mut child = Command::new(&self.command[0])
-            .args(&self.command[1..])
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()?;
+        let mut command = Command::new(self.folder().join("program"));
+        let command = command.arg(self.folder().join("states"));
+        let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
         let output = child.stdout.take().ok_or_else(missing)?;
-        let hash = hash_of(interpret::actions(&subject.graph, &subject.states).iter().map(|action| action.0));
-        Ok(Running { child, output: BufReader::new(output), hash })
-    }
-
-    /// Returns the command that decides the first `count` states `passes` times and exits.
-    pub fn once(&self, passes: u32, count: usize) -> Vec<String> {
-        let words = self.command[..2].iter().map(|word| word.display().to_string());
-        let graph = self.command.get(2).map(|graph| graph.display().to_string());
-        words.chain([passes.to_string(), count.to_string()]).chain(graph).collect()
+        Ok(Running { child, output: BufReader::new(output), hash: interpreted(subject) })
     }
 
     /// Returns the folder of the program.
     pub fn folder(&self) -> &Path {
-        self.folder.path()
+        self.0.path()
     }
 }
 
-impl Running {
+impl Decider<'_> {
     /// Returns the CPU time of `passes` passes over all states.
     ///
     /// # Errors
     /// If the program died, or takes different actions from the interpreter.
     pub fn time(&mut self, passes: u64) -> io::Result<Duration> {
+        match self {
+            Self::Program(running) => running.time(passes),
+            Self::Interpreter(subject) => {
+                let began = cpu_seconds();
+                for _ in 0..passes {
+                    black_box(interpreted(subject));
+                }
+                Ok(Duration::from_secs_f64(cpu_seconds() - began))
+            }
+        }
+    }
+}
+
+impl Running {
+    fn time(&mut self, passes: u64) -> io::Result<Duration> {
         writeln!(self.child.stdin.as_mut().ok_or_else(missing)?, "{passes}")?;
         let mut line = String::new();
         self.output.read_line(&mut line)?;
@@ -145,9 +152,10 @@ fn missing() -> io::Error {
     io::Error::other("the program has no pipe")
 }
 
-/// Computes FNV-1a, one action at a time.
-pub fn hash_of(actions: impl Iterator<Item = u16>) -> u32 {
-    actions.fold(2_166_136_261, |hash, action| (hash ^ u32::from(action)).wrapping_mul(16_777_619))
+/// Computes FNV-1a of the interpreter's actions, one at a time.
+fn interpreted(subject: &Subject) -> u32 {
+    let actions = interpret::actions(&subject.graph, &subject.states).into_iter();
+    actions.fold(2_166_136_261, |hash, action| (hash ^ u32::from(action.0)).wrapping_mul(16_777_619))
 }
 
 fn rust_library(
@@ -176,13 +184,4 @@ fn bytes(subject: &Subject) -> Vec<u8> {
         ScalarType::F32 => subject.states.iter().flat_map(|&value| (value as f32).to_ne_bytes()).collect(),
         ScalarType::F64 => subject.states.iter().flat_map(|value| value.to_ne_bytes()).collect(),
     }
-}
-
-/// Finds the interpreter program, which cargo builds alongside the benchmarks.
-fn interpreter() -> io::Result<PathBuf> {
-    let here = env::current_exe()?;
-    let folders = here.ancestors().skip(1).take(2);
-    let name = format!("interpreter{}", env::consts::EXE_SUFFIX);
-    let found = folders.map(|folder| folder.join(&name)).find(|path| path.is_file());
-    found.ok_or_else(|| io::Error::other("the program `interpreter` is missing: cargo build -p tpg-benches --release"))
 }

@@ -6,9 +6,10 @@ use crate::{dodge, problems};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use tpg_codegen::emit::{self, File, Language, Options};
+use tpg_codegen::emit::{self, File, Language, Options, Prefix};
 use tpg_codegen::policy::{QuantisedPolicy, to_c};
-use tpg_graph::{Graph, import};
+use tpg_graph::files::{make_folder, read_text};
+use tpg_graph::import;
 use tpg_testing::library::{self, Missing};
 
 /// The target of both boards.
@@ -19,29 +20,15 @@ pub(crate) const BOARD: [&str; 3] = ["example/startup.c", "example/qemu.c", "exa
 /// The files beside a program's own on a machine with an operating system.
 pub(crate) const HOST: [&str; 2] = ["firmware-c/host.c", "example/report.c"];
 
-/// A board, as QEMU names it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Board {
-    /// The board on which instructions are counted.
-    Mps2An386,
-    /// An STM32F405: does it fit?
-    NetduinoPlus2,
-}
-
-impl Board {
-    /// QEMU's name.
-    pub(crate) const fn name(self) -> &'static str {
-        match self {
-            Self::Mps2An386 => "mps2-an386",
-            Self::NetduinoPlus2 => "netduinoplus2",
-        }
-    }
-}
+/// The board on which instructions are counted, as QEMU names it.
+pub(crate) const COUNTED: &str = "mps2-an386";
+/// A board with little memory, an STM32F405: does it fit?
+pub(crate) const SMALL: &str = "netduinoplus2";
 
 /// The folder in which everything is built.
 pub(crate) fn room() -> Result<PathBuf, Failure> {
     let folder = library::target_folder().join("harness");
-    fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;
+    make_folder(&folder)?;
     Ok(folder)
 }
 
@@ -50,46 +37,55 @@ fn harness() -> PathBuf {
 }
 
 /// A folder with what a board's images need: its memories as the linker wants them.
-fn board_folder(board: Board) -> Result<PathBuf, Failure> {
-    let folder = room()?.join(board.name());
-    fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;
-    let memories = harness().join("example/boards").join(format!("{}.ld", board.name()));
-    let memories = fs::read(&memories).map_err(|error| Failure::at(&memories, error))?;
+fn board_folder(board: &str) -> Result<PathBuf, Failure> {
+    let folder = room()?.join(board);
+    make_folder(&folder)?;
+    let memories = harness().join("example/boards").join(format!("{board}.ld"));
+    let memories = read(&memories)?;
     let script = folder.join("board.ld");
-    fs::write(&script, &memories).map_err(|error| Failure::at(&script, error))?;
+    write(&script, memories)?;
     Ok(folder)
 }
 
 /// Writes what is generated for the firmwares: policies, and what they run.
 pub(crate) fn generated_c() -> Result<PathBuf, Failure> {
     let folder = room()?.join("generated");
-    fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;
+    make_folder(&folder)?;
     let mut files = vec![problems::file()?];
     files.extend(dodge::files()?);
     for start in problems::STARTS.map(problems::name) {
-        let graph = load(&format!("generated/widowx-{start}/graph.json"))?;
-        let prefix = format!("widowx_{start}").parse().map_err(Failure::new::<String>)?;
-        files.extend(emit::emit(&graph, Language::C, &Options::new(prefix)));
+        files.extend(graph_in_c(&format!("generated/widowx-{start}/graph.json"))?);
     }
-    let network = "widowx_sac".parse().map_err(Failure::new::<String>)?;
-    files.extend(to_c(&load_network("generated/widowx-sac/policy.q.json")?, &network).map_err(Failure::new)?);
+    let network = load_network("generated/widowx-sac/policy.q.json")?;
+    files.extend(to_c(&network, &Prefix::of_file(Path::new("widowx_sac")))?);
     for File { name, text } in files {
         let path = folder.join(name);
-        fs::write(&path, text).map_err(|error| Failure::at(&path, error))?;
+        write(&path, text)?;
     }
     Ok(folder)
 }
 
-/// Reads a committed graph.
-pub(crate) fn load(path: &str) -> Result<Graph, Failure> {
-    import::load(&library::top().join(path), None, None).map_err(Failure::new)
+/// Reads a file.
+pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+    fs::read(path).map_err(|error| Failure::at(path, error))
+}
+
+/// Writes a file.
+pub(crate) fn write(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Failure> {
+    fs::write(path, content).map_err(|error| Failure::at(path, error))
+}
+
+/// A committed graph in C, by the name of its folder.
+pub(crate) fn graph_in_c(path: &str) -> Result<Vec<File>, Failure> {
+    let path = library::top().join(path);
+    Ok(emit::emit(&import::load(&path, None, None)?, Language::C, &Options::new(Prefix::of_file(&path))))
 }
 
 /// Reads a committed network in integers.
-pub(crate) fn load_network(path: &str) -> Result<QuantisedPolicy, Failure> {
+fn load_network(path: &str) -> Result<QuantisedPolicy, Failure> {
     let path = library::top().join(path);
-    let text = fs::read_to_string(&path).map_err(|error| Failure::at(&path, error))?;
-    QuantisedPolicy::from_json(&path.display().to_string(), &text).map_err(Failure::new)
+    let text = read_text(&path, "a network in integers")?;
+    Ok(QuantisedPolicy::from_json(&path.display().to_string(), &text)?)
 }
 
 /// `None` where a tool is missing, which has been said.
@@ -129,7 +125,7 @@ pub(crate) fn host(program: &Program) -> Result<Option<PathBuf>, Failure> {
 }
 
 /// A program for a board; `None` where a tool is missing.
-pub(crate) fn board(program: &Program, board: Board) -> Result<Option<PathBuf>, Failure> {
+pub(crate) fn board(program: &Program, board: &str) -> Result<Option<PathBuf>, Failure> {
     if !tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "the firmware") {
         return Ok(None);
     }
@@ -157,12 +153,10 @@ pub(crate) fn version(program: &str) -> String {
 
 /// Text of a file beside this crate.
 pub(crate) fn committed(name: &str) -> Result<String, Failure> {
-    let path: &Path = &harness().join(name);
-    fs::read_to_string(path).map_err(|error| Failure::at(path, error))
+    Ok(read_text(&harness().join(name), "committed figures")?)
 }
 
 /// Replaces a file beside this crate.
 pub(crate) fn commit(name: &str, text: &str) -> Result<(), Failure> {
-    let path: &Path = &harness().join(name);
-    fs::write(path, text).map_err(|error| Failure::at(path, error))
+    write(&harness().join(name), text)
 }

@@ -4,15 +4,15 @@
 //! A firmware has no model of how balls fly: it gets where they were seen, step by step.
 
 use crate::Failure;
-use crate::build::load;
-use crate::data::{self, Data};
+use crate::build::graph_in_c;
 use crate::line::{self, Line};
 use crate::record::Hash;
+use askama::Template;
 use tpg_arm::Pose;
-use tpg_arm::dodge::{BALLS, Behaviour, Chooser, Control, GOALS, Source};
+use tpg_arm::dodge::{Behaviour, Chooser, Control, Source};
 use tpg_arm::kinematics::Vector;
 use tpg_arm::sensors::Watch;
-use tpg_codegen::emit::{self, File, Language, Options};
+use tpg_codegen::emit::File;
 use tpg_generated::dodge::Dodge;
 use tpg_problems::dodge::episode::{End, Episode};
 use tpg_problems::dodge::file::read_csv;
@@ -28,78 +28,63 @@ struct DodgeRollout {
     scene: Scene,
     end: End,
     steps: u32,
+    /// The place of its first one among the [centres](Rollouts::centres).
+    first: usize,
+}
+
+/// All scenes as they went here, in C for the firmware.
+#[derive(Template)]
+#[template(path = "balls.c", escape = "none")]
+struct Rollouts {
+    rollouts: Vec<DodgeRollout>,
     /// The places where each ball was seen: before the first step, and in every step.
     centres: Vec<Vector<f32>>,
 }
 
 /// Runs the scenes here: each, and a hash of every pose.
-fn run() -> Result<(Vec<DodgeRollout>, Hash), Failure> {
+fn run() -> Result<(Rollouts, Hash), Failure> {
     let config = Config::default();
     let (body, settings) = (&BODY, config.settings());
-    let behaviours = Behaviour::ALL.map(|(behaviour, _)| behaviour);
-    let chooser = Chooser { policy: Dodge, sources: &Source::ALL, behaviours: &behaviours };
+    let chooser = Chooser { policy: Dodge, sources: &Source::ALL, behaviours: &Behaviour::ALL };
     let choose = |values: &_| chooser.choose(values);
-    let mut poses = Hash::new();
+    let (mut poses, mut centres) = (Hash::new(), Vec::new());
     let rollout = |scene: Scene| {
         let goals: Vec<Pose> = scene.goals.iter().copied().map(Pose).collect();
         let mut episode = Episode::new(&scene);
-        let mut centres: Vec<Vector<f32>> = scene.balls.iter().map(|path| path.at(-1.0)).collect();
+        let first = centres.len();
+        centres.extend(scene.balls.iter().map(|path| path.at(-1.0)));
         let begun = Control::new(body, settings, Watch::DEFAULT, &goals, episode.pose(), episode.view().balls);
-        let mut control = begun.map_err(Failure::new)?;
+        let mut control = begun?;
         let end = loop {
             let view = episode.view();
             centres.extend(view.balls.iter().map(|ball| ball.at));
-            let step = control.step(body, &choose, view.pose, view.balls).map_err(Failure::new)?;
+            let step = control.step(body, &choose, view.pose, view.balls)?;
             let end = episode.step(step.wanted, config.tolerance);
             poses.add_pose(episode.pose());
             if let Some(end) = end {
                 break end;
             }
         };
-        Ok(DodgeRollout { end, steps: episode.steps(), centres, scene })
+        Ok(DodgeRollout { end, steps: episode.steps(), first, scene })
     };
     let path = library::top().join("generated/test-targets/dodge.csv");
-    let scenes = read_csv(&path).map_err(Failure::new)?.into_iter().take(SCENES).map(|certified| certified.scene);
-    let scenes = scenes.map(rollout).collect::<Result<Vec<DodgeRollout>, Failure>>()?;
-    Ok((scenes, poses))
+    let scenes = read_csv(&path)?.into_iter().take(SCENES).map(|certified| certified.scene);
+    let rollouts = scenes.map(rollout).collect::<Result<_, Failure>>()?;
+    Ok((Rollouts { rollouts, centres }, poses))
 }
 
 /// The shipped graph and the scenes in C.
 pub(crate) fn files() -> Result<Vec<File>, Failure> {
-    let graph = load("generated/dodge/graph.json")?;
-    let mut files = emit::emit(&graph, Language::C, &Options::new("dodge".parse().map_err(Failure::new::<String>)?));
+    let mut files = graph_in_c("generated/dodge/graph.json")?;
     let (scenes, _) = run()?;
-    let count: usize = scenes.iter().map(|rollout| rollout.centres.len()).sum();
-    let mut data = Data::new("balls", "#include \"scenes.h\"\n\n");
-    let centres = scenes.iter().flat_map(|rollout| &rollout.centres);
-    data.table(&format!("const float centres[{count}][3]"), centres.map(|centre| data::list(centre)));
-    let mut next = 0;
-    let rows =
-        scenes.iter().map(|DodgeRollout { scene: Scene { start, goals, balls, .. }, steps, centres, .. }| {
-            let first = next;
-            next += centres.len();
-            let mut radii: Vec<f32> = balls.iter().map(|ball| ball.radius).collect();
-            radii.resize(BALLS, 0.0);
-            let pose = |ticks: &[i16; 4]| format!("{{ {{ {}, {}, {}, {} }} }}", ticks[0], ticks[1], ticks[2], ticks[3]);
-            let poses: Vec<String> = (0..GOALS).map(|place| pose(goals.get(place).unwrap_or(&[0; 4]))).collect();
-            format!(
-                "{{ {}, {{ {} }}, {}U, {}, {}U, {first}U, {steps}U }}",
-                pose(start),
-                poses.join(", "),
-                goals.len(),
-                data::list(&radii),
-                balls.len()
-            )
-        });
-    data.table("const scene_t scenes[SCENES]", rows);
     // The header with the declarations is written by hand: linters would take minutes over all these numbers.
-    files.push(File { name: "balls.c".to_owned(), ..data.file() });
+    files.push(File { name: "balls.c".to_owned(), text: scenes.render()? });
     Ok(files)
 }
 
 /// Compares a firmware's motor positions with this machine's.
 pub(crate) fn check(lines: &[Line]) -> Result<(), Failure> {
-    let (scenes, poses) = run()?;
+    let (Rollouts { rollouts: scenes, .. }, poses) = run()?;
     let steps: u64 = scenes.iter().map(|rollout| u64::from(rollout.steps)).sum();
     line::check("firmware", lines, "cost dodge scenes", steps, &poses)?;
     let reached = scenes.iter().filter(|rollout| rollout.end == End::Reached).count();
@@ -118,7 +103,7 @@ mod tests {
     #[test]
     fn one_other_bit_is_a_failure() {
         let (scenes, poses) = run().expect("committed scenes");
-        let steps: u32 = scenes.iter().map(|rollout| rollout.steps).sum();
+        let steps: u32 = scenes.rollouts.iter().map(|rollout| rollout.steps).sum();
         let checked = |steps: u32, hash: u64| {
             let text = format!("cost dodge scenes actions={steps} instructions=1 worst=1 hash={hash:016x}");
             check(&[Line::parse(&text)])

@@ -3,16 +3,15 @@
 use crate::Failure;
 use crate::build::there;
 use crate::emulate;
-use crate::expected::{self, ARM, NETWORK};
+use crate::expected::{self, ARM};
 use crate::line::Line;
 use crate::problems::settings;
 use std::env;
 use std::process::Command;
 use tpg_arm::Pose;
 use tpg_arm::cycle::Brent;
-use tpg_arm::hybrid::{Control, Hybrid};
-use tpg_arm::observation::Observation;
-use tpg_arm::sensors::Watch;
+use tpg_arm::episode::{ReachTask, Summary};
+use tpg_arm::hybrid::{Hybrid, HybridEpisode};
 use tpg_problems::arm::targets::Start;
 use tpg_testing::library;
 
@@ -24,14 +23,14 @@ const EXAMPLE: &str = "example-embassy";
 /// As in the example.
 const WHERE: [f32; 3] = [-250.0, 239.0, 267.0];
 const TOLERANCE_MM: f32 = 3.0;
-const MOST_STEPS: usize = 1707;
+const MOST_STEPS: u32 = 1707;
 
 /// Builds the example, runs it, and compares where it stops.
 pub(crate) fn check() -> Result<(), Failure> {
     if !library::rust_target(TARGET, "the example in Embassy") {
         return Ok(());
     }
-    let expected = expected()?;
+    let expected = expected();
     let made = library::target_folder().join(EXAMPLE);
     // Another workspace, with a target folder of its own.
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
@@ -41,7 +40,7 @@ pub(crate) fn check() -> Result<(), Failure> {
         return Ok(());
     }
     let image = made.join(TARGET).join("release").join(format!("tpg-{EXAMPLE}"));
-    let lines = emulate::until_done(emulate::arm(BOARD).arg(image))?;
+    let lines = emulate::until_done(emulate::qemu("qemu-system-arm", BOARD).arg(image))?;
     if lines.iter().filter(|line| line.words == ["stopped"]).ne([&expected]) {
         return Err(Failure(format!("the example in Embassy is not the host: {lines:?}, not {expected:?}")));
     }
@@ -50,20 +49,10 @@ pub(crate) fn check() -> Result<(), Failure> {
 }
 
 /// The example's loop on this machine.
-fn expected() -> Result<Line, Failure> {
-    let hybrid = Hybrid { arm: &ARM, tpg: expected::fs(), sac: NETWORK, settings: settings(Start::Fs) };
-    let (mut motors, mut actions) = (ARM.home, 0);
-    let fault = |fault| Failure::new(format!("the example's loop on this machine: {fault:?}"));
-    let seen = Observation::at(&ARM, motors, WHERE);
-    let mut control = Control::new(&ARM, hybrid.settings, Watch::DEFAULT, Brent::new(), &seen).map_err(fault)?;
-    for _ in 0..MOST_STEPS {
-        let (seen, chosen) = hybrid.step(&mut control, motors, WHERE).map_err(fault)?;
-        if seen.distance() < TOLERANCE_MM {
-            break;
-        }
-        motors = ARM.step(motors, chosen.wanted).pose;
-        actions += 1;
-    }
-    let Pose([base, shoulder, elbow, wrist]) = motors;
-    Ok(Line::parse(&format!("stopped actions={actions} base={base} shoulder={shoulder} elbow={elbow} wrist={wrist}")))
+fn expected() -> Line {
+    let hybrid = Hybrid { arm: &ARM, tpg: expected::fs(), sac: expected::network(), settings: settings(Start::Fs) };
+    let task = ReachTask { start: ARM.home, target: WHERE, tolerance: TOLERANCE_MM, max_actions: MOST_STEPS };
+    let Summary { actions, pose, .. } = HybridEpisode::new(&hybrid, task, Brent::new()).run(|_, _| ()).summary;
+    let Pose([base, shoulder, elbow, wrist]) = pose;
+    Line::parse(&format!("stopped actions={actions} base={base} shoulder={shoulder} elbow={elbow} wrist={wrist}"))
 }

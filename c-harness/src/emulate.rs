@@ -1,7 +1,6 @@
 //! Runs an image in an emulator.
 
 use crate::Failure;
-use crate::build::Board;
 use crate::line::Line;
 use std::io::{BufRead as _, BufReader, Read};
 use std::path::Path;
@@ -14,13 +13,13 @@ use std::time::Duration;
 const PATIENCE: Duration = Duration::from_secs(600);
 
 /// Runs an image on a board and returns the lines that it prints.
-pub(crate) fn run(board: Board, image: &Path) -> Result<Vec<Line>, Failure> {
-    until_done(arm(board.name()).arg(image).args(["-icount", "shift=10,align=off,sleep=off"]))
+pub(crate) fn run(board: &str, image: &Path) -> Result<Vec<Line>, Failure> {
+    until_done(qemu("qemu-system-arm", board).arg(image).args(["-icount", "shift=10,align=off,sleep=off"]))
 }
 
-/// QEMU of a machine; an image is to follow.
-pub(crate) fn arm(machine: &str) -> Command {
-    let mut qemu = Command::new("qemu-system-arm");
+/// A QEMU of a machine; an image is to follow.
+pub(crate) fn qemu(program: &str, machine: &str) -> Command {
+    let mut qemu = Command::new(program);
     qemu.args(["-machine", machine, "-nographic", "-monitor", "none", "-serial", "none"]);
     qemu.args(["-semihosting-config", "enable=on,target=native", "-kernel"]);
     qemu

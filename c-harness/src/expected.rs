@@ -1,46 +1,27 @@
-//! The same problems on the host: the runtime's own definitions, the network as its file defines it.
+//! The same problems on the host, by generated Rust.
 
 use crate::Failure;
-use crate::build;
 use crate::line::Line;
 use crate::problems::{self, PARTS, problems, settings};
 use crate::record::Hash;
 use Start::*;
-use std::sync::LazyLock;
 use tpg_arm::binding;
 use tpg_arm::cycle::Brent;
-use tpg_arm::frame::Frame;
 use tpg_arm::hybrid::{Control, Counts, Hybrid};
 use tpg_arm::observation::{ArmPolicy, Observation, Source};
-use tpg_arm::sac::fixed::quantise;
-use tpg_arm::sac::{Actions, Decision, Mask, features};
-use tpg_arm::sensors::{Fault, Watch};
+use tpg_arm::sac::packed::{Model, PackedPolicy};
+use tpg_arm::sensors::{Fault, Limits, Watch};
 use tpg_arm::{Arm, Move, Pose, WIDOWX};
-use tpg_codegen::policy::QuantisedPolicy;
-use tpg_generated::{widowx_fs::WidowxFs, widowx_rs::WidowxRs};
+use tpg_generated::{widowx_fs::WidowxFs, widowx_rs::WidowxRs, widowx_sac};
 use tpg_problems::arm::targets::{Start, TOLERANCE, Task};
 use tpg_runtime::policy::Policy;
 
 pub(crate) const ARM: Arm<f32> = WIDOWX.to_f32();
 
-static DEFINITION: LazyLock<QuantisedPolicy> =
-    LazyLock::new(|| build::load_network("generated/widowx-sac/policy.q.json").expect("a committed network"));
-
-/// The shipped network, computed as its file defines it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct DefinedNetwork(Decision<i32>);
-
-pub(crate) const NETWORK: DefinedNetwork =
-    DefinedNetwork(Decision::<i32>::new(Actions::Fine, Mask::JointLimits, false));
-
-impl Policy for DefinedNetwork {
-    type State = Observation<f32>;
-    type Action = Move;
-
-    fn decide(&self, seen: &Observation<f32>) -> Move {
-        let outputs = DEFINITION.outputs(&quantise(&features(&Frame::new(&ARM, seen))));
-        self.0.decide(std::array::from_fn(|joint| outputs[joint]), seen.pose, &ARM.ranges)
-    }
+/// The shipped network.
+pub(crate) fn network() -> impl Policy<State = Observation<f32>, Action = Move> {
+    let model = Model::parse(&widowx_sac::MODEL).expect("a committed model");
+    PackedPolicy::<{ widowx_sac::SCRATCH }>::new(&ARM, model).expect("its own scratch memory")
 }
 
 /// The shipped graph for a fixed start, on the arm.
@@ -86,8 +67,8 @@ pub(crate) fn lines() -> Result<Vec<Line>, Failure> {
     hybrid(&mut lines, Rs, rs.clone(), &random)?;
     single(&mut lines, Fs, "graph", &fs, &fixed)?;
     single(&mut lines, Rs, "graph", &rs, &random)?;
-    single(&mut lines, Fs, "network", &NETWORK, &fixed)?;
-    single(&mut lines, Rs, "network", &NETWORK, &random)?;
+    single(&mut lines, Fs, "network", &network(), &fixed)?;
+    single(&mut lines, Rs, "network", &network(), &random)?;
     Ok(lines)
 }
 
@@ -95,12 +76,12 @@ fn hybrid<P>(lines: &mut Vec<Line>, start: Start, graph: P, tasks: &[Task]) -> R
 where
     P: Policy<State = Observation<f32>, Action = Move>,
 {
-    let hybrid = Hybrid { arm: &ARM, tpg: graph, sac: NETWORK, settings: settings(start) };
+    let hybrid = Hybrid { arm: &ARM, tpg: graph, sac: network(), settings: settings(start) };
     for (index, task) in tasks.iter().enumerate() {
         let target = task.target.map(|mm| mm as f32);
         let seen = Observation::at(&ARM, task.start, target);
-        let begun = Control::new(&ARM, hybrid.settings, Watch::DEFAULT, Brent::new(), &seen);
-        let mut control = begun.map_err(Failure::new)?;
+        let begun = Control::new(Limits::new(&ARM), hybrid.settings, Watch::DEFAULT, Brent::new(), &seen);
+        let mut control = begun?;
         let rollout = ArmRollout::new(start, task, |motors| {
             let (seen, chosen) = hybrid.step(&mut control, motors, target)?;
             Ok((seen, chosen.wanted, false))
@@ -144,7 +125,7 @@ impl ArmRollout {
     ) -> Result<Self, Failure> {
         let mut rollout = Self { reached: false, actions: 0, motors: task.start, poses: Hash::new() };
         while rollout.actions < start.max_actions() {
-            let (seen, wanted, gives_up) = decide(rollout.motors).map_err(Failure::new)?;
+            let (seen, wanted, gives_up) = decide(rollout.motors)?;
             rollout.reached = seen.distance() < TOLERANCE as f32;
             let step = ARM.step(rollout.motors, if rollout.reached { Move::STOP } else { wanted });
             rollout.motors = step.pose;

@@ -93,7 +93,7 @@ fn clean(command: &mut Command) -> Result<(), Failure> {
 pub(crate) fn sees_what_is_bad() -> Result<(), Failure> {
     let bad = build::room()?.join("bad.c");
     let text = "int main(void)\n{\n    int *p = 0;\n    return *p + 010;\n}\n";
-    std::fs::write(&bad, text).map_err(|error| Failure::at(&bad, error))?;
+    build::write(&bad, text)?;
     let path: &Path = &bad;
     let headers = Headers([(); 3].map(|()| PathBuf::from("none")));
     for (program, command) in

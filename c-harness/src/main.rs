@@ -3,7 +3,6 @@
 //! | module | subject |
 //! | --- | --- |
 //! | [`programs`] | the programs |
-//! | [`data`] | tables of numbers in C |
 //! | [`problems`] | which episodes, and how graph and network share the arm |
 //! | [`build`] | the firmwares |
 //! | [`dodge`] | the control step among balls, on test scenes |
@@ -20,7 +19,6 @@
 mod build;
 mod cores;
 mod costs;
-mod data;
 mod dodge;
 mod embassy;
 mod emulate;
@@ -33,10 +31,11 @@ mod record;
 mod size;
 mod symbols;
 
-use build::Board;
+use build::{COUNTED, SMALL};
 use clap::{Parser, Subcommand};
 use costs::Costs;
 use programs::{CHECKED, CONTROL};
+use std::error::Error;
 use std::fmt::Display;
 use std::path::Path;
 use std::process::{Command, ExitCode};
@@ -44,6 +43,12 @@ use std::process::{Command, ExitCode};
 /// A reason that a check failed or could not be done.
 #[derive(Debug)]
 pub(crate) struct Failure(String);
+
+impl<E: Error> From<E> for Failure {
+    fn from(error: E) -> Self {
+        Self::new(error)
+    }
+}
 
 impl Failure {
     /// From whatever says why.
@@ -117,19 +122,19 @@ fn qemu(update: bool) -> Result<(), Failure> {
     let mut costs = Costs::new();
     let mut all = true;
     for program in CHECKED {
-        let Some(image) = build::board(program, Board::Mps2An386)? else {
+        let Some(image) = build::board(program, COUNTED)? else {
             all = false;
             break;
         };
         symbols::check(&image)?;
-        let lines = emulate::run(Board::Mps2An386, &image)?;
+        let lines = emulate::run(COUNTED, &image)?;
         (program.check)(&lines)?;
         size::stack(program, &lines)?;
         costs.add(&lines);
     }
     // The board with little memory runs the same episodes to the same ends.
-    if let Some(image) = build::board(&CONTROL, Board::NetduinoPlus2)? {
-        expected::check("netduinoplus2", &emulate::run(Board::NetduinoPlus2, &image)?)?;
+    if let Some(image) = build::board(&CONTROL, SMALL)? {
+        expected::check(SMALL, &emulate::run(SMALL, &image)?)?;
     }
     embassy::check()?;
     costs.print();

@@ -1,13 +1,11 @@
 //! Flash and RAM of the control loop that a user copies, on an STM32F405.
 
 use crate::Failure;
-use crate::build::{self, Board};
+use crate::build::{self, SMALL};
 use crate::line::Line;
 use crate::programs::{EXAMPLE, Program, STACK};
-use object::{Object as _, ObjectSection as _, SectionKind};
 use serde::Deserialize;
-use std::fs;
-use std::path::Path;
+use tpg_codegen::size;
 
 /// Compares the stack that a program has written to with what there is for it.
 pub(crate) fn stack(Program { name, stack, .. }: &Program, lines: &[Line]) -> Result<(), Failure> {
@@ -30,30 +28,13 @@ struct SizeBudget {
     ram: u64,
 }
 
-/// Flash and RAM of an image, stack not included.
-fn flash_and_ram(image: &Path) -> Result<(u64, u64), Failure> {
-    let bytes = fs::read(image).map_err(|error| Failure::at(image, error))?;
-    let file = object::File::parse(&*bytes).map_err(Failure::new)?;
-    let (mut flash, mut ram) = (0, 0);
-    for section in file.sections() {
-        let (in_flash, in_ram) = match section.kind() {
-            SectionKind::Text | SectionKind::ReadOnlyData | SectionKind::ReadOnlyString => (true, false),
-            SectionKind::Data => (true, true),
-            SectionKind::UninitializedData => (false, true),
-            _ => (false, false),
-        };
-        flash += if in_flash { section.size() } else { 0 };
-        ram += if in_ram { section.size() } else { 0 };
-    }
-    Ok((flash, ram))
-}
-
 /// Prints sizes and compares them with the budget.
 pub(crate) fn check() -> Result<(), Failure> {
-    let budget: SizeBudget = toml::from_str(&build::committed("sizes.toml")?).map_err(Failure::new)?;
+    let budget: SizeBudget = toml::from_str(&build::committed("sizes.toml")?)?;
     println!("{:<28} {:>8} {:>8} {:>8}", "on an STM32F405, bytes", "flash", "data", "stack");
-    let Some(image) = build::board(&EXAMPLE, Board::NetduinoPlus2)? else { return Ok(()) };
-    let (flash, ram) = flash_and_ram(&image)?;
+    let Some(image) = build::board(&EXAMPLE, SMALL)? else { return Ok(()) };
+    let size = size::measure(&build::read(&image)?)?;
+    let (flash, ram) = (size.flash(), size.ram());
     println!("{:<28} {flash:>8} {ram:>8} {STACK:>8}", "the control loop");
     println!("{:<28} {:>8} {:>8}", "budget", budget.flash, budget.ram);
     if flash > budget.flash || ram + STACK > budget.ram {

@@ -1,8 +1,8 @@
 //! Search for what must not be in an image: ways to panic, a heap, doubles in software.
 
 use crate::Failure;
+use crate::build;
 use object::{Object as _, ObjectSymbol as _};
-use std::fs;
 use std::path::Path;
 
 /// Parts of names, and what they mean.
@@ -17,20 +17,14 @@ const FORBIDDEN: [(&str, &str); 8] = [
     ("__rust_alloc", "a heap"),
 ];
 
-/// Finds forbidden symbols in an image: each with its reason.
-pub(crate) fn forbidden(image: &[u8]) -> Result<Vec<String>, Failure> {
-    let file = object::File::parse(image).map_err(Failure::new)?;
-    let names = file.symbols().filter_map(|symbol| symbol.name().ok().map(str::to_owned));
-    let bad = names.filter_map(|name| {
-        let (_, what) = FORBIDDEN.iter().find(|(part, _)| name.contains(part))?;
-        Some(format!("{name} ({what})"))
-    });
-    Ok(bad.collect())
-}
-
 /// Fails where an image could panic, allocate, or compute with doubles.
 pub(crate) fn check(image: &Path) -> Result<(), Failure> {
-    let bytes = fs::read(image).map_err(|error| Failure::at(image, error))?;
-    let bad = forbidden(&bytes)?;
-    if bad.is_empty() { Ok(()) } else { Err(Failure::at(image, bad.join(", "))) }
+    let bytes = build::read(image)?;
+    let file = object::File::parse(&*bytes)?;
+    let bad = file.symbols().filter_map(|symbol| {
+        let name = symbol.name().ok()?;
+        let (_, what) = FORBIDDEN.iter().find(|(part, _)| name.contains(part))?;
+        Some(format!("{}: {name} ({what})", image.display()))
+    });
+    Failure::unless_none(bad.collect())
 }

@@ -25,8 +25,8 @@ static int16_t counted(float value, float most)
 {% for it in policies -%}
 /* Not all fit into the flash of every core at once. */
 #if (IN_IMAGE & {{ it.bit }}U) != 0U
-static const float {{ it.name }}_low[] = {{ it.low }};
-static const float {{ it.name }}_step[] = {{ it.step }};
+static const float {{ it.name }}_low[] = { {% for value in it.low %}{{ value|fmt("{:?}") }}F, {% endfor %}};
+static const float {{ it.name }}_step[] = { {% for value in it.step %}{{ value|fmt("{:?}") }}F, {% endfor %}};
 {% if rust -%}
 void rust_{{ it.name }}(const float *state, uint32_t *bits);
 

@@ -13,6 +13,7 @@
 //! | [`switch`] | two policies over one problem, and the rules by which they take turns |
 //! | [`net`] | networks in integers, of any shape |
 //! | [`scalar`] | `f32` and `f64` |
+//! | [`mod@named`] | enumerations whose values have names in files |
 //!
 //! # Features
 //!
@@ -29,6 +30,7 @@
 extern crate std;
 
 pub mod cycle;
+pub mod named;
 pub mod net;
 pub mod ops;
 pub mod policy;

@@ -4,8 +4,9 @@
 //! or network: the very text of this crate, not a copy that could differ.
 
 /// File names, relative to a crate's `src`, and their text. `lib.rs` comes first.
-pub const FILES: [(&str, &str); 14] = [
+pub const FILES: [(&str, &str); 15] = [
     ("lib.rs", LIB),
+    ("named.rs", include_str!("named.rs")),
     ("ops/mod.rs", include_str!("ops/mod.rs")),
     ("ops/constant_time.rs", include_str!("ops/constant_time.rs")),
     ("ops/eight/mod.rs", include_str!("ops/eight/mod.rs")),
@@ -24,6 +25,7 @@ pub const FILES: [(&str, &str); 14] = [
 const LIB: &str = "\
 #![no_std]
 extern crate std;
+pub mod named;
 pub mod ops;
 pub mod policy;
 pub mod scalar;

@@ -2,7 +2,7 @@
 
 use crate::arm::points;
 use std::array;
-use tpg_arm::dodge::{Behaviour, Dodger, DodgerSettings, SCOUT};
+use tpg_arm::dodge::{Behaviour, Dodger, DodgerSettings};
 use tpg_arm::{JOINTS, Pose};
 use tpg_generated::dodge::Dodge;
 use tpg_problems::dodge::BODY;
@@ -66,7 +66,7 @@ impl Balls {
     pub fn begin(&mut self, scene: &Scene) {
         let course = |learned| {
             let episode = Episode::new(scene);
-            let dodger = Dodger::new(DodgerSettings { scout: SCOUT, guard: learned }, &episode.view());
+            let dodger = Dodger::new(DodgerSettings { guard: learned, ..DodgerSettings::DEFAULT }, &episode.view());
             Course { episode, dodger, learned }
         };
         self.courses = vec![course(true), course(false)];
@@ -82,7 +82,7 @@ impl Balls {
         }
         let seen = course.episode.view();
         let action = if course.learned { Dodge.decide(&course.dodger.observe(&seen)) } else { STRAIGHT };
-        let behaviour = Behaviour::ALL.get(usize::from(action.0)).map_or(Behaviour::Hold, |(behaviour, _)| *behaviour);
+        let behaviour = Behaviour::ALL.get(usize::from(action.0)).copied().unwrap_or(Behaviour::Hold);
         let wanted = course.dodger.act(&seen, behaviour);
         view.behaviour = action.0.into();
         view.state = course.episode.step(wanted, TOLERANCE).map_or(0, |end| match end {

@@ -33,7 +33,7 @@ fn episodes_end_as_in_the_problem() {
         assert_eq!((balls.view(0).state, balls.view(0).steps), (u32::from(end.outcome) + 1, steps));
         while balls.view(1).state == 0 {
             balls.act(1);
-            assert_eq!(Behaviour::ALL[balls.view(1).behaviour as usize].1, "straight");
+            assert_eq!(Behaviour::ALL[balls.view(1).behaviour as usize].name(), "straight");
         }
         for (arm, ends) in ends.iter_mut().enumerate() {
             ends[balls.view(arm).state as usize] += 1;

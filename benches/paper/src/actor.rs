@@ -3,7 +3,6 @@
 //! As a [`Policy`] an actor is the network that the paper's hybrids are compared with. It is this project's layout of the network in
 //! `f32`, and does not wait for a framework.
 
-use super::torch_random::TorchRandom;
 use serde::Deserialize;
 use std::fs;
 use std::path::Path;
@@ -136,16 +135,6 @@ impl RecordedActor {
     fn head(&self, place: usize, hidden: &[f32; UNITS]) -> [f32; JOINTS] {
         let (weights, bias) = (&self.parts[place], &self.parts[place + 1]);
         std::array::from_fn(|row| dot(&weights[row * UNITS..][..UNITS], hidden) + bias[row])
-    }
-
-    /// Samples an action as a move: tanh(µ + σ·ε), in steps of three ticks, halves rounded to even.
-    pub fn act(&self, seen: &Observation<f64>, random: &mut TorchRandom) -> Move {
-        let (mean, spread) = self.forward(&self.state(seen));
-        Move(std::array::from_fn(|joint| {
-            let action = (random.normal() * spread[joint] + mean[joint]).tanh();
-            // An action of exactly ±1 gives two steps, as in the artifact.
-            3 * (action * 3.0 / 2.0).round_ties_even() as i8
-        }))
     }
 }
 

@@ -13,9 +13,7 @@
 //! | [`episode`] | episodes by the artifact's rules |
 //! | [`data`] | recorded files |
 //! | [`conformance`] | the folder of recorded data, made from a clone of the artifact |
-//! | [`sac`] | episodes of the recorded actors |
 //! | [`actor`] | recorded actors: files and outputs |
-//! | [`torch_random`] | PyTorch's random numbers |
 //! | [`limits`] | action limits of the recorded episodes |
 //! | [`replay`] | all rows of a file in lockstep, compared with the recording |
 //! | [`table`] | `tpg-paper table2` |
@@ -30,6 +28,4 @@ pub mod episode;
 pub mod limits;
 pub mod plane;
 pub mod replay;
-pub mod sac;
 pub mod table;
-pub mod torch_random;

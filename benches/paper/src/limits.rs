@@ -10,11 +10,3 @@ pub const fn max_actions(start: Start) -> u32 {
         Start::Rs => 3414,
     }
 }
-
-/// The most actions of a recorded episode of an actor.
-pub const fn max_actor_actions(start: Start) -> u32 {
-    match start {
-        Start::Fs => 1000,
-        Start::Rs => 2000,
-    }
-}

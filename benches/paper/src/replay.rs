@@ -94,10 +94,6 @@ pub struct Comparison {
     pub rows: usize,
     /// Number of episodes that are entirely equal.
     pub exact_rows: usize,
-    /// Number of recorded steps; 0 for end states.
-    pub steps: usize,
-    /// Number of steps after which the arm was in the recorded pose.
-    pub exact_steps: usize,
     /// Description of the first row that differs.
     pub first_difference: Option<String>,
 }
@@ -105,30 +101,26 @@ pub struct Comparison {
 impl Comparison {
     /// True if everything is equal.
     pub fn is_exact(&self) -> bool {
-        self.exact_rows == self.rows && self.exact_steps == self.steps
+        self.exact_rows == self.rows
     }
+}
 
-    fn add_row(&mut self, difference: Option<String>) {
-        self.rows += 1;
-        match difference {
-            None => self.exact_rows += 1,
-            Some(difference) => {
-                self.first_difference.get_or_insert(difference);
-            }
-        }
+fn compare<R>(recorded: &ByRow<R>, done: &ByRow<Done>, difference: impl Fn(&R, &Done) -> Option<String>) -> Comparison {
+    let mut comparison = Comparison::default();
+    for (row, recorded) in recorded {
+        let replayed = done.get(row);
+        let difference = replayed.map_or(Some("it was not replayed".to_owned()), |done| difference(recorded, done));
+        comparison.rows += 1;
+        comparison.exact_rows += usize::from(difference.is_none());
+        let described = difference.map(|difference| format!("row {row}: {difference}"));
+        comparison.first_difference = comparison.first_difference.or(described);
     }
+    comparison
 }
 
 /// Compares all recorded columns of end states.
 pub fn compare_ends(recorded: &ByRow<End>, done: &ByRow<Done>) -> Comparison {
-    let mut comparison = Comparison::default();
-    for (row, end) in recorded {
-        comparison.add_row(match done.get(row) {
-            None => Some(format!("row {row} was not replayed")),
-            Some(done) => end_difference(end, &done.end).map(|difference| format!("row {row}: {difference}")),
-        });
-    }
-    comparison
+    compare(recorded, done, |end, done| end_difference(end, &done.end))
 }
 
 fn end_difference(recorded: &End, replayed: &EndState) -> Option<String> {
@@ -151,15 +143,7 @@ fn end_difference(recorded: &End, replayed: &EndState) -> Option<String> {
 
 /// Compares all recorded steps of traces.
 pub fn compare_traces(recorded: &ByRow<Vec<Pose>>, done: &ByRow<Done>) -> Comparison {
-    let mut comparison = Comparison::default();
-    for (row, trace) in recorded {
-        let replayed = done.get(row).map_or(&[][..], |done| &done.poses);
-        comparison.steps += trace.len();
-        comparison.exact_steps += trace.iter().zip(replayed).filter(|(a, b)| a == b).count();
-        let difference = trace_difference(trace, replayed);
-        comparison.add_row(difference.map(|difference| format!("row {row}: {difference}")));
-    }
-    comparison
+    compare(recorded, done, |trace, done| trace_difference(trace, &done.poses))
 }
 
 fn trace_difference(recorded: &[Pose], replayed: &[Pose]) -> Option<String> {
@@ -260,7 +244,7 @@ mod tests {
         assert!(!compare_ends(&[(8, End { state: end, tpg_actions: None })].into(), &done).is_exact());
 
         let traces = |poses: &[Pose]| compare_traces(&[(7, poses.to_vec())].into(), &done);
-        let exact = Comparison { rows: 1, exact_rows: 1, steps: 2, exact_steps: 2, first_difference: None };
+        let exact = Comparison { rows: 1, exact_rows: 1, first_difference: None };
         assert_eq!(traces(&[a, b]), exact);
         let difference = "row 7: step 2: pose [4094, 2048, 2048, 2048] instead of [4091, 2048, 2048, 2048]";
         assert_eq!(traces(&[a, a]).first_difference.as_deref(), Some(difference));

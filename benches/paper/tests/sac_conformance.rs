@@ -1,6 +1,8 @@
 //! The paper's trained actors, replayed with PyTorch's random numbers: every row and every step.
 
 use crate::support;
+use crate::support::sac::{max_actions, run};
+use crate::support::torch_random::TorchRandom;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::fs;
@@ -9,9 +11,6 @@ use tpg_arm::{JOINTS, Pose, WIDOWX};
 use tpg_paper::actor::{INPUTS, RecordedActor, STATE};
 use tpg_paper::chain::Chain;
 use tpg_paper::episode::Rules;
-use tpg_paper::limits::max_actor_actions;
-use tpg_paper::sac::run;
-use tpg_paper::torch_random::TorchRandom;
 use tpg_paper::{data, replay};
 use tpg_problems::arm::targets::Start;
 
@@ -98,7 +97,7 @@ fn stochastic_episodes_come_out_the_same() {
             for (mode, is_strict) in [("kill", true), ("nokill", false)] {
                 let file = |suffix: &str| folder.join(format!("sac/{name}_s{seed}.{suffix}"));
                 let actor = RecordedActor::read(&file("actor.f32"), &file("json")).expect("a recorded actor");
-                let rules = Rules { max_actions: max_actor_actions(problem), tolerance: 3.0 };
+                let rules = Rules { max_actions: max_actions(problem), tolerance: 3.0 };
                 let done = run(&chain, rules, is_strict, &tasks, &actor);
                 let mut ends = data::ends(&file(&format!("{mode}.ends.csv"))).expect("recorded ends");
                 for end in ends.values_mut() {
@@ -111,7 +110,7 @@ fn stochastic_episodes_come_out_the_same() {
                     assert!(comparison.is_exact(), "{name} {seed} {mode}: {comparison:?}");
                 }
                 rows += of_ends.rows;
-                steps += of_traces.steps;
+                steps += traces.values().map(Vec::len).sum::<usize>();
             }
         }
     }

@@ -17,7 +17,7 @@ use tpg_arm::cycle::Brent;
 use tpg_arm::hybrid::{Control, Hybrid};
 use tpg_arm::observation::{ArmPolicy, Observation};
 use tpg_arm::sac::packed::{Model, PackedPolicy};
-use tpg_arm::sensors::Watch;
+use tpg_arm::sensors::{Limits, Watch};
 use tpg_arm::{Arm, Move, Pose, WIDOWX};
 use tpg_generated::{widowx_fs_fast::WidowxFsFast, widowx_fs_hybrid, widowx_sac};
 
@@ -97,7 +97,7 @@ async fn control() {
     let settings = widowx_fs_hybrid::SETTINGS;
     let hybrid = Hybrid { arm: &ARM, tpg, sac, settings };
     let seen = Observation::at(&ARM, motors.read(), target);
-    let Ok(mut state) = Control::new(&ARM, settings, Watch::DEFAULT, Brent::new(), &seen) else {
+    let Ok(mut state) = Control::new(Limits::new(&ARM), settings, Watch::DEFAULT, Brent::new(), &seen) else {
         return debug::exit(debug::EXIT_FAILURE);
     };
     let mut tick = Ticker::every(Duration::from_millis(1));

@@ -1,6 +1,7 @@
 //! The cores: what compiles for each, and what runs it.
 
 use super::shipped::Bits;
+use crate::emulate;
 use Runner::*;
 use std::path::Path;
 use std::process::Command;
@@ -44,19 +45,12 @@ pub(super) enum Runner {
 
 /// Start and size of flash and RAM.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Memories {
-    flash: (u32, &'static str),
-    ram: (u32, &'static str),
-}
-
-const fn memories(flash: (u32, &'static str), ram: (u32, &'static str)) -> Memories {
-    Memories { flash, ram }
-}
+pub(super) struct Memories([(u32, &'static str); 2]);
 
 /// Those of the MPS2 boards.
-const MPS2: Memories = memories((0, "4M"), (0x2000_0000, "4M"));
+const MPS2: Memories = Memories([(0, "4M"), (0x2000_0000, "4M")]);
 /// Those of QEMU's `virt`: both in its RAM.
-const VIRT: Memories = memories((0x8000_0000, "4M"), (0x8040_0000, "4M"));
+const VIRT: Memories = Memories([(0x8000_0000, "4M"), (0x8040_0000, "4M")]);
 
 /// A Cortex-M, with the words for its core and its floats.
 const fn arm(
@@ -86,14 +80,14 @@ const fn only_c(name: &'static str, machine: &'static str, runner: Runner, flags
 }
 
 /// Memories and ticks of the boards with a Cortex-M33.
-const AN505: (Memories, u32) = (memories((0x1000_0000, "4M"), (0x3800_0000, "4M")), 20_480);
+const AN505: (Memories, u32) = (Memories([(0x1000_0000, "4M"), (0x3800_0000, "4M")]), 20_480);
 
 /// Every core.
 pub(super) const CORES: [Core; 16] = [
     arm(
         "Cortex-M0",
         "microbit",
-        (memories((0, "256K"), (0x2000_0000, "16K")), 16_384),
+        (Memories([(0, "256K"), (0x2000_0000, "16K")]), 16_384),
         Target::M0.flags(),
         "thumbv6m-none-eabi",
     ),
@@ -114,7 +108,7 @@ pub(super) const CORES: [Core; 16] = [
     arm(
         "Cortex-M55",
         "mps3-an547",
-        (memories((0, "512K"), (0x2000_0000, "512K")), 32_768),
+        (Memories([(0, "512K"), (0x2000_0000, "512K")]), 32_768),
         &["-mcpu=cortex-m55", "-mthumb", "-mfloat-abi=hard", "-mfpu=auto"],
         "thumbv8m.main-none-eabihf",
     ),
@@ -123,7 +117,7 @@ pub(super) const CORES: [Core; 16] = [
         figures: false,
         ..riscv(
             "RISC-V rv32imac",
-            ("sifive_e", memories((0x2040_0000, "4M"), (0x8000_0000, "16K"))),
+            ("sifive_e", Memories([(0x2040_0000, "4M"), (0x8000_0000, "16K")])),
             Target::Rv32imac.flags(),
             "riscv32imac-unknown-none-elf",
         )
@@ -212,29 +206,18 @@ impl Core {
 
     /// The command that runs an image; its last line is `done`.
     pub(super) fn run(&self, image: &Path, wasi: &Path) -> Command {
-        let (program, _) = self.emulator().unwrap_or_default();
-        let mut command = Command::new(if program.is_empty() { image.as_os_str() } else { program.as_ref() });
-        let system = ["-machine", self.machine, "-nographic", "-monitor", "none"];
-        let semihosting = ["-serial", "none", "-semihosting-config", "enable=on,target=native", "-kernel"];
+        let Some((program, _)) = self.emulator() else { return Command::new(image) };
+        let mut command = match self.runner {
+            Arm(..) | RiscV(_) => emulate::qemu(program, self.machine),
+            _ => Command::new(program),
+        };
         match self.runner {
-            Arm(..) => {
-                command.args(system).args(["-icount", "shift=10,align=off,sleep=off"]).args(semihosting).arg(image);
-            }
-            RiscV(_) => {
-                command.args(system).args(["-icount", "shift=0,align=off,sleep=off", "-bios", "none"]);
-                command.args(semihosting).arg(image);
-            }
-            Avr => {
-                command.args(["-m", self.machine, "-f", "16000000"]).arg(image);
-            }
-            Wasm => {
-                command.arg("--no-warnings").arg(wasi).arg(image);
-            }
-            User => {
-                command.arg(image);
-            }
-            Host => {}
-        }
+            Arm(..) => command.arg(image).args(["-icount", "shift=10,align=off,sleep=off"]),
+            RiscV(_) => command.arg(image).args(["-icount", "shift=0,align=off,sleep=off", "-bios", "none"]),
+            Avr => command.args(["-m", self.machine, "-f", "16000000"]).arg(image),
+            Wasm => command.arg("--no-warnings").arg(wasi).arg(image),
+            User | Host => command.arg(image),
+        };
         command
     }
 }
@@ -242,7 +225,7 @@ impl Core {
 impl Memories {
     /// Picolibc's start-up code and linker script on these memories.
     fn link(self) -> Vec<String> {
-        let Self { flash: (flash, flash_size), ram: (ram, ram_size) } = self;
+        let Self([(flash, flash_size), (ram, ram_size)]) = self;
         let symbols = [
             format!("__flash={flash:#x}"),
             format!("__flash_size={flash_size}"),

@@ -11,7 +11,6 @@ use askama::Template;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
-use std::fs;
 use tpg_cores::layers::INPUTS;
 use tpg_testing::library;
 
@@ -39,32 +38,14 @@ pub(super) struct Figures {
 
 /// The figures of a core, by policy.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 struct OfCore {
     /// Bytes of flash of the C; of integers of so many bits, under the policy's name with the bits behind it.
     #[serde(default)]
     flash: BTreeMap<String, u64>,
-    /// Instructions of the C, named alike.
-    #[serde(default)]
-    c: BTreeMap<String, Cost>,
-    /// Instructions of the Rust.
-    #[serde(default)]
-    rust: BTreeMap<String, Cost>,
-    /// Instructions of decisions of the hybrid, in C, by start.
-    #[serde(default)]
-    hybrid: BTreeMap<String, Cost>,
-    /// Instructions of a network, by the kind of its weights and activations.
-    #[serde(default)]
-    layers: BTreeMap<String, Cost>,
-}
-
-/// The programs of one language.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Program {
-    C,
-    Rust,
-    Hybrid,
-    Layers,
+    /// Instructions, by program: of the C, named alike, and of the Rust; of decisions of the hybrid, in C, by start; of networks, by the
+    /// kind of their weights and activations.
+    #[serde(flatten)]
+    costs: BTreeMap<String, BTreeMap<String, Cost>>,
 }
 
 impl Figures {
@@ -83,20 +64,15 @@ impl Figures {
     }
 
     /// Notes what a program printed.
-    pub(super) fn add(&mut self, core: &Core, program: Program, lines: &[Line]) {
+    pub(super) fn add(&mut self, core: &Core, program: &str, lines: &[Line]) {
         if !core.figures || !core.counts() {
             return;
         }
         let figures = self.core.entry(core.name.to_owned()).or_default();
-        let costs = match program {
-            Program::C => &mut figures.c,
-            Program::Rust => &mut figures.rust,
-            Program::Hybrid => &mut figures.hybrid,
-            Program::Layers => &mut figures.layers,
-        };
+        let costs = figures.costs.entry(program.to_owned()).or_default();
         for line in lines {
             if let [first, name, rest @ ..] = &*line.words
-                && (program != Program::Hybrid || rest == ["hybrid"])
+                && (program != "hybrid" || rest == ["hybrid"])
                 && ["policy", "layers", "episode"].contains(&first.as_str())
             {
                 costs.entry(name.clone()).or_default().add(line);
@@ -106,20 +82,16 @@ impl Figures {
 
     /// Differences from what is committed; a test compares the page.
     pub(super) fn differences(&self) -> Result<Vec<String>, Failure> {
-        let committed: Self = toml::from_str(&build::committed(FILE)?).map_err(Failure::new)?;
+        let committed: Self = toml::from_str(&build::committed(FILE)?)?;
         let tolerance = Tolerance::new(FILE, &committed.compilers, &self.compilers);
         let mut differences = Vec::new();
         for (name, found) in &self.core {
             let was = committed.core.get(name).cloned().unwrap_or_default();
             let place = |what: &str| format!("{name}, {what}, ");
             differences.extend(tolerance.differences(&place("flash"), &found.flash, &was.flash, |&bytes| [bytes]));
-            for (what, found, was) in [
-                ("C", &found.c, &was.c),
-                ("Rust", &found.rust, &was.rust),
-                ("hybrid", &found.hybrid, &was.hybrid),
-                ("layers", &found.layers, &was.layers),
-            ] {
-                differences.extend(tolerance.differences(&place(what), found, was, Cost::numbers));
+            for (program, found) in &found.costs {
+                let was = was.costs.get(program).cloned().unwrap_or_default();
+                differences.extend(tolerance.differences(&place(program), found, &was, Cost::numbers));
             }
         }
         Ok(differences)
@@ -127,12 +99,12 @@ impl Figures {
 
     /// Takes these figures as the committed ones.
     pub(super) fn commit(&self) -> Result<(), Failure> {
-        let text = toml::to_string(self).map_err(Failure::new)?;
+        let text = toml::to_string(self)?;
         let head = "# Flash and instructions on each core; `cargo xtask cores --update` writes this file and docs/cores.md.\n\n";
         build::commit(FILE, &format!("{head}{text}"))?;
         let page = library::top().join("docs").join(PAGE);
-        let text = CoresPage::new(self).render().map_err(Failure::new)? + "\n";
-        fs::write(&page, text).map_err(|error| Failure::at(&page, error))
+        let text = CoresPage::new(self).render()? + "\n";
+        build::write(&page, text)
     }
 
     /// A table with a row for each core of which something is known.
@@ -172,9 +144,8 @@ fn costs_of<T>(costs: &BTreeMap<String, T>, number: impl Fn(&T) -> u64) -> Optio
 
 /// The costs of decisions of the hybrid and of a network; nothing where one of them was not counted.
 fn parts_of(figures: &OfCore) -> Option<Vec<String>> {
-    let hybrids = ["fs", "rs"].map(|start| figures.hybrid.get(start));
-    let networks = ["w16a16", "w8a16"].map(|kind| figures.layers.get(kind));
-    let all: Option<Vec<&Cost>> = hybrids.into_iter().chain(networks).collect();
+    let shown = [("hybrid", "fs"), ("hybrid", "rs"), ("layers", "w16a16"), ("layers", "w8a16")];
+    let all: Option<Vec<&Cost>> = shown.iter().map(|(program, name)| figures.costs.get(*program)?.get(*name)).collect();
     Some(all?.iter().map(|cost| format!("{:.0} · {}", cost.mean(), cost.worst)).collect())
 }
 
@@ -217,7 +188,7 @@ impl CoresPage {
             episodes: EPISODES,
             inputs: INPUTS,
             flash: figures.policies(|figures| costs_of(&figures.flash, |&bytes| bytes)),
-            instructions: figures.policies(|figures| costs_of(&figures.c, |cost| cost.worst)),
+            instructions: figures.policies(|figures| costs_of(figures.costs.get("c")?, |cost| cost.worst)),
             parts: figures.table(&[], &columns, parts_of),
             in_library: compared(true, true),
             in_rust: compared(true, false),

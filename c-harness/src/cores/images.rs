@@ -3,14 +3,14 @@
 use super::core::{Core, Runner};
 use super::shipped::{self, Kind, Shipped};
 use crate::Failure;
-use crate::build::{generated_c, room, there};
+use crate::build::{self, generated_c, room, there};
 use std::env;
 use std::ffi::OsString;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use tpg_codegen::emit::File;
 use tpg_codegen::size;
+use tpg_graph::files::make_folder;
 use tpg_testing::library;
 
 /// Episodes of the hybrid on a core, from each start.
@@ -34,13 +34,13 @@ impl Place {
     pub(super) fn new(shipped: &[Shipped], integers: &[Shipped]) -> Result<Self, Failure> {
         let room = room()?.join("cores");
         let generated = room.join("generated");
-        fs::create_dir_all(&generated).map_err(|error| Failure::at(&generated, error))?;
+        make_folder(&generated)?;
         let asking = [(shipped, Kind::C), (integers, Kind::Integers), (shipped, Kind::Rust)];
         let asking = asking.into_iter().map(|(policies, kind)| Ok(vec![shipped::policies_c(policies, kind)?]));
         let code = shipped.iter().chain(integers).map(Shipped::c).chain(asking);
         for File { name, text } in code.collect::<Result<Vec<_>, Failure>>()?.into_iter().flatten() {
             let path = generated.join(name);
-            fs::write(&path, text).map_err(|error| Failure::at(&path, error))?;
+            build::write(&path, text)?;
         }
         let firmware = library::top().join("c-harness/firmware-c");
         Ok(Self { generated, firmware, room, hybrid: generated_c()? })
@@ -54,7 +54,7 @@ impl Place {
     fn folder(&self, core: &Core) -> Result<PathBuf, Failure> {
         let name: String = core.title().chars().filter(|c| c.is_ascii_alphanumeric()).collect();
         let folder = self.room.join(name);
-        fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;
+        make_folder(&folder)?;
         Ok(folder)
     }
 
@@ -83,7 +83,7 @@ impl Place {
         run(compiler.arg("-c"))?;
         let flash = |one: &Shipped| {
             let path = folder.join(format!("{}.o", one.prefix));
-            let object = fs::read(&path).map_err(|error| Failure::at(&path, error))?;
+            let object = build::read(&path)?;
             let size = size::measure(&object).map_err(|error| Failure::at(&path, error))?;
             Ok((one.prefix.to_string(), size.flash()))
         };

@@ -18,7 +18,7 @@ use crate::expected;
 use crate::line::{self, Line};
 use crate::record::Hash;
 use core::{CORES, Core};
-use figures::{Figures, Program};
+use figures::Figures;
 use images::{EPISODES, Place};
 use shipped::{Kind, Shipped};
 use std::fs;
@@ -77,20 +77,15 @@ fn one(
     figures: &mut Figures,
 ) -> Result<bool, Failure> {
     let run = |image: &std::path::Path| emulate::until_done(&mut core.run(image, &place.wasi()));
-    figures.add_flash(core, place.policies(core, shipped)?);
-    let mut lines = Vec::new();
-    for image in place.in_c(core, Kind::C, shipped)? {
-        lines.extend(run(&image)?);
+    for (language, kind, policies) in [("C", Kind::C, shipped), ("C in integers", Kind::Integers, integers)] {
+        figures.add_flash(core, place.policies(core, policies)?);
+        let mut lines = Vec::new();
+        for image in place.in_c(core, kind, policies)? {
+            lines.extend(run(&image)?);
+        }
+        compare(core, language, policies, &lines)?;
+        figures.add(core, "c", &lines);
     }
-    compare(core, "C", shipped, &lines)?;
-    figures.add(core, Program::C, &lines);
-    figures.add_flash(core, place.policies(core, integers)?);
-    let mut lines = Vec::new();
-    for image in place.in_c(core, Kind::Integers, integers)? {
-        lines.extend(run(&image)?);
-    }
-    compare(core, "C in integers", integers, &lines)?;
-    figures.add(core, Program::C, &lines);
     let [states, fewer] = [false, true].map(|integers| core.bits().states(integers));
     let mut said = format!("C of {} policies on {states} states each, in integers on {fewer}", shipped.len());
     let mut all = true;
@@ -98,18 +93,18 @@ fn one(
         Some([policies, layers]) => {
             let lines = run(&policies)?;
             compare(core, "Rust", shipped.iter().filter(|one| one.in_rust()), &lines)?;
-            figures.add(core, Program::Rust, &lines);
+            figures.add(core, "rust", &lines);
             let lines = run(&layers)?;
             networks(core, &lines)?;
             said.push_str(&format!(", their Rust, networks of {} kinds", Network::ALL.len()));
-            figures.add(core, Program::Layers, &lines);
+            figures.add(core, "layers", &lines);
         }
         None => all &= core.target.is_none(),
     }
     if let Some(image) = place.hybrid(core)? {
         let lines = run(&image)?;
         expected::same(&core.title(), episodes, &lines)?;
-        figures.add(core, Program::Hybrid, &lines);
+        figures.add(core, "hybrid", &lines);
     }
     println!("{}: {said}: the same bits as on the host", core.title());
     Ok(all)

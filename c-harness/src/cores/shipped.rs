@@ -1,7 +1,6 @@
 //! The shipped policies, the states that they see on every core, and their answers on this machine: the interpreter's.
 
 use crate::Failure;
-use crate::data;
 use crate::record::Hash;
 use askama::Template;
 use std::fs;
@@ -81,8 +80,8 @@ pub(super) fn integers(shipped: &[Shipped]) -> Result<Vec<Shipped>, Failure> {
         for bits in WIDTHS {
             let compared = StateSet::sampled(&one.graph, 1, 1);
             let request = Request::of_bits(bits, &compared);
-            let (graph, _) = quantise(&one.prefix.to_string(), &one.graph, &request).map_err(Failure::new)?;
-            let prefix = format!("{}_{bits}", one.prefix).parse().map_err(Failure::new)?;
+            let (graph, _) = quantise(&one.prefix.to_string(), &one.graph, &request)?;
+            let prefix = format!("{}_{bits}", one.prefix).parse().map_err(Failure::new::<String>)?;
             integers.push(Shipped::new(prefix, graph));
         }
     }
@@ -90,15 +89,13 @@ pub(super) fn integers(shipped: &[Shipped]) -> Result<Vec<Shipped>, Failure> {
 }
 
 /// The low end and a 16,777,216th of the range of each input.
-fn ranges(graph: &Graph) -> [Vec<f32>; 2] {
-    let (low, step) =
-        graph.state_ranges().map(|range| (range.min as f32, ((range.max - range.min) / 16_777_216.0) as f32)).unzip();
-    [low, step]
+fn ranges(graph: &Graph) -> (Vec<f32>, Vec<f32>) {
+    graph.state_ranges().map(|range| (range.min as f32, ((range.max - range.min) / 16_777_216.0) as f32)).unzip()
 }
 
 /// The states that `states.c` draws.
 fn states(graph: &Graph, kind: Bits) -> Vec<f64> {
-    let [low, step] = ranges(graph);
+    let (low, step) = ranges(graph);
     let most = |input| graph.counts_of(input).map(|counts| counts.limits()[1] as f32);
     let most: Vec<Option<f32>> = graph.inputs().map(most).collect();
     let mut bits = 1u32;
@@ -139,7 +136,7 @@ fn hash(graph: &Graph, states: &[f64]) -> Hash {
 impl Shipped {
     /// Reads a graph, unless it sees an image.
     fn load(path: &Path) -> Result<Option<Self>, Failure> {
-        let graph = import::load(path, None, None).map_err(Failure::new)?;
+        let graph = import::load(path, None, None)?;
         if Vision::new(&graph.state_sources()).is_some() {
             return Ok(None);
         }
@@ -187,7 +184,7 @@ impl Shipped {
     fn view(&self, index: usize) -> PolicyView {
         let graph = &self.graph;
         let memory = graph.memory();
-        let [low, step] = ranges(graph).map(|values| data::list(&values));
+        let (low, step) = ranges(graph);
         let mut fields = Vec::new();
         for source in graph.sources() {
             let most = source.counts.iter().map(|counts| counts.limits()[1]).fold(0.0, f64::max);
@@ -217,8 +214,8 @@ struct PolicyView {
     name: String,
     /// Its bit in `IN_IMAGE`.
     bit: u32,
-    low: String,
-    step: String,
+    low: Vec<f32>,
+    step: Vec<f32>,
     inputs: usize,
     answers: usize,
     /// The place of its memory in a state, if it has one.
@@ -261,5 +258,5 @@ pub(super) fn policies_c(shipped: &[Shipped], kind: Kind) -> Result<File, Failur
     let asked = shipped.iter().filter(|one| kind != Kind::Rust || one.in_rust());
     let policies = asked.zip(0..).map(|(one, index)| one.view(index)).collect();
     let file = PoliciesC { policies, integers: kind == Kind::Integers, rust: kind == Kind::Rust };
-    Ok(File { name: kind.file().to_owned(), text: file.render().map_err(Failure::new)? })
+    Ok(File { name: kind.file().to_owned(), text: file.render()? })
 }

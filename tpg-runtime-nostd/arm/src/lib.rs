@@ -52,7 +52,6 @@ pub mod episode;
 pub mod frame;
 pub mod hybrid;
 pub mod kinematics;
-mod named;
 pub mod observation;
 pub mod sac;
 pub mod sensors;

@@ -1,7 +1,7 @@
 //! A base that turns by less than a whole turn: targets that it cannot face are reached over the arm's back.
 
 use tpg_arm::kinematics::{self, Plane};
-use tpg_arm::observation::{Observation, Source};
+use tpg_arm::observation::{Observation, Source, TargetMemo};
 use tpg_arm::{Arm, JointRange, Links, Pose, WIDOWX};
 
 /// Its base turns by 110 degrees to either side, as that of many small arms.
@@ -37,7 +37,7 @@ fn facing([x, y, _]: [f64; 3]) -> f64 {
 
 fn stance(arm: &Arm<f64>, target: [f64; 3]) -> [f64; 4] {
     let mut errors = [0.0; 4];
-    Source::Stance.write(arm, &Observation::at(arm, arm.home, target), &mut errors);
+    Source::fill(&[Source::Stance], arm, &Observation::at(arm, arm.home, target), &TargetMemo::new(), &mut errors);
     errors.map(|error| 2048.0 + error)
 }
 

@@ -2,20 +2,20 @@
 
 use proptest::prelude::*;
 use tpg_arm::dodge::{
-    BALLS, Ball, Behaviour, Body, Chooser, Control, DodgerSettings, GOALS, SCOUT, Source, VALUES, WIDOWX_RADII,
+    BALLS, Ball, Behaviour, Body, Chooser, Control, DodgerSettings, GOALS, Source, VALUES, WIDOWX_RADII,
 };
 use tpg_arm::sensors::{Fault, Watch};
 use tpg_arm::{Move, Pose, WIDOWX};
 use tpg_runtime::policy::{ActionId, Policy};
 
 const BODY: Body = Body::new(WIDOWX.to_f32(), WIDOWX_RADII);
-const SETTINGS: DodgerSettings = DodgerSettings { scout: SCOUT, guard: true };
+const SETTINGS: DodgerSettings = DodgerSettings::DEFAULT;
 const START: Pose = Pose([1536, 2048, 2048, 2048]);
 const GOAL: Pose = Pose([2560, 2200, 1900, 2048]);
 
 /// The behaviour changes with what is seen, so that a wrong state shows.
 fn choose(values: &[f32; VALUES]) -> Behaviour {
-    Behaviour::ALL[values.iter().fold(0u32, |sum, value| sum.rotate_left(5) ^ value.to_bits()) as usize % 15].0
+    Behaviour::ALL[values.iter().fold(0u32, |sum, value| sum.rotate_left(5) ^ value.to_bits()) as usize % 15]
 }
 
 fn ball() -> impl Strategy<Value = Ball> {
@@ -131,7 +131,7 @@ fn a_graph_sees_its_own_sources_in_its_order() {
     let mut whole = [0.0; VALUES];
     Source::gather(&Source::ALL, &values, &mut whole);
     assert_eq!(whole, values);
-    let behaviours = Behaviour::ALL.map(|(behaviour, _)| behaviour);
+    let behaviours = Behaviour::ALL;
     let chooser = |sources| Chooser { policy: Last, sources, behaviours: &behaviours }.choose(&values);
     // The third value of each: 12 is the behaviour field_elbow_down; there is no action 16.
     assert_eq!(chooser(&[Source::Second, Source::Ahead]), behaviours[12]);

@@ -6,14 +6,14 @@ use std::f32::consts::TAU;
 use tpg_arm::dodge::plan::Plan;
 use tpg_arm::dodge::plan::{STEP, steps, straight};
 use tpg_arm::dodge::{
-    Ball, Behaviour, Body, CAPSULES, Dodger, DodgerSettings, FIELD, Fate, Field, HORIZON, SCOUT, Scout, Source, VALUES,
-    View, WIDOWX_RADII, away, guarded, permitted,
+    Ball, Behaviour, Body, CAPSULES, Dodger, DodgerSettings, FIELD, Fate, Field, HORIZON, Scout, Source, VALUES, View,
+    WIDOWX_RADII, away, guarded, permitted,
 };
 use tpg_arm::kinematics::Vector;
 use tpg_arm::{JOINTS, Move, Pose, WIDOWX};
 
 const BODY: Body = Body::new(WIDOWX.to_f32(), WIDOWX_RADII);
-const SETTINGS: DodgerSettings = DodgerSettings { scout: SCOUT, guard: true };
+const SETTINGS: DodgerSettings = DodgerSettings::DEFAULT;
 
 fn pose() -> impl Strategy<Value = Pose> {
     let [base, shoulder, elbow, wrist] = WIDOWX.ranges.map(|range| range.min..=range.max);
@@ -145,9 +145,9 @@ proptest! {
     fn every_behaviour_takes_a_step_that_the_joints_can_make(pose in free_pose(), goal in pose(), balls in balls()) {
         let goals = [goal];
         let view = View::new(&BODY, pose, &goals, &balls);
-        for (behaviour, name) in Behaviour::ALL {
+        for behaviour in Behaviour::ALL {
             let step = behaviour.step(&view, &mut Plan::straight(goal));
-            prop_assert!(step.0.iter().all(|ticks| i16::from(*ticks).abs() <= STEP), "{}: {:?}", name, step);
+            prop_assert!(step.0.iter().all(|ticks| i16::from(*ticks).abs() <= STEP), "{:?}: {:?}", behaviour, step);
         }
         prop_assert_eq!(Behaviour::Straight.step(&view, &mut Plan::straight(pose)), straight(pose, goal));
         prop_assert_eq!(Behaviour::Plan.step(&view, &mut Plan::straight(goal)), straight(pose, goal));
@@ -241,7 +241,7 @@ proptest! {
         let mut dodger = Dodger::new(SETTINGS, &view);
         for _ in 0..20 {
             prop_assert_eq!(dodger.observe(&view).len(), VALUES);
-            let step = dodger.act(&view, Behaviour::ALL[choice].0);
+            let step = dodger.act(&view, Behaviour::ALL[choice]);
             prop_assert!(step.0.iter().all(|ticks| i16::from(*ticks).abs() <= STEP));
         }
     }
@@ -249,9 +249,10 @@ proptest! {
 
 #[test]
 fn behaviours_and_sources_have_names_of_their_own() {
-    let names: BTreeSet<&str> = Behaviour::ALL.iter().map(|(_, name)| *name).collect();
+    let names: BTreeSet<&str> = Behaviour::ALL.iter().map(|behaviour| behaviour.name()).collect();
     assert_eq!(names.len(), Behaviour::ALL.len());
-    for (behaviour, name) in Behaviour::ALL {
+    for behaviour in Behaviour::ALL {
+        let name = behaviour.name();
         assert_eq!(Behaviour::from_name(name), Some(behaviour));
     }
     assert_eq!(Behaviour::from_name("left"), None);
@@ -318,7 +319,7 @@ fn a_goal_behind_a_ball_that_stays_is_not_free_however_far_it_is() {
     let fate = |velocity| {
         let (goals, balls) = ([goal], [ball(velocity)]);
         let view = View::new(&BODY, start, &goals, &balls);
-        let mut scout = Scout::new(SCOUT, &view);
+        let mut scout = Scout::new(SETTINGS.effort, &view);
         (0..100).for_each(|_| scout.step(&view, 0));
         scout.straight()
     };
@@ -333,7 +334,7 @@ fn a_larger_effort_searches_no_less() {
     let (goals, balls) = ([goal], [ball]);
     let view = View::new(&BODY, start, &goals, &balls);
     let after = |effort| {
-        let mut scout = Scout::new(tpg_arm::dodge::ScoutSettings { effort, ..SCOUT }, &view);
+        let mut scout = Scout::new(effort, &view);
         (1..2000).find(|_| {
             scout.step(&view, 0);
             scout.plan().via.is_some() && scout.fate() == Fate::Free
@@ -342,7 +343,7 @@ fn a_larger_effort_searches_no_less() {
     let (little, much) = (after(4000).expect("found"), after(40_000).expect("found"));
     assert!(much <= little, "{much} steps instead of {little}");
     // No effort, no search.
-    let mut idle = Scout::new(SCOUT, &view);
+    let mut idle = Scout::new(SETTINGS.effort, &view);
     let before = idle;
     idle.step(&view, u16::MAX);
     assert_eq!((idle.plan(), idle.fate()), (before.plan(), before.fate()));

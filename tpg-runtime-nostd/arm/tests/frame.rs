@@ -146,9 +146,9 @@ fn clearance_falls_to_nothing_before_the_arm_hits_its_base() {
 #[test]
 fn room_is_what_the_range_leaves() {
     let frame = Frame::at(&WIDOWX, Pose([2, 3071, 2048, 1030]), [0.0, 300.0, 100.0]);
-    let room = |joint| (frame.room_below(Joint(joint)), frame.room_above(Joint(joint)));
-    assert_eq!([0, 1, 2, 3].map(room), [(0.0, 4092.0), (2046.0, 0.0), (1023.0, 1023.0), (5.0, 2041.0)]);
-    assert_eq!(room(4), (0.0, 0.0));
+    let room = |joint| frame.room(Joint(joint));
+    assert_eq!([0, 1, 2, 3].map(room), [[4092.0, 0.0], [0.0, 2046.0], [1023.0, 1023.0], [2041.0, 5.0]]);
+    assert_eq!(room(4), [0.0, 0.0]);
 }
 
 #[test]

@@ -136,12 +136,6 @@ proptest! {
     }
 
     #[test]
-    fn no_radians_panic(shoulder: f64, elbow: f64, wrist: f64) {
-        Plane::from_radians(&WIDOWX, shoulder, elbow, wrist).collision(&WIDOWX.shapes);
-        Plane::from_radians(&WIDOWX.to_f32(), shoulder as f32, elbow as f32, wrist as f32);
-    }
-
-    #[test]
     fn the_base_swings_the_hand_about_its_axis(positions: [i16; JOINTS], base: i16) {
         let [x, y, z] = kinematics::hand(&WIDOWX, Pose(positions));
         let [_, shoulder, elbow, wrist] = positions;

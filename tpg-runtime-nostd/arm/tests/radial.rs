@@ -5,7 +5,7 @@ use std::f32::consts::TAU;
 use tpg_arm::dodge::{Body, WIDOWX_RADII};
 use tpg_arm::frame::Frame;
 use tpg_arm::kinematics::{self, Plane};
-use tpg_arm::observation::{Observation, Source};
+use tpg_arm::observation::{Observation, Source, TargetMemo};
 use tpg_arm::{Arm, Joint, Links, Pose, WIDOWX};
 
 const RADIAL: f64 = 30.4;
@@ -75,7 +75,7 @@ proptest! {
         let seen = Observation::at(&ARM, pose, kinematics::hand(&ARM, goal));
         for source in Source::ALL {
             let mut values = [0.0; 8];
-            source.write(&ARM, &seen, &mut values);
+            Source::fill(&[source], &ARM, &seen, &TargetMemo::new(), &mut values);
             for (index, value) in values.into_iter().take(source.length()).enumerate() {
                 let [low, high] = source.range(&ARM, index);
                 prop_assert!(low <= value && value <= high, "{} {index}: {value}", source.name());
@@ -101,7 +101,13 @@ fn the_stance_reaches_most_targets() {
         asked += 1;
         let target = kinematics::hand(&ARM, goal);
         let mut errors = [0.0; 4];
-        Source::Stance.write(&ARM, &Observation::at(&ARM, ARM.home, target), &mut errors);
+        Source::fill(
+            &[Source::Stance],
+            &ARM,
+            &Observation::at(&ARM, ARM.home, target),
+            &TargetMemo::new(),
+            &mut errors,
+        );
         let there = Pose(errors.map(|error| (2048.0 + error + 0.5) as i16));
         // Rounding to ticks moves the hand by up to about 1 mm.
         solved += u32::from(free(there) && kinematics::distance(kinematics::hand(&ARM, there), target) < 1.3);

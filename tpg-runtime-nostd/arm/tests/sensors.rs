@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use std::cell::Cell;
 use tpg_arm::cycle::Brent;
 use tpg_arm::hybrid::{Chosen, Control, Guard, Hybrid, Settings, Switch};
-use tpg_arm::observation::{Observation, Straight};
+use tpg_arm::observation::{Observation, Source, Straight, TargetMemo};
 use tpg_arm::sensors::{Fault, Limits, Watch, Watchdog};
 use tpg_arm::{Arm, ArmError, BaseEdge, Joint, JointRange, Links, Move, Pose, Shapes, WIDOWX};
 use tpg_runtime::policy::Policy;
@@ -72,7 +72,8 @@ proptest! {
     ) {
         let watch = Watch { threshold, patience };
         let (mut motors, wanted_target) = (Pose([start.0, start.1, start.2, start.3]), TARGET);
-        let (mut watchdog, mut plain) = (Watchdog::new(&ARM, watch, motors), Plain::new(watch, motors));
+        let mut watchdog = Watchdog::new(Limits::new(&ARM), watch, motors).expect("motors in their ranges");
+        let mut plain = Plain::new(watch, motors);
         for (read, wanted, obeys) in steps {
             let reading = read.map_or(motors, Pose);
             let checked = watchdog.check(reading, &wanted_target);
@@ -160,7 +161,7 @@ fn bad_readings_leave_no_trace() {
         let first = Observation::at(&ARM, ARM.home, TARGET);
         let mut switch = Switch::new(plain.settings, Brent::new(), &first);
         let mut control =
-            Control::new(&ARM, hybrid.settings, Watch::DEFAULT, Brent::new(), &first).expect("a good one");
+            Control::new(Limits::new(&ARM), hybrid.settings, Watch::DEFAULT, Brent::new(), &first).expect("a good one");
         let (mut motors, mut executed) = (ARM.home, None);
         for step in 0..300 {
             let seen = Observation::at(&ARM, motors, TARGET);
@@ -196,7 +197,8 @@ fn stuck_motors_are_found_and_a_caller_can_go_on() {
     let policy = || Straight::new(&ARM);
     let hybrid = Hybrid { arm: &ARM, tpg: policy(), sac: policy(), settings: SETTINGS };
     let first = Observation::at(&ARM, ARM.home, TARGET);
-    let mut control = Control::new(&ARM, SETTINGS, Watch::DEFAULT, Brent::new(), &first).expect("a good one");
+    let mut control =
+        Control::new(Limits::new(&ARM), SETTINGS, Watch::DEFAULT, Brent::new(), &first).expect("a good one");
     let found = (0..100).find_map(|step| hybrid.step(&mut control, ARM.home, TARGET).err().map(|fault| (step, fault)));
     assert_eq!(found, Some((11, Fault::Stuck)));
     assert_eq!(hybrid.step(&mut control, ARM.home, TARGET).map(|_| ()), Err(Fault::Stuck), "it stays so");
@@ -211,7 +213,7 @@ fn stuck_motors_are_found_and_a_caller_can_go_on() {
     assert_ne!(chosen.wanted, Move::STOP);
     // Switched off.
     let never = Watch { threshold: 4096, ..Watch::DEFAULT };
-    let mut control = Control::new(&ARM, SETTINGS, never, Brent::new(), &first).expect("a good one");
+    let mut control = Control::new(Limits::new(&ARM), SETTINGS, never, Brent::new(), &first).expect("a good one");
     assert!((0..1000).all(|_| hybrid.step(&mut control, ARM.home, TARGET).is_ok()));
 }
 
@@ -219,7 +221,7 @@ fn stuck_motors_are_found_and_a_caller_can_go_on() {
 fn a_loop_does_not_begin_on_a_bad_reading() {
     let begin = |motors, target| {
         let seen = Observation::at(&ARM, motors, target);
-        Control::new(&ARM, SETTINGS, Watch::DEFAULT, Brent::new(), &seen).err()
+        Control::new(Limits::new(&ARM), SETTINGS, Watch::DEFAULT, Brent::new(), &seen).err()
     };
     assert_eq!(begin(ARM.home, TARGET), None);
     assert_eq!(begin(Pose([0; 4]), TARGET), Some(Fault::Sensor));
@@ -281,15 +283,16 @@ proptest! {
             ..ARM
         };
         let (seen, mut state) = (Observation::at(&arm, Pose(pose), target), [0f32; 48]);
-        for source in tpg_arm::observation::Source::ALL {
-            source.write(&arm, &seen, &mut state);
+        for source in Source::ALL {
+            Source::fill(&[source], &arm, &seen, &TargetMemo::new(), &mut state);
         }
         arm.step(Pose(pose), Move(wanted));
         let _ = arm.check();
         let _ = Limits::new(&arm).check(&seen);
-        let mut watchdog = Watchdog::new(&arm, Watch { threshold: u16::MAX, patience: 0 }, Pose(pose));
-        let _ = watchdog.check(Pose(pose), &target);
-        watchdog.commanded(Pose(pose), Move(wanted));
-        let _ = watchdog.check(Pose(pose), &target);
+        if let Ok(mut watchdog) = Watchdog::new(Limits::new(&arm), Watch { threshold: u16::MAX, patience: 0 }, Pose(pose)) {
+            let _ = watchdog.check(Pose(pose), &target);
+            watchdog.commanded(Pose(pose), Move(wanted));
+            let _ = watchdog.check(Pose(pose), &target);
+        }
     }
 }

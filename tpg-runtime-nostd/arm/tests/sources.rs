@@ -41,7 +41,7 @@ impl Poses {
 
 fn values<S: Lattice>(source: Source, arm: &Arm<S>, pose: Pose, target: [S; 3]) -> Vec<f64> {
     let mut values = vec![S::ZERO; source.length()];
-    source.write(arm, &Observation::at(arm, pose, target), &mut values);
+    Source::fill(&[source], arm, &Observation::at(arm, pose, target), &TargetMemo::new(), &mut values);
     values.iter().map(|value| value.to_f64()).collect()
 }
 
@@ -139,7 +139,7 @@ fn what_a_memo_keeps_changes_no_value() {
         Source::fill(&Source::ALL, &ARM_F32, &seen, &memo, kept);
         for (place, &source) in Source::ALL.iter().enumerate() {
             let start = Source::ALL[..place].iter().map(|source| source.length()).sum::<usize>();
-            source.write(&ARM_F32, &seen, &mut anew[start..]);
+            Source::fill(&[source], &ARM_F32, &seen, &TargetMemo::new(), &mut anew[start..]);
         }
         assert_eq!(kept.map(f32::to_bits), anew.map(f32::to_bits), "{seen:?}");
     }

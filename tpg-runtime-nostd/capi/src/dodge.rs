@@ -8,8 +8,7 @@ use crate::sensors::tpg_watch_t;
 use core::cell::Cell;
 use core::mem::offset_of;
 use tpg_arm::dodge::{
-    BALLS, Ball, Behaviour, Body, CAPSULES, Control, DodgerSettings, GOALS, SCOUT, ScoutSettings, Source, Step, VALUES,
-    WIDOWX_RADII,
+    BALLS, Ball, Behaviour, Body, CAPSULES, Control, DodgerSettings, GOALS, Source, Step, VALUES, WIDOWX_RADII,
 };
 use tpg_arm::{Move, Pose};
 
@@ -118,14 +117,14 @@ impl tpg_dodger_settings_t {
     /// The settings behind a pointer, or the default ones for NULL.
     unsafe fn get(pointer: *const Self) -> Result<DodgerSettings, Refusal> {
         if pointer.is_null() {
-            return Ok(DodgerSettings { scout: SCOUT, guard: true });
+            return Ok(DodgerSettings::DEFAULT);
         }
         // SAFETY: the header's contract.
         let &Self { effort, guard } = unsafe { memory::read(pointer) }?;
         if !(4000..=60_000).contains(&effort) || guard > 1 {
             return Err(Refusal(TPG_ARGUMENT));
         }
-        Ok(DodgerSettings { scout: ScoutSettings { effort, ..SCOUT }, guard: guard == 1 })
+        Ok(DodgerSettings { effort, guard: guard == 1 })
     }
 }
 
@@ -201,7 +200,7 @@ fn source(number: u8) -> Option<Source> {
 
 /// The behaviour of a number, which is its place in [`Behaviour::ALL`].
 fn behaviour(number: u8) -> Behaviour {
-    Behaviour::ALL.get(usize::from(number)).map_or(Behaviour::Hold, |&(behaviour, _)| behaviour)
+    Behaviour::ALL.get(usize::from(number)).copied().unwrap_or(Behaviour::Hold)
 }
 
 /// Words of a tpg_dodger_t.

@@ -233,7 +233,7 @@ pub unsafe extern "C" fn tpg_switch_init(
     let (hybrid, watch, seen) =
         unsafe { (memory::content(hybrid), tpg_watch_t::get(watch), memory::read(observation)) };
     code::from_result(hybrid.and_then(|Both { hybrid, limits }| {
-        let control = Control::within(**limits, hybrid.settings, watch?, Brent::new(), seen?.get());
+        let control = Control::new(**limits, hybrid.settings, watch?, Brent::new(), seen?.get());
         // SAFETY: the header's contract.
         unsafe { memory::initialise(switch_, control.map_err(code::fault)?) }
     }))

@@ -1,11 +1,10 @@
 //! The arm's network in integers: a preference for each joint.
 
 use crate::arm::{Ready, tpg_arm_t, tpg_move_t};
-use crate::code::{self, Refusal, TPG_LENGTH, TPG_MODEL_FEATURES};
+use crate::code::{self, Refusal, TPG_LENGTH};
 use crate::memory::{self, Opaque};
 use crate::network::model_code;
 use crate::observation::tpg_observation_t;
-use tpg_arm::sac::FEATURES;
 use tpg_arm::sac::packed::Model;
 
 /// Words of a tpg_sac_t.
@@ -31,9 +30,6 @@ pub unsafe extern "C" fn tpg_sac_init(sac: *mut tpg_sac_t, model: *const u32, wo
     // SAFETY: the header's contract; the caller keeps the words for as long as `sac` lives.
     code::from_result(unsafe { memory::array::<'static, u32>(model, words) }.and_then(|words| {
         let model = Model::parse(words).map_err(model_code)?;
-        if model.inputs() != FEATURES {
-            return Err(Refusal(TPG_MODEL_FEATURES));
-        }
         // SAFETY: the header's contract.
         unsafe { memory::initialise(sac, model) }
     }))

@@ -1,7 +1,7 @@
 //! The sensor contract: the watch over motors, for control loops without a hybrid.
 
 use crate::arm::{Ready, tpg_arm_t, tpg_move_t, tpg_pose_t};
-use crate::code::{self, Refusal, TPG_ARGUMENT, TPG_BAD_SENSOR};
+use crate::code::{self, Refusal, TPG_ARGUMENT};
 use crate::memory::{self, Opaque};
 use tpg_arm::sensors::{Watch, Watchdog};
 use tpg_arm::{Move, Pose};
@@ -75,12 +75,9 @@ pub unsafe extern "C" fn tpg_watchdog_init(
     // SAFETY: the header's contract.
     let (arm, watch, motors) = unsafe { (memory::content(arm), tpg_watch_t::get(watch), memory::read(motors)) };
     code::from_result(arm.and_then(|Ready { limits, .. }| {
-        let (watch, motors) = (watch?, Pose(motors?.ticks));
-        if !limits.hold(motors) {
-            return Err(Refusal(TPG_BAD_SENSOR));
-        }
+        let watching = Watchdog::new(*limits, watch?, Pose(motors?.ticks)).map_err(code::fault)?;
         // SAFETY: the header's contract.
-        unsafe { memory::initialise(watchdog, Watchdog::within(*limits, watch, motors)) }
+        unsafe { memory::initialise(watchdog, watching) }
     }))
 }
 

@@ -2,7 +2,7 @@
 
 use core::mem::MaybeUninit;
 use core::ptr::null;
-use tpg_arm::dodge::{Ball, Behaviour, Body, Chooser, Control, DodgerSettings, SCOUT, Source, VALUES, WIDOWX_RADII};
+use tpg_arm::dodge::{Ball, Behaviour, Body, Chooser, Control, DodgerSettings, Source, VALUES, WIDOWX_RADII};
 use tpg_arm::sensors::Watch;
 use tpg_arm::{Pose, WIDOWX};
 use tpg_generated::dodge::Dodge;
@@ -86,7 +86,7 @@ fn walk(policy: &tpg_dodge_policy_t, choose: impl Fn(&[f32; VALUES]) -> Behaviou
             let mut motors = pose(&mut numbers);
             let goals: Vec<Pose> = (0..=scene % 4).map(|_| pose(&mut numbers)).collect();
             let mut balls: Vec<Ball> = (0..scene / 4 % 4).map(|_| ball(&mut numbers)).collect();
-            let settings = DodgerSettings { scout: SCOUT, guard: true };
+            let settings = DodgerSettings::DEFAULT;
             let mut control =
                 Control::new(&BODY, settings, Watch::DEFAULT, &goals, motors, &balls).expect("a good reading");
             let poses: Vec<tpg_pose_t> = goals.iter().map(|goal| tpg_pose_t { ticks: goal.0 }).collect();
@@ -125,7 +125,7 @@ fn walk(policy: &tpg_dodge_policy_t, choose: impl Fn(&[f32; VALUES]) -> Behaviou
                         counts[1] += 1;
                         assert_eq!(code, TPG_OK);
                         assert_eq!(chosen.wanted.ticks, step.wanted.0);
-                        assert_eq!(Behaviour::ALL[usize::from(chosen.behaviour)].0, step.behaviour);
+                        assert_eq!(Behaviour::ALL[usize::from(chosen.behaviour)], step.behaviour);
                         motors = BODY.arm.step(motors, step.wanted).pose;
                     }
                     Err(fault) => {
@@ -148,7 +148,7 @@ fn walk(policy: &tpg_dodge_policy_t, choose: impl Fn(&[f32; VALUES]) -> Behaviou
 #[test]
 fn every_step_is_as_in_rust() {
     let behaviours: Vec<u8> = (0..TPG_BEHAVIOURS).collect();
-    let all = Behaviour::ALL.map(|(behaviour, _)| behaviour);
+    let all = Behaviour::ALL;
     let policy = |infer, sources: &'static [u8]| tpg_dodge_policy_t {
         infer: Some(infer),
         sources: sources.as_ptr(),

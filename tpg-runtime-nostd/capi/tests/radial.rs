@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use std::fs;
 use tempfile::TempDir;
 use tpg_arm::kinematics::{self, Plane};
-use tpg_arm::observation::{Observation, Source};
+use tpg_arm::observation::{Observation, Source, TargetMemo};
 use tpg_arm::{Arm, BaseEdge, Collision, Invalid, JointRange, Links, Move, Pose, Shapes, Step};
 use tpg_testing::numbers::Numbers;
 
@@ -112,7 +112,7 @@ fn by_rust(arm: &Arm<f32>, cases: &[Case]) -> String {
         let seen = Observation::at(arm, *pose, *target);
         for source in Source::ALL {
             let mut values = [0.0; LONGEST];
-            source.write(arm, &seen, &mut values);
+            Source::fill(&[source], arm, &seen, &TargetMemo::new(), &mut values);
             push_bits(&mut text, &values);
         }
         let collision = match Plane::at(arm, *pose).collision(&arm.shapes) {

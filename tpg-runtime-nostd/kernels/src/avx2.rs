@@ -11,18 +11,13 @@ use core::arch::x86_64::{
 
 cpufeatures::new!(avx2, "avx2");
 
-/// Returns true if this machine has it.
-pub(crate) fn is_there() -> bool {
-    avx2::get()
-}
-
 /// A hidden layer, as [`crate::hidden`]; `false` where the machine has no AVX2 or blocks or columns do not come in pairs.
 #[expect(unsafe_code, reason = "a call of functions that need AVX2")]
 pub(crate) fn layer(kind: Kind, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) -> bool {
     let block = kind.block(inputs.len());
     // Said so that the compiler sees it too: chunks of no words would be a way to panic.
     let Some(pair) = block.checked_mul(2).filter(|&pair| pair > 0) else { return false };
-    if !is_there() || !inputs.len().is_multiple_of(4) || !blocks.len().is_multiple_of(pair) {
+    if !avx2::get() || !inputs.len().is_multiple_of(4) || !blocks.len().is_multiple_of(pair) {
         return false;
     }
     for (blocks, outputs) in blocks.chunks_exact(pair).zip(outputs.as_chunks_mut::<4>().0) {

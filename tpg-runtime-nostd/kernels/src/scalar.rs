@@ -5,7 +5,6 @@
 //! shifted, as in [`portable`](crate::portable), cost one or two more. Four columns a turn: with eight a compiler runs out of registers.
 //! Words must lie in memory with their lowest byte first.
 
-use crate::portable::{clip, rescale};
 use crate::{Kind, ROWS};
 
 /// Words as bytes in memory.
@@ -24,40 +23,14 @@ fn halves(words: &[u32]) -> &[i16] {
     unsafe { words.align_to::<i16>() }.1
 }
 
-/// A function that accumulates a block whose biases are split off.
-type Accumulate = fn([i32; ROWS], &[u32], &[u32]) -> [i32; ROWS];
-
-#[inline(always)]
-fn split_off(block: &[u32], inputs: &[u32], accumulate: Accumulate) -> [i32; ROWS] {
-    match block.split_first_chunk::<ROWS>() {
-        Some((biases, weights)) => accumulate(biases.map(|bias| bias as i32), weights, inputs),
-        None => [0; ROWS],
-    }
-}
-
 /// The accumulators of a block's rows.
 #[inline]
 pub(crate) fn accumulate(kind: Kind, block: &[u32], inputs: &[u32]) -> [i32; ROWS] {
+    let Some((biases, weights)) = block.split_first_chunk::<ROWS>() else { return [0; ROWS] };
+    let sums = biases.map(|bias| bias as i32);
     match kind {
-        Kind::W8A16 => split_off(block, inputs, w8a16),
-        Kind::W16A16 => split_off(block, inputs, w16a16),
-    }
-}
-
-/// A hidden layer.
-#[inline]
-pub(crate) fn layer(kind: Kind, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) {
-    // A loop for each kind, so that none asks which it is.
-    match kind {
-        Kind::W8A16 => each(Kind::W8A16, blocks, inputs, outputs, w8a16),
-        Kind::W16A16 => each(Kind::W16A16, blocks, inputs, outputs, w16a16),
-    }
-}
-
-#[inline(always)]
-fn each(kind: Kind, blocks: &[u32], inputs: &[u32], outputs: &mut [u32], accumulate: Accumulate) {
-    for (block, outputs) in blocks.chunks_exact(kind.block(inputs.len())).zip(outputs.as_chunks_mut::<2>().0) {
-        *outputs = clip(rescale(kind, block, inputs, split_off(block, inputs, accumulate)));
+        Kind::W8A16 => w8a16(sums, weights, inputs),
+        Kind::W16A16 => w16a16(sums, weights, inputs),
     }
 }
 

@@ -5,7 +5,6 @@
 //! 133 instructions for `i8` weights, 118 for `i16` weights, for 32 multiplications each. A compiler spills.
 #![expect(unsafe_code, reason = "a compiler keeps no accumulators in the upper registers")]
 
-use crate::portable::{clip, rescale};
 use crate::{Kind, ROWS};
 use core::arch::naked_asm;
 
@@ -210,10 +209,4 @@ pub(crate) fn accumulate(kind: Kind, block: &[u32], inputs: &[u32]) -> [i32; ROW
         }
     }
     result
-}
-
-/// One block of a hidden layer.
-#[inline]
-pub(crate) fn hidden(kind: Kind, block: &[u32], inputs: &[u32]) -> [u32; 2] {
-    clip(rescale(kind, block, inputs, accumulate(kind, block, inputs)))
 }

@@ -207,9 +207,8 @@ impl<'a> Model<'a> {
     /// [`scratch`](Self::scratch). Missing inputs count as 0, surplus ones are not read.
     #[inline(never)] // its loop is not its caller's: a static bound multiplies nested ones
     pub fn first(&self, inputs: &[i16], scratch: &mut [u32]) -> [i32; ROWS] {
-        let Some((from, to)) = self.halves(scratch) else { return [0; ROWS] };
-        self.load(inputs, from);
-        let Some(inputs) = self.through_hidden(from, to) else { return [0; ROWS] };
+        let hidden = self.through_hidden(scratch, |words| self.load(inputs, words));
+        let Some(inputs) = hidden else { return [0; ROWS] };
         tpg_kernels::last(self.last.kind, self.last.blocks, inputs).map(clip)
     }
 
@@ -218,9 +217,8 @@ impl<'a> Model<'a> {
     /// They are not where `scratch` has fewer words than [`scratch`](Self::scratch). Missing inputs count as 0, surplus
     /// ones are not read; outputs that do not fit are left out.
     pub fn outputs_of(&self, inputs: &[i16], scratch: &mut [u32], outputs: &mut [i32]) -> bool {
-        let Some((from, to)) = self.halves(scratch) else { return false };
-        self.load(inputs, from);
-        let Some(inputs) = self.through_hidden(from, to) else { return false };
+        let hidden = self.through_hidden(scratch, |words| self.load(inputs, words));
+        let Some(inputs) = hidden else { return false };
         self.each_output(inputs, |output, value| {
             if let Some(slot) = outputs.get_mut(output) {
                 *slot = value;
@@ -261,9 +259,8 @@ impl<'a> Model<'a> {
 
     fn ask(&self, state: &[f32], scratch: &mut [u32], each: impl FnMut(usize, i32)) -> bool {
         let Some(state) = state.get(..self.inputs) else { return false };
-        let Some((from, to)) = self.halves(scratch) else { return false };
-        self.load_state(state, from);
-        let Some(inputs) = self.through_hidden(from, to) else { return false };
+        let hidden = self.through_hidden(scratch, |words| self.load_state(state, words));
+        let Some(inputs) = hidden else { return false };
         self.each_output(inputs, each);
         true
     }
@@ -275,13 +272,6 @@ impl<'a> Model<'a> {
         for (output, number) in numbers.enumerate().take(self.outputs) {
             each(output, clip(number));
         }
-    }
-
-    /// Memory for a layer's inputs and for its outputs.
-    #[inline(always)]
-    fn halves<'s>(&self, scratch: &'s mut [u32]) -> Option<(&'s mut [u32], &'s mut [u32])> {
-        let (from, rest) = scratch.split_at_mut_checked(self.width)?;
-        Some((from, rest.get_mut(..self.width)?))
     }
 
     #[inline(always)]
@@ -318,9 +308,12 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// Runs the hidden layers; the last layer's inputs.
+    /// Runs the hidden layers on what `load` writes; the last layer's inputs. `None` where `scratch` is too short.
     #[inline(always)]
-    fn through_hidden<'s>(&self, mut from: &'s mut [u32], mut to: &'s mut [u32]) -> Option<&'s [u32]> {
+    fn through_hidden<'s>(&self, scratch: &'s mut [u32], load: impl FnOnce(&mut [u32])) -> Option<&'s [u32]> {
+        let (mut from, rest) = scratch.split_at_mut_checked(self.width)?;
+        let mut to = rest.get_mut(..self.width)?;
+        load(from);
         let hidden = self.hidden.get(..self.count).unwrap_or(&[]);
         for layer in hidden {
             if let (Some(inputs), Some(outputs)) = (from.get(..layer.inputs()), to.get_mut(..layer.outputs())) {

@@ -1,56 +1,59 @@
 //! The instructions themselves.
 
 use super::Maths;
+use crate::named;
 use crate::scalar::Scalar;
 
-/// One instruction of a program line.
-///
-/// The first nine are the paper's (armlearn-wrapper, `instructions.cpp`), in its order; the others are this project's.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Instruction {
-    /// `a − b`
-    Sub,
-    /// `a + b`
-    Add,
-    /// `a · b`
-    Mul,
-    /// `a / b`, unprotected: `1 / 0` is ∞, `0 / 0` NaN.
-    Div,
-    /// `−a` where `a < b`, else `a`.
-    NegateIfLess,
-    /// `cos a`
-    Cos,
-    /// `sin a`
-    Sin,
-    /// Natural logarithm, unprotected: of 0 it is −∞, of a negative number NaN.
-    Ln,
-    /// `eᵃ`
-    Exp,
-    /// `|a|`
-    Abs,
-    /// `a` where `a < b`, else `b`: a NaN on either side gives `b`.
-    Min,
-    /// `a` where `a > b`, else `b`: a NaN on either side gives `b`.
-    Max,
-    /// `tan a`
-    Tan,
-    /// The remainder of `a / b` with the sign of `a`, as C's `fmod`, exactly. NaN where `b` is 0 or `a` infinite.
-    Fmod,
-    /// `a` where `b` is not 0, else −0, which adding does not notice. A NaN is not 0.
+named! {
+    /// One instruction of a program line.
     ///
-    /// Sums of gated values are choices: `x` where `c` is not 0, else `y`, is `gate(x, c) + gate(y, 1 − gate(1, c))`.
-    Gate,
-    /// `⌊a / b⌋`: the quotient, rounded once and then down to a whole number; never −0. Where `b` is 0 it is [`BY_ZERO`] for a
-    /// positive `a`, −[`BY_ZERO`] for a negative one, and [`ZERO_BY_ZERO`] for 0 and NaN.
-    ///
-    /// Of whole numbers it is exact: in `f64` up to magnitudes of 2⁵², in `f32` of 2²³.
-    Quotient,
-    /// `√a`, correctly rounded. NaN of a negative number; of −0 it is −0.
-    Sqrt,
-    /// `arctan a`
-    Atan,
-    /// `tanh a`
-    Tanh,
+    /// The first nine are the paper's (armlearn-wrapper, `instructions.cpp`), in its order; the others are this project's.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Instruction {
+        /// `a − b`
+        Sub = "sub",
+        /// `a + b`
+        Add = "add",
+        /// `a · b`
+        Mul = "mul",
+        /// `a / b`, unprotected: `1 / 0` is ∞, `0 / 0` NaN.
+        Div = "div",
+        /// `−a` where `a < b`, else `a`.
+        NegateIfLess = "negate_if_less",
+        /// `cos a`
+        Cos = "cos",
+        /// `sin a`
+        Sin = "sin",
+        /// Natural logarithm, unprotected: of 0 it is −∞, of a negative number NaN.
+        Ln = "ln",
+        /// `eᵃ`
+        Exp = "exp",
+        /// `|a|`
+        Abs = "abs",
+        /// `a` where `a < b`, else `b`: a NaN on either side gives `b`.
+        Min = "min",
+        /// `a` where `a > b`, else `b`: a NaN on either side gives `b`.
+        Max = "max",
+        /// `tan a`
+        Tan = "tan",
+        /// The remainder of `a / b` with the sign of `a`, as C's `fmod`, exactly. NaN where `b` is 0 or `a` infinite.
+        Fmod = "fmod",
+        /// `a` where `b` is not 0, else −0, which adding does not notice. A NaN is not 0.
+        ///
+        /// Sums of gated values are choices: `x` where `c` is not 0, else `y`, is `gate(x, c) + gate(y, 1 − gate(1, c))`.
+        Gate = "gate",
+        /// `⌊a / b⌋`: the quotient, rounded once and then down to a whole number; never −0. Where `b` is 0 it is [`BY_ZERO`] for a
+        /// positive `a`, −[`BY_ZERO`] for a negative one, and [`ZERO_BY_ZERO`] for 0 and NaN.
+        ///
+        /// Of whole numbers it is exact: in `f64` up to magnitudes of 2⁵², in `f32` of 2²³.
+        Quotient = "quotient",
+        /// `√a`, correctly rounded. NaN of a negative number; of −0 it is −0.
+        Sqrt = "sqrt",
+        /// `arctan a`
+        Atan = "atan",
+        /// `tanh a`
+        Tanh = "tanh",
+    }
 }
 
 /// [`Instruction::Quotient`] of a positive number by 0: what infinity is in integers.
@@ -59,59 +62,6 @@ pub const BY_ZERO: i32 = i32::MAX;
 pub const ZERO_BY_ZERO: i32 = i32::MIN;
 
 impl Instruction {
-    /// Every instruction, in the order of the enumeration.
-    pub const ALL: [Self; 19] = [
-        Self::Sub,
-        Self::Add,
-        Self::Mul,
-        Self::Div,
-        Self::NegateIfLess,
-        Self::Cos,
-        Self::Sin,
-        Self::Ln,
-        Self::Exp,
-        Self::Abs,
-        Self::Min,
-        Self::Max,
-        Self::Tan,
-        Self::Fmod,
-        Self::Gate,
-        Self::Quotient,
-        Self::Sqrt,
-        Self::Atan,
-        Self::Tanh,
-    ];
-
-    /// The name in `graph.json`, in sidecars and in messages.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Sub => "sub",
-            Self::Add => "add",
-            Self::Mul => "mul",
-            Self::Div => "div",
-            Self::NegateIfLess => "negate_if_less",
-            Self::Cos => "cos",
-            Self::Sin => "sin",
-            Self::Ln => "ln",
-            Self::Exp => "exp",
-            Self::Abs => "abs",
-            Self::Min => "min",
-            Self::Max => "max",
-            Self::Tan => "tan",
-            Self::Fmod => "fmod",
-            Self::Gate => "gate",
-            Self::Quotient => "quotient",
-            Self::Sqrt => "sqrt",
-            Self::Atan => "atan",
-            Self::Tanh => "tanh",
-        }
-    }
-
-    /// The instruction of that [`name`](Self::name).
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|instruction| instruction.name() == name)
-    }
-
     /// Number of operands that it reads: 1 or 2. With 1, the second operand is ignored.
     pub const fn arity(self) -> usize {
         match self {

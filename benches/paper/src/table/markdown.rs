@@ -1,7 +1,6 @@
 //! Renders `docs/results.md`.
 
 use super::compiled::Times;
-use super::paper::PRINTED;
 use super::rows::Row;
 use super::timing::Time;
 use askama::Template;
@@ -22,30 +21,60 @@ pub struct ProblemResults {
     pub times: Times,
 }
 
-impl ProblemResults {
-    fn name(&self) -> &'static str {
-        match self.start {
-            Start::Fs => "fixed start",
-            Start::Rs => "random start",
-        }
-    }
-}
-
 /// The page: its prose is `templates/results.md`, its tables are made here.
 #[derive(Template)]
 #[template(path = "results.md", escape = "none")]
 struct MarkdownPage<'a> {
     problems: &'a [MarkdownSection],
-    costs: String,
     ideas: String,
-    printed: String,
 }
 
-/// The tables of one problem.
+/// The table of one problem, and the times of compiled code: ns, µs of an episode, and how many times faster the hybrid is.
 struct MarkdownSection {
     title: &'static str,
     episodes: usize,
     table: String,
+    graph: String,
+    constant_time: String,
+    reference: String,
+    over_reference: String,
+    /// By how much the paper says that its hybrid is faster.
+    reported: &'static str,
+    over_network: String,
+    over_planner: String,
+    hybrid_episode: String,
+    network_episode: String,
+}
+
+impl MarkdownSection {
+    fn new(problem: &ProblemResults) -> Self {
+        let Times { tpg, tpg_constant_time, sac, hybrid, reference } = problem.times;
+        let over = |time: Time| {
+            let factor = time.mean / hybrid.mean;
+            if factor >= 10.0 { format!("{factor:.0}") } else { format!("{factor:.1}") }
+        };
+        let row = |name: &str| problem.rows.iter().find(|row| row.name == name);
+        let episode =
+            |name: &str, time: Time| thousands(row(name).map_or(0.0, |row| row.actions.mean) * time.mean / 1e3);
+        let (title, reported) = match problem.start {
+            Start::Fs => ("fixed start", "11"),
+            Start::Rs => ("random start", "2.8"),
+        };
+        Self {
+            title,
+            episodes: problem.episodes,
+            table: table(&problem.rows, problem.episodes),
+            graph: thousands(tpg.mean),
+            constant_time: thousands(tpg_constant_time.mean),
+            reference: thousands(reference.mean),
+            over_reference: over(reference),
+            reported,
+            over_network: over(sac),
+            over_planner: problem.rows.first().and_then(|row| row.time).map_or("–".to_owned(), over),
+            hybrid_episode: episode("**hybrid, shipped**", hybrid),
+            network_episode: episode("SAC, shipped", sac),
+        }
+    }
 }
 
 /// Renders the file, with the results of `ideas` on validation episodes.
@@ -53,13 +82,8 @@ struct MarkdownSection {
 /// # Panics
 /// Never: the template only puts text together.
 pub fn page(problems: &[ProblemResults], ideas: &[Row]) -> String {
-    let section = |problem: &ProblemResults| MarkdownSection {
-        title: problem.name(),
-        episodes: problem.episodes,
-        table: table(&problem.rows, problem.episodes),
-    };
-    let sections: Vec<MarkdownSection> = problems.iter().map(section).collect();
-    let page = MarkdownPage { problems: &sections, costs: costs(problems), ideas: effects(ideas), printed: printed() };
+    let sections: Vec<MarkdownSection> = problems.iter().map(MarkdownSection::new).collect();
+    let page = MarkdownPage { problems: &sections, ideas: effects(ideas) };
     page.render().expect("text is put together").trim_end().to_owned() + "\n"
 }
 
@@ -137,57 +161,10 @@ fn by_graph(row: &Row) -> String {
     row.by_graph.map_or("–".to_owned(), |ratio| number(ratio, 100.0, 0, row.policies > 1))
 }
 
-/// Tabulates the times of compiled code.
-fn costs(problems: &[ProblemResults]) -> String {
-    let times = |time: f64, by: f64| {
-        let factor = time / by;
-        if factor >= 10.0 { format!("{factor:.0} times") } else { format!("{factor:.1} times") }
-    };
-    let column = |problem: &ProblemResults| {
-        let shipped = problem.times;
-        let row = |name: &str| problem.rows.iter().find(|row| row.name == name);
-        let episode =
-            |name: &str, time: Time| thousands(row(name).map_or(0.0, |row| row.actions.mean) * time.mean / 1e3);
-        let planner = problem.rows.first().and_then(|row| row.time);
-        let of_the_paper = if problem.start == Start::Fs { "11" } else { "2.8" };
-        [
-            format!("{}; {}", thousands(shipped.tpg.mean), thousands(shipped.tpg_constant_time.mean)),
-            thousands(shipped.reference.mean),
-            format!("**{}** ({of_the_paper})", times(shipped.reference.mean, shipped.hybrid.mean)),
-            times(shipped.sac.mean, shipped.hybrid.mean),
-            planner.map_or("–".to_owned(), |planner| times(planner.mean, shipped.hybrid.mean)),
-            format!("{}; {}", episode("**hybrid, shipped**", shipped.hybrid), episode("SAC, shipped", shipped.sac)),
-        ]
-    };
-    const NAMES: [&str; 6] = [
-        "graph alone; in constant time, ns",
-        "the paper's network, 13-256-256-4 in `f32`, ns",
-        "hybrid faster than the paper's network (the paper reports, corrected)",
-        "hybrid faster than the small network alone",
-        "hybrid faster than the planner",
-        "a whole episode: hybrid; small network alone, µs",
-    ];
-    let columns: Vec<[String; 6]> = problems.iter().map(column).collect();
-    let cell = |place: usize, row: usize| columns.get(place).map_or(String::new(), |column| column[row].clone());
-    let rows = (0..NAMES.len()).map(|row| [NAMES[row].to_owned(), cell(0, row), cell(1, row)]);
-    let title = |place: usize| problems.get(place).map_or("", ProblemResults::name);
-    grid(&["times", title(0), title(1)], rows)
-}
-
 fn effects(rows: &[Row]) -> String {
     let cells = |row: &Row| {
         let [success, collision, distance, actions] = outcome(row);
         [row.name.clone(), success, collision, distance, actions, by_graph(row)]
     };
     grid(&["policy", "success %", "collision %", "distance mm", "actions", "by graph %"], rows.iter().map(cells))
-}
-
-/// Tabulates what the paper's own files say.
-fn printed() -> String {
-    let cells = |(name, fixed, random): &(&str, [&str; 3], [&str; 3])| {
-        [name].into_iter().chain(fixed).chain(random).map(|cell| (*cell).to_owned()).collect::<Vec<String>>()
-    };
-    let names =
-        ["policy", "fixed: distance mm", "success %", "collision %", "random: distance mm", "success %", "collision %"];
-    grid(&names, PRINTED.iter().map(cells))
 }

@@ -6,15 +6,11 @@
 //! | [`timing`] | measured times |
 //! | [`compiled`] | the shipped policies as compiled code |
 //! | [`ideas`] | effects of guards, hand-overs and detectors from a random start, on validation episodes |
-//! | [`ours`] | this project's policies, run by the trainer |
-//! | [`paper`] | the paper's figures |
 //! | [`markdown`] | the text |
 
 pub mod compiled;
 pub mod ideas;
 pub mod markdown;
-pub mod ours;
-pub mod paper;
 pub mod rows;
 pub mod timing;
 

@@ -2,22 +2,22 @@
 
 use super::ProblemInputs;
 use super::compiled::Times;
-use super::ours::Ours;
 use super::timing::{self, Time};
 use std::path::{Path, PathBuf};
 use tpg_arm::WIDOWX;
 use tpg_arm::observation::Straight;
 use tpg_codegen::emit::{Options, Prefix, Profile};
 use tpg_codegen::size::{self, Target};
-use tpg_engine::Sample;
+use tpg_engine::{Sample, TaskSet};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::files::read_graph;
+use tpg_problems::Problem;
 use tpg_problems::arm::ArmProblem;
 use tpg_problems::arm::evaluation::{ReachStatistics, run};
 use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{Start, Task};
-use tpg_train::{Acting, Hybrid, Network};
+use tpg_train::{Acting, Episodes, Hybrid, Network, Shared as _};
 
 /// One row of the table. Rates lie in 0..1.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,21 +58,42 @@ impl Row {
             bytes: None,
         }
     }
+}
 
-    /// Summarises hybrids, each with the fraction of actions that its graph chose.
-    pub fn of_hybrids(name: &str, hybrids: &[(ReachStatistics, f64)]) -> Self {
-        let (trials, ratios): (Vec<ReachStatistics>, Vec<f64>) = hybrids.iter().cloned().unzip();
-        Self { by_graph: Some(Sample::new(&ratios)), ..Self::new(name, &trials) }
+/// A problem with its episodes.
+#[derive(Clone, Copy, Debug)]
+pub struct Ours<'a> {
+    /// Start of the episodes.
+    pub start: Start,
+    /// The episodes.
+    pub episodes: Episodes<'a>,
+}
+
+impl Ours<'_> {
+    /// Lets the trainer play with each of some policies, and summarises them.
+    ///
+    /// # Errors
+    /// If a policy is not one of the arm.
+    pub fn row<'a>(&self, name: &str, policies: impl IntoIterator<Item = Acting<'a>>) -> Result<Row, InputError> {
+        let (mut trials, mut ratios) = (Vec::new(), Vec::new());
+        for acting in policies {
+            let share = matches!(acting, Acting::Both(..));
+            let done = Problem::tested(self.start.into(), None)?.play(acting, self.episodes)?;
+            trials.push(ReachStatistics::new(&done.endings));
+            ratios.extend(share.then_some(done.tpg_action_ratio));
+        }
+        let by_graph = (!ratios.is_empty()).then(|| Sample::new(&ratios));
+        Ok(Row { by_graph, ..Row::new(name, &trials) })
     }
 }
 
 /// Returns the size in bytes of a graph's C code on a Cortex-M4F, compiled for size, in profile `fast` and profile
 /// `small`; `None` if the compiler is missing.
-pub fn graph_bytes(graph: &Graph) -> Option<[usize; 2]> {
+fn graph_bytes(graph: &Graph) -> Option<[usize; 2]> {
     let flash = |profile| {
         let options = Options { profile: Some(profile), ..Options::new("policy".parse::<Prefix>().ok()?) };
         let size = size::compile_c(graph, &options, Target::M4f).and_then(|object| size::measure(&object)).ok()?;
-        Some((size.code + size.constants + size.data) as usize)
+        Some(size.flash() as usize)
     };
     Some([flash(Profile::Fast)?, flash(Profile::Small)?])
 }
@@ -104,50 +125,39 @@ pub fn measure(
     let time = Some(timing::of_policy(&arm, &straight, start, timed));
     let trial = ReachStatistics::new(&run(&arm, &straight, &problem, tasks));
     rows.push(Row { time, ..Row::new("one goal, straight (`stance`)", &[trial]) });
-    let classical = rows.len();
-
-    let shipped = Hybrid::read(&inputs.shipped)?;
-    let ours = Ours::from_file(start, file);
-    let Network::Fixed(actor) = &shipped.network.1 else {
-        let (file, found) = (&shipped.network.0, "a network in floating point");
-        return Err(InputError::new(file, Place::Whole, found, "one in integers, which ships"));
+    let Hybrid { graph, network, setting, .. } = Hybrid::read(&inputs.shipped)?;
+    let ours = Ours { start, episodes: Episodes { set: TaskSet::Test, count: 0, seed: 0, file: Some(file) } };
+    let Network::Fixed(actor) = &network.1 else {
+        return Err(InputError::new(
+            network.0,
+            Place::Whole,
+            "a network in floating point",
+            "one in integers, which ships",
+        ));
     };
     let actor_bytes = actor.bytes();
-    let actor_row =
-        |name: &str, trial: ReachStatistics| Row { bytes: Some([actor_bytes; 2]), ..Row::new(name, &[trial]) };
-    rows.push(actor_row("SAC, shipped", ours.network(&shipped.network)?));
-    let bytes = graph_bytes(&shipped.graph.1);
-    rows.push(Row { bytes, ..Row::new("TPG, shipped", &[ours.graph(&shipped.graph)?]) });
-    let both = ours.play(Acting::Both(&shipped.graph, &shipped.network, &shipped.setting))?;
-    let bytes = bytes.map(|graph| graph.map(|graph| graph + actor_bytes));
-    rows.push(Row { bytes, ..Row::of_hybrids("**hybrid, shipped**", &[both]) });
-    for (row, time) in rows[classical..].iter_mut().zip([compiled.sac, compiled.tpg, compiled.hybrid]) {
-        row.time = Some(time);
+    let bytes = graph_bytes(&graph.1);
+    let together = bytes.map(|graph| graph.map(|graph| graph + actor_bytes));
+    for (name, acting, bytes, time) in [
+        ("SAC, shipped", Acting::Network(&network), Some([actor_bytes; 2]), compiled.sac),
+        ("TPG, shipped", Acting::Graph(&graph), bytes, compiled.tpg),
+        ("**hybrid, shipped**", Acting::Both(&graph, &network, &setting), together, compiled.hybrid),
+    ] {
+        rows.push(Row { bytes, time: Some(time), ..ours.row(name, [acting])? });
     }
-    rows.extend(of_seeds(inputs, &shipped, &ours)?);
-    Ok(rows)
-}
-
-/// Computes means over seeds, which predict another training, as opposed to a selected one.
-fn of_seeds(inputs: &ProblemInputs, shipped: &Hybrid, ours: &Ours<'_>) -> Result<Vec<Row>, InputError> {
-    let read = |path: &PathBuf| Ok((path.display().to_string(), read_graph(path)?));
-    let graphs = inputs.tpg.iter().map(read).collect::<Result<Vec<(String, Graph)>, InputError>>()?;
-    let read = |path: &PathBuf| Ok((path.display().to_string(), Network::read(path)?));
-    let networks = inputs.sac.iter().map(read).collect::<Result<Vec<(String, Network)>, InputError>>()?;
-    let ending = networks.iter().map(|network| ours.network(network)).collect::<Result<Vec<_>, _>>()?;
-    let alone = graphs.iter().map(|graph| ours.graph(graph)).collect::<Result<Vec<_>, _>>()?;
-    let mut together = Vec::new();
-    for graph in &graphs {
-        for network in &networks {
-            together.push(ours.play(Acting::Both(graph, network, &shipped.setting))?);
-        }
-    }
-    let mut rows = vec![
-        Row::new("SAC, all seeds", &ending),
-        Row::new("TPG, all seeds", &alone),
-        Row::of_hybrids("hybrid, all pairs", &together),
+    // Means over seeds, which predict another training, as opposed to a selected one.
+    let named = |path: &PathBuf| path.display().to_string();
+    let graphs = inputs.tpg.iter().map(|path| Ok((named(path), read_graph(path)?)));
+    let graphs = graphs.collect::<Result<Vec<(String, Graph)>, InputError>>()?;
+    let networks = inputs.sac.iter().map(|path| Ok((named(path), Network::read(path)?)));
+    let networks = networks.collect::<Result<Vec<(String, Network)>, InputError>>()?;
+    let pairs = graphs.iter().flat_map(|graph| networks.iter().map(move |network| (graph, network)));
+    let seeds = [
+        ours.row("SAC, all seeds", networks.iter().map(Acting::Network))?,
+        ours.row("TPG, all seeds", graphs.iter().map(Acting::Graph))?,
+        ours.row("hybrid, all pairs", pairs.map(|(graph, network)| Acting::Both(graph, network, &setting)))?,
     ];
     // Groups with a single policy are already listed above.
-    rows.retain(|row| row.policies > 1);
+    rows.extend(seeds.into_iter().filter(|row| row.policies > 1));
     Ok(rows)
 }

@@ -3,6 +3,8 @@
 //! The artifact did not seed the actors' random numbers here. Everything before the first hand-over is deterministic
 //! and must be exact; the rest can only be compared statistically.
 
+use crate::support::sac::act;
+use crate::support::torch_random::TorchRandom;
 use serde::Deserialize;
 use std::cell::RefCell;
 use std::collections::HashSet;
@@ -16,7 +18,6 @@ use tpg_paper::chain::Chain;
 use tpg_paper::data::{End, EndRow, Task, rows};
 use tpg_paper::episode::{EndState, Rules};
 use tpg_paper::plane;
-use tpg_paper::torch_random::TorchRandom;
 use tpg_runtime::policy::Policy;
 
 /// A recorded end of a hybrid's episode, with the pair and the setting.
@@ -91,7 +92,7 @@ impl Policy for Sampled<'_> {
     type Action = Move;
 
     fn decide(&self, seen: &Observation<f64>) -> Move {
-        self.actor.act(seen, &mut self.random.borrow_mut())
+        act(self.actor, seen, &mut self.random.borrow_mut())
     }
 }
 

@@ -8,6 +8,8 @@ pub(crate) mod clearance;
 pub(crate) mod fk;
 pub(crate) mod hybrid;
 pub(crate) mod policies;
+pub(crate) mod sac;
+pub(crate) mod torch_random;
 
 use std::env;
 use std::path::{Path, PathBuf};

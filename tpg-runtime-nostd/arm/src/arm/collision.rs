@@ -4,7 +4,8 @@
 //! so that the conformance suite can run this very code on its own [`Plane`].
 
 use super::{BaseEdge, Shapes};
-use crate::kinematics::{Direction, Plane, Point};
+use crate::kinematics::{Plane, Point};
+use tpg_runtime::ops::{max, min};
 use tpg_runtime::scalar::Scalar;
 
 /// The obstacle that the arm hits.
@@ -38,7 +39,7 @@ impl<S: Scalar> Plane<S> {
         if let Some(collision) = self.below_table(&faces) {
             return Err(collision);
         }
-        let room = lesser(self.over_table(&faces), beyond_base(&faces, shapes));
+        let room = min(self.over_table(&faces), beyond_base(&faces, shapes));
         // Most poses have room, which saves the tests of each face with each edge.
         if room > S::ZERO || !meets_base(&faces, shapes) { Ok(room) } else { Err(Collision::Base) }
     }
@@ -82,28 +83,29 @@ impl<S: Scalar> Plane<S> {
     #[inline(always)]
     fn over_table(&self, [(tip_upper, tip_lower), ..]: &Faces<S>) -> S {
         let points = [self.bracket, self.elbow, self.wrist, self.tip, *tip_upper, *tip_lower];
-        points.into_iter().fold(S::from_f64(f64::INFINITY), |height, point| lesser(height, point.z))
+        points.into_iter().fold(S::from_f64(f64::INFINITY), |height, point| min(height, point.z))
     }
 
     /// The parts of the arm that can meet its base, as segments: the hand's tip face and lower edge, the forearm's end
     /// face and lower edge.
     pub fn faces(&self, shapes: &Shapes<S>) -> Faces<S> {
         let [tip_upper, tip_lower] = self.tip_corners(shapes);
-        let heel = across(self.wrist, self.hand_across, shapes.hand_edges[1]);
+        let heel = self.wrist.along(self.hand_across, shapes.hand_edges[1]);
         let [end_upper, end_lower] = self.forearm_end_corners(shapes);
-        let elbow_lower = across(self.elbow, self.forearm_across, shapes.forearm_edges[1]);
+        let elbow_lower = self.elbow.along(self.forearm_across, shapes.forearm_edges[1]);
         [(tip_upper, tip_lower), (heel, tip_lower), (end_upper, end_lower), (elbow_lower, end_lower)]
     }
 
     /// The corners of the hand's tip face, upper and lower.
     pub fn tip_corners(&self, shapes: &Shapes<S>) -> [Point<S>; 2] {
-        shapes.hand_edges.map(|edge| offset(self.wrist, self.hand, shapes.hand_length, self.hand_across, edge))
+        let face = self.wrist.along(self.hand, shapes.hand_length);
+        shapes.hand_edges.map(|edge| face.along(self.hand_across, edge))
     }
 
     /// The corners of the forearm's end face, upper and lower.
     pub fn forearm_end_corners(&self, shapes: &Shapes<S>) -> [Point<S>; 2] {
-        let corner = |edge| offset(self.wrist, self.forearm, shapes.forearm_overhang, self.forearm_across, edge);
-        shapes.forearm_edges.map(corner)
+        let face = self.wrist.along(self.forearm, shapes.forearm_overhang);
+        shapes.forearm_edges.map(|edge| face.along(self.forearm_across, edge))
     }
 }
 
@@ -118,8 +120,8 @@ fn beyond_base<S: Scalar>(faces: &Faces<S>, shapes: &Shapes<S>) -> S {
     }
     let (top, side) = (shapes.base_top(), shapes.base_side());
     faces.iter().fold(S::from_f64(f64::INFINITY), |room, (p, q)| {
-        let beside = greater(lesser(p.x, q.x), -greater(p.x, q.x)) - side;
-        lesser(room, greater(lesser(p.z, q.z) - top, beside))
+        let beside = max(-max(q.x, p.x), min(p.x, q.x)) - side;
+        min(room, max(beside, min(p.z, q.z) - top))
     })
 }
 
@@ -157,32 +159,13 @@ impl Base<f32> {
 impl<S: Scalar> Shapes<S> {
     /// Height of the base's highest point, mm.
     fn base_top(&self) -> S {
-        self.base.iter().flat_map(|edge| edge.z).fold(S::ZERO, greater)
+        self.base.iter().flat_map(|edge| edge.z).fold(S::ZERO, |top, z| max(z, top))
     }
 
     /// Distance of the base's outermost point from its axis, mm.
     fn base_side(&self) -> S {
-        self.base.iter().flat_map(|edge| edge.x.map(S::abs)).fold(S::ZERO, greater)
+        self.base.iter().flat_map(|edge| edge.x.map(S::abs)).fold(S::ZERO, |side, x| max(x, side))
     }
-}
-
-/// Returns the greater number, or the first of equals. A NaN is passed over where it is the second.
-pub(super) fn greater<S: Scalar>(a: S, b: S) -> S {
-    if b > a { b } else { a }
-}
-
-/// Returns the lesser number, or the second of equals. A NaN is passed over where it is the first, kept where it is the second.
-fn lesser<S: Scalar>(a: S, b: S) -> S {
-    if a < b { a } else { b }
-}
-
-/// From `origin`, `along` mm in one direction and then `aside` mm in the other.
-fn offset<S: Scalar>(origin: Point<S>, axis: Direction<S>, along: S, aside: Direction<S>, by: S) -> Point<S> {
-    Point { x: origin.x + axis.cos * along + aside.cos * by, z: origin.z + axis.sin * along + aside.sin * by }
-}
-
-fn across<S: Scalar>(origin: Point<S>, aside: Direction<S>, by: S) -> Point<S> {
-    Point { x: origin.x + aside.cos * by, z: origin.z + aside.sin * by }
 }
 
 /// A segment with what every edge asks of it: computed once, not for each of them.

@@ -3,10 +3,10 @@
 //! A tick of a joint moves no point of the arm farther than the arm is long, times the angle of a tick. So where every part of
 //! the arm is some distance from all that it can hit, as many ticks are free as would take it there, whichever joints turn.
 
-use super::collision::greater;
 use super::{Arm, Collision, Pose, TICKS_PER_TURN};
 use crate::kinematics::{Lattice, Plane};
 use core::cell::Cell;
+use tpg_runtime::ops::max;
 
 /// A pose that is free of collisions, and how far around it every pose is.
 ///
@@ -54,10 +54,10 @@ impl Leeway {
 /// Ticks after which a free arm has not moved farther than `room`, in mm.
 fn ticks<S: Lattice>(arm: &Arm<S>, room: S) -> i32 {
     let (links, shapes) = (&arm.links, &arm.shapes);
-    let widest = |[a, b]: [S; 2]| greater(a.abs(), b.abs());
-    let hand = greater(links.hand, shapes.hand_length.abs()) + widest(shapes.hand_edges);
+    let widest = |[a, b]: [S; 2]| max(b.abs(), a.abs());
+    let hand = max(shapes.hand_length.abs(), links.hand) + widest(shapes.hand_edges);
     let end = shapes.forearm_overhang.abs() + widest(shapes.forearm_edges);
-    let length = links.upper_arm + links.elbow_offset + links.forearm + greater(hand, end);
+    let length = links.upper_arm + links.elbow_offset + links.forearm + max(end, hand);
     // Sums of lengths are rounded, by much less than this.
     let error = (length + links.base + links.shoulder_radial) * S::from_f64(1.0 / 16384.0);
     let tick = length * S::from_f64(1.001 * core::f64::consts::TAU / TICKS_PER_TURN as f64);

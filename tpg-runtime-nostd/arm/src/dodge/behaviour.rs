@@ -4,6 +4,7 @@ use super::ball::Ball;
 use super::body::{Body, Nearest, Posture};
 use super::plan::{self, Plan, STEP};
 use crate::arm::{JOINTS, Move, Pose};
+use tpg_runtime::named;
 
 /// Most balls that are seen.
 pub const BALLS: usize = 3;
@@ -104,80 +105,59 @@ fn rounded(value: f32) -> i8 {
     (if value < 0.0 { value - 0.5 } else { value + 0.5 }) as i8
 }
 
-/// A behaviour: an action of a policy.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Behaviour {
-    /// Follows the plan that the search has found.
-    Plan,
-    /// Walks straight to the goal.
-    Straight,
-    /// Stays.
-    Hold,
-    /// Flees from the nearest ball as fast as it can.
-    Away,
-    /// Walks to the goal in the potential field.
-    Field,
-    /// Follows the plan in the potential field.
-    FieldPlan,
-    /// Stretches upwards where the base points, in the potential field.
-    Upright,
-    /// Goes in the field to the goal with one joint moved 200 ticks from where it is: the joint, and true for upwards.
-    Shifted(Shift),
-}
-
-/// A joint whose goal lies to one side of where it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Shift {
-    /// The joint's place in a pose, 0 to 3.
-    pub joint: u8,
-    /// True for growing ticks.
-    pub upwards: bool,
+named! {
+    /// A behaviour: an action of a policy.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Behaviour {
+        /// Follows the plan that the search has found.
+        Plan = "plan",
+        /// Walks straight to the goal.
+        Straight = "straight",
+        /// Stays.
+        Hold = "hold",
+        /// Flees from the nearest ball as fast as it can.
+        Away = "away",
+        /// Walks to the goal in the potential field.
+        Field = "field",
+        /// Follows the plan in the potential field.
+        FieldPlan = "field_plan",
+        /// Stretches upwards where the base points, in the potential field.
+        Upright = "upright",
+        /// Goes in the field to the goal with the base moved 200 ticks up from where it is.
+        FieldBaseUp = "field_base_up",
+        /// The same with the base moved down.
+        FieldBaseDown = "field_base_down",
+        /// The same with the shoulder moved up.
+        FieldShoulderUp = "field_shoulder_up",
+        /// The same with the shoulder moved down.
+        FieldShoulderDown = "field_shoulder_down",
+        /// The same with the elbow moved up.
+        FieldElbowUp = "field_elbow_up",
+        /// The same with the elbow moved down.
+        FieldElbowDown = "field_elbow_down",
+        /// The same with the wrist moved up.
+        FieldWristUp = "field_wrist_up",
+        /// The same with the wrist moved down.
+        FieldWristDown = "field_wrist_down",
+    }
 }
 
 /// Ticks by which a shifted goal lies aside.
 const SHIFT: i16 = 200;
 
-const fn shifted(joint: u8, upwards: bool) -> Behaviour {
-    Behaviour::Shifted(Shift { joint, upwards })
-}
-
 impl Behaviour {
-    /// Every behaviour with its name.
-    pub const ALL: [(Self, &'static str); 15] = [
-        (Self::Plan, "plan"),
-        (Self::Straight, "straight"),
-        (Self::Hold, "hold"),
-        (Self::Away, "away"),
-        (Self::Field, "field"),
-        (Self::FieldPlan, "field_plan"),
-        (Self::Upright, "upright"),
-        (shifted(0, true), "field_base_up"),
-        (shifted(0, false), "field_base_down"),
-        (shifted(1, true), "field_shoulder_up"),
-        (shifted(1, false), "field_shoulder_down"),
-        (shifted(2, true), "field_elbow_up"),
-        (shifted(2, false), "field_elbow_down"),
-        (shifted(3, true), "field_wrist_up"),
-        (shifted(3, false), "field_wrist_down"),
-    ];
-
-    /// Finds a behaviour by its name.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|(_, known)| *known == name).map(|(behaviour, _)| behaviour)
-    }
-
     /// Returns what the behaviour costs beyond a plain walk, in instructions of a Cortex-M4, about.
     pub const fn price(self) -> u16 {
         match self {
             Self::Plan | Self::Straight | Self::Hold => 0,
             Self::Away => 150,
-            Self::Field | Self::FieldPlan | Self::Upright | Self::Shifted(_) => 1000,
+            _ => 1000,
         }
     }
 
     /// Returns true if the behaviour computes a potential field.
     pub const fn walks_in_field(self) -> bool {
-        matches!(self, Self::Field | Self::FieldPlan | Self::Upright | Self::Shifted(_))
+        !matches!(self, Self::Plan | Self::Straight | Self::Hold | Self::Away)
     }
 
     /// Returns the step that the behaviour takes; following the plan changes it.
@@ -194,16 +174,25 @@ impl Behaviour {
                 let [_, shoulder, elbow, wrist] = view.body.arm.home.0;
                 FIELD.step(view, Pose([base, shoulder, elbow, wrist]))
             }
-            Self::Shifted(Shift { joint, upwards }) => {
-                let mut goal = view.goal();
-                let joint = usize::from(joint).min(JOINTS - 1);
-                let range = view.body.arm.ranges[joint];
-                let aside = if upwards { SHIFT } else { -SHIFT };
-                goal.0[joint] = view.pose.0[joint].saturating_add(aside).max(range.min).min(range.max);
-                FIELD.step(view, goal)
-            }
+            Self::FieldBaseUp => shifted(view, 0, SHIFT),
+            Self::FieldBaseDown => shifted(view, 0, -SHIFT),
+            Self::FieldShoulderUp => shifted(view, 1, SHIFT),
+            Self::FieldShoulderDown => shifted(view, 1, -SHIFT),
+            Self::FieldElbowUp => shifted(view, 2, SHIFT),
+            Self::FieldElbowDown => shifted(view, 2, -SHIFT),
+            Self::FieldWristUp => shifted(view, 3, SHIFT),
+            Self::FieldWristDown => shifted(view, 3, -SHIFT),
         }
     }
+}
+
+/// Goes in the field to the goal with one joint moved aside from where it is.
+fn shifted(view: &View<'_>, joint: usize, aside: i16) -> Move {
+    let mut goal = view.goal();
+    let joint = joint.min(JOINTS - 1);
+    let range = view.body.arm.ranges[joint];
+    goal.0[joint] = view.pose.0[joint].saturating_add(aside).max(range.min).min(range.max);
+    FIELD.step(view, goal)
 }
 
 /// Moves against the nearest ball: the gradient of its clearance at full speed.

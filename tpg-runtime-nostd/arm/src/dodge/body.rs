@@ -4,7 +4,8 @@ use super::ball::Ball;
 use super::plan::STEP;
 use crate::arm::collision::Base;
 use crate::arm::{Arm, JOINTS, Links, Pose, TICKS_PER_TURN};
-use crate::kinematics::{Angle, Direction, Directions, Lattice, Plane, Point, Vector, base_direction, link_angles};
+use crate::kinematics::{Direction, Directions, Plane, Point, Vector, base_direction};
+use tpg_runtime::scalar::Scalar as _;
 
 /// Number of capsules: shoulder to bracket, bracket to elbow, forearm, hand.
 pub const CAPSULES: usize = 4;
@@ -117,10 +118,8 @@ impl Body {
     /// Places the body at a pose.
     #[inline(never)] // once in flash
     pub fn at(&self, pose: Pose) -> Posture {
-        let [upper_arm, forearm, hand] = link_angles(pose).map(Angle::direction);
-        let plane = Plane::new(&self.arm, Directions::of_links(upper_arm, forearm, hand));
-        let points = [self.arm.shoulder(), plane.bracket, plane.elbow, plane.wrist, plane.tip];
-        Posture { base: base_direction(pose), points, forearm, hand }
+        let Plane { bracket, elbow, wrist, tip, forearm, hand, .. } = Plane::new(&self.arm, Directions::at(pose));
+        Posture { base: base_direction(pose), points: [self.arm.shoulder(), bracket, elbow, wrist, tip], forearm, hand }
     }
 
     /// Returns the distance between the surfaces of the body and of a ball, mm; negative where they overlap.
@@ -228,7 +227,7 @@ impl Body {
     pub fn clearance_bound(&self, posture: &Posture, outline: &Outline, centre: Vector<f32>, radius: f32) -> f32 {
         let [along, across, up] = posture.in_frame(centre);
         let (x, z) = (beyond(outline.x, along), beyond(outline.z, up));
-        Lattice::sqrt(x * x + z * z + across * across) - self.widest - radius
+        (x * x + z * z + across * across).square_root() - self.widest - radius
     }
 
     /// The point of a capsule's axis that is nearest to a ball.
@@ -296,7 +295,7 @@ impl Posture {
 #[inline(always)]
 fn distance(point: Point<f32>, [along, across, up]: Vector<f32>) -> f32 {
     let (x, z) = (point.x - along, point.z - up);
-    Lattice::sqrt(x * x + z * z + across * across)
+    (x * x + z * z + across * across).square_root()
 }
 
 /// Widens a range so that it holds a value.

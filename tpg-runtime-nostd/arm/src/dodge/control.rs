@@ -24,17 +24,16 @@ pub struct Step {
 /// The state of a control loop towards one target.
 ///
 /// ```
-/// use tpg_arm::dodge::{Ball, Behaviour, Body, Control, DodgerSettings, SCOUT, WIDOWX_RADII};
+/// use tpg_arm::dodge::{Ball, Behaviour, Body, Control, DodgerSettings, WIDOWX_RADII};
 /// use tpg_arm::sensors::{Fault, Watch};
 /// use tpg_arm::{Pose, WIDOWX};
 ///
 /// let body = Body::new(WIDOWX.to_f32(), WIDOWX_RADII);
-/// let settings = DodgerSettings { scout: SCOUT, guard: true };
 /// let mut motors = Pose([1536, 2048, 2048, 2048]);
 /// let goals = [Pose([2560, 2048, 2048, 2048])];
 /// let ball = Ball { at: [0.0, -450.0, 400.0], velocity: [0.0; 3], radius: 40.0 };
 ///
-/// let mut control = Control::new(&body, settings, Watch::DEFAULT, &goals, motors, &[ball])?;
+/// let mut control = Control::new(&body, DodgerSettings::DEFAULT, Watch::DEFAULT, &goals, motors, &[ball])?;
 /// for _ in 0..1000 {
 ///     let step = control.step(&body, &|_: &[f32; 17]| Behaviour::Plan, motors, &[ball])?;
 ///     // Here the motors move and are read; this is where they would be.
@@ -76,12 +75,9 @@ impl Control {
             Some(kept) if !goals.is_empty() && goals.iter().all(is_reached) => kept.copy_from_slice(goals),
             _ => return Err(Fault::Target),
         }
-        if !limits.hold(motors) {
-            return Err(Fault::Sensor);
-        }
+        let watchdog = Watchdog::new(limits, watch, motors)?;
         check(balls)?;
         let dodger = Dodger::new(settings, &View::new(body, motors, goals, balls));
-        let watchdog = Watchdog::within(limits, watch, motors);
         Ok(Self { dodger, watchdog, goals: kept, count: goals.len() as u8 })
     }
 
@@ -116,11 +112,6 @@ impl Control {
     /// [`Fault::Sensor`] for a motor outside its joint's range; nothing changes then.
     pub fn resume(&mut self, motors: Pose) -> Result<(), Fault> {
         self.watchdog.resume(motors)
-    }
-
-    /// Returns the part that searches and guards.
-    pub fn dodger(&self) -> &Dodger {
-        &self.dodger
     }
 }
 

@@ -3,7 +3,7 @@
 use super::behaviour::{Behaviour, View};
 use super::guard::{guarded, permitted};
 use super::plan::steps;
-use super::scout::{Scout, ScoutSettings};
+use super::scout::Scout;
 use super::sources::{VALUES, values};
 use crate::arm::Move;
 
@@ -15,10 +15,15 @@ const SEE_BALL: u16 = 410;
 /// A controller's settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DodgerSettings {
-    /// The search.
-    pub scout: ScoutSettings,
+    /// The cost that a whole control step may have, in instructions of a Cortex-M4, about: the search takes what the rest leaves.
+    pub effort: u16,
     /// True if steps that would be hit are replaced.
     pub guard: bool,
+}
+
+impl DodgerSettings {
+    /// The settings of the project's policies.
+    pub const DEFAULT: Self = Self { effort: 9700, guard: true };
 }
 
 /// Memory from step to step of one task.
@@ -35,7 +40,7 @@ pub struct Dodger {
 impl Dodger {
     /// Begins a task.
     pub fn new(settings: DodgerSettings, view: &View<'_>) -> Self {
-        let mut scout = Scout::new(settings.scout, view);
+        let mut scout = Scout::new(settings.effort, view);
         scout.step(view, 0);
         Self { settings, scout, least: steps(view.pose, view.goal()), since: 0 }
     }

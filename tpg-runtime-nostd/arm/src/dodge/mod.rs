@@ -25,10 +25,10 @@ mod scout;
 mod sources;
 
 pub use ball::Ball;
-pub use behaviour::{BALLS, Behaviour, EVASION, FIELD, Field, Shift, View, away};
+pub use behaviour::{BALLS, Behaviour, EVASION, FIELD, Field, View, away};
 pub use body::{Body, CAPSULES, Nearest, Outline, Posture, WIDOWX_RADII};
 pub use control::{Chooser, Control, GOALS, Step};
 pub use dodger::{Dodger, DodgerSettings};
 pub use guard::{Guarded, guarded, permitted};
-pub use scout::{Fate, HORIZON, SCOUT, Scout, ScoutSettings};
+pub use scout::{Fate, HORIZON, Scout};
 pub use sources::{Source, VALUES};

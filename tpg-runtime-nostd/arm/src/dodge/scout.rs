@@ -25,39 +25,20 @@ const BEGIN: u16 = 300;
 /// Clearance up to which it is computed exactly, mm.
 const NEAR: f32 = 40.0;
 
-/// The search's settings.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ScoutSettings {
-    /// The cost that a whole control step may have, in instructions of a Cortex-M4, about: the search takes what seeing, behaviour
-    /// and guard leave.
-    pub effort: u16,
-    /// The part of it that is kept for the plan itself: enough for a look at a pose near every ball and the base.
-    pub watch: u16,
-    /// Clearance below which a ball is met, mm.
-    pub margin: f32,
-    /// The same for a ball that stays: it is known where it will be.
-    pub still: f32,
-    /// Speed of the arm's points that is reckoned with when the next look is placed, mm a step.
-    pub pace: f32,
-    /// Fewest steps between two looks.
-    pub stride: u8,
-    /// Steps by which another plan must be faster to be taken, where both are free.
-    pub gain: u16,
-    /// Standard deviations of a detour's pose from the straight way, ticks; equally likely.
-    pub spreads: [i16; 4],
-}
-
-/// The settings of the project's policies.
-pub const SCOUT: ScoutSettings = ScoutSettings {
-    effort: 9700,
-    watch: 2600,
-    margin: 4.0,
-    still: 0.6,
-    pace: 2.0,
-    stride: 16,
-    gain: 20,
-    spreads: [150, 250, 400, 700],
-};
+/// The part of a step's effort that is kept for the plan itself: enough for a look at a pose near every ball and the base.
+const WATCH: u16 = 2600;
+/// Clearance below which a ball is met, mm.
+const MARGIN: f32 = 4.0;
+/// The same for a ball that stays: it is known where it will be.
+const STILL: f32 = 0.6;
+/// Speed of the arm's points that is reckoned with when the next look is placed, mm a step.
+const PACE: f32 = 2.0;
+/// Fewest steps between two looks.
+const STRIDE: u16 = 16;
+/// Steps by which another plan must be faster to be taken, where both are free.
+const GAIN: u32 = 20;
+/// Standard deviations of a detour's pose from the straight way, ticks; equally likely.
+const SPREADS: [i16; 4] = [150, 250, 400, 700];
 
 /// The end that a plan was found to have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -92,13 +73,13 @@ struct Watched {
 
 /// The balls as looks need them; places without one come last.
 #[inline(always)]
-fn watched(balls: &[Ball], settings: &ScoutSettings) -> [Watched; BALLS] {
+fn watched(balls: &[Ball]) -> [Watched; BALLS] {
     const NOBODY: Ball = Ball { at: [0.0; 3], velocity: [0.0; 3], radius: 0.0 };
     let mut all = [Watched { ball: NOBODY, stays: true, margin: 0.0, closing: 1.0 }; BALLS];
     for (watched, &ball) in all.iter_mut().zip(balls) {
         let stays = ball.stays();
-        let margin = if stays { settings.still } else { settings.margin };
-        *watched = Watched { ball, stays, margin, closing: settings.pace + ball.speed_bound() };
+        let margin = if stays { STILL } else { MARGIN };
+        *watched = Watched { ball, stays, margin, closing: PACE + ball.speed_bound() };
     }
     all
 }
@@ -127,11 +108,6 @@ impl Probe {
         Self { plan, from, age: 0, next: 1, stay, turn, last }
     }
 
-    /// Begins with another plan.
-    fn begin(&mut self, plan: Plan, from: Pose) {
-        *self = Self::new(plan, from);
-    }
-
     /// The pose at which it is looked at next.
     #[inline(always)]
     fn pose(&self) -> Pose {
@@ -144,7 +120,7 @@ impl Probe {
 
     /// Looks at a plan until its fate is known or too little effort is left for a look.
     #[inline(never)] // once in flash
-    fn look(&mut self, view: &View<'_>, balls: &[Watched], stride: u16, effort: &mut u16) -> Option<Fate> {
+    fn look(&mut self, view: &View<'_>, balls: &[Watched], effort: &mut u16) -> Option<Fate> {
         while *effort >= LOOK + NEAR_BALL * view.balls.len() as u16 {
             *effort -= LOOK;
             let posture = view.body.at(self.pose());
@@ -188,7 +164,7 @@ impl Probe {
             if self.next >= self.last {
                 return Some(Fate::Free);
             }
-            self.next = (self.next + (skip as u16).max(stride)).min(self.last);
+            self.next = (self.next + (skip as u16).max(STRIDE)).min(self.last);
             if beyond && self.next > self.stay {
                 // The arm waits there.
                 self.next = self.next.max(self.turn);
@@ -206,7 +182,8 @@ impl Probe {
 /// The search, with the best plan so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scout {
-    settings: ScoutSettings,
+    /// The cost that a whole control step may have.
+    effort: u16,
     plan: Plan,
     /// The plan's fate when it was examined last, and the steps since.
     fate: Fate,
@@ -222,12 +199,13 @@ pub struct Scout {
 }
 
 impl Scout {
-    /// Begins a search for a task.
-    pub fn new(settings: ScoutSettings, view: &View<'_>) -> Self {
+    /// Begins a search for a task. `effort` is the cost that a whole control step may have, in instructions of a Cortex-M4, about: the
+    /// search takes what seeing, behaviour and guard leave.
+    pub fn new(effort: u16, view: &View<'_>) -> Self {
         let plan = Plan::straight(view.goal());
         let probe = Probe::new(plan, view.pose);
         let (fate, random) = (Fate::Free, 0x9E37_79B9);
-        Self { settings, plan, fate, straight: fate, watch: probe, candidate: probe, examines: false, count: 0, random }
+        Self { effort, plan, fate, straight: fate, watch: probe, candidate: probe, examines: false, count: 0, random }
     }
 
     /// Returns the plan.
@@ -254,14 +232,14 @@ impl Scout {
     pub fn step(&mut self, view: &View<'_>, spent: u16) {
         self.watch.age = self.watch.age.saturating_add(1);
         self.candidate.age = self.candidate.age.saturating_add(1);
-        let mut effort = self.settings.effort.saturating_sub(spent);
-        let mut kept = self.settings.watch.min(effort);
+        let mut effort = self.effort.saturating_sub(spent);
+        let mut kept = WATCH.min(effort);
         effort -= kept;
-        let (watched, stride) = (watched(view.balls, &self.settings), u16::from(self.settings.stride));
+        let watched = watched(view.balls);
         let balls = watched.get(..view.balls.len()).unwrap_or(&watched);
-        if let Some(fate) = self.watch.look(view, balls, stride, &mut kept) {
+        if let Some(fate) = self.watch.look(view, balls, &mut kept) {
             self.fate = fate;
-            self.watch.begin(self.plan, view.pose);
+            self.watch = Probe::new(self.plan, view.pose);
             kept = kept.saturating_sub(BEGIN);
         }
         effort += kept;
@@ -281,10 +259,10 @@ impl Scout {
                     }
                 }
                 effort -= BEGIN;
-                self.candidate.begin(plan, view.pose);
+                self.candidate = Probe::new(plan, view.pose);
                 self.examines = true;
             }
-            let Some(fate) = self.candidate.look(view, balls, stride, &mut effort) else { return };
+            let Some(fate) = self.candidate.look(view, balls, &mut effort) else { return };
             self.examines = false;
             self.judge(view, fate);
             arrival = None;
@@ -305,13 +283,13 @@ impl Scout {
         };
         if better {
             (self.plan, self.fate) = (plan, fate);
-            self.watch.begin(plan, view.pose);
+            self.watch = Probe::new(plan, view.pose);
         }
     }
 
     /// True if a free plan arrives earlier than a free one that takes `arrival` steps, by at least the gain.
     fn is_faster(&self, plan: &Plan, from: Pose, arrival: u32) -> bool {
-        plan.arrival(from) + u32::from(self.settings.gain) < arrival
+        plan.arrival(from) + GAIN < arrival
     }
 
     /// The next candidate: a straight walk, a wait, or a detour.
@@ -332,7 +310,7 @@ impl Scout {
         // A pose beside the straight way, near or far: the sum of four uniform numbers is nearly normal.
         let bits = self.draw();
         let along = (bits & 0xFF) as i32 * 5 / 4 - 32; // −0.125 to 1.125 in units of 1/256
-        let spread = i32::from(self.settings.spreads[(bits >> 8 & 3) as usize]);
+        let spread = i32::from(SPREADS[(bits >> 8 & 3) as usize]);
         let wait = if bits & 0x400 == 0 { 0 } else { (bits >> 16 & 0xFF) as u16 * 3 / 4 };
         let mut via = view.pose;
         for ((position, &to), range) in via.0.iter_mut().zip(&goal.0).zip(&view.body.arm.ranges) {

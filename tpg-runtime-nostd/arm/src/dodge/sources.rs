@@ -4,7 +4,7 @@ use super::behaviour::View;
 use super::body::Nearest;
 use super::scout::{HORIZON, Scout};
 use crate::arm::JOINTS;
-use crate::named::named;
+use tpg_runtime::named;
 
 /// Number of values of all sources.
 pub const VALUES: usize = 17;

@@ -2,6 +2,7 @@
 
 use crate::arm::Shapes;
 use crate::kinematics::{Direction, Lattice, Plane, Point};
+use tpg_runtime::ops::{clamp, max, min};
 
 /// Distances from the base as a solid, mm: what the collision test refuses is about to reach 0 here.
 ///
@@ -66,7 +67,7 @@ fn nearest<S: Lattice>(sides: &[Side<S>; 2], shapes: &Shapes<S>, horizon: S) -> 
     let beyond = horizon + S::ONE;
     let mut square = S::from_f64(f64::INFINITY);
     for edge in &shapes.base {
-        let corner = Point { x: greatest(edge.x[0], edge.x[1]), z: greatest(edge.z[0], edge.z[1]) };
+        let corner = Point { x: max(edge.x[1], edge.x[0]), z: max(edge.z[1], edge.z[0]) };
         let (top, side) = (corner.z + beyond, corner.x + beyond);
         let clear = points.iter().all(|point| point.z > top)
             || points.iter().all(|point| point.x > side)
@@ -76,32 +77,26 @@ fn nearest<S: Lattice>(sides: &[Side<S>; 2], shapes: &Shapes<S>, horizon: S) -> 
         }
         for (side, &end) in sides.iter().zip(&ends) {
             // A segment and a box that do not meet are nearest at an end of the one or a corner of the other.
-            square = least(square, to_box(side.start, corner));
-            square = least(square, to_box(end, corner));
-            square = least(square, to_side(corner, side));
-            square = least(square, to_side(Point { x: -corner.x, z: corner.z }, side));
+            square = min(to_box(side.start, corner), square);
+            square = min(to_box(end, corner), square);
+            square = min(to_side(corner, side), square);
+            square = min(to_side(Point { x: -corner.x, z: corner.z }, side), square);
         }
     }
-    square.sqrt()
+    square.square_root()
 }
 
 /// The square of a point's distance to the box that reaches from −`corner.x` to `corner.x` and up to `corner.z`.
 fn to_box<S: Lattice>(point: Point<S>, corner: Point<S>) -> S {
-    let dx = greatest(point.x.abs() - corner.x, S::ZERO);
-    let dz = greatest(point.z - corner.z, S::ZERO);
+    let dx = max(S::ZERO, point.x.abs() - corner.x);
+    let dz = max(S::ZERO, point.z - corner.z);
     dx * dx + dz * dz
 }
 
 /// The square of a point's distance to a side.
 fn to_side<S: Lattice>(point: Point<S>, side: &Side<S>) -> S {
     let along = dot(side.direction, side.start, point);
-    let along = if along < S::ZERO {
-        S::ZERO
-    } else if along > side.length {
-        side.length
-    } else {
-        along
-    };
+    let along = clamp(along, S::ZERO, side.length, along);
     let foot = side.start.along(side.direction, along);
     let (dx, dz) = (point.x - foot.x, point.z - foot.z);
     dx * dx + dz * dz
@@ -110,12 +105,4 @@ fn to_side<S: Lattice>(point: Point<S>, side: &Side<S>) -> S {
 /// Distance of `to` from `from` along a direction.
 fn dot<S: Lattice>(direction: Direction<S>, from: Point<S>, to: Point<S>) -> S {
     (to.x - from.x) * direction.cos + (to.z - from.z) * direction.sin
-}
-
-fn least<S: Lattice>(a: S, b: S) -> S {
-    if b < a { b } else { a }
-}
-
-fn greatest<S: Lattice>(a: S, b: S) -> S {
-    if b > a { b } else { a }
 }

@@ -111,7 +111,7 @@ impl<'a, S: Lattice> Frame<'a, S> {
     /// Directions of upper arm, forearm and hand over the table, in the plane whose first axis is −ρ: the angles
     /// s, s + e and s + e + w of the paper's artifact.
     pub fn links(&self) -> [Direction<S>; 3] {
-        [kinematics::upper_arm_direction(self.pose), self.plane.forearm, self.plane.hand]
+        [kinematics::link_angles(self.pose)[0].direction(), self.plane.forearm, self.plane.hand]
     }
 
     /// −½ ∂d²/∂q of a joint, mm² per rad: the Jacobian's transpose times the error. Positive where raising the joint's
@@ -153,28 +153,19 @@ impl<'a, S: Lattice> Frame<'a, S> {
         let base = self.arm.links.base;
         let ([x, y, z], radius) = (self.target, self.radius());
         let (hand, target) = (self.height() - base, z - base);
-        let target_reach = (x * x + y * y + target * target).sqrt();
-        let hand_reach = (radius * radius + hand * hand).sqrt();
+        let target_reach = (x * x + y * y + target * target).square_root();
+        let hand_reach = (radius * radius + hand * hand).square_root();
         let tangential = (radius * target - hand * self.target_radius()) / hand_reach;
         [-self.target_lateral(), tangential, target_reach - hand_reach]
     }
 
-    /// Ticks that a joint can still rise before its upper limit; 0 for a joint that does not exist.
-    pub fn room_above(&self, joint: Joint) -> S {
-        self.room(joint, |ticks, (_, max)| max - ticks)
-    }
-
-    /// Ticks that a joint can still fall before its lower limit; 0 for a joint that does not exist.
-    pub fn room_below(&self, joint: Joint) -> S {
-        self.room(joint, |ticks, (min, _)| ticks - min)
-    }
-
-    fn room(&self, joint: Joint, room: impl FnOnce(i32, (i32, i32)) -> i32) -> S {
+    /// Ticks that a joint can still rise before its upper limit, and fall before its lower one; 0 for a joint that does not exist.
+    pub fn room(&self, joint: Joint) -> [S; 2] {
         let index = usize::from(joint.0);
-        let ticks = self.pose.0.get(index).zip(self.arm.ranges.get(index));
-        S::from_i32(
-            ticks.map_or(0, |(&ticks, range)| room(i32::from(ticks), (i32::from(range.min), i32::from(range.max)))),
-        )
+        let room = self.pose.0.get(index).zip(self.arm.ranges.get(index)).map_or([0; 2], |(&ticks, range)| {
+            [i32::from(range.max) - i32::from(ticks), i32::from(ticks) - i32::from(range.min)]
+        });
+        room.map(S::from_i32)
     }
 
     /// Height of the lower of the hand's two tip corners over the table, mm. Below 0 the hand collides.

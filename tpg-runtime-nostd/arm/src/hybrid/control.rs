@@ -1,7 +1,7 @@
 //! The control step of a hybrid on a real arm: readings in, a move out, nothing on bad readings.
 
 use super::{Chosen, Hybrid, Settings, Switch};
-use crate::arm::{Arm, Move, Pose};
+use crate::arm::{Move, Pose};
 use crate::cycle::CycleDetector;
 use crate::kinematics::{self, Lattice, Vector};
 use crate::observation::Observation;
@@ -24,20 +24,6 @@ impl<S: Lattice, D: CycleDetector<Pose>> Control<S, D> {
     /// # Errors
     /// [`Fault::Target`] or [`Fault::Sensor`] for what is seen at the start.
     pub fn new(
-        arm: &Arm<S>,
-        settings: Settings<S>,
-        watch: Watch,
-        detector: D,
-        seen: &Observation<S>,
-    ) -> Result<Self, Fault> {
-        Self::within(Limits::new(arm), settings, watch, detector, seen)
-    }
-
-    /// [`new`](Self::new) for an arm whose limits are known already.
-    ///
-    /// # Errors
-    /// As [`new`](Self::new).
-    pub fn within(
         limits: Limits<S>,
         settings: Settings<S>,
         watch: Watch,
@@ -45,7 +31,7 @@ impl<S: Lattice, D: CycleDetector<Pose>> Control<S, D> {
         seen: &Observation<S>,
     ) -> Result<Self, Fault> {
         limits.check(seen)?;
-        let watchdog = Watchdog::within(limits, watch, seen.pose);
+        let watchdog = Watchdog::new(limits, watch, seen.pose)?;
         Ok(Self { switch: Switch::new(settings, detector, seen), watchdog, executed: None })
     }
 
@@ -79,7 +65,7 @@ where
     /// use tpg_arm::cycle::Brent;
     /// use tpg_arm::hybrid::{Control, Guard, Hybrid, Settings};
     /// use tpg_arm::observation::{Observation, Straight};
-    /// use tpg_arm::sensors::{Fault, Watch};
+    /// use tpg_arm::sensors::{Fault, Limits, Watch};
     /// use tpg_arm::{Pose, WIDOWX};
     ///
     /// let (arm, target) = (WIDOWX.to_f32(), [0.0, 300.0, 300.0]);
@@ -88,7 +74,7 @@ where
     ///
     /// let mut motors = arm.home;
     /// let seen = Observation::at(&arm, motors, target);
-    /// let mut control = Control::new(&arm, settings, Watch::DEFAULT, Brent::new(), &seen)?;
+    /// let mut control = Control::new(Limits::new(&arm), settings, Watch::DEFAULT, Brent::new(), &seen)?;
     /// loop {
     ///     let (seen, chosen) = hybrid.step(&mut control, motors, target)?;
     ///     if seen.distance() < 3.0 {

@@ -62,9 +62,9 @@ pub use turns::{CAUSES, Cause, Chosen, Counts, Driver, Switch};
 use crate::arm::{Arm, Collision, Leeway, Move, Pose};
 use crate::cycle::CycleDetector;
 use crate::kinematics::Lattice;
-use crate::named::named;
 use crate::observation::Observation;
 use part::valid_part;
+use tpg_runtime::named;
 use tpg_runtime::policy::Policy;
 use tpg_runtime::switch;
 

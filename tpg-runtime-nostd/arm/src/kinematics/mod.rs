@@ -3,11 +3,10 @@
 //! Base, shoulder, elbow and wrist turn about parallel axes but for the base, so the arm lives in one vertical plane
 //! ([`Plane`]) which the base swings round. The angles of its links are sums of motor ticks: whole numbers. So their
 //! sines come exactly from a quarter-wave table ([`Angle`]), in a handful of instructions that never vary.
-//! [`Plane::from_radians`] is the reference for any angle, by libm.
 //!
 //! Distance of the hand from the place where other definitions put it, mm, at poses inside the WidowX's limits:
 //!
-//! | the lattice path in | against the `f64` matrix chain of the paper's artifact | against libm in the same scalar |
+//! | the lattice path in | against the `f64` matrix chain of the paper's artifact | against libm's sines |
 //! | --- | --- | --- |
 //! | `f64` | 5e-13 | 6e-13 |
 //! | `f32` | 1.1e-4 | 3e-4 |
@@ -21,7 +20,7 @@ mod lattice;
 
 pub use lattice::Lattice;
 
-use crate::arm::{Arm, Joint, Pose, TICKS_PER_TURN};
+use crate::arm::{Arm, JOINTS, Joint, Pose, TICKS_PER_TURN};
 use tpg_runtime::scalar::Scalar;
 
 /// A point or vector in the world, mm: x, y in the table, z upwards.
@@ -31,7 +30,7 @@ pub type Vector<S> = [S; 3];
 #[inline]
 pub fn distance<S: Lattice>(a: Vector<S>, b: Vector<S>) -> S {
     let [x, y, z] = difference(a, b);
-    (x * x + y * y + z * z).sqrt()
+    (x * x + y * y + z * z).square_root()
 }
 
 /// `a − b`, component by component.
@@ -92,6 +91,7 @@ pub struct Point<S> {
 
 impl<S: Scalar> Point<S> {
     /// This point moved `by` mm in a direction.
+    #[inline(always)]
     pub fn along(self, direction: Direction<S>, by: S) -> Self {
         Self { x: self.x + direction.cos * by, z: self.z + direction.sin * by }
     }
@@ -115,6 +115,16 @@ pub struct Directions<S> {
 }
 
 impl<S: Scalar> Directions<S> {
+    /// At a pose of the motor lattice.
+    #[inline]
+    pub fn at(pose: Pose) -> Self
+    where
+        S: Lattice,
+    {
+        let [upper_arm, forearm, hand] = link_angles(pose).map(Angle::direction);
+        Self::of_links(upper_arm, forearm, hand)
+    }
+
     /// From the three links' own directions.
     #[inline]
     pub fn of_links(upper_arm: Direction<S>, forearm: Direction<S>, hand: Direction<S>) -> Self {
@@ -179,18 +189,7 @@ impl<S: Lattice> Plane<S> {
     /// At a pose of the motor lattice.
     #[inline(never)] // once in flash
     pub fn at(arm: &Arm<S>, pose: Pose) -> Self {
-        let [upper_arm, forearm, hand] = link_angles(pose).map(Angle::direction);
-        Self::new(arm, Directions::of_links(upper_arm, forearm, hand))
-    }
-
-    /// At any joint angles (rad, 0 = motor position 2048), by libm: the reference.
-    pub fn from_radians(arm: &Arm<S>, shoulder: S, elbow: S, wrist: S) -> Self {
-        let right = S::from_f64(core::f64::consts::FRAC_PI_2);
-        let upper_arm = right + shoulder;
-        let forearm = upper_arm + right - elbow;
-        let hand = forearm - wrist;
-        let [upper_arm, forearm, hand] = [upper_arm, forearm, hand].map(S::direction_of);
-        Self::new(arm, Directions::of_links(upper_arm, forearm, hand))
+        Self::new(arm, Directions::at(pose))
     }
 }
 
@@ -211,24 +210,24 @@ pub fn base_direction<S: Lattice>(pose: Pose) -> Direction<S> {
     Angle(i32::from(base) - TICKS_PER_TURN / 2).direction()
 }
 
-/// The direction of the upper arm over the table, in the arm plane.
-pub fn upper_arm_direction<S: Lattice>(pose: Pose) -> Direction<S> {
-    let [upper_arm, ..] = link_angles(pose);
-    upper_arm.direction()
-}
-
 /// The place of the hand's tip at a pose, mm.
 #[inline(never)] // once in flash
 pub fn hand<S: Lattice>(arm: &Arm<S>, pose: Pose) -> Vector<S> {
     // `Plane::at`, of which only the tip is left here.
-    let [upper_arm, forearm, hand] = link_angles(pose).map(Angle::direction);
-    Plane::new(arm, Directions::of_links(upper_arm, forearm, hand)).hand_in_world(base_direction(pose))
+    Plane::new(arm, Directions::at(pose)).hand_in_world(base_direction(pose))
 }
 
 /// The place of the hand's tip at any joint angles (rad, 0 = motor position 2048), by libm: the reference.
-pub fn hand_from_radians<S: Lattice>(arm: &Arm<S>, joints: [S; 4]) -> Vector<S> {
-    let [base, shoulder, elbow, wrist] = joints;
-    Plane::from_radians(arm, shoulder, elbow, wrist).hand_in_world(S::direction_of(base))
+pub fn hand_from_radians<S: Lattice>(arm: &Arm<S>, [base, shoulder, elbow, wrist]: [S; JOINTS]) -> Vector<S> {
+    let direction = |radians: S| {
+        let [cos, sin] = [libm::cos, libm::sin].map(|function| S::from_f64(function(radians.to_f64())));
+        Direction { cos, sin }
+    };
+    let right = S::from_f64(core::f64::consts::FRAC_PI_2);
+    let upper_arm = right + shoulder;
+    let forearm = upper_arm + right - elbow;
+    let [upper_arm, forearm, hand] = [upper_arm, forearm, forearm - wrist].map(direction);
+    Plane::new(arm, Directions::of_links(upper_arm, forearm, hand)).hand_in_world(direction(base))
 }
 
 /// The angle of a joint at a pose, rad: 0 at motor position 2048. A joint that does not exist has angle 0.

@@ -21,11 +21,6 @@ use core::mem::MaybeUninit;
 use tpg_runtime::policy::{ActionId, Policy};
 
 impl Source {
-    /// Writes this source's values at a pose into `values`; stops where `values` is full.
-    pub fn write<S: Lattice>(self, arm: &Arm<S>, seen: &Observation<S>, values: &mut [S]) {
-        Self::fill(&[self], arm, seen, &TargetMemo::new(), values);
-    }
-
     /// Writes the values of `sources`, one after another, into `state`; stops where `state` is full.
     ///
     /// `memo` belongs to this arm. What it keeps changes no value; with a new one each time everything is computed anew.
@@ -59,7 +54,7 @@ impl Source {
         }
     }
 
-    /// [`write`](Self::write) with a memo, and with a frame that is known already or computed where it is needed.
+    /// Writes this source's values; stops where `values` is full. The frame is known already, or computed where it is needed.
     #[inline(always)]
     pub fn write_with<'a, S: Lattice, W: Slot<S>>(
         self,
@@ -81,7 +76,11 @@ impl Source {
             }
             Self::Polar => put(values, frame().polar_errors()),
             Self::Floor => put(values, [frame().lowest_corner()]),
-            Self::Stance => put(values, memo.stance(arm, seen.target).errors(seen.pose)),
+            Self::Stance => {
+                let [base, shoulder, elbow, wrist] = memo.stance(arm, seen.target);
+                let [a, b, c, d] = seen.pose.0.map(ticks::<S>);
+                put(values, [base - a, shoulder - b, elbow - c, wrist - d]);
+            }
         }
     }
 }
@@ -113,6 +112,7 @@ fn put<S, W: Slot<S>, const N: usize>(slots: &mut [W], values: [S; N]) {
     }
 }
 
+#[inline(always)]
 fn ticks<S: Lattice>(ticks: i16) -> S {
     S::from_i32(i32::from(ticks))
 }

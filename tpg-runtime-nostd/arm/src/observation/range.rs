@@ -2,7 +2,7 @@
 
 use super::Source;
 use crate::arm::{Arm, JointRange, TICKS_PER_TURN};
-use crate::kinematics::Lattice;
+use tpg_runtime::scalar::Scalar as _;
 
 /// Added to every length, mm, and angle, ticks: `f32` rounds, and a bound must hold all the same.
 const SLACK: f64 = 1.0;
@@ -52,5 +52,5 @@ fn corner_reach(arm: &Arm<f64>) -> f64 {
     let ahead = arm.shapes.hand_length - arm.links.hand;
     let [a, b] = arm.shapes.hand_edges;
     let aside = if a.abs() > b.abs() { a } else { b };
-    Lattice::sqrt(ahead * ahead + aside * aside)
+    (ahead * ahead + aside * aside).square_root()
 }

@@ -4,8 +4,9 @@
 //! shoulder to target make a triangle, so the elbow's goal follows from the law of cosines and the shoulder's from the
 //! target's direction.
 
-use crate::arm::{Arm, JointRange, TICKS_PER_TURN};
+use crate::arm::{Arm, JOINTS, JointRange, TICKS_PER_TURN};
 use crate::kinematics::{Angle, Lattice, Vector};
+use tpg_runtime::ops::clamp;
 
 /// A target as the inverse kinematics sees it: what does not depend on the wrist.
 pub(super) struct ReachTarget<S> {
@@ -23,10 +24,10 @@ pub(super) struct ReachTarget<S> {
     upper_angle: S,
 }
 
-/// Goals of base, shoulder and elbow; they depend on the wrist's position and the target alone.
+/// Goals of the joints; they depend on the wrist's position and the target alone.
 pub(super) struct Goal<S> {
-    /// Base, shoulder and elbow, ticks.
-    pub(super) ticks: [S; 3],
+    /// Base, shoulder, elbow and wrist, ticks.
+    pub(super) ticks: [S; JOINTS],
     /// Ticks by which shoulder and elbow lie outside their ranges, and mm by which the target is out of reach.
     pub(super) excess: S,
 }
@@ -36,7 +37,7 @@ impl<S: Lattice> ReachTarget<S> {
     pub(super) fn at(arm: &Arm<S>, target: Vector<S>) -> Self {
         let links = &arm.links;
         let [x, y, z] = target;
-        let far = (x * x + y * y).sqrt();
+        let far = (x * x + y * y).square_root();
         let facing = S::from_i32(TICKS_PER_TURN / 2) + ticks_of((-x).atan2(y));
         let (base, behind) = turned(facing, arm.ranges[0]);
         // From the shoulder, once the base has turned; negative over the arm's back.
@@ -45,10 +46,10 @@ impl<S: Lattice> ReachTarget<S> {
         Self {
             base,
             behind,
-            wanted: (range * range + height * height).sqrt(),
+            wanted: (range * range + height * height).square_root(),
             // The stretched arm points to negative x of its plane: so does a target on the front side.
             direction: height.atan2(-range),
-            upper: (links.upper_arm * links.upper_arm + links.elbow_offset * links.elbow_offset).sqrt(),
+            upper: (links.upper_arm * links.upper_arm + links.elbow_offset * links.elbow_offset).square_root(),
             upper_angle: links.elbow_offset.atan2(links.upper_arm),
         }
     }
@@ -59,13 +60,14 @@ impl<S: Lattice> ReachTarget<S> {
         let links = &arm.links;
         let turned = Angle(TICKS_PER_TURN / 2 - i32::from(wrist)).direction::<S>();
         let (along, aside) = (links.forearm + links.hand * turned.cos, links.hand * turned.sin);
-        let lower = (along * along + aside * aside).sqrt();
+        let lower = (along * along + aside * aside).square_root();
         let lower_angle = aside.atan2(along);
 
-        let reach = clamp(wanted, (upper - lower).abs(), upper + lower);
+        let reach = clamp(wanted, (upper - lower).abs(), upper + lower, wanted);
         let cosine = (reach * reach - upper * upper - lower * lower) / (S::from_f64(2.0) * upper * lower);
-        let cosine = clamp(cosine, -S::ONE, S::ONE);
-        let sine = clamp(S::ONE - cosine * cosine, S::ZERO, S::ONE).sqrt();
+        let cosine = clamp(cosine, -S::ONE, S::ONE, cosine);
+        let square = S::ONE - cosine * cosine;
+        let sine = clamp(square, S::ZERO, S::ONE, square).square_root();
         // The angle at the elbow, and the one at the shoulder between the lines to elbow and target.
         let bent = sine.atan2(cosine);
         let lean = (lower * sine).atan2(upper + lower * cosine);
@@ -76,7 +78,7 @@ impl<S: Lattice> ReachTarget<S> {
             let shoulder = near_middle(S::from_i32(TICKS_PER_TURN / 4) + ticks_of(upper_arm));
             let elbow = near_middle(S::from_i32(3 * TICKS_PER_TURN / 4) - ticks_of(forearm));
             let excess = outside(shoulder, shoulder_range).abs() + outside(elbow, elbow_range).abs();
-            Goal { ticks: [base, shoulder, elbow], excess }
+            Goal { ticks: [base, shoulder, elbow, S::from_i32(wrist.into())], excess }
         };
         let (first, second) = (bend(bent, lean), bend(-bent, -lean));
         let Goal { ticks, excess } = if second.excess < first.excess { second } else { first };
@@ -126,15 +128,5 @@ fn near_middle<S: Lattice>(ticks: S) -> S {
 
 fn outside<S: Lattice>(ticks: S, range: JointRange) -> S {
     let ends = [range.min, range.max].map(|end| S::from_i32(i32::from(end)));
-    ticks - clamp(ticks, ends[0], ends[1])
-}
-
-fn clamp<S: Lattice>(value: S, min: S, max: S) -> S {
-    if value < min {
-        min
-    } else if value > max {
-        max
-    } else {
-        value
-    }
+    ticks - clamp(ticks, ends[0], ends[1], ticks)
 }

@@ -1,6 +1,6 @@
 //! The named parts of an observation that a graph can read.
 
-use crate::named::named;
+use tpg_runtime::named;
 
 named! {
     /// A data source of a graph: a named part of the observation.

@@ -17,57 +17,33 @@ const WRISTS: [i16; 4] = [0, -448, -948, 948];
 /// cannot face, nine in ten have a free pose with one.
 const WRISTS_OVER_THE_BACK: [i16; 4] = [0, 448, 728, 1000];
 
-/// A goal for every joint. It depends on the target alone, so it can be kept while the target stays.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stance<S> {
-    /// Base, shoulder, elbow and wrist, ticks.
-    goal: [S; JOINTS],
-}
-
-/// A pose that may become the stance.
-struct Candidate<S> {
-    goal: [S; JOINTS],
-    /// 0 if it is possible; otherwise ticks outside of ranges and mm out of reach, and more for a collision.
-    against: S,
-}
-
-impl<S: Lattice> Stance<S> {
-    /// Returns the first pose for a target in mm that the arm can take, or else the one with the smallest violation; a
-    /// collision counts like 4,096 ticks.
-    #[inline(never)] // expensive and rare: a static bound counts it once a target
-    pub(super) fn at(arm: &Arm<S>, target: Vector<S>) -> Self {
-        let seen = ReachTarget::at(arm, target);
-        // Wrapping: a home that no arm has must not panic. `Arm::check` refuses it.
-        let [.., straight] = arm.home.0;
-        let [first, others @ ..] = if seen.behind { WRISTS_OVER_THE_BACK } else { WRISTS };
-        let mut best = candidate(arm, &seen, straight.wrapping_add(first));
-        for wrist in others {
-            // Nothing is better than a possible pose; for most targets the first is one.
-            if best.against == S::ZERO {
-                break;
-            }
-            let next = candidate(arm, &seen, straight.wrapping_add(wrist));
-            if next.against < best.against {
-                best = next;
-            }
+/// Returns a goal for every joint, ticks: the first pose for a target in mm that the arm can take, or else the one with the smallest
+/// violation; a collision counts like 4,096 ticks. It depends on the target alone, so it can be kept while the target stays.
+#[inline(never)] // expensive and rare: a static bound counts it once a target
+pub(super) fn stance<S: Lattice>(arm: &Arm<S>, target: Vector<S>) -> [S; JOINTS] {
+    let seen = ReachTarget::at(arm, target);
+    // Wrapping: a home that no arm has must not panic. `Arm::check` refuses it.
+    let [.., straight] = arm.home.0;
+    let [first, others @ ..] = if seen.behind { WRISTS_OVER_THE_BACK } else { WRISTS };
+    let mut best = candidate(arm, &seen, straight.wrapping_add(first));
+    for wrist in others {
+        // Nothing is better than a possible pose; for most targets the first is one.
+        if best.excess == S::ZERO {
+            break;
         }
-        Self { goal: best.goal }
+        let next = candidate(arm, &seen, straight.wrapping_add(wrist));
+        if next.excess < best.excess {
+            best = next;
+        }
     }
-
-    /// Goal less position of base, shoulder, elbow and wrist, ticks.
-    pub(super) fn errors(&self, pose: Pose) -> [S; JOINTS] {
-        let [a, b, c, d] = pose.0.map(|ticks| S::from_i32(i32::from(ticks)));
-        let [base, shoulder, elbow, wrist] = self.goal;
-        [base - a, shoulder - b, elbow - c, wrist - d]
-    }
+    best.ticks
 }
 
-fn candidate<S: Lattice>(arm: &Arm<S>, seen: &ReachTarget<S>, wrist: i16) -> Candidate<S> {
-    let Goal { ticks: [base, shoulder, elbow], excess } = seen.keeping_wrist(arm, wrist);
-    let goal = [base, shoulder, elbow, S::from_i32(i32::from(wrist))];
+/// The goal for a wrist position, with more excess if it collides.
+fn candidate<S: Lattice>(arm: &Arm<S>, seen: &ReachTarget<S>, wrist: i16) -> Goal<S> {
+    let Goal { ticks, excess } = seen.keeping_wrist(arm, wrist);
     // Goals lie in 0..=4096, so adding a half and truncating rounds.
-    let pose = Pose(goal.map(|ticks| (ticks + S::from_f64(0.5)).to_i32() as i16));
+    let pose = Pose(ticks.map(|ticks| (ticks + S::from_f64(0.5)).to_i32() as i16));
     let collides = Plane::at(arm, pose).collision(&arm.shapes).is_some();
-    let collision = if collides { S::from_i32(4096) } else { S::ZERO };
-    Candidate { goal, against: excess + collision }
+    Goal { ticks, excess: excess + if collides { S::from_i32(4096) } else { S::ZERO } }
 }

@@ -1,4 +1,4 @@
-//! The classical yardstick that fits a microcontroller: straight to the [stance](super::Stance).
+//! The classical yardstick that fits a microcontroller: straight to the stance.
 //!
 //! It learns nothing and looks at nothing on the way. Beside it one sees what a learned policy is worth: it costs one
 //! inverse kinematics for each target, and then hardly anything.

@@ -1,7 +1,7 @@
 //! From the network's preferences to a move of the arm.
 
 use crate::arm::{JOINTS, JointRange, Move, Pose};
-use crate::named::named;
+use tpg_runtime::named;
 
 /// A number that a network answers in: thresholds are compared with its magnitude.
 pub trait Magnitude: Copy + PartialOrd {

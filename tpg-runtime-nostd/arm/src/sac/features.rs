@@ -2,7 +2,8 @@
 
 use crate::arm::Joint;
 use crate::frame::Frame;
-use crate::kinematics;
+use crate::kinematics::Lattice;
+use tpg_runtime::scalar::Scalar as _;
 
 /// Number of features.
 pub const FEATURES: usize = 38;
@@ -80,11 +81,12 @@ pub fn features(frame: &Frame<'_, f32>) -> [f32; FEATURES] {
     let (radial, height) = (frame.radial_error(), frame.height_error());
     let (target_radius, lateral) = (frame.target_radius(), frame.target_lateral());
     let [upper_arm, forearm, hand] = frame.links();
-    let distance = kinematics::Lattice::sqrt(radial * radial + lateral * lateral + height * height);
+    let distance = (radial * radial + lateral * lateral + height * height).square_root();
     let pull = |joint| frame.pull(Joint(joint)) / (200.0 * (distance + 5.0));
     let [front, back] = frame.azimuth_errors();
-    let above = |joint| seen(frame.room_above(Joint(joint)));
-    let below = |joint| seen(frame.room_below(Joint(joint)));
+    let room = |joint| frame.room(Joint(joint)).map(seen);
+    let [[above_base, below_base], [above_shoulder, below_shoulder]] = [0, 1].map(room);
+    let [[above_elbow, below_elbow], [above_wrist, below_wrist]] = [2, 3].map(room);
     let clearance = frame.clearance_up_to(HORIZON);
     [
         base / 2048.0,
@@ -111,17 +113,17 @@ pub fn features(frame: &Frame<'_, f32>) -> [f32; FEATURES] {
         pull(2),
         pull(3),
         pull(0),
-        kinematics::Lattice::ln(distance + 3.0) / 3.0 - 1.0,
+        Lattice::ln(distance + 3.0) / 3.0 - 1.0,
         front / core::f32::consts::PI,
         back / core::f32::consts::PI,
-        above(0),
-        below(0),
-        above(1),
-        below(1),
-        above(2),
-        below(2),
-        above(3),
-        below(3),
+        above_base,
+        below_base,
+        above_shoulder,
+        below_shoulder,
+        above_elbow,
+        below_elbow,
+        above_wrist,
+        below_wrist,
         seen(frame.lowest_corner()),
         seen(clearance.hand),
         seen(clearance.forearm),

@@ -5,19 +5,9 @@ use super::{Actions, Decision, FEATURE_CONTRACT, FEATURES, Mask};
 use tpg_runtime::net::{Meaning, OutputKind, PREFERENCE_ONE, integer};
 
 /// Features as integers: rounded to nearest, halves away from zero, clipped to `i16`; NaN becomes 0.
-#[inline]
-pub fn quantise(features: &[f32; FEATURES]) -> [i16; FEATURES] {
-    let mut integers = [0; FEATURES];
-    quantise_into(features, &mut integers);
-    integers
-}
-
-/// [`quantise`] in place, which copies nothing.
 #[inline(never)] // its loop is not its caller's: a static bound multiplies nested ones
-pub(super) fn quantise_into(features: &[f32; FEATURES], integers: &mut [i16; FEATURES]) {
-    for (to, &feature) in integers.iter_mut().zip(features) {
-        *to = integer(feature);
-    }
+pub fn quantise(features: &[f32; FEATURES]) -> [i16; FEATURES] {
+    features.map(integer)
 }
 
 impl Decision<i32> {

@@ -1,6 +1,6 @@
 //! The arm's network as one array of words: a [`tpg_runtime::net::Model`] of the arm's features, and its decision.
 
-use super::fixed::quantise_into;
+use super::fixed::quantise;
 use super::{Decision, FEATURE_CONTRACT, FEATURES, features};
 use crate::arm::{Arm, JOINTS, Move};
 use crate::frame::Frame;
@@ -21,23 +21,20 @@ impl<'a> Model<'a> {
     /// Checks a model; words behind its end do not matter.
     ///
     /// # Errors
-    /// See [`ModelError`]; [`ModelError::Meaning`] for a network that has not a preference for each joint, or was made for
-    /// other features.
+    /// See [`ModelError`]; [`ModelError::Meaning`] for a network that has not a preference for each joint, or does not read the
+    /// runtime's features.
     pub fn parse(words: &'a [u32]) -> Result<Self, ModelError> {
         let network = net::Model::parse(words)?;
         match network.answer() {
             OutputKind::Preferences { flags }
-                if network.outputs() == JOINTS && network.contract() == FEATURE_CONTRACT =>
+                if network.outputs() == JOINTS
+                    && network.inputs() == FEATURES
+                    && network.contract() == FEATURE_CONTRACT =>
             {
                 Ok(Self { network, decision: Decision::from_flags(flags) })
             }
             _ => Err(ModelError::Meaning),
         }
-    }
-
-    /// Values that the first layer reads.
-    pub fn inputs(&self) -> usize {
-        self.network.inputs()
     }
 
     /// Words of scratch memory that a decision needs.
@@ -63,8 +60,7 @@ impl<'a> Model<'a> {
         if scratch.len() < self.scratch() {
             return Move::STOP;
         }
-        let mut inputs = [0; FEATURES];
-        quantise_into(&features(&Frame::new(arm, seen)), &mut inputs);
+        let inputs = quantise(&features(&Frame::new(arm, seen)));
         self.decision.decide(self.preferences(&inputs, scratch), seen.pose, &arm.ranges)
     }
 }
@@ -79,9 +75,9 @@ pub struct PackedPolicy<'a, const SCRATCH: usize> {
 }
 
 impl<'a, const SCRATCH: usize> PackedPolicy<'a, SCRATCH> {
-    /// A policy, if the model reads the runtime's features and `SCRATCH` is enough for it.
+    /// A policy, if `SCRATCH` is enough for the model.
     pub fn new(arm: &'a Arm<f32>, model: Model<'a>) -> Option<Self> {
-        (model.inputs() == FEATURES && model.scratch() <= SCRATCH).then_some(Self { arm, model })
+        (model.scratch() <= SCRATCH).then_some(Self { arm, model })
     }
 }
 

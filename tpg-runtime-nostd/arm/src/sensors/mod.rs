@@ -17,12 +17,12 @@
 //! [`Watchdog`]:
 //!
 //! ```
-//! use tpg_arm::sensors::{Fault, Watch, Watchdog};
+//! use tpg_arm::sensors::{Fault, Limits, Watch, Watchdog};
 //! use tpg_arm::{Joint, Move, WIDOWX};
 //!
 //! let arm = WIDOWX.to_f32();
 //! let target = [0.0, 300.0, 300.0];
-//! let mut watchdog = Watchdog::new(&arm, Watch::DEFAULT, arm.home);
+//! let mut watchdog = Watchdog::new(Limits::new(&arm), Watch::DEFAULT, arm.home)?;
 //! let wanted = Move::single(Joint(0), 3);
 //! let mut steps = 0;
 //! // The motors never move.

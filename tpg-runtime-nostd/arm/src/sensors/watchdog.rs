@@ -2,7 +2,7 @@
 
 use super::lanes::{self, Expected, TOP};
 use super::{Fault, Limits};
-use crate::arm::{Arm, Move, Pose, TICKS_PER_TURN};
+use crate::arm::{Move, Pose, TICKS_PER_TURN};
 use crate::kinematics::{Lattice, Vector};
 
 /// The difference that commanded and observed motion may have.
@@ -48,18 +48,17 @@ pub struct Watchdog<S> {
 }
 
 impl<S: Lattice> Watchdog<S> {
-    /// A watchdog over an arm whose motors are at `motors`.
-    pub fn new(arm: &Arm<S>, watch: Watch, motors: Pose) -> Self {
-        // Nothing has checked the reading yet.
-        let motors = Pose(motors.0.map(|ticks| ticks.clamp(0, (TICKS_PER_TURN - 1) as i16)));
-        Self::within(Limits::new(arm), watch, motors)
-    }
-
-    /// A watchdog over an arm of these limits whose motors are at `motors`, within their ranges.
-    pub fn within(limits: Limits<S>, watch: Watch, motors: Pose) -> Self {
+    /// A watchdog over an arm of these limits whose motors are at `motors`.
+    ///
+    /// # Errors
+    /// [`Fault::Sensor`] for a motor outside its joint's range.
+    pub fn new(limits: Limits<S>, watch: Watch, motors: Pose) -> Result<Self, Fault> {
+        if !limits.hold(motors) {
+            return Err(Fault::Sensor);
+        }
         let threshold = watch.threshold.min(TICKS_PER_TURN as u16);
         let patience = watch.patience.max(1);
-        Self { limits, expected: Expected::around(lanes::from_pose(motors), threshold), patience, left: patience }
+        Ok(Self { limits, expected: Expected::around(lanes::from_pose(motors), threshold), patience, left: patience })
     }
 
     /// Starts anew from the motors' positions, after the cause of a fault was removed.
@@ -87,12 +86,7 @@ impl<S: Lattice> Watchdog<S> {
     /// See [`Fault`]. Nothing changes then.
     #[inline(always)]
     pub fn check(&self, motors: Pose, target: &Vector<S>) -> Result<(), Fault> {
-        let at = lanes::from_pose(motors);
-        if self.limits.ranges.hold(at) & self.expected.hold(at) & TOP == TOP && self.limits.reaches(target) {
-            Ok(())
-        } else {
-            Err(self.fault(motors, target))
-        }
+        if self.limits.reaches(target) { self.check_motors(motors) } else { Err(Fault::Target) }
     }
 
     /// Checks the motors' positions alone.
@@ -119,18 +113,5 @@ impl<S: Lattice> Watchdog<S> {
             self.anchor(motors);
         }
         self.expected.shift(wanted);
-    }
-
-    /// The first fault of a reading that has one.
-    #[cold]
-    #[inline(never)]
-    fn fault(&self, motors: Pose, target: &Vector<S>) -> Fault {
-        if !self.limits.reaches(target) {
-            Fault::Target
-        } else if self.limits.hold(motors) {
-            Fault::Stuck
-        } else {
-            Fault::Sensor
-        }
     }
 }

@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tpg_arm::dodge::{DodgerSettings, SCOUT, ScoutSettings};
+use tpg_arm::dodge::DodgerSettings;
 use tpg_graph::error::Finding;
 
 /// The section `[problem]` for the arm among balls. Lengths in mm, times in steps.
@@ -23,7 +23,8 @@ pub struct Config {
 
 impl Default for Config {
     fn default() -> Self {
-        Self { balls: [1, 3], radius: [30.0, 60.0], speed: [0.3, 2.0], tolerance: 3.0, effort: SCOUT.effort }
+        let DodgerSettings { effort, .. } = DodgerSettings::DEFAULT;
+        Self { balls: [1, 3], radius: [30.0, 60.0], speed: [0.3, 2.0], tolerance: 3.0, effort }
     }
 }
 
@@ -50,7 +51,7 @@ impl Config {
 
     /// Returns the settings of the control step.
     pub fn settings(&self) -> DodgerSettings {
-        DodgerSettings { scout: ScoutSettings { effort: self.effort, ..SCOUT }, guard: true }
+        DodgerSettings { effort: self.effort, ..DodgerSettings::DEFAULT }
     }
 }
 

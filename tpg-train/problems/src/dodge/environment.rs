@@ -50,7 +50,7 @@ impl<S: Scalar> Environment<S> for Dodge {
     }
 
     fn actions(&self) -> ActionSpace {
-        ActionSpace::discrete(Behaviour::ALL.iter().map(|(_, name)| *name))
+        ActionSpace::discrete(Behaviour::ALL.map(Behaviour::name))
     }
 
     fn outcomes(&self) -> &'static [&'static str] {
@@ -98,7 +98,7 @@ impl<S: Scalar> Environment<S> for Dodge {
     }
 
     fn step(&self, running: &mut DodgeEpisode, act: Act<'_, S>) -> Step {
-        let (behaviour, _) = Behaviour::ALL[act.choice()];
+        let behaviour = Behaviour::ALL[act.choice()];
         let wanted = running.dodger.act(&running.episode.view(), behaviour);
         let Some(end) = running.episode.step(wanted, self.config.tolerance) else {
             return Step::reward(0.0);

@@ -84,7 +84,7 @@ fn balls(worst: u64) -> io::Result<PageBalls> {
     let numbers = |scene: &Certified| numbers(&scene.scene).map(Vec::from);
     let scenes = scenes.iter().take(SCENES).map(numbers).collect::<Option<_>>();
     let scenes = scenes.ok_or_else(|| io::Error::other("a scene with too many goals or balls"))?;
-    Ok(PageBalls { scenes, behaviours: Behaviour::ALL.iter().map(|(_, name)| *name).collect(), worst })
+    Ok(PageBalls { scenes, behaviours: Behaviour::ALL.map(Behaviour::name).to_vec(), worst })
 }
 
 fn costs() -> io::Result<BTreeMap<&'static str, PageCost>> {

@@ -8,14 +8,14 @@ use rand_mt::Mt;
 
 /// The state of the generator after `torch.manual_seed`.
 #[derive(Clone, Debug)]
-pub struct TorchRandom {
+pub(crate) struct TorchRandom {
     words: Mt,
     waiting: Option<f64>,
 }
 
 impl TorchRandom {
     /// Creates a generator; only the low 32 bits of the seed count.
-    pub fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         Self { words: Mt::new(seed as u32), waiting: None }
     }
 
@@ -27,7 +27,7 @@ impl TorchRandom {
     }
 
     /// Returns a standard normal number.
-    pub fn normal(&mut self) -> f32 {
+    pub(crate) fn normal(&mut self) -> f32 {
         if let Some(waiting) = self.waiting.take() {
             return waiting as f32;
         }

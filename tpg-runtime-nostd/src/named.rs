@@ -1,6 +1,22 @@
 //! Enumerations whose values have names in files.
 
 /// Defines an enumeration with the name of each value.
+///
+/// ```
+/// tpg_runtime::named! {
+///     /// A side.
+///     #[derive(Debug, Clone, Copy, PartialEq)]
+///     pub enum Side {
+///         /// The left one.
+///         Left = "left",
+///         /// The right one.
+///         Right = "right",
+///     }
+/// }
+///
+/// assert_eq!((Side::ALL[1].name(), Side::from_name("left")), ("right", Some(Side::Left)));
+/// ```
+#[macro_export]
 macro_rules! named {
     ($(#[$about:meta])* pub enum $type:ident { $($(#[$doc:meta])* $value:ident = $name:literal,)+ }) => {
         $(#[$about])*
@@ -34,10 +50,8 @@ macro_rules! named {
     };
 }
 
-pub(crate) use named;
-
 /// Returns true if both are the same bytes: `==` for constants.
-pub(crate) const fn same(a: &[u8], b: &[u8]) -> bool {
+pub const fn same(a: &[u8], b: &[u8]) -> bool {
     match (a.split_first(), b.split_first()) {
         (Some((first, rest)), Some((other, others))) => *first == *other && same(rest, others),
         (None, None) => true,
