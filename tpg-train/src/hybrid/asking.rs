@@ -94,7 +94,7 @@ impl<S: Scalar, E: Environment<S>, P: Fn(&[f32]) -> Decision<f32> + Sync> Enviro
     type Episode = E::Episode;
 
     tpg_engine::forward!(this => this.environment;
-        time_limit draw outcomes measure accepts sources start observe timeout training distance);
+        time_limit draw outcomes measure accepts sources start observe timeout training task_from distance);
 
     /// The environment's actions, then the one that asks.
     fn actions(&self) -> ActionSpace {

@@ -6,8 +6,8 @@ use crate::sac::network::Network;
 use std::cell::RefCell;
 use std::marker::PhantomData;
 use tpg_engine::{
-    ActionSpace, Choices, Counting, DEFAULT_LANES, Decision, Drawn, Environment, EpisodeResult, Lanes, NETWORK, Plan,
-    Remembered, Remembering, Rollout, Single, SourceDocument, SourceSet, bind,
+    ActionSpace, Choices, DEFAULT_LANES, Decision, Environment, EpisodeResult, Lanes, NETWORK, Plan,
+    Remembering, Rollout, Single, SourceDocument, SourceSet, bind,
 };
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
@@ -90,8 +90,7 @@ pub(crate) fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
     let space = environment.actions();
     match acting {
         Acting::Graph(graph) => {
-            let counting = Counting::new::<S>(environment, &graph.1);
-            let remembering = Remembering::new(counting, Remembered::in_graph(&graph.1));
+            let remembering = Remembering::for_graph::<S>(environment, &graph.1);
             let plan = plan::<S, M, _>(graph, &remembering)?;
             // In the graph's own units, without its memory.
             let mut meter = Meter::new(&remembering.actions().outputs()[..space.outputs().len()], tasks.len());
@@ -162,12 +161,11 @@ pub(crate) fn moments<S: Scalar, M: Maths<S>, E: Environment<S>>(
     environment: &E,
     graph: &(String, Graph),
     task: &E::Task,
-    drawn: &dyn Drawn<E::Episode>,
 ) -> Result<Vec<Vec<f64>>, InputError> {
     let single = Single::<S, M>::new(plan::<S, M, _>(graph, environment)?);
     let mut moments = Vec::new();
     let decide = |state: &[S]| single.answer(state).into();
-    Rollout::new(environment, task).watch(decide, |episode| moments.push(drawn.moment(episode)));
+    Rollout::new(environment, task).watch(decide, |episode| moments.push(environment.moment(episode)));
     Ok(moments)
 }
 

@@ -12,13 +12,11 @@ mod regular;
 
 pub use episode::ArmEpisode;
 
-use crate::arm::evaluation::figures;
 use crate::arm::problem::{ArmProblem, ArmTask, DISTANCE, OUTCOMES, on_the_arm};
 use crate::arm::targets::{self, ReachableSpace, Set};
 use crate::arm::{drawing, motors};
 use clearance::Clearances;
 use guard::Steering;
-use serde_json::{Map, Value};
 use tpg_arm::binding::MOVE;
 use tpg_arm::episode::Outcome;
 use tpg_arm::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, Vector, link_angles};
@@ -26,7 +24,7 @@ use tpg_arm::observation::{Observation, Source, TargetMemo};
 use tpg_arm::{Arm, JOINTS, Joint, Move, Play, Pose, TICKS_PER_TURN};
 use tpg_engine::random::Stream;
 use tpg_engine::{
-    Act, ActionSpace, Drawn, End, Environment, EpisodeResult, Episodes, Guarded, Measure, Preference, SourceSet, Step,
+    Act, ActionSpace, End, Environment, EpisodeResult, Episodes, Guarded, Measure, Preference, SourceSet, Step,
     TaskSet, Training,
 };
 use tpg_graph::{ActionDocument, Effect, SourceDocument};
@@ -258,7 +256,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         space.task(self.problem.start, stream).into()
     }
 
-    fn training(&self) -> Option<&dyn Training<ArmTask, ArmEpisode<S>>> {
+    fn training(&self) -> Option<&dyn Training<ArmTask>> {
         Some(self)
     }
 
@@ -266,8 +264,8 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         Some(self)
     }
 
-    fn drawn(&self) -> Option<&dyn Drawn<ArmEpisode<S>>> {
-        Some(self)
+    fn moment(&self, episode: &ArmEpisode<S>) -> Vec<f64> {
+        drawing::moment(episode.pose, episode.target.map(S::to_f64))
     }
 
     /// Returns the distance of the hand as a policy sees it: without play.
@@ -343,7 +341,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
     }
 }
 
-impl<S: ArmScalar> Training<ArmTask, ArmEpisode<S>> for ArmEnvironment<S> {
+impl<S: ArmScalar> Training<ArmTask> for ArmEnvironment<S> {
     fn coarser(&self, task: ArmTask, factor: u8) -> ArmTask {
         ArmTask { roughness: factor, ..task }
     }
@@ -352,19 +350,5 @@ impl<S: ArmScalar> Training<ArmTask, ArmEpisode<S>> for ArmEnvironment<S> {
         let (set, seed) = Set::asked(set, seed, 0);
         let tasks = targets::tasks(&self.description, seed, set, self.problem.start, count);
         Some(tasks.into_iter().map(ArmTask::from).collect())
-    }
-}
-
-impl<S: ArmScalar> Drawn<ArmEpisode<S>> for ArmEnvironment<S> {
-    fn figures(&self, endings: &[EpisodeResult]) -> Map<String, Value> {
-        figures(endings)
-    }
-
-    fn moment(&self, episode: &ArmEpisode<S>) -> Vec<f64> {
-        drawing::moment(episode.pose, episode.target.map(S::to_f64))
-    }
-
-    fn picture(&self, moments: &[Vec<f64>]) -> String {
-        drawing::picture(&self.description, moments)
     }
 }

@@ -47,7 +47,7 @@ impl<'e, S: ArmScalar> ArmLanes<'e, S> {
         let group = &self.groups[lane / BLOCK];
         let pose = group.pose(lane % BLOCK);
         let episode = &mut self.episodes[lane];
-        episode.actions = (self.environment.problem.max_actions as i32 - 1 - group.left[lane % BLOCK]) as u32;
+        episode.actions = (self.environment.problem.max_actions as i32 - 1 - group.now.left[lane % BLOCK]) as u32;
         if episode.pose != pose {
             let plane_moved = (episode.pose.packed() ^ pose.packed()) >> 16 != 0;
             let plane = plane_moved.then(|| self.environment.plane(pose));
@@ -180,13 +180,13 @@ impl<S: ArmScalar> ArmLanes<'_, S> {
             }
         };
         match source {
-            Source::Target => (0..3).for_each(|axis| fill(axis, &|group| group.target[axis])),
-            Source::Hand => (0..3).for_each(|axis| fill(axis, &|group| group.hand[axis])),
+            Source::Target => (0..3).for_each(|axis| fill(axis, &|group| group.now.target[axis])),
+            Source::Hand => (0..3).for_each(|axis| fill(axis, &|group| group.now.hand[axis])),
             Source::Difference => (0..3).for_each(|axis| {
-                fill(axis, &|group| std::array::from_fn(|lane| group.target[axis][lane] - group.hand[axis][lane]));
+                fill(axis, &|group| std::array::from_fn(|lane| group.now.target[axis][lane] - group.now.hand[axis][lane]));
             }),
             Source::Motors | Source::Servos => {
-                (0..JOINTS).for_each(|joint| fill(joint, &|group| group.ticks[joint].map(S::from_i32)));
+                (0..JOINTS).for_each(|joint| fill(joint, &|group| group.now.ticks[joint].map(S::from_i32)));
                 for (servo, ticks) in self.environment.arm.fixed_servos.into_iter().enumerate() {
                     if source == Source::Servos {
                         fill(JOINTS + servo, &|_| [S::from_i32(i32::from(ticks)); BLOCK]);
