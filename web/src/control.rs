@@ -5,7 +5,7 @@
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Decision, Environment, SourceSet};
 use tpg_generated::{cartpole::Cartpole, mountain_car::MountainCar as CarPolicy, pendulum::Pendulum as PendulumPolicy};
-use tpg_problems::eights::ByEight;
+use tpg_problems::eights::{ByEight, number};
 use tpg_problems::{CartPole, MountainCar, Pendulum, cartpole, mountain_car, pendulum};
 use tpg_runtime::policy::Policy;
 
@@ -100,7 +100,7 @@ where
         let mut seen = [0.0; N];
         self.environment.observe(&mut self.episode, SourceSet::ALL, &mut seen);
         let answer = (self.policy)(&seen);
-        let step = E::step_under(&self.physics, &mut self.episode, answer.act());
+        let step = E::step_under(&self.physics, &mut self.episode, number(answer.act()));
         let view = &mut self.view;
         view.seen[..N].copy_from_slice(&seen);
         view.action = match answer {

@@ -78,10 +78,7 @@ impl<T: Serialize + Send + Sync + 'static> ErasedTask for T {
 impl AnyTask {
     /// Hides the type of a task.
     pub fn new<T: Serialize + Send + Sync + 'static>(task: T) -> Self {
-        Self(Arc::new(Forms {
-            typed: OnceLock::from(Box::new(task) as Box<dyn ErasedTask>),
-            json: OnceLock::new(),
-        }))
+        Self(Arc::new(Forms { typed: OnceLock::from(Box::new(task) as Box<dyn ErasedTask>), json: OnceLock::new() }))
     }
 
     fn json(&self) -> &RawValue {
@@ -192,8 +189,11 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Typed<S, E> {
     }
 }
 
-/// The reason why an extension is there: the environment inside has one.
-const EXTENDED: &str = "an environment with this extension";
+impl<S: Scalar, E: Environment<S>> Typed<S, E> {
+    fn guard(&self) -> &dyn Guarded<S, E::Episode> {
+        self.0.guarded().expect("an environment with a guard")
+    }
+}
 
 impl<S: Scalar, E: Environment<S>> Training<AnyTask> for Typed<S, E> {
     fn coarser(&self, task: AnyTask, factor: u8) -> AnyTask {
@@ -209,22 +209,22 @@ impl<S: Scalar, E: Environment<S>> Training<AnyTask> for Typed<S, E> {
 
 impl<S: Scalar, E: Environment<S>> Guarded<S, AnyEpisode> for Typed<S, E> {
     fn network_sources(&self) -> Vec<SourceDocument> {
-        self.0.guarded().expect(EXTENDED).network_sources()
+        self.guard().network_sources()
     }
     fn network_outputs(&self) -> Vec<Output> {
-        self.0.guarded().expect(EXTENDED).network_outputs()
+        self.guard().network_outputs()
     }
     fn network_observe(&self, episode: &mut AnyEpisode, state: &mut [f32]) {
-        self.0.guarded().expect(EXTENDED).network_observe(episode.typed_mut(), state);
+        self.guard().network_observe(episode.typed_mut(), state);
     }
     fn guards(&self) -> &'static [&'static str] {
-        self.0.guarded().expect(EXTENDED).guards()
+        self.guard().guards()
     }
     fn refuses(&self, guard: &str, episode: &AnyEpisode, act: Act<'_, S>) -> bool {
-        self.0.guarded().expect(EXTENDED).refuses(guard, episode.typed(), act)
+        self.guard().refuses(guard, episode.typed(), act)
     }
     fn mend(&self, guard: &str, episode: &AnyEpisode, values: &mut [S]) -> bool {
-        self.0.guarded().expect(EXTENDED).mend(guard, episode.typed(), values)
+        self.guard().mend(guard, episode.typed(), values)
     }
 }
 

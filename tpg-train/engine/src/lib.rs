@@ -77,7 +77,7 @@ pub use policy::{Destination, Edge, Limits, Line, Operand, PolicyGraph};
 pub use remembering::{Remembered, Remembering, remembered};
 pub use rollout::{Decision, Rollout};
 pub use single::Single;
-pub use source_set::SourceSet;
+pub use source_set::{SourceSet, state_length};
 pub use tasks::{coarser, tasks};
 pub use tpg_graph::SourceDocument;
 pub use units::Units;

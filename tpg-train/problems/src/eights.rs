@@ -29,13 +29,9 @@ pub trait ByEight<const N: usize>: Sized {
         ended: &mut [bool; L],
     );
 
-    /// Takes an action in one episode under some constants.
+    /// Takes an [action](number) in one episode under some constants.
     #[inline]
-    fn step_under<S: Scalar>(physics: &Self::Physics, episode: &mut [f64; N], act: Act<'_, S>) -> Step {
-        let act = match act {
-            Act::Choice(ActionId(action)) => f64::from(action),
-            Act::Values(values) => values[0].to_f64(),
-        };
+    fn step_under(physics: &Self::Physics, episode: &mut [f64; N], act: f64) -> Step {
         let (mut numbers, mut rewards, mut ended) = (episode.map(|number| [number]), [0.0], [false]);
         Self::step_many(physics, &mut numbers, &[act], &mut rewards, &mut ended);
         *episode = numbers.map(|[number]| number);
@@ -49,6 +45,14 @@ pub trait ByEight<const N: usize>: Sized {
     }
 }
 
+/// Returns the number of an action, or the value of the output.
+pub fn number<S: Scalar>(act: Act<'_, S>) -> f64 {
+    match act {
+        Act::Choice(ActionId(action)) => f64::from(action),
+        Act::Values(values) => values[0].to_f64(),
+    }
+}
+
 /// Implements the methods of an [`Environment`] that follow from [`ByEight`].
 macro_rules! by_eight {
     ($numbers:literal) => {
@@ -57,7 +61,11 @@ macro_rules! by_eight {
         }
 
         fn step(&self, episode: &mut Self::Episode, act: tpg_engine::Act<'_, S>) -> tpg_engine::Step {
-            <Self as $crate::eights::ByEight<$numbers>>::step_under(&Self::STANDARD, episode, act)
+            <Self as $crate::eights::ByEight<$numbers>>::step_under(
+                &Self::STANDARD,
+                episode,
+                $crate::eights::number(act),
+            )
         }
 
         fn lanes(&self) -> Box<dyn tpg_engine::Episodes<S, Self::Task> + '_> {

@@ -5,7 +5,7 @@ use crate::arm::drawing::picture;
 use crate::arm::evaluation::figures;
 use crate::arm::motors::Motors;
 use crate::arm::targets::Start;
-use crate::arm::{self, ArmScalar, motors};
+use crate::arm::{self, motors};
 use crate::cartpole::{self, CartPole};
 use crate::dodge::{self, Dodge};
 use crate::eye::Eye;
@@ -17,7 +17,8 @@ use crate::varied::{self, Varied};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
-use tpg_arm::WIDOWX;
+use tpg_arm::kinematics::Lattice;
+use tpg_arm::{Arm, WIDOWX};
 use tpg_engine::{AnyEnvironment, EpisodeResult, erase};
 use tpg_graph::error::{Finding, InputError, Place};
 use tpg_graph::{Graph, settings};
@@ -316,7 +317,7 @@ impl Problem {
         S::environment(self)
     }
 
-    fn create<S: ArmScalar>(&self) -> AnyEnvironment<S> {
+    fn create<S: Number>(&self) -> AnyEnvironment<S> {
         match &self.settings {
             ProblemSettings::Arm(config) => erase(config.environment::<S>(self.start())),
             // The arm as graphs share it with a network.
@@ -385,20 +386,29 @@ impl Problem {
 
 /// Number types of the problems in the registry.
 ///
-/// Its method is not a generic function, so that the problems are compiled in this crate and not once more in every crate that
+/// Its methods are not generic functions, so that the problems are compiled in this crate and not once more in every crate that
 /// uses them.
-pub trait Number: ArmScalar {
+pub trait Number: Lattice {
+    /// Rounds the arm to this number type.
+    fn arm(arm: &Arm<f64>) -> Arm<Self>;
+
     /// Implements [`Problem::environment`].
     fn environment(problem: &Problem) -> AnyEnvironment<Self>;
 }
 
 impl Number for f32 {
+    fn arm(arm: &Arm<f64>) -> Arm<f32> {
+        arm.to_f32()
+    }
     fn environment(problem: &Problem) -> AnyEnvironment<f32> {
         problem.create()
     }
 }
 
 impl Number for f64 {
+    fn arm(arm: &Arm<f64>) -> Arm<f64> {
+        *arm
+    }
     fn environment(problem: &Problem) -> AnyEnvironment<f64> {
         problem.create()
     }

@@ -1,6 +1,6 @@
 //! Problems made harder, or more like a real machine: other constants, late actions, noisy or missing sensors.
 
-use crate::eights::ByEight;
+use crate::eights::{ByEight, number};
 use crate::physics::Constants;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -9,7 +9,6 @@ use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Act, End, Environment, Episodes, Mapped, OneByOne, SourceSet, Step};
 use tpg_graph::SourceDocument;
 use tpg_graph::error::Finding;
-use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
 /// The section `[problem.disturbance]` of a configuration: whatever stands between a policy and the problem.
@@ -221,20 +220,9 @@ where
     fn step(&self, running: &mut Self::Episode, act: Act<'_, S>) -> Step {
         let Some(variation) = &mut running.variation else { return self.environment.step(&mut running.bare, act) };
         variation.draw_noise();
-        let physics = variation.physics;
-        match act {
-            Act::Choice(ActionId(action)) => {
-                variation.late.push_back(action.into());
-                let action = variation.late.pop_front().map_or(action, |action| action as u16);
-                E::step_under::<S>(&physics, &mut running.bare, Act::Choice(ActionId(action)))
-            }
-            Act::Values(&[value]) => {
-                variation.late.push_back(value.to_f64());
-                let value = variation.late.pop_front().map_or(value, S::from_f64);
-                E::step_under(&physics, &mut running.bare, Act::Values(&[value]))
-            }
-            Act::Values(_) => E::step_under(&physics, &mut running.bare, act),
-        }
+        variation.late.push_back(number(act));
+        let act = variation.late.pop_front().expect("an action that was just added");
+        E::step_under(&variation.physics, &mut running.bare, act)
     }
 
     fn distance(&self, running: &Self::Episode) -> Option<f64> {

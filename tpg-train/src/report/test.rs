@@ -37,23 +37,6 @@ impl Tested {
     }
 }
 
-/// Returns the policies of the halls of fame of runs, each with its name and result.
-pub(super) fn halls<'r>(
-    runs: &'r [Run],
-    episodes: usize,
-    seed: u64,
-    own: Option<&dyn Shared>,
-) -> Result<Vec<(String, &'r Run, Tested)>, InputError> {
-    let mut tested = Vec::new();
-    for run in runs {
-        for one in &run.hall {
-            let result = test(one, episodes, seed, own)?;
-            tested.extend(result.map(|result| (format!("{}, {}", run.name, one.name), one, result)));
-        }
-    }
-    Ok(tested)
-}
-
 /// Tests a run; `None` if its environment is not available, and the program that has it did not test the run.
 pub(super) fn test(run: &Run, count: usize, seed: u64, own: Option<&dyn Shared>) -> Result<Option<Tested>, InputError> {
     let built_in = run.problem.as_ref();
@@ -100,13 +83,12 @@ fn network_shown(
 ) -> Result<Vec<Figure>, InputError> {
     let environment = problem.network_environment(0);
     let tasks = tpg_engine::tasks(&*environment, episodes.set, episodes.seed, episodes.count);
-    network.deciding(|decide| {
-        shown(problem, endings, |place| {
-            let mut moments = Vec::new();
-            let rollout = Rollout::new(&*environment, &tasks[place]);
-            rollout.watch(decide, |episode| moments.push(environment.moment(episode)));
-            Ok(moments)
-        })
+    let decide = network.deciding();
+    shown(problem, endings, |place| {
+        let mut moments = Vec::new();
+        let rollout = Rollout::new(&*environment, &tasks[place]);
+        rollout.watch(&decide, |episode| moments.push(environment.moment(episode)));
+        Ok(moments)
     })
 }
 

@@ -2,10 +2,11 @@
 
 use super::arms;
 use super::description::ArmDescription;
-use super::environment::{ArmEnvironment, ArmScalar};
+use super::environment::ArmEnvironment;
 use super::motors;
 use super::problem::ArmProblem;
 use super::targets::{Start, TOLERANCE};
+use crate::registry::Number;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_arm::observation::{STEP, Source};
@@ -133,7 +134,7 @@ impl Config {
     }
 
     /// Returns the environment with the given start.
-    pub fn environment<S: ArmScalar>(&self, start: Start) -> ArmEnvironment<S> {
+    pub fn environment<S: Number>(&self, start: Start) -> ArmEnvironment<S> {
         let environment = ArmEnvironment::new(&self.arm(), self.problem(start));
         match &self.network {
             Some(network) => environment.with_network(network),

@@ -51,7 +51,8 @@ where
 impl ReachStatistics {
     /// Computes the statistics of the arm's episodes.
     pub fn new(endings: &[EpisodeResult]) -> Self {
-        let count = |name: &&str| endings.iter().filter(|ending| OUTCOMES[usize::from(ending.outcome)] == *name).count();
+        let count =
+            |name: &&str| endings.iter().filter(|ending| OUTCOMES[usize::from(ending.outcome)] == *name).count();
         let failures: BTreeMap<&str, usize> = OUTCOMES[1..].iter().map(|name| (*name, count(name))).collect();
         let successes: Vec<&EpisodeResult> = endings.iter().filter(|ending| ending.success == Some(true)).collect();
         let on_success: f64 = successes.iter().map(|ending| f64::from(ending.actions)).sum();

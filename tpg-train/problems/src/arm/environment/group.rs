@@ -6,15 +6,15 @@ use tpg_engine::{BLOCK, Block};
 
 /// The values that regular steps need: of one lane, or of neighbouring ones, then a column for each.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Values<Whole, Number> {
-    pub(super) ticks: [Whole; JOINTS],
-    pub(super) target: [Number; 3],
-    pub(super) hand: [Number; 3],
+pub(super) struct Values<Integers, Numbers> {
+    pub(super) ticks: [Integers; JOINTS],
+    pub(super) target: [Numbers; 3],
+    pub(super) hand: [Numbers; 3],
     /// A squared distance above this is not a success, mm²; NaN if no step is regular.
-    pub(super) far: Number,
-    pub(super) roughness: Whole,
+    pub(super) far: Numbers,
+    pub(super) roughness: Integers,
     /// Remaining actions, minus the last one allowed; from 0 on, steps are not regular.
-    pub(super) left: Whole,
+    pub(super) left: Integers,
 }
 
 /// The values of one lane.
@@ -30,15 +30,15 @@ pub(super) struct Group<S> {
     pub(super) other: Block<bool>,
 }
 
-impl<Whole, Number> Values<Whole, Number> {
-    fn map<W, N>(&self, whole: impl Fn(&Whole) -> W, number: impl Fn(&Number) -> N) -> Values<W, N> {
+impl<Integers, Numbers> Values<Integers, Numbers> {
+    fn map<I, N>(&self, integer: impl Fn(&Integers) -> I, number: impl Fn(&Numbers) -> N) -> Values<I, N> {
         Values {
-            ticks: self.ticks.each_ref().map(&whole),
+            ticks: self.ticks.each_ref().map(&integer),
             target: self.target.each_ref().map(&number),
             hand: self.hand.each_ref().map(&number),
             far: number(&self.far),
-            roughness: whole(&self.roughness),
-            left: whole(&self.left),
+            roughness: integer(&self.roughness),
+            left: integer(&self.left),
         }
     }
 }
@@ -46,13 +46,13 @@ impl<Whole, Number> Values<Whole, Number> {
 impl<S: Copy> Group<S> {
     /// Creates a group of equal lanes.
     pub(super) fn new(lane: Lane<S>) -> Self {
-        let now = lane.map(|&whole| [whole; BLOCK], |&number| [number; BLOCK]);
+        let now = lane.map(|&integer| [integer; BLOCK], |&number| [number; BLOCK]);
         Self { now, before: now.ticks, other: [false; BLOCK] }
     }
 
     /// Returns one lane.
     pub(super) fn lane(&self, lane: usize) -> Lane<S> {
-        self.now.map(|wholes| wholes[lane], |numbers| numbers[lane])
+        self.now.map(|integers| integers[lane], |numbers| numbers[lane])
     }
 
     /// Stores a lane.

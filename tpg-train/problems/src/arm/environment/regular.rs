@@ -1,7 +1,8 @@
 //! The regular step of many arms, computed by the same functions as any step, vectorised over lanes.
 
 use super::group::Group;
-use super::{ArmEnvironment, ArmScalar, base_angle, look_up};
+use super::{ArmEnvironment, base_angle, look_up};
+use crate::registry::Number;
 use tpg_arm::kinematics::{Direction, Directions, Plane, difference, link_angles};
 use tpg_arm::{JOINTS, Pose};
 use tpg_engine::{BLOCK, Block};
@@ -17,7 +18,7 @@ pub(super) struct Regular<'a, S> {
     pub(super) actions: &'a [ActionId],
 }
 
-impl<S: ArmScalar> Regular<'_, S> {
+impl<S: Number> Regular<'_, S> {
     /// Takes the steps.
     #[inline(always)]
     pub(super) fn take(self) {
@@ -41,7 +42,7 @@ impl<S: ArmScalar> Regular<'_, S> {
     clippy::needless_range_loop,
     reason = "several arrays at the same place, and copies of arrays would stay copies"
 )]
-fn regular<S: ArmScalar>(
+fn regular<S: Number>(
     environment: &ArmEnvironment<S>,
     group: &mut Group<S>,
     keys: &mut Block<u64>,

@@ -19,10 +19,7 @@ use serde::{Deserialize, Serialize};
 use tpg_arm::sac::{Decision, FEATURE_NAMES, features};
 use tpg_arm::{Arm, JOINTS, Pose};
 use tpg_engine::random::Stream;
-use tpg_engine::{
-    Act, ActionSpace, Environment, Measure, Output, Preference, SourceSet, Step, TaskSet,
-    Training,
-};
+use tpg_engine::{Act, ActionSpace, Environment, Measure, Output, Preference, SourceSet, Step, TaskSet, Training};
 use tpg_graph::SourceDocument;
 
 /// The names of the motors, in order.
