@@ -66,23 +66,15 @@ fn update(actor: usize, critic: usize) -> f64 {
     let (states, next) = (draw(inputs * batch), draw(inputs * batch));
     let actions: Vec<f32> = draw(ACTIONS * batch).into_iter().map(f32::tanh).collect();
     let (rewards, discounts) = (draw(batch), vec![0.95; batch]);
-    let (mut noise, mut next_noise) = (draw(ACTIONS * batch), draw(ACTIONS * batch));
+    let (noise, next_noise) = (draw(ACTIONS * batch), draw(ACTIONS * batch));
+    let mut experience = Experience { states, actions, rewards, discounts, next, next_noise, noise };
     let rates = Rates { learning: 5e-4, temperature: 1.5e-3, follow: 0.005, target_entropy: -1.0 };
     let mut run = |updates: u32| {
         for _ in 0..updates {
             // Drawing noise is part of an update.
-            random.normals(&mut noise);
-            random.normals(&mut next_noise);
-            let experience = Experience {
-                states: &states,
-                actions: &actions,
-                rewards: &rewards,
-                discounts: &discounts,
-                next: &next,
-                next_noise: &next_noise,
-                noise: &noise,
-            };
-            agent.update(&mut space, experience, &rates);
+            random.normals(&mut experience.noise);
+            random.normals(&mut experience.next_noise);
+            agent.update(&mut space, &experience, &rates);
         }
     };
     run(UPDATES / 10);

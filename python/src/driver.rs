@@ -6,30 +6,14 @@ use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping, PyTuple};
-use tpg_engine::Moments;
+use tpg_engine::{End, Moments, Step};
 use tpg_graph::interpret::Answer;
 
 /// The keys of an episode's last info that say success, in the order in which they are looked for.
 const SUCCESS: [&str; 2] = ["is_success", "success"];
 
 /// The result of an episode: return, number of actions, success where the environment's info has it, and the last reward.
-type Played = (f64, u32, Option<bool>, f64);
-
-/// The outcome of a step, as an environment tells it.
-pub(crate) struct Told {
-    /// The reward.
-    pub(crate) reward: f64,
-    /// The end of the episode.
-    pub(crate) end: Option<Ended>,
-}
-
-/// The end of an episode.
-pub(crate) struct Ended {
-    /// True if it was cut off, not over.
-    pub(crate) truncated: bool,
-    /// Success, where the environment's info has it.
-    pub(crate) success: Option<bool>,
-}
+pub(crate) type Told = (f64, u32, Option<bool>, f64);
 
 /// Runs episodes of an environment.
 #[pyclass(frozen, module = "tpg_train._tpg")]
@@ -87,7 +71,7 @@ impl Driver {
     }
 
     /// Runs one episode for each seed.
-    fn run(&self, py: Python<'_>, policy: &Policy, seeds: Vec<u64>) -> PyResult<Vec<Played>> {
+    fn run(&self, py: Python<'_>, policy: &Policy, seeds: Vec<u64>) -> PyResult<Vec<Told>> {
         let mut acting = policy.acting();
         seeds.into_iter().map(|seed| self.episode(py, policy, &mut acting, seed, |_, _| ())).collect()
     }
@@ -100,7 +84,7 @@ impl Driver {
         policy: &Policy,
         seed: u64,
         after: Vec<u32>,
-    ) -> PyResult<(Played, String, Vec<Vec<f64>>)> {
+    ) -> PyResult<(Told, String, Vec<Vec<f64>>)> {
         let (mut seen, mut states) = (Moments::new(policy.inputs()), Vec::with_capacity(after.len()));
         let played = self.episode(py, policy, &mut policy.acting(), seed, |step, state| {
             seen.push(state);
@@ -131,7 +115,7 @@ impl Driver {
         acting: &mut Acting,
         seed: u64,
         mut watch: impl FnMut(u32, &[f64]),
-    ) -> PyResult<Played> {
+    ) -> PyResult<Told> {
         let mut state = Vec::with_capacity(policy.inputs());
         self.begin(py, seed, &mut state)?;
         // What it remembers is read behind the observation.
@@ -143,10 +127,10 @@ impl Driver {
             watch(actions, &state);
             actions += 1;
             let action = self.act(py, acting(&state), &mut memory)?;
-            let told = self.advance(action, &mut state, || format!("seed {seed}, step {actions}"))?;
-            reward = told.reward;
+            let step = self.advance(action, &mut state, || format!("seed {seed}, step {actions}"))?;
+            reward = step.reward;
             score += reward;
-            if let Some(end) = told.end {
+            if let Some(end) = step.end {
                 success = end.success;
                 break;
             }
@@ -170,7 +154,7 @@ impl Driver {
         action: Bound<'_, PyAny>,
         state: &mut Vec<f64>,
         at: impl Fn() -> String,
-    ) -> PyResult<Told> {
+    ) -> PyResult<Step> {
         let told = self.step.bind(action.py()).call1((action,))?;
         let accepted = "(observation, reward, terminated, truncated, info)";
         let [observation, reward, terminated, truncated, info] = parts::<5>(&told, "step", accepted, &at())?;
@@ -185,10 +169,11 @@ impl Driver {
             if !terminated {
                 self.read(&observation, state, at)?;
             }
-            return Ok(Told { reward, end: Some(Ended { truncated: !terminated, success }) });
+            let end = End { truncated: !terminated, success, ..End::new(u8::from(!terminated)) };
+            return Ok(Step::reward(reward).ending(end));
         }
         self.read(&observation, state, at)?;
-        Ok(Told { reward, end: None })
+        Ok(Step::reward(reward))
     }
 
     /// Returns an answer as the environment's action, and keeps what the policy remembers.

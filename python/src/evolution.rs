@@ -1,5 +1,6 @@
 //! A run on a thread of its own. Python asks for its next event, does what it says, and replies.
 
+use crate::driver::Told;
 use crate::error;
 use crate::graph::Graph;
 use crate::mailbox::{Event, Mailbox, Reply};
@@ -271,9 +272,6 @@ impl Evolution {
         });
     }
 }
-
-/// An episode's return, number of actions, success, and last reward.
-type Told = (f64, u32, Option<bool>, f64);
 
 fn ending((score, actions, success, final_reward): Told) -> EpisodeResult {
     EpisodeResult { outcome: 0, success, score, final_reward, measure: 0.0, actions }

@@ -9,7 +9,6 @@ use tpg_codegen::emit::Code;
 use tpg_codegen::emit::{Language, Options, Prefix, Profile, Style};
 use tpg_codegen::quantise::{Request, quantise};
 use tpg_codegen::report;
-use tpg_codegen::size::Target;
 use tpg_codegen::verify::Proof;
 use tpg_engine::{PolicyGraph, Units};
 use tpg_graph::error::{InputError, counted};
@@ -153,13 +152,13 @@ impl Graph {
 
     /// Returns what the policy computes, as formulas.
     fn formula(&self, py: Python<'_>) -> String {
-        py.detach(|| report::explain(&self.0, &Options::new(prefix_of("policy"))))
+        py.detach(|| report::explain(&self.0, &plain_options()))
     }
 
     /// Returns what the code costs on `targets`, named as by `tpg-codegen report`, as text and as JSON.
     fn report(&self, py: Python<'_>, targets: Vec<String>) -> PyResult<(String, String)> {
-        let targets = targets.iter().map(|name| target(name)).collect::<PyResult<Vec<_>>>()?;
-        let report = py.detach(|| report::report("graph", &self.0, &Options::new(prefix_of("policy")), &targets, None));
+        let targets = targets.iter().map(|name| name.parse().map_err(error::input)).collect::<PyResult<Vec<_>>>()?;
+        let report = py.detach(|| report::report("graph", &self.0, &plain_options(), &targets, None));
         let report = report.map_err(error::input)?;
         Ok((report.to_string(), serde_json::to_string(&report).map_err(error::input)?))
     }
@@ -289,8 +288,9 @@ pub(crate) fn export(folder: &std::path::Path, files: Vec<(String, String)>) -> 
     Ok(files.into_iter().map(|(path, _)| path).collect())
 }
 
-fn prefix_of(name: &str) -> Prefix {
-    Prefix::of_file(name.as_ref())
+/// The options of code that is measured and explained, and not written.
+fn plain_options() -> Options {
+    Options::new(Prefix::of_file("policy".as_ref()))
 }
 
 fn options(prefix: &str, profile: &str) -> PyResult<Options> {
@@ -307,8 +307,4 @@ fn language_of(name: &str) -> PyResult<Language> {
         "rust" => Ok(Language::Rust),
         _ => Err(error::input(format!("the language {name:?}; accepted: c, rust"))),
     }
-}
-
-fn target(name: &str) -> PyResult<Target> {
-    name.parse().map_err(error::input)
 }

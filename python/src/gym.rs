@@ -107,20 +107,12 @@ impl Environment<f32> for Gym {
     fn step(&self, episode: &mut Episode, act: Act<'_, f32>) -> Step {
         episode.step += 1;
         let Episode { driver, seed, step, state, .. } = episode;
-        let told = Python::attach(|py| {
+        let taken = Python::attach(|py| {
             let driver = driver.as_ref()?.get();
             let action = driver.values(py, act.values().iter().map(|&value| value.into()).collect());
             let at = || format!("seed {seed}, step {step}");
             self.kept(action.and_then(|action| driver.advance(action, state, at)))
         });
-        let Some(told) = told else { return Step::reward(0.0).ending(End::new(0)) };
-        let step = Step::reward(told.reward);
-        match told.end {
-            None => step,
-            Some(end) => {
-                let outcome = u8::from(end.truncated);
-                step.ending(End { truncated: end.truncated, success: end.success, ..End::new(outcome) })
-            }
-        }
+        taken.unwrap_or(Step::reward(0.0).ending(End::new(0)))
     }
 }

@@ -5,9 +5,9 @@ use crate::graph::{Graph, in_python};
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use serde_json::json;
-use std::sync::Mutex;
+use std::sync::{Mutex, MutexGuard};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Act, ActionSpace, AnyEnvironment, AnyEpisode, AnyTask, End, SourceSet, TaskSet};
+use tpg_engine::{Act, ActionSpace, AnyEnvironment, AnyEpisode, AnyTask, SourceSet, TaskSet, state_length};
 use tpg_problems::{PROBLEMS, PolicyKind, Problem, ProblemName};
 use tpg_runtime::policy::ActionId;
 use tpg_train::{Acting, Config as EvolutionConfig, Configuration as _, Episodes, evaluate, in_integers};
@@ -67,7 +67,9 @@ type Stepped<'py> = (Bound<'py, PyArray1<f32>>, f64, bool, bool, Option<bool>);
 /// A built-in problem that is stepped from outside.
 #[pyclass(frozen, module = "tpg_train._tpg")]
 pub(crate) struct NativeEnv {
-    running: Mutex<Running>,
+    environment: AnyEnvironment<f32>,
+    /// The episode, and the number of its actions.
+    running: Mutex<Option<(AnyEpisode, u32)>>,
 }
 
 #[pymethods]
@@ -81,24 +83,37 @@ impl NativeEnv {
             true => Problem::new_for(name, PolicyKind::Network).network_environment(1),
             false => Problem::new(name).environment(),
         };
-        Ok(Self { running: Mutex::new(Running { environment, episode: None, actions: 0 }) })
+        Ok(Self { environment, running: Mutex::new(None) })
     }
 
     /// The environment's observations and actions as JSON: sources, actions, outputs and the time limit.
     #[getter]
-    fn description(&self) -> PyResult<String> {
-        Ok(self.running()?.description())
+    fn description(&self) -> String {
+        let sources = self.environment.sources();
+        let sources: Vec<_> =
+            sources.iter().map(|item| json!({"name": item.name, "unit": item.unit, "ranges": item.ranges})).collect();
+        let (actions, outputs) = match self.environment.actions() {
+            ActionSpace::Discrete(actions) => (actions.into_iter().map(|item| item.name).collect(), Vec::new()),
+            ActionSpace::Box(outputs) => {
+                (Vec::new(), outputs.iter().map(|item| json!([item.name, item.min, item.max])).collect())
+            }
+        };
+        let limit = self.environment.time_limit();
+        json!({"sources": sources, "actions": actions, "outputs": outputs, "time_limit": limit}).to_string()
     }
 
     /// Starts an episode and returns its first observation; the seed decides its task.
     fn reset<'py>(&self, py: Python<'py>, seed: u64) -> PyResult<Bound<'py, PyArray1<f32>>> {
-        Ok(PyArray1::from_vec(py, self.running()?.reset(seed)))
+        self.begin(py, &self.environment.draw(&mut Stream::new(seed, 0, Purpose::Episode, 0)))
     }
 
     /// Starts the episode of a task, given as JSON.
     fn reset_to<'py>(&self, py: Python<'py>, task: &str) -> PyResult<Bound<'py, PyArray1<f32>>> {
-        let observation = self.running()?.reset_to(task).map_err(error::input)?;
-        Ok(PyArray1::from_vec(py, observation))
+        let task: AnyTask = serde_json::from_str(task).map_err(error::input)?;
+        match self.environment.accepts(&task) {
+            true => self.begin(py, &task),
+            false => Err(error::input(format!("{task:?}; accepted: a task of the problem"))),
+        }
     }
 
     /// Takes an action by its number.
@@ -114,39 +129,20 @@ impl NativeEnv {
 }
 
 impl NativeEnv {
-    fn running(&self) -> PyResult<std::sync::MutexGuard<'_, Running>> {
+    fn running(&self) -> PyResult<MutexGuard<'_, Option<(AnyEpisode, u32)>>> {
         self.running.lock().map_err(|_| error::training("an earlier step failed"))
     }
 
-    fn step<'py>(&self, py: Python<'py>, act: Act<'_, f32>) -> PyResult<Stepped<'py>> {
-        let (observation, reward, end) = self.running()?.step(act).map_err(error::input)?;
-        let truncated = end.is_some_and(|end| end.truncated);
-        let success = end.and_then(|end| end.success);
-        Ok((PyArray1::from_vec(py, observation), reward, end.is_some() && !truncated, truncated, success))
-    }
-}
-
-/// An environment with its episode.
-struct Running {
-    environment: AnyEnvironment<f32>,
-    episode: Option<AnyEpisode>,
-    actions: u32,
-}
-
-impl Running {
-    fn observe(&mut self) -> Vec<f32> {
-        let length: u32 = self.environment.sources().iter().map(|source| source.length).sum();
-        let mut state = vec![0.0; length as usize];
-        if let Some(episode) = &mut self.episode {
-            self.environment.observe(episode, SourceSet::ALL, &mut state);
-        }
-        state
+    fn begin<'py>(&self, py: Python<'py>, task: &AnyTask) -> PyResult<Bound<'py, PyArray1<f32>>> {
+        let mut running = self.running()?;
+        let (episode, _) = running.insert((self.environment.start(task), 0));
+        Ok(self.observe(py, episode))
     }
 
-    fn begin(&mut self, task: &AnyTask) -> Vec<f32> {
-        self.episode = Some(self.environment.start(task));
-        self.actions = 0;
-        self.observe()
+    fn observe<'py>(&self, py: Python<'py>, episode: &mut AnyEpisode) -> Bound<'py, PyArray1<f32>> {
+        let mut state = vec![0.0; state_length(&self.environment.sources())];
+        self.environment.observe(episode, SourceSet::ALL, &mut state);
+        PyArray1::from_vec(py, state)
     }
 
     /// Compares an action with the action space.
@@ -164,40 +160,16 @@ impl Running {
         }
     }
 
-    fn description(&self) -> String {
-        let sources = self.environment.sources();
-        let sources: Vec<_> =
-            sources.iter().map(|item| json!({"name": item.name, "unit": item.unit, "ranges": item.ranges})).collect();
-        let (actions, outputs) = match self.environment.actions() {
-            ActionSpace::Discrete(actions) => (actions.into_iter().map(|item| item.name).collect(), Vec::new()),
-            ActionSpace::Box(outputs) => {
-                (Vec::new(), outputs.iter().map(|item| json!([item.name, item.min, item.max])).collect())
-            }
-        };
-        let limit = self.environment.time_limit();
-        json!({"sources": sources, "actions": actions, "outputs": outputs, "time_limit": limit}).to_string()
-    }
-
-    fn reset(&mut self, seed: u64) -> Vec<f32> {
-        let task = self.environment.draw(&mut Stream::new(seed, 0, Purpose::Episode, 0));
-        self.begin(&task)
-    }
-
-    fn reset_to(&mut self, task: &str) -> Result<Vec<f32>, String> {
-        let task: AnyTask = serde_json::from_str(task).map_err(|error| error.to_string())?;
-        match self.environment.accepts(&task) {
-            true => Ok(self.begin(&task)),
-            false => Err(format!("{task:?}; accepted: a task of the problem")),
-        }
-    }
-
-    fn step(&mut self, act: Act<'_, f32>) -> Result<(Vec<f32>, f64, Option<End>), String> {
-        self.check(act)?;
-        let episode = self.episode.as_mut().ok_or("a step before reset(); accepted: reset() first")?;
+    fn step<'py>(&self, py: Python<'py>, act: Act<'_, f32>) -> PyResult<Stepped<'py>> {
+        self.check(act).map_err(error::input)?;
+        let mut running = self.running()?;
+        let before = || error::input("a step before reset(); accepted: reset() first");
+        let (episode, actions) = running.as_mut().ok_or_else(before)?;
         let step = self.environment.step(episode, act);
-        self.actions += 1;
-        let late = self.actions >= self.environment.time_limit();
+        *actions += 1;
+        let late = *actions >= self.environment.time_limit();
         let end = step.end.or_else(|| late.then(|| self.environment.timeout(episode)));
-        Ok((self.observe(), step.reward, end))
+        let (truncated, success) = (end.is_some_and(|end| end.truncated), end.and_then(|end| end.success));
+        Ok((self.observe(py, episode), step.reward, end.is_some() && !truncated, truncated, success))
     }
 }

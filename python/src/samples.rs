@@ -78,12 +78,12 @@ impl<S: Scalar> Environment<S> for Samples {
         let is_right = act.choice() == usize::from(class);
         Step::reward(if is_right { score } else { 0.0 }).ending(End { success: Some(is_right), ..End::new(0) })
     }
-    fn training(&self) -> Option<&dyn Training<usize, usize>> {
+    fn training(&self) -> Option<&dyn Training<usize>> {
         Some(self)
     }
 }
 
-impl Training<usize, usize> for Samples {
+impl Training<usize> for Samples {
     fn tasks(&self, _set: TaskSet, _seed: u64, count: usize) -> Option<Vec<usize>> {
         let first = if self.training < self.labels.len() { self.training } else { 0 };
         Some((first..self.labels.len()).cycle().take(count).collect())

@@ -4,7 +4,7 @@ use crate::error;
 use crate::eye::Eye;
 use pyo3::prelude::*;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, Environment, NETWORK, Output, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, Environment, NETWORK, Output, SourceSet, Step, state_length};
 use tpg_graph::{Graph, SourceDocument};
 use tpg_runtime::scalar::Scalar;
 
@@ -61,7 +61,7 @@ impl Space {
 
     /// Returns the number of values of an observation.
     pub(crate) fn length(&self) -> usize {
-        self.sources.iter().map(|source| source.length as usize).sum()
+        state_length(&self.sources)
     }
 }
 

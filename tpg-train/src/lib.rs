@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | [`train`], [`RunOptions`], [`Goal`], [`Naming`], [`Progress`], [`RunEnd`], [`RunError`] | evolution of a graph, in a folder of its own |
 //! | [`Config`], [`SacConfig`], [`Configuration`], [`Layers`] | settings |
-//! | [`train_network`], [`Network`] | soft actor-critics |
+//! | [`train_network`], [`Network`], [`Decide`] | soft actor-critics |
 //! | [`evaluate`], [`Acting`], [`Episodes`], [`OwnProblem`], [`Shared`] | test episodes of a graph, a network, or both |
 //! | [`Hybrid`], [`Setting`], [`Asking`] | graphs and networks that share a problem |
 //! | [`in_integers`], [`InIntegers`], [`Visit`] | graphs in integers that keep their return |
@@ -53,7 +53,7 @@ pub use ranks::evolve;
 pub use ranks::link::Link;
 pub use report::{ReportArgs, report_with};
 pub use sac::config::SacConfig;
-pub use sac::network::Network;
+pub use sac::network::{Decide, Network};
 pub use sac::training::train_network;
 
 /// Parts of the commands, and readers of files as functions of bytes, for fuzzers and tests.

@@ -42,9 +42,8 @@ fn source(source: &SourceDocument) -> String {
 
 fn actions(space: &ActionSpace) -> String {
     match space {
-        ActionSpace::Discrete(actions) => {
-            let names: Vec<&str> = actions.iter().map(|action| action.name.as_str()).collect();
-            format!("one of {}", names.join(", "))
+        ActionSpace::Discrete(_) => {
+            format!("one of {}", space.names().collect::<Vec<_>>().join(", "))
         }
         ActionSpace::Box(outputs) => {
             let output = |output: &tpg_engine::Output| {

@@ -129,7 +129,7 @@ fn evaluation_counts_the_asks_that_training_pays_for() {
     // The same episodes as training sees them: each ask costs its price.
     let network = Network::read(NETWORK.as_ref()).expect("a policy");
     let choices = Choices::new(Pendulum, Some(3)).expect("few actions");
-    let asking = Asking::new(choices, |state: &[f32]| network.deciding(|decide| decide(state)), 2.0);
+    let asking = Asking::new(choices, |state: &[f32]| network.deciding()(state), 2.0);
     let graph = Graph::from_json("asks.json", ASKS).expect("a graph");
     let problem = OwnProblem::<f32, Own, _>::new("pendulum", Choices::new(asking, None).expect("named actions"));
     let episodes = Episodes { set: TaskSet::Test, count: 50, seed: 1, file: None };

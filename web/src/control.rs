@@ -3,9 +3,9 @@
 //! The dynamics are those of `tpg-problems`, which training and evaluation step, too.
 
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Decision, SourceSet};
+use tpg_engine::{Decision, Environment, SourceSet};
 use tpg_generated::{cartpole::Cartpole, mountain_car::MountainCar as CarPolicy, pendulum::Pendulum as PendulumPolicy};
-use tpg_problems::varied::Adjustable;
+use tpg_problems::eights::{ByEight, number};
 use tpg_problems::{CartPole, MountainCar, Pendulum, cartpole, mountain_car, pendulum};
 use tpg_runtime::policy::Policy;
 
@@ -47,19 +47,19 @@ pub trait Rig {
 }
 
 /// An environment with the policy that drives it.
-struct Driven<E: Adjustable<f32>, const N: usize> {
+struct Driven<E: ByEight<M>, const N: usize, const M: usize> {
     environment: E,
     policy: fn(&[f32; N]) -> Decision<f32>,
     physics: E::Physics,
     /// The constants that a page may change, in its order.
     constants: fn(&mut E::Physics) -> [&mut f64; 2],
-    episode: E::Episode,
+    episode: [f64; M],
     view: View,
 }
 
-impl<E, const N: usize> Driven<E, N>
+impl<E, const N: usize, const M: usize> Driven<E, N, M>
 where
-    E: Adjustable<f32, Task: AsRef<[f64]> + AsMut<[f64]>>,
+    E: ByEight<M> + Environment<f32, Episode = [f64; M], Task: AsRef<[f64]> + AsMut<[f64]>>,
 {
     fn new(
         environment: E,
@@ -76,15 +76,15 @@ where
     }
 
     fn show(&mut self) {
-        if let Some(task) = self.environment.training().and_then(|training| training.task_from(&self.episode)) {
+        if let Some(task) = self.environment.task_from(&self.episode) {
             self.view.state.iter_mut().zip(task.as_ref()).for_each(|(slot, &value)| *slot = value);
         }
     }
 }
 
-impl<E, const N: usize> Rig for Driven<E, N>
+impl<E, const N: usize, const M: usize> Rig for Driven<E, N, M>
 where
-    E: Adjustable<f32, Task: AsRef<[f64]> + AsMut<[f64]>>,
+    E: ByEight<M> + Environment<f32, Episode = [f64; M], Task: AsRef<[f64]> + AsMut<[f64]>>,
 {
     fn restart(&mut self, seed: u32) {
         let task = self.environment.draw(&mut Stream::new(u64::from(seed), 0, Purpose::Test, 0));
@@ -100,7 +100,7 @@ where
         let mut seen = [0.0; N];
         self.environment.observe(&mut self.episode, SourceSet::ALL, &mut seen);
         let answer = (self.policy)(&seen);
-        let step = self.environment.step_under(&self.physics, &mut self.episode, answer.act());
+        let step = E::step_under(&self.physics, &mut self.episode, number(answer.act()));
         let view = &mut self.view;
         view.seen[..N].copy_from_slice(&seen);
         view.action = match answer {
@@ -120,9 +120,7 @@ where
     }
 
     fn push(&mut self, value: usize, by: f64) {
-        let Some(mut task) = self.environment.training().and_then(|training| training.task_from(&self.episode)) else {
-            return;
-        };
+        let Some(mut task) = self.environment.task_from(&self.episode) else { return };
         if let Some(value) = task.as_mut().get_mut(value).filter(|_| by.is_finite()) {
             *value += by;
             self.episode = self.environment.start(&task);

@@ -6,16 +6,19 @@ use std::path::Path;
 use tpg_arm::WIDOWX;
 use tpg_codegen::emit::{Language, Options, Prefix};
 use tpg_codegen::verify::Workshop;
-use tpg_engine::single;
-use tpg_graph::Graph;
+use tpg_engine::{Plan, PolicyGraph, Single};
 use tpg_graph::engine::{Engine, Reference};
 use tpg_graph::import::{self, Profile};
+use tpg_graph::interpret::Answer;
+use tpg_graph::{Graph, in_arithmetic_of};
 use tpg_paper::chain::Chain;
 use tpg_paper::episode::Rules;
 use tpg_paper::limits::max_actions;
 use tpg_paper::{data, replay};
 use tpg_problems::arm::binding::Binding;
 use tpg_problems::arm::targets::Start;
+use tpg_runtime::ops::Maths;
+use tpg_runtime::scalar::Scalar;
 
 /// Error bounds of the hand stated by `tpg_arm::kinematics`, mm.
 const F64_BOUND: f64 = 5e-13;
@@ -85,7 +88,7 @@ impl Decider {
     fn start<'g>(self, file: &Path, graph: &'g Graph) -> Box<dyn Engine + 'g> {
         match self {
             Self::Interpreter => Box::new(Reference::new(graph)),
-            Self::Trainer => single(graph),
+            Self::Trainer => in_arithmetic_of!(graph, trainer(graph)),
             // The folder is deleted on return; the program started from it keeps running.
             Self::Code(language) => {
                 let options = Options::new(Prefix::of_file(file));
@@ -93,6 +96,28 @@ impl Decider {
             }
         }
     }
+}
+
+/// The trainer's evaluator, with the length of a state.
+struct Trainer<S, M>(Single<S, M>, usize);
+
+impl<S: Scalar, M: Maths<S>> Engine for Trainer<S, M> {
+    fn name(&self) -> &str {
+        "trainer"
+    }
+
+    fn answer(&mut self, states: &[f64], answers: &mut Vec<Answer>) -> std::io::Result<()> {
+        for state in states.chunks_exact(self.1) {
+            let state: Vec<S> = state.iter().map(|&value| S::from_f64(value)).collect();
+            answers.push(self.0.answer(&state));
+        }
+        Ok(())
+    }
+}
+
+fn trainer<'g, S: Scalar, M: Maths<S> + 'static>(graph: &'g Graph) -> Box<dyn Engine + 'g> {
+    let plan = Plan::new::<M>(&PolicyGraph::from(graph), &graph.state_sources());
+    Box::new(Trainer::<S, M>(Single::new(plan), graph.state_length()))
 }
 
 /// Totals over several policies.

@@ -144,17 +144,6 @@ impl<'a, S> Acts<'a, S> {
         choices.chain(values.chunks_exact(outputs).map(Act::Values))
     }
 
-    /// Returns the values of a policy with outputs, lane after lane.
-    ///
-    /// # Panics
-    /// If the policy chooses among actions: the environment declared outputs.
-    pub fn values(self) -> &'a [S] {
-        match self {
-            Self::Values { values, .. } => values,
-            Self::Choices(_) => panic!("an environment with outputs is given values"),
-        }
-    }
-
     /// Returns the actions of a policy that chooses among them.
     ///
     /// # Panics

@@ -2,6 +2,7 @@
 
 use crate::action::{ActionSpace, Output};
 use crate::policy::{Destination, Edge, Line, Operand, PolicyGraph};
+use crate::source_set::state_length;
 use tpg_graph::error::InputError;
 use tpg_graph::{Action, ActionDocument, Graph, Input, SourceDocument};
 
@@ -65,7 +66,7 @@ pub fn places(file: &str, graph: &Graph, known: &[SourceDocument]) -> Result<Vec
         let Some(at) = known.iter().position(|other| other.name == source.name) else {
             return Err(InputError::new(file, path(), format!("{:?}", source.name), names()));
         };
-        let first: usize = known[..at].iter().map(|source| source.length as usize).sum();
+        let first = state_length(&known[..at]);
         if let (Some(image), Some(given)) = (&source.image, &known[at].image) {
             for (place, feature) in image.features.iter().enumerate() {
                 let found = given.features.iter().position(|other| other == feature);

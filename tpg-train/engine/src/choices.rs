@@ -118,7 +118,7 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Choices<S, E> {
 
     crate::forward!(this => this.environment;
         sources time_limit draw start observe outcomes timeout measure preference accepts key cycle training
-        guarded drawn distance);
+        task_from guarded moment distance);
 
     fn actions(&self) -> ActionSpace {
         self.actions.clone()

@@ -7,7 +7,7 @@ pub use one_by_one::OneByOne;
 use crate::action::{Act, ActionSpace};
 use crate::episode_result::{End, EpisodeResult, Measure, Preference, Step};
 use crate::episodes::Episodes;
-use crate::extensions::{Drawn, Guarded, Training};
+use crate::extensions::{Guarded, Training};
 use crate::random::Stream;
 use crate::source_set::SourceSet;
 use serde::{Serialize, de::DeserializeOwned};
@@ -61,9 +61,9 @@ use tpg_runtime::scalar::Scalar;
 /// ```
 pub trait Environment<S: Scalar>: Sync {
     /// The random part of an episode, such as a start or a target. Drawn once, then given to every policy.
-    type Task: Clone + Debug + PartialEq + Serialize + DeserializeOwned + Send + Sync;
+    type Task: Clone + Debug + PartialEq + Serialize + DeserializeOwned + Send + Sync + 'static;
     /// A running episode.
-    type Episode: Send;
+    type Episode: Send + 'static;
 
     /// Returns the data sources that a policy can read, in the order of the flat state; at most 64. An unknown end of a
     /// range may be infinite; it is then estimated from visited states.
@@ -142,7 +142,12 @@ pub trait Environment<S: Scalar>: Sync {
     }
 
     /// Returns the tasks that this environment has beside the drawn ones; `None` by default.
-    fn training(&self) -> Option<&dyn Training<Self::Task, Self::Episode>> {
+    fn training(&self) -> Option<&dyn Training<Self::Task>> {
+        None
+    }
+
+    /// Returns a task that begins where an episode is now, so that training can restart where a policy failed; `None` by default.
+    fn task_from(&self, _episode: &Self::Episode) -> Option<Self::Task> {
         None
     }
 
@@ -151,9 +156,9 @@ pub trait Environment<S: Scalar>: Sync {
         None
     }
 
-    /// Returns the pictures of this environment's episodes; `None` by default.
-    fn drawn(&self) -> Option<&dyn Drawn<Self::Episode>> {
-        None
+    /// Returns what a picture needs to know of a moment of an episode; nothing by default.
+    fn moment(&self, _episode: &Self::Episode) -> Vec<f64> {
+        Vec::new()
     }
 
     /// Returns the distance to the goal, in a unit of the problem's own; less is better. A hybrid hands over to its
@@ -170,5 +175,5 @@ impl<S: Scalar, E: Environment<S> + ?Sized> Environment<S> for &E {
 
     crate::forward!(this => (**this);
         sources actions time_limit draw start observe observe_some step outcomes timeout measure preference accepts
-        lanes key cycle training guarded drawn distance);
+        lanes key cycle training task_from guarded moment distance);
 }

@@ -4,7 +4,7 @@ use crate::action::{Act, Output};
 use crate::environment::Environment;
 use crate::episode_result::{End, EpisodeResult, Step};
 use crate::episodes::Episodes;
-use crate::extensions::{Drawn, Guarded, TaskSet, Training};
+use crate::extensions::{Guarded, TaskSet, Training};
 use crate::mapped::Mapped;
 use crate::random::Stream;
 use crate::source_set::SourceSet;
@@ -12,7 +12,6 @@ use crate::tasks::coarser;
 use serde::de::{DeserializeOwned, Error as _};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::value::RawValue;
-use serde_json::{Map, Value};
 use std::any::Any;
 use std::fmt;
 use std::marker::PhantomData;
@@ -48,13 +47,9 @@ pub type AnyEnvironment<S> = Box<dyn Environment<S, Task = AnyTask, Episode = An
 /// assert_eq!(serde_json::to_string(&task)?, "0.5", "a task looks as the problem's own in a file");
 /// # Ok::<(), serde_json::Error>(())
 /// ```
-pub fn erase<'e, S, E>(environment: E) -> Box<dyn Environment<S, Task = AnyTask, Episode = AnyEpisode> + Send + 'e>
-where
-    S: Scalar,
-    E: Environment<S> + Send + 'e,
-    E::Task: 'static,
-    E::Episode: 'static,
-{
+pub fn erase<'e, S: Scalar, E: Environment<S> + Send + 'e>(
+    environment: E,
+) -> Box<dyn Environment<S, Task = AnyTask, Episode = AnyEpisode> + Send + 'e> {
     Box::new(Typed(environment, PhantomData))
 }
 
@@ -65,16 +60,16 @@ pub struct AnyTask(Arc<Forms>);
 /// A task's forms; at least one is there, the other is made when it is needed.
 #[derive(Default)]
 struct Forms {
-    typed: OnceLock<Box<dyn ErasedEnvironment>>,
+    typed: OnceLock<Box<dyn ErasedTask>>,
     json: OnceLock<Box<RawValue>>,
 }
 
 /// A task that can be written.
-trait ErasedEnvironment: Any + Send + Sync {
+trait ErasedTask: Any + Send + Sync {
     fn to_json(&self) -> Box<RawValue>;
 }
 
-impl<T: Serialize + Send + Sync + 'static> ErasedEnvironment for T {
+impl<T: Serialize + Send + Sync + 'static> ErasedTask for T {
     fn to_json(&self) -> Box<RawValue> {
         serde_json::value::to_raw_value(self).expect("a task is plain data")
     }
@@ -83,10 +78,7 @@ impl<T: Serialize + Send + Sync + 'static> ErasedEnvironment for T {
 impl AnyTask {
     /// Hides the type of a task.
     pub fn new<T: Serialize + Send + Sync + 'static>(task: T) -> Self {
-        Self(Arc::new(Forms {
-            typed: OnceLock::from(Box::new(task) as Box<dyn ErasedEnvironment>),
-            json: OnceLock::new(),
-        }))
+        Self(Arc::new(Forms { typed: OnceLock::from(Box::new(task) as Box<dyn ErasedTask>), json: OnceLock::new() }))
     }
 
     fn json(&self) -> &RawValue {
@@ -147,11 +139,7 @@ impl AnyEpisode {
 /// An environment with its type, which nobody sees.
 struct Typed<S, E>(E, PhantomData<fn() -> S>);
 
-impl<S: Scalar, E: Environment<S>> Environment<S> for Typed<S, E>
-where
-    E::Task: 'static,
-    E::Episode: 'static,
-{
+impl<S: Scalar, E: Environment<S>> Environment<S> for Typed<S, E> {
     type Task = AnyTask;
     type Episode = AnyEpisode;
 
@@ -187,25 +175,27 @@ where
     fn distance(&self, episode: &AnyEpisode) -> Option<f64> {
         self.0.distance(episode.typed())
     }
-    fn training(&self) -> Option<&dyn Training<AnyTask, AnyEpisode>> {
+    fn training(&self) -> Option<&dyn Training<AnyTask>> {
         self.0.training().map(|_| self as _)
+    }
+    fn task_from(&self, episode: &AnyEpisode) -> Option<AnyTask> {
+        self.0.task_from(episode.typed()).map(AnyTask::new)
     }
     fn guarded(&self) -> Option<&dyn Guarded<S, AnyEpisode>> {
         self.0.guarded().map(|_| self as _)
     }
-    fn drawn(&self) -> Option<&dyn Drawn<AnyEpisode>> {
-        self.0.drawn().map(|_| self as _)
+    fn moment(&self, episode: &AnyEpisode) -> Vec<f64> {
+        self.0.moment(episode.typed())
     }
 }
 
-/// The reason why an extension is there: the environment inside has one.
-const EXTENDED: &str = "an environment with this extension";
+impl<S: Scalar, E: Environment<S>> Typed<S, E> {
+    fn guard(&self) -> &dyn Guarded<S, E::Episode> {
+        self.0.guarded().expect("an environment with a guard")
+    }
+}
 
-impl<S: Scalar, E: Environment<S>> Training<AnyTask, AnyEpisode> for Typed<S, E>
-where
-    E::Task: 'static,
-    E::Episode: 'static,
-{
+impl<S: Scalar, E: Environment<S>> Training<AnyTask> for Typed<S, E> {
     fn coarser(&self, task: AnyTask, factor: u8) -> AnyTask {
         AnyTask::new(coarser(&self.0, task.typed::<E::Task>().expect(ACCEPTED).clone(), factor))
     }
@@ -215,49 +205,26 @@ where
     fn evaluation_tasks(&self, stream: &mut Stream, count: usize) -> Option<Vec<AnyTask>> {
         Some(self.0.training()?.evaluation_tasks(stream, count)?.into_iter().map(AnyTask::new).collect())
     }
-    fn task_from(&self, episode: &AnyEpisode) -> Option<AnyTask> {
-        self.0.training()?.task_from(episode.typed()).map(AnyTask::new)
-    }
 }
 
-impl<S: Scalar, E: Environment<S>> Guarded<S, AnyEpisode> for Typed<S, E>
-where
-    E::Task: 'static,
-    E::Episode: 'static,
-{
+impl<S: Scalar, E: Environment<S>> Guarded<S, AnyEpisode> for Typed<S, E> {
     fn network_sources(&self) -> Vec<SourceDocument> {
-        self.0.guarded().expect(EXTENDED).network_sources()
+        self.guard().network_sources()
     }
     fn network_outputs(&self) -> Vec<Output> {
-        self.0.guarded().expect(EXTENDED).network_outputs()
+        self.guard().network_outputs()
     }
     fn network_observe(&self, episode: &mut AnyEpisode, state: &mut [f32]) {
-        self.0.guarded().expect(EXTENDED).network_observe(episode.typed_mut(), state);
+        self.guard().network_observe(episode.typed_mut(), state);
     }
     fn guards(&self) -> &'static [&'static str] {
-        self.0.guarded().expect(EXTENDED).guards()
+        self.guard().guards()
     }
     fn refuses(&self, guard: &str, episode: &AnyEpisode, act: Act<'_, S>) -> bool {
-        self.0.guarded().expect(EXTENDED).refuses(guard, episode.typed(), act)
+        self.guard().refuses(guard, episode.typed(), act)
     }
     fn mend(&self, guard: &str, episode: &AnyEpisode, values: &mut [S]) -> bool {
-        self.0.guarded().expect(EXTENDED).mend(guard, episode.typed(), values)
-    }
-}
-
-impl<S: Scalar, E: Environment<S>> Drawn<AnyEpisode> for Typed<S, E>
-where
-    E::Task: 'static,
-    E::Episode: 'static,
-{
-    fn figures(&self, endings: &[EpisodeResult]) -> Map<String, Value> {
-        self.0.drawn().expect(EXTENDED).figures(endings)
-    }
-    fn moment(&self, episode: &AnyEpisode) -> Vec<f64> {
-        self.0.drawn().expect(EXTENDED).moment(episode.typed())
-    }
-    fn picture(&self, moments: &[Vec<f64>]) -> String {
-        self.0.drawn().expect(EXTENDED).picture(moments)
+        self.guard().mend(guard, episode.typed(), values)
     }
 }
 

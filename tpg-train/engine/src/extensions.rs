@@ -1,9 +1,7 @@
-//! Optional parts of an environment: tasks for training, a guard, a picture.
+//! Optional parts of an environment: tasks for training, and a guard.
 
 use crate::action::{Act, Output};
-use crate::episode_result::EpisodeResult;
 use crate::random::Stream;
-use serde_json::{Map, Value};
 use tpg_graph::SourceDocument;
 
 /// The purpose of a list of tasks. No list for one purpose is read for another.
@@ -20,7 +18,7 @@ pub enum TaskSet {
 }
 
 /// Tasks beyond those that are drawn: see [`Environment::training`](crate::Environment::training).
-pub trait Training<Task, Episode>: Sync {
+pub trait Training<Task>: Sync {
     /// Returns the same task in coarser steps, `factor` times as large.
     ///
     /// A curriculum begins with coarse steps, which shorten episodes by about that factor.
@@ -41,11 +39,6 @@ pub trait Training<Task, Episode>: Sync {
 
     /// Returns fresh tasks that show where a policy under training fails, under the rules of tests; `None` if they are drawn.
     fn evaluation_tasks(&self, _stream: &mut Stream, _count: usize) -> Option<Vec<Task>> {
-        None
-    }
-
-    /// Returns a task that begins where an episode is now, so that training can restart where a policy failed.
-    fn task_from(&self, _episode: &Episode) -> Option<Task> {
         None
     }
 }
@@ -70,18 +63,4 @@ pub trait Guarded<S, Episode>: Sync {
 
     /// Changes a network's values into what may be executed; returns false, and values that do nothing, if nothing of them may.
     fn mend(&self, guard: &str, episode: &Episode, values: &mut [S]) -> bool;
-}
-
-/// A picture of a problem's episodes for reports, beyond score and success: see [`Environment::drawn`](crate::Environment::drawn).
-pub trait Drawn<Episode>: Sync {
-    /// Returns the problem's own figures of some episodes.
-    fn figures(&self, _endings: &[EpisodeResult]) -> Map<String, Value> {
-        Map::new()
-    }
-
-    /// Returns what a picture needs to know of a moment.
-    fn moment(&self, episode: &Episode) -> Vec<f64>;
-
-    /// Returns the moments of an episode as SVG.
-    fn picture(&self, moments: &[Vec<f64>]) -> String;
 }

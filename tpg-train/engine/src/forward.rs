@@ -45,13 +45,16 @@ macro_rules! forward {
         $crate::forward!(@method $wrapper preference() -> $crate::Preference);
     };
     (@training $wrapper:tt) => {
-        $crate::forward!(@method $wrapper training() -> Option<&dyn $crate::Training<Self::Task, Self::Episode>>);
+        $crate::forward!(@method $wrapper training() -> Option<&dyn $crate::Training<Self::Task>>);
+    };
+    (@task_from $wrapper:tt) => {
+        $crate::forward!(@method $wrapper task_from(episode: &Self::Episode) -> Option<Self::Task>);
     };
     (@guarded $wrapper:tt) => {
         $crate::forward!(@method $wrapper guarded() -> Option<&dyn $crate::Guarded<S, Self::Episode>>);
     };
-    (@drawn $wrapper:tt) => {
-        $crate::forward!(@method $wrapper drawn() -> Option<&dyn $crate::Drawn<Self::Episode>>);
+    (@moment $wrapper:tt) => {
+        $crate::forward!(@method $wrapper moment(episode: &Self::Episode) -> Vec<f64>);
     };
     (@accepts $wrapper:tt) => {
         $crate::forward!(@method $wrapper accepts(task: &Self::Task) -> bool);

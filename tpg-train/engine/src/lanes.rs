@@ -72,16 +72,13 @@ pub struct Lanes<'e, S: Scalar, M, E: Environment<S>> {
     ended: Vec<(usize, EpisodeResult)>,
 }
 
-/// The start of an episode: a task, and the place of the root that acts.
-struct LaneStart<'t, Task> {
-    root: u32,
-    task: &'t Task,
-}
+/// The start of an episode: the place of the root that acts, and a task.
+type LaneStart<'t, Task> = (u32, &'t Task);
 
 /// Returns the starts of a plan's only root.
 fn starts<'t, S, Task>(plan: &Plan<S>, tasks: &'t [Task]) -> Vec<LaneStart<'t, Task>> {
     let &[root] = &plan.roots[..] else { panic!("a plan of one root; this one has {}", plan.roots.len()) };
-    tasks.iter().map(|task| LaneStart { root, task }).collect()
+    tasks.iter().map(|task| (root, task)).collect()
 }
 
 impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
@@ -127,7 +124,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         tasks: &[&'t [E::Task]],
     ) -> Result<Vec<Vec<EpisodeResult>>, EvaluationError> {
         assert_eq!(tasks.len(), plan.roots.len(), "tasks for each root");
-        let starts = |(&root, &tasks): (&u32, &&'t [E::Task])| tasks.iter().map(move |task| LaneStart { root, task });
+        let starts = |(&root, &tasks): (&u32, &&'t [E::Task])| tasks.iter().map(move |task| (root, task));
         let episodes: Vec<_> = plan.roots.iter().zip(tasks).flat_map(starts).collect();
         let mut ended = self.run_all(plan, &episodes, |_, _, _, _| ())?.into_iter();
         Ok(tasks.iter().map(|tasks| ended.by_ref().take(tasks.len()).collect()).collect())
@@ -220,7 +217,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     /// Starts a lane's episode.
     fn begin(&mut self, starts: &[LaneStart<'_, E::Task>], lane: usize) -> Result<(), EvaluationError> {
         let (start, history) = self.running[lane];
-        let LaneStart { root, task } = starts[start];
+        let (root, task) = starts[start];
         self.episodes.begin(lane, task)?;
         self.decider.begin(lane, root);
         if let Some(&key) = self.episodes.keys().get(lane) {

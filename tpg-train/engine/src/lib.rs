@@ -10,12 +10,12 @@
 //! | --- | --- |
 //! | [`Environment`], [`ActionSpace`], [`Act`], [`Step`], [`End`] | a problem |
 //! | [`erase`], [`AnyEnvironment`] | environments whose type is only known at run time |
-//! | [`Training`], [`Guarded`], [`Drawn`], [`tasks`] | what only some environments have |
+//! | [`Training`], [`Guarded`], [`tasks`] | what only some environments have |
 //! | [`Rollout`], [`Decision`] | one episode, action by action |
 //! | [`bind`] | binding of a graph to an environment's sources and actions |
 //! | [`Choices`] | any action space as a list of named actions |
-//! | [`Remembering`], [`Remembered`] | a memory for policies |
-//! | [`Counting`], [`Units`] | counts in place of values, for graphs in integers |
+//! | [`Remembering`], [`Remembered`] | a memory for policies, and counts for graphs in integers |
+//! | [`Units`] | counts in place of values |
 //! | [`Episodes`], [`OneByOne`], [`Mapped`], [`View`], [`SourceSet`] | parallel episodes |
 //! | [`EpisodeResult`], [`Summary`], [`Preference`] | results |
 //! | [`PolicyGraph`], [`Plan`], [`Node`], [`Arena`] | a graph in the engine's own form |
@@ -28,7 +28,6 @@ mod action;
 mod binding;
 mod choices;
 mod columns;
-mod counting;
 mod decide;
 mod environment;
 mod episode_result;
@@ -55,20 +54,20 @@ mod rollout;
 mod single;
 mod source_set;
 mod tasks;
+mod units;
 mod view;
 mod work;
 
 pub use action::{Act, ActionSpace, Acts, NETWORK, Output};
 pub use binding::{bind, places, reading};
 pub use choices::Choices;
-pub use counting::{Counting, Units};
 pub use environment::{Environment, OneByOne};
 pub use episode_result::{End, EpisodeResult, Measure, Preference, Step, Summary, finite};
 pub use episodes::Episodes;
 pub use erased::{AnyEnvironment, AnyEpisode, AnyTask, erase};
 pub use error::EvaluationError;
 pub use evaluator::{Evaluator, LocalThreads};
-pub use extensions::{Drawn, Guarded, TaskSet, Training};
+pub use extensions::{Guarded, TaskSet, Training};
 pub use lanes::{DEFAULT_LANES, Lanes};
 pub use mapped::Mapped;
 pub use moments::{Moments, Sample, confidence};
@@ -77,9 +76,10 @@ pub use plan::Plan;
 pub use policy::{Destination, Edge, Limits, Line, Operand, PolicyGraph};
 pub use remembering::{Remembered, Remembering, remembered};
 pub use rollout::{Decision, Rollout};
-pub use single::{Single, single};
-pub use source_set::SourceSet;
+pub use single::Single;
+pub use source_set::{SourceSet, state_length};
 pub use tasks::{coarser, tasks};
 pub use tpg_graph::SourceDocument;
+pub use units::Units;
 pub use view::{BLOCK, Block, View};
 pub use work::{Piece, Play, Played, Work};

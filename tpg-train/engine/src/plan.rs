@@ -3,7 +3,7 @@
 
 use crate::nodes::{Arena, Node, NodeId};
 use crate::policy::{Destination, Line, PolicyGraph};
-use crate::source_set::SourceSet;
+use crate::source_set::{SourceSet, state_length};
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 use tpg_graph::SourceDocument;
@@ -112,8 +112,7 @@ impl<S: Scalar> Plan<S> {
     /// As [`new`](Self::new), but the whole state is observed, also what no program reads.
     pub(super) fn observing_all<M: Maths<S>>(policy: &PolicyGraph, sources: &[SourceDocument]) -> Self {
         let mut arena = Arena::<S, M>::default();
-        let length: u32 = sources.iter().map(|source| source.length).sum();
-        (0..length).for_each(|input| arena.input(input as u16));
+        (0..state_length(sources)).for_each(|input| arena.input(input as u16));
         Self::in_arena(arena, &[policy], sources)
     }
 
@@ -137,7 +136,7 @@ impl<S: Scalar> Plan<S> {
         };
         let leaves = if outputs.is_empty() { Vec::new() } else { actions.nodes().iter().map(leaf).collect() };
         let limits = outputs.iter().map(|it| [it.min, it.max, it.nan].map(S::from_f64)).collect();
-        let mut places = vec![u32::MAX; sources.iter().map(|source| source.length as usize).sum()];
+        let mut places = vec![u32::MAX; state_length(sources)];
         for (place, node) in (0u32..).zip(arena.nodes()) {
             if let Node::Input(input) = node {
                 places[usize::from(*input)] = place;

@@ -1,14 +1,13 @@
-//! A memory for policies: values that they compute at one decision and read at the next.
+//! A memory for policies: values that they compute at one decision and read at the next. Graphs in integers see and answer counts.
 
 use crate::action::{Act, ActionSpace, Output};
 use crate::environment::Environment;
 use crate::environment::OneByOne;
 use crate::episode_result::{End, EpisodeResult, Step};
 use crate::episodes::Episodes;
-use crate::extensions::{TaskSet, Training};
 use crate::source_set::SourceSet;
-use crate::tasks::{coarser, tasks};
-use tpg_graph::{Graph, SourceDocument};
+use crate::units::Units;
+use tpg_graph::{Counts, Graph, SourceDocument};
 use tpg_runtime::scalar::Scalar;
 
 /// A value of a memory.
@@ -49,7 +48,8 @@ impl Remembered {
 }
 
 /// An environment that keeps a memory for its policies. To the inner environment's sources and outputs it adds one for each
-/// value: what a policy puts out at one decision, it observes at the next. An episode begins with the initial values.
+/// value: what a policy puts out at one decision, it observes at the next. An episode begins with the initial values. For a
+/// graph in integers, each observed value becomes its count, as a sensor gives it, and each output its value.
 ///
 /// ```
 /// use tpg_engine::{Act, Environment, Remembered, Remembering, SourceSet};
@@ -88,6 +88,9 @@ impl Remembered {
 pub struct Remembering<E> {
     environment: E,
     memory: Vec<Remembered>,
+    /// The counts of each source of the environment, for a graph in integers.
+    counts: Vec<Vec<Counts>>,
+    units: Units,
 }
 
 /// An episode, and the memory of its policy.
@@ -102,7 +105,69 @@ pub struct WithMemory<Episode, S> {
 impl<E> Remembering<E> {
     /// Adds a memory to an environment with outputs; an empty one changes nothing.
     pub fn new(environment: E, memory: Vec<Remembered>) -> Self {
-        Self { environment, memory }
+        Self { environment, memory, counts: Vec::new(), units: Units::default() }
+    }
+
+    /// Adds the memory of a graph to an environment, and puts that into the graph's counts; what the graph does not name stays as it
+    /// is.
+    ///
+    /// ```
+    /// use tpg_engine::{Act, Environment, Remembering, SourceSet};
+    /// use tpg_graph::Graph;
+    /// # use tpg_engine::random::Stream;
+    /// # use tpg_engine::{ActionSpace, Output, Step};
+    /// # use tpg_graph::SourceDocument;
+    /// # struct Motor;
+    /// # impl Environment<f64> for Motor {
+    /// #     type Task = f64;
+    /// #     type Episode = f64;
+    /// #     fn sources(&self) -> Vec<SourceDocument> { vec![SourceDocument::new("speed", "m/s", vec![[-9.0, 9.0]])] }
+    /// #     fn actions(&self) -> ActionSpace {
+    /// #         ActionSpace::Box(vec![Output { name: "torque".into(), unit: "N·m".into(), min: -2.0, max: 2.0 }])
+    /// #     }
+    /// #     fn time_limit(&self) -> u32 { 1 }
+    /// #     fn draw(&self, _: &mut Stream) -> f64 { 0.0 }
+    /// #     fn start(&self, task: &f64) -> f64 { *task }
+    /// #     fn observe(&self, speed: &mut f64, _: SourceSet, state: &mut [f64]) { state[0] = *speed; }
+    /// #     fn step(&self, speed: &mut f64, act: Act<'_, f64>) -> Step {
+    /// #         *speed += act.values()[0];
+    /// #         Step::reward(0.0)
+    /// #     }
+    /// # }
+    /// // `Motor` observes a speed, and has one output, a torque.
+    /// let text = r#"{
+    ///     "format": "tpg-graph", "version": 2, "scalar": "f64", "maths": "own", "registers": 1,
+    ///     "sources": [{ "name": "speed", "length": 1, "unit": "m/s", "ranges": [[-90, 90]], "counts": [{ "bits": 8, "scale": 0.1 }] }],
+    ///     "instructions": ["copy"],
+    ///     "outputs": [{ "name": "torque", "unit": "N·m", "min": -8, "max": 8, "nan": 0, "counts": { "bits": 8, "scale": 0.25 } }],
+    ///     "leaves": [{ "id": 0, "programs": [0] }],
+    ///     "programs": [{ "id": 0, "lines": [{ "to": 0, "op": "copy", "args": ["speed[0]"] }] }]
+    /// }"#;
+    /// let motor = Remembering::for_graph::<f64>(Motor, &Graph::from_json("motor.json", text)?);
+    /// let mut episode = motor.start(&0.52);
+    /// let mut state = [0.0];
+    /// motor.observe(&mut episode, SourceSet::ALL, &mut state);
+    /// assert_eq!(state, [5.0]);
+    /// motor.step(&mut episode, Act::Values(&[8.0]));
+    /// motor.observe(&mut episode, SourceSet::ALL, &mut state);
+    /// assert_eq!(state, [25.0]);
+    /// # Ok::<(), tpg_graph::error::InputError>(())
+    /// ```
+    pub fn for_graph<S: Scalar>(environment: E, graph: &Graph) -> Self
+    where
+        E: Environment<S>,
+    {
+        let known = graph.state_sources();
+        let (mut counts, mut units) = (Vec::new(), Units::default());
+        for source in environment.sources() {
+            let same = known.iter().find(|known| known.name == source.name && known.length == source.length);
+            let of_source = same.map(|known| known.counts.clone()).unwrap_or_default();
+            units.inputs.extend((0..source.length as usize).map(|place| of_source.get(place).copied()));
+            counts.push(of_source);
+        }
+        let of_output = |output: &Output| graph.outputs().iter().find(|known| known.name == output.name)?.counts;
+        units.outputs = environment.actions().outputs().iter().map(of_output).collect();
+        Self { environment, memory: Remembered::in_graph(graph), counts, units }
     }
 }
 
@@ -111,12 +176,13 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {
     type Episode = WithMemory<E::Episode, S>;
 
     crate::forward!(this => this.environment;
-        time_limit draw outcomes measure preference accepts);
+        time_limit draw outcomes measure preference accepts training);
 
     fn sources(&self) -> Vec<SourceDocument> {
         let value =
             |value: &Remembered| SourceDocument::new(value.name.clone(), "memory", vec![[value.min, value.max]]);
         let mut sources = self.environment.sources();
+        sources.iter_mut().zip(&self.counts).for_each(|(source, counts)| source.counts.clone_from(counts));
         sources.extend(self.memory.iter().map(value));
         sources
     }
@@ -130,6 +196,11 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {
         };
         match self.environment.actions() {
             ActionSpace::Box(mut outputs) => {
+                for (output, counts) in outputs.iter_mut().zip(&self.units.outputs) {
+                    if let Some(counts) = counts {
+                        (output.min, output.max) = (counts.count(output.min), counts.count(output.max));
+                    }
+                }
                 outputs.extend(self.memory.iter().map(value));
                 ActionSpace::Box(outputs)
             }
@@ -146,6 +217,7 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {
     fn observe(&self, with: &mut Self::Episode, wanted: SourceSet, state: &mut [S]) {
         let (observed, memory) = state.split_at_mut(state.len() - with.memory.len());
         self.environment.observe(&mut with.episode, wanted, observed);
+        self.units.count(observed);
         memory.copy_from_slice(&with.memory);
     }
 
@@ -156,14 +228,16 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {
         if memory.len() == with.memory.len() {
             with.memory.copy_from_slice(memory);
         }
-        self.environment.step(&mut with.episode, Act::Values(values))
+        if self.units.is_plain() {
+            return self.environment.step(&mut with.episode, Act::Values(values));
+        }
+        let mut values = values.to_vec();
+        self.units.value(&mut values);
+        self.environment.step(&mut with.episode, Act::Values(&values))
     }
 
     fn timeout(&self, with: &Self::Episode) -> End {
         self.environment.timeout(&with.episode)
-    }
-    fn training(&self) -> Option<&dyn Training<Self::Task, Self::Episode>> {
-        self.environment.training().map(|_| self as _)
     }
     /// With a memory, the default: a repeated state of the environment alone repeats nothing.
     fn key(&self, with: &Self::Episode) -> Option<u64> {
@@ -173,22 +247,11 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {
         self.environment.cycle(&with.episode, key, actions)
     }
     fn lanes(&self) -> Box<dyn Episodes<S, E::Task> + '_> {
-        if self.memory.is_empty() { self.environment.lanes() } else { Box::new(OneByOne::new(self)) }
+        let is_bare = self.memory.is_empty() && self.units.is_plain();
+        if is_bare { self.environment.lanes() } else { Box::new(OneByOne::new(self)) }
     }
     fn distance(&self, with: &Self::Episode) -> Option<f64> {
         self.environment.distance(&with.episode)
-    }
-}
-
-impl<S: Scalar, E: Environment<S>> Training<E::Task, WithMemory<E::Episode, S>> for Remembering<E> {
-    fn coarser(&self, task: E::Task, factor: u8) -> E::Task {
-        coarser(&self.environment, task, factor)
-    }
-    fn tasks(&self, set: TaskSet, seed: u64, count: usize) -> Option<Vec<E::Task>> {
-        Some(tasks(&self.environment, set, seed, count))
-    }
-    fn linear(&self) -> Vec<Vec<Vec<f64>>> {
-        self.environment.training().map_or_else(Vec::new, Training::linear)
     }
 }
 

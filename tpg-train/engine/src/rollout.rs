@@ -3,7 +3,7 @@
 use crate::action::Act;
 use crate::environment::Environment;
 use crate::episode_result::{End, EpisodeResult, Step};
-use crate::source_set::SourceSet;
+use crate::source_set::{SourceSet, state_length};
 use tpg_graph::interpret::Answer;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
@@ -71,8 +71,7 @@ impl<'e, S: Scalar, E: Environment<S> + ?Sized> Rollout<'e, S, E> {
     /// Returns the flat state with the wanted sources observed now.
     pub fn observe(&mut self, wanted: SourceSet) -> &[S] {
         if self.state.is_empty() {
-            let length = self.environment.sources().iter().map(|source| source.length as usize).sum();
-            self.state.resize(length, S::ZERO);
+            self.state.resize(state_length(&self.environment.sources()), S::ZERO);
         }
         self.environment.observe(&mut self.episode, wanted, &mut self.state);
         &self.state

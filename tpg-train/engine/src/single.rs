@@ -4,12 +4,7 @@ use crate::action::Acts;
 use crate::columns::Columns;
 use crate::decide::Decider;
 use crate::plan::Plan;
-use crate::policy::PolicyGraph;
 use std::cell::RefCell;
-use std::io;
-use tpg_graph::Graph;
-use tpg_graph::engine::Engine;
-use tpg_graph::in_arithmetic_of;
 use tpg_graph::interpret::Answer;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
@@ -51,34 +46,22 @@ impl<S: Scalar, M: Maths<S>> Single<S, M> {
     }
 }
 
-impl<S: Scalar, M: Maths<S>> Engine for Single<S, M> {
-    fn name(&self) -> &str {
-        "trainer"
-    }
-
-    fn answer(&mut self, states: &[f64], answers: &mut Vec<Answer>) -> io::Result<()> {
-        for state in states.chunks_exact(self.plan.state_length()) {
-            let state: Vec<S> = state.iter().map(|&value| S::from_f64(value)).collect();
-            answers.push(Single::answer(self, &state));
-        }
-        Ok(())
-    }
-}
-
-/// Wraps a graph, computed in its own arithmetic, as an [`Engine`].
-pub fn single(graph: &Graph) -> Box<dyn Engine> {
-    fn engine<S: Scalar, M: Maths<S> + 'static>(graph: &Graph) -> Box<dyn Engine> {
-        let plan = Plan::new::<M>(&PolicyGraph::from(graph), &graph.state_sources());
-        Box::new(Single::<S, M>::new(plan))
-    }
-    in_arithmetic_of!(graph, engine(graph))
-}
-
 #[cfg(test)]
 mod tests {
-    use super::single;
+    use super::Single;
+    use crate::plan::Plan;
+    use crate::policy::PolicyGraph;
+    use tpg_graph::interpret::Answer;
     use tpg_graph::sample::{self, Shape};
-    use tpg_graph::{interpret, states};
+    use tpg_graph::{Graph, in_arithmetic_of, interpret, states};
+    use tpg_runtime::ops::Maths;
+    use tpg_runtime::scalar::Scalar;
+
+    fn answers<S: Scalar, M: Maths<S>>(graph: &Graph, states: &[f64]) -> Vec<Answer> {
+        let single = Single::<S, M>::new(Plan::new::<M>(&PolicyGraph::from(graph), &graph.state_sources()));
+        let rounded: Vec<S> = states.iter().map(|&value| S::from_f64(value)).collect();
+        rounded.chunks_exact(graph.state_length()).map(|state| single.answer(state)).collect()
+    }
 
     #[test]
     fn it_acts_like_the_interpreter() {
@@ -86,9 +69,8 @@ mod tests {
             let shape = if seed % 2 == 0 { Shape::random(seed) } else { Shape::random_with_outputs(seed) };
             let graph = sample::graph(&shape, seed);
             let states = states::sample(&graph, 1000, seed);
-            let mut answers = Vec::new();
-            single(&graph).answer(&states, &mut answers).expect("no process, no error");
-            assert_eq!(answers, interpret::answers(&graph, &states), "graph {seed}");
+            let found = in_arithmetic_of!(graph, answers(&graph, &states));
+            assert_eq!(found, interpret::answers(&graph, &states), "graph {seed}");
         }
     }
 }

@@ -2,6 +2,11 @@
 
 use tpg_graph::SourceDocument;
 
+/// Returns the number of values in the flat state of some sources.
+pub fn state_length(sources: &[SourceDocument]) -> usize {
+    sources.iter().map(|source| source.length as usize).sum()
+}
+
 /// A set of an environment's sources, by index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SourceSet(u64);

@@ -24,22 +24,22 @@ pub struct Rates {
 }
 
 /// A batch for one update: one column per sample; `noise` is standard normal.
-#[derive(Clone, Copy, Debug)]
-pub struct Experience<'a> {
+#[derive(Clone, Debug, Default)]
+pub struct Experience {
     /// inputs × batch.
-    pub states: &'a [f32],
+    pub states: Vec<f32>,
     /// actions × batch.
-    pub actions: &'a [f32],
+    pub actions: Vec<f32>,
     /// One a sample.
-    pub rewards: &'a [f32],
+    pub rewards: Vec<f32>,
     /// One a sample.
-    pub discounts: &'a [f32],
+    pub discounts: Vec<f32>,
     /// inputs × batch.
-    pub next: &'a [f32],
+    pub next: Vec<f32>,
     /// actions × batch: for the actions in `next`.
-    pub next_noise: &'a [f32],
+    pub next_noise: Vec<f32>,
     /// actions × batch: for the actions in `states`.
-    pub noise: &'a [f32],
+    pub noise: Vec<f32>,
 }
 
 /// Figures of an update, averaged over its batch.
@@ -153,11 +153,11 @@ impl Agent {
     ///
     /// # Panics
     /// If the batch has another size than the workspace.
-    pub fn update(&mut self, space: &mut Workspace, batch: Experience<'_>, rates: &Rates) -> UpdateFigures {
+    pub fn update(&mut self, space: &mut Workspace, batch: &Experience, rates: &Rates) -> UpdateFigures {
         let alpha = libm::expf(self.log_alpha);
         self.bootstrap_from_critics(space, batch, alpha);
         let critic_loss = self.update_critics(space, batch, rates.learning);
-        self.actor_answers(space, batch.states);
+        self.actor_answers(space, &batch.states);
         let actor_loss = self.update_actor(space, batch, alpha, rates.learning);
         let mean_density = mean(&space.samples.log_densities);
         let mut log_alpha = [self.log_alpha];
@@ -186,19 +186,19 @@ impl Agent {
     }
 
     /// Computes the critics' targets from their slow copies.
-    fn bootstrap_from_critics(&self, space: &mut Workspace, batch: Experience<'_>, alpha: f32) {
-        self.actor_answers(space, batch.next);
-        self.gaussian.sample(space.actor.output(), batch.next_noise, &mut space.samples);
+    fn bootstrap_from_critics(&self, space: &mut Workspace, batch: &Experience, alpha: f32) {
+        self.actor_answers(space, &batch.next);
+        self.gaussian.sample(space.actor.output(), &batch.next_noise, &mut space.samples);
         // One tape for both, so that it stays near the processor.
         let [tape, _] = &mut space.critics;
-        join(tape.input_mut(), batch.next, &space.samples.actions, self.gaussian.actions);
+        join(tape.input_mut(), &batch.next, &space.samples.actions, self.gaussian.actions);
         for (slow, by_q) in self.slow.iter().zip(&mut space.by_q) {
             slow.forward(tape);
             by_q.copy_from_slice(tape.output());
         }
         let [first, second] = &space.by_q;
         let values = first.iter().zip(second).zip(&space.samples.log_densities);
-        let returns = batch.rewards.iter().zip(batch.discounts);
+        let returns = batch.rewards.iter().zip(&batch.discounts);
         for ((wanted, ((&first, &second), &density)), (&reward, &discount)) in
             space.wanted.iter_mut().zip(values).zip(returns)
         {
@@ -207,12 +207,12 @@ impl Agent {
     }
 
     /// Moves both critics towards `space.wanted`.
-    fn update_critics(&mut self, space: &mut Workspace, batch: Experience<'_>, rate: f64) -> f64 {
+    fn update_critics(&mut self, space: &mut Workspace, batch: &Experience, rate: f64) -> f64 {
         let scale = (2.0 / space.wanted.len() as f64) as f32;
         let mut loss = 0.0;
         // One tape for both, so that it stays near the processor.
         let ([tape, _], [by_q, _]) = (&mut space.critics, &mut space.by_q);
-        join(tape.input_mut(), batch.states, batch.actions, self.gaussian.actions);
+        join(tape.input_mut(), &batch.states, &batch.actions, self.gaussian.actions);
         for critic in &mut self.critics {
             critic.network.forward(tape);
             let mut squares = 0.0;
@@ -229,8 +229,8 @@ impl Agent {
     }
 
     /// Updates the actor, which has already been run on the states.
-    fn update_actor(&mut self, space: &mut Workspace, batch: Experience<'_>, alpha: f32, rate: f64) -> f64 {
-        self.judge_own_actions(space, batch.states, batch.noise);
+    fn update_actor(&mut self, space: &mut Workspace, batch: &Experience, alpha: f32, rate: f64) -> f64 {
+        self.judge_own_actions(space, &batch.states, &batch.noise);
         let size = space.wanted.len();
         let share = 1.0 / size as f32;
         let mut loss = 0.0;
@@ -250,7 +250,7 @@ impl Agent {
         for ((by_action, &first), &second) in space.by_actions.iter_mut().zip(first).zip(second) {
             *by_action = first + second;
         }
-        let (noise, by_outputs) = (batch.noise, &mut space.by_outputs);
+        let (noise, by_outputs) = (&batch.noise, &mut space.by_outputs);
         self.gaussian.backward(&space.samples, noise, &space.by_actions, alpha * share, by_outputs);
         let gradient = &mut space.gradient[..self.actor.network.parameters().len()];
         self.actor.network.backward(&mut space.actor, by_outputs, Some(gradient), None);

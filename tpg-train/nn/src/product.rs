@@ -111,7 +111,6 @@ pub(super) fn passing(gradient: f32, passed: f32) -> f32 {
 pub struct Scratch {
     /// Panels of the left factor: for each tile's rows, column after column.
     panels: Vec<f32>,
-    /// Last columns of the right factor that do not fill a tile, row by row.
     /// A tile, column by column.
     sums: Vec<f32>,
     /// Columns of the right factor that are not all zeros: their indices, and the columns side by side.

@@ -84,9 +84,9 @@ fn two_updates_are_near_pytorchs() {
             &update.noise,
         ]
         .map(|list| narrow(list));
-        let [states, actions, rewards, discounts, next, next_noise, noise] = &lists;
+        let [states, actions, rewards, discounts, next, next_noise, noise] = lists;
         let experience = Experience { states, actions, rewards, discounts, next, next_noise, noise };
-        let report = agent.update(&mut space, experience, &rates);
+        let report = agent.update(&mut space, &experience, &rates);
         let after = &update.after;
         let pairs = [
             ("actor", difference(agent.actor.network.parameters(), &after.actor)),

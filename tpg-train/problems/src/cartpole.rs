@@ -7,7 +7,7 @@ use crate::source;
 use crate::varied::Settings;
 use core::f64::consts::PI;
 use tpg_engine::random::Stream;
-use tpg_engine::{ActionSpace, Environment, Training};
+use tpg_engine::{ActionSpace, Environment};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -92,8 +92,8 @@ impl<S: Scalar> Environment<S> for CartPole {
         *task
     }
 
-    fn training(&self) -> Option<&dyn Training<State, State>> {
-        Some(self)
+    fn task_from(&self, state: &State) -> Option<State> {
+        Some(*state)
     }
 
     /// The larger of the pole's lean and the cart's way from the middle, as a fraction of what ends the episode.
@@ -102,12 +102,6 @@ impl<S: Scalar> Environment<S> for CartPole {
     }
 
     by_eight!(4);
-}
-
-impl Training<State, State> for CartPole {
-    fn task_from(&self, state: &State) -> Option<State> {
-        Some(*state)
-    }
 }
 
 impl ByEight<4> for CartPole {

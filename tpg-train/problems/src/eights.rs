@@ -1,6 +1,5 @@
 //! Episodes that are stepped eight at a time, in a form that compilers turn into vectors.
 
-use crate::varied::Adjustable;
 use fearless_simd::{Level, dispatch};
 use tpg_engine::{Act, Acts, End, Environment, EpisodeResult, Episodes, EvaluationError, SourceSet, Step, View};
 use tpg_runtime::policy::ActionId;
@@ -8,16 +7,16 @@ use tpg_runtime::scalar::Scalar;
 
 /// A problem whose episodes are `N` numbers each, and whose steps are the same operations for all of them and for policies in any
 /// numbers.
-pub trait ByEight<const N: usize> {
+pub trait ByEight<const N: usize>: Sized {
     /// The constants of the rules.
-    type Physics: Copy + Send + Sync;
+    type Physics: Copy + Send + Sync + 'static;
     /// Those of the problem itself.
     const STANDARD: Self::Physics;
     /// Places of the observed values among the numbers.
     const OBSERVED: &[usize];
     /// True if observations are rounded to `f32`, as Gymnasium's are.
     const ROUNDS: bool;
-    /// [`Adjustable::REST`].
+    /// The named action that does least; until a late action arrives, it is taken. With an output, 0 is.
     const REST: u16 = 0;
 
     /// Takes one action in each of `L` episodes: the number of an action, or the value of the output. Writes the rewards, and
@@ -29,17 +28,44 @@ pub trait ByEight<const N: usize> {
         rewards: &mut [f64; L],
         ended: &mut [bool; L],
     );
+
+    /// Takes an [action](number) in one episode under some constants.
+    #[inline]
+    fn step_under(physics: &Self::Physics, episode: &mut [f64; N], act: f64) -> Step {
+        let (mut numbers, mut rewards, mut ended) = (episode.map(|number| [number]), [0.0], [false]);
+        Self::step_many(physics, &mut numbers, &[act], &mut rewards, &mut ended);
+        *episode = numbers.map(|[number]| number);
+        let step = Step::reward(rewards[0]);
+        if ended[0] { step.ending(End::new(0)) } else { step }
+    }
+
+    /// Writes what is observed of an episode.
+    fn observe_one<S: Scalar>(episode: &[f64; N], state: &mut [S]) {
+        state.iter_mut().zip(Self::OBSERVED).for_each(|(slot, &place)| *slot = observed::<S, Self, N>(episode[place]));
+    }
+}
+
+/// Returns the number of an action, or the value of the output.
+pub fn number<S: Scalar>(act: Act<'_, S>) -> f64 {
+    match act {
+        Act::Choice(ActionId(action)) => f64::from(action),
+        Act::Values(values) => values[0].to_f64(),
+    }
 }
 
 /// Implements the methods of an [`Environment`] that follow from [`ByEight`].
 macro_rules! by_eight {
     ($numbers:literal) => {
         fn observe(&self, episode: &mut Self::Episode, _wanted: tpg_engine::SourceSet, state: &mut [S]) {
-            $crate::eights::observe_one::<S, Self, $numbers>(episode, state);
+            <Self as $crate::eights::ByEight<$numbers>>::observe_one(episode, state);
         }
 
         fn step(&self, episode: &mut Self::Episode, act: tpg_engine::Act<'_, S>) -> tpg_engine::Step {
-            $crate::eights::step_one::<S, Self, $numbers>(&Self::STANDARD, episode, act)
+            <Self as $crate::eights::ByEight<$numbers>>::step_under(
+                &Self::STANDARD,
+                episode,
+                $crate::eights::number(act),
+            )
         }
 
         fn lanes(&self) -> Box<dyn tpg_engine::Episodes<S, Self::Task> + '_> {
@@ -48,41 +74,6 @@ macro_rules! by_eight {
     };
 }
 pub(crate) use by_eight;
-
-impl<S: Scalar, E, const N: usize> Adjustable<S> for E
-where
-    E: ByEight<N> + Environment<S, Episode = [f64; N]>,
-{
-    type Physics = <E as ByEight<N>>::Physics;
-    const REST: u16 = <E as ByEight<N>>::REST;
-
-    fn step_under(&self, physics: &Self::Physics, episode: &mut [f64; N], act: Act<'_, S>) -> Step {
-        step_one::<S, E, N>(physics, episode, act)
-    }
-}
-
-/// Takes an action in one episode.
-#[inline]
-pub(crate) fn step_one<S: Scalar, E: ByEight<N>, const N: usize>(
-    physics: &E::Physics,
-    episode: &mut [f64; N],
-    act: Act<'_, S>,
-) -> Step {
-    let act = match act {
-        Act::Choice(ActionId(action)) => f64::from(action),
-        Act::Values(values) => values[0].to_f64(),
-    };
-    let (mut numbers, mut rewards, mut ended) = (episode.map(|number| [number]), [0.0], [false]);
-    E::step_many(physics, &mut numbers, &[act], &mut rewards, &mut ended);
-    *episode = numbers.map(|[number]| number);
-    let step = Step::reward(rewards[0]);
-    if ended[0] { step.ending(End::new(0)) } else { step }
-}
-
-/// Writes what is observed of an episode.
-pub(crate) fn observe_one<S: Scalar, E: ByEight<N>, const N: usize>(episode: &[f64; N], state: &mut [S]) {
-    state.iter_mut().zip(E::OBSERVED).for_each(|(slot, &place)| *slot = observed::<S, E, N>(episode[place]));
-}
 
 #[inline(always)]
 fn observed<S: Scalar, E: ByEight<N>, const N: usize>(value: f64) -> S {

@@ -3,10 +3,11 @@
 //! The camera gives 24 rows of 32 grey pixels. Brightness, its gradient, the texture behind the ball and the noise of the pixels differ
 //! from episode to episode; the head follows its commands with a lag.
 
+use crate::sight::{Sight, mixed};
 use tpg_engine::random::Stream;
 use tpg_engine::{Act, ActionSpace, End, Environment, Output, SourceSet, Step};
 use tpg_graph::SourceDocument;
-use tpg_graph::image::{Image, Vision, features_of};
+use tpg_graph::image::Image;
 use tpg_runtime::scalar::Scalar;
 
 const ROWS: usize = 24;
@@ -25,16 +26,11 @@ const PATCH: f32 = 4.0;
 /// The problem. An action earns the more the nearer the ball is to the middle of the image, 100 in an episode at most; the episode
 /// ends when the ball has left the image.
 #[derive(Clone, Debug)]
-pub(crate) struct Eye {
-    sources: Vec<SourceDocument>,
-    vision: Vision,
-}
+pub(crate) struct Eye(Sight);
 
 impl Default for Eye {
     fn default() -> Self {
-        let sources = features_of([ROWS as u32, COLUMNS as u32, 1], &["image"], u8::MAX);
-        let vision = Vision::new(&sources).expect("the sources are of an image");
-        Self { sources, vision }
+        Self(Sight::new([ROWS, COLUMNS], &["image"], u8::MAX))
     }
 }
 
@@ -53,14 +49,6 @@ pub(crate) struct Scene {
     velocity: [f32; 2],
     head: [f32; 2],
     speed: [f32; 2],
-}
-
-/// Mixes two numbers into random bits.
-fn mixed(seed: u64, number: u64) -> u64 {
-    let mixed = seed.wrapping_add(number.wrapping_mul(0x9E37_79B9_7F4A_7C15));
-    let mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    mixed ^ (mixed >> 31)
 }
 
 /// Returns a number from 0 to below 1 of the upper 24 bits.
@@ -97,6 +85,12 @@ impl Scene {
         [self.ball[0] - self.head[0], self.ball[1] - self.head[1]]
     }
 
+    /// Draws the image once, for features that look at each pixel many times.
+    fn frame(&self) -> Frame {
+        let pixels = (0..ROWS).flat_map(|row| (0..COLUMNS).map(move |column| (row, column)));
+        Frame(pixels.map(|(row, column)| self.pixel(row, column)).collect())
+    }
+
     fn step(&mut self, command: [f32; 2]) -> Step {
         self.actions += 1;
         for axis in 0..2 {
@@ -114,10 +108,8 @@ impl Scene {
         let is_lost = down.abs() > ROWS as f32 / 2.0 || right.abs() > COLUMNS as f32 / 2.0;
         if is_lost { step.ending(End::new(0)) } else { step }
     }
-}
 
-impl Image for Scene {
-    fn cell(&self, row: usize, column: usize, _: usize) -> u8 {
+    fn pixel(&self, row: usize, column: usize) -> u8 {
         let at = [row as f32 - (ROWS - 1) as f32 / 2.0, column as f32 - (COLUMNS - 1) as f32 / 2.0];
         let patch = [0, 1].map(|axis| ((at[axis] + self.head[axis]) / PATCH).floor() as i64 as u64);
         let patch = mixed(self.seed ^ 0x5555, patch[0] << 32 ^ patch[1] & 0xFFFF_FFFF);
@@ -147,7 +139,7 @@ impl<S: Scalar> Environment<S> for Eye {
     type Episode = Scene;
 
     fn sources(&self) -> Vec<SourceDocument> {
-        self.sources.clone()
+        self.0.sources()
     }
 
     fn actions(&self) -> ActionSpace {
@@ -174,16 +166,12 @@ impl<S: Scalar> Environment<S> for Eye {
         Scene::new(*seed)
     }
 
-    fn observe(&self, scene: &mut Scene, wanted: SourceSet, state: &mut [S]) {
-        let inputs: Vec<u16> = (0..state.len() as u16).collect();
-        self.observe_some(scene, wanted, &inputs, state);
+    fn observe(&self, scene: &mut Scene, _: SourceSet, state: &mut [S]) {
+        self.0.look(&scene.frame(), 0..state.len(), state);
     }
 
     fn observe_some(&self, scene: &mut Scene, _: SourceSet, inputs: &[u16], state: &mut [S]) {
-        let pixels = (0..ROWS).flat_map(|row| (0..COLUMNS).map(move |column| (row, column)));
-        let frame = Frame(pixels.map(|(row, column)| scene.cell(row, column, 0)).collect());
-        let inputs = inputs.iter().map(|&input| usize::from(input));
-        self.vision.look(&frame, inputs, |input, value| state[input] = S::from_f64(value));
+        self.0.look(&scene.frame(), inputs.iter().map(|&input| input.into()), state);
     }
 
     fn step(&self, scene: &mut Scene, act: Act<'_, S>) -> Step {

@@ -21,8 +21,10 @@
 //! | [`mountain_car_continuous`] | driving out of a valley by a force |
 //! | [`pendulum`] | swinging a pendulum up |
 //! | `rows` | tasks as CSV |
+//! | `sight` | the features of images |
 //! | `eye` | a camera that follows a ball |
 //! | `minatar` | games of ten by ten cells: `breakout`, `asterix`, `space-invaders` |
+//! | [`eights`] | problems whose episodes are stepped eight at a time |
 //! | [`varied`], [`physics`], [`amount`] | other constants, late actions, noise and hidden sources |
 
 pub mod acrobot;
@@ -31,7 +33,7 @@ pub mod arm;
 pub mod cartpole;
 mod circle;
 pub mod dodge;
-mod eights;
+pub mod eights;
 mod eye;
 mod minatar;
 pub mod mountain_car;
@@ -40,6 +42,7 @@ pub mod pendulum;
 pub mod physics;
 pub mod registry;
 mod rows;
+mod sight;
 mod tested;
 #[cfg(test)]
 mod tests;

@@ -12,11 +12,13 @@ pub(crate) use asterix::Asterix;
 pub(crate) use breakout::Breakout;
 pub(crate) use space_invaders::SpaceInvaders;
 
+use crate::sight::Sight;
 use board::{Board, Draws, SIDE};
+use std::marker::PhantomData;
 use tpg_engine::random::Stream;
 use tpg_engine::{Act, ActionSpace, End, Environment, SourceSet, Step};
 use tpg_graph::SourceDocument;
-use tpg_graph::image::{Image, Vision, features_of};
+use tpg_graph::image::Image;
 use tpg_runtime::scalar::Scalar;
 
 /// The probability that the last move is made once more instead of the one that is chosen.
@@ -25,7 +27,7 @@ const STICKY: f64 = 0.1;
 const ACTIONS: u32 = 5000;
 
 /// A game.
-pub(crate) trait Game: Clone + Send + Sync {
+pub(crate) trait Game: Clone + Send + Sync + 'static {
     /// The names of the image's channels; the first one shows what the player moves.
     const CHANNELS: &'static [&'static str];
     /// The names of the actions, and the moves that they are.
@@ -67,20 +69,13 @@ pub(crate) struct Outcome {
     is_over: bool,
 }
 
-/// A game as a problem. A policy reads features of the image: see [`features_of`].
+/// A game as a problem. A policy reads features of the image: see [`features_of`](tpg_graph::image::features_of).
 #[derive(Clone, Debug)]
-pub(crate) struct MinAtar<G> {
-    sources: Vec<SourceDocument>,
-    vision: Vision,
-    game: std::marker::PhantomData<G>,
-}
+pub(crate) struct MinAtar<G>(Sight, PhantomData<G>);
 
 impl<G: Game> Default for MinAtar<G> {
     fn default() -> Self {
-        let side = SIDE as u32;
-        let sources = features_of([side, side, G::CHANNELS.len() as u32], G::CHANNELS, 1);
-        let vision = Vision::new(&sources).expect("the sources are of an image");
-        Self { sources, vision, game: std::marker::PhantomData }
+        Self(Sight::new([SIDE as usize; 2], G::CHANNELS, 1), PhantomData)
     }
 }
 
@@ -94,7 +89,7 @@ pub(crate) struct Play<G> {
 
 impl<G: Game> Play<G> {
     fn new(seed: u64) -> Self {
-        let mut draws = Draws(seed);
+        let mut draws = Draws { seed, drawn: 0 };
         Self { game: G::new(&mut draws), draws, last: Move::Stay }
     }
 
@@ -134,7 +129,7 @@ impl<S: Scalar, G: Game> Environment<S> for MinAtar<G> {
     type Episode = Play<G>;
 
     fn sources(&self) -> Vec<SourceDocument> {
-        self.sources.clone()
+        self.0.sources()
     }
 
     fn actions(&self) -> ActionSpace {
@@ -157,15 +152,12 @@ impl<S: Scalar, G: Game> Environment<S> for MinAtar<G> {
         Play::new(*seed)
     }
 
-    fn observe(&self, play: &mut Play<G>, wanted: SourceSet, state: &mut [S]) {
-        let inputs: Vec<u16> = (0..state.len() as u16).collect();
-        self.observe_some(play, wanted, &inputs, state);
+    fn observe(&self, play: &mut Play<G>, _: SourceSet, state: &mut [S]) {
+        self.0.look(&Boards(play.game.boards()), 0..state.len(), state);
     }
 
     fn observe_some(&self, play: &mut Play<G>, _: SourceSet, inputs: &[u16], state: &mut [S]) {
-        let boards = Boards(play.game.boards());
-        let inputs = inputs.iter().map(|&input| usize::from(input));
-        self.vision.look(&boards, inputs, |input, value| state[input] = S::from_f64(value));
+        self.0.look(&Boards(play.game.boards()), inputs.iter().map(|&input| input.into()), state);
     }
 
     fn step(&self, play: &mut Play<G>, act: Act<'_, S>) -> Step {
@@ -182,7 +174,7 @@ mod tests {
     /// Returns the number of episodes, the rewards, and a digest of 20,000 steps by random moves.
     fn played<G: Game>() -> (u32, u32, u64) {
         let mut seed = 7;
-        let (mut choices, mut play) = (Draws(seed ^ 0xABCD), Play::<G>::new(seed));
+        let (mut choices, mut play) = (Draws { seed: seed ^ 0xABCD, drawn: 0 }, Play::<G>::new(seed));
         let (mut episodes, mut rewards, mut digest) = (0, 0, 0xCBF2_9CE4_8422_2325_u64);
         for _ in 0..20_000 {
             let choice = choices.below(G::MOVES.len());

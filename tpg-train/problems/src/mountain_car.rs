@@ -6,7 +6,7 @@ use crate::physics::physics;
 use crate::source;
 use crate::varied::Settings;
 use tpg_engine::random::Stream;
-use tpg_engine::{ActionSpace, Environment, Training};
+use tpg_engine::{ActionSpace, Environment};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -79,17 +79,11 @@ impl<S: Scalar> Environment<S> for MountainCar {
         *task
     }
 
-    fn training(&self) -> Option<&dyn Training<State, State>> {
-        Some(self)
-    }
-
-    by_eight!(2);
-}
-
-impl Training<State, State> for MountainCar {
     fn task_from(&self, state: &State) -> Option<State> {
         Some(*state)
     }
+
+    by_eight!(2);
 }
 
 impl ByEight<2> for MountainCar {

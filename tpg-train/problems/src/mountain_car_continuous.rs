@@ -1,10 +1,11 @@
 //! Gymnasium's MountainCarContinuous-v0: drive a weak car out of a valley, with as little force as possible.
 
+use crate::eights::{ByEight, by_eight};
 use crate::physics::physics;
 use crate::source;
-use crate::varied::{Adjustable, Settings};
+use crate::varied::Settings;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, End, Environment, Output, SourceSet, Step};
+use tpg_engine::{ActionSpace, Environment, Output};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -52,14 +53,8 @@ pub type Config = Settings<Amounts>;
 #[derive(Clone, Copy, Debug)]
 pub struct MountainCarContinuous;
 
-/// A running episode.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drive {
-    pub(crate) position: f64,
-    pub(crate) velocity: f64,
-    /// The position has been rounded to `f32`: after the first action.
-    pub(crate) is_rounded: bool,
-}
+/// A running episode: position, velocity, and 1 where these have been rounded to `f32`, which is after the first action.
+type Drive = [f64; 3];
 
 impl<S: Scalar> Environment<S> for MountainCarContinuous {
     /// The first position.
@@ -88,52 +83,60 @@ impl<S: Scalar> Environment<S> for MountainCarContinuous {
     }
 
     fn start(&self, &position: &f64) -> Drive {
-        Drive { position, velocity: 0.0, is_rounded: false }
+        [position, 0.0, 0.0]
     }
 
-    fn observe(&self, drive: &mut Drive, _wanted: SourceSet, state: &mut [S]) {
-        let values = [drive.position, drive.velocity].map(|value| f64::from(value as f32));
-        state.iter_mut().zip(values).for_each(|(slot, value)| *slot = S::from_f64(value));
-    }
-
-    fn step(&self, drive: &mut Drive, act: Act<'_, S>) -> Step {
-        self.step_under(&Physics::STANDARD, drive, act)
-    }
+    by_eight!(3);
 }
 
-impl<S: Scalar> Adjustable<S> for MountainCarContinuous {
+impl ByEight<3> for MountainCarContinuous {
     type Physics = Physics;
+    const STANDARD: Physics = Physics::STANDARD;
+    const OBSERVED: &[usize] = &[0, 1];
+    const ROUNDS: bool = true;
 
-    const REST: u16 = 0;
-
-    #[inline]
-    fn step_under(&self, physics: &Physics, drive: &mut Drive, act: Act<'_, S>) -> Step {
-        let (power, slope, friction) = (physics.power as f32, physics.slope, physics.friction);
-        let wanted = act.values()[0].to_f64();
-        let force = (wanted as f32).clamp(-FORCE, FORCE);
-        // NumPy multiplies an f32 by 3 in f32; the first position is an f64. The crate libm instead of the platform's: the
-        // same results on every machine.
-        let angle = if drive.is_rounded { f64::from(3.0 * drive.position as f32) } else { 3.0 * drive.position };
-        let lost = (friction * drive.velocity) as f32;
-        let change = force * power - (slope * libm::cos(angle)) as f32 - lost;
-        let (mut position, mut velocity) = if drive.is_rounded {
-            let velocity = (drive.velocity as f32 + change).clamp(-FASTEST as f32, FASTEST as f32);
-            (f64::from(drive.position as f32 + velocity), f64::from(velocity))
-        } else {
-            let velocity = (drive.velocity + f64::from(change)).clamp(-FASTEST, FASTEST);
-            (drive.position + velocity, velocity)
-        };
-        position = position.clamp(TRACK[0], TRACK[1]);
-        if position <= TRACK[0] && velocity < 0.0 {
-            velocity = 0.0;
+    #[inline(always)]
+    fn step_many<const L: usize>(
+        physics: &Physics,
+        drives: &mut [[f64; L]; 3],
+        forces: &[f64; L],
+        rewards: &mut [f64; L],
+        ended: &mut [bool; L],
+    ) {
+        for lane in 0..L {
+            let drive = drives.each_ref().map(|numbers| numbers[lane]);
+            let (drive, arrived) = moved(physics, drive, forces[lane] as f32);
+            drives.iter_mut().zip(drive).for_each(|(numbers, number)| numbers[lane] = number);
+            let price = forces[lane] * forces[lane] * PRICE;
+            (rewards[lane], ended[lane]) = (if arrived { REWARD - price } else { -price }, arrived);
         }
-        let arrived = position >= GOAL && velocity >= 0.0;
-        *drive = Drive { position: f64::from(position as f32), velocity: f64::from(velocity as f32), is_rounded: true };
-        let price = wanted * wanted * PRICE;
-        if arrived { Step::reward(REWARD - price).ending(End::new(0)) } else { Step::reward(-price) }
     }
 }
 
+/// Returns the car after an action, and true if it has come to the goal.
+#[inline(always)]
+fn moved(physics: &Physics, [position, velocity, is_rounded]: Drive, force: f32) -> (Drive, bool) {
+    let (power, is_rounded) = (physics.power as f32, is_rounded > 0.0);
+    let force = force.clamp(-FORCE, FORCE);
+    // NumPy multiplies an f32 by 3 in f32; the first position is an f64. The crate libm instead of the platform's: the
+    // same results on every machine.
+    let angle = if is_rounded { f64::from(3.0 * position as f32) } else { 3.0 * position };
+    let lost = (physics.friction * velocity) as f32;
+    let change = force * power - (physics.slope * libm::cos(angle)) as f32 - lost;
+    let (mut position, mut velocity) = if is_rounded {
+        let velocity = (velocity as f32 + change).clamp(-FASTEST as f32, FASTEST as f32);
+        (f64::from(position as f32 + velocity), f64::from(velocity))
+    } else {
+        let velocity = (velocity + f64::from(change)).clamp(-FASTEST, FASTEST);
+        (position + velocity, velocity)
+    };
+    position = position.clamp(TRACK[0], TRACK[1]);
+    if position <= TRACK[0] && velocity < 0.0 {
+        velocity = 0.0;
+    }
+    let arrived = position >= GOAL && velocity >= 0.0;
+    ([f64::from(position as f32), f64::from(velocity as f32), 1.0], arrived)
+}
 #[cfg(test)]
 mod tests {
     use super::{Drive, MountainCarContinuous};
@@ -150,13 +153,13 @@ mod tests {
         let first = step(&mut drive, 1.0);
         let velocity = 0.0015 - 0.0025 * (-1.5_f64).cos();
         assert!((first.reward + 0.1).abs() < 1e-12 && first.end.is_none());
-        assert!((drive.velocity - velocity).abs() < 1e-9 && (drive.position - (velocity - 0.5)).abs() < 1e-7);
-        assert_eq!(f64::from(drive.position as f32), drive.position);
+        assert!((drive[1] - velocity).abs() < 1e-9 && (drive[0] - (velocity - 0.5)).abs() < 1e-7);
+        assert_eq!(f64::from(drive[0] as f32), drive[0]);
         // The left end of the track stops the car, the right end is behind the goal.
-        let mut left = Drive { position: -1.19, velocity: -0.07, is_rounded: true };
+        let mut left = [-1.19, -0.07, 1.0];
         step(&mut left, -1.0);
-        assert_eq!((left.position as f32, left.velocity), (-1.2, 0.0));
-        let mut right = Drive { position: 0.44, velocity: 0.05, is_rounded: true };
+        assert_eq!((left[0] as f32, left[1]), (-1.2, 0.0));
+        let mut right = [0.44, 0.05, 1.0];
         let last = step(&mut right, 0.5);
         assert!((last.reward - (100.0 - 0.025)).abs() < 1e-12);
         assert!(last.end.is_some_and(|end| end.outcome == 0 && !end.truncated));

@@ -9,7 +9,7 @@ use core::f64::consts::{PI, TAU};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
-use tpg_engine::{ActionSpace, Environment, Output, Training};
+use tpg_engine::{ActionSpace, Environment, Output};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -107,17 +107,11 @@ impl<S: Scalar> Environment<S> for Pendulum {
         swing(*task)
     }
 
-    fn training(&self) -> Option<&dyn Training<[f64; 2], Swing>> {
-        Some(self)
-    }
-
-    by_eight!(4);
-}
-
-impl Training<[f64; 2], Swing> for Pendulum {
     fn task_from(&self, &[angle, velocity, ..]: &Swing) -> Option<[f64; 2]> {
         Some([angle, velocity])
     }
+
+    by_eight!(4);
 }
 
 impl ByEight<4> for Pendulum {

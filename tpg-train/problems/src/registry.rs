@@ -1,9 +1,11 @@
 //! The built-in problems: one row of [`PROBLEMS`] each.
 
 use crate::acrobot::{self, Acrobot};
+use crate::arm::drawing::picture;
+use crate::arm::evaluation::figures;
 use crate::arm::motors::Motors;
 use crate::arm::targets::Start;
-use crate::arm::{self, ArmScalar, motors};
+use crate::arm::{self, motors};
 use crate::cartpole::{self, CartPole};
 use crate::dodge::{self, Dodge};
 use crate::eye::Eye;
@@ -11,11 +13,13 @@ use crate::minatar::{Asterix, Breakout, MinAtar, SpaceInvaders};
 use crate::mountain_car::{self, MountainCar};
 use crate::mountain_car_continuous::{self, MountainCarContinuous};
 use crate::pendulum::{self, Pendulum};
-use crate::physics::Constants as _;
-use crate::varied::Varied;
+use crate::varied::{self, Varied};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
-use tpg_engine::{AnyEnvironment, Environment, erase};
+use serde_json::{Map, Value};
+use tpg_arm::kinematics::Lattice;
+use tpg_arm::{Arm, WIDOWX};
+use tpg_engine::{AnyEnvironment, EpisodeResult, erase};
 use tpg_graph::error::{Finding, InputError, Place};
 use tpg_graph::{Graph, settings};
 
@@ -122,7 +126,8 @@ pub struct Problem {
 }
 
 /// The settings of a problem.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
 pub enum ProblemSettings {
     /// The arm.
     Arm(arm::Config),
@@ -148,93 +153,6 @@ pub enum ProblemSettings {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct NoSettings {}
-
-macro_rules! each {
-    ($settings:expr, $config:ident => $result:expr) => {
-        match $settings {
-            ProblemSettings::Arm($config) => $result,
-            ProblemSettings::Motors($config) => $result,
-            ProblemSettings::Dodge($config) => $result,
-            ProblemSettings::Cartpole($config) => $result,
-            ProblemSettings::Acrobot($config) => $result,
-            ProblemSettings::MountainCar($config) => $result,
-            ProblemSettings::Pendulum($config) => $result,
-            ProblemSettings::MountainCarContinuous($config) => $result,
-            ProblemSettings::Fixed($config) => $result,
-        }
-    };
-}
-
-/// Settings that make an environment.
-trait Settings: Serialize {
-    fn check(&self) -> Result<(), Finding> {
-        Ok(())
-    }
-    fn environment<S: ArmScalar>(&self, name: ProblemName) -> AnyEnvironment<S>;
-}
-
-impl Settings for arm::Config {
-    fn check(&self) -> Result<(), Finding> {
-        self.check()
-    }
-    fn environment<S: ArmScalar>(&self, name: ProblemName) -> AnyEnvironment<S> {
-        erase(self.environment::<S>(name.start().unwrap_or(Start::Fs)))
-    }
-}
-
-/// The environment is the arm as graphs share it with a network.
-impl Settings for motors::Config {
-    fn check(&self) -> Result<(), Finding> {
-        self.check()
-    }
-    fn environment<S: ArmScalar>(&self, name: ProblemName) -> AnyEnvironment<S> {
-        let network = Some(Box::new(self.clone()));
-        let config = arm::Config { arm: self.arm.clone(), network, ..arm::Config::default() };
-        Settings::environment(&config, name)
-    }
-}
-
-impl Settings for dodge::Config {
-    fn check(&self) -> Result<(), Finding> {
-        self.check()
-    }
-    fn environment<S: ArmScalar>(&self, _: ProblemName) -> AnyEnvironment<S> {
-        erase(Dodge::new(self))
-    }
-}
-
-impl Settings for NoSettings {
-    fn environment<S: ArmScalar>(&self, name: ProblemName) -> AnyEnvironment<S> {
-        match name {
-            ProblemName::Breakout => erase(MinAtar::<Breakout>::default()),
-            ProblemName::Asterix => erase(MinAtar::<Asterix>::default()),
-            ProblemName::SpaceInvaders => erase(MinAtar::<SpaceInvaders>::default()),
-            _ => erase(Eye::default()),
-        }
-    }
-}
-
-macro_rules! varied {
-    ($($config:ty, $environment:expr;)+) => {
-        $(impl Settings for $config {
-            fn check(&self) -> Result<(), Finding> {
-                self.physics.check()?;
-                self.disturbance.check(&Environment::<f64>::sources(&$environment))
-            }
-            fn environment<S: ArmScalar>(&self, _: ProblemName) -> AnyEnvironment<S> {
-                erase(Varied::new($environment, self.physics, self.disturbance.clone()))
-            }
-        })+
-    };
-}
-
-varied! {
-    cartpole::Config, CartPole;
-    acrobot::Config, Acrobot;
-    mountain_car::Config, MountainCar;
-    pendulum::Config, Pendulum;
-    mountain_car_continuous::Config, MountainCarContinuous;
-}
 
 /// A file with a section `[problem]`; the other sections belong to other readers.
 #[derive(Deserialize)]
@@ -362,7 +280,19 @@ impl Problem {
 
     fn check(&self) -> Result<(), Finding> {
         Finding::range("problem.levels", self.levels().unwrap_or(DEFAULT_LEVELS), 2, 1001)?;
-        each!(&self.settings, config => Settings::check(config))
+        match &self.settings {
+            ProblemSettings::Arm(config) => config.check(),
+            ProblemSettings::Motors(config) => config.check(),
+            ProblemSettings::Dodge(config) => config.check(),
+            ProblemSettings::Cartpole(it) => varied::check(&it.physics, &it.disturbance, &CartPole),
+            ProblemSettings::Acrobot(it) => varied::check(&it.physics, &it.disturbance, &Acrobot),
+            ProblemSettings::MountainCar(it) => varied::check(&it.physics, &it.disturbance, &MountainCar),
+            ProblemSettings::Pendulum(it) => varied::check(&it.physics, &it.disturbance, &Pendulum),
+            ProblemSettings::MountainCarContinuous(it) => {
+                varied::check(&it.physics, &it.disturbance, &MountainCarContinuous)
+            }
+            ProblemSettings::Fixed(_) => Ok(()),
+        }
     }
 
     /// Returns the section `[problem]` with every setting written out.
@@ -370,8 +300,7 @@ impl Problem {
     /// # Panics
     /// Never: every setting can be written.
     pub fn to_table(&self) -> toml::Table {
-        let table = each!(&self.settings, config => toml::Table::try_from(config));
-        let mut table = table.expect("settings are plain data");
+        let mut table = toml::Table::try_from(&self.settings).expect("settings are plain data");
         table.insert("name".to_owned(), self.name.name().into());
         table
     }
@@ -388,8 +317,30 @@ impl Problem {
         S::environment(self)
     }
 
-    fn create<S: ArmScalar>(&self) -> AnyEnvironment<S> {
-        each!(&self.settings, config => Settings::environment(config, self.name))
+    fn create<S: Number>(&self) -> AnyEnvironment<S> {
+        match &self.settings {
+            ProblemSettings::Arm(config) => erase(config.environment::<S>(self.start())),
+            // The arm as graphs share it with a network.
+            ProblemSettings::Motors(config) => {
+                let network = Some(Box::new(config.clone()));
+                let config = arm::Config { arm: config.arm.clone(), network, ..arm::Config::default() };
+                erase(config.environment::<S>(self.start()))
+            }
+            ProblemSettings::Dodge(config) => erase(Dodge::new(config)),
+            ProblemSettings::Cartpole(it) => erase(Varied::new(CartPole, it.physics, it.disturbance.clone())),
+            ProblemSettings::Acrobot(it) => erase(Varied::new(Acrobot, it.physics, it.disturbance.clone())),
+            ProblemSettings::MountainCar(it) => erase(Varied::new(MountainCar, it.physics, it.disturbance.clone())),
+            ProblemSettings::Pendulum(it) => erase(Varied::new(Pendulum, it.physics, it.disturbance.clone())),
+            ProblemSettings::MountainCarContinuous(it) => {
+                erase(Varied::new(MountainCarContinuous, it.physics, it.disturbance.clone()))
+            }
+            ProblemSettings::Fixed(_) => match self.name {
+                ProblemName::Breakout => erase(MinAtar::<Breakout>::default()),
+                ProblemName::Asterix => erase(MinAtar::<Asterix>::default()),
+                ProblemName::SpaceInvaders => erase(MinAtar::<SpaceInvaders>::default()),
+                _ => erase(Eye::default()),
+            },
+        }
     }
 
     /// Returns the settings that the integers of a network keep: those of the arm's decision.
@@ -398,6 +349,25 @@ impl Problem {
         let mut table = self.to_table();
         table.retain(|key, _| ["actions", "mask", "may_rest"].contains(&key));
         Some(table)
+    }
+
+    /// Returns the problem's own figures of some episodes.
+    pub fn figures(&self, endings: &[EpisodeResult]) -> Map<String, Value> {
+        match self.settings {
+            ProblemSettings::Arm(_) | ProblemSettings::Motors(_) => figures(endings),
+            _ => Map::new(),
+        }
+    }
+
+    /// Returns the [moments](Environment::moment) of an episode as SVG; `None` for a problem without pictures.
+    pub fn picture(&self, moments: &[Vec<f64>]) -> Option<String> {
+        let arm = match &self.settings {
+            ProblemSettings::Arm(config) => config.arm(),
+            ProblemSettings::Motors(config) => config.arm(),
+            ProblemSettings::Dodge(_) => WIDOWX,
+            _ => return None,
+        };
+        Some(picture(&arm, moments))
     }
 
     /// Creates the environment in which a network acts alone: the [joined](Self::joined) one, or one that is trained. The arm's
@@ -416,20 +386,29 @@ impl Problem {
 
 /// Number types of the problems in the registry.
 ///
-/// Its method is not a generic function, so that the problems are compiled in this crate and not once more in every crate that
+/// Its methods are not generic functions, so that the problems are compiled in this crate and not once more in every crate that
 /// uses them.
-pub trait Number: ArmScalar {
+pub trait Number: Lattice {
+    /// Rounds the arm to this number type.
+    fn arm(arm: &Arm<f64>) -> Arm<Self>;
+
     /// Implements [`Problem::environment`].
     fn environment(problem: &Problem) -> AnyEnvironment<Self>;
 }
 
 impl Number for f32 {
+    fn arm(arm: &Arm<f64>) -> Arm<f32> {
+        arm.to_f32()
+    }
     fn environment(problem: &Problem) -> AnyEnvironment<f32> {
         problem.create()
     }
 }
 
 impl Number for f64 {
+    fn arm(arm: &Arm<f64>) -> Arm<f64> {
+        *arm
+    }
     fn environment(problem: &Problem) -> AnyEnvironment<f64> {
         problem.create()
     }

@@ -1,5 +1,6 @@
 //! Problems made harder, or more like a real machine: other constants, late actions, noisy or missing sensors.
 
+use crate::eights::{ByEight, number};
 use crate::physics::Constants;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -8,20 +9,7 @@ use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Act, End, Environment, Episodes, Mapped, OneByOne, SourceSet, Step};
 use tpg_graph::SourceDocument;
 use tpg_graph::error::Finding;
-use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
-
-/// An environment whose rules have constants. Its sources have one value each, and it has named actions or one output.
-pub trait Adjustable<S: Scalar>: Environment<S> {
-    /// The constants.
-    type Physics: Copy + Send + Sync;
-
-    /// The named action that does least; until a late action arrives, it is taken. With an output, 0 is.
-    const REST: u16;
-
-    /// Takes one action, as [`Environment::step`] does with the standard constants.
-    fn step_under(&self, physics: &Self::Physics, episode: &mut Self::Episode, act: Act<'_, S>) -> Step;
-}
 
 /// The section `[problem.disturbance]` of a configuration: whatever stands between a policy and the problem.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -69,6 +57,16 @@ pub struct Settings<C> {
     pub physics: C,
     /// Delays, noise and hidden sources.
     pub disturbance: Disturbance,
+}
+
+/// Checks constants and disturbances of an environment.
+pub(crate) fn check(
+    constants: &impl Constants,
+    disturbance: &Disturbance,
+    environment: &impl Environment<f64>,
+) -> Result<(), Finding> {
+    constants.check()?;
+    disturbance.check(&environment.sources())
 }
 
 /// An environment under given constants and disturbances. With the standard ones, every number is the bare environment's.
@@ -157,7 +155,12 @@ impl<S: Scalar, P> Variation<S, P> {
     }
 }
 
-impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>> Environment<S> for Varied<E, C> {
+impl<S, E, C, const N: usize> Environment<S> for Varied<E, C>
+where
+    S: Scalar,
+    E: ByEight<N> + Environment<S, Episode = [f64; N]>,
+    C: Constants<Physics = E::Physics>,
+{
     type Task = VariedTask<E::Task>;
     type Episode = VariedEpisode<S, E::Physics, E::Episode>;
 
@@ -217,20 +220,9 @@ impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>> Environmen
     fn step(&self, running: &mut Self::Episode, act: Act<'_, S>) -> Step {
         let Some(variation) = &mut running.variation else { return self.environment.step(&mut running.bare, act) };
         variation.draw_noise();
-        let physics = variation.physics;
-        match act {
-            Act::Choice(ActionId(action)) => {
-                variation.late.push_back(action.into());
-                let action = variation.late.pop_front().map_or(action, |action| action as u16);
-                self.environment.step_under(&physics, &mut running.bare, Act::Choice(ActionId(action)))
-            }
-            Act::Values(&[value]) => {
-                variation.late.push_back(value.to_f64());
-                let value = variation.late.pop_front().map_or(value, S::from_f64);
-                self.environment.step_under(&physics, &mut running.bare, Act::Values(&[value]))
-            }
-            Act::Values(_) => self.environment.step_under(&physics, &mut running.bare, act),
-        }
+        variation.late.push_back(number(act));
+        let act = variation.late.pop_front().expect("an action that was just added");
+        E::step_under(&variation.physics, &mut running.bare, act)
     }
 
     fn distance(&self, running: &Self::Episode) -> Option<f64> {

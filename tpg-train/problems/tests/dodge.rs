@@ -10,7 +10,7 @@ use tpg_problems::arm::targets::Set;
 use tpg_problems::dodge::draw::{Certified, Generator, LIMIT, SEED, replay, scenes};
 use tpg_problems::dodge::episode::{End, Episode};
 use tpg_problems::dodge::scene::{Path, Scene};
-use tpg_problems::dodge::walk::{Leg, Outcome, follow, moved};
+use tpg_problems::dodge::walk::{Leg, follow, moved};
 use tpg_problems::dodge::{BODY, Config, Dodge};
 use tpg_runtime::policy::ActionId;
 
@@ -52,7 +52,7 @@ fn scenes_keep_the_generators_rules() {
         assert!((60..=600).contains(&steps(start, first)) && scene.goals.len() <= 4);
         // Without balls a straight walk arrives: the balls are the whole problem.
         let walk = follow(start, &[Leg { to: first, wait: 0 }], LIMIT, 0.0, |_, _| 1.0);
-        assert_eq!(walk, Outcome::Arrives(steps(start, first)));
+        assert_eq!(walk, Some(steps(start, first)));
         for ball in &scene.balls {
             assert!(
                 (30.0..=60.0).contains(&ball.radius) && (ball.period == 0.0 || (0.29..=2.01).contains(&ball.speed()))
@@ -65,7 +65,7 @@ fn scenes_keep_the_generators_rules() {
                 assert!(z > ball.radius - 0.01 && (x.hypot(y) > ball.radius + 60.0 || z > 400.0));
             }
         }
-        assert!(matches!(replay(scene, plan, 1.0), Outcome::Arrives(time) if time <= LIMIT));
+        assert!(replay(scene, plan, 1.0).is_some_and(|time| time <= LIMIT));
     }
     assert!(counts.iter().all(|&count| count > 15), "{counts:?}");
 }
@@ -100,7 +100,7 @@ fn a_plan_that_is_followed_by_the_rules_does_what_its_replay_says() {
         };
         // The hand is within the tolerance a few steps before the last pose.
         assert_eq!(end, End::Reached);
-        assert!(matches!(replay(scene, plan, 1.0), Outcome::Arrives(time) if time >= episode.steps()));
+        assert!(replay(scene, plan, 1.0).is_some_and(|time| time >= episode.steps()));
     }
 }
 

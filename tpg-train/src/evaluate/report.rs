@@ -98,27 +98,12 @@ pub struct HybridFigures {
     pub hand_overs: BTreeMap<String, f64>,
     /// The number of times per episode that the network handed back.
     pub hand_backs: f64,
-    /// The figures of a graph that asks; absent for any other.
-    #[serde(flatten)]
-    pub asks: Option<Asks>,
-}
-
-/// Figures that only a graph that asks has: means over the episodes, with 95 % intervals of ± 1.96 standard errors.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Asks {
-    /// The actions per episode that the graph asked the network for.
-    pub asks: f64,
-    /// Its interval.
-    pub asks_ci95: [f64; 2],
-}
-
-impl Asks {
-    /// The figures of a trial; none if the graph does not ask.
-    fn new(graph: &Graph, done: &HybridResult) -> Option<Self> {
-        graph.asks().next()?;
-        let asks = Sample::new(&done.asks.iter().map(|&asks| asks.into()).collect::<Vec<_>>());
-        Some(Self { asks: asks.mean, asks_ci95: asks.interval() })
-    }
+    /// The actions per episode that the graph asked the network for; absent for a graph that does not ask.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub asks: Option<f64>,
+    /// Its 95 % interval, of ± 1.96 standard errors.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub asks_ci95: Option<[f64; 2]>,
 }
 
 impl EvaluationReport {
@@ -137,6 +122,10 @@ impl EvaluationReport {
         let judged = endings.iter().filter(|ending| ending.success.is_some()).count();
         let measures: Vec<f64> = endings.iter().map(|ending| ending.measure).collect();
         let median = FiveNumbers::new(&measures).map_or(0.0, |five| five.median);
+        let asks = |graph: &Graph| {
+            graph.asks().next()?;
+            Some(Sample::new(&done.asks.iter().map(|&asks| asks.into()).collect::<Vec<_>>()))
+        };
         let hand_overs = TRIGGERS.iter().zip(done.hand_overs).map(|((name, _), count)| ((*name).to_owned(), count));
         Self {
             problem: problem.name(),
@@ -153,10 +142,11 @@ impl EvaluationReport {
             effort: done.effort,
             tpg_action_ratio: done.tpg_action_ratio,
             hybrid: hybrid.map(|graph| HybridFigures {
+                asks: asks(graph).map(|asks| asks.mean),
+                asks_ci95: asks(graph).map(|asks| asks.interval()),
                 network_actions: done.network_actions,
                 hand_overs: hand_overs.collect(),
                 hand_backs: done.hand_backs,
-                asks: Asks::new(graph, &done),
             }),
             figures: problem.figures(endings),
             measure: measure.map(|measure| (measure, [summary.measure, median])),
@@ -187,7 +177,7 @@ impl EvaluationReport {
             let causes = hybrid.hand_overs.iter().map(|(name, count)| format!("{name} {count:.2}"));
             let causes = causes.collect::<Vec<_>>().join(", ");
             row("by the graph", format!("{share:.1} % of the actions; hand-overs an episode: {causes}"));
-            if let Some(Asks { asks, asks_ci95: [few, many] }) = hybrid.asks {
+            if let (Some(asks), Some([few, many])) = (hybrid.asks, hybrid.asks_ci95) {
                 row("asks", format!("{asks:.2} an episode (95 %: {few:.2} to {many:.2})"));
             }
         }

@@ -10,7 +10,7 @@ use crate::sac::network::Network;
 use std::fs;
 use std::path::Path;
 use tpg_codegen::policy::QuantisedPolicy;
-use tpg_engine::{Act, ActionSpace, Decision, Environment, NETWORK, Preference, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, Decision, Environment, NETWORK, Preference, SourceSet, Step, state_length};
 use tpg_graph::error::{Finding, InputError, Place};
 use tpg_problems::Problem;
 use tpg_runtime::scalar::Scalar;
@@ -84,7 +84,7 @@ impl<E, P: Fn(&[f32]) -> Decision<f32> + Sync> Asking<E, P> {
         E: Environment<S>,
     {
         let ask = environment.actions().count().expect("actions are named: tpg_engine::Choices names them");
-        let length = environment.sources().iter().map(|source| source.length as usize).sum();
+        let length = state_length(&environment.sources());
         Self { environment, network, price, ask, length }
     }
 }
@@ -94,7 +94,7 @@ impl<S: Scalar, E: Environment<S>, P: Fn(&[f32]) -> Decision<f32> + Sync> Enviro
     type Episode = E::Episode;
 
     tpg_engine::forward!(this => this.environment;
-        time_limit draw outcomes measure accepts sources start observe timeout training distance);
+        time_limit draw outcomes measure accepts sources start observe timeout training task_from distance);
 
     /// The environment's actions, then the one that asks.
     fn actions(&self) -> ActionSpace {

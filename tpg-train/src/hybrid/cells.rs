@@ -1,9 +1,8 @@
 //! The cells of a study.
 
 use super::rollout::Acting;
-use super::setting::{Detector, Setting};
+use super::setting::Setting;
 use super::shared::{Episodes, Shared};
-use super::span::Span;
 use crate::sac::network::Network;
 use serde::Serialize;
 use tpg_engine::Summary;
@@ -64,29 +63,4 @@ impl Subject<'_> {
             network_actions: done.network_actions,
         })
     }
-}
-
-/// Returns the settings of a grid that can hand over, in the order of `cells.csv`.
-pub(crate) fn grid(
-    guards: &[String],
-    detectors: &[Detector],
-    hand_backs: &[Span],
-    separations: &[f64],
-    patiences: &[Span],
-) -> Vec<Setting> {
-    let mut all = Vec::new();
-    for guard in guards {
-        for &detector in detectors {
-            for &hand_back_after in hand_backs {
-                for &separation in separations {
-                    all.extend(patiences.iter().map(|&patience| {
-                        let guard = guard.clone();
-                        Setting { hand_back_after, separation, patience, detector, guard }
-                    }));
-                }
-            }
-        }
-    }
-    all.retain(Setting::has_trigger);
-    all
 }

@@ -3,7 +3,7 @@
 //! The folder of a study contains `study.toml` (the request), `cells.csv` (a row for each pair and setting), `alone.csv`, and
 //! `hybrid.toml` (the chosen setting with the best pair): the same bytes for equal runs.
 
-use super::cells::{Cell, Subject, grid};
+use super::cells::{Cell, Subject};
 use super::choice::choose;
 use super::rollout::Acting;
 use super::setting::{Detector, HybridFile, Setting, UNGUARDED};
@@ -87,6 +87,25 @@ pub struct StudyArgs {
 type Parts = (Vec<(String, Graph)>, Vec<(String, Network)>);
 
 impl StudyArgs {
+    /// Returns the settings that can hand over, in the order of `cells.csv`.
+    fn grid(&self) -> Vec<Setting> {
+        let mut all = Vec::new();
+        for guard in &self.guard {
+            for &detector in &self.cycle_detector {
+                for &hand_back_after in &self.hand_back_after {
+                    for &separation in &self.separation {
+                        all.extend(self.patience.iter().map(|&patience| {
+                            let guard = guard.clone();
+                            Setting { hand_back_after, separation, patience, detector, guard }
+                        }));
+                    }
+                }
+            }
+        }
+        all.retain(Setting::has_trigger);
+        all
+    }
+
     fn read(&self) -> Result<Parts, InputError> {
         let graph = |path: &PathBuf| Ok::<_, InputError>((path.display().to_string(), read_graph(path)?));
         let network = |path: &PathBuf| Ok::<_, InputError>((path.display().to_string(), Network::read(path)?));
@@ -124,8 +143,7 @@ fn study(problem: &dyn Shared, args: &StudyArgs, (graphs, networks): Parts) -> R
     or(&mut asked.hand_back_after, || spans(&[1, 5, 20, 50, 100]));
     or(&mut asked.patience, || spans(&[5, 10, 20, 50]));
     asked.separation = separations(args, &subject)?;
-    let StudyArgs { guard, cycle_detector, hand_back_after, separation, patience, .. } = &asked;
-    subject.settings = grid(guard, cycle_detector, hand_back_after, separation, patience);
+    subject.settings = asked.grid();
     let refused = |setting: &Setting| setting.check_on(&problem.name(), facts.guards, facts.has_key);
     subject.settings.iter().try_for_each(refused)?;
     if subject.graphs.iter().any(|(_, graph)| asks(graph)) {

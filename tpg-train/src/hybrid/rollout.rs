@@ -6,8 +6,8 @@ use crate::sac::network::Network;
 use std::cell::RefCell;
 use std::marker::PhantomData;
 use tpg_engine::{
-    ActionSpace, Choices, Counting, DEFAULT_LANES, Decision, Drawn, Environment, EpisodeResult, Lanes, NETWORK, Plan,
-    Remembered, Remembering, Rollout, Single, SourceDocument, SourceSet, bind,
+    ActionSpace, Choices, DEFAULT_LANES, Decision, Environment, EpisodeResult, Lanes, NETWORK, Plan, Remembering,
+    Rollout, Single, SourceSet, bind, state_length,
 };
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
@@ -90,8 +90,7 @@ pub(crate) fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
     let space = environment.actions();
     match acting {
         Acting::Graph(graph) => {
-            let counting = Counting::new::<S>(environment, &graph.1);
-            let remembering = Remembering::new(counting, Remembered::in_graph(&graph.1));
+            let remembering = Remembering::for_graph::<S>(environment, &graph.1);
             let plan = plan::<S, M, _>(graph, &remembering)?;
             // In the graph's own units, without its memory.
             let mut meter = Meter::new(&remembering.actions().outputs()[..space.outputs().len()], tasks.len());
@@ -104,32 +103,30 @@ pub(crate) fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
         Acting::Network(network) => {
             fit(network, environment)?;
             let mut meter = Meter::new(space.outputs(), tasks.len());
-            let endings = network.1.deciding(|decide| {
-                let network = network_policy(environment, decide);
-                let mut episode = |(place, task)| {
-                    let rollout = RefCell::new(Rollout::new(environment, task));
-                    loop {
-                        let decision = network.decide(&rollout);
-                        meter.act(place, decision.act());
-                        if let Some(ending) = rollout.borrow_mut().act(decision.act()) {
-                            return ending;
-                        }
+            let decide = network.1.deciding();
+            let policy = network_policy(environment, &*decide);
+            let mut episode = |(place, task)| {
+                let rollout = RefCell::new(Rollout::new(environment, task));
+                loop {
+                    let decision = policy.decide(&rollout);
+                    meter.act(place, decision.act());
+                    if let Some(ending) = rollout.borrow_mut().act(decision.act()) {
+                        return ending;
                     }
-                };
-                tasks.iter().enumerate().map(&mut episode).collect()
-            });
+                }
+            };
+            let endings = tasks.iter().enumerate().map(&mut episode).collect();
             Ok(HybridResult { effort: meter.effort(), ..HybridResult::alone(endings, Driver::Sac) })
         }
         Acting::Both(graph, network, setting) => {
             fit(network, environment)?;
             let tpg = graph_policy::<S, M, _>(graph, environment)?;
-            network.1.deciding(|decide| {
-                let hybrid = Pair { tpg, sac: network_policy(environment, decide) };
-                let mut rises = Vec::new();
-                let episodes = tasks.iter().map(|task| shared(environment, task, &hybrid, setting, &mut rises));
-                let result = HybridResult::new(&episodes.collect::<Vec<_>>());
-                Ok(HybridResult { rises, ..result })
-            })
+            let decide = network.1.deciding();
+            let hybrid = Pair { tpg, sac: network_policy(environment, &*decide) };
+            let mut rises = Vec::new();
+            let episodes = tasks.iter().map(|task| shared(environment, task, &hybrid, setting, &mut rises));
+            let result = HybridResult::new(&episodes.collect::<Vec<_>>());
+            Ok(HybridResult { rises, ..result })
         }
     }
 }
@@ -162,12 +159,11 @@ pub(crate) fn moments<S: Scalar, M: Maths<S>, E: Environment<S>>(
     environment: &E,
     graph: &(String, Graph),
     task: &E::Task,
-    drawn: &dyn Drawn<E::Episode>,
 ) -> Result<Vec<Vec<f64>>, InputError> {
     let single = Single::<S, M>::new(plan::<S, M, _>(graph, environment)?);
     let mut moments = Vec::new();
     let decide = |state: &[S]| single.answer(state).into();
-    Rollout::new(environment, task).watch(decide, |episode| moments.push(drawn.moment(episode)));
+    Rollout::new(environment, task).watch(decide, |episode| moments.push(environment.moment(episode)));
     Ok(moments)
 }
 
@@ -314,9 +310,8 @@ fn network_policy<'e, 'n, S: Scalar, E: Environment<S> + 'e>(
     environment: &E,
     network: &'n dyn Fn(&[f32]) -> Decision<f32>,
 ) -> impl Policy<State = State<'e, S, E>, Action = Decision<S>> + use<'e, 'n, S, E> {
-    let length = |sources: Vec<SourceDocument>| sources.iter().map(|source| source.length as usize).sum();
-    let own = environment.guarded().map(|guarded| length(guarded.network_sources()));
-    let narrow = RefCell::new(vec![0.0; own.unwrap_or_else(|| length(environment.sources()))]);
+    let own = environment.guarded().map(|guarded| state_length(&guarded.network_sources()));
+    let narrow = RefCell::new(vec![0.0; own.unwrap_or_else(|| state_length(&environment.sources()))]);
     let decide = move |state: &State<'e, S, E>| {
         let (mut rollout, mut narrow) = (state.borrow_mut(), narrow.borrow_mut());
         match rollout.environment().guarded() {
@@ -334,12 +329,11 @@ fn network_policy<'e, 'n, S: Scalar, E: Environment<S> + 'e>(
 impl HybridResult {
     /// Counts what a policy did that acted alone.
     pub fn alone(endings: Vec<EpisodeResult>, driver: Driver) -> Self {
-        let actions: f64 = endings.iter().map(|ending| f64::from(ending.actions)).sum();
-        let (tpg_action_ratio, network_actions) = match driver {
-            Driver::Tpg => (actions / actions.max(1.0), 0.0),
-            Driver::Sac => (0.0, actions / endings.len().max(1) as f64),
+        let counts = |actions| match driver {
+            Driver::Tpg => Counts { tpg_actions: actions, ..Counts::default() },
+            Driver::Sac => Counts { sac_actions: actions, ..Counts::default() },
         };
-        Self { asks: vec![0; endings.len()], endings, tpg_action_ratio, network_actions, ..Self::default() }
+        Self::new(&endings.into_iter().map(|ending| (ending, counts(ending.actions), 0)).collect::<Vec<_>>())
     }
 
     fn new(episodes: &[PlayedEpisode]) -> Self {

@@ -127,7 +127,7 @@ impl Shared for Problem {
     }
 
     fn figures(&self, endings: &[EpisodeResult]) -> Map<String, Value> {
-        self.environment::<f32>().drawn().map(|drawn| drawn.figures(endings)).unwrap_or_default()
+        Problem::figures(self, endings)
     }
 }
 

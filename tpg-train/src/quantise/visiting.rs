@@ -35,7 +35,7 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Visiting<E> {
 
     forward!(this => this.environment;
         sources actions time_limit draw start step outcomes timeout measure preference accepts
-        key cycle training guarded drawn distance);
+        key cycle training task_from guarded moment distance);
 
     fn observe(&self, episode: &mut Self::Episode, _: SourceSet, state: &mut [S]) {
         self.environment.observe_some(episode, self.wanted, &self.places, state);

@@ -4,7 +4,7 @@ use super::dealer::{Dealer, parts};
 use super::link::Link;
 use super::worker::{Order, Reply, decode, encode};
 use serde::Serialize;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use tpg_engine::{EpisodeResult, EvaluationError, Evaluator, Piece, Play, Played, Work};
 
 /// Tells workers that nothing more comes.
@@ -69,6 +69,10 @@ impl Question {
     }
 }
 
+fn open(question: &Mutex<Question>) -> MutexGuard<'_, Question> {
+    question.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// The evaluator of a run on rank 0.
 pub(super) struct Leader<'l, Task> {
     pub(super) link: &'l dyn Link,
@@ -88,20 +92,18 @@ impl<Task: Clone + Serialize + Sync> Leader<'_, Task> {
         let costs: Vec<u64> = pieces.iter().map(cost).collect();
         let left = Dealer::new(&costs, self.threads.iter().sum());
         let question = Mutex::new(Question { left, answers: vec![None; pieces.len()], failure: None });
-        let open = || question.lock().unwrap_or_else(PoisonError::into_inner);
         std::thread::scope(|scope| {
-            let (local, threads) = (self.local, self.threads[0]);
+            let (question, local, threads) = (&question, self.local, self.threads[0]);
             scope.spawn(move || {
                 loop {
-                    let Some(share) = open().deal(threads) else { break };
+                    let Some(share) = open(question).deal(threads) else { break };
                     let own: Vec<Piece> = share.iter().map(|&job| pieces[job].clone()).collect();
                     let answers = local.pieces(work, &own);
-                    open().take(share, answers);
+                    open(question).take(share, answers);
                 }
             });
-            let deal = |rank: usize| open().deal(self.threads[rank]);
-            if let Err(lost) = self.talk(work, pieces, deal, |share, answers| open().take(share, answers)) {
-                open().failure.get_or_insert(lost);
+            if let Err(lost) = self.talk(work, pieces, question) {
+                open(question).failure.get_or_insert(lost);
             }
         });
         let Question { answers, failure, .. } = question.into_inner().unwrap_or_else(PoisonError::into_inner);
@@ -110,16 +112,10 @@ impl<Task: Clone + Serialize + Sync> Leader<'_, Task> {
     }
 
     /// Hands out jobs and takes answers until nothing is under way on any other rank.
-    fn talk(
-        &self,
-        work: &Work<Task>,
-        pieces: &[Piece],
-        deal: impl Fn(usize) -> Option<Vec<usize>>,
-        take: impl Fn(Vec<usize>, Answers),
-    ) -> Result<(), EvaluationError> {
+    fn talk(&self, work: &Work<Task>, pieces: &[Piece], question: &Mutex<Question>) -> Result<(), EvaluationError> {
         let tasks = serde_json::to_vec(&work.tasks).map_err(EvaluationError::new)?;
         let hand_out = |rank: usize| -> Result<Option<Vec<usize>>, EvaluationError> {
-            let Some(share) = deal(rank) else { return Ok(None) };
+            let Some(share) = open(question).deal(self.threads[rank]) else { return Ok(None) };
             let job = |&job: &usize| (work.policies[pieces[job].policy].clone(), pieces[job].tasks.clone());
             let order = Order::Evaluate { tasks: tasks.clone(), jobs: share.iter().map(job).collect() };
             self.link.send(rank, &encode(&order)?)?;
@@ -140,7 +136,7 @@ impl<Task: Clone + Serialize + Sync> Leader<'_, Task> {
                 Reply::Failed(text) => failed(&text),
                 Reply::Ready { .. } => failed("ready for a second time"),
             };
-            take(share.unwrap_or_default(), answers);
+            open(question).take(share.unwrap_or_default(), answers);
         }
         Ok(())
     }

@@ -11,19 +11,10 @@ use tpg_engine::{Sample, confidence, finite};
 use tpg_graph::Graph;
 use tpg_picture::Headline;
 
-/// Returns one headline for each group; `best` is the place of its best run.
-pub(super) fn headlines(groups: &[Group], tested: &[Vec<Option<Tested>>], best: &[Option<usize>]) -> Vec<Headline> {
-    let each = groups.iter().zip(tested).zip(best);
-    each.filter_map(|((group, tested), &best)| {
-        let best = best?;
-        Some(headline(group, &group.runs[best], tested[best].as_ref()))
-    })
-    .collect()
-}
-
-fn headline(group: &Group, run: &Run, tested: Option<&Tested>) -> Headline {
+/// Returns the headline of a group's best run.
+pub(super) fn headline(group: &Group, run: &Run) -> Headline {
     let mut notes = Vec::new();
-    let value = match tested {
+    let value = match &run.result {
         Some(tested) => {
             notes.push(format!("on {} test episodes, with its 95 % interval", tested.endings.len()));
             result(tested)

@@ -47,9 +47,14 @@ pub struct ReportArgs {
 /// # Errors
 /// A run that cannot be read, or a report that cannot be written.
 pub fn report_with(args: &ReportArgs, own: Option<&dyn Shared>) -> Result<(), InputError> {
-    let groups = runs::read(&args.runs)?;
-    let page = page(&groups, args.episodes as usize, args.seed, own)?;
-    let html = page.html();
+    let mut groups = runs::read(&args.runs)?;
+    for run in groups.iter_mut().flat_map(|group| &mut group.runs) {
+        run.result = test::test(run, args.episodes as usize, args.seed, own)?;
+        for entry in &mut run.hall {
+            entry.result = test::test(entry, args.episodes as usize, args.seed, own)?;
+        }
+    }
+    let html = page(&groups, args, own.is_some()).html();
     if args.out == Path::new("-") {
         return print(&html);
     }
@@ -64,45 +69,41 @@ pub fn report_with(args: &ReportArgs, own: Option<&dyn Shared>) -> Result<(), In
     Ok(())
 }
 
-fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<&dyn Shared>) -> Result<Page, InputError> {
-    let tested: Vec<Vec<Option<Tested>>> = (groups.iter())
-        .map(|group| group.runs.iter().map(|run| test::test(run, episodes, seed, own)).collect())
-        .collect::<Result<_, _>>()?;
-    let halls: Vec<Vec<(String, &Run, Tested)>> =
-        (groups.iter()).map(|group| test::halls(&group.runs, episodes, seed, own)).collect::<Result<_, _>>()?;
-    let has_problem = own.is_some() || groups.iter().flat_map(|group| &group.runs).any(|run| run.problem.is_some());
+fn page(groups: &[Group], args: &ReportArgs, is_own: bool) -> Page {
+    let has_problem = is_own || groups.iter().flat_map(|group| &group.runs).any(|run| run.problem.is_some());
     let test = || {
+        let ReportArgs { episodes, seed, .. } = args;
         format!(
             "Tested on {episodes} episodes of the test set with seed {seed}, which no training and no selection reads."
         )
     };
     let lead = if has_problem { test() } else { String::new() };
-    let best: Vec<Option<usize>> =
-        groups.iter().zip(&tested).map(|(group, tested)| best(&group.runs, tested)).collect();
-    let mut sections = vec![tables::section(groups, &tested)];
-    for ((group, tested), best) in groups.iter().zip(&tested).zip(&best) {
-        let Some(best) = *best else { continue };
-        sections.push(policy::section(&group.runs[best], tested[best].as_ref()));
-        sections.extend(rivals::section(&group.runs[best]));
+    let mut sections = vec![tables::section(groups)];
+    for group in groups {
+        let best = best(&group.runs);
+        sections.push(policy::section(best));
+        sections.extend(rivals::section(best));
     }
     sections.extend(curves::sections(groups));
-    sections.extend(size::section(groups, &tested, &halls));
+    sections.extend(size::section(groups));
     let named = |group: &Group| match group.problem() {
         OWN => group.name.clone(),
         problem if group.name.contains(problem) => group.name.clone(),
         problem => format!("{problem}: {}", group.name),
     };
     let title = groups.iter().map(named).collect::<Vec<_>>().join(", ");
-    Ok(Page { title, lead, headlines: headline::headlines(groups, &tested, &best), sections })
+    let headlines = groups.iter().map(|group| headline::headline(group, best(&group.runs))).collect();
+    Page { title, lead, headlines, sections }
 }
 
 /// Returns the run with the highest success rate, if defined, then with the highest mean score, in validation where there was no
 /// test; the first of equals.
-fn best(runs: &[Run], tested: &[Option<Tested>]) -> Option<usize> {
-    let worth = |place: &usize| {
-        let summary = tested[*place].as_ref().map(Tested::summary);
-        let validated = || runs[*place].validated().unwrap_or(f64::NEG_INFINITY);
+fn best(runs: &[Run]) -> &Run {
+    let worth = |run: &Run| {
+        let summary = run.result.as_ref().map(Tested::summary);
+        let validated = || run.validated().unwrap_or(f64::NEG_INFINITY);
         summary.map_or_else(|| (-1.0, validated()), |summary| (summary.success.unwrap_or(0.0), summary.score))
     };
-    (0..tested.len()).rev().max_by(|a, b| worth(a).partial_cmp(&worth(b)).unwrap_or(std::cmp::Ordering::Equal))
+    let by_worth = |a: &&Run, b: &&Run| worth(a).partial_cmp(&worth(b)).unwrap_or(std::cmp::Ordering::Equal);
+    runs.iter().rev().max_by(by_worth).expect("a group has runs")
 }

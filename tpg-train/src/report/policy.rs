@@ -2,14 +2,13 @@
 
 use super::headline::options;
 use super::runs::Run;
-use super::test::Tested;
 use tpg_codegen::report::PolicyFormulas;
 use tpg_graph::Graph;
 use tpg_picture::{Formulas, Section, graph};
 
 /// The section of a run's policy.
-pub(super) fn section(run: &Run, tested: Option<&Tested>) -> Section {
-    let graph = run.graph();
+pub(super) fn section(run: &Run) -> Section {
+    let (graph, tested) = (run.graph(), run.result.as_ref());
     let mut figures: Vec<_> = graph.map(graph::figure).into_iter().collect();
     figures.extend(tested.map(|tested| tested.pictures.clone()).unwrap_or_default());
     let episodes = if tested.is_some() { "the test episodes" } else { "the episodes that chose it" };

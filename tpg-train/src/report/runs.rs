@@ -1,5 +1,6 @@
 //! Reading and grouping of run folders.
 
+use super::test::Tested;
 use crate::effort::Effort;
 use crate::evaluate::problem_for;
 use crate::hybrid::rollout::Policies;
@@ -51,6 +52,8 @@ pub(super) struct Run {
     pub(super) hall: Vec<Self>,
     /// What the program with the environment found on test episodes of the trained policy.
     pub(super) tested: Option<TestedElsewhere>,
+    /// The result on the test episodes, once they have been run.
+    pub(super) result: Option<Tested>,
 }
 
 /// Test episodes that the program with the environment has run: `tested.jsonl`.
@@ -92,7 +95,8 @@ impl Group {
 
 impl Run {
     fn new(name: String, problem: Option<Problem>, policies: Policies) -> Self {
-        Self { name, seed: None, curves: BTreeMap::new(), cpu: None, problem, policies, hall: Vec::new(), tested: None }
+        let (curves, hall) = (BTreeMap::new(), Vec::new());
+        Self { name, seed: None, curves, cpu: None, problem, policies, hall, tested: None, result: None }
     }
 
     /// Returns the mean score on the episodes by which training chose the policy.

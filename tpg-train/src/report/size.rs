@@ -2,22 +2,17 @@
 
 use super::headline::flash;
 use super::runs::{Group, Run};
-use super::test::Tested;
 use tpg_picture::{Axis, Colour, Figure, Plot, Section};
 
-/// Draws each problem with at least two tested graphs. `halls` are the halls of fame of each group's runs.
-pub(super) fn section(
-    groups: &[Group],
-    tested: &[Vec<Option<Tested>>],
-    halls: &[Vec<(String, &Run, Tested)>],
-) -> Option<Section> {
+/// Draws each problem with at least two tested graphs.
+pub(super) fn section(groups: &[Group]) -> Option<Section> {
     let mut problems: Vec<&str> = Vec::new();
     for group in groups {
         if !problems.contains(&group.problem()) {
             problems.push(group.problem());
         }
     }
-    let figures: Vec<Figure> = problems.iter().filter_map(|problem| figure(groups, tested, halls, problem)).collect();
+    let figures: Vec<Figure> = problems.iter().filter_map(|problem| figure(groups, problem)).collect();
     (!figures.is_empty()).then(|| Section {
         title: "Return against size".to_owned(),
         text: "Each point is a policy: the chosen one, and entries of the hall of fame, which beat every smaller one. Vertical: mean return \
@@ -28,25 +23,18 @@ pub(super) fn section(
     })
 }
 
-fn figure(
-    groups: &[Group],
-    tested: &[Vec<Option<Tested>>],
-    halls: &[Vec<(String, &Run, Tested)>],
-    problem: &str,
-) -> Option<Figure> {
+fn figure(groups: &[Group], problem: &str) -> Option<Figure> {
     let mut plot = Plot::new(Axis::linear("bytes of flash"), Axis::linear("mean return"));
     let mut count = 0;
-    for (((place, group), tested), hall) in
-        groups.iter().enumerate().zip(tested).zip(halls).filter(|(((_, group), _), _)| group.problem() == problem)
-    {
-        let chosen = group.runs.iter().zip(tested).filter_map(|(run, tested)| Some((&run.name, run, tested.as_ref()?)));
-        let points: Vec<([f64; 2], String)> = (chosen
-            .chain(hall.iter().map(|(name, run, tested)| (name, *run, tested))))
-        .filter_map(|(name, run, tested)| {
+    for (place, group) in groups.iter().enumerate().filter(|(_, group)| group.problem() == problem) {
+        let point = |name: String, run: &Run| {
             let bytes = flash(run.evolved()?).ok()?;
-            Some(([bytes as f64, tested.summary().score], name.clone()))
-        })
-        .collect();
+            Some(([bytes as f64, run.result.as_ref()?.summary().score], name))
+        };
+        let chosen = group.runs.iter().filter_map(|run| point(run.name.clone(), run));
+        let entry = |run: &Run, entry: &Run| point(format!("{}, {}", run.name, entry.name), entry);
+        let halls = group.runs.iter().flat_map(|run| run.hall.iter().filter_map(move |one| entry(run, one)));
+        let points: Vec<([f64; 2], String)> = chosen.chain(halls).collect();
         if points.is_empty() {
             continue;
         }

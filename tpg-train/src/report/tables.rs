@@ -3,44 +3,42 @@
 use super::runs::{Group, Run};
 use super::test::Tested;
 use crate::hybrid::rollout::Policies;
-use std::ops::Range;
+use std::slice::from_ref;
 use tpg_engine::Sample;
 use tpg_graph::error::counted;
 use tpg_picture::{FiveNumbers, Section, Table};
 
 /// A number of a run, where it has one.
-type Number<'a> = &'a dyn Fn(&Run, Option<&Tested>) -> Option<f64>;
+type Number<'a> = &'a dyn Fn(&Run) -> Option<f64>;
 
-pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Section {
-    let measure = tested.iter().flatten().flatten().find_map(|tested| tested.measure);
+pub(super) fn section(groups: &[Group]) -> Section {
+    let measure = groups.iter().flat_map(|group| &group.runs).find_map(|run| run.result.as_ref()?.measure);
     let measure = measure.map_or_else(|| "measure".to_owned(), |measure| format!("{} {}", measure.name, measure.unit));
     let [mean_measure, median_measure] = ["mean", "median"].map(|which| format!("{which} {measure}"));
-    let measured = |tested: Option<&Tested>| tested.filter(|tested| tested.measure.is_some()).map(Tested::measures);
+    let measured = |run: &Run| run.result.as_ref().filter(|tested| tested.measure.is_some()).map(Tested::measures);
+    let summary = |run: &Run| run.result.as_ref().map(Tested::summary);
     let columns: [(&str, Number<'_>); 7] = [
-        ("score", &|_, tested| Some(tested?.summary().score)),
-        ("success %", &|_, tested| Some(100.0 * tested?.summary().success?)),
-        (&mean_measure, &|_, tested| Some(Sample::new(&measured(tested)?).mean)),
-        (&median_measure, &|_, tested| Some(FiveNumbers::new(&measured(tested)?)?.median)),
-        ("actions", &|_, tested| Some(tested?.summary().actions)),
-        ("selection", &|run, _| run.validated()),
-        ("CPU s", &|run, _| run.cpu),
+        ("score", &|run| Some(summary(run)?.score)),
+        ("success %", &|run| Some(100.0 * summary(run)?.success?)),
+        (&mean_measure, &|run| Some(Sample::new(&measured(run)?).mean)),
+        (&median_measure, &|run| Some(FiveNumbers::new(&measured(run)?)?.median)),
+        ("actions", &|run| Some(summary(run)?.actions)),
+        ("selection", &Run::validated),
+        ("CPU s", &|run| run.cpu),
     ];
     let mut rows = Vec::new();
-    for (group, tested) in groups.iter().zip(tested) {
-        let row = |words: [String; 3], places: Range<usize>| {
-            let cell = |(_, number): &(&str, Number<'_>)| {
-                let numbers = places.clone().filter_map(|place| number(&group.runs[place], tested[place].as_ref()));
-                spread(&numbers.collect::<Vec<_>>())
-            };
+    for group in groups {
+        let row = |words: [String; 3], runs: &[Run]| {
+            let cell = |(_, number): &(&str, Number<'_>)| spread(&runs.iter().filter_map(*number).collect::<Vec<_>>());
             words.into_iter().chain(columns.iter().map(cell)).collect::<Vec<_>>()
         };
         let count = group.runs.len();
         if count > 1 {
-            rows.push(row([group.name.clone(), counted(count, "seed"), String::new()], 0..count));
+            rows.push(row([group.name.clone(), counted(count, "seed"), String::new()], &group.runs));
         }
-        for (place, run) in group.runs.iter().enumerate() {
+        for run in &group.runs {
             let seed = run.seed.map_or_else(String::new, |seed| seed.to_string());
-            rows.push(row([run.name.clone(), seed, policy(run)], place..place + 1));
+            rows.push(row([run.name.clone(), seed, policy(run)], from_ref(run)));
         }
     }
     let header = ["run", "seed", "policy"].into_iter().chain(columns.iter().map(|(name, _)| *name));

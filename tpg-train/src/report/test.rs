@@ -4,7 +4,7 @@ use super::runs::Run;
 use crate::hybrid::rollout::{Policies, moments};
 use crate::hybrid::shared::{Episodes, Shared, opened};
 use crate::sac::network::Network;
-use tpg_engine::{Environment, EpisodeResult, Measure, Rollout, Summary, TaskSet};
+use tpg_engine::{EpisodeResult, Measure, Rollout, Summary, TaskSet};
 use tpg_graph::error::InputError;
 use tpg_graph::{Graph, in_arithmetic_of};
 use tpg_picture::Figure;
@@ -37,23 +37,6 @@ impl Tested {
     }
 }
 
-/// Returns the policies of the halls of fame of runs, each with its name and result.
-pub(super) fn halls<'r>(
-    runs: &'r [Run],
-    episodes: usize,
-    seed: u64,
-    own: Option<&dyn Shared>,
-) -> Result<Vec<(String, &'r Run, Tested)>, InputError> {
-    let mut tested = Vec::new();
-    for run in runs {
-        for one in &run.hall {
-            let result = test(one, episodes, seed, own)?;
-            tested.extend(result.map(|result| (format!("{}, {}", run.name, one.name), one, result)));
-        }
-    }
-    Ok(tested)
-}
-
 /// Tests a run; `None` if its environment is not available, and the program that has it did not test the run.
 pub(super) fn test(run: &Run, count: usize, seed: u64, own: Option<&dyn Shared>) -> Result<Option<Tested>, InputError> {
     let built_in = run.problem.as_ref();
@@ -67,7 +50,7 @@ pub(super) fn test(run: &Run, count: usize, seed: u64, own: Option<&dyn Shared>)
         (Policies::Graph(graph), Some(problem)) => {
             in_arithmetic_of!(graph.1, graph_shown(problem, graph, episodes, &endings))?
         }
-        (Policies::Network((_, network)), Some(problem)) => network_shown(problem, network, episodes, &endings),
+        (Policies::Network((_, network)), Some(problem)) => network_shown(problem, network, episodes, &endings)?,
         _ => Vec::new(),
     };
     Ok(Some(Tested { endings, measure: problem.facts().measure, pictures }))
@@ -82,14 +65,12 @@ fn graph_shown<S: Number, M: Maths<S>>(
 ) -> Result<Vec<Figure>, InputError> {
     let tasks = episodes.in_problem(problem)?;
     opened::<S, _>(problem, &graph.1, |choices| {
-        let Some(drawn) = choices.drawn() else { return Ok(Vec::new()) };
-        let picture = |place: usize| {
-            let mut moments = moments::<S, M, _>(choices, graph, &tasks[place], drawn)?;
+        shown(problem, endings, |place| {
+            let mut moments = moments::<S, M, _>(choices, graph, &tasks[place])?;
             // The engine detects a cycle late; the episode ended at its first repeat.
             moments.truncate(endings[place].actions as usize + 1);
-            Ok(figure(problem, place, &endings[place], drawn.picture(&moments)))
-        };
-        chosen(endings).into_iter().map(picture).collect()
+            Ok(moments)
+        })
     })
 }
 
@@ -99,19 +80,29 @@ fn network_shown(
     network: &Network,
     episodes: Episodes<'_>,
     endings: &[EpisodeResult],
-) -> Vec<Figure> {
+) -> Result<Vec<Figure>, InputError> {
     let environment = problem.network_environment(0);
-    let Some(drawn) = environment.drawn() else { return Vec::new() };
     let tasks = tpg_engine::tasks(&*environment, episodes.set, episodes.seed, episodes.count);
-    network.deciding(|decide| {
-        let picture = |place: usize| {
-            let mut moments = Vec::new();
-            let rollout = Rollout::new(&*environment, &tasks[place]);
-            rollout.watch(decide, |episode| moments.push(drawn.moment(episode)));
-            figure(problem, place, &endings[place], drawn.picture(&moments))
-        };
-        chosen(endings).into_iter().map(picture).collect()
+    let decide = network.deciding();
+    shown(problem, endings, |place| {
+        let mut moments = Vec::new();
+        let rollout = Rollout::new(&*environment, &tasks[place]);
+        rollout.watch(&decide, |episode| moments.push(environment.moment(episode)));
+        Ok(moments)
     })
+}
+
+/// Draws the first successful and the first failed episodes, where the problem draws them; `moments` returns those of an episode.
+fn shown(
+    problem: &Problem,
+    endings: &[EpisodeResult],
+    moments: impl Fn(usize) -> Result<Vec<Vec<f64>>, InputError>,
+) -> Result<Vec<Figure>, InputError> {
+    let mut figures = Vec::new();
+    for place in chosen(endings) {
+        figures.extend(problem.picture(&moments(place)?).map(|svg| figure(problem, place, &endings[place], svg)));
+    }
+    Ok(figures)
 }
 
 /// Returns the indices of the episodes to draw.

@@ -82,13 +82,13 @@ fn train<E: Environment<f32>>(
             let best = training.best.as_ref().expect("there was a validation");
             let contract = training.contract(best, name, problem.name());
             to_tensors(&best.actor, &contract).write(&folder.file("policy.safetensors"))?;
-            let means = recent.means();
+            let mean = |sum: f64| sum / recent.updates.max(1) as f64;
             let mut row = json!({
                 "decisions": training.decisions,
-                "critic_loss": means.critic_loss,
-                "actor_loss": means.actor_loss,
-                "entropy": means.entropy,
-                "temperature": means.temperature,
+                "critic_loss": mean(recent.sums.critic_loss),
+                "actor_loss": mean(recent.sums.actor_loss),
+                "entropy": mean(recent.sums.entropy),
+                "temperature": mean(recent.sums.temperature),
                 "score": result.score,
             });
             if let Some(success) = result.success {

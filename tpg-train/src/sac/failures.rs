@@ -20,13 +20,13 @@ pub(crate) fn look<E: Environment<f32>>(
     seed: u64,
     at: u64,
 ) {
-    let Some(training) = environment.training() else { return };
     let stream = &mut Stream::new(seed, at, Purpose::Retry, 0);
     let drawn = |stream: &mut Stream| (0..retry.episodes).map(|_| environment.draw(stream)).collect();
-    let tasks = training.evaluation_tasks(stream, retry.episodes).unwrap_or_else(|| drawn(stream));
+    let own = environment.training().and_then(|training| training.evaluation_tasks(stream, retry.episodes));
+    let tasks = own.unwrap_or_else(|| drawn(stream));
     for task in &tasks {
         let mut visited = Vec::new();
-        let ending = policy.watch(environment, task, |episode| visited.push(training.task_from(episode)));
+        let ending = policy.watch(environment, task, |episode| visited.push(environment.task_from(episode)));
         if ending.success == Some(false) {
             remember(places, &visited);
         }

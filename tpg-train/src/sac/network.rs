@@ -24,6 +24,9 @@ pub enum Network {
     Fixed(Box<QuantisedPolicy>),
 }
 
+/// A network's decision for a flat state.
+pub type Decide<'n> = Box<dyn Fn(&[f32]) -> Decision<f32> + 'n>;
+
 impl Network {
     /// Reads either file: JSON is the one in integers.
     ///
@@ -75,14 +78,14 @@ impl Network {
         }
     }
 
-    /// Passes the network's decision to `act`: a function of the flat state, by the mean of its actions.
-    pub fn deciding<R>(&self, act: impl FnOnce(&dyn Fn(&[f32]) -> Decision<f32>) -> R) -> R {
+    /// Returns the network's decision as a function of the flat state, by the mean of its actions.
+    pub fn deciding(&self) -> Decide<'_> {
         match self {
             Self::Float(actor) => {
                 let policy = NetworkPolicy::new(&actor.0, actor.1.interface());
-                act(&|state| Decision::Values(policy.answer(state)))
+                Box::new(move |state| Decision::Values(policy.answer(state)))
             }
-            Self::Fixed(policy) => act(&|state| decided(policy, state)),
+            Self::Fixed(policy) => Box::new(|state| decided(policy, state)),
         }
     }
 

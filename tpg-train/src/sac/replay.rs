@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use tpg_engine::Sample;
 use tpg_engine::random::Stream;
+use tpg_nn::Experience;
 
 /// One transition: a state, an action, its reward and the next state.
 #[derive(Clone, Copy, Debug)]
@@ -29,21 +30,6 @@ pub(crate) struct Replay {
     pub(crate) added: u64,
     /// Row by row: state, action, reward, discount, next state.
     rows: Vec<f32>,
-}
-
-/// Transitions drawn for one update, one column a sample.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Batch {
-    /// inputs × batch.
-    pub(crate) states: Vec<f32>,
-    /// actions × batch.
-    pub(crate) actions: Vec<f32>,
-    /// One a sample.
-    pub(crate) rewards: Vec<f32>,
-    /// One a sample.
-    pub(crate) discounts: Vec<f32>,
-    /// inputs × batch.
-    pub(crate) next: Vec<f32>,
 }
 
 impl Replay {
@@ -103,12 +89,12 @@ impl Replay {
         }
     }
 
-    /// Draws a batch of that many samples, every transition held equally likely, with repeats.
+    /// Draws a batch of that many samples without noise, every transition held equally likely, with repeats.
     ///
     /// # Panics
     /// If the buffer is empty.
-    pub(crate) fn draw(&self, random: &mut Stream, size: usize) -> Batch {
-        let (width, mut batch) = (self.width(), Batch::default());
+    pub(crate) fn draw(&self, random: &mut Stream, size: usize) -> Experience {
+        let (width, mut batch) = (self.width(), Experience::default());
         for _ in 0..size {
             let row = &self.rows[random.below(self.len()) * width..][..width];
             let (state, rest) = row.split_at(self.inputs);

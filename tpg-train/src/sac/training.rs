@@ -16,7 +16,7 @@ use std::ops::ControlFlow;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Environment, Preference, Summary, TaskSet, tasks};
 use tpg_graph::error::Finding;
-use tpg_nn::{Agent, Experience, Gaussian, Mlp, Rates, Samples, Tape, UpdateFigures, Workspace};
+use tpg_nn::{Agent, Gaussian, Mlp, Rates, Samples, Tape, UpdateFigures, Workspace};
 
 /// A running training.
 pub(crate) struct Training<'e, E: Environment<f32>> {
@@ -202,22 +202,12 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     fn update(&mut self) {
         let learning = &self.config.learning;
         let actions = self.agent.gaussian().actions;
-        let batch = self.replay.draw(&mut Stream::new(self.seed, self.updates, Purpose::Replay, 0), learning.batch);
+        let mut batch = self.replay.draw(&mut Stream::new(self.seed, self.updates, Purpose::Replay, 0), learning.batch);
         let mut random = Stream::new(self.seed, self.updates, Purpose::Update, 0);
-        let [next_noise, noise] = [(); 2].map(|()| {
-            let mut noise = vec![0.0; actions * learning.batch];
-            random.normals(&mut noise);
-            noise
-        });
-        let experience = Experience {
-            states: &batch.states,
-            actions: &batch.actions,
-            rewards: &batch.rewards,
-            discounts: &batch.discounts,
-            next: &batch.next,
-            next_noise: &next_noise,
-            noise: &noise,
-        };
+        for noise in [&mut batch.next_noise, &mut batch.noise] {
+            noise.resize(actions * learning.batch, 0.0);
+            random.normals(noise);
+        }
         let done = (self.decisions as f64 / learning.decisions as f64).min(1.0);
         let target_entropy = target_entropy(learning, actions, done);
         let rates = Rates {
@@ -226,7 +216,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
             follow: learning.follow,
             target_entropy,
         };
-        let report = self.agent.update(&mut self.workspace, experience, &rates);
+        let report = self.agent.update(&mut self.workspace, &batch, &rates);
         self.updates += 1;
         if let (Some(average), Some(rate)) = (&mut self.average, learning.average) {
             average.follow(&self.agent.actor.network, rate as f32);
@@ -341,18 +331,6 @@ impl Recent {
         self.sums.actor_loss += report.actor_loss;
         self.sums.entropy += report.entropy;
         self.sums.temperature += report.temperature;
-    }
-
-    /// Returns the means of the updates' reports.
-    pub(crate) fn means(&self) -> UpdateFigures {
-        let count = self.updates.max(1) as f64;
-        let UpdateFigures { critic_loss, actor_loss, entropy, temperature } = self.sums;
-        UpdateFigures {
-            critic_loss: critic_loss / count,
-            actor_loss: actor_loss / count,
-            entropy: entropy / count,
-            temperature: temperature / count,
-        }
     }
 }
 

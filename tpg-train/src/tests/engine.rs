@@ -16,9 +16,10 @@ use tpg_engine::{Environment, EpisodeResult, Evaluator, Lanes, LocalThreads, Pie
 use tpg_graph::Word;
 use tpg_graph::interpret::Interpreter;
 use tpg_graph::{Graph, ScalarType};
+use tpg_problems::Number;
 use tpg_problems::arm::arms::ARMS;
 use tpg_problems::arm::targets::{Set, Start, tasks};
-use tpg_problems::arm::{self, ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
+use tpg_problems::arm::{self, ArmEnvironment, ArmProblem, ArmTask};
 use tpg_problems::{Problem, ProblemSettings};
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::policy::{ActionId, Policy as _};
@@ -53,12 +54,12 @@ struct World<S> {
 }
 
 /// Returns half the range of every value.
-fn literal_units<S: ArmScalar>(environment: &ArmEnvironment<S>) -> Vec<f64> {
+fn literal_units<S: Number>(environment: &ArmEnvironment<S>) -> Vec<f64> {
     let ranges = environment.sources().into_iter().flat_map(|source| source.ranges);
     ranges.map(|[min, max]| 0.5 * (max - min)).collect()
 }
 
-impl<S: ArmScalar> World<S>
+impl<S: Number> World<S>
 where
     Own: Maths<S>,
 {
@@ -113,7 +114,7 @@ fn arm_tasks(arm: &Arm<f64>, count: usize) -> Vec<ArmTask> {
 }
 
 /// Runs the runtime's own episode with the interpreter and the exact set of visited poses.
-fn by_interpreter<S: ArmScalar, M: Maths<S>>(
+fn by_interpreter<S: Number, M: Maths<S>>(
     graph: &Graph,
     arm: &Arm<S>,
     problem: &ArmProblem,
@@ -153,7 +154,7 @@ fn same<S: Lattice>(ending: &EpisodeResult, summary: &Summary<S>, outcomes: &[&s
         && ending.measure.to_bits() == summary.distance.to_f64().to_bits()
 }
 
-fn engine_is_the_interpreter<S: ArmScalar>(scalar: ScalarType, arm: &Arm<f64>, problem: arm::Config) -> [usize; 7]
+fn engine_is_the_interpreter<S: Number>(scalar: ScalarType, arm: &Arm<f64>, problem: arm::Config) -> [usize; 7]
 where
     Own: Maths<S>,
 {

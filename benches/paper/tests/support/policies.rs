@@ -7,7 +7,7 @@ use tpg_engine::{Plan, PolicyGraph, Single};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::interpret::Answer;
-use tpg_problems::arm::ArmScalar;
+use tpg_problems::Number;
 use tpg_problems::arm::binding::Binding;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::Policy;
@@ -22,7 +22,7 @@ pub(crate) struct GraphPolicy<S: Copy, M> {
     state: RefCell<Vec<S>>,
 }
 
-impl<S: ArmScalar, M: Maths<S>> GraphPolicy<S, M> {
+impl<S: Number, M: Maths<S>> GraphPolicy<S, M> {
     /// Creates the policy of a graph on an arm; `file` is the name shown in errors.
     ///
     /// # Errors
@@ -35,7 +35,7 @@ impl<S: ArmScalar, M: Maths<S>> GraphPolicy<S, M> {
     }
 }
 
-impl<S: ArmScalar, M: Maths<S>> Policy for GraphPolicy<S, M> {
+impl<S: Number, M: Maths<S>> Policy for GraphPolicy<S, M> {
     type State = Observation<S>;
     type Action = Move;
 

@@ -6,7 +6,7 @@ use crate::episode_result::EpisodeResult;
 use crate::episodes::Episodes;
 use crate::error::EvaluationError;
 use crate::rollout::Rollout;
-use crate::source_set::SourceSet;
+use crate::source_set::{SourceSet, state_length};
 use crate::view::View;
 use tpg_runtime::scalar::Scalar;
 
@@ -24,7 +24,7 @@ pub struct OneByOne<'e, S: Scalar, E: Environment<S> + ?Sized> {
 impl<'e, S: Scalar, E: Environment<S> + ?Sized> OneByOne<'e, S, E> {
     /// Creates an empty set of episodes.
     pub fn new(environment: &'e E) -> Self {
-        let length = environment.sources().iter().map(|source| source.length as usize).sum();
+        let length = state_length(&environment.sources());
         Self { environment, lanes: Vec::new(), keys: Vec::new(), length, states: Vec::new() }
     }
 }

@@ -1,7 +1,6 @@
 //! Arms that are known by name: `arm = "px100"` in `[problem]` stands for the section that `tpg-train config px100` prints.
 
 use super::description::ArmDescription;
-use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use std::fmt;
@@ -52,16 +51,8 @@ impl NamedArm {
     /// # Panics
     /// Never: a test reads every section.
     pub fn description(&self) -> ArmDescription {
-        /// A file whose section `[problem]` has an arm.
-        #[derive(serde::Deserialize)]
-        struct ArmFile {
-            problem: ArmSection,
-        }
-        #[derive(serde::Deserialize)]
-        struct ArmSection {
-            arm: ArmDescription,
-        }
-        toml::from_str::<ArmFile>(self.text).expect("a section that a test has read").problem.arm
+        let file: toml::Table = self.text.parse().expect("TOML");
+        file["problem"]["arm"].clone().try_into().expect("a section that a test has read")
     }
 }
 
@@ -91,11 +82,6 @@ impl<'de> Visitor<'de> for NameOrSection {
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<ArmDescription, A::Error> {
         ArmDescription::deserialize(MapAccessDeserializer::new(map))
     }
-}
-
-/// Returns the schema of a section; that a name may stand in its place is said by the setting's documentation.
-pub(super) fn schema(generator: &mut SchemaGenerator) -> Schema {
-    Option::<ArmDescription>::json_schema(generator)
 }
 
 #[cfg(test)]

@@ -2,10 +2,11 @@
 
 use super::arms;
 use super::description::ArmDescription;
-use super::environment::{ArmEnvironment, ArmScalar};
+use super::environment::ArmEnvironment;
 use super::motors;
 use super::problem::ArmProblem;
 use super::targets::{Start, TOLERANCE};
+use crate::registry::Number;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_arm::observation::{STEP, Source};
@@ -36,7 +37,7 @@ pub struct Config {
     pub coef_reward_multiplication: f64,
     /// The arm: a section, or the name of an arm that `tpg-train config --list` shows; the WidowX if omitted.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "arms::named_or_own")]
-    #[schemars(schema_with = "arms::schema")]
+    #[schemars(with = "Option<ArmDescription>")]
     pub arm: Option<ArmDescription>,
     /// True for tests: policies read and do whatever the arm knows.
     #[serde(skip)]
@@ -133,7 +134,7 @@ impl Config {
     }
 
     /// Returns the environment with the given start.
-    pub fn environment<S: ArmScalar>(&self, start: Start) -> ArmEnvironment<S> {
+    pub fn environment<S: Number>(&self, start: Start) -> ArmEnvironment<S> {
         let environment = ArmEnvironment::new(&self.arm(), self.problem(start));
         match &self.network {
             Some(network) => environment.with_network(network),

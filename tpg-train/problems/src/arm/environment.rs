@@ -12,42 +12,23 @@ mod regular;
 
 pub use episode::ArmEpisode;
 
-use crate::arm::evaluation::figures;
 use crate::arm::problem::{ArmProblem, ArmTask, DISTANCE, OUTCOMES, on_the_arm};
 use crate::arm::targets::{self, ReachableSpace, Set};
 use crate::arm::{drawing, motors};
+use crate::registry::Number;
 use clearance::Clearances;
-use guard::Steering;
-use serde_json::{Map, Value};
 use tpg_arm::binding::MOVE;
 use tpg_arm::episode::Outcome;
-use tpg_arm::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, Vector, link_angles};
+use tpg_arm::kinematics::{self, Angle, Direction, Directions, Plane, Vector, link_angles};
 use tpg_arm::observation::{Observation, Source, TargetMemo};
+use tpg_arm::sac::Decision;
 use tpg_arm::{Arm, JOINTS, Joint, Move, Play, Pose, TICKS_PER_TURN};
 use tpg_engine::random::Stream;
 use tpg_engine::{
-    Act, ActionSpace, Drawn, End, Environment, EpisodeResult, Episodes, Guarded, Measure, Preference, SourceSet, Step,
+    Act, ActionSpace, End, Environment, EpisodeResult, Episodes, Guarded, Measure, Preference, SourceSet, Step,
     TaskSet, Training,
 };
 use tpg_graph::{ActionDocument, Effect, SourceDocument};
-
-/// Scalars that the arm supports.
-pub trait ArmScalar: Lattice {
-    /// Rounds the arm to this scalar.
-    fn arm(arm: &Arm<f64>) -> Arm<Self>;
-}
-
-impl ArmScalar for f32 {
-    fn arm(arm: &Arm<f64>) -> Arm<f32> {
-        arm.to_f32()
-    }
-}
-
-impl ArmScalar for f64 {
-    fn arm(arm: &Arm<f64>) -> Arm<f64> {
-        *arm
-    }
-}
 
 /// The environment of the arm.
 #[derive(Clone, Debug)]
@@ -61,15 +42,16 @@ pub struct ArmEnvironment<S> {
     places: Vec<usize>,
     clearances: Clearances<S>,
     sines: Box<Sines<S>>,
-    /// How networks drive the arm.
-    steering: Steering,
+    /// The arm in the precision of networks, and how they drive it.
+    narrow: Arm<f32>,
+    decision: Decision<f32>,
 }
 
 /// Sines of all ticks of a turn.
 type Sines<S> = [S; TICKS_PER_TURN as usize];
 
 #[inline(always)]
-fn look_up<S: ArmScalar>(sines: &Sines<S>, angle: Angle) -> Direction<S> {
+fn look_up<S: Number>(sines: &Sines<S>, angle: Angle) -> Direction<S> {
     let within = (TICKS_PER_TURN - 1) as usize;
     let ticks = angle.0 as usize & within;
     let ahead = (ticks + TICKS_PER_TURN as usize / 4) & within;
@@ -82,7 +64,7 @@ fn base_angle(pose: Pose) -> Angle {
     Angle(i32::from(pose.0[0]) - TICKS_PER_TURN / 2)
 }
 
-impl<S: ArmScalar> ArmEnvironment<S> {
+impl<S: Number> ArmEnvironment<S> {
     /// Creates an environment.
     ///
     /// Training tasks come from one sample of the reachable space, validation tasks from another.
@@ -101,13 +83,14 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             clearances: Clearances::new(arm),
             places,
             sines: Box::new(std::array::from_fn(|ticks| Angle(ticks as i32).direction().sin)),
-            steering: Steering::new(&motors::Config::default(), arm),
+            narrow: arm.to_f32(),
+            decision: motors::Config::default().decision(),
         }
     }
 
     /// Returns the same environment for networks of these settings.
     pub fn with_network(self, config: &motors::Config) -> Self {
-        Self { steering: Steering::new(config, &self.description), ..self }
+        Self { decision: config.decision(), ..self }
     }
 
     /// Returns the arm in this environment's scalar.
@@ -204,7 +187,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
     }
 }
 
-impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
+impl<S: Number> Environment<S> for ArmEnvironment<S> {
     type Task = ArmTask;
     type Episode = ArmEpisode<S>;
 
@@ -258,7 +241,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         space.task(self.problem.start, stream).into()
     }
 
-    fn training(&self) -> Option<&dyn Training<ArmTask, ArmEpisode<S>>> {
+    fn training(&self) -> Option<&dyn Training<ArmTask>> {
         Some(self)
     }
 
@@ -266,8 +249,8 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         Some(self)
     }
 
-    fn drawn(&self) -> Option<&dyn Drawn<ArmEpisode<S>>> {
-        Some(self)
+    fn moment(&self, episode: &ArmEpisode<S>) -> Vec<f64> {
+        drawing::moment(episode.pose, episode.target.map(S::to_f64))
     }
 
     /// Returns the distance of the hand as a policy sees it: without play.
@@ -343,7 +326,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
     }
 }
 
-impl<S: ArmScalar> Training<ArmTask, ArmEpisode<S>> for ArmEnvironment<S> {
+impl<S: Number> Training<ArmTask> for ArmEnvironment<S> {
     fn coarser(&self, task: ArmTask, factor: u8) -> ArmTask {
         ArmTask { roughness: factor, ..task }
     }
@@ -352,19 +335,5 @@ impl<S: ArmScalar> Training<ArmTask, ArmEpisode<S>> for ArmEnvironment<S> {
         let (set, seed) = Set::asked(set, seed, 0);
         let tasks = targets::tasks(&self.description, seed, set, self.problem.start, count);
         Some(tasks.into_iter().map(ArmTask::from).collect())
-    }
-}
-
-impl<S: ArmScalar> Drawn<ArmEpisode<S>> for ArmEnvironment<S> {
-    fn figures(&self, endings: &[EpisodeResult]) -> Map<String, Value> {
-        figures(endings)
-    }
-
-    fn moment(&self, episode: &ArmEpisode<S>) -> Vec<f64> {
-        drawing::moment(episode.pose, episode.target.map(S::to_f64))
-    }
-
-    fn picture(&self, moments: &[Vec<f64>]) -> String {
-        drawing::picture(&self.description, moments)
     }
 }

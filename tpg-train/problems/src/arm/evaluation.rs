@@ -4,12 +4,14 @@ use crate::arm::problem::{ArmProblem, OUTCOMES};
 use crate::arm::targets::Task;
 use serde::Serialize;
 use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 use tpg_arm::cycle::Brent;
 use tpg_arm::episode::Episode;
 use tpg_arm::kinematics::Lattice;
 use tpg_arm::observation::Observation;
 use tpg_arm::{Arm, Move};
-use tpg_engine::EpisodeResult;
+use tpg_engine::{EpisodeResult, Summary};
+use tpg_picture::FiveNumbers;
 use tpg_runtime::policy::Policy;
 
 /// Statistics of many episodes of one problem, for reports. Rates lie in 0..1, distances are in mm.
@@ -28,25 +30,8 @@ pub struct ReachStatistics {
     pub mean_actions: f64,
     /// Mean number of actions of the successful episodes; 0 if there are none.
     mean_actions_on_success: f64,
-    /// Reasons for the failures.
-    failures: Failures,
-}
-
-/// Failed episodes by the kind of their end.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-struct Failures {
-    /// A pose was repeated.
-    cycle: usize,
-    /// The policy chose not to move.
-    stop: usize,
-    /// A joint would have left its range.
-    joint_limit: usize,
-    /// The arm, or a corner of the hand, would have gone below the table.
-    table: usize,
-    /// The arm would have hit its own base.
-    base: usize,
-    /// The action limit was reached.
-    timeout: usize,
+    /// Number of failures of each kind.
+    failures: BTreeMap<&'static str, usize>,
 }
 
 /// Runs one episode of each task.
@@ -66,27 +51,21 @@ where
 impl ReachStatistics {
     /// Computes the statistics of the arm's episodes.
     pub fn new(endings: &[EpisodeResult]) -> Self {
-        let failed = |name: &str| endings.iter().filter(|ending| OUTCOMES[usize::from(ending.outcome)] == name).count();
-        let failures = Failures {
-            cycle: failed("cycle"),
-            stop: failed("stop"),
-            joint_limit: failed("joint_limit"),
-            table: failed("table"),
-            base: failed("base"),
-            timeout: failed("timeout"),
-        };
+        let count =
+            |name: &&str| endings.iter().filter(|ending| OUTCOMES[usize::from(ending.outcome)] == *name).count();
+        let failures: BTreeMap<&str, usize> = OUTCOMES[1..].iter().map(|name| (*name, count(name))).collect();
         let successes: Vec<&EpisodeResult> = endings.iter().filter(|ending| ending.success == Some(true)).collect();
         let on_success: f64 = successes.iter().map(|ending| f64::from(ending.actions)).sum();
         let mut distances: Vec<f64> = endings.iter().map(|ending| ending.measure).collect();
         let count = endings.len().max(1) as f64;
         distances.sort_by(f64::total_cmp);
-        let invalid = failures.joint_limit + failures.table + failures.base;
+        let invalid = failures["joint_limit"] + failures["table"] + failures["base"];
         Self {
             success_rate: successes.len() as f64 / count,
             collision_rate: invalid as f64 / count,
             mean_distance_mm: distances.iter().sum::<f64>() / count,
-            median_distance_mm: median(&distances),
-            mean_actions: endings.iter().map(|ending| f64::from(ending.actions)).sum::<f64>() / count,
+            median_distance_mm: FiveNumbers::new(&distances).map_or(0.0, |five| five.median),
+            mean_actions: Summary::new(endings).actions,
             mean_actions_on_success: on_success / successes.len().max(1) as f64,
             failures,
         }
@@ -94,17 +73,9 @@ impl ReachStatistics {
 }
 
 /// Returns the arm's figures of episodes, for reports.
-pub(super) fn figures(endings: &[EpisodeResult]) -> Map<String, Value> {
+pub(crate) fn figures(endings: &[EpisodeResult]) -> Map<String, Value> {
     let figures = serde_json::to_value(ReachStatistics::new(endings)).expect("plain numbers");
     figures.as_object().cloned().unwrap_or_default()
-}
-
-fn median(sorted: &[f64]) -> f64 {
-    match sorted.len() {
-        0 => 0.0,
-        n if n % 2 == 1 => sorted[n / 2],
-        n => 0.5 * (sorted[n / 2 - 1] + sorted[n / 2]),
-    }
 }
 
 #[cfg(test)]
@@ -129,14 +100,9 @@ mod tests {
         let tasks = tasks(&WIDOWX, 5, Set::Validation, Start::Fs, 40);
         let statistics = |moves| ReachStatistics::new(&run(&WIDOWX, &Always(moves), &Start::Fs.into(), &tasks));
         let turning = statistics(Move::single(Joint(0), 3));
-        assert_eq!(turning.failures.joint_limit + (turning.success_rate * 40.0).round() as usize, 40);
+        assert_eq!(turning.failures["joint_limit"] + (turning.success_rate * 40.0).round() as usize, 40);
         assert!(turning.mean_actions > 600.0, "the base turns 682 steps to its limit");
         let resting = statistics(Move::STOP);
-        assert_eq!((resting.failures.stop, resting.collision_rate, resting.mean_actions), (40, 0.0, 1.0));
-    }
-
-    #[test]
-    fn the_median_of_an_even_number_lies_between() {
-        assert_eq!([median(&[]), median(&[1.0, 2.0, 9.0]), median(&[1.0, 2.0, 4.0, 9.0])], [0.0, 2.0, 3.0]);
+        assert_eq!((resting.failures["stop"], resting.collision_rate, resting.mean_actions), (40, 0.0, 1.0));
     }
 }

@@ -31,5 +31,5 @@ pub mod targets;
 
 pub use config::Config;
 pub use description::ArmDescription;
-pub use environment::{ArmEnvironment, ArmScalar};
+pub use environment::ArmEnvironment;
 pub use problem::{ArmProblem, ArmTask};

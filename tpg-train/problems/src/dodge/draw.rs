@@ -4,7 +4,7 @@ use super::BODY;
 use super::config::Config;
 pub use super::scene::SEED;
 use super::scene::{Path, Scene};
-use super::walk::{self, Leg, Outcome, candidate, follow};
+use super::walk::{self, Leg, candidate, follow};
 use crate::arm::targets::{ReachableSpace, Set, Start};
 use std::sync::Arc;
 use tpg_arm::dodge::CAPSULES;
@@ -82,7 +82,7 @@ impl Generator {
     fn first_goal(&self, start: Pose, solutions: &[Pose]) -> Option<Pose> {
         let is_free = |goal: &Pose| {
             let legs = [Leg { to: *goal, wait: 0 }];
-            matches!(follow(start, &legs, 1400, 0.0, |_, _| 1.0), Outcome::Arrives(_))
+            follow(start, &legs, 1400, 0.0, |_, _| 1.0).is_some()
         };
         let goal = solutions.iter().take(FIRST_GOALS).copied().find(is_free)?;
         let ticks = goal.0.iter().zip(start.0).map(|(to, from)| to.abs_diff(from)).max().unwrap_or(0);
@@ -162,13 +162,13 @@ impl Generator {
     /// A plan that solves a scene with a margin, by trying; `None` if none is found.
     fn certificate(&self, scene: &Scene, goals: &[Pose], tries: u32, random: &mut Stream) -> Option<Vec<Leg>> {
         let start = Pose(scene.start);
-        let holds = |legs: &Vec<Leg>| matches!(replay(scene, legs, MARGIN), Outcome::Arrives(_));
+        let holds = |legs: &Vec<Leg>| replay(scene, legs, MARGIN).is_some();
         (0..tries as usize).map(|index| candidate(index, start, goals, random)).find(holds)
     }
 }
 
 /// Follows a plan in a scene whose future is known.
-pub fn replay(scene: &Scene, legs: &[Leg], margin: f32) -> Outcome {
+pub fn replay(scene: &Scene, legs: &[Leg], margin: f32) -> Option<u32> {
     follow(Pose(scene.start), legs, LIMIT, margin, |posture, time| {
         let clearances = scene.balls.iter().map(|path| BODY.clearance(posture, path.at(time as f32), path.radius));
         clearances.fold(f32::INFINITY, f32::min)

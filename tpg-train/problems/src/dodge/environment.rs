@@ -7,10 +7,9 @@ use super::episode::{self, Episode, OUTCOMES};
 use super::scene::Scene;
 use crate::arm::drawing;
 use crate::arm::targets::Set;
-use tpg_arm::WIDOWX;
 use tpg_arm::dodge::{Behaviour, Dodger, Source};
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, Drawn, End, Environment, Measure, Preference, SourceSet, Step, TaskSet, Training};
+use tpg_engine::{Act, ActionSpace, End, Environment, Measure, Preference, SourceSet, Step, TaskSet, Training};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -73,12 +72,16 @@ impl<S: Scalar> Environment<S> for Dodge {
         Generator::new(&self.config, SEED, Set::Training).draw(stream, TRIES).scene
     }
 
-    fn training(&self) -> Option<&dyn Training<Scene, DodgeEpisode>> {
+    fn training(&self) -> Option<&dyn Training<Scene>> {
         Some(self)
     }
 
-    fn drawn(&self) -> Option<&dyn Drawn<DodgeEpisode>> {
-        Some(self)
+    fn moment(&self, running: &DodgeEpisode) -> Vec<f64> {
+        let episode = &running.episode;
+        let balls = episode.balls().iter().map(|ball| [ball.at[0], ball.at[1], ball.at[2], ball.radius]);
+        let mut moment = drawing::moment(episode.pose(), episode.target().map(f64::from));
+        moment.extend(balls.flatten().map(f64::from));
+        moment
     }
 
     fn accepts(&self, scene: &Scene) -> bool {
@@ -115,25 +118,11 @@ impl<S: Scalar> Environment<S> for Dodge {
     }
 }
 
-impl Training<Scene, DodgeEpisode> for Dodge {
+impl Training<Scene> for Dodge {
     fn tasks(&self, set: TaskSet, _seed: u64, count: usize) -> Option<Vec<Scene>> {
         let certified =
             (set == TaskSet::Validation).then(|| scenes(&self.config, SEED, Set::Validation, count, TRIES))?;
         Some(certified.into_iter().map(|certified| certified.scene).collect())
-    }
-}
-
-impl Drawn<DodgeEpisode> for Dodge {
-    fn moment(&self, running: &DodgeEpisode) -> Vec<f64> {
-        let episode = &running.episode;
-        let mut moment = drawing::moment(episode.pose(), episode.target().map(f64::from));
-        let balls = episode.balls().iter().map(|ball| [ball.at[0], ball.at[1], ball.at[2], ball.radius]);
-        moment.extend(balls.flatten().map(f64::from));
-        moment
-    }
-
-    fn picture(&self, moments: &[Vec<f64>]) -> String {
-        drawing::picture(&WIDOWX, moments)
     }
 }
 

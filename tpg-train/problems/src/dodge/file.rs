@@ -5,11 +5,11 @@ use super::scene::{Path, Scene};
 use super::walk::{GOALS, Leg};
 use crate::rows::{self, RowRefusal, finite, numbers, pose};
 use std::fmt::Display;
-use std::fs;
 use std::path;
 use tpg_arm::dodge::BALLS;
 use tpg_arm::{JOINTS, Pose, WIDOWX};
 use tpg_graph::error::InputError;
+use tpg_graph::files::read_text;
 
 /// Start, ticks; target, mm; goals, ticks; balls: both ends (mm), radius (mm), period (steps), phase, 1 for sinusoidal; the
 /// plan: poses (ticks), each with the steps to wait there. Numbers are separated by spaces, items by semicolons.
@@ -48,7 +48,7 @@ fn items(items: impl Iterator<Item = String>) -> String {
 /// # Errors
 /// If the file cannot be read, has another header, or a value that is not accepted, with its line.
 pub fn read_csv(path: &path::Path) -> Result<Vec<Certified>, InputError> {
-    let text = fs::read_to_string(path).map_err(|error| InputError::io(path, &error, "a file of scenes"))?;
+    let text = read_text(path, "a file of scenes")?;
     parse_csv(&path.display().to_string(), &text)
 }
 

@@ -20,34 +20,22 @@ pub struct Leg {
     pub wait: u16,
 }
 
-/// The end of a walk.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Outcome {
-    /// The end of the last leg after so many steps.
-    Arrives(u32),
-    /// A ball nearer than the margin after so many steps.
-    Hits(u32),
-    /// The table or the base.
-    Blocked,
-    /// Nothing within the time; so many steps are left to the last pose.
-    Open(u32),
-}
-
-/// Follows legs for at most `limit` steps; `clearance` is asked for the least clearance of a posture at a step, mm.
+/// Follows legs for at most `limit` steps and returns the steps to the end of the last one; `None` where the table, the base or the
+/// limit ends the walk, or a ball nearer than the margin. `clearance` is asked for the least clearance of a posture at a step, mm.
 pub fn follow(
     from: Pose,
     legs: &[Leg],
     limit: u32,
     margin: f32,
     mut clearance: impl FnMut(&tpg_arm::dodge::Posture, u32) -> f32,
-) -> Outcome {
+) -> Option<u32> {
     let (mut pose, mut time) = (from, 0);
     let mut posture = BODY.at(pose);
     for leg in legs {
         let mut waited = 0;
         loop {
             if time >= limit {
-                return Outcome::Open(legs.last().map_or(0, |last| steps(pose, last.to)));
+                return None;
             }
             if pose == leg.to {
                 if waited >= leg.wait {
@@ -58,16 +46,16 @@ pub fn follow(
                 pose = moved(pose, straight(pose, leg.to));
                 posture = BODY.at(pose);
                 if !BODY.is_free(&posture) {
-                    return Outcome::Blocked;
+                    return None;
                 }
             }
             time += 1;
             if clearance(&posture, time) < margin {
-                return Outcome::Hits(time);
+                return None;
             }
         }
     }
-    Outcome::Arrives(time)
+    Some(time)
 }
 
 /// Adds a move to a pose.

@@ -1,5 +1,7 @@
 //! Boards of ten by ten cells as bits, and the random numbers of a game.
 
+use crate::sight::mixed;
+
 /// A channel: cell (row, column) is bit 10 · row + column.
 pub(crate) type Board = u128;
 
@@ -35,15 +37,16 @@ pub(crate) fn is_inside(place: i32) -> bool {
 
 /// The random numbers of an episode: SplitMix64.
 #[derive(Clone, Debug)]
-pub(crate) struct Draws(pub(super) u64);
+pub(crate) struct Draws {
+    pub(super) seed: u64,
+    pub(super) drawn: u64,
+}
 
 impl Draws {
     /// Returns a number from 0 to below 1.
     pub(crate) fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+        self.drawn += 1;
+        (mixed(self.seed, self.drawn) >> 11) as f64 / (1_u64 << 53) as f64
     }
 
     /// Returns a whole number below `end`.

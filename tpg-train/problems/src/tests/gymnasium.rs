@@ -4,7 +4,6 @@
 //! rewards but for the last bits of a square. Numbers may differ only by what separates two good libraries for sines: a few
 //! units in the last place.
 
-use crate::mountain_car_continuous::Drive;
 use crate::{Acrobot, CartPole, MountainCar, MountainCarContinuous, Pendulum, ProblemName};
 use flate2::read::GzDecoder;
 use std::fs::File;
@@ -67,11 +66,11 @@ impl Recorded for Pendulum {
 }
 
 impl Recorded for MountainCarContinuous {
-    fn episode(state: &[f64], is_first: bool) -> Drive {
-        Drive { position: state[0], velocity: state[1], is_rounded: !is_first }
+    fn episode(state: &[f64], is_first: bool) -> [f64; 3] {
+        [state[0], state[1], f64::from(!is_first)]
     }
-    fn state(drive: &Drive) -> Vec<f64> {
-        vec![drive.position, drive.velocity]
+    fn state(drive: &[f64; 3]) -> Vec<f64> {
+        drive[..2].to_vec()
     }
 }
 

@@ -1,6 +1,6 @@
 //! A cheap test that the arm is far from everything, without looking at its collision shapes.
 
-use super::ArmScalar;
+use crate::registry::Number;
 use tpg_arm::kinematics::Plane;
 use tpg_arm::{Arm, TICKS_PER_TURN};
 
@@ -15,7 +15,7 @@ pub(super) struct Clearances<S> {
     side: S,
 }
 
-impl<S: ArmScalar> Clearances<S> {
+impl<S: Number> Clearances<S> {
     /// Computes the clearances of an arm.
     pub(super) fn new(arm: &Arm<f64>) -> Self {
         let shapes = &arm.shapes;

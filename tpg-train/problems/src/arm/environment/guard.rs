@@ -1,36 +1,24 @@
 //! A graph and a network that share the arm: what the network sees and does, and the guard.
 
-use super::{ArmEnvironment, ArmEpisode, ArmScalar};
+use super::{ArmEnvironment, ArmEpisode};
 use crate::arm::motors;
+use crate::registry::Number;
+use tpg_arm::Move;
 use tpg_arm::frame::Frame;
 use tpg_arm::hybrid::Guard;
-use tpg_arm::sac::{Decision, features};
-use tpg_arm::{Arm, Move};
+use tpg_arm::sac::features;
 use tpg_engine::{Act, Guarded, Output};
 use tpg_graph::SourceDocument;
 
-/// The way from the arm to a network and back, in the network's precision.
-#[derive(Clone, Debug)]
-pub(super) struct Steering {
-    decision: Decision<f32>,
-    arm: Arm<f32>,
-}
-
-impl Steering {
-    pub(super) fn new(config: &motors::Config, arm: &Arm<f64>) -> Self {
-        Self { decision: config.decision(), arm: arm.to_f32() }
-    }
-}
-
-impl<S: ArmScalar> ArmEnvironment<S> {
+impl<S: Number> ArmEnvironment<S> {
     /// Returns the move that a network's values make: preferences of −1 to 1.
     pub(super) fn steered(&self, episode: &ArmEpisode<S>, values: &[S]) -> Move {
         let preferences = std::array::from_fn(|joint| libm::atanhf(values[joint].to_f64() as f32));
-        self.steering.decision.decide(preferences, episode.pose, &self.arm.ranges)
+        self.decision.decide(preferences, episode.pose, &self.arm.ranges)
     }
 }
 
-impl<S: ArmScalar> Guarded<S, ArmEpisode<S>> for ArmEnvironment<S> {
+impl<S: Number> Guarded<S, ArmEpisode<S>> for ArmEnvironment<S> {
     fn network_sources(&self) -> Vec<SourceDocument> {
         motors::sources()
     }
@@ -42,7 +30,7 @@ impl<S: ArmScalar> Guarded<S, ArmEpisode<S>> for ArmEnvironment<S> {
     /// The target is rounded before a feature is computed of it.
     fn network_observe(&self, episode: &mut ArmEpisode<S>, state: &mut [f32]) {
         let target = episode.target.map(|value| value.to_f64() as f32);
-        state.copy_from_slice(&features(&Frame::at(&self.steering.arm, episode.pose, target)));
+        state.copy_from_slice(&features(&Frame::at(&self.narrow, episode.pose, target)));
     }
 
     fn guards(&self) -> &'static [&'static str] {

@@ -8,7 +8,8 @@
 use super::clearance::swing;
 use super::group::{Group, Lane};
 use super::regular::Regular;
-use super::{ArmEnvironment, ArmEpisode, ArmScalar, ArmTask};
+use super::{ArmEnvironment, ArmEpisode, ArmTask};
+use crate::registry::Number;
 use fearless_simd::{Level, dispatch};
 use tpg_arm::observation::Source;
 use tpg_arm::{JOINTS, Move, Play};
@@ -27,7 +28,7 @@ pub(super) struct ArmLanes<'e, S: Copy> {
     level: Level,
 }
 
-impl<'e, S: ArmScalar> ArmLanes<'e, S> {
+impl<'e, S: Number> ArmLanes<'e, S> {
     pub(super) fn new(environment: &'e ArmEnvironment<S>) -> Self {
         let moves = environment.moves.iter().chain([&Move::STOP]).map(|moves| moves.0.map(i32::from)).collect();
         let length = environment.problem.sources.iter().map(|source| source.length()).sum();
@@ -47,7 +48,7 @@ impl<'e, S: ArmScalar> ArmLanes<'e, S> {
         let group = &self.groups[lane / BLOCK];
         let pose = group.pose(lane % BLOCK);
         let episode = &mut self.episodes[lane];
-        episode.actions = (self.environment.problem.max_actions as i32 - 1 - group.left[lane % BLOCK]) as u32;
+        episode.actions = (self.environment.problem.max_actions as i32 - 1 - group.now.left[lane % BLOCK]) as u32;
         if episode.pose != pose {
             let plane_moved = (episode.pose.packed() ^ pose.packed()) >> 16 != 0;
             let plane = plane_moved.then(|| self.environment.plane(pose));
@@ -81,7 +82,7 @@ impl<'e, S: ArmScalar> ArmLanes<'e, S> {
     }
 }
 
-impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
+impl<S: Number> Episodes<S, ArmTask> for ArmLanes<'_, S> {
     fn begin(&mut self, lane: usize, task: &ArmTask) -> Result<(), EvaluationError> {
         let episode = self.environment.start(task);
         let (new, key) = (self.lane(&episode), episode.pose.packed());
@@ -169,7 +170,7 @@ impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
     }
 }
 
-impl<S: ArmScalar> ArmLanes<'_, S> {
+impl<S: Number> ArmLanes<'_, S> {
     /// Writes a source in every lane, if it depends only on ticks, hand and target; returns false otherwise.
     fn show(&self, source: Source, at: usize, view: &mut View<'_, S>) -> bool {
         let mut fill = |value: usize, each: &dyn Fn(&Group<S>) -> Block<S>| {
@@ -180,13 +181,15 @@ impl<S: ArmScalar> ArmLanes<'_, S> {
             }
         };
         match source {
-            Source::Target => (0..3).for_each(|axis| fill(axis, &|group| group.target[axis])),
-            Source::Hand => (0..3).for_each(|axis| fill(axis, &|group| group.hand[axis])),
+            Source::Target => (0..3).for_each(|axis| fill(axis, &|group| group.now.target[axis])),
+            Source::Hand => (0..3).for_each(|axis| fill(axis, &|group| group.now.hand[axis])),
             Source::Difference => (0..3).for_each(|axis| {
-                fill(axis, &|group| std::array::from_fn(|lane| group.target[axis][lane] - group.hand[axis][lane]));
+                fill(axis, &|group| {
+                    std::array::from_fn(|lane| group.now.target[axis][lane] - group.now.hand[axis][lane])
+                });
             }),
             Source::Motors | Source::Servos => {
-                (0..JOINTS).for_each(|joint| fill(joint, &|group| group.ticks[joint].map(S::from_i32)));
+                (0..JOINTS).for_each(|joint| fill(joint, &|group| group.now.ticks[joint].map(S::from_i32)));
                 for (servo, ticks) in self.environment.arm.fixed_servos.into_iter().enumerate() {
                     if source == Source::Servos {
                         fill(JOINTS + servo, &|_| [S::from_i32(i32::from(ticks)); BLOCK]);

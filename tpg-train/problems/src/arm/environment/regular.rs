@@ -1,7 +1,8 @@
 //! The regular step of many arms, computed by the same functions as any step, vectorised over lanes.
 
 use super::group::Group;
-use super::{ArmEnvironment, ArmScalar, base_angle, look_up};
+use super::{ArmEnvironment, base_angle, look_up};
+use crate::registry::Number;
 use tpg_arm::kinematics::{Direction, Directions, Plane, difference, link_angles};
 use tpg_arm::{JOINTS, Pose};
 use tpg_engine::{BLOCK, Block};
@@ -17,7 +18,7 @@ pub(super) struct Regular<'a, S> {
     pub(super) actions: &'a [ActionId],
 }
 
-impl<S: ArmScalar> Regular<'_, S> {
+impl<S: Number> Regular<'_, S> {
     /// Takes the steps.
     #[inline(always)]
     pub(super) fn take(self) {
@@ -41,18 +42,18 @@ impl<S: ArmScalar> Regular<'_, S> {
     clippy::needless_range_loop,
     reason = "several arrays at the same place, and copies of arrays would stay copies"
 )]
-fn regular<S: ArmScalar>(
+fn regular<S: Number>(
     environment: &ArmEnvironment<S>,
     group: &mut Group<S>,
     keys: &mut Block<u64>,
     steps: &[Block<i32>; JOINTS],
 ) {
-    let mut ticks = group.ticks;
+    let mut ticks = group.now.ticks;
     let (mut inside, mut moved) = ([true; BLOCK], [0; BLOCK]);
     for joint in 0..JOINTS {
         let range = environment.arm.ranges[joint];
         for lane in 0..BLOCK {
-            let step = steps[joint][lane] * group.roughness[lane];
+            let step = steps[joint][lane] * group.now.roughness[lane];
             let step = step.clamp(i32::from(i8::MIN), i32::from(i8::MAX));
             let to = ticks[joint][lane] + step;
             ticks[joint][lane] = to;
@@ -73,23 +74,23 @@ fn regular<S: ArmScalar>(
             sines[part][lane] = sin;
         }
     }
-    let mut hands = group.hand;
+    let mut hands = group.now.hand;
     for lane in 0..BLOCK {
         let part = |part: usize| Direction { cos: cosines[part][lane], sin: sines[part][lane] };
         let plane = Plane::new(&environment.arm, Directions::of_links(part(1), part(2), part(3)));
         let hand = plane.hand_in_world(part(0));
-        let target = [group.target[0][lane], group.target[1][lane], group.target[2][lane]];
+        let target = [group.now.target[0][lane], group.now.target[1][lane], group.now.target[2][lane]];
         let [x, y, z] = difference(target, hand);
-        let far = x * x + y * y + z * z > group.far[lane];
+        let far = x * x + y * y + z * z > group.now.far[lane];
         for axis in 0..3 {
             hands[axis][lane] = hand[axis];
         }
         let clear = environment.clearances.leaves_free(&plane);
-        group.other[lane] = !(inside[lane] & (moved[lane] != 0) & far & clear & (group.left[lane] > 0));
+        group.other[lane] = !(inside[lane] & (moved[lane] != 0) & far & clear & (group.now.left[lane] > 0));
     }
     for lane in 0..BLOCK {
         keys[lane] = pose(lane).packed();
-        group.left[lane] -= 1;
+        group.now.left[lane] -= 1;
     }
-    (group.before, group.ticks, group.hand) = (group.ticks, ticks, hands);
+    (group.before, group.now.ticks, group.now.hand) = (group.now.ticks, ticks, hands);
 }

@@ -45,7 +45,7 @@ pub struct Config {
     pub reward: Reward,
     /// The arm: a section, or the name of an arm that `tpg-train config --list` shows; the WidowX if omitted.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "arms::named_or_own")]
-    #[schemars(schema_with = "arms::schema")]
+    #[schemars(with = "Option<ArmDescription>")]
     pub arm: Option<ArmDescription>,
 }
 

@@ -12,19 +12,14 @@ mod episode;
 pub use config::{Config, Reward};
 pub use episode::MotorsEpisode;
 
-use super::evaluation::figures;
 use super::problem::{ArmProblem, DISTANCE, OUTCOMES, on_the_arm};
 use super::targets::{self, ReachableSpace, Set, Start};
 use super::{drawing, ik};
 use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value};
 use tpg_arm::sac::{Decision, FEATURE_NAMES, features};
 use tpg_arm::{Arm, JOINTS, Pose};
 use tpg_engine::random::Stream;
-use tpg_engine::{
-    Act, ActionSpace, Drawn, Environment, EpisodeResult, Measure, Output, Preference, SourceSet, Step, TaskSet,
-    Training,
-};
+use tpg_engine::{Act, ActionSpace, Environment, Measure, Output, Preference, SourceSet, Step, TaskSet, Training};
 use tpg_graph::SourceDocument;
 
 /// The names of the motors, in order.
@@ -148,12 +143,19 @@ impl Environment<f32> for Motors {
         self.fresh(start, Rules::Training, stream)
     }
 
-    fn training(&self) -> Option<&dyn Training<MotorsTask, MotorsEpisode>> {
+    fn training(&self) -> Option<&dyn Training<MotorsTask>> {
         Some(self)
     }
 
-    fn drawn(&self) -> Option<&dyn Drawn<MotorsEpisode>> {
-        Some(self)
+    /// Training begins there, unless the hand is at its target already.
+    fn task_from(&self, episode: &MotorsEpisode) -> Option<MotorsTask> {
+        let rules = Rules::Training;
+        let far = f64::from(episode.course.distance) > self.config.tolerance;
+        far.then_some(MotorsTask { start: episode.pose().0, target: episode.course.target, rules })
+    }
+
+    fn moment(&self, episode: &MotorsEpisode) -> Vec<f64> {
+        drawing::moment(episode.pose(), episode.course.target)
     }
 
     fn accepts(&self, task: &MotorsTask) -> bool {
@@ -180,7 +182,7 @@ impl Environment<f32> for Motors {
     }
 }
 
-impl Training<MotorsTask, MotorsEpisode> for Motors {
+impl Training<MotorsTask> for Motors {
     /// For calibration there are `count` of each start.
     fn tasks(&self, set: TaskSet, seed: u64, count: usize) -> Option<Vec<MotorsTask>> {
         let own = [self.start];
@@ -202,27 +204,6 @@ impl Training<MotorsTask, MotorsEpisode> for Motors {
             tasks.extend((0..count).map(|_| self.fresh(start, Rules::Test(start), stream)));
         }
         Some(tasks)
-    }
-
-    /// Training begins there, unless the hand is at its target already.
-    fn task_from(&self, episode: &MotorsEpisode) -> Option<MotorsTask> {
-        let rules = Rules::Training;
-        let far = f64::from(episode.course.distance) > self.config.tolerance;
-        far.then_some(MotorsTask { start: episode.pose().0, target: episode.course.target, rules })
-    }
-}
-
-impl Drawn<MotorsEpisode> for Motors {
-    fn figures(&self, endings: &[EpisodeResult]) -> Map<String, Value> {
-        figures(endings)
-    }
-
-    fn moment(&self, episode: &MotorsEpisode) -> Vec<f64> {
-        drawing::moment(episode.pose(), episode.course.target)
-    }
-
-    fn picture(&self, moments: &[Vec<f64>]) -> String {
-        drawing::picture(&self.description, moments)
     }
 }
 

@@ -2,10 +2,10 @@
 
 use super::Task;
 use crate::rows::{self, finite, numbers, pose};
-use std::fs;
 use std::path::Path;
 use tpg_arm::{Arm, JOINTS, Pose};
 use tpg_graph::error::InputError;
+use tpg_graph::files::read_text;
 
 const HEADER: [&str; JOINTS + 3] =
     ["start_base", "start_shoulder", "start_elbow", "start_wrist", "target_x_mm", "target_y_mm", "target_z_mm"];
@@ -25,7 +25,7 @@ pub fn to_csv(tasks: &[Task]) -> String {
 /// # Errors
 /// If the file cannot be read, has a different header, or contains a value that is not a number in the arm's range.
 pub fn read_csv(arm: &Arm<f64>, path: &Path) -> Result<Vec<Task>, InputError> {
-    let text = fs::read_to_string(path).map_err(|error| InputError::io(path, &error, "a file of episodes"))?;
+    let text = read_text(path, "a file of episodes")?;
     parse_csv(arm, &path.display().to_string(), &text)
 }
 
