@@ -55,7 +55,7 @@ impl Space {
 impl Space {
     /// Returns the sources of an observation, then those of a graph's memory.
     pub(crate) fn seen_by(&self, graph: &Graph) -> Vec<SourceDocument> {
-        let own = graph.state_sources();
+        let own = graph.sources();
         self.sources.iter().chain(&own[own.len() - graph.memory()..]).cloned().collect()
     }
 

@@ -116,7 +116,7 @@ impl<S: Scalar, M: Maths<S>> Engine for Trainer<S, M> {
 }
 
 fn trainer<'g, S: Scalar, M: Maths<S> + 'static>(graph: &'g Graph) -> Box<dyn Engine + 'g> {
-    let plan = Plan::new::<M>(&PolicyGraph::from(graph), &graph.state_sources());
+    let plan = Plan::new::<M>(&PolicyGraph::from(graph), graph.sources());
     Box::new(Trainer::<S, M>(Single::new(plan), graph.state_length()))
 }
 

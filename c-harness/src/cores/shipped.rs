@@ -137,7 +137,7 @@ impl Shipped {
     /// Reads a graph, unless it sees an image.
     fn load(path: &Path) -> Result<Option<Self>, Failure> {
         let graph = import::load(path, None, None)?;
-        if Vision::new(&graph.state_sources()).is_some() {
+        if Vision::new(graph.sources()).is_some() {
             return Ok(None);
         }
         if graph.scalar() != ScalarType::F32 {

@@ -157,7 +157,7 @@ impl<E> Remembering<E> {
     where
         E: Environment<S>,
     {
-        let known = graph.state_sources();
+        let known = graph.sources();
         let (mut counts, mut units) = (Vec::new(), Units::default());
         for source in environment.sources() {
             let same = known.iter().find(|known| known.name == source.name && known.length == source.length);

@@ -58,7 +58,7 @@ mod tests {
     use tpg_runtime::scalar::Scalar;
 
     fn answers<S: Scalar, M: Maths<S>>(graph: &Graph, states: &[f64]) -> Vec<Answer> {
-        let single = Single::<S, M>::new(Plan::new::<M>(&PolicyGraph::from(graph), &graph.state_sources()));
+        let single = Single::<S, M>::new(Plan::new::<M>(&PolicyGraph::from(graph), graph.sources()));
         let rounded: Vec<S> = states.iter().map(|&value| S::from_f64(value)).collect();
         rounded.chunks_exact(graph.state_length()).map(|state| single.answer(state)).collect()
     }

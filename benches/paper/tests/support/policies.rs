@@ -29,7 +29,7 @@ impl<S: Number, M: Maths<S>> GraphPolicy<S, M> {
     /// If the graph reads sources that the arm does not have, or has actions that do not state their move.
     pub(crate) fn new(file: &str, graph: &Graph, arm: &Arm<f64>) -> Result<Self, InputError> {
         let binding = Binding::of_graph(file, graph)?;
-        let plan = Plan::new::<M>(&PolicyGraph::from(graph), &graph.state_sources());
+        let plan = Plan::new::<M>(&PolicyGraph::from(graph), graph.sources());
         let state = RefCell::new(vec![S::ZERO; binding.state_length()]);
         Ok(Self { arm: S::arm(arm), single: Single::new(plan), binding, memo: TargetMemo::new(), state })
     }

@@ -2,16 +2,11 @@
 
 use super::document::{
     Document, EdgeDocument, FORMAT, LeafDocument, LineDocument, MemoryDocument, OperandDocument, OutputDocument,
-    ProgramDocument, SourceDocument, TeamDocument,
+    ProgramDocument, TeamDocument,
 };
 use super::graph::{Destination, Edge, Graph, Line, Operand, Output, ProgramId};
 
 impl Graph {
-    /// Returns the sources of a flat state as documents, those of the memory among them.
-    pub fn state_sources(&self) -> Vec<SourceDocument> {
-        self.sources.clone()
-    }
-
     /// Converts the graph to a document.
     pub fn to_document(&self) -> Document {
         let operand = |operand: &Operand| match *operand {
