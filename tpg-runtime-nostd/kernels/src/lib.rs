@@ -78,7 +78,17 @@ pub fn hidden(kind: Kind, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) {
     }
     #[cfg(tpg_thumb2)]
     chosen::layer(kind, blocks, inputs, outputs);
+    // A loop for each kind, so that none asks which it is.
     #[cfg(not(tpg_thumb2))]
+    match kind {
+        Kind::W8A16 => each(Kind::W8A16, blocks, inputs, outputs),
+        Kind::W16A16 => each(Kind::W16A16, blocks, inputs, outputs),
+    }
+}
+
+#[cfg(not(tpg_thumb2))]
+#[inline(always)]
+fn each(kind: Kind, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) {
     for (block, outputs) in blocks.chunks_exact(kind.block(inputs.len())).zip(outputs.as_chunks_mut::<2>().0) {
         *outputs = portable::clip(portable::rescale(kind, block, inputs, chosen::accumulate(kind, block, inputs)));
     }

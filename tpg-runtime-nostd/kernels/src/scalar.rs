@@ -24,7 +24,7 @@ fn halves(words: &[u32]) -> &[i16] {
 }
 
 /// The accumulators of a block's rows.
-#[inline]
+#[inline(always)]
 pub(crate) fn accumulate(kind: Kind, block: &[u32], inputs: &[u32]) -> [i32; ROWS] {
     let Some((biases, weights)) = block.split_first_chunk::<ROWS>() else { return [0; ROWS] };
     let sums = biases.map(|bias| bias as i32);
