@@ -1,10 +1,10 @@
 /*
- * A policy for space-invaders, score 66.88 in validation, trained by tpg-train 0.1.0 with seed 4.
+ * A policy for space-invaders, score 80.39 in validation, trained by tpg-train 0.1.0 with seed 1.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix space_invaders --profile fast
- * Graph SHA-256: 2a7b9c8d4594307dd8bf2ad54345a496599b5de7ca0dfd4ea2d75fa06ffc0f6d
- * 5 teams (5 on the longest walk), 25 edges, 25 programs, 18 distinct operations.
- * A decision takes at most 25 bids and 24 operations.
+ * Graph SHA-256: aa7897b6b178fc99ebd8050d3e58d064855680089d016b30128b58cad8a6e11a
+ * 6 teams (5 on the longest walk), 33 edges, 33 programs, 23 distinct operations.
+ * A decision takes at most 28 bids and 25 operations.
  * Computes in f32 with own maths.
  */
 #include "space_invaders.h"
@@ -38,11 +38,6 @@ static float space_invaders_negate_if_less(float a, float b)
     return (a < b) ? -a : a;
 }
 
-static float space_invaders_min(float a, float b)
-{
-    return (a < b) ? a : b;
-}
-
 static float space_invaders_max(float a, float b)
 {
     return (a > b) ? a : b;
@@ -53,174 +48,171 @@ space_invaders_action_t space_invaders_infer(const space_invaders_state_t *state
 {
     {
         float best = -FLT_MAX;
-        uint32_t next = 3U;
-        const float to_team_2 = space_invaders_max(-0.009387939f, state->alien_at[0]);
-        if (to_team_2 >= best) {
-            best = to_team_2;
+        uint32_t next = 4U;
+        const float to_team_3 = state->alien_at[1] + state->alien_at[2];
+        if (to_team_3 >= best) {
+            best = to_team_3;
             next = 1U;
         }
 
-        const float left = state->bullet_near[4] * state->bullet_at[0];
+        const float left = state->alien_left_near - 0.013731253f;
         if (left >= best) {
             best = left;
             next = 2U;
         }
 
-        const float left_2 = state->bullet_at[0] * state->bullet_near[1];
-        if (left_2 >= best) {
-            best = left_2;
-            next = 2U;
+        const float to_team_1 = state->cannon_at[3] + state->cannon_at[0];
+        if (to_team_1 >= best) {
+            best = to_team_1;
+            next = 3U;
         }
 
-        const float to_team_1 = space_invaders_max(-0.025351083f, state->alien_at[0]);
-        if (to_team_1 >= best) {
-            next = 3U;
+        if (0.0f >= best) {
+            next = 4U;
         }
 
         if (next == 1U) {
-            goto team_2;
-        }
-        if (next == 2U) {
-            return SPACE_INVADERS_LEFT;
-        }
-    }
-
-    {
-        float best = -FLT_MAX;
-        uint32_t next = 3U;
-        const float to_team_2 = space_invaders_max(-0.011006754f, state->alien_at[0]);
-        if (to_team_2 >= best) {
-            best = to_team_2;
-            next = 1U;
-        }
-
-        const float to_team_3 = space_invaders_min(state->bullet_at[1], state->alien_right_at[0]);
-        if (to_team_3 >= best) {
-            best = to_team_3;
-            next = 3U;
-        }
-
-        const float left = state->bullet_near[4] * state->bullet_at[0];
-        if (left >= best) {
-            best = left;
-            next = 2U;
-        }
-
-        const float to_team_3_2 = space_invaders_min(0.0f, state->own_bullet_near);
-        if (to_team_3_2 >= best) {
-            next = 3U;
-        }
-
-        if (next == 2U) {
-            return SPACE_INVADERS_LEFT;
-        }
-        if (next == 3U) {
             goto team_3;
         }
+        if (next == 2U) {
+            return SPACE_INVADERS_LEFT;
+        }
+        if (next == 4U) {
+            return SPACE_INVADERS_RIGHT;
+        }
     }
 
-team_2:
     {
         float best = -FLT_MAX;
-        uint32_t next = 4U;
-        const float to_team_4 = space_invaders_max(0.005276723f, state->alien_at[1]);
-        if (to_team_4 >= best) {
-            best = to_team_4;
+        uint32_t next = 5U;
+        const float to_team_2 = state->alien_at[0] + state->cannon_at[2];
+        if (to_team_2 >= best) {
+            best = to_team_2;
             next = 1U;
         }
 
-        const float right = space_invaders_min(state->cannon_at[1], state->bullet_near[0]);
-        if (right >= best) {
-            best = right;
-            next = 2U;
-        }
-
-        const float left = state->bullet_near[2] * state->cannon_at[0];
+        const float left = state->alien_left_at + state->own_bullet_at[1];
         if (left >= best) {
             best = left;
             next = 4U;
         }
 
-        const float left_2 = state->bullet_at[0] * state->bullet_near[1];
+        /* Volatile: for a 0 that they know, compilers may take max(0, x), which is wrong for NaN. */
+        const volatile float constant = 0.0f;
+        const float zero = constant;
+        if (zero >= best) {
+            best = zero;
+            next = 2U;
+        }
+
+        const float fire = space_invaders_max(state->bullet_at[0], state->alien_left_at);
+        if (fire >= best) {
+            best = fire;
+            next = 3U;
+        }
+
+        const float left_2 = state->alien_at[1] + state->alien_at[0];
         if (left_2 >= best) {
             best = left_2;
             next = 4U;
         }
 
-        const float left_3 = state->bullet_near[3] * state->bullet_at[1];
-        if (left_3 >= best) {
-            best = left_3;
-            next = 4U;
+        const float to_team_4 = 0.0f * state->alien_right_near;
+        if (to_team_4 >= best) {
+            next = 5U;
         }
 
-        const float to_team_3 = space_invaders_min(state->cannon_at[1], state->alien_right_at[0]);
-        if (to_team_3 >= best) {
-            best = to_team_3;
-            next = 3U;
-        }
-
-        const float left_4 = state->cannon_at[1] * state->bullet_near[2];
-        if (left_4 >= best) {
-            next = 4U;
-        }
-
-        if (next == 1U) {
-            goto team_4;
-        }
         if (next == 2U) {
             return SPACE_INVADERS_RIGHT;
+        }
+        if (next == 3U) {
+            return SPACE_INVADERS_FIRE;
         }
         if (next == 4U) {
             return SPACE_INVADERS_LEFT;
         }
+        if (next == 5U) {
+            goto team_4;
+        }
+    }
+
+    {
+        float best = -FLT_MAX;
+        uint32_t next = 3U;
+        const float left = state->alien_at[1] + state->alien_at[0];
+        if (left >= best) {
+            best = left;
+            next = 1U;
+        }
+
+        const float to_team_4 = state->cannon_at[3] + state->own_bullet_at[0];
+        if (to_team_4 >= best) {
+            best = to_team_4;
+            next = 3U;
+        }
+
+        /* Volatile: for a 0 that they know, compilers may take max(0, x), which is wrong for NaN. */
+        const volatile float constant = 0.0f;
+        const float zero = constant;
+        if (zero >= best) {
+            best = zero;
+            next = 2U;
+        }
+
+        const float to_team_4_2 = state->cannon_at[3] + state->cannon_at[0];
+        if (to_team_4_2 >= best) {
+            next = 3U;
+        }
+
+        if (next == 1U) {
+            return SPACE_INVADERS_LEFT;
+        }
+        if (next == 2U) {
+            return SPACE_INVADERS_FIRE;
+        }
+        goto team_4;
     }
 
 team_3:
     {
         float best = -FLT_MAX;
-        uint32_t next = 4U;
-        const float right = space_invaders_min(state->cannon_at[1], state->alien_right_at[0]);
-        if (right >= best) {
-            best = right;
+        uint32_t next = 3U;
+        const float left = state->alien_at[1] + state->alien_at[0];
+        if (left >= best) {
+            best = left;
             next = 3U;
         }
 
-        const float fire = space_invaders_min(state->alien_near, state->alien_at[1]);
-        if (fire >= best) {
-            best = fire;
+        /* Volatile: for a 0 that they know, compilers may take max(0, x), which is wrong for NaN. */
+        const volatile float constant = 0.0f;
+        const float zero = constant;
+        if (zero >= best) {
+            best = zero;
             next = 1U;
         }
 
-        const float to_team_4 = space_invaders_max(0.006655848f, state->alien_at[1]);
+        const float to_team_4 =
+            space_invaders_negate_if_less(state->cannon_at[3], state->cannon_at[2]);
         if (to_team_4 >= best) {
             best = to_team_4;
             next = 2U;
         }
 
-        const float right_2 = space_invaders_min(state->cannon_at[1], state->bullet_near[0]);
-        if (right_2 >= best) {
-            best = right_2;
+        const float to_team_4_2 = state->cannon_at[3] + state->cannon_at[0];
+        if (to_team_4_2 >= best) {
+            best = to_team_4_2;
+            next = 2U;
+        }
+
+        const float left_2 = state->cannon_at[1] + state->bullet_at[1];
+        if (left_2 >= best) {
             next = 3U;
         }
 
-        const float left = state->bullet_near[2] * state->bullet_at[1];
-        if (left >= best) {
-            best = left;
-            next = 4U;
-        }
-
-        const float left_2 = state->bullet_at[0] * state->bullet_near[1];
-        if (left_2 >= best) {
-            next = 4U;
-        }
-
         if (next == 1U) {
-            return SPACE_INVADERS_FIRE;
+            return SPACE_INVADERS_STAY;
         }
         if (next == 3U) {
-            return SPACE_INVADERS_RIGHT;
-        }
-        if (next == 4U) {
             return SPACE_INVADERS_LEFT;
         }
     }
@@ -228,27 +220,98 @@ team_3:
 team_4:
     {
         float best = -FLT_MAX;
+        uint32_t next = 3U;
+        const float fire = state->cannon_at[0] + state->bullet_at[1];
+        if (fire >= best) {
+            best = fire;
+            next = 2U;
+        }
+
+        const float to_team_5 = state->cannon_at[2] + state->cannon_at[1];
+        if (to_team_5 >= best) {
+            best = to_team_5;
+            next = 1U;
+        }
+
+        const float to_team_5_2 = state->cannon_at[3] + state->cannon_at[0];
+        if (to_team_5_2 >= best) {
+            best = to_team_5_2;
+            next = 1U;
+        }
+
+        const float fire_2 =
+            space_invaders_negate_if_less(state->bullet_near[2], state->own_bullet_near);
+        if (fire_2 >= best) {
+            best = fire_2;
+            next = 2U;
+        }
+
+        const float fire_3 = space_invaders_max(state->bullet_near[1], state->alien_at[1]);
+        if (fire_3 >= best) {
+            best = fire_3;
+            next = 2U;
+        }
+
+        const float left = state->cannon_at[1] + state->bullet_at[2];
+        if (left >= best) {
+            next = 3U;
+        }
+
+        if (next == 2U) {
+            return SPACE_INVADERS_FIRE;
+        }
+        if (next == 3U) {
+            return SPACE_INVADERS_LEFT;
+        }
+    }
+
+    {
+        float best = -FLT_MAX;
         space_invaders_action_t action = SPACE_INVADERS_FIRE;
-        const float fire = state->alien_right_at[1] + state->alien_left_near[2];
+        const float fire = space_invaders_max(state->bullet_near[0], state->alien_at[1]);
         if (fire >= best) {
             best = fire;
             action = SPACE_INVADERS_FIRE;
         }
 
-        const float fire_2 =
-            space_invaders_negate_if_less(state->alien_left_near[1], state->alien_left_near[0]);
+        const float right = state->cannon_at[0] * state->bullet_at[3];
+        if (right >= best) {
+            best = right;
+            action = SPACE_INVADERS_RIGHT;
+        }
+
+        const float fire_2 = state->cannon_at[3] * state->bullet_at[2];
         if (fire_2 >= best) {
             best = fire_2;
             action = SPACE_INVADERS_FIRE;
         }
 
-        const float left = state->bullet_near[2] * state->bullet_at[1];
+        const float left = state->cannon_at[3] + state->bullet_at[2];
         if (left >= best) {
             best = left;
             action = SPACE_INVADERS_LEFT;
         }
 
-        if (0.0f >= best) {
+        const float fire_3 = state->alien_at[0] - state->bullet_at[3];
+        if (fire_3 >= best) {
+            best = fire_3;
+            action = SPACE_INVADERS_FIRE;
+        }
+
+        const float right_2 = state->bullet_at[0] / 0.16811664f;
+        if (right_2 >= best) {
+            best = right_2;
+            action = SPACE_INVADERS_RIGHT;
+        }
+
+        const float left_2 = state->cannon_at[1] + state->bullet_at[2];
+        if (left_2 >= best) {
+            best = left_2;
+            action = SPACE_INVADERS_LEFT;
+        }
+
+        const float fire_4 = state->cannon_at[3] * state->bullet_at[0];
+        if (fire_4 >= best) {
             action = SPACE_INVADERS_FIRE;
         }
 
@@ -316,29 +379,32 @@ void space_invaders_look(const uint8_t *image, uint32_t stride, space_invaders_s
     const space_invaders_place_t place_0 = space_invaders_first(&image[0U], stride);
     const space_invaders_place_t place_1 = space_invaders_last(&image[0U], stride);
     const space_invaders_place_t place_2 = space_invaders_first(&image[1U], stride);
-    const space_invaders_place_t place_3 = space_invaders_first(&image[3U], stride);
-    const space_invaders_place_t place_4 = space_invaders_last(&image[3U], stride);
-    const space_invaders_place_t place_5 = space_invaders_first(&image[5U], stride);
-    const space_invaders_place_t place_6 = space_invaders_last(&image[5U], stride);
+    const space_invaders_place_t place_3 = space_invaders_last(&image[1U], stride);
+    const space_invaders_place_t place_4 = space_invaders_first(&image[2U], stride);
+    const space_invaders_place_t place_5 = space_invaders_first(&image[4U], stride);
+    const space_invaders_place_t place_6 = space_invaders_first(&image[5U], stride);
+    const space_invaders_place_t place_7 = space_invaders_last(&image[5U], stride);
 
-    state->cannon_at[0] = (float)place_0.column;
-    state->cannon_at[1] = (float)place_1.row;
+    state->cannon_at[0] = (float)place_0.row;
+    state->cannon_at[1] = (float)place_0.column;
+    state->cannon_at[2] = (float)place_1.row;
+    state->cannon_at[3] = (float)place_1.column;
     state->alien_at[0] = (float)place_2.row;
     state->alien_at[1] = (float)place_2.column;
-    state->alien_near = (float)space_invaders_cell(&image[1U], stride, place_0, -1, -2);
-    state->alien_left_near[0] = (float)space_invaders_cell(&image[2U], stride, place_0, -2, 1);
-    state->alien_left_near[1] = (float)space_invaders_cell(&image[2U], stride, place_0, -1, 3);
-    state->alien_left_near[2] = (float)space_invaders_cell(&image[2U], stride, place_0, 4, -4);
-    state->alien_right_at[0] = (float)place_3.row;
-    state->alien_right_at[1] = (float)place_4.column;
-    state->own_bullet_near = (float)space_invaders_cell(&image[4U], stride, place_0, -4, 0);
-    state->bullet_at[0] = (float)place_5.column;
-    state->bullet_at[1] = (float)place_6.row;
-    state->bullet_near[0] = (float)space_invaders_cell(&image[5U], stride, place_0, -4, 0);
-    state->bullet_near[1] = (float)space_invaders_cell(&image[5U], stride, place_0, -3, 0);
-    state->bullet_near[2] = (float)space_invaders_cell(&image[5U], stride, place_0, -2, 0);
-    state->bullet_near[3] = (float)space_invaders_cell(&image[5U], stride, place_0, -2, 1);
-    state->bullet_near[4] = (float)space_invaders_cell(&image[5U], stride, place_0, -1, 0);
+    state->alien_at[2] = (float)place_3.row;
+    state->alien_left_at = (float)place_4.column;
+    state->alien_left_near = (float)space_invaders_cell(&image[2U], stride, place_0, 0, -1);
+    state->alien_right_near = (float)space_invaders_cell(&image[3U], stride, place_0, 2, -4);
+    state->own_bullet_at[0] = (float)place_5.row;
+    state->own_bullet_at[1] = (float)place_5.column;
+    state->own_bullet_near = (float)space_invaders_cell(&image[4U], stride, place_0, 0, -1);
+    state->bullet_at[0] = (float)place_6.row;
+    state->bullet_at[1] = (float)place_6.column;
+    state->bullet_at[2] = (float)place_7.row;
+    state->bullet_at[3] = (float)place_7.column;
+    state->bullet_near[0] = (float)space_invaders_cell(&image[5U], stride, place_0, -2, 2);
+    state->bullet_near[1] = (float)space_invaders_cell(&image[5U], stride, place_0, -1, -4);
+    state->bullet_near[2] = (float)space_invaders_cell(&image[5U], stride, place_0, 4, 0);
 }
 
 #ifndef SPACE_INVADERS_NO_SELFTEST
@@ -373,52 +439,52 @@ static uint32_t space_invaders_arithmetic(void)
 uint32_t space_invaders_selftest(void)
 {
     static const space_invaders_state_t states[24] = {
-        { { 3.0248566f, -0.19616291f }, { 4.965602f, 1.1932458f }, 0.2836906f, { 0.7106102f, 0.46108818f, 0.1526527f }, { 7.747811f, 6.066241f }, 0.48325714f, { 4.7720914f, -0.005404772f }, { 0.26391757f, 0.4534597f, 0.28022873f, 0.99103236f, 0.91235495f } },
-        { { 8.471175f, 0.33243912f }, { 2.436841f, 3.8030224f }, 0.39733443f, { 0.013697542f, 0.048919685f, 0.18512952f }, { 4.2552495f, 1.6813247f }, 0.08841649f, { 0.0045458893f, 8.910168f }, { 0.6949953f, 0.108245455f, 0.57967204f, 0.73074764f, 0.7046505f } },
-        { { 1.2342087f, 8.531366f }, { 0.28230762f, 5.3252273f }, 0.80388886f, { 0.5813457f, 0.89960766f, 0.3793073f }, { 3.7683718f, 8.2218895f }, 0.3385435f, { 5.2581854f, 1.8172845f }, { 0.22682902f, 0.5718627f, 0.9364328f, 0.3449127f, 0.90732276f } },
-        { { 8.961968f, 7.893838f }, { 6.3242044f, 4.1522765f }, 0.6499256f, { 0.568612f, 0.61433357f, 0.47202012f }, { 5.4837527f, 5.0657988f }, 0.065146215f, { 1.4056326f, 3.2051163f }, { 0.3658804f, 0.36268634f, 0.2545297f, 0.58948886f, 0.2752873f } },
-        { { 7.6034403f, 4.813712f }, { 6.055111f, 7.270483f }, 0.2730502f, { 0.6212412f, 0.89740884f, 0.061198592f }, { 1.3357649f, 1.0548251f }, 0.73576653f, { 7.7575674f, 1.8516524f }, { 0.73233306f, 0.055299334f, 0.111906275f, 0.7451749f, 0.7805425f } },
-        { { 7.60344f, 4.813712f }, { 6.055111f, 7.270483f }, 0.2730502f, { 0.6212412f, 0.8974088f, 0.061198592f }, { 1.3357649f, 1.0548251f }, 0.73576653f, { 7.7575674f, 1.8516524f }, { 0.73233306f, 0.055299334f, 0.11190628f, 0.7451749f, 0.78054243f } },
-        { { 5.8096695f, 5.778118f }, { 0.78445745f, 5.074916f }, 0.7735326f, { 0.33396637f, 0.47089702f, 0.4087906f }, { 5.074917f, 1.8826957f }, 0.4920326f, { 1.5864272f, -0.18677998f }, { 0.15220815f, 0.3776549f, 0.24287918f, 0.9749421f, 0.0794218f } },
-        { { 5.8096695f, 5.778118f }, { 0.78445745f, 5.0749164f }, 0.7735326f, { 0.3339664f, 0.47089702f, 0.40879056f }, { 5.0749164f, 1.8826957f }, 0.4920326f, { 1.5864273f, -0.18677999f }, { 0.15220815f, 0.3776549f, 0.24287918f, 0.9749421f, 0.0794218f } },
-        { { 4.6809397f, 4.3207445f }, { 6.7371883f, 2.7111526f }, 0.5956359f, { 0.31062055f, 0.25224143f, 0.22871599f }, { 2.7111526f, 1.5388427f }, 0.08863926f, { 1.8842902f, 3.145852f }, { 0.55492806f, 0.48039466f, 0.22821856f, 0.07750225f, 0.33037806f } },
-        { { 4.6809397f, 4.3207445f }, { 6.7371883f, 2.7111523f }, 0.5956359f, { 0.31062055f, 0.25224146f, 0.22871599f }, { 2.7111526f, 1.5388427f }, 0.08863925f, { 1.8842902f, 3.145852f }, { 0.55492806f, 0.4803947f, 0.22821857f, 0.07750225f, 0.33037806f } },
-        { { 7.3770766f, 6.293498f }, { 2.1553094f, 4.375427f }, 0.18649796f, { 0.56964207f, 0.83072793f, 0.38468498f }, { 7.341204f, -0.5338738f }, 0.64028823f, { 2.7532644f, 1.0887212f }, { 0.507771f, 0.7828196f, 0.6563172f, 0.37395233f, 0.30339003f } },
-        { { 7.377077f, 6.293498f }, { 2.1553092f, 4.3754272f }, 0.18649796f, { 0.56964207f, 0.83072793f, 0.38468498f }, { 7.3412046f, -0.5338738f }, 0.64028823f, { 2.7532644f, 1.088721f }, { 0.507771f, 0.7828196f, 0.65631723f, 0.37395233f, 0.30339003f } },
-        { { 6.2272835f, 6.7250366f }, { 1.8900946f, 2.7481818f }, 0.3039418f, { 0.47473955f, 0.70660436f, 0.42237622f }, { 7.2278147f, 1.1709919f }, 0.8646536f, { 2.9254932f, 2.2854695f }, { 0.43668532f, 0.6460773f, 0.8170272f, 0.49465507f, 0.58933294f } },
-        { { 6.2272835f, 6.7250366f }, { 1.8900948f, 2.7481818f }, 0.3039418f, { 0.47473955f, 0.70660436f, 0.42237622f }, { 7.2278147f, 1.1709919f }, 0.8646536f, { 2.9254932f, 2.2854695f }, { 0.43668532f, 0.6460773f, 0.8170272f, 0.49465507f, 0.58933294f } },
-        { { 3.2062654f, 5.6266775f }, { 3.2778158f, 0.04180479f }, 0.6209705f, { 0.29171437f, 0.3631984f, 0.3744244f }, { 5.12068f, 3.971807f }, 0.94358504f, { 3.5113888f, 4.9287004f }, { 0.36622554f, 0.40310556f, 0.8835983f, 0.5612514f, 0.93348134f } },
-        { { 3.2062654f, 5.626677f }, { 3.2778158f, 0.04180479f }, 0.6209705f, { 0.29171437f, 0.36319843f, 0.3744244f }, { 5.12068f, 3.971807f }, 0.94358504f, { 3.511389f, 4.9287004f }, { 0.36622554f, 0.4031056f, 0.8835983f, 0.5612514f, 0.93348134f } },
-        { { 6.2605247f, 3.917576f }, { 4.2864814f, 1.9342368f }, 0.33323586f, { 0.4602545f, 0.36979812f, 0.75622785f }, { 4.286481f, 6.572097f }, 0.34258032f, { 2.9250538f, 4.4986544f }, { 0.83355296f, 0.53191257f, 0.69887495f, 0.5965739f, 0.57509923f } },
-        { { 6.2605247f, 3.9175763f }, { 4.286481f, 1.9342368f }, 0.33323586f, { 0.4602545f, 0.36979812f, 0.75622785f }, { 4.286481f, 6.572097f }, 0.34258032f, { 2.925054f, 4.4986544f }, { 0.83355296f, 0.53191257f, 0.69887495f, 0.59657395f, 0.57509923f } },
-        { { 5.4951577f, 4.4719267f }, { 2.8831775f, 0.21066353f }, 0.17874068f, { 0.44647962f, 0.4617998f, 0.6984881f }, { 5.742752f, 5.545534f }, 0.08677624f, { 3.5113292f, 6.0151715f }, { 0.81437767f, 0.45975822f, 0.5966033f, 0.756184f, 0.82110715f } },
-        { { 5.4951572f, 4.4719267f }, { 2.8831773f, 0.21066353f }, 0.17874068f, { 0.44647962f, 0.4617998f, 0.6984881f }, { 5.742752f, 5.545534f }, 0.08677624f, { 3.5113292f, 6.015172f }, { 0.81437767f, 0.45975822f, 0.5966033f, 0.756184f, 0.82110715f } },
-        { { 3.4544349f, 1.8694429f }, { 2.84018f, 5.216563f }, 0.17978132f, { 0.45780563f, 0.61393976f, 0.2968213f }, { 4.5913124f, 4.172785f }, 0.69816995f, { 3.732719f, 6.7300606f }, { 0.8317231f, 0.34846747f, 0.5895587f, 0.6792252f, 0.76088774f } },
-        { { 3.4544349f, 1.8694429f }, { 2.8401802f, 5.216563f }, 0.17978132f, { 0.45780563f, 0.61393976f, 0.2968213f }, { 4.5913124f, 4.172785f }, 0.69816995f, { 3.732719f, 6.7300606f }, { 0.8317231f, 0.34846747f, 0.5895587f, 0.6792252f, 0.76088774f } },
-        { { 6.592314f, 1.3137561f }, { 6.654947f, 3.3151145f }, 0.28306705f, { 0.7563524f, 0.8482702f, 0.8749243f }, { 0.3300951f, 5.857856f }, 0.8266672f, { 0.8793685f, 3.8206527f }, { 0.74408233f, 0.1829091f, 0.13371679f, 0.8676827f, 0.87701833f } },
-        { { 6.592314f, 1.3137562f }, { 6.6549463f, 3.3151145f }, 0.28306705f, { 0.7563524f, 0.8482702f, 0.8749243f }, { 0.3300951f, 5.857856f }, 0.8266672f, { 0.87936854f, 3.820653f }, { 0.74408233f, 0.1829091f, 0.13371679f, 0.8676827f, 0.87701833f } },
+        { { 3.0248566f, -0.19616291f, 4.965602f, 1.1932458f }, { 1.836906f, 6.1061025f, 3.6108818f }, 0.526527f, 0.8747811f, 0.7066241f, { 3.8325715f, 4.7720914f }, 0.09945952f, { 1.6391757f, 3.5345972f, 1.8022872f, 8.910324f }, { 0.91235495f, 0.94711745f, 0.13324392f } },
+        { { 2.436841f, 3.8030224f, 2.9733443f, -0.8630246f }, { -0.51080316f, 0.85129523f, 4.2552495f }, 1.6813247f, 0.08841649f, 0.10045459f, { 8.910168f, 5.949953f }, 0.108245455f, { 4.7967205f, 6.307476f, 6.0465055f, 1.2342087f }, { 0.9531366f, 0.12823077f, 0.6325227f } },
+        { { 7.0388885f, 4.8134565f, 7.9960766f, 2.7930732f }, { 3.7683718f, 8.2218895f, 2.3854349f }, 5.2581854f, 0.28172845f, 0.22682902f, { 4.718627f, 8.364327f }, 0.3449127f, { 8.073228f, 8.961968f, 7.893838f, 6.3242044f }, { 0.5152277f, 0.6499256f, 0.568612f } },
+        { { 5.143336f, 3.7202013f, 5.4837527f, 5.0657988f }, { -0.3485379f, 1.4056326f, 3.2051163f }, 2.6588042f, 0.36268634f, 0.2545297f, { 4.8948884f, 1.752873f }, 0.8901086f, { 5.5411043f, 1.1645395f, 5.2069616f, 2.6287687f }, { 0.2533876f, 0.98349655f, 0.53900975f } },
+        { { 4.6585894f, 0.59535086f, 5.481292f, 5.3872795f }, { 2.5496373f, 2.7665567f, 5.1326685f }, 1.9643068f, 0.19022492f, 0.5648037f, { 5.4908285f, 4.1827097f }, 0.23947802f, { 4.4214754f, -0.0068734894f, 4.881879f, 3.1574688f }, { 0.3587888f, 0.57854974f, 0.7423154f } },
+        { { 6.3314266f, 4.5339355f, 6.727784f, 6.3999977f }, { 1.8936076f, 5.335739f, 7.9895105f }, -0.84192f, 0.2469871f, 0.20067364f, { 5.365844f, 7.315606f }, 0.3330018f, { 5.9968796f, 0.771888f, -0.055609122f, 6.0618277f }, { 0.761317f, 0.66944826f, 0.8235915f } },
+        { { 6.331426f, 4.5339355f, 6.727784f, 6.399997f }, { 1.8936076f, 5.335739f, 7.9895105f }, -0.84192f, 0.2469871f, 0.20067364f, { 5.365844f, 7.3156056f }, 0.3330018f, { 5.996879f, 0.771888f, -0.055609126f, 6.0618277f }, { 0.761317f, 0.66944826f, 0.8235915f } },
+        { { 5.188699f, 2.655776f, 2.4355903f, 7.658065f }, { 4.506919f, 8.339846f, 4.7742567f }, -0.66308224f, 0.23485115f, 0.7574208f, { 5.4039354f, 7.4115486f }, 0.8240906f, { 3.1467528f, 1.2813895f, 1.6357708f, 7.3393965f }, { 0.79827845f, 0.49892855f, 0.38283908f } },
+        { { 5.188699f, 2.655776f, 2.4355903f, 7.6580653f }, { 4.5069184f, 8.339846f, 4.7742567f }, -0.66308224f, 0.23485115f, 0.7574208f, { 5.4039354f, 7.4115486f }, 0.8240906f, { 3.146753f, 1.2813895f, 1.6357707f, 7.3393965f }, { 0.79827845f, 0.49892855f, 0.38283908f } },
+        { { 5.1123962f, 2.74542f, 2.6807704f, 7.899313f }, { 4.298333f, 8.276058f, 4.735652f }, -0.8012366f, 0.23230305f, 0.7456368f, { 5.5994644f, 7.877427f }, 0.84113073f, { 3.2607765f, 1.2474401f, 1.6998761f, 7.323201f }, { 0.8125471f, 0.470142f, 0.39398682f } },
+        { { 5.1123962f, 2.74542f, 2.6807704f, 7.899313f }, { 4.298333f, 8.276057f, 4.735652f }, -0.8012366f, 0.23230307f, 0.7456368f, { 5.599465f, 7.8774266f }, 0.84113073f, { 3.2607765f, 1.2474402f, 1.6998761f, 7.323201f }, { 0.8125471f, 0.470142f, 0.39398682f } },
+        { { 6.5575905f, 2.4768605f, 3.4972987f, 4.732809f }, { 6.036771f, 3.4972978f, 1.1583629f }, 5.7386703f, 0.28438646f, 0.68844223f, { 6.969203f, 1.0505211f }, 0.21905878f, { 7.608121f, 3.8055258f, 6.5332212f, 2.426598f }, { 0.042759813f, 0.72310483f, 0.5541378f } },
+        { { 6.5575905f, 2.4768605f, 3.4972987f, 4.732809f }, { 6.0367703f, 3.4972978f, 1.1583629f }, 5.7386703f, 0.28438643f, 0.68844223f, { 6.969203f, 1.0505213f }, 0.2190588f, { 7.608121f, 3.8055258f, 6.5332212f, 2.4265978f }, { 0.04275981f, 0.72310483f, 0.5541378f } },
+        { { 6.1131687f, 1.6650932f, 5.1484566f, 5.4423265f }, { 5.0725164f, 4.587715f, 2.2988982f }, 6.700575f, 0.16078812f, 0.7986624f, { 7.7822237f, 3.5203977f }, 0.3047259f, { 6.8210955f, 6.177108f, 8.070484f, 1.4596179f }, { 0.12592474f, 0.51089823f, 0.60333025f } },
+        { { 6.1131687f, 1.6650932f, 5.1484566f, 5.4423265f }, { 5.0725164f, 4.587715f, 2.2988982f }, 6.700575f, 0.16078812f, 0.7986624f, { 7.7822237f, 3.520398f }, 0.3047259f, { 6.8210955f, 6.177108f, 8.070484f, 1.4596179f }, { 0.12592475f, 0.51089823f, 0.60333025f } },
+        { { 6.7761574f, -0.5349239f, 6.7119064f, 7.4343185f }, { 3.8697853f, 3.4801269f, 6.352686f }, 3.9786296f, 0.709628f, 0.92653346f, { 2.4928207f, 6.6030617f }, 0.09243156f, { -0.13710266f, 7.2292747f, 8.366816f, 5.779643f }, { 0.46491706f, 0.050719112f, 0.99752486f } },
+        { { 6.7761574f, -0.53492385f, 6.7119064f, 7.4343185f }, { 3.8697853f, 3.4801269f, 6.352686f }, 3.9786294f, 0.709628f, 0.92653346f, { 2.4928207f, 6.6030617f }, 0.09243156f, { -0.13710266f, 7.2292747f, 8.366816f, 5.779643f }, { 0.46491706f, 0.050719112f, 0.99752486f } },
+        { { 4.6585894f, 0.59535086f, 5.4812922f, 5.38728f }, { 2.5496373f, 2.7665567f, 5.1326685f }, 1.9643068f, 0.19022492f, 0.5648037f, { 5.4908285f, 4.1827097f }, 0.23947802f, { 4.421475f, -0.0068734894f, 4.881879f, 3.1574688f }, { 0.35878882f, 0.5785498f, 0.7423154f } },
+        { { 3.9095845f, 0.17530736f, 5.6408415f, 4.0331783f }, { 5.490053f, 0.59594214f, 7.536952f }, 7.294544f, 0.57139695f, 0.15141302f, { 1.6055336f, 3.8803635f }, 0.82431865f, { 4.7010603f, 2.293231f, 6.933263f, 5.049471f }, { 0.34898597f, 0.28867394f, 0.76350796f } },
+        { { 3.9095845f, 0.17530736f, 5.6408415f, 4.033179f }, { 5.4900537f, 0.59594214f, 7.536952f }, 7.294544f, 0.571397f, 0.15141302f, { 1.6055335f, 3.8803632f }, 0.82431865f, { 4.7010603f, 2.293231f, 6.933263f, 5.049471f }, { 0.34898597f, 0.28867397f, 0.76350796f } },
+        { { 0.59716296f, 5.4246063f, 0.33482903f, 6.0565624f }, { -0.21753213f, -0.18079573f, 6.4010944f }, 0.3473397f, 0.59101176f, 0.69501436f, { 4.8198166f, 0.06986078f }, 0.15675223f, { 0.41720045f, 0.2883265f, 4.954857f, 0.8008952f }, { 0.3515504f, 0.34063375f, 0.858503f } },
+        { { 0.59716296f, 5.4246063f, 0.33482903f, 6.0565624f }, { -0.21753213f, -0.18079573f, 6.4010944f }, 0.3473397f, 0.59101176f, 0.69501436f, { 4.8198166f, 0.06986077f }, 0.15675223f, { 0.41720045f, 0.2883265f, 4.954857f, 0.8008952f }, { 0.3515504f, 0.34063375f, 0.858503f } },
+        { { 1.3064253f, -0.2686646f, 1.7542703f, 4.6253824f }, { 0.58900285f, 5.342805f, 6.696905f }, 6.9761744f, 0.63436925f, 0.93406117f, { 1.6553426f, 1.5683043f }, 0.4524188f, { 0.4170357f, 2.4841714f, 3.2032738f, 7.48361f }, { 0.35381567f, 0.29269856f, 0.821069f } },
+        { { 1.3064253f, -0.2686646f, 1.7542703f, 4.6253824f }, { 0.5890029f, 5.342805f, 6.696905f }, 6.9761744f, 0.63436925f, 0.93406117f, { 1.6553426f, 1.5683043f }, 0.4524188f, { 0.4170357f, 2.4841714f, 3.2032738f, 7.48361f }, { 0.35381567f, 0.29269856f, 0.821069f } },
     };
     static const space_invaders_action_t actions[24] = {
         SPACE_INVADERS_LEFT,
         SPACE_INVADERS_LEFT,
         SPACE_INVADERS_LEFT,
-        SPACE_INVADERS_RIGHT,
-        SPACE_INVADERS_LEFT,
         SPACE_INVADERS_FIRE,
         SPACE_INVADERS_RIGHT,
         SPACE_INVADERS_FIRE,
+        SPACE_INVADERS_RIGHT,
+        SPACE_INVADERS_LEFT,
+        SPACE_INVADERS_RIGHT,
+        SPACE_INVADERS_RIGHT,
+        SPACE_INVADERS_LEFT,
+        SPACE_INVADERS_LEFT,
+        SPACE_INVADERS_RIGHT,
+        SPACE_INVADERS_FIRE,
+        SPACE_INVADERS_LEFT,
+        SPACE_INVADERS_LEFT,
+        SPACE_INVADERS_FIRE,
         SPACE_INVADERS_FIRE,
         SPACE_INVADERS_RIGHT,
-        SPACE_INVADERS_RIGHT,
-        SPACE_INVADERS_LEFT,
-        SPACE_INVADERS_LEFT,
-        SPACE_INVADERS_RIGHT,
-        SPACE_INVADERS_RIGHT,
-        SPACE_INVADERS_LEFT,
-        SPACE_INVADERS_LEFT,
-        SPACE_INVADERS_RIGHT,
-        SPACE_INVADERS_RIGHT,
-        SPACE_INVADERS_LEFT,
+        SPACE_INVADERS_FIRE,
         SPACE_INVADERS_LEFT,
         SPACE_INVADERS_FIRE,
         SPACE_INVADERS_FIRE,

@@ -4,10 +4,10 @@ use crate::ops::remainder;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The square roots: of the processor where there is `std` or a way to it, else of the crate `libm`. IEEE 754 leaves no choice.
+/// The square roots: of the processor where there is `std`, else of the crate `libm`. IEEE 754 leaves no choice.
 mod root {
     #[cfg(not(feature = "std"))]
-    pub(super) use {libm::sqrt as f64, tpg_kernels::sqrt as f32};
+    pub(super) use libm::{sqrt as f64, sqrtf as f32};
 
     #[cfg(feature = "std")]
     #[inline(always)]

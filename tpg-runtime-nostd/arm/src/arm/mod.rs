@@ -98,7 +98,7 @@ impl<S: Lattice> Arm<S> {
     /// forwards, mm.
     pub fn reach(&self) -> S {
         let Links { upper_arm, elbow_offset, forearm, hand, shoulder_radial, .. } = self.links;
-        (upper_arm * upper_arm + elbow_offset * elbow_offset).square_root() + forearm + hand + shoulder_radial
+        (upper_arm * upper_arm + elbow_offset * elbow_offset).sqrt() + forearm + hand + shoulder_radial
     }
 
     /// Returns the place of the shoulder in the arm plane.

@@ -4,8 +4,7 @@ use super::ball::Ball;
 use super::plan::STEP;
 use crate::arm::collision::Base;
 use crate::arm::{Arm, JOINTS, Links, Pose, TICKS_PER_TURN};
-use crate::kinematics::{Direction, Directions, Plane, Point, Vector, base_direction};
-use tpg_runtime::scalar::Scalar as _;
+use crate::kinematics::{Direction, Directions, Lattice, Plane, Point, Vector, base_direction};
 
 /// Number of capsules: shoulder to bracket, bracket to elbow, forearm, hand.
 pub const CAPSULES: usize = 4;
@@ -227,7 +226,7 @@ impl Body {
     pub fn clearance_bound(&self, posture: &Posture, outline: &Outline, centre: Vector<f32>, radius: f32) -> f32 {
         let [along, across, up] = posture.in_frame(centre);
         let (x, z) = (beyond(outline.x, along), beyond(outline.z, up));
-        (x * x + z * z + across * across).square_root() - self.widest - radius
+        Lattice::sqrt(x * x + z * z + across * across) - self.widest - radius
     }
 
     /// The point of a capsule's axis that is nearest to a ball.
@@ -295,7 +294,7 @@ impl Posture {
 #[inline(always)]
 fn distance(point: Point<f32>, [along, across, up]: Vector<f32>) -> f32 {
     let (x, z) = (point.x - along, point.z - up);
-    (x * x + z * z + across * across).square_root()
+    Lattice::sqrt(x * x + z * z + across * across)
 }
 
 /// Widens a range so that it holds a value.

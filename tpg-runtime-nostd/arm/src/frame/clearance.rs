@@ -83,7 +83,7 @@ fn nearest<S: Lattice>(sides: &[Side<S>; 2], shapes: &Shapes<S>, horizon: S) -> 
             square = min(to_side(Point { x: -corner.x, z: corner.z }, side), square);
         }
     }
-    square.square_root()
+    square.sqrt()
 }
 
 /// The square of a point's distance to the box that reaches from −`corner.x` to `corner.x` and up to `corner.z`.

@@ -153,8 +153,8 @@ impl<'a, S: Lattice> Frame<'a, S> {
         let base = self.arm.links.base;
         let ([x, y, z], radius) = (self.target, self.radius());
         let (hand, target) = (self.height() - base, z - base);
-        let target_reach = (x * x + y * y + target * target).square_root();
-        let hand_reach = (radius * radius + hand * hand).square_root();
+        let target_reach = (x * x + y * y + target * target).sqrt();
+        let hand_reach = (radius * radius + hand * hand).sqrt();
         let tangential = (radius * target - hand * self.target_radius()) / hand_reach;
         [-self.target_lateral(), tangential, target_reach - hand_reach]
     }

@@ -30,7 +30,7 @@ pub type Vector<S> = [S; 3];
 #[inline]
 pub fn distance<S: Lattice>(a: Vector<S>, b: Vector<S>) -> S {
     let [x, y, z] = difference(a, b);
-    (x * x + y * y + z * z).square_root()
+    (x * x + y * y + z * z).sqrt()
 }
 
 /// `a − b`, component by component.

@@ -37,7 +37,7 @@ impl<S: Lattice> ReachTarget<S> {
     pub(super) fn at(arm: &Arm<S>, target: Vector<S>) -> Self {
         let links = &arm.links;
         let [x, y, z] = target;
-        let far = (x * x + y * y).square_root();
+        let far = (x * x + y * y).sqrt();
         let facing = S::from_i32(TICKS_PER_TURN / 2) + ticks_of((-x).atan2(y));
         let (base, behind) = turned(facing, arm.ranges[0]);
         // From the shoulder, once the base has turned; negative over the arm's back.
@@ -46,10 +46,10 @@ impl<S: Lattice> ReachTarget<S> {
         Self {
             base,
             behind,
-            wanted: (range * range + height * height).square_root(),
+            wanted: (range * range + height * height).sqrt(),
             // The stretched arm points to negative x of its plane: so does a target on the front side.
             direction: height.atan2(-range),
-            upper: (links.upper_arm * links.upper_arm + links.elbow_offset * links.elbow_offset).square_root(),
+            upper: (links.upper_arm * links.upper_arm + links.elbow_offset * links.elbow_offset).sqrt(),
             upper_angle: links.elbow_offset.atan2(links.upper_arm),
         }
     }
@@ -60,14 +60,14 @@ impl<S: Lattice> ReachTarget<S> {
         let links = &arm.links;
         let turned = Angle(TICKS_PER_TURN / 2 - i32::from(wrist)).direction::<S>();
         let (along, aside) = (links.forearm + links.hand * turned.cos, links.hand * turned.sin);
-        let lower = (along * along + aside * aside).square_root();
+        let lower = (along * along + aside * aside).sqrt();
         let lower_angle = aside.atan2(along);
 
         let reach = clamp(wanted, (upper - lower).abs(), upper + lower, wanted);
         let cosine = (reach * reach - upper * upper - lower * lower) / (S::from_f64(2.0) * upper * lower);
         let cosine = clamp(cosine, -S::ONE, S::ONE, cosine);
         let square = S::ONE - cosine * cosine;
-        let sine = clamp(square, S::ZERO, S::ONE, square).square_root();
+        let sine = clamp(square, S::ZERO, S::ONE, square).sqrt();
         // The angle at the elbow, and the one at the shoulder between the lines to elbow and target.
         let bent = sine.atan2(cosine);
         let lean = (lower * sine).atan2(upper + lower * cosine);

@@ -3,7 +3,6 @@
 use crate::arm::Joint;
 use crate::frame::Frame;
 use crate::kinematics::Lattice;
-use tpg_runtime::scalar::Scalar as _;
 
 /// Number of features.
 pub const FEATURES: usize = 38;
@@ -81,7 +80,7 @@ pub fn features(frame: &Frame<'_, f32>) -> [f32; FEATURES] {
     let (radial, height) = (frame.radial_error(), frame.height_error());
     let (target_radius, lateral) = (frame.target_radius(), frame.target_lateral());
     let [upper_arm, forearm, hand] = frame.links();
-    let distance = (radial * radial + lateral * lateral + height * height).square_root();
+    let distance = Lattice::sqrt(radial * radial + lateral * lateral + height * height);
     let pull = |joint| frame.pull(Joint(joint)) / (200.0 * (distance + 5.0));
     let [front, back] = frame.azimuth_errors();
     let room = |joint| frame.room(Joint(joint)).map(seen);
