@@ -90,8 +90,8 @@ def pruned_search(env: gymnasium.Env[Any, Any], steps: int, seed: int) -> tuple[
     def mean(of: Linear, seeds: Any) -> tuple[float, float]:
         nonlocal done
         played = [episode(env, of, int(at)) for at in seeds]
-        done += sum(length for _, length, _ in played)
-        returns = np.array([score for score, _, _ in played])
+        done += sum(length for _, length, *_ in played)
+        returns = np.array([score for score, *_ in played])
         return float(returns.mean()), float(returns.std(ddof=1) / np.sqrt(len(returns)))
 
     while done < (1 - PRUNING_SHARE) * steps:

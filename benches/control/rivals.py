@@ -105,8 +105,8 @@ def random_search(env: gymnasium.Env[Any, Any], steps: int, seed: int) -> tuple[
         if generation % 10 == 0 or done >= steps:
             policy = folded(weights)
             played = [episode(env, policy, 50_000_000 + at) for at in range(20)]
-            done += sum(length for _, length, _ in played)
-            score = float(np.mean([score for score, _, _ in played]))
+            done += sum(length for _, length, *_ in played)
+            score = float(np.mean([score for score, *_ in played]))
             if best is None or score > best[0]:
                 best = (score, policy)
     assert best is not None

@@ -94,7 +94,7 @@ def play(
     for seed in seeds:
         act, last = start(), None
         observation, _ = env.reset(seed=seed)
-        score, length, done, success, reward = 0.0, 0, False, None, 0.0
+        score, length, done, success, earned = 0.0, 0, False, None, 0.0
         while not done and length < limit:
             action = act(observation)
             if bounded:
@@ -106,9 +106,10 @@ def play(
                     changes += 1
                 last = values
             observation, reward, terminated, truncated, info = env.step(action)
-            score, length, done = score + float(reward), length + 1, bool(terminated or truncated)
+            earned = float(reward)
+            score, length, done = score + earned, length + 1, bool(terminated or truncated)
             success = success_of(info) if done else None
-        played.append((score, length, success, float(reward)))
+        played.append((score, length, success, earned))
         steps += length
     return played, Effort(saturated / max(steps, 1), changed / max(changes, 1)) if bounded else None
 

@@ -495,7 +495,8 @@ class TPG:
         bad = [candidate.seed for candidate, score in zip(candidates, returns, strict=True) if np.isnan(score)]
         if bad:
             raise InputError(f"seed {bad[0]}: a return of NaN; accepted: a number")
-        played = [(scores[place], one.steps, None) for place, one in enumerate(asked.candidates)]
+        # Of the rewards, only their sum is known.
+        played = [(scores[place], one.steps, None, 0.0) for place, one in enumerate(asked.candidates)]
         if asked.kind == "play":
             short = next((one for one in asked.candidates if one.steps <= max(one._after or [-1])), None)
             if short is not None:
@@ -633,7 +634,9 @@ class TPG:
         finally:
             place.close()
 
-    def _record(self, graph: Graph, played: Sequence[tuple[float, int, bool | None, float]], rivals: Sequence[Comparison] = ()) -> None:
+    def _record(
+        self, graph: Graph, played: Sequence[tuple[float, int, bool | None, float]], rivals: Sequence[Comparison] = ()
+    ) -> None:
         """Writes test episodes into the run's folder, for `tpg-train report`; rivals on the same episodes stay there."""
         results = [
             {"outcome": 0, "success": success, "score": score, "final_reward": last, "measure": 0.0, "actions": steps}

@@ -117,8 +117,8 @@ def tuned(kind: str, env: gymnasium.Env[Any, Any], interface: Interface, steps: 
     def score(law: Tuned, count: int) -> float:
         nonlocal made
         ended, _ = play(env, controller(law), episodes[:count], interface.limit)
-        made += sum(length for _, length, _ in ended)
-        return float(np.mean([result for result, _, _ in ended]))
+        made += sum(length for _, length, *_ in ended)
+        return float(np.mean([result for result, *_ in ended]))
 
     scale = _scale(env, interface, episodes)
     spans = [(high - low) / 2 for _, low, high in outputs] or [1.0]

@@ -359,7 +359,7 @@ impl Problem {
         }
     }
 
-    /// Returns the [moments](Environment::moment) of an episode as SVG; `None` for a problem without pictures.
+    /// Returns the [moments](tpg_engine::Environment::moment) of an episode as SVG; `None` for a problem without pictures.
     pub fn picture(&self, moments: &[Vec<f64>]) -> Option<String> {
         let arm = match &self.settings {
             ProblemSettings::Arm(config) => config.arm(),
