@@ -205,10 +205,10 @@ impl Search {
             ending.actions < context.time_limit && ending.score < 0.0 && ending.final_reward < 0.5 * ending.score
         };
         let falling = results.endings.iter().filter(|endings| endings.iter().all(falls)).count();
-        self.is_local() && self.has_many_weights(context) && 4 * falling >= results.endings.len()
+        self.has_many_weights(context) && 4 * falling >= results.endings.len()
     }
 
-    /// Returns the result of a sample.
+    /// Returns the result of a sample, without the price of its last action if that is forgiven.
     fn summary(&self, endings: &[EpisodeResult]) -> Summary {
         let price = |ending: &EpisodeResult| if self.forgives { ending.final_reward.min(0.0) } else { 0.0 };
         let paid = |ending: &EpisodeResult| EpisodeResult { score: ending.score - price(ending), ..*ending };
