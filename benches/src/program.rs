@@ -47,7 +47,7 @@ pub struct Running {
     hash: u32,
 }
 
-/// What decides a subject's states.
+/// A program or the interpreter, to decide a subject's states.
 #[derive(Debug)]
 pub enum Decider<'a> {
     /// A program.

@@ -3,7 +3,7 @@
 
 use Level::*;
 
-/// How tightly an expression's outermost operator binds.
+/// Binding strength of an expression's outermost operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Level {
     Sum,

@@ -16,7 +16,7 @@ pub(super) trait Syntax {
     fn scalar(&self) -> &'static str;
     /// The name of a type of unsigned integers.
     fn unsigned(&self, width: Width) -> String;
-    /// What follows a number of such a type.
+    /// The suffix of a number of such a type.
     fn suffix(&self, _width: Width) -> &'static str {
         ""
     }

@@ -322,7 +322,7 @@ impl EvolutionConfig {
         config.tpg.init_nb_roots = config.tpg.init_nb_roots.max(actions);
         let is_given = environment.training().is_some_and(|training| !training.linear().is_empty());
         if config.start.share > 0.0 || is_given {
-            let values = environment.sources().iter().map(|source| source.length as usize).sum();
+            let values = tpg_engine::state_length(&environment.sources());
             let vocabulary = self.vocabulary(environment, vec![1.0; values]);
             let writer = LinearWriter::new(&vocabulary, actions as u16, ProgramKind::Sum);
             match writer {

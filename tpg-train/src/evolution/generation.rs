@@ -189,7 +189,7 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
         let plays: Vec<_> = (candidates.iter().zip(tasks))
             .map(|(candidate, task)| Play { policy: candidate.policy.clone(), task: task.clone(), after: Vec::new() })
             .collect();
-        let values = self.environment.sources().iter().map(|source| source.length as usize).sum();
+        let values = tpg_engine::state_length(&self.environment.sources());
         let mut results = Results { seen: Moments::new(values), ..Results::default() };
         for played in self.evaluator.play(&plays)? {
             results.seen.merge(&played.seen);

@@ -44,7 +44,7 @@ pub struct QuantiseArgs {
     /// The seed of the episodes that calibrate a network or choose the bits of a graph; no test episodes
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
-    /// What only a graph has.
+    /// Options for graphs alone.
     #[command(flatten)]
     pub graph: GraphArgs,
 }

@@ -22,7 +22,7 @@ pub use document::{
     OperandDocument, OutputDocument, ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument, VERSIONS,
 };
 
-/// What a [`Graph`] calls them.
+/// Their short names in a [`Graph`].
 pub use document::{ActionDocument as Action, SourceDocument as Source};
 pub use effect::Effect;
 pub use graph::{

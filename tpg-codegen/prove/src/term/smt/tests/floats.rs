@@ -172,7 +172,7 @@ pub(super) fn comparisons() -> Lemmas {
     lemmas
 }
 
-/// What the order of floats excludes: two comparisons where a third one holds.
+/// Pairs of comparisons that the order of floats excludes where a third one holds.
 pub(super) fn orders() -> Lemmas {
     let mut lemmas = Lemmas::default();
     let mut asked = Vec::new();
