@@ -208,9 +208,12 @@ fn find(image: &impl Image, shape: [usize; 3], find: Find) -> Option<Found> {
         Find::Brightest { channel, size } | Find::Darkest { channel, size } => {
             let is_dark = matches!(find, Find::Darkest { .. });
             let (window, middle) = (size as usize, (size / 2) as i32);
+            let corners = [rows + 1 - window, columns + 1 - window, 1];
+            let across: Vec<u32> =
+                cells([rows, corners[1], 1]).map(|corner| sum(image, channel, corner, [1, window])).collect();
             let mut best: Option<(u32, Found)> = None;
-            for corner in cells([rows + 1 - window, columns + 1 - window, 1]) {
-                let sum = sum(image, channel, corner, [window; 2]);
+            for corner in cells(corners) {
+                let sum = (corner[0]..corner[0] + window).map(|row| across[row * corners[1] + corner[1]]).sum();
                 if best.is_none_or(|(best, _)| if is_dark { sum < best } else { sum > best }) {
                     best = Some((sum, place(corner)));
                 }

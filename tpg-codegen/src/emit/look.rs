@@ -2,6 +2,7 @@
 
 use super::interface::SourceView;
 use askama::Template;
+use std::collections::BTreeSet;
 use tpg_graph::Graph;
 use tpg_graph::image::{Feature, Find, Vision};
 
@@ -10,23 +11,30 @@ pub(super) struct LookView {
     pub(super) rows: usize,
     pub(super) columns: usize,
     pub(super) channels: usize,
-    /// Places that are looked for.
+    /// What is looked for: a place, or the brightest and the darkest window.
     finds: Vec<FindView>,
     values: Vec<ValueView>,
     has_first: bool,
     has_last: bool,
-    has_window: bool,
+    windows: Vec<WindowView>,
     has_cell: bool,
     has_sum: bool,
 }
 
+#[derive(PartialEq)]
 struct FindView {
-    /// `first`, `last` or `window`.
+    /// `first`, `last` or `windows`.
     function: &'static str,
     channel: u32,
-    /// Of a window: its size, and true for the darkest.
+    /// Of windows; 0 of a place.
     size: u32,
-    is_dark: bool,
+}
+
+struct WindowView {
+    size: u32,
+    /// Number of windows below each other, and beside each other.
+    down: u32,
+    across: u32,
 }
 
 struct ValueView {
@@ -35,8 +43,8 @@ struct ValueView {
     member: String,
     /// The type that it has in the state.
     kind: String,
-    /// The number of the place that is looked for.
-    find: usize,
+    /// The place that is looked for.
+    place: String,
     feature: Feature,
 }
 
@@ -44,12 +52,26 @@ impl LookView {
     /// Returns what a graph reads from an image; `None` if it sees none.
     pub(super) fn new(graph: &Graph, sources: &[SourceView]) -> Option<Self> {
         let vision = Vision::new(graph.sources())?;
-        let ([rows, columns, channels], finds) = (vision.shape(), vision.finds());
+        let [rows, columns, channels] = vision.shape();
         let member = |input: usize, source: &SourceView| match source.length {
             1 => source.field.clone(),
             _ => format!("{}[{}]", source.field, input - source.first),
         };
-        let has = |wanted: &str| finds.iter().any(|&find| function(find) == wanted);
+        let mut finds = Vec::new();
+        let places: Vec<String> = (vision.finds().iter())
+            .map(|&find| {
+                let (wanted, part) = FindView::new(find);
+                let known = finds.iter().position(|known| *known == wanted);
+                let number = known.unwrap_or_else(|| {
+                    finds.push(wanted);
+                    finds.len() - 1
+                });
+                if part.is_empty() { format!("place_{number}") } else { format!("windows_{number}.{part}") }
+            })
+            .collect();
+        let sizes: BTreeSet<u32> = finds.iter().map(|find| find.size).filter(|size| *size > 0).collect();
+        let window = |size| WindowView { size, down: rows as u32 + 1 - size, across: columns as u32 + 1 - size };
+        let has = |wanted: &str| finds.iter().any(|find| find.function == wanted);
         let is = |wanted: fn(&Feature) -> bool| vision.features().any(|(_, feature, _)| wanted(&feature));
         Some(Self {
             rows,
@@ -57,14 +79,15 @@ impl LookView {
             channels,
             has_first: has("first"),
             has_last: has("last"),
-            has_window: has("window"),
+            windows: sizes.into_iter().map(window).collect(),
             has_cell: is(|feature| matches!(feature, Feature::Cell { .. })),
-            has_sum: has("window") || is(|feature| matches!(feature, Feature::Sum { .. })),
-            finds: finds.iter().map(|&find| FindView::new(find)).collect(),
+            has_sum: is(|feature| matches!(feature, Feature::Sum { .. })),
+            finds,
             values: (vision.features())
                 .filter_map(|(input, feature, find)| {
-                    let (find, source) = (find.unwrap_or_default(), sources.iter().find(|source| source.end > input)?);
-                    Some(ValueView { input, member: member(input, source), kind: source.kind.clone(), find, feature })
+                    let source = sources.iter().find(|source| source.end > input)?;
+                    let place = find.map_or_else(String::new, |find| places[find].clone());
+                    Some(ValueView { input, member: member(input, source), kind: source.kind.clone(), place, feature })
                 })
                 .collect(),
         })
@@ -72,21 +95,26 @@ impl LookView {
 }
 
 impl FindView {
-    fn new(find: Find) -> Self {
-        let (size, is_dark) = match find {
-            Find::First(_) | Find::Last(_) => (0, false),
-            Find::Brightest { size, .. } => (size, false),
-            Find::Darkest { size, .. } => (size, true),
+    /// Returns what is looked for, and the part of it that is wanted.
+    fn new(find: Find) -> (Self, &'static str) {
+        let (function, size, part) = match find {
+            Find::First(_) => ("first", 0, ""),
+            Find::Last(_) => ("last", 0, ""),
+            Find::Brightest { size, .. } => ("windows", size, "bright"),
+            Find::Darkest { size, .. } => ("windows", size, "dark"),
         };
-        Self { function: function(find), channel: find.channel(), size, is_dark }
+        (Self { function, channel: find.channel(), size }, part)
     }
 }
 
-fn function(find: Find) -> &'static str {
-    match find {
-        Find::First(_) => "first",
-        Find::Last(_) => "last",
-        Find::Brightest { .. } | Find::Darkest { .. } => "window",
+impl WindowView {
+    fn count(&self) -> u32 {
+        self.down * self.across
+    }
+
+    /// Returns the numbers of the columns before the newest one.
+    fn before(&self) -> std::ops::Range<u32> {
+        0..self.size - 1
     }
 }
 

@@ -16,20 +16,20 @@ impl {{ name }} {
             stride,
         };
 {%- for find in look.finds %}
-        let place_{{ loop.index0 }} = seen.{{ find.function }}({{ find.channel }}{% if find.size > 0 %}, {{ find.size }}, {{ find.is_dark }}{% endif %});
+        let {% if find.size > 0 %}windows{% else %}place{% endif %}_{{ loop.index0 }} = seen.{{ find.function }}{% if find.size > 0 %}::<{{ find.size }}>{% endif %}({{ find.channel }});
 {%- endfor %}
 {%- for value in look.values %}
 {%- match value.feature %}
 {%- when Feature::Sum with { channel, row, column, height, width } %}
         state[{{ value.input }}] = seen.sum({{ channel }}, {{ row }}, {{ column }}, {{ height }}, {{ width }}) as {{ value.kind }};
 {%- when Feature::Row with (_) %}
-        state[{{ value.input }}] = place_{{ value.find }}.row as {{ value.kind }};
+        state[{{ value.input }}] = {{ value.place }}.row as {{ value.kind }};
 {%- when Feature::Column with (_) %}
-        state[{{ value.input }}] = place_{{ value.find }}.column as {{ value.kind }};
+        state[{{ value.input }}] = {{ value.place }}.column as {{ value.kind }};
 {%- when Feature::Contrast with (_) %}
-        state[{{ value.input }}] = place_{{ value.find }}.contrast as {{ value.kind }};
+        state[{{ value.input }}] = {{ value.place }}.contrast as {{ value.kind }};
 {%- when Feature::Cell with { channel, down, right, .. } %}
-        state[{{ value.input }}] = seen.from({{ channel }}, place_{{ value.find }}, {{ down }}, {{ right }}) as {{ value.kind }};
+        state[{{ value.input }}] = seen.from({{ channel }}, {{ value.place }}, {{ down }}, {{ right }}) as {{ value.kind }};
 {%- endmatch %}
 {%- endfor %}
         true
@@ -46,6 +46,14 @@ mod image {
         pub(super) contrast: i32,
     }
 
+{% if !look.windows.is_empty() %}
+    /// The brightest window, and the darkest.
+    #[allow(dead_code)]
+    pub(super) struct Windows {
+        pub(super) bright: Place,
+        pub(super) dark: Place,
+    }
+{% endif %}
     /// An image that is long enough.
     #[derive(Clone, Copy)]
     pub(super) struct Image<'a> {
@@ -119,32 +127,52 @@ mod image {
             sum
         }
 {% endif %}
-{%- if look.has_window %}
-        /// The middle of the square window with the greatest sum, or with the smallest; the first of equal ones.
-        pub(super) fn window(self, channel: usize, size: usize, is_dark: bool) -> Place {
-            let mean = self.sum(channel, 0, 0, {{ look.rows }}, {{ look.columns }}) * (size * size) as u32 / {{ look.rows * look.columns }};
-            let middle = (size / 2) as i32;
-            let mut best = if is_dark { u32::MAX } else { 0 };
-            let (mut down, mut right) = (middle, middle);
-            for row in 0..{{ look.rows + 1 }} - size {
-                for column in 0..{{ look.columns + 1 }} - size {
-                    let sum = self.sum(channel, row, column, size, size);
-                    if if is_dark { sum < best } else { sum > best } {
-                        best = sum;
-                        down = row as i32 + middle;
-                        right = column as i32 + middle;
+{%- if !look.windows.is_empty() %}
+        /// The windows of `SIZE` by `SIZE` cells with the greatest and with the smallest sum; the first of equal ones.
+        pub(super) fn windows<const SIZE: usize>(self, channel: usize) -> Windows {
+            let (down, across) = ({{ look.rows + 1 }} - SIZE, {{ look.columns + 1 }} - SIZE);
+            let (mut high, mut low, mut total) = (-1, i32::MAX, 0);
+            // Windows that follow, below the sum: one comparison finds the first of equal ones.
+            let mut left = (down * across) as i32;
+            for row in 0..down {
+                let mut columns = [0; SIZE];
+                for column in 0..{{ look.columns }} {
+                    let top = self.cell(channel, row, column);
+                    let mut newest = top;
+                    for below in row + 1..row + SIZE {
+                        newest += self.cell(channel, below, column);
+                    }
+                    total += top;
+                    columns.rotate_left(1);
+                    if let Some(last) = columns.last_mut() {
+                        *last = newest;
+                    }
+                    if column + 1 >= SIZE {
+                        let sum = columns.iter().sum::<u32>() as i32 * 65536;
+                        left -= 1;
+                        high = high.max(sum + left);
+                        low = low.min(sum - left);
                     }
                 }
             }
-            let contrast = if is_dark {
-                mean as i32 - best as i32
-            } else {
-                best as i32 - mean as i32
+            for row in down..{{ look.rows }} {
+                for column in 0..{{ look.columns }} {
+                    total += self.cell(channel, row, column);
+                }
+            }
+            let mean = (total * (SIZE * SIZE) as u32 / {{ look.rows * look.columns }}) as i32;
+            let middle = |left: i32, contrast: i32| {
+                let number = (down * across) as i32 - 1 - left;
+                Place {
+                    row: number / across as i32 + (SIZE / 2) as i32,
+                    column: number % across as i32 + (SIZE / 2) as i32,
+                    contrast,
+                }
             };
-            Place {
-                row: down,
-                column: right,
-                contrast,
+            let lowest = (low + 65535) / 65536;
+            Windows {
+                bright: middle(high % 65536, high / 65536 - mean),
+                dark: middle(lowest * 65536 - low, mean - lowest),
             }
         }
 {% endif %}

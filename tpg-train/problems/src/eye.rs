@@ -87,8 +87,23 @@ impl Scene {
 
     /// Draws the image once, for features that look at each pixel many times.
     fn frame(&self) -> Frame {
-        let pixels = (0..ROWS).flat_map(|row| (0..COLUMNS).map(move |column| (row, column)));
-        Frame(pixels.map(|(row, column)| self.pixel(row, column)).collect())
+        let mut patch = ([i64::MAX; 2], 0.0);
+        let pixels = (0..ROWS).flat_map(|row| (0..COLUMNS).map(move |column| [row, column]));
+        let pixel = |place: [usize; 2]| {
+            let at = [place[0] as f32 - (ROWS - 1) as f32 / 2.0, place[1] as f32 - (COLUMNS - 1) as f32 / 2.0];
+            let square = [0, 1].map(|axis| ((at[axis] + self.head[axis]) / PATCH).floor() as i64);
+            if square != patch.0 {
+                patch = (square, self.texture(square));
+            }
+            self.pixel(place, at, patch.1)
+        };
+        Frame(pixels.map(pixel).collect())
+    }
+
+    /// Returns how much brighter a square of the background is than what is around it.
+    fn texture(&self, [down, right]: [i64; 2]) -> f32 {
+        let random = mixed(self.seed ^ 0x5555, (down as u64) << 32 ^ right as u64 & 0xFFFF_FFFF);
+        (2.0 * unit(random) - 1.0) * self.texture
     }
 
     fn step(&mut self, command: [f32; 2]) -> Step {
@@ -109,18 +124,16 @@ impl Scene {
         if is_lost { step.ending(End::new(0)) } else { step }
     }
 
-    fn pixel(&self, row: usize, column: usize) -> u8 {
-        let at = [row as f32 - (ROWS - 1) as f32 / 2.0, column as f32 - (COLUMNS - 1) as f32 / 2.0];
-        let patch = [0, 1].map(|axis| ((at[axis] + self.head[axis]) / PATCH).floor() as i64 as u64);
-        let patch = mixed(self.seed ^ 0x5555, patch[0] << 32 ^ patch[1] & 0xFFFF_FFFF);
+    fn pixel(&self, [row, column]: [usize; 2], at: [f32; 2], texture: f32) -> u8 {
         let [down, right] = self.distance();
         let (down, right) = (at[0] - down, at[1] - right);
-        let inside = (self.radius + 0.5 - (down * down + right * right).sqrt()).clamp(0.0, 1.0);
+        let squared = down * down + right * right;
+        let is_far = squared > (self.radius + 1.0).powi(2);
+        let inside = if is_far { 0.0 } else { (self.radius + 0.5 - squared.sqrt()).clamp(0.0, 1.0) };
         let noise = mixed(self.seed ^ self.actions << 32, (row * COLUMNS + column) as u64);
         let noise = (unit(noise) + unit(noise << 20) - 1.0) * 2.4 * self.noise;
         let behind = self.brightness + self.gradient[0] * at[0] + self.gradient[1] * at[1];
-        let texture = (2.0 * unit(patch) - 1.0) * self.texture * (1.0 - inside);
-        (behind + texture + self.contrast * inside + noise).round().clamp(0.0, 255.0) as u8
+        (behind + texture * (1.0 - inside) + self.contrast * inside + noise).round().clamp(0.0, 255.0) as u8
     }
 }
 

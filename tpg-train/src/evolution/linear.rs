@@ -3,9 +3,10 @@
 //! A product can change its sign where another input does, as a swing-up must.
 
 use super::genome::{Destination, Edge, Genome, GenomeLine, Leaf, Program, Team, TeamId};
-use super::vocabulary::{Gene, InstructionIndex, OPERANDS, Vocabulary};
+use super::vocabulary::{Gene, Input, InstructionIndex, OPERANDS, Vocabulary};
 use serde::{Deserialize, Serialize};
 use tpg_engine::PolicyGraph;
+use tpg_engine::random::Stream;
 use tpg_graph::Word;
 use tpg_graph::error::Finding;
 use tpg_runtime::ops::Instruction;
@@ -14,6 +15,9 @@ use tpg_runtime::ops::Instruction;
 const MAX_WEIGHTS: usize = 400;
 /// Maximum number of lines of a program.
 const MAX_LINES: usize = 1000;
+
+/// Standard deviation of a proportional formula's weight.
+const GAIN: f64 = 4.0;
 
 /// The form of a linear program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -29,8 +33,7 @@ pub(crate) enum ProgramKind {
 #[derive(Clone, Debug)]
 pub(super) struct LinearWriter<'a> {
     vocabulary: &'a Vocabulary,
-    /// The inputs: an operand for each, its place in the flat state, and its unit.
-    inputs: Vec<(Gene, u16, f64)>,
+    inputs: Vec<Input>,
     add: InstructionIndex,
     multiply: Multiply,
     /// The word that multiplies two sums; none if a program is a single sum.
@@ -164,6 +167,20 @@ impl<'a> LinearWriter<'a> {
         genome.add_team(Team { edges })
     }
 
+    /// Draws weights with which each output is proportional to the distance of one input from the middle of its range.
+    pub(super) fn proportional(&self, stream: &mut Stream) -> Vec<f64> {
+        let sources: Vec<&[Input]> = self.inputs.chunk_by(|a, b| a.0.source == b.0.source).collect();
+        let row = |_| {
+            let source = *stream.pick(&sources);
+            let (gene, place, unit) = *stream.pick(source);
+            let weight = GAIN * stream.normal();
+            let weights = self.inputs.iter().map(|input| if input.0 == gene { weight } else { 0.0 });
+            let constant = -weight * self.vocabulary.middle(place) / unit;
+            weights.chain([constant]).collect::<Vec<f64>>()
+        };
+        (0..self.programs()).flat_map(row).collect()
+    }
+
     /// Adds a policy that bids a sum of the inputs for each action, with the given weights of the flat state's values and a constant.
     pub(super) fn add_linear(&self, genome: &mut Genome, rows: &[Vec<f64>]) -> TeamId {
         let program = |row: &Vec<f64>| {
@@ -220,6 +237,7 @@ mod tests {
     use crate::evolution::genome::{Destination, Genome};
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::Limits;
+    use tpg_engine::random::{Purpose, Stream};
     use tpg_graph::{ScalarType, SourceDocument, Word};
     use tpg_runtime::ops::Instruction;
 
@@ -263,6 +281,29 @@ mod tests {
             let weights = [3.0, 1.0, -1.0, 0.0, 1.0, 0.0];
             assert_eq!(values(ProgramKind::Sum, words, 2, 0, &weights), [5.0, 4.0]);
             assert_eq!(values(ProgramKind::Sum, words, 0, 3, &weights), [0.0, 2.5, 2.0], "the first bid stays 0");
+        }
+    }
+
+    #[test]
+    fn a_proportional_formula_is_0_in_the_middle_of_its_input() {
+        let source = SourceDocument::new("s", "1", vec![[0.0, 2.0], [-3.0, 5.0]]);
+        let limits = Limits { min: -2.0, max: 2.0, nan: 0.0 };
+        let vocabulary = Vocabulary::new(
+            vec![Word::MultiplyAdd, Instruction::Add.into()],
+            4,
+            &[source],
+            Some(vec![1.0, 4.0]),
+            ScalarType::F64,
+        )
+        .with_outputs(vec![limits; 3]);
+        let writer = LinearWriter::new(&vocabulary, 0, ProgramKind::Sum).expect("sums can be written");
+        for index in 0..10 {
+            let weights = writer.proportional(&mut Stream::new(1, 0, Purpose::Test, index));
+            for row in weights.chunks_exact(3) {
+                let read = row[..2].iter().filter(|weight| **weight != 0.0).count();
+                let middle = row[0] * 1.0 + row[1] * 1.0 / 4.0 + row[2];
+                assert!(read == 1 && middle.abs() < 1e-9, "{row:?}");
+            }
         }
     }
 

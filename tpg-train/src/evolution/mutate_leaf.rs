@@ -5,7 +5,8 @@
 
 use super::children::add_children;
 use super::config::{ProgramParameters, TpgParameters};
-use super::genome::{Destination, Edge, Genome, Leaf, LeafId, Team, TeamId};
+use super::genome::{Destination, Edge, Genome, Leaf, LeafId, ProgramId, Team, TeamId};
+use super::linear::LinearWriter;
 use super::mutate_program::ProgramMutator;
 use super::refine::Refiner;
 use super::stage::Moment;
@@ -24,6 +25,8 @@ const P_EDGE_DELETION: f64 = 0.15;
 /// Probability that a child gets another edge, and that this leads to a team, not to a leaf.
 const P_EDGE_ADDITION: f64 = 0.04;
 const P_TEAM: f64 = 0.1;
+/// Probability that another edge is the twin of one, where two sources are of a kind.
+const P_TWIN: f64 = 0.5;
 
 impl ProgramParameters {
     /// Returns the maximum number of lines of a leaf's program.
@@ -51,10 +54,20 @@ pub(super) struct LeafMutator<'a> {
 }
 
 impl LeafMutator<'_> {
-    /// Draws a population of formulas: each root has one edge, to a leaf of its own.
-    pub(super) fn random_population(&self, roots: usize, stream: &mut Stream) -> Genome {
+    /// Draws a population of formulas: each root has one edge, to a leaf of its own. Every second is proportional to inputs, if
+    /// that can be written.
+    pub(super) fn random_population(
+        &self,
+        roots: usize,
+        writer: Option<&LinearWriter<'_>>,
+        stream: &mut Stream,
+    ) -> Genome {
         let mut genome = Genome::default();
-        for _ in 0..roots {
+        for root in 0..roots {
+            if let Some(writer) = writer.filter(|_| root % 2 == 0) {
+                writer.add_root(&mut genome, &writer.proportional(stream));
+                continue;
+            }
             let edge = self.edge_to_new_leaf(&mut genome, stream);
             genome.add_team(Team { edges: vec![edge] });
         }
@@ -95,6 +108,12 @@ impl LeafMutator<'_> {
             edges.remove(stream.below(edges.len()));
         }
         if edges.len() < self.tpg.max_outgoing_edges && stream.chance(P_EDGE_ADDITION) {
+            let pair = self.bids.vocabulary.pair(stream).filter(|_| stream.chance(P_TWIN));
+            if let Some(pair) = pair {
+                let edge = *stream.pick(&edges);
+                edges.push(twin(genome, edge, pair));
+                return genome.add_team(Team { edges });
+            }
             let to = if stream.chance(P_TEAM) {
                 Destination::Team(*stream.pick(before.teams))
             } else {
@@ -130,6 +149,31 @@ impl LeafMutator<'_> {
     }
 }
 
+/// Adds an edge that does with one of two sources what an edge does with the other.
+fn twin(genome: &mut Genome, edge: Edge, [one, other]: [u8; 2]) -> Edge {
+    let leaf = match edge.to {
+        Destination::Leaf(leaf) => genome.leaves()[&leaf].programs.clone(),
+        Destination::Team(_) | Destination::Action(_) => Vec::new(),
+    };
+    let mut exchanged = |program: ProgramId| {
+        let mut program = genome.program(program).clone();
+        for gene in program.lines.iter_mut().flat_map(|line| &mut line.operands) {
+            gene.source = match gene.source {
+                source if source == one => other,
+                source if source == other => one,
+                source => source,
+            };
+        }
+        genome.add_program(program)
+    };
+    let program = exchanged(edge.program);
+    let programs: Vec<ProgramId> = leaf.into_iter().map(exchanged).collect();
+    if programs.is_empty() {
+        return Edge { program, ..edge };
+    }
+    Edge { program, to: Destination::Leaf(genome.add_leaf(Leaf { programs })) }
+}
+
 /// The teams and leaves that existed before any child: children lead only to these, so no cycle can arise.
 struct Before<'a> {
     teams: &'a [TeamId],
@@ -138,9 +182,10 @@ struct Before<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::LeafMutator;
+    use super::{LeafMutator, Team, twin};
     use crate::evolution::config::EvolutionConfig;
     use crate::evolution::genome::{Destination, Genome};
+    use crate::evolution::linear::{LinearWriter, ProgramKind};
     use crate::evolution::mutate_program::ProgramMutator;
     use crate::evolution::refine::Refiner;
     use crate::evolution::stage::Moment;
@@ -160,7 +205,7 @@ mod tests {
         let leaves = ProgramMutator { parameters: &longer, ..bids };
         let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
         let mutator = LeafMutator { bids, leaves, refiner, tpg: &config.tpg };
-        let mut genome = mutator.random_population(40, &mut Stream::new(1, 0, Purpose::Test, 0));
+        let mut genome = mutator.random_population(40, None, &mut Stream::new(1, 0, Purpose::Test, 0));
         for generation in 0..generations {
             mutator.populate(&mut genome, Moment { seed: 1, generation });
             let doomed: Vec<_> = genome.roots().into_iter().step_by(2).collect();
@@ -171,6 +216,32 @@ mod tests {
             assert!(policy.leaves.iter().all(|leaf| leaf.len() == 2) && !policy.leaves.is_empty());
         }
         genome
+    }
+
+    #[test]
+    fn a_twin_reads_the_other_source_in_its_bid_and_its_outputs() {
+        let config = EvolutionConfig::default();
+        let sources = ["bright", "dark"].map(|name| SourceDocument::new(name, "1", vec![[0.0, 2.0]; 2]));
+        let vocabulary = Vocabulary::new(config.instructions(), 4, &sources, Some(vec![1.0; 4]), ScalarType::F32)
+            .with_outputs(vec![Limits { min: -1.0, max: 1.0, nan: 0.0 }; 2]);
+        let mut genome = Genome::default();
+        let writer = LinearWriter::new(&vocabulary, 0, ProgramKind::Sum).expect("sums can be written");
+        let root = writer.add_root(&mut genome, &[3.0, 0.0, 0.0, 0.0, -3.0, 0.0, 5.0, 0.0, 0.0, -5.0]);
+        let pair = vocabulary.pair(&mut Stream::new(1, 0, Purpose::Test, 0)).expect("two sources of two values");
+        let edge = genome.team(root).edges[0];
+        let edges = vec![edge, twin(&mut genome, edge, pair)];
+        let team = genome.add_team(Team { edges });
+        let policy = genome.policy(team, &vocabulary);
+        let values = |leaf: usize, state: [f64; 4]| {
+            let Destination::Leaf(leaf) = genome.team(team).edges[leaf].to else { panic!("a leaf") };
+            let programs = &genome.leaves()[&leaf].programs;
+            programs.iter().map(|id| genome.program(*id).bid(&vocabulary, &state)).collect::<Vec<_>>()
+        };
+        assert_eq!(policy.leaves.len(), 2);
+        assert_eq!(
+            (values(0, [2.0, 1.0, 0.5, 0.0]), values(1, [0.5, 0.0, 2.0, 1.0])),
+            (vec![3.0, 0.0], vec![3.0, 0.0])
+        );
     }
 
     #[test]

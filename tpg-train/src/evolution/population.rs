@@ -95,7 +95,9 @@ impl Population {
         if genome.teams.is_empty() {
             let mut stream = moment.stream(Purpose::Initial, 0);
             if actions == 0 {
-                *genome = growing.random_population(config.tpg.init_nb_roots, &mut stream);
+                let is_first = config.start.share == 0.0; // else a search for weights has written sums
+                let writer = is_first.then(|| context.writer(ProgramKind::Sum).ok()).flatten();
+                *genome = growing.random_population(config.tpg.init_nb_roots, writer.as_ref(), &mut stream);
             } else {
                 *genome = random_population(&programs, &config.tpg, actions, &mut stream);
                 mirror.complete_roots(genome, config.tpg.max_outgoing_edges);

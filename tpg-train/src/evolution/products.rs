@@ -4,13 +4,10 @@
 
 use super::genome::{GenomeLine, Program};
 use super::mutate_program::ProgramMutator;
-use super::vocabulary::Gene;
+use super::vocabulary::{Gene, Input};
 use tpg_engine::random::Stream;
 use tpg_graph::Word;
 use tpg_runtime::ops::Instruction;
-
-/// An input: its operand, its place in the flat state, and its unit.
-type Input = (Gene, u16, f64);
 
 /// Most terms of a random sum.
 const MOST_TERMS: usize = 2;

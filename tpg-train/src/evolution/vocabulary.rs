@@ -1,6 +1,7 @@
 //! The vocabulary of programs: instructions, registers and sources, numbered as in GEGELATI.
 
 use serde::{Deserialize, Serialize};
+use tpg_engine::random::Stream;
 use tpg_engine::{Limits, Line, Operand};
 use tpg_graph::import::{Expression, Reading};
 use tpg_graph::{ScalarType, SourceDocument, Word};
@@ -92,6 +93,9 @@ impl Gene {
     }
 }
 
+/// An input: its operand, its place in the flat state, and its unit.
+pub(super) type Input = (Gene, u16, f64);
+
 /// Meaning of a source number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SourceKind {
@@ -114,6 +118,8 @@ pub struct Vocabulary {
     scalar: ScalarType,
     /// Units of literals: half the range of each value of the flat state; empty without literals.
     scales: Vec<f64>,
+    /// The middles of their declared ranges; 0 of a range without an end.
+    middles: Vec<f64>,
     /// The outputs, where there are some in place of actions.
     outputs: Vec<Limits>,
 }
@@ -143,6 +149,8 @@ impl Vocabulary {
         }
         let longest = sources.iter().map(|source| source.length as u16).max().unwrap_or(1);
         let largest_address_space = registers.max(longest);
+        let middle = |[min, max]: [f64; 2]| Some(0.5 * (min + max)).filter(|middle| middle.is_finite()).unwrap_or(0.0);
+        let middles = sources.iter().flat_map(|source| source.ranges.iter().copied().map(middle)).collect();
         Self {
             instructions,
             registers,
@@ -150,6 +158,7 @@ impl Vocabulary {
             largest_address_space,
             scalar,
             scales: literals.unwrap_or_default(),
+            middles,
             outputs: Vec::new(),
         }
     }
@@ -170,6 +179,11 @@ impl Vocabulary {
         &self.scales
     }
 
+    /// Returns the middle of the declared range of a value of the flat state.
+    pub fn middle(&self, place: u16) -> f64 {
+        self.middles[usize::from(place)]
+    }
+
     /// Returns the instruction set.
     pub fn instructions(&self) -> &[ProgramInstruction] {
         &self.instructions
@@ -186,6 +200,19 @@ impl Vocabulary {
             .iter()
             .position(|known| *known == ProgramInstruction::Word(word))
             .map(|place| place as InstructionIndex)
+    }
+
+    /// Returns the numbers of two sources of as many values each, more than one: two things of a kind. Draws none if there are none.
+    pub fn pair(&self, stream: &mut Stream) -> Option<[u8; 2]> {
+        let sources = || (0..).zip(&self.kinds);
+        let pairs = sources().flat_map(|one| sources().map(move |other| [one, other])).filter_map(|pair| match pair {
+            [(one, SourceKind::Data(_, length)), (other, SourceKind::Data(_, same))] => {
+                (one < other && length == same && *length > 1).then_some([one, other])
+            }
+            _ => None,
+        });
+        let pairs: Vec<[u8; 2]> = pairs.collect();
+        (!pairs.is_empty()).then(|| *stream.pick(&pairs))
     }
 
     /// Returns the operand that is a literal number; only where literals are allowed.
@@ -242,7 +269,7 @@ impl Vocabulary {
     }
 
     /// Returns the inputs that programs can read: an operand for each, its place in the flat state, and its unit.
-    pub fn inputs(&self) -> Vec<(Gene, u16, f64)> {
+    pub fn inputs(&self) -> Vec<Input> {
         let of_source = |(source, kind): (u8, &SourceKind)| match *kind {
             SourceKind::Data(place, length) => (0..length).map(|at| (source, at, place + at)).collect(),
             SourceKind::Registers | SourceKind::Literal => Vec::new(),
