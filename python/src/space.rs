@@ -9,7 +9,7 @@ use tpg_graph::{Graph, SourceDocument};
 use tpg_runtime::scalar::Scalar;
 
 /// Names, units and ranges of an environment's observations and actions. It never steps: episodes run in Python.
-#[pyclass(frozen, module = "tpg_train._tpg")]
+#[pyclass(frozen, from_py_object, module = "tpg_train._tpg")]
 #[derive(Clone, Debug)]
 pub(crate) struct Space {
     pub(crate) sources: Vec<SourceDocument>,
