@@ -4,10 +4,9 @@
 //! and go rarely.
 
 use super::children::add_children;
-use super::config::{ProgramParameters, TpgParameters};
+use super::config::ProgramParameters;
 use super::genome::{Destination, Edge, Genome, Leaf, LeafId, Team, TeamId};
-use super::mutate_program::ProgramMutator;
-use super::refine::Refiner;
+use super::mutate_program::Mutator;
 use super::stage::Moment;
 use tpg_engine::random::Stream;
 
@@ -30,31 +29,18 @@ impl ProgramParameters {
     pub(super) fn leaf_lines(&self) -> usize {
         self.max_program_size.max(LINES)
     }
+}
 
-    /// Returns the parameters of a leaf's programs: those of bids, but longer.
-    pub(super) fn of_leaves(&self) -> Self {
-        Self { max_program_size: self.leaf_lines(), ..self.clone() }
+impl Mutator<'_> {
+    /// Returns the mutator of the programs of leaves: it is that of bids, but its programs are longer.
+    fn for_leaves(self) -> Self {
+        Self { max_lines: self.config.program.leaf_lines(), ..self }
     }
-}
 
-/// Draws and changes policies with outputs.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct LeafMutator<'a> {
-    /// Draws and changes the programs that bid.
-    pub bids: ProgramMutator<'a>,
-    /// Draws and changes the programs of leaves.
-    pub leaves: ProgramMutator<'a>,
-    /// Makes children by small changes.
-    pub refiner: Refiner<'a>,
-    /// Parameters of teams.
-    pub tpg: &'a TpgParameters,
-}
-
-impl LeafMutator<'_> {
     /// Draws a population of formulas: each root has one edge, to a leaf of its own.
-    pub(super) fn random_population(&self, roots: usize, stream: &mut Stream) -> Genome {
+    pub(super) fn random_leaves(&self, stream: &mut Stream) -> Genome {
         let mut genome = Genome::default();
-        for _ in 0..roots {
+        for _ in 0..self.config.tpg.init_nb_roots {
             let edge = self.edge_to_new_leaf(&mut genome, stream);
             genome.add_team(Team { edges: vec![edge] });
         }
@@ -62,23 +48,23 @@ impl LeafMutator<'_> {
     }
 
     fn edge_to_new_leaf(&self, genome: &mut Genome, stream: &mut Stream) -> Edge {
-        let outputs = self.leaves.vocabulary.outputs().len();
-        let programs = (0..outputs).map(|_| genome.add_program(self.leaves.random(stream))).collect();
+        let outputs = self.vocabulary.outputs().len();
+        let programs = (0..outputs).map(|_| genome.add_program(self.for_leaves().random(stream))).collect();
         let leaf = genome.add_leaf(Leaf { programs });
-        Edge { program: genome.add_program(self.bids.random(stream)), to: Destination::Leaf(leaf) }
+        Edge { program: genome.add_program(self.random(stream)), to: Destination::Leaf(leaf) }
     }
 
     /// Adds children, changed copies of roots.
-    pub(super) fn populate(&self, genome: &mut Genome, moment: Moment) {
+    pub(super) fn populate_leaves(&self, genome: &mut Genome, moment: Moment) {
         let teams: Vec<TeamId> = genome.teams.keys().copied().collect();
         let leaves: Vec<LeafId> = genome.leaves().keys().copied().collect();
         let before = Before { teams: &teams, leaves: &leaves };
-        let child = |genome: &mut Genome, parent, stream: &mut Stream| self.child(genome, parent, &before, stream);
-        add_children(genome, self.tpg.nb_roots, moment, child);
+        let child = |genome: &mut Genome, parent, stream: &mut Stream| self.leaf_child(genome, parent, &before, stream);
+        add_children(genome, self.config.tpg.nb_roots, moment, child);
     }
 
-    fn child(&self, genome: &mut Genome, parent: TeamId, before: &Before<'_>, stream: &mut Stream) -> TeamId {
-        if let Some(child) = self.refiner.child(genome, parent, stream) {
+    fn leaf_child(&self, genome: &mut Genome, parent: TeamId, before: &Before<'_>, stream: &mut Stream) -> TeamId {
+        if let Some(child) = self.refined_child(genome, parent, stream) {
             return child;
         }
         let mut edges = genome.team(parent).edges.clone();
@@ -94,13 +80,13 @@ impl LeafMutator<'_> {
         if edges.len() > 1 && stream.chance(P_EDGE_DELETION) {
             edges.remove(stream.below(edges.len()));
         }
-        if edges.len() < self.tpg.max_outgoing_edges && stream.chance(P_EDGE_ADDITION) {
+        if edges.len() < self.config.tpg.max_outgoing_edges && stream.chance(P_EDGE_ADDITION) {
             let to = if stream.chance(P_TEAM) {
                 Destination::Team(*stream.pick(before.teams))
             } else {
                 Destination::Leaf(*stream.pick(before.leaves))
             };
-            edges.push(Edge { program: genome.add_program(self.bids.random(stream)), to });
+            edges.push(Edge { program: genome.add_program(self.random(stream)), to });
         }
         genome.add_team(Team { edges })
     }
@@ -112,11 +98,11 @@ impl LeafMutator<'_> {
         let mut program = genome.program(programs[output]).clone();
         let refined = stream.chance(P_LITERALS) && {
             let deviation = *stream.pick(&REFINEMENTS);
-            self.leaves.refine(&mut program, deviation, stream)
+            self.for_leaves().refine(&mut program, deviation, stream)
         };
         if !refined {
             for _ in 0..1 + stream.below(ROUNDS) {
-                self.leaves.mutate(&mut program, stream);
+                self.for_leaves().mutate(&mut program, stream);
             }
         }
         programs[output] = genome.add_program(program);
@@ -125,7 +111,7 @@ impl LeafMutator<'_> {
 
     fn change_bid(&self, genome: &mut Genome, edge: &mut Edge, stream: &mut Stream) {
         let mut program = genome.program(edge.program).clone();
-        self.bids.mutate(&mut program, stream);
+        self.mutate(&mut program, stream);
         edge.program = genome.add_program(program);
     }
 }
@@ -138,11 +124,9 @@ struct Before<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::LeafMutator;
+    use super::Mutator;
     use crate::evolution::config::EvolutionConfig;
     use crate::evolution::genome::{Destination, Genome};
-    use crate::evolution::mutate_program::ProgramMutator;
-    use crate::evolution::refine::Refiner;
     use crate::evolution::stage::Moment;
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::Limits;
@@ -150,19 +134,16 @@ mod tests {
     use tpg_graph::{ScalarType, SourceDocument};
 
     fn evolved(generations: u64) -> Genome {
-        let config = EvolutionConfig::default();
+        let mut config = EvolutionConfig::default();
+        config.tpg.init_nb_roots = 40;
         let source = SourceDocument::new("s", "1", vec![[-1.0, 1.0]; 3]);
         let limits = Limits { min: -1.0, max: 1.0, nan: 0.0 };
         let vocabulary = Vocabulary::new(config.instructions(), 4, &[source], Some(vec![1.0; 3]), ScalarType::F32)
             .with_outputs(vec![limits; 2]);
-        let bids = ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
-        let longer = config.program.of_leaves();
-        let leaves = ProgramMutator { parameters: &longer, ..bids };
-        let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
-        let mutator = LeafMutator { bids, leaves, refiner, tpg: &config.tpg };
-        let mut genome = mutator.random_population(40, &mut Stream::new(1, 0, Purpose::Test, 0));
+        let mutator = Mutator::new(&config, &vocabulary, 0, &[]);
+        let mut genome = mutator.random_leaves(&mut Stream::new(1, 0, Purpose::Test, 0));
         for generation in 0..generations {
-            mutator.populate(&mut genome, Moment { seed: 1, generation });
+            mutator.populate_leaves(&mut genome, Moment { seed: 1, generation });
             let doomed: Vec<_> = genome.roots().into_iter().step_by(2).collect();
             genome.remove_roots(&doomed);
         }

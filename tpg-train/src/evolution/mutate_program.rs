@@ -1,6 +1,6 @@
 //! Random programs and their mutations, with GEGELATI's choices (`mutator/programMutator.cpp`, `mutator/lineMutator.cpp`).
 
-use super::config::{Literals, ProgramParameters};
+use super::config::EvolutionConfig;
 use super::genome::{GenomeLine, Program};
 use super::vocabulary::{Gene, OPERANDS, SourceKind, Vocabulary};
 use tpg_engine::random::Stream;
@@ -15,25 +15,39 @@ const LITERAL_CHANGE: f64 = 0.667;
 /// Standard deviation of the factor's distance from 1 when a number is scaled.
 const LITERAL_SCALING: f64 = 0.3;
 
-/// Parameters of program mutations.
+/// Draws and changes programs and policies.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ProgramMutator<'a> {
+pub(super) struct Mutator<'a> {
+    /// The settings.
+    pub config: &'a EvolutionConfig,
     /// The vocabulary of programs.
     pub vocabulary: &'a Vocabulary,
-    /// GEGELATI's parameters.
-    pub parameters: &'a ProgramParameters,
-    /// Parameters for drawing and changing literal constants.
-    pub literals: &'a Literals,
+    /// Number of actions; 0 with outputs.
+    pub actions: u16,
+    /// The action that undoes each one, if there is one.
+    pub opposites: &'a [Option<u16>],
+    /// Maximum number of lines of a program.
+    pub max_lines: usize,
 }
 
-impl ProgramMutator<'_> {
+impl<'a> Mutator<'a> {
+    /// Creates the mutator of bids; programs of leaves are [longer](Self::for_leaves).
+    pub(super) fn new(
+        config: &'a EvolutionConfig,
+        vocabulary: &'a Vocabulary,
+        actions: u16,
+        opposites: &'a [Option<u16>],
+    ) -> Self {
+        Self { config, vocabulary, actions, opposites, max_lines: config.program.max_program_size }
+    }
+
     /// Creates a random program (`ProgramMutator::initRandomProgram`) of 1 to `maxProgramSize` lines.
     pub(super) fn random(&self, stream: &mut Stream) -> Program {
         if let Some(lines) = self.random_sum(stream) {
             return Program { lines };
         }
         let mut program = Program { lines: Vec::new() };
-        let lines = 1 + stream.below(self.parameters.max_program_size);
+        let lines = 1 + stream.below(self.max_lines);
         while program.lines.len() < lines {
             self.insert_line(&mut program, stream);
         }
@@ -54,18 +68,17 @@ impl ProgramMutator<'_> {
 
     /// Performs one round of mutation (`ProgramMutator::mutateProgram`).
     pub(super) fn mutate(&self, program: &mut Program, stream: &mut Stream) {
-        let parameters = self.parameters;
         if program.lines.len() > 1 && stream.chance(P_DELETE) {
             let place = stream.below(program.lines.len());
             program.lines.remove(place);
         }
-        let grows = program.lines.len() < parameters.max_program_size && stream.chance(P_ADD);
+        let grows = program.lines.len() < self.max_lines && stream.chance(P_ADD);
         if grows && !self.insert_term(program, stream) {
             self.insert_line(program, stream);
         }
         let place = stream.below(program.lines.len());
         self.alter_line(&mut program.lines[place], stream);
-        if stream.chance(parameters.p_swap) {
+        if stream.chance(self.config.program.p_swap) {
             swap_lines(program, stream);
         }
     }
@@ -121,7 +134,7 @@ impl ProgramMutator<'_> {
     /// Draws a literal in the unit of an input. It is normally distributed with one of a few widths, because bids are
     /// sums of large and small numbers.
     fn random_literal(&self, stream: &mut Stream) -> f64 {
-        let width = *stream.pick(&self.literals.deviations);
+        let width = *stream.pick(&self.config.literals.deviations);
         let scales = self.vocabulary.scales();
         let unit = if scales.is_empty() { 1.0 } else { *stream.pick(scales) };
         self.vocabulary.scalar().round(unit * width * stream.normal())

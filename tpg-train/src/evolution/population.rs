@@ -2,12 +2,8 @@
 
 use super::genome::{Genome, TeamId};
 use super::linear::ProgramKind;
-use super::mirror::Mirror;
-use super::mutate_leaf::LeafMutator;
-use super::mutate_program::ProgramMutator;
-use super::mutate_team::{TeamMutator, random_population};
+use super::mutate_program::Mutator;
 use super::record::{Record, Row};
-use super::refine::Refiner;
 use super::search::Search;
 use super::select::{Scored, ranked, survivors};
 use super::stage::{Candidate, Context, EpisodePlan, Moment, Results, Stage};
@@ -82,29 +78,22 @@ impl Population {
     }
 
     fn breed(&mut self, context: &Context<'_>, moment: Moment) {
-        let Context { config, vocabulary, opposites, .. } = *context;
-        let programs = ProgramMutator { vocabulary, parameters: &config.program, literals: &config.literals };
-        let longer = config.program.of_leaves();
-        let leaves = ProgramMutator { parameters: &longer, ..programs };
-        let refiner = Refiner { vocabulary, parameters: &config.refinement };
-        let growing = LeafMutator { bids: programs, leaves, refiner, tpg: &config.tpg };
-        let mirror = Mirror { programs, opposites, probability: config.refinement.p_mirror };
-        let actions = context.actions;
-        let teams = TeamMutator { programs, refiner, mirror, parameters: &config.tpg, actions };
+        let Context { config, vocabulary, actions, opposites, .. } = *context;
+        let mutator = Mutator::new(config, vocabulary, actions, opposites);
         let genome = &mut self.genome;
         if genome.teams.is_empty() {
             let mut stream = moment.stream(Purpose::Initial, 0);
             if actions == 0 {
-                *genome = growing.random_population(config.tpg.init_nb_roots, &mut stream);
+                *genome = mutator.random_leaves(&mut stream);
             } else {
-                *genome = random_population(&programs, &config.tpg, actions, &mut stream);
-                mirror.complete_roots(genome, config.tpg.max_outgoing_edges);
+                *genome = mutator.random_teams(&mut stream);
+                mutator.complete_roots(genome);
             }
         }
         if actions == 0 {
-            growing.populate(genome, moment);
+            mutator.populate_leaves(genome, moment);
         } else {
-            teams.populate(genome, moment);
+            mutator.populate_teams(genome, moment);
         }
     }
 

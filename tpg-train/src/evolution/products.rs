@@ -3,7 +3,7 @@
 //! Two random lines hardly ever make such a product, and half of a difference of products is often worth nothing.
 
 use super::genome::{GenomeLine, Program};
-use super::mutate_program::ProgramMutator;
+use super::mutate_program::Mutator;
 use super::vocabulary::Gene;
 use tpg_engine::random::Stream;
 use tpg_graph::Word;
@@ -18,7 +18,7 @@ const MOST_TERMS: usize = 2;
 /// Most lines of a product.
 const LINES: usize = 2;
 
-impl ProgramMutator<'_> {
+impl Mutator<'_> {
     /// Returns a random program whose bid is a sum of products, if the parameters want one now. Draws nothing where they never do.
     pub(super) fn random_sum(&self, stream: &mut Stream) -> Option<Vec<GenomeLine>> {
         if !self.wants_product(stream) {
@@ -28,7 +28,7 @@ impl ProgramMutator<'_> {
         let mut lines = self.term(stream);
         for _ in 1..terms {
             let term = self.term(stream);
-            if lines.len() + term.len() <= self.parameters.max_program_size {
+            if lines.len() + term.len() <= self.max_lines {
                 lines.extend(term);
             }
         }
@@ -42,7 +42,7 @@ impl ProgramMutator<'_> {
             return false;
         }
         let term = self.term(stream);
-        let fits = program.lines.len() + term.len() <= self.parameters.max_program_size;
+        let fits = program.lines.len() + term.len() <= self.max_lines;
         if fits {
             let place = stream.below(program.lines.len() + 1);
             program.lines.splice(place..place, term);
@@ -51,7 +51,7 @@ impl ProgramMutator<'_> {
     }
 
     fn wants_product(&self, stream: &mut Stream) -> bool {
-        let probability = self.parameters.p_product;
+        let probability = self.config.program.p_product;
         probability > 0.0 && stream.chance(probability)
     }
 
@@ -62,7 +62,7 @@ impl ProgramMutator<'_> {
         let sign = if stream.chance(0.5) { 1.0 } else { -1.0 };
         let kind = stream.below(3);
         if kind > 0
-            && self.parameters.max_program_size >= 2 * LINES
+            && self.max_lines >= 2 * LINES
             && let Some([a, b]) = self.two_sources(&inputs, stream)
         {
             let most = a.len().min(b.len());
@@ -120,7 +120,7 @@ mod tests {
     use crate::configuration::Configuration as _;
     use crate::evolution::config::EvolutionConfig;
     use crate::evolution::genome::Program;
-    use crate::evolution::mutate_program::ProgramMutator;
+    use crate::evolution::mutate_program::Mutator;
     use crate::evolution::vocabulary::Vocabulary;
     use std::collections::BTreeSet;
     use tpg_engine::random::{Purpose, Stream};
@@ -141,8 +141,7 @@ mod tests {
         let sources = [source("a"), source("b")];
         let vocabulary =
             Vocabulary::new(config.instructions(), 3, &sources[..state.len() / 2], Some(units), ScalarType::F64);
-        let mutator =
-            ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
+        let mutator = Mutator::new(config, &vocabulary, 2, &[]);
         let term = |index| {
             let mut program = Program::default();
             assert!(mutator.insert_term(&mut program, &mut Stream::new(1, 0, Purpose::Test, index)));
@@ -178,8 +177,7 @@ mod tests {
             ScalarType::F64,
         );
         config.program.max_program_size = 3;
-        let mut mutator =
-            ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
+        let mutator = Mutator::new(&config, &vocabulary, 2, &[]);
         for index in 0..300 {
             let mut stream = Stream::new(1, 0, Purpose::Test, index);
             let mut program = mutator.random(&mut stream);
@@ -187,8 +185,9 @@ mod tests {
             mutator.insert_term(&mut program, &mut stream);
             assert!(program.lines.len() <= 3);
         }
-        let never = crate::evolution::config::ProgramParameters { p_product: 0.0, ..config.program.clone() };
-        mutator.parameters = &never;
+        let mut never = config.clone();
+        never.program.p_product = 0.0;
+        let mutator = Mutator::new(&never, &vocabulary, 2, &[]);
         let mut stream = Stream::new(1, 0, Purpose::Test, 0);
         let before = stream.clone().bits();
         assert_eq!(mutator.random_sum(&mut stream), None);
