@@ -88,7 +88,7 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
         let first = state.rows.first().map_or(1.0, |row| row.steps as f64 / row.roots.max(1) as f64);
         let episodes = self.goal.max_steps.map(|most| random * most as f64 / first.max(1.0));
         let [fewest, few, many] = SAMPLES;
-        let rows = if self.actions == 0 { self.vocabulary.outputs().len() } else { self.actions.into() };
+        let rows = if self.actions == 0 { self.vocabulary.outputs.len() } else { self.actions.into() };
         let most = (rows * self.vocabulary.inputs().len()).clamp(few, many);
         Context {
             config: self.config,

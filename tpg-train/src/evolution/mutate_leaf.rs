@@ -48,7 +48,7 @@ impl Mutator<'_> {
     }
 
     fn edge_to_new_leaf(&self, genome: &mut Genome, stream: &mut Stream) -> Edge {
-        let outputs = self.vocabulary.outputs().len();
+        let outputs = self.vocabulary.outputs.len();
         let programs = (0..outputs).map(|_| genome.add_program(self.for_leaves().random(stream))).collect();
         let leaf = genome.add_leaf(Leaf { programs });
         Edge { program: genome.add_program(self.random(stream)), to: Destination::Leaf(leaf) }
@@ -138,8 +138,8 @@ mod tests {
         config.tpg.init_nb_roots = 40;
         let source = SourceDocument::new("s", "1", vec![[-1.0, 1.0]; 3]);
         let limits = Limits { min: -1.0, max: 1.0, nan: 0.0 };
-        let vocabulary = Vocabulary::new(config.instructions(), 4, &[source], Some(vec![1.0; 3]), ScalarType::F32)
-            .with_outputs(vec![limits; 2]);
+        let bare = Vocabulary::new(config.instructions(), 4, &[source], Some(vec![1.0; 3]), ScalarType::F32);
+        let vocabulary = Vocabulary { outputs: vec![limits; 2], ..bare };
         let mutator = Mutator::new(&config, &vocabulary, 0, &[]);
         let mut genome = mutator.random_leaves(&mut Stream::new(1, 0, Purpose::Test, 0));
         for generation in 0..generations {

@@ -92,11 +92,11 @@ impl<'a> Mutator<'a> {
     /// Draws a line with every choice uniform (`LineMutator::initRandomCorrectLine`).
     fn random_line(&self, stream: &mut Stream) -> GenomeLine {
         GenomeLine {
-            to: stream.below(self.vocabulary.registers().into()) as u16,
-            instruction: stream.below(self.vocabulary.instructions().len()) as u8,
+            to: stream.below(self.vocabulary.registers.into()) as u16,
+            instruction: stream.below(self.vocabulary.instructions.len()) as u8,
             operands: [(); OPERANDS].map(|()| Gene {
                 source: stream.below(self.vocabulary.sources()) as u8,
-                location: stream.below(self.vocabulary.largest_address_space().into()) as u16,
+                location: stream.below(self.vocabulary.largest_address_space.into()) as u16,
                 literal: self.random_literal(stream),
             }),
         }
@@ -107,15 +107,15 @@ impl<'a> Mutator<'a> {
     fn alter_line(&self, line: &mut GenomeLine, stream: &mut Stream) {
         let vocabulary = self.vocabulary;
         let bits = |values: usize| values.next_power_of_two().trailing_zeros() as usize;
-        let instruction = bits(vocabulary.instructions().len());
-        let destination = bits(vocabulary.registers().into());
+        let instruction = bits(vocabulary.instructions.len());
+        let destination = bits(vocabulary.registers.into());
         let source = bits(vocabulary.sources());
-        let operand = source + bits(vocabulary.largest_address_space().into());
+        let operand = source + bits(vocabulary.largest_address_space.into());
         let selected = stream.below((instruction + destination + OPERANDS * operand).max(1));
         if selected < instruction {
-            line.instruction = other(line.instruction.into(), vocabulary.instructions().len(), stream) as u8;
+            line.instruction = other(line.instruction.into(), vocabulary.instructions.len(), stream) as u8;
         } else if selected < instruction + destination {
-            line.to = other(line.to.into(), vocabulary.registers().into(), stream) as u16;
+            line.to = other(line.to.into(), vocabulary.registers.into(), stream) as u16;
         } else {
             let selected = selected - instruction - destination;
             // Without operand bits (one source with one location) there is nothing to alter.
@@ -126,7 +126,7 @@ impl<'a> Mutator<'a> {
             } else if selected % operand < source {
                 gene.source = other(gene.source.into(), vocabulary.sources(), stream) as u8;
             } else {
-                gene.location = other(gene.location.into(), vocabulary.largest_address_space().into(), stream) as u16;
+                gene.location = other(gene.location.into(), vocabulary.largest_address_space.into(), stream) as u16;
             }
         }
     }
@@ -135,9 +135,9 @@ impl<'a> Mutator<'a> {
     /// sums of large and small numbers.
     fn random_literal(&self, stream: &mut Stream) -> f64 {
         let width = *stream.pick(&self.config.literals.deviations);
-        let scales = self.vocabulary.scales();
+        let scales = &self.vocabulary.scales;
         let unit = if scales.is_empty() { 1.0 } else { *stream.pick(scales) };
-        self.vocabulary.scalar().round(unit * width * stream.normal())
+        self.vocabulary.scalar.round(unit * width * stream.normal())
     }
 
     /// Changes a literal: scaled slightly (half of the time), negated, or redrawn.

@@ -102,11 +102,11 @@ impl Mutator<'_> {
         let number = |word: Word| vocabulary.index(word).expect("a checked configuration has it");
         let add = number(Word::MultiplyAdd);
         let unit = unit * second.map_or(1.0, |(.., unit)| unit);
-        let weight = vocabulary.literal(vocabulary.scalar().round(sign / unit));
+        let weight = vocabulary.literal(vocabulary.scalar.round(sign / unit));
         let Some((second, ..)) = second else {
             return vec![GenomeLine { instruction: add, to: 0, operands: [first, weight] }];
         };
-        let to = 1 + stream.below(usize::from(vocabulary.registers()) - 1) as u16;
+        let to = 1 + stream.below(usize::from(vocabulary.registers) - 1) as u16;
         let weighted = Gene::register(to);
         vec![
             GenomeLine { instruction: number(Instruction::Mul.into()), to, operands: [first, weight] },

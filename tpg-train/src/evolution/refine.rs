@@ -143,7 +143,8 @@ mod tests {
         let words = vec![Instruction::Add.into(), Word::MultiplyAdd];
         let source = SourceDocument::new("s", "1", vec![[-1.0, 1.0]; 3]);
         let limits = Limits { min: -1.0, max: 1.0, nan: 0.0 };
-        Vocabulary::new(words, 2, &[source], Some(vec![1.0; 3]), ScalarType::F64).with_outputs(vec![limits; 2])
+        let bare = Vocabulary::new(words, 2, &[source], Some(vec![1.0; 3]), ScalarType::F64);
+        Vocabulary { outputs: vec![limits; 2], ..bare }
     }
 
     fn children(p_jitter: f64, p_deletion: f64) -> (PolicyGraph, Vec<Option<PolicyGraph>>) {

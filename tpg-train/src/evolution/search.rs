@@ -329,7 +329,8 @@ mod tests {
         let output = |place| Output { name: format!("motor_{place}"), unit: String::new(), min: -1.0, max: 1.0 };
         let limits = (0..outputs).map(|place| output(place).limits(ScalarType::F32)).collect();
         let scales = Some(vec![1.0; 10]);
-        Vocabulary::new(config.instructions(), 8, &sources, scales, ScalarType::F32).with_outputs(limits)
+        let bare = Vocabulary::new(config.instructions(), 8, &sources, scales, ScalarType::F32);
+        Vocabulary { outputs: limits, ..bare }
     }
 
     fn context<'a>(config: &'a EvolutionConfig, vocabulary: &'a Vocabulary) -> Context<'a> {
