@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use tpg_engine::{
     Choices, Environment, EpisodeResult, EvaluationError, Evaluator, LocalThreads, Moments, Play, Played, PolicyGraph,
-    Remembered, Remembering, Work,
+    Remembering, Work,
 };
 use tpg_graph::ScalarType;
 use tpg_problems::Number;
@@ -103,9 +103,9 @@ impl Run {
     {
         match field {
             Field::Outside(space) => {
-                let inputs = space.length() + usize::from(self.config.language.memory);
-                let outside = Outside { run: self, inputs };
-                self.train::<S, _>(&self.remembering::<S, _>(space.clone()), &outside)
+                let memory = self.config.language.memory;
+                let outside = Outside { run: self, inputs: space.length() + usize::from(memory) };
+                self.train::<S, _>(&Remembering::new::<S>(space.clone(), memory), &outside)
             }
             Field::Samples(samples) => self.evolve_here::<S, _>(samples.clone()),
             Field::Native(name) => {
@@ -116,18 +116,12 @@ impl Run {
         }
     }
 
-    /// Adds the memory of policies to an environment.
-    fn remembering<S: Scalar, E: Environment<S>>(&self, environment: E) -> Remembering<E> {
-        let memory = Remembered::zeros(self.config.language.memory, &environment.sources());
-        Remembering::new(environment, memory)
-    }
-
     /// A run whose episodes this process runs.
     fn evolve_here<S: Scalar, E: Environment<S>>(&self, environment: E) -> PyResult<bool>
     where
         Own: Maths<S>,
     {
-        let environment = self.remembering::<S, _>(environment);
+        let environment = Remembering::new::<S>(environment, self.config.language.memory);
         let evaluator = LocalThreads::<S, Own, _>::new(&environment, self.threads).map_err(error::training)?;
         self.train::<S, _>(&environment, &evaluator)
     }

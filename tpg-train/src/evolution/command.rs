@@ -16,8 +16,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_engine::{
-    AnyEpisode, AnyTask, Choices, Environment, Evaluator, LocalThreads, Measure, Remembered, Remembering, Summary,
-    erase,
+    AnyEpisode, AnyTask, Choices, Environment, Evaluator, LocalThreads, Measure, Remembering, Summary, erase,
 };
 use tpg_graph::ScalarType;
 use tpg_graph::command::Verdict;
@@ -109,8 +108,7 @@ impl TpgRun<'_> {
             Some(asking) => &**asking,
             None => &choices,
         };
-        let memory = Remembered::zeros(self.config.language.memory, &acting.sources());
-        let environment = Remembering::new(acting, memory);
+        let environment = Remembering::new::<S>(acting, self.config.language.memory);
         let local = LocalThreads::<S, Own, _>::new(&environment, self.args.threads)?;
         let Some(ranks) = self.ranks else { return self.restarts(out, &environment, &local) };
         let identity = format!("{}\n{}", env!("CARGO_PKG_VERSION"), self.config.to_toml());
