@@ -4,7 +4,7 @@ use crate::error;
 use crate::eye::Eye;
 use pyo3::prelude::*;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, Environment, NETWORK, Output, SourceSet, Step, state_length};
+use tpg_engine::{Act, ActionSpace, Environment, Output, SourceSet, Step, state_length};
 use tpg_graph::{Graph, SourceDocument};
 use tpg_runtime::scalar::Scalar;
 
@@ -37,7 +37,7 @@ impl Space {
         let actions = if outputs.is_empty() {
             let own = &actions[..actions.len() - usize::from(asks && !actions.is_empty())];
             let space = ActionSpace::discrete(own.iter().map(String::as_str));
-            if asks { space.with_ask(NETWORK) } else { space }
+            if asks { space.with_ask() } else { space }
         } else {
             ActionSpace::Box(outputs.into_iter().map(output).collect())
         };

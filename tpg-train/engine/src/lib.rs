@@ -58,7 +58,7 @@ mod units;
 mod view;
 mod work;
 
-pub use action::{Act, ActionSpace, Acts, NETWORK, Output};
+pub use action::{Act, ActionSpace, Acts, Output};
 pub use binding::{bind, places, reading};
 pub use choices::Choices;
 pub use environment::{Environment, OneByOne};

@@ -6,8 +6,8 @@ use crate::sac::network::Network;
 use std::cell::RefCell;
 use std::marker::PhantomData;
 use tpg_engine::{
-    ActionSpace, Choices, DEFAULT_LANES, Decision, Environment, EpisodeResult, Lanes, NETWORK, Plan, Remembering,
-    Rollout, Single, SourceSet, bind, state_length,
+    ActionSpace, Choices, DEFAULT_LANES, Decision, Environment, EpisodeResult, Lanes, Plan, Remembering, Rollout,
+    Single, SourceSet, bind, state_length,
 };
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
@@ -294,9 +294,9 @@ fn graph_policy<'e, S: Scalar, M: Maths<S>, E: Environment<S> + 'e>(
     (file, graph): &(String, Graph),
     environment: &E,
 ) -> Result<impl Policy<State = State<'e, S, E>, Action = Answer<Decision<S>>> + use<'e, S, M, E>, InputError> {
-    let (sources, actions) = (environment.sources(), environment.actions().with_ask(NETWORK));
+    let (sources, actions) = (environment.sources(), environment.actions().with_ask());
     let plan = Plan::new::<M>(&bind(file, graph, &sources, &actions)?, &sources);
-    let (wanted, ask) = (plan.wanted(), actions.asking(NETWORK));
+    let (wanted, ask) = (plan.wanted(), actions.asking());
     let single = Single::<S, M>::new(plan);
     let decide = move |state: &State<'e, S, E>| match single.answer(state.borrow_mut().observe(wanted)) {
         interpret::Answer::Action(action) if Some(action) == ask => Answer::Ask,
