@@ -10,7 +10,7 @@ use super::interface::Interface;
 use super::lanes::TrainingLanes;
 use super::network::Network;
 use super::policy::NetworkPolicy;
-use super::replay::{Replay, Transition};
+use super::replay::Replay;
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 use tpg_engine::random::{Purpose, Stream};
@@ -179,13 +179,8 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
             lanes.observe(lane, &mut next);
             let goes_on = step.end.is_none_or(|end| end.truncated);
             let discount = libm::powf(config.learning.discount as f32, step.repeats as f32);
-            replay.push(Transition {
-                state: &before[lane * width..][..width],
-                action,
-                reward: step.reward as f32,
-                discount: if goes_on { discount } else { 0.0 },
-                next: &next,
-            });
+            let discount = if goes_on { discount } else { 0.0 };
+            replay.push(&before[lane * width..][..width], action, [step.reward as f32, discount], &next);
             if step.end.is_some() {
                 lanes.renew(lane);
             }
