@@ -95,6 +95,7 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
             vocabulary: &self.vocabulary,
             actions: self.actions,
             opposites: &self.opposites,
+            max_lines: self.config.program.max_program_size,
             preference: self.environment.preference(),
             line_price: self.line_price(state),
             left: (1.0 - part).clamp(0.0, 1.0),

@@ -1,7 +1,8 @@
 //! Pairs of opposite bids: for an action the opposite of what is bid for the action that undoes it.
 
 use super::genome::{Destination, Edge, Genome, GenomeLine, Program, Team, TeamId};
-use super::mutate_program::{Mutator, P_PROGRAM_MUTATION};
+use super::mutate_program::P_PROGRAM_MUTATION;
+use super::stage::Context;
 use super::vocabulary::{Gene, SourceKind, Vocabulary};
 use tpg_engine::ActionSpace;
 use tpg_engine::random::Stream;
@@ -31,7 +32,7 @@ const P_PAIR_DELETION: f64 = 0.7;
 ///
 /// Two actions that undo each other alternate for ever where both bid high. With opposite bids one of them is below zero, and a
 /// third action moves where both are near it.
-impl Mutator<'_> {
+impl Context<'_> {
     /// Adds a child with another pair of opposite bids, with the configured probability; `None`, where another kind of child is due.
     /// The pair is one of its own, whose program is mutated, or made of a bid of any team. Draws nothing where the probability is 0.
     pub(super) fn mirrored_child(
@@ -140,11 +141,12 @@ fn negation(vocabulary: &Vocabulary) -> Option<GenomeLine> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Mutator, opposites};
+    use super::opposites;
     use crate::configuration::Configuration as _;
     use crate::evolution::config::EvolutionConfig;
     use crate::evolution::genome::{Destination, Genome};
     use crate::evolution::linear::{LinearWriter, ProgramKind};
+    use crate::evolution::tests::context;
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::ActionSpace;
     use tpg_engine::random::{Purpose, Stream};
@@ -172,7 +174,7 @@ mod tests {
         let mut config = EvolutionConfig::preset("raw-fs").expect("a preset");
         (config.refinement.p_mirror, config.tpg.max_outgoing_edges) = (1.0, 3);
         let opposites = [Some(1), Some(0), None];
-        let mirror = Mutator::new(&config, &vocabulary, 3, &opposites);
+        let mirror = context(&config, &vocabulary, 3, &opposites);
         let mut genome = Genome::default();
         let writer = LinearWriter::new(&vocabulary, 3, ProgramKind::Sum).expect("sums can be written");
         let parent = writer.add_root(&mut genome, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
@@ -202,7 +204,7 @@ mod tests {
         assert!((5..180).contains(&same), "{same}");
         let mut never = config.clone();
         never.refinement.p_mirror = 0.0;
-        let never = Mutator::new(&never, &vocabulary, 3, &opposites);
+        let never = context(&never, &vocabulary, 3, &opposites);
         let mut stream = Stream::new(1, 0, Purpose::Test, 0);
         let before = stream.clone().bits();
         assert_eq!(never.mirrored_child(&mut genome, parent, &others, &mut stream), None);

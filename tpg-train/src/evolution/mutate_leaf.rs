@@ -6,8 +6,7 @@
 use super::children::add_children;
 use super::config::ProgramParameters;
 use super::genome::{Destination, Edge, Genome, Leaf, LeafId, Team, TeamId};
-use super::mutate_program::Mutator;
-use super::stage::Moment;
+use super::stage::{Context, Moment};
 use tpg_engine::random::Stream;
 
 /// Minimum of the maximum number of lines of a leaf's program.
@@ -31,8 +30,8 @@ impl ProgramParameters {
     }
 }
 
-impl Mutator<'_> {
-    /// Returns the mutator of the programs of leaves: it is that of bids, but its programs are longer.
+impl Context<'_> {
+    /// Returns the same for the programs of leaves, which may be longer than bids.
     fn for_leaves(self) -> Self {
         Self { max_lines: self.config.program.leaf_lines(), ..self }
     }
@@ -124,10 +123,10 @@ struct Before<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::Mutator;
     use crate::evolution::config::EvolutionConfig;
     use crate::evolution::genome::{Destination, Genome};
     use crate::evolution::stage::Moment;
+    use crate::evolution::tests::context;
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::Limits;
     use tpg_engine::random::{Purpose, Stream};
@@ -140,7 +139,7 @@ mod tests {
         let limits = Limits { min: -1.0, max: 1.0, nan: 0.0 };
         let bare = Vocabulary::new(config.instructions(), 4, &[source], Some(vec![1.0; 3]), ScalarType::F32);
         let vocabulary = Vocabulary { outputs: vec![limits; 2], ..bare };
-        let mutator = Mutator::new(&config, &vocabulary, 0, &[]);
+        let mutator = context(&config, &vocabulary, 0, &[]);
         let mut genome = mutator.random_leaves(&mut Stream::new(1, 0, Purpose::Test, 0));
         for generation in 0..generations {
             mutator.populate_leaves(&mut genome, Moment { seed: 1, generation });

@@ -1,8 +1,8 @@
 //! Random programs and their mutations, with GEGELATI's choices (`mutator/programMutator.cpp`, `mutator/lineMutator.cpp`).
 
-use super::config::EvolutionConfig;
 use super::genome::{GenomeLine, Program};
-use super::vocabulary::{Gene, OPERANDS, SourceKind, Vocabulary};
+use super::stage::Context;
+use super::vocabulary::{Gene, OPERANDS, SourceKind};
 use tpg_engine::random::Stream;
 
 /// GEGELATI's probabilities of deleting and of inserting a line; it always alters one.
@@ -15,32 +15,7 @@ const LITERAL_CHANGE: f64 = 0.667;
 /// Standard deviation of the factor's distance from 1 when a number is scaled.
 const LITERAL_SCALING: f64 = 0.3;
 
-/// Draws and changes programs and policies.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Mutator<'a> {
-    /// The settings.
-    pub config: &'a EvolutionConfig,
-    /// The vocabulary of programs.
-    pub vocabulary: &'a Vocabulary,
-    /// Number of actions; 0 with outputs.
-    pub actions: u16,
-    /// The action that undoes each one, if there is one.
-    pub opposites: &'a [Option<u16>],
-    /// Maximum number of lines of a program.
-    pub max_lines: usize,
-}
-
-impl<'a> Mutator<'a> {
-    /// Creates the mutator of bids; programs of leaves are [longer](Self::for_leaves).
-    pub(super) fn new(
-        config: &'a EvolutionConfig,
-        vocabulary: &'a Vocabulary,
-        actions: u16,
-        opposites: &'a [Option<u16>],
-    ) -> Self {
-        Self { config, vocabulary, actions, opposites, max_lines: config.program.max_program_size }
-    }
-
+impl Context<'_> {
     /// Creates a random program (`ProgramMutator::initRandomProgram`) of 1 to `maxProgramSize` lines.
     pub(super) fn random(&self, stream: &mut Stream) -> Program {
         if let Some(lines) = self.random_sum(stream) {

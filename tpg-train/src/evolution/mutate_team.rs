@@ -2,8 +2,8 @@
 
 use super::children::add_children;
 use super::genome::{Destination, Edge, Genome, ProgramId, Team, TeamId};
-use super::mutate_program::{Mutator, P_PROGRAM_MUTATION};
-use super::stage::Moment;
+use super::mutate_program::P_PROGRAM_MUTATION;
+use super::stage::{Context, Moment};
 use tpg_engine::random::{Purpose, Stream};
 
 /// GEGELATI's probabilities of deleting and adding one more edge, each less likely by that factor than the one before; the first of
@@ -17,7 +17,7 @@ struct Before<'a> {
     edges: &'a [Edge],
 }
 
-impl Mutator<'_> {
+impl Context<'_> {
     /// Creates a random population (`TPGMutator::initRandomTPG`).
     ///
     /// Each root gets two programs for two different actions, and up to `maxInitOutgoingEdges` − 2 programs of other roots:
@@ -137,10 +137,11 @@ impl Mutator<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Moment, Mutator};
+    use super::Moment;
     use crate::configuration::Configuration as _;
     use crate::evolution::config::EvolutionConfig;
     use crate::evolution::genome::{Destination, Genome, ProgramId};
+    use crate::evolution::tests::context;
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::random::{Purpose, Stream};
     use tpg_graph::{ScalarType, SourceDocument};
@@ -158,7 +159,7 @@ mod tests {
 
     fn evolved(config: &EvolutionConfig, generations: u64) -> Genome {
         let vocabulary = vocabulary(config);
-        let mutator = Mutator::new(config, &vocabulary, 9, &[]);
+        let mutator = context(config, &vocabulary, 9, &[]);
         let mut genome = mutator.random_teams(&mut Stream::new(1, 0, Purpose::Test, 0));
         for generation in 0..generations {
             mutator.populate_teams(&mut genome, Moment { seed: 1, generation });
@@ -191,7 +192,7 @@ mod tests {
         let config = config();
         let vocabulary = vocabulary(&config);
         let mut genome = evolved(&config, 8);
-        let mutator = Mutator::new(&config, &vocabulary, 9, &[]);
+        let mutator = context(&config, &vocabulary, 9, &[]);
         mutator.populate_teams(&mut genome, Moment { seed: 1, generation: 9 });
         assert_eq!(genome.roots().len(), config.tpg.nb_roots);
         let mut deep = 0;

@@ -2,7 +2,6 @@
 
 use super::genome::{Genome, TeamId};
 use super::linear::ProgramKind;
-use super::mutate_program::Mutator;
 use super::record::{Record, Row};
 use super::search::Search;
 use super::select::{Scored, ranked, survivors};
@@ -78,22 +77,20 @@ impl Population {
     }
 
     fn breed(&mut self, context: &Context<'_>, moment: Moment) {
-        let Context { config, vocabulary, actions, opposites, .. } = *context;
-        let mutator = Mutator::new(config, vocabulary, actions, opposites);
         let genome = &mut self.genome;
         if genome.teams.is_empty() {
             let mut stream = moment.stream(Purpose::Initial, 0);
-            if actions == 0 {
-                *genome = mutator.random_leaves(&mut stream);
+            if context.actions == 0 {
+                *genome = context.random_leaves(&mut stream);
             } else {
-                *genome = mutator.random_teams(&mut stream);
-                mutator.complete_roots(genome);
+                *genome = context.random_teams(&mut stream);
+                context.complete_roots(genome);
             }
         }
-        if actions == 0 {
-            mutator.populate_leaves(genome, moment);
+        if context.actions == 0 {
+            context.populate_leaves(genome, moment);
         } else {
-            mutator.populate_teams(genome, moment);
+            context.populate_teams(genome, moment);
         }
     }
 

@@ -3,7 +3,7 @@
 //! Two random lines hardly ever make such a product, and half of a difference of products is often worth nothing.
 
 use super::genome::{GenomeLine, Program};
-use super::mutate_program::Mutator;
+use super::stage::Context;
 use super::vocabulary::Gene;
 use tpg_engine::random::Stream;
 use tpg_graph::Word;
@@ -18,7 +18,7 @@ const MOST_TERMS: usize = 2;
 /// Most lines of a product.
 const LINES: usize = 2;
 
-impl Mutator<'_> {
+impl Context<'_> {
     /// Returns a random program whose bid is a sum of products, if the parameters want one now. Draws nothing where they never do.
     pub(super) fn random_sum(&self, stream: &mut Stream) -> Option<Vec<GenomeLine>> {
         if !self.wants_product(stream) {
@@ -120,7 +120,7 @@ mod tests {
     use crate::configuration::Configuration as _;
     use crate::evolution::config::EvolutionConfig;
     use crate::evolution::genome::Program;
-    use crate::evolution::mutate_program::Mutator;
+    use crate::evolution::tests::context;
     use crate::evolution::vocabulary::Vocabulary;
     use std::collections::BTreeSet;
     use tpg_engine::random::{Purpose, Stream};
@@ -141,7 +141,7 @@ mod tests {
         let sources = [source("a"), source("b")];
         let vocabulary =
             Vocabulary::new(config.instructions(), 3, &sources[..state.len() / 2], Some(units), ScalarType::F64);
-        let mutator = Mutator::new(config, &vocabulary, 2, &[]);
+        let mutator = context(config, &vocabulary, 2, &[]);
         let term = |index| {
             let mut program = Program::default();
             assert!(mutator.insert_term(&mut program, &mut Stream::new(1, 0, Purpose::Test, index)));
@@ -177,7 +177,7 @@ mod tests {
             ScalarType::F64,
         );
         config.program.max_program_size = 3;
-        let mutator = Mutator::new(&config, &vocabulary, 2, &[]);
+        let mutator = context(&config, &vocabulary, 2, &[]);
         for index in 0..300 {
             let mut stream = Stream::new(1, 0, Purpose::Test, index);
             let mut program = mutator.random(&mut stream);
@@ -187,7 +187,7 @@ mod tests {
         }
         let mut never = config.clone();
         never.program.p_product = 0.0;
-        let mutator = Mutator::new(&never, &vocabulary, 2, &[]);
+        let mutator = context(&never, &vocabulary, 2, &[]);
         let mut stream = Stream::new(1, 0, Purpose::Test, 0);
         let before = stream.clone().bits();
         assert_eq!(mutator.random_sum(&mut stream), None);

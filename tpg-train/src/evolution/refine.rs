@@ -2,14 +2,14 @@
 
 use super::config::RefinementConfig;
 use super::genome::{Destination, Edge, Genome, GenomeLine, Leaf, Program, ProgramId, Team, TeamId};
-use super::mutate_program::Mutator;
+use super::stage::Context;
 use std::collections::BTreeMap;
 use tpg_engine::random::Stream;
 
 /// Lowest and highest standard deviation of the change of constants, relative to them; each child draws one.
 const DEVIATIONS: [f64; 2] = [0.02, 0.6];
 
-impl Mutator<'_> {
+impl Context<'_> {
     /// Adds a child of `parent` that differs only by constants or by a missing line, with the configured probabilities;
     /// `None`, where another kind of child is due. Draws nothing where both are 0.
     pub(super) fn refined_child(&self, genome: &mut Genome, parent: TeamId, stream: &mut Stream) -> Option<TeamId> {
@@ -129,10 +129,10 @@ fn copy(genome: &mut Genome, parent: TeamId, replaced: BTreeMap<ProgramId, Progr
 
 #[cfg(test)]
 mod tests {
-    use super::Mutator;
     use crate::evolution::config::{EvolutionConfig, RefinementConfig};
     use crate::evolution::genome::Genome;
     use crate::evolution::linear::{LinearWriter, ProgramKind};
+    use crate::evolution::tests::context;
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::random::{Purpose, Stream};
     use tpg_engine::{Limits, PolicyGraph};
@@ -151,7 +151,7 @@ mod tests {
         let vocabulary = vocabulary();
         let refinement = RefinementConfig { p_jitter, p_deletion, p_mutation: 0.0, p_mirror: 0.0 };
         let config = EvolutionConfig { refinement, ..EvolutionConfig::default() };
-        let mutator = Mutator::new(&config, &vocabulary, 0, &[]);
+        let mutator = context(&config, &vocabulary, 0, &[]);
         let mut genome = Genome::default();
         let writer = LinearWriter::new(&vocabulary, 0, ProgramKind::Sum).expect("sums can be written");
         let parent = writer.add_root(&mut genome, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
@@ -181,7 +181,7 @@ mod tests {
         let vocabulary = vocabulary();
         let refinement = RefinementConfig { p_jitter: 0.0, p_deletion: 0.0, p_mutation: 0.0, p_mirror: 0.0 };
         let config = EvolutionConfig { refinement, ..EvolutionConfig::default() };
-        let mutator = Mutator::new(&config, &vocabulary, 0, &[]);
+        let mutator = context(&config, &vocabulary, 0, &[]);
         let mut genome = Genome::default();
         let parent =
             LinearWriter::new(&vocabulary, 0, ProgramKind::Sum).expect("sums").add_root(&mut genome, &[0.0; 8]);
