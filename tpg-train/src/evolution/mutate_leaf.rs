@@ -31,7 +31,7 @@ impl ProgramParameters {
 }
 
 impl Context<'_> {
-    /// Returns the same for the programs of leaves, which may be longer than bids.
+    /// Returns the context in which programs of leaves are drawn and changed.
     fn for_leaves(self) -> Self {
         Self { max_lines: self.config.program.leaf_lines(), ..self }
     }
