@@ -3,8 +3,7 @@
 //! | module | subject |
 //! | --- | --- |
 //! | [`graph`] | a graph: decisions, formulas, code, proof, report, picture |
-//! | [`evolution`] | a run on a thread of its own, which asks Python for the results of episodes |
-//! | [`mailbox`] | the two ends of that conversation |
+//! | [`evolution`] | runs, which call Python for the results of episodes |
 //! | [`policy`] | what a worker is sent |
 //! | [`driver`] | whole episodes of a Gymnasium environment |
 //! | [`space`] | an environment's observations and actions |
@@ -24,7 +23,6 @@ mod evolution;
 mod eye;
 mod graph;
 mod gym;
-mod mailbox;
 mod native;
 mod network;
 mod policy;
@@ -47,7 +45,6 @@ fn _tpg(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("InputError", module.py().get_type::<error::InputError>())?;
     module.add("TrainingError", module.py().get_type::<error::TrainingError>())?;
     module.add_class::<graph::Graph>()?;
-    module.add_class::<evolution::Evolution>()?;
     module.add_class::<policy::Policy>()?;
     module.add_class::<driver::Driver>()?;
     module.add_class::<space::Space>()?;
@@ -61,6 +58,7 @@ fn _tpg(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(driver::success_of, module)?)?;
     module.add_function(wrap_pyfunction!(test_seeds, module)?)?;
     module.add_function(wrap_pyfunction!(evolution::configuration, module)?)?;
+    module.add_function(wrap_pyfunction!(evolution::evolve, module)?)?;
     module.add_function(wrap_pyfunction!(native::evaluate_native, module)?)?;
     module.add_function(wrap_pyfunction!(native::quantise_native, module)?)?;
     module.add_function(wrap_pyfunction!(native::problems, module)?)

@@ -10,7 +10,7 @@ use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
 /// Labelled samples: those of training first, then those that choose the policy.
-#[pyclass(frozen, module = "tpg_train._tpg")]
+#[pyclass(frozen, from_py_object, module = "tpg_train._tpg")]
 #[derive(Clone, Debug)]
 pub(crate) struct Samples {
     space: Space,

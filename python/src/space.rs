@@ -4,12 +4,12 @@ use crate::error;
 use crate::eye::Eye;
 use pyo3::prelude::*;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, Environment, NETWORK, Output, SourceSet, Step, state_length};
+use tpg_engine::{Act, ActionSpace, Environment, Output, SourceSet, Step, state_length};
 use tpg_graph::{Graph, SourceDocument};
 use tpg_runtime::scalar::Scalar;
 
 /// Names, units and ranges of an environment's observations and actions. It never steps: episodes run in Python.
-#[pyclass(frozen, module = "tpg_train._tpg")]
+#[pyclass(frozen, from_py_object, module = "tpg_train._tpg")]
 #[derive(Clone, Debug)]
 pub(crate) struct Space {
     pub(crate) sources: Vec<SourceDocument>,
@@ -37,7 +37,7 @@ impl Space {
         let actions = if outputs.is_empty() {
             let own = &actions[..actions.len() - usize::from(asks && !actions.is_empty())];
             let space = ActionSpace::discrete(own.iter().map(String::as_str));
-            if asks { space.with_ask(NETWORK) } else { space }
+            if asks { space.with_ask() } else { space }
         } else {
             ActionSpace::Box(outputs.into_iter().map(output).collect())
         };

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import atexit
 import concurrent.futures
+import functools
 import hashlib
 import multiprocessing
+import queue
 import threading
 from collections.abc import Callable, Sequence
 from concurrent.futures.process import BrokenProcessPool
@@ -14,7 +16,7 @@ from typing import Any, Protocol, Union
 import cloudpickle  # type: ignore[import-untyped, unused-ignore]
 import gymnasium
 
-from ._tpg import Driver, InputError, Policy, TrainingError
+from ._tpg import Driver, InputError, Policy, Samples, Space, TrainingError, evolve
 from .spaces import Interface
 
 Played = tuple[float, int, Union[bool, None], float]
@@ -160,6 +162,45 @@ class Workers:
     def close(self) -> None:
         if self._own:
             self._executor.shutdown(wait=True, cancel_futures=True)
+
+
+class Bench:
+    """A run on a thread of its own, which waits for what is told about its episodes."""
+
+    def __init__(self, field: Space | Samples | str, settings: dict[str, Any]) -> None:
+        self._events: queue.SimpleQueue[tuple[str, Any]] = queue.SimpleQueue()
+        self._replies: queue.SimpleQueue[Any] = queue.SimpleQueue()
+        self._thread = threading.Thread(target=self._run, args=(field, settings), daemon=True)
+        self._thread.start()
+
+    def _run(self, field: Space | Samples | str, settings: dict[str, Any]) -> None:
+        calls = [functools.partial(self._ask, kind) for kind in ("evaluate", "play", "progress")]
+        error = None
+        try:
+            evolve(field, settings, *calls)
+        except BaseException as raised:
+            error = raised
+        self._events.put(("end", error))
+
+    def _ask(self, kind: str, *says: Any) -> Any:
+        self._events.put((kind, says))
+        reply = self._replies.get()
+        if reply is None:
+            raise TrainingError("the run was stopped")
+        return reply
+
+    def next(self) -> tuple[str, Any]:
+        """Waits for the next event: `evaluate`, `play` or `progress` with what the run says, or `end` with its error."""
+        return self._events.get()
+
+    def reply(self, reply: Any) -> None:
+        """Replies to the last event."""
+        self._replies.put(reply)
+
+    def close(self) -> None:
+        """Ends the run, which saves itself as it was after its last complete generation, and waits for that."""
+        self._replies.put(None)
+        self._thread.join()
 
 
 def _collect(futures: dict[int, concurrent.futures.Future[list[Any]]], results: dict[int, list[Any]]) -> None:

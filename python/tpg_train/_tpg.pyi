@@ -3,14 +3,13 @@
 from collections.abc import Callable, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import Any, Literal, TypeAlias, final
+from typing import Any, TypeAlias, final
 
 import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
     "Driver",
-    "Evolution",
     "Eye",
     "Graph",
     "InputError",
@@ -24,6 +23,7 @@ __all__ = [
     "__version__",
     "configuration",
     "evaluate_native",
+    "evolve",
     "flat",
     "problems",
     "quantise_native",
@@ -157,22 +157,6 @@ class Driver:
     def play(self, policy: Policy, seed: int, after: Sequence[int]) -> _Played: ...
 
 @final
-class Evolution:
-    """A run of evolution."""
-
-    @staticmethod
-    def start(space: Space, settings: dict[str, Any]) -> Evolution: ...
-    @staticmethod
-    def start_samples(samples: Samples, settings: dict[str, Any], threads: int) -> Evolution: ...
-    @staticmethod
-    def start_native(problem: str, settings: dict[str, Any], threads: int) -> Evolution: ...
-    def next(self) -> tuple[Literal["evaluate", "play", "progress", "end"], Any]: ...
-    def endings(self, endings: Sequence[Sequence[_Ending]]) -> None: ...
-    def played(self, played: Sequence[tuple[_Ending, str, Sequence[Sequence[float]]]]) -> None: ...
-    def go_on(self, on: bool) -> None: ...
-    def close(self) -> None: ...
-
-@final
 class NativeEnv:
     """A built-in problem that is stepped from outside."""
 
@@ -231,6 +215,13 @@ class Switch:
 
 def train_network(space: Space, make: Callable[[], Driver], settings: str, seed: int, kind: str) -> tuple[Network, float]: ...
 def configuration(preset: str, settings: str) -> str: ...
+def evolve(
+    field: Space | Samples | str,
+    settings: dict[str, Any],
+    evaluate: Callable[[list[Policy], list[int]], Sequence[Sequence[_Ending]]],
+    play: Callable[[list[tuple[Policy, int, list[int]]]], Sequence[_Played]],
+    progress: Callable[[dict[str, Any]], bool],
+) -> bool: ...
 def test_seeds(seed: int, count: int) -> list[int]: ...
 def problems() -> list[tuple[str, str]]: ...
 def evaluate_native(problem_name: str, graph: Graph, episodes: int, seed: int) -> str: ...

@@ -25,8 +25,8 @@ from gymnasium.envs.registration import EnvSpec
 from numpy.typing import NDArray
 
 from . import _tpg
-from ._episodes import Episodes, Here, Workers, first_difference
-from ._tpg import Evolution, Graph, InputError, Policy, Samples, TrainingError
+from ._episodes import Bench, Episodes, Here, Workers, first_difference
+from ._tpg import Graph, InputError, Policy, Samples, Space, TrainingError
 from .callbacks import BaseCallback, MaybeCallback, _Bar, _TensorBoard, as_list
 from .comparing import Comparison, Comparisons, compare, play
 from .reports import Evaluation, HallEntry, Proof, Report
@@ -108,7 +108,7 @@ class Candidate:
 class _Asked:
     """What `tell` must reply to."""
 
-    evolution: Evolution
+    bench: Bench
     kind: str
     candidates: list[Candidate]
     policies: int
@@ -287,24 +287,21 @@ class TPG:
         chosen.update(settings)
         return _tpg.configuration(preset, json.dumps(chosen))
 
-    def _start(self, target: float | None, max_steps: int | None) -> Evolution:
-        resume = self._resume or self._temporary is not None
+    def _start(self, target: float | None, max_steps: int | None) -> tuple[Space | Samples | str, dict[str, Any]]:
+        """Returns what runs, and its settings; from now on the run in the folder is this model's."""
         settings = {
             "config": self._config,
             "seed": self.seed,
             "folder": self.folder,
-            "resume": resume,
+            "resume": self._resume or self._temporary is not None,
             "target": target,
             "max_steps": max_steps,
+            "threads": self.n_workers,
             "task": None if self._runs_here else self._interface.name,
             "input_names": list(self._interface.value_names),
         }
         self._resume = True
-        if self._samples is not None:
-            return Evolution.start_samples(self._samples, settings, self.n_workers)
-        if self.native is not None:
-            return Evolution.start_native(self.native, settings, self.n_workers)
-        return Evolution.start(self._interface.space(), settings)
+        return self._samples or self.native or self._interface.space(), settings
 
     @property
     def _runs_here(self) -> bool:
@@ -378,43 +375,35 @@ class TPG:
         figures: dict[str, Any] = {"self": self, "progress": {}}
         begin, before = self.num_timesteps, 0 if self._counts_total else self.num_timesteps
         self._counts_total = False
-        evolution = self._start(target, before + total_timesteps)
-        episodes: Episodes | None = None
         began = False
+
+        def progress(says: dict[str, Any]) -> bool:
+            nonlocal began
+            self._note(says)
+            figures["progress"] = says
+            callbacks.update_locals(figures)
+            on = True
+            if not began:
+                callbacks.on_training_start(figures, globals())
+                began = True
+            else:
+                on = bool(callbacks.on_step())
+                callbacks.on_rollout_end()
+                if self.verbose and says["generations"] % log_interval == 0:
+                    print(_line(says))
+            callbacks.on_rollout_start()
+            return on
+
+        if self._runs_here:
+            executor, n_workers = None, 0
+        episodes = self._episodes(executor, self.n_workers if n_workers is None else n_workers)
         try:
-            if not self._runs_here:
-                episodes = self._episodes(executor, self.n_workers if n_workers is None else n_workers)
-            while True:
-                kind, says = evolution.next()
-                if kind == "end":
-                    break
-                if kind == "evaluate":
-                    assert episodes is not None
-                    evolution.endings(episodes.run(*says))
-                elif kind == "play":
-                    assert episodes is not None
-                    evolution.played(episodes.play(says))
-                else:
-                    self._note(says)
-                    figures["progress"] = says
-                    callbacks.update_locals(figures)
-                    if not began:
-                        callbacks.on_training_start(figures, globals())
-                        began, on = True, True
-                    else:
-                        on = callbacks.on_step()
-                        callbacks.on_rollout_end()
-                        if self.verbose and says["generations"] % log_interval == 0:
-                            print(_line(says))
-                    callbacks.on_rollout_start()
-                    evolution.go_on(bool(on))
+            _tpg.evolve(*self._start(target, before + total_timesteps), episodes.run, episodes.play, progress)
         except KeyboardInterrupt:
             self._say(f"stopped; learn() goes on from {self.num_timesteps} steps")
             raise
         finally:
-            evolution.close()
-            if episodes is not None:
-                episodes.close()
+            episodes.close()
             if began:
                 callbacks.on_training_end()
             self._read_best()
@@ -460,26 +449,30 @@ class TPG:
             raise InputError(f"ask() on the built-in problem {self.native}; accepted: TPG(..., native=False)")
         if self._asked is not None and self._asked.candidates:
             return self._asked.candidates
-        evolution = self._asked.evolution if self._asked is not None else self._start(None, None)
-        self._asked = _Asked(evolution, "", [], 0)
+        if self._asked is None:
+            bench = Bench(*self._start(None, None))
+            weakref.finalize(self, bench.close)
+            self._asked = _Asked(bench, "", [], 0)
+        bench = self._asked.bench
         while True:
-            kind, says = evolution.next()
+            kind, says = bench.next()
             if kind == "progress":
-                self._note(says)
-                evolution.go_on(True)
+                self._note(*says)
+                bench.reply(True)
                 continue
-            if kind == "evaluate":
-                policies, seeds = says
-                given = [(policy, seed, None) for policy in policies for seed in seeds]
-            elif kind == "play":
-                policies, given = says, says
-            else:
+            if kind == "end":
                 self._asked = None
+                if says is not None:
+                    raise says
                 return []
+            policies = says[0]
+            given = policies
+            if kind == "evaluate":
+                given = [(policy, seed, None) for policy in policies for seed in says[1]]
             candidates = [
                 Candidate(policy, seed, self._interface, place, after) for place, (policy, seed, after) in enumerate(given)
             ]
-            self._asked = _Asked(evolution, kind, candidates, len(policies))
+            self._asked = _Asked(bench, kind, candidates, len(policies))
             return candidates
 
     def tell(self, candidates: Sequence[Candidate], returns: Sequence[float]) -> None:
@@ -503,15 +496,15 @@ class TPG:
                 raise InputError(f"seed {short.seed}: an episode shorter than before; accepted: the same episode again")
             seen = [one._policy.moments(one._seen) for one in asked.candidates]
             states = [[one._seen[after] for after in one._after or []] for one in asked.candidates]
-            asked.evolution.played(list(zip(played, seen, states, strict=True)))
+            asked.bench.reply(list(zip(played, seen, states, strict=True)))
         else:
             seeds = len(asked.candidates) // asked.policies
-            asked.evolution.endings([played[start : start + seeds] for start in range(0, len(played), seeds)])
-        self._asked = _Asked(asked.evolution, "", [], 0)
+            asked.bench.reply([played[start : start + seeds] for start in range(0, len(played), seeds)])
+        self._asked = _Asked(asked.bench, "", [], 0)
 
     def _leave_asking(self) -> None:
         if self._asked is not None:
-            self._asked.evolution.close()
+            self._asked.bench.close()
             self._asked = None
 
     # The graph

@@ -6,7 +6,7 @@ use tpg_graph::{ActionDocument, ScalarType};
 use tpg_runtime::policy::ActionId;
 
 /// The name by which a graph asks the network beside it.
-pub const NETWORK: &str = "network";
+const NETWORK: &str = "network";
 
 /// The actions that a policy can take.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,27 +61,27 @@ impl ActionSpace {
         Self::Discrete((0..).zip(names).map(action).collect())
     }
 
-    /// Adds to a discrete space an action `ask`, which asks another policy; any other space stays as it is.
+    /// Adds to a discrete space an action `ask`, which asks the network; any other space stays as it is.
     ///
     /// ```
     /// use tpg_engine::ActionSpace;
     ///
-    /// let space = ActionSpace::discrete(["left", "right"]).with_ask("network");
-    /// assert_eq!(space.asking("network").map(|action| action.0), Some(2));
+    /// let space = ActionSpace::discrete(["left", "right"]).with_ask();
+    /// assert_eq!(space.asking().map(|action| action.0), Some(2));
     /// ```
     #[must_use]
-    pub fn with_ask(mut self, asked: &str) -> Self {
+    pub fn with_ask(mut self) -> Self {
         if let Self::Discrete(actions) = &mut self {
             let (id, name) = (actions.len() as u32, "ask".to_owned());
-            actions.push(ActionDocument { id, name, effect: None, ask: Some(asked.to_owned()) });
+            actions.push(ActionDocument { id, name, effect: None, ask: Some(NETWORK.to_owned()) });
         }
         self
     }
 
-    /// Returns the action that asks a policy, if there is one.
-    pub fn asking(&self, asked: &str) -> Option<ActionId> {
+    /// Returns the action that asks the network, if there is one.
+    pub fn asking(&self) -> Option<ActionId> {
         let Self::Discrete(actions) = self else { return None };
-        actions.iter().position(|action| action.ask.as_deref() == Some(asked)).map(|place| ActionId(place as u16))
+        actions.iter().position(|action| action.ask.as_deref() == Some(NETWORK)).map(|place| ActionId(place as u16))
     }
 
     /// Returns the outputs of a box; empty for any other space.

@@ -14,7 +14,7 @@
 //! | [`Rollout`], [`Decision`] | one episode, action by action |
 //! | [`bind`] | binding of a graph to an environment's sources and actions |
 //! | [`Choices`] | any action space as a list of named actions |
-//! | [`Remembering`], [`Remembered`] | a memory for policies, and counts for graphs in integers |
+//! | [`Remembering`] | a memory for policies, and counts for graphs in integers |
 //! | [`Units`] | counts in place of values |
 //! | [`Episodes`], [`OneByOne`], [`Mapped`], [`View`], [`SourceSet`] | parallel episodes |
 //! | [`EpisodeResult`], [`Summary`], [`Preference`] | results |
@@ -58,7 +58,7 @@ mod units;
 mod view;
 mod work;
 
-pub use action::{Act, ActionSpace, Acts, NETWORK, Output};
+pub use action::{Act, ActionSpace, Acts, Output};
 pub use binding::{bind, places, reading};
 pub use choices::Choices;
 pub use environment::{Environment, OneByOne};
@@ -74,7 +74,7 @@ pub use moments::{Moments, Sample, confidence};
 pub use nodes::{Arena, Node};
 pub use plan::Plan;
 pub use policy::{Destination, Edge, Limits, Line, Operand, PolicyGraph};
-pub use remembering::{Remembered, Remembering, remembered};
+pub use remembering::{Remembering, remembered};
 pub use rollout::{Decision, Rollout};
 pub use single::Single;
 pub use source_set::{SourceSet, state_length};

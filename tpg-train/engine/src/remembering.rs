@@ -7,52 +7,15 @@ use crate::episode_result::{End, EpisodeResult, Step};
 use crate::episodes::Episodes;
 use crate::source_set::SourceSet;
 use crate::units::Units;
-use tpg_graph::{Counts, Graph, SourceDocument};
+use tpg_graph::{Counts, Graph, MemoryDocument, SourceDocument};
 use tpg_runtime::scalar::Scalar;
-
-/// A value of a memory.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Remembered {
-    /// The name by which policies read and write it.
-    pub name: String,
-    /// Lowest value, finite.
-    pub min: f64,
-    /// Highest value, finite and above the lowest.
-    pub max: f64,
-    /// The value at an episode's first decision.
-    pub initial: f64,
-}
-
-impl Remembered {
-    /// Returns the memory of a graph.
-    pub fn in_graph(graph: &Graph) -> Vec<Self> {
-        let outputs = &graph.outputs()[graph.outputs().len() - graph.memory()..];
-        let value = |output: &tpg_graph::Output| Self {
-            name: output.name.clone(),
-            min: output.range.min,
-            max: output.range.max,
-            initial: output.nan,
-        };
-        outputs.iter().map(value).collect()
-    }
-
-    /// Returns `count` values that begin at 0, called `memory0` and so on. Their limits are twice the greatest magnitude that
-    /// the sources declare, or 20 where none is known, exact in `f32`.
-    pub fn zeros(count: u16, sources: &[SourceDocument]) -> Vec<Self> {
-        let ends = sources.iter().flat_map(|source| &source.ranges).flatten().copied();
-        let greatest = ends.filter(|end| end.is_finite()).fold(0.0, |most: f64, end| most.max(end.abs()));
-        let limit = if greatest > 0.0 { f64::from((2.0 * greatest).min(1e30) as f32) } else { 20.0 };
-        let value = |index| Self { name: format!("memory{index}"), min: -limit, max: limit, initial: 0.0 };
-        (0..count).map(value).collect()
-    }
-}
 
 /// An environment that keeps a memory for its policies. To the inner environment's sources and outputs it adds one for each
 /// value: what a policy puts out at one decision, it observes at the next. An episode begins with the initial values. For a
 /// graph in integers, each observed value becomes its count, as a sensor gives it, and each output its value.
 ///
 /// ```
-/// use tpg_engine::{Act, Environment, Remembered, Remembering, SourceSet};
+/// use tpg_engine::{Act, Environment, Remembering, SourceSet};
 /// # use tpg_engine::random::Stream;
 /// # use tpg_engine::{ActionSpace, Output, Step};
 /// # use tpg_graph::SourceDocument;
@@ -77,7 +40,7 @@ impl Remembered {
 /// #     }
 /// # }
 /// // `Motor` observes a speed, and has one output, a torque.
-/// let motor = Remembering::new(Motor, Remembered::zeros(1, &Motor.sources()));
+/// let motor = Remembering::new::<f32>(Motor, 1);
 /// let mut episode = motor.start(&0.5);
 /// let mut state = [0.0; 2];
 /// motor.step(&mut episode, Act::Values(&[2.0, 7.0]));
@@ -87,7 +50,7 @@ impl Remembered {
 #[derive(Clone, Debug)]
 pub struct Remembering<E> {
     environment: E,
-    memory: Vec<Remembered>,
+    memory: Vec<MemoryDocument>,
     /// The counts of each source of the environment, for a graph in integers.
     counts: Vec<Vec<Counts>>,
     units: Units,
@@ -103,8 +66,19 @@ pub struct WithMemory<Episode, S> {
 }
 
 impl<E> Remembering<E> {
-    /// Adds a memory to an environment with outputs; an empty one changes nothing.
-    pub fn new(environment: E, memory: Vec<Remembered>) -> Self {
+    /// Adds a memory of `count` values to an environment with outputs; of none changes nothing. They begin at 0 and are called `memory0`
+    /// and so on. Their limits are twice the greatest magnitude that the environment's sources declare, or 20 where none is known,
+    /// exact in `f32`.
+    pub fn new<S: Scalar>(environment: E, count: u16) -> Self
+    where
+        E: Environment<S>,
+    {
+        let sources = environment.sources();
+        let ends = sources.iter().flat_map(|source| &source.ranges).flatten().copied();
+        let greatest = ends.filter(|end| end.is_finite()).fold(0.0, |most: f64, end| most.max(end.abs()));
+        let limit = if greatest > 0.0 { f64::from((2.0 * greatest).min(1e30) as f32) } else { 20.0 };
+        let value = |index| MemoryDocument { name: format!("memory{index}"), min: -limit, max: limit, initial: 0.0 };
+        let memory = (0..count).map(value).collect();
         Self { environment, memory, counts: Vec::new(), units: Units::default() }
     }
 
@@ -167,7 +141,12 @@ impl<E> Remembering<E> {
         }
         let of_output = |output: &Output| graph.outputs().iter().find(|known| known.name == output.name)?.counts;
         units.outputs = environment.actions().outputs().iter().map(of_output).collect();
-        Self { environment, memory: Remembered::in_graph(graph), counts, units }
+        let remembered = &graph.outputs()[graph.outputs().len() - graph.memory()..];
+        let value = |output: &tpg_graph::Output| {
+            let tpg_graph::Range { min, max } = output.range;
+            MemoryDocument { name: output.name.clone(), min, max, initial: output.nan }
+        };
+        Self { environment, memory: remembered.iter().map(value).collect(), counts, units }
     }
 }
 
@@ -180,7 +159,7 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {
 
     fn sources(&self) -> Vec<SourceDocument> {
         let value =
-            |value: &Remembered| SourceDocument::new(value.name.clone(), "memory", vec![[value.min, value.max]]);
+            |value: &MemoryDocument| SourceDocument::new(value.name.clone(), "memory", vec![[value.min, value.max]]);
         let mut sources = self.environment.sources();
         sources.iter_mut().zip(&self.counts).for_each(|(source, counts)| source.counts.clone_from(counts));
         sources.extend(self.memory.iter().map(value));
@@ -188,7 +167,7 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {
     }
 
     fn actions(&self) -> ActionSpace {
-        let value = |value: &Remembered| Output {
+        let value = |value: &MemoryDocument| Output {
             name: value.name.clone(),
             unit: "memory".to_owned(),
             min: value.min,

@@ -126,7 +126,7 @@ impl EvaluationReport {
             graph.asks().next()?;
             Some(Sample::new(&done.asks.iter().map(|&asks| asks.into()).collect::<Vec<_>>()))
         };
-        let hand_overs = TRIGGERS.iter().zip(done.hand_overs).map(|((name, _), count)| ((*name).to_owned(), count));
+        let hand_overs = TRIGGERS.iter().zip(done.hand_overs).map(|(&name, count)| (name.to_owned(), count));
         Self {
             problem: problem.name(),
             policy: policy.to_owned(),

@@ -16,8 +16,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_engine::{
-    AnyEpisode, AnyTask, Choices, Environment, Evaluator, LocalThreads, Measure, Remembered, Remembering, Summary,
-    erase,
+    AnyEpisode, AnyTask, Choices, Environment, Evaluator, LocalThreads, Measure, Remembering, Summary, erase,
 };
 use tpg_graph::ScalarType;
 use tpg_graph::command::Verdict;
@@ -109,8 +108,7 @@ impl TpgRun<'_> {
             Some(asking) => &**asking,
             None => &choices,
         };
-        let memory = Remembered::zeros(self.config.language.memory, &acting.sources());
-        let environment = Remembering::new(acting, memory);
+        let environment = Remembering::new::<S>(acting, self.config.language.memory);
         let local = LocalThreads::<S, Own, _>::new(&environment, self.args.threads)?;
         let Some(ranks) = self.ranks else { return self.restarts(out, &environment, &local) };
         let identity = format!("{}\n{}", env!("CARGO_PKG_VERSION"), self.config.to_toml());
@@ -144,7 +142,7 @@ impl TpgRun<'_> {
         for seed in seeds {
             let folder = if args.seeds.is_some() { out.join(format!("seed-{seed}")) } else { out.to_owned() };
             let RunEnd::Finished(best) = one(seed, folder.clone())? else { return Ok(Verdict::Interrupted) };
-            let result = sentence(seed, &best.result, "validation", environment.measure());
+            let result = sentence(seed, &best.result, environment.measure());
             tpg_graph::command::note(format_args!("{result}, found in generation {}", best.generation));
             let is_better = |kept: Summary| best.result.compare(&kept, environment.preference()).is_gt();
             if args.seeds.is_some() && kept.is_none_or(is_better) {
@@ -163,10 +161,10 @@ fn message(progress: &Progress<'_>) -> String {
     format!("seed {}: best {:.2}, median {:.2}{best}", progress.seed, row.best_score, row.median_score)
 }
 
-/// Returns the result of a run on episodes of a set, for people.
-pub(crate) fn sentence(seed: u64, result: &Summary, set: &str, measured: Option<Measure>) -> String {
+/// Returns the result of a run on the validation episodes, for people.
+pub(crate) fn sentence(seed: u64, result: &Summary, measured: Option<Measure>) -> String {
     let Summary { score, success, measure, episodes, .. } = result;
     let success = success.map(|success| format!(", {:.1} % solved", 100.0 * success)).unwrap_or_default();
     let measure = measured.map(|of| format!(", mean {} {measure:.1} {}", of.name, of.unit)).unwrap_or_default();
-    format!("seed {seed}: mean score {score:.2} on {episodes} {set} episodes{success}{measure}")
+    format!("seed {seed}: mean score {score:.2} on {episodes} validation episodes{success}{measure}")
 }

@@ -301,15 +301,10 @@ impl EvolutionConfig {
     /// the flat state.
     pub fn vocabulary<S: Scalar>(&self, environment: &impl Environment<S>, scales: Vec<f64>) -> Vocabulary {
         let sources = environment.sources();
-        let vocabulary = Vocabulary::new(
-            self.instructions(),
-            self.learning.nb_registers,
-            &sources,
-            self.language.literals.then_some(scales),
-            self.language.scalar,
-        );
-        let limits = environment.actions().outputs().iter().map(|output| output.limits(self.language.scalar)).collect();
-        vocabulary.with_outputs(limits)
+        let (registers, scalar) = (self.learning.nb_registers, self.language.scalar);
+        let scales = self.language.literals.then_some(scales);
+        let outputs = environment.actions().outputs().iter().map(|output| output.limits(scalar)).collect();
+        Vocabulary { outputs, ..Vocabulary::new(self.instructions(), registers, &sources, scales, scalar) }
     }
 
     /// Returns the configuration with the sizes that a problem needs: a root for each action, and room for sums of all inputs if

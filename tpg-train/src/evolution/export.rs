@@ -23,7 +23,7 @@ pub(super) fn graph(
     memory: usize,
     provenance: Provenance,
 ) -> Result<Graph, InputError> {
-    let mut outputs: Vec<OutputDocument> = (actions.outputs().iter().zip(vocabulary.outputs()))
+    let mut outputs: Vec<OutputDocument> = (actions.outputs().iter().zip(&vocabulary.outputs))
         .map(|(Output { name, unit, .. }, &Limits { min, max, nan })| OutputDocument {
             name: name.clone(),
             unit: unit.clone(),
@@ -76,14 +76,14 @@ pub(super) fn graph(
     });
     let leaves: Vec<LeafDocument> = leaves.collect();
     let mut words = Vec::new();
-    vocabulary.instructions().iter().for_each(|instruction| instruction.words(&mut words));
+    vocabulary.instructions.iter().for_each(|instruction| instruction.words(&mut words));
     let observed = sources.len() - memory.len();
     let sees = sources.iter().any(|source| source.image.is_some());
-    let sources = sources.into_iter().take(observed).map(|source| exact(source, vocabulary.scalar())).collect();
+    let sources = sources.into_iter().take(observed).map(|source| exact(source, vocabulary.scalar)).collect();
     let document = Document {
         format: FORMAT.to_owned(),
         version: if outputs.is_empty() && !sees { 1 } else { 2 },
-        scalar: vocabulary.scalar(),
+        scalar: vocabulary.scalar,
         maths: MathsProvider::Own,
         registers: u32::from(policy.registers),
         sources,

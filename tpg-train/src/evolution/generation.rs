@@ -88,13 +88,14 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
         let first = state.rows.first().map_or(1.0, |row| row.steps as f64 / row.roots.max(1) as f64);
         let episodes = self.goal.max_steps.map(|most| random * most as f64 / first.max(1.0));
         let [fewest, few, many] = SAMPLES;
-        let rows = if self.actions == 0 { self.vocabulary.outputs().len() } else { self.actions.into() };
+        let rows = if self.actions == 0 { self.vocabulary.outputs.len() } else { self.actions.into() };
         let most = (rows * self.vocabulary.inputs().len()).clamp(few, many);
         Context {
             config: self.config,
             vocabulary: &self.vocabulary,
             actions: self.actions,
             opposites: &self.opposites,
+            max_lines: self.config.program.max_program_size,
             preference: self.environment.preference(),
             line_price: self.line_price(state),
             left: (1.0 - part).clamp(0.0, 1.0),

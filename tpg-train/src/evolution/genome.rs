@@ -83,7 +83,7 @@ impl Program {
     /// Tells of each line whether register 0, the bid, depends on it.
     pub(crate) fn effective(&self, vocabulary: &Vocabulary) -> Vec<bool> {
         let lines: Vec<Spelled<'_>> = self.lines.iter().map(|line| Spelled { line, vocabulary }).collect();
-        effective(vocabulary.registers().into(), &lines)
+        effective(vocabulary.registers.into(), &lines)
     }
 
     /// Returns the effective lines with every operand resolved; they are few of a long program's lines.
@@ -265,7 +265,7 @@ impl Genome {
             teams.push(edges.collect());
         }
         PolicyGraph::with_programs(vocabulary.policy_registers(), place(root), teams, programs)
-            .with_outputs(vocabulary.outputs().to_vec(), leaves)
+            .with_outputs(vocabulary.outputs.to_vec(), leaves)
     }
 }
 

@@ -70,11 +70,11 @@ impl<'a> LinearWriter<'a> {
                 product => product,
             },
         };
-        if vocabulary.scales().is_empty() {
+        if vocabulary.scales.is_empty() {
             return Err(missing("language.literals", "true"));
         }
         let needed = 2 + u16::from(product.is_some());
-        if vocabulary.registers() < needed {
+        if vocabulary.registers < needed {
             return Err(missing("learning.nb_registers", &format!("at least {needed}")));
         }
         Ok(Self { vocabulary, inputs: vocabulary.inputs(), add, multiply, product, actions })
@@ -88,7 +88,7 @@ impl<'a> LinearWriter<'a> {
     /// Returns the number of programs that are searched for: the first action's bid stays 0.
     fn programs(&self) -> usize {
         match self.actions {
-            0 => self.vocabulary.outputs().len(),
+            0 => self.vocabulary.outputs.len(),
             actions => usize::from(actions) - 1,
         }
     }
@@ -148,7 +148,7 @@ impl<'a> LinearWriter<'a> {
 
     /// Adds the policy with the given weights to a genome. A weight of 1 is a whole output's half range for an input's.
     pub(super) fn add_root(&self, genome: &mut Genome, weights: &[f64]) -> TeamId {
-        let outputs = self.vocabulary.outputs();
+        let outputs = &self.vocabulary.outputs;
         let of_program = self.sums() * (self.inputs.len() + 1);
         let programs = weights.chunks_exact(of_program).enumerate().map(|(place, weights)| {
             let unit = outputs.get(place).map_or(1.0, |output| 0.5 * (output.max - output.min));
@@ -175,7 +175,7 @@ impl<'a> LinearWriter<'a> {
             let (gene, place, unit) = *stream.pick(source);
             let weight = GAIN * stream.normal();
             let weights = self.inputs.iter().map(|input| if input.0 == gene { weight } else { 0.0 });
-            let constant = -weight * self.vocabulary.middle(place) / unit;
+            let constant = -weight * self.vocabulary.middles[usize::from(place)] / unit;
             weights.chain([constant]).collect::<Vec<f64>>()
         };
         (0..self.programs()).flat_map(row).collect()
@@ -244,8 +244,9 @@ mod tests {
     fn vocabulary(words: &[Word], outputs: usize) -> Vocabulary {
         let source = SourceDocument::new("s", "1", vec![[-1.0, 1.0]; 2]);
         let limits = Limits { min: -2.0, max: 2.0, nan: 0.0 };
-        Vocabulary::new(words.to_vec(), 4, &[source], Some(vec![1.0, 4.0]), ScalarType::F64)
-            .with_outputs(vec![limits; outputs])
+        let scales = Some(vec![1.0, 4.0]);
+        let bare = Vocabulary::new(words.to_vec(), 4, &[source], scales, ScalarType::F64);
+        Vocabulary { outputs: vec![limits; outputs], ..bare }
     }
 
     /// Returns the values of a root's programs in a state: its bids, or its outputs.
@@ -288,14 +289,9 @@ mod tests {
     fn a_proportional_formula_is_0_in_the_middle_of_its_input() {
         let source = SourceDocument::new("s", "1", vec![[0.0, 2.0], [-3.0, 5.0]]);
         let limits = Limits { min: -2.0, max: 2.0, nan: 0.0 };
-        let vocabulary = Vocabulary::new(
-            vec![Word::MultiplyAdd, Instruction::Add.into()],
-            4,
-            &[source],
-            Some(vec![1.0, 4.0]),
-            ScalarType::F64,
-        )
-        .with_outputs(vec![limits; 3]);
+        let words = vec![Word::MultiplyAdd, Instruction::Add.into()];
+        let bare = Vocabulary::new(words, 4, &[source], Some(vec![1.0, 4.0]), ScalarType::F64);
+        let vocabulary = Vocabulary { outputs: vec![limits; 3], ..bare };
         let writer = LinearWriter::new(&vocabulary, 0, ProgramKind::Sum).expect("sums can be written");
         for index in 0..10 {
             let weights = writer.proportional(&mut Stream::new(1, 0, Purpose::Test, index));

@@ -1,8 +1,8 @@
 //! Pairs of opposite bids: for an action the opposite of what is bid for the action that undoes it.
 
-use super::config::TpgParameters;
 use super::genome::{Destination, Edge, Genome, GenomeLine, Program, Team, TeamId};
-use super::mutate_program::{P_PROGRAM_MUTATION, ProgramMutator};
+use super::mutate_program::P_PROGRAM_MUTATION;
+use super::stage::Context;
 use super::vocabulary::{Gene, SourceKind, Vocabulary};
 use tpg_engine::ActionSpace;
 use tpg_engine::random::Stream;
@@ -32,28 +32,18 @@ const P_PAIR_DELETION: f64 = 0.7;
 ///
 /// Two actions that undo each other alternate for ever where both bid high. With opposite bids one of them is below zero, and a
 /// third action moves where both are near it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Mirror<'a> {
-    /// Changes programs.
-    pub programs: ProgramMutator<'a>,
-    /// The action that undoes each one.
-    pub opposites: &'a [Option<u16>],
-    /// Probability of such a child.
-    pub probability: f64,
-}
-
-impl Mirror<'_> {
+impl Context<'_> {
     /// Adds a child with another pair of opposite bids, with the configured probability; `None`, where another kind of child is due.
     /// The pair is one of its own, whose program is mutated, or made of a bid of any team. Draws nothing where the probability is 0.
-    pub(super) fn child(
+    pub(super) fn mirrored_child(
         &self,
         genome: &mut Genome,
         parent: TeamId,
         others: &[Edge],
-        parameters: &TpgParameters,
         stream: &mut Stream,
     ) -> Option<TeamId> {
-        if self.probability <= 0.0 || !stream.chance(self.probability) {
+        let probability = self.config.refinement.p_mirror;
+        if probability <= 0.0 || !stream.chance(probability) {
             return None;
         }
         let mut edges = genome.team(parent).edges.clone();
@@ -67,27 +57,27 @@ impl Mirror<'_> {
         }
         let mut program = genome.program(edge.program).clone();
         if !foreign || stream.chance(P_PROGRAM_MUTATION) {
-            self.programs.mutate(&mut program, stream);
+            self.mutate(&mut program, stream);
         }
-        let pair = if stream.chance(parameters.p_edge_destination_change) { self.any_pair(stream)? } else { pair };
-        self.bid(genome, &mut edges, program, pair, parameters.max_outgoing_edges)?;
+        let pair = if stream.chance(self.config.tpg.p_edge_destination_change) { self.any_pair(stream)? } else { pair };
+        self.bid(genome, &mut edges, program, pair)?;
         Some(genome.add_team(Team { edges }))
     }
 
     /// Completes the pairs of every root of a first population; does nothing where the probability is 0.
-    pub(super) fn complete_roots(&self, genome: &mut Genome, most_edges: usize) {
-        let roots = if self.probability > 0.0 { genome.roots() } else { Vec::new() };
-        roots.into_iter().for_each(|root| self.complete(genome, root, most_edges));
+    pub(super) fn complete_roots(&self, genome: &mut Genome) {
+        let roots = if self.config.refinement.p_mirror > 0.0 { genome.roots() } else { Vec::new() };
+        roots.into_iter().for_each(|root| self.complete(genome, root));
     }
 
     /// Gives every action of a team that has an opposite the opposite bid of it, as far as there is room.
-    fn complete(&self, genome: &mut Genome, team: TeamId, most_edges: usize) {
+    fn complete(&self, genome: &mut Genome, team: TeamId) {
         let before = genome.team(team).edges.clone();
         let mut edges: Vec<Edge> = before.clone();
         for (edge, pair) in self.paired(&before) {
             let program = genome.program(edge.program).clone();
             // A pair that does not fit stays as it is.
-            let _ = self.bid(genome, &mut edges, program, pair, most_edges);
+            let _ = self.bid(genome, &mut edges, program, pair);
         }
         genome.teams.insert(team, Team { edges });
     }
@@ -113,17 +103,10 @@ impl Mirror<'_> {
     }
 
     /// Lets a program bid for the first action of a pair, and its negation for the second; `None` if there is no room.
-    fn bid(
-        &self,
-        genome: &mut Genome,
-        edges: &mut Vec<Edge>,
-        program: Program,
-        pair: [Destination; 2],
-        most_edges: usize,
-    ) -> Option<()> {
+    fn bid(&self, genome: &mut Genome, edges: &mut Vec<Edge>, program: Program, pair: [Destination; 2]) -> Option<()> {
         let negated = self.negated(&program)?;
         let others = edges.iter().filter(|edge| !pair.contains(&edge.to)).count();
-        if others + pair.len() > most_edges {
+        if others + pair.len() > self.config.tpg.max_outgoing_edges {
             return None;
         }
         edges.retain(|edge| !pair.contains(&edge.to));
@@ -136,15 +119,14 @@ impl Mirror<'_> {
 
     /// Returns a program with the opposite result; `None` if it would be too long. One that ends with a negation loses it.
     fn negated(&self, program: &Program) -> Option<Program> {
-        let vocabulary = self.programs.vocabulary;
-        let negation = negation(vocabulary)?;
-        let mut lines: Vec<GenomeLine> = program.effective_lines(vocabulary).copied().collect();
+        let negation = negation(self.vocabulary)?;
+        let mut lines: Vec<GenomeLine> = program.effective_lines(self.vocabulary).copied().collect();
         if lines.len() > 1 && lines.last() == Some(&negation) {
             lines.pop();
         } else {
             lines.push(negation);
         }
-        let fits = lines.len() <= self.programs.parameters.max_program_size;
+        let fits = lines.len() <= self.max_lines;
         fits.then_some(Program { lines })
     }
 }
@@ -159,12 +141,12 @@ fn negation(vocabulary: &Vocabulary) -> Option<GenomeLine> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Mirror, opposites};
+    use super::opposites;
     use crate::configuration::Configuration as _;
     use crate::evolution::config::EvolutionConfig;
     use crate::evolution::genome::{Destination, Genome};
     use crate::evolution::linear::{LinearWriter, ProgramKind};
-    use crate::evolution::mutate_program::ProgramMutator;
+    use crate::evolution::tests::context;
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::ActionSpace;
     use tpg_engine::random::{Purpose, Stream};
@@ -189,10 +171,10 @@ mod tests {
         let words = [&words[..], &[Word::MultiplyAdd]].concat();
         let source = SourceDocument::new("s", "1", vec![[-1.0, 1.0]; 3]);
         let vocabulary = Vocabulary::new(words, 2, &[source], Some(vec![1.0; 3]), ScalarType::F64);
-        let config = EvolutionConfig::preset("raw-fs").expect("a preset");
-        let programs =
-            ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
-        let mirror = Mirror { programs, opposites: &[Some(1), Some(0), None], probability: 1.0 };
+        let mut config = EvolutionConfig::preset("raw-fs").expect("a preset");
+        (config.refinement.p_mirror, config.tpg.max_outgoing_edges) = (1.0, 3);
+        let opposites = [Some(1), Some(0), None];
+        let mirror = context(&config, &vocabulary, 3, &opposites);
         let mut genome = Genome::default();
         let writer = LinearWriter::new(&vocabulary, 3, ProgramKind::Sum).expect("sums can be written");
         let parent = writer.add_root(&mut genome, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
@@ -200,7 +182,7 @@ mod tests {
             let programs = genome.team(team).edges.iter().map(|edge| genome.program(edge.program));
             programs.map(|program| program.bid(&vocabulary, &state)).collect::<Vec<f64>>()
         };
-        mirror.complete(&mut genome, parent, 3);
+        mirror.complete(&mut genome, parent);
         let opposed = |genome: &Genome, team| {
             let edges = &genome.team(team).edges;
             let bids = bids(genome, team, [0.5, -1.0, 2.0]);
@@ -213,17 +195,19 @@ mod tests {
         let mut same = 0;
         for index in 0..200 {
             let mut stream = Stream::new(1, 0, Purpose::Test, index);
-            let child = mirror.child(&mut genome, parent, &others, &config.tpg, &mut stream).expect("there is room");
+            let child = mirror.mirrored_child(&mut genome, parent, &others, &mut stream).expect("there is room");
             let (Some(first), Some(second), Some(third)) = opposed(&genome, child) else { panic!("a bid is missing") };
             assert!(first == -second || first.is_nan(), "{first} and {second}");
             assert_eq!(third, 18.5, "an action without opposite is left alone");
             same += usize::from(first.abs() == 8.5);
         }
         assert!((5..180).contains(&same), "{same}");
-        let never = Mirror { probability: 0.0, ..mirror };
+        let mut never = config.clone();
+        never.refinement.p_mirror = 0.0;
+        let never = context(&never, &vocabulary, 3, &opposites);
         let mut stream = Stream::new(1, 0, Purpose::Test, 0);
         let before = stream.clone().bits();
-        assert_eq!(never.child(&mut genome, parent, &others, &config.tpg, &mut stream), None);
+        assert_eq!(never.mirrored_child(&mut genome, parent, &others, &mut stream), None);
         assert_eq!(stream.bits(), before, "nothing is drawn");
     }
 }

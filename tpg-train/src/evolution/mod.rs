@@ -32,3 +32,32 @@ mod target;
 mod thin;
 mod validate;
 mod vocabulary;
+
+#[cfg(test)]
+mod tests {
+    use super::config::EvolutionConfig;
+    use super::stage::Context;
+    use super::vocabulary::Vocabulary;
+    use tpg_engine::Preference;
+
+    /// Returns what stages know of a run, for so many actions; 0 with outputs.
+    pub(super) fn context<'a>(
+        config: &'a EvolutionConfig,
+        vocabulary: &'a Vocabulary,
+        actions: u16,
+        opposites: &'a [Option<u16>],
+    ) -> Context<'a> {
+        Context {
+            config,
+            vocabulary,
+            actions,
+            opposites,
+            max_lines: config.program.max_program_size,
+            preference: Preference::Score,
+            line_price: 0.0,
+            left: 1.0,
+            samples: 16,
+            time_limit: 1000,
+        }
+    }
+}

@@ -4,12 +4,10 @@
 //! and go rarely.
 
 use super::children::add_children;
-use super::config::{ProgramParameters, TpgParameters};
+use super::config::ProgramParameters;
 use super::genome::{Destination, Edge, Genome, Leaf, LeafId, ProgramId, Team, TeamId};
-use super::linear::LinearWriter;
-use super::mutate_program::ProgramMutator;
-use super::refine::Refiner;
-use super::stage::Moment;
+use super::linear::ProgramKind;
+use super::stage::{Context, Moment};
 use tpg_engine::random::Stream;
 
 /// Minimum of the maximum number of lines of a leaf's program.
@@ -33,38 +31,21 @@ impl ProgramParameters {
     pub(super) fn leaf_lines(&self) -> usize {
         self.max_program_size.max(LINES)
     }
+}
 
-    /// Returns the parameters of a leaf's programs: those of bids, but longer.
-    pub(super) fn of_leaves(&self) -> Self {
-        Self { max_program_size: self.leaf_lines(), ..self.clone() }
+impl Context<'_> {
+    /// Returns the context in which programs of leaves are drawn and changed.
+    fn for_leaves(self) -> Self {
+        Self { max_lines: self.config.program.leaf_lines(), ..self }
     }
-}
 
-/// Draws and changes policies with outputs.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct LeafMutator<'a> {
-    /// Draws and changes the programs that bid.
-    pub bids: ProgramMutator<'a>,
-    /// Draws and changes the programs of leaves.
-    pub leaves: ProgramMutator<'a>,
-    /// Makes children by small changes.
-    pub refiner: Refiner<'a>,
-    /// Parameters of teams.
-    pub tpg: &'a TpgParameters,
-}
-
-impl LeafMutator<'_> {
-    /// Draws a population of formulas: each root has one edge, to a leaf of its own. Every second is proportional to inputs, if
-    /// that can be written.
-    pub(super) fn random_population(
-        &self,
-        roots: usize,
-        writer: Option<&LinearWriter<'_>>,
-        stream: &mut Stream,
-    ) -> Genome {
+    /// Draws a population of formulas: each root has one edge, to a leaf of its own. Where no search for weights precedes it, every
+    /// second is proportional to an input for each output.
+    pub(super) fn random_leaves(&self, stream: &mut Stream) -> Genome {
+        let writer = self.writer(ProgramKind::Sum).ok().filter(|_| self.config.start.share == 0.0);
         let mut genome = Genome::default();
-        for root in 0..roots {
-            if let Some(writer) = writer.filter(|_| root % 2 == 0) {
+        for root in 0..self.config.tpg.init_nb_roots {
+            if let Some(writer) = writer.as_ref().filter(|_| root % 2 == 0) {
                 writer.add_root(&mut genome, &writer.proportional(stream));
                 continue;
             }
@@ -75,23 +56,23 @@ impl LeafMutator<'_> {
     }
 
     fn edge_to_new_leaf(&self, genome: &mut Genome, stream: &mut Stream) -> Edge {
-        let outputs = self.leaves.vocabulary.outputs().len();
-        let programs = (0..outputs).map(|_| genome.add_program(self.leaves.random(stream))).collect();
+        let outputs = self.vocabulary.outputs.len();
+        let programs = (0..outputs).map(|_| genome.add_program(self.for_leaves().random(stream))).collect();
         let leaf = genome.add_leaf(Leaf { programs });
-        Edge { program: genome.add_program(self.bids.random(stream)), to: Destination::Leaf(leaf) }
+        Edge { program: genome.add_program(self.random(stream)), to: Destination::Leaf(leaf) }
     }
 
     /// Adds children, changed copies of roots.
-    pub(super) fn populate(&self, genome: &mut Genome, moment: Moment) {
+    pub(super) fn populate_leaves(&self, genome: &mut Genome, moment: Moment) {
         let teams: Vec<TeamId> = genome.teams.keys().copied().collect();
         let leaves: Vec<LeafId> = genome.leaves().keys().copied().collect();
         let before = Before { teams: &teams, leaves: &leaves };
-        let child = |genome: &mut Genome, parent, stream: &mut Stream| self.child(genome, parent, &before, stream);
-        add_children(genome, self.tpg.nb_roots, moment, child);
+        let child = |genome: &mut Genome, parent, stream: &mut Stream| self.leaf_child(genome, parent, &before, stream);
+        add_children(genome, self.config.tpg.nb_roots, moment, child);
     }
 
-    fn child(&self, genome: &mut Genome, parent: TeamId, before: &Before<'_>, stream: &mut Stream) -> TeamId {
-        if let Some(child) = self.refiner.child(genome, parent, stream) {
+    fn leaf_child(&self, genome: &mut Genome, parent: TeamId, before: &Before<'_>, stream: &mut Stream) -> TeamId {
+        if let Some(child) = self.refined_child(genome, parent, stream) {
             return child;
         }
         let mut edges = genome.team(parent).edges.clone();
@@ -107,9 +88,8 @@ impl LeafMutator<'_> {
         if edges.len() > 1 && stream.chance(P_EDGE_DELETION) {
             edges.remove(stream.below(edges.len()));
         }
-        if edges.len() < self.tpg.max_outgoing_edges && stream.chance(P_EDGE_ADDITION) {
-            let pair = self.bids.vocabulary.pair(stream).filter(|_| stream.chance(P_TWIN));
-            if let Some(pair) = pair {
+        if edges.len() < self.config.tpg.max_outgoing_edges && stream.chance(P_EDGE_ADDITION) {
+            if let Some(pair) = self.vocabulary.pair(stream).filter(|_| stream.chance(P_TWIN)) {
                 let edge = *stream.pick(&edges);
                 edges.push(twin(genome, edge, pair));
                 return genome.add_team(Team { edges });
@@ -119,7 +99,7 @@ impl LeafMutator<'_> {
             } else {
                 Destination::Leaf(*stream.pick(before.leaves))
             };
-            edges.push(Edge { program: genome.add_program(self.bids.random(stream)), to });
+            edges.push(Edge { program: genome.add_program(self.random(stream)), to });
         }
         genome.add_team(Team { edges })
     }
@@ -131,11 +111,11 @@ impl LeafMutator<'_> {
         let mut program = genome.program(programs[output]).clone();
         let refined = stream.chance(P_LITERALS) && {
             let deviation = *stream.pick(&REFINEMENTS);
-            self.leaves.refine(&mut program, deviation, stream)
+            self.for_leaves().refine(&mut program, deviation, stream)
         };
         if !refined {
             for _ in 0..1 + stream.below(ROUNDS) {
-                self.leaves.mutate(&mut program, stream);
+                self.for_leaves().mutate(&mut program, stream);
             }
         }
         programs[output] = genome.add_program(program);
@@ -144,7 +124,7 @@ impl LeafMutator<'_> {
 
     fn change_bid(&self, genome: &mut Genome, edge: &mut Edge, stream: &mut Stream) {
         let mut program = genome.program(edge.program).clone();
-        self.bids.mutate(&mut program, stream);
+        self.mutate(&mut program, stream);
         edge.program = genome.add_program(program);
     }
 }
@@ -182,32 +162,28 @@ struct Before<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::{LeafMutator, Team, twin};
+    use super::{Team, twin};
     use crate::evolution::config::EvolutionConfig;
     use crate::evolution::genome::{Destination, Genome};
     use crate::evolution::linear::{LinearWriter, ProgramKind};
-    use crate::evolution::mutate_program::ProgramMutator;
-    use crate::evolution::refine::Refiner;
     use crate::evolution::stage::Moment;
+    use crate::evolution::tests::context;
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::Limits;
     use tpg_engine::random::{Purpose, Stream};
     use tpg_graph::{ScalarType, SourceDocument};
 
     fn evolved(generations: u64) -> Genome {
-        let config = EvolutionConfig::default();
+        let mut config = EvolutionConfig::default();
+        config.tpg.init_nb_roots = 40;
         let source = SourceDocument::new("s", "1", vec![[-1.0, 1.0]; 3]);
         let limits = Limits { min: -1.0, max: 1.0, nan: 0.0 };
-        let vocabulary = Vocabulary::new(config.instructions(), 4, &[source], Some(vec![1.0; 3]), ScalarType::F32)
-            .with_outputs(vec![limits; 2]);
-        let bids = ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
-        let longer = config.program.of_leaves();
-        let leaves = ProgramMutator { parameters: &longer, ..bids };
-        let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
-        let mutator = LeafMutator { bids, leaves, refiner, tpg: &config.tpg };
-        let mut genome = mutator.random_population(40, None, &mut Stream::new(1, 0, Purpose::Test, 0));
+        let bare = Vocabulary::new(config.instructions(), 4, &[source], Some(vec![1.0; 3]), ScalarType::F32);
+        let vocabulary = Vocabulary { outputs: vec![limits; 2], ..bare };
+        let mutator = context(&config, &vocabulary, 0, &[]);
+        let mut genome = mutator.random_leaves(&mut Stream::new(1, 0, Purpose::Test, 0));
         for generation in 0..generations {
-            mutator.populate(&mut genome, Moment { seed: 1, generation });
+            mutator.populate_leaves(&mut genome, Moment { seed: 1, generation });
             let doomed: Vec<_> = genome.roots().into_iter().step_by(2).collect();
             genome.remove_roots(&doomed);
         }
@@ -222,8 +198,8 @@ mod tests {
     fn a_twin_reads_the_other_source_in_its_bid_and_its_outputs() {
         let config = EvolutionConfig::default();
         let sources = ["bright", "dark"].map(|name| SourceDocument::new(name, "1", vec![[0.0, 2.0]; 2]));
-        let vocabulary = Vocabulary::new(config.instructions(), 4, &sources, Some(vec![1.0; 4]), ScalarType::F32)
-            .with_outputs(vec![Limits { min: -1.0, max: 1.0, nan: 0.0 }; 2]);
+        let bare = Vocabulary::new(config.instructions(), 4, &sources, Some(vec![1.0; 4]), ScalarType::F32);
+        let vocabulary = Vocabulary { outputs: vec![Limits { min: -1.0, max: 1.0, nan: 0.0 }; 2], ..bare };
         let mut genome = Genome::default();
         let writer = LinearWriter::new(&vocabulary, 0, ProgramKind::Sum).expect("sums can be written");
         let root = writer.add_root(&mut genome, &[3.0, 0.0, 0.0, 0.0, -3.0, 0.0, 5.0, 0.0, 0.0, -5.0]);

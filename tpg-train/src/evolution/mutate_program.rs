@@ -1,8 +1,8 @@
 //! Random programs and their mutations, with GEGELATI's choices (`mutator/programMutator.cpp`, `mutator/lineMutator.cpp`).
 
-use super::config::{Literals, ProgramParameters};
 use super::genome::{GenomeLine, Program};
-use super::vocabulary::{Gene, OPERANDS, SourceKind, Vocabulary};
+use super::stage::Context;
+use super::vocabulary::{Gene, OPERANDS, SourceKind};
 use tpg_engine::random::Stream;
 
 /// GEGELATI's probabilities of deleting and of inserting a line; it always alters one.
@@ -15,25 +15,14 @@ const LITERAL_CHANGE: f64 = 0.667;
 /// Standard deviation of the factor's distance from 1 when a number is scaled.
 const LITERAL_SCALING: f64 = 0.3;
 
-/// Parameters of program mutations.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct ProgramMutator<'a> {
-    /// The vocabulary of programs.
-    pub vocabulary: &'a Vocabulary,
-    /// GEGELATI's parameters.
-    pub parameters: &'a ProgramParameters,
-    /// Parameters for drawing and changing literal constants.
-    pub literals: &'a Literals,
-}
-
-impl ProgramMutator<'_> {
+impl Context<'_> {
     /// Creates a random program (`ProgramMutator::initRandomProgram`) of 1 to `maxProgramSize` lines.
     pub(super) fn random(&self, stream: &mut Stream) -> Program {
         if let Some(lines) = self.random_sum(stream) {
             return Program { lines };
         }
         let mut program = Program { lines: Vec::new() };
-        let lines = 1 + stream.below(self.parameters.max_program_size);
+        let lines = 1 + stream.below(self.max_lines);
         while program.lines.len() < lines {
             self.insert_line(&mut program, stream);
         }
@@ -54,18 +43,17 @@ impl ProgramMutator<'_> {
 
     /// Performs one round of mutation (`ProgramMutator::mutateProgram`).
     pub(super) fn mutate(&self, program: &mut Program, stream: &mut Stream) {
-        let parameters = self.parameters;
         if program.lines.len() > 1 && stream.chance(P_DELETE) {
             let place = stream.below(program.lines.len());
             program.lines.remove(place);
         }
-        let grows = program.lines.len() < parameters.max_program_size && stream.chance(P_ADD);
+        let grows = program.lines.len() < self.max_lines && stream.chance(P_ADD);
         if grows && !self.insert_term(program, stream) {
             self.insert_line(program, stream);
         }
         let place = stream.below(program.lines.len());
         self.alter_line(&mut program.lines[place], stream);
-        if stream.chance(parameters.p_swap) {
+        if stream.chance(self.config.program.p_swap) {
             swap_lines(program, stream);
         }
     }
@@ -79,11 +67,11 @@ impl ProgramMutator<'_> {
     /// Draws a line with every choice uniform (`LineMutator::initRandomCorrectLine`).
     fn random_line(&self, stream: &mut Stream) -> GenomeLine {
         GenomeLine {
-            to: stream.below(self.vocabulary.registers().into()) as u16,
-            instruction: stream.below(self.vocabulary.instructions().len()) as u8,
+            to: stream.below(self.vocabulary.registers.into()) as u16,
+            instruction: stream.below(self.vocabulary.instructions.len()) as u8,
             operands: [(); OPERANDS].map(|()| Gene {
                 source: stream.below(self.vocabulary.sources()) as u8,
-                location: stream.below(self.vocabulary.largest_address_space().into()) as u16,
+                location: stream.below(self.vocabulary.largest_address_space.into()) as u16,
                 literal: self.random_literal(stream),
             }),
         }
@@ -94,15 +82,15 @@ impl ProgramMutator<'_> {
     fn alter_line(&self, line: &mut GenomeLine, stream: &mut Stream) {
         let vocabulary = self.vocabulary;
         let bits = |values: usize| values.next_power_of_two().trailing_zeros() as usize;
-        let instruction = bits(vocabulary.instructions().len());
-        let destination = bits(vocabulary.registers().into());
+        let instruction = bits(vocabulary.instructions.len());
+        let destination = bits(vocabulary.registers.into());
         let source = bits(vocabulary.sources());
-        let operand = source + bits(vocabulary.largest_address_space().into());
+        let operand = source + bits(vocabulary.largest_address_space.into());
         let selected = stream.below((instruction + destination + OPERANDS * operand).max(1));
         if selected < instruction {
-            line.instruction = other(line.instruction.into(), vocabulary.instructions().len(), stream) as u8;
+            line.instruction = other(line.instruction.into(), vocabulary.instructions.len(), stream) as u8;
         } else if selected < instruction + destination {
-            line.to = other(line.to.into(), vocabulary.registers().into(), stream) as u16;
+            line.to = other(line.to.into(), vocabulary.registers.into(), stream) as u16;
         } else {
             let selected = selected - instruction - destination;
             // Without operand bits (one source with one location) there is nothing to alter.
@@ -113,7 +101,7 @@ impl ProgramMutator<'_> {
             } else if selected % operand < source {
                 gene.source = other(gene.source.into(), vocabulary.sources(), stream) as u8;
             } else {
-                gene.location = other(gene.location.into(), vocabulary.largest_address_space().into(), stream) as u16;
+                gene.location = other(gene.location.into(), vocabulary.largest_address_space.into(), stream) as u16;
             }
         }
     }
@@ -121,10 +109,10 @@ impl ProgramMutator<'_> {
     /// Draws a literal in the unit of an input. It is normally distributed with one of a few widths, because bids are
     /// sums of large and small numbers.
     fn random_literal(&self, stream: &mut Stream) -> f64 {
-        let width = *stream.pick(&self.literals.deviations);
-        let scales = self.vocabulary.scales();
+        let width = *stream.pick(&self.config.literals.deviations);
+        let scales = &self.vocabulary.scales;
         let unit = if scales.is_empty() { 1.0 } else { *stream.pick(scales) };
-        self.vocabulary.scalar().round(unit * width * stream.normal())
+        self.vocabulary.scalar.round(unit * width * stream.normal())
     }
 
     /// Changes a literal: scaled slightly (half of the time), negated, or redrawn.

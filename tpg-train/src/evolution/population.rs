@@ -2,12 +2,7 @@
 
 use super::genome::{Genome, TeamId};
 use super::linear::ProgramKind;
-use super::mirror::Mirror;
-use super::mutate_leaf::LeafMutator;
-use super::mutate_program::ProgramMutator;
-use super::mutate_team::{TeamMutator, random_population};
 use super::record::{Record, Row};
-use super::refine::Refiner;
 use super::search::Search;
 use super::select::{Scored, ranked, survivors};
 use super::stage::{Candidate, Context, EpisodePlan, Moment, Results, Stage};
@@ -82,31 +77,20 @@ impl Population {
     }
 
     fn breed(&mut self, context: &Context<'_>, moment: Moment) {
-        let Context { config, vocabulary, opposites, .. } = *context;
-        let programs = ProgramMutator { vocabulary, parameters: &config.program, literals: &config.literals };
-        let longer = config.program.of_leaves();
-        let leaves = ProgramMutator { parameters: &longer, ..programs };
-        let refiner = Refiner { vocabulary, parameters: &config.refinement };
-        let growing = LeafMutator { bids: programs, leaves, refiner, tpg: &config.tpg };
-        let mirror = Mirror { programs, opposites, probability: config.refinement.p_mirror };
-        let actions = context.actions;
-        let teams = TeamMutator { programs, refiner, mirror, parameters: &config.tpg, actions };
         let genome = &mut self.genome;
         if genome.teams.is_empty() {
             let mut stream = moment.stream(Purpose::Initial, 0);
-            if actions == 0 {
-                let is_first = config.start.share == 0.0; // else a search for weights has written sums
-                let writer = is_first.then(|| context.writer(ProgramKind::Sum).ok()).flatten();
-                *genome = growing.random_population(config.tpg.init_nb_roots, writer.as_ref(), &mut stream);
+            if context.actions == 0 {
+                *genome = context.random_leaves(&mut stream);
             } else {
-                *genome = random_population(&programs, &config.tpg, actions, &mut stream);
-                mirror.complete_roots(genome, config.tpg.max_outgoing_edges);
+                *genome = context.random_teams(&mut stream);
+                context.complete_roots(genome);
             }
         }
-        if actions == 0 {
-            growing.populate(genome, moment);
+        if context.actions == 0 {
+            context.populate_leaves(genome, moment);
         } else {
-            teams.populate(genome, moment);
+            context.populate_teams(genome, moment);
         }
     }
 

@@ -3,7 +3,7 @@
 //! Two random lines hardly ever make such a product, and half of a difference of products is often worth nothing.
 
 use super::genome::{GenomeLine, Program};
-use super::mutate_program::ProgramMutator;
+use super::stage::Context;
 use super::vocabulary::{Gene, Input};
 use tpg_engine::random::Stream;
 use tpg_graph::Word;
@@ -15,7 +15,7 @@ const MOST_TERMS: usize = 2;
 /// Most lines of a product.
 const LINES: usize = 2;
 
-impl ProgramMutator<'_> {
+impl Context<'_> {
     /// Returns a random program whose bid is a sum of products, if the parameters want one now. Draws nothing where they never do.
     pub(super) fn random_sum(&self, stream: &mut Stream) -> Option<Vec<GenomeLine>> {
         if !self.wants_product(stream) {
@@ -25,7 +25,7 @@ impl ProgramMutator<'_> {
         let mut lines = self.term(stream);
         for _ in 1..terms {
             let term = self.term(stream);
-            if lines.len() + term.len() <= self.parameters.max_program_size {
+            if lines.len() + term.len() <= self.max_lines {
                 lines.extend(term);
             }
         }
@@ -39,7 +39,7 @@ impl ProgramMutator<'_> {
             return false;
         }
         let term = self.term(stream);
-        let fits = program.lines.len() + term.len() <= self.parameters.max_program_size;
+        let fits = program.lines.len() + term.len() <= self.max_lines;
         if fits {
             let place = stream.below(program.lines.len() + 1);
             program.lines.splice(place..place, term);
@@ -48,7 +48,7 @@ impl ProgramMutator<'_> {
     }
 
     fn wants_product(&self, stream: &mut Stream) -> bool {
-        let probability = self.parameters.p_product;
+        let probability = self.config.program.p_product;
         probability > 0.0 && stream.chance(probability)
     }
 
@@ -59,7 +59,7 @@ impl ProgramMutator<'_> {
         let sign = if stream.chance(0.5) { 1.0 } else { -1.0 };
         let kind = stream.below(3);
         if kind > 0
-            && self.parameters.max_program_size >= 2 * LINES
+            && self.max_lines >= 2 * LINES
             && let Some([a, b]) = self.two_sources(&inputs, stream)
         {
             let most = a.len().min(b.len());
@@ -99,11 +99,11 @@ impl ProgramMutator<'_> {
         let number = |word: Word| vocabulary.index(word).expect("a checked configuration has it");
         let add = number(Word::MultiplyAdd);
         let unit = unit * second.map_or(1.0, |(.., unit)| unit);
-        let weight = vocabulary.literal(vocabulary.scalar().round(sign / unit));
+        let weight = vocabulary.literal(vocabulary.scalar.round(sign / unit));
         let Some((second, ..)) = second else {
             return vec![GenomeLine { instruction: add, to: 0, operands: [first, weight] }];
         };
-        let to = 1 + stream.below(usize::from(vocabulary.registers()) - 1) as u16;
+        let to = 1 + stream.below(usize::from(vocabulary.registers) - 1) as u16;
         let weighted = Gene::register(to);
         vec![
             GenomeLine { instruction: number(Instruction::Mul.into()), to, operands: [first, weight] },
@@ -117,7 +117,7 @@ mod tests {
     use crate::configuration::Configuration as _;
     use crate::evolution::config::EvolutionConfig;
     use crate::evolution::genome::Program;
-    use crate::evolution::mutate_program::ProgramMutator;
+    use crate::evolution::tests::context;
     use crate::evolution::vocabulary::Vocabulary;
     use std::collections::BTreeSet;
     use tpg_engine::random::{Purpose, Stream};
@@ -138,8 +138,7 @@ mod tests {
         let sources = [source("a"), source("b")];
         let vocabulary =
             Vocabulary::new(config.instructions(), 3, &sources[..state.len() / 2], Some(units), ScalarType::F64);
-        let mutator =
-            ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
+        let mutator = context(config, &vocabulary, 2, &[]);
         let term = |index| {
             let mut program = Program::default();
             assert!(mutator.insert_term(&mut program, &mut Stream::new(1, 0, Purpose::Test, index)));
@@ -175,8 +174,7 @@ mod tests {
             ScalarType::F64,
         );
         config.program.max_program_size = 3;
-        let mut mutator =
-            ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
+        let mutator = context(&config, &vocabulary, 2, &[]);
         for index in 0..300 {
             let mut stream = Stream::new(1, 0, Purpose::Test, index);
             let mut program = mutator.random(&mut stream);
@@ -184,8 +182,9 @@ mod tests {
             mutator.insert_term(&mut program, &mut stream);
             assert!(program.lines.len() <= 3);
         }
-        let never = crate::evolution::config::ProgramParameters { p_product: 0.0, ..config.program.clone() };
-        mutator.parameters = &never;
+        let mut never = config.clone();
+        never.program.p_product = 0.0;
+        let mutator = context(&never, &vocabulary, 2, &[]);
         let mut stream = Stream::new(1, 0, Purpose::Test, 0);
         let before = stream.clone().bits();
         assert_eq!(mutator.random_sum(&mut stream), None);

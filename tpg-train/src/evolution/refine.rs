@@ -2,28 +2,18 @@
 
 use super::config::RefinementConfig;
 use super::genome::{Destination, Edge, Genome, GenomeLine, Leaf, Program, ProgramId, Team, TeamId};
-use super::mutate_program::ProgramMutator;
-use super::vocabulary::Vocabulary;
+use super::stage::Context;
 use std::collections::BTreeMap;
 use tpg_engine::random::Stream;
 
 /// Lowest and highest standard deviation of the change of constants, relative to them; each child draws one.
 const DEVIATIONS: [f64; 2] = [0.02, 0.6];
 
-/// Makes children by small changes.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Refiner<'a> {
-    /// The vocabulary of programs.
-    pub vocabulary: &'a Vocabulary,
-    /// Its probabilities and widths.
-    pub parameters: &'a RefinementConfig,
-}
-
-impl Refiner<'_> {
+impl Context<'_> {
     /// Adds a child of `parent` that differs only by constants or by a missing line, with the configured probabilities;
     /// `None`, where another kind of child is due. Draws nothing where both are 0.
-    pub(super) fn child(&self, genome: &mut Genome, parent: TeamId, stream: &mut Stream) -> Option<TeamId> {
-        let RefinementConfig { p_jitter, p_deletion, .. } = *self.parameters;
+    pub(super) fn refined_child(&self, genome: &mut Genome, parent: TeamId, stream: &mut Stream) -> Option<TeamId> {
+        let RefinementConfig { p_jitter, p_deletion, .. } = self.config.refinement;
         if p_jitter + p_deletion <= 0.0 {
             return None;
         }
@@ -39,25 +29,20 @@ impl Refiner<'_> {
 
     /// Adds a child of which one program has been mutated, with the configured probability; `None`, where another kind of child
     /// is due. Draws nothing where it is 0.
-    pub(super) fn mutated(
-        &self,
-        genome: &mut Genome,
-        parent: TeamId,
-        mutator: &ProgramMutator<'_>,
-        stream: &mut Stream,
-    ) -> Option<TeamId> {
-        if self.parameters.p_mutation <= 0.0 || !stream.chance(self.parameters.p_mutation) {
+    pub(super) fn mutated_child(&self, genome: &mut Genome, parent: TeamId, stream: &mut Stream) -> Option<TeamId> {
+        let probability = self.config.refinement.p_mutation;
+        if probability <= 0.0 || !stream.chance(probability) {
             return None;
         }
-        let programs: Vec<(ProgramId, Program)> = self.programs(genome, parent).into_iter().collect();
+        let programs: Vec<(ProgramId, Program)> = self.programs_of(genome, parent).into_iter().collect();
         let (id, mut program) = stream.pick(&programs).clone();
-        mutator.mutate(&mut program, stream);
+        self.mutate(&mut program, stream);
         Some(copy(genome, parent, BTreeMap::from([(id, program)])))
     }
 
     /// Adds a child whose constants have all moved a little, or one of them; `None` if it has no constants.
     fn jittered(&self, genome: &mut Genome, parent: TeamId, stream: &mut Stream) -> Option<TeamId> {
-        let mut programs = self.programs(genome, parent);
+        let mut programs = self.programs_of(genome, parent);
         let count = programs.values_mut().map(|program| self.constants(program).count()).sum::<usize>();
         if count == 0 {
             return None;
@@ -79,7 +64,7 @@ impl Refiner<'_> {
 
     /// Adds a child that lacks one line; `None` if no program has two.
     fn shortened(&self, genome: &mut Genome, parent: TeamId, stream: &mut Stream) -> Option<TeamId> {
-        let programs = self.programs(genome, parent);
+        let programs = self.programs_of(genome, parent);
         let long: Vec<_> = programs.into_iter().filter(|(_, program)| program.lines.len() > 1).collect();
         let total: usize = long.iter().map(|(_, program)| program.lines.len()).sum();
         if total == 0 {
@@ -98,7 +83,7 @@ impl Refiner<'_> {
 
     /// Returns copies of the programs of a team that matter, without lines that have no effect: the bids, if there is more
     /// than one edge, and those of its leaves.
-    fn programs(&self, genome: &Genome, team: TeamId) -> BTreeMap<ProgramId, Program> {
+    fn programs_of(&self, genome: &Genome, team: TeamId) -> BTreeMap<ProgramId, Program> {
         let edges = &genome.team(team).edges;
         let bids = edges.iter().map(|edge| edge.program).filter(|_| edges.len() > 1);
         let leaves = edges.iter().filter_map(|edge| match edge.to {
@@ -144,10 +129,10 @@ fn copy(genome: &mut Genome, parent: TeamId, replaced: BTreeMap<ProgramId, Progr
 
 #[cfg(test)]
 mod tests {
-    use super::Refiner;
-    use crate::evolution::config::RefinementConfig;
+    use crate::evolution::config::{EvolutionConfig, RefinementConfig};
     use crate::evolution::genome::Genome;
     use crate::evolution::linear::{LinearWriter, ProgramKind};
+    use crate::evolution::tests::context;
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::random::{Purpose, Stream};
     use tpg_engine::{Limits, PolicyGraph};
@@ -158,18 +143,20 @@ mod tests {
         let words = vec![Instruction::Add.into(), Word::MultiplyAdd];
         let source = SourceDocument::new("s", "1", vec![[-1.0, 1.0]; 3]);
         let limits = Limits { min: -1.0, max: 1.0, nan: 0.0 };
-        Vocabulary::new(words, 2, &[source], Some(vec![1.0; 3]), ScalarType::F64).with_outputs(vec![limits; 2])
+        let bare = Vocabulary::new(words, 2, &[source], Some(vec![1.0; 3]), ScalarType::F64);
+        Vocabulary { outputs: vec![limits; 2], ..bare }
     }
 
     fn children(p_jitter: f64, p_deletion: f64) -> (PolicyGraph, Vec<Option<PolicyGraph>>) {
         let vocabulary = vocabulary();
-        let parameters = RefinementConfig { p_jitter, p_deletion, p_mutation: 0.0, p_mirror: 0.0 };
-        let refiner = Refiner { vocabulary: &vocabulary, parameters: &parameters };
+        let refinement = RefinementConfig { p_jitter, p_deletion, p_mutation: 0.0, p_mirror: 0.0 };
+        let config = EvolutionConfig { refinement, ..EvolutionConfig::default() };
+        let mutator = context(&config, &vocabulary, 0, &[]);
         let mut genome = Genome::default();
         let writer = LinearWriter::new(&vocabulary, 0, ProgramKind::Sum).expect("sums can be written");
         let parent = writer.add_root(&mut genome, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
         let child = |index| {
-            let child = refiner.child(&mut genome, parent, &mut Stream::new(1, 0, Purpose::Test, index));
+            let child = mutator.refined_child(&mut genome, parent, &mut Stream::new(1, 0, Purpose::Test, index));
             child.map(|child| genome.policy(child, &vocabulary))
         };
         let children = (0..200).map(child).collect();
@@ -192,14 +179,15 @@ mod tests {
     #[test]
     fn without_probabilities_nothing_is_drawn() {
         let vocabulary = vocabulary();
-        let parameters = RefinementConfig { p_jitter: 0.0, p_deletion: 0.0, p_mutation: 0.0, p_mirror: 0.0 };
-        let refiner = Refiner { vocabulary: &vocabulary, parameters: &parameters };
+        let refinement = RefinementConfig { p_jitter: 0.0, p_deletion: 0.0, p_mutation: 0.0, p_mirror: 0.0 };
+        let config = EvolutionConfig { refinement, ..EvolutionConfig::default() };
+        let mutator = context(&config, &vocabulary, 0, &[]);
         let mut genome = Genome::default();
         let parent =
             LinearWriter::new(&vocabulary, 0, ProgramKind::Sum).expect("sums").add_root(&mut genome, &[0.0; 8]);
         let mut stream = Stream::new(1, 0, Purpose::Test, 0);
         let before = stream.clone().bits();
-        assert_eq!(refiner.child(&mut genome, parent, &mut stream), None);
+        assert_eq!(mutator.refined_child(&mut genome, parent, &mut stream), None);
         assert_eq!(stream.bits(), before);
     }
 }

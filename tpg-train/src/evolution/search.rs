@@ -319,7 +319,7 @@ mod tests {
     use crate::evolution::config::EvolutionConfig;
     use crate::evolution::stage::{Context, Moment, Results, Stage};
     use crate::evolution::vocabulary::Vocabulary;
-    use tpg_engine::{EpisodeResult, Moments, Output, Preference};
+    use tpg_engine::{EpisodeResult, Moments, Output};
     use tpg_graph::{ScalarType, SourceDocument};
 
     const LIMIT: u32 = 1000;
@@ -329,21 +329,12 @@ mod tests {
         let output = |place| Output { name: format!("motor_{place}"), unit: String::new(), min: -1.0, max: 1.0 };
         let limits = (0..outputs).map(|place| output(place).limits(ScalarType::F32)).collect();
         let scales = Some(vec![1.0; 10]);
-        Vocabulary::new(config.instructions(), 8, &sources, scales, ScalarType::F32).with_outputs(limits)
+        let bare = Vocabulary::new(config.instructions(), 8, &sources, scales, ScalarType::F32);
+        Vocabulary { outputs: limits, ..bare }
     }
 
     fn context<'a>(config: &'a EvolutionConfig, vocabulary: &'a Vocabulary) -> Context<'a> {
-        Context {
-            config,
-            vocabulary,
-            actions: 0,
-            opposites: &[],
-            preference: Preference::Score,
-            line_price: 0.0,
-            left: 1.0,
-            samples: 8,
-            time_limit: LIMIT,
-        }
+        Context { samples: 8, time_limit: LIMIT, ..crate::evolution::tests::context(config, vocabulary, 0, &[]) }
     }
 
     /// Plays a generation: `ending` gives score and number of actions of each sample.

@@ -18,6 +18,8 @@ pub(crate) struct Context<'a> {
     pub actions: u16,
     /// The action that undoes each one, if there is one.
     pub opposites: &'a [Option<u16>],
+    /// Maximum number of lines of a program that is drawn or changed; those of leaves may be longer than bids.
+    pub max_lines: usize,
     /// The criterion by which policies are compared.
     pub preference: Preference,
     /// Price of a line, in the unit of the score.

@@ -110,18 +110,22 @@ pub enum SourceKind {
 /// The vocabulary of programs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vocabulary {
-    instructions: Vec<ProgramInstruction>,
-    registers: u16,
-    kinds: Vec<SourceKind>,
+    /// The instruction set.
+    pub instructions: Vec<ProgramInstruction>,
+    /// Number of registers that programs name.
+    pub registers: u16,
+    /// The meaning of each source number.
+    pub kinds: Vec<SourceKind>,
     /// Exclusive upper bound of locations (GEGELATI, `environment.cpp`, `computeLargestAddressSpace`).
-    largest_address_space: u16,
-    scalar: ScalarType,
+    pub largest_address_space: u16,
+    /// The scalar type that programs compute in.
+    pub scalar: ScalarType,
     /// Units of literals: half the range of each value of the flat state; empty without literals.
-    scales: Vec<f64>,
+    pub scales: Vec<f64>,
     /// The middles of their declared ranges; 0 of a range without an end.
-    middles: Vec<f64>,
-    /// The outputs, where there are some in place of actions.
-    outputs: Vec<Limits>,
+    pub middles: Vec<f64>,
+    /// The outputs of the problem, which leaves compute; empty if a policy chooses among actions.
+    pub outputs: Vec<Limits>,
 }
 
 impl Vocabulary {
@@ -163,32 +167,6 @@ impl Vocabulary {
         }
     }
 
-    /// Adds the outputs of the problem, which leaves compute.
-    #[must_use]
-    pub fn with_outputs(self, outputs: Vec<Limits>) -> Self {
-        Self { outputs, ..self }
-    }
-
-    /// Returns the outputs; empty if a policy chooses among actions.
-    pub fn outputs(&self) -> &[Limits] {
-        &self.outputs
-    }
-
-    /// Returns the units of literals; empty if there are none.
-    pub fn scales(&self) -> &[f64] {
-        &self.scales
-    }
-
-    /// Returns the middle of the declared range of a value of the flat state.
-    pub fn middle(&self, place: u16) -> f64 {
-        self.middles[usize::from(place)]
-    }
-
-    /// Returns the instruction set.
-    pub fn instructions(&self) -> &[ProgramInstruction] {
-        &self.instructions
-    }
-
     /// Returns the instruction at an index of the set.
     pub fn instruction(&self, index: InstructionIndex) -> &ProgramInstruction {
         &self.instructions[usize::from(index)]
@@ -224,11 +202,6 @@ impl Vocabulary {
     pub fn moved(&self, literal: f64, to: f64) -> f64 {
         let rounded = self.scalar.round(to);
         if rounded.is_finite() { rounded } else { literal }
-    }
-
-    /// Returns the number of registers that programs name.
-    pub fn registers(&self) -> u16 {
-        self.registers
     }
 
     /// Returns the number of registers of a policy: calls need some for what they compute on the way.
@@ -280,16 +253,6 @@ impl Vocabulary {
         places.map(input).collect()
     }
 
-    /// Returns the exclusive upper bound of locations.
-    pub fn largest_address_space(&self) -> u16 {
-        self.largest_address_space
-    }
-
-    /// Returns the scalar type that programs compute in.
-    pub fn scalar(&self) -> ScalarType {
-        self.scalar
-    }
-
     /// Returns the register that an operand refers to, if it is one.
     pub fn register(&self, gene: &Gene) -> Option<u16> {
         (self.kind(gene.source) == SourceKind::Registers).then(|| gene.location % self.registers)
@@ -317,7 +280,7 @@ mod tests {
             ["copy(0.1)", "div(a, add(1, abs(b)))", "abs"].map(|text| ProgramInstruction::parse(text).expect(text));
         let source = SourceDocument::new("x", "", vec![[-1.0, 1.0]]);
         let vocabulary = Vocabulary::new(instructions.to_vec(), 3, &[source], None, ScalarType::F32);
-        assert_eq!((vocabulary.registers(), vocabulary.policy_registers()), (3, 5));
+        assert_eq!((vocabulary.registers, vocabulary.policy_registers()), (3, 5));
         let (x, r) = (Gene { source: 1, location: 0, literal: 0.0 }, Gene::register);
         let spelled = |index: u8| {
             let mut lines = Vec::new();

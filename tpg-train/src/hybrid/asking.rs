@@ -10,7 +10,7 @@ use crate::sac::network::Network;
 use std::fs;
 use std::path::Path;
 use tpg_codegen::policy::QuantisedPolicy;
-use tpg_engine::{Act, ActionSpace, Decision, Environment, NETWORK, Preference, SourceSet, Step, state_length};
+use tpg_engine::{Act, ActionSpace, Decision, Environment, Preference, SourceSet, Step, state_length};
 use tpg_graph::error::{Finding, InputError, Place};
 use tpg_problems::Problem;
 use tpg_runtime::scalar::Scalar;
@@ -98,7 +98,7 @@ impl<S: Scalar, E: Environment<S>, P: Fn(&[f32]) -> Decision<f32> + Sync> Enviro
 
     /// The environment's actions, then the one that asks.
     fn actions(&self) -> ActionSpace {
-        self.environment.actions().with_ask(NETWORK)
+        self.environment.actions().with_ask()
     }
 
     fn step(&self, episode: &mut E::Episode, act: Act<'_, S>) -> Step {

@@ -6,8 +6,8 @@ use crate::sac::network::Network;
 use std::cell::RefCell;
 use std::marker::PhantomData;
 use tpg_engine::{
-    ActionSpace, Choices, DEFAULT_LANES, Decision, Environment, EpisodeResult, Lanes, NETWORK, Plan, Remembering,
-    Rollout, Single, SourceSet, bind, state_length,
+    ActionSpace, Choices, DEFAULT_LANES, Decision, Environment, EpisodeResult, Lanes, Plan, Remembering, Rollout,
+    Single, SourceSet, bind, state_length,
 };
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
@@ -16,9 +16,7 @@ use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::Policy;
 use tpg_runtime::scalar::Scalar;
-use tpg_runtime::switch::{
-    Answer, AskSwitch, CAUSES, Cause, Chosen, Counts, Driver, Guard, NEVER, Pair, Patience, Switch,
-};
+use tpg_runtime::switch::{Answer, AskSwitch, CAUSES, Chosen, Counts, Driver, Guard, NEVER, Pair, Patience, Switch};
 
 /// The policies that act, each with the name that errors show.
 #[derive(Clone, Copy, Debug)]
@@ -53,9 +51,8 @@ impl Policies {
     }
 }
 
-/// The causes of a hand-over, with their names in tables. [`Cause::Stop`] is a [`Patience`] at its end.
-pub(crate) const TRIGGERS: [(&str, Cause); 4] =
-    [("guard", Cause::Guard), ("drift", Cause::Drift), ("stall", Cause::Stop), ("cycle", Cause::Cycle)];
+/// The names of causes of a hand-over in tables, in the order of [`Counts::hand_overs`].
+pub(crate) const TRIGGERS: [&str; CAUSES] = ["guard", "drift", "stall", "cycle"];
 
 /// Results of many episodes.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -67,7 +64,7 @@ pub struct HybridResult {
     /// Actions per episode that the network chose.
     pub network_actions: f64,
     /// Hand-overs per episode, by cause, in the order of `TRIGGERS`.
-    pub hand_overs: [f64; TRIGGERS.len()],
+    pub hand_overs: [f64; CAUSES],
     /// Number of times per episode that the network handed back.
     pub hand_backs: f64,
     /// Actions of each episode that the graph asked the network for; they count as the network's.
@@ -294,9 +291,9 @@ fn graph_policy<'e, S: Scalar, M: Maths<S>, E: Environment<S> + 'e>(
     (file, graph): &(String, Graph),
     environment: &E,
 ) -> Result<impl Policy<State = State<'e, S, E>, Action = Answer<Decision<S>>> + use<'e, S, M, E>, InputError> {
-    let (sources, actions) = (environment.sources(), environment.actions().with_ask(NETWORK));
+    let (sources, actions) = (environment.sources(), environment.actions().with_ask());
     let plan = Plan::new::<M>(&bind(file, graph, &sources, &actions)?, &sources);
-    let (wanted, ask) = (plan.wanted(), actions.asking(NETWORK));
+    let (wanted, ask) = (plan.wanted(), actions.asking());
     let single = Single::<S, M>::new(plan);
     let decide = move |state: &State<'e, S, E>| match single.answer(state.borrow_mut().observe(wanted)) {
         interpret::Answer::Action(action) if Some(action) == ask => Answer::Ask,
@@ -337,19 +334,19 @@ impl HybridResult {
     }
 
     fn new(episodes: &[PlayedEpisode]) -> Self {
-        let (mut tpg, mut sac, mut hand_backs, mut causes) = (0.0, 0.0, 0.0, [0.0; CAUSES]);
+        let (mut tpg, mut sac, mut hand_backs, mut hand_overs) = (0.0, 0.0, 0.0, [0.0; CAUSES]);
         for (_, counts, _) in episodes {
             tpg += f64::from(counts.tpg_actions);
             sac += f64::from(counts.sac_actions);
             hand_backs += f64::from(counts.hand_backs);
-            causes.iter_mut().zip(counts.hand_overs).for_each(|(sum, count)| *sum += f64::from(count));
+            hand_overs.iter_mut().zip(counts.hand_overs).for_each(|(sum, count)| *sum += f64::from(count));
         }
         let count = episodes.len().max(1) as f64;
         Self {
             endings: episodes.iter().map(|(ending, ..)| *ending).collect(),
             tpg_action_ratio: tpg / (tpg + sac).max(1.0),
             network_actions: sac / count,
-            hand_overs: TRIGGERS.map(|(_, cause)| causes[cause as usize] / count),
+            hand_overs: hand_overs.map(|sum| sum / count),
             hand_backs: hand_backs / count,
             asks: episodes.iter().map(|&(_, _, asks)| asks).collect(),
             ..Self::default()

@@ -10,7 +10,6 @@ use crate::sac::network::Network;
 use crate::sac::weights;
 use serde::Deserialize;
 use serde_json::Value;
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::slice::from_ref;
@@ -40,8 +39,8 @@ pub(super) struct Run {
     pub(super) name: String,
     /// Seed, if the run states it.
     pub(super) seed: Option<u64>,
-    /// The curves of its log: for each name, x and y.
-    pub(super) curves: BTreeMap<&'static str, Vec<[f64; 2]>>,
+    /// The rows of its log.
+    log: Vec<Value>,
     /// CPU time in seconds, if the run states it.
     pub(super) cpu: Option<f64>,
     /// The problem; `None` if a program supplied its own environment.
@@ -95,8 +94,8 @@ impl Group {
 
 impl Run {
     fn new(name: String, problem: Option<Problem>, policies: Policies) -> Self {
-        let (curves, hall) = (BTreeMap::new(), Vec::new());
-        Self { name, seed: None, curves, cpu: None, problem, policies, hall, tested: None, result: None }
+        let (log, hall) = (Vec::new(), Vec::new());
+        Self { name, seed: None, log, cpu: None, problem, policies, hall, tested: None, result: None }
     }
 
     /// Returns the mean score on the episodes by which training chose the policy.
@@ -124,6 +123,15 @@ impl Run {
     pub(super) fn evolved(&self) -> Option<&Graph> {
         let rules = matches!(&self.policies, Policies::Both(hybrid) if hybrid.setting.has_trigger());
         self.graph().filter(|_| !rules)
+    }
+
+    /// Returns a curve of the log, from the place of its values in a row: the number of steps or decisions, and the value.
+    pub(super) fn curve(&self, place: &str) -> Vec<[f64; 2]> {
+        let x = if self.kind() == "SAC" { "/decisions" } else { "/steps" };
+        let value = |row: &Value, place: &str| row.pointer(place).and_then(Value::as_f64);
+        // A problem without a measure has 0.
+        let y = |row| value(row, place).filter(|&y| !place.ends_with("measure") || y > 0.0);
+        self.log.iter().filter_map(|row| Some([value(row, x)?, y(row)?])).collect()
     }
 
     /// The kind in a word.
@@ -205,22 +213,6 @@ fn named(mut group: Group) -> Group {
     group
 }
 
-/// Reads the curves of a log: for each of them its name, and the place of its values in a row.
-fn curves(
-    log: &Path,
-    x: &str,
-    places: &[(&'static str, &str)],
-) -> Result<BTreeMap<&'static str, Vec<[f64; 2]>>, InputError> {
-    let rows: Vec<Value> = lines(log)?;
-    let curve = |&(name, place): &(&'static str, &str)| {
-        let value = |row: &Value, place: &str| row.pointer(place).and_then(Value::as_f64);
-        // A problem without a measure has 0.
-        let y = |row| value(row, place).filter(|&y| name != "measure" || y > 0.0);
-        (name, rows.iter().filter_map(|row| Some([value(row, x)?, y(row)?])).collect())
-    };
-    Ok(places.iter().map(curve).collect())
-}
-
 fn tpg(folder: &Path, name: String, problem: Option<Problem>, settings: &toml::Table) -> Result<Run, InputError> {
     let ask = settings.get("ask").and_then(|ask| ask.get("policy")?.as_str());
     let path = folder.join("graph.json");
@@ -230,15 +222,7 @@ fn tpg(folder: &Path, name: String, problem: Option<Problem>, settings: &toml::T
     let tested = if tested.exists() { lines::<TestedElsewhere>(&tested)? } else { Vec::new() };
     // A graph that has been trained further has not been tested.
     let tested = tested.into_iter().find(|one| one.graph == graph.sha256());
-    let places = [
-        ("best score", "/best_score"),
-        ("median score", "/median_score"),
-        ("score", "/validation/score"),
-        ("success", "/validation/success"),
-        ("measure", "/validation/measure"),
-        ("teams", "/teams"),
-    ];
-    let curves = curves(&folder.join("generations.jsonl"), "/steps", &places)?;
+    let log = lines(&folder.join("generations.jsonl"))?;
     let seed = graph.provenance().seed;
     let run = |name: String, graph: Graph| {
         let graph = (path.display().to_string(), graph);
@@ -256,7 +240,7 @@ fn tpg(folder: &Path, name: String, problem: Option<Problem>, settings: &toml::T
         run(format!("generation {generation}"), graph)
     };
     let hall = hall.into_iter().map(of_hall).collect::<Result<_, InputError>>()?;
-    Ok(Run { curves, cpu: cpu_seconds(folder), hall, tested, ..run(name, graph)? })
+    Ok(Run { log, cpu: cpu_seconds(folder), hall, tested, ..run(name, graph)? })
 }
 
 /// Reads a run's hall of fame, without its best graph; empty for a run of an earlier version, which has none.
@@ -276,8 +260,7 @@ fn cpu_seconds(folder: &Path) -> Option<f64> {
 }
 
 fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
-    let places = [("score", "/score"), ("success", "/success"), ("measure", "/measure"), ("entropy", "/entropy")];
-    let curves = curves(&folder.join("log.jsonl"), "/decisions", &places)?;
+    let log = lines(&folder.join("log.jsonl"))?;
     let path = folder.join("policy.safetensors");
     let (network, contract) = weights::read(&path)?;
     let file = path.display().to_string();
@@ -287,7 +270,7 @@ fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
     let (seed, cpu) = (Some(contract.provenance.seed), cpu_seconds(folder));
     let network = (file, Network::Float(Box::new((network, contract))));
     let problem = problem_for(known, None, &[], from_ref(&network))?;
-    Ok(Run { seed, curves, cpu, ..Run::new(name, Some(problem), Policies::Network(network)) })
+    Ok(Run { seed, log, cpu, ..Run::new(name, Some(problem), Policies::Network(network)) })
 }
 
 /// The problem that settings name, if it is built in.

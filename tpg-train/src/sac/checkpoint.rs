@@ -56,7 +56,7 @@ pub(super) fn to_bytes<E: Environment<f32>>(training: &Training<'_, E>, log: &[s
         recent: recent.clone(),
         lanes: lanes.lanes.iter().map(|lane| lane.task.clone()).collect(),
         failures: lanes.failures.clone(),
-        inputs: lanes.interface().inputs.clone(),
+        inputs: lanes.interface.inputs.clone(),
         log: log.to_vec(),
     };
     let text = serde_json::to_string(&state).expect("plain data");
@@ -105,7 +105,7 @@ fn restore<'e, E: Environment<f32>>(
     state.lanes.into_iter().zip(&actions).for_each(|(task, actions)| training.lanes.resume(task, actions));
     training.lanes.episodes = state.episodes;
     training.lanes.failures = state.failures;
-    training.lanes.set_inputs(state.inputs);
+    training.lanes.interface.inputs = state.inputs;
     (training.agent, training.average, training.best, training.replay) = (agent, average, best, replay);
     (training.decisions, training.updates) = (state.decisions, state.updates);
     (training.last, training.recent) = (state.last, state.recent);

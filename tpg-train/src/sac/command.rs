@@ -115,7 +115,7 @@ fn train<E: Environment<f32>>(
     }
     save(&training, &log)?;
     if let Some(best) = &training.best {
-        let result = sentence(seed, &best.result, "validation", environment.measure());
+        let result = sentence(seed, &best.result, environment.measure());
         tpg_graph::command::note(format_args!("{result}, after {} decisions", best.decisions));
     }
     Ok(Verdict::Good)

@@ -1,7 +1,7 @@
 //! Parallel training episodes: when one ends, the next begins in its lane.
 
 use super::config::SacConfig;
-use super::interface::{Input, Interface};
+use super::interface::Interface;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Act, Environment, Rollout, SourceSet, Step};
 
@@ -16,8 +16,9 @@ pub(crate) struct Lane<'e, E: Environment<f32>> {
 
 /// Parallel episodes.
 pub(crate) struct TrainingLanes<'e, E: Environment<f32>> {
-    environment: &'e E,
-    interface: Interface,
+    pub(crate) environment: &'e E,
+    /// The network's inputs and outputs.
+    pub(crate) interface: Interface,
     /// Actions of the environment that a decision lasts.
     lasts: u32,
     /// Discount of each elementary step.
@@ -95,21 +96,6 @@ impl<'e, E: Environment<f32>> TrainingLanes<'e, E> {
     /// Begins the next episode in a lane.
     pub(crate) fn renew(&mut self, lane: usize) {
         self.lanes[lane] = self.begin();
-    }
-
-    /// Returns the environment.
-    pub(crate) fn environment(&self) -> &'e E {
-        self.environment
-    }
-
-    /// Changes what the network reads.
-    pub(crate) fn set_inputs(&mut self, inputs: Vec<Input>) {
-        self.interface.inputs = inputs;
-    }
-
-    /// Returns the network's inputs and outputs.
-    pub(crate) fn interface(&self) -> &Interface {
-        &self.interface
     }
 }
 

@@ -5,21 +5,6 @@ use tpg_engine::Sample;
 use tpg_engine::random::Stream;
 use tpg_nn::Experience;
 
-/// One transition: a state, an action, its reward and the next state.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Transition<'a> {
-    /// The inputs before.
-    pub(crate) state: &'a [f32],
-    /// The action, each component in −1..1.
-    pub(crate) action: &'a [f32],
-    /// The reward.
-    pub(crate) reward: f32,
-    /// The factor of the next state's value: γ to the number of elementary steps, 0 where the episode ended.
-    pub(crate) discount: f32,
-    /// The inputs afterwards.
-    pub(crate) next: &'a [f32],
-}
-
 /// A ring of transitions of `inputs` values a state and `actions` components an action.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Replay {
@@ -51,25 +36,19 @@ impl Replay {
         self.rows.len() / self.width()
     }
 
-    /// Adds a transition; replaces the oldest if the buffer is full.
+    /// Adds a transition: the inputs before, an action, each component in −1..1, its reward, the factor of the next state's value (γ to the
+    /// number of elementary steps, 0 where the episode ended), and the inputs afterwards. Replaces the oldest if the buffer is full.
     ///
     /// # Panics
     /// If a state has another number of values than the buffer's.
-    pub(crate) fn push(&mut self, transition: Transition<'_>) {
-        assert!(transition.state.len() == self.inputs && transition.next.len() == self.inputs, "another state");
-        let width = self.width();
-        let at = (self.added % self.capacity as u64) as usize * width;
-        if self.rows.len() < at + width {
-            self.rows.resize(at + width, 0.0);
+    pub(crate) fn push(&mut self, state: &[f32], action: &[f32], [reward, discount]: [f32; 2], next: &[f32]) {
+        assert!(state.len() == self.inputs && next.len() == self.inputs, "another state");
+        let row = [state, action, &[reward, discount], next].concat();
+        let at = (self.added % self.capacity as u64) as usize * row.len();
+        if self.rows.len() < at + row.len() {
+            self.rows.resize(at + row.len(), 0.0);
         }
-        let row = &mut self.rows[at..at + width];
-        let (state, rest) = row.split_at_mut(self.inputs);
-        let (action, rest) = rest.split_at_mut(self.actions);
-        let (numbers, next) = rest.split_at_mut(2);
-        state.copy_from_slice(transition.state);
-        action.copy_from_slice(transition.action);
-        numbers.copy_from_slice(&[transition.reward, transition.discount]);
-        next.copy_from_slice(transition.next);
+        self.rows[at..][..row.len()].copy_from_slice(&row);
         self.added += 1;
     }
 
@@ -116,7 +95,7 @@ mod tests {
 
     fn push(buffer: &mut Replay, value: f32) {
         let (state, next) = ([value; 3], [value + 0.5; 3]);
-        buffer.push(Transition { state: &state, action: &[value; 4], reward: value, discount: 0.9, next: &next });
+        buffer.push(&state, &[value; 4], [value, 0.9], &next);
     }
 
     #[test]

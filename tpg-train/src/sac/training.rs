@@ -10,7 +10,7 @@ use super::interface::Interface;
 use super::lanes::TrainingLanes;
 use super::network::Network;
 use super::policy::NetworkPolicy;
-use super::replay::{Replay, Transition};
+use super::replay::Replay;
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 use tpg_engine::random::{Purpose, Stream};
@@ -104,12 +104,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
             decisions: best.decisions,
             validation: Some(best.result),
         };
-        Contract::new(self.config.problem.clone(), self.interface(), self.config.actor.clone(), provenance)
-    }
-
-    /// Returns the network's inputs and outputs.
-    pub(crate) fn interface(&self) -> &Interface {
-        self.lanes.interface()
+        Contract::new(self.config.problem.clone(), &self.lanes.interface, self.config.actor.clone(), provenance)
     }
 
     /// True when the run has its decisions.
@@ -145,22 +140,21 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
             && self.decisions % retry.every < self.config.learning.lanes as u64
         {
             let mut failures = std::mem::take(&mut self.lanes.failures);
-            look(&mut failures, &self.policy(), self.lanes.environment(), &retry, self.seed, self.decisions);
+            look(&mut failures, &self.policy(), self.lanes.environment, &retry, self.seed, self.decisions);
             self.lanes.failures = failures;
         }
     }
 
     /// Scales inputs by what was seen so far, and the states that are remembered with them.
     fn measure_inputs(&mut self) {
-        let (before, mut interface) = (self.interface().inputs.clone(), self.interface().clone());
-        interface.measure(&self.replay.moments());
+        let before = self.lanes.interface.inputs.clone();
+        self.lanes.interface.measure(&self.replay.moments());
         self.replay.map_states(|state| {
             for (value, input) in state.iter_mut().zip(&before) {
                 *value = *value / input.scale + input.offset;
             }
-            interface.scale(state);
+            self.lanes.interface.scale(state);
         });
-        self.lanes.set_inputs(interface.inputs);
     }
 
     fn act(&mut self) {
@@ -185,13 +179,8 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
             lanes.observe(lane, &mut next);
             let goes_on = step.end.is_none_or(|end| end.truncated);
             let discount = libm::powf(config.learning.discount as f32, step.repeats as f32);
-            replay.push(Transition {
-                state: &before[lane * width..][..width],
-                action,
-                reward: step.reward as f32,
-                discount: if goes_on { discount } else { 0.0 },
-                next: &next,
-            });
+            let discount = if goes_on { discount } else { 0.0 };
+            replay.push(&before[lane * width..][..width], action, [step.reward as f32, discount], &next);
             if step.end.is_some() {
                 lanes.renew(lane);
             }
@@ -231,14 +220,14 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
 
     /// Returns the current policy.
     pub(crate) fn policy(&self) -> NetworkPolicy<'_> {
-        NetworkPolicy::new(self.actor(), self.interface().clone())
+        NetworkPolicy::new(self.actor(), self.lanes.interface.clone())
     }
 
     /// Lets the actor as it stands try the validation tasks, and keeps it if it is the best so far. Where the rate falls,
     /// the last actor of a run is kept whatever its result: its rate is almost nothing, and the best of many noisy results
     /// is mostly lucky (measured on the arm: chosen at 99.6 %, it did 98.5 % on fresh tasks, the last one 98.7 %).
     pub(crate) fn validate(&mut self, tasks: &[E::Task]) -> Summary {
-        let environment = self.lanes.environment();
+        let environment = self.lanes.environment;
         let policy = self.policy();
         let endings: Vec<_> = tasks.iter().map(|task| policy.watch(environment, task, |_| ())).collect();
         let result = Summary::new(&endings);
@@ -357,14 +346,14 @@ mod tests {
     #[test]
     fn inputs_are_measured_once_after_the_random_decisions() {
         let mut training = Training::new(&Pendulum, long(), 3).expect("a torque");
-        let declared = training.interface().clone();
+        let declared = training.lanes.interface.clone();
         while training.decisions < 498 {
             training.tick();
         }
         let mut seen = training.replay.clone();
-        assert_eq!(training.interface(), &declared);
+        assert_eq!(training.lanes.interface, declared);
         training.tick();
-        let measured = training.interface().clone();
+        let measured = training.lanes.interface.clone();
         for moments in training.replay.moments() {
             assert!(moments.mean.abs() < 1e-4 && (moments.deviation() - 1.0).abs() < 1e-4, "{moments:?}");
         }
@@ -380,7 +369,7 @@ mod tests {
         training.replay.map_states(|state| after.extend_from_slice(state));
         assert!(before.iter().zip(&after).all(|(a, b)| (a - b).abs() < 1e-5));
         (0..200).for_each(|_| training.tick());
-        assert_eq!(training.interface(), &measured);
+        assert_eq!(training.lanes.interface, measured);
     }
 
     #[test]

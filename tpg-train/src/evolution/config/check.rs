@@ -4,7 +4,7 @@ use super::EvolutionConfig;
 use crate::configuration::{Configuration, Preset};
 use crate::evolution::vocabulary::ProgramInstruction;
 use crate::evolution::{params, presets};
-use tpg_engine::{Environment, NETWORK};
+use tpg_engine::Environment;
 use tpg_graph::Word;
 use tpg_graph::error::{Finding, InputError};
 use tpg_problems::{PolicyKind, ProblemName};
@@ -124,7 +124,7 @@ impl EvolutionConfig {
     /// The first parameter that does not fit.
     pub fn check_environment<S: Scalar>(&self, environment: &impl Environment<S>) -> Result<(), Finding> {
         let actions = environment.actions();
-        if self.ask.is_some() && actions.asking(NETWORK).is_none() {
+        if self.ask.is_some() && actions.asking().is_none() {
             let accepted = "none, or an environment with that action: tpg_train::Asking";
             return Err(Finding::new("ask", "a section [ask] for an environment that nobody can ask", accepted));
         }
