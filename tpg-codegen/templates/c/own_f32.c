@@ -26,7 +26,6 @@ static uint32_t {{ prefix }}_choose(uint32_t mask, uint32_t a, uint32_t b)
 {
     return b ^ ((a ^ b) & mask);
 }
-{% if self.calls("sin") || self.calls("cos") %}
 
 /* The bits of sin(a + offset - 1/8 turn), a given by its bits and the offset in 2^-32 turns. */
 static uint32_t {{ prefix }}_circle(uint32_t magnitude, uint32_t offset)
@@ -101,8 +100,6 @@ static uint32_t {{ prefix }}_circle(uint32_t magnitude, uint32_t offset)
     p = base + p;
     return {{ prefix }}_bits(p) ^ (turn & 0x80000000U);
 }
-{% endif %}
-{% if self.calls("sin") %}
 
 static float {{ prefix }}_sin(float x)
 {
@@ -110,22 +107,16 @@ static float {{ prefix }}_sin(float x)
     const uint32_t of_magnitude = {{ prefix }}_circle(bits & 0x7fffffffU, 0x20000000U);
     return {{ prefix }}_float(of_magnitude ^ (bits & 0x80000000U));
 }
-{% endif %}
-{% if self.calls("cos") %}
 
 static float {{ prefix }}_cos(float x)
 {
     return {{ prefix }}_float({{ prefix }}_circle({{ prefix }}_bits(x) & 0x7fffffffU, 0x60000000U));
 }
-{% endif %}
-{% if self.calls("tan") %}
 
 static float {{ prefix }}_tan(float x)
 {
     return {{ prefix }}_sin(x) / {{ prefix }}_cos(x);
 }
-{% endif %}
-{% if self.calls("ln") %}
 
 static float {{ prefix }}_ln(float x)
 {
@@ -169,8 +160,6 @@ static float {{ prefix }}_ln(float x)
     p = high + p;
     return {{ prefix }}_float({{ prefix }}_choose(special, limit, {{ prefix }}_bits(p)));
 }
-{% endif %}
-{% if self.calls("exp") %}
 
 static float {{ prefix }}_exp(float x)
 {
@@ -211,8 +200,6 @@ static float {{ prefix }}_exp(float x)
     p = p * second;
     return {{ prefix }}_float({{ prefix }}_bits(p) | (not_a_number & 0x7fc00000U));
 }
-{% endif %}
-{% if self.calls("atan") %}
 
 /* The bits of the number for this range: below sqrt(2) - 1, above sqrt(2) + 1, or between them. */
 static float {{ prefix }}_of_range(uint32_t low, uint32_t high, float of_low, float of_middle, float of_high)
@@ -249,8 +236,6 @@ static float {{ prefix }}_atan(float x)
     p = offset + p;
     return {{ prefix }}_float({{ prefix }}_bits(p) | (bits & 0x80000000U));
 }
-{% endif %}
-{% if self.calls("tanh") %}
 
 static float {{ prefix }}_tanh(float x)
 {
@@ -275,4 +260,4 @@ static float {{ prefix }}_tanh(float x)
     p = a + p;
     return {{ prefix }}_float({{ prefix }}_choose(small, {{ prefix }}_bits(p), {{ prefix }}_bits(far)) | (bits & 0x80000000U));
 }
-{% endif %}
+

@@ -20,15 +20,12 @@ static uint64_t {{ prefix }}_mask(uint64_t bits)
 {
     return 0U - (bits >> 63);
 }
-{% if self.any(["sin", "cos", "ln", "atan", "tanh"]) %}
 
 /* a where the mask is all ones, b where it is 0. */
 static uint64_t {{ prefix }}_choose(uint64_t mask, uint64_t a, uint64_t b)
 {
     return b ^ ((a ^ b) & mask);
 }
-{% endif %}
-{% if self.calls("sin") || self.calls("cos") %}
 
 /* The upper half of a product, from 32-bit halves: C99 has no wider type. */
 static uint64_t {{ prefix }}_multiply_high(uint64_t a, uint64_t b)
@@ -141,8 +138,6 @@ static uint64_t {{ prefix }}_circle(uint64_t magnitude, uint64_t offset)
     p = base + p;
     return {{ prefix }}_bits(p) ^ (turn & sign);
 }
-{% endif %}
-{% if self.calls("sin") %}
 
 static double {{ prefix }}_sin(double x)
 {
@@ -151,23 +146,17 @@ static double {{ prefix }}_sin(double x)
     const uint64_t of_magnitude = {{ prefix }}_circle(bits & (sign - 1U), sign >> 2);
     return {{ prefix }}_double(of_magnitude ^ (bits & sign));
 }
-{% endif %}
-{% if self.calls("cos") %}
 
 static double {{ prefix }}_cos(double x)
 {
     const uint64_t sign = (uint64_t)1U << 63;
     return {{ prefix }}_double({{ prefix }}_circle({{ prefix }}_bits(x) & (sign - 1U), (sign >> 1) | (sign >> 2)));
 }
-{% endif %}
-{% if self.calls("tan") %}
 
 static double {{ prefix }}_tan(double x)
 {
     return {{ prefix }}_sin(x) / {{ prefix }}_cos(x);
 }
-{% endif %}
-{% if self.calls("ln") %}
 
 static double {{ prefix }}_ln(double x)
 {
@@ -226,8 +215,6 @@ static double {{ prefix }}_ln(double x)
     p = high + p;
     return {{ prefix }}_double({{ prefix }}_choose(special, limit, {{ prefix }}_bits(p)));
 }
-{% endif %}
-{% if self.calls("exp") %}
 
 static double {{ prefix }}_exp(double x)
 {
@@ -284,8 +271,6 @@ static double {{ prefix }}_exp(double x)
     p = p * second;
     return {{ prefix }}_double({{ prefix }}_bits(p) | (not_a_number & quiet));
 }
-{% endif %}
-{% if self.calls("atan") %}
 
 /* The bits of the number for this range: below sqrt(2) - 1, above sqrt(2) + 1, or between them. */
 static double {{ prefix }}_of_range(uint64_t low, uint64_t high, double of_low, double of_middle, double of_high)
@@ -334,8 +319,6 @@ static double {{ prefix }}_atan(double x)
     p = offset + p;
     return {{ prefix }}_double({{ prefix }}_bits(p) | (bits & 0x8000000000000000ULL));
 }
-{% endif %}
-{% if self.calls("tanh") %}
 
 static double {{ prefix }}_tanh(double x)
 {
@@ -372,4 +355,4 @@ static double {{ prefix }}_tanh(double x)
     p = a + p;
     return {{ prefix }}_double({{ prefix }}_choose(small, {{ prefix }}_bits(p), {{ prefix }}_bits(far)) | (bits & 0x8000000000000000ULL));
 }
-{% endif %}
+

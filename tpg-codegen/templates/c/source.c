@@ -30,7 +30,7 @@
 #define {{ upper }}_TEAMS {{ teams }}U
 #define {{ upper }}_DEPTH {{ depth }}U
 {% endif %}
-{{- helpers }}
+{{ helpers }}
 {%- if !parts.1.is_empty() %}
 /* A state and the memory as one; an answer and the next memory as one. */
 typedef struct {{ prefix }}_view {
