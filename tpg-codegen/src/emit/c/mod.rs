@@ -90,11 +90,6 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let (graph, module) = (program.graph(), &program.module);
     let prefix = program.options.prefix.lower();
     let gegelati = program.shape == Shape::Gegelati;
-    let branch_free = match &program.shape {
-        Shape::ConstantTime => true,
-        Shape::Formula(formula) => formula.branch_free,
-        _ => false,
-    };
     let integers = matches!(program.shape, Shape::Integers(_));
     let printer = Printer {
         graph,
@@ -103,7 +98,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         gegelati,
         integers,
         short_cuts: false,
-        branch_free,
+        branch_free: program.is_branch_free(),
         leads: false,
     };
     let kind = |bits: u32| if integers { format!("int{bits}_t") } else { printer.scalar().to_owned() };
@@ -123,7 +118,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         }
         Shape::Small(code) => (printer, small::render(&printer, code, &outputs)),
         Shape::ConstantTime => (printer, constant_time::render(&printer, module, &outputs)),
-        Shape::Formula(formula) => (printer, formula::render(&printer, formula, &outputs)),
+        Shape::Formula => (printer, formula::render(&printer, module, &outputs)),
         Shape::Integers(integers) => {
             let (helpers, body) = integers::render(&printer, program, integers, &outputs);
             own_helpers = Some(helpers);
