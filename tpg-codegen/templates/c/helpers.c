@@ -37,7 +37,7 @@ static {{ scalar }} {{ prefix }}_hidden({{ scalar }} number)
     return hidden;
 }
 
-{% if let Some(own) = own %}
+{% if is_own %}
 {% if f64 %}{% include "c/own_f64.c" %}{% else %}{% include "c/own_f32.c" %}{% endif %}
 {% endif %}
 

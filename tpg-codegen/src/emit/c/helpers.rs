@@ -1,13 +1,13 @@
 //! The static functions that expressions call. Only those that are called: an unused one would be a warning.
 
 use super::expression::Printer;
-use super::own::OwnMaths;
 use crate::emit::helpers::called;
 use crate::emit::syntax::Syntax;
 use crate::passes::bound;
 use crate::passes::estimate::{self, Estimate};
 use askama::Template;
 use tpg_graph::{MathsProvider, ScalarType};
+use tpg_runtime::ops::own::{f32 as single, f64 as double};
 use tpg_runtime::ops::{BY_ZERO, ZERO_BY_ZERO};
 
 #[derive(Template)]
@@ -15,7 +15,7 @@ use tpg_runtime::ops::{BY_ZERO, ZERO_BY_ZERO};
 struct CHelpers<'a> {
     printer: &'a Printer<'a>,
     f64: bool,
-    own: Option<OwnMaths>,
+    is_own: bool,
     /// Choose by masks.
     branch_free: bool,
     /// The masks' functions are so few calls that all are inlined.
@@ -55,7 +55,7 @@ pub(super) fn render(printer: &Printer<'_>, body: &str) -> String {
     let helpers = CHelpers {
         printer,
         f64: scalar == ScalarType::F64,
-        own: is_own.then(|| OwnMaths::new(printer)),
+        is_own,
         branch_free: printer.branch_free,
         inlined,
         storage: if inlined { &inline } else { "static" },

@@ -11,7 +11,6 @@ mod gegelati;
 mod helpers;
 mod integers;
 mod leaves;
-mod own;
 mod small;
 
 use super::file::{File, comment};
