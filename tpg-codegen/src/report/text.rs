@@ -55,16 +55,19 @@ impl Report {
             let rust = self.rust_sizes.iter().filter(|_| size.target == Target::M4f);
             rust.into_iter().find(|rust| rust.profile == size.profile).and_then(|rust| rust.flash)
         };
-        let columns: [(&'static str, &dyn Fn(&ShapeSize) -> Option<u64>); 7] = [
-            ("flash", &|size| size.flash),
-            ("linked", &|size| size.linked_flash),
-            ("RAM", &|size| size.ram),
-            ("stack", &|size| size.stack),
-            (sizes[0].target.unit(), &|size| size.instructions),
-            ("look", &|size| size.look),
-            ("flash, Rust", &of_rust),
+        let column = |head, number: &dyn Fn(&ShapeSize) -> Option<u64>| Column {
+            head,
+            numbers: sizes.iter().map(number).collect(),
+        };
+        let columns = [
+            column("flash", &|size| size.flash),
+            column("linked", &|size| size.linked_flash),
+            column("RAM", &|size| size.ram),
+            column("stack", &|size| size.stack),
+            column(sizes[0].target.unit(), &|size| size.instructions),
+            column("look", &|size| size.look),
+            column("flash, Rust", &of_rust),
         ];
-        let columns = columns.map(|(head, number)| Column { head, numbers: sizes.iter().map(number).collect() });
         let is_shown =
             |column: &Column| ["flash", "RAM"].contains(&column.head) || column.numbers.iter().any(Option::is_some);
         columns.into_iter().filter(is_shown).collect()
