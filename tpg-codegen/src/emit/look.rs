@@ -13,11 +13,6 @@ pub(super) struct LookView {
     /// Places that are looked for.
     finds: Vec<FindView>,
     values: Vec<ValueView>,
-    has_first: bool,
-    has_last: bool,
-    has_window: bool,
-    has_cell: bool,
-    has_sum: bool,
 }
 
 struct FindView {
@@ -49,17 +44,10 @@ impl LookView {
             1 => source.field.clone(),
             _ => format!("{}[{}]", source.field, input - source.first),
         };
-        let has = |wanted: &str| finds.iter().any(|&find| function(find) == wanted);
-        let is = |wanted: fn(&Feature) -> bool| vision.features().any(|(_, feature, _)| wanted(&feature));
         Some(Self {
             rows,
             columns,
             channels,
-            has_first: has("first"),
-            has_last: has("last"),
-            has_window: has("window"),
-            has_cell: is(|feature| matches!(feature, Feature::Cell { .. })),
-            has_sum: has("window") || is(|feature| matches!(feature, Feature::Sum { .. })),
             finds: finds.iter().map(|&find| FindView::new(find)).collect(),
             values: (vision.features())
                 .filter_map(|(input, feature, find)| {
@@ -71,6 +59,19 @@ impl LookView {
     }
 }
 
+impl LookView {
+    /// Tests for a function that the code calls.
+    fn has(&self, function: &str) -> bool {
+        let finds = self.finds.iter().any(|find| find.function == function);
+        let reads = self.values.iter().any(|value| match value.feature {
+            Feature::Sum { .. } => function == "sum",
+            Feature::Cell { .. } => function == "cell",
+            _ => false,
+        });
+        finds || reads || function == "sum" && self.has("window")
+    }
+}
+
 impl FindView {
     fn new(find: Find) -> Self {
         let (size, is_dark) = match find {
@@ -78,15 +79,12 @@ impl FindView {
             Find::Brightest { size, .. } => (size, false),
             Find::Darkest { size, .. } => (size, true),
         };
-        Self { function: function(find), channel: find.channel(), size, is_dark }
-    }
-}
-
-fn function(find: Find) -> &'static str {
-    match find {
-        Find::First(_) => "first",
-        Find::Last(_) => "last",
-        Find::Brightest { .. } | Find::Darkest { .. } => "window",
+        let function = match find {
+            Find::First(_) => "first",
+            Find::Last(_) => "last",
+            Find::Brightest { .. } | Find::Darkest { .. } => "window",
+        };
+        Self { function, channel: find.channel(), size, is_dark }
     }
 }
 

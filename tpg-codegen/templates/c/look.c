@@ -4,7 +4,7 @@ typedef struct {{ prefix }}_place {
     int32_t column;
     int32_t contrast;
 } {{ prefix }}_place_t;
-{% if look.has_first %}
+{% if look.has("first") %}
 /* The first cell that is not 0. */
 static {{ prefix }}_place_t {{ prefix }}_first(const uint8_t *image, uint32_t stride)
 {
@@ -23,7 +23,7 @@ static {{ prefix }}_place_t {{ prefix }}_first(const uint8_t *image, uint32_t st
     return place;
 }
 {% endif %}
-{%- if look.has_last %}
+{%- if look.has("last") %}
 /* The last cell that is not 0. */
 static {{ prefix }}_place_t {{ prefix }}_last(const uint8_t *image, uint32_t stride)
 {
@@ -42,7 +42,7 @@ static {{ prefix }}_place_t {{ prefix }}_last(const uint8_t *image, uint32_t str
     return place;
 }
 {% endif %}
-{%- if look.has_sum %}
+{%- if look.has("sum") %}
 /* The sum of a window. */
 static uint32_t {{ prefix }}_sum(const uint8_t *image, uint32_t stride, uint32_t height, uint32_t width)
 {
@@ -58,7 +58,7 @@ static uint32_t {{ prefix }}_sum(const uint8_t *image, uint32_t stride, uint32_t
     return sum;
 }
 {% endif %}
-{%- if look.has_window %}
+{%- if look.has("window") %}
 /* The middle of the square window with the greatest sum, or with the smallest; the first of equal ones. */
 static {{ prefix }}_place_t {{ prefix }}_window(const uint8_t *image, uint32_t stride, uint32_t size, uint32_t is_dark)
 {
@@ -89,7 +89,7 @@ static {{ prefix }}_place_t {{ prefix }}_window(const uint8_t *image, uint32_t s
     return place;
 }
 {% endif %}
-{%- if look.has_cell %}
+{%- if look.has("cell") %}
 /* The cell so far down and to the right of a place; 0 outside the image. */
 static uint8_t {{ prefix }}_cell(const uint8_t *image, uint32_t stride, {{ prefix }}_place_t from, int32_t down, int32_t right)
 {

@@ -58,7 +58,7 @@ mod image {
             let place = row * self.stride + column * {{ look.channels }} + channel;
             self.bytes.get(place).map_or(0, |&byte| u32::from(byte))
         }
-{% if look.has_first %}
+{% if look.has("first") %}
         /// The first cell that is not 0.
         pub(super) fn first(self, channel: usize) -> Place {
             for row in 0..{{ look.rows }} {
@@ -79,7 +79,7 @@ mod image {
             }
         }
 {% endif %}
-{%- if look.has_last %}
+{%- if look.has("last") %}
         /// The last cell that is not 0.
         pub(super) fn last(self, channel: usize) -> Place {
             for row in (0..{{ look.rows }}).rev() {
@@ -100,7 +100,7 @@ mod image {
             }
         }
 {% endif %}
-{%- if look.has_sum %}
+{%- if look.has("sum") %}
         /// The sum of a window.
         pub(super) fn sum(
             self,
@@ -119,7 +119,7 @@ mod image {
             sum
         }
 {% endif %}
-{%- if look.has_window %}
+{%- if look.has("window") %}
         /// The middle of the square window with the greatest sum, or with the smallest; the first of equal ones.
         pub(super) fn window(self, channel: usize, size: usize, is_dark: bool) -> Place {
             let mean = self.sum(channel, 0, 0, {{ look.rows }}, {{ look.columns }}) * (size * size) as u32 / {{ look.rows * look.columns }};
@@ -148,7 +148,7 @@ mod image {
             }
         }
 {% endif %}
-{%- if look.has_cell %}
+{%- if look.has("cell") %}
         /// The cell so far down and to the right of a place; 0 outside the image.
         pub(super) fn from(self, channel: usize, from: Place, down: i32, right: i32) -> u32 {
             let (row, column) = (from.row + down, from.column + right);
