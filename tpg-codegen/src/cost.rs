@@ -62,7 +62,7 @@ impl Cost {
                 (&cases.nodes, &cases.leaves, (0..module.teams.len()).map(bids).collect())
             }
             // The root has one way to go, and its bids are not computed.
-            Formula(_) => (&module.nodes, &module.leaves, vec![Vec::new()]),
+            Formula => (&module.nodes, &module.leaves, vec![Vec::new()]),
             Fast(schedule) => {
                 let bids = |plan| planned(&schedule.nodes, plan, program.language);
                 (&schedule.nodes, &schedule.leaves, schedule.plans.iter().map(bids).collect())

@@ -181,6 +181,12 @@ impl<'g> Module<'g> {
         deciding.flat_map(|team| &team.edges).map(|edge| self.bidders[edge.bidder].value).collect()
     }
 
+    /// The values of bids and outputs.
+    pub(crate) fn roots_mut(&mut self) -> impl Iterator<Item = &mut NodeId> {
+        let bids = self.bidders.iter_mut().map(|bidder| &mut bidder.value);
+        bids.chain(self.leaves.iter_mut().flat_map(|leaf| &mut leaf.values))
+    }
+
     /// The number of edges of all teams.
     pub(crate) fn edges(&self) -> usize {
         self.teams.iter().map(|team| team.edges.len()).sum()

@@ -4,7 +4,7 @@ use crate::integers::{self, Integers};
 use crate::ir::Module;
 use crate::options::{Language, Options, Profile, Style};
 use crate::passes::{self, bytecode, cases, schedule};
-use crate::shape::{Formula, Shape};
+use crate::shape::Shape;
 use Shape::*;
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
@@ -47,8 +47,8 @@ pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> P
     let module = passes::optimise(graph);
     // If no bid matters any more, tables and masks gain nothing: the plainest text is the best, and has no condition.
     let chooses = module.teams.iter().any(|team| team.edges.iter().any(|edge| edge.to != team.edges[0].to));
-    if let Some(formula) = Formula::new(&module, options.profile_in(language)) {
-        return program(module, Shape::Formula(formula));
+    if module.only_leaf().is_some() {
+        return program(module, Formula);
     }
     let profile = if chooses { options.profile_in(language) } else { Profile::Fast };
     let shape = |profile| match profile {
@@ -99,6 +99,12 @@ impl<'g> Program<'g> {
     /// The SHA-256 of the graph as it was given, before any change of its scalar type.
     pub fn graph_sha256(&self) -> String {
         self.options.conversion.as_ref().map_or_else(|| self.graph().sha256(), |was| was.sha256.clone())
+    }
+
+    /// Tests for code in which no comparison may become a branch.
+    pub(crate) fn is_branch_free(&self) -> bool {
+        let is_meant = self.options.profile_in(self.language) == Profile::ConstantTime;
+        is_meant && matches!(self.shape, ConstantTime | Formula)
     }
 
     /// The language, the shape, and the options that change what the code does.

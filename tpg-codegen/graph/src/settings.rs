@@ -1,8 +1,8 @@
 //! Strict reader of TOML files: every error names its line.
 
 use crate::error::{Finding, InputError, Place};
+use crate::files::read_text;
 use serde::de::DeserializeOwned;
-use std::fs;
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
 
@@ -22,7 +22,7 @@ pub fn from_toml<T: DeserializeOwned>(file: &str, text: &str, accepted: &str) ->
 /// # Errors
 /// As [`from_toml`], or if the file cannot be read.
 pub fn read<T: DeserializeOwned>(path: &Path, accepted: &str) -> Result<T, InputError> {
-    let text = fs::read_to_string(path).map_err(|error| InputError::io(path, &error, accepted))?;
+    let text = read_text(path, accepted)?;
     from_toml(&path.display().to_string(), &text, accepted)
 }
 

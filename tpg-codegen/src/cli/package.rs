@@ -5,12 +5,11 @@ use super::verify::checked;
 use crate::options::{Options, Prefix, Profile};
 use crate::package::{Details, Ecosystem, License, package};
 use clap::Args;
-use std::fs;
 use std::path::PathBuf;
 use tpg_graph::ScalarType;
 use tpg_graph::command::{CommandError, Verdict};
 use tpg_graph::error::{InputError, Place};
-use tpg_graph::output;
+use tpg_graph::{files, output};
 
 /// Write a package: manifest, sources, an example that compiles, licence, README with the policy's figures.
 #[derive(Clone, Debug, Args)]
@@ -82,8 +81,7 @@ impl PackageArgs {
 
     fn license(&self) -> Result<License, InputError> {
         let (Some(spdx), Some(path)) = (&self.license, &self.license_file) else { return Ok(License::default()) };
-        let text = fs::read_to_string(path)
-            .map_err(|error| InputError::io(path, &error, "the text of the licence, in UTF-8"))?;
+        let text = files::read_text(path, "the text of the licence, in UTF-8")?;
         Ok(License { spdx: spdx.clone(), files: vec![("LICENSE".to_owned(), text)] })
     }
 }

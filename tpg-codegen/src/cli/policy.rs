@@ -4,11 +4,9 @@ use super::code::LanguageArg;
 use crate::options::Prefix;
 use crate::policy::{QuantisedPolicy, to_c, to_rust};
 use clap::Args;
-use std::fs;
 use std::path::PathBuf;
 use tpg_graph::command::{self, CommandError, Verdict};
-use tpg_graph::error::InputError;
-use tpg_graph::output;
+use tpg_graph::{files, output};
 
 /// Write a quantised network as constants of C and Rust.
 #[derive(Clone, Debug, Args)]
@@ -29,8 +27,7 @@ pub(super) struct PolicyArgs {
 impl PolicyArgs {
     pub(super) fn run(&self) -> Result<Verdict, CommandError> {
         let name = self.policy.display().to_string();
-        let text = fs::read_to_string(&self.policy)
-            .map_err(|error| InputError::io(&self.policy, &error, "a policy.q.json that can be read"))?;
+        let text = files::read_text(&self.policy, "a policy.q.json that can be read")?;
         let policy = QuantisedPolicy::from_json(&name, &text)?;
         let prefix = self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.policy.with_extension("")));
         let mut files = Vec::new();
@@ -40,9 +37,7 @@ impl PolicyArgs {
         if self.lang != LanguageArg::C {
             files.push((self.output.join(format!("{prefix}.rs")), to_rust(&policy)?));
         }
-        fs::create_dir_all(&self.output)
-            .map_err(|error| InputError::io(&self.output, &error, "a folder that can be written"))?;
-        output::write_all(&files)?;
+        output::write_folder(&self.output, &files)?;
         if !command::is_quiet() {
             let paths: String = files.iter().map(|(path, _)| format!("{}\n", path.display())).collect();
             command::print(paths)?;

@@ -5,7 +5,7 @@ use super::expected::Expected;
 use super::prove::proven;
 use crate::emit::Code;
 use crate::options::Options;
-use crate::verify::{Comparison, Proof, Stage, Unproven};
+use crate::verify::{Comparison, Proof, Unproven};
 use clap::Args;
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -64,12 +64,9 @@ impl VerifyArgs {
 
 /// Compares code with the interpreter, and reports code that could not be compared on stderr.
 fn prove(codes: &[Code<'_>], states: usize, seed: u64) -> Result<Proof, CommandError> {
-    let (bar, all, mut done) = (Bar::begin(), codes.len() as u64, 0);
-    let proof = Proof::of_watched(codes, states, seed, &mut |stage| match stage {
-        Stage::Compiling(name) => bar.show(done, all, || format!("compiling {name}")),
-        Stage::Compiled => done += 1,
-        Stage::Comparing => bar.show(done, all, || format!("comparing on {states} states")),
-    });
+    let bar = Bar::begin();
+    let watch = |done: usize, next: String| bar.show(done as u64, codes.len() as u64, || next);
+    let proof = Proof::of_watched(codes, states, seed, &watch);
     drop(bar);
     let proof = proof.map_err(|error| CommandError::Failed(format!("not verified: {error}")))?;
     for Unproven { engine, error } in &proof.unproven {

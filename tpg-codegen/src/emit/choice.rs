@@ -17,13 +17,8 @@ pub(super) struct KeyView {
 pub(super) struct TeamView {
     pub(super) label: u32,
     pub(super) number: usize,
-    pub(super) edges: Vec<EdgeView>,
-}
-
-/// An edge: its bid as it is compared, and the vertex it leads to.
-pub(super) struct EdgeView {
-    pub(super) key: String,
-    pub(super) to: usize,
+    /// The bid of each edge as it is compared, and the vertex that it leads to.
+    pub(super) edges: Vec<(String, usize)>,
 }
 
 /// The names of bids, each after the first program that bids it.
@@ -68,8 +63,7 @@ pub(super) fn leaves<S: Syntax>(
 /// A team by its number; `key` names a bid as it is compared.
 pub(super) fn team(module: &Module<'_>, number: usize, key: impl Fn(NodeId) -> String) -> TeamView {
     let team = &module.teams[number];
-    let edges = (team.edges.iter())
-        .map(|edge| EdgeView { key: key(module.bidders[edge.bidder].value), to: module.vertex(edge.to) })
-        .collect();
+    let edges =
+        (team.edges.iter()).map(|edge| (key(module.bidders[edge.bidder].value), module.vertex(edge.to))).collect();
     TeamView { label: team.label, number, edges }
 }

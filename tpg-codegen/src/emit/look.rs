@@ -14,11 +14,7 @@ pub(super) struct LookView {
     /// What is looked for: a place, or the brightest and the darkest window.
     finds: Vec<FindView>,
     values: Vec<ValueView>,
-    has_first: bool,
-    has_last: bool,
     windows: Vec<WindowView>,
-    has_cell: bool,
-    has_sum: bool,
 }
 
 #[derive(PartialEq)]
@@ -71,17 +67,11 @@ impl LookView {
             .collect();
         let sizes: BTreeSet<u32> = finds.iter().map(|find| find.size).filter(|size| *size > 0).collect();
         let window = |size| WindowView { size, down: rows as u32 + 1 - size, across: columns as u32 + 1 - size };
-        let has = |wanted: &str| finds.iter().any(|find| find.function == wanted);
-        let is = |wanted: fn(&Feature) -> bool| vision.features().any(|(_, feature, _)| wanted(&feature));
         Some(Self {
             rows,
             columns,
             channels,
-            has_first: has("first"),
-            has_last: has("last"),
             windows: sizes.into_iter().map(window).collect(),
-            has_cell: is(|feature| matches!(feature, Feature::Cell { .. })),
-            has_sum: is(|feature| matches!(feature, Feature::Sum { .. })),
             finds,
             values: (vision.features())
                 .filter_map(|(input, feature, find)| {
@@ -91,6 +81,17 @@ impl LookView {
                 })
                 .collect(),
         })
+    }
+
+    /// Tests for a function that the code calls.
+    fn has(&self, function: &str) -> bool {
+        let finds = self.finds.iter().any(|find| find.function == function);
+        let reads = self.values.iter().any(|value| match value.feature {
+            Feature::Sum { .. } => function == "sum",
+            Feature::Cell { .. } => function == "cell",
+            _ => false,
+        });
+        finds || reads
     }
 }
 

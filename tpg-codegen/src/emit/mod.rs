@@ -16,7 +16,6 @@ mod moves;
 pub(crate) mod names;
 mod rust;
 mod syntax;
-mod table;
 pub(crate) mod team;
 pub(crate) mod vectors;
 

@@ -1,10 +1,16 @@
 //! Values and operations as expressions: what is the same in every language, and what each spells its own way.
 
 use crate::ir::{Node, NodeId, needed};
-use crate::passes::bytecode::Width;
+use crate::passes::bytecode::{Bytecode, Width};
 use Instruction::*;
 use tpg_graph::{Graph, Input};
 use tpg_runtime::ops::Instruction;
+
+/// A table of unsigned integers: the least type that holds them, and the values as a language writes them.
+pub(super) struct Table {
+    pub(super) kind: String,
+    pub(super) values: Vec<String>,
+}
 
 /// A language's spelling.
 pub(super) trait Syntax {
@@ -87,6 +93,23 @@ pub(super) trait Syntax {
             Div => operands.join(" / "),
             _ => self.call(instruction, &operands.join(", ")),
         }
+    }
+
+    /// A table of whole numbers.
+    fn table(&self, values: &[u64]) -> Table {
+        let width = Width::up_to(values.iter().copied().max().unwrap_or(0));
+        let value = |value: &u64| format!("{value}{}", self.suffix(width));
+        Table { kind: self.unsigned(width), values: values.iter().map(value).collect() }
+    }
+
+    /// The operations of tables, by number: expressions of `a` and `b`.
+    fn cases(&self, code: &Bytecode) -> Vec<(u32, String)> {
+        let operands = ["a".to_owned(), "b".to_owned()];
+        let expression = |operation: Option<_>| match operation {
+            Some(instruction) => self.instruction(instruction, &operands),
+            None => "a".to_owned(),
+        };
+        (0..).zip(&code.used).map(|(number, &operation)| (number, expression(operation))).collect()
     }
 
     /// The least type that numbers a module's vertices.

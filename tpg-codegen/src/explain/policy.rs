@@ -75,7 +75,7 @@ impl PolicyFormulas {
         let module = &program.module;
         let forms = if module.graph.has_counts() { forms(module) } else { Vec::new() };
         let teams = match program.shape {
-            Shape::Formula(_) => Vec::new(),
+            Shape::Formula => Vec::new(),
             _ => (0..module.teams.len()).map(|team| TeamFormulas::new(module, &forms, team)).collect(),
         };
         let outputs = module.graph.outputs();

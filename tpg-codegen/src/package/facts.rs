@@ -29,7 +29,8 @@ pub(super) struct Facts<'a> {
     /// The middle of every range: in C by source, in Rust flat.
     pub(super) state_c: String,
     pub(super) state_rust: String,
-    pub(super) figures: Vec<String>,
+    /// What the C needs on the package's chip.
+    pub(super) size: ShapeSize,
     pub(super) worst: Cost,
     pub(super) sha256: String,
     /// The version of the runtime that Rust stands on: this tool's.
@@ -122,7 +123,7 @@ impl<'a> Facts<'a> {
                 .map(|&range| middle(range))
                 .collect::<Vec<_>>()
                 .join(", "),
-            figures: figures(c, target),
+            size: size_of(c, target, ""),
             worst: Cost::worst(&code.program),
             sha256: code.program.graph_sha256(),
             runtime: env!("CARGO_PKG_VERSION"),
@@ -131,25 +132,4 @@ impl<'a> Facts<'a> {
             whole,
         }
     }
-}
-
-/// What the C needs on the package's chip, with the library functions that it calls; nothing where its compiler is not installed.
-fn figures(code: &Code<'_>, target: Target) -> Vec<String> {
-    let ShapeSize { linked_flash: Some(flash), ram: Some(ram), instructions, stack, look, .. } =
-        size_of(code, target, "")
-    else {
-        return Vec::new();
-    };
-    let mut figures = vec![format!(
-        "C on {}, `-Os`, with the library functions that it calls: {flash} bytes of flash, {ram} of RAM",
-        target.name()
-    )];
-    if let (Some(instructions), Some(stack)) = (instructions, stack) {
-        figures.push(format!(
-            "a decision there: at most {instructions} {}, {stack} bytes of stack, by analysis of the machine code",
-            target.unit()
-        ));
-    }
-    figures.extend(look.map(|look| format!("reading an image there: at most {look} {}", target.unit())));
-    figures
 }

@@ -31,16 +31,18 @@ pub(crate) struct Bytecode {
     pub used: Vec<Option<Instruction>>,
 }
 
+impl Bytecode {
+    /// The lowest bits of an instruction, which are an operand.
+    pub(crate) fn operand_mask(&self) -> u32 {
+        (1 << self.operand_bits) - 1
+    }
+}
+
 /// The smallest unsigned integer type for some values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Width(u32);
 
 impl Width {
-    /// The width of a table's values.
-    pub(crate) fn covering(values: &[u64]) -> Self {
-        Self::up_to(values.iter().copied().max().unwrap_or(0))
-    }
-
     /// The width of values up to `greatest`.
     pub(crate) fn up_to(greatest: u64) -> Self {
         Self(match greatest {

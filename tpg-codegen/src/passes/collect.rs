@@ -13,9 +13,9 @@ pub(super) fn run(module: &mut Module<'_>) {
             leaf.values.clear();
         }
     }
-    let bids = module.bidders.iter_mut().map(|bidder| &mut bidder.value);
-    let outputs = module.leaves.iter_mut().flat_map(|leaf| &mut leaf.values);
-    keep(&mut module.nodes, bids.chain(outputs).collect());
+    let mut nodes = std::mem::take(&mut module.nodes);
+    keep(&mut nodes, module.roots_mut().collect());
+    module.nodes = nodes;
 }
 
 /// Keeps what `roots` need, and renumbers.

@@ -24,10 +24,7 @@ pub(super) fn run(module: &mut Module<'_>, arithmetic: Arithmetic) {
             _ => fold::operation(values, arithmetic, instruction, [a, b]),
         }
     });
-    for value in module.bidders.iter_mut().map(|bidder| &mut bidder.value) {
-        *value = place[value.index()];
-    }
-    for value in module.leaves.iter_mut().flat_map(|leaf| &mut leaf.values) {
+    for value in module.roots_mut() {
         *value = place[value.index()];
     }
     module.nodes = values.into_nodes();

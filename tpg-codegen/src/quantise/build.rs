@@ -17,11 +17,7 @@ const NARROW: f64 = 32_767.0;
 /// Counts of a memory's greatest magnitude: much finer than a sensor's, so that what is added in small steps does not stall.
 const MEMORY: f64 = 4_194_304.0;
 
-/// A value that cannot be put into integers, and why.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Refusal(pub(super) String);
-
-/// Builds whole numbers from the values of a module.
+/// Builds whole numbers from the values of a module. An error says what cannot be put into integers.
 pub(super) struct Builder<'a> {
     module: &'a Module<'a>,
     forms: Vec<Form>,
@@ -58,7 +54,7 @@ impl<'a> Builder<'a> {
         self.wholes[id.index()]
     }
 
-    fn intern(&mut self, node: Node) -> Result<NodeId, Refusal> {
+    fn intern(&mut self, node: Node) -> Result<NodeId, String> {
         let id = self.values.intern(node);
         if id.index() == self.wholes.len() {
             let whole = match node {
@@ -74,21 +70,21 @@ impl<'a> Builder<'a> {
                 Operation(instruction, [a, b]) => Whole::apply(instruction, self.whole(a), self.whole(b)),
                 Upper(..) => Err(Unfit::NotWhole),
             };
-            self.wholes.push(whole.map_err(|unfit| Refusal(format!("{unfit:?}")))?);
+            self.wholes.push(whole.map_err(|unfit| format!("{unfit:?}"))?);
         }
         Ok(id)
     }
 
-    fn number(&mut self, value: f64) -> Result<NodeId, Refusal> {
+    fn number(&mut self, value: f64) -> Result<NodeId, String> {
         // Not −0.
         self.intern(Node::constant(value + 0.0))
     }
 
-    fn operation(&mut self, instruction: Instruction, a: NodeId, b: NodeId) -> Result<NodeId, Refusal> {
+    fn operation(&mut self, instruction: Instruction, a: NodeId, b: NodeId) -> Result<NodeId, String> {
         self.intern(Operation(instruction, [a, b]))
     }
 
-    fn with_number(&mut self, instruction: Instruction, a: NodeId, number: f64) -> Result<NodeId, Refusal> {
+    fn with_number(&mut self, instruction: Instruction, a: NodeId, number: f64) -> Result<NodeId, String> {
         let b = self.number(number)?;
         self.operation(instruction, a, b)
     }
@@ -166,7 +162,7 @@ impl<'a> Builder<'a> {
     }
 
     /// A value times a scale, with a whole number added; its magnitude stays below what stands for infinity.
-    pub(super) fn at(&mut self, id: NodeId, scale: f64, added: f64) -> Result<NodeId, Refusal> {
+    pub(super) fn at(&mut self, id: NodeId, scale: f64, added: f64) -> Result<NodeId, String> {
         let form = self.form(id);
         let mut bias = (form.constant * scale).round() + added;
         let mut terms = Vec::new();
@@ -220,7 +216,7 @@ impl<'a> Builder<'a> {
     }
 
     /// A memory's count times a factor: exactly where it is whole, else by a weight of 15 bits of fewer counts.
-    fn remembered(&mut self, place: NodeId, factor: f64) -> Result<NodeId, Refusal> {
+    fn remembered(&mut self, place: NodeId, factor: f64) -> Result<NodeId, String> {
         if factor.fract() == 0.0 {
             return if factor == 1.0 { Ok(place) } else { self.with_number(Mul, place, factor) };
         }
@@ -231,7 +227,7 @@ impl<'a> Builder<'a> {
     }
 
     /// The nearest number to a quotient by a power of two.
-    fn shifted(&mut self, id: NodeId, bits: f64) -> Result<NodeId, Refusal> {
+    fn shifted(&mut self, id: NodeId, bits: f64) -> Result<NodeId, String> {
         if bits <= 0.0 {
             return if bits == 0.0 { Ok(id) } else { self.with_number(Mul, id, (-bits).exp2()) };
         }
@@ -240,7 +236,7 @@ impl<'a> Builder<'a> {
     }
 
     /// A number of 15 bits and a sign, and what it was divided by.
-    fn narrowed(&mut self, id: NodeId) -> Result<(NodeId, f64), Refusal> {
+    fn narrowed(&mut self, id: NodeId) -> Result<(NodeId, f64), String> {
         let most = self.whole(id).magnitude() as f64;
         let mut bits = 0.0_f64;
         while (most / bits.exp2()).round() > NARROW {
@@ -250,7 +246,7 @@ impl<'a> Builder<'a> {
     }
 
     /// A number within limits.
-    fn limited(&mut self, id: NodeId, most: f64) -> Result<NodeId, Refusal> {
+    fn limited(&mut self, id: NodeId, most: f64) -> Result<NodeId, String> {
         let Whole { low, high } = self.whole(id);
         let mut id = id;
         if (high as f64) > most {
@@ -263,7 +259,7 @@ impl<'a> Builder<'a> {
     }
 
     /// A factor or divisor: at most 15 bits and a sign, and its scale.
-    fn factor(&mut self, id: NodeId) -> Result<(NodeId, f64), Refusal> {
+    fn factor(&mut self, id: NodeId) -> Result<(NodeId, f64), String> {
         if let Some((term, weight)) = self.form(id).multiple()
             && let Input(input) = self.module.node(term)
             && input.index() < self.memory
@@ -278,7 +274,7 @@ impl<'a> Builder<'a> {
     }
 
     /// A value that is no sum, times a scale.
-    fn scaled(&mut self, id: NodeId, scale: f64) -> Result<NodeId, Refusal> {
+    fn scaled(&mut self, id: NodeId, scale: f64) -> Result<NodeId, String> {
         let Operation(instruction, [a, b]) = self.module.node(id) else {
             // An infinite constant, or NaN.
             let value = self.module.node(id).as_constant().unwrap_or(f64::NAN) * scale;
@@ -309,11 +305,11 @@ impl<'a> Builder<'a> {
                 let result = self.operation(instruction, a, b)?;
                 self.signed(result, scale)
             }
-            _ => Err(Refusal(format!("{}, for which there are no integers yet", formula::text(self.module, id)))),
+            _ => Err(format!("{}, for which there are no integers yet", formula::text(self.module, id))),
         }
     }
 
-    fn signed(&mut self, id: NodeId, sign: f64) -> Result<NodeId, Refusal> {
+    fn signed(&mut self, id: NodeId, sign: f64) -> Result<NodeId, String> {
         if sign > 0.0 {
             return Ok(id);
         }
@@ -323,7 +319,7 @@ impl<'a> Builder<'a> {
     }
 
     /// A number with the sign of a value, as exactly as there is room.
-    fn sign(&mut self, id: NodeId) -> Result<NodeId, Refusal> {
+    fn sign(&mut self, id: NodeId) -> Result<NodeId, String> {
         if let Some((term, weight)) = self.form(id).multiple()
             && let Input(_) = self.module.node(term)
             && weight > 0.0
@@ -334,7 +330,7 @@ impl<'a> Builder<'a> {
     }
 
     /// A product of two values that are no constants.
-    fn product(&mut self, a: NodeId, b: NodeId, scale: f64) -> Result<NodeId, Refusal> {
+    fn product(&mut self, a: NodeId, b: NodeId, scale: f64) -> Result<NodeId, String> {
         // The factor with a sum can have any scale.
         let (a, b) = if self.form(a).multiple().is_some() { (b, a) } else { (a, b) };
         let (b, b_scale) = self.factor(b)?;
@@ -353,7 +349,7 @@ impl<'a> Builder<'a> {
     }
 
     /// A quotient, rounded down.
-    fn quotient(&mut self, a: NodeId, b: NodeId, scale: f64) -> Result<NodeId, Refusal> {
+    fn quotient(&mut self, a: NodeId, b: NodeId, scale: f64) -> Result<NodeId, String> {
         if self.forms[b.index()].terms.is_empty() {
             // By 0: only signs matter.
             let a = self.sign(a)?;
@@ -377,7 +373,7 @@ impl<'a> Builder<'a> {
     }
 
     /// The nearest count of a value to a scale that is a power of two.
-    pub(super) fn rounded(&mut self, id: NodeId, scale: f64) -> Result<NodeId, Refusal> {
+    pub(super) fn rounded(&mut self, id: NodeId, scale: f64) -> Result<NodeId, String> {
         let is_sum = self.form(id).multiple().is_none_or(|(term, _)| matches!(self.module.node(term), Input(_)));
         // The half needs room, too.
         let bits = (power_below(self.room(id)) / scale).log2().clamp(-30.0, 17.0);

@@ -1,7 +1,6 @@
 //! The comparison of a graph of counts with the graph that it was made from.
 
 use serde::Serialize;
-use std::fmt;
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::states::StateSet;
 use tpg_graph::{Graph, Output};
@@ -107,28 +106,9 @@ impl Comparison {
             saturated_inputs: beyond.map(|(name, count)| (name, share(count))).collect(),
         }
     }
-}
 
-impl fmt::Display for Comparison {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { states, origin, same, outputs, saturated, saturated_inputs } = self;
-        writeln!(f, "compared on {origin}")?;
-        if outputs.is_empty() {
-            let percent = (*same as f64 / (*states).max(1) as f64 * 1e5).floor() / 1e3;
-            writeln!(f, "  {same} of {states} actions are the same ({percent} %)")?;
-        }
-        for OutputDifference { name, mean, greatest, different } in outputs {
-            writeln!(
-                f,
-                "  {name} differs by {:.4} % of its range in the mean, {:.4} % at most; in {:.2} % of states by more than 0.1 %",
-                mean * 100.0,
-                greatest * 100.0,
-                different * 100.0
-            )?;
-        }
-        write!(f, "  {:.3} % of states have a value beyond its counts", saturated * 100.0)?;
-        let names: Vec<String> =
-            saturated_inputs.iter().map(|(name, share)| format!("{name} in {:.3} %", share * 100.0)).collect();
-        if names.is_empty() { writeln!(f) } else { writeln!(f, ": {}", names.join(", ")) }
+    /// The share of actions that are the same in percent, rounded down: 100 means all.
+    pub(super) fn percent(&self) -> f64 {
+        (self.same as f64 / self.states.max(1) as f64 * 1e5).floor() / 1e3
     }
 }

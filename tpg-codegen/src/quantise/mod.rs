@@ -19,11 +19,11 @@ pub use compare::{Comparison, OutputDifference};
 
 use crate::ir::{Module, Node, NodeId, Target, reached};
 use crate::passes;
-use build::{Builder, Refusal, memory_scale, power_below};
+use askama::Template;
+use build::{Builder, memory_scale, power_below};
 use program::Programs;
 use serde::Serialize;
 use serde_json::{Value, json};
-use std::fmt;
 use tpg_graph::error::InputError;
 use tpg_graph::states::StateSet;
 use tpg_graph::{
@@ -56,8 +56,9 @@ impl<'a> Request<'a> {
     }
 }
 
-/// The quantisation in figures.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+/// The quantisation in figures; for people, their text.
+#[derive(Clone, Debug, PartialEq, Serialize, Template)]
+#[template(path = "quantised.txt", escape = "none")]
 pub struct Report {
     /// Bits of the inputs.
     pub inputs: u32,
@@ -69,17 +70,6 @@ pub struct Report {
     pub vanished: usize,
     /// The comparison of both graphs.
     pub comparison: Comparison,
-}
-
-impl fmt::Display for Report {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { inputs, weights, bounds, vanished, comparison } = self;
-        writeln!(f, "{inputs}-bit inputs, {weights}-bit weights; {vanished} weights were rounded to 0")?;
-        for (name, bound) in bounds {
-            writeln!(f, "  {name}: at most {bound} of {}", i32::MAX)?;
-        }
-        write!(f, "{comparison}")
-    }
 }
 
 /// Makes the graph of whole numbers; `file` is the graph's name in messages.
@@ -104,7 +94,7 @@ pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Gra
     };
     let document = match quantiser.document(&counts, request) {
         Ok(document) => document,
-        Err(Refusal(found)) => {
+        Err(found) => {
             let accepted = "sums, products, quotients, minima, maxima, magnitudes and choices";
             return refuse("$.programs", &found, accepted);
         }
@@ -209,7 +199,7 @@ struct Quantiser<'a> {
 }
 
 impl Quantiser<'_> {
-    fn document(&mut self, counts: &[Counts], request: &Request<'_>) -> Result<Document, Refusal> {
+    fn document(&mut self, counts: &[Counts], request: &Request<'_>) -> Result<Document, String> {
         let module = self.module;
         let is_formula = module.only_leaf().is_some();
         let teams = if is_formula {
@@ -262,7 +252,7 @@ impl Quantiser<'_> {
     }
 
     /// The bids of a team, all with one scale.
-    fn team(&mut self, team: &crate::ir::Team) -> Result<TeamDocument, Refusal> {
+    fn team(&mut self, team: &crate::ir::Team) -> Result<TeamDocument, String> {
         let bids: Vec<NodeId> = team.edges.iter().map(|edge| self.module.bidders[edge.bidder].value).collect();
         let room = bids.iter().map(|&bid| self.builder.room(bid)).fold(f64::INFINITY, f64::min);
         let scale = power_below(room);
@@ -286,7 +276,7 @@ impl Quantiser<'_> {
         Ok(TeamDocument { id: team.label, edges })
     }
 
-    fn leaf(&mut self, leaf: &crate::ir::Leaf, counts: &[Counts]) -> Result<LeafDocument, Refusal> {
+    fn leaf(&mut self, leaf: &crate::ir::Leaf, counts: &[Counts]) -> Result<LeafDocument, String> {
         let (observed, answered) = (self.graph.observed_length(), self.graph.split_outputs().0.len());
         let (mut programs, mut memory) = (Vec::new(), Vec::new());
         for (place, (output, &value)) in self.graph.outputs().iter().zip(&leaf.values).enumerate() {

@@ -11,16 +11,18 @@ use crate::ir::{Module, Node};
 use crate::options::{Language, Options, Profile, Style};
 use crate::program::{Program, compile};
 use crate::size::{self, Linked, RustForCortexM4, Size, Target};
+use askama::Template;
 use cortex_bound::Bound;
 use serde::Serialize;
 use std::collections::BTreeSet;
 use tpg_graph::conversion::Conversion;
 use tpg_graph::dataflow::effective;
-use tpg_graph::error::InputError;
+use tpg_graph::error::{self, InputError};
 use tpg_graph::{Graph, Input, MathsProvider, ScalarType};
 
-/// The report.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+/// The report; for people, its text.
+#[derive(Clone, Debug, PartialEq, Serialize, Template)]
+#[template(path = "report.txt", escape = "none")]
 pub struct Report {
     /// The version of this tool.
     pub version: &'static str,

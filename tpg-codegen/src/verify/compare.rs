@@ -3,9 +3,9 @@
 use serde::Serialize;
 use std::io;
 use tpg_graph::Graph;
-use tpg_graph::engine::{Engine, Reference};
+use tpg_graph::engine::Engine;
 use tpg_graph::image::Vision;
-use tpg_graph::interpret::Answer;
+use tpg_graph::interpret::{self, Answer};
 use tpg_graph::states;
 
 /// States per batch: bounds memory, does not affect results.
@@ -42,7 +42,6 @@ pub struct Difference {
 /// # Errors
 /// When an engine's process dies.
 pub fn compare(graph: &Graph, engines: &mut [&mut dyn Engine], count: usize, seed: u64) -> io::Result<Vec<Comparison>> {
-    let mut reference = Reference::new(graph);
     let mut comparisons: Vec<Comparison> = (engines.iter())
         .map(|engine| Comparison { engine: engine.name().to_owned(), states: 0, differences: 0, first: None })
         .collect();
@@ -52,8 +51,7 @@ pub fn compare(graph: &Graph, engines: &mut [&mut dyn Engine], count: usize, see
         let seed = seed.wrapping_add((batch as u64) << 32);
         let mut states = states::sample(graph, length.min(count - start), seed);
         states::replace_by_special(graph, &mut states, seed);
-        let mut expected = Vec::new();
-        reference.answer(&states, &mut expected)?;
+        let expected = interpret::answers(graph, &states);
         for (engine, comparison) in engines.iter_mut().zip(&mut comparisons) {
             let mut found = Vec::new();
             engine.answer(&states, &mut found)?;

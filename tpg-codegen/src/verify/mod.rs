@@ -9,4 +9,4 @@ pub use build::{Batch, BuildError, Workshop, c_command, compile, runtime_library
 pub(crate) use build::{c_compiler, write_runtime};
 pub use compare::{Comparison, Difference, compare};
 pub use process::Process;
-pub use proof::{Proof, Stage, Unproven};
+pub use proof::{Proof, Unproven};

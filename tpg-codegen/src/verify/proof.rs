@@ -5,7 +5,7 @@ use super::compare::{Comparison, compare, compare_looks};
 use super::process::Process;
 use crate::emit::Code;
 use crate::shape::Shape;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 use std::{io, ptr};
 use tpg_graph::engine::Engine;
 use tpg_graph::image::Vision;
@@ -22,25 +22,13 @@ pub struct Proof {
     pub unproven: Vec<Unproven>,
 }
 
-/// A stage of a proof.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stage<'a> {
-    /// The compiler runs on the code of that [name](crate::Program::name).
-    Compiling(&'a str),
-    /// The compiler is done with it.
-    Compiled,
-    /// The compiled code and the interpreter decide on states.
-    Comparing,
-}
-
 /// Code that could not be compiled.
 #[derive(Debug, Serialize)]
 pub struct Unproven {
     /// Its [name](crate::Program::name).
     pub engine: String,
     /// The reason.
-    #[serde(serialize_with = "as_text")]
-    pub error: BuildError,
+    pub error: String,
 }
 
 impl Proof {
@@ -50,31 +38,26 @@ impl Proof {
     /// # Errors
     /// When no temporary folder can be made or a compiled program dies.
     pub fn of(codes: &[Code<'_>], count: usize, seed: u64) -> io::Result<Self> {
-        Self::of_watched(codes, count, seed, &mut |_| ())
+        Self::of_watched(codes, count, seed, &|_, _| ())
     }
 
-    /// [`of`](Self::of), which tells what it does.
+    /// [`of`](Self::of), which tells how many pieces of code are compiled, and what it does next.
     ///
     /// # Errors
     /// As [`of`](Self::of).
-    pub fn of_watched(
-        codes: &[Code<'_>],
-        count: usize,
-        seed: u64,
-        watch: &mut dyn FnMut(Stage<'_>),
-    ) -> io::Result<Self> {
+    pub fn of_watched(codes: &[Code<'_>], count: usize, seed: u64, watch: &dyn Fn(usize, String)) -> io::Result<Self> {
         let workshop = Workshop::new()?;
         let mut proof = Self { comparisons: Vec::new(), unproven: Vec::new() };
+        let mut done = 0;
         for codes in codes.chunk_by(|a, b| ptr::eq(a.program.graph(), b.program.graph())) {
             let mut programs: Vec<Process> = (codes.iter())
                 .filter_map(|code| {
-                    watch(Stage::Compiling(&code.program.name()));
-                    let process = proof.keep(code, workshop.start(code));
-                    watch(Stage::Compiled);
-                    process
+                    watch(done, format!("compiling {}", code.program.name()));
+                    done += 1;
+                    proof.keep(code, workshop.start(code))
                 })
                 .collect();
-            watch(Stage::Comparing);
+            watch(done, format!("comparing on {count} states"));
             let mut engines: Vec<&mut dyn Engine> =
                 programs.iter_mut().map(|program| program as &mut dyn Engine).collect();
             let graph = codes[0].program.graph();
@@ -95,7 +78,7 @@ impl Proof {
         match started {
             Ok(process) => Some(process),
             Err(error) => {
-                self.unproven.push(Unproven { engine: code.program.name(), error });
+                self.unproven.push(Unproven { engine: code.program.name(), error: error.to_string() });
                 None
             }
         }
@@ -105,8 +88,4 @@ impl Proof {
     pub fn holds(&self) -> bool {
         self.unproven.is_empty() && self.comparisons.iter().all(|comparison| comparison.differences == 0)
     }
-}
-
-fn as_text<S: Serializer>(error: &BuildError, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_str(error)
 }

@@ -9,7 +9,27 @@
 static uint32_t {{ prefix }}_leaf(const {{ entry.state }} *state)
 {%- endif %}
 {
-{%- include "c/tables.c" %}
+    /* What each edge bids, and where it leads: teams are numbered from 0, the root, and the {% if outputs.is_empty() %}actions{% else %}leaves{% endif %} follow them. */
+{%- let name = "bidders" -%}
+{%- let values = cases.bidders -%}
+{%- include "c/table.c" %}
+{%- let name = "targets" -%}
+{%- let values = cases.targets -%}
+{%- include "c/table.c" %}
+{%- if !cases.places.is_empty() %}
+    /* The edge's place in its team, which decides ties: cheap bids are computed first. */
+{%- let name = "places" -%}
+{%- let values = cases.places -%}
+{%- include "c/table.c" %}
+    /* Where each team leads if no bid wins. */
+{%- let name = "otherwise" -%}
+{%- let values = cases.otherwise -%}
+{%- include "c/table.c" %}
+{%- endif %}
+    /* Where each team's edges begin, and where the last team's end. */
+{%- let name = "teams" -%}
+{%- let values = cases.teams -%}
+{%- include "c/table.c" %}
     uint32_t vertex = 0U;
     uint32_t hop;
 {%- if !reads_state %}
@@ -21,12 +41,12 @@ static uint32_t {{ prefix }}_leaf(const {{ entry.state }} *state)
         const uint32_t end = teams[vertex + 1U];
         uint32_t edge = teams[vertex];
         {{ scalar }} best = {{ lowest }};
-{%- if places %}
+{%- if !cases.places.is_empty() %}
         uint32_t leader = 0U;
 {%- endif %}
 
         /* Only bids above minus infinity win; where there is none, the last edge does. */
-        vertex = {% if !places %}targets[end - 1U]{% else %}otherwise[vertex]{% endif %};
+        vertex = {% if cases.places.is_empty() %}targets[end - 1U]{% else %}otherwise[vertex]{% endif %};
         for (; edge < end; edge++) {
             const uint32_t bidder = bidders[edge];
             {{ scalar }} bid;
@@ -79,7 +99,7 @@ static uint32_t {{ prefix }}_leaf(const {{ entry.state }} *state)
 {%- endif %}
 {%- endfor %}
             if (bid >= best) {
-{%- if !places %}
+{%- if cases.places.is_empty() %}
                 best = bid;
                 vertex = targets[edge];
 {%- else %}

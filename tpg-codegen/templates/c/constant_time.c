@@ -33,14 +33,14 @@
 {% if only %}    /* Where the team leads. */{% else %}    /* Where each team leads: teams are numbered from 0, the root, and the actions follow them. */{% endif %}
 {%- for team in teams %}
     /* Team {{ team.label }} */
-{%- for edge in team.edges %}
+{%- for (key, to) in team.edges %}
 {%- if loop.first %}
 {%- if team.edges.len() > 1 %}
-    best = {{ edge.key }};
+    best = {{ key }};
 {%- endif %}
-    to = {% if only %}{{ edge.to - 1 }}{% else %}{{ edge.to }}{% endif %}U;
+    to = {% if only %}{{ to - 1 }}{% else %}{{ to }}{% endif %}U;
 {%- else %}
-    {{ prefix }}_challenge(&best, &to, {{ edge.key }}, {% if only %}{{ edge.to - 1 }}{% else %}{{ edge.to }}{% endif %}U);
+    {{ prefix }}_challenge(&best, &to, {{ key }}, {% if only %}{{ to - 1 }}{% else %}{{ to }}{% endif %}U);
 {%- endif %}
 {%- endfor %}
 {%- if !only %}

@@ -33,15 +33,15 @@ static uint32_t {{ prefix }}_highest(const {{ scalar }} bids[], uint32_t count)
     }
     return best;
 }
-{% for team in teams %}
+{% for team in module.teams %}
 static uint32_t {{ prefix }}_team_{{ team.label }}(void)
 {
-    static const {{ vertex }} next[{{ team.programs.len() }}] = { {{ team.next }} };
-    {{ scalar }} bids[{{ team.programs.len() }}];
-{% for program in team.programs %}
-    bids[{{ loop.index0 }}] = {{ prefix }}_program_{{ program }}();
+    static const {{ vertex }} next[{{ team.edges.len() }}] = { {% for edge in team.edges %}{% if !loop.first %}, {% endif %}{{ module.vertex(*edge.to) }}U{% endfor %} };
+    {{ scalar }} bids[{{ team.edges.len() }}];
+{% for edge in team.edges %}
+    bids[{{ loop.index0 }}] = {{ prefix }}_program_{{ module.bidders[edge.bidder].label }}();
 {%- endfor %}
-    return next[{{ prefix }}_highest(bids, {{ team.programs.len() }}U)];
+    return next[{{ prefix }}_highest(bids, {{ team.edges.len() }}U)];
 }
 {% endfor %}
 
@@ -53,7 +53,7 @@ int inferenceTPG(void)
 
     for (hop = 0U; (hop < {{ upper }}_DEPTH) && (vertex < {{ upper }}_TEAMS); hop++) {
         switch (vertex) {
-{%- for team in teams %}
+{%- for team in module.teams %}
         case {{ loop.index0 }}U:
             vertex = {{ prefix }}_team_{{ team.label }}();
             break;

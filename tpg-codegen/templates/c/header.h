@@ -1,4 +1,6 @@
 {%- let prefix = printer.prefix -%}
+{%- let gegelati = printer.gegelati -%}
+{%- let system_maths = printer.graph.maths() == MathsProvider::System -%}
 {%- let upper = printer.upper() -%}
 {%- let scalar = printer.scalar() -%}
 /*

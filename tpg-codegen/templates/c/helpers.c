@@ -29,18 +29,17 @@
 {%- let most = "8388608.0f" -%}
 {%- let most_bits = "0x4b000000U" -%}
 {%- endif -%}
-{% if self.calls("hidden") %}
+
 /* A number that the compiler does not know: it would compute the platform's function of it itself, and round another way. */
 static {{ scalar }} {{ prefix }}_hidden({{ scalar }} number)
 {
     const volatile {{ scalar }} hidden = number;
     return hidden;
 }
-{% endif %}
-{% if let Some(own) = own %}
+
+{% if is_own %}
 {% if f64 %}{% include "c/own_f64.c" %}{% else %}{% include "c/own_f32.c" %}{% endif %}
 {% endif %}
-{% if self.has_root() %}
 
 /* The square root, by the FPU where there is one: a library tests for errno first. */
 static float {{ prefix }}_root(float x)
@@ -53,36 +52,32 @@ static float {{ prefix }}_root(float x)
     return sqrtf(x);
 #endif
 }
-{% endif %}
+
 {% if branch_free %}
 {% include "c/keys.c" %}
 {% else %}
-{% if self.calls("negate_if_less") %}
+
 static {{ scalar }} {{ prefix }}_negate_if_less({{ scalar }} a, {{ scalar }} b)
 {
     return (a < b) ? -a : a;
 }
-{% endif %}
-{% if self.calls("min") %}
+
 static {{ scalar }} {{ prefix }}_min({{ scalar }} a, {{ scalar }} b)
 {
     return (a < b) ? a : b;
 }
-{% endif %}
-{% if self.calls("max") %}
+
 static {{ scalar }} {{ prefix }}_max({{ scalar }} a, {{ scalar }} b)
 {
     return (a > b) ? a : b;
 }
-{% endif %}
-{% if self.calls("gate") %}
+
 /* a where b is not 0, else -0. */
 static {{ scalar }} {{ prefix }}_gate({{ scalar }} a, {{ scalar }} b)
 {
     return ((b >= {{ zero }}) && (b <= {{ zero }})) ? {% if f64 %}-0.0{% else %}-0.0f{% endif %} : a;
 }
-{% endif %}
-{% if self.calls("quotient") %}
+
 /* a / b, rounded down. By 0, the greatest integer with the sign of a, and of 0 / 0 the lowest. */
 static {{ scalar }} {{ prefix }}_quotient({{ scalar }} a, {{ scalar }} b)
 {
@@ -99,8 +94,7 @@ static {{ scalar }} {{ prefix }}_quotient({{ scalar }} a, {{ scalar }} b)
     }
     return result;
 }
-{% endif %}
-{% if self.calls("clamp") %}
+
 /* An output in its range. NaN fails both comparisons{% if let Some(nan) = same_nan %}, and becomes {{ nan }}{% endif %}. */
 static {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ scalar }} high{% if same_nan.is_none() %}, {{ scalar }} nan{% endif %})
 {
@@ -109,19 +103,19 @@ static {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ 
     }
     return (value < low) ? low : {% if let Some(nan) = same_nan %}{{ nan }}{% else %}nan{% endif %};
 }
+
 {% endif %}
-{% endif %}
-{% if self.calls("fmod") %}
+
 {% include "c/fmod.c" %}
-{% endif %}
-{% if short && self.calls("ln") %}
+
+{% if short %}
 /* The platform's logarithm, which is slow for negative arguments. */
 static {{ scalar }} {{ prefix }}_ln({{ scalar }} x)
 {
     return (x < {{ zero }}) ? {% if f64 %}(double)NAN{% else %}NAN{% endif %} : {{ printer.function("log") }}(x);
 }
 {% endif %}
-{% if short && self.calls("exp") %}
+{% if short %}
 /* The platform's exponential, which is slow once the result over- or underflows. */
 static {{ scalar }} {{ prefix }}_exp({{ scalar }} x)
 {
@@ -137,7 +131,7 @@ static {{ scalar }} {{ prefix }}_exp({{ scalar }} x)
     return result;
 }
 {% endif %}
-{% if self.calls("ln_upper") %}
+
 /* A cheap upper bound of the logarithm: the bits of a number are a straight line between powers of two through it. */
 static {{ scalar }} {{ prefix }}_ln_upper({{ scalar }} x)
 {
@@ -157,8 +151,7 @@ static {{ scalar }} {{ prefix }}_ln_upper({{ scalar }} x)
     }
     return bound;
 }
-{% endif %}
-{% if self.calls("exp_upper") %}
+
 /* A cheap upper bound of the exponential: the bits of a number are a straight line between powers of two through its
  * logarithm. */
 static {{ scalar }} {{ prefix }}_exp_upper({{ scalar }} x)
@@ -180,8 +173,8 @@ static {{ scalar }} {{ prefix }}_exp_upper({{ scalar }} x)
     }
     return bound;
 }
-{% endif %}
-{% if self.compares_bids() %}
+
+{% if printer.leads %}
 /* Compiled for size, comparisons of doubles are functions: on many processors each is a call. */
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
 #define {{ upper }}_LEADER static __attribute__((noinline))
@@ -196,7 +189,7 @@ typedef struct {{ prefix }}_lead {
     {{ scalar }} best;
     uint32_t winner;
 } {{ prefix }}_lead_t;
-{% if self.calls("take") %}
+
 /* A bid of a later edge than the others wins if none is higher. */
 {{ upper }}_LEADER void {{ prefix }}_take({{ prefix }}_lead_t *lead, {{ scalar }} bid, uint32_t winner)
 {
@@ -205,8 +198,7 @@ typedef struct {{ prefix }}_lead {
         lead->winner = winner;
     }
 }
-{% endif %}
-{% if self.calls("take_at") %}
+
 /* A bid wins if none is higher; of equal bids the later edge's wins. */
 {{ upper }}_LEADER void {{ prefix }}_take_at({{ prefix }}_lead_t *lead, {{ scalar }} bid, uint32_t winner)
 {
@@ -215,19 +207,17 @@ typedef struct {{ prefix }}_lead {
         lead->winner = winner;
     }
 }
-{% endif %}
-{% if self.calls("can") %}
+
 /* Tests whether a bid of a later edge than the others can win; also where the bound is NaN, which is none. */
 {{ upper }}_LEADER uint32_t {{ prefix }}_can(const {{ prefix }}_lead_t *lead, {{ scalar }} bound)
 {
     return (lead->best > bound) ? 0U : 1U;
 }
-{% endif %}
-{% if self.calls("can_at") %}
+
 /* The same for a bid of any edge. */
 {{ upper }}_LEADER uint32_t {{ prefix }}_can_at(const {{ prefix }}_lead_t *lead, {{ scalar }} bound, uint32_t winner)
 {
     return ((lead->best > bound) || ((lead->best >= bound) && (lead->winner >= winner))) ? 0U : 1U;
 }
-{% endif %}
+
 {% endif %}

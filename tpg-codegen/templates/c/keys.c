@@ -5,7 +5,7 @@
 #define {{ upper }}_INLINE static inline
 #endif
 {% endif %}
-{% if self.selects() || self.compares() || self.any(["fmod", "sqrt"]) %}
+
 /* A mask that chooses, hidden from the optimiser: where it knows that a mask is a sign, it may make a condition of it. */
 {{ storage }} {{ key }} {{ prefix }}_opaque({{ key }} mask)
 {
@@ -18,8 +18,6 @@
     return mask;
 #endif
 }
-{% endif %}
-{% if self.selects() %}
 
 /* a where the mask is all ones, b where it is 0. */
 {{ storage }} {{ scalar }} {{ prefix }}_select({{ key }} mask, {{ scalar }} a, {{ scalar }} b)
@@ -33,8 +31,6 @@
     (void)memcpy(&result, &bits_b, sizeof result);
     return result;
 }
-{% endif %}
-{% if self.compares() %}
 
 /* All ones where a > b, else 0; NaN is above nothing. The difference is positive: its bits, less 1, are below infinity's. */
 {{ storage }} {{ key }} {{ prefix }}_above({{ scalar }} a, {{ scalar }} b)
@@ -45,8 +41,6 @@
     bits -= 1U;
     return {{ prefix }}_opaque(0U - (((bits - {{ infinity }}) & ~bits) >> {{ top }}));
 }
-{% endif %}
-{% if self.finds_nan() %}
 
 /* All ones where x is NaN, else 0: its bits are above infinity's. */
 {{ storage }} {{ key }} {{ prefix }}_not_a_number({{ scalar }} x)
@@ -55,8 +49,6 @@
     (void)memcpy(&bits, &x, sizeof bits);
     return {{ prefix }}_opaque(0U - (({{ infinity }} - (bits & ~{{ sign }})) >> {{ top }}));
 }
-{% endif %}
-{% if self.calls("negate_if_less") %}
 
 {{ storage }} {{ scalar }} {{ prefix }}_negate_if_less({{ scalar }} a, {{ scalar }} b)
 {
@@ -68,22 +60,16 @@
     (void)memcpy(&result, &bits, sizeof result);
     return result;
 }
-{% endif %}
-{% if self.calls("min") %}
 
 {{ storage }} {{ scalar }} {{ prefix }}_min({{ scalar }} a, {{ scalar }} b)
 {
     return {{ prefix }}_select({{ prefix }}_above(b, a), a, b);
 }
-{% endif %}
-{% if self.calls("max") %}
 
 {{ storage }} {{ scalar }} {{ prefix }}_max({{ scalar }} a, {{ scalar }} b)
 {
     return {{ prefix }}_select({{ prefix }}_above(a, b), a, b);
 }
-{% endif %}
-{% if self.calls("gate") %}
 
 /* a where b is not 0, else -0. */
 {{ storage }} {{ scalar }} {{ prefix }}_gate({{ scalar }} a, {{ scalar }} b)
@@ -92,8 +78,6 @@
     (void)memcpy(&bits, &b, sizeof bits);
     return {{ prefix }}_select({{ prefix }}_opaque(0U - (((bits & ~{{ sign }}) - 1U) >> {{ top }})), -{{ zero }}, a);
 }
-{% endif %}
-{% if self.calls("quotient") %}
 
 /* a / b, rounded down. By 0, the greatest integer with the sign of a, and of 0 / 0 the lowest. */
 {{ storage }} {{ scalar }} {{ prefix }}_quotient({{ scalar }} a, {{ scalar }} b)
@@ -114,8 +98,6 @@
     (void)memcpy(&bits, &b, sizeof bits);
     return {{ prefix }}_select({{ prefix }}_opaque(0U - (((bits & ~{{ sign }}) - 1U) >> {{ top }})), by_zero, whole);
 }
-{% endif %}
-{% if self.calls("sqrt") %}
 
 /* The square root of the magnitude, which no compiler tests; NaN of a negative number. */
 {{ storage }} {{ scalar }} {{ prefix }}_sqrt({{ scalar }} x)
@@ -131,8 +113,6 @@
     (void)memcpy(&result, &bits_of_root, sizeof result);
     return result;
 }
-{% endif %}
-{% if self.calls("clamp") %}
 
 /* All ones where x has a sign, else 0. */
 {{ storage }} {{ key }} {{ prefix }}_negative({{ scalar }} x)
@@ -151,8 +131,6 @@
     const {{ scalar }} limited = {{ prefix }}_select({{ prefix }}_negative((high + {{ zero }}) - unsigned_zero), high, raised);
     return {{ prefix }}_select({{ prefix }}_not_a_number(value), {% if let Some(nan) = same_nan %}{{ nan }}{% else %}nan{% endif %}, limited);
 }
-{% endif %}
-{% if self.calls("pick") %}
 
 /* The candidate where the numbers are equal, else the value. */
 {{ storage }} {{ scalar }} {{ prefix }}_pick(uint32_t leaf, uint32_t number, {{ scalar }} candidate, {{ scalar }} value)
@@ -161,8 +139,6 @@
     const {{ key }} mask = ({{ key }})((different | (0U - different)) >> 31);
     return {{ prefix }}_select({{ prefix }}_opaque(mask - 1U), candidate, value);
 }
-{% endif %}
-{% if self.calls("number") %}
 
 /* A bid that can be compared: minus infinity for NaN. */
 {{ storage }} {{ scalar }} {{ prefix }}_number({{ scalar }} bid)
@@ -175,8 +151,6 @@
     (void)memcpy(&result, &bits, sizeof result);
     return result;
 }
-{% endif %}
-{% if self.calls("challenge") %}
 
 /* Lets a bid win where it is as high as the best so far, or that is NaN. */
 {{ storage }} void {{ prefix }}_challenge({{ scalar }} *best, uint32_t *to, {{ scalar }} bid, uint32_t destination)
@@ -186,4 +160,4 @@
     *best = {{ prefix }}_select(lower, *best, bid);
     *to = destination ^ ((destination ^ *to) & mask);
 }
-{% endif %}
+

@@ -11,7 +11,7 @@ typedef struct {{ prefix }}_windows {
     {{ prefix }}_place_t dark;
 } {{ prefix }}_windows_t;
 {% endif %}
-{%- if look.has_first %}
+{%- if look.has("first") %}
 /* The first cell that is not 0. */
 static {{ prefix }}_place_t {{ prefix }}_first(const uint8_t *image, uint32_t stride)
 {
@@ -30,7 +30,7 @@ static {{ prefix }}_place_t {{ prefix }}_first(const uint8_t *image, uint32_t st
     return place;
 }
 {% endif %}
-{%- if look.has_last %}
+{%- if look.has("last") %}
 /* The last cell that is not 0. */
 static {{ prefix }}_place_t {{ prefix }}_last(const uint8_t *image, uint32_t stride)
 {
@@ -49,7 +49,7 @@ static {{ prefix }}_place_t {{ prefix }}_last(const uint8_t *image, uint32_t str
     return place;
 }
 {% endif %}
-{%- if look.has_sum %}
+{%- if look.has("sum") %}
 /* The sum of a window. */
 static uint32_t {{ prefix }}_sum(const uint8_t *image, uint32_t stride, uint32_t height, uint32_t width)
 {
@@ -122,7 +122,7 @@ static {{ prefix }}_windows_t {{ prefix }}_windows_{{ window.size }}(const uint8
     return found;
 }
 {% endfor %}
-{%- if look.has_cell %}
+{%- if look.has("cell") %}
 /* The cell so far down and to the right of a place; 0 outside the image. */
 static uint8_t {{ prefix }}_cell(const uint8_t *image, uint32_t stride, {{ prefix }}_place_t from, int32_t down, int32_t right)
 {

@@ -26,20 +26,18 @@ static uint32_t {{ prefix }}_choose(uint32_t mask, uint32_t a, uint32_t b)
 {
     return b ^ ((a ^ b) & mask);
 }
-{% if self.calls("sin") || self.calls("cos") %}
 
 /* The bits of sin(a + offset - 1/8 turn), a given by its bits and the offset in 2^-32 turns. */
 static uint32_t {{ prefix }}_circle(uint32_t magnitude, uint32_t offset)
 {
     /* floor(2/pi * 2^(8i + 5)) mod 2^32 */
-    static const uint32_t two_over_pi[{{ own.two_over_pi.len() }}] = {
-{%- for line in own.two_over_pi.chunks(6) %}
-        {{ line.join(", ") }}{% if !loop.last %},{% endif %}
-{%- endfor %}
+    static const uint32_t two_over_pi[25] = {
+{%- for word in single::TWO_OVER_PI.iter().take(25) %}{% if loop.index0 % 6 == 0 %}
+        {% else %} {% endif %}{{ "{:#010x}U"|format(word) }}{% if !loop.last %},{% endif %}{% endfor %}
     };
     static const float polynomial[2][4] = {
-        { {{- own.circle[0] -}} }, /* sin r = r + r s P(s), s = r^2 */
-        { {{- own.circle[1] -}} }         /* cos r = 1 + 1 s P(s) */
+        { {%- for value in single::CIRCLE[0] %}{{ "{:?}f"|format(value) }}{% if !loop.last %}, {% endif %}{% endfor -%} }, /* sin r = r + r s P(s), s = r^2 */
+        { {%- for value in single::CIRCLE[1] %}{{ "{:?}f"|format(value) }}{% if !loop.last %}, {% endif %}{% endfor -%} }         /* cos r = 1 + 1 s P(s) */
     };
 
     /* a = mantissa * 2^(8 byte + 125 - 150) */
@@ -69,7 +67,7 @@ static uint32_t {{ prefix }}_circle(uint32_t magnitude, uint32_t offset)
     const uint64_t distance_low = lower_distance;
 
     /* times pi/2, in units of 2^-61 radians */
-    const uint64_t half_pi = {{ own.half_pi }};
+    const uint64_t half_pi = {{ "{:#x}U"|format(single::HALF_PI) }};
     const uint64_t radians = (distance_high * half_pi) + ((distance_low * half_pi) >> 32);
     const uint64_t radians_high = radians >> 37;
     const uint64_t radians_low = radians >> 5;
@@ -101,8 +99,6 @@ static uint32_t {{ prefix }}_circle(uint32_t magnitude, uint32_t offset)
     p = base + p;
     return {{ prefix }}_bits(p) ^ (turn & 0x80000000U);
 }
-{% endif %}
-{% if self.calls("sin") %}
 
 static float {{ prefix }}_sin(float x)
 {
@@ -110,22 +106,16 @@ static float {{ prefix }}_sin(float x)
     const uint32_t of_magnitude = {{ prefix }}_circle(bits & 0x7fffffffU, 0x20000000U);
     return {{ prefix }}_float(of_magnitude ^ (bits & 0x80000000U));
 }
-{% endif %}
-{% if self.calls("cos") %}
 
 static float {{ prefix }}_cos(float x)
 {
     return {{ prefix }}_float({{ prefix }}_circle({{ prefix }}_bits(x) & 0x7fffffffU, 0x60000000U));
 }
-{% endif %}
-{% if self.calls("tan") %}
 
 static float {{ prefix }}_tan(float x)
 {
     return {{ prefix }}_sin(x) / {{ prefix }}_cos(x);
 }
-{% endif %}
-{% if self.calls("ln") %}
 
 static float {{ prefix }}_ln(float x)
 {
@@ -148,8 +138,8 @@ static float {{ prefix }}_ln(float x)
     const float g = f + 2.0f;
     const float s = f / g;
     const float w = s * s;
-    const float low = exponent * {{ own.ln_2_low }};
-    const float high = exponent * {{ own.ln_2_high }};
+    const float low = exponent * {{ "{:?}f"|format(single::LN_2_LOW) }};
+    const float high = exponent * {{ "{:?}f"|format(single::LN_2_HIGH) }};
 
     /* infinity and NaN stay, zeros and what is negative have values of their own */
     const uint32_t before = bits - 1U;
@@ -157,10 +147,10 @@ static float {{ prefix }}_ln(float x)
     const uint32_t zero = {{ prefix }}_mask((bits & 0x7fffffffU) - 1U);
     const uint32_t signed_limit = bits | ({{ prefix }}_mask(bits) & 0x7fc00000U);
     const uint32_t limit = {{ prefix }}_choose(zero, 0xff800000U, signed_limit);
-    float p = {{ own.ln[2] }} * w;
-    p = p + {{ own.ln[1] }};
+    float p = {{ "{:?}f"|format(single::LN[2]) }} * w;
+    p = p + {{ "{:?}f"|format(single::LN[1]) }};
     p = p * w;
-    p = p + {{ own.ln[0] }};
+    p = p + {{ "{:?}f"|format(single::LN[0]) }};
     p = p * w;
     p = f - p;
     p = p * s;
@@ -169,8 +159,6 @@ static float {{ prefix }}_ln(float x)
     p = high + p;
     return {{ prefix }}_float({{ prefix }}_choose(special, limit, {{ prefix }}_bits(p)));
 }
-{% endif %}
-{% if self.calls("exp") %}
 
 static float {{ prefix }}_exp(float x)
 {
@@ -181,11 +169,11 @@ static float {{ prefix }}_exp(float x)
     const float a = {{ prefix }}_float(limited | (bits & 0x80000000U));
 
     /* x = n ln 2 + r; adding 1.5 * 2^23 leaves the nearest integer in the low bits */
-    const float quotient = a * {{ own.log2_e }};
+    const float quotient = a * {{ "{:?}f"|format(std::f32::consts::LOG2_E) }};
     const float sum = quotient + 12582912.0f;
     const float n = sum - 12582912.0f;
-    const float high = n * {{ own.ln_2_high }};
-    const float low = n * {{ own.ln_2_low }};
+    const float high = n * {{ "{:?}f"|format(single::LN_2_HIGH) }};
+    const float low = n * {{ "{:?}f"|format(single::LN_2_LOW) }};
     const float rest = a - high;
     const float r = rest - low;
 
@@ -195,14 +183,14 @@ static float {{ prefix }}_exp(float x)
     const float first = {{ prefix }}_float(half << 23);
     const float second = {{ prefix }}_float((biased - half) << 23);
     const uint32_t not_a_number = {{ prefix }}_mask(0x7f800000U - magnitude);
-    float p = {{ own.exp[4] }} * r;
-    p = p + {{ own.exp[3] }};
+    float p = {{ "{:?}f"|format(single::EXP[4]) }} * r;
+    p = p + {{ "{:?}f"|format(single::EXP[3]) }};
     p = p * r;
-    p = p + {{ own.exp[2] }};
+    p = p + {{ "{:?}f"|format(single::EXP[2]) }};
     p = p * r;
-    p = p + {{ own.exp[1] }};
+    p = p + {{ "{:?}f"|format(single::EXP[1]) }};
     p = p * r;
-    p = p + {{ own.exp[0] }};
+    p = p + {{ "{:?}f"|format(single::EXP[0]) }};
     p = p * r;
     p = p * r;
     p = p + r;
@@ -211,8 +199,6 @@ static float {{ prefix }}_exp(float x)
     p = p * second;
     return {{ prefix }}_float({{ prefix }}_bits(p) | (not_a_number & 0x7fc00000U));
 }
-{% endif %}
-{% if self.calls("atan") %}
 
 /* The bits of the number for this range: below sqrt(2) - 1, above sqrt(2) + 1, or between them. */
 static float {{ prefix }}_of_range(uint32_t low, uint32_t high, float of_low, float of_middle, float of_high)
@@ -232,16 +218,16 @@ static float {{ prefix }}_atan(float x)
     const uint32_t high = {{ prefix }}_mask(0x401a827aU - magnitude);
     const float above = {{ prefix }}_of_range(low, high, a, a - 1.0f, -1.0f);
     const float below = {{ prefix }}_of_range(low, high, 1.0f, a + 1.0f, a);
-    const float offset = {{ prefix }}_of_range(low, high, 0.0f, {{ own.quarters[0] }}, {{ own.quarters[2] }});
-    const float rest = {{ prefix }}_of_range(low, high, 0.0f, {{ own.quarters[1] }}, {{ own.quarters[3] }});
+    const float offset = {{ prefix }}_of_range(low, high, 0.0f, {{ "{:?}f"|format(single::QUARTERS[0][0]) }}, {{ "{:?}f"|format(single::QUARTERS[1][0]) }});
+    const float rest = {{ prefix }}_of_range(low, high, 0.0f, {{ "{:?}f"|format(single::QUARTERS[0][1]) }}, {{ "{:?}f"|format(single::QUARTERS[1][1]) }});
     const float t = above / below;
     const float s = t * t;
-    float p = {{ own.atan[3] }} * s;
-    p = p + {{ own.atan[2] }};
+    float p = {{ "{:?}f"|format(single::ATAN[3]) }} * s;
+    p = p + {{ "{:?}f"|format(single::ATAN[2]) }};
     p = p * s;
-    p = p + {{ own.atan[1] }};
+    p = p + {{ "{:?}f"|format(single::ATAN[1]) }};
     p = p * s;
-    p = p + {{ own.atan[0] }};
+    p = p + {{ "{:?}f"|format(single::ATAN[0]) }};
     p = p * s;
     p = p * t;
     p = p + rest;
@@ -249,8 +235,6 @@ static float {{ prefix }}_atan(float x)
     p = offset + p;
     return {{ prefix }}_float({{ prefix }}_bits(p) | (bits & 0x80000000U));
 }
-{% endif %}
-{% if self.calls("tanh") %}
 
 static float {{ prefix }}_tanh(float x)
 {
@@ -264,15 +248,15 @@ static float {{ prefix }}_tanh(float x)
     const float far = 1.0f - part;
     const uint32_t small = {{ prefix }}_mask(magnitude - 0x3f0ccccdU); /* below 0.55 */
     const float s = a * a;
-    float p = {{ own.tanh[3] }} * s;
-    p = p + {{ own.tanh[2] }};
+    float p = {{ "{:?}f"|format(single::TANH[3]) }} * s;
+    p = p + {{ "{:?}f"|format(single::TANH[2]) }};
     p = p * s;
-    p = p + {{ own.tanh[1] }};
+    p = p + {{ "{:?}f"|format(single::TANH[1]) }};
     p = p * s;
-    p = p + {{ own.tanh[0] }};
+    p = p + {{ "{:?}f"|format(single::TANH[0]) }};
     p = p * s;
     p = p * a;
     p = a + p;
     return {{ prefix }}_float({{ prefix }}_choose(small, {{ prefix }}_bits(p), {{ prefix }}_bits(far)) | (bits & 0x80000000U));
 }
-{% endif %}
+

@@ -20,15 +20,12 @@ static uint64_t {{ prefix }}_mask(uint64_t bits)
 {
     return 0U - (bits >> 63);
 }
-{% if self.any(["sin", "cos", "ln", "atan", "tanh"]) %}
 
 /* a where the mask is all ones, b where it is 0. */
 static uint64_t {{ prefix }}_choose(uint64_t mask, uint64_t a, uint64_t b)
 {
     return b ^ ((a ^ b) & mask);
 }
-{% endif %}
-{% if self.calls("sin") || self.calls("cos") %}
 
 /* The upper half of a product, from 32-bit halves: C99 has no wider type. */
 static uint64_t {{ prefix }}_multiply_high(uint64_t a, uint64_t b)
@@ -48,10 +45,9 @@ static uint64_t {{ prefix }}_multiply_high(uint64_t a, uint64_t b)
 static uint64_t {{ prefix }}_window(uint32_t bit)
 {
     /* The bits of 2/pi: 64 zeros, then those behind the binary point. */
-    static const uint32_t two_over_pi[{{ own.two_over_pi.len() }}] = {
-{%- for line in own.two_over_pi.chunks(6) %}
-        {{ line.join(", ") }}{% if !loop.last %},{% endif %}
-{%- endfor %}
+    static const uint32_t two_over_pi[39] = {
+{%- for word in double::TWO_OVER_PI.iter() %}{% if loop.index0 % 6 == 0 %}
+        {% else %} {% endif %}{{ "{:#010x}U"|format(word) }}{% if !loop.last %},{% endif %}{% endfor %}
     };
 
     const uint32_t word = bit >> 5;
@@ -68,9 +64,11 @@ static uint64_t {{ prefix }}_circle(uint64_t magnitude, uint64_t offset)
 {
     static const double polynomial[2][7] = {
         /* sin r = r + r s P(s), s = r^2 */
-        { {{- own.circle[0] -}} },
+        { {%- for value in double::CIRCLE[0] %}{{ "{:?}"|format(value) }}{% if loop.index == 5 %},
+         {% else if !loop.last %}, {% endif %}{% endfor -%} },
         /* cos r = 1 + 1 s P(s) */
-        { {{- own.circle[1] -}} }
+        { {%- for value in double::CIRCLE[1] %}{{ "{:?}"|format(value) }}{% if loop.index == 5 %},
+         {% else if !loop.last %}, {% endif %}{% endfor -%} }
     };
 
     const uint64_t sign = (uint64_t)1U << 63;
@@ -100,7 +98,7 @@ static uint64_t {{ prefix }}_circle(uint64_t magnitude, uint64_t offset)
     const uint64_t distance_low = angle_low ^ negative;
 
     /* times pi/2, in units of 2^-125 radians */
-    const uint64_t half_pi = {{ own.half_pi }};
+    const uint64_t half_pi = ((uint64_t){{ "{:#x}U"|format(double::HALF_PI >> 32) }} << 32) | {{ "{:#x}U"|format(double::HALF_PI as u32) }};
     const uint64_t radians_below = {{ prefix }}_multiply_high(distance_low, half_pi);
     const uint64_t radians_low = (distance_high * half_pi) + radians_below;
     const uint64_t radians_carry = (radians_low < radians_below) ? (uint64_t)1U : (uint64_t)0U;
@@ -141,8 +139,6 @@ static uint64_t {{ prefix }}_circle(uint64_t magnitude, uint64_t offset)
     p = base + p;
     return {{ prefix }}_bits(p) ^ (turn & sign);
 }
-{% endif %}
-{% if self.calls("sin") %}
 
 static double {{ prefix }}_sin(double x)
 {
@@ -151,23 +147,17 @@ static double {{ prefix }}_sin(double x)
     const uint64_t of_magnitude = {{ prefix }}_circle(bits & (sign - 1U), sign >> 2);
     return {{ prefix }}_double(of_magnitude ^ (bits & sign));
 }
-{% endif %}
-{% if self.calls("cos") %}
 
 static double {{ prefix }}_cos(double x)
 {
     const uint64_t sign = (uint64_t)1U << 63;
     return {{ prefix }}_double({{ prefix }}_circle({{ prefix }}_bits(x) & (sign - 1U), (sign >> 1) | (sign >> 2)));
 }
-{% endif %}
-{% if self.calls("tan") %}
 
 static double {{ prefix }}_tan(double x)
 {
     return {{ prefix }}_sin(x) / {{ prefix }}_cos(x);
 }
-{% endif %}
-{% if self.calls("ln") %}
 
 static double {{ prefix }}_ln(double x)
 {
@@ -197,8 +187,8 @@ static double {{ prefix }}_ln(double x)
     const double g = f + 2.0;
     const double s = f / g;
     const double w = s * s;
-    const double low = exponent * {{ own.ln_2_low }};
-    const double high = exponent * {{ own.ln_2_high }};
+    const double low = exponent * {{ "{:?}"|format(double::LN_2_LOW) }};
+    const double high = exponent * {{ "{:?}"|format(double::LN_2_HIGH) }};
 
     /* infinity and NaN stay, zeros and what is negative have values of their own */
     const uint64_t before = bits - 1U;
@@ -206,18 +196,18 @@ static double {{ prefix }}_ln(double x)
     const uint64_t zero = {{ prefix }}_mask((bits & (sign - 1U)) - 1U);
     const uint64_t signed_limit = bits | ({{ prefix }}_mask(bits) & not_a_number);
     const uint64_t limit = {{ prefix }}_choose(zero, minus_infinity, signed_limit);
-    double p = {{ own.ln[6] }} * w;
-    p = p + {{ own.ln[5] }};
+    double p = {{ "{:?}"|format(double::LN[6]) }} * w;
+    p = p + {{ "{:?}"|format(double::LN[5]) }};
     p = p * w;
-    p = p + {{ own.ln[4] }};
+    p = p + {{ "{:?}"|format(double::LN[4]) }};
     p = p * w;
-    p = p + {{ own.ln[3] }};
+    p = p + {{ "{:?}"|format(double::LN[3]) }};
     p = p * w;
-    p = p + {{ own.ln[2] }};
+    p = p + {{ "{:?}"|format(double::LN[2]) }};
     p = p * w;
-    p = p + {{ own.ln[1] }};
+    p = p + {{ "{:?}"|format(double::LN[1]) }};
     p = p * w;
-    p = p + {{ own.ln[0] }};
+    p = p + {{ "{:?}"|format(double::LN[0]) }};
     p = p * w;
     p = f - p;
     p = p * s;
@@ -226,8 +216,6 @@ static double {{ prefix }}_ln(double x)
     p = high + p;
     return {{ prefix }}_double({{ prefix }}_choose(special, limit, {{ prefix }}_bits(p)));
 }
-{% endif %}
-{% if self.calls("exp") %}
 
 static double {{ prefix }}_exp(double x)
 {
@@ -244,11 +232,11 @@ static double {{ prefix }}_exp(double x)
     const double a = {{ prefix }}_double(limited | (bits & sign));
 
     /* x = n ln 2 + r; adding 1.5 * 2^52 leaves the nearest integer in the low bits */
-    const double quotient = a * {{ own.log2_e }};
+    const double quotient = a * {{ "{:?}"|format(std::f64::consts::LOG2_E) }};
     const double sum = quotient + 6755399441055744.0;
     const double n = sum - 6755399441055744.0;
-    const double high = n * {{ own.ln_2_high }};
-    const double low = n * {{ own.ln_2_low }};
+    const double high = n * {{ "{:?}"|format(double::LN_2_HIGH) }};
+    const double low = n * {{ "{:?}"|format(double::LN_2_LOW) }};
     const double rest = a - high;
     const double r = rest - low;
 
@@ -258,24 +246,24 @@ static double {{ prefix }}_exp(double x)
     const double first = {{ prefix }}_double(half << 52);
     const double second = {{ prefix }}_double((biased - half) << 52);
     const uint64_t not_a_number = {{ prefix }}_mask(infinity - magnitude);
-    double p = {{ own.exp[9] }} * r;
-    p = p + {{ own.exp[8] }};
+    double p = {{ "{:?}"|format(double::EXP[9]) }} * r;
+    p = p + {{ "{:?}"|format(double::EXP[8]) }};
     p = p * r;
-    p = p + {{ own.exp[7] }};
+    p = p + {{ "{:?}"|format(double::EXP[7]) }};
     p = p * r;
-    p = p + {{ own.exp[6] }};
+    p = p + {{ "{:?}"|format(double::EXP[6]) }};
     p = p * r;
-    p = p + {{ own.exp[5] }};
+    p = p + {{ "{:?}"|format(double::EXP[5]) }};
     p = p * r;
-    p = p + {{ own.exp[4] }};
+    p = p + {{ "{:?}"|format(double::EXP[4]) }};
     p = p * r;
-    p = p + {{ own.exp[3] }};
+    p = p + {{ "{:?}"|format(double::EXP[3]) }};
     p = p * r;
-    p = p + {{ own.exp[2] }};
+    p = p + {{ "{:?}"|format(double::EXP[2]) }};
     p = p * r;
-    p = p + {{ own.exp[1] }};
+    p = p + {{ "{:?}"|format(double::EXP[1]) }};
     p = p * r;
-    p = p + {{ own.exp[0] }};
+    p = p + {{ "{:?}"|format(double::EXP[0]) }};
     p = p * r;
     p = p * r;
     p = p + r;
@@ -284,8 +272,6 @@ static double {{ prefix }}_exp(double x)
     p = p * second;
     return {{ prefix }}_double({{ prefix }}_bits(p) | (not_a_number & quiet));
 }
-{% endif %}
-{% if self.calls("atan") %}
 
 /* The bits of the number for this range: below sqrt(2) - 1, above sqrt(2) + 1, or between them. */
 static double {{ prefix }}_of_range(uint64_t low, uint64_t high, double of_low, double of_middle, double of_high)
@@ -305,28 +291,28 @@ static double {{ prefix }}_atan(double x)
     const uint64_t high = {{ prefix }}_mask(0x4003504f333f9de6ULL - magnitude);
     const double above = {{ prefix }}_of_range(low, high, a, a - 1.0, -1.0);
     const double below = {{ prefix }}_of_range(low, high, 1.0, a + 1.0, a);
-    const double offset = {{ prefix }}_of_range(low, high, 0.0, {{ own.quarters[0] }}, {{ own.quarters[2] }});
-    const double rest = {{ prefix }}_of_range(low, high, 0.0, {{ own.quarters[1] }}, {{ own.quarters[3] }});
+    const double offset = {{ prefix }}_of_range(low, high, 0.0, {{ "{:?}"|format(double::QUARTERS[0][0]) }}, {{ "{:?}"|format(double::QUARTERS[1][0]) }});
+    const double rest = {{ prefix }}_of_range(low, high, 0.0, {{ "{:?}"|format(double::QUARTERS[0][1]) }}, {{ "{:?}"|format(double::QUARTERS[1][1]) }});
     const double t = above / below;
     const double s = t * t;
-    double p = {{ own.atan[9] }} * s;
-    p = p + {{ own.atan[8] }};
+    double p = {{ "{:?}"|format(double::ATAN[9]) }} * s;
+    p = p + {{ "{:?}"|format(double::ATAN[8]) }};
     p = p * s;
-    p = p + {{ own.atan[7] }};
+    p = p + {{ "{:?}"|format(double::ATAN[7]) }};
     p = p * s;
-    p = p + {{ own.atan[6] }};
+    p = p + {{ "{:?}"|format(double::ATAN[6]) }};
     p = p * s;
-    p = p + {{ own.atan[5] }};
+    p = p + {{ "{:?}"|format(double::ATAN[5]) }};
     p = p * s;
-    p = p + {{ own.atan[4] }};
+    p = p + {{ "{:?}"|format(double::ATAN[4]) }};
     p = p * s;
-    p = p + {{ own.atan[3] }};
+    p = p + {{ "{:?}"|format(double::ATAN[3]) }};
     p = p * s;
-    p = p + {{ own.atan[2] }};
+    p = p + {{ "{:?}"|format(double::ATAN[2]) }};
     p = p * s;
-    p = p + {{ own.atan[1] }};
+    p = p + {{ "{:?}"|format(double::ATAN[1]) }};
     p = p * s;
-    p = p + {{ own.atan[0] }};
+    p = p + {{ "{:?}"|format(double::ATAN[0]) }};
     p = p * s;
     p = p * t;
     p = p + rest;
@@ -334,8 +320,6 @@ static double {{ prefix }}_atan(double x)
     p = offset + p;
     return {{ prefix }}_double({{ prefix }}_bits(p) | (bits & 0x8000000000000000ULL));
 }
-{% endif %}
-{% if self.calls("tanh") %}
 
 static double {{ prefix }}_tanh(double x)
 {
@@ -349,27 +333,27 @@ static double {{ prefix }}_tanh(double x)
     const double far = 1.0 - part;
     const uint64_t small = {{ prefix }}_mask(magnitude - 0x3fe199999999999aULL); /* below 0.55 */
     const double s = a * a;
-    double p = {{ own.tanh[9] }} * s;
-    p = p + {{ own.tanh[8] }};
+    double p = {{ "{:?}"|format(double::TANH[9]) }} * s;
+    p = p + {{ "{:?}"|format(double::TANH[8]) }};
     p = p * s;
-    p = p + {{ own.tanh[7] }};
+    p = p + {{ "{:?}"|format(double::TANH[7]) }};
     p = p * s;
-    p = p + {{ own.tanh[6] }};
+    p = p + {{ "{:?}"|format(double::TANH[6]) }};
     p = p * s;
-    p = p + {{ own.tanh[5] }};
+    p = p + {{ "{:?}"|format(double::TANH[5]) }};
     p = p * s;
-    p = p + {{ own.tanh[4] }};
+    p = p + {{ "{:?}"|format(double::TANH[4]) }};
     p = p * s;
-    p = p + {{ own.tanh[3] }};
+    p = p + {{ "{:?}"|format(double::TANH[3]) }};
     p = p * s;
-    p = p + {{ own.tanh[2] }};
+    p = p + {{ "{:?}"|format(double::TANH[2]) }};
     p = p * s;
-    p = p + {{ own.tanh[1] }};
+    p = p + {{ "{:?}"|format(double::TANH[1]) }};
     p = p * s;
-    p = p + {{ own.tanh[0] }};
+    p = p + {{ "{:?}"|format(double::TANH[0]) }};
     p = p * s;
     p = p * a;
     p = a + p;
     return {{ prefix }}_double({{ prefix }}_choose(small, {{ prefix }}_bits(p), {{ prefix }}_bits(far)) | (bits & 0x8000000000000000ULL));
 }
-{% endif %}
+

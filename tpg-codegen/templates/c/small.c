@@ -6,18 +6,24 @@
 /* Runs a program: its results follow one another in the frame, and the last is its bid. */
 static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
 {
-{%- let tables = of_programs %}
-{%- include "c/tables.c" %}
+    /* Instructions: operation, then the places of both operands. */
+{%- let name = "code" -%}
+{%- let values = bytecode.code -%}
+{%- include "c/table.c" %}
+    /* Where each program begins, and where the last ends. */
+{%- let name = "programs" -%}
+{%- let values = bytecode.programs -%}
+{%- include "c/table.c" %}
     const uint32_t begin = programs[program];
     const uint32_t end = programs[program + 1U];
-    {{ scalar }} result = {% if f64 %}0.0{% else %}0.0f{% endif %};
+    {{ scalar }} result = {{ printer.literal(0.0) }};
     uint32_t place;
 
     for (place = begin; place < end; place++) {
-        const {{ instruction }} instruction = code[place];
-        const {{ scalar }} a = frame[instruction & {{ operand_mask }}U];
+        const {{ printer.table(bytecode.code).kind }} instruction = code[place];
+        const {{ scalar }} a = frame[instruction & {{ bytecode.operand_mask() }}U];
 {%- if two_operands %}
-        const {{ scalar }} b = frame[(uint32_t)(instruction >> {{ bytecode.operand_bits }}) & {{ operand_mask }}U];
+        const {{ scalar }} b = frame[(uint32_t)(instruction >> {{ bytecode.operand_bits }}) & {{ bytecode.operand_mask() }}U];
 {%- endif %}
 
 {% if let [case] = cases.as_slice() %}
@@ -42,10 +48,23 @@ static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
 
 {{ entry.head }}
 {
-{%- let tables = of_teams %}
-{%- include "c/tables.c" %}
+    /* The program of each edge, and where it leads: teams are numbered from 0, the root, and the {% if outputs.is_empty() %}actions{% else %}leaves{% endif %} follow them. */
+{%- let name = "bidders" -%}
+{%- let values = bytecode.bidders -%}
+{%- include "c/table.c" %}
+{%- let name = "targets" -%}
+{%- let values = bytecode.targets -%}
+{%- include "c/table.c" %}
+    /* Where each team's edges begin, and where the last team's end. */
+{%- let name = "teams" -%}
+{%- let values = bytecode.teams -%}
+{%- include "c/table.c" %}
 {%- if !outputs.is_empty() %}
-    const {{ leaf }} *programs;
+    /* The program of each output of each leaf. */
+{%- let name = "leaves" -%}
+{%- let values = bytecode.leaves -%}
+{%- include "c/table.c" %}
+    const {{ printer.table(bytecode.leaves).kind }} *programs;
 {%- endif %}
 {% if !constants.is_empty() %}
     static const {{ scalar }} constants[{{ constants.len() }}] = {
@@ -60,7 +79,7 @@ static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
 
     (void)memcpy(frame, state, sizeof(*state));
 {%- if !constants.is_empty() %}
-    (void)memcpy(&frame[{{ state_length }}], constants, sizeof(constants));
+    (void)memcpy(&frame[{{ printer.graph.state_length() }}], constants, sizeof(constants));
 {%- endif %}
 {%- if let Some(constant) = minus_infinity %}
     frame[{{ bytecode.first_result - 1 }}] = {{ constant }};

@@ -1,4 +1,7 @@
 {%- let prefix = printer.prefix -%}
+{%- let gegelati = printer.gegelati -%}
+{%- let f64 = printer.graph.scalar() == ScalarType::F64 -%}
+{%- let system_maths = printer.graph.maths() == MathsProvider::System -%}
 {%- let upper = printer.upper() -%}
 {%- let scalar = printer.scalar() -%}
 {%- let entry = printer.entry() -%}
@@ -30,7 +33,7 @@
 #define {{ upper }}_TEAMS {{ teams }}U
 #define {{ upper }}_DEPTH {{ depth }}U
 {% endif %}
-{{- helpers }}
+{{ helpers }}
 {%- if !parts.1.is_empty() %}
 /* A state and the memory as one; an answer and the next memory as one. */
 typedef struct {{ prefix }}_view {
@@ -92,13 +95,13 @@ typedef struct {{ prefix }}_vector {
 uint32_t {{ prefix }}_selftest(void)
 {
     static const {% if gegelati %}{{ prefix }}_vector_t{% else %}{{ entry.state }}{% endif %} states[{{ vectors.len() }}] = {
-{%- for vector in vectors %}
-        {{ vector.state }},
+{%- for (state, _) in vectors %}
+        {{ state }},
 {%- endfor %}
     };
     static const {% if !outputs.is_empty() %}{{ entry.answer }}{% else if gegelati %}uint16_t{% else %}{{ entry.action }}{% endif %} actions[{{ vectors.len() }}] = {
-{%- for vector in vectors %}
-        {{ vector.answer }},
+{%- for (_, answer) in vectors %}
+        {{ answer }},
 {%- endfor %}
     };
 {%- if system_maths %}

@@ -21,16 +21,14 @@ static const {{ table.weight }} {{ prefix }}_weights[{{ table.rows.len() }}][{{ 
 static const int32_t {{ prefix }}_{{ name }}[{{ table.rows.len() }}] {{ upper }}_TABLE = { {{ values }} };
 {%- endfor %}
 {% endif %}
-{%- for helper in helpers %}
-{%- let (int, bits) = (helper.int, helper.end) %}
-{% if helper.calls(Function::Shift) %}
+{%- for (int, bits) in [("int32_t", ""), ("int64_t", "64")] %}
+
 /* value / 2^bits, rounded down. No shift of a negative number: C leaves that to the compiler, which makes one shift of this. */
 static {{ int }} {{ prefix }}_shift{{ bits }}({{ int }} value, uint32_t bits)
 {
     return (value < 0) ? ~(~value >> bits) : (value >> bits);
 }
-{% endif %}
-{% if helper.calls(Function::Divide) %}
+
 /* a / b, rounded down, of a b that is not 0. */
 static {{ int }} {{ prefix }}_divide{{ bits }}({{ int }} a, {{ int }} b)
 {
@@ -38,48 +36,41 @@ static {{ int }} {{ prefix }}_divide{{ bits }}({{ int }} a, {{ int }} b)
 
     return (((quotient * b) != a) && ((a < 0) != (b < 0))) ? (quotient - 1) : quotient;
 }
-{% endif %}
-{% if helper.calls(Function::Quotient) %}
+
 /* a / b, rounded down. By 0, the greatest integer with the sign of a, and of 0 / 0 the lowest: as a bid, it loses. */
 static {{ int }} {{ prefix }}_quotient{{ bits }}({{ int }} a, {{ int }} b)
 {
     return (b != 0) ? {{ prefix }}_divide{{ bits }}(a, b) : ((a > 0) ? INT32_MAX : ((a < 0) ? -INT32_MAX : INT32_MIN));
 }
-{% endif %}
-{% if helper.calls(Function::Min) %}
+
 static {{ int }} {{ prefix }}_min{{ bits }}({{ int }} a, {{ int }} b)
 {
     return (a < b) ? a : b;
 }
-{% endif %}
-{% if helper.calls(Function::Max) %}
+
 static {{ int }} {{ prefix }}_max{{ bits }}({{ int }} a, {{ int }} b)
 {
     return (a > b) ? a : b;
 }
-{% endif %}
-{% if helper.calls(Function::Abs) %}
+
 static {{ int }} {{ prefix }}_abs{{ bits }}({{ int }} a)
 {
     return (a < 0) ? -a : a;
 }
-{% endif %}
-{% if helper.calls(Function::NegateIfLess) %}
+
 static {{ int }} {{ prefix }}_negate_if_less{{ bits }}({{ int }} a, {{ int }} b)
 {
     return (a < b) ? -a : a;
 }
-{% endif %}
-{% if helper.calls(Function::Gate) %}
+
 static {{ int }} {{ prefix }}_gate{{ bits }}({{ int }} a, {{ int }} b)
 {
     return (b != 0) ? a : 0;
 }
-{% endif %}
-{% if helper.calls(Function::Clamp) %}
+
 static {{ int }} {{ prefix }}_clamp{{ bits }}({{ int }} value, {{ int }} low, {{ int }} high)
 {
     return (value > high) ? high : ((value < low) ? low : value);
 }
-{% endif %}
+
 {%- endfor %}

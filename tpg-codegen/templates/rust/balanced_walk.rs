@@ -1,11 +1,40 @@
-{% include "rust/tables.rs" %}
+{%- let scalar = printer.scalar() -%}
+{%- let state_length = printer.graph.state_length() %}
+
+/// The bid of each edge.
+{%- let name = "BIDDERS" -%}
+{%- let values = cases.bidders -%}
+{% include "rust/table.rs" %}
+
+/// Where each edge leads: teams from 0, the root; the actions follow.
+{%- let name = "TARGETS" -%}
+{%- let values = cases.targets -%}
+{% include "rust/table.rs" %}
+
+/// Where each team's edges begin, and where the last team's end.
+{%- let name = "TEAMS" -%}
+{%- let values = cases.teams -%}
+{% include "rust/table.rs" %}
+{% if !cases.places.is_empty() %}
+/// The place of each edge in its team, which decides ties.
+{%- let name = "PLACES" -%}
+{%- let values = cases.places -%}
+{% include "rust/table.rs" %}
+
+/// Where each team leads if no bid wins.
+{%- let name = "OTHERWISE" -%}
+{%- let values = cases.otherwise -%}
+{% include "rust/table.rs" %}
+{% endif %}
+{% include "rust/span.rs" %}
+
 /// Goes from the root to the vertex where the walk ends.
 fn walk(s: &[{{ scalar }}; {{ state_length }}]) -> usize {
 let mut vertex = 0;
 for _ in 0..{{ depth }} {
 let edges = span(&TEAMS, vertex);
 let bidders = BIDDERS.get(edges.clone()).unwrap_or(&[]);
-{%- if places %}
+{%- if !cases.places.is_empty() %}
 let places = PLACES.get(edges.clone()).unwrap_or(&[]);
 let targets = TARGETS.get(edges).unwrap_or(&[]);
 let Some(&last) = OTHERWISE.get(vertex) else {
@@ -63,7 +92,7 @@ bid
 {%- endfor %}
 // Unknown to LLVM, which takes `if v > 0 { v } else { 0 }` of a `v = max(0, x)` for v: it is not where x is NaN.
 let bid = core::hint::black_box(bid);
-{%- if places %}
+{%- if !cases.places.is_empty() %}
 if bid >= best && (bid > best || place > leader) {
 best = bid;
 leader = place;

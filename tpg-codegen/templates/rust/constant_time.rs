@@ -14,13 +14,13 @@
 {%- for team in teams %}
         // Team {{ team.label }}
 {%- if team.edges.len() == 1 %}
-        let t{{ team.number }}: {{ vertex }} = {{ team.edges[0].to }};
+        let t{{ team.number }}: {{ vertex }} = {{ team.edges[0].1 }};
 {%- else %}
-{%- for edge in team.edges %}
+{%- for (key, to) in team.edges %}
 {%- if loop.first %}
-        let best = ({{ edge.key }}, {% if only %}{{ edge.to - 1 }}{% else %}{{ edge.to }}{% endif %});
+        let best = ({{ key }}, {% if only %}{{ to - 1 }}{% else %}{{ to }}{% endif %});
 {%- else %}
-        let best = ct.challenge(best, ({{ edge.key }}, {% if only %}{{ edge.to - 1 }}{% else %}{{ edge.to }}{% endif %}));
+        let best = ct.challenge(best, ({{ key }}, {% if only %}{{ to - 1 }}{% else %}{{ to }}{% endif %}));
 {%- endif %}
 {%- endfor %}
 {%- if !only %}

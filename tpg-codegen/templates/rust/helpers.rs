@@ -1,4 +1,4 @@
-{% if short && called.contains("ln") %}
+{% if short %}
 /// The platform's logarithm, which is slow for negative arguments. Not inlined: LLVM would compute
 /// it before it is known to matter.
 #[inline(never)]
@@ -6,7 +6,7 @@ fn ln(x: {{ scalar }}) -> {{ scalar }} {
     if x < {{ zero }} { {{ scalar }}::NAN } else { System::ln(x) }
 }
 {% endif %}
-{% if short && called.contains("exp") %}
+{% if short %}
 /// The platform's exponential, which is slow once the result over- or underflows. Not inlined: LLVM
 /// would compute it before it is known to matter.
 #[inline(never)]
@@ -27,7 +27,7 @@ fn {{ name }}(x: {{ scalar }}) -> {{ scalar }} {
     {{ provider }}::{{ name }}(x)
 }
 {% endfor %}
-{% if called.contains("ln_upper") %}
+
 /// A cheap upper bound of the logarithm: the bits of a number are a straight line between powers of two through it.
 fn ln_upper(x: {{ scalar }}) -> {{ scalar }} {
     if x >= {{ scalar }}::MIN_POSITIVE && x <= {{ scalar }}::MAX {
@@ -41,8 +41,7 @@ fn ln_upper(x: {{ scalar }}) -> {{ scalar }} {
         {{ scalar }}::NAN
     }
 }
-{% endif %}
-{% if called.contains("exp_upper") %}
+
 /// A cheap upper bound of the exponential: the bits of a number are a straight line between powers of two through its
 /// logarithm.
 fn exp_upper(x: {{ scalar }}) -> {{ scalar }} {
@@ -57,7 +56,7 @@ fn exp_upper(x: {{ scalar }}) -> {{ scalar }} {
         {{ scalar }}::NAN
     }
 }
-{% endif %}
+
 {% if printer.leads %}
 /// The best bid of a team so far, and its edge or way. Where a
 /// comparison is a call of its own, as on most processors of 32 bits, the functions keep code small.

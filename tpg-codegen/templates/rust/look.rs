@@ -66,7 +66,7 @@ mod image {
             let place = row * self.stride + column * {{ look.channels }} + channel;
             self.bytes.get(place).map_or(0, |&byte| u32::from(byte))
         }
-{% if look.has_first %}
+{% if look.has("first") %}
         /// The first cell that is not 0.
         pub(super) fn first(self, channel: usize) -> Place {
             for row in 0..{{ look.rows }} {
@@ -87,7 +87,7 @@ mod image {
             }
         }
 {% endif %}
-{%- if look.has_last %}
+{%- if look.has("last") %}
         /// The last cell that is not 0.
         pub(super) fn last(self, channel: usize) -> Place {
             for row in (0..{{ look.rows }}).rev() {
@@ -108,7 +108,7 @@ mod image {
             }
         }
 {% endif %}
-{%- if look.has_sum %}
+{%- if look.has("sum") %}
         /// The sum of a window.
         pub(super) fn sum(
             self,
@@ -176,7 +176,7 @@ mod image {
             }
         }
 {% endif %}
-{%- if look.has_cell %}
+{%- if look.has("cell") %}
         /// The cell so far down and to the right of a place; 0 outside the image.
         pub(super) fn from(self, channel: usize, from: Place, down: i32, right: i32) -> u32 {
             let (row, column) = (from.row + down, from.column + right);

@@ -11,7 +11,6 @@ pub use sidecar::Sidecar;
 
 use crate::error::{InputError, Place};
 use crate::model::Graph;
-use FileFormat::*;
 use std::fs;
 use std::io::{self, Read};
 use std::path::Path;
@@ -77,41 +76,23 @@ pub fn load(path: &Path, profile: Option<Profile>, sidecar: Option<&Path>) -> Re
 pub fn from_text(file: &str, text: &str, description: Option<&Sidecar>) -> Result<Graph, InputError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text); // the byte order mark that some editors write
     let whole = |found, accepted| Err(InputError::new(file, Place::Whole, found, accepted));
-    match (FileFormat::detect(text), description) {
-        (Empty, _) => whole("an empty file", "a graph.json or a GEGELATI .dot file"),
-        (Json, None) => Graph::from_json(file, text),
-        (Json, Some(_)) => {
+    let start = text.trim_start();
+    let is_dot = start.starts_with("//") || start.starts_with("digraph");
+    match description {
+        _ if start.is_empty() => whole("an empty file", "a graph.json or a GEGELATI .dot file"),
+        None if start.starts_with('{') => Graph::from_json(file, text),
+        Some(_) if start.starts_with('{') => {
             whole("a graph.json with --profile-of or --sidecar", "neither: a graph.json is complete in itself")
         }
-        (Dot, Some(description)) => dot::read(file, text, description),
-        (Dot, None) => whole(
+        Some(description) if is_dot => dot::read(file, text, description),
+        None if is_dot => whole(
             "a .dot file, which does not say what its sources, instructions and actions are",
             "--profile-of ecta24 for the paper's own graphs, --sidecar FILE for any other",
         ),
-        (Other, _) => whole(
+        _ => whole(
             "neither JSON nor .dot",
             "a graph.json, which begins with {, or a GEGELATI .dot, which begins with // or digraph",
         ),
-    }
-}
-
-/// Format of a text, judged by its beginning.
-enum FileFormat {
-    Empty,
-    Json,
-    Dot,
-    Other,
-}
-
-impl FileFormat {
-    fn detect(text: &str) -> Self {
-        let start = text.trim_start();
-        match start {
-            "" => Self::Empty,
-            _ if start.starts_with('{') => Self::Json,
-            _ if start.starts_with("//") || start.starts_with("digraph") => Self::Dot,
-            _ => Self::Other,
-        }
     }
 }
 

@@ -5,19 +5,15 @@ use super::leaves;
 use crate::emit::cases::{self, CaseView, FunctionView};
 use crate::emit::interface::OutputView;
 use crate::emit::syntax::Syntax;
-use crate::emit::table::{Table, table};
 use crate::passes::cases::Cases;
 use askama::Template;
 
 #[derive(Template)]
 #[template(path = "c/balanced.c", escape = "none")]
-struct Balanced<'a> {
+struct CBalanced<'a> {
     printer: &'a Printer<'a>,
+    cases: &'a Cases,
     outputs: &'a [OutputView],
-    /// The name of each table, a comment, and the values.
-    tables: Vec<(&'a str, &'a str, Table)>,
-    /// Ties are decided by a table of places.
-    places: bool,
     /// Bids in order, each with its numbers: a sine and a cosine of the same argument begin the same.
     bids: Vec<(Vec<usize>, CaseView)>,
     functions: Vec<FunctionView>,
@@ -27,26 +23,10 @@ struct Balanced<'a> {
 
 /// Renders the body.
 pub(super) fn render(printer: &Printer<'_>, cases: &Cases, outputs: &[OutputView]) -> String {
-    let table = |values: &[u64]| table(printer, values);
-    let of_edges = if outputs.is_empty() {
-        "What each edge bids, and where it leads: teams are numbered from 0, the root, and the actions follow them."
-    } else {
-        "What each edge bids, and where it leads: teams are numbered from 0, the root, and the leaves follow them."
-    };
-    let places = !cases.places.is_empty();
-    let mut tables = vec![("bidders", of_edges, table(&cases.bidders)), ("targets", "", table(&cases.targets))];
-    if places {
-        let of_places = "The edge's place in its team, which decides ties: cheap bids are computed first.";
-        tables.push(("places", of_places, table(&cases.places)));
-        tables.push(("otherwise", "Where each team leads if no bid wins.", table(&cases.otherwise)));
-    }
-    let of_teams = "Where each team's edges begin, and where the last team's end.";
-    tables.push(("teams", of_teams, table(&cases.teams)));
-    let balanced = Balanced {
+    let balanced = CBalanced {
         printer,
+        cases,
         outputs,
-        tables,
-        places,
         bids: grouped(cases::bids(printer, cases, |zero| {
             (Some(format!("const volatile {} constant = {zero};", printer.scalar())), "constant".to_owned())
         })),

@@ -4,7 +4,7 @@ use super::expression::Printer;
 use super::leaves;
 use crate::emit::interface::OutputView;
 use crate::emit::leaves::{LeafView, view};
-use crate::shape::Formula;
+use crate::ir::Module;
 use askama::Template;
 
 #[derive(Template)]
@@ -24,9 +24,10 @@ impl CStraight<'_> {
 }
 
 /// Renders the body.
-pub(super) fn render(printer: &Printer<'_>, formula: &Formula, outputs: &[OutputView]) -> String {
-    let LeafView { statements, values, reads_state, .. } = view(printer, &formula.values, outputs, false);
-    let answers = outputs.iter().zip(&formula.values).zip(values).map(|((output, id), value)| {
+pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, outputs: &[OutputView]) -> String {
+    let ids = module.only_leaf().map_or(&[][..], |leaf| &leaf.values);
+    let LeafView { statements, values, reads_state, .. } = view(printer, ids, outputs, false);
+    let answers = outputs.iter().zip(ids).zip(values).map(|((output, id), value)| {
         let is_constant = printer.nodes[id.index()].as_constant().is_some();
         (output.field.clone(), if is_constant { value } else { leaves::limited(printer, output, &value) })
     });

@@ -11,9 +11,9 @@ use askama::Template;
 #[template(path = "c/gegelati.c", escape = "none")]
 struct Gegelati<'a> {
     printer: &'a Printer<'a>,
+    module: &'a Module<'a>,
     vertex: String,
     programs: Vec<ProgramView>,
-    teams: Vec<GegelatiTeamView>,
 }
 
 struct ProgramView {
@@ -22,32 +22,11 @@ struct ProgramView {
     result: String,
 }
 
-struct GegelatiTeamView {
-    label: u32,
-    programs: Vec<u32>,
-    next: String,
-}
-
 /// Renders the body.
 pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>) -> String {
-    let gegelati = Gegelati {
-        printer,
-        vertex: printer.vertex_type(module.vertices()),
-        programs: module.bidders.iter().map(|bidder| program(printer, bidder)).collect(),
-        teams: (module.teams.iter())
-            .map(|team| GegelatiTeamView {
-                label: team.label,
-                programs: team.edges.iter().map(|edge| module.bidders[edge.bidder].label).collect(),
-                next: team
-                    .edges
-                    .iter()
-                    .map(|edge| format!("{}U", module.vertex(edge.to)))
-                    .collect::<Vec<_>>()
-                    .join(", "),
-            })
-            .collect(),
-    };
-    gegelati.render().expect("the template renders")
+    let vertex = printer.vertex_type(module.vertices());
+    let programs = module.bidders.iter().map(|bidder| program(printer, bidder)).collect();
+    Gegelati { printer, module, vertex, programs }.render().expect("the template renders")
 }
 
 fn program(printer: &Printer<'_>, bidder: &Bidder) -> ProgramView {

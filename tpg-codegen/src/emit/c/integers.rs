@@ -3,7 +3,8 @@
 use super::expression::Printer;
 use super::fast::Walk;
 use super::formula::CStraight;
-use crate::emit::integers::{Dense, Function, IntegerHelpers, Table, Work};
+use crate::emit::helpers::called;
+use crate::emit::integers::{Dense, Table, Work};
 use crate::emit::interface::OutputView;
 use crate::emit::leaves::LeafView;
 use crate::emit::syntax::Syntax;
@@ -21,7 +22,6 @@ struct CIntegerHelpers<'a> {
     prefix: &'a str,
     upper: &'a str,
     table: Option<Table>,
-    helpers: [IntegerHelpers; 2],
 }
 
 /// Renders the body, and what stands before it: a table, and the functions that it calls.
@@ -61,6 +61,6 @@ pub(super) fn render(
     };
     let upper = &printer.upper();
     let table = dense.map(|dense| dense.table());
-    let helpers = CIntegerHelpers { prefix: printer.prefix, upper, table, helpers: work.spelling.helpers() };
-    (helpers.render().expect("the template renders"), body)
+    let helpers = CIntegerHelpers { prefix: printer.prefix, upper, table };
+    (called(&helpers.render().expect("the template renders"), &body), body)
 }

@@ -11,7 +11,6 @@ mod gegelati;
 mod helpers;
 mod integers;
 mod leaves;
-mod own;
 mod small;
 
 use super::file::{File, comment};
@@ -40,8 +39,6 @@ struct CHeader<'a> {
     asks: Vec<(String, usize)>,
     outputs: &'a [OutputView],
     memory: &'a [OutputView],
-    gegelati: bool,
-    system_maths: bool,
     arm: Option<CArmView>,
     look: Option<&'a LookView>,
     /// The quality of the self-test.
@@ -59,7 +56,6 @@ struct CArmView {
 struct CSource<'a> {
     printer: &'a Printer<'a>,
     banner: &'a [String],
-    f64: bool,
     needs_math: bool,
     needs_string: bool,
     /// The number of teams and the longest walk, where the body walks over tables.
@@ -67,22 +63,16 @@ struct CSource<'a> {
     helpers: String,
     body: String,
     sources: &'a [SourceView],
-    vectors: Vec<CVectorView>,
-    system_maths: bool,
+    /// The states of the self-test, and the answers to them.
+    vectors: Vec<(String, String)>,
     /// The outputs, then the next values of the memory.
     outputs: &'a [OutputView],
     /// The values of an answer, and of the memory.
     parts: (&'a [OutputView], &'a [OutputView]),
     /// The statements that put a state into a view.
     observed: Vec<String>,
-    gegelati: bool,
     /// The function that reads an image.
     look: String,
-}
-
-struct CVectorView {
-    state: String,
-    answer: String,
 }
 
 /// The two files.
@@ -90,11 +80,6 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let (graph, module) = (program.graph(), &program.module);
     let prefix = program.options.prefix.lower();
     let gegelati = program.shape == Shape::Gegelati;
-    let branch_free = match &program.shape {
-        Shape::ConstantTime => true,
-        Shape::Formula(formula) => formula.branch_free,
-        _ => false,
-    };
     let integers = matches!(program.shape, Shape::Integers(_));
     let printer = Printer {
         graph,
@@ -103,7 +88,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         gegelati,
         integers,
         short_cuts: false,
-        branch_free,
+        branch_free: program.is_branch_free(),
         leads: false,
     };
     let kind = |bits: u32| if integers { format!("int{bits}_t") } else { printer.scalar().to_owned() };
@@ -123,7 +108,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         }
         Shape::Small(code) => (printer, small::render(&printer, code, &outputs)),
         Shape::ConstantTime => (printer, constant_time::render(&printer, module, &outputs)),
-        Shape::Formula(formula) => (printer, formula::render(&printer, formula, &outputs)),
+        Shape::Formula => (printer, formula::render(&printer, module, &outputs)),
         Shape::Integers(integers) => {
             let (helpers, body) = integers::render(&printer, program, integers, &outputs);
             own_helpers = Some(helpers);
@@ -149,20 +134,17 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         asks: asks(graph),
         outputs: answers,
         memory,
-        gegelati,
-        system_maths: graph.maths() == MathsProvider::System,
         arm: arm_view(graph),
         look: seen_image.as_ref(),
         quality: chosen.quality(),
     };
     let vectors = views(&printer, &chosen);
-    let shown = vectors.iter().flat_map(|vector| [&vector.state, &vector.answer]);
+    let shown = vectors.iter().flat_map(|(state, answer)| [state, answer]);
     let needs_math = [&helpers, &body].into_iter().chain(shown).any(|text| uses_maths(text)) && !integers;
     let needs_string = [&helpers, &body].into_iter().chain(&observed).any(|text| text.contains("memcpy"));
     let source = CSource {
         printer: &printer,
         banner: &banner,
-        f64: graph.scalar() == ScalarType::F64,
         needs_math,
         needs_string,
         walk: body.contains("_TEAMS").then_some((module.teams.len(), module.depth)),
@@ -170,11 +152,9 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         body,
         sources: &sources,
         vectors,
-        system_maths: graph.maths() == MathsProvider::System,
         outputs: &outputs,
         parts: (answers, memory),
         observed,
-        gegelati,
         look: seen_image.as_ref().map_or_else(String::new, |view| look::c(view, prefix)),
     };
     let text = |text: askama::Result<String>| layout::wrap(&layout::tidy(&text.expect("the template renders")), false);
@@ -219,7 +199,7 @@ fn observed(source: &SourceView, one_by_one: bool) -> Vec<String> {
     }
 }
 
-fn views(printer: &Printer<'_>, Vectors { states, answers, .. }: &Vectors) -> Vec<CVectorView> {
+fn views(printer: &Printer<'_>, Vectors { states, answers, .. }: &Vectors) -> Vec<(String, String)> {
     let (graph, constants) = (printer.graph, printer.constants());
     (states.chunks_exact(graph.state_length()).zip(answers))
         .map(|(state, answer)| {
@@ -241,7 +221,7 @@ fn views(printer: &Printer<'_>, Vectors { states, answers, .. }: &Vectors) -> Ve
                     format!("{{ {} }}", values.join(", "))
                 }
             };
-            CVectorView { state, answer }
+            (state, answer)
         })
         .collect()
 }

@@ -1,7 +1,6 @@
 //! Outputs that are sums of the same values: a table of weights and one loop.
 
 use super::comment::LinearSum;
-use super::spelling::Function;
 use super::work::Work;
 use crate::emit::c::field::field;
 use crate::integers::{Integers, output_bits};
@@ -152,10 +151,10 @@ impl<'a> Dense<'a> {
         let call = |function, arguments: &[String]| work.spelling.call(function, false, arguments);
         let shifted = match shift {
             Some(0) => "sum".to_owned(),
-            Some(bits) => call(Function::Shift, &["sum".to_owned(), format!("{bits}U")]),
+            Some(bits) => call("shift", &["sum".to_owned(), format!("{bits}U")]),
             None => {
                 let bits = format!("(uint32_t){upper}_NUMBER(&{prefix}_shifts[row])");
-                call(Function::Shift, &["sum".to_owned(), bits])
+                call("shift", &["sum".to_owned(), bits])
             }
         };
         let ([rows, columns], container) = (self.turns(), self.container());
@@ -168,7 +167,7 @@ impl<'a> Dense<'a> {
         } else {
             format!("(int32_t)values[column] * {weight}")
         };
-        let limited = call(Function::Clamp, &[shifted, low, high]);
+        let limited = call("clamp", &[shifted, low, high]);
         format!(
             "    /* Fields of one type lie as in an array. */
     const int{container}_t *const values = {values};

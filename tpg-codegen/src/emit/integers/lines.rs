@@ -1,7 +1,6 @@
 //! Values as statements: a sum with its products is one, everything else a call.
 
 use super::comment::Comments;
-use super::spelling::Function;
 use super::work::Work;
 use crate::emit::block::unused;
 use crate::integers::Whole;
@@ -111,7 +110,7 @@ impl<'a> Lines<'a> {
             return value;
         }
         let limits = [range.low, range.high].map(|end| self.work.spelling.literal(end, wide));
-        let text = self.work.spelling.call(Function::Clamp, wide, &[value, limits[0].clone(), limits[1].clone()]);
+        let text = self.work.spelling.call("clamp", wide, &[value, limits[0].clone(), limits[1].clone()]);
         if wide { self.work.spelling.narrowed(&text) } else { text }
     }
 
@@ -128,15 +127,8 @@ impl<'a> Lines<'a> {
             Quotient => self.quotient(a, b, wide),
             Fmod => format!("{} % {}", self.operand(a, wide), self.operand(b, wide)),
             _ => {
-                let function = match instruction {
-                    Min => Function::Min,
-                    Max => Function::Max,
-                    Abs => Function::Abs,
-                    Gate => Function::Gate,
-                    _ => Function::NegateIfLess,
-                };
                 let arguments: Vec<String> = operands.iter().map(|&operand| self.operand(operand, wide)).collect();
-                self.work.spelling.call(function, wide, &arguments)
+                self.work.spelling.call(instruction.name(), wide, &arguments)
             }
         };
         if wide && !self.is_wide(id) { self.work.spelling.narrowed(&format!("({text})")) } else { text }
@@ -228,7 +220,7 @@ impl<'a> Lines<'a> {
         let divisor = self.work.integers.interval(b);
         let dividend = self.operand(a, wide);
         if divisor.contains(0) {
-            return self.work.spelling.call(Function::Quotient, wide, &[dividend, self.operand(b, wide)]);
+            return self.work.spelling.call("quotient", wide, &[dividend, self.operand(b, wide)]);
         }
         let is_positive = self.work.integers.interval(a).low >= 0;
         if let Some(power) = self.constant(b).filter(|&power| power > 1 && power & (power - 1) == 0) {
@@ -236,17 +228,13 @@ impl<'a> Lines<'a> {
             if is_positive {
                 return self.work.spelling.halved(&dividend, bits, wide);
             }
-            return self.work.spelling.call(
-                Function::Shift,
-                wide,
-                &[dividend, self.work.spelling.place(bits as usize)],
-            );
+            return self.work.spelling.call("shift", wide, &[dividend, self.work.spelling.place(bits as usize)]);
         }
         let divisor_text = self.operand(b, wide);
         if is_positive && self.constant(b).is_some_and(|divisor| divisor > 0) {
             format!("{dividend} / {divisor_text}")
         } else {
-            self.work.spelling.call(Function::Divide, wide, &[dividend, divisor_text])
+            self.work.spelling.call("divide", wide, &[dividend, divisor_text])
         }
     }
 }

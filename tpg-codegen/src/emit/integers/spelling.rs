@@ -5,70 +5,24 @@ use crate::emit::file::{comment, one_line};
 use crate::integers::{input_bits, output_bits};
 use crate::options::Language;
 use crate::program::Program;
-use Function::*;
-use std::cell::RefCell;
-use std::collections::BTreeSet;
 use tpg_graph::{Graph, Input, Output};
-
-/// A function that expressions call.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(in crate::emit) enum Function {
-    /// Rounded down to a multiple of a power of two, and divided by it.
-    Shift,
-    /// A quotient rounded down, of a divisor that is not 0.
-    Divide,
-    /// [`Instruction::Quotient`](tpg_runtime::ops::Instruction::Quotient).
-    Quotient,
-    Min,
-    Max,
-    Abs,
-    NegateIfLess,
-    Gate,
-    /// Limited to a range.
-    Clamp,
-}
-
-/// The functions of one width, for a template.
-pub(in crate::emit) struct IntegerHelpers {
-    pub(in crate::emit) int: &'static str,
-    /// The end of their names.
-    pub(in crate::emit) end: &'static str,
-    called: BTreeSet<Function>,
-}
-
-impl IntegerHelpers {
-    pub(in crate::emit) fn calls(&self, function: Function) -> bool {
-        self.called.contains(&function)
-    }
-}
 
 /// The spelling of a language.
 pub(in crate::emit) struct IntegerSpelling<'a> {
     is_c: bool,
     graph: &'a Graph,
     prefix: &'a str,
-    /// The functions that were called, and whether in 64 bits.
-    called: RefCell<BTreeSet<(Function, bool)>>,
 }
 
 impl<'a> IntegerSpelling<'a> {
     pub(super) fn new(program: &'a Program<'_>) -> Self {
         let (graph, prefix) = (program.graph(), program.options.prefix.lower());
-        Self { is_c: program.language == Language::C, graph, prefix, called: RefCell::default() }
+        Self { is_c: program.language == Language::C, graph, prefix }
     }
 
     /// The spelling in C, or in Rust.
     fn either<T>(&self, c: T, rust: T) -> T {
         if self.is_c { c } else { rust }
-    }
-
-    /// The functions of 32 bits that were called, then those of 64.
-    pub(in crate::emit) fn helpers(&self) -> [IntegerHelpers; 2] {
-        let called = self.called.borrow();
-        [false, true].map(|wide| {
-            let called = called.iter().filter(|(_, is_wide)| *is_wide == wide).map(|(function, _)| *function);
-            IntegerHelpers { int: self.integer(wide), end: self.end(wide), called: called.collect() }
-        })
     }
 
     /// The type of a value in 32 bits, or in 64.
@@ -130,32 +84,14 @@ impl<'a> IntegerSpelling<'a> {
         self.either(format!("(int32_t){text}"), format!("{text} as i32"))
     }
 
-    /// A call.
-    pub(super) fn call(&self, function: Function, wide: bool, arguments: &[String]) -> String {
-        // A quotient divides where its divisor is not 0.
-        let divides = (function == Quotient).then_some(Divide);
-        self.called.borrow_mut().extend(divides.into_iter().chain([function]).map(|function| (function, wide)));
-        let name = match function {
-            Shift => "shift",
-            Divide => "divide",
-            Quotient => "quotient",
-            Min => "min",
-            Max => "max",
-            Abs => "abs",
-            NegateIfLess => "negate_if_less",
-            Gate => "gate",
-            Clamp => "clamp",
-        };
+    /// A call of a function.
+    pub(super) fn call(&self, function: &str, wide: bool, arguments: &[String]) -> String {
         let (end, all) = (self.end(wide), arguments.join(", "));
         match function {
-            Shift => {
-                self.either(format!("{}_{name}{end}({all})", self.prefix), format!("({})", arguments.join(" >> ")))
-            }
-            _ if self.is_c => format!("{}_{name}{end}({all})", self.prefix),
-            Min | Max | Abs | Clamp => {
-                format!("({}).{name}({})", arguments[0], arguments[1..].join(", "))
-            }
-            _ => format!("{name}{end}({all})"),
+            _ if self.is_c => format!("{}_{function}{end}({all})", self.prefix),
+            "shift" => format!("({})", arguments.join(" >> ")),
+            "min" | "max" | "abs" | "clamp" => format!("({}).{function}({})", arguments[0], arguments[1..].join(", ")),
+            _ => format!("{function}{end}({all})"),
         }
     }
 

@@ -51,7 +51,10 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, schedule: &Sche
         [] => decision,
         _ => format!("let out = {decision};\n        {}", leaves::limited(printer, outputs, leaves::element)),
     };
-    Parts { body: format!("        {body}"), items: layout::indent(&(helpers::render(printer) + "\n" + &items)) }
+    Parts {
+        body: format!("        {body}"),
+        items: layout::indent(&(helpers::render(printer, &items) + "\n" + &items)),
+    }
 }
 
 impl<'a> RustFast<'a> {

@@ -6,7 +6,6 @@ use crate::emit::syntax::Syntax;
 use crate::passes::bound;
 use crate::passes::estimate::{self, Estimate};
 use askama::Template;
-use std::collections::BTreeSet;
 use tpg_graph::{MathsProvider, ScalarType};
 
 #[derive(Template)]
@@ -15,14 +14,13 @@ struct RustHelpers<'a> {
     printer: &'a Printer<'a>,
     scalar: &'a str,
     zero: String,
-    called: BTreeSet<&'a str>,
     /// Calls of the platform's logarithm and exponential handle the simple cases themselves.
     short: bool,
     /// Above the first number, an exponential is infinite; below the second, it is 0.
     beyond: (f64, f64),
     provider: &'a str,
     /// The functions that are called as they are.
-    plain: Vec<&'a str>,
+    plain: &'a [&'a str],
     signed: &'a str,
     unsigned: &'a str,
     estimate: Estimate,
@@ -34,14 +32,12 @@ impl RustHelpers<'_> {
     }
 }
 
-/// Renders what the printer's nodes call.
-pub(super) fn render(printer: &Printer<'_>) -> String {
+/// Renders what items call.
+pub(super) fn render(printer: &Printer<'_>, items: &str) -> String {
     let scalar = printer.graph.scalar();
-    let short = printer.short_cuts && printer.graph.maths() == MathsProvider::System;
-    let called = called(printer.nodes);
+    let short = printer.graph.maths() == MathsProvider::System;
     let (signed, unsigned) = if scalar == ScalarType::F32 { ("i32", "u32") } else { ("i64", "u64") };
     let plain = ["sin", "cos", "tan", "atan", "tanh", "ln", "exp"];
-    let plain = &plain[..if short { 5 } else { 7 }];
     let helpers = RustHelpers {
         printer,
         scalar: scalar.name(),
@@ -49,11 +45,10 @@ pub(super) fn render(printer: &Printer<'_>) -> String {
         short,
         beyond: bound::beyond_exponentials(scalar),
         provider: printer.provider(),
-        plain: plain.iter().copied().filter(|name| printer.short_cuts && called.contains(name)).collect(),
-        called,
+        plain: &plain[..if short { 5 } else { 7 }],
         signed,
         unsigned,
         estimate: estimate::numbers(scalar),
     };
-    helpers.render().expect("the template renders")
+    called(&helpers.render().expect("the template renders"), items)
 }

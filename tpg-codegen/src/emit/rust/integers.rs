@@ -3,7 +3,8 @@
 use super::expression::Printer;
 use super::fast::RustFast;
 use super::parts::Parts;
-use crate::emit::integers::{Function, IntegerHelpers, Work, answer_bits, state_bits};
+use crate::emit::helpers::called;
+use crate::emit::integers::{Work, answer_bits, state_bits};
 use crate::emit::interface::OutputView;
 use crate::emit::layout;
 use crate::emit::leaves::LeafView;
@@ -15,9 +16,7 @@ use askama::Template;
 
 #[derive(Template)]
 #[template(path = "integers/helpers.rs", escape = "none")]
-struct RustIntegerHelpers {
-    helpers: [IntegerHelpers; 2],
-}
+struct RustIntegerHelpers;
 
 /// Renders the body and its items.
 pub(super) fn render(
@@ -48,6 +47,6 @@ pub(super) fn render(
             (format!("        {decision}"), items)
         }
     };
-    let helpers = RustIntegerHelpers { helpers: work.spelling.helpers() }.render().expect("the template renders");
+    let helpers = called(&RustIntegerHelpers.render().expect("the template renders"), &format!("{body}\n{items}"));
     Parts { body, items: layout::indent(&(items + "\n" + &helpers)) }
 }

@@ -5,7 +5,7 @@ use crate::emit::interface::OutputView;
 use crate::emit::layout::array;
 use crate::emit::leaves::{LeafView, view};
 use crate::emit::syntax::Syntax;
-use crate::shape::Formula;
+use crate::ir::Module;
 
 /// The values, each limited to its output's range, as an array in the body of a method; `value` names an output's.
 pub(super) fn limited(printer: &Printer<'_>, outputs: &[OutputView], value: impl Fn(&OutputView) -> String) -> String {
@@ -28,10 +28,11 @@ pub(super) fn element(output: &OutputView) -> String {
 }
 
 /// The body of a policy that has nothing to decide.
-pub(super) fn formula(printer: &Printer<'_>, formula: &Formula, outputs: &[OutputView]) -> String {
+pub(super) fn formula(printer: &Printer<'_>, module: &Module<'_>, outputs: &[OutputView]) -> String {
+    let ids = module.only_leaf().map_or(&[][..], |leaf| &leaf.values);
     let masks = printer.branch_free.then(|| masks(printer));
-    let LeafView { statements, values, .. } = view(printer, &formula.values, outputs, false);
-    let limited = outputs.iter().zip(&formula.values).zip(values).map(|((output, id), value)| {
+    let LeafView { statements, values, .. } = view(printer, ids, outputs, false);
+    let limited = outputs.iter().zip(ids).zip(values).map(|((output, id), value)| {
         let is_constant = printer.nodes[id.index()].as_constant().is_some();
         (value, (!is_constant).then(|| output.limits.join(", ")))
     });

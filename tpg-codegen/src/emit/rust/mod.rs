@@ -68,7 +68,8 @@ struct RustArmView {
 /// The file.
 pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let (graph, module, prefix) = (program.graph(), &program.module, &program.options.prefix);
-    let printer = Printer { graph, nodes: &module.nodes, short_cuts: false, branch_free: false, leads: false };
+    let printer =
+        Printer { graph, nodes: &module.nodes, short_cuts: false, branch_free: program.is_branch_free(), leads: false };
     let integers = matches!(program.shape, Shape::Integers(_));
     let kind = |bits: u32| if integers { format!("i{bits}") } else { graph.scalar().name().to_owned() };
     let (kind, answer) = (kind(state_bits(graph)), kind(answer_bits(graph)));
@@ -86,13 +87,11 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         }
         Shape::Small(code) => ("tables and one small evaluator", small::render(&printer, module, code, &outputs)),
         Shape::ConstantTime => {
-            let printer = Printer { branch_free: true, ..printer };
             let parts = constant_time::render(&printer, module, &outputs);
             ("branch-free, the same time for every state", parts)
         }
-        Shape::Formula(formula) => {
-            let printer = Printer { branch_free: formula.branch_free, ..printer };
-            let body = leaves::formula(&printer, formula, &outputs);
+        Shape::Formula => {
+            let body = leaves::formula(&printer, module, &outputs);
             ("a formula", Parts { body, items: String::new() })
         }
         Shape::Integers(whole) => ("in integers", integers::render(&printer, program, whole, &outputs)),

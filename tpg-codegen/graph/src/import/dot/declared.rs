@@ -2,63 +2,24 @@
 
 use super::fault::{Fault, refuse};
 use crate::import::composed::OPERANDS;
-use std::collections::BTreeMap;
+use indexmap::IndexMap;
 use std::fmt;
 
-/// Nodes of one kind, in file order and indexed by number.
-#[derive(Debug)]
-pub(super) struct Table<T> {
-    items: Vec<T>,
-    places: BTreeMap<u32, usize>,
-}
+/// Nodes of one kind by number, in file order.
+pub(super) type Table<T> = IndexMap<u32, T>;
 
-impl<T> Default for Table<T> {
-    fn default() -> Self {
-        Self { items: Vec::new(), places: BTreeMap::new() }
+/// Adds a node, whose number no other may have.
+pub(super) fn add<T>(table: &mut Table<T>, node: Node, item: T) -> Result<(), Fault> {
+    if table.insert(node.number, item).is_some() {
+        let accepted = format!("a number that no other {} has", node.kind.letter());
+        return refuse(format!("{node} a second time"), accepted);
     }
-}
-
-impl<T> Table<T> {
-    /// Returns all nodes in file order.
-    pub(super) fn items(&self) -> &[T] {
-        &self.items
-    }
-
-    /// Returns the index in [`items`](Self::items) of the node with the given number.
-    pub(super) fn place(&self, number: u32) -> Option<usize> {
-        self.places.get(&number).copied()
-    }
-
-    /// Returns the node with the given number.
-    pub(super) fn get(&self, number: u32) -> Option<&T> {
-        self.place(number).map(|place| &self.items[place])
-    }
-
-    pub(super) fn get_mut(&mut self, number: u32) -> Option<&mut T> {
-        self.place(number).map(|place| &mut self.items[place])
-    }
-
-    pub(super) fn insert(&mut self, node: Node, item: T) -> Result<(), Fault> {
-        if self.places.insert(node.number, self.items.len()).is_some() {
-            let accepted = format!("a number that no other {} has", node.kind.letter());
-            return refuse(format!("{node} a second time"), accepted);
-        }
-        self.items.push(item);
-        Ok(())
-    }
-}
-
-/// Node of a team.
-#[derive(Debug)]
-pub(super) struct Team {
-    pub(super) number: u32,
-    pub(super) line: usize,
+    Ok(())
 }
 
 /// Node of a program.
 #[derive(Debug)]
 pub(super) struct Program {
-    pub(super) number: u32,
     pub(super) line: usize,
     pub(super) constants: Vec<f64>,
 }
@@ -96,7 +57,6 @@ pub(super) struct OperandText {
 /// Node of an action.
 #[derive(Debug)]
 pub(super) struct Action {
-    pub(super) node: u32,
     pub(super) line: usize,
     /// The action, or what its programs compute: `0-2`.
     pub(super) labels: Vec<u32>,
@@ -125,7 +85,8 @@ pub(super) struct Rank {
 pub(super) struct Declared {
     /// The exporter named in the first comment: a tool and its version.
     pub(super) exporter: Option<(String, String)>,
-    pub(super) teams: Table<Team>,
+    /// The line of each team.
+    pub(super) teams: Table<usize>,
     pub(super) programs: Table<Program>,
     pub(super) lines: Table<Lines>,
     pub(super) actions: Table<Action>,

@@ -51,16 +51,16 @@ impl LeafBuilder<'_, '_> {
         let reached: BTreeSet<u32> = teams.iter().flat_map(|team| &team.edges).filter_map(|edge| edge.leaf).collect();
         let resolver = self.resolver;
         let mut leaves = Vec::new();
-        for action in resolver.declared.actions.items() {
-            if teams.is_empty() || reached.contains(&action.node) {
-                leaves.push(LeafDocument { id: action.node, programs: self.of_action(action)?, memory: Vec::new() });
+        for (node, action) in &resolver.declared.actions {
+            if teams.is_empty() || reached.contains(node) {
+                leaves.push(LeafDocument { id: *node, programs: self.of_action(*node, action)?, memory: Vec::new() });
             }
         }
         Ok(leaves)
     }
 
-    fn of_action(&mut self, action: &Action) -> Result<Vec<u32>, InputError> {
-        let Action { node, line, labels, programs } = action;
+    fn of_action(&mut self, node: u32, action: &Action) -> Result<Vec<u32>, InputError> {
+        let Action { line, labels, programs } = action;
         let count = programs.len();
         let refused = |found: String, accepted: String| self.resolver.refuse(*line, found, accepted);
         if self.resolver.sidecar.values() == Values::Registers {
@@ -104,7 +104,7 @@ impl LeafBuilder<'_, '_> {
         let (mut leaves, mut known) = (Vec::new(), BTreeSet::new());
         for edge in teams.iter_mut().flat_map(|team| &mut team.edges) {
             let Some(node) = edge.leaf else { continue };
-            let action = self.resolver.declared.actions.get(node);
+            let action = self.resolver.declared.actions.get(&node);
             if let Some(Action { line, programs, .. }) = action.filter(|action| !action.programs.is_empty()) {
                 let found = format!("A{node} with {}", counted(programs.len(), "program"));
                 let accepted = "actions without programs, or another field \"values\" in the sidecar";

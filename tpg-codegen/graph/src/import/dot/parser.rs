@@ -1,6 +1,6 @@
 //! From text to what it declares, one line at a time.
 
-use super::declared::{Action, Declared, Edge, Kind, Lines, Node, Program, Rank, Team};
+use super::declared::{Action, Declared, Edge, Kind, Lines, Node, Program, Rank, add};
 use super::fault::{Fault, refuse};
 use super::label;
 use super::lexer::{self, Token, quote};
@@ -94,18 +94,18 @@ fn inside(declared: &mut Declared, line: usize, content: &str, tokens: &[Token<'
     let path = path(head)?.ok_or_else(unknown)?;
     let kinds: Vec<Kind> = path.iter().map(|node| node.kind).collect();
     match (kinds.as_slice(), path.as_slice()) {
-        ([Kind::Team], &[team]) => declared.teams.insert(team, Team { number: team.number, line })?,
+        ([Kind::Team], &[team]) => add(&mut declared.teams, team, line)?,
         ([Kind::Program], &[program]) => {
             if let Some(label) = label.filter(|label| !["0", "1"].contains(label)) {
                 let accepted = "no label, \"0\" for a program that bids, \"1\" for one of an action";
                 return refuse(format!("{program} with the label {label:?}"), accepted);
             }
             let constants = label::constants(comment)?;
-            declared.programs.insert(program, Program { number: program.number, line, constants })?;
+            add(&mut declared.programs, program, Program { line, constants })?;
         }
         ([Kind::Lines], &[node]) => {
             let lines = label::lines(label.ok_or_else(|| without_label(node))?)?;
-            declared.lines.insert(node, Lines { line, lines, constants: label::constants(comment)? })?;
+            add(&mut declared.lines, node, Lines { line, lines, constants: label::constants(comment)? })?;
         }
         ([Kind::Action], &[node]) => {
             let label = label.ok_or_else(|| without_label(node))?;
@@ -115,14 +115,14 @@ fn inside(declared: &mut Declared, line: usize, content: &str, tokens: &[Token<'
                 Fault::new(format!("{node} with the label {label:?}"), accepted)
             })?;
             // GEGELATI 2 repeats an action's node before each edge to it.
-            if declared.actions.get(node.number).is_none_or(|known| known.labels != labels) {
-                let action = Action { node: node.number, line, labels, programs: Vec::new() };
-                declared.actions.insert(node, action)?;
+            if declared.actions.get(&node.number).is_none_or(|known| known.labels != labels) {
+                let action = Action { line, labels, programs: Vec::new() };
+                add(&mut declared.actions, node, action)?;
             }
         }
         ([Kind::Action, Kind::Program], &[node, program]) => {
             let accepted = || Fault::new(format!("{node}, which no line before declares"), "an action's node");
-            declared.actions.get_mut(node.number).ok_or_else(accepted)?.programs.push(program.number);
+            declared.actions.get_mut(&node.number).ok_or_else(accepted)?.programs.push(program.number);
             declared.links.push((line, program.number));
         }
         ([Kind::Program, Kind::Lines], &[program, lines]) => {

@@ -1,6 +1,6 @@
 //! Translation of statements to a document: numbers of the file become names and ids.
 
-use super::declared::{Action, Declared, Edge, Kind, Node, Team};
+use super::declared::{Action, Declared, Edge, Kind, Node};
 use super::fault::Fault;
 use super::leaves;
 use super::program::Meaning;
@@ -42,20 +42,19 @@ impl Resolver<'_> {
         let index = steps.next().and_then(|index| index.parse::<usize>().ok()).unwrap_or(usize::MAX);
         let inner = steps.next();
         let line = match list {
-            "root" => declared.rank.as_ref().map(|rank| rank.line).or_else(|| {
-                let root = declared.teams.get(document.root?)?;
-                Some(root.line)
-            }),
-            "teams" => declared.teams.items().get(index).map(|team| {
-                let mut edges = declared.edges.iter().filter(|edge| edge.team == team.number);
+            "root" => {
+                declared.rank.as_ref().map(|rank| rank.line).or_else(|| declared.teams.get(&document.root?).copied())
+            }
+            "teams" => declared.teams.get_index(index).map(|(team, line)| {
+                let mut edges = declared.edges.iter().filter(|edge| edge.team == *team);
                 let edge = steps.next().and_then(|place| edges.nth(place.parse().ok()?));
-                edge.map_or(team.line, |edge| edge.line)
+                edge.map_or(*line, |edge| edge.line)
             }),
-            "leaves" => document.leaves.get(index).and_then(|leaf| Some(declared.actions.get(leaf.id)?.line)),
+            "leaves" => document.leaves.get(index).and_then(|leaf| Some(declared.actions.get(&leaf.id)?.line)),
             "programs" => document.programs.get(index).and_then(|program| {
                 let number = *bases.get(&program.id).unwrap_or(&program.id);
-                let lines = declared.lines.get(number).filter(|_| inner == Some("lines"));
-                Some(lines.map_or(declared.programs.get(number)?.line, |lines| lines.line))
+                let lines = declared.lines.get(&number).filter(|_| inner == Some("lines"));
+                Some(lines.map_or(declared.programs.get(&number)?.line, |lines| lines.line))
             }),
             _ => return None,
         };
@@ -78,7 +77,7 @@ impl Resolver<'_> {
 
     /// Checks the links. They are redundant, but the nodes that they name must exist.
     fn links(&self) -> Result<(), InputError> {
-        let missing = self.declared.links.iter().find(|(_, program)| self.declared.programs.get(*program).is_none());
+        let missing = self.declared.links.iter().find(|(_, program)| !self.declared.programs.contains_key(program));
         missing.map_or(Ok(()), |(line, program)| {
             self.refuse(*line, format!("P{program}, which does not exist"), "a program that the file declares")
         })
@@ -86,8 +85,8 @@ impl Resolver<'_> {
 
     /// Builds the teams. Each team keeps its edges in file order, which decides ties.
     fn teams(&self) -> Result<Vec<TeamDocument>, InputError> {
-        let empty = |team: &Team| TeamDocument { id: team.number, edges: Vec::new() };
-        let mut teams: Vec<TeamDocument> = self.declared.teams.items().iter().map(empty).collect();
+        let empty = |&id: &u32| TeamDocument { id, edges: Vec::new() };
+        let mut teams: Vec<TeamDocument> = self.declared.teams.keys().map(empty).collect();
         // GEGELATI clones a program before it changes the destination, so an edge without one is unambiguous.
         let mut destinations = BTreeMap::new();
         for edge in &self.declared.edges {
@@ -96,7 +95,7 @@ impl Resolver<'_> {
             }
         }
         for &Edge { line, team, program, to } in &self.declared.edges {
-            let Some(place) = self.declared.teams.place(team) else {
+            let Some(place) = self.declared.teams.get_index_of(&team) else {
                 return self.refuse(line, format!("T{team}, which does not exist"), "a team that the file declares");
             };
             let Some(to) = to.or_else(|| destinations.get(&program).copied()) else {
@@ -113,7 +112,7 @@ impl Resolver<'_> {
         if to.kind == Kind::Team {
             return Ok(EdgeDocument { team: Some(to.number), ..edge });
         }
-        let Some(Action { labels, programs, line, .. }) = self.declared.actions.get(to.number) else {
+        let Some(Action { labels, programs, line, .. }) = self.declared.actions.get(&to.number) else {
             return self.refuse(line, format!("{to}, which does not exist"), "an action that the file declares");
         };
         match labels.as_slice() {
@@ -129,8 +128,7 @@ impl Resolver<'_> {
     fn programs(&self) -> Result<Vec<ProgramDocument>, InputError> {
         let mut programs = Vec::new();
         let mut constants_of_first = None;
-        for node in self.declared.programs.items() {
-            let number = node.number;
+        for (number, node) in &self.declared.programs {
             let Some(content) = self.declared.lines.get(number) else {
                 let accepted = format!("`I{number} [… label=\"…\"]`, with an empty label for no lines");
                 return self.refuse(node.line, format!("P{number} without its lines I{number}"), accepted);
@@ -154,7 +152,7 @@ impl Resolver<'_> {
             let of_lines = if self.sidecar.constants_of_lines() { content.constants.as_slice() } else { &[] };
             let meaning = Meaning { sidecar: self.sidecar, constants, of_lines };
             let document = meaning.lines(&content.lines).map_err(|fault| fault.on(self.file, content.line))?;
-            programs.push(ProgramDocument { id: number, lines: document });
+            programs.push(ProgramDocument { id: *number, lines: document });
         }
         Ok(programs)
     }
@@ -171,7 +169,7 @@ impl Resolver<'_> {
         match *rank.roots.as_slice() {
             [Node { kind: Kind::Team, number }] => Ok(Some(number)),
             [Node { kind: Kind::Action, number }]
-                if teams.is_empty() && self.declared.actions.get(number).is_some() =>
+                if teams.is_empty() && self.declared.actions.contains_key(&number) =>
             {
                 Ok(None)
             }
