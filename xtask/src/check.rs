@@ -132,14 +132,6 @@ impl Run {
         self.check("pages made from the programs", command);
     }
 
-    /// Compares compilers on random graphs.
-    pub(crate) fn compilers(&mut self, graphs: u32) {
-        let words = ["run", "--quiet", "--release", "--package", "tpg-benches", "--bin", "compilers", "--"];
-        let mut command = cargo(&words);
-        command.arg(graphs.to_string());
-        self.check("compilers", command);
-    }
-
     /// Runs every test of every crate.
     pub(crate) fn all_tests(&mut self) {
         if !has_mpi() {

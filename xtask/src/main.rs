@@ -65,12 +65,6 @@ enum XtaskCommand {
     Lint,
     /// Have a solver prove every rule that proofs apply, and some proofs; writes what is proven
     Lemmas,
-    /// Random graphs by every compiler at every level of optimisation: gcc, clang, tcc, g++, clang++, rustc
-    Compilers {
-        /// Random graphs, each in three profiles
-        #[arg(long, default_value_t = 40)]
-        graphs: u32,
-    },
     /// Every loader and the compiler under libFuzzer (nightly, cargo-fuzz)
     Fuzz(fuzz::FuzzArgs),
     /// Run tests of the runtime, the kernels and the C interface under Miri (nightly)
@@ -113,7 +107,6 @@ fn main() -> ExitCode {
         }
         Lint => run(Run::lint),
         Lemmas => run(Run::lemmas),
-        Compilers { graphs } => run(|run| run.compilers(graphs)),
         Fuzz(arguments) => run(|run| arguments.run(run)),
         Miri => run(nightly::miri),
         Sanitize { seeds } => run(|run| nightly::sanitize(run, seeds)),
