@@ -17,7 +17,7 @@ use check::{Run, run};
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
 use std::process::ExitCode;
-use tpg_testing::library::{self, Missing};
+use tpg_testing::library;
 
 /// Sets a machine up for this repository and tests it.
 #[derive(Debug, Parser)]
@@ -145,12 +145,11 @@ fn library(targets: Vec<String>, out: Option<PathBuf>) -> bool {
     let targets: Vec<String> = if targets.is_empty() { all() } else { targets };
     targets.iter().fold(true, |good, target| match library::make(target, &folder) {
         Ok(archive) => {
-            println!("{}", archive.display());
+            archive.iter().for_each(|path| println!("{}", path.display()));
             good
         }
-        Err(Missing::Tool) => good,
-        Err(Missing::Failed(message)) => {
-            eprintln!("{target}: {message}");
+        Err(error) => {
+            eprintln!("{target}: {error}");
             false
         }
     })
