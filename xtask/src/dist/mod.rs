@@ -34,19 +34,9 @@ pub(crate) struct DistArgs {
 }
 
 impl DistArgs {
-    /// Makes everything; true if nothing failed. What lacks a tool or target is skipped, loudly.
-    pub(crate) fn run(&self) -> bool {
-        let out = self.out.clone().unwrap_or_else(|| library::target_folder().join("dist"));
-        match self.make(&out) {
-            Ok(()) => true,
-            Err(error) => {
-                eprintln!("dist: {error}");
-                false
-            }
-        }
-    }
-
-    fn make(&self, out: &Path) -> io::Result<()> {
+    /// Makes everything. What lacks a tool or target is skipped, loudly.
+    pub(crate) fn run(&self) -> io::Result<()> {
+        let out = &self.out.clone().unwrap_or_else(|| library::target_folder().join("dist"));
         fs::create_dir_all(out)?;
         let mut made = Vec::new();
         if !self.without_programs {
