@@ -2,20 +2,21 @@
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
+use tpg_arm::WIDOWX;
 use tpg_arm::cycle::Brent;
 use tpg_arm::episode::Episode;
-use tpg_arm::kinematics::Lattice;
 use tpg_arm::observation::{Observation, Source, TargetMemo};
-use tpg_arm::{Arm, WIDOWX};
+use tpg_graph::Graph;
 use tpg_graph::engine::Reference;
+use tpg_graph::error::InputError;
 use tpg_graph::import::{self, Profile};
 use tpg_graph::interpret;
-use tpg_graph::{Graph, ScalarType};
+use tpg_paper::binding::Binding;
 use tpg_paper::chain::Chain;
 use tpg_paper::episode::Rules;
 use tpg_paper::limits::max_actions;
 use tpg_paper::{data, replay};
-use tpg_problems::arm::binding::{Binding, bind};
+use tpg_problems::ProblemName;
 use tpg_problems::arm::targets::{self, Start};
 
 /// Number of states of a subject: too many for a branch predictor to memorise.
@@ -58,35 +59,33 @@ impl Subject {
 /// If a committed file cannot be read.
 pub fn own() -> Vec<Subject> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../generated");
-    let problems = [("widowx-fs", Start::Fs), ("widowx-rs", Start::Rs)];
-    problems
-        .map(|(name, start)| {
-            let path = folder.join(name).join("graph.json");
-            let graph = import::load(&path, None, None).unwrap_or_else(|error| panic!("{error}"));
-            let targets = folder.join(format!("test-targets/{}.csv", if start == Start::Fs { "fs" } else { "rs" }));
-            let tasks = targets::read_csv(&WIDOWX, &targets).unwrap_or_else(|error| panic!("{error}"));
-            let states = match graph.scalar() {
-                ScalarType::F32 => episodes(&graph, &WIDOWX.to_f32(), &tasks, start),
-                ScalarType::F64 => episodes(&graph, &WIDOWX, &tasks, start),
-            };
-            Subject { name: name.to_owned(), kind: Kind::Own, graph, states }
-        })
-        .into()
+    let subject = |start: Start| {
+        let problem = ProblemName::from(start).name();
+        let name = format!("widowx-{problem}");
+        let read = || -> Result<_, InputError> {
+            let graph = import::load(&folder.join(&name).join("graph.json"), None, None)?;
+            Ok((graph, targets::read_csv(&WIDOWX, &folder.join(format!("test-targets/{problem}.csv")))?))
+        };
+        let (graph, tasks) = read().unwrap_or_else(|error| panic!("{error}"));
+        let states = episodes(&graph, &tasks, start);
+        Subject { name, kind: Kind::Own, graph, states }
+    };
+    [Start::Fs, Start::Rs].map(subject).into()
 }
 
-fn episodes<S: Lattice>(graph: &Graph, arm: &Arm<S>, tasks: &[targets::Task], start: Start) -> Vec<f64> {
-    let (sources, moves) = bind("graph.json", graph).unwrap_or_else(|error| panic!("{error}"));
-    let mut state = vec![S::ZERO; graph.state_length()];
+fn episodes(graph: &Graph, tasks: &[targets::Task], start: Start) -> Vec<f64> {
+    let (arm, Binding { sources, moves, .. }) = (WIDOWX.to_f32(), Binding::new(graph).expect("a graph of the arm"));
+    let mut state = vec![0.0; graph.state_length()];
     let mut states = Vec::with_capacity(STATES * state.len());
     for task in tasks {
-        let mut episode = Episode::new(arm, task.problem(start), Brent::new());
+        let mut episode = Episode::new(&arm, task.problem(start), Brent::new());
         let memo = TargetMemo::new();
         loop {
             if states.len() == STATES * state.len() {
                 return states;
             }
-            Source::fill(&sources, arm, episode.observation(), &memo, &mut state);
-            let flat: Vec<f64> = state.iter().map(|value| value.to_f64()).collect();
+            Source::fill(&sources, &arm, episode.observation(), &memo, &mut state);
+            let flat: Vec<f64> = state.iter().copied().map(f64::from).collect();
             let action = interpret::actions(graph, &flat)[0];
             states.extend(flat);
             if episode.advance(moves[usize::from(action.0)]).is_some() {
@@ -134,15 +133,14 @@ fn recorded(folder: &Path, path: &Path) -> Subject {
         _ => (Start::Fs, "targets_fs.csv"),
     };
     let tolerance = if name.contains("range0.03") { 0.03 } else { 3.0 };
-    let read = || -> Result<_, tpg_graph::error::InputError> {
+    let read = || -> Result<_, InputError> {
         let graph = import::load(path, Some(Profile::Ecta24), None)?;
         let tasks = data::tasks(&folder.join(targets))?;
         let ends = path.with_file_name(format!("{}.ends.csv", name.trim_end_matches(".cleaned")));
-        let ends = data::ends(&ends)?;
-        let binding = Binding::of_graph(&name, &graph)?;
-        Ok((graph, tasks, ends, binding))
+        Ok((graph, tasks, data::ends(&ends)?))
     };
-    let (graph, tasks, ends, binding) = read().unwrap_or_else(|error| panic!("{error}"));
+    let (graph, tasks, ends) = read().unwrap_or_else(|error| panic!("{error}"));
+    let binding = Binding::new(&graph).expect("a graph of the arm");
     let chain = Chain::new(WIDOWX);
     let rules = Rules { max_actions: max_actions(problem), tolerance };
     let done = replay::run(&chain, rules, &tasks, &binding, &mut Reference::new(&graph))

@@ -10,7 +10,7 @@ use tpg_codegen::emit::{self, File, Language, Options, Prefix};
 use tpg_codegen::policy::{QuantisedPolicy, to_c};
 use tpg_graph::files::{make_folder, read_text};
 use tpg_graph::import;
-use tpg_testing::library::{self, Missing};
+use tpg_testing::library;
 
 /// The target of both boards.
 pub(crate) const TARGET: &str = "thumbv7em-none-eabihf";
@@ -88,15 +88,6 @@ fn load_network(path: &str) -> Result<QuantisedPolicy, Failure> {
     Ok(QuantisedPolicy::from_json(&path.display().to_string(), &text)?)
 }
 
-/// `None` where a tool is missing, which has been said.
-pub(crate) fn there<T>(result: Result<T, Missing>) -> Result<Option<T>, Failure> {
-    match result {
-        Ok(value) => Ok(Some(value)),
-        Err(Missing::Tool) => Ok(None),
-        Err(Missing::Failed(message)) => Err(Failure::new(message)),
-    }
-}
-
 /// The programs' sources, the folders of their headers, and the library.
 fn add_sources(gcc: &mut Command, program: &Program, platform: &[&str], archive: &Path) -> Result<(), Failure> {
     let generated = generated_c()?;
@@ -115,12 +106,12 @@ pub(crate) fn host(program: &Program) -> Result<Option<PathBuf>, Failure> {
     if !tpg_testing::tool("gcc", "gcc", &format!("the {} program in C on this machine", program.name)) {
         return Ok(None);
     }
-    let Some(archive) = there(library::make(library::host(), &library::dist()))? else { return Ok(None) };
+    let Some(archive) = library::make(library::host(), &library::dist())? else { return Ok(None) };
     let image = room()?.join(format!("{}-host", program.name));
     let mut gcc = Command::new("gcc");
     gcc.args(["-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-o"]).arg(&image);
     add_sources(&mut gcc, program, &HOST, &archive)?;
-    there(library::output(&mut gcc))?;
+    library::output(&mut gcc)?;
     Ok(Some(image))
 }
 
@@ -129,7 +120,7 @@ pub(crate) fn board(program: &Program, board: &str) -> Result<Option<PathBuf>, F
     if !tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "the firmware") {
         return Ok(None);
     }
-    let Some(archive) = there(library::make(TARGET, &library::dist()))? else { return Ok(None) };
+    let Some(archive) = library::make(TARGET, &library::dist())? else { return Ok(None) };
     let board_folder = board_folder(board)?;
     let image = board_folder.join(format!("{}-c.elf", program.name));
     let mut gcc = Command::new("arm-none-eabi-gcc");
@@ -140,7 +131,7 @@ pub(crate) fn board(program: &Program, board: &str) -> Result<Option<PathBuf>, F
     gcc.arg(format!("-L{}", board_folder.display())).arg("-T").arg(harness().join("example/sections.ld"));
     gcc.arg(format!("-Wl,--defsym=_stack_size={}", program.stack));
     gcc.args(["-Wl,--gc-sections", "-Wl,--no-warn-rwx-segments", "-Wl,-z,noexecstack", "-lc", "-lgcc", "-o"]);
-    there(library::output(gcc.arg(&image)))?;
+    library::output(gcc.arg(&image))?;
     Ok(Some(image))
 }
 

@@ -41,8 +41,7 @@ pub(crate) fn check() -> Result<(), Failure> {
     if tpg_testing::tool("clang-tidy", "clang-tidy", what)
         && tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", &format!("{what}: newlib's headers"))
     {
-        let newlib = library::output(Command::new("arm-none-eabi-gcc").arg("-print-file-name=libc.a"))
-            .map_err(|error| Failure::new(format!("{error:?}")))?;
+        let newlib = library::output(Command::new("arm-none-eabi-gcc").arg("-print-file-name=libc.a"))?;
         let folder = Path::new(newlib.trim()).parent().unwrap_or(Path::new("/"));
         let arm = [format!("--target={}", build::TARGET), format!("-I{}/../include", folder.display())];
         for (files, here) in files() {
@@ -86,7 +85,7 @@ fn cppcheck(headers: &Headers) -> Command {
 
 /// Succeeds if a linter finds nothing.
 fn clean(command: &mut Command) -> Result<(), Failure> {
-    library::output(command).map(|_| ()).map_err(|error| Failure::new(format!("{error:?}")))
+    Ok(library::output(command).map(|_| ())?)
 }
 
 /// A file that both linters must complain about: what finds nothing anywhere proves nothing.

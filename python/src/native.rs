@@ -8,7 +8,7 @@ use serde_json::json;
 use std::sync::{Mutex, MutexGuard};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Act, ActionSpace, AnyEnvironment, AnyEpisode, AnyTask, SourceSet, TaskSet, state_length};
-use tpg_problems::{PROBLEMS, PolicyKind, Problem, ProblemName};
+use tpg_problems::{PolicyKind, Problem, ProblemName};
 use tpg_runtime::policy::ActionId;
 use tpg_train::{Acting, Config as EvolutionConfig, Configuration as _, Episodes, evaluate, in_integers};
 
@@ -25,7 +25,7 @@ fn problem_name(name: &str) -> PyResult<ProblemName> {
 /// Returns the names of the built-in problems, each with its default preset.
 #[pyfunction]
 pub(crate) fn problems() -> Vec<(&'static str, &'static str)> {
-    PROBLEMS.map(|(name, text)| (text, EvolutionConfig::default_preset(name))).to_vec()
+    ProblemName::ALL.map(|name| (name.name(), EvolutionConfig::default_preset(name))).to_vec()
 }
 
 /// Runs a graph on test episodes of a built-in problem, and returns the figures as JSON.

@@ -6,14 +6,14 @@ use tpg_engine::ActionSpace;
 use tpg_graph::SourceDocument;
 use tpg_graph::command::print;
 use tpg_graph::error::InputError;
-use tpg_problems::{PROBLEMS, Problem, ProblemName};
+use tpg_problems::{Problem, ProblemName};
 
 /// Prints the problems.
 ///
 /// # Errors
 /// If stdout is closed.
 pub(crate) fn print_problems() -> Result<(), InputError> {
-    let text = PROBLEMS.map(|(name, _)| description(name)).concat();
+    let text = ProblemName::ALL.map(description).concat();
     print(&text)
 }
 

@@ -9,14 +9,13 @@ use tpg_arm::binding;
 use tpg_arm::cycle::Brent;
 use tpg_arm::episode::{Episode, Outcome, ReachTask};
 use tpg_arm::hybrid::{Driver, Hybrid, HybridEpisode};
-use tpg_arm::kinematics::{Lattice, Plane, Point, base_direction};
+use tpg_arm::kinematics::{Plane, Point, base_direction};
 use tpg_arm::observation::{ArmPolicy, Observation, Source};
 use tpg_arm::sac::packed::{Model, PackedPolicy};
 use tpg_arm::{Arm, Invalid, Move, Pose, WIDOWX};
 use tpg_generated::{widowx_rs_fast::WidowxRsFast, widowx_rs_hybrid, widowx_sac};
-use tpg_problems::arm::ArmProblem;
 use tpg_problems::arm::planner::{Choice, Planner};
-use tpg_problems::arm::targets::{Start, Task};
+use tpg_problems::arm::targets::Start;
 use tpg_runtime::policy::{ActionId, Policy};
 
 /// Hand and target are less than this apart at the end, mm.
@@ -112,9 +111,17 @@ pub struct View {
 /// An episode of one of the four.
 enum Course {
     Hybrid(HybridEpisode<'static, f32, Graph, Network, widowx_rs_hybrid::Detector>),
-    /// Of the graph or the network.
+    /// Of the graph, the network or the planner.
     Alone(Episode<'static, f32, Brent>, State),
-    Planner(Episode<'static, f64, Brent>),
+}
+
+impl Course {
+    fn seen(&self) -> &Observation<f32> {
+        match self {
+            Self::Hybrid(episode) => episode.observation(),
+            Self::Alone(episode, _) => episode.observation(),
+        }
+    }
 }
 
 /// The number of arms.
@@ -178,12 +185,12 @@ impl Scene {
                 }
                 Course::Alone(episode, driver) => {
                     let seen = episode.observation();
-                    let is_network = *driver == State::Network;
-                    let wanted = if is_network { self.hybrid.sac.decide(seen) } else { self.hybrid.tpg.decide(seen) };
+                    let wanted = match driver {
+                        State::Network => self.hybrid.sac.decide(seen),
+                        State::Planner => self.planner.decide(&Observation::at(&EXACT_ARM, seen.pose, self.target)),
+                        _ => self.hybrid.tpg.decide(seen),
+                    };
                     (*driver, episode.advance(wanted))
-                }
-                Course::Planner(episode) => {
-                    (State::Planner, episode.advance(self.planner.decide(episode.observation())))
                 }
             };
             view.actions[usize::from(driver == State::Network)] += 1;
@@ -200,11 +207,7 @@ impl Scene {
 
     /// The pose of each arm.
     pub fn poses(&self) -> [Pose; ARMS] {
-        self.courses.each_ref().map(|course| match course {
-            Course::Hybrid(episode) => episode.observation().pose,
-            Course::Alone(episode, _) => episode.observation().pose,
-            Course::Planner(episode) => episode.observation().pose,
-        })
+        self.courses.each_ref().map(|course| course.seen().pose)
     }
 
     fn begin(&mut self, poses: [Pose; ARMS]) {
@@ -221,11 +224,10 @@ impl Scene {
 
     fn show(&mut self, arm: usize) {
         let (Some(course), Some(view)) = (self.courses.get(arm), self.views.get_mut(arm)) else { return };
-        match course {
-            Course::Hybrid(episode) => fill(view, &ARM, episode.observation()),
-            Course::Alone(episode, _) => fill(view, &ARM, episode.observation()),
-            Course::Planner(episode) => fill(view, &EXACT_ARM, episode.observation()),
-        }
+        let seen = course.seen();
+        view.points = points(&ARM, seen.pose);
+        view.distance = seen.distance();
+        view.pose = seen.pose.0.map(i32::from);
         // Where the target lies in the hand, there is nothing to do.
         if !view.state.is_end() && view.distance < TOLERANCE {
             view.state = State::Reached;
@@ -242,24 +244,18 @@ fn courses(
         Course::Hybrid(HybridEpisode::new(hybrid, task(poses[0], target), widowx_rs_hybrid::Detector::new())),
         Course::Alone(Episode::new(&ARM, task(poses[1], target), Brent::new()), State::Graph),
         Course::Alone(Episode::new(&ARM, task(poses[2], target), Brent::new()), State::Network),
-        Course::Planner(Episode::new(&EXACT_ARM, task(poses[3], target), Brent::new())),
+        Course::Alone(Episode::new(&ARM, task(poses[3], target), Brent::new()), State::Planner),
     ]
 }
 
-fn task<S: Lattice>(start: Pose, target: [f64; 3]) -> ReachTask<S> {
-    ArmProblem { tolerance: TOLERANCE.into(), ..Start::Rs.into() }.reach(&Task { start, target })
-}
-
-fn fill<S: Lattice>(view: &mut View, arm: &Arm<S>, seen: &Observation<S>) {
-    view.points = points(arm, seen.pose);
-    view.distance = seen.distance().to_f64() as f32;
-    view.pose = seen.pose.0.map(i32::from);
+fn task(start: Pose, target: [f64; 3]) -> ReachTask<f32> {
+    let target = target.map(|mm| mm as f32);
+    ReachTask { start, target, tolerance: TOLERANCE, max_actions: Start::Rs.max_actions() }
 }
 
 /// Returns shoulder, end of the upper arm, elbow, wrist and tip of an arm, mm.
-pub(crate) fn points<S: Lattice>(arm: &Arm<S>, pose: Pose) -> [[f32; 3]; 5] {
-    let (plane, base) = (Plane::at(arm, pose), base_direction::<S>(pose));
-    let world =
-        |point: Point<S>| [point.x * base.sin, -(point.x * base.cos), point.z].map(|value| value.to_f64() as f32);
+pub(crate) fn points(arm: &Arm<f32>, pose: Pose) -> [[f32; 3]; 5] {
+    let (plane, base) = (Plane::at(arm, pose), base_direction::<f32>(pose));
+    let world = |point: Point<f32>| [point.x * base.sin, -(point.x * base.cos), point.z];
     [arm.shoulder(), plane.bracket, plane.elbow, plane.wrist, plane.tip].map(world)
 }

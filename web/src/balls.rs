@@ -1,25 +1,18 @@
 //! Two arms among the same moving balls: the shipped policy's, and one that walks straight to its target.
 
 use crate::arm::points;
-use std::array;
 use tpg_arm::dodge::{Behaviour, Dodger, DodgerSettings};
-use tpg_arm::{JOINTS, Pose};
+use tpg_engine::Environment;
 use tpg_generated::dodge::Dodge;
-use tpg_problems::dodge::BODY;
 use tpg_problems::dodge::episode::{End, Episode};
-use tpg_problems::dodge::scene::{Path, Scene};
+use tpg_problems::dodge::scene::Scene;
+use tpg_problems::dodge::{BODY, Config, Dodge as Problem};
 use tpg_runtime::policy::{ActionId, Policy};
 
 /// Hand and target are less than this apart at the end, mm.
 pub const TOLERANCE: f32 = 3.0;
 /// The most balls of a scene.
 pub const BALLS: usize = 3;
-/// The most goals of a scene.
-pub const GOALS: usize = 4;
-/// Numbers of a scene as a page writes them: start, target, number of goals, goals, number of balls, balls.
-pub const NUMBERS: usize = JOINTS + 3 + 1 + GOALS * JOINTS + 1 + BALLS * BALL;
-/// Numbers of a ball: both ends, radius, period, phase, 1 for a sine.
-const BALL: usize = 10;
 
 /// An arm among balls as a page reads it; the same layout in JavaScript.
 #[repr(C)]
@@ -116,53 +109,8 @@ impl Balls {
 /// The behaviour that walks to the goal whatever is in its way.
 const STRAIGHT: ActionId = ActionId(1);
 
-/// Reads a scene as a page writes it; `None` for numbers that are not one.
-pub fn scene(numbers: &[f32; NUMBERS]) -> Option<Scene> {
-    if !numbers.iter().all(|number| number.is_finite()) {
-        return None;
-    }
-    let (start, rest) = numbers.split_first_chunk::<JOINTS>()?;
-    let (&target, rest) = rest.split_first_chunk::<3>()?;
-    let (&[goal_count], rest) = rest.split_first_chunk::<1>()?;
-    let (goals, rest) = rest.split_first_chunk::<{ GOALS * JOINTS }>()?;
-    let (&[ball_count], balls) = rest.split_first_chunk::<1>()?;
-    let counted = |count: f32, most: usize| (1..=most).find(|&number| number as f32 == count);
-    let (goal_count, ball_count) = (counted(goal_count, GOALS)?, counted(ball_count, BALLS)?);
-    let pose = |ticks: &[f32]| -> Option<[i16; JOINTS]> {
-        let pose = Pose(array::from_fn(|joint| ticks[joint] as i16));
-        let inside = pose.0.iter().zip(&BODY.arm.ranges).all(|(&ticks, range)| range.contains(ticks));
-        inside.then_some(pose.0)
-    };
-    let path = |numbers: &[f32]| {
-        let at = |first: usize| array::from_fn(|axis| numbers[first + axis]);
-        let [radius, period, phase, sine] = array::from_fn(|place| numbers[6 + place]);
-        Path { from: at(0), to: at(3), radius, period, phase, sine: sine == 1.0 }
-    };
-    Some(Scene {
-        start: pose(start)?,
-        target,
-        goals: goals.chunks(JOINTS).take(goal_count).map(pose).collect::<Option<_>>()?,
-        balls: balls.chunks(BALL).take(ball_count).map(path).collect(),
-    })
-}
-
-/// Writes a scene as [`scene`] reads it; `None` for one with more goals or balls than fit.
-pub fn numbers(scene: &Scene) -> Option<[f32; NUMBERS]> {
-    if scene.goals.len() > GOALS || scene.balls.len() > BALLS {
-        return None;
-    }
-    let ticks = |pose: &[i16; JOINTS]| pose.map(f32::from);
-    let mut goals = [0.0; GOALS * JOINTS];
-    let mut balls = [0.0; BALLS * BALL];
-    for (place, goal) in goals.chunks_mut(JOINTS).zip(&scene.goals) {
-        place.copy_from_slice(&ticks(goal));
-    }
-    for (place, Path { from, to, radius, period, phase, sine }) in balls.chunks_mut(BALL).zip(&scene.balls) {
-        place[..3].copy_from_slice(from);
-        place[3..6].copy_from_slice(to);
-        place[6..].copy_from_slice(&[*radius, *period, *phase, f32::from(*sine)]);
-    }
-    let counts = [scene.goals.len(), scene.balls.len()].map(|count| count as f32);
-    let parts: [&[f32]; 6] = [&ticks(&scene.start), &scene.target, &counts[..1], &goals, &counts[1..], &balls];
-    parts.concat().try_into().ok()
+/// Reads a scene as [`tpg_problems`] serialises it, by postcard; `None` for bytes that are not one.
+pub fn scene(bytes: &[u8]) -> Option<Scene> {
+    let scene = postcard::from_bytes(bytes).ok()?;
+    Environment::<f32>::accepts(&Problem::new(&Config::default()), &scene).then_some(scene)
 }

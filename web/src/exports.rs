@@ -12,7 +12,7 @@ use core::ptr;
 
 thread_local! {
     static SCENE: RefCell<Option<Scene>> = RefCell::new(Scene::new());
-    static NUMBERS: RefCell<[f32; balls::NUMBERS]> = const { RefCell::new([0.0; balls::NUMBERS]) };
+    static BYTES: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
     static BALLS: RefCell<Balls> = RefCell::new(Balls::default());
     static RIGS: RefCell<[Box<dyn Rig>; 3]> = RefCell::new(control::rigs());
 }
@@ -59,16 +59,19 @@ pub extern "C" fn tpg_arm_view(arm: u32) -> *const arm::View {
     SCENE.with_borrow(|scene| scene.as_ref().map_or(ptr::null(), |scene| ptr::from_ref(scene.view(arm as usize))))
 }
 
-/// Returns the place of the [`balls::NUMBERS`] numbers of a scene, which a page writes before it begins.
+/// Returns the place for the bytes of a scene, which a page writes before it begins.
 #[unsafe(no_mangle)]
-pub extern "C" fn tpg_balls_scene() -> *mut f32 {
-    NUMBERS.with(|numbers| numbers.as_ptr().cast())
+pub extern "C" fn tpg_balls_scene(length: u32) -> *mut u8 {
+    BYTES.with_borrow_mut(|bytes| {
+        bytes.resize(length as usize, 0);
+        bytes.as_mut_ptr()
+    })
 }
 
-/// Begins the scene that was written, for both arms (0 policy, 1 straight walk). Numbers that are not a scene change nothing.
+/// Begins the scene that was written, for both arms (0 policy, 1 straight walk). Bytes that are not a scene change nothing.
 #[unsafe(no_mangle)]
 pub extern "C" fn tpg_balls_begin() {
-    if let Some(scene) = NUMBERS.with_borrow(balls::scene) {
+    if let Some(scene) = BYTES.with_borrow(|bytes| balls::scene(bytes)) {
         BALLS.with_borrow_mut(|balls| balls.begin(&scene));
     }
 }

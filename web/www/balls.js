@@ -70,7 +70,7 @@ export class Balls {
     }
     if (!this.dirty) return;
     this.dirty = false;
-    const target = this.scenes[this.scene].slice(4, 7);
+    const { target } = this.scenes[this.scene];
     this.cards.forEach((card, arm) => {
       const view = this.module.view(arm), ways = this.ways[arm];
       paint(card.canvas, card.camera, this.colours, { ...view, driver: driver(arm), target, ways, large: true });

@@ -35,8 +35,9 @@ export function wrap(exports) {
     },
   };
   const balls = {
-    begin(scene) {
-      new Float32Array(exports.memory.buffer, exports.tpg_balls_scene(), scene.length).set(scene);
+    begin({ bytes }) {
+      const place = exports.tpg_balls_scene(bytes.length);
+      new Uint8Array(exports.memory.buffer, place, bytes.length).set(bytes);
       exports.tpg_balls_begin();
     },
     act: arm => exports.tpg_balls_act(arm),

@@ -110,9 +110,7 @@ impl Run {
             self.no_std(target);
         }
         self.oldest_compiler();
-        self.firmware(&["qemu"]);
-        self.firmware(&["cores"]);
-        self.firmware(&["lint"]);
+        ["qemu", "cores", "lint"].into_iter().for_each(|check| self.firmware(check, &[]));
         self.lemmas();
         python::check(self, PythonArgs::default());
     }
@@ -121,7 +119,7 @@ impl Run {
     pub(crate) fn lint(&mut self) {
         let tests = ["test", "--package", "tpg-codegen", "--test", "all", "--", "c_lint::", "eva::"];
         self.tests("lint of generated C", cargo(&tests));
-        self.firmware(&["lint"]);
+        self.firmware("lint", &[]);
     }
 
     /// Makes the book's pages from the programs.
@@ -130,14 +128,6 @@ impl Run {
         let mut command = cargo(&[&["test", "--quiet", "--lib", "--bins"], &crates[..], &["the_page_of"]].concat());
         command.env(tpg_testing::book::UPDATE, "1");
         self.check("pages made from the programs", command);
-    }
-
-    /// Compares compilers on random graphs.
-    pub(crate) fn compilers(&mut self, graphs: u32) {
-        let words = ["run", "--quiet", "--release", "--package", "tpg-benches", "--bin", "compilers", "--"];
-        let mut command = cargo(&words);
-        command.arg(graphs.to_string());
-        self.check("compilers", command);
     }
 
     /// Runs every test of every crate.
@@ -184,11 +174,12 @@ impl Run {
     }
 
     /// Runs a check of the firmwares.
-    pub(crate) fn firmware(&mut self, words: &[&str]) {
-        let name = format!("firmware: {}", words.join(" "));
+    pub(crate) fn firmware(&mut self, check: &str, words: &[String]) {
+        let name =
+            ["firmware:", check].into_iter().chain(words.iter().map(String::as_str)).collect::<Vec<_>>().join(" ");
         match program("tpg-harness") {
             Ok(mut harness) => {
-                harness.args(words);
+                harness.arg(check).args(words);
                 self.check(&name, harness);
             }
             Err(error) => self.failed(&name, &error),

@@ -6,7 +6,7 @@
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::{fs, io};
 use tpg_testing::library::top;
 
@@ -306,22 +306,21 @@ fn rewritten(results: &FigureResults, path: &Path) -> io::Result<(String, String
     Ok((text, written))
 }
 
-/// Writes the tables; returns the documents that changed.
+/// Writes the tables and prints the documents that changed.
 ///
 /// # Errors
 /// If a file cannot be read or written, or results are incomplete.
-pub(crate) fn write() -> io::Result<Vec<PathBuf>> {
+pub(crate) fn write() -> io::Result<()> {
     let results = FigureResults::read()?;
-    let mut changed = Vec::new();
     for document in DOCUMENTS {
         let path = top().join(document);
         let (before, now) = rewritten(&results, &path)?;
         if before != now {
             fs::write(&path, now)?;
-            changed.push(path);
+            println!("{}", path.display());
         }
     }
-    Ok(changed)
+    Ok(())
 }
 
 #[cfg(test)]

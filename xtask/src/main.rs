@@ -15,9 +15,10 @@ mod web;
 use XtaskCommand::*;
 use check::{Run, run};
 use clap::{Parser, Subcommand};
+use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use tpg_testing::library::{self, Missing};
+use tpg_testing::library;
 
 /// Sets a machine up for this repository and tests it.
 #[derive(Debug, Parser)]
@@ -46,31 +47,16 @@ enum XtaskCommand {
         out: Option<PathBuf>,
     },
     /// Run the firmware under QEMU: trajectories as on the host, instructions as in costs.toml; flash and RAM on an STM32F405
-    Qemu {
-        /// Write costs.toml instead of comparing with it
-        #[arg(long)]
-        update: bool,
-    },
+    #[command(disable_help_flag = true)]
+    Qemu(HarnessArgs),
     /// Generated C and Rust and the hybrid on every core under QEMU: as on the host, figures as in cores.toml
-    Cores {
-        /// Write cores.toml and docs/cores.md instead of comparing with them
-        #[arg(long)]
-        update: bool,
-        /// Only cores and boards with this in their name, for example AVR or mps2
-        #[arg(long, value_name = "TEXT")]
-        only: Option<String>,
-    },
+    #[command(disable_help_flag = true)]
+    Cores(HarnessArgs),
     /// Only the lint of C, generated and the firmwares' own: gcc, clang, clang-tidy, cppcheck with its MISRA addon, Frama-C
     /// EVA
     Lint,
     /// Have a solver prove every rule that proofs apply, and some proofs; writes what is proven
     Lemmas,
-    /// Random graphs by every compiler at every level of optimisation: gcc, clang, tcc, g++, clang++, rustc
-    Compilers {
-        /// Random graphs, each in three profiles
-        #[arg(long, default_value_t = 40)]
-        graphs: u32,
-    },
     /// Every loader and the compiler under libFuzzer (nightly, cargo-fuzz)
     Fuzz(fuzz::FuzzArgs),
     /// Run tests of the runtime, the kernels and the C interface under Miri (nightly)
@@ -98,51 +84,43 @@ enum XtaskCommand {
     Web,
 }
 
+/// What a command passes on to the harness, which `--help` asks, too.
+#[derive(Clone, Debug, clap::Args)]
+struct HarnessArgs {
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+    words: Vec<String>,
+}
+
 fn main() -> ExitCode {
     let good = match XtaskCli::parse().command {
         Setup => setup::run(),
         Test => run(Run::all_tests),
         Check => run(Run::all),
         Library { target, out } => library(target, out),
-        Qemu { update } => run(|run| run.firmware(if update { &["qemu", "--update"] } else { &["qemu"] })),
-        Cores { update, only } => {
-            let only = only.as_deref().map(|only| ["--only", only]);
-            let update = update.then_some("--update");
-            let words: Vec<_> = ["cores"].into_iter().chain(update).chain(only.into_iter().flatten()).collect();
-            run(|run| run.firmware(&words))
-        }
+        Qemu(HarnessArgs { words }) => run(|run| run.firmware("qemu", &words)),
+        Cores(HarnessArgs { words }) => run(|run| run.firmware("cores", &words)),
         Lint => run(Run::lint),
         Lemmas => run(Run::lemmas),
-        Compilers { graphs } => run(|run| run.compilers(graphs)),
         Fuzz(arguments) => run(|run| arguments.run(run)),
         Miri => run(nightly::miri),
         Sanitize { seeds } => run(|run| nightly::sanitize(run, seeds)),
         Python(arguments) => run(|run| python::check(run, arguments)),
-        Dist(arguments) => arguments.run(),
+        Dist(arguments) => is_done(arguments.run()),
         Book { update } => run(|run| {
             if update {
                 run.pages();
             }
             run.book();
         }),
-        Figures => figures(),
+        Figures => is_done(figures::write()),
         Web => run(web::check),
     };
     if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-/// Writes tables and prints the documents that changed.
-fn figures() -> bool {
-    match figures::write() {
-        Ok(changed) => {
-            changed.iter().for_each(|path| println!("{}", path.display()));
-            true
-        }
-        Err(error) => {
-            eprintln!("{error}");
-            false
-        }
-    }
+/// Tells an error; true if there is none.
+fn is_done(result: io::Result<()>) -> bool {
+    result.inspect_err(|error| eprintln!("{error}")).is_ok()
 }
 
 /// Builds libraries and prints their locations.
@@ -150,15 +128,10 @@ fn library(targets: Vec<String>, out: Option<PathBuf>) -> bool {
     let folder = out.unwrap_or_else(library::dist);
     let all = || library::TARGETS.into_iter().chain([library::host()]).map(str::to_owned).collect();
     let targets: Vec<String> = if targets.is_empty() { all() } else { targets };
-    targets.iter().fold(true, |good, target| match library::make(target, &folder) {
-        Ok(archive) => {
-            println!("{}", archive.display());
-            good
-        }
-        Err(Missing::Tool) => good,
-        Err(Missing::Failed(message)) => {
-            eprintln!("{target}: {message}");
-            false
-        }
+    targets.iter().fold(true, |good, target| {
+        let made = library::make(target, &folder).map(|archive| {
+            archive.iter().for_each(|path| println!("{}", path.display()));
+        });
+        is_done(made) & good
     })
 }

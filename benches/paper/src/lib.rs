@@ -12,6 +12,7 @@
 //! | [`plane`] | the arm plane of the collision test, bit for bit |
 //! | [`episode`] | episodes by the artifact's rules |
 //! | [`data`] | recorded files |
+//! | [`binding`] | the arm's sources and moves behind a recorded graph |
 //! | [`conformance`] | the folder of recorded data, made from a clone of the artifact |
 //! | [`actor`] | recorded actors: files and outputs |
 //! | [`limits`] | action limits of the recorded episodes |
@@ -20,6 +21,7 @@
 //! | [`cli`] | the command line |
 
 pub mod actor;
+pub mod binding;
 pub mod chain;
 pub mod cli;
 pub mod conformance;

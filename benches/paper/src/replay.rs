@@ -3,6 +3,7 @@
 //! Decisions come from an [`Engine`], which receives the states of all running episodes together, so that an engine in
 //! another process costs one exchange per step instead of one per episode.
 
+use super::binding::Binding;
 use super::chain::Chain;
 use super::data::{ByRow, End, Task};
 use super::episode::{EndState, Episode, Rules};
@@ -10,7 +11,6 @@ use std::io;
 use tpg_arm::Pose;
 use tpg_graph::engine::Engine;
 use tpg_graph::interpret::Answer;
-use tpg_problems::arm::binding::Binding;
 use tpg_runtime::policy::ActionId;
 
 /// A finished episode.
@@ -59,7 +59,7 @@ pub fn run(
         live.iter().for_each(|lane| binding.push_state(lane.episode.observation(), &mut states));
         let actions = ask(engine, &states, live.len())?;
         for (lane, ActionId(action)) in live.iter_mut().zip(actions) {
-            let wanted = binding.wanted(ActionId(action)).ok_or_else(|| {
+            let wanted = *binding.moves.get(usize::from(action)).ok_or_else(|| {
                 failed(engine, &format!("answered action {action} where the policy has no such action"))
             })?;
             lane.over = lane.episode.advance(wanted);
@@ -159,6 +159,7 @@ fn trace_difference(recorded: &[Pose], replayed: &[Pose]) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::{Comparison, Done, compare_ends, compare_traces, run};
+    use crate::binding::Binding;
     use crate::chain::Chain;
     use crate::data::{ByRow, End, Task};
     use crate::episode::{EndState, Rules};
@@ -168,7 +169,6 @@ mod tests {
     use tpg_graph::ScalarType;
     use tpg_graph::engine::Engine;
     use tpg_graph::interpret::Answer;
-    use tpg_problems::arm::binding::Binding;
     use tpg_runtime::policy::ActionId;
 
     /// Decides with a function of the whole batch, and records the sizes of the batches.
@@ -201,7 +201,7 @@ mod tests {
 
     fn replay(engine: &mut dyn Engine) -> io::Result<ByRow<Done>> {
         let moves = vec![Move::single(Joint(0), 3), Move::STOP];
-        let binding = Binding::new(ScalarType::F64, vec![Source::Servos], moves);
+        let binding = Binding { scalar: ScalarType::F64, sources: vec![Source::Servos], moves };
         let rules = Rules { max_actions: 100, tolerance: 3.0 };
         run(&Chain::new(WIDOWX), rules, &tasks(), &binding, engine)
     }

@@ -53,7 +53,7 @@ impl Recorded {
     }
 
     fn tpg(&self, seed: u32) -> GraphPolicy<f64, System> {
-        GraphPolicy::new("recorded", &self.graphs[seed as usize], &WIDOWX).expect("a graph of the arm")
+        GraphPolicy::new(&self.graphs[seed as usize], &WIDOWX).expect("a graph of the arm")
     }
 }
 

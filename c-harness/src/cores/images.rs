@@ -3,7 +3,7 @@
 use super::core::{Core, Runner};
 use super::shipped::{self, Kind, Shipped};
 use crate::Failure;
-use crate::build::{self, generated_c, room, there};
+use crate::build::{self, generated_c, room};
 use std::env;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -143,7 +143,7 @@ impl Place {
     /// The image of the hybrid; `None` where the library is not built for the core.
     pub(super) fn hybrid(&self, core: &Core) -> Result<Option<PathBuf>, Failure> {
         let Some(target) = core.target.filter(|target| library::TARGETS.contains(target)) else { return Ok(None) };
-        let Some(archive) = there(library::make(target, &library::dist()))? else { return Ok(None) };
+        let Some(archive) = library::make(target, &library::dist())? else { return Ok(None) };
         let folder = self.folder(core)?;
         let mut compiler = self.compiler(core, &folder);
         compiler.arg(format!("-I{}", self.hybrid.display()));
@@ -169,5 +169,5 @@ impl Place {
 }
 
 fn run(command: &mut Command) -> Result<(), Failure> {
-    there(library::output(command)).map(|_| ())
+    Ok(library::output(command).map(|_| ())?)
 }

@@ -8,7 +8,7 @@ use std::process::Command;
 use std::sync::{Mutex, PoisonError};
 use tempfile::TempDir;
 use tpg_generated::widowx_sac;
-use tpg_testing::library::{self, Missing};
+use tpg_testing::library;
 
 /// Targets that are looked at: both cores of Arm, with floats in hardware and without, and one of RISC-V. `cargo xtask cores`
 /// links and runs more.
@@ -20,11 +20,7 @@ fn made(target: &str) -> Option<PathBuf> {
     // Made once: tests run side by side, and none may read what another writes.
     static MADE: Mutex<BTreeMap<String, Option<PathBuf>>> = Mutex::new(BTreeMap::new());
     let mut made = MADE.lock().unwrap_or_else(PoisonError::into_inner);
-    let make = || match library::make(target, &library::dist()) {
-        Ok(archive) => Some(archive),
-        Err(Missing::Tool) => None,
-        Err(Missing::Failed(message)) => panic!("{message}"),
-    };
+    let make = || library::make(target, &library::dist()).expect("it builds");
     made.entry(target.to_owned()).or_insert_with(make).clone()
 }
 

@@ -2,15 +2,12 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use tpg_testing::library::{self, Missing};
+use tpg_testing::library;
 
 /// Builds the library; none where a tool is missing, which is said.
 pub(crate) fn archive(subject: &str) -> Option<PathBuf> {
-    match library::make(library::host(), &library::dist()) {
-        Ok(archive) => tpg_testing::tool("gcc", "gcc", subject).then_some(archive),
-        Err(Missing::Tool) => None,
-        Err(Missing::Failed(message)) => panic!("{message}"),
-    }
+    let archive = library::make(library::host(), &library::dist()).expect("it builds")?;
+    tpg_testing::tool("gcc", "gcc", subject).then_some(archive)
 }
 
 /// Compiles a program of `tests/c` with headers and `sources` of a folder, links the library and returns what it prints.

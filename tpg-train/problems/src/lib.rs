@@ -54,7 +54,7 @@ pub use cartpole::CartPole;
 pub use mountain_car::MountainCar;
 pub use mountain_car_continuous::MountainCarContinuous;
 pub use pendulum::Pendulum;
-pub use registry::{DEFAULT_LEVELS, Number, PROBLEMS, PolicyKind, Problem, ProblemName, ProblemSettings};
+pub use registry::{DEFAULT_LEVELS, Number, PolicyKind, Problem, ProblemName, ProblemSettings};
 
 use tpg_graph::SourceDocument;
 

@@ -1,4 +1,4 @@
-//! The built-in problems: one row of [`PROBLEMS`] each.
+//! The built-in problems: one of [`ProblemName`] each.
 
 use crate::acrobot::{self, Acrobot};
 use crate::arm::drawing::picture;
@@ -22,37 +22,40 @@ use tpg_arm::{Arm, WIDOWX};
 use tpg_engine::{AnyEnvironment, EpisodeResult, erase};
 use tpg_graph::error::{Finding, InputError, Place};
 use tpg_graph::{Graph, settings};
+use tpg_runtime::named;
 
 /// The levels of an output for a graph that chooses among named actions, where the settings name none.
 pub const DEFAULT_LEVELS: u16 = 3;
 
-/// A built-in problem.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, clap::ValueEnum)]
-pub enum ProblemName {
-    /// A robot arm reaches for a target from its home position: the paper's fixed start
-    Fs,
-    /// A robot arm reaches for a target from anywhere: the paper's random start
-    Rs,
-    /// A robot arm reaches for a target among moving balls, by behaviours
-    Dodge,
-    /// A cart balances a pole: Gymnasium's CartPole-v1
-    Cartpole,
-    /// A motor between two links swings them up: Gymnasium's Acrobot-v1
-    Acrobot,
-    /// A weak car drives out of a valley by three pushes: Gymnasium's MountainCar-v0
-    MountainCar,
-    /// A weak motor swings a pendulum up: Gymnasium's Pendulum-v1
-    Pendulum,
-    /// A weak car drives out of a valley: Gymnasium's MountainCarContinuous-v0
-    MountainCarContinuous,
-    /// A paddle keeps a ball in play: MinAtar's Breakout
-    Breakout,
-    /// A player takes gold and avoids enemies: MinAtar's Asterix
-    Asterix,
-    /// A cannon shoots aliens: MinAtar's Space Invaders
-    SpaceInvaders,
-    /// A camera follows a ball that is lighter or darker than what is behind it
-    Eye,
+named! {
+    /// A built-in problem, with its name on the command line and in configurations.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, clap::ValueEnum)]
+    pub enum ProblemName {
+        /// A robot arm reaches for a target from its home position: the paper's fixed start
+        Fs = "fs",
+        /// A robot arm reaches for a target from anywhere: the paper's random start
+        Rs = "rs",
+        /// A robot arm reaches for a target among moving balls, by behaviours
+        Dodge = "dodge",
+        /// A cart balances a pole: Gymnasium's CartPole-v1
+        Cartpole = "cartpole",
+        /// A motor between two links swings them up: Gymnasium's Acrobot-v1
+        Acrobot = "acrobot",
+        /// A weak car drives out of a valley by three pushes: Gymnasium's MountainCar-v0
+        MountainCar = "mountain-car",
+        /// A weak motor swings a pendulum up: Gymnasium's Pendulum-v1
+        Pendulum = "pendulum",
+        /// A weak car drives out of a valley: Gymnasium's MountainCarContinuous-v0
+        MountainCarContinuous = "mountain-car-continuous",
+        /// A paddle keeps a ball in play: MinAtar's Breakout
+        Breakout = "breakout",
+        /// A player takes gold and avoids enemies: MinAtar's Asterix
+        Asterix = "asterix",
+        /// A cannon shoots aliens: MinAtar's Space Invaders
+        SpaceInvaders = "space-invaders",
+        /// A camera follows a ball that is lighter or darker than what is behind it
+        Eye = "eye",
+    }
 }
 
 /// The kind of policies that a problem is set up for: only the arm differs between them.
@@ -66,33 +69,7 @@ pub enum PolicyKind {
 
 type PathError = serde_path_to_error::Error<toml::de::Error>;
 
-/// Every built-in problem with its name on the command line and in configurations, in the order of [`ProblemName`].
-pub const PROBLEMS: [(ProblemName, &str); 12] = [
-    (ProblemName::Fs, "fs"),
-    (ProblemName::Rs, "rs"),
-    (ProblemName::Dodge, "dodge"),
-    (ProblemName::Cartpole, "cartpole"),
-    (ProblemName::Acrobot, "acrobot"),
-    (ProblemName::MountainCar, "mountain-car"),
-    (ProblemName::Pendulum, "pendulum"),
-    (ProblemName::MountainCarContinuous, "mountain-car-continuous"),
-    (ProblemName::Breakout, "breakout"),
-    (ProblemName::Asterix, "asterix"),
-    (ProblemName::SpaceInvaders, "space-invaders"),
-    (ProblemName::Eye, "eye"),
-];
-
 impl ProblemName {
-    /// Returns the name used on the command line and in configurations.
-    pub const fn name(self) -> &'static str {
-        PROBLEMS[self as usize].1
-    }
-
-    /// Finds the problem with the given [`name`](Self::name).
-    pub fn from_name(name: &str) -> Option<Self> {
-        PROBLEMS.iter().find(|(_, text)| *text == name).map(|(name, _)| *name)
-    }
-
     /// Returns the arm's start, if this is a problem of the arm.
     pub(crate) fn start(self) -> Option<Start> {
         match self {
@@ -104,7 +81,7 @@ impl ProblemName {
 
     /// Returns the names of all problems, for messages.
     pub fn names() -> String {
-        PROBLEMS.map(|(_, text)| text).join(", ")
+        Self::ALL.map(Self::name).join(", ")
     }
 }
 
@@ -416,17 +393,17 @@ impl Number for f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{PROBLEMS, PolicyKind, Problem, ProblemName, ProblemSettings};
+    use super::{PolicyKind, Problem, ProblemName, ProblemSettings};
     use tpg_graph::error::Place;
 
     #[test]
     fn a_section_gives_back_the_same_problem() {
-        for name in PROBLEMS.map(|(name, _)| name) {
+        for name in ProblemName::ALL {
             for kind in [PolicyKind::Graph, PolicyKind::Network] {
                 let problem = Problem::new_for(name, kind);
                 assert_eq!(Problem::from_table("x.toml", &problem.to_table(), kind), Ok(problem));
             }
-            assert_eq!((PROBLEMS[name as usize].0, ProblemName::from_name(name.name())), (name, Some(name)));
+            assert_eq!(ProblemName::from_name(name.name()), Some(name));
         }
     }
 

@@ -5,7 +5,7 @@ use tpg_engine::{
     AnyTask, Destination, Edge, Environment, EpisodeResult, Evaluator, Line, LocalThreads, Operand, PolicyGraph,
     SourceSet, Work, erase,
 };
-use tpg_problems::{CartPole, PROBLEMS, Problem};
+use tpg_problems::{CartPole, Problem, ProblemName};
 use tpg_runtime::ops::{Instruction, Own};
 
 /// `left` bids 0 and `right` the sum of angle and angular velocity.
@@ -49,7 +49,7 @@ fn a_task_looks_in_a_file_as_the_problems_own() {
 
 #[test]
 fn a_task_of_another_problem_is_not_accepted() {
-    for name in PROBLEMS.map(|(name, _)| name) {
+    for name in ProblemName::ALL {
         let environment = Problem::new(name).environment::<f32>();
         for text in ["null", "\"left\"", "[]", "{}"] {
             let task: AnyTask = serde_json::from_str(text).expect("JSON");

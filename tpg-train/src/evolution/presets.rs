@@ -56,7 +56,7 @@ mod tests {
     use crate::configuration::Configuration as _;
     use crate::configuration::schema::{description, properties, resolved, schema};
     use crate::evolution::config::EvolutionConfig;
-    use tpg_problems::{PROBLEMS, Problem};
+    use tpg_problems::{Problem, ProblemName};
 
     #[test]
     fn every_preset_is_accepted_and_written_as_it_was_read() {
@@ -68,7 +68,7 @@ mod tests {
             assert_eq!(EvolutionConfig::from_toml("written", &config.to_toml()), Ok(config), "{}", preset.name);
         }
         assert!(
-            PROBLEMS.iter().all(|(name, _)| EvolutionConfig::table(EvolutionConfig::default_preset(*name)).is_ok())
+            ProblemName::ALL.iter().all(|name| EvolutionConfig::table(EvolutionConfig::default_preset(*name)).is_ok())
         );
     }
 

@@ -17,14 +17,3 @@ pub fn file(data: &[u8]) {
         assert!(length < data.len(), "a seal has a length");
     }
 }
-
-/// Returns a sealed file: a seed.
-///
-/// # Panics
-/// If it cannot be written.
-pub fn sealed() -> Vec<u8> {
-    let place = TempDir::new().expect("a temporary folder");
-    let folder = RunFolder::open(place.path(), true).expect("a folder");
-    folder.save(FORM, b"{\"config\":\"\",\"state\":{}}".repeat(300)).expect("written");
-    fs::read(place.path().join("checkpoint")).expect("a checkpoint")
-}

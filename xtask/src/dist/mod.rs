@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{fs, io};
-use tpg_testing::library::{self, Missing};
+use tpg_testing::library;
 
 /// The target of programs that need nothing of the machine but Linux.
 const STATIC: &str = "x86_64-unknown-linux-musl";
@@ -34,19 +34,9 @@ pub(crate) struct DistArgs {
 }
 
 impl DistArgs {
-    /// Makes everything; true if nothing failed. What lacks a tool or target is skipped, loudly.
-    pub(crate) fn run(&self) -> bool {
-        let out = self.out.clone().unwrap_or_else(|| library::target_folder().join("dist"));
-        match self.make(&out) {
-            Ok(()) => true,
-            Err(error) => {
-                eprintln!("dist: {error}");
-                false
-            }
-        }
-    }
-
-    fn make(&self, out: &Path) -> io::Result<()> {
+    /// Makes everything. What lacks a tool or target is skipped, loudly.
+    pub(crate) fn run(&self) -> io::Result<()> {
+        let out = &self.out.clone().unwrap_or_else(|| library::target_folder().join("dist"));
         fs::create_dir_all(out)?;
         let mut made = Vec::new();
         if !self.without_programs {
@@ -95,11 +85,7 @@ fn libraries(out: &Path) -> io::Result<Option<PathBuf>> {
     let folder = empty(out.join(&name))?;
     let mut count = 0;
     for target in library::TARGETS.into_iter().chain([library::host()]) {
-        match library::make(target, &folder) {
-            Ok(_) => count += 1,
-            Err(Missing::Tool) => {}
-            Err(Missing::Failed(message)) => return Err(io::Error::other(message)),
-        }
+        count += usize::from(library::make(target, &folder)?.is_some());
     }
     if count == 0 {
         return Ok(None);

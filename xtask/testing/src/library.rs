@@ -5,10 +5,9 @@
 //! 20 to 30 KB without such conflicts.
 
 use crate::tool;
-use Missing::*;
 use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::{env, fs};
+use std::process::{Command, Output};
+use std::{env, fs, io};
 
 /// Targets that a library is built for, in addition to the host.
 pub const TARGETS: [&str; 10] = [
@@ -48,15 +47,6 @@ impl Binutils {
     }
 }
 
-/// Reason why there is no library.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Missing {
-    /// A tool or target is not installed; the skip has been reported.
-    Tool,
-    /// A command failed: its arguments and its output.
-    Failed(String),
-}
-
 /// Returns the repository's top folder.
 pub fn top() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).map(Path::to_owned).unwrap_or_default()
@@ -78,29 +68,28 @@ pub fn dist() -> PathBuf {
 }
 
 /// Builds the library for a target (or [`host`]) in `folder`, with header, CMake and pkg-config files; returns its
-/// location.
+/// location, or `None` if a tool or the target is not installed: the skip has been reported.
 ///
 /// # Errors
-/// See [`Missing`].
-pub fn make(target: &str, folder: &Path) -> Result<PathBuf, Missing> {
+/// If it is no target of the library, a command fails, or a file cannot be written.
+pub fn make(target: &str, folder: &Path) -> io::Result<Option<PathBuf>> {
     let what = format!("libtpg_runtime.a for {target}");
     if target != host() && !TARGETS.contains(&target) {
         let accepted = TARGETS.into_iter().chain([host()]).collect::<Vec<_>>().join(", ");
-        return Err(Failed(format!("no target of the library; accepted: {accepted}")));
+        return Err(io::Error::other(format!("no target of the library; accepted: {accepted}")));
     }
     let Binutils { prefix, package, link } = Binutils::new(target);
     if !tool(&format!("{prefix}ld"), package, &what) || (target != host() && !rust_target(target, &what)) {
-        return Err(Tool);
+        return Ok(None);
     }
     let library = folder.join("lib").join(target);
     let objects = folder.join("objects").join(target);
     for folder in [&library, &objects] {
-        fs::create_dir_all(folder).map_err(|error| Failed(format!("{}: {error}", folder.display())))?;
+        at(folder, fs::create_dir_all(folder))?;
     }
     // Tests make the same library at the same time; the lock ends with the file.
     let lock = objects.join("lock");
-    let locked = fs::File::create(&lock).and_then(|file| file.lock().map(|()| file));
-    let _locked = locked.map_err(|error| Failed(format!("{}: {error}", lock.display())))?;
+    let _locked = at(&lock, fs::File::create(&lock).and_then(|file| file.lock().map(|()| file)))?;
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     cargo.current_dir(top()).args(["build", "--quiet", "--package", "tpg-runtime-capi", "--profile", "firmware"]);
     cargo.args(["--target", target, "--lib"]);
@@ -127,19 +116,24 @@ pub fn make(target: &str, folder: &Path) -> Result<PathBuf, Missing> {
     let (archive, made) = (library.join("libtpg_runtime.a"), objects.join("libtpg_runtime.a"));
     let _ = fs::remove_file(&made);
     run("ar", &["rcsD", "libtpg_runtime.a", "tpg_runtime.o"])?;
-    fs::rename(&made, &archive).map_err(|error| Failed(format!("{}: {error}", archive.display())))?;
+    at(&archive, fs::rename(&made, &archive))?;
     install(target, folder)?;
-    Ok(archive)
+    Ok(Some(archive))
+}
+
+/// Names the file of an error.
+fn at<T>(path: &Path, result: io::Result<T>) -> io::Result<T> {
+    result.map_err(|error| io::Error::other(format!("{}: {error}", path.display())))
 }
 
 /// Copies the files that accompany the library.
-fn install(target: &str, folder: &Path) -> Result<(), Missing> {
+fn install(target: &str, folder: &Path) -> io::Result<()> {
     let source = top().join("tpg-runtime-nostd/capi");
     let filled = |name: &str| {
         let text = fs::read_to_string(source.join(name));
         text.map(|text| text.replace("@VERSION@", env!("CARGO_PKG_VERSION")).replace("@TARGET@", target))
     };
-    let put = |to: &str, text: std::io::Result<String>| {
+    let put = |to: &str, text: io::Result<String>| {
         let path = folder.join(to);
         let written = text.and_then(|text| {
             fs::create_dir_all(path.parent().unwrap_or(folder))?;
@@ -148,7 +142,7 @@ fn install(target: &str, folder: &Path) -> Result<(), Missing> {
             fs::write(&part, text)?;
             fs::rename(&part, &path)
         });
-        written.map_err(|error| Failed(format!("{}: {error}", path.display())))
+        at(&path, written)
     };
     put("include/tpg_runtime.h", fs::read_to_string(source.join("include/tpg_runtime.h")))?;
     put("lib/cmake/tpg_runtime/tpg_runtime-config.cmake", fs::read_to_string(source.join("tpg_runtime-config.cmake")))?;
@@ -181,15 +175,11 @@ pub fn rust_target(target: &str, what: &str) -> bool {
 /// Returns a command's output.
 ///
 /// # Errors
-/// If the command fails.
-pub fn output(command: &mut Command) -> Result<String, Missing> {
+/// If the command fails: its arguments and its output.
+pub fn output(command: &mut Command) -> io::Result<String> {
     let result = command.output();
-    let failed = |text: String| Failed(format!("{command:?}:\n{text}"));
-    match result {
-        Ok(output) if output.status.success() => Ok(String::from_utf8_lossy(&output.stdout).into_owned()),
-        Ok(output) => {
-            Err(failed([output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat()))
-        }
-        Err(error) => Err(failed(error.to_string())),
-    }
+    let failed = |text: String| io::Error::other(format!("{command:?}:\n{text}"));
+    let Output { status, stdout, stderr } = result.map_err(|error| failed(error.to_string()))?;
+    let [stdout, stderr] = [stdout, stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+    if status.success() { Ok(stdout) } else { Err(failed(stdout + &stderr)) }
 }

@@ -5,10 +5,9 @@ use tpg_arm::observation::{Observation, Source, TargetMemo};
 use tpg_arm::{Arm, Move};
 use tpg_engine::{Plan, PolicyGraph, Single};
 use tpg_graph::Graph;
-use tpg_graph::error::InputError;
 use tpg_graph::interpret::Answer;
+use tpg_paper::binding::Binding;
 use tpg_problems::Number;
-use tpg_problems::arm::binding::Binding;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::Policy;
 
@@ -17,21 +16,19 @@ use tpg_runtime::policy::Policy;
 pub(crate) struct GraphPolicy<S: Copy, M> {
     arm: Arm<S>,
     single: Single<S, M>,
-    binding: Binding,
+    sources: Vec<Source>,
+    moves: Vec<Move>,
     memo: TargetMemo<S>,
     state: RefCell<Vec<S>>,
 }
 
 impl<S: Number, M: Maths<S>> GraphPolicy<S, M> {
-    /// Creates the policy of a graph on an arm; `file` is the name shown in errors.
-    ///
-    /// # Errors
-    /// If the graph reads sources that the arm does not have, or has actions that do not state their move.
-    pub(crate) fn new(file: &str, graph: &Graph, arm: &Arm<f64>) -> Result<Self, InputError> {
-        let binding = Binding::of_graph(file, graph)?;
+    /// Creates the policy of a graph on an arm; `None` if it is not a graph of the arm.
+    pub(crate) fn new(graph: &Graph, arm: &Arm<f64>) -> Option<Self> {
+        let Binding { sources, moves, .. } = Binding::new(graph)?;
         let plan = Plan::new::<M>(&PolicyGraph::from(graph), graph.sources());
-        let state = RefCell::new(vec![S::ZERO; binding.state_length()]);
-        Ok(Self { arm: S::arm(arm), single: Single::new(plan), binding, memo: TargetMemo::new(), state })
+        let state = RefCell::new(vec![S::ZERO; graph.state_length()]);
+        Some(Self { arm: S::arm(arm), single: Single::new(plan), sources, moves, memo: TargetMemo::new(), state })
     }
 }
 
@@ -41,8 +38,8 @@ impl<S: Number, M: Maths<S>> Policy for GraphPolicy<S, M> {
 
     fn decide(&self, seen: &Observation<S>) -> Move {
         let mut state = self.state.borrow_mut();
-        Source::fill(self.binding.sources(), &self.arm, seen, &self.memo, &mut state);
+        Source::fill(&self.sources, &self.arm, seen, &self.memo, &mut state);
         let Answer::Action(action) = self.single.answer(&state) else { unreachable!("actions are named") };
-        self.binding.wanted(action).unwrap_or(Move::STOP)
+        self.moves.get(usize::from(action.0)).copied().unwrap_or(Move::STOP)
     }
 }

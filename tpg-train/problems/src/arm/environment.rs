@@ -5,7 +5,6 @@
 
 mod clearance;
 mod episode;
-mod group;
 mod guard;
 mod lanes;
 mod regular;
@@ -25,8 +24,8 @@ use tpg_arm::sac::Decision;
 use tpg_arm::{Arm, JOINTS, Joint, Move, Play, Pose, TICKS_PER_TURN};
 use tpg_engine::random::Stream;
 use tpg_engine::{
-    Act, ActionSpace, End, Environment, EpisodeResult, Episodes, Guarded, Measure, Preference, SourceSet, Step,
-    TaskSet, Training,
+    Act, ActionSpace, End, Environment, EpisodeResult, Episodes, Guarded, Measure, OneByOne, Preference, SourceSet,
+    Step, TaskSet, Training,
 };
 use tpg_graph::{ActionDocument, Effect, SourceDocument};
 
@@ -281,7 +280,12 @@ impl<S: Number> Environment<S> for ArmEnvironment<S> {
     }
 
     fn lanes(&self) -> Box<dyn Episodes<S, ArmTask> + '_> {
-        Box::new(lanes::ArmLanes::new(self))
+        let ArmProblem { backlash, sources, .. } = &self.problem;
+        if *backlash == 0 && sources.iter().all(lanes::is_in_columns) {
+            Box::new(lanes::ArmLanes::new(self))
+        } else {
+            Box::new(OneByOne::new(self))
+        }
     }
 
     fn observe(&self, episode: &mut ArmEpisode<S>, wanted: SourceSet, state: &mut [S]) {

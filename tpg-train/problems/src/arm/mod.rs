@@ -3,7 +3,6 @@
 //! | module | subject |
 //! | --- | --- |
 //! | [`environment`] | the arm as an [`Environment`](tpg_engine::Environment), many episodes in parallel |
-//! | [`binding`] | translation of a graph's sources and actions |
 //! | [`config`] | the arm's section of a configuration |
 //! | [`motors`] | the arm by its four motors, for policies with outputs |
 //! | [`description`] | an arm as a section of a configuration |
@@ -16,7 +15,6 @@
 //! | [`evaluation`] | results of one policy on many tasks |
 
 pub mod arms;
-pub mod binding;
 pub mod config;
 pub mod description;
 pub(crate) mod drawing;

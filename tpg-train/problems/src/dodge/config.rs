@@ -1,5 +1,6 @@
 //! The section `[problem]` of a configuration, for the arm among balls.
 
+use crate::amount::Amount;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_arm::dodge::DodgerSettings;
@@ -43,8 +44,8 @@ impl Config {
                 "two whole numbers from 1 to 3, the first not above the second",
             ));
         }
-        ordered("problem.radius", self.radius, [1.0, 200.0])?;
-        ordered("problem.speed", self.speed, [0.01, 20.0])?;
+        Amount::Between(self.radius).check("problem.radius", 1.0, 200.0)?;
+        Amount::Between(self.speed).check("problem.speed", 0.01, 20.0)?;
         Finding::range("problem.tolerance", self.tolerance, 2.7, 1000.0)?;
         Finding::range("problem.effort", self.effort, 4000, 60_000)
     }
@@ -53,12 +54,4 @@ impl Config {
     pub fn settings(&self) -> DodgerSettings {
         DodgerSettings { effort: self.effort, ..DodgerSettings::DEFAULT }
     }
-}
-
-fn ordered(key: &str, [low, high]: [f64; 2], [least, most]: [f64; 2]) -> Result<(), Finding> {
-    if least <= low && low <= high && high <= most {
-        return Ok(());
-    }
-    let accepted = format!("two numbers from {least} to {most}, the first not above the second");
-    Err(Finding::new(key, format!("{:?}", [low, high]), accepted))
 }

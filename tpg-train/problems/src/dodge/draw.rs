@@ -5,6 +5,7 @@ use super::config::Config;
 pub use super::scene::SEED;
 use super::scene::{Path, Scene};
 use super::walk::{self, Leg, candidate, follow};
+use crate::amount::Amount;
 use crate::arm::targets::{ReachableSpace, Set, Start};
 use std::sync::Arc;
 use tpg_arm::dodge::CAPSULES;
@@ -99,7 +100,7 @@ impl Generator {
 
     /// One draw of a ball; `None` if it stands against the rules.
     fn ball(&self, index: usize, start: Pose, goal: Pose, random: &mut Stream) -> Option<Path> {
-        let between = |[low, high]: [f64; 2], random: &mut Stream| (low + random.unit() * (high - low)) as f32;
+        let between = |range, random: &mut Stream| Amount::Between(range).draw(random) as f32;
         let radius = between(self.config.radius, random);
         let speed = if random.chance(SHARE_STATIC) { 0.0 } else { between(self.config.speed, random) };
         let [first, others] = AIMED;

@@ -9,7 +9,6 @@ use tpg_codegen::report::{Bids, PolicyFormulas, Value};
 use tpg_graph::Graph;
 use tpg_problems::dodge::draw::Certified;
 use tpg_problems::dodge::file::read_csv;
-use tpg_web::balls::numbers;
 
 /// The data that the page reads.
 #[derive(Serialize)]
@@ -32,12 +31,19 @@ struct PageTeams {
 /// Scenes among moving balls.
 #[derive(Serialize)]
 struct PageBalls {
-    /// The first ones of the test scenes, as the module reads them.
-    scenes: Vec<Vec<f32>>,
+    /// The first ones of the test scenes.
+    scenes: Vec<PageScene>,
     /// Names of the behaviours.
     behaviours: Vec<&'static str>,
     /// Instructions of a step on a Cortex-M4, at most.
     worst: u64,
+}
+
+/// A scene: its target for the page, all of it as the module reads it.
+#[derive(Serialize)]
+struct PageScene {
+    target: [f32; 3],
+    bytes: Vec<u8>,
 }
 
 /// Scenes that the page shows.
@@ -81,9 +87,11 @@ pub(crate) fn text() -> io::Result<String> {
 
 fn balls(worst: u64) -> io::Result<PageBalls> {
     let scenes = read_csv(&top().join("generated/test-targets/dodge.csv")).map_err(io::Error::other)?;
-    let numbers = |scene: &Certified| numbers(&scene.scene).map(Vec::from);
-    let scenes = scenes.iter().take(SCENES).map(numbers).collect::<Option<_>>();
-    let scenes = scenes.ok_or_else(|| io::Error::other("a scene with too many goals or balls"))?;
+    let scene = |Certified { scene, .. }: &Certified| {
+        let bytes = postcard::to_stdvec(scene).expect("plain data");
+        PageScene { target: scene.target, bytes }
+    };
+    let scenes = scenes.iter().take(SCENES).map(scene).collect();
     Ok(PageBalls { scenes, behaviours: Behaviour::ALL.map(Behaviour::name).to_vec(), worst })
 }
 

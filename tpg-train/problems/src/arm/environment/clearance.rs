@@ -1,8 +1,8 @@
 //! A cheap test that the arm is far from everything, without looking at its collision shapes.
 
 use crate::registry::Number;
+use tpg_arm::Arm;
 use tpg_arm::kinematics::Plane;
-use tpg_arm::{Arm, TICKS_PER_TURN};
 
 /// Distances from the corners of the collision shapes to their joints, and the extent of the base; mm, rounded up to
 /// cover every rounding error of the kinematics.
@@ -49,11 +49,4 @@ impl<S: Number> Clearances<S> {
         }
         over_table & (above | before | behind)
     }
-}
-
-/// Returns the maximum distance that so many ticks, of all joints together, move any point of the arm, mm, rounded up.
-pub(super) fn swing(arm: &Arm<f64>, ticks: f64) -> f64 {
-    let links = &arm.links;
-    let length = links.upper_arm + links.elbow_offset + links.forearm + links.hand + links.shoulder_radial;
-    length * ticks * std::f64::consts::TAU / f64::from(TICKS_PER_TURN) + 1.0
 }

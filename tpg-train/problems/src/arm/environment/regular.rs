@@ -1,6 +1,6 @@
 //! The regular step of many arms, computed by the same functions as any step, vectorised over lanes.
 
-use super::group::Group;
+use super::lanes::Group;
 use super::{ArmEnvironment, base_angle, look_up};
 use crate::registry::Number;
 use tpg_arm::kinematics::{Direction, Directions, Plane, difference, link_angles};
@@ -8,31 +8,26 @@ use tpg_arm::{JOINTS, Pose};
 use tpg_engine::{BLOCK, Block};
 use tpg_runtime::policy::ActionId;
 
-/// The regular steps.
-pub(super) struct Regular<'a, S> {
-    pub(super) environment: &'a ArmEnvironment<S>,
-    /// Move of each action, followed by the move used for actions that do not exist.
-    pub(super) moves: &'a [[i32; JOINTS]],
-    pub(super) groups: &'a mut [Group<S>],
-    pub(super) keys: &'a mut [Block<u64>],
-    pub(super) actions: &'a [ActionId],
-}
-
-impl<S: Number> Regular<'_, S> {
-    /// Takes the steps.
-    #[inline(always)]
-    pub(super) fn take(self) {
-        let nothing = self.moves.len() - 1;
-        for ((group, keys), actions) in self.groups.iter_mut().zip(self.keys).zip(self.actions.chunks(BLOCK)) {
-            let mut steps = [[0; BLOCK]; JOINTS];
-            for (lane, action) in actions.iter().enumerate() {
-                let step = self.moves[usize::from(action.0).min(nothing)];
-                for (steps, step) in steps.iter_mut().zip(step) {
-                    steps[lane] = step;
-                }
+/// Takes an action in every lane, as if it were a regular step. `moves` are those of each action, followed by the move used for
+/// actions that do not exist.
+#[inline(always)]
+pub(super) fn take<S: Number>(
+    environment: &ArmEnvironment<S>,
+    moves: &[[i32; JOINTS]],
+    groups: &mut [Group<S>],
+    keys: &mut [Block<u64>],
+    actions: &[ActionId],
+) {
+    let nothing = moves.len() - 1;
+    for ((group, keys), actions) in groups.iter_mut().zip(keys).zip(actions.chunks(BLOCK)) {
+        let mut steps = [[0; BLOCK]; JOINTS];
+        for (lane, action) in actions.iter().enumerate() {
+            let step = moves[usize::from(action.0).min(nothing)];
+            for (steps, step) in steps.iter_mut().zip(step) {
+                steps[lane] = step;
             }
-            regular(self.environment, group, keys, &steps);
         }
+        regular(environment, group, keys, &steps);
     }
 }
 
@@ -48,17 +43,16 @@ fn regular<S: Number>(
     keys: &mut Block<u64>,
     steps: &[Block<i32>; JOINTS],
 ) {
-    let mut ticks = group.now.ticks;
+    let mut ticks = group.ticks;
     let (mut inside, mut moved) = ([true; BLOCK], [0; BLOCK]);
     for joint in 0..JOINTS {
         let range = environment.arm.ranges[joint];
         for lane in 0..BLOCK {
-            let step = steps[joint][lane] * group.now.roughness[lane];
-            let step = step.clamp(i32::from(i8::MIN), i32::from(i8::MAX));
-            let to = ticks[joint][lane] + step;
+            let to = ticks[joint][lane] + steps[joint][lane];
             ticks[joint][lane] = to;
             inside[lane] &= (to >= i32::from(range.min)) & (to <= i32::from(range.max));
-            moved[lane] |= step;
+            // Not by the steps: for these, LLVM spreads a mask of AVX-512 lane by lane.
+            moved[lane] |= to ^ group.ticks[joint][lane];
         }
     }
     // Not by `map`: an array's is not inlined here, and would be a call for each lane.
@@ -74,23 +68,23 @@ fn regular<S: Number>(
             sines[part][lane] = sin;
         }
     }
-    let mut hands = group.now.hand;
+    let mut hands = group.hand;
     for lane in 0..BLOCK {
         let part = |part: usize| Direction { cos: cosines[part][lane], sin: sines[part][lane] };
         let plane = Plane::new(&environment.arm, Directions::of_links(part(1), part(2), part(3)));
         let hand = plane.hand_in_world(part(0));
-        let target = [group.now.target[0][lane], group.now.target[1][lane], group.now.target[2][lane]];
+        let target = [group.target[0][lane], group.target[1][lane], group.target[2][lane]];
         let [x, y, z] = difference(target, hand);
-        let far = x * x + y * y + z * z > group.now.far[lane];
+        let far = x * x + y * y + z * z > group.far[lane];
         for axis in 0..3 {
             hands[axis][lane] = hand[axis];
         }
         let clear = environment.clearances.leaves_free(&plane);
-        group.other[lane] = !(inside[lane] & (moved[lane] != 0) & far & clear & (group.now.left[lane] > 0));
+        group.other[lane] = !(inside[lane] & (moved[lane] != 0) & far & clear & (group.left[lane] > 0));
     }
     for lane in 0..BLOCK {
         keys[lane] = pose(lane).packed();
-        group.now.left[lane] -= 1;
+        group.left[lane] -= 1;
     }
-    (group.before, group.now.ticks, group.now.hand) = (group.now.ticks, ticks, hands);
+    (group.before, group.ticks, group.hand) = (group.ticks, ticks, hands);
 }
