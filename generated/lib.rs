@@ -3,7 +3,7 @@
 //! Each folder holds a policy's `graph.json`, the C and Rust made of it, and `PROVENANCE.md`: how it was trained and how
 //! well it does; `hybrid.toml` and `hybrid.rs` say how it shares the arm with the network. `widowx-sac` is a soft actor-critic's network instead: its weights, the same in integers, and the Rust
 //! constants of those. `dodge` chooses among behaviours of an arm among moving balls. `asterix`, `breakout` and `space-invaders`
-//! see images of MinAtar's games. The other folders are problems of Gymnasium. Tests fail when regenerating gives other bytes.
+//! see images of MinAtar's games, `eye` those of a camera. The other folders are problems of Gymnasium. Tests fail when regenerating gives other bytes.
 //!
 //! ```
 //! use tpg_generated::widowx_fs::WidowxFs;
@@ -34,6 +34,8 @@ pub mod breakout;
 pub mod cartpole;
 #[path = "dodge/dodge.rs"]
 pub mod dodge;
+#[path = "eye/eye.rs"]
+pub mod eye;
 #[path = "hopper/hopper.rs"]
 pub mod hopper;
 #[path = "inverted-double-pendulum/inverted_double_pendulum.rs"]

@@ -19,13 +19,14 @@ use tpg_runtime::policy::ActionId;
 use tpg_testing::amount;
 
 /// The shipped graphs.
-const SHIPPED: [&str; 17] = [
+const SHIPPED: [&str; 18] = [
     "acrobot",
     "asterix",
     "bipedal-walker",
     "breakout",
     "cartpole",
     "dodge",
+    "eye",
     "hopper",
     "inverted-double-pendulum",
     "lunar-lander",

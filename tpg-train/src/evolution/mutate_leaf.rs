@@ -90,8 +90,11 @@ impl Context<'_> {
         }
         if edges.len() < self.config.tpg.max_outgoing_edges && stream.chance(P_EDGE_ADDITION) {
             if let Some(pair) = self.vocabulary.pair(stream).filter(|_| stream.chance(P_TWIN)) {
-                let edge = *stream.pick(&edges);
-                edges.push(twin(genome, edge, pair));
+                let place = stream.below(edges.len());
+                if edges.len() == 1 {
+                    edges[place].program = genome.add_program(self.random(stream)); // a bid that has never counted
+                }
+                edges.push(twin(genome, edges[place], pair));
                 return genome.add_team(Team { edges });
             }
             let to = if stream.chance(P_TEAM) {
