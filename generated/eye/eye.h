@@ -1,8 +1,8 @@
 /*
- * A policy for eye, score 84.21 in validation, trained by tpg-train 0.1.0 with seed 1.
+ * A policy for eye, score 83.64 in validation, trained by tpg-train 0.1.0 with seed 1.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix eye --profile fast
- * Graph SHA-256: eee2e57b66767f4d6a8fe5d2735653ba1eec4ad852ac8f0425d57309be3994b1
+ * Graph SHA-256: 341c772999931a4009a4dfc71578afe431a9c97694bd8bc3198e804daaa27ff4
  * 1 team, 2 edges, 2 programs, 10 distinct operations.
  * A decision takes at most 2 bids and 6 operations.
  * Computes in f32 with own maths.
@@ -22,7 +22,6 @@ extern "C" {
 typedef struct eye_state {
     float image_bright[3]; /* 0 to 23; 0 to 31; 0 to 2295 */
     float image_dark[3]; /* 0 to 23; 0 to 31; 0 to 2295 */
-    float image_grid; /* 0 to 4080 */
 } eye_state_t;
 
 /* The values that the policy answers, each in its range and never NaN. */

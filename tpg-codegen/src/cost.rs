@@ -24,12 +24,12 @@ pub struct Cost {
 
 /// A part of a decision.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Work {
+struct Tally {
     operations: u64,
     maths_calls: u64,
 }
 
-impl Work {
+impl Tally {
     fn plus(self, other: Self) -> Self {
         Self { operations: self.operations + other.operations, maths_calls: self.maths_calls + other.maths_calls }
     }
@@ -43,9 +43,9 @@ impl Cost {
     /// Returns the most that a decision of a program takes.
     pub(crate) fn worst(program: &Program<'_>) -> Self {
         let module = &program.module;
-        let mut once = Work::default();
+        let mut once = Tally::default();
         // The nodes and leaves that are computed, and the work of each team's bids.
-        let (nodes, leaves, teams): (&[Node], &[Leaf], Vec<Vec<Work>>) = match &program.shape {
+        let (nodes, leaves, teams): (&[Node], &[Leaf], Vec<Vec<Tally>>) = match &program.shape {
             // Every bid of a team is computed by itself.
             Small(_) | Gegelati | Integers(_) => {
                 let bids = in_order(module, |bid| work(&module.nodes, &module.operations_of(bid)));
@@ -55,7 +55,7 @@ impl Cost {
             ConstantTime => {
                 let of_leaves = module.leaves.iter().flat_map(|leaf| leaf.values.iter().copied());
                 once = needed_work(&module.nodes, module.deciding_bids().into_iter().chain(of_leaves));
-                (&module.nodes, &[], in_order(module, |_| Work::default()))
+                (&module.nodes, &[], in_order(module, |_| Tally::default()))
             }
             Balanced(cases) => {
                 let bids = |team| cases.team(team).map(|case| work(&cases.nodes, &cases.operations(case))).collect();
@@ -68,13 +68,15 @@ impl Cost {
                 (&schedule.nodes, &schedule.leaves, schedule.plans.iter().map(bids).collect())
             }
         };
-        let heaviest = |weight: fn(&Work) -> u64| {
+        let heaviest = |weight: fn(&Tally) -> u64| {
             let team = |team: usize| teams[team].iter().map(weight).sum::<u64>();
             let all = program.shape == ConstantTime;
             if all { (0..teams.len()).map(team).sum() } else { heaviest_walk(&module.teams, team) }
         };
-        let leaf =
-            leaves.iter().map(|leaf| needed_work(nodes, leaf.values.iter().copied())).fold(Work::default(), Work::most);
+        let leaf = leaves
+            .iter()
+            .map(|leaf| needed_work(nodes, leaf.values.iter().copied()))
+            .fold(Tally::default(), Tally::most);
         Self {
             teams: module.depth as u64,
             bids: heaviest(|_| 1),
@@ -85,19 +87,19 @@ impl Cost {
 }
 
 /// The work of each bid of every team, as the module has them.
-fn in_order(module: &Module<'_>, bid: impl Fn(NodeId) -> Work) -> Vec<Vec<Work>> {
+fn in_order(module: &Module<'_>, bid: impl Fn(NodeId) -> Tally) -> Vec<Vec<Tally>> {
     let bids = |team: &crate::ir::Team| team.edges.iter().map(|edge| bid(module.bidders[edge.bidder].value)).collect();
     module.teams.iter().map(bids).collect()
 }
 
 /// The work of the bids of a team of the profile `fast`, where none can be spared.
-fn planned(nodes: &[Node], plan: &TeamSchedule, language: Language) -> Vec<Work> {
+fn planned(nodes: &[Node], plan: &TeamSchedule, language: Language) -> Vec<Tally> {
     // With one way to go, no bid matters.
     if plan.destinations().len() == 1 {
         return Vec::new();
     }
     let mut scope = Scope { nodes, computed: BTreeSet::new() };
-    let mut bids: Vec<Work> = plan.eager.iter().map(|bid| scope.compute(bid.value)).collect();
+    let mut bids: Vec<Tally> = plan.eager.iter().map(|bid| scope.compute(bid.value)).collect();
     bids.extend(plan.lazy.iter().map(|lazy| scope.lazy(lazy, language)));
     bids
 }
@@ -110,7 +112,7 @@ struct Scope<'a> {
 
 impl Scope<'_> {
     /// Computes a value; returns what that took.
-    fn compute(&mut self, value: NodeId) -> Work {
+    fn compute(&mut self, value: NodeId) -> Tally {
         let missing = needed(self.nodes, value, |id| !self.computed.contains(&id));
         let work = work(self.nodes, &missing);
         self.computed.extend(missing);
@@ -118,7 +120,7 @@ impl Scope<'_> {
     }
 
     /// Computes a bid and its bounds. What stands under a condition is out of scope behind it.
-    fn lazy(&mut self, lazy: &LazyBid, language: Language) -> Work {
+    fn lazy(&mut self, lazy: &LazyBid, language: Language) -> Tally {
         let LazyBid { bid, sparing, bound } = *lazy;
         let first = sparing.map(|sparing| self.compute(sparing.argument)).unwrap_or_default();
         let outside = self.computed.clone();
@@ -135,13 +137,13 @@ impl Scope<'_> {
 }
 
 /// The work of some values, each operation once.
-fn needed_work(nodes: &[Node], values: impl IntoIterator<Item = NodeId>) -> Work {
+fn needed_work(nodes: &[Node], values: impl IntoIterator<Item = NodeId>) -> Tally {
     work(nodes, &values.into_iter().flat_map(|value| needed(nodes, value, |_| true)).collect::<BTreeSet<_>>())
 }
 
-fn work<'a>(nodes: &[Node], ids: impl IntoIterator<Item = &'a NodeId, IntoIter: Clone>) -> Work {
+fn work<'a>(nodes: &[Node], ids: impl IntoIterator<Item = &'a NodeId, IntoIter: Clone>) -> Tally {
     let nodes = ids.into_iter().map(|id| nodes[id.index()]);
-    Work {
+    Tally {
         operations: nodes.clone().filter(Node::is_computed).count() as u64,
         maths_calls: nodes.filter(Node::is_transcendental).count() as u64,
     }

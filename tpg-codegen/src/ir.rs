@@ -82,12 +82,12 @@ pub(crate) struct Edge {
     /// The place of the bidder in [`Module::bidders`].
     pub bidder: usize,
     /// The destination.
-    pub to: Target,
+    pub to: Successor,
 }
 
 /// The destination of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(crate) enum Target {
+pub(crate) enum Successor {
     /// To the team at this place of [`Module::teams`].
     Team(usize),
     /// To an action, or to the leaf at this place of [`Module::leaves`].
@@ -155,10 +155,10 @@ impl<'g> Module<'g> {
     }
 
     /// The vertex of a target: teams are numbered from 0, the root, and the actions or leaves follow them.
-    pub(crate) fn vertex(&self, target: Target) -> usize {
+    pub(crate) fn vertex(&self, target: Successor) -> usize {
         match target {
-            Target::Team(team) => team,
-            Target::Action(action) => self.teams.len() + usize::from(action.0),
+            Successor::Team(team) => team,
+            Successor::Action(action) => self.teams.len() + usize::from(action.0),
         }
     }
 
@@ -229,8 +229,8 @@ impl<'g> ModuleBuilder<'g> {
     fn module(mut self) -> Module<'g> {
         let edge = |edge: &tpg_graph::Edge| {
             let to = match edge.to {
-                Destination::Team(team) => Target::Team(team.index()),
-                Destination::Action(action) => Target::Action(action),
+                Destination::Team(team) => Successor::Team(team.index()),
+                Destination::Action(action) => Successor::Action(action),
             };
             Edge { bidder: edge.program.index(), to }
         };
@@ -323,7 +323,7 @@ pub(crate) fn breadth_first(teams: &[Team], root: usize) -> (Vec<Team>, Vec<usiz
     while let Some(&index) = order.get(reached.len()) {
         let mut team = teams[index].clone();
         for edge in &mut team.edges {
-            if let Target::Team(to) = &mut edge.to {
+            if let Successor::Team(to) = &mut edge.to {
                 *to = *place.entry(*to).or_insert_with_key(|to| {
                     order.push(*to);
                     order.len() - 1
@@ -341,7 +341,7 @@ pub(crate) fn breadth_first(teams: &[Team], root: usize) -> (Vec<Team>, Vec<usiz
 
 /// The teams that an edge at a place leads to, as [`depth_first`] asks for them.
 fn target(teams: &[Team], team: usize, place: usize) -> Option<Option<usize>> {
-    let target = |edge: &Edge| if let Target::Team(to) = edge.to { Some(to) } else { None };
+    let target = |edge: &Edge| if let Successor::Team(to) = edge.to { Some(to) } else { None };
     teams[team].edges.get(place).map(target)
 }
 
@@ -384,7 +384,7 @@ pub(crate) fn heaviest_walk(teams: &[Team], weight: impl Fn(usize) -> u64) -> u6
     let mut walk: Vec<u64> = (0..teams.len()).map(&weight).collect();
     for team in topological(teams) {
         for edge in &teams[team].edges {
-            if let Target::Team(to) = edge.to {
+            if let Successor::Team(to) = edge.to {
                 walk[to] = walk[to].max(walk[team] + weight(to));
             }
         }

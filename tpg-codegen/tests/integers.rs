@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{Code, Language, Options, Profile};
-use tpg_codegen::quantise::{Report, Request, quantise};
+use tpg_codegen::quantise::{QuantiseReport, Request, quantise};
 use tpg_codegen::report::explain;
 use tpg_codegen::verify::{self, Workshop};
 use tpg_graph::sample::{self, Constants, Shape};
@@ -166,7 +166,7 @@ fn shipped(name: &str) -> Graph {
     tpg_graph::import::load(path.as_ref(), None, None).expect("a shipped graph")
 }
 
-pub(crate) fn quantised(name: &str, bits: u32) -> (Graph, Report) {
+pub(crate) fn quantised(name: &str, bits: u32) -> (Graph, QuantiseReport) {
     let graph = shipped(name);
     let states = StateSet::sampled(&graph, 2000, 1);
     let request = Request::of_bits(bits, &states);

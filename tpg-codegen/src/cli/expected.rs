@@ -17,11 +17,11 @@ pub(super) struct Expected {
     /// States whose answers differ.
     pub(super) differences: usize,
     /// The first difference.
-    first: Option<Difference>,
+    first: Option<Mismatch>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct Difference {
+struct Mismatch {
     line: usize,
     recorded: String,
     interpreter: String,
@@ -34,7 +34,7 @@ impl Expected {
         let mut differing = (recorded.iter().zip(&answers).zip(lines))
             .filter(|((recorded, answer), _)| !recorded.same_bits(answer))
             .peekable();
-        let first = differing.peek().map(|((recorded, answer), line)| Difference {
+        let first = differing.peek().map(|((recorded, answer), line)| Mismatch {
             line: *line,
             recorded: recorded.to_string(),
             interpreter: answer.to_string(),
@@ -49,7 +49,7 @@ impl fmt::Display for Expected {
         let Self { file, states, differences, first } = self;
         match first {
             None => write!(f, "interpreter = {file} on {states} states"),
-            Some(Difference { line, recorded, interpreter }) => write!(
+            Some(Mismatch { line, recorded, interpreter }) => write!(
                 f,
                 "interpreter differs from {file} on {differences} of {states} states; the first, line {line}: \
                  {interpreter} instead of {recorded}"

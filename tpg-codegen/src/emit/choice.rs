@@ -14,7 +14,7 @@ pub(super) struct KeyView {
 }
 
 /// A team.
-pub(super) struct TeamView {
+pub(super) struct ChoiceView {
     pub(super) label: u32,
     pub(super) number: usize,
     /// The bid of each edge as it is compared, and the vertex that it leads to.
@@ -61,9 +61,9 @@ pub(super) fn leaves<S: Syntax>(
 }
 
 /// A team by its number; `key` names a bid as it is compared.
-pub(super) fn team(module: &Module<'_>, number: usize, key: impl Fn(NodeId) -> String) -> TeamView {
+pub(super) fn team(module: &Module<'_>, number: usize, key: impl Fn(NodeId) -> String) -> ChoiceView {
     let team = &module.teams[number];
     let edges =
         (team.edges.iter()).map(|edge| (key(module.bidders[edge.bidder].value), module.vertex(edge.to))).collect();
-    TeamView { label: team.label, number, edges }
+    ChoiceView { label: team.label, number, edges }
 }

@@ -2,7 +2,7 @@
 
 use super::block::{Block, unused};
 use super::syntax::Syntax;
-use crate::ir::{Module, Target};
+use crate::ir::{Module, Successor};
 use crate::passes::schedule::{Bid, LazyBid, Sparing, TeamSchedule};
 use std::collections::{BTreeMap, BTreeSet};
 use tpg_graph::ScalarType;
@@ -73,37 +73,37 @@ pub(super) struct Destinations<'a, J> {
     /// The answers that they are.
     pub(super) answers: Vec<String>,
     /// The jump to a label, or out of the function with an answer.
-    pub(super) jump: &'a dyn Fn(Target, Result<String, String>) -> J,
+    pub(super) jump: &'a dyn Fn(Successor, Result<String, String>) -> J,
 }
 
 impl<J> Destinations<'_, J> {
-    pub(super) fn jump(&self, to: Target) -> J {
+    pub(super) fn jump(&self, to: Successor) -> J {
         (self.jump)(to, self.answer(to).map_or_else(|| Ok(self.label(to)), Err))
     }
 
     /// The label of a team or leaf.
-    pub(super) fn label(&self, to: Target) -> String {
+    pub(super) fn label(&self, to: Successor) -> String {
         match to {
-            Target::Team(team) => format!("team_{}", self.module.teams[team].label),
-            Target::Action(leaf) => format!("leaf_{}", self.module.leaves[usize::from(leaf.0)].label),
+            Successor::Team(team) => format!("team_{}", self.module.teams[team].label),
+            Successor::Action(leaf) => format!("leaf_{}", self.module.leaves[usize::from(leaf.0)].label),
         }
     }
 
     /// The answer that a destination is, if nothing remains to be done there.
-    pub(super) fn answer(&self, to: Target) -> Option<String> {
+    pub(super) fn answer(&self, to: Successor) -> Option<String> {
         match to {
-            Target::Action(action) if self.module.leaves.is_empty() => {
+            Successor::Action(action) if self.module.leaves.is_empty() => {
                 Some(self.answers[usize::from(action.0)].clone())
             }
-            Target::Team(_) | Target::Action(_) => None,
+            Successor::Team(_) | Successor::Action(_) => None,
         }
     }
 
     /// The name of a bid for it.
-    pub(super) fn bid(&self, to: Target) -> String {
+    pub(super) fn bid(&self, to: Successor) -> String {
         match to {
-            Target::Action(action) if self.module.leaves.is_empty() => self.names[usize::from(action.0)].clone(),
-            Target::Team(_) | Target::Action(_) => format!("to_{}", self.label(to)),
+            Successor::Action(action) if self.module.leaves.is_empty() => self.names[usize::from(action.0)].clone(),
+            Successor::Team(_) | Successor::Action(_) => format!("to_{}", self.label(to)),
         }
     }
 }
@@ -193,7 +193,7 @@ struct TeamBuilder<'a, S> {
     syntax: &'a S,
     plan: &'a TeamSchedule,
     /// The distinct destinations of the edges; the last is the last edge's.
-    targets: &'a [Target],
+    targets: &'a [Successor],
     /// The value of the winner's variable for each of them, where bids are evaluated in ascending order.
     ranks: Vec<String>,
     /// All bids are evaluated in ascending order: the winner's destination identifies it well enough.
@@ -216,7 +216,7 @@ impl<S: Syntax> TeamBuilder<'_, S> {
     }
 
     fn ways<J>(&self, to: &Destinations<'_, J>) -> Vec<(Vec<String>, J)> {
-        let ranks = |(number, &target): (usize, &Target)| match self.ascending {
+        let ranks = |(number, &target): (usize, &Successor)| match self.ascending {
             true => vec![self.rank_of(number)],
             false => {
                 let leads = self.plan.targets.iter().enumerate().filter(|&(_, &to)| to == target);

@@ -3,7 +3,7 @@
 use crate::emit::integers::{bids_in_units, output_in_units};
 use crate::formula::Formulas;
 use crate::integers::{Form, forms};
-use crate::ir::{Module, NodeId, Target, reached};
+use crate::ir::{Module, NodeId, Successor, reached};
 use crate::options::{Language, Options, Profile, Style};
 use crate::program::compile;
 use crate::shape::Shape;
@@ -108,11 +108,11 @@ impl TeamFormulas {
         let (shared, texts) = texts(module, &formulas, &bids, in_units);
         let bid = |(edge, formula): (&crate::ir::Edge, String)| {
             let (to, team) = match edge.to {
-                Target::Team(team) => (format!("team {}", module.teams[team].label), Some(team)),
-                Target::Action(end) if module.graph.leaves().is_empty() => {
+                Successor::Team(team) => (format!("team {}", module.teams[team].label), Some(team)),
+                Successor::Action(end) if module.graph.leaves().is_empty() => {
                     (module.graph.actions()[usize::from(end.0)].to_string(), None)
                 }
-                Target::Action(end) => (module.graph.end_name(end), None),
+                Successor::Action(end) => (module.graph.end_name(end), None),
             };
             BidFormula { program: module.bidders[edge.bidder].label, to, team, formula }
         };

@@ -1,6 +1,6 @@
 //! The bids of a policy as a table: for programs that compute them and have no graph.
 
-use crate::ir::{Edge, Module, Node, NodeId, Target};
+use crate::ir::{Edge, Module, Node, NodeId, Successor};
 use crate::options::{Language, Options};
 use crate::program::compile;
 use serde::{Serialize, Serializer};
@@ -78,8 +78,8 @@ impl Bids {
         };
         let edge = |edge: &Edge| {
             let to = match edge.to {
-                Target::Team(team) => Destination::Team(team),
-                Target::Action(end) => Destination::End(end.0),
+                Successor::Team(team) => Destination::Team(team),
+                Successor::Action(end) => Destination::End(end.0),
             };
             (places[&module.bidders[edge.bidder].value], to)
         };

@@ -1,15 +1,15 @@
 //! Nodes and leaves that no walk needs any more.
 
-use crate::ir::{Module, Node, NodeId, Target, Values};
+use crate::ir::{Module, Node, NodeId, Successor, Values};
 use Node::*;
 use std::collections::BTreeSet;
 use tpg_runtime::policy::ActionId;
 
 /// Removes them.
 pub(super) fn run(module: &mut Module<'_>) {
-    let ends: BTreeSet<Target> = module.teams.iter().flat_map(|team| &team.edges).map(|edge| edge.to).collect();
+    let ends: BTreeSet<Successor> = module.teams.iter().flat_map(|team| &team.edges).map(|edge| edge.to).collect();
     for (number, leaf) in module.leaves.iter_mut().enumerate() {
-        if !ends.contains(&Target::Action(ActionId(number as u16))) {
+        if !ends.contains(&Successor::Action(ActionId(number as u16))) {
             leaf.values.clear();
         }
     }

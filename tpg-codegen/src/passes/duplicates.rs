@@ -24,14 +24,14 @@ pub(super) fn run(module: &mut Module<'_>) {
 #[cfg(test)]
 mod tests {
     use super::run;
-    use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
+    use crate::ir::{Bidder, Edge, Module, Node, NodeId, Successor, Team};
     use tpg_graph::sample::{self, Shape};
     use tpg_graph::{ActionId, Input};
 
     #[test]
     fn the_last_of_equal_bids_stays_in_its_place() {
         let bidder = |label, value| Bidder { label, value: NodeId(value) };
-        let edge = |bidder, action| Edge { bidder, to: Target::Action(ActionId(action)) };
+        let edge = |bidder, action| Edge { bidder, to: Successor::Action(ActionId(action)) };
         let edges = vec![edge(0, 0), edge(1, 1), edge(2, 2), edge(0, 3), edge(3, 4)];
         let graph = sample::graph(&Shape::default(), 0);
         let mut module = Module {

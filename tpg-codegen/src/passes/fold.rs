@@ -13,7 +13,7 @@
 //! Not exact, and so not rules: `x + 0` (−0 becomes 0), `0·x` and `x − x` (NaN for an infinite x), any reassociation.
 
 use super::arithmetic::Arithmetic;
-use crate::ir::{Module, Node, NodeId, Target, Values};
+use crate::ir::{Module, Node, NodeId, Successor, Values};
 use Instruction::*;
 use Node::*;
 use std::collections::BTreeMap;
@@ -71,8 +71,8 @@ fn merge_leaves(module: &mut Module<'_>) {
         .map(|(number, leaf)| *first.entry(leaf.values.clone()).or_insert(number))
         .collect();
     for edge in module.teams.iter_mut().flat_map(|team| &mut team.edges) {
-        if let (Target::Action(leaf), false) = (edge.to, same.is_empty()) {
-            edge.to = Target::Action(ActionId(same[usize::from(leaf.0)] as u16));
+        if let (Successor::Action(leaf), false) = (edge.to, same.is_empty()) {
+            edge.to = Successor::Action(ActionId(same[usize::from(leaf.0)] as u16));
         }
     }
 }

@@ -19,7 +19,7 @@ pub(super) fn run(module: &mut Module<'_>, intervals: &[Interval]) {
 #[cfg(test)]
 mod tests {
     use super::run;
-    use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
+    use crate::ir::{Bidder, Edge, Module, Node, NodeId, Successor, Team};
     use crate::passes::interval::Interval;
     use tpg_graph::sample::{self, Shape};
     use tpg_graph::{ActionId, Input};
@@ -34,7 +34,7 @@ mod tests {
             interval(50.0, 60.0, true), // may be NaN: certain of nothing
         ];
         let bidders = (0..4).map(|n| Bidder { label: n, value: NodeId(n) }).collect();
-        let edge = |bidder| Edge { bidder, to: Target::Action(ActionId(0)) };
+        let edge = |bidder| Edge { bidder, to: Successor::Action(ActionId(0)) };
         let team = Team { label: 1, edges: (0..4).map(edge).collect() };
         let nodes = (0..4).map(|n| Node::Input(Input(n))).collect();
         let graph = sample::graph(&Shape::default(), 0);

@@ -8,7 +8,7 @@ use super::arithmetic::Arithmetic;
 use super::bound::Bounds;
 use super::collect;
 use super::interval;
-use crate::ir::{Leaf, Module, Node, NodeId, Target, Values};
+use crate::ir::{Leaf, Module, Node, NodeId, Successor, Values};
 use Instruction::*;
 use tpg_runtime::ops::Instruction;
 
@@ -66,12 +66,12 @@ pub(crate) struct TeamSchedule {
     /// The others, in order of evaluation.
     pub lazy: Vec<LazyBid>,
     /// The edges' destinations, by place.
-    pub targets: Vec<Target>,
+    pub targets: Vec<Successor>,
 }
 
 impl TeamSchedule {
     /// The distinct destinations of the edges; the last is the last edge's, which is taken if no bid wins.
-    pub(crate) fn destinations(&self) -> Vec<Target> {
+    pub(crate) fn destinations(&self) -> Vec<Successor> {
         let mut destinations = Vec::new();
         for &target in self.targets.iter().rev() {
             if !destinations.contains(&target) {

@@ -4,14 +4,14 @@
 //! destinations are merged. Each rule can enable the other, so teams are visited in reverse topological order: successors
 //! first.
 
-use crate::ir::{Module, NodeId, Target, breadth_first, ends_first, longest_walk};
-use Target::*;
+use crate::ir::{Module, NodeId, Successor, breadth_first, ends_first, longest_walk};
+use Successor::*;
 use std::collections::BTreeMap;
 
 /// Redirects edges past such teams, and renumbers the remaining ones breadth first. The root always stays.
 pub(super) fn run(module: &mut Module<'_>) {
-    let mut place: Vec<Target> = (0..module.teams.len()).map(Team).collect();
-    let mut known: BTreeMap<Vec<(NodeId, Target)>, usize> = BTreeMap::new();
+    let mut place: Vec<Successor> = (0..module.teams.len()).map(Team).collect();
+    let mut known: BTreeMap<Vec<(NodeId, Successor)>, usize> = BTreeMap::new();
     for index in ends_first(&module.teams) {
         let team = &mut module.teams[index];
         for edge in &mut team.edges {
@@ -42,7 +42,7 @@ pub(super) fn run(module: &mut Module<'_>) {
 #[cfg(test)]
 mod tests {
     use super::run;
-    use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
+    use crate::ir::{Bidder, Edge, Module, Node, NodeId, Successor, Team};
     use tpg_graph::sample::{self, Shape};
     use tpg_graph::{ActionId, Input};
 
@@ -50,8 +50,8 @@ mod tests {
     fn teams_without_a_choice_and_twins_go() {
         let nodes = (0..3).map(|n| Node::Input(Input(n))).collect();
         let bidders = (0..3).map(|n| Bidder { label: n, value: NodeId(n) }).collect();
-        let to_team = |bidder, team| Edge { bidder, to: Target::Team(team) };
-        let to_action = |bidder, action| Edge { bidder, to: Target::Action(ActionId(action)) };
+        let to_team = |bidder, team| Edge { bidder, to: Successor::Team(team) };
+        let to_action = |bidder, action| Edge { bidder, to: Successor::Action(ActionId(action)) };
         let team = |label, edges| Team { label, edges };
         let graph = sample::graph(&Shape::default(), 0);
         let mut module = Module {

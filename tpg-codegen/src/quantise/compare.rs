@@ -7,7 +7,7 @@ use tpg_graph::{Graph, Output};
 
 /// The comparison on some states.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Comparison {
+pub struct Agreement {
     /// States compared.
     pub states: usize,
     /// Their origin.
@@ -35,7 +35,7 @@ pub struct OutputDifference {
     pub different: f64,
 }
 
-impl Comparison {
+impl Agreement {
     /// Compares on states of values.
     pub fn new(graph: &Graph, counted: &Graph, set: &StateSet) -> Self {
         let length = graph.state_length();

@@ -15,9 +15,9 @@ mod build;
 mod compare;
 mod program;
 
-pub use compare::{Comparison, OutputDifference};
+pub use compare::{Agreement, OutputDifference};
 
-use crate::ir::{Module, Node, NodeId, Target, reached};
+use crate::ir::{Module, Node, NodeId, Successor, reached};
 use crate::passes;
 use askama::Template;
 use build::{Builder, memory_scale, power_below};
@@ -59,7 +59,7 @@ impl<'a> Request<'a> {
 /// The quantisation in figures; for people, their text.
 #[derive(Clone, Debug, PartialEq, Serialize, Template)]
 #[template(path = "quantised.txt", escape = "none")]
-pub struct Report {
+pub struct QuantiseReport {
     /// Bits of the inputs.
     pub inputs: u32,
     /// Bits of the weights.
@@ -69,7 +69,7 @@ pub struct Report {
     /// Weights that became 0.
     pub vanished: usize,
     /// The comparison of both graphs.
-    pub comparison: Comparison,
+    pub comparison: Agreement,
 }
 
 /// Makes the graph of whole numbers; `file` is the graph's name in messages.
@@ -77,7 +77,7 @@ pub struct Report {
 /// # Errors
 /// A value that cannot be put into integers: one whose range has no width or no end, an output without limits that mean something, an
 /// instruction that integers do not have.
-pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Graph, Report), InputError> {
+pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Graph, QuantiseReport), InputError> {
     let refuse = |place: &str, found: &str, accepted: &str| Err(InputError::new(file, place, found, accepted));
     if graph.has_counts() {
         return refuse("$.sources[0].counts", "a graph of counts", "a graph that is not in integers yet");
@@ -102,7 +102,7 @@ pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Gra
     let Quantiser { builder, bounds, .. } = quantiser;
     let vanished = builder.vanished;
     let counted = Graph::from_document(file, document)?;
-    let comparison = Comparison::new(graph, &counted, request.states);
+    let comparison = Agreement::new(graph, &counted, request.states);
     for (output, difference) in graph.outputs().iter().zip(&comparison.outputs) {
         // Even one count would be beyond what any actuator does.
         let is_too_coarse = output.range.max - output.range.min > 1e30;
@@ -111,7 +111,7 @@ pub fn quantise(file: &str, graph: &Graph, request: &Request<'_>) -> Result<(Gra
             return refuse("$.outputs", &found, "limits that the actuator has");
         }
     }
-    let report = Report { inputs: request.inputs, weights: request.weights, bounds, vanished, comparison };
+    let report = QuantiseReport { inputs: request.inputs, weights: request.weights, bounds, vanished, comparison };
     Ok((counted, report))
 }
 
@@ -264,8 +264,8 @@ impl Quantiser<'_> {
             let mut written =
                 EdgeDocument { program: self.program(value, format!("{:?}", edge.to)), ..EdgeDocument::default() };
             match edge.to {
-                Target::Team(to) => written.team = Some(self.module.teams[to].label),
-                Target::Action(end) => match self.module.leaves.get(usize::from(end.0)) {
+                Successor::Team(to) => written.team = Some(self.module.teams[to].label),
+                Successor::Action(end) => match self.module.leaves.get(usize::from(end.0)) {
                     Some(leaf) => written.leaf = Some(leaf.label),
                     None => written.action = Some(u32::from(end.0)),
                 },

@@ -36,7 +36,7 @@ impl Default for Eye {
 
 /// A running episode. Places are those of the middle of the image, down and to the right, in pixels.
 #[derive(Clone, Debug)]
-pub(crate) struct Scene {
+pub(crate) struct EyeScene {
     seed: u64,
     actions: u64,
     radius: f32,
@@ -56,7 +56,7 @@ fn unit(bits: u64) -> f32 {
     (bits >> 40) as f32 / (1_u32 << 24) as f32
 }
 
-impl Scene {
+impl EyeScene {
     fn new(seed: u64) -> Self {
         let mut number = 0;
         let mut draw = |low: f32, high: f32| {
@@ -149,7 +149,7 @@ impl Image for Frame {
 impl<S: Scalar> Environment<S> for Eye {
     /// The seed of a scene.
     type Task = u64;
-    type Episode = Scene;
+    type Episode = EyeScene;
 
     fn sources(&self) -> Vec<SourceDocument> {
         self.0.sources()
@@ -175,19 +175,19 @@ impl<S: Scalar> Environment<S> for Eye {
         stream.bits()
     }
 
-    fn start(&self, seed: &u64) -> Scene {
-        Scene::new(*seed)
+    fn start(&self, seed: &u64) -> EyeScene {
+        EyeScene::new(*seed)
     }
 
-    fn observe(&self, scene: &mut Scene, _: SourceSet, state: &mut [S]) {
+    fn observe(&self, scene: &mut EyeScene, _: SourceSet, state: &mut [S]) {
         self.0.look(&scene.frame(), 0..state.len(), state);
     }
 
-    fn observe_some(&self, scene: &mut Scene, _: SourceSet, inputs: &[u16], state: &mut [S]) {
+    fn observe_some(&self, scene: &mut EyeScene, _: SourceSet, inputs: &[u16], state: &mut [S]) {
         self.0.look(&scene.frame(), inputs.iter().map(|&input| input.into()), state);
     }
 
-    fn step(&self, scene: &mut Scene, act: Act<'_, S>) -> Step {
+    fn step(&self, scene: &mut EyeScene, act: Act<'_, S>) -> Step {
         let values = act.values();
         scene.step([values[0], values[1]].map(|value| value.to_f64() as f32))
     }
@@ -195,19 +195,19 @@ impl<S: Scalar> Environment<S> for Eye {
 
 #[cfg(test)]
 mod tests {
-    use super::{Eye, Scene};
+    use super::{Eye, EyeScene};
     use tpg_engine::{Act, Environment, SourceSet};
 
     /// Returns the mean score of a head that follows the brightest or the darkest window, whichever has more contrast, or does nothing.
     fn followed(is_still: bool) -> f64 {
         let eye = Eye::default();
         let scores = (0..100).map(|seed| {
-            let (mut scene, mut score) = (Scene::new(seed), 0.0);
+            let (mut scene, mut score) = (EyeScene::new(seed), 0.0);
             let mut state = [0.0_f64; 54];
             for _ in 0..200 {
                 eye.observe(&mut scene, SourceSet::ALL, &mut state);
                 let place = if state[2] > state[5] { &state[..2] } else { &state[3..5] };
-                let command = if is_still { [0.0; 2] } else { [0.3 * (place[0] - 11.5), 0.3 * (place[1] - 15.5)] };
+                let command = if is_still { [0.0; 2] } else { [1.6 * (place[0] - 11.5), 1.6 * (place[1] - 15.5)] };
                 let step = Environment::<f64>::step(&eye, &mut scene, Act::Values(&command));
                 score += step.reward;
                 if step.end.is_some() {
@@ -222,6 +222,6 @@ mod tests {
     #[test]
     fn contrast_tells_where_the_ball_is() {
         let (followed, still) = (followed(false), followed(true));
-        assert!(followed > 50.0 && still < 10.0, "{followed} {still}");
+        assert!(followed > 80.0 && still < 10.0, "{followed} {still}");
     }
 }

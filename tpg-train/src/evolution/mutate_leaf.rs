@@ -66,12 +66,18 @@ impl Context<'_> {
     pub(super) fn populate_leaves(&self, genome: &mut Genome, moment: Moment) {
         let teams: Vec<TeamId> = genome.teams.keys().copied().collect();
         let leaves: Vec<LeafId> = genome.leaves().keys().copied().collect();
-        let before = Before { teams: &teams, leaves: &leaves };
+        let before = EarlierLeaves { teams: &teams, leaves: &leaves };
         let child = |genome: &mut Genome, parent, stream: &mut Stream| self.leaf_child(genome, parent, &before, stream);
         add_children(genome, self.config.tpg.nb_roots, moment, child);
     }
 
-    fn leaf_child(&self, genome: &mut Genome, parent: TeamId, before: &Before<'_>, stream: &mut Stream) -> TeamId {
+    fn leaf_child(
+        &self,
+        genome: &mut Genome,
+        parent: TeamId,
+        before: &EarlierLeaves<'_>,
+        stream: &mut Stream,
+    ) -> TeamId {
         if let Some(child) = self.refined_child(genome, parent, stream) {
             return child;
         }
@@ -158,7 +164,7 @@ fn twin(genome: &mut Genome, edge: Edge, [one, other]: [u8; 2]) -> Edge {
 }
 
 /// The teams and leaves that existed before any child: children lead only to these, so no cycle can arise.
-struct Before<'a> {
+struct EarlierLeaves<'a> {
     teams: &'a [TeamId],
     leaves: &'a [LeafId],
 }

@@ -12,7 +12,7 @@ const P_EDGE_DELETION: f64 = 0.7;
 const P_EDGE_ADDITION: f64 = 0.7;
 
 /// The teams and programs that existed before any child: children lead only to these, so no cycle can arise.
-struct Before<'a> {
+struct EarlierEdges<'a> {
     teams: &'a [TeamId],
     edges: &'a [Edge],
 }
@@ -62,7 +62,7 @@ impl Context<'_> {
     pub(super) fn populate_teams(&self, genome: &mut Genome, moment: Moment) {
         let teams: Vec<TeamId> = genome.teams.keys().copied().collect();
         let edges: Vec<Edge> = genome.teams.values().flat_map(|team| team.edges.iter().copied()).collect();
-        let before = Before { teams: &teams, edges: &edges };
+        let before = EarlierEdges { teams: &teams, edges: &edges };
         let mut to_mutate = Vec::new();
         add_children(genome, self.config.tpg.nb_roots, moment, |genome, parent, stream| {
             let close = self.refined_child(genome, parent, stream);
@@ -86,7 +86,7 @@ impl Context<'_> {
         &self,
         genome: &mut Genome,
         mut edges: Vec<Edge>,
-        before: &Before<'_>,
+        before: &EarlierEdges<'_>,
         to_mutate: &mut Vec<ProgramId>,
         stream: &mut Stream,
     ) -> Vec<Edge> {
@@ -118,7 +118,7 @@ impl Context<'_> {
         &self,
         genome: &mut Genome,
         edge: &mut Edge,
-        before: &Before<'_>,
+        before: &EarlierEdges<'_>,
         to_mutate: &mut Vec<ProgramId>,
         stream: &mut Stream,
     ) {

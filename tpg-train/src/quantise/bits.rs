@@ -2,7 +2,7 @@
 
 use std::fmt;
 use std::slice::from_ref;
-use tpg_codegen::quantise::{Comparison, Report, Request, quantise};
+use tpg_codegen::quantise::{Agreement, QuantiseReport, Request, quantise};
 use tpg_engine::{Sample, finite};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
@@ -27,7 +27,7 @@ pub struct Visit {
 pub struct InIntegers {
     /// The graph.
     pub graph: Graph,
-    report: Report,
+    report: QuantiseReport,
     /// The return of the floats.
     floats: Sample,
     tried: Vec<Tried>,
@@ -67,7 +67,7 @@ impl InIntegers {
         for &bits in bits.as_ref().map_or(&BITS[..], from_ref) {
             let (whole, mut report) = quantise(file, graph, &Request { margin, ..Request::of_bits(bits, &states) })?;
             let visit = play(&whole)?;
-            report.comparison = Comparison::new(graph, &whole, &visited(graph, &visit.states));
+            report.comparison = Agreement::new(graph, &whole, &visited(graph, &visit.states));
             let result = scores(&visit);
             let differences: Vec<f64> = result.iter().zip(&returns).map(|(whole, float)| whole - float).collect();
             let one = Tried { bits, result: Sample::new(&result), difference: Sample::new(&differences) };

@@ -1,6 +1,6 @@
 //! The profile `balanced`: tables of teams over native bids, each distinct one a case of one `switch`.
 
-use super::expression::Printer;
+use super::expression::CPrinter;
 use super::leaves;
 use crate::emit::cases::{self, CaseView, FunctionView};
 use crate::emit::interface::OutputView;
@@ -11,7 +11,7 @@ use askama::Template;
 #[derive(Template)]
 #[template(path = "c/balanced.c", escape = "none")]
 struct CBalanced<'a> {
-    printer: &'a Printer<'a>,
+    printer: &'a CPrinter<'a>,
     cases: &'a Cases,
     outputs: &'a [OutputView],
     /// Bids in order, each with its numbers: a sine and a cosine of the same argument begin the same.
@@ -22,7 +22,7 @@ struct CBalanced<'a> {
 }
 
 /// Renders the body.
-pub(super) fn render(printer: &Printer<'_>, cases: &Cases, outputs: &[OutputView]) -> String {
+pub(super) fn render(printer: &CPrinter<'_>, cases: &Cases, outputs: &[OutputView]) -> String {
     let balanced = CBalanced {
         printer,
         cases,

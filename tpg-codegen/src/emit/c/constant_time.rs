@@ -2,9 +2,9 @@
 //! without a loop. A comparison is the sign of a difference, taken from its bits, so that no compiler has a reason to branch.
 //! A graph of one team has nothing to chase.
 
-use super::expression::Printer;
+use super::expression::CPrinter;
 use super::leaves;
-use crate::emit::choice::{self, KeyView, TeamView};
+use crate::emit::choice::{self, ChoiceView, KeyView};
 use crate::emit::interface::OutputView;
 use crate::emit::leaves::LeafView;
 use crate::emit::syntax::Syntax;
@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 #[derive(Template)]
 #[template(path = "c/constant_time.c", escape = "none")]
 struct CConstantTime<'a> {
-    printer: &'a Printer<'a>,
+    printer: &'a CPrinter<'a>,
     vertex: &'a str,
     /// The only team chooses among the ends.
     only: bool,
@@ -23,7 +23,7 @@ struct CConstantTime<'a> {
     /// The statements of what is bid.
     bids: Vec<String>,
     keys: Vec<KeyView>,
-    teams: Vec<TeamView>,
+    teams: Vec<ChoiceView>,
     /// The vertices that are actions or leaves.
     ends: Vec<String>,
     depth: usize,
@@ -35,7 +35,7 @@ struct CConstantTime<'a> {
 }
 
 /// Renders the body.
-pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, outputs: &[OutputView]) -> String {
+pub(super) fn render(printer: &CPrinter<'_>, module: &Module<'_>, outputs: &[OutputView]) -> String {
     let names = choice::names(module);
     let (bids, challengers) = (module.deciding_bids(), challengers(module));
     // A challenger is read once, to make it comparable; another bid has a name.

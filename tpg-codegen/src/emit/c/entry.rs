@@ -1,6 +1,6 @@
 //! The entry point: the function that decides, and the types that it takes.
 
-use super::expression::Printer;
+use super::expression::CPrinter;
 use tpg_graph::Graph;
 
 /// The names that the body of a policy has for the types it works on, and the head of the function that decides.
@@ -20,7 +20,7 @@ pub(super) struct Entry {
     pub(super) head: String,
 }
 
-impl Printer<'_> {
+impl CPrinter<'_> {
     /// Names the entry point of the graph.
     pub(super) fn entry(&self) -> Entry {
         let (prefix, graph): (&str, &Graph) = (self.prefix, self.graph);

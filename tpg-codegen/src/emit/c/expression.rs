@@ -11,7 +11,7 @@ use tpg_runtime::ops::Instruction;
 
 /// Writes nodes.
 #[derive(Clone, Copy)]
-pub(super) struct Printer<'a> {
+pub(super) struct CPrinter<'a> {
     pub(super) graph: &'a Graph,
     pub(super) nodes: &'a [Node],
     pub(super) prefix: &'a str,
@@ -27,7 +27,7 @@ pub(super) struct Printer<'a> {
     pub(super) integers: bool,
 }
 
-impl Syntax for Printer<'_> {
+impl Syntax for CPrinter<'_> {
     fn graph(&self) -> &Graph {
         self.graph
     }
@@ -143,7 +143,7 @@ impl Syntax for Printer<'_> {
     }
 }
 
-impl Printer<'_> {
+impl CPrinter<'_> {
     /// The prefix in capitals.
     pub(super) fn upper(&self) -> String {
         self.prefix.to_ascii_uppercase()

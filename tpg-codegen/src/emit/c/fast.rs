@@ -6,7 +6,7 @@
 //!
 //! A bid of 0 is read from a volatile variable where another may be `max(0, x)`: see [`Syntax::hides_zeros`].
 
-use super::expression::Printer;
+use super::expression::CPrinter;
 use super::leaves;
 use crate::emit::interface::OutputView;
 use crate::emit::layout;
@@ -14,17 +14,17 @@ use crate::emit::leaves::{LeafView, views};
 use crate::emit::names;
 use crate::emit::syntax::Syntax;
 use crate::emit::team::{self, Decision, Destinations, TeamView};
-use crate::ir::{Module, NodeId, Target, topological};
+use crate::ir::{Module, NodeId, Successor, topological};
 use crate::passes::schedule::{Schedule, TeamSchedule};
 use Decision::*;
 use Jump::*;
-use Target::*;
+use Successor::*;
 use askama::Template;
 
 #[derive(Template)]
 #[template(path = "c/fast.c", escape = "none")]
 struct CFast<'a> {
-    printer: &'a Printer<'a>,
+    printer: &'a CPrinter<'a>,
     rule: &'a str,
     leads: bool,
     teams: Vec<CTeamLines>,
@@ -136,7 +136,7 @@ fn decision(decision: &Decision<Jump>, winner: &str, follows: Option<&str>) -> V
 
 /// Renders the body.
 pub(super) fn render(
-    printer: &Printer<'_>,
+    printer: &CPrinter<'_>,
     module: &Module<'_>,
     schedule: &Schedule,
     outputs: &[OutputView],
@@ -151,7 +151,7 @@ pub(super) fn render(
 
 /// Teams, and the leaves behind them.
 pub(super) struct Walk<'a> {
-    pub(super) printer: &'a Printer<'a>,
+    pub(super) printer: &'a CPrinter<'a>,
     pub(super) module: &'a Module<'a>,
     pub(super) rule: &'a str,
     /// The type of the place of a winner.

@@ -1,6 +1,6 @@
 //! The outputs of an only leaf: straight code.
 
-use super::expression::Printer;
+use super::expression::CPrinter;
 use super::leaves;
 use crate::emit::interface::OutputView;
 use crate::emit::leaves::{LeafView, view};
@@ -10,7 +10,7 @@ use askama::Template;
 #[derive(Template)]
 #[template(path = "c/formula.c", escape = "none")]
 pub(super) struct CStraight<'a> {
-    pub(super) printer: &'a Printer<'a>,
+    pub(super) printer: &'a CPrinter<'a>,
     pub(super) reads_state: bool,
     pub(super) statements: Vec<String>,
     /// The value of each output, limited.
@@ -24,7 +24,7 @@ impl CStraight<'_> {
 }
 
 /// Renders the body.
-pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, outputs: &[OutputView]) -> String {
+pub(super) fn render(printer: &CPrinter<'_>, module: &Module<'_>, outputs: &[OutputView]) -> String {
     let ids = module.only_leaf().map_or(&[][..], |leaf| &leaf.values);
     let LeafView { statements, values, reads_state, .. } = view(printer, ids, outputs, false);
     let answers = outputs.iter().zip(ids).zip(values).map(|((output, id), value)| {

@@ -1,7 +1,7 @@
 //! The shape of GEGELATI's own C, for `--style gegelati`: a function for each program and each team, an array of bids, a
 //! switch. Nothing is optimised: it is what the profiles are measured against.
 
-use super::expression::Printer;
+use super::expression::CPrinter;
 use crate::emit::block::Block;
 use crate::emit::syntax::Syntax;
 use crate::ir::{Bidder, Module};
@@ -10,7 +10,7 @@ use askama::Template;
 #[derive(Template)]
 #[template(path = "c/gegelati.c", escape = "none")]
 struct Gegelati<'a> {
-    printer: &'a Printer<'a>,
+    printer: &'a CPrinter<'a>,
     module: &'a Module<'a>,
     vertex: String,
     programs: Vec<ProgramView>,
@@ -23,13 +23,13 @@ struct ProgramView {
 }
 
 /// Renders the body.
-pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>) -> String {
+pub(super) fn render(printer: &CPrinter<'_>, module: &Module<'_>) -> String {
     let vertex = printer.vertex_type(module.vertices());
     let programs = module.bidders.iter().map(|bidder| program(printer, bidder)).collect();
     Gegelati { printer, module, vertex, programs }.render().expect("the template renders")
 }
 
-fn program(printer: &Printer<'_>, bidder: &Bidder) -> ProgramView {
+fn program(printer: &CPrinter<'_>, bidder: &Bidder) -> ProgramView {
     let mut block = Block::new(printer, [(bidder.value, None)]);
     ProgramView { label: bidder.label, statements: block.statements(bidder.value), result: block.value(bidder.value) }
 }

@@ -1,6 +1,6 @@
 //! The static functions that expressions call. Only those that are called: an unused one would be a warning.
 
-use super::expression::Printer;
+use super::expression::CPrinter;
 use crate::emit::helpers::called;
 use crate::emit::syntax::Syntax;
 use crate::passes::bound;
@@ -13,7 +13,7 @@ use tpg_runtime::ops::{BY_ZERO, ZERO_BY_ZERO};
 #[derive(Template)]
 #[template(path = "c/helpers.c", escape = "none")]
 struct CHelpers<'a> {
-    printer: &'a Printer<'a>,
+    printer: &'a CPrinter<'a>,
     f64: bool,
     is_own: bool,
     /// Choose by masks.
@@ -44,7 +44,7 @@ const MASKS: [&str; 9] = ["challenge", "negate_if_less", "min", "max", "quotient
 const FEW: usize = 24;
 
 /// Renders what the body calls.
-pub(super) fn render(printer: &Printer<'_>, body: &str) -> String {
+pub(super) fn render(printer: &CPrinter<'_>, body: &str) -> String {
     let count = |names: &[&str]| -> usize {
         names.iter().map(|name| body.matches(&format!("{}_{name}(", printer.prefix)).count()).sum()
     };

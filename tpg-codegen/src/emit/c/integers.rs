@@ -1,10 +1,10 @@
 //! A program in integers: straight code for a leaf, teams as in the profile `fast`, or a loop over a table of sums.
 
-use super::expression::Printer;
+use super::expression::CPrinter;
 use super::fast::Walk;
 use super::formula::CStraight;
 use crate::emit::helpers::called;
-use crate::emit::integers::{Dense, Table, Work};
+use crate::emit::integers::{Dense, DenseTable, Work};
 use crate::emit::interface::OutputView;
 use crate::emit::leaves::LeafView;
 use crate::emit::syntax::Syntax;
@@ -21,12 +21,12 @@ const RULE: &str = "The highest bid wins; of equal bids, the last.";
 struct CIntegerHelpers<'a> {
     prefix: &'a str,
     upper: &'a str,
-    table: Option<Table>,
+    table: Option<DenseTable>,
 }
 
 /// Renders the body, and what stands before it: a table, and the functions that it calls.
 pub(super) fn render(
-    printer: &Printer<'_>,
+    printer: &CPrinter<'_>,
     program: &Program<'_>,
     integers: &Integers,
     outputs: &[OutputView],

@@ -23,14 +23,14 @@ use crate::integers::{output_bits, source_bits};
 use crate::program::Program;
 use crate::shape::Shape;
 use askama::Template;
-use expression::Printer;
+use expression::CPrinter;
 use tpg_graph::interpret::Answer;
 use tpg_graph::{Graph, MathsProvider, ScalarType};
 
 #[derive(Template)]
 #[template(path = "c/header.h", escape = "none")]
 struct CHeader<'a> {
-    printer: &'a Printer<'a>,
+    printer: &'a CPrinter<'a>,
     banner: &'a [String],
     sources: &'a [SourceView],
     /// The constant of each action, and its name where the constant does not say it.
@@ -54,7 +54,7 @@ struct CArmView {
 #[derive(Template)]
 #[template(path = "c/source.c", escape = "none")]
 struct CSource<'a> {
-    printer: &'a Printer<'a>,
+    printer: &'a CPrinter<'a>,
     banner: &'a [String],
     needs_math: bool,
     needs_string: bool,
@@ -81,7 +81,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let prefix = program.options.prefix.lower();
     let gegelati = program.shape == Shape::Gegelati;
     let integers = matches!(program.shape, Shape::Integers(_));
-    let printer = Printer {
+    let printer = CPrinter {
         graph,
         nodes: &module.nodes,
         prefix,
@@ -99,11 +99,11 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
         Shape::Gegelati => (printer, gegelati::render(&printer, module)),
         Shape::Fast(schedule) => {
             let leads = compares_in_functions(module);
-            let printer = Printer { nodes: &schedule.nodes, short_cuts: true, leads, ..printer };
+            let printer = CPrinter { nodes: &schedule.nodes, short_cuts: true, leads, ..printer };
             (printer, fast::render(&printer, module, schedule, &outputs))
         }
         Shape::Balanced(cases) => {
-            let printer = Printer { nodes: &cases.nodes, ..printer };
+            let printer = CPrinter { nodes: &cases.nodes, ..printer };
             (printer, balanced::render(&printer, cases, &outputs))
         }
         Shape::Small(code) => (printer, small::render(&printer, code, &outputs)),
@@ -199,7 +199,7 @@ fn observed(source: &SourceView, one_by_one: bool) -> Vec<String> {
     }
 }
 
-fn views(printer: &Printer<'_>, Vectors { states, answers, .. }: &Vectors) -> Vec<(String, String)> {
+fn views(printer: &CPrinter<'_>, Vectors { states, answers, .. }: &Vectors) -> Vec<(String, String)> {
     let (graph, constants) = (printer.graph, printer.constants());
     (states.chunks_exact(graph.state_length()).zip(answers))
         .map(|(state, answer)| {

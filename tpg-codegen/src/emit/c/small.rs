@@ -4,7 +4,7 @@
 //! after another: where a result goes needs no bits. Instructions are packed into the least integer that holds them,
 //! 16 bits for up to 64 places.
 
-use super::expression::Printer;
+use super::expression::CPrinter;
 use super::leaves;
 use crate::emit::interface::OutputView;
 use crate::emit::syntax::Syntax;
@@ -14,7 +14,7 @@ use askama::Template;
 #[derive(Template)]
 #[template(path = "c/small.c", escape = "none")]
 struct CSmall<'a> {
-    printer: &'a Printer<'a>,
+    printer: &'a CPrinter<'a>,
     bytecode: &'a Bytecode,
     constants: Vec<String>,
     /// Minus infinity, where it is the last constant: not every compiler takes it in a table.
@@ -28,7 +28,7 @@ struct CSmall<'a> {
 }
 
 /// Renders the body.
-pub(super) fn render(printer: &Printer<'_>, bytecode: &Bytecode, outputs: &[OutputView]) -> String {
+pub(super) fn render(printer: &CPrinter<'_>, bytecode: &Bytecode, outputs: &[OutputView]) -> String {
     // The constants are sorted by their bits, of which minus infinity has the highest.
     let constants = bytecode.constants.strip_suffix(&[f64::NEG_INFINITY]).unwrap_or(&bytecode.constants);
     let small = CSmall {
@@ -44,7 +44,7 @@ pub(super) fn render(printer: &Printer<'_>, bytecode: &Bytecode, outputs: &[Outp
     small.render().expect("the template renders")
 }
 
-fn assignment(printer: &Printer<'_>, output: &OutputView) -> String {
+fn assignment(printer: &CPrinter<'_>, output: &OutputView) -> String {
     let program = format!("programs[{}]", output.place);
     let value = format!("{}_run(frame, {program})", printer.prefix);
     format!("action->{} = {};", output.field, leaves::limited(printer, output, &value))

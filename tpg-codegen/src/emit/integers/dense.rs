@@ -29,7 +29,7 @@ fn counts(graph: &Graph) -> impl Iterator<Item = &Counts> {
 }
 
 /// The tables' text.
-pub(in crate::emit) struct Table {
+pub(in crate::emit) struct DenseTable {
     /// The type of a weight.
     pub(in crate::emit) weight: &'static str,
     pub(in crate::emit) columns: usize,
@@ -110,7 +110,7 @@ impl<'a> Dense<'a> {
     }
 
     /// The tables.
-    pub(in crate::emit) fn table(&self) -> Table {
+    pub(in crate::emit) fn table(&self) -> DenseTable {
         let list =
             |numbers: &mut dyn Iterator<Item = i64>| numbers.map(|n| n.to_string()).collect::<Vec<_>>().join(", ");
         let all = 0..self.rows.len();
@@ -125,7 +125,7 @@ impl<'a> Dense<'a> {
             numbers.push(("highs", list(&mut all.map(|row| self.high(row)))));
         }
         let names: Vec<&str> = self.graph.outputs().iter().map(|output| output.name.as_str()).collect();
-        Table {
+        DenseTable {
             weight: if self.has_bytes() { "int8_t" } else { "int16_t" },
             columns: self.graph.state_length(),
             rows: self.rows.iter().map(|row| list(&mut row.weights.iter().copied())).collect(),

@@ -16,7 +16,7 @@ mod work;
 
 pub(crate) use comment::{bids_in_units, output_in_units, worth_from};
 pub(super) use comment::{with_unit, worth};
-pub(super) use dense::{Dense, Table};
+pub(super) use dense::{Dense, DenseTable};
 pub(super) use spelling::answer_bits;
 pub(crate) use spelling::state_bits;
 pub(super) use work::Work;

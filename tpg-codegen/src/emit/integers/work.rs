@@ -7,7 +7,7 @@ use crate::emit::block::unused;
 use crate::emit::interface::OutputView;
 use crate::emit::team::{BidView, Decision, Destinations, TeamView};
 use crate::integers::{Integers, Whole};
-use crate::ir::{Module, Node, NodeId, Target};
+use crate::ir::{Module, Node, NodeId, Successor};
 use crate::program::Program;
 use std::collections::BTreeSet;
 use tpg_graph::ActionId;
@@ -28,7 +28,7 @@ impl<'a> Work<'a> {
     /// Views a team: its first bid leads until another is as high.
     pub(in crate::emit) fn team<J>(&self, number: usize, to: &Destinations<'_, J>) -> TeamView<J> {
         let (module, team) = (self.module, &self.module.teams[number]);
-        let mut targets: Vec<Target> = Vec::new();
+        let mut targets: Vec<Successor> = Vec::new();
         for edge in &team.edges {
             if !targets.contains(&edge.to) {
                 targets.push(edge.to);
@@ -37,7 +37,7 @@ impl<'a> Work<'a> {
         let answers: Option<Vec<String>> = targets.iter().map(|&target| to.answer(target)).collect();
         let is_direct = answers.is_some();
         let ranks = answers.unwrap_or_else(|| (0..targets.len()).map(|place| self.spelling.place(place)).collect());
-        let bids: Vec<(NodeId, Target)> =
+        let bids: Vec<(NodeId, Successor)> =
             team.edges.iter().map(|edge| (module.bidders[edge.bidder].value, edge.to)).collect();
         let said: Vec<_> = bids.iter().map(|&(bid, target)| (bid, self.said(target, to))).collect();
         let comments = Comments::for_bids(module, &self.integers.forms, &said);
@@ -79,9 +79,9 @@ impl<'a> Work<'a> {
     }
 
     /// The name of a destination in comments.
-    fn said<J>(&self, target: Target, to: &Destinations<'_, J>) -> String {
+    fn said<J>(&self, target: Successor, to: &Destinations<'_, J>) -> String {
         match target {
-            Target::Action(ActionId(action)) if self.module.leaves.is_empty() => {
+            Successor::Action(ActionId(action)) if self.module.leaves.is_empty() => {
                 self.module.graph.actions()[usize::from(action)].name.clone()
             }
             _ => to.label(target).replace('_', " "),

@@ -1,6 +1,6 @@
 //! The profile `balanced`: tables of teams over native bids, each distinct one an arm of one `match`.
 
-use super::expression::Printer;
+use super::expression::RustPrinter;
 use super::leaves;
 use super::parts::Parts;
 use crate::emit::cases::{self, CaseView, FunctionView};
@@ -15,7 +15,7 @@ use askama::Template;
 #[derive(Template)]
 #[template(path = "rust/balanced_walk.rs", escape = "none")]
 struct BalancedWalk<'a> {
-    printer: &'a Printer<'a>,
+    printer: &'a RustPrinter<'a>,
     cases: &'a Cases,
     bids: Vec<CaseView>,
     functions: Vec<FunctionView>,
@@ -33,7 +33,7 @@ struct BalancedBody {
 }
 
 /// Renders the profile.
-pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, cases: &Cases, outputs: &[OutputView]) -> Parts {
+pub(super) fn render(printer: &RustPrinter<'_>, module: &Module<'_>, cases: &Cases, outputs: &[OutputView]) -> Parts {
     let reached = crate::ir::reached(&cases.leaves);
     let body = BalancedBody {
         teams: module.teams.len(),

@@ -3,8 +3,8 @@
 //! (`tpg_runtime::ops::constant_time`): it has no condition to make a branch or an IT block of.
 
 use super::parts::Parts;
-use super::{expression::Printer, leaves};
-use crate::emit::choice::{self, KeyView, TeamView};
+use super::{expression::RustPrinter, leaves};
+use crate::emit::choice::{self, ChoiceView, KeyView};
 use crate::emit::interface::OutputView;
 use crate::emit::layout;
 use crate::emit::syntax::Syntax;
@@ -21,7 +21,7 @@ struct RustConstantTime<'a> {
     only: bool,
     statements: Vec<String>,
     keys: Vec<KeyView>,
-    teams: Vec<TeamView>,
+    teams: Vec<ChoiceView>,
     /// The names of the teams' choices, then the actions, padded to a power of two by numbers that all differ: many zeros
     /// would become a call of `memset`.
     next: Vec<String>,
@@ -32,7 +32,7 @@ struct RustConstantTime<'a> {
 }
 
 /// Renders the profile.
-pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, outputs: &[OutputView]) -> Parts {
+pub(super) fn render(printer: &RustPrinter<'_>, module: &Module<'_>, outputs: &[OutputView]) -> Parts {
     let teams = module.teams.len();
     let size = module.vertices().next_power_of_two();
     let (names, bids) = (choice::names(module), module.deciding_bids());
@@ -84,7 +84,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, outputs: &[Outp
 
 /// The key of a bid. A constant's is computed here: the compiler does not see through the masks and would compute it each
 /// time.
-fn key(printer: &Printer<'_>, bid: NodeId, value: &str) -> String {
+fn key(printer: &RustPrinter<'_>, bid: NodeId, value: &str) -> String {
     match (printer.nodes[bid.index()].as_constant(), printer.graph.scalar()) {
         (None, _) => format!("ct.order({value});"),
         (Some(bid), ScalarType::F32) => {

@@ -18,7 +18,7 @@ const TAKEN: [&str; 5] = [
 
 /// Writes nodes.
 #[derive(Clone, Copy)]
-pub(super) struct Printer<'a> {
+pub(super) struct RustPrinter<'a> {
     pub(super) graph: &'a Graph,
     pub(super) nodes: &'a [Node],
     /// Calls of sine, cosine, tangent, logarithm and exponential go through helpers that are not inlined; for the platform's maths,
@@ -30,7 +30,7 @@ pub(super) struct Printer<'a> {
     pub(super) leads: bool,
 }
 
-impl Syntax for Printer<'_> {
+impl Syntax for RustPrinter<'_> {
     fn graph(&self) -> &Graph {
         self.graph
     }
@@ -121,7 +121,7 @@ impl Syntax for Printer<'_> {
     }
 }
 
-impl Printer<'_> {
+impl RustPrinter<'_> {
     /// The type that implements the transcendental functions.
     pub(super) fn provider(&self) -> &'static str {
         match self.graph.maths() {

@@ -6,7 +6,7 @@
 //!
 //! A bid of 0 goes through `black_box` where another may be `max(0, x)`: see [`Syntax::hides_zeros`].
 
-use super::expression::Printer;
+use super::expression::RustPrinter;
 use super::helpers;
 use super::leaves;
 use super::parts::Parts;
@@ -38,7 +38,12 @@ pub(super) struct RustFast<'a> {
 }
 
 /// Renders the profile.
-pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, schedule: &Schedule, outputs: &[OutputView]) -> Parts {
+pub(super) fn render(
+    printer: &RustPrinter<'_>,
+    module: &Module<'_>,
+    schedule: &Schedule,
+    outputs: &[OutputView],
+) -> Parts {
     let scalar = printer.scalar();
     let answer = match outputs.len() {
         0 => "u16".to_owned(),
@@ -60,7 +65,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, schedule: &Sche
 impl<'a> RustFast<'a> {
     /// Renders the expression that decides and the functions that it calls, with a team as a function views it.
     pub(super) fn text(
-        printer: &Printer<'_>,
+        printer: &RustPrinter<'_>,
         module: &Module<'_>,
         scalar: &'a str,
         answer: String,

@@ -1,6 +1,6 @@
 //! The functions that expressions of the profile `fast` call.
 
-use super::expression::Printer;
+use super::expression::RustPrinter;
 use crate::emit::helpers::called;
 use crate::emit::syntax::Syntax;
 use crate::passes::bound;
@@ -11,7 +11,7 @@ use tpg_graph::{MathsProvider, ScalarType};
 #[derive(Template)]
 #[template(path = "rust/helpers.rs", escape = "none")]
 struct RustHelpers<'a> {
-    printer: &'a Printer<'a>,
+    printer: &'a RustPrinter<'a>,
     scalar: &'a str,
     zero: String,
     /// Calls of the platform's logarithm and exponential handle the simple cases themselves.
@@ -33,7 +33,7 @@ impl RustHelpers<'_> {
 }
 
 /// Renders what items call.
-pub(super) fn render(printer: &Printer<'_>, items: &str) -> String {
+pub(super) fn render(printer: &RustPrinter<'_>, items: &str) -> String {
     let scalar = printer.graph.scalar();
     let short = printer.graph.maths() == MathsProvider::System;
     let (signed, unsigned) = if scalar == ScalarType::F32 { ("i32", "u32") } else { ("i64", "u64") };

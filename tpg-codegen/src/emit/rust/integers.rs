@@ -1,6 +1,6 @@
 //! A program in integers: the expression of a leaf, or a function for each team as in the profile `fast`.
 
-use super::expression::Printer;
+use super::expression::RustPrinter;
 use super::fast::RustFast;
 use super::parts::Parts;
 use crate::emit::helpers::called;
@@ -20,7 +20,7 @@ struct RustIntegerHelpers;
 
 /// Renders the body and its items.
 pub(super) fn render(
-    printer: &Printer<'_>,
+    printer: &RustPrinter<'_>,
     program: &Program<'_>,
     integers: &Integers,
     outputs: &[OutputView],

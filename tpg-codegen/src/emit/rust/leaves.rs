@@ -1,6 +1,6 @@
 //! The leaves of a policy with outputs.
 
-use super::expression::Printer;
+use super::expression::RustPrinter;
 use crate::emit::interface::OutputView;
 use crate::emit::layout::array;
 use crate::emit::leaves::{LeafView, view};
@@ -8,12 +8,16 @@ use crate::emit::syntax::Syntax;
 use crate::ir::Module;
 
 /// The values, each limited to its output's range, as an array in the body of a method; `value` names an output's.
-pub(super) fn limited(printer: &Printer<'_>, outputs: &[OutputView], value: impl Fn(&OutputView) -> String) -> String {
+pub(super) fn limited(
+    printer: &RustPrinter<'_>,
+    outputs: &[OutputView],
+    value: impl Fn(&OutputView) -> String,
+) -> String {
     answer(printer, outputs.iter().map(|output| (value(output), Some(output.limits.join(", ")))).collect())
 }
 
 /// An array of values in the body of a method, some of them limited.
-fn answer(printer: &Printer<'_>, values: Vec<(String, Option<String>)>) -> String {
+fn answer(printer: &RustPrinter<'_>, values: Vec<(String, Option<String>)>) -> String {
     let is_single = values.len() == 1;
     let element = |(value, limits): (String, Option<String>)| match limits {
         Some(limits) => printer.clamp(&value, &limits, is_single),
@@ -28,7 +32,7 @@ pub(super) fn element(output: &OutputView) -> String {
 }
 
 /// The body of a policy that has nothing to decide.
-pub(super) fn formula(printer: &Printer<'_>, module: &Module<'_>, outputs: &[OutputView]) -> String {
+pub(super) fn formula(printer: &RustPrinter<'_>, module: &Module<'_>, outputs: &[OutputView]) -> String {
     let ids = module.only_leaf().map_or(&[][..], |leaf| &leaf.values);
     let masks = printer.branch_free.then(|| masks(printer));
     let LeafView { statements, values, .. } = view(printer, ids, outputs, false);
@@ -42,6 +46,6 @@ pub(super) fn formula(printer: &Printer<'_>, module: &Module<'_>, outputs: &[Out
 }
 
 /// The statement that makes the masks of the profile `constant-time`.
-pub(super) fn masks(printer: &Printer<'_>) -> String {
+pub(super) fn masks(printer: &RustPrinter<'_>) -> String {
     format!("let ct = ConstantTime::<{}>::default();", printer.scalar())
 }

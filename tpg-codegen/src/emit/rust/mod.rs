@@ -18,7 +18,7 @@ use super::{banner, layout, moves::moves, names, team::compares_in_functions};
 use crate::program::Program;
 use crate::shape::Shape;
 use askama::Template;
-use expression::Printer;
+use expression::RustPrinter;
 use parts::Parts;
 use tpg_graph::Graph;
 
@@ -68,8 +68,13 @@ struct RustArmView {
 /// The file.
 pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let (graph, module, prefix) = (program.graph(), &program.module, &program.options.prefix);
-    let printer =
-        Printer { graph, nodes: &module.nodes, short_cuts: false, branch_free: program.is_branch_free(), leads: false };
+    let printer = RustPrinter {
+        graph,
+        nodes: &module.nodes,
+        short_cuts: false,
+        branch_free: program.is_branch_free(),
+        leads: false,
+    };
     let integers = matches!(program.shape, Shape::Integers(_));
     let kind = |bits: u32| if integers { format!("i{bits}") } else { graph.scalar().name().to_owned() };
     let (kind, answer) = (kind(state_bits(graph)), kind(answer_bits(graph)));
@@ -78,11 +83,11 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
     let (title, parts) = match &program.shape {
         Shape::Fast(schedule) => {
             let leads = compares_in_functions(module);
-            let printer = Printer { nodes: &schedule.nodes, short_cuts: true, leads, ..printer };
+            let printer = RustPrinter { nodes: &schedule.nodes, short_cuts: true, leads, ..printer };
             ("expensive bids are computed only where they can win", fast::render(&printer, module, schedule, &outputs))
         }
         Shape::Balanced(cases) => {
-            let printer = Printer { nodes: &cases.nodes, ..printer };
+            let printer = RustPrinter { nodes: &cases.nodes, ..printer };
             ("tables of teams over native bids", balanced::render(&printer, module, cases, &outputs))
         }
         Shape::Small(code) => ("tables and one small evaluator", small::render(&printer, module, code, &outputs)),
@@ -132,7 +137,7 @@ pub(super) fn files(program: &Program<'_>) -> Vec<File> {
 }
 
 /// The imports from `tpg_runtime::ops` that the parts need.
-fn imports(printer: &Printer<'_>, parts: &Parts) -> Vec<String> {
+fn imports(printer: &RustPrinter<'_>, parts: &Parts) -> Vec<String> {
     let names = |name: &str| parts.body.contains(name) || parts.items.contains(name);
     let provider = printer.provider();
     let masks = names("ConstantTime::").then(|| "ops::constant_time::ConstantTime".to_owned());

@@ -1,7 +1,7 @@
 //! The profile `small`: the policy as tables, and one small evaluator.
 
 use super::parts::Parts;
-use super::{expression::Printer, leaves};
+use super::{expression::RustPrinter, leaves};
 use crate::emit::interface::OutputView;
 use crate::emit::layout;
 use crate::emit::syntax::Syntax;
@@ -12,7 +12,7 @@ use askama::Template;
 #[derive(Template)]
 #[template(path = "rust/small.rs", escape = "none")]
 struct RustSmall<'a> {
-    printer: &'a Printer<'a>,
+    printer: &'a RustPrinter<'a>,
     /// The type that instructions are taken apart in.
     wide: &'a str,
     bytecode: &'a Bytecode,
@@ -34,7 +34,7 @@ struct SmallBody<'a> {
 }
 
 /// Renders the profile.
-pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, code: &Bytecode, outputs: &[OutputView]) -> Parts {
+pub(super) fn render(printer: &RustPrinter<'_>, module: &Module<'_>, code: &Bytecode, outputs: &[OutputView]) -> Parts {
     let body = SmallBody {
         scalar: printer.scalar(),
         zero: printer.literal(0.0),

@@ -66,7 +66,7 @@ pub(super) struct Action {
 
 /// An edge of a team; without a destination, it is the one that another edge states for the same program.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Edge {
+pub(super) struct DeclaredEdge {
     pub(super) line: usize,
     pub(super) team: u32,
     pub(super) program: u32,
@@ -92,7 +92,7 @@ pub(super) struct Declared {
     pub(super) actions: Table<Action>,
     /// Programs that links name, each with the line. Links are redundant, but the programs must exist.
     pub(super) links: Vec<(usize, u32)>,
-    pub(super) edges: Vec<Edge>,
+    pub(super) edges: Vec<DeclaredEdge>,
     pub(super) rank: Option<Rank>,
     /// Line of the closing brace.
     pub(super) close: usize,

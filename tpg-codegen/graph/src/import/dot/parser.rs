@@ -1,6 +1,6 @@
 //! From text to what it declares, one line at a time.
 
-use super::declared::{Action, Declared, Edge, Kind, Lines, Node, Program, Rank, add};
+use super::declared::{Action, Declared, DeclaredEdge, Kind, Lines, Node, Program, Rank, add};
 use super::fault::{Fault, refuse};
 use super::label;
 use super::lexer::{self, Token, quote};
@@ -133,10 +133,10 @@ fn inside(declared: &mut Declared, line: usize, content: &str, tokens: &[Token<'
             declared.links.push((line, program.number));
         }
         ([Kind::Team, Kind::Program], &[team, program]) => {
-            declared.edges.push(Edge { line, team: team.number, program: program.number, to: None });
+            declared.edges.push(DeclaredEdge { line, team: team.number, program: program.number, to: None });
         }
         ([Kind::Team, Kind::Program, Kind::Team | Kind::Action], &[team, program, to]) => {
-            declared.edges.push(Edge { line, team: team.number, program: program.number, to: Some(to) });
+            declared.edges.push(DeclaredEdge { line, team: team.number, program: program.number, to: Some(to) });
         }
         _ => return Err(unknown()),
     }

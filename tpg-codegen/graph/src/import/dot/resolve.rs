@@ -1,6 +1,6 @@
 //! Translation of statements to a document: numbers of the file become names and ids.
 
-use super::declared::{Action, Declared, Edge, Kind, Node};
+use super::declared::{Action, Declared, DeclaredEdge, Kind, Node};
 use super::fault::Fault;
 use super::leaves;
 use super::program::Meaning;
@@ -94,7 +94,7 @@ impl Resolver<'_> {
                 destinations.entry(edge.program).or_insert(to);
             }
         }
-        for &Edge { line, team, program, to } in &self.declared.edges {
+        for &DeclaredEdge { line, team, program, to } in &self.declared.edges {
             let Some(place) = self.declared.teams.get_index_of(&team) else {
                 return self.refuse(line, format!("T{team}, which does not exist"), "a team that the file declares");
             };
