@@ -11,7 +11,7 @@ pub(super) struct LookView {
     pub(super) rows: usize,
     pub(super) columns: usize,
     pub(super) channels: usize,
-    /// What is looked for: a place, or the brightest and the darkest window.
+    /// Places, or the brightest and the darkest window, that are looked for.
     finds: Vec<FindView>,
     values: Vec<ValueView>,
     windows: Vec<WindowView>,

@@ -29,7 +29,7 @@ pub(super) struct Facts<'a> {
     /// The middle of every range: in C by source, in Rust flat.
     pub(super) state_c: String,
     pub(super) state_rust: String,
-    /// What the C needs on the package's chip.
+    /// Needs of the C on the package's chip.
     pub(super) size: ShapeSize,
     pub(super) worst: Cost,
     pub(super) sha256: String,

@@ -1,4 +1,4 @@
-//! What the report for people says beside its fields.
+//! Text of the report for people, beside its fields.
 
 use super::{Report, ShapeSize};
 use crate::size::Target;
