@@ -139,28 +139,25 @@ impl Context<'_> {
 }
 
 /// Adds an edge that does with one of two sources what an edge does with the other.
-fn twin(genome: &mut Genome, edge: Edge, [one, other]: [u8; 2]) -> Edge {
-    let leaf = match edge.to {
-        Destination::Leaf(leaf) => genome.leaves()[&leaf].programs.clone(),
-        Destination::Team(_) | Destination::Action(_) => Vec::new(),
-    };
-    let mut exchanged = |program: ProgramId| {
-        let mut program = genome.program(program).clone();
-        for gene in program.lines.iter_mut().flat_map(|line| &mut line.operands) {
-            gene.source = match gene.source {
-                source if source == one => other,
-                source if source == other => one,
-                source => source,
-            };
-        }
-        genome.add_program(program)
-    };
-    let program = exchanged(edge.program);
-    let programs: Vec<ProgramId> = leaf.into_iter().map(exchanged).collect();
-    if programs.is_empty() {
-        return Edge { program, ..edge };
-    }
+fn twin(genome: &mut Genome, edge: Edge, pair: [u8; 2]) -> Edge {
+    let program = exchanged(genome, edge.program, pair);
+    let Destination::Leaf(leaf) = edge.to else { return Edge { program, ..edge } };
+    let programs = genome.leaves()[&leaf].programs.clone();
+    let programs = programs.into_iter().map(|program| exchanged(genome, program, pair)).collect();
     Edge { program, to: Destination::Leaf(genome.add_leaf(Leaf { programs })) }
+}
+
+/// Adds a copy of a program that reads each of two sources for the other.
+fn exchanged(genome: &mut Genome, program: ProgramId, [one, other]: [u8; 2]) -> ProgramId {
+    let mut program = genome.program(program).clone();
+    for gene in program.lines.iter_mut().flat_map(|line| &mut line.operands) {
+        gene.source = match gene.source {
+            source if source == one => other,
+            source if source == other => one,
+            source => source,
+        };
+    }
+    genome.add_program(program)
 }
 
 /// The teams and leaves that existed before any child: children lead only to these, so no cycle can arise.
@@ -171,7 +168,7 @@ struct EarlierLeaves<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Team, twin};
+    use super::{Edge, twin};
     use crate::evolution::config::EvolutionConfig;
     use crate::evolution::genome::{Destination, Genome};
     use crate::evolution::linear::{LinearWriter, ProgramKind};
@@ -213,20 +210,18 @@ mod tests {
         let writer = LinearWriter::new(&vocabulary, 0, ProgramKind::Sum).expect("sums can be written");
         let root = writer.add_root(&mut genome, &[3.0, 0.0, 0.0, 0.0, -3.0, 0.0, 5.0, 0.0, 0.0, -5.0]);
         let pair = vocabulary.pair(&mut Stream::new(1, 0, Purpose::Test, 0)).expect("two sources of two values");
-        let edge = genome.team(root).edges[0];
-        let edges = vec![edge, twin(&mut genome, edge, pair)];
-        let team = genome.add_team(Team { edges });
-        let policy = genome.policy(team, &vocabulary);
-        let values = |leaf: usize, state: [f64; 4]| {
-            let Destination::Leaf(leaf) = genome.team(team).edges[leaf].to else { panic!("a leaf") };
-            let programs = &genome.leaves()[&leaf].programs;
-            programs.iter().map(|id| genome.program(*id).bid(&vocabulary, &state)).collect::<Vec<_>>()
+        let Destination::Leaf(leaf) = genome.team(root).edges[0].to else { panic!("a leaf") };
+        let edge = Edge { program: genome.leaves()[&leaf].programs[0], to: Destination::Leaf(leaf) };
+        let edges = [edge, twin(&mut genome, edge, pair)];
+        // The bid, and the outputs.
+        let values = |edge: Edge, state: [f64; 4]| {
+            let Destination::Leaf(leaf) = edge.to else { panic!("a leaf") };
+            let programs = std::iter::once(&edge.program).chain(&genome.leaves()[&leaf].programs);
+            programs.map(|id| genome.program(*id).bid(&vocabulary, &state)).collect::<Vec<_>>()
         };
-        assert_eq!(policy.leaves.len(), 2);
-        assert_eq!(
-            (values(0, [2.0, 1.0, 0.5, 0.0]), values(1, [0.5, 0.0, 2.0, 1.0])),
-            (vec![3.0, 0.0], vec![3.0, 0.0])
-        );
+        let (first, second) = (values(edges[0], [2.0, 1.0, 0.5, 0.0]), values(edges[1], [0.5, 0.0, 2.0, 1.0]));
+        assert_eq!((first, second), (vec![3.0, 3.0, 0.0], vec![3.0, 3.0, 0.0]));
+        assert_ne!(values(edges[1], [2.0, 1.0, 0.5, 0.0]), [3.0, 3.0, 0.0]);
     }
 
     #[test]
