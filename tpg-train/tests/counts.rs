@@ -80,6 +80,20 @@ fn a_graph_has_the_fewest_bits_that_keep_its_return() {
 }
 
 #[test]
+fn a_memory_is_kept_in_integers_too() {
+    let folder = TempDir::new().expect("a folder");
+    let [run, out] = ["run", "whole.json"].map(|name| folder.path().join(name).display().to_string());
+    let mut train = assert_cmd::Command::new(env!("CARGO_BIN_EXE_tpg-train"));
+    train.args(["tpg", "--problem", "pendulum", "--set", "language.memory=2", "--seed", "1", "--out", &run]);
+    train.args(["--preset", "quick", "--max-steps", "300000"]).assert().success();
+    let graph = format!("{run}/graph.json");
+    quantise(&[&graph, "--out", &out, "--bits", "16", "--episodes", "40"]).success();
+    assert!(fs::read_to_string(&out).expect("a graph").contains("\"memory\": ["));
+    let [float, whole] = [&graph, &out].map(|file| mean_score("pendulum", Path::new(file)));
+    assert!((float - whole).abs() < 0.02 * float.abs(), "{float} and {whole}");
+}
+
+#[test]
 fn bits_that_are_asked_for_are_taken_whatever_they_lose() {
     let folder = TempDir::new().expect("a folder");
     let config = folder.path().join("slow.toml");

@@ -18,7 +18,7 @@ pub fn bind(
     known: &[SourceDocument],
     space: &ActionSpace,
 ) -> Result<PolicyGraph, InputError> {
-    let places = places(file, graph, known)?;
+    let places = places(file, graph.sources(), known)?;
     if let (ActionSpace::Box(known), false) = (space, graph.outputs().is_empty()) {
         let outputs = outputs(file, graph, known)?;
         let ends: Vec<u16> = (0..graph.leaves().len() as u16).collect();
@@ -53,14 +53,14 @@ pub fn bind(
     Ok(renumbered(PolicyGraph::from(graph), &places, &actions))
 }
 
-/// Returns the place in a state of these sources of each value of a graph's own state. Of an image, a graph has the features
+/// Returns the place in a state of `known` sources of each value of a graph's own `sources`. Of an image, a graph has the features
 /// that it reads.
 ///
 /// # Errors
-/// If the graph reads what these sources do not have.
-pub fn places(file: &str, graph: &Graph, known: &[SourceDocument]) -> Result<Vec<u16>, InputError> {
+/// If the graph reads what the known sources do not have.
+pub fn places(file: &str, sources: &[SourceDocument], known: &[SourceDocument]) -> Result<Vec<u16>, InputError> {
     let mut places = Vec::new();
-    for (number, source) in graph.sources().iter().enumerate() {
+    for (number, source) in sources.iter().enumerate() {
         let path = || format!("$.sources[{number}].name");
         let names = || known.iter().map(|source| source.name.as_str()).collect::<Vec<_>>().join(", ");
         let Some(at) = known.iter().position(|other| other.name == source.name) else {
@@ -101,7 +101,7 @@ pub fn places(file: &str, graph: &Graph, known: &[SourceDocument]) -> Result<Vec
 /// As [`places`].
 pub fn reading(file: &str, graph: &Graph, known: &[SourceDocument]) -> Result<PolicyGraph, InputError> {
     let ends: Vec<u16> = (0..graph.ends() as u16).collect();
-    Ok(renumbered(PolicyGraph::from(graph), &places(file, graph, known)?, &ends))
+    Ok(renumbered(PolicyGraph::from(graph), &places(file, graph.sources(), known)?, &ends))
 }
 
 /// Compares a graph's action with an environment's: by what it asks, by its effect, or else by name.

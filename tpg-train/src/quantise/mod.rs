@@ -147,7 +147,7 @@ fn visit<S: Number, M: Maths<S>>(
 ) -> Result<Visit, InputError> {
     let tasks = episodes.in_problem(problem)?;
     opened::<S, _>(problem, graph, |choices| {
-        let visiting = Visiting::new::<S>(choices, places(&acting.0, graph, &choices.sources())?);
+        let visiting = Visiting::new::<S>(choices, places(&acting.0, graph.observed(), &choices.sources())?);
         let visiting = Choices::new(visiting, None).expect("as they are");
         let done = run::<S, M, _>(&visiting, Acting::Graph(acting), &tasks)?;
         let returns = done.endings.iter().map(|ending| ending.score).collect();
