@@ -1,12 +1,14 @@
 //! A graph in Python.
 
 use crate::error;
+use crate::network::Network;
 use crate::space::Space;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 use tpg_codegen::emit::Code;
 use tpg_codegen::emit::{Language, Options, Prefix, Profile, Style};
+use tpg_codegen::policy::to_asking_c;
 use tpg_codegen::quantise::{Request, quantise};
 use tpg_codegen::report;
 use tpg_codegen::verify::Proof;
@@ -72,7 +74,7 @@ impl Graph {
 
     /// Returns the place in the states of a space of each input.
     fn columns(&self, space: &Space) -> PyResult<Vec<u16>> {
-        tpg_engine::places("graph", &self.0, &space.seen_by(&self.0)).map_err(error::input)
+        tpg_engine::places("graph", self.0.sources(), &space.seen_by(&self.0)).map_err(error::input)
     }
 
     /// The range of each input, as a value.
@@ -212,6 +214,18 @@ impl Graph {
         profile: &str,
     ) -> PyResult<Vec<PathBuf>> {
         export(&folder, self.code(py, language, prefix, profile)?)
+    }
+
+    /// Writes C as `export` does, with the network that the graph asks.
+    fn export_with(&self, folder: PathBuf, prefix: &str, profile: &str, network: &Network) -> PyResult<Vec<PathBuf>> {
+        let files = to_asking_c(&self.0, &options(prefix, profile)?, &network.0).map_err(error::input)?;
+        export(&folder, files.into_iter().map(|file| (file.name, file.text)).collect())
+    }
+
+    /// Returns this graph with one more action, its last, which asks a network where the two highest bids of a team for different
+    /// destinations are less than `margin` apart.
+    fn asking(&self, margin: f64) -> PyResult<Self> {
+        self.0.clone().asking("network", margin).map(Self).map_err(error::input)
     }
 
     /// Compiles generated code in each language and profile, and compares its answers with the interpreter's on `states`

@@ -64,7 +64,18 @@ impl Network {
     #[staticmethod]
     fn load(path: PathBuf) -> PyResult<Self> {
         let text = read_text(&path, "a policy.q.json").map_err(error::input)?;
-        QuantisedPolicy::from_json(&path.display().to_string(), &text).map(Self).map_err(error::input)
+        Self::from_json(&text, &path.display().to_string())
+    }
+
+    /// Reads the text of a `policy.q.json`; messages name it `name`.
+    #[staticmethod]
+    #[pyo3(signature = (text, name = "<text>"))]
+    fn from_json(text: &str, name: &str) -> PyResult<Self> {
+        QuantisedPolicy::from_json(name, text).map(Self).map_err(error::input)
+    }
+
+    fn __reduce__(&self, py: Python<'_>) -> PyResult<(Py<PyAny>, (String,))> {
+        Ok((py.get_type::<Self>().getattr("from_json")?.unbind(), (self.0.to_json(),)))
     }
 
     /// Writes the `policy.q.json`, whole or not at all.

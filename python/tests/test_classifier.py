@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import json
 import pickle
 import subprocess
 import sys
@@ -12,8 +13,9 @@ from typing import Any
 import numpy as np
 import pytest
 import tools
-from sklearn.datasets import load_breast_cancer, load_wine
+from sklearn.datasets import load_breast_cancer, load_digits, load_wine
 from sklearn.model_selection import train_test_split
+from sklearn.neural_network import MLPClassifier
 from sklearn.utils.estimator_checks import check_estimator
 
 import tpg_train
@@ -70,6 +72,43 @@ def test_the_c_and_a_file_answer_as_the_classifier(fitted: tuple[Any, list[Any]]
     assert model.model_.export_rust(tmp_path / "rust") and "Cortex-M0" in str(whole.report("m0"))
 
 
+def test_the_graph_asks_a_network_where_it_is_unsure_and_c_answers_as_both(tmp_path: Path) -> None:
+    parts = train_test_split(*load_digits(return_X_y=True), random_state=0)
+    few: dict[str, Any] = {"total_timesteps": STEPS, "random_state": 1}
+    alone = TPGClassifier(**few).fit(parts[0], parts[2])
+    model = TPGClassifier(**few, network=MLPClassifier((32,), max_iter=300), price=0.02).fit(parts[0], parts[2])
+    graph, expected = model.model_.graph, model.predict(parts[1])
+    asked = graph.answers(np.ascontiguousarray(parts[1])) == 10
+    assert 0.01 < asked.mean() < 0.5 and model.score(parts[1], parts[3]) > alone.score(parts[1], parts[3])
+    assert (expected[asked] == model.network_.predict(parts[1][asked])[0]).all()
+    assert (expected[~asked] == alone.predict(parts[1])[~asked]).all()
+    assert (pickle.loads(pickle.dumps(model)).predict(parts[1]) == expected).all()
+    for fixed, kind in ((None, "c_float"), (16, "c_int16")):
+        folder = tmp_path / kind
+        files = model.model_.export_c(folder, prefix="digit", fixed=fixed, network=model.network_)
+        assert sorted(path.name for path in files)[-3:] == ["digit_decide.h", "digit_network.c", "digit_network.h"]
+        (folder / "all.c").write_text(
+            '#include "digit_decide.h"\nint decide(const digit_state_t *state) { return (int)digit_decide(state); }\n'
+        )
+        flags = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-O1", "-shared", "-fPIC"]
+        library = folder / "digit.so"
+        subprocess.run([tools.program("cc"), *flags, *folder.glob("*.c"), "-lm", "-o", library], check=True)
+        rows, values = parts[1], getattr(ctypes, kind) * 64
+        if fixed is not None:
+            counts = [
+                one for source in json.loads(model.model_.quantise(16).graph.to_json())["sources"] for one in source["counts"]
+            ]
+            rows = np.rint(rows / [one["scale"] for one in counts] + [one.get("offset", 0) for one in counts]).astype(int)
+        decide = ctypes.CDLL(str(library)).decide
+        answers = np.array([decide(values(*row)) for row in rows.tolist()])
+        assert (answers == expected).mean() >= (1.0 if fixed is None else 0.98)
+    with pytest.raises(InputError, match=r"the network: \$.observation: .*; accepted: alcohol, malic_acid"):
+        wine(network=MLPClassifier((4,), max_iter=2000))[0].model_.export_c(tmp_path / "other", network=model.network_)
+    with pytest.raises(InputError, match=r"the graph: \$.actions: 0 actions that ask; accepted: one"):
+        alone.model_.export_c(tmp_path / "other", network=model.network_)
+    assert not (tmp_path / "other").exists()
+
+
 def test_classes_have_names_and_weights() -> None:
     samples, classes = load_breast_cancer(return_X_y=True)
     names = np.array(["malignant", "benign"])[classes]
@@ -87,6 +126,8 @@ def test_classes_have_names_and_weights() -> None:
         ({"validation_fraction": 1.0}, r"validation_fraction = 1.0; accepted: from 0, below 1"),
         ({"preset": "fast"}, r"the preset \"fast\"; accepted: .*labels"),
         ({"settings": {"tpg.roots": 3}}, "unknown field `roots`"),
+        ({"price": -1}, "price = -1; accepted: 0 or more"),
+        ({"network": MLPClassifier(activation="tanh")}, "accepted: an MLPClassifier with activation='relu'"),
         ({"total_timesteps": 0}, "total_timesteps = 0; accepted: a whole number from 1"),
     ],
 )

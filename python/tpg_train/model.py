@@ -16,7 +16,7 @@ import weakref
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Union, cast, overload
+from typing import TYPE_CHECKING, Any, Union, cast, overload
 
 import cloudpickle  # type: ignore[import-untyped, unused-ignore]
 import gymnasium
@@ -33,6 +33,9 @@ from .reports import Evaluation, HallEntry, Proof, Report
 from .spaces import Interface, _name
 from .tuning import tuned
 from .wrappers import Fresh
+
+if TYPE_CHECKING:
+    from .network import NetworkPolicy
 
 log = logging.getLogger("tpg_train")
 
@@ -713,13 +716,23 @@ class TPG:
         return TPG(self._env, seed=self.seed, settings=settings, max_episode_steps=limit, native=False, **names)
 
     def export_c(
-        self, folder: PathLike, prefix: str | None = None, profile: str = "fast", fixed: int | None = None
+        self,
+        folder: PathLike,
+        prefix: str | None = None,
+        profile: str = "fast",
+        fixed: int | None = None,
+        network: NetworkPolicy | None = None,
     ) -> list[Path]:
         """Writes C99 into a folder and returns the paths. `profile` is "fast", "balanced", "small" or "constant-time".
 
-        With `fixed`, the C computes in integers, from inputs and weights of so many bits: see `quantise`.
+        With `fixed`, the C computes in integers, from inputs and weights of so many bits: see `quantise`. With the `network` that
+        the policy asks, `PREFIX_decide` of `PREFIX_decide.h` answers for both; the network names the policy's own actions.
         """
-        return self._export(folder, "c", prefix, profile, fixed)
+        if network is None:
+            return self._export(folder, "c", prefix, profile, fixed)
+        graph = (self if fixed is None else self.quantise(fixed))._best()
+        files = graph.export_with(Path(folder), prefix or self._prefix(), profile, network._network)
+        return [Path(path) for path in files]
 
     def export_rust(
         self, folder: PathLike, prefix: str | None = None, profile: str = "constant-time", fixed: int | None = None

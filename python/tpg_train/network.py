@@ -188,16 +188,9 @@ def from_sb3(model: Any, *, env: gymnasium.Env[Any, Any] | None = None, kind: st
     inputs = layers[0][0].shape[1]
     if interface.inputs != inputs:
         raise InputError(f"{name}: a network of {inputs} inputs; accepted: {interface.inputs}, as {interface.name} has")
-    choices, outputs = interface.actions()
     layers[-1] = _combined(*layers[-1], interface, name)
     seen, states = _visited(_Normalised(model, normaliser), env, interface, seed)
-    values = [(output, np.float32(low), np.float32(high), squash) for output, low, high in outputs]
-    names = [
-        part.name if len(part.low) == 1 else f"{part.name}[{place}]" for part in interface.parts for place in range(len(part.low))
-    ]
-    scaled, calibration = _scaled(names, states, layers, normaliser, kind)
-    network = Network.quantise(scaled, layers, values, choices, calibration, kind, _sha256(layers))
-    policy = NetworkPolicy(network, interface, states, {})
+    policy = _in_integers(layers, interface, squash, states, normaliser, kind)
     policy.agreement.update(_agreement(_Normalised(model, normaliser), policy, interface, seen))
     equal, apart = (policy.agreement.get(key) for key in ("equal_actions", "mean_difference"))
     if (equal is not None and equal < LEAST_EQUAL) or (apart is not None and not apart <= MOST_DIFFERENCE):
@@ -206,6 +199,18 @@ def from_sb3(model: Any, *, env: gymnasium.Env[Any, Any] | None = None, kind: st
             f"{LEAST_EQUAL:.0%} of the states, values {MOST_DIFFERENCE:.0%} of half their range away: try kind='w16a16'"
         )
     return policy
+
+
+def _in_integers(
+    layers: Layers, interface: Interface, squash: str, states: Floats, normaliser: _Normaliser, kind: str
+) -> NetworkPolicy:
+    """Puts layers into integers, calibrated on states."""
+    choices, outputs = interface.actions()
+    values = [(output, np.float32(low), np.float32(high), squash) for output, low, high in outputs]
+    names = [name if len(ends) == 1 else f"{name}[{place}]" for name, ends in interface.sources() for place in range(len(ends))]
+    scaled, calibration = _scaled(names, states, layers, normaliser, kind)
+    network = Network.quantise(scaled, layers, values, choices, calibration, kind, _sha256(layers))
+    return NetworkPolicy(network, interface, states, {})
 
 
 @dataclasses.dataclass(frozen=True)

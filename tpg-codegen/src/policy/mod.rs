@@ -18,7 +18,9 @@
 //! | `quantise` | from floating point to integers |
 //! | `model`, `emit` | words and C; Rust |
 //! | `plain` | C that needs no library |
+//! | `asked` | the same with the graph that asks it |
 
+mod asked;
 mod emit;
 mod file;
 mod float;
@@ -28,6 +30,7 @@ mod network;
 mod plain;
 mod quantise;
 
+pub use asked::to_asking_c;
 pub use emit::to_rust;
 pub use float::{FloatNetwork, FloatOutput, FloatValue};
 pub use meaning::{Input, Output, Preferences, ValueOutput};

@@ -4,6 +4,7 @@
 //! register and input is in range, and the teams form an acyclic graph with one root. Passes and emitters never check
 //! again.
 
+mod asking;
 mod counts;
 mod document;
 mod effect;

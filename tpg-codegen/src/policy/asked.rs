@@ -1,0 +1,81 @@
+//! A graph and the network that it asks as one C function.
+
+use super::meaning::Output;
+use super::network::QuantisedPolicy;
+use super::plain::to_plain_c;
+use crate::Options;
+use crate::emit::c::field::field;
+use crate::emit::{Code, File, Language, Prefix, layout};
+use askama::Template;
+use tpg_graph::error::{InputError, Place, counted};
+use tpg_graph::{Graph, Input, ScalarType};
+
+#[derive(Template)]
+#[template(path = "c/decide.h", escape = "none")]
+struct DecideHeader<'a> {
+    prefix: &'a str,
+    upper: String,
+    network: &'a str,
+    ask: String,
+    /// What the network sees of the graph's state.
+    inputs: String,
+}
+
+/// The C of a graph, the [plain C](to_plain_c) of the network that it asks, and `PREFIX_decide.h`, whose function answers for
+/// both.
+///
+/// # Errors
+/// Where the network does not fit the graph: its inputs, its actions, or none that asks; and those of [`Code::of_graph`].
+pub fn to_asking_c(graph: &Graph, options: &Options, policy: &QuantisedPolicy) -> Result<Vec<File>, InputError> {
+    let [ask] = &graph.asks().collect::<Vec<_>>()[..] else {
+        let found = format!("{} that ask", counted(graph.asks().count(), "action"));
+        return Err(InputError::new("the graph", "$.actions", found, "one"));
+    };
+    let refuse = |path: &str, found: &[String], accepted: &[String]| {
+        Err(InputError::new("the network", path, found.join(", "), accepted.join(", ")))
+    };
+    let inputs: Vec<String> = graph.inputs().map(|input| named(graph, input, |name| name.to_owned())).collect();
+    let seen: Vec<String> = policy.inputs.iter().map(|input| input.name.clone()).collect();
+    if inputs != seen {
+        return refuse("$.observation", &seen, &inputs);
+    }
+    let own = graph.actions().iter().filter(|action| action.ask.is_none());
+    let own: Vec<String> = own.map(|action| action.name.clone()).collect();
+    let choices = if let Output::Argmax(names) = &policy.output { &names[..] } else { &[] };
+    if choices != own {
+        return refuse("$.output", choices, &own);
+    }
+    let prefix = options.prefix.lower();
+    let name = format!("{prefix}_{ask}");
+    let network: Prefix =
+        name.parse().map_err(|_| InputError::new("the prefix", Place::Whole, &name, "a shorter name"))?;
+    let mut files = Code::of_graph("the graph", graph, options, Language::C)?.files;
+    files.extend(to_plain_c(policy, &network)?);
+    let header = DecideHeader {
+        prefix,
+        upper: options.prefix.upper(),
+        network: network.lower(),
+        ask: ask.to_ascii_uppercase(),
+        inputs: graph.inputs().map(|input| value(graph, input)).collect::<Vec<_>>().join(", "),
+    };
+    let text = layout::wrap(&header.render().expect("a template of plain values"), false) + "\n";
+    files.push(File { name: format!("{prefix}_decide.h"), text });
+    Ok(files)
+}
+
+/// Returns a value of the graph's state in C: of counts, what they are worth.
+fn value(graph: &Graph, input: Input) -> String {
+    let member = format!("state->{}", named(graph, input, |name| field(graph, name)));
+    match graph.counts_of(input) {
+        Some(counts) => format!("((float){member} - {:?}f) * {:?}f", counts.offset as f32, counts.scale as f32),
+        None if graph.scalar() == ScalarType::F64 => format!("(float){member}"),
+        None => member,
+    }
+}
+
+/// Writes the name of an input's source, and its place among others.
+fn named(graph: &Graph, input: Input, name: impl Fn(&str) -> String) -> String {
+    let (source, place) = graph.source_of(input);
+    let name = name(&source.name);
+    if source.ranges.len() == 1 { name } else { format!("{name}[{place}]") }
+}
