@@ -7,6 +7,7 @@
 use crate::arm::{self, Scene};
 use crate::balls::{self, Balls};
 use crate::control::{self, Rig};
+use crate::eye::{self, Camera};
 use core::cell::RefCell;
 use core::ptr;
 
@@ -14,6 +15,7 @@ thread_local! {
     static SCENE: RefCell<Option<Scene>> = RefCell::new(Scene::new());
     static BYTES: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
     static BALLS: RefCell<Balls> = RefCell::new(Balls::default());
+    static CAMERA: RefCell<Camera> = RefCell::new(Camera::new(1));
     static RIGS: RefCell<[Box<dyn Rig>; 3]> = RefCell::new(control::rigs());
 }
 
@@ -116,4 +118,28 @@ pub extern "C" fn tpg_control_set(problem: u32, constant: u32, to: f64) {
 #[unsafe(no_mangle)]
 pub extern "C" fn tpg_control_view(problem: u32) -> *const control::View {
     RIGS.with_borrow(|rigs| rigs.get(problem as usize).map_or(ptr::null(), |rig| ptr::from_ref(rig.view())))
+}
+
+/// Begins a scene of the camera, drawn by a seed.
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_eye_restart(seed: u32) {
+    CAMERA.replace(Camera::new(seed));
+}
+
+/// Lets the camera's policy act once.
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_eye_act() {
+    CAMERA.with_borrow_mut(Camera::act);
+}
+
+/// Puts the ball at a distance from the middle of the camera's image, pixels.
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_eye_drag(down: f32, right: f32) {
+    CAMERA.with_borrow_mut(|camera| camera.drag(down, right));
+}
+
+/// Returns the place of the camera's [`eye::View`].
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_eye_view() -> *const eye::View {
+    CAMERA.with_borrow(|camera| ptr::from_ref(camera.view()))
 }

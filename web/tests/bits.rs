@@ -6,16 +6,16 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 use support::page;
-use tpg_arm::Pose;
 use tpg_testing::library::top;
 use tpg_web::arm::{Scene, State};
+use tpg_web::eye::Camera;
 
-/// FNV-1a of 64 bits over the poses.
+/// FNV-1a of 64 bits over poses and images.
 struct Hash(u64);
 
 impl Hash {
-    fn add(&mut self, pose: Pose) {
-        for byte in pose.0.iter().flat_map(|ticks| ticks.to_le_bytes()) {
+    fn add(&mut self, bytes: impl IntoIterator<Item = u8>) {
+        for byte in bytes {
             self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
         }
     }
@@ -38,12 +38,18 @@ fn native(targets: &[[f64; 3]]) -> String {
         scene.aim(target);
         while !scene.view(0).state.is_end() {
             scene.act(0, 1);
-            hash.add(scene.poses()[0]);
+            hash.add(scene.poses()[0].0.iter().flat_map(|ticks| ticks.to_le_bytes()));
             actions += 1;
         }
         reached += u32::from(scene.view(0).state == State::Reached);
     }
-    format!("{reached} of {} reached, {actions} actions, poses {:016x}", targets.len(), hash.0)
+    let mut camera = Camera::new(1);
+    for _ in 0..200 {
+        camera.act();
+        hash.add(camera.view().pixels);
+    }
+    assert_eq!(camera.view().ended, 0, "the ball is in the image");
+    format!("{reached} of {} reached, {actions} actions, all {:016x}", targets.len(), hash.0)
 }
 
 #[test]

@@ -93,6 +93,7 @@ async function desktop() {
 
   await decision(tab);
   await balls(tab);
+  await eye(tab);
   await problems(tab);
   await tab.evaluate(() => scrollTo(0, 0));
   await tab.click("#another");
@@ -101,7 +102,7 @@ async function desktop() {
   assert.ok(calls >= CALLS[0] && calls <= CALLS[1], `${calls} calls of drawing methods in a frame; accepted: ${CALLS.join(" to ")}`);
   await reached(tab);
   await tab.waitForFunction(() => !page.arm.busy);
-  await tab.evaluate(() => page.controls.forEach(control => control.running = false));
+  await tab.evaluate(() => [page.eye, ...page.controls].forEach(part => part.running = false));
   const atRest = await tab.evaluate(frames, 10);
   assert.ok(atRest.slice(2).every(count => count === 0), `a page at rest draws nothing: ${atRest}`);
   await close();
@@ -160,6 +161,33 @@ async function balls(tab) {
   await tab.click("#next-scene");
   assert.equal(await tab.evaluate(() => page.balls.scene), 1);
   await tab.waitForFunction(() => page.balls.module.view(0).steps > 10);
+}
+
+/** The camera follows the ball that a mouse and a key put somewhere, and begins anew with another. */
+async function eye(tab) {
+  const canvas = tab.locator("#eye canvas");
+  await canvas.scrollIntoViewIfNeeded();
+  const middle = () => tab.waitForFunction(() => Math.hypot(...page.eye.module.view().ball) < 3);
+  const away = () => tab.evaluate(() => Math.hypot(...page.eye.module.view().ball));
+  await middle();
+  const { x, y, width, height } = await canvas.boundingBox();
+  await tab.mouse.move(x + 0.5 * width, y + 0.5 * height);
+  await tab.mouse.down();
+  await tab.mouse.move(x + 0.8 * width, y + 0.3 * height);
+  await tab.waitForTimeout(200);
+  assert.ok(await away() > 8, "the ball stays where it is held");
+  await canvas.screenshot({ path: join(out, "1280-eye.png") });
+  await tab.mouse.up();
+  await middle();
+  await tab.evaluate(() => { page.eye.running = false; });
+  const before = await tab.evaluate(() => page.eye.module.view().ball[1]);
+  await canvas.focus();
+  await tab.keyboard.press("ArrowRight");
+  assert.ok(Math.abs(await tab.evaluate(() => page.eye.module.view().ball[1]) - before - 1) < 1e-3);
+  assert.equal(await tab.locator("#eye .bid.lit").count(), 3, "a bid and what it leads to");
+  await tab.getByRole("button", { name: "Another ball" }).click();
+  assert.equal(await tab.evaluate(() => page.eye.seed), 2);
+  await tab.evaluate(() => { page.eye.running = true; });
 }
 
 /** Every problem acts, lights one bid of each team on the way, and feels a push. */

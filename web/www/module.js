@@ -1,4 +1,4 @@
-// The module and what it shows: the layouts are those of `arm::View`, `balls::View` and `control::View`.
+// The module and what it shows: the layouts are those of `View` in `arm`, `balls`, `eye` and `control`.
 
 export const ARMS = ["hybrid", "graph", "network", "planner"];
 export const STATES = ["graph", "network", "planner", "reached", "stop", "cycle", "joint limit", "collision", "time limit"];
@@ -11,7 +11,7 @@ export async function load(url) {
   return wrap(instance.exports);
 }
 
-/** Wraps the module's exports: one object for the arms, one for those among balls, one for each problem. */
+/** Wraps the module's exports: one object for the arms, one for those among balls, one for the camera, one for each problem. */
 export function wrap(exports) {
   // The memory may have grown since the last call: the buffer is asked for each time.
   const at = (place, length) => new DataView(exports.memory.buffer, place, length);
@@ -51,6 +51,19 @@ export function wrap(exports) {
       };
     },
   };
+  const eye = {
+    restart: seed => exports.tpg_eye_restart(seed),
+    act: () => exports.tpg_eye_act(),
+    drag: (down, right) => exports.tpg_eye_drag(down, right),
+    view() {
+      const place = exports.tpg_eye_view(), data = at(place, 812), float = offset => data.getFloat32(offset, true);
+      return {
+        pixels: new Uint8Array(exports.memory.buffer, place, 768),
+        seen: [768, 772, 776, 780, 784, 788].map(float), action: [792, 796].map(float), ball: [800, 804].map(float),
+        ended: data.getUint32(808, true) === 1,
+      };
+    },
+  };
   const problem = number => ({
     restart: seed => exports.tpg_control_restart(number, seed),
     act: () => exports.tpg_control_act(number),
@@ -66,5 +79,5 @@ export function wrap(exports) {
       };
     },
   });
-  return { arms, balls, problems: [0, 1, 2].map(problem) };
+  return { arms, balls, eye, problems: [0, 1, 2].map(problem) };
 }

@@ -10,8 +10,10 @@ use tpg_graph::SourceDocument;
 use tpg_graph::image::Image;
 use tpg_runtime::scalar::Scalar;
 
-const ROWS: usize = 24;
-const COLUMNS: usize = 32;
+/// Rows of the image.
+pub const ROWS: usize = 24;
+/// Columns of the image.
+pub const COLUMNS: usize = 32;
 /// Actions of an episode.
 const ACTIONS: u32 = 200;
 /// The fastest command, in pixels an action.
@@ -36,7 +38,7 @@ impl Default for Eye {
 
 /// A running episode. Places are those of the middle of the image, down and to the right, in pixels.
 #[derive(Clone, Debug)]
-pub(crate) struct EyeScene {
+pub struct EyeScene {
     seed: u64,
     actions: u64,
     radius: f32,
@@ -57,7 +59,18 @@ fn unit(bits: u64) -> f32 {
 }
 
 impl EyeScene {
-    fn new(seed: u64) -> Self {
+    /// Begins the episode of a seed.
+    ///
+    /// ```
+    /// use tpg_problems::eye::{COLUMNS, EyeScene, ROWS};
+    ///
+    /// let mut scene = EyeScene::new(1);
+    /// scene.put_ball([0.0, 5.0]);
+    /// assert_eq!(scene.pixels().len(), ROWS * COLUMNS);
+    /// let step = scene.step([0.0, 2.0]);
+    /// assert!(step.end.is_none() && scene.distance()[1] < 5.0, "the head turns to the right");
+    /// ```
+    pub fn new(seed: u64) -> Self {
         let mut number = 0;
         let mut draw = |low: f32, high: f32| {
             number += 1;
@@ -80,13 +93,19 @@ impl EyeScene {
         }
     }
 
-    /// Returns the ball's distance from the middle of the image.
-    fn distance(&self) -> [f32; 2] {
+    /// Returns the ball's distance from the middle of the image, down and to the right, in pixels.
+    pub fn distance(&self) -> [f32; 2] {
         [self.ball[0] - self.head[0], self.ball[1] - self.head[1]]
     }
 
-    /// Draws the image once, for features that look at each pixel many times.
-    fn frame(&self) -> Frame {
+    /// Puts the ball at a distance from the middle of the image, at rest.
+    pub fn put_ball(&mut self, distance: [f32; 2]) {
+        self.ball = [0, 1].map(|axis| self.head[axis] + distance[axis]);
+        self.velocity = [0.0; 2];
+    }
+
+    /// Draws the image, row after row.
+    pub fn pixels(&self) -> Vec<u8> {
         let mut patch = ([i64::MAX; 2], 0.0);
         let pixels = (0..ROWS).flat_map(|row| (0..COLUMNS).map(move |column| [row, column]));
         let pixel = |place: [usize; 2]| {
@@ -97,7 +116,7 @@ impl EyeScene {
             }
             self.pixel(place, at, patch.1)
         };
-        Frame(pixels.map(pixel).collect())
+        pixels.map(pixel).collect()
     }
 
     /// Returns how much brighter a square of the background is than what is around it.
@@ -106,7 +125,8 @@ impl EyeScene {
         (2.0 * unit(random) - 1.0) * self.texture
     }
 
-    fn step(&mut self, command: [f32; 2]) -> Step {
+    /// Turns the head by commands, down and to the right, in pixels.
+    pub fn step(&mut self, command: [f32; 2]) -> Step {
         self.actions += 1;
         for axis in 0..2 {
             let command = command[axis].clamp(-FASTEST, FASTEST);
@@ -180,11 +200,11 @@ impl<S: Scalar> Environment<S> for Eye {
     }
 
     fn observe(&self, scene: &mut EyeScene, _: SourceSet, state: &mut [S]) {
-        self.0.look(&scene.frame(), 0..state.len(), state);
+        self.0.look(&Frame(scene.pixels()), 0..state.len(), state);
     }
 
     fn observe_some(&self, scene: &mut EyeScene, _: SourceSet, inputs: &[u16], state: &mut [S]) {
-        self.0.look(&scene.frame(), inputs.iter().map(|&input| input.into()), state);
+        self.0.look(&Frame(scene.pixels()), inputs.iter().map(|&input| input.into()), state);
     }
 
     fn step(&self, scene: &mut EyeScene, act: Act<'_, S>) -> Step {

@@ -34,7 +34,7 @@ pub mod cartpole;
 mod circle;
 pub mod dodge;
 pub mod eights;
-mod eye;
+pub mod eye;
 mod minatar;
 pub mod mountain_car;
 pub mod mountain_car_continuous;

@@ -1,6 +1,6 @@
 //! The data of the page: the policies as formulas and tables of bids, their code, and what a decision costs.
 
-use crate::policies::{ARM, POLICIES, Policy, read, top};
+use crate::policies::{ARM, EYE, POLICIES, Policy, read, top};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io;
@@ -17,6 +17,7 @@ struct PageData {
     costs: BTreeMap<&'static str, PageCost>,
     arm: PageTeams,
     balls: PageBalls,
+    eye: PageEye,
     problems: Vec<PageProblem>,
 }
 
@@ -26,6 +27,16 @@ struct PageTeams {
     table: Bids,
     #[serde(flatten)]
     formulas: PolicyFormulas,
+}
+
+/// The camera's policy.
+#[derive(Serialize)]
+struct PageEye {
+    /// Bytes and instructions.
+    size: String,
+    code: String,
+    #[serde(flatten)]
+    teams: PageTeams,
 }
 
 /// Scenes among moving balls.
@@ -81,7 +92,12 @@ pub(crate) fn text() -> io::Result<String> {
     let costs = costs()?;
     let balls = balls(costs["balls"].worst)?;
     let arm = teams(&ARM, &ARM.graph()?)?;
-    let text = serde_json::to_string(&PageData { costs, arm, balls, problems }).map_err(io::Error::other)?;
+    let eye = PageEye {
+        size: EYE.provenance("| C, profile `fast` |")?,
+        code: EYE.code()?,
+        teams: teams(&EYE, &EYE.graph()?)?,
+    };
+    let text = serde_json::to_string(&PageData { costs, arm, balls, eye, problems }).map_err(io::Error::other)?;
     Ok(text + "\n")
 }
 

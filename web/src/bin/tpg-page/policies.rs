@@ -23,6 +23,9 @@ pub(crate) const POLICIES: [Policy; 3] = [
 /// The graph of the arm.
 pub(crate) const ARM: Policy = Policy { folder: "widowx-rs", title: "WidowX" };
 
+/// The policy of the camera.
+pub(crate) const EYE: Policy = Policy { folder: "eye", title: "Eye" };
+
 /// The repository's top folder.
 pub(crate) fn top() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().map(Path::to_owned).unwrap_or_default()
