@@ -79,6 +79,13 @@ class ManyCart(Cart):
         return 0.1 * float(action[0] / 2) - 0.05 * float(action[1])
 
 
+class WideCart(Cart):
+    observation_space = spaces.Box(-100, 100, (5000,), np.float32)
+
+    def observe(self) -> Any:
+        return np.pad(super().observe(), (4998, 0))
+
+
 class Digits(Cart):
     """A decision about a digit that f32 does not have."""
 

@@ -283,6 +283,7 @@ def test_built_in_problems_are_gymnasiums_step_by_step(name: str) -> None:
         environments.BoxCart,
         environments.ManyCart,
         environments.StartingCart,
+        environments.WideCart,
     ],
 )
 def test_spaces(make: type[environments.Cart]) -> None:

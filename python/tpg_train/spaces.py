@@ -18,7 +18,7 @@ from ._tpg import Driver, Eye, Graph, InputError, Policy, Space, flat
 from .names import names_of
 
 MOST_ACTIONS = 4096
-MOST_INPUTS = 4096
+MOST_INPUTS = 2**16
 MOST_NAMES = 60
 DEFAULT_LIMIT = 10_000
 
